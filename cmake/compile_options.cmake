@@ -1,0 +1,15 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# One interface target that every target of ours links: warnings, and arithmetic that is the same everywhere.
+add_library(qrelief_options INTERFACE)
+target_compile_options(qrelief_options INTERFACE
+  -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion
+  $<$<BOOL:${QRELIEF_WERROR}>:-Werror>
+  -ffp-contract=off)  # fused multiply-adds would make results differ between machines
+if(QRELIEF_SANITIZE)
+  target_compile_options(qrelief_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
+  target_link_options(qrelief_options INTERFACE -fsanitize=address,undefined)
+endif()
+if(EMSCRIPTEN)
+  target_compile_options(qrelief_options INTERFACE -fwasm-exceptions -msimd128)
+  target_link_options(qrelief_options INTERFACE -fwasm-exceptions)
+endif()

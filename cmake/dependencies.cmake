@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Third-party libraries as targets qrelief::<name>, the same names natively and for WebAssembly.
+
+# The headers of a few libraries, linked into a folder of their own: a WASM build must not see /usr/include.
+set(QRELIEF_HEADERS ${CMAKE_BINARY_DIR}/third_party)
+file(MAKE_DIRECTORY ${QRELIEF_HEADERS})
+foreach(name CGAL boost glm tiny_obj_loader.h fmt nlohmann tl)
+  find_path(${name}_parent NAMES ${name} PATHS /usr/include /usr/local/include NO_DEFAULT_PATH NO_CACHE REQUIRED)
+  file(CREATE_LINK ${${name}_parent}/${name} ${QRELIEF_HEADERS}/${name} SYMBOLIC)
+endforeach()
+
+add_library(qrelief_headers INTERFACE)
+target_include_directories(qrelief_headers SYSTEM INTERFACE ${QRELIEF_HEADERS})
+target_compile_definitions(qrelief_headers INTERFACE FMT_HEADER_ONLY CGAL_DISABLE_GMP=1 CGAL_NO_GMP=1)
+if(EMSCRIPTEN)
+  # WASM cannot switch the rounding mode; without this CGAL's interval filters are silently wrong.
+  target_compile_definitions(qrelief_headers INTERFACE CGAL_ALWAYS_ROUND_TO_NEAREST)
+else()
+  target_compile_options(qrelief_headers INTERFACE -frounding-math)
+endif()
+add_library(qrelief::headers ALIAS qrelief_headers)
+
+if(EMSCRIPTEN)
+  include(wasm_sources)  # qrelief::qrencode and qrelief::imgui from source
+  add_library(qrelief_gles INTERFACE)
+else()
+  find_package(PkgConfig REQUIRED)
+  pkg_check_modules(qrencode REQUIRED IMPORTED_TARGET libqrencode)
+  add_library(qrelief::qrencode ALIAS PkgConfig::qrencode)
+  pkg_check_modules(gles REQUIRED IMPORTED_TARGET glesv2)
+  pkg_check_modules(egl REQUIRED IMPORTED_TARGET egl)
+  add_library(qrelief_gles INTERFACE)
+  target_link_libraries(qrelief_gles INTERFACE PkgConfig::gles)
+endif()
+add_library(qrelief::gles ALIAS qrelief_gles)

@@ -1,0 +1,16 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# embed_shaders(TARGET file...): compiles shader files, their #include lines resolved, into TARGET as
+# `qrelief::shaders::<name>_<kind>` (occlusion.frag → occlusion_frag), declared in "shaders.h".
+set(EMBED_SHADERS_SCRIPT ${CMAKE_CURRENT_LIST_DIR}/embed_shaders_script.cmake)
+
+function(embed_shaders target)
+  set(out ${CMAKE_BINARY_DIR}/generated)
+  file(GLOB includes CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/shaders/*.glsl)
+  add_custom_command(
+    OUTPUT ${out}/shaders.h ${out}/shaders.cpp
+    COMMAND ${CMAKE_COMMAND} -DOUT=${out} "-DSHADERS=${ARGN}" -P ${EMBED_SHADERS_SCRIPT}
+    DEPENDS ${ARGN} ${includes} ${EMBED_SHADERS_SCRIPT}
+    VERBATIM)
+  target_sources(${target} PRIVATE ${out}/shaders.h ${out}/shaders.cpp)
+  target_include_directories(${target} PUBLIC ${out})
+endfunction()

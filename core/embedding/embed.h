@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+
+#include "base/result.h"
+#include "carving/depth_field.h"
+#include "math/frame.h"
+#include "mesh/topology.h"
+
+namespace qrelief {
+
+struct EmbedResult {
+  Mesh mesh;                                 ///< kept facets first, in their old order; then the new ones
+  std::size_t keptTriangles = 0;             ///< facets of the input that come out bit for bit
+  std::vector<std::uint32_t> newTriangles;   ///< indices of the facets that carving made
+};
+
+struct EmbedOptions {
+  /// Outlines are moved by at most this much so that they keep clear of the model's vertices and edges, mm.
+  double snapMm = 0.01;
+  /// Width of the material left between two pockets that would touch along a line only, mm.
+  double chamferMm = 0.04;
+};
+
+/// Carves a depth field into the surface, keeping the model's own facets [Papp 2022, §5; design: surface mode
+/// "preserved"]: a constrained Delaunay triangulation of facets and pocket outlines in the QR plane, every vertex
+/// lifted back along its ray; floors are the removed pieces shifted along their rays, walls run along rays.
+///
+/// @param patch  triangles visible from the eye that cover all carved submodules; projections do not overlap
+/// @returns the carved mesh; NoSolution if the carved area leaves the patch; Internal if the arrangement failed
+Result<EmbedResult> embedDepthField(const Mesh& mesh, const Adjacency& adjacency, const ProjectionFrame& frame,
+                                    std::span<const std::uint32_t> patch, const DepthField& depths,
+                                    const EmbedOptions& options = {});
+
+}  // namespace qrelief

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "mesh/mesh.h"
+
+namespace qrelief {
+
+/// Binary STL: 80-byte header, count, 50 bytes a triangle, little endian; positions bit for bit.
+/// @param title  goes into the header, cut to 80 bytes; never begins with "solid"
+std::vector<std::uint8_t> writeStl(const Mesh& mesh, std::string_view title = "QRelief");
+
+}  // namespace qrelief

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Every tolerance of the core, with its reason. Topology is never decided by one of these.
+
+namespace qrelief {
+
+/// Sine of the angle below which an up hint counts as parallel to the plane's normal (about 1°):
+/// nearer than that its projection says nothing about what the user meant.
+inline constexpr double kParallelSine = 0.0175;
+
+/// Depths are rounded to this grid, mm: a tenth of the finest layer, so that neighbours that differ
+/// only by noise share one floor, and no wall is lower than 32-bit floats can hold at 1 m.
+inline constexpr double kDepthQuantumMm = 0.01;
+
+}  // namespace qrelief

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "mesh/polygon_soup.h"
+#include "mesh/topology.h"
+
+namespace qrelief {
+
+/// One thing found out about a model, in words a user can act on.
+struct Finding {
+  enum class Severity {
+    Note,     ///< nothing is wrong
+    Warning,  ///< harmless, or mended: the finding says how
+    Blocking  ///< the model is no closed, oriented solid: it can be shown, not engraved
+  };
+  Severity severity = Severity::Note;
+  std::string code;     ///< stable, "open-edges", "duplicate-triangles", …
+  std::size_t count = 0;
+  std::string message;  ///< what was found, where (one example: facet, coordinates in file units), what was done
+  std::string hint;     ///< what would help; empty for notes
+};
+
+struct PrepareOptions {
+  double scaleToMm = 1;  ///< file units → mm, > 0, finite
+};
+
+/// A model that is welded, cleaned and searchable; engravable if no finding is blocking.
+struct PreparedModel {
+  Mesh mesh;  ///< mm
+  Adjacency adjacency;
+  std::vector<Vec3f> normals;  ///< smooth unit vertex normals
+  std::vector<Finding> findings;
+  std::size_t shells = 0;
+
+  /// The first blocking finding as an error, if there is one.
+  Status engravable() const;
+};
+
+/// Scales to mm, rounds to 32-bit floats, welds by equal position, drops degenerate and duplicate triangles
+/// and unreferenced vertices, orients every shell consistently and outwards (an inner shell, a cavity, inwards),
+/// and says what it found.
+///
+/// Cost: O(T log T); no self-intersection test (see mesh/self_intersection.h).
+/// @returns the model, blocking findings included; an error only for what cannot be represented: no triangle left,
+///          coordinates that are not finite or whose size is implausible as mm (> 10 km across), too many triangles.
+Result<PreparedModel> prepareModel(const PolygonSoup& soup, const PrepareOptions& options);
+
+}  // namespace qrelief

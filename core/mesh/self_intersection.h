@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "base/result.h"
+#include "mesh/mesh.h"
+
+namespace qrelief {
+
+using TrianglePair = std::array<std::uint32_t, 2>;
+
+/// Pairs of triangles that cross or touch other than along a shared edge or at a shared vertex, by exact predicates
+/// (CGAL, EPICK); ordered, first index < second.
+///
+/// Cost: O(n log n) box sweep plus one exact test for each pair of overlapping boxes.
+/// @param suspects  triangles to test against all others; empty = all of the mesh
+/// @param limit     stops after so many pairs
+Result<std::vector<TrianglePair>> findSelfIntersections(const Mesh& mesh, std::span<const std::uint32_t> suspects = {},
+                                                        std::size_t limit = 1000);
+
+}  // namespace qrelief

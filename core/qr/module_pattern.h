@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "qr/symbol.h"
+
+namespace qrelief {
+
+/// Submodules along a module's edge [Papp 2022, §5].
+inline constexpr int kSubmodulesPerModule = 5;
+
+/// Which submodules of a dark module are carved [Papp 2022, §6, figure 7].
+///
+///     None     Square   ThinPlus Diamond  ThickPlus
+///     #####    .....    .....    ..#..    .###.
+///     #####    .###.    ..#..    .###.    #####
+///     #####    .###.    .###.    #####    #####
+///     #####    .###.    ..#..    .###.    #####
+///     #####    .....    .....    ..#..    .###.
+enum class ModulePattern : std::uint8_t { None, Square, ThinPlus, Diamond, ThickPlus };
+
+/// The same for the 7×7 finder patterns [figure 9]. With Diamond and ThickPlus the four corner modules of the ring
+/// take a Square shifted by one submodule towards the finder's centre along both axes, so that it touches its
+/// neighbours.
+enum class FinderPattern : std::uint8_t { None, AsModules, Diamond, ThickPlus };
+
+/// The submodules to be carved: `size × size`, row-major from the symbol's top left, 1 = carved.
+struct SubmoduleMask {
+  int size = 0;  ///< kSubmodulesPerModule · symbol.size
+  std::vector<std::uint8_t> carved;
+
+  bool isCarved(int row, int column) const { return carved[static_cast<std::size_t>(row * size + column)] != 0; }
+};
+
+SubmoduleMask submodulesToCarve(const Symbol& symbol, ModulePattern modules, FinderPattern finders);
+
+/// Names as on the command line ("thin-plus"); empty if there is no such pattern.
+std::optional<ModulePattern> modulePatternByName(std::string_view name);
+std::optional<FinderPattern> finderPatternByName(std::string_view name);
+
+}  // namespace qrelief

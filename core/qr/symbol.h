@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "base/result.h"
+
+namespace qrelief {
+
+enum class ErrorCorrection : std::uint8_t { L, M, Q, H };  ///< restores about 7, 15, 25, 30 % of the codewords
+
+/// What a module is for [ISO/IEC 18004, figure 2]. Data includes error correction and remainder bits.
+enum class ModuleRole : std::uint8_t { Data, Finder, Separator, Timing, Alignment, Format, Version };
+
+struct SymbolOptions {
+  ErrorCorrection errorCorrection = ErrorCorrection::M;
+  std::optional<int> version;  ///< 1 … 40; the smallest that holds the text if empty
+};
+
+/// A QR Code symbol without quiet zone: `size × size` modules, row-major from the top left.
+struct Symbol {
+  int version = 1;
+  ErrorCorrection errorCorrection = ErrorCorrection::M;
+  int mask = 0;  ///< 0 … 7, as in the format information
+  int size = 21;  ///< 17 + 4·version
+  std::vector<std::uint8_t> dark;  ///< 1 = dark
+  std::vector<ModuleRole> roles;
+
+  bool isDark(int row, int column) const { return dark[static_cast<std::size_t>(row * size + column)] != 0; }
+  ModuleRole role(int row, int column) const { return roles[static_cast<std::size_t>(row * size + column)]; }
+};
+
+/// Quiet zone that the standard asks for on each side, in modules.
+inline constexpr int kQuietZoneModules = 4;
+
+/// Encodes a text [ISO/IEC 18004, by libqrencode]: UTF-8 bytes without ECI, as every phone expects.
+/// @param text  not empty, valid UTF-8, without NUL
+/// @returns BadInput if the text is empty, no UTF-8, or too long for the version and level asked for (says how long it
+///          is and what would hold it)
+Result<Symbol> encodeSymbol(std::string_view text, const SymbolOptions& options = {});
+
+}  // namespace qrelief

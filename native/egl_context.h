@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "base/result.h"
+
+namespace qrelief {
+
+/// A current OpenGL ES 3 context without a window, for the thread that made it: on a GPU if one can be had without a
+/// display (EGL_EXT_platform_device), else Mesa's software renderer (surfaceless).
+/// QRELIEF_GL=software in the environment skips the GPU.
+class EglContext {
+ public:
+  static Result<std::unique_ptr<EglContext>> create();
+  ~EglContext();
+  EglContext(const EglContext&) = delete;
+  EglContext& operator=(const EglContext&) = delete;
+
+ private:
+  EglContext() = default;
+  void* display_ = nullptr;
+  void* context_ = nullptr;
+};
+
+}  // namespace qrelief
