@@ -52,7 +52,7 @@ export class ResultPanel {
   }
 
   scrollIntoView() {
-    this.region_.scrollIntoView({ block: 'nearest' });
+    this.region_.scrollIntoView({ block: 'start' });
   }
 
   /** @param {string} text @param {string} readBack */
