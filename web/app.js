@@ -2,8 +2,8 @@
 // Ties the panels, the view and the engine together. It keeps the model's file, the settings and the centre, so that a
 // module that had to be replaced can be given everything again.
 import { EngineClient, isReplaced } from './engine/client.js';
-import { describeThrown } from './engine/engine_error.js';
-import { readCode } from './reader/reader.js';
+import { EngineFailure, describeThrown } from './engine/engine_error.js';
+import { kReaderName, readCode } from './reader/reader.js';
 import { CodePanel } from './ui/code_panel.js';
 import { saveFile } from './ui/save_file.js';
 import { Messages } from './ui/messages.js';
@@ -18,11 +18,15 @@ import { View } from './view/view.js';
 /** @typedef {import('./engine/types.js').ViewSize} ViewSize */
 /** @typedef {import('./ui/model_panel.js').Sample} Sample */
 /** @typedef {[number, number, number]} Point */
-/** @typedef {{ bytes: Uint8Array, fileName: string, scaleToMm: number, sampleId?: string, credit: string,
- *   centreMm?: Point }} Source */
+/** @typedef {{ bytes: Uint8Array, fileName: string, scaleToMm: number, upAxis: import('./engine/types.js').UpAxis,
+ *   sampleId?: string, credit: string, centreMm?: Point }} Source */
 
+const kAskForCentre = 'Click the model where the code should go.';
 const kMaxFileBytes = 512 * 1024 * 1024;  // beyond it a tab runs out of memory before it can say so
+const kGraphicsHint = 'Use a current browser with hardware acceleration switched on';
 const kMaxReplacements = 3;               // by faults, before the page gives up
+
+const darkScheme = matchMedia('(prefers-color-scheme: dark)');
 
 export class App {
   constructor() {
@@ -31,6 +35,7 @@ export class App {
       onSample: (id) => this.guard_(() => this.openSample(id)),
       onFile: (file) => this.guard_(() => this.openFile_(file)),
       onScale: (scaleToMm) => this.guard_(() => this.rescale_(scaleToMm)),
+      onUpAxis: (upAxis) => this.guard_(() => this.turnUp_(upAxis)),
     });
     this.code_ = new CodePanel({
       onSettings: () => this.guard_(() => this.changeSettings_()),
@@ -63,6 +68,7 @@ export class App {
     /** @type {Point | undefined} */ this.centreMm_ = undefined;
     /** @type {AbortController | undefined} */ this.workAbort_ = undefined;
     /** @type {Promise<void> | undefined} */ this.placing_ = undefined;
+    this.centreIsGuess_ = false;  // the module's, not the user's: no error if the code has no place there
     this.placeAgain_ = false;
     this.placed_ = false;
     this.carvedExists_ = false;
@@ -75,7 +81,7 @@ export class App {
     this.code_.text = address.get('text') ?? this.code_.text;
     try {
       const [{ problems }, samples] = await Promise.all([this.client_.start(), fetchJson('samples/manifest.json')]);
-      if (problems.length > 0) this.messages_.showError({ message: problems.join('; '), hint: 'Results may differ on this device' });
+      if (problems.length > 0) throw new EngineFailure({ code: 'NoGraphics', message: problems.join('; '), hint: kGraphicsHint });
       this.samples_ = samples;
     } catch (thrown) {
       this.messages_.say('QRelief could not start.');
@@ -84,10 +90,16 @@ export class App {
     }
     this.models_.setSamples(this.samples_);
     this.view_.announceSize();
+    await this.followTheme_();
     await this.guard_(async () => {
       await this.openSample(address.get('sample') ?? this.samples_[0].id);
       if (address.get('engrave') === '1') await this.engrave();
     });
+  }
+
+  async followTheme_() {
+    darkScheme.addEventListener('change', () => this.guard_(() => this.client_.setTheme(darkScheme.matches)));
+    await this.client_.setTheme(darkScheme.matches);
   }
 
   /** @param {string} id */
@@ -99,7 +111,7 @@ export class App {
       return;
     }
     const bytes = await fetchBytes(`samples/${sample.file}`);
-    await this.load_({ bytes, fileName: sample.file, scaleToMm: 1, sampleId: id, credit: sample.credit, centreMm: sample.centreMm });
+    await this.load_({ bytes, fileName: sample.file, scaleToMm: 1, upAxis: 'z', sampleId: id, credit: sample.credit, centreMm: sample.centreMm });
   }
 
   async engrave() {
@@ -134,7 +146,7 @@ export class App {
     this.setCarved_(true);
     this.messages_.say('Reading the code back…');
     const readBack = await readCode(await this.client_.readerImage());
-    await this.client_.setReadBack(readBack);
+    await this.client_.setReadBack(readBack, kReaderName);
     this.result_.show(await this.client_.report(), readBack, performance.now() - started);
     this.result_.scrollIntoView();
     this.messages_.say('Engraved. The model is ready to download.');
@@ -150,7 +162,8 @@ export class App {
       return;
     }
     const bytes = new Uint8Array(await file.arrayBuffer());
-    await this.load_({ bytes, fileName: file.name, scaleToMm: this.source_?.sampleId === undefined ? this.models_.scaleToMm : 1, credit: '' });
+    const { scaleToMm, upAxis } = this.models_;  // the last ones chosen: parts of one origin share them
+    await this.load_({ bytes, fileName: file.name, scaleToMm, upAxis, credit: '' });
   }
 
   /** @param {number} scaleToMm */
@@ -161,17 +174,28 @@ export class App {
     await this.load_({ ...this.source_, scaleToMm, centreMm: moved });
   }
 
+  /** @param {import('./engine/types.js').UpAxis} upAxis */
+  async turnUp_(upAxis) {
+    if (!this.source_) return;
+    this.source_ = { ...this.source_, upAxis };
+    await this.client_.setUpAxis(upAxis);
+    await this.changeSettings_();
+  }
+
   /** @param {Source} source  becomes the current one if it can be read */
   async load_(source) {
     this.workAbort_?.abort();
     this.messages_.clearError();
+    const axisBefore = this.source_?.upAxis ?? 'z';
     try {
+      if (source.upAxis !== axisBefore) await this.client_.setUpAxis(source.upAxis);
       const model = await this.runWork_(`Reading ${source.fileName}`, (signal) =>
         this.client_.loadModel(source.bytes, source.fileName, source.scaleToMm, { signal }));
       this.source_ = source;
       this.model_ = model;
       this.centreMm_ = source.centreMm;
     } catch (thrown) {
+      if (source.upAxis !== axisBefore) await this.client_.setUpAxis(axisBefore);
       this.showSource_();
       this.work_.allowEngrave(this.model_?.engravable ?? false);
       throw thrown;
@@ -202,8 +226,16 @@ export class App {
       this.messages_.say('This model cannot be engraved.');
       return;
     }
-    this.messages_.say(centreMm ? 'Ready.' : 'Click the model where the code should go.');
-    if (centreMm) await this.moveCentre_(() => this.client_.setCentre(centreMm));
+    if (centreMm) {
+      await this.moveCentre_(() => this.client_.setCentre(centreMm));
+    } else if (model.centre) {
+      this.centreMm_ = model.centre;
+      this.centreIsGuess_ = true;
+      this.code_.showCentre(model.centre);
+      await this.place_();
+    } else {
+      this.messages_.say(kAskForCentre);
+    }
   }
 
   async changeSettings_() {
@@ -220,6 +252,7 @@ export class App {
     this.messages_.clearError();
     this.result_.markOutdated();
     this.centreMm_ = centre;
+    this.centreIsGuess_ = false;
     if (this.source_) this.source_ = { ...this.source_, centreMm: centre };
     this.code_.showCentre(centre);
     this.setCarvedShown_(false);
@@ -242,7 +275,7 @@ export class App {
       try {
         await this.client_.configure(this.code_.settings());
         if (this.centreMm_ === undefined) {
-          this.messages_.say('Click the model where the code should go.');
+          this.messages_.say(kAskForCentre);
           return;
         }
         this.messages_.say('Finding direction and size…');
@@ -251,8 +284,8 @@ export class App {
       } catch (thrown) {
         if (isReplaced(thrown)) return;
         this.showPlacement_(undefined);
-        this.messages_.say('The code has no place yet.');
-        if (!this.placeAgain_) this.messages_.showError(thrown instanceof RangeError ? { message: thrown.message, hint: '' } : describeThrown(thrown));
+        this.messages_.say(this.centreIsGuess_ ? kAskForCentre : 'The code has no place yet.');
+        if (!this.placeAgain_ && !this.centreIsGuess_) this.messages_.showError(thrown instanceof RangeError ? { message: thrown.message, hint: '' } : describeThrown(thrown));
       }
     }
   }
@@ -347,9 +380,11 @@ export class App {
     this.result_.hide();
     this.setCarved_(false);
     this.view_.announceSize();
+    await this.client_.setTheme(darkScheme.matches);
     if (this.toolbar_.inspectorShown) await this.client_.setInspector(true);
     if (!this.source_) return;
-    const { bytes, fileName, scaleToMm } = this.source_;
+    const { bytes, fileName, scaleToMm, upAxis } = this.source_;
+    await this.client_.setUpAxis(upAxis);
     this.model_ = await this.client_.loadModel(bytes, fileName, scaleToMm);
     await this.useModel_();
   }

@@ -114,11 +114,21 @@ export class EngineClient {
   /** @returns {Promise<import('./types.js').GreyImage>} */
   readerImage() { return this.call_('readerImage'); }
 
-  /** @param {string} text  what was read; empty if nothing @returns {Promise<void>} */
-  setReadBack(text) { return this.call_('setReadBack', text); }
+  /**
+   * @param {string} text    what was read; empty if nothing
+   * @param {string} reader  who read it
+   * @returns {Promise<void>}
+   */
+  setReadBack(text, reader) { return this.call_('setReadBack', text, reader); }
 
   /** @param {string} format @returns {Promise<Uint8Array<ArrayBuffer>>} */
   exportModel(format) { return this.call_('exportModel', format); }
+
+  /** @param {boolean} dark @returns {Promise<void>} */
+  setTheme(dark) { return this.call_('setTheme', dark); }
+
+  /** @param {import('./types.js').UpAxis} axis  of the model; also where the code's top points @returns {Promise<void>} */
+  setUpAxis(axis) { return this.call_('setUpAxis', axis); }
 
   /** @param {boolean} carved @returns {Promise<void>} */
   showCarved(carved) { return this.call_('showCarved', carved); }

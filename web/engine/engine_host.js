@@ -141,16 +141,20 @@ export class EngineHost {
       this.cancelled_ = true;
     },
 
-    report: () => JSON.parse(this.engine_.report()),
+    report: () => parseAnswer(this.engine_.report()),
     readerImage: () => {
       const { width, height, pixels } = this.engine_.readerImage();
       return { width, height, pixels: pixels.slice() };
     },
-    /** @param {string} text */
-    setReadBack: (text) => this.engine_.setReadBack(text),
+    /** @param {string} text @param {string} reader */
+    setReadBack: (text, reader) => this.engine_.setReadBack(text, reader),
     /** @param {string} format */
     exportModel: (format) => this.engine_.exportModel(format).slice(),
 
+    /** @param {boolean} dark */
+    setTheme: (dark) => this.drawn_(this.engine_.setTheme(dark)),
+    /** @param {import('./types.js').UpAxis} axis */
+    setUpAxis: (axis) => this.drawn_(this.engine_.setUpAxis(axis)),
     /** @param {boolean} carved */
     showCarved: (carved) => this.drawn_(this.engine_.showCarved(carved)),
     /** @param {boolean} shown */

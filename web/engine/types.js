@@ -7,8 +7,11 @@
 
 /**
  * @typedef {{ format: string, triangles: number, vertices: number, sizeMm: [number, number, number], shells: number,
- *   engravable: boolean, findings: Finding[] }} ModelInfo
+ *   engravable: boolean, findings: Finding[], centre: [number, number, number] | null }} ModelInfo
+ *   `centre`: a surface point in the middle of the view
  */
+
+/** @typedef {'y' | 'z'} UpAxis */
 
 /** @typedef {'none' | 'square' | 'thin-plus' | 'diamond' | 'thick-plus'} ModulePattern */
 /** @typedef {'none' | 'as-modules' | 'diamond' | 'thick-plus'} FinderPattern */
@@ -71,8 +74,10 @@
  * @property {() => void} cancel
  * @property {() => string} report
  * @property {() => GreyImage} readerImage
- * @property {(text: string) => void} setReadBack
+ * @property {(text: string, reader: string) => void} setReadBack
  * @property {(format: string) => Uint8Array} exportModel
+ * @property {(dark: boolean) => void} setTheme
+ * @property {(axis: UpAxis) => void} setUpAxis
  * @property {(carved: boolean) => void} showCarved
  * @property {(dx: number, dy: number) => void} orbit
  * @property {(dx: number, dy: number) => void} pan

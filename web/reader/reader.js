@@ -5,6 +5,8 @@ import wasmUrl from 'zxing-wasm/reader/zxing_reader.wasm?url';
 /** @typedef {import('../engine/types.js').GreyImage} GreyImage */
 /** @typedef {import('zxing-wasm/reader').ReaderOptions} ReaderOptions */
 
+export const kReaderName = 'ZXing-C++ (zxing-wasm)';
+
 /** @type {Promise<typeof import('zxing-wasm/reader')> | undefined} */
 let library;
 

@@ -5,6 +5,7 @@ import { formatNumber } from './format.js';
 import { showFindings } from './messages.js';
 
 /** @typedef {import('../engine/types.js').ModelInfo} ModelInfo */
+/** @typedef {import('../engine/types.js').UpAxis} UpAxis */
 /** @typedef {{ id: string, name: string, file: string, centreMm: [number, number, number], credit: string }} Sample */
 
 /**
@@ -12,6 +13,7 @@ import { showFindings } from './messages.js';
  * @property {(id: string) => void} onSample
  * @property {(file: File) => void} onFile
  * @property {(scaleToMm: number) => void} onScale
+ * @property {(axis: UpAxis) => void} onUpAxis
  */
 
 export class ModelPanel {
@@ -20,6 +22,7 @@ export class ModelPanel {
     this.sample_ = byId('sample', HTMLSelectElement);
     this.file_ = byId('file', HTMLInputElement);
     this.unit_ = byId('unit', HTMLSelectElement);
+    this.upAxis_ = byId('up-axis', HTMLSelectElement);
     this.drop_ = byId('drop', HTMLElement);
     this.sample_.addEventListener('change', () => this.sample_.value && listener.onSample(this.sample_.value));
     this.file_.addEventListener('change', () => {
@@ -27,7 +30,12 @@ export class ModelPanel {
       if (file) listener.onFile(file);
     });
     this.unit_.addEventListener('change', () => listener.onScale(this.scaleToMm));
+    this.upAxis_.addEventListener('change', () => listener.onUpAxis(this.upAxis));
     this.listenForDrops_(listener);
+  }
+
+  get upAxis() {
+    return /** @type {UpAxis} */ (this.upAxis_.value);
   }
 
   get scaleToMm() {
@@ -42,10 +50,11 @@ export class ModelPanel {
   /**
    * Shows what is loaded, whichever way it came.
    * @param {ModelInfo} model
-   * @param {{ sampleId?: string, fileName: string, credit: string, scaleToMm: number }} source
+   * @param {{ sampleId?: string, fileName: string, credit: string, scaleToMm: number, upAxis: UpAxis }} source
    */
-  show(model, { sampleId, fileName, credit, scaleToMm }) {
+  show(model, { sampleId, fileName, credit, scaleToMm, upAxis }) {
     this.unit_.value = String(scaleToMm);
+    this.upAxis_.value = upAxis;
     this.sample_.querySelector('option[value=""]')?.remove();
     if (sampleId === undefined) {
       const own = new Option('None: your own file', '');
