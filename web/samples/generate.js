@@ -37,8 +37,8 @@ function stanfordBunny() {
  */
 export const samples = [
   { id: 'bunny', name: 'Stanford bunny', mesh: stanfordBunny(), centreMm: [-4.3, -35.3, 30],
-    credit: 'Stanford bunny: Stanford 3D Scanning Repository, by way of the npm package “bunny” (M. Lysenko, public ' +
-      'domain); holes closed, subdivided once.' },
+    credit: 'Stanford 3D Scanning Repository, by way of the npm package “bunny” (public domain); holes closed, ' +
+      'subdivided once.' },
   { id: 'bumpy-sphere', name: 'Bumpy sphere', mesh: bumpySphere(5), centreMm: [0, -48, 50], credit: kOwnCredit },
   { id: 'vase', name: 'Vase', mesh: vase(144, 60), centreMm: [0, -46, 50], credit: kOwnCredit },
   { id: 'star', name: 'Star', mesh: star(), centreMm: [0, 0, 40], credit: kOwnCredit },
