@@ -36,9 +36,8 @@ float horizonCosine(vec2 start, vec2 direction, vec3 origin, vec3 toEye, float l
     vec2 owner = point + direction * 1e-3 + forward * 1e-3;
     if (!isInside(owner)) break;
     vec4 surface = texelFetch(u_surface, ivec2(owner), 0);
-    if (surface.w == 0.0) continue;
-    float distanceMm = baseDistance(surface, owner, point) + carvedDepth(owner);
-    vec3 towards = rayThrough(point) * distanceMm - origin;
+    if (!isModel(surface)) continue;
+    vec3 towards = engravedPoint(surface, carvedDepth(owner), owner, point) - origin;
     highest = max(highest, dot(towards, toEye) * inversesqrt(dot(towards, towards)));
   }
   return highest;
@@ -52,13 +51,13 @@ float visibleArc(float horizon, float gamma) {
 void main() {
   vec2 texel = gl_FragCoord.xy;
   vec4 surface = texelFetch(u_surface, ivec2(texel), 0);
-  if (surface.w == 0.0) {
+  if (!isModel(surface)) {
     o_visibility = vec4(1.0);
     return;
   }
-  vec3 towards = rayThrough(texel);
-  vec3 origin = towards * (surface.w + carvedDepth(texel));
-  vec3 toEye = -towards;
+  vec3 ray = rayThrough(texel);
+  vec3 origin = engravedPoint(surface, carvedDepth(texel), texel, texel);
+  vec3 toEye = -normalize(ray);
   vec3 side = normalize(cross(vec3(0.0, 1.0, 0.0), toEye));
   vec3 upward = cross(toEye, side);
 
@@ -69,7 +68,7 @@ void main() {
     float angle = (float(i) + turn) * kPi / float(u_slices);
     vec3 along = side * cos(angle) + upward * sin(angle);  // unit, square to the line of sight
     // The slice meets the QR plane in the line along which a point moving by `along` is projected.
-    vec2 direction = normalize(along.xy * -towards.z + towards.xy * along.z);
+    vec2 direction = normalize(along.xy * u_eyeDistance + ray.xy * along.z);
     float normalLength = length(vec2(dot(surface.xyz, along), dot(surface.xyz, toEye)));
     float gamma = atan(dot(surface.xyz, along), dot(surface.xyz, toEye));
     // Below the tangent plane nothing counts: that is the lowest horizon.

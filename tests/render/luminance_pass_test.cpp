@@ -53,6 +53,22 @@ TEST_F(LuminancePassTest, AnUncarvedPlaneSeesTheWholeSky) {
   for (const float l : pass_.readCellMeans()) ASSERT_NEAR(l, 1, 1e-3);
 }
 
+TEST_F(LuminancePassTest, ATiltedPlaneSeenInPerspectiveSeesTheWholeSky) {
+  for (const double tilt : {0.2, 0.5, 0.9}) {
+    const Mesh plate = shapes::box({400, 400, 10});
+    auto geometry = GeometryPass::create();
+    ASSERT_TRUE(geometry.has_value());
+    const GpuMesh mesh(plate, vertexNormals(plate));
+    const ProjectionFrame frame = makeFrame({0, 0, 5}, {std::sin(tilt), 0, std::cos(tilt)}, {0, 1, 0}, 250);
+    auto maps = geometry->render(mesh, frame, {40, 256});
+    ASSERT_TRUE(maps.has_value());
+    auto pass = LuminancePass::create(*maps, 250, {.slices = 16, .turnSlices = false});
+    ASSERT_TRUE(pass.has_value());
+    pass->run();
+    for (const float v : pass->readVisibility()) ASSERT_NEAR(v, 1, 0.004) << "tilt " << tilt;
+  }
+}
+
 TEST_F(LuminancePassTest, ATrenchFloorSeesWhatTheClosedFormSays) {
   // Middle of an infinite trench of width w and depth d: V = sin(atan(w / 2d)).
   const double cell = 0.25, width = 8 * cell, depth = 2;
