@@ -13,4 +13,8 @@ inline constexpr double kParallelSine = 0.0175;
 /// only by noise share one floor, and no wall is lower than 32-bit floats can hold at 1 m.
 inline constexpr double kDepthQuantumMm = 0.01;
 
+/// Sine of the turn below which a polygon's corner counts as straight when a face is cut into triangles: coordinates
+/// written with seven digits say no more. It chooses between triangulations that are all closed.
+inline constexpr double kStraightSine = 1e-6;
+
 }  // namespace qrelief

@@ -69,10 +69,9 @@ DepthSummary summarise(const DepthField& depths);
 
 /// What the inspector shows of a running or finished job. Textures belong to the job.
 struct InspectorMaps {
-  const gl::Texture* surface = nullptr;    ///< RGBA32F: facet normal, distance
+  const gl::Texture* surface = nullptr;    ///< RGBA32F: facet normal, height over the QR plane (mm)
   const gl::Texture* luminance = nullptr;  ///< R32F
   const gl::Texture* depths = nullptr;     ///< R32F, one texel a submodule
-  double nearMm = 0, farMm = 0;            ///< range of the distances
 };
 
 /// Engraves one symbol, a bounded piece of work at a time; to cancel, stop calling. Needs the GL context of the model.

@@ -61,7 +61,8 @@ class PlacementSearch {
 
  private:
   Status start();
-  Status measure(bool final);
+  Status measure(Vec3 normal);
+  Status measureBestDirection();
   double outerFactor() const;
   ProjectionFrame frameFor(Vec3 normal) const;
 
