@@ -45,6 +45,16 @@ struct CellLayout {
   }
 };
 
+/// What a slicer makes of an STL: corners at one place become one vertex, every triangle stays.
+Mesh welded(const PolygonSoup& soup) {
+  const std::vector<Vec3f> corners(soup.positions.begin(), soup.positions.end());
+  Welding welding = weldEqual(corners);
+  Mesh mesh{std::move(welding.positions), soup.triangles};
+  for (Triangle& triangle : mesh.triangles)
+    for (std::uint32_t& vertex : triangle) vertex = welding.indexOf[vertex];
+  return mesh;
+}
+
 Status checkRequest(const EngraveRequest& request) {
   const auto bad = [](std::string message, std::string hint) {
     return fail(ErrorCode::BadUsage, std::move(message), std::move(hint));
@@ -255,7 +265,7 @@ Status EngraveJob::State::check() {
   result.stl = writeStl(embedded.mesh);
   const auto read = readModel(result.stl, "carved.stl");
   if (!read) return tl::unexpected(read.error());
-  result.mesh = weldByPosition(*read);
+  result.mesh = welded(*read);
   const auto solidity = checkSolidity(result.mesh, embedded.newTriangles);
   if (!solidity) return tl::unexpected(solidity.error());
   result.solidity = *solidity;

@@ -80,7 +80,8 @@ MapSample sampleMap(std::span<const float> smooth, int texels, const DirectionOp
   MapSample sample;
   for (int i = 1; i <= options.samples; ++i) {
     const auto at = [texels](double unit) { return std::min(texels - 1, static_cast<int>(unit * texels)); };
-    sample.mean += map.normal(at(radicalInverse(2, static_cast<unsigned>(i))), at(radicalInverse(3, static_cast<unsigned>(i))));
+    const auto [x, y] = halton23(static_cast<std::uint32_t>(i));
+    sample.mean += map.normal(at(x), at(y));
   }
   sample.mean = unitOrZero(sample.mean);
 
