@@ -2,8 +2,10 @@
 #include "mesh/clean.h"
 
 #include <algorithm>
+#include <numeric>
 #include <tuple>
 
+#include "math/tolerance.h"
 #include "mesh/collinear.h"
 #include "mesh/topology.h"
 
@@ -92,10 +94,22 @@ Triangle sorted(Triangle t) {
   return t;
 }
 
+bool startsAnEvenTurn(const Triangle& t) {
+  const Triangle s = sorted(t);
+  return t == s || t == Triangle{s[1], s[2], s[0]} || t == Triangle{s[2], s[0], s[1]};
+}
+
+/// For each half-edge, how many triangles use its edge.
+std::vector<std::uint32_t> countUsers(const EdgeTable& edges) {
+  std::vector<std::uint32_t> users(edges.halfEdges.size());
+  for (std::size_t e = 0; e < edges.size(); ++e)
+    for (const std::uint32_t h : edges.at(e)) users[h] = static_cast<std::uint32_t>(edges.at(e).size());
+  return users;
+}
+
 /// Every edge of a repeated triangle has two or more triangles, and one of them is the twin: most meshes are cleared by
 /// a look at each triangle's neighbours.
-bool mayHaveDuplicates(std::span<const Triangle> triangles) {
-  const EdgeTable edges = buildEdgeTable(triangles);
+bool mayHaveDuplicates(std::span<const Triangle> triangles, const EdgeTable& edges) {
   for (std::size_t e = 0; e < edges.size(); ++e) {
     const auto users = edges.at(e);
     if (users.size() > 2) return true;
@@ -104,19 +118,57 @@ bool mayHaveDuplicates(std::span<const Triangle> triangles) {
   return false;
 }
 
-void removeDuplicates(Mesh& mesh, Cleaning& report) {
-  if (!mayHaveDuplicates(mesh.triangles)) return;
+/// How many triangles of a group over the same corners stay. Two that face opposite ways are a wall without thickness:
+/// both go, if that leaves no edge with a single triangle (a misoriented copy in a closed surface would).
+std::size_t survivors(std::span<const std::uint32_t> group, std::span<const Triangle> triangles,
+                      std::span<const std::uint32_t> users) {
+  const auto even = static_cast<std::size_t>(
+      std::count_if(group.begin(), group.end(), [&](std::uint32_t t) { return startsAnEvenTurn(triangles[t]); }));
+  const bool evenlyUsed = std::all_of(users.begin() + 3 * group[0], users.begin() + 3 * group[0] + 3,
+                                      [](std::uint32_t n) { return n % 2 == 0; });
+  return 2 * even == group.size() && evenlyUsed ? 0 : 1;
+}
+
+void removeDuplicates(Mesh& mesh, const EdgeTable& edges, Cleaning& report) {
+  const std::vector<std::uint32_t> users = countUsers(edges);
   std::vector<std::uint32_t> order(mesh.triangles.size());
-  for (std::uint32_t t = 0; t < order.size(); ++t) order[t] = t;
+  std::iota(order.begin(), order.end(), 0u);
   std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
     return std::pair(sorted(mesh.triangles[a]), a) < std::pair(sorted(mesh.triangles[b]), b);
   });
   std::vector<char> drop(mesh.triangles.size(), 0);
-  for (std::size_t i = 1; i < order.size(); ++i) {
-    if (sorted(mesh.triangles[order[i]]) != sorted(mesh.triangles[order[i - 1]])) continue;
-    drop[order[i]] = 1;
-    if (report.duplicates++ == 0) report.duplicateAt = mesh.positions[mesh.triangles[order[i]][0]];
+  for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
+    const Triangle corners = sorted(mesh.triangles[order[begin]]);
+    while (end < order.size() && sorted(mesh.triangles[order[end]]) == corners) ++end;
+    if (end - begin == 1) continue;
+    const std::span<const std::uint32_t> group = std::span(order).subspan(begin, end - begin);
+    for (const std::uint32_t t : group.subspan(survivors(group, mesh.triangles, users))) {
+      drop[t] = 1;
+      if (report.duplicates++ == 0) report.duplicateAt = mesh.positions[mesh.triangles[t][0]];
+    }
   }
+  dropMarked(mesh.triangles, drop);
+}
+
+double heightOver(const Mesh& mesh, const Triangle& t, std::size_t k) {
+  const Vec3 a(mesh.positions[t[k]]);
+  const Vec3 b(mesh.positions[t[(k + 1) % 3]]);
+  const Vec3 c(mesh.positions[t[(k + 2) % 3]]);
+  return glm::length(glm::cross(b - a, c - a)) / glm::distance(a, b);
+}
+
+/// Drops thin triangles that hang on an edge of an otherwise complete surface, their other two edges being open. They
+/// are what is left of triangles without area once coordinates have been rounded.
+void removeFlaps(Mesh& mesh, const EdgeTable& edges, double maxHeight, Cleaning& report) {
+  const std::vector<std::uint32_t> users = countUsers(edges);
+  std::vector<char> drop(mesh.triangles.size(), 0);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const bool hangs = users[3 * t + k] > 2 && users[3 * t + (k + 1) % 3] == 1 && users[3 * t + (k + 2) % 3] == 1;
+      if (!hangs || heightOver(mesh, mesh.triangles[t], k) > maxHeight) continue;
+      drop[t] = 1;
+      if (report.degenerate++ == 0) report.degenerateAt = mesh.positions[mesh.triangles[t][0]];
+    }
   dropMarked(mesh.triangles, drop);
 }
 
@@ -139,7 +191,12 @@ Cleaning cleanTriangles(Mesh& mesh) {
     if (!report.degenerateAt) report.degenerateAt = mesh.positions[mesh.triangles[t][0]];
   }
   removeSlivers(mesh, std::move(sliver), report);
-  removeDuplicates(mesh, report);
+
+  EdgeTable edges = buildEdgeTable(mesh.triangles);
+  if (!mayHaveDuplicates(mesh.triangles, edges)) return report;
+  removeDuplicates(mesh, edges, report);
+  edges = buildEdgeTable(mesh.triangles);
+  removeFlaps(mesh, edges, kFlapHeight * boundingBox(mesh).diagonal(), report);
   return report;
 }
 

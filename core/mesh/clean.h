@@ -11,7 +11,7 @@ namespace qrelief {
 struct Cleaning {
   std::size_t degenerate = 0;  ///< triangles with collinear corners, dropped or mended
   std::size_t mended = 0;      ///< of these, how many went into their neighbour by an edge flip
-  std::size_t duplicates = 0;  ///< triangles over the same three vertices as an earlier one, dropped
+  std::size_t duplicates = 0;  ///< dropped triangles that had the same three vertices as another one
   std::optional<Vec3f> degenerateAt, duplicateAt;
 };
 
@@ -26,6 +26,9 @@ struct Cleaning {
 ///     /   \     →      / | \       .
 ///    a-----c          a--b--c
 ///     (a b c: no area)
+///
+/// Of several triangles over the same corners one stays; or none, if they are a wall without thickness (see source).
+/// Thin flaps that hang on an edge of a complete surface count as triangles without area (kFlapHeight).
 ///
 /// Cost: O(T); with collinear triangles a few edge tables more.
 /// @param mesh  welded

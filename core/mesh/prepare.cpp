@@ -156,11 +156,11 @@ void reportCleaning(const Cleaning& cleaning, FindingList& findings) {
             fmt::format(", one at {}", findings.place(*cleaning.degenerateAt)),
         "Nothing needs to be done");
   if (cleaning.duplicates > 0)
-    findings.warn(
-        "duplicate-triangles", cleaning.duplicates,
-        counted(cleaning.duplicates, "triangle", "triangles") +
-            fmt::format(" over the same corners as another dropped, one at {}", findings.place(*cleaning.duplicateAt)),
-        "Nothing needs to be done");
+    findings.warn("duplicate-triangles", cleaning.duplicates,
+                  counted(cleaning.duplicates, "triangle was", "triangles were") +
+                      fmt::format(" dropped because another has the same corners, one at {}",
+                                  findings.place(*cleaning.duplicateAt)),
+                  "Nothing needs to be done");
 }
 
 void reportDefects(const Defects& defects, FindingList& findings) {
@@ -194,8 +194,8 @@ void reportOrientation(const Mesh& mesh, const Consistency& consistency, const O
                    "Rebuild that part in a mesh program; it bounds no volume");
   if (consistency.turned > 0)
     findings.warn("misoriented-triangles", consistency.turned,
-                  counted(consistency.turned, "triangle", "triangles") +
-                      fmt::format(" faced the other way than the neighbours and turned round, one at {}",
+                  counted(consistency.turned, "triangle was", "triangles were") +
+                      fmt::format(" turned round to face the same way as the neighbours, one at {}",
                                   place(*consistency.turnedExample)),
                   "Nothing needs to be done");
   if (outwardness.insideOut > 0)
