@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
 #include <fmt/format.h>
+#include <optional>
 
 #include "embedding/constrained_delaunay.h"
 

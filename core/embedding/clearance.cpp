@@ -20,13 +20,6 @@ double hashToUnit(std::uint64_t key) {
   return static_cast<double>(key >> 11) * 0x1p-53;
 }
 
-Vec2 dart(std::uint32_t node, std::uint32_t number, double radius) {
-  const std::uint64_t key = (static_cast<std::uint64_t>(node) << 32 | number) * 2;
-  const double r = radius * std::sqrt(hashToUnit(key));
-  const double angle = 2 * std::numbers::pi * hashToUnit(key + 1);
-  return {r * std::cos(angle), r * std::sin(angle)};
-}
-
 double distanceToSegment(Vec2 p, Vec2 a, Vec2 b) {
   const Vec2 ab = b - a;
   const double t = std::clamp(glm::dot(p - a, ab) / glm::dot(ab, ab), 0.0, 1.0);
@@ -98,11 +91,23 @@ double Clearance::nodeClearance(std::uint32_t node, Vec2 position, double enough
   return clear;
 }
 
+/// Another place for a node, uniform in a disc around its ideal one.
+Vec2 Clearance::dart(std::uint32_t node) {
+  const std::uint32_t number = throws_[node]++;
+  const std::uint32_t turn = number / kDartsPerTurn;
+  const double radius =
+      std::min(graph_.leewayMm[node], snapMm_ * std::exp2(turn < 3 ? 0.0 : std::min(turn - 2.0, 30.0)));
+  const std::uint64_t key = (static_cast<std::uint64_t>(node) << 32 | number) * 2;
+  const double r = radius * std::sqrt(hashToUnit(key));
+  const double angle = 2 * std::numbers::pi * hashToUnit(key + 1);
+  return ideal_[node] + Vec2(r * std::cos(angle), r * std::sin(angle));
+}
+
 void Clearance::place(std::uint32_t node) {
   Vec2 best = graph_.nodes[node];
   double bestClear = nodeClearance(node, best, 0);
   for (std::uint32_t k = 0; k < kDartsPerTurn && bestClear < plentyMm_; ++k) {
-    const Vec2 candidate = ideal_[node] + dart(node, throws_[node]++, snapMm_);
+    const Vec2 candidate = dart(node);
     const double clear = nodeClearance(node, candidate, bestClear);
     if (clear <= bestClear) continue;
     best = candidate;
@@ -122,7 +127,7 @@ void Clearance::placeAll() {
 void Clearance::placeAgain(std::span<const std::uint32_t> nodes) {
   for (const std::uint32_t node : nodes) {
     // Away from where it is, even if by our measure that is the best place.
-    graph_.nodes[node] = ideal_[node] + dart(node, throws_[node]++, snapMm_);
+    graph_.nodes[node] = dart(node);
     place(node);
   }
 }

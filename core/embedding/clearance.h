@@ -9,12 +9,14 @@
 
 namespace qrelief {
 
-/// Keeps outlines clear of the model: moves the nodes of an outline graph by less than `snapMm`, so that no model
-/// vertex or edge comes so near to an outline that rounding to 32-bit floats could collapse or flip a triangle of the
-/// arrangement. The model's own vertices stay.
+/// Keeps outlines clear of the model: moves the nodes of an outline graph a little, so that no model vertex or edge
+/// comes so near to an outline that rounding to 32-bit floats could collapse or flip a triangle of the arrangement.
+/// The model's own vertices stay.
 ///
 /// A node stays where it is if all is clear there; else the best of a few places around it is taken (dart throwing
 /// with fixed pseudo-random offsets), one node after another against those already placed, then once more against all.
+/// That moves it by at most `snapMm`; who asks for another place again and again gets darts that fly twice as far each
+/// time, up to the node's leeway: for the odd place where many edges meet in one point.
 class Clearance {
  public:
   /// @param edges  the model's edges on the QR plane; outlives this object
@@ -39,6 +41,7 @@ class Clearance {
   };
   double outlineClearance(Vec2 p, Vec2 q, double enough) const;
   double nodeClearance(std::uint32_t node, Vec2 position, double enough) const;
+  Vec2 dart(std::uint32_t node);
   void place(std::uint32_t node);
 
   OutlineGraph& graph_;

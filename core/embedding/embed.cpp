@@ -12,7 +12,7 @@ namespace qrelief {
 namespace {
 
 /// Times that outlines are moved before the arrangement is given up.
-constexpr int kAttempts = 6;
+constexpr int kAttempts = 8;
 
 /// Lowest height of a new triangle, in units of the last place of the largest coordinate around. Rounding moves a
 /// vertex by at most √3/2 of a unit, so a triangle this high keeps its orientation whichever way its corners go.
@@ -189,11 +189,10 @@ Result<EmbedResult> embedDepthField(const Mesh& mesh, const Adjacency& adjacency
   const DepthLevels levels = quantise(depths);
   if (std::none_of(levels.level.begin(), levels.level.end(), [](int level) { return level > 0; }))
     return unchanged(mesh);
-  // Neither may reach into the next submodule's corner.
   const double snapMm = std::min(options.snapMm, levels.submoduleMm() / 20);
   const double chamferMm = std::min(options.chamferMm, levels.submoduleMm() / 4);
 
-  const Result<Footprint> footprint = findFootprint(mesh, adjacency, frame, patch, levels, 2 * snapMm);
+  const Result<Footprint> footprint = findFootprint(mesh, adjacency, frame, patch, levels, levels.submoduleMm() / 4);
   if (!footprint) return tl::unexpected(footprint.error());
   if (footprint->facets.empty())
     return fail(ErrorCode::NoSolution, "no part of the visible surface lies under the code",

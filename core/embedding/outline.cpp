@@ -23,7 +23,11 @@ struct Corner {
 class OutlineBuilder {
  public:
   OutlineBuilder(const DepthLevels& levels, double chamferMm, int maxCells)
-      : levels_(levels), shift_(chamferMm / 2 / std::sqrt(2.0)), maxCells_(maxCells), side_(levels.size + 1) {
+      : levels_(levels),
+        chamferMm_(chamferMm),
+        shift_(chamferMm / 2 / std::sqrt(2.0)),
+        maxCells_(maxCells),
+        side_(levels.size + 1) {
     assert(maxCells >= 1);
     northNode_.assign(static_cast<std::size_t>(side_ * side_), kNoNode);
     southNode_ = northNode_;
@@ -48,8 +52,9 @@ class OutlineBuilder {
             levels_.at(row, column - 1)};
   }
 
-  std::uint32_t addNode(Vec2 position) {
+  std::uint32_t addNode(Vec2 position, double leewayMm) {
     graph_.nodes.push_back(position);
+    graph_.leewayMm.push_back(leewayMm);
     return static_cast<std::uint32_t>(graph_.nodes.size() - 1);
   }
 
@@ -63,16 +68,18 @@ class OutlineBuilder {
     const Corner c = around(row, column);
     const Vec2 p = levels_.corner(row, column);
     const std::size_t k = index(row, column);
+    const double saddleLeeway = 0.4 * chamferMm_;     // a fifth of the band remains
+    const double leeway = levels_.submoduleMm() / 8;  // outlines to the next corners stay apart
     if (c.fallingSaddle()) {
-      northNode_[k] = addNode(p + Vec2(-shift_, shift_));
-      southNode_[k] = addNode(p + Vec2(shift_, -shift_));
+      northNode_[k] = addNode(p + Vec2(-shift_, shift_), saddleLeeway);
+      southNode_[k] = addNode(p + Vec2(shift_, -shift_), saddleLeeway);
       addOutline(northNode_[k], southNode_[k], c.ne, c.sw);
     } else if (c.risingSaddle()) {
-      northNode_[k] = addNode(p + Vec2(shift_, shift_));
-      southNode_[k] = addNode(p + Vec2(-shift_, -shift_));
+      northNode_[k] = addNode(p + Vec2(shift_, shift_), saddleLeeway);
+      southNode_[k] = addNode(p + Vec2(-shift_, -shift_), saddleLeeway);
       addOutline(northNode_[k], southNode_[k], c.se, c.nw);
     } else if (c.onOutline() && (!c.straight() || (row + column) % maxCells_ == 0)) {
-      northNode_[k] = southNode_[k] = addNode(p);
+      northNode_[k] = southNode_[k] = addNode(p, leeway);
     }
   }
 
@@ -104,7 +111,8 @@ class OutlineBuilder {
   }
 
   const DepthLevels& levels_;
-  const double shift_;
+  const double chamferMm_;
+  const double shift_;  // of a saddle's nodes along u and v
   const int maxCells_;
   const int side_;  // grid corners along an edge
   std::vector<std::uint32_t> northNode_, southNode_;

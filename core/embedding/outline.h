@@ -16,7 +16,8 @@ struct Outline {
 };
 
 struct OutlineGraph {
-  std::vector<Vec2> nodes;  ///< plane coordinates, mm
+  std::vector<Vec2> nodes;       ///< plane coordinates, mm
+  std::vector<double> leewayMm;  ///< how far each node may move without outlines coming to touch
   std::vector<Outline> outlines;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "embedding/clearance.h"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 
@@ -12,6 +13,7 @@ constexpr double kSnap = 0.01;
 OutlineGraph squareOutline(double half) {
   OutlineGraph graph;
   graph.nodes = {{-half, -half}, {half, -half}, {half, half}, {-half, half}};
+  graph.leewayMm.assign(4, 0.1);
   for (std::uint32_t k = 0; k < 4; ++k) graph.outlines.push_back({k, (k + 1) % 4, 1, 0});
   return graph;
 }
@@ -68,6 +70,25 @@ TEST(Clearance, ThrowsOtherDartsOnRequest) {
   EXPECT_NE(graph.nodes[1], first);
   EXPECT_LE(glm::length(graph.nodes[1] - before[1]), kSnap);
   EXPECT_EQ(graph.nodes[0], before[0]);
+}
+
+TEST(Clearance, ThrowsFartherWhenAskedOftenButNeverBeyondTheLeeway) {
+  OutlineGraph graph = squareOutline(1);
+  const std::vector<Vec2> before = graph.nodes;
+  std::vector<EdgeGrid::Edge> fan;  // so dense that no place within the snap is clear
+  for (int k = 0; k < 20000; ++k)
+    fan.push_back({Vec2(1, 1), Vec2(1 + 3 * std::cos(k * 3.1416e-4), 1 + 3 * std::sin(k * 3.1416e-4))});
+  EdgeGrid edges(fan);
+  Clearance clearance(graph, edges, kSnap);
+  clearance.placeAll();
+  EXPECT_LE(glm::length(graph.nodes[2] - before[2]), kSnap);
+  double farthest = 0;
+  for (int k = 0; k < 300; ++k) {
+    clearance.placeAgain(std::vector<std::uint32_t>{2});
+    farthest = std::max(farthest, glm::length(graph.nodes[2] - before[2]));
+  }
+  EXPECT_GT(farthest, 2 * kSnap);
+  EXPECT_LE(farthest, graph.leewayMm[2]);
 }
 
 }  // namespace
