@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cassert>
+#include <cstdint>
+
+namespace qrelief {
+
+/// Pseudo-random numbers that are the same on every machine, compiler and standard library, unlike the distributions of
+/// <random>: SplitMix64 [Steele, Lea, Flood 2014], period 2^64. For sampling, not for secrets.
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : state_(seed) {}
+
+  /// All 64 bits are uniform.
+  std::uint64_t next() {
+    state_ += 0x9e3779b97f4a7c15u;
+    std::uint64_t z = state_;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    return z ^ (z >> 31);
+  }
+
+  /// In [0, 1), a multiple of 2^-53.
+  double uniform() { return static_cast<double>(next() >> 11) * 0x1p-53; }
+
+  /// In [low, high).
+  double uniform(double low, double high) { return low + (high - low) * uniform(); }
+
+  /// In [0, bound), without bias: numbers beyond the last whole multiple of `bound` are drawn again.
+  /// @param bound  ≥ 1
+  std::uint64_t below(std::uint64_t bound) {
+    assert(bound >= 1);
+    const std::uint64_t excess = (0 - bound) % bound;  // 2^64 mod bound
+    std::uint64_t drawn = next();
+    while (drawn < excess) drawn = next();
+    return drawn % bound;
+  }
+
+ private:
+  std::uint64_t state_;
+};
+
+}  // namespace qrelief

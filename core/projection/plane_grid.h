@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "math/vec.h"
+
+namespace qrelief {
+
+/// A triangle of the QR plane; a segment is one whose last two corners coincide.
+using PlaneShape = std::array<Vec2, 3>;
+
+/// Uniform bins over the QR plane that answer "which of these shapes may meet that one?".
+///
+/// Shapes are entered row by row into the cells they cross, not by their boxes, so that long slanted ones cost no more
+/// than their length. Memory: about four cells a shape.
+class PlaneGrid {
+ public:
+  /// @param shapes     finite coordinates; may be empty
+  /// @param halfWidth  the bins cover at most the square |u|, |v| ≤ halfWidth (> 0, may be infinite); what lies
+  ///                   farther out falls into the outermost bins, found as surely but more slowly
+  PlaneGrid(std::span<const PlaneShape> shapes, double halfWidth);
+
+  /// Indices of all shapes that may meet `shape`, each once, in no useful order; valid until the next call.
+  std::span<const std::uint32_t> near(const PlaneShape& shape);
+
+ private:
+  template <class Visit>
+  void forEachCell(const PlaneShape& shape, Visit&& visit) const;
+  int column(double u) const;
+  int row(double v) const;
+
+  int size_ = 0;  // cells along an edge; 0 = nothing in it
+  Vec2 min_{0};
+  Vec2 cell_{1};
+  std::vector<std::uint32_t> begin_;  // per cell, into items_
+  std::vector<std::uint32_t> items_;
+  std::vector<std::uint32_t> lastQuery_;  // per shape
+  std::uint32_t query_ = 0;
+  std::vector<std::uint32_t> found_;
+};
+
+}  // namespace qrelief
