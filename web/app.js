@@ -67,6 +67,7 @@ export class App {
     /** @type {ModelInfo | undefined} */ this.model_ = undefined;
     /** @type {Point | undefined} */ this.centreMm_ = undefined;
     /** @type {AbortController | undefined} */ this.workAbort_ = undefined;
+    /** @type {Promise<unknown> | undefined} */ this.running_ = undefined;
     /** @type {Promise<void> | undefined} */ this.placing_ = undefined;
     this.centreIsGuess_ = false;  // the module's, not the user's: no error if the code has no place there
     this.placeAgain_ = false;
@@ -115,30 +116,32 @@ export class App {
   }
 
   async engrave() {
-    if (this.workAbort_ || !this.model_?.engravable) return;
-    this.messages_.clearError();
-    await this.place_();
-    if (!this.placed_) return;  // said why
-    const started = performance.now();
-    this.result_.hide();
-    this.setCarved_(false);
+    if (this.engraving_ || this.workAbort_ || !this.model_?.engravable) return;
     this.engraving_ = true;
     try {
-      const finished = await this.runWork_('Preparing', (signal) => this.client_.engrave({
-        signal,
-        onProgress: (progress) => {
-          this.work_.update(progress);
-          this.messages_.say(`${progress.stage}…`);
-        },
-      }));
-      if (!finished) {
-        this.messages_.say('Cancelled. The model is as it was.');
-        return;
-      }
-      await this.showResult_(started);
+      this.messages_.clearError();
+      this.centreIsGuess_ = false;  // from here on an error is worth saying
+      await this.place_();
+      if (this.placed_) await this.runWork_('Preparing', (signal) => this.engraveNow_(signal));
     } finally {
       this.engraving_ = false;
     }
+  }
+
+  /** @param {AbortSignal} signal */
+  async engraveNow_(signal) {
+    const started = performance.now();
+    this.result_.hide();
+    this.setCarved_(false);
+    const finished = await this.client_.engrave({
+      signal,
+      onProgress: (progress) => {
+        this.work_.update(progress);
+        this.messages_.say(`${progress.stage}…`);
+      },
+    });
+    if (finished) await this.showResult_(started);
+    else this.messages_.say('Cancelled. The model is as it was.');
   }
 
   /** @param {number} started */
@@ -184,7 +187,8 @@ export class App {
 
   /** @param {Source} source  becomes the current one if it can be read */
   async load_(source) {
-    this.workAbort_?.abort();
+    if (this.engraving_) this.workAbort_?.abort();
+    await this.untilIdle_();
     this.messages_.clearError();
     const axisBefore = this.source_?.upAxis ?? 'z';
     try {
@@ -344,19 +348,25 @@ export class App {
    * @returns {Promise<T>}
    */
   async runWork_(stage, run) {
+    await this.untilIdle_();
     const abort = new AbortController();
     this.workAbort_ = abort;
     this.work_.begin(stage);
     this.messages_.say(`${stage}…`);
+    const running = run(abort.signal);
+    this.running_ = running;
     try {
-      return await run(abort.signal);
+      return await running;
     } finally {
-      if (this.workAbort_ === abort) {
-        this.workAbort_ = undefined;
-        this.work_.end();
-        this.work_.allowEngrave(this.model_?.engravable ?? false);
-      }
+      this.running_ = undefined;
+      this.workAbort_ = undefined;
+      this.work_.end();
+      this.work_.allowEngrave(this.model_?.engravable ?? false);
     }
+  }
+
+  async untilIdle_() {
+    while (this.running_) await this.running_.catch(() => {});  // whoever began it hears of its failure
   }
 
   /** @param {import('./engine/types.js').HostEvent} event */
@@ -382,10 +392,11 @@ export class App {
     this.view_.announceSize();
     await this.client_.setTheme(darkScheme.matches);
     if (this.toolbar_.inspectorShown) await this.client_.setInspector(true);
+    this.messages_.say('Choose a model.');
     if (!this.source_) return;
     const { bytes, fileName, scaleToMm, upAxis } = this.source_;
     await this.client_.setUpAxis(upAxis);
-    this.model_ = await this.client_.loadModel(bytes, fileName, scaleToMm);
+    this.model_ = await this.runWork_(`Reading ${fileName}`, (signal) => this.client_.loadModel(bytes, fileName, scaleToMm, { signal }));
     await this.useModel_();
   }
 

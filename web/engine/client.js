@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The page's only way to the module: one promise per verb, whether a worker does the work or the page itself.
-import { EngineFailure } from './engine_error.js';
+import { EngineFailure, describeThrown } from './engine_error.js';
 
 /** @typedef {import('./types.js').HostEvent} HostEvent */
 /** @typedef {import('./types.js').EngraveProgress} EngraveProgress */
@@ -54,7 +54,12 @@ export class EngineClient {
   async replace() {
     this.backend_?.end();
     this.backend_ = undefined;
-    await this.start();
+    try {
+      await this.start();
+    } catch (thrown) {
+      this.onEvent_({ event: 'failure', error: describeThrown(thrown) });
+      return;
+    }
     this.onReplaced_();
   }
 
