@@ -9,7 +9,6 @@
 #include <nlohmann/json.hpp>
 
 #include "io/read_model.h"
-#include "mesh/ray.h"
 #include "wasm/display_mesh.h"
 #include "wasm/settings.h"
 

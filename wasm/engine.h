@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "gl/objects.h"
+#include "mesh/ray.h"
 #include "pipeline/engrave.h"
 #include "pipeline/report.h"
 #include "wasm/orbit_camera.h"

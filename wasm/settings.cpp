@@ -75,14 +75,6 @@ class SettingsReader {
   std::optional<Error> error_;
 };
 
-std::optional<ErrorCorrection> errorCorrectionByName(std::string_view name) {
-  if (name == "L") return ErrorCorrection::L;
-  if (name == "M") return ErrorCorrection::M;
-  if (name == "Q") return ErrorCorrection::Q;
-  if (name == "H") return ErrorCorrection::H;
-  return {};
-}
-
 std::optional<DirectionMethod> directionByName(std::string_view name) {
   if (name == "mean-normal") return DirectionMethod::MeanNormal;
   if (name == "depth-balanced") return DirectionMethod::DepthBalanced;
