@@ -17,4 +17,8 @@ inline constexpr double kDepthQuantumMm = 0.01;
 /// written with seven digits say no more. It chooses between triangulations that are all closed.
 inline constexpr double kStraightSine = 1e-6;
 
+/// Height, as a part of the model's diagonal, below which a triangle that hangs on a complete surface by one edge
+/// counts as the remains of one without area: files with six digits round that much.
+inline constexpr double kFlapHeight = 1e-5;
+
 }  // namespace qrelief
