@@ -9,6 +9,19 @@ namespace qrelief {
 /// nearer than that its projection says nothing about what the user meant.
 inline constexpr double kParallelSine = 0.0175;
 
+/// A point this near to a facet counts as lying on it, mm: a picked centre has been snapped to the surface in
+/// double or single precision and may lie this far to either side of it; no printer knows the difference.
+inline constexpr double kOnSurfaceMm = 0.001;
+
+/// Points nearer to the eye's own plane than this share of the eye distance are not projected: their images lie a
+/// billion eye distances away, or anywhere.
+inline constexpr double kNearPlaneShare = 1e-9;
+
+/// Projected points nearer to one another than this share of the eye's distance (from the plane, and from the origin of
+/// the coordinates) cannot be told apart: a thousand times the rounding error of a projection. Rejects what is certainly
+/// apart, and keeps sample points clear of contours.
+inline constexpr double kProjectionNoise = 1e-12;
+
 /// Depths are rounded to this grid, mm: a tenth of the finest layer, so that neighbours that differ
 /// only by noise share one floor, and no wall is lower than 32-bit floats can hold at 1 m.
 inline constexpr double kDepthQuantumMm = 0.01;

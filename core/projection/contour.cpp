@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "projection/contour.h"
+
+#include <utility>
+
+#include "math/tolerance.h"
+#include "projection/orientation.h"
+
+namespace qrelief {
+namespace {
+
+Facing facingOf(const Mesh& mesh, std::size_t triangle, Vec3 eye, const EyeView& view) {
+  if (sideOfPlane(mesh.corner(triangle, 0), mesh.corner(triangle, 1), mesh.corner(triangle, 2), eye) <= 0)
+    return Facing::Away;
+  const Triangle& t = mesh.triangles[triangle];
+  return view.inFront[t[0]] && view.inFront[t[1]] && view.inFront[t[2]] ? Facing::Front : Facing::FrontOutOfReach;
+}
+
+/// The part of an edge in front of the eye; precondition: at least one end is.
+ContourEdge contourEdge(const Mesh& mesh, std::uint32_t from, std::uint32_t to, const ProjectionFrame& frame,
+                        const EyeView& view) {
+  ContourEdge edge{{Vec3(mesh.positions[from]), Vec3(mesh.positions[to])}, {from, to}, {}};
+  for (std::size_t k = 0; k < 2; ++k) {
+    if (view.inFront[edge.vertices[k]]) {
+      edge.projected[k] = view.projected[edge.vertices[k]];
+      continue;
+    }
+    // Cut at twice the near plane, so that rounding cannot put the new end behind it.
+    const Vec3 inside = edge.ends[1 - k];
+    const double nearDepth = 2 * kNearPlaneShare * frame.eyeDistance;
+    const double insideDepth = frame.distanceAlongAxis(inside);
+    const double outsideDepth = frame.distanceAlongAxis(edge.ends[k]);
+    const double share = insideDepth > nearDepth ? (insideDepth - nearDepth) / (insideDepth - outsideDepth) : 0;
+    edge.ends[k] = inside + (edge.ends[k] - inside) * share;
+    edge.vertices[k] = kNoVertex;
+    edge.projected[k] = frame.project(edge.ends[k]);
+  }
+  return edge;
+}
+
+}  // namespace
+
+EyeView viewFrom(const Mesh& mesh, const ProjectionFrame& frame) {
+  EyeView view;
+  view.projected.resize(mesh.positions.size(), Vec2(0));
+  view.inFront.resize(mesh.positions.size(), 0);
+  const double nearDepth = kNearPlaneShare * frame.eyeDistance;
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    const Vec3 p(mesh.positions[v]);
+    if (frame.distanceAlongAxis(p) <= nearDepth) continue;
+    view.inFront[v] = 1;
+    view.projected[v] = frame.project(p);
+  }
+  const Vec3 eye = frame.eye();
+  view.noiseMm = kProjectionNoise * (glm::length(eye) + frame.eyeDistance);
+  view.facing.resize(mesh.triangles.size());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) view.facing[t] = facingOf(mesh, t, eye, view);
+  return view;
+}
+
+std::vector<ContourEdge> contourEdges(const Mesh& mesh, const Adjacency& adjacency, const ProjectionFrame& frame,
+                                      const EyeView& view) {
+  std::vector<ContourEdge> edges;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t across = adjacency[t][k];
+      const bool folds =
+          across == kNoTriangle || (view.facing[t] != Facing::Away && view.facing[across] == Facing::Away);
+      if (!folds) continue;
+      const std::uint32_t from = mesh.triangles[t][k];
+      const std::uint32_t to = mesh.triangles[t][(k + 1) % 3];
+      if (view.inFront[from] || view.inFront[to]) edges.push_back(contourEdge(mesh, from, to, frame, view));
+    }
+  }
+  return edges;
+}
+
+}  // namespace qrelief

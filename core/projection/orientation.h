@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+
+#include "math/vec.h"
+
+namespace qrelief {
+
+namespace detail {
+
+/// sideOfPlane without the filter.
+int exactSideOfPlane(Vec3 a, Vec3 b, Vec3 c, Vec3 d);
+
+}  // namespace detail
+
+/// On which side of the plane through a, b, c the point d lies, exactly: +1 where a, b, c turn counter-clockwise seen
+/// from d, -1 on the other side, 0 in the plane.
+///
+/// Seen from an eye E, `sideOfPlane(a, b, x, E)` is the side of the projected line ab on which the projection of x
+/// lies (+1 = left), without computing any projection.
+///
+/// Cost: one determinant; exact arithmetic (CGAL, EPICK) only where its sign is not certain, that is where it is
+/// smaller than Shewchuk's bound (7 + 56ε)·ε·permanent on its rounding error, ε = 2^-53 [Shewchuk 1997, orient3d A].
+inline int sideOfPlane(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
+  const Vec3 p = a - d;
+  const Vec3 q = b - d;
+  const Vec3 r = c - d;
+  const double qxry = q.x * r.y, rxqy = r.x * q.y;
+  const double rxpy = r.x * p.y, pxry = p.x * r.y;
+  const double pxqy = p.x * q.y, qxpy = q.x * p.y;
+  const double determinant = p.z * (qxry - rxqy) + q.z * (rxpy - pxry) + r.z * (pxqy - qxpy);
+  const double permanent = (std::abs(qxry) + std::abs(rxqy)) * std::abs(p.z) +
+                           (std::abs(rxpy) + std::abs(pxry)) * std::abs(q.z) +
+                           (std::abs(pxqy) + std::abs(qxpy)) * std::abs(r.z);
+  constexpr double kEpsilon = 0x1p-53;
+  const double bound = (7 + 56 * kEpsilon) * kEpsilon * permanent;
+  if (determinant > bound) return -1;
+  if (-determinant > bound) return 1;
+  return detail::exactSideOfPlane(a, b, c, d);
+}
+
+}  // namespace qrelief

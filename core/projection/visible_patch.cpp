@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "projection/visible_patch.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <fmt/format.h>
+#include <optional>
+#include <queue>
+#include <span>
+#include <unordered_map>
+
+#include "projection/plane_grid.h"
+
+namespace qrelief {
+namespace {
+
+/// Point of an edge nearest to the centre, kept off the edge's ends: paths go through edges, not vertices.
+Vec2 nearestInnerPoint(Vec2 a, Vec2 b) {
+  const Vec2 along = b - a;
+  const double squared = glm::dot(along, along);
+  const double share = squared > 0 ? glm::dot(-a, along) / squared : 0.5;
+  return a + along * std::clamp(share, 0.001, 0.999);
+}
+
+/// A facet that occluders pass over.
+struct ObstructedFacet {
+  std::uint32_t triangle = 0;
+  bool crossed = false;  // otherwise they only touch it
+  double reach = 0;      // distance from the centre at which it was entered
+  std::vector<Segment2> occluders;
+};
+
+class Flood {
+ public:
+  Flood(const Mesh& mesh, const Adjacency& adjacency, const ProjectionFrame& frame, double radius)
+      : mesh_(mesh),
+        adjacency_(adjacency),
+        frame_(frame),
+        eye_(frame.eye()),
+        radius_(radius),
+        view_(viewFrom(mesh, frame)),
+        contours_(contourEdges(mesh, adjacency, frame, view_)),
+        bins_(imagesOf(contours_), 2 * radius),
+        state_(mesh.triangles.size(), State::Excluded) {
+    // In order of storage, not of the flood: on large meshes memory, not arithmetic, costs the time.
+    for (std::uint32_t t = 0; t < state_.size(); ++t)
+      if (view_.facing[t] == Facing::Front && withinRadius(t))
+        state_[t] = bins_.near(image(t)).empty() ? State::Clear : State::Unseen;
+  }
+
+  const EyeView& view() const { return view_; }
+
+  void run(std::uint32_t seed) {
+    seed_ = seed;
+    offer(seed, Vec2(0));
+    for (;;) {
+      if (!open_.empty()) {
+        const std::uint32_t triangle = open_.back();
+        open_.pop_back();
+        leave(triangle, {}, Vec2(0));
+      } else if (!waiting_.empty()) {
+        const Entry entry = waiting_.top();
+        waiting_.pop();
+        if (state_[entry.triangle] == State::Taken) continue;
+        state_[entry.triangle] = State::Taken;
+        ObstructedFacet& facet = obstructed_[entry.record];
+        facet.reach = entry.distance;
+        leave(entry.triangle, std::vector<Segment2>(facet.occluders), entry.point);  // a copy: the list may grow
+      } else {
+        break;
+      }
+    }
+    dropOverlapping();
+  }
+
+  VisiblePatch patch() const {
+    VisiblePatch result;
+    result.radiusMm = radius_;
+    for (std::uint32_t t = 0; t < state_.size(); ++t) {
+      if (state_[t] != State::Taken) continue;
+      result.triangles.push_back(t);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t across = adjacency_[t][k];
+        if (across == kNoTriangle || state_[across] != State::Taken) addSilhouette(result, edgeOf(t, k));
+      }
+    }
+    for (const ObstructedFacet& facet : obstructed_) {
+      if (state_[facet.triangle] != State::Taken) continue;
+      for (const Segment2& segment : facet.occluders) addSilhouette(result, segment);
+    }
+    return result;
+  }
+
+ private:
+  enum class State : std::uint8_t {
+    Excluded,  // does not face the eye, or lies outside the radius
+    Clear,     // not reached yet; certainly without occluders
+    Unseen,    // not reached yet
+    Waiting,   // has occluders; reached, perhaps several times, but not entered
+    Taken,
+    Dropped  // its image overlaps that of a facet met earlier
+  };
+
+  /// A way into an obstructed facet: the nearest first, ties by index.
+  struct Entry {
+    double distance;
+    std::uint32_t triangle;
+    std::uint32_t record;
+    Vec2 point;
+    bool operator<(const Entry& other) const {
+      return distance != other.distance ? distance > other.distance : triangle > other.triangle;
+    }
+  };
+
+  static std::vector<Triangle2> imagesOf(std::span<const ContourEdge> edges) {
+    std::vector<Triangle2> images;
+    images.reserve(edges.size());
+    for (const ContourEdge& edge : edges) images.push_back({edge.projected[0], edge.projected[1], edge.projected[1]});
+    return images;
+  }
+
+  Triangle2 image(std::uint32_t triangle) const { return view_.triangle(mesh_.triangles[triangle]); }
+
+  Segment2 edgeOf(std::uint32_t triangle, std::size_t k) const {
+    const Triangle& t = mesh_.triangles[triangle];
+    return {view_.projected[t[k]], view_.projected[t[(k + 1) % 3]]};
+  }
+
+  void addSilhouette(VisiblePatch& patch, const Segment2& segment) const {
+    if (distanceToSegment(Vec2(0), segment) <= radius_) patch.silhouette.push_back(segment);
+  }
+
+  /// A point of `triangle` that is seen, on the edge over which the flood comes (in the seed: the centre).
+  void offer(std::uint32_t triangle, Vec2 point) {
+    State& state = state_[triangle];
+    if (state == State::Unseen) {
+      ObstructedFacet facet = occludersOf(triangle);
+      if (facet.occluders.empty()) {
+        state = State::Clear;
+      } else {
+        state = State::Waiting;
+        recordOf_[triangle] = static_cast<std::uint32_t>(obstructed_.size());
+        obstructed_.push_back(std::move(facet));
+      }
+    }
+    if (state == State::Clear) {
+      state = State::Taken;
+      open_.push_back(triangle);
+    } else if (state == State::Waiting)
+      waiting_.push({glm::length(point), triangle, recordOf_.at(triangle), point});
+  }
+
+  ObstructedFacet occludersOf(std::uint32_t triangle) {
+    ObstructedFacet facet;
+    facet.triangle = triangle;
+    for (const std::uint32_t index : bins_.near(image(triangle))) {
+      const std::optional<Occluder> found = occluderOf(mesh_, triangle, contours_[index], eye_, frame_, view_);
+      if (!found) continue;
+      facet.occluders.push_back(found->segment);
+      facet.crossed = facet.crossed || found->crosses;
+    }
+    return facet;
+  }
+
+  /// Offers the neighbours of a facet: all of them, or those that a path from `from` reaches clear of occluders.
+  void leave(std::uint32_t triangle, std::span<const Segment2> occluders, Vec2 from) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t across = adjacency_[triangle][k];
+      if (across == kNoTriangle) continue;
+      const State state = state_[across];
+      if (state != State::Clear && state != State::Unseen && state != State::Waiting) continue;
+      if (const std::optional<Vec2> point = clearPoint(edgeOf(triangle, k), from, occluders)) offer(across, *point);
+    }
+  }
+
+  bool withinRadius(std::uint32_t triangle) const {
+    const Triangle2 corners = image(triangle);
+    const double squared = radius_ * radius_;
+    for (const Vec2 p : corners)
+      if (glm::dot(p, p) <= squared) return true;
+    return distanceToTriangle(Vec2(0), corners) <= radius_;
+  }
+
+  /// A point of an edge that the straight path from `from` reaches without meeting an occluder; the nearest to the
+  /// centre is tried first (the proof of exactness needs no other), the others help regions that are no discs.
+  std::optional<Vec2> clearPoint(const Segment2& edge, Vec2 from, std::span<const Segment2> occluders) const {
+    const Vec2 along = edge[1] - edge[0];
+    for (const Vec2 point :
+         {nearestInnerPoint(edge[0], edge[1]), edge[0] + along * 0.5, edge[0] + along * 0.25, edge[0] + along * 0.75}) {
+      const bool clear = std::none_of(occluders.begin(), occluders.end(), [&](const Segment2& occluder) {
+        return distanceBetween({from, point}, occluder) <= view_.noiseMm;
+      });
+      if (clear) return point;
+    }
+    return {};
+  }
+
+  /// Of each two facets whose images overlap drops the one met later. Facets without occluders are seen as a whole and
+  /// never overlap one another, so one of the two is crossed.
+  void dropOverlapping() {
+    std::vector<std::uint32_t> crossed;  // records
+    std::vector<Triangle2> images;
+    for (std::uint32_t record = 0; record < obstructed_.size(); ++record) {
+      const ObstructedFacet& facet = obstructed_[record];
+      if (!facet.crossed || state_[facet.triangle] != State::Taken) continue;
+      crossed.push_back(record);
+      images.push_back(image(facet.triangle));
+    }
+    if (crossed.empty()) return;
+
+    PlaneGrid bins(images, 2 * radius_);
+    bool dropped = false;
+    for (std::uint32_t t = 0; t < state_.size(); ++t) {
+      if (state_[t] != State::Taken) continue;
+      for (const std::uint32_t index : bins.near(image(t))) {
+        const ObstructedFacet& facet = obstructed_[crossed[index]];
+        if (facet.triangle == t || state_[facet.triangle] != State::Taken) continue;
+        if (!imagesOverlap(mesh_, t, facet.triangle, eye_)) continue;
+        const bool keepFacet = facet.triangle == seed_ || (t != seed_ && facet.reach <= reachOf(t));
+        state_[keepFacet ? t : facet.triangle] = State::Dropped;
+        dropped = true;
+        if (keepFacet) break;
+      }
+    }
+    if (dropped) keepConnected();
+  }
+
+  double reachOf(std::uint32_t triangle) const {
+    const auto record = recordOf_.find(triangle);
+    return record == recordOf_.end() ? distanceToTriangle(Vec2(0), image(triangle)) : obstructed_[record->second].reach;
+  }
+
+  void keepConnected() {
+    std::vector<std::uint8_t> connected(state_.size(), 0);
+    std::vector<std::uint32_t> stack{seed_};
+    connected[seed_] = 1;
+    while (!stack.empty()) {
+      const std::uint32_t triangle = stack.back();
+      stack.pop_back();
+      for (const std::uint32_t across : adjacency_[triangle]) {
+        if (across == kNoTriangle || state_[across] != State::Taken || connected[across]) continue;
+        connected[across] = 1;
+        stack.push_back(across);
+      }
+    }
+    for (std::size_t t = 0; t < state_.size(); ++t)
+      if (state_[t] == State::Taken && !connected[t]) state_[t] = State::Dropped;
+  }
+
+  const Mesh& mesh_;
+  const Adjacency& adjacency_;
+  const ProjectionFrame& frame_;
+  Vec3 eye_;
+  double radius_;
+  EyeView view_;
+  std::vector<ContourEdge> contours_;
+  PlaneGrid bins_;
+  std::uint32_t seed_ = 0;
+  std::vector<State> state_;
+  std::vector<std::uint32_t> open_;  // taken, without occluders, not yet left
+  std::priority_queue<Entry> waiting_;
+  std::vector<ObstructedFacet> obstructed_;
+  std::unordered_map<std::uint32_t, std::uint32_t> recordOf_;  // triangle → index in obstructed_; only looked up
+};
+
+/// Why nothing can be put at the centre, if so.
+Status checkCentre(const Mesh& mesh, const ProjectionFrame& frame, const EyeView& view, std::uint32_t seed) {
+  if (view.facing[seed] == Facing::Away)
+    return fail(ErrorCode::NoSolution,
+                fmt::format("The surface at the chosen point (triangle {}) faces away from the reader", seed),
+                "Choose another direction or another point");
+  if (view.facing[seed] == Facing::FrontOutOfReach)
+    return fail(ErrorCode::NoSolution,
+                fmt::format("The triangle at the chosen point ({}) reaches behind the eye, which is {:.4g} mm away",
+                            seed, frame.eyeDistance),
+                "Increase the eye distance (--eye-distance)");
+  if (const std::optional<CentreObstruction> obstruction = whatHidesCentre(mesh, frame, view))
+    return fail(
+        ErrorCode::NoSolution,
+        fmt::format("Another part of the model hides the chosen point: triangle {} is in the way, {:.4g} mm from "
+                    "the eye and {:.4g} mm before the point",
+                    obstruction->triangle, obstruction->fromEyeMm, frame.eyeDistance - obstruction->fromEyeMm),
+        fmt::format("Choose another point or direction, or an eye distance (--eye-distance) below {:.4g} mm",
+                    obstruction->clearDistanceMm));
+  return {};
+}
+
+}  // namespace
+
+Result<VisiblePatch> findVisiblePatch(const Mesh& mesh, const Adjacency& adjacency, const ProjectionFrame& frame,
+                                      std::uint32_t seed, double radiusMm) {
+  assert(seed < mesh.triangles.size() && adjacency.size() == mesh.triangles.size() && radiusMm > 0);
+  Flood flood(mesh, adjacency, frame, radiusMm);
+  if (const Status seen = checkCentre(mesh, frame, flood.view(), seed); !seen) return tl::unexpected(seen.error());
+  flood.run(seed);
+  return flood.patch();
+}
+
+}  // namespace qrelief
