@@ -14,6 +14,7 @@ precision highp float;
 
 uniform int u_slices;          // half-planes pairs through the line of sight
 uniform float u_radiusTexels;  // reach of the march
+uniform float u_highestMm;     // no point of the map lies higher over the QR plane
 uniform int u_rotate;          // 1: texels of each 4×4 block take turned slices, so that a block's mean has 16 times as many
 
 layout(location = 0) out vec4 o_visibility;
@@ -23,6 +24,8 @@ const float kPi = 3.14159265359;
 // Cosine of the greatest horizon angle's complement seen from `origin` along `step` (texel units, unit length).
 float horizonCosine(vec2 start, vec2 direction, vec3 origin, vec3 toEye, float lowest) {
   float highest = lowest;
+  float rise = max(u_highestMm - origin.z, 0.0);
+  float lean = max(dot(toEye.xy, direction), 0.0);
   vec2 forward = sign(direction);
   vec2 perBorder = u_cellTexels / max(abs(direction), vec2(1e-6));
   vec2 cell = floor(start / u_cellTexels);
@@ -31,6 +34,9 @@ float horizonCosine(vec2 start, vec2 direction, vec3 origin, vec3 toEye, float l
   for (int i = 0; i < 256; ++i) {
     float travelled = min(next.x, next.y);
     if (travelled > u_radiusTexels) break;
+    // Could even the map's highest point raise the horizon from here? (0.9: the surface lies nearer than the plane.)
+    float reach = 0.9 * travelled * u_texelMm;
+    if ((rise * toEye.z + reach * lean) * inversesqrt(rise * rise + reach * reach) <= highest) break;
     next += perBorder * vec2(lessThanEqual(next, vec2(travelled)));
     vec2 point = start + direction * travelled;
     vec2 owner = point + direction * 1e-3 + forward * 1e-3;

@@ -31,14 +31,14 @@ uniform vec3 u_marker;  // view space
 
 layout(location = 0) out vec4 o_colour;
 
-const vec3 kMaterial = vec3(0.64, 0.63, 0.61);
+const vec3 kMaterial = vec3(0.56, 0.55, 0.53);
 const vec3 kBackSide = vec3(0.50, 0.16, 0.11);
 const vec3 kPaper = vec3(0.83, 0.83, 0.82);
 const vec3 kInk = vec3(0.035, 0.04, 0.055);
-const vec3 kSky = vec3(0.95, 0.98, 1.04);
-const vec3 kGround = vec3(0.42, 0.40, 0.38);
-const vec3 kKey = vec3(0.52, 0.50, 0.47);
-const vec3 kTowardsKey = vec3(-0.45, 0.55, 0.70);
+const vec3 kSky = vec3(0.66, 0.70, 0.77);
+const vec3 kGround = vec3(0.24, 0.22, 0.21);
+const vec3 kKey = vec3(0.88, 0.85, 0.79);
+const vec3 kTowardsKey = vec3(-0.55, 0.60, 0.58);
 
 float skyVisibility(float z) {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
@@ -89,9 +89,9 @@ void main() {
   if (u_overlayShown == 1 && isFront) albedo = printed(albedo, position, normal);
   if (u_markerShown == 1) albedo = marked(albedo, position);
 
-  float visibility = skyVisibility(surface.w);
+  float visibility = squareOf(skyVisibility(surface.w));  // squared: the eye is to see the form, not the photometry
   vec3 sky = mix(kGround, kSky, 0.5 + 0.5 * dot(normal, u_skyward));
   // The key light fades in pockets, too, where a soft lamp would be hidden.
-  float key = max(0.0, dot(normal, normalize(kTowardsKey))) * mix(0.25, 1.0, visibility);
+  float key = max(0.0, dot(normal, normalize(kTowardsKey))) * visibility;
   o_colour = vec4(albedo * (sky * visibility + kKey * key), 1.0);
 }

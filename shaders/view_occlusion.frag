@@ -12,7 +12,8 @@ uniform int u_slices;         // pairs of half-planes through the line of sight
 uniform int u_steps;          // on each side of a slice
 uniform float u_radius;       // mm
 uniform float u_radiusLimit;  // pixels
-uniform float u_turn;         // 0 … 1, differs between samples
+uniform float u_turn;         // of this sample, sixteenths: 16 samples give every pixel the same 16 directions
+uniform float u_shift;        // of this sample along its directions, in steps
 
 layout(location = 0) out vec4 o_visibility;
 
@@ -60,7 +61,7 @@ void main() {
   float radius = radiusPx / pixelsPerMm;
 
   float turn = fract(patternTurn(ivec2(gl_FragCoord.xy)) + u_turn);
-  float shift = fract(turn * 7.0 + u_turn * 3.0 + 0.37);
+  float shift = fract(turn * 7.0 + u_shift);  // a function of the direction: the averages of all pixels agree
   float visibility = 0.0;
   for (int slice = 0; slice < u_slices; ++slice) {
     float angle = kPi * (float(slice) + turn) / float(u_slices);

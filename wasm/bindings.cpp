@@ -2,7 +2,6 @@
 // The module's only door: one class of verbs for the page. No exception crosses it.
 #include <emscripten/bind.h>
 #include <emscripten/val.h>
-
 #include <exception>
 #include <new>
 #include <nlohmann/json.hpp>

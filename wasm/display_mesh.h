@@ -11,8 +11,8 @@ struct DisplayMesh {
   std::vector<Vec3f> normals;  ///< unit, one per vertex; zero where undefined
 };
 
-/// Smooth normals that respect creases: a corner's normal is the angle-weighted mean over those facets around its vertex
-/// that differ from its own by less than the crease angle [Thürmer, Wüthrich 1998, for the weights].
+/// Smooth normals that respect creases: a corner's normal is the angle-weighted mean over those facets around its
+/// vertex that differ from its own by less than the crease angle [Thürmer, Wüthrich 1998, for the weights].
 ///
 /// Cost: O(T · facets around a vertex).
 /// @param creaseDeg  edges sharper than this stay sharp

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "wasm/engine.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "io/read_model.h"
-#include "mesh/ray.h"
 #include "wasm/display_mesh.h"
 #include "wasm/settings.h"
 
@@ -147,7 +145,8 @@ Result<Engine::Model> Engine::readAndPrepare(std::vector<std::uint8_t> bytes, co
 std::string Engine::loadModel(std::vector<std::uint8_t> bytes, const std::string& fileName, double scaleToMm) {
   if (!viewer_) return answer(ErrorCode::Internal, problems_.front(), "use a browser with WebGL 2 and float targets");
   if (!(scaleToMm > 0) || !std::isfinite(scaleToMm))
-    return answer(ErrorCode::BadUsage, fmt::format("the scale is {:g}", scaleToMm), "choose how many mm one unit of the file is");
+    return answer(ErrorCode::BadUsage, fmt::format("the scale is {:g}", scaleToMm),
+                  "choose how many mm one unit of the file is");
   auto model = readAndPrepare(std::move(bytes), fileName, scaleToMm);
   if (!model) return answer(model.error());
   forgetJob();
@@ -240,7 +239,8 @@ SurfacePrint Engine::printOf(const Symbol& symbol, const Placement& placement, c
 
 Result<Symbol> Engine::placeSymbol() {
   if (!model_) return tl::unexpected(kNoModel);
-  if (!centre_) return fail(ErrorCode::BadUsage, "no place has been chosen", "click on the model where the code should go");
+  if (!centre_)
+    return fail(ErrorCode::BadUsage, "no place has been chosen", "click on the model where the code should go");
   const EngravableModel& model = *model_->engravable;
   if (const Status engravable = model.prepared.engravable(); !engravable) return tl::unexpected(engravable.error());
   auto symbol = encodeSymbol(request_.text, request_.symbol);
@@ -280,7 +280,8 @@ std::string Engine::startEngrave() {
   forgetJob();
   updateView();
   if (!model_) return answer(kNoModel);
-  if (!centre_) return answer(ErrorCode::BadUsage, "no place has been chosen", "click on the model where the code should go");
+  if (!centre_)
+    return answer(ErrorCode::BadUsage, "no place has been chosen", "click on the model where the code should go");
   jobRequest_ = completeRequest();
   auto job = EngraveJob::create(model_->engravable, jobRequest_);
   if (!job) return answer(job.error());
@@ -300,8 +301,7 @@ std::string Engine::advance() {
   }
   if (progress->done) finishJob();
   jobMs_ += millisecondsSince(start);
-  return dump(
-      {{"ok", true}, {"stage", progress->stage}, {"fraction", progress->fraction}, {"done", progress->done}});
+  return dump({{"ok", true}, {"stage", progress->stage}, {"fraction", progress->fraction}, {"done", progress->done}});
 }
 
 void Engine::finishJob() {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "gl/objects.h"
+#include "mesh/ray.h"
 #include "pipeline/engrave.h"
 #include "pipeline/report.h"
 #include "wasm/orbit_camera.h"
@@ -28,8 +29,8 @@ class Engine {
   /// {renderer, version, problems: [text]}; with a problem nothing can be drawn or engraved.
   std::string capabilities() const;
 
-  /// {model: {format, triangles, vertices, sizeMm, shells, engravable, findings, centre}}; `centre` is the surface point
-  /// in the middle of the view, chosen until another is. After an error the old model stays.
+  /// {model: {format, triangles, vertices, sizeMm, shells, engravable, findings, centre}}; `centre` is the surface
+  /// point in the middle of the view, chosen until another is. After an error the old model stays.
   /// @param bytes  the file; freed as soon as it is read
   std::string loadModel(std::vector<std::uint8_t> bytes, const std::string& fileName, double scaleToMm);
 

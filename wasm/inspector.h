@@ -11,8 +11,9 @@ struct ImGuiContext;
 
 namespace qrelief {
 
-/// A window over the canvas, drawn by Dear ImGui, that shows what the engraving works with: normals, heights, luminance,
-/// depths, and what each stage cost. Only looks, changes nothing. Made on first use; needs the engine's GL context.
+/// A window over the canvas, drawn by Dear ImGui, that shows what the engraving works with: normals, heights,
+/// luminance, depths, and what each stage cost. Only looks, changes nothing. Made on first use; needs the engine's GL
+/// context.
 class Inspector {
  public:
   Inspector();

@@ -9,9 +9,7 @@
 namespace qrelief {
 namespace {
 
-bool isOutside(const float* texel) {
-  return texel[0] * texel[0] + texel[1] * texel[1] + texel[2] * texel[2] < 0.25f;
-}
+bool isOutside(const float* texel) { return texel[0] * texel[0] + texel[1] * texel[1] + texel[2] * texel[2] < 0.25f; }
 
 }  // namespace
 

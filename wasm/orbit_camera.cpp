@@ -10,11 +10,11 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 constexpr double kGlideMs = 350;
-constexpr double kRollFadePx = 80;     // a drag this long takes the roll back to 1/e: free turning ends upright
-constexpr double kFitMargin = 1.08;    // air around the model
-constexpr double kClosest = 0.004;     // shortest distance to the target, of the scene's diagonal
-constexpr double kFarthest = 12;       // longest, likewise
-constexpr double kLeash = 0.5;         // how far the target may leave the scene's box, of its diagonal
+constexpr double kRollFadePx = 80;   // a drag this long takes the roll back to 1/e: free turning ends upright
+constexpr double kFitMargin = 1.03;  // air around the model
+constexpr double kClosest = 0.004;   // shortest distance to the target, of the scene's diagonal
+constexpr double kFarthest = 12;     // longest, likewise
+constexpr double kLeash = 0.5;       // how far the target may leave the scene's box, of its diagonal
 
 struct Axes {
   Vec3 right, up, back;
@@ -90,8 +90,7 @@ void OrbitCamera::zoom(double factor, Vec3 focus) {
   const double diagonal = std::max(scene_.diagonal(), 1e-6);
   // What the lens shows counts, not the distance alone: the reader's eye is far off with a long lens.
   const double lens = std::tan(pose_.fieldOfView / 2) / std::tan(CameraPose{}.fieldOfView / 2);
-  const double distance =
-      std::clamp(pose_.distance / factor, kClosest * diagonal / lens, kFarthest * diagonal / lens);
+  const double distance = std::clamp(pose_.distance / factor, kClosest * diagonal / lens, kFarthest * diagonal / lens);
   // Scaling eye and target about the focus leaves every ray through the focus where it is.
   const double scale = distance / pose_.distance;
   pose_.target = focus + (pose_.target - focus) * scale;
@@ -198,8 +197,7 @@ CameraView OrbitCamera::view() const {
 Ray OrbitCamera::ray(double x, double y) const {
   const CameraView now = view();
   const Vec2 ndc(2 * x / width_ - 1, 1 - 2 * y / height_);
-  return {now.eye(),
-          glm::normalize(now.right * (ndc.x * now.tanHalf.x) + now.up * (ndc.y * now.tanHalf.y) - now.back)};
+  return {now.eye(), glm::normalize(now.right * (ndc.x * now.tanHalf.x) + now.up * (ndc.y * now.tanHalf.y) - now.back)};
 }
 
 Vec2 OrbitCamera::toScreen(Vec3 point) const {

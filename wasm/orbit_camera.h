@@ -17,7 +17,7 @@ enum class UpAxis { Y, Z };
 struct CameraPose {
   Vec3 target{0};  ///< mm, model space
   double yaw = -1.05, pitch = 0.35, roll = 0;
-  double distance = 100;  ///< eye to target, mm
+  double distance = 100;      ///< eye to target, mm
   double fieldOfView = 0.52;  ///< vertical, radians
 
   bool operator==(const CameraPose&) const = default;
@@ -30,7 +30,7 @@ struct CameraView {
   Vec3 right{1, 0, 0}, up{0, 1, 0}, back{0, 0, 1};
   Vec3 skyward{0, 0, 1};  ///< the up axis of the scene, model space
   double distance = 100;
-  Vec2 tanHalf{1};     ///< tangents of half the horizontal and vertical field of view
+  Vec2 tanHalf{1};           ///< tangents of half the horizontal and vertical field of view
   Vec2 depthRange{1, 1000};  ///< near and far distance along the line of sight, mm
 
   Vec3 eye() const { return target + back * distance; }

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "wasm/settings.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 namespace qrelief {
@@ -74,14 +73,6 @@ class SettingsReader {
   const Json& settings_;
   std::optional<Error> error_;
 };
-
-std::optional<ErrorCorrection> errorCorrectionByName(std::string_view name) {
-  if (name == "L") return ErrorCorrection::L;
-  if (name == "M") return ErrorCorrection::M;
-  if (name == "Q") return ErrorCorrection::Q;
-  if (name == "H") return ErrorCorrection::H;
-  return {};
-}
 
 std::optional<DirectionMethod> directionByName(std::string_view name) {
   if (name == "mean-normal") return DirectionMethod::MeanNormal;

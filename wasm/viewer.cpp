@@ -12,11 +12,11 @@
 namespace qrelief {
 namespace {
 
-constexpr double kRadiusShare = 0.08;       // reach of the occlusion, of the model's diagonal
-constexpr double kRadiusLimit = 0.2;        // greatest reach on the screen, of the picture's height
-constexpr int kFirstShown = 4;              // averages of fewer pictures are noisier than the blurred first one
-constexpr double kMostPixels = 4.2e6;       // larger canvases are drawn at a lower resolution
-constexpr double kSlowFrameMs = 50;         // intervals above this lower the resolution while moving
+constexpr double kRadiusShare = 0.08;  // reach of the occlusion, of the model's diagonal
+constexpr double kRadiusLimit = 0.2;   // greatest reach on the screen, of the picture's height
+constexpr int kFirstShown = 4;         // averages of fewer pictures are noisier than the blurred first one
+constexpr double kMostPixels = 4.2e6;  // larger canvases are drawn at a lower resolution
+constexpr double kSlowFrameMs = 50;    // intervals above this lower the resolution while moving
 constexpr double kCoarsestScale = 0.4;
 
 constexpr Vec3f kLightBackground[2] = {{0.66f, 0.69f, 0.73f}, {0.87f, 0.89f, 0.92f}};
@@ -24,8 +24,8 @@ constexpr Vec3f kDarkBackground[2] = {{0.010f, 0.012f, 0.016f}, {0.035f, 0.041f,
 constexpr Vec3f kAccent = {0.01f, 0.30f, 0.85f};
 
 Vec3f inView(const CameraView& camera, Vec3 direction) {
-  return Vec3f(Vec3(glm::dot(direction, camera.right), glm::dot(direction, camera.up),
-                    glm::dot(direction, camera.back)));
+  return Vec3f(
+      Vec3(glm::dot(direction, camera.right), glm::dot(direction, camera.up), glm::dot(direction, camera.back)));
 }
 
 Vec3f pointInView(const CameraView& camera, Vec3 point) { return inView(camera, point - camera.target); }
@@ -43,7 +43,7 @@ ViewQuality ViewQuality::suitedTo(const gl::Capabilities& capabilities) {
   quality.movingScale = 1;
   quality.movingSteps = 4;
   quality.stillSteps = 8;
-  quality.stillSamples = 24;
+  quality.stillSamples = 32;
   return quality;
 }
 
@@ -181,6 +181,7 @@ void Viewer::drawOcclusion(const Stage& stage, const CameraView& camera, Vec2 ji
   occlusion_.set("u_radius", static_cast<float>(mesh_ ? kRadiusShare * mesh_->box().diagonal() : 1.0));
   occlusion_.set("u_radiusLimit", static_cast<float>(kRadiusLimit * stage.height));
   occlusion_.set("u_turn", static_cast<float>(sample.turn));
+  occlusion_.set("u_shift", static_cast<float>(sample.shift));
   gl::drawFullscreen();
 }
 
@@ -275,10 +276,12 @@ Result<bool> Viewer::drawMoving(const CameraView& camera, double nowMs, const gl
 Result<bool> Viewer::drawStill(const CameraView& camera, const gl::Framebuffer* target) {
   if (auto ready = prepareStage(still_, 1, false); !ready) return tl::unexpected(ready.error());
   if (auto ready = prepareStage(sum_, 1, true); !ready) return tl::unexpected(ready.error());
-  const auto index = static_cast<unsigned>(++statistics_.samples);
+  const auto index = static_cast<std::uint32_t>(++statistics_.samples);
+  const auto [x, y] = halton23(index);
   Sample sample;
-  sample.jitterPx = Vec2(radicalInverse(2, index), radicalInverse(3, index)) - 0.5;
-  sample.turn = radicalInverse(2, index);
+  sample.jitterPx = {x - 0.5, y - 0.5};
+  sample.turn = (index % 16) / 16.0;
+  sample.shift = 0.35 + 0.5 * (index / 16);
   sample.steps = quality_.stillSteps;
   sample.weight = 1.0 / index;
   drawSample(*still_, *sum_, camera, sample);

@@ -16,9 +16,9 @@ namespace qrelief {
 /// A square picture that the viewer shows on the surface, carried there by a frame's central projection.
 struct SurfacePrint {
   ProjectionFrame frame;
-  double edgeMm = 0;     ///< of the picture on the QR plane
-  Vec2 heightsMm{0};     ///< lowest and highest surface over the QR plane that takes the print
-  int size = 0;          ///< texels along an edge
+  double edgeMm = 0;              ///< of the picture on the QR plane
+  Vec2 heightsMm{0};              ///< lowest and highest surface over the QR plane that takes the print
+  int size = 0;                   ///< texels along an edge
   std::vector<std::uint8_t> ink;  ///< size², row 0 at the top; 255 = dark
 };
 
@@ -27,7 +27,7 @@ struct ViewQuality {
   double movingScale = 0.5;  ///< resolution while something changes, 0 … 1
   int movingSteps = 3;       ///< occlusion samples on each side of a slice while something changes
   int stillSteps = 5;        ///< the same at rest
-  int stillSamples = 12;     ///< pictures that are averaged at rest
+  int stillSamples = 16;     ///< pictures that are averaged at rest; multiples of 16 leave no pattern
   double settleMs = 120;     ///< without a change before refinement starts
 
   static ViewQuality suitedTo(const gl::Capabilities& capabilities);
@@ -35,8 +35,8 @@ struct ViewQuality {
 
 /// Milliseconds from the last change to the finished picture, and the frames it took; for the inspector.
 struct ViewStatistics {
-  double coarseFrameMs = 0;  ///< mean interval between frames while something changed
-  int samples = 0;           ///< averaged so far
+  double coarseFrameMs = 0;   ///< mean interval between frames while something changed
+  int samples = 0;            ///< averaged so far
   int width = 0, height = 0;  ///< of the last frame's G-buffer
 };
 
@@ -75,7 +75,7 @@ class Viewer {
   };
   struct Sample {
     Vec2 jitterPx{0};
-    double turn = 0;
+    double turn = 0, shift = 0.35;
     int slices = 1, steps = 3;
     bool blur = false;
     double weight = 1;  // of this picture in the average

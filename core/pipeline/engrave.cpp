@@ -7,6 +7,7 @@
 #include <cassert>
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 #include "carving/wall_limit.h"
 #include "embedding/embed.h"
@@ -124,7 +125,7 @@ struct EngraveJob::State {
   Status embed();
   Status check();
   Status view();
-  std::vector<double> depthLimits();
+  Result<std::vector<double>> depthLimits();
   void measure();
   Progress at(std::string_view name, double to, double share);
 };
@@ -146,31 +147,39 @@ Status EngraveJob::State::place() {
 }
 
 /// Greatest depth of every submodule: --max-depth, thickness along the ray, and distance to any other wall.
-std::vector<double> EngraveJob::State::depthLimits() {
+Result<std::vector<double>> EngraveJob::State::depthLimits() {
   const Placement& placement = result.placement;
-  const double maxDepth = request.maxDepthMm.value_or(kMaxDepthModules * placement.moduleMm);
-  std::vector<double> limits = wallLimits(model->prepared.mesh, placement.patch.triangles, placement.frame,
-                                          {mask.size, placement.symbolMm}, mask.carved, maxDepth, request.minWallMm);
   auto back = pass.renderBack(model->gpu, placement.frame, maps.window);
-  if (!back) return limits;
+  if (!back) return tl::unexpected(back.error());
   const std::vector<float> behind = back->framebuffer.readRed();
   const std::vector<float> ahead = maps.framebuffer.readRgba(1);
   const int perCell = maps.window.texels / layout.cells();
+  std::vector<float> distance(mask.carved.size(), std::numeric_limits<float>::quiet_NaN());
+  std::vector<double> thickness(mask.carved.size(), std::numeric_limits<double>::infinity());
   for (int row = 0; row < mask.size; ++row) {
     for (int column = 0; column < mask.size; ++column) {
-      if (!mask.isCarved(row, column)) continue;
       const auto cell = static_cast<int>(layout.ofSymbol(row, column));
-      double& limit = limits[static_cast<std::size_t>(row * mask.size + column)];
+      const auto i = static_cast<std::size_t>(row * mask.size + column);
+      double sum = 0;
+      int seen = 0;
       for (int t = 0; t < perCell * perCell; ++t) {
         const int y = cell / layout.cells() * perCell + t / perCell;
         const int x = cell % layout.cells() * perCell + t % perCell;
         const auto texel = static_cast<std::size_t>(y * maps.window.texels + x);
-        if (behind[texel] > 0 && ahead[4 * texel + 3] > 0)
-          limit = std::min<double>(limit, behind[texel] - ahead[4 * texel + 3] - request.minWallMm);
+        const float front = ahead[4 * texel + 3];
+        if (front <= 0) continue;
+        sum += front;
+        ++seen;
+        if (behind[texel] > 0) thickness[i] = std::min<double>(thickness[i], behind[texel] - front);
       }
-      limit = std::max(0.0, limit);
+      if (seen > 0) distance[i] = static_cast<float>(sum / seen);
     }
   }
+  const double maxDepth = request.maxDepthMm.value_or(kMaxDepthModules * placement.moduleMm);
+  std::vector<double> limits = wallLimits(model->prepared.mesh, placement.patch, placement.frame, mask, distance,
+                                          {placement.symbolMm, maxDepth, request.minWallMm});
+  for (std::size_t i = 0; i < limits.size(); ++i)
+    limits[i] = std::max(0.0, std::min(limits[i], thickness[i] - request.minWallMm));
   return limits;
 }
 
@@ -200,7 +209,9 @@ Status EngraveJob::State::map() {
       if (mask.isCarved(row, column)) carvedCells.push_back(layout.ofSymbol(row, column));
   light->selectCells(carvedCells);
 
-  CarvingTarget target{&symbol, &mask, placement.symbolMm, depthLimits()};
+  auto limits = depthLimits();
+  if (!limits) return tl::unexpected(limits.error());
+  CarvingTarget target{&symbol, &mask, placement.symbolMm, std::move(*limits)};
   DepthSearchOptions searchOptions;
   searchOptions.contrast = request.contrast;
   search.emplace(std::move(target), searchOptions);

@@ -7,6 +7,7 @@
 
 #include "math/frame.h"
 #include "mesh/topology.h"
+#include "projection/plane_shapes.h"
 
 namespace qrelief {
 
@@ -24,7 +25,7 @@ struct EyeView {
   std::vector<Facing> facing;         ///< per triangle, exact
   double noiseMm = 0;                 ///< projected points nearer to one another than this cannot be told apart
 
-  std::array<Vec2, 3> triangle(const Triangle& corners) const {
+  Triangle2 triangle(const Triangle& corners) const {
     return {projected[corners[0]], projected[corners[1]], projected[corners[2]]};
   }
 };
@@ -39,7 +40,7 @@ inline constexpr std::uint32_t kNoVertex = 0xffffffffu;
 struct ContourEdge {
   std::array<Vec3, 2> ends;               ///< in front of the eye: cut off where the edge passes beside it
   std::array<std::uint32_t, 2> vertices;  ///< kNoVertex at an end that was cut off
-  std::array<Vec2, 2> projected;          ///< on the QR plane, mm
+  Segment2 projected;                     ///< on the QR plane, mm
 };
 
 /// All contour edges in front of the eye, ordered by triangle. Cost: O(T).

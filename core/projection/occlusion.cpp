@@ -23,7 +23,7 @@ int insideOfSide(const Corners& corners, std::size_t k, Vec3 p, Vec3 eye) {
 }
 
 /// Whether the boxes around two images are apart, rounding or not.
-bool certainlyApart(const std::array<Vec2, 3>& triangle, const Segment2& segment, double noise) {
+bool certainlyApart(const Triangle2& triangle, const Segment2& segment, double noise) {
   const Vec2 low = glm::min(glm::min(triangle[0], triangle[1]), triangle[2]) - noise;
   const Vec2 high = glm::max(glm::max(triangle[0], triangle[1]), triangle[2]) + noise;
   const Vec2 from = glm::min(segment[0], segment[1]);
@@ -32,7 +32,7 @@ bool certainlyApart(const std::array<Vec2, 3>& triangle, const Segment2& segment
 }
 
 /// The part of a segment in a counter-clockwise triangle, or outside it by no more than `noise`.
-std::optional<Segment2> clipped(const Segment2& segment, const std::array<Vec2, 3>& triangle, double noise) {
+std::optional<Segment2> clipped(const Segment2& segment, const Triangle2& triangle, double noise) {
   double enter = 0;
   double leave = 1;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -51,7 +51,7 @@ std::optional<Segment2> clipped(const Segment2& segment, const std::array<Vec2, 
 
 /// Where exact tests found a meeting too small for `clipped`: the point of the segment nearest to the triangle's
 /// middle.
-Segment2 touchingPoint(const Segment2& segment, const std::array<Vec2, 3>& triangle) {
+Segment2 touchingPoint(const Segment2& segment, const Triangle2& triangle) {
   const Vec2 middle = (triangle[0] + triangle[1] + triangle[2]) / 3.0;
   const Vec2 along = segment[1] - segment[0];
   const double squared = glm::dot(along, along);
@@ -108,7 +108,7 @@ Segment2 partInFront(const Corners& corners, const ContourEdge& edge, const std:
 std::optional<Occluder> occluderOf(const Mesh& mesh, std::uint32_t triangle, const ContourEdge& edge, Vec3 eye,
                                    const ProjectionFrame& frame, const EyeView& view) {
   const Triangle& vertices = mesh.triangles[triangle];
-  const std::array<Vec2, 3> image = view.triangle(vertices);
+  const Triangle2 image = view.triangle(vertices);
   if (certainlyApart(image, edge.projected, view.noiseMm)) return {};
 
   const Corners corners = cornersOf(mesh, triangle);

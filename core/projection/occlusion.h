@@ -7,8 +7,6 @@
 
 namespace qrelief {
 
-using Segment2 = std::array<Vec2, 2>;  ///< in plane coordinates, mm
-
 /// The part of a contour edge that lies, as the eye sees it, upon a facet.
 struct Occluder {
   Segment2 segment;      ///< on the QR plane, mm; a point where the edge only touches the facet's image

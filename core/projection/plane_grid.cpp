@@ -22,7 +22,7 @@ struct Range {
 };
 
 /// The u that a shape takes where bottom ≤ v ≤ top; empty if it does not come there.
-Range rangeBetween(const PlaneShape& shape, double bottom, double top) {
+Range rangeBetween(const Triangle2& shape, double bottom, double top) {
   Range range;
   for (std::size_t k = 0; k < 3; ++k) {
     const Vec2 a = shape[k];
@@ -44,7 +44,7 @@ int PlaneGrid::column(double u) const { return clampedCell((u - min_.x) / cell_.
 int PlaneGrid::row(double v) const { return clampedCell((v - min_.y) / cell_.y, size_); }
 
 template <class Visit>
-void PlaneGrid::forEachCell(const PlaneShape& shape, Visit&& visit) const {
+void PlaneGrid::forEachCell(const Triangle2& shape, Visit&& visit) const {
   const Vec2 slack = cell_ * kCellSlack;
   const Vec2 low = glm::min(glm::min(shape[0], shape[1]), shape[2]) - slack;
   const Vec2 high = glm::max(glm::max(shape[0], shape[1]), shape[2]) + slack;
@@ -68,11 +68,11 @@ void PlaneGrid::forEachCell(const PlaneShape& shape, Visit&& visit) const {
   }
 }
 
-PlaneGrid::PlaneGrid(std::span<const PlaneShape> shapes, double halfWidth) : lastQuery_(shapes.size(), 0) {
+PlaneGrid::PlaneGrid(std::span<const Triangle2> shapes, double halfWidth) : lastQuery_(shapes.size(), 0) {
   if (shapes.empty()) return;
   Vec2 low(std::numeric_limits<double>::infinity());
   Vec2 high = -low;
-  for (const PlaneShape& shape : shapes) {
+  for (const Triangle2& shape : shapes) {
     for (const Vec2 p : shape) {
       low = glm::min(low, p);
       high = glm::max(high, p);
@@ -85,7 +85,7 @@ PlaneGrid::PlaneGrid(std::span<const PlaneShape> shapes, double halfWidth) : las
 
   // Counting sort by cell.
   begin_.assign(static_cast<std::size_t>(size_ * size_) + 1, 0);
-  for (const PlaneShape& shape : shapes) forEachCell(shape, [&](std::size_t cell) { ++begin_[cell + 1]; });
+  for (const Triangle2& shape : shapes) forEachCell(shape, [&](std::size_t cell) { ++begin_[cell + 1]; });
   for (std::size_t cell = 1; cell < begin_.size(); ++cell) begin_[cell] += begin_[cell - 1];
   items_.resize(begin_.back());
   std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
@@ -93,7 +93,7 @@ PlaneGrid::PlaneGrid(std::span<const PlaneShape> shapes, double halfWidth) : las
     forEachCell(shapes[item], [&](std::size_t cell) { items_[next[cell]++] = item; });
 }
 
-std::span<const std::uint32_t> PlaneGrid::near(const PlaneShape& shape) {
+std::span<const std::uint32_t> PlaneGrid::near(const Triangle2& shape) {
   found_.clear();
   if (size_ == 0) return found_;
   ++query_;

@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "math/vec.h"
+#include "projection/plane_shapes.h"
 
 namespace qrelief {
-
-/// A triangle of the QR plane; a segment is one whose last two corners coincide.
-using PlaneShape = std::array<Vec2, 3>;
 
 /// Uniform bins over the QR plane that answer "which of these shapes may meet that one?".
 ///
@@ -22,14 +18,14 @@ class PlaneGrid {
   /// @param shapes     finite coordinates; may be empty
   /// @param halfWidth  the bins cover at most the square |u|, |v| ≤ halfWidth (> 0, may be infinite); what lies
   ///                   farther out falls into the outermost bins, found as surely but more slowly
-  PlaneGrid(std::span<const PlaneShape> shapes, double halfWidth);
+  PlaneGrid(std::span<const Triangle2> shapes, double halfWidth);
 
   /// Indices of all shapes that may meet `shape`, each once, in no useful order; valid until the next call.
-  std::span<const std::uint32_t> near(const PlaneShape& shape);
+  std::span<const std::uint32_t> near(const Triangle2& shape);
 
  private:
   template <class Visit>
-  void forEachCell(const PlaneShape& shape, Visit&& visit) const;
+  void forEachCell(const Triangle2& shape, Visit&& visit) const;
   int column(double u) const;
   int row(double v) const;
 

@@ -9,13 +9,6 @@
 namespace qrelief {
 namespace {
 
-Vec2 nearestToOrigin(const Segment2& segment) {
-  const Vec2 along = segment[1] - segment[0];
-  const double squared = glm::dot(along, along);
-  const double share = squared > 0 ? std::clamp(-glm::dot(segment[0], along) / squared, 0.0, 1.0) : 0;
-  return segment[0] + along * share;
-}
-
 double maximumNorm(Vec2 p) { return std::max(std::abs(p.x), std::abs(p.y)); }
 
 /// Least maximum norm along a segment: convex and linear between the axes and the diagonals, so least at an end or
@@ -37,7 +30,7 @@ double leastMaximumNorm(const Segment2& segment) {
 std::optional<Vec2> nearestSilhouettePoint(std::span<const Segment2> silhouette) {
   std::optional<Vec2> nearest;
   for (const Segment2& segment : silhouette) {
-    const Vec2 point = nearestToOrigin(segment);
+    const Vec2 point = nearestOnSegment(Vec2(0), segment);
     if (!nearest || glm::dot(point, point) < glm::dot(*nearest, *nearest)) nearest = point;
   }
   return nearest;

@@ -15,38 +15,6 @@
 namespace qrelief {
 namespace {
 
-double distanceToSegment(Vec2 point, Vec2 a, Vec2 b) {
-  const Vec2 along = b - a;
-  const double squared = glm::dot(along, along);
-  const double share = squared > 0 ? std::clamp(glm::dot(point - a, along) / squared, 0.0, 1.0) : 0;
-  return glm::length(point - a - along * share);
-}
-
-/// Distance of the centre from a counter-clockwise triangle; 0 inside.
-double distanceOfCentre(const std::array<Vec2, 3>& triangle) {
-  bool inside = true;
-  double distance = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Vec2 a = triangle[k];
-    const Vec2 b = triangle[(k + 1) % 3];
-    inside = inside && cross2(b - a, -a) >= 0;
-    distance = std::min(distance, distanceToSegment(Vec2(0), a, b));
-  }
-  return inside ? 0 : distance;
-}
-
-double distanceBetween(const Segment2& s, const Segment2& t) {
-  const Vec2 along = s[1] - s[0];
-  const Vec2 other = t[1] - t[0];
-  const double a = cross2(along, t[0] - s[0]);
-  const double b = cross2(along, t[1] - s[0]);
-  const double c = cross2(other, s[0] - t[0]);
-  const double d = cross2(other, s[1] - t[0]);
-  if (((a < 0) != (b < 0)) && ((c < 0) != (d < 0))) return 0;
-  return std::min({distanceToSegment(s[0], t[0], t[1]), distanceToSegment(s[1], t[0], t[1]),
-                   distanceToSegment(t[0], s[0], s[1]), distanceToSegment(t[1], s[0], s[1])});
-}
-
 /// Point of an edge nearest to the centre, kept off the edge's ends: paths go through edges, not vertices.
 Vec2 nearestInnerPoint(Vec2 a, Vec2 b) {
   const Vec2 along = b - a;
@@ -145,14 +113,14 @@ class Flood {
     }
   };
 
-  static std::vector<PlaneShape> imagesOf(std::span<const ContourEdge> edges) {
-    std::vector<PlaneShape> images;
+  static std::vector<Triangle2> imagesOf(std::span<const ContourEdge> edges) {
+    std::vector<Triangle2> images;
     images.reserve(edges.size());
     for (const ContourEdge& edge : edges) images.push_back({edge.projected[0], edge.projected[1], edge.projected[1]});
     return images;
   }
 
-  std::array<Vec2, 3> image(std::uint32_t triangle) const { return view_.triangle(mesh_.triangles[triangle]); }
+  Triangle2 image(std::uint32_t triangle) const { return view_.triangle(mesh_.triangles[triangle]); }
 
   Segment2 edgeOf(std::uint32_t triangle, std::size_t k) const {
     const Triangle& t = mesh_.triangles[triangle];
@@ -160,7 +128,7 @@ class Flood {
   }
 
   void addSilhouette(VisiblePatch& patch, const Segment2& segment) const {
-    if (distanceToSegment(Vec2(0), segment[0], segment[1]) <= radius_) patch.silhouette.push_back(segment);
+    if (distanceToSegment(Vec2(0), segment) <= radius_) patch.silhouette.push_back(segment);
   }
 
   /// A point of `triangle` that is seen, on the edge over which the flood comes (in the seed: the centre).
@@ -207,11 +175,11 @@ class Flood {
   }
 
   bool withinRadius(std::uint32_t triangle) const {
-    const std::array<Vec2, 3> corners = image(triangle);
+    const Triangle2 corners = image(triangle);
     const double squared = radius_ * radius_;
     for (const Vec2 p : corners)
       if (glm::dot(p, p) <= squared) return true;
-    return distanceOfCentre(corners) <= radius_;
+    return distanceToTriangle(Vec2(0), corners) <= radius_;
   }
 
   /// A point of an edge that the straight path from `from` reaches without meeting an occluder; the nearest to the
@@ -232,7 +200,7 @@ class Flood {
   /// never overlap one another, so one of the two is crossed.
   void dropOverlapping() {
     std::vector<std::uint32_t> crossed;  // records
-    std::vector<PlaneShape> images;
+    std::vector<Triangle2> images;
     for (std::uint32_t record = 0; record < obstructed_.size(); ++record) {
       const ObstructedFacet& facet = obstructed_[record];
       if (!facet.crossed || state_[facet.triangle] != State::Taken) continue;
@@ -260,7 +228,7 @@ class Flood {
 
   double reachOf(std::uint32_t triangle) const {
     const auto record = recordOf_.find(triangle);
-    return record == recordOf_.end() ? distanceOfCentre(image(triangle)) : obstructed_[record->second].reach;
+    return record == recordOf_.end() ? distanceToTriangle(Vec2(0), image(triangle)) : obstructed_[record->second].reach;
   }
 
   void keepConnected() {

@@ -43,7 +43,7 @@ struct VisiblePatch {
 /// occluders does (induction along the straight path), so nothing is lost but what overlapping images cost.
 ///
 /// Preconditions: the surface does not cross itself; frame.centre lies on the seed (to kOnSurfaceMm).
-/// Cost: O(T + F + E) for T triangles, F within the radius, and E contour edges in uniform bins; see bench/.
+/// Cost: O(T + F + E) for T triangles, F within the radius, and E contour edges in uniform bins.
 /// @param seed      triangle under the centre
 /// @param radiusMm  > 0, may be infinite; facets wholly farther than this from the centre on the QR plane are left out;
 ///                  the edge towards them is no silhouette

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <limits>
 #include <numeric>
 
 #include "shaders.h"
@@ -39,6 +40,10 @@ Result<LuminancePass> LuminancePass::create(const SurfaceMaps& maps, double eyeD
   pass.eyeDistance_ = eyeDistance;
   pass.options_ = options;
   pass.cells_ = maps.window.texels / options.cellTexels;
+  const std::vector<float> surface = maps.framebuffer.readRgba(0);
+  pass.highestMm_ = std::numeric_limits<float>::lowest();
+  for (std::size_t i = 0; i < surface.size(); i += 4)
+    if (surface[i + 2] > 0) pass.highestMm_ = std::max(pass.highestMm_, surface[i + 3]);
   for (const Status& made : {makeProgram(pass.occlusion_, "occlusion", shaders::cells_vert, shaders::occlusion_frag),
                              makeProgram(pass.lighting_, "lighting", shaders::fullscreen_vert, shaders::lighting_frag),
                              makeProgram(pass.reduction_, "reduction", shaders::fullscreen_vert, shaders::reduction_frag),
@@ -92,6 +97,7 @@ void LuminancePass::run() {
   occlusion_.set("u_cellsAlongEdge", static_cast<float>(cells_));
   occlusion_.set("u_slices", options_.slices);
   occlusion_.set("u_radiusTexels", static_cast<float>(options_.radiusMm / texelMm));
+  occlusion_.set("u_highestMm", highestMm_);
   occlusion_.set("u_rotate", options_.turnSlices ? 1 : 0);
   cellArray_.bind();
   glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, selected_);

@@ -50,6 +50,7 @@ class LuminancePass {
   double eyeDistance_ = 250;
   LuminanceOptions options_;
   int cells_ = 0;
+  float highestMm_ = 0;
   gl::Program occlusion_, lighting_, reduction_;
   gl::Texture depths_, visibility_, luminance_, means_;
   gl::Framebuffer visibilityTarget_, luminanceTarget_, meansTarget_;

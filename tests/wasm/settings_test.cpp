@@ -7,7 +7,8 @@ namespace qrelief {
 namespace {
 
 TEST(Settings, EverySettingArrives) {
-  const auto request = readSettings(R"({"text": "grüezi", "ecc": "Q", "pattern": "thin-plus", "finderPattern": "diamond",
+  const auto request =
+      readSettings(R"({"text": "grüezi", "ecc": "Q", "pattern": "thin-plus", "finderPattern": "diamond",
       "size": 35.5, "maxSizeMm": 80, "quietZone": false, "direction": "mean-normal", "rotateDeg": 30, "contrast": 0.4,
       "minWallMm": 1.2, "maxDepthMm": 0.9, "eyeDistanceMm": 300})");
   ASSERT_TRUE(request.has_value()) << request.error().message;
@@ -37,20 +38,25 @@ TEST(Settings, WhatIsMissingOrNullHasItsDefault) {
 }
 
 TEST(Settings, ASettingOfTheWrongKindIsNamed) {
-  const std::pair<const char*, const char*> cases[] = {
-      {R"({"ecc": "X"})", "ecc"},          {R"({"pattern": "round"})", "pattern"}, {R"({"size": "huge"})", "size"},
-      {R"({"contrast": "0.3"})", "contrast"}, {R"({"quietZone": 1})", "quietZone"},   {R"({"text": 5})", "text"},
-      {R"({"direction": "up"})", "direction"}};
+  const std::pair<const char*, const char*> cases[] = {{R"({"ecc": "X"})", "ecc"},
+                                                       {R"({"pattern": "round"})", "pattern"},
+                                                       {R"({"size": "huge"})", "size"},
+                                                       {R"({"contrast": "0.3"})", "contrast"},
+                                                       {R"({"quietZone": 1})", "quietZone"},
+                                                       {R"({"text": 5})", "text"},
+                                                       {R"({"direction": "up"})", "direction"}};
   for (const auto& [json, name] : cases) {
     const auto request = readSettings(json);
     ASSERT_FALSE(request.has_value()) << json;
     EXPECT_EQ(request.error().code, ErrorCode::BadUsage);
-    EXPECT_NE(request.error().message.find(std::string("setting ") + name), std::string::npos) << request.error().message;
+    EXPECT_NE(request.error().message.find(std::string("setting ") + name), std::string::npos)
+        << request.error().message;
   }
 }
 
 TEST(Settings, WhatIsNoJsonObjectIsRefused) {
-  for (const char* json : {"", "[]", "{", "3", "{\"text\": \"\xff\"}"}) EXPECT_FALSE(readSettings(json).has_value()) << json;
+  for (const char* json : {"", "[]", "{", "3", "{\"text\": \"\xff\"}"})
+    EXPECT_FALSE(readSettings(json).has_value()) << json;
 }
 
 }  // namespace

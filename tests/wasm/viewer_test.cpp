@@ -88,13 +88,13 @@ TEST_F(ViewerTest, TheBackgroundFollowsTheTheme) {
 
 TEST_F(ViewerTest, OcclusionDarkensAConcaveCornerAndLeavesTheOpenPlateAlone) {
   // A plate with a step: the corner at the step's foot sees half the sky.
-  show(shapes::plate({80, 80}, 5, 160, 4, [](double x, double) { return x < 0 ? 0.0 : 20.0; }));
-  camera_.orbit(0, 200);
+  show(shapes::plate({80, 80}, 5, 160, 4, [](double x, double) { return x < 0 ? 5.0 : 0.0; }));
+  camera_.orbit(0, 30);
   const Picture picture = refined();
-  const double open = picture.brightness(camera_.toScreen({-30, 0, 0}));
-  const double corner = picture.brightness(camera_.toScreen({-1.2, 0, 0}));
+  const double open = picture.brightness(camera_.toScreen({30, 0, 0}));
+  const double corner = picture.brightness(camera_.toScreen({1.2, 0, 0}));
   EXPECT_LT(corner, open * 0.9);
-  EXPECT_NEAR(picture.brightness(camera_.toScreen({-30, 20, 0})), open, 0.02);
+  EXPECT_NEAR(picture.brightness(camera_.toScreen({30, 20, 0})), open, 0.02);
 }
 
 TEST_F(ViewerTest, ThePrintShowsItsInkWhereTheProjectionCarriesIt) {
@@ -105,7 +105,7 @@ TEST_F(ViewerTest, ThePrintShowsItsInkWhereTheProjectionCarriesIt) {
   print.edgeMm = 40;
   print.heightsMm = {-1, 1};
   print.size = 2;
-  print.ink = {255, 0,   // upper left, seen by the reader, is dark
+  print.ink = {255, 0,  // upper left, seen by the reader, is dark
                0, 0};
   viewer_->setPrint(print);
   const Picture with = refined();

@@ -1,0 +1,345 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "projection/visible_patch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <limits>
+#include <numbers>
+
+#include "base/random.h"
+#include "projection/size.h"
+#include "support/brute_force.h"
+#include "support/shapes.h"
+
+namespace qrelief {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+constexpr double kRoot2 = std::numbers::sqrt2;
+
+Result<VisiblePatch> patchAt(const Mesh& mesh, const brute_force::Spot& spot, double radius = kInfinite) {
+  return findVisiblePatch(mesh, buildAdjacency(mesh.triangles), spot.frame, spot.seed, radius);
+}
+
+/// Straight from above on the point of the surface over (x, y).
+brute_force::Spot fromAbove(const Mesh& mesh, double x, double y, Vec3 up = {0, 1, 0}, double eyeDistance = 250) {
+  return brute_force::spotSeen(mesh, {x, y, 500}, {0, 0, -1}, {0, 0, 1}, up, eyeDistance);
+}
+
+/// In the disc and the aligned square that the silhouette allows the eye sees nothing but the patch.
+void expectSeenWithin(const Mesh& mesh, const ProjectionFrame& frame, const VisiblePatch& patch, int samples = 400) {
+  std::vector<std::uint8_t> inPatch(mesh.triangles.size(), 0);
+  for (const std::uint32_t t : patch.triangles) inPatch[t] = 1;
+  const double most = kRoot2 * patch.radiusMm;
+  const double radius = std::min(freeSize(patch.silhouette), most) / kRoot2 * (1 - 1e-9);
+  const double half = std::min(orientedSize(patch.silhouette), most) / 2 * (1 - 1e-9);
+  Random random(17);
+  for (int k = 0; k < samples; ++k) {
+    const double angle = random.uniform(0, 2 * std::numbers::pi);
+    const Vec2 onDisc = Vec2(std::cos(angle), std::sin(angle)) * (radius * std::sqrt(random.uniform()));
+    const Vec2 onSquare(random.uniform(-half, half), random.uniform(-half, half));
+    for (const Vec2 p : {onDisc, onSquare}) {
+      const brute_force::Hit hit = brute_force::castRay(mesh, frame.eye(), frame.rayDirection(p));
+      ASSERT_NE(hit.triangle, kNoTriangle) << "at " << p.x << ", " << p.y;
+      ASSERT_TRUE(inPatch[hit.triangle]) << "triangle " << hit.triangle << " at " << p.x << ", " << p.y;
+    }
+  }
+}
+
+/// Images of the patch's facets keep apart: no sample point of one lies within another.
+void expectNoOverlap(const Mesh& mesh, const ProjectionFrame& frame, const VisiblePatch& patch) {
+  std::vector<Triangle2> images;
+  for (const std::uint32_t t : patch.triangles)
+    images.push_back(
+        {frame.project(mesh.corner(t, 0)), frame.project(mesh.corner(t, 1)), frame.project(mesh.corner(t, 2))});
+  const auto wellInside = [](Vec2 p, const Triangle2& t) {
+    for (std::size_t k = 0; k < 3; ++k)
+      if (cross2(t[(k + 1) % 3] - t[k], p - t[k]) < 1e-9) return false;
+    return true;
+  };
+  for (std::size_t i = 0; i < images.size(); ++i) {
+    const Triangle2& t = images[i];
+    for (const Vec3 weight : {Vec3(1, 1, 1), Vec3(8, 1, 1), Vec3(1, 8, 1), Vec3(1, 1, 8)}) {
+      const Vec2 p = (t[0] * weight.x + t[1] * weight.y + t[2] * weight.z) / (weight.x + weight.y + weight.z);
+      for (std::size_t j = 0; j < images.size(); ++j)
+        ASSERT_FALSE(i != j && wellInside(p, images[j])) << patch.triangles[i] << " and " << patch.triangles[j];
+    }
+  }
+}
+
+TEST(VisiblePatch, OfACubesFaceIsThatFace) {
+  const Mesh mesh = shapes::box({40, 40, 40});
+  const brute_force::Spot spot = fromAbove(mesh, 0, 0);
+  const Result<VisiblePatch> patch = patchAt(mesh, spot);
+  ASSERT_TRUE(patch);
+  EXPECT_EQ(patch->triangles.size(), 2u);
+  EXPECT_EQ(patch->silhouette.size(), 4u);
+  EXPECT_DOUBLE_EQ(freeSize(patch->silhouette), 20 * kRoot2);
+  EXPECT_DOUBLE_EQ(orientedSize(patch->silhouette), 40);
+}
+
+TEST(VisiblePatch, OfACubesFaceTurnedBy45DegreesTakesASmallerAlignedSquare) {
+  const Mesh mesh = shapes::box({40, 40, 40});
+  const Result<VisiblePatch> patch = patchAt(mesh, fromAbove(mesh, 0, 0, {1, 1, 0}));
+  ASSERT_TRUE(patch);
+  EXPECT_NEAR(freeSize(patch->silhouette), 20 * kRoot2, 1e-12);
+  EXPECT_NEAR(orientedSize(patch->silhouette), 20 * kRoot2, 1e-12);
+}
+
+TEST(VisiblePatch, GoesOverTheEdgesOfACubeSeenFromItsCorner) {
+  // Three faces are seen; the plane cuts off less than the hexagonal outline's inner circle in perspective.
+  const Mesh mesh = shapes::box({40, 40, 40});
+  const brute_force::Spot spot = brute_force::spotSeen(mesh, {100, 100, 100}, {-1, -1, -1}, {1, 1, 1}, {0, 0, 1});
+  const Result<VisiblePatch> patch = patchAt(mesh, spot);
+  ASSERT_TRUE(patch);
+  EXPECT_EQ(patch->triangles.size(), 6u);
+  EXPECT_EQ(patch->silhouette.size(), 6u);
+  // The six outline edges join corners such as (20, 20, -20) and (20, -20, -20): their images' middles and ends differ
+  // in depth; the closed form is the distance of the origin from the line through the two images.
+  const auto image = [&](Vec3 p) { return spot.frame.project(p); };
+  const Vec2 a = image({20, 20, -20});
+  const Vec2 b = image({20, -20, -20});
+  EXPECT_NEAR(freeSize(patch->silhouette), kRoot2 * std::abs(cross2(a, b)) / glm::distance(a, b), 1e-12);
+}
+
+TEST(VisiblePatch, OfASphereEndsAtTheTangentCone) {
+  const double radius = 40;
+  const Mesh mesh = shapes::icosphere(radius, 5);
+  for (const Vec3 direction : {Vec3(0, 0, 1), Vec3(1, -2, 0.5)}) {
+    const Vec3 normal = glm::normalize(direction);
+    const brute_force::Spot spot = brute_force::spotSeen(mesh, normal * 100.0, -normal, normal, {0, 1, 0.3});
+    const Result<VisiblePatch> patch = patchAt(mesh, spot);
+    ASSERT_TRUE(patch);
+    // The polyhedron lies between the sphere through its vertices and the one that its facets touch.
+    double inner = radius;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+      inner = std::min(inner, glm::dot(triangleNormal(mesh, t), mesh.corner(t, 0)));
+    const double eyeToCentre = glm::length(spot.frame.eye());
+    const auto tangentRadius = [&](double r) { return 250 * r / std::sqrt(eyeToCentre * eyeToCentre - r * r); };
+    EXPECT_LE(freeSize(patch->silhouette), kRoot2 * tangentRadius(radius) + 1e-5);
+    EXPECT_GE(freeSize(patch->silhouette), kRoot2 * tangentRadius(inner));
+    EXPECT_LT(tangentRadius(radius) - tangentRadius(inner), 0.05) << "the bound is tight";
+    // A convex body hides nothing of itself: the patch is what faces the eye, the silhouette what bounds it.
+    std::size_t facing = 0;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+      facing += glm::dot(triangleNormal(mesh, t), spot.frame.eye() - mesh.corner(t, 0)) > 0;
+    EXPECT_EQ(patch->triangles.size(), facing);
+    expectSeenWithin(mesh, spot.frame, *patch, 50);
+  }
+}
+
+/// A floor at z = 0 and a box above it, not touching: the floor is partly hidden.
+Mesh floorUnder(Vec3 boxSize, Vec3 boxCentre, int grid) {
+  return shapes::together(shapes::plate({120, 120}, 10, grid, grid),
+                          shapes::translated(shapes::box(boxSize), boxCentre));
+}
+
+TEST(VisiblePatch, EndsAtTheEdgeOfWhatHoversOverIt) {
+  // The box covers 20 ≤ x ≤ 40, 10 ≤ z ≤ 20. Its lower edge at x = 20 hides most: 20·250/240 on the plane.
+  for (const int grid : {1, 3, 24}) {
+    const Mesh mesh = floorUnder({20, 20, 10}, {30, 0, 15}, grid);
+    const brute_force::Spot spot = fromAbove(mesh, 0, 0);
+    const Result<VisiblePatch> patch = patchAt(mesh, spot);
+    ASSERT_TRUE(patch);
+    const double reach = 20 * 250.0 / 240;
+    EXPECT_NEAR(freeSize(patch->silhouette), kRoot2 * reach, 1e-12) << grid << " squares";
+    EXPECT_NEAR(orientedSize(patch->silhouette), 2 * reach, 1e-12) << grid << " squares";
+    expectSeenWithin(mesh, spot.frame, *patch);
+    expectNoOverlap(mesh, spot.frame, *patch);
+    for (const std::uint32_t t : patch->triangles) EXPECT_EQ(mesh.corner(t, 0).z, 0) << "the box is not connected";
+  }
+}
+
+TEST(VisiblePatch, EndsWhereAnEdgeOfTheOccluderCoincidesWithOneOfItsOwn) {
+  // The lower edge at x = 10, z = 125 appears at x = 20, exactly on a line of the floor's grid.
+  const Mesh mesh = floorUnder({20, 20, 10}, {20, 0, 130}, 6);
+  const brute_force::Spot spot = fromAbove(mesh, 0, 0);
+  const Result<VisiblePatch> patch = patchAt(mesh, spot);
+  ASSERT_TRUE(patch);
+  EXPECT_DOUBLE_EQ(freeSize(patch->silhouette), 20 * kRoot2);
+  EXPECT_DOUBLE_EQ(orientedSize(patch->silhouette), 40);
+  expectSeenWithin(mesh, spot.frame, *patch);
+}
+
+TEST(VisiblePatch, PassesBetweenTwoOccluders) {
+  // A gap of 10 mm between two boxes over huge facets: an aligned square may not enter it, nor may it be lost before.
+  const Mesh boxes = shapes::together(shapes::translated(shapes::box({20, 20, 10}), {30, 15, 15}),
+                                      shapes::translated(shapes::box({20, 20, 10}), {30, -15, 15}));
+  const Mesh mesh = shapes::together(shapes::plate({120, 120}, 10, 1, 1), boxes);
+  const brute_force::Spot spot = fromAbove(mesh, 0, 0);
+  const Result<VisiblePatch> patch = patchAt(mesh, spot);
+  ASSERT_TRUE(patch);
+  const Vec2 corner = spot.frame.project({20, 5, 10});
+  EXPECT_NEAR(freeSize(patch->silhouette), kRoot2 * glm::length(corner), 1e-12);
+  EXPECT_NEAR(orientedSize(patch->silhouette), 2 * std::abs(corner.x), 1e-12);
+  expectSeenWithin(mesh, spot.frame, *patch);
+}
+
+/// A ridge along y at x = 20, 20 mm high, falling to both sides within 10 mm, |y| ≤ halfLength.
+Mesh ridge(double halfLength, int n) {
+  return shapes::plate({160, 160}, 10, n, n, [=](double x, double y) {
+    return std::max(0.0, 20 - 2 * std::abs(x - 20)) * (std::abs(y) <= halfLength ? 1 : 0);
+  });
+}
+
+TEST(VisiblePatch, EndsAtARidgeThatHidesItsOtherSide) {
+  const Mesh mesh = ridge(1000, 16);
+  // At 45° from the left: the ridge lies in the QR plane, at 20·√2 from the centre.
+  const brute_force::Spot spot = brute_force::spotSeen(mesh, {0, 0, 50}, {0, 0, -1}, {-1, 0, 1}, {0, 1, 0});
+  const Result<VisiblePatch> patch = patchAt(mesh, spot);
+  ASSERT_TRUE(patch);
+  EXPECT_NEAR(freeSize(patch->silhouette), 40, 1e-12);
+  for (const std::uint32_t t : patch->triangles)
+    for (int k = 0; k < 3; ++k) EXPECT_LE(mesh.corner(t, k).x, 20);
+  expectSeenWithin(mesh, spot.frame, *patch);
+}
+
+TEST(VisiblePatch, GoesRoundARidgeWithoutOverlappingItself) {
+  for (const int n : {16, 32}) {
+    const Mesh mesh = ridge(30, n);
+    for (const Vec2 centre : {Vec2(0, 0), Vec2(0.3, 44.7), Vec2(52.1, 3.9), Vec2(20.5, -55)}) {
+      const brute_force::Spot spot =
+          brute_force::spotSeen(mesh, {centre.x, centre.y, 50}, {0, 0, -1}, {-1, 0.2, 1}, {0, 1, 0});
+      const Result<VisiblePatch> patch = patchAt(mesh, spot);
+      ASSERT_TRUE(patch) << patch.error().message;
+      expectSeenWithin(mesh, spot.frame, *patch);
+      expectNoOverlap(mesh, spot.frame, *patch);
+    }
+  }
+}
+
+TEST(VisiblePatch, OfATorusEndsAtItsInnerOcclusionContour) {
+  // From 60° above the hole's axis the near side of the ring hides part of the far side's inner wall.
+  const Mesh mesh = shapes::torus(30, 12, 96, 48);
+  const Vec3 normal = glm::normalize(Vec3(std::sin(1.05), 0, std::cos(1.05)));
+  for (const Vec3 from : {Vec3(30, 0, 100), Vec3(-30, 1, 100), Vec3(-21, 2, 100)}) {
+    const brute_force::Spot spot = brute_force::spotSeen(mesh, from, {0, 0, -1}, normal, {0, 1, 0});
+    const Result<VisiblePatch> patch = patchAt(mesh, spot);
+    ASSERT_TRUE(patch) << patch.error().message;
+    expectSeenWithin(mesh, spot.frame, *patch, 200);
+    expectNoOverlap(mesh, spot.frame, *patch);
+    // And it ends there for a reason: across S the eye sees another sheet, or none.
+    const Vec2 s = *nearestSilhouettePoint(patch->silhouette);
+    const auto depthAt = [&](double share) {
+      return brute_force::castRay(mesh, spot.frame.eye(), spot.frame.rayDirection(s * share)).distance;
+    };
+    EXPECT_GT(std::abs(depthAt(1 + 1e-6) - depthAt(1 - 1e-6)), 0.01) << "from " << from.x;
+  }
+}
+
+TEST(VisiblePatch, OfABumpySphereIsWhatTheEyeSees) {
+  const Mesh mesh = shapes::bumpySphere(40, 4, 4, 4);
+  Random random(23);
+  int solved = 0;
+  for (int k = 0; k < 12; ++k) {
+    const Vec3 out = glm::normalize(Vec3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)));
+    const Vec3 tilted = glm::normalize(out + Vec3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)));
+    const brute_force::Spot spot = brute_force::spotSeen(mesh, out * 100.0, -out, tilted, {0, 0, 1}, 120);
+    const Result<VisiblePatch> patch = patchAt(mesh, spot);
+    if (!patch) continue;
+    ++solved;
+    expectSeenWithin(mesh, spot.frame, *patch, 100);
+    expectNoOverlap(mesh, spot.frame, *patch);
+  }
+  EXPECT_GE(solved, 8);
+}
+
+TEST(VisiblePatch, LeavesOutFacetsBeyondTheRadiusWithoutASilhouette) {
+  const Mesh mesh = shapes::plate({100, 100}, 10, 50, 50);
+  const Result<VisiblePatch> patch = patchAt(mesh, fromAbove(mesh, 0.3, 0.4), 10);
+  ASSERT_TRUE(patch);
+  EXPECT_TRUE(patch->silhouette.empty());
+  EXPECT_EQ(patch->radiusMm, 10);
+  // Squares of 2 mm that meet a disc of radius 10: by brute force, facet by facet.
+  std::vector<std::uint32_t> expected;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (triangleNormal(mesh, t).z < 0.5) continue;
+    const Vec3 c(0.3, 0.4, 0);
+    if (brute_force::distanceToFacet(c, mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)) <= 10)
+      expected.push_back(t);
+  }
+  EXPECT_EQ(patch->triangles, expected);
+}
+
+TEST(VisiblePatch, KnowsTheSilhouetteInsideTheRadiusOnly) {
+  const Mesh mesh = shapes::box({40, 40, 40});
+  EXPECT_EQ(patchAt(mesh, fromAbove(mesh, 5, 0), 14)->silhouette.size(), 0u);
+  EXPECT_EQ(patchAt(mesh, fromAbove(mesh, 5, 0), 16)->silhouette.size(), 1u);
+}
+
+TEST(VisiblePatch, RefusesACentreThatSomethingHidesAndSaysHowNearTheEyeMustCome) {
+  const Mesh mesh = floorUnder({20, 20, 10}, {0, 0, 15}, 4);
+  const brute_force::Spot below = brute_force::spotSeen(mesh, {1, 2, 5}, {0, 0, -1}, {0, 0, 1}, {0, 1, 0});
+  const Result<VisiblePatch> patch = patchAt(mesh, below);
+  ASSERT_FALSE(patch);
+  EXPECT_EQ(patch.error().code, ErrorCode::NoSolution);
+  EXPECT_THAT(patch.error().message, HasSubstr("230 mm from the eye"));
+  EXPECT_THAT(patch.error().message, HasSubstr("20 mm before the point"));
+  EXPECT_THAT(patch.error().hint, HasSubstr("below 10 mm"));
+}
+
+TEST(VisiblePatch, RefusesASeedThatFacesAway) {
+  const Mesh mesh = shapes::box({40, 40, 40});
+  const brute_force::Spot bottom = brute_force::spotSeen(mesh, {1, 2, -90}, {0, 0, 1}, {0, 0, 1}, {0, 1, 0});
+  const Result<VisiblePatch> patch = patchAt(mesh, bottom);
+  ASSERT_FALSE(patch);
+  EXPECT_EQ(patch.error().code, ErrorCode::NoSolution);
+  EXPECT_THAT(patch.error().message, HasSubstr("faces away"));
+}
+
+TEST(VisiblePatch, RefusesASeedThatFacesTheEyeEdgeOn) {
+  const Mesh mesh = shapes::box({40, 40, 40});
+  const brute_force::Spot side = brute_force::spotSeen(mesh, {90, 2, 1}, {-1, 0, 0}, {0, 0, 1}, {0, 1, 0});
+  const Result<VisiblePatch> patch = patchAt(mesh, side);
+  ASSERT_FALSE(patch);
+  EXPECT_THAT(patch.error().message, HasSubstr("faces away"));
+}
+
+TEST(VisiblePatch, OfAHollowBallSaysWhenTheEyeSitsInOrBehindTheOppositeWall) {
+  const Mesh mesh = shapes::together(shapes::icosphere(50, 4), shapes::insideOut(shapes::icosphere(40, 4)));
+  const auto onInnerWall = [&](double eyeDistance) {
+    return brute_force::spotSeen(mesh, {0.1, 0.2, 0}, {0, 0, -1}, {0, 0, 1}, {0, 1, 0}, eyeDistance);
+  };
+  // Within the cavity the view is free, and all that is far enough before the eye belongs to the patch.
+  const brute_force::Spot inside = onInnerWall(60);
+  const Result<VisiblePatch> patch = patchAt(mesh, inside, 60);
+  ASSERT_TRUE(patch) << patch.error().message;
+  EXPECT_TRUE(patch->silhouette.empty());
+  expectSeenWithin(mesh, inside.frame, *patch, 100);
+  // In the wall, and outside: the inner wall is about 80 mm away.
+  for (const double eyeDistance : {85.0, 250.0}) {
+    const Result<VisiblePatch> hidden = patchAt(mesh, onInnerWall(eyeDistance), 60);
+    ASSERT_FALSE(hidden);
+    EXPECT_THAT(hidden.error().message, HasSubstr("hides the chosen point"));
+    EXPECT_THAT(hidden.error().hint, HasSubstr("below 79.9"));
+  }
+}
+
+TEST(VisiblePatch, TakesACentreOnAVertexOrAnEdge) {
+  const Mesh mesh = shapes::plate({100, 100}, 10, 10, 10);
+  for (const Vec2 p : {Vec2(0, 0), Vec2(10, 5), Vec2(-25, -25)}) {
+    const Result<VisiblePatch> patch = patchAt(mesh, fromAbove(mesh, p.x, p.y));
+    ASSERT_TRUE(patch) << patch.error().message;
+    EXPECT_NEAR(freeSize(patch->silhouette), kRoot2 * (50 - std::max(std::abs(p.x), std::abs(p.y))), 1e-12);
+  }
+}
+
+TEST(VisiblePatch, IsBoundedByAHoleInTheSurface) {
+  Mesh mesh = shapes::plate({100, 100}, 10, 10, 10);
+  // Take away the two facets of the square 20 ≤ x ≤ 30, 0 ≤ y ≤ 10.
+  std::erase_if(mesh.triangles, [&](const Triangle& t) {
+    const Vec3f middle = (mesh.positions[t[0]] + mesh.positions[t[1]] + mesh.positions[t[2]]) / 3.0f;
+    return middle.z == 0 && middle.x > 20 && middle.x < 30 && middle.y > 0 && middle.y < 10;
+  });
+  const brute_force::Spot spot = fromAbove(mesh, 2, 3);
+  const Result<VisiblePatch> patch = patchAt(mesh, spot);
+  ASSERT_TRUE(patch);
+  EXPECT_NEAR(freeSize(patch->silhouette), 18 * kRoot2, 1e-12);
+}
+
+}  // namespace
+}  // namespace qrelief
