@@ -23,6 +23,7 @@ struct ReadLimits {
 /// @param bytes     the whole file
 /// @param fileName  only its extension is used
 /// @returns file units; BadInput naming line, facet or byte for anything malformed
-Result<PolygonSoup> readModel(std::span<const std::uint8_t> bytes, std::string_view fileName, const ReadLimits& limits = {});
+Result<PolygonSoup> readModel(std::span<const std::uint8_t> bytes, std::string_view fileName,
+                              const ReadLimits& limits = {});
 
 }  // namespace qrelief

@@ -26,4 +26,12 @@ inline constexpr double kProjectionNoise = 1e-12;
 /// only by noise share one floor, and no wall is lower than 32-bit floats can hold at 1 m.
 inline constexpr double kDepthQuantumMm = 0.01;
 
+/// Sine of the turn below which a polygon's corner counts as straight when a face is cut into triangles: coordinates
+/// written with seven digits say no more. It chooses between triangulations that are all closed.
+inline constexpr double kStraightSine = 1e-6;
+
+/// Height, as a part of the model's diagonal, below which a triangle that hangs on a complete surface by one edge
+/// counts as the remains of one without area: files with six digits round that much.
+inline constexpr double kFlapHeight = 1e-5;
+
 }  // namespace qrelief

@@ -20,7 +20,9 @@ struct Mesh {
   std::vector<Vec3f> positions;
   std::vector<Triangle> triangles;
 
-  Vec3 corner(std::size_t triangle, int k) const { return Vec3(positions[triangles[triangle][static_cast<std::size_t>(k)]]); }
+  Vec3 corner(std::size_t triangle, int k) const {
+    return Vec3(positions[triangles[triangle][static_cast<std::size_t>(k)]]);
+  }
 };
 
 Box3 boundingBox(const Mesh& mesh);

@@ -18,7 +18,7 @@ struct Finding {
     Blocking  ///< the model is no closed, oriented solid: it can be shown, not engraved
   };
   Severity severity = Severity::Note;
-  std::string code;     ///< stable, "open-edges", "duplicate-triangles", …
+  std::string code;  ///< stable, "open-edges", "duplicate-triangles", …
   std::size_t count = 0;
   std::string message;  ///< what was found, where (one example: facet, coordinates in file units), what was done
   std::string hint;     ///< what would help; empty for notes

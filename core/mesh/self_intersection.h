@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -16,9 +15,11 @@ using TrianglePair = std::array<std::uint32_t, 2>;
 /// Pairs of triangles that cross or touch other than along a shared edge or at a shared vertex, by exact predicates
 /// (CGAL, EPICK); ordered, first index < second.
 ///
-/// Cost: O(n log n) box sweep plus one exact test for each pair of overlapping boxes.
-/// @param suspects  triangles to test against all others; empty = all of the mesh
-/// @param limit     stops after so many pairs
+/// What two triangles share goes by vertex index: the mesh has to be welded. Two that share an edge are only counted if
+/// folded onto each other in one plane. Triangles without area are passed over.
+/// Cost: one query of a box tree for each suspect and one exact test for each pair of overlapping boxes.
+/// @param suspects  triangles to test against all others, no two the same; empty = all of the mesh
+/// @param limit     stops after so many pairs, always the same ones
 Result<std::vector<TrianglePair>> findSelfIntersections(const Mesh& mesh, std::span<const std::uint32_t> suspects = {},
                                                         std::size_t limit = 1000);
 

@@ -5,35 +5,60 @@
 #include <cassert>
 
 namespace qrelief {
+namespace {
 
-Adjacency buildAdjacency(std::span<const Triangle> triangles) {
-  struct HalfEdge {
-    std::uint64_t key;  // smaller vertex, larger vertex
-    std::uint32_t slot;  // 3·triangle + edge
-  };
-  std::vector<HalfEdge> edges(3 * triangles.size());
-  for (std::uint32_t slot = 0; slot < edges.size(); ++slot) {
-    const Triangle& t = triangles[slot / 3];
-    const std::uint64_t a = t[slot % 3];
-    const std::uint64_t b = t[(slot + 1) % 3];
-    edges[slot] = {std::min(a, b) << 32 | std::max(a, b), slot};
-  }
-  std::sort(edges.begin(), edges.end(),
-            [](const HalfEdge& x, const HalfEdge& y) { return x.key != y.key ? x.key < y.key : x.slot < y.slot; });
+std::uint32_t countVertices(std::span<const Triangle> triangles) {
+  std::uint32_t count = 0;
+  for (const Triangle& t : triangles) count = std::max({count, t[0] + 1, t[1] + 1, t[2] + 1});
+  return count;
+}
 
-  Adjacency adjacency(triangles.size(), {kNoTriangle, kNoTriangle, kNoTriangle});
-  for (std::size_t begin = 0; begin < edges.size();) {
-    std::size_t end = begin + 1;
-    while (end < edges.size() && edges[end].key == edges[begin].key) ++end;
-    if (end - begin == 2) {
-      const std::uint32_t a = edges[begin].slot;
-      const std::uint32_t b = edges[begin + 1].slot;
-      adjacency[a / 3][a % 3] = b / 3;
-      adjacency[b / 3][b % 3] = a / 3;
+}  // namespace
+
+EdgeTable buildEdgeTable(std::span<const Triangle> triangles) {
+  // begins[v] … begins[v + 1]: the half-edges whose smaller vertex is v.
+  std::vector<std::uint32_t> begins(std::size_t{countVertices(triangles)} + 2, 0);
+  for (const Triangle& t : triangles)
+    for (std::size_t k = 0; k < 3; ++k) ++begins[std::size_t{std::min(t[k], t[(k + 1) % 3])} + 2];
+  for (std::size_t v = 2; v < begins.size(); ++v) begins[v] += begins[v - 1];
+  std::vector<std::uint64_t> keys(3 * triangles.size());  // larger vertex, half-edge
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t a = triangles[t][k];
+      const std::uint32_t b = triangles[t][(k + 1) % 3];
+      keys[begins[std::size_t{std::min(a, b)} + 1]++] = std::uint64_t{std::max(a, b)} << 32 | (3 * t + k);
     }
-    begin = end;
+
+  EdgeTable table;
+  table.halfEdges.reserve(keys.size());
+  table.begins.reserve(keys.size() / 2 + 2);
+  for (std::size_t v = 0; v + 1 < begins.size(); ++v) {
+    const auto first = keys.begin() + begins[v];
+    const auto last = keys.begin() + begins[v + 1];
+    std::sort(first, last);
+    for (auto key = first; key != last; ++key) {
+      if (key == first || *key >> 32 != *(key - 1) >> 32)
+        table.begins.push_back(static_cast<std::uint32_t>(table.halfEdges.size()));
+      table.halfEdges.push_back(static_cast<std::uint32_t>(*key));
+    }
+  }
+  table.begins.push_back(static_cast<std::uint32_t>(table.halfEdges.size()));
+  return table;
+}
+
+Adjacency buildAdjacency(std::span<const Triangle> triangles, const EdgeTable& edges) {
+  Adjacency adjacency(triangles.size(), {kNoTriangle, kNoTriangle, kNoTriangle});
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const std::span<const std::uint32_t> pair = edges.at(e);
+    if (pair.size() != 2) continue;
+    adjacency[pair[0] / 3][pair[0] % 3] = pair[1] / 3;
+    adjacency[pair[1] / 3][pair[1] % 3] = pair[0] / 3;
   }
   return adjacency;
+}
+
+Adjacency buildAdjacency(std::span<const Triangle> triangles) {
+  return buildAdjacency(triangles, buildEdgeTable(triangles));
 }
 
 int sharedEdge(const Adjacency& adjacency, std::uint32_t across, std::uint32_t triangle) {

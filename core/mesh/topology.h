@@ -12,13 +12,31 @@ namespace qrelief {
 
 inline constexpr std::uint32_t kNoTriangle = 0xffffffffu;
 
+/// The half-edges of a triangle mesh, grouped by the undirected edge they run along. A half-edge is written as
+/// 3·triangle + k: from corner k to corner k+1 mod 3.
+struct EdgeTable {
+  std::vector<std::uint32_t>
+      halfEdges;  ///< edge after edge, ordered by (smaller vertex, larger vertex); ascending in each
+  std::vector<std::uint32_t> begins;  ///< where each edge's half-edges begin, and one end
+
+  std::size_t size() const { return begins.size() - 1; }
+  std::span<const std::uint32_t> at(std::size_t edge) const {
+    return std::span(halfEdges).subspan(begins[edge], begins[edge + 1] - begins[edge]);
+  }
+};
+
+/// Cost: O(T): half-edges are counted into their smaller vertex and sorted there. No hashing, so the result depends on
+/// nothing but the input.
+/// @param triangles  at most 2^32/3, each of three different vertices
+EdgeTable buildEdgeTable(std::span<const Triangle> triangles);
+
 /// The half-edge structure of a triangle mesh: for each triangle `t` and edge `k` (from corner k to
 /// corner k+1 mod 3) the triangle on the other side, or kNoTriangle where the edge is open or shared by
 /// more than two triangles.
 using Adjacency = std::vector<std::array<std::uint32_t, 3>>;
 
-/// Cost: one sort of the 3·T half-edges, without hashing, so the result depends on nothing but the input.
 Adjacency buildAdjacency(std::span<const Triangle> triangles);
+Adjacency buildAdjacency(std::span<const Triangle> triangles, const EdgeTable& edges);
 
 /// Which edge of `across` is shared with `triangle`; precondition: they share one.
 int sharedEdge(const Adjacency& adjacency, std::uint32_t across, std::uint32_t triangle);

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstring>
+
+namespace qrelief {
+
+/// A number of type T from its bytes, on a little-endian machine (x86, ARM, WebAssembly: all that are built for).
+template <class T>
+T loadBytes(const std::uint8_t* bytes, bool bigEndian = false) {
+  std::array<std::uint8_t, sizeof(T)> raw;
+  std::memcpy(raw.data(), bytes, sizeof(T));
+  if (bigEndian) std::reverse(raw.begin(), raw.end());
+  T value;
+  std::memcpy(&value, raw.data(), sizeof(T));
+  return value;
+}
+
+}  // namespace qrelief

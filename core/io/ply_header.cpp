@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/ply_header.h"
+
+#include <array>
+#include <fmt/format.h>
+#include <utility>
+
+#include "io/parse_number.h"
+#include "io/polygon_list.h"
+#include "io/text_scanner.h"
+
+namespace qrelief {
+namespace {
+
+constexpr std::array<std::pair<std::string_view, PlyType>, 16> kTypeNames = {{
+    {"char", PlyType::Int8},
+    {"int8", PlyType::Int8},
+    {"uchar", PlyType::UInt8},
+    {"uint8", PlyType::UInt8},
+    {"short", PlyType::Int16},
+    {"int16", PlyType::Int16},
+    {"ushort", PlyType::UInt16},
+    {"uint16", PlyType::UInt16},
+    {"int", PlyType::Int32},
+    {"int32", PlyType::Int32},
+    {"uint", PlyType::UInt32},
+    {"uint32", PlyType::UInt32},
+    {"float", PlyType::Float32},
+    {"float32", PlyType::Float32},
+    {"double", PlyType::Float64},
+    {"float64", PlyType::Float64},
+}};
+
+class HeaderReader {
+ public:
+  explicit HeaderReader(std::string_view text) : text_(text), scanner_(text) {}
+
+  Result<PlyHeader> read() {
+    if (scanner_.wordOnLine() != "ply") return failHere("\"ply\" should stand alone in the first line");
+    scanner_.restOfLine();
+    bool anyFormat = false;
+    for (;;) {
+      if (scanner_.atEnd()) return failHere("the header ends without \"end_header\"");
+      line_ = scanner_.line();
+      const std::string_view keyword = scanner_.wordOnLine();
+      if (keyword == "end_header") break;
+      Status status;
+      if (keyword == "format") {
+        status = readFormat();
+        anyFormat = true;
+      } else if (keyword == "element") {
+        status = readElement();
+      } else if (keyword == "property") {
+        status = readProperty();
+      } else if (keyword != "comment" && keyword != "obj_info" && !keyword.empty()) {
+        status = failHere(fmt::format("{} is no keyword of a PLY header", quoted(keyword)));
+      }
+      if (!status) return tl::unexpected(status.error());
+      scanner_.restOfLine();
+    }
+    if (!anyFormat) return failHere("the header has no \"format\" line");
+    endOfHeader();
+    return std::move(header_);
+  }
+
+ private:
+  tl::unexpected<Error> failHere(const std::string& what) const {
+    return fail(ErrorCode::BadInput, fmt::format("Line {} of the PLY header: {}", line_, what),
+                "The file is cut off or damaged; export it again");
+  }
+
+  Status readFormat() {
+    const std::string_view name = scanner_.wordOnLine();
+    if (name == "ascii") {
+      header_.format = PlyFormat::Ascii;
+    } else if (name == "binary_little_endian") {
+      header_.format = PlyFormat::LittleEndian;
+    } else if (name == "binary_big_endian") {
+      header_.format = PlyFormat::BigEndian;
+    } else {
+      return failHere(fmt::format("{} is no PLY format", quoted(name)));
+    }
+    return {};
+  }
+
+  Status readElement() {
+    PlyElement element;
+    element.name = scanner_.wordOnLine();
+    const std::string_view word = scanner_.wordOnLine();
+    const std::optional<std::int64_t> count = parseInteger(word);
+    if (element.name.empty() || !count || *count < 0)
+      return failHere(fmt::format("the number of elements {} is {}", quoted(element.name),
+                                  word.empty() ? "missing" : quoted(word)));
+    element.count = static_cast<std::uint64_t>(*count);
+    header_.elements.push_back(std::move(element));
+    return {};
+  }
+
+  Result<PlyType> readType() {
+    const std::string_view word = scanner_.wordOnLine();
+    for (const auto& [name, type] : kTypeNames)
+      if (name == word) return type;
+    return failHere(fmt::format("{} is no PLY type", quoted(word)));
+  }
+
+  Status readProperty() {
+    if (header_.elements.empty()) return failHere("a property stands before the first element");
+    PlyProperty property;
+    const TextScanner before = scanner_;
+    if (scanner_.wordOnLine() == "list") {
+      const Result<PlyType> countType = readType();
+      if (!countType) return tl::unexpected(countType.error());
+      if (isFloating(*countType)) return failHere("the length of a list has to be of an integer type");
+      property.countType = *countType;
+    } else {
+      scanner_ = before;
+    }
+    const Result<PlyType> type = readType();
+    if (!type) return tl::unexpected(type.error());
+    property.type = *type;
+    property.name = scanner_.wordOnLine();
+    if (property.name.empty()) return failHere("a property has no name");
+    header_.elements.back().properties.push_back(std::move(property));
+    return {};
+  }
+
+  /// The line end behind "end_header" is of the same kind as the one behind "ply": in a binary file a CR may be
+  /// followed by data that happens to begin with a byte 10.
+  void endOfHeader() {
+    const std::size_t firstEnd = text_.find_first_of("\r\n");
+    const bool returnOnly = text_[firstEnd] == '\r' && text_.substr(firstEnd, 2) != "\r\n";
+    const std::size_t keyword = scanner_.position();
+    scanner_.restOfLine();
+    header_.bytes = scanner_.position();
+    if (returnOnly && text_.substr(header_.bytes - 2, 2) == "\r\n" && header_.bytes - 2 >= keyword) --header_.bytes;
+    header_.lines = line_;
+  }
+
+  std::string_view text_;
+  TextScanner scanner_;
+  PlyHeader header_;
+  std::size_t line_ = 1;
+};
+
+}  // namespace
+
+std::size_t sizeOf(PlyType type) {
+  switch (type) {
+    case PlyType::Int8:
+    case PlyType::UInt8:
+      return 1;
+    case PlyType::Int16:
+    case PlyType::UInt16:
+      return 2;
+    case PlyType::Float64:
+      return 8;
+    default:
+      return 4;
+  }
+}
+
+bool isFloating(PlyType type) { return type == PlyType::Float32 || type == PlyType::Float64; }
+
+std::optional<std::size_t> PlyElement::find(std::string_view property) const {
+  for (std::size_t i = 0; i < properties.size(); ++i)
+    if (properties[i].name == property) return i;
+  return std::nullopt;
+}
+
+Result<PlyHeader> parsePlyHeader(std::string_view text) { return HeaderReader(text).read(); }
+
+}  // namespace qrelief

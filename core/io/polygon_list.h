@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "mesh/polygon_soup.h"
+
+namespace qrelief {
+
+/// What a reader collects: positions, and polygons of any size in the file's order.
+struct PolygonList {
+  std::vector<Vec3> positions;
+  std::vector<std::uint32_t> corners;  ///< of all polygons, one after the other
+  std::vector<std::uint32_t> sizes;    ///< corners of each polygon
+  std::size_t maxTriangles = 0;        ///< add() refuses more
+  std::size_t triangles = 0;           ///< that the polygons will give
+
+  Status add(std::span<const std::uint32_t> polygon);
+};
+
+/// Triangles of all polygons; a polygon of fewer than three corners is passed over with a warning, one that crosses
+/// itself is cut up as well as it can be, with a warning.
+/// @param format  goes into the soup and into messages
+/// @returns BadInput where an index has no vertex, a position is not finite, or there is no polygon at all
+Result<PolygonSoup> triangulated(PolygonList&& list, std::string format);
+
+/// More triangles than `limit`.
+tl::unexpected<Error> tooManyTriangles(std::size_t limit);
+
+/// "12,3" is a comma of some locale: what to say about a word that should have been a number.
+std::string notANumber(std::string_view word);
+
+/// The word without control characters and cut to a length that fits into a message.
+std::string quoted(std::string_view word);
+
+}  // namespace qrelief

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/read_obj.h"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <istream>
+#include <streambuf>
+#include <string>
+
+#define TINYOBJLOADER_IMPLEMENTATION
+#define TINYOBJLOADER_USE_DOUBLE
+#include <tiny_obj_loader.h>
+
+#include "io/parse_number.h"
+#include "io/polygon_list.h"
+#include "io/text_scanner.h"
+
+namespace qrelief {
+namespace {
+
+/// What a statement begins with: 'v', 'f', or 0 for all that is passed over.
+char kindOf(std::string_view line) {
+  const std::size_t first = line.find_first_not_of(" \t");
+  if (first == std::string_view::npos || first + 1 >= line.size()) return 0;
+  const char next = line[first + 1];
+  const char c = line[first];
+  return (c == 'v' || c == 'f') && (next == ' ' || next == '\t') ? c : static_cast<char>(0);
+}
+
+std::size_t countVertices(std::string_view text) {
+  std::size_t count = 0;
+  for (TextScanner scanner(text); !scanner.atEnd();) count += kindOf(scanner.restOfLine()) == 'v';
+  return count;
+}
+
+/// A stream buffer that hands out the `v` and `f` statements of an OBJ, one a line, each looked through first; at the
+/// first bad one it ends and keeps the error.
+class VettedStatements : public std::streambuf {
+ public:
+  explicit VettedStatements(std::string_view text) : scanner_(text), vertices_(countVertices(text)) {}
+
+  std::size_t vertices() const { return vertices_; }  ///< in the whole file
+  const Status& status() const { return status_; }
+  void stop(Error error) { status_ = tl::unexpected(std::move(error)); }
+
+ protected:
+  int_type underflow() override {
+    if (!status_ || !nextStatement()) return traits_type::eof();
+    setg(statement_.data(), statement_.data(), statement_.data() + statement_.size());
+    return traits_type::to_int_type(statement_.front());
+  }
+
+ private:
+  bool nextStatement() {
+    while (!scanner_.atEnd()) {
+      line_ = scanner_.line();
+      const std::string_view text = scanner_.restOfLine();
+      const char kind = kindOf(text);
+      if (kind == 0) continue;
+      statement_ = text;
+      while (statement_.back() == '\\' && !scanner_.atEnd()) {
+        statement_.back() = ' ';
+        statement_ += scanner_.restOfLine();
+      }
+      if (const std::size_t comment = statement_.find('#'); comment != std::string::npos) statement_.resize(comment);
+      status_ = kind == 'v' ? vetVertex() : vetFace();
+      statement_ += '\n';
+      return status_.has_value();
+    }
+    return false;
+  }
+
+  Status failHere(const std::string& what, std::string hint = "The file is damaged; export it again") const {
+    return fail(ErrorCode::BadInput, fmt::format("Line {} of the OBJ file: {}", line_, what), std::move(hint));
+  }
+
+  Status vetVertex() {
+    TextScanner words(statement_);
+    words.wordOnLine();
+    for (int axis = 0; axis < 3; ++axis) {
+      const std::string_view word = words.wordOnLine();
+      const std::optional<double> value = parseNumber(word);
+      if (!value) return failHere(fmt::format("vertex {}: {}", verticesSoFar_ + 1, notANumber(word)));
+      if (!std::isfinite(*value))
+        return failHere(fmt::format("vertex {}: the coordinate {} is not finite", verticesSoFar_ + 1, quoted(word)));
+    }
+    ++verticesSoFar_;
+    return {};
+  }
+
+  /// "7", "7/1", "7//3", "7/1/3"; only the first number is used, and it has to name a vertex of the file.
+  Status vetFace() {
+    TextScanner words(statement_);
+    words.wordOnLine();
+    for (std::string_view word = words.wordOnLine(); !word.empty(); word = words.wordOnLine()) {
+      if (word.find_first_not_of("+-0123456789/") != std::string_view::npos)
+        return failHere(fmt::format("{} is no corner of a face", quoted(word)));
+      const std::optional<std::int64_t> index = parseInteger(word.substr(0, word.find('/')));
+      if (!index) return failHere(fmt::format("{} is no corner of a face", quoted(word)));
+      if (*index > 0 && static_cast<std::uint64_t>(*index) <= vertices_) continue;
+      if (*index < 0 && static_cast<std::uint64_t>(-*index) <= verticesSoFar_) continue;
+      return failHere(
+          *index == 0  ? std::string("a face asks for vertex 0; OBJ counts from 1")
+          : *index > 0 ? fmt::format("a face asks for vertex {}, but the file has {}", *index, vertices_)
+                       : fmt::format("a face asks for vertex {}, but only {} stand before it", *index, verticesSoFar_));
+    }
+    return {};
+  }
+
+  TextScanner scanner_;
+  std::size_t vertices_;
+  std::size_t verticesSoFar_ = 0;
+  std::size_t line_ = 1;
+  std::string statement_;
+  Status status_;
+};
+
+struct Collector {
+  VettedStatements& statements;
+  PolygonList list;
+  std::vector<std::uint32_t> polygon;
+};
+
+void takeVertex(void* user, double x, double y, double z, double) {
+  static_cast<Collector*>(user)->list.positions.emplace_back(x, y, z);
+}
+
+void takeFace(void* user, tinyobj::index_t* indices, int count) {
+  Collector& collector = *static_cast<Collector*>(user);
+  collector.polygon.clear();
+  for (int k = 0; k < count; ++k) {
+    const int index = indices[k].vertex_index;
+    collector.polygon.push_back(index > 0 ? static_cast<std::uint32_t>(index - 1)
+                                          : static_cast<std::uint32_t>(collector.list.positions.size()) -
+                                                static_cast<std::uint32_t>(-index));
+  }
+  if (Status s = collector.list.add(collector.polygon); !s) collector.statements.stop(s.error());
+}
+
+}  // namespace
+
+Result<PolygonSoup> readObj(std::span<const std::uint8_t> bytes, const ReadLimits& limits) {
+  VettedStatements statements(textOf(bytes));
+  if (statements.vertices() == 0)
+    return fail(ErrorCode::BadInput, "The OBJ file holds no vertex (no line that begins with \"v \")",
+                "Check that the file is complete and that its extension is right");
+  Collector collector{statements, {}, {}};
+  collector.list.positions.reserve(statements.vertices());
+  collector.list.maxTriangles = limits.maxTriangles;
+
+  tinyobj::callback_t callbacks;
+  callbacks.vertex_cb = takeVertex;
+  callbacks.index_cb = takeFace;
+  std::istream stream(&statements);
+  const bool parsed = tinyobj::LoadObjWithCallback(stream, callbacks, &collector);
+  if (!statements.status()) return tl::unexpected(statements.status().error());
+  if (!parsed) return fail(ErrorCode::BadInput, "The OBJ file could not be parsed", "Export it again");
+  return triangulated(std::move(collector.list), "OBJ");
+}
+
+}  // namespace qrelief

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace qrelief {
+
+/// The bytes as text, without a UTF-8 byte order mark.
+std::string_view textOf(std::span<const std::uint8_t> bytes);
+
+/// Walks through text word by word and knows the line: LF, CR LF and CR all end one.
+class TextScanner {
+ public:
+  /// @param comment  a character that begins a comment to the end of the line, at the start of a word; 0 for none
+  explicit TextScanner(std::string_view text, char comment = 0) : text_(text), comment_(comment) {}
+
+  /// The next word on this or a later line; empty at the end of the text.
+  std::string_view word();
+
+  /// The next word on this line; empty at its end.
+  std::string_view wordOnLine();
+
+  /// What is left of this line, without its end; moves to the next one.
+  std::string_view restOfLine();
+
+  bool atEnd() const { return position_ >= text_.size(); }
+  std::size_t position() const { return position_; }  ///< bytes from the start of the text
+  std::size_t line() const { return line_; }          ///< from 1
+
+ private:
+  void skipBlanks();
+  bool takeLineEnd();
+
+  std::string_view text_;
+  std::size_t position_ = 0;
+  std::size_t line_ = 1;
+  char comment_;
+};
+
+}  // namespace qrelief

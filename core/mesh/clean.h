@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "mesh/mesh.h"
+
+namespace qrelief {
+
+/// What cleanTriangles() did, with one example of each.
+struct Cleaning {
+  std::size_t degenerate = 0;  ///< triangles with collinear corners, dropped or mended
+  std::size_t mended = 0;      ///< of these, how many went into their neighbour by an edge flip
+  std::size_t duplicates = 0;  ///< dropped triangles that had the same three vertices as another one
+  std::optional<Vec3f> degenerateAt, duplicateAt;
+};
+
+/// Drops triangles without area and triangles that repeat another one, the order of the rest kept.
+///
+/// A triangle that uses a vertex twice can always go. One with three different but collinear corners may be needed:
+/// without it the long edge has a vertex in its middle (a T-junction). So they are dropped where that leaves a closed
+/// surface; otherwise the neighbour over the long edge is split at the middle corner, which moves nothing:
+///
+///       d                d
+///      / \              /|\        .
+///     /   \     →      / | \       .
+///    a-----c          a--b--c
+///     (a b c: no area)
+///
+/// Of several triangles over the same corners one stays; or none, if they are a wall without thickness (see source).
+/// Thin flaps that hang on an edge of a complete surface count as triangles without area (kFlapHeight).
+///
+/// Cost: O(T); with collinear triangles a few edge tables more.
+/// @param mesh  welded
+Cleaning cleanTriangles(Mesh& mesh);
+
+}  // namespace qrelief

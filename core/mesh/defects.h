@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+
+#include "mesh/topology.h"
+
+namespace qrelief {
+
+/// Where a mesh is not a closed manifold: how often, and one place each (meaningful where the count is not 0).
+struct Defects {
+  std::size_t openEdges = 0;  ///< edges of one triangle
+  std::size_t holes = 0;      ///< connected groups of open edges
+  Vec3 openAt{0};
+  std::size_t nonManifoldEdges = 0;  ///< edges of three and more triangles
+  Vec3 nonManifoldEdgeAt{0};
+  std::size_t nonManifoldVertices =
+      0;  ///< vertices whose triangles form several fans; looked for in closed meshes only
+  Vec3 nonManifoldVertexAt{0};
+};
+
+/// Cost: O(T).
+/// @param edges      of the mesh's triangles
+/// @param adjacency  of the same
+Defects findDefects(const Mesh& mesh, const EdgeTable& edges, const Adjacency& adjacency);
+
+}  // namespace qrelief

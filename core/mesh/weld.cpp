@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/weld.h"
+
+#include <array>
+#include <cstring>
+#include <limits>
+
+namespace qrelief {
+namespace {
+
+constexpr std::uint32_t kFree = std::numeric_limits<std::uint32_t>::max();
+
+/// Mixes the bits of three floats [Steele et al. 2014, SplitMix64's finaliser].
+std::uint64_t hashOf(Vec3f p) {
+  std::array<std::uint32_t, 3> bits;
+  std::memcpy(bits.data(), &p, sizeof(bits));
+  std::uint64_t h = bits[0] | std::uint64_t{bits[1]} << 32;
+  for (const std::uint64_t more : {std::uint64_t{bits[2]}, std::uint64_t{0}}) {
+    h = (h ^ h >> 30) * 0xbf58476d1ce4e5b9u;
+    h = (h ^ h >> 27) * 0x94d049bb133111ebu;
+    h ^= h >> 31;
+    h += more * 0x9e3779b97f4a7c15u;
+  }
+  return h;
+}
+
+}  // namespace
+
+Welding weldEqual(std::span<const Vec3f> points) {
+  std::size_t capacity = 16;
+  while (capacity < 2 * points.size()) capacity *= 2;
+  std::vector<std::uint32_t> table(capacity, kFree);
+  Welding welding;
+  welding.indexOf.reserve(points.size());
+  for (const Vec3f& given : points) {
+    const Vec3f p = given + Vec3f(0);  // -0 becomes 0
+    std::size_t slot = hashOf(p) & (capacity - 1);
+    while (table[slot] != kFree && welding.positions[table[slot]] != p) slot = (slot + 1) & (capacity - 1);
+    if (table[slot] == kFree) {
+      table[slot] = static_cast<std::uint32_t>(welding.positions.size());
+      welding.positions.push_back(p);
+    }
+    welding.indexOf.push_back(table[slot]);
+  }
+  return welding;
+}
+
+void dropUnused(Mesh& mesh) {
+  std::vector<std::uint32_t> newIndex(mesh.positions.size(), kFree);
+  for (const Triangle& t : mesh.triangles)
+    for (const std::uint32_t v : t) newIndex[v] = 0;
+  std::uint32_t count = 0;
+  for (std::size_t v = 0; v < newIndex.size(); ++v) {
+    if (newIndex[v] == kFree) continue;
+    mesh.positions[count] = mesh.positions[v];
+    newIndex[v] = count++;
+  }
+  mesh.positions.resize(count);
+  for (Triangle& t : mesh.triangles)
+    for (std::uint32_t& v : t) v = newIndex[v];
+}
+
+}  // namespace qrelief

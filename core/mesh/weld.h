@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "mesh/mesh.h"
+
+namespace qrelief {
+
+/// Points that are equal as 32-bit floats made one; -0 equals 0.
+struct Welding {
+  std::vector<Vec3f> positions;        ///< in the order of first appearance
+  std::vector<std::uint32_t> indexOf;  ///< for each point given, its position
+};
+
+/// Cost: O(n), an open-addressing hash table; the result does not depend on the hash.
+/// @param points  finite, fewer than 2^32
+Welding weldEqual(std::span<const Vec3f> points);
+
+/// Drops positions that no triangle uses, keeping the order, and renumbers the triangles.
+void dropUnused(Mesh& mesh);
+
+}  // namespace qrelief
