@@ -5,7 +5,8 @@
 set(QRELIEF_HEADERS ${CMAKE_BINARY_DIR}/third_party)
 file(MAKE_DIRECTORY ${QRELIEF_HEADERS})
 foreach(name CGAL boost glm tiny_obj_loader.h fmt nlohmann tl)
-  find_path(${name}_parent NAMES ${name} PATHS /usr/include /usr/local/include NO_DEFAULT_PATH NO_CACHE REQUIRED)
+  find_path(${name}_parent NAMES ${name} PATHS /usr/include /usr/local/include NO_DEFAULT_PATH NO_CMAKE_FIND_ROOT_PATH
+    NO_CACHE REQUIRED)
   file(CREATE_LINK ${${name}_parent}/${name} ${QRELIEF_HEADERS}/${name} SYMBOLIC)
 endforeach()
 
@@ -21,6 +22,8 @@ endif()
 add_library(qrelief::headers ALIAS qrelief_headers)
 
 if(EMSCRIPTEN)
+  # emcc's optimiser looks for the JavaScript parser acorn, which Debian keeps where only its own Node looks.
+  set(CMAKE_CXX_LINKER_LAUNCHER ${CMAKE_COMMAND} -E env NODE_PATH=/usr/share/nodejs)
   include(wasm_sources)  # qrelief::qrencode and qrelief::imgui from source
   add_library(qrelief_gles INTERFACE)
 else()
@@ -31,5 +34,10 @@ else()
   pkg_check_modules(egl REQUIRED IMPORTED_TARGET egl)
   add_library(qrelief_gles INTERFACE)
   target_link_libraries(qrelief_gles INTERFACE PkgConfig::gles)
+  find_package(ZXing REQUIRED)
+  add_library(qrelief_zxing INTERFACE)
+  target_link_libraries(qrelief_zxing INTERFACE ZXing::ZXing)
+  target_compile_definitions(qrelief_zxing INTERFACE ZX_USE_UTF8)  # text() gives UTF-8, as later releases do
+  add_library(qrelief::zxing ALIAS qrelief_zxing)
 endif()
 add_library(qrelief::gles ALIAS qrelief_gles)

@@ -11,9 +11,9 @@
 namespace qrelief {
 
 struct EmbedResult {
-  Mesh mesh;                                 ///< kept facets first, in their old order; then the new ones
-  std::size_t keptTriangles = 0;             ///< facets of the input that come out bit for bit
-  std::vector<std::uint32_t> newTriangles;   ///< indices of the facets that carving made
+  Mesh mesh;                                ///< kept facets first, in their old order; then the new ones
+  std::size_t keptTriangles = 0;            ///< facets of the input that come out bit for bit
+  std::vector<std::uint32_t> newTriangles;  ///< indices of the facets that carving made
 };
 
 struct EmbedOptions {

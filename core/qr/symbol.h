@@ -12,20 +12,25 @@ namespace qrelief {
 
 enum class ErrorCorrection : std::uint8_t { L, M, Q, H };  ///< restores about 7, 15, 25, 30 % of the codewords
 
-/// What a module is for [ISO/IEC 18004, figure 2]. Data includes error correction and remainder bits.
+/// "L", "M", "Q" or "H", and back; empty if there is no such level.
+std::string_view errorCorrectionName(ErrorCorrection level);
+std::optional<ErrorCorrection> errorCorrectionByName(std::string_view name);
+
+/// What a module is for [ISO/IEC 18004, figure 2]. Data includes error correction and remainder bits,
+/// Format the one module beside the lower left finder that is always dark.
 enum class ModuleRole : std::uint8_t { Data, Finder, Separator, Timing, Alignment, Format, Version };
 
 struct SymbolOptions {
   ErrorCorrection errorCorrection = ErrorCorrection::M;
-  std::optional<int> version;  ///< 1 … 40; the smallest that holds the text if empty
+  std::optional<int> version = std::nullopt;  ///< 1 … 40; the smallest that holds the text if empty
 };
 
 /// A QR Code symbol without quiet zone: `size × size` modules, row-major from the top left.
 struct Symbol {
   int version = 1;
   ErrorCorrection errorCorrection = ErrorCorrection::M;
-  int mask = 0;  ///< 0 … 7, as in the format information
-  int size = 21;  ///< 17 + 4·version
+  int mask = 0;                    ///< 0 … 7, as in the format information
+  int size = 21;                   ///< 17 + 4·version
   std::vector<std::uint8_t> dark;  ///< 1 = dark
   std::vector<ModuleRole> roles;
 
@@ -36,10 +41,14 @@ struct Symbol {
 /// Quiet zone that the standard asks for on each side, in modules.
 inline constexpr int kQuietZoneModules = 4;
 
-/// Encodes a text [ISO/IEC 18004, by libqrencode]: UTF-8 bytes without ECI, as every phone expects.
+/// Encodes a text as UTF-8 bytes without ECI, as every phone expects [ISO/IEC 18004, by libqrencode]. Digits and
+/// capitals take their shorter modes where that saves bits (qr/segmentation.h), so the symbol is the smallest that the
+/// standard allows; the mask is libqrencode's choice, read back from the format information.
+///
+/// Cost: milliseconds.
 /// @param text  not empty, valid UTF-8, without NUL
 /// @returns BadInput if the text is empty, no UTF-8, or too long for the version and level asked for (says how long it
-///          is and what would hold it)
+///          is and what would hold it); BadUsage if there is no such version
 Result<Symbol> encodeSymbol(std::string_view text, const SymbolOptions& options = {});
 
 }  // namespace qrelief

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+#include "base/result.h"
+
+namespace qrelief {
+
+/// Exit statuses, fixed by the contract.
+enum ExitStatus { kEngraved = 0, kCheckFailed = 1, kBadUsage = 2, kBadInput = 3, kNoSolution = 4, kInternalError = 5 };
+
+int exitStatusOf(ErrorCode code);
+
+/// "qrelief: MESSAGE" and the hint on stderr. @returns the error's exit status
+int printError(const Error& error);
+
+/// Each adds its options to the program and returns what runs it.
+std::function<int()> addEngraveCommand(CLI::App& app);
+std::function<int()> addInfoCommand(CLI::App& app);
+
+/// File units → mm by the two options that say so; `units` is one of mm, cm, m, in or empty.
+Result<double> scaleFrom(double scale, const std::string& units);
+
+}  // namespace qrelief

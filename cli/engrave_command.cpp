@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+
+#include "cli/commands.h"
+#include "cli/files.h"
+#include "cli/progress_bar.h"
+#include "io/read_model.h"
+#include "native/egl_context.h"
+#include "native/png_file.h"
+#include "native/zxing_reader.h"
+#include "pipeline/engrave.h"
+#include "pipeline/report.h"
+
+namespace qrelief {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+struct EngraveOptions {
+  std::string model, output, report, preview, units, size = "free", direction = "depth-balanced";
+  double scale = 1, maxDepth = 0;
+  int version = 0;
+  std::vector<double> at, up;
+  std::string pattern = "square", finderPattern = "thick-plus", ecc = "M", solver = "paper-steps", surface = "preserved";
+  bool noQuietZone = false, quiet = false;
+  EngraveRequest request;
+};
+
+double millisecondsSince(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+Result<double> numberFrom(const std::string& text, const char* what) {
+  try {
+    std::size_t used = 0;
+    const double value = std::stod(text, &used);
+    if (used == text.size()) return value;
+  } catch (const std::exception&) {
+  }
+  return fail(ErrorCode::BadUsage, fmt::format("{} is \"{}\"", what, text), "see qrelief engrave --help");
+}
+
+Status readSize(const std::string& text, PlacementRequest& placement) {
+  if (text == "free" || text == "oriented") {
+    placement.sizeMode = text == "free" ? SizeMode::Free : SizeMode::Oriented;
+    return {};
+  }
+  const Result<double> size = numberFrom(text, "the size");
+  if (!size) return fail(ErrorCode::BadUsage, size.error().message, "give mm, or free, or oriented");
+  placement.sizeMode = SizeMode::Fixed;
+  placement.sizeMm = *size;
+  return {};
+}
+
+Status readDirection(const std::string& text, PlacementRequest& placement) {
+  if (text == "depth-balanced" || text == "mean-normal") {
+    placement.directionMethod = text == "mean-normal" ? DirectionMethod::MeanNormal : DirectionMethod::DepthBalanced;
+    return {};
+  }
+  Vec3 vector(0);
+  std::size_t begin = 0;
+  for (int k = 0; k < 3; ++k) {
+    const std::size_t end = k < 2 ? text.find(',', begin) : text.size();
+    if (end == std::string::npos)
+      return fail(ErrorCode::BadUsage, fmt::format("the direction is \"{}\"", text),
+                  "give mean-normal, depth-balanced, or a vector X,Y,Z");
+    const Result<double> value = numberFrom(text.substr(begin, end - begin), "the direction");
+    if (!value) return tl::unexpected(value.error());
+    vector[k] = *value;
+    begin = end + 1;
+  }
+  placement.direction = vector;
+  return {};
+}
+
+Status completeRequest(EngraveOptions& options, double scaleToMm) {
+  EngraveRequest& request = options.request;
+  PlacementRequest& placement = request.placement;
+  if (const Status read = readSize(options.size, placement); !read) return read;
+  if (const Status read = readDirection(options.direction, placement); !read) return read;
+  placement.centreMm = Vec3(options.at[0], options.at[1], options.at[2]) * scaleToMm;
+  if (!options.up.empty()) placement.upHint = {options.up[0], options.up[1], options.up[2]};
+  placement.quietZone = !options.noQuietZone;
+  request.modulePattern = *modulePatternByName(options.pattern);
+  request.finderPattern = *finderPatternByName(options.finderPattern);
+  const std::map<std::string, ErrorCorrection> levels = {
+      {"L", ErrorCorrection::L}, {"M", ErrorCorrection::M}, {"Q", ErrorCorrection::Q}, {"H", ErrorCorrection::H}};
+  request.symbol.errorCorrection = levels.at(options.ecc);
+  if (options.version > 0) request.symbol.version = options.version;
+  if (options.maxDepth > 0) request.maxDepthMm = options.maxDepth;
+  return {};
+}
+
+Result<EngraveResult> runJob(std::shared_ptr<const EngravableModel> model, const EngraveOptions& options) {
+  auto job = EngraveJob::create(std::move(model), options.request);
+  if (!job) return tl::unexpected(job.error());
+  ProgressBar bar(options.quiet);
+  for (;;) {
+    const Result<Progress> progress = (*job)->advance();
+    if (!progress) return tl::unexpected(progress.error());
+    bar.show(*progress);
+    if (progress->done) return (*job)->takeResult();
+  }
+}
+
+Status writeOutputs(const EngraveOptions& options, const EngravableModel& model, const EngraveResult& result,
+                    ReportContext& context, Clock::time_point start) {
+  const auto writing = Clock::now();
+  if (const Status written = writeFileAtomically(options.output, result.stl); !written) return written;
+  if (!options.preview.empty()) {
+    const auto png = encodePng(result.readerView.clean);
+    if (!png) return tl::unexpected(png.error());
+    if (const Status written = writeFileAtomically(options.preview, *png); !written) return written;
+  }
+  context.writeMs = millisecondsSince(writing);
+  context.totalMs = millisecondsSince(start);
+  if (options.report.empty()) return {};
+  return writeFileAtomically(options.report, makeReport(options.request, model, result, context));
+}
+
+void printSummary(const EngraveOptions& options, const EngraveResult& result, const ReportContext& context) {
+  const DepthSummary depth = summarise(result.depths);
+  fmt::print("{}: version {} code, {:.4g} mm wide ({:.3g} mm modules), {:.2g} mm deep on average, {:.2g} mm at most\n",
+             options.output, result.symbol.version, result.placement.symbolMm, result.placement.moduleMm, depth.meanMm,
+             depth.maxMm);
+  if (result.limitedSubmodules > 0)
+    fmt::print("{} submodules could not be carved deep enough (maximum depth, or wall thickness)\n", result.limitedSubmodules);
+  if (!context.readBack.empty()) fmt::print("reads as: {}\n", context.readBack);
+}
+
+int engraveModel(EngraveOptions& options) {
+  const auto start = Clock::now();
+  const Result<double> scale = scaleFrom(options.scale, options.units);
+  if (!scale) return printError(scale.error());
+  if (const Status completed = completeRequest(options, *scale); !completed) return printError(completed.error());
+
+  ReportContext context;
+  context.fileName = fileNameOf(options.model);
+  context.scaleToMm = *scale;
+  const auto bytes = readFile(options.model);
+  if (!bytes) return printError(bytes.error());
+  const auto soup = readModel(*bytes, options.model);
+  if (!soup) return printError(soup.error());
+  context.format = soup->format;
+  context.loadMs = millisecondsSince(start);
+
+  const auto preparing = Clock::now();
+  auto prepared = prepareModel(*soup, {.scaleToMm = *scale});
+  if (!prepared) return printError(prepared.error());
+  for (const std::string& warning : soup->warnings) fmt::print(stderr, "qrelief: {}\n", warning);
+  for (const Finding& finding : prepared->findings)
+    if (finding.severity == Finding::Severity::Warning) fmt::print(stderr, "qrelief: {}\n", finding.message);
+  if (const Status engravable = prepared->engravable(); !engravable) return printError(engravable.error());
+
+  const auto gl = EglContext::create();
+  if (!gl) return printError(gl.error());
+  const auto capabilities = gl::queryCapabilities();
+  if (!capabilities) return printError(capabilities.error());
+  context.gl = *capabilities;
+  const auto model = EngravableModel::upload(std::move(*prepared));
+  context.prepareMs = millisecondsSince(preparing);
+
+  auto result = runJob(model, options);
+  if (!result) return printError(result.error());
+  const auto reading = Clock::now();
+  context.readBack = readWithZxing(result->readerView.picture);
+  context.reader = zxingName();
+  result->timingsMs.verify += millisecondsSince(reading);
+
+  if (const Status written = writeOutputs(options, *model, *result, context, start); !written) return printError(written.error());
+  printSummary(options, *result, context);
+  const std::vector<std::string> failed = failedChecks(options.request, *result, context.readBack);
+  for (const std::string& check : failed) fmt::print(stderr, "qrelief: check not passed: {}\n", check);
+  return failed.empty() ? kEngraved : kCheckFailed;
+}
+
+}  // namespace
+
+std::function<int()> addEngraveCommand(CLI::App& app) {
+  auto o = std::make_shared<EngraveOptions>();
+  EngraveRequest& request = o->request;
+  CLI::App* c = app.add_subcommand("engrave", "Engrave a QR code");
+  c->add_option("MODEL", o->model, "OBJ, STL, PLY or OFF file")->required();
+  c->add_option("--text", request.text, "what the code says, UTF-8")->required();
+  c->add_option("-o", o->output, "carved model, a binary STL in mm")->required()->check([](const std::string& path) {
+    return path.size() > 4 && path.ends_with(".stl") ? std::string() : "only .stl files can be written so far";
+  });
+  c->add_option("--at", o->at, "X,Y,Z: centre in file units, moved to the nearest surface point")->required()->delimiter(',')->expected(3);
+  c->add_option("--scale", o->scale, "file units → mm [1]");
+  c->add_option("--units", o->units, "unit of the file, instead of --scale")->check(CLI::IsMember({"mm", "cm", "m", "in"}));
+  c->add_option("--size", o->size, "MM, free or oriented: edge of the symbol without quiet zone [free]");
+  c->add_option("--max-size", request.placement.maxSizeMm, "upper bound for a found size, mm [60]");
+  c->add_option("--up", o->up, "X,Y,Z: where the symbol's top points [0,0,1]")->delimiter(',')->expected(3);
+  c->add_option("--rotate", request.placement.rotateDeg, "degrees anticlockwise from there [0]");
+  c->add_option("--direction", o->direction, "mean-normal, depth-balanced or X,Y,Z towards the reader [depth-balanced]");
+  c->add_option("--eye-distance", request.placement.eyeDistanceMm, "mm [250]");
+  c->add_option("--ecc", o->ecc, "error correction [M]")->check(CLI::IsMember({"L", "M", "Q", "H"}));
+  c->add_option("--version", o->version, "symbol version, 1 to 40 [smallest]")->check(CLI::Range(1, 40));
+  c->add_flag("--no-quiet-zone", o->noQuietZone, "the light margin need not fit");
+  c->add_option("--pattern", o->pattern, "carved part of a dark module [square]")
+      ->check(CLI::IsMember({"none", "square", "thin-plus", "diamond", "thick-plus"}));
+  c->add_option("--finder-pattern", o->finderPattern, "the same for the three finder patterns [thick-plus]")
+      ->check(CLI::IsMember({"none", "as-modules", "diamond", "thick-plus"}));
+  c->add_option("--contrast", request.contrast, fmt::format("how much darker carved submodules must be [{:g}]", request.contrast));
+  c->add_option("--max-depth", o->maxDepth, "mm [1.2 modules]")->check(CLI::PositiveNumber);
+  c->add_option("--min-wall", request.minWallMm, "material that must remain, mm [0.8]");
+  c->add_option("--solver", o->solver, "how the depth is found [paper-steps]")->check(CLI::IsMember({"paper-steps"}));
+  c->add_option("--surface", o->surface, "what happens to the model's own facets [preserved]")->check(CLI::IsMember({"preserved"}));
+  c->add_option("--report", o->report, "write everything that was found and measured as JSON");
+  c->add_option("--preview", o->preview, "write the result as the reader sees it as PNG");
+  c->add_flag("--quiet", o->quiet, "no progress");
+  return [o] { return engraveModel(*o); };
+}
+
+}  // namespace qrelief

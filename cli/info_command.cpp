@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/commands.h"
+#include "cli/files.h"
+#include "io/read_model.h"
+#include "mesh/prepare.h"
+#include "mesh/self_intersection.h"
+
+namespace qrelief {
+namespace {
+
+struct InfoOptions {
+  std::string model, units, json;
+  double scale = 1;
+};
+
+const char* nameOf(Finding::Severity severity) {
+  return severity == Finding::Severity::Note ? "note" : severity == Finding::Severity::Warning ? "warning" : "blocking";
+}
+
+/// Crossing triangles are no reason to refuse: carving elsewhere works all the same.
+Status findCrossings(PreparedModel& model) {
+  constexpr std::size_t limit = 1000;
+  const auto pairs = findSelfIntersections(model.mesh, {}, limit);
+  if (!pairs) return tl::unexpected(pairs.error());
+  if (pairs->empty()) return {};
+  const Vec3 at = model.mesh.corner(pairs->front()[0], 0);
+  model.findings.push_back({Finding::Severity::Warning, "self-intersections", pairs->size(),
+                            fmt::format("{}{} pairs of triangles cross each other, the first near ({:.4g}, {:.4g}, {:.4g}) mm",
+                                        pairs->size() == limit ? "at least " : "", pairs->size(), at.x, at.y, at.z),
+                            "a code can be placed away from them; to be rid of them, unite the model's parts in a CAD program"});
+  return {};
+}
+
+int describe(const InfoOptions& options) {
+  const Result<double> scale = scaleFrom(options.scale, options.units);
+  if (!scale) return printError(scale.error());
+  const auto bytes = readFile(options.model);
+  if (!bytes) return printError(bytes.error());
+  auto soup = readModel(*bytes, options.model);
+  if (!soup) return printError(soup.error());
+  auto model = prepareModel(*soup, {.scaleToMm = *scale});
+  if (!model) return printError(model.error());
+  const bool engravable = model->engravable().has_value();
+  if (engravable)
+    if (const Status searched = findCrossings(*model); !searched) return printError(searched.error());
+
+  const Box3 box = boundingBox(model->mesh);
+  const Vec3 size = box.size();
+  nlohmann::ordered_json json = {{"file", fileNameOf(options.model)},
+                                 {"format", soup->format},
+                                 {"triangles", model->mesh.triangles.size()},
+                                 {"vertices", model->mesh.positions.size()},
+                                 {"shells", model->shells},
+                                 {"scaleToMm", *scale},
+                                 {"sizeMm", {size.x, size.y, size.z}},
+                                 {"minMm", {box.min.x, box.min.y, box.min.z}},
+                                 {"maxMm", {box.max.x, box.max.y, box.max.z}},
+                                 {"engravable", engravable},
+                                 {"findings", nlohmann::ordered_json::array()}};
+  if (engravable) json["volumeMm3"] = signedVolume(model->mesh);
+  fmt::print("{}: {}, {} triangles, {} vertices, {} shell{}\n", fileNameOf(options.model), soup->format,
+             model->mesh.triangles.size(), model->mesh.positions.size(), model->shells, model->shells == 1 ? "" : "s");
+  fmt::print("size {:.4g} × {:.4g} × {:.4g} mm\n", size.x, size.y, size.z);
+  for (const Finding& finding : model->findings) {
+    json["findings"].push_back({{"severity", nameOf(finding.severity)},
+                                {"code", finding.code},
+                                {"count", finding.count},
+                                {"message", finding.message},
+                                {"hint", finding.hint}});
+    fmt::print("{}: {}\n", nameOf(finding.severity), finding.message);
+    if (!finding.hint.empty()) fmt::print("  what helps: {}\n", finding.hint);
+  }
+  fmt::print("{}\n", engravable ? "a closed solid: can be engraved" : "no closed solid: cannot be engraved as it is");
+  if (!options.json.empty())
+    if (const Status written = writeFileAtomically(options.json, json.dump(2) + "\n"); !written)
+      return printError(written.error());
+  return kEngraved;
+}
+
+}  // namespace
+
+std::function<int()> addInfoCommand(CLI::App& app) {
+  auto options = std::make_shared<InfoOptions>();
+  CLI::App* command = app.add_subcommand("info", "Size, triangles and defects of a model");
+  command->add_option("MODEL", options->model, "OBJ, STL, PLY or OFF file")->required();
+  command->add_option("--scale", options->scale, "file units → mm [1]");
+  command->add_option("--units", options->units, "unit of the file, instead of --scale")
+      ->check(CLI::IsMember({"mm", "cm", "m", "in"}));
+  command->add_option("--json", options->json, "write it as JSON, too");
+  return [options] { return describe(*options); };
+}
+
+}  // namespace qrelief

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The `qrelief` command; its options are the contract of the README.
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <exception>
+#include <new>
+
+#include "cli/commands.h"
+
+namespace qrelief {
+
+int exitStatusOf(ErrorCode code) {
+  switch (code) {
+    case ErrorCode::BadUsage:
+      return kBadUsage;
+    case ErrorCode::BadInput:
+      return kBadInput;
+    case ErrorCode::NoSolution:
+      return kNoSolution;
+    case ErrorCode::Internal:
+      break;
+  }
+  return kInternalError;
+}
+
+int printError(const Error& error) {
+  fmt::print(stderr, "qrelief: {}\n", error.message);
+  if (!error.hint.empty()) fmt::print(stderr, "  what helps: {}\n", error.hint);
+  return exitStatusOf(error.code);
+}
+
+Result<double> scaleFrom(double scale, const std::string& units) {
+  if (!units.empty()) return units == "mm" ? 1.0 : units == "cm" ? 10.0 : units == "m" ? 1000.0 : 25.4;
+  if (!(scale > 0 && scale < 1e12))
+    return fail(ErrorCode::BadUsage, fmt::format("the scale is {:g}", scale), "give file units → mm, such as 1000 for metres");
+  return scale;
+}
+
+namespace {
+
+int run(int argc, char** argv) {
+  CLI::App app("Engraves a QR code into a 3D model, just deep enough for its own shadow to be read by a phone.", "qrelief");
+  app.set_version_flag("--version", "qrelief " QRELIEF_VERSION);
+  app.require_subcommand(1);
+  const auto engraveModel = addEngraveCommand(app);
+  const auto describeModel = addInfoCommand(app);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? kEngraved : kBadUsage;
+  }
+  return app.got_subcommand("engrave") ? engraveModel() : describeModel();
+}
+
+}  // namespace
+}  // namespace qrelief
+
+int main(int argc, char** argv) {
+  try {
+    return qrelief::run(argc, argv);
+  } catch (const std::bad_alloc&) {
+    std::fputs("qrelief: there is not enough memory for this model\n", stderr);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "qrelief: internal error: %s\n", error.what());
+  }
+  return qrelief::kInternalError;
+}

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "base/progress.h"
+
+namespace qrelief {
+
+/// Progress on stderr: one line that is redrawn on a terminal, one plain line a stage otherwise.
+class ProgressBar {
+ public:
+  explicit ProgressBar(bool quiet);
+  ~ProgressBar();
+  void show(const Progress& progress);
+
+ private:
+  bool quiet_;
+  bool terminal_;
+  bool drawn_ = false;
+  std::string stage_;
+};
+
+}  // namespace qrelief

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/result.h"
+#include "embedding/edge_grid.h"
+#include "embedding/footprint.h"
+#include "embedding/outline.h"
+
+namespace qrelief {
+
+/// Facets and outlines overlaid on the QR plane and triangulated: every triangle lies in one facet and at one depth.
+struct Arrangement {
+  /// Where an outline crosses a model edge.
+  struct Crossing {
+    std::uint32_t edge = 0;     ///< of the footprint
+    std::uint32_t outline = 0;  ///< of the graph
+    double alongEdge = 0;       ///< 0 at Edge::a … 1 at Edge::b, on the plane
+    double alongOutline = 0;    ///< 0 at Outline::from … 1 at Outline::to
+  };
+  /// Part of an outline between two consecutive vertices on it: here stands a wall.
+  struct Piece {
+    std::uint32_t from = 0, to = 0;
+    int left = 0, right = 0;
+  };
+
+  std::vector<Vec2> points;  ///< the footprint's vertices, then the graph's nodes, then the crossings
+  std::uint32_t firstNode = 0, firstCrossing = 0;
+  std::vector<Crossing> crossings;
+  std::vector<Piece> pieces;
+  std::vector<Triangle> triangles;    ///< inside the footprint only, counter-clockwise
+  std::vector<std::uint32_t> facets;  ///< triangle → footprint facet
+  std::vector<int> levels;            ///< triangle → level of depth
+};
+
+/// Overlays the footprint's edges and the outlines: each crossing is computed once and shared by both, the pieces
+/// between are constraints of a Delaunay triangulation, and facets and levels spread over it from the pieces, whose
+/// sides are known.
+///
+/// Cost: O(n log n) in vertices and crossings.
+/// @param edges  the footprint's edges, in the same order
+/// @returns NoSolution if an outline or a carved area leaves the footprint; Internal if pieces cross, which the
+///          outlines' clearance from the model rules out unless the footprint overlaps itself
+Result<Arrangement> arrange(const Footprint& footprint, EdgeGrid& edges, const OutlineGraph& graph);
+
+}  // namespace qrelief

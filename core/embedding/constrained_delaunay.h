@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/result.h"
+#include "math/vec.h"
+#include "mesh/mesh.h"
+
+namespace qrelief {
+
+inline constexpr std::uint32_t kNoNeighbour = 0xffffffffu;
+
+struct PlaneTriangulation {
+  std::vector<Triangle> triangles;                       ///< counter-clockwise, indices of the points
+  std::vector<std::array<std::uint32_t, 3>> neighbours;  ///< across the edge from corner k to corner k+1
+};
+
+/// Constrained Delaunay triangulation of the convex hull of some points, exact predicates [CGAL, Chew 1989].
+///
+/// Cost: O(n log n); 1 µs a point.
+/// @param constraints  pairs of points; they may meet at their ends only
+/// @returns Internal if two points coincide or two constraints cross
+Result<PlaneTriangulation> triangulateConstrained(std::span<const Vec2> points,
+                                                  std::span<const std::array<std::uint32_t, 2>> constraints);
+
+}  // namespace qrelief

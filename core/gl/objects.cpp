@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gl/objects.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <string_view>
+
+namespace qrelief::gl {
+namespace {
+
+struct TexelLayout {
+  GLint internalFormat;
+  GLenum format;
+  GLenum type;
+};
+
+TexelLayout layoutOf(Format format) {
+  switch (format) {
+    case Format::R32F:
+      return {GL_R32F, GL_RED, GL_FLOAT};
+    case Format::RGBA32F:
+      return {GL_RGBA32F, GL_RGBA, GL_FLOAT};
+    case Format::RGBA16F:
+      return {GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT};
+    case Format::RGBA8:
+      break;
+  }
+  return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE};
+}
+
+Result<GLuint> compile(const char* name, GLenum kind, const char* source) {
+  const GLuint shader = glCreateShader(kind);
+  glShaderSource(shader, 1, &source, nullptr);
+  glCompileShader(shader);
+  GLint compiled = GL_FALSE;
+  glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
+  if (compiled) return shader;
+  std::array<char, 2048> log{};
+  glGetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), nullptr, log.data());
+  glDeleteShader(shader);
+  return fail(ErrorCode::Internal, fmt::format("the graphics driver refuses the shader {}: {}", name, log.data()),
+              "update the graphics driver or the browser");
+}
+
+std::string glString(GLenum name) {
+  const GLubyte* text = glGetString(name);
+  return text ? reinterpret_cast<const char*>(text) : "unknown";
+}
+
+}  // namespace
+
+Texture::Texture(int width, int height, Format format, const void* texels)
+    : width_(width), height_(height), format_(format) {
+  glGenTextures(1, &id_);
+  upload(texels);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+}
+
+Texture::~Texture() {
+  if (id_) glDeleteTextures(1, &id_);
+}
+
+void Texture::upload(const void* texels) {
+  const TexelLayout layout = layoutOf(format_);
+  glBindTexture(GL_TEXTURE_2D, id_);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glTexImage2D(GL_TEXTURE_2D, 0, layout.internalFormat, width_, height_, 0, layout.format, layout.type, texels);
+}
+
+void Texture::useLinearFilter() {
+  glBindTexture(GL_TEXTURE_2D, id_);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+}
+
+void Texture::swap(Texture& other) noexcept {
+  std::swap(id_, other.id_);
+  std::swap(width_, other.width_);
+  std::swap(height_, other.height_);
+  std::swap(format_, other.format_);
+}
+
+Result<Framebuffer> Framebuffer::create(std::span<const Texture* const> colours, bool withDepth) {
+  Framebuffer made;
+  made.width_ = colours[0]->width();
+  made.height_ = colours[0]->height();
+  glGenFramebuffers(1, &made.id_);
+  glBindFramebuffer(GL_FRAMEBUFFER, made.id_);
+  std::vector<GLenum> targets;
+  for (const Texture* colour : colours) {
+    const GLenum target = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(targets.size());
+    glFramebufferTexture2D(GL_FRAMEBUFFER, target, GL_TEXTURE_2D, colour->id(), 0);
+    targets.push_back(target);
+  }
+  glDrawBuffers(static_cast<GLsizei>(targets.size()), targets.data());
+  if (withDepth) {
+    glGenRenderbuffers(1, &made.depth_);
+    glBindRenderbuffer(GL_RENDERBUFFER, made.depth_);
+    glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, made.width_, made.height_);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, made.depth_);
+  }
+  const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
+  if (status != GL_FRAMEBUFFER_COMPLETE)
+    return fail(ErrorCode::Internal,
+                fmt::format("the graphics driver cannot render to a {} × {} float texture (status 0x{:x})", made.width_,
+                            made.height_, status),
+                "use a device whose graphics support EXT_color_buffer_float");
+  return made;
+}
+
+Framebuffer::~Framebuffer() {
+  if (id_) glDeleteFramebuffers(1, &id_);
+  if (depth_) glDeleteRenderbuffers(1, &depth_);
+}
+
+void Framebuffer::bind() const {
+  glBindFramebuffer(GL_FRAMEBUFFER, id_);
+  glViewport(0, 0, width_, height_);
+}
+
+std::vector<float> Framebuffer::readRgba(int attachment) const {
+  std::vector<float> texels(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) * 4);
+  glBindFramebuffer(GL_FRAMEBUFFER, id_);
+  glReadBuffer(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(attachment));
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glReadPixels(0, 0, width_, height_, GL_RGBA, GL_FLOAT, texels.data());
+  return texels;
+}
+
+std::vector<float> Framebuffer::readRed(int attachment) const {
+  const std::vector<float> rgba = readRgba(attachment);
+  std::vector<float> red(rgba.size() / 4);
+  for (std::size_t i = 0; i < red.size(); ++i) red[i] = rgba[4 * i];
+  return red;
+}
+
+void Framebuffer::swap(Framebuffer& other) noexcept {
+  std::swap(id_, other.id_);
+  std::swap(depth_, other.depth_);
+  std::swap(width_, other.width_);
+  std::swap(height_, other.height_);
+}
+
+Buffer::Buffer(GLenum target, std::span<const std::byte> bytes) {
+  glGenBuffers(1, &id_);
+  glBindBuffer(target, id_);
+  glBufferData(target, static_cast<GLsizeiptr>(bytes.size()), bytes.data(), GL_STATIC_DRAW);
+}
+
+Buffer::~Buffer() {
+  if (id_) glDeleteBuffers(1, &id_);
+}
+
+VertexArray VertexArray::create() {
+  VertexArray made;
+  glGenVertexArrays(1, &made.id_);
+  return made;
+}
+
+VertexArray::~VertexArray() {
+  if (id_) glDeleteVertexArrays(1, &id_);
+}
+
+void VertexArray::bind() const { glBindVertexArray(id_); }
+
+Result<Program> Program::create(const char* name, const char* vertexSource, const char* fragmentSource) {
+  const Result<GLuint> vertex = compile(name, GL_VERTEX_SHADER, vertexSource);
+  if (!vertex) return tl::unexpected(vertex.error());
+  const Result<GLuint> fragment = compile(name, GL_FRAGMENT_SHADER, fragmentSource);
+  if (!fragment) {
+    glDeleteShader(*vertex);
+    return tl::unexpected(fragment.error());
+  }
+  Program made;
+  made.id_ = glCreateProgram();
+  glAttachShader(made.id_, *vertex);
+  glAttachShader(made.id_, *fragment);
+  glLinkProgram(made.id_);
+  glDeleteShader(*vertex);
+  glDeleteShader(*fragment);
+  GLint linked = GL_FALSE;
+  glGetProgramiv(made.id_, GL_LINK_STATUS, &linked);
+  if (linked) return made;
+  std::array<char, 2048> log{};
+  glGetProgramInfoLog(made.id_, static_cast<GLsizei>(log.size()), nullptr, log.data());
+  return fail(ErrorCode::Internal, fmt::format("the graphics driver cannot link the shader {}: {}", name, log.data()),
+              "update the graphics driver or the browser");
+}
+
+Program::~Program() {
+  if (id_) glDeleteProgram(id_);
+}
+
+void Program::use() const { glUseProgram(id_); }
+
+void Program::set(const char* uniform, int value) const { glUniform1i(glGetUniformLocation(id_, uniform), value); }
+void Program::set(const char* uniform, float value) const { glUniform1f(glGetUniformLocation(id_, uniform), value); }
+void Program::set(const char* uniform, glm::vec2 value) const {
+  glUniform2f(glGetUniformLocation(id_, uniform), value.x, value.y);
+}
+void Program::set(const char* uniform, glm::vec3 value) const {
+  glUniform3f(glGetUniformLocation(id_, uniform), value.x, value.y, value.z);
+}
+void Program::set(const char* uniform, glm::vec4 value) const {
+  glUniform4f(glGetUniformLocation(id_, uniform), value.x, value.y, value.z, value.w);
+}
+void Program::setMatrix(const char* uniform, const float* columnMajor4x4) const {
+  glUniformMatrix4fv(glGetUniformLocation(id_, uniform), 1, GL_FALSE, columnMajor4x4);
+}
+void Program::setTexture(const char* sampler, int unit, const Texture& texture) const {
+  glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+  glBindTexture(GL_TEXTURE_2D, texture.id());
+  set(sampler, unit);
+}
+
+void drawFullscreen() {
+  // The corners follow from gl_VertexID alone; ES 3 still wants a vertex array bound, the default one will do.
+  glBindVertexArray(0);
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_CULL_FACE);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+Result<Capabilities> queryCapabilities() {
+  Capabilities found;
+  found.renderer = glString(GL_RENDERER);
+  found.version = glString(GL_VERSION);
+  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &found.maxTextureSize);
+  const Texture probe(4, 4, Format::R32F);
+  const Texture* const colours[] = {&probe};
+  const Result<Framebuffer> framebuffer = Framebuffer::create(colours, false);
+  if (!framebuffer) return tl::unexpected(framebuffer.error());
+  return found;
+}
+
+}  // namespace qrelief::gl

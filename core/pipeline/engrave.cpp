@@ -1,0 +1,400 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/engrave.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+#include "carving/wall_limit.h"
+#include "embedding/embed.h"
+#include "io/read_model.h"
+#include "io/write_stl.h"
+#include "math/tolerance.h"
+#include "mesh/weld.h"
+#include "render/luminance_pass.h"
+
+namespace qrelief {
+namespace {
+
+constexpr int kN = kSubmodulesPerModule;
+constexpr int kMarginModules = 1;      // beyond the quiet zone, so that its own occlusion is complete
+constexpr double kMaxDepthModules = 1.2;
+constexpr double kReachPerDepth = 8;   // a wall seen from eight times its height away hides 0.4 % of the sky
+constexpr double kLeastReachModules = 3;
+constexpr int kMaxMapTexels = 2048;
+
+double millisecondsSince(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// Where the symbol's submodules lie in a map of cells (one cell a submodule) with a margin all round.
+struct CellLayout {
+  int modules = 0;
+
+  int cells() const { return kN * (modules + 2 * (kQuietZoneModules + kMarginModules)); }
+  /// @param row, column  from the quiet zone's top left; maps count rows from the bottom
+  std::uint32_t ofQuietZone(int row, int column) const {
+    const int offset = kN * kMarginModules;
+    return static_cast<std::uint32_t>((cells() - 1 - (row + offset)) * cells() + column + offset);
+  }
+  std::uint32_t ofSymbol(int row, int column) const {
+    return ofQuietZone(row + kN * kQuietZoneModules, column + kN * kQuietZoneModules);
+  }
+};
+
+/// What a slicer makes of an STL: corners at one place become one vertex, every triangle stays.
+Mesh welded(const PolygonSoup& soup) {
+  const std::vector<Vec3f> corners(soup.positions.begin(), soup.positions.end());
+  Welding welding = weldEqual(corners);
+  Mesh mesh{std::move(welding.positions), soup.triangles};
+  for (Triangle& triangle : mesh.triangles)
+    for (std::uint32_t& vertex : triangle) vertex = welding.indexOf[vertex];
+  return mesh;
+}
+
+Status checkRequest(const EngraveRequest& request) {
+  const auto bad = [](std::string message, std::string hint) {
+    return fail(ErrorCode::BadUsage, std::move(message), std::move(hint));
+  };
+  if (!(request.contrast > 0 && request.contrast < 1))
+    return bad(fmt::format("the contrast is {:g}", request.contrast), "choose a value between 0 and 1, such as 0.3");
+  if (!(request.minWallMm >= 0)) return bad("the minimum wall is negative", "choose 0 or more, such as 0.8");
+  if (request.maxDepthMm && !(*request.maxDepthMm >= 0.1))
+    return bad(fmt::format("the greatest depth is {:g} mm", *request.maxDepthMm), "choose at least 0.1 mm, one layer");
+  const PlacementRequest& place = request.placement;
+  if (!(place.eyeDistanceMm >= 20 && place.eyeDistanceMm <= 1e5))
+    return bad(fmt::format("the eye distance is {:g} mm", place.eyeDistanceMm), "choose between 20 mm and 100 m; 250 mm is a phone's");
+  if (place.sizeMode == SizeMode::Fixed && !(place.sizeMm > 0 && place.sizeMm <= 1e4))
+    return bad(fmt::format("the size is {:g} mm", place.sizeMm), "choose the symbol's edge in mm, such as 35");
+  if (!(place.maxSizeMm > 0 && place.maxSizeMm <= 1e4))
+    return bad(fmt::format("the greatest size is {:g} mm", place.maxSizeMm), "choose an edge in mm, such as 60");
+  if (place.direction && !(glm::length(*place.direction) > 0)) return bad("the direction has no length", "give a vector such as 0,0,1");
+  return {};
+}
+
+}  // namespace
+
+std::shared_ptr<const EngravableModel> EngravableModel::upload(PreparedModel prepared) {
+  auto model = std::make_shared<EngravableModel>();
+  model->gpu = GpuMesh(prepared.mesh, prepared.normals);
+  model->prepared = std::move(prepared);
+  return model;
+}
+
+DepthSummary summarise(const DepthField& depths) {
+  std::vector<double> carved;
+  for (const double depth : depths.depthMm)
+    if (depth > 0) carved.push_back(depth);
+  if (carved.empty()) return {};
+  std::sort(carved.begin(), carved.end());
+  DepthSummary summary;
+  for (const double depth : carved) summary.meanMm += depth / static_cast<double>(carved.size());
+  summary.maxMm = carved.back();
+  summary.p95Mm = carved[static_cast<std::size_t>(std::ceil(0.95 * static_cast<double>(carved.size()))) - 1];
+  return summary;
+}
+
+/// The stages in their order; each `advance` does one step of the current one.
+struct EngraveJob::State {
+  enum class Stage { Placing, Mapping, Searching, Embedding, Checking, Viewing, Done };
+
+  std::shared_ptr<const EngravableModel> model;
+  EngraveRequest request;
+  GeometryPass pass;
+  Stage stage = Stage::Placing;
+  double fraction = 0;
+
+  Symbol symbol;
+  SubmoduleMask mask;
+  CellLayout layout;
+  std::optional<PlacementSearch> placing;
+  SurfaceMaps maps;
+  std::optional<LuminancePass> light;
+  std::optional<DepthSearch> search;
+  std::vector<float> means;  // luminance of every cell of the map
+  EmbedResult embedded;
+  EngraveResult result;
+
+  Status place();
+  Status map();
+  Status searchOnce();
+  Status embed();
+  Status check();
+  Status view();
+  Result<std::vector<double>> depthLimits();
+  void measure();
+  Progress at(std::string_view name, double to, double share);
+};
+
+Progress EngraveJob::State::at(std::string_view name, double to, double share) {
+  fraction = std::max(fraction, to * std::clamp(share, 0.0, 1.0));
+  return {name, fraction, stage == Stage::Done};
+}
+
+Status EngraveJob::State::place() {
+  const Result<bool> placed = placing->step();
+  if (!placed) return tl::unexpected(placed.error());
+  if (!*placed) return {};
+  result.placement = placing->placement();
+  result.timingsMs.direction = placing->directionMs();
+  result.timingsMs.size = placing->sizeMs();
+  stage = Stage::Mapping;
+  return {};
+}
+
+/// Greatest depth of every submodule: --max-depth, thickness along the ray, and distance to any other wall.
+Result<std::vector<double>> EngraveJob::State::depthLimits() {
+  const Placement& placement = result.placement;
+  auto back = pass.renderBack(model->gpu, placement.frame, maps.window);
+  if (!back) return tl::unexpected(back.error());
+  const std::vector<float> behind = back->framebuffer.readRed();
+  const std::vector<float> ahead = maps.framebuffer.readRgba(1);
+  const int perCell = maps.window.texels / layout.cells();
+  std::vector<float> distance(mask.carved.size(), std::numeric_limits<float>::quiet_NaN());
+  std::vector<double> thickness(mask.carved.size(), std::numeric_limits<double>::infinity());
+  for (int row = 0; row < mask.size; ++row) {
+    for (int column = 0; column < mask.size; ++column) {
+      const auto cell = static_cast<int>(layout.ofSymbol(row, column));
+      const auto i = static_cast<std::size_t>(row * mask.size + column);
+      double sum = 0;
+      int seen = 0;
+      for (int t = 0; t < perCell * perCell; ++t) {
+        const int y = cell / layout.cells() * perCell + t / perCell;
+        const int x = cell % layout.cells() * perCell + t % perCell;
+        const auto texel = static_cast<std::size_t>(y * maps.window.texels + x);
+        const float front = ahead[4 * texel + 3];
+        if (front <= 0) continue;
+        sum += front;
+        ++seen;
+        if (behind[texel] > 0) thickness[i] = std::min<double>(thickness[i], behind[texel] - front);
+      }
+      if (seen > 0) distance[i] = static_cast<float>(sum / seen);
+    }
+  }
+  const double maxDepth = request.maxDepthMm.value_or(kMaxDepthModules * placement.moduleMm);
+  std::vector<double> limits = wallLimits(model->prepared.mesh, placement.patch, placement.frame, mask, distance,
+                                          {placement.symbolMm, maxDepth, request.minWallMm});
+  for (std::size_t i = 0; i < limits.size(); ++i)
+    limits[i] = std::max(0.0, std::min(limits[i], thickness[i] - request.minWallMm));
+  return limits;
+}
+
+Status EngraveJob::State::map() {
+  const Placement& placement = result.placement;
+  const int perCell = std::clamp(kMaxMapTexels / layout.cells(), 1, 4);
+  const double extent = placement.moduleMm * layout.cells() / kN;
+  auto rendered = pass.render(model->gpu, placement.frame, {extent, perCell * layout.cells()});
+  if (!rendered) return tl::unexpected(rendered.error());
+  maps = std::move(*rendered);
+
+  LuminanceOptions options;
+  options.cellTexels = perCell;
+  options.slices = perCell == 4 ? 2 : 4;
+  options.albedo = request.albedo;
+  options.radiusMm = static_cast<float>(kLeastReachModules * placement.moduleMm);
+  auto made = LuminancePass::create(maps, placement.frame.eyeDistance, options);
+  if (!made) return tl::unexpected(made.error());
+  light.emplace(std::move(*made));
+  // The surroundings are lit once: pockets lie below the light modules and take no sky from them.
+  light->run();
+  means = light->readCellMeans();
+
+  std::vector<std::uint32_t> carvedCells;
+  for (int row = 0; row < mask.size; ++row)
+    for (int column = 0; column < mask.size; ++column)
+      if (mask.isCarved(row, column)) carvedCells.push_back(layout.ofSymbol(row, column));
+  light->selectCells(carvedCells);
+
+  auto limits = depthLimits();
+  if (!limits) return tl::unexpected(limits.error());
+  CarvingTarget target{&symbol, &mask, placement.symbolMm, std::move(*limits)};
+  DepthSearchOptions searchOptions;
+  searchOptions.contrast = request.contrast;
+  search.emplace(std::move(target), searchOptions);
+  stage = Stage::Searching;
+  return {};
+}
+
+/// Luminance of the engraved submodules at the depths the search asks for.
+void EngraveJob::State::measure() {
+  std::vector<float> depths(static_cast<std::size_t>(layout.cells()) * static_cast<std::size_t>(layout.cells()), 0.0f);
+  double deepest = 0;
+  for (int row = 0; row < mask.size; ++row) {
+    for (int column = 0; column < mask.size; ++column) {
+      const double depth = search->depths().depth(row, column);
+      depths[layout.ofSymbol(row, column)] = static_cast<float>(depth);
+      deepest = std::max(deepest, depth);
+    }
+  }
+  light->setDepths(depths);
+  light->setRadius(static_cast<float>(std::max(kLeastReachModules * result.placement.moduleMm, kReachPerDepth * deepest)));
+  light->run();
+  means = light->readCellMeans();
+}
+
+Status EngraveJob::State::searchOnce() {
+  const auto start = std::chrono::steady_clock::now();
+  measure();
+  const int edge = kN * (symbol.size + 2 * kQuietZoneModules);
+  std::vector<double> luminance(static_cast<std::size_t>(edge * edge));
+  for (int row = 0; row < edge; ++row)
+    for (int column = 0; column < edge; ++column)
+      luminance[static_cast<std::size_t>(row * edge + column)] = means[layout.ofQuietZone(row, column)];
+  search->update(luminance);
+  result.timingsMs.depthSearch += millisecondsSince(start);
+  if (!search->finished()) return {};
+  result.depths = search->depths();
+  result.searchIterations = search->iterations();
+  result.limitedSubmodules = search->limitedCount();
+  if (summarise(result.depths).maxMm == 0)
+    return fail(ErrorCode::NoSolution,
+                fmt::format("nothing can be carved here without leaving less than {:g} mm of material", request.minWallMm),
+                "choose a thicker spot or a smaller minimum wall");
+  stage = Stage::Embedding;
+  return {};
+}
+
+Status EngraveJob::State::embed() {
+  const auto start = std::chrono::steady_clock::now();
+  auto made = embedDepthField(model->prepared.mesh, model->prepared.adjacency, result.placement.frame,
+                              result.placement.patch.triangles, result.depths);
+  if (!made) return tl::unexpected(made.error());
+  embedded = std::move(*made);
+  result.keptTriangles = embedded.keptTriangles;
+  result.timingsMs.embed = millisecondsSince(start);
+  stage = Stage::Checking;
+  return {};
+}
+
+/// What is offered is what a slicer will read: the file itself, read back.
+Status EngraveJob::State::check() {
+  const auto start = std::chrono::steady_clock::now();
+  result.stl = writeStl(embedded.mesh);
+  const auto read = readModel(result.stl, "carved.stl");
+  if (!read) return tl::unexpected(read.error());
+  result.mesh = welded(*read);
+  const auto solidity = checkSolidity(result.mesh, embedded.newTriangles);
+  if (!solidity) return tl::unexpected(solidity.error());
+  result.solidity = *solidity;
+  result.timingsMs.verify += millisecondsSince(start);
+  embedded = {};
+  stage = Stage::Viewing;
+  return {};
+}
+
+Status EngraveJob::State::view() {
+  const auto start = std::chrono::steady_clock::now();
+  const GpuMesh carved(result.mesh, vertexNormals(result.mesh));
+  ReaderViewOptions options;
+  const int modulesAcross = symbol.size + 12;
+  options.extentMm = result.placement.moduleMm * modulesAcross;
+  options.texels = std::clamp(12 * modulesAcross, 400, 1200);
+  options.radiusMm = static_cast<float>(kReachPerDepth / 2 * summarise(result.depths).maxMm);
+  options.albedo = request.albedo;
+  auto seen = renderReaderView(pass, carved, result.placement.frame, options);
+  if (!seen) return tl::unexpected(seen.error());
+  result.readerView = std::move(*seen);
+  result.timingsMs.verify += millisecondsSince(start);
+  stage = Stage::Done;
+  return {};
+}
+
+EngraveJob::EngraveJob(std::unique_ptr<State> state) : state_(std::move(state)) {}
+EngraveJob::~EngraveJob() = default;
+
+Result<std::unique_ptr<EngraveJob>> EngraveJob::create(std::shared_ptr<const EngravableModel> model,
+                                                       EngraveRequest request) {
+  if (const Status checked = checkRequest(request); !checked) return tl::unexpected(checked.error());
+  if (const Status engravable = model->prepared.engravable(); !engravable) return tl::unexpected(engravable.error());
+  auto symbol = encodeSymbol(request.text, request.symbol);
+  if (!symbol) return tl::unexpected(symbol.error());
+  auto pass = GeometryPass::create();
+  if (!pass) return tl::unexpected(pass.error());
+
+  auto state = std::make_unique<State>();
+  state->model = std::move(model);
+  state->request = std::move(request);
+  state->pass = std::move(*pass);
+  state->symbol = std::move(*symbol);
+  state->mask = submodulesToCarve(state->symbol, state->request.modulePattern, state->request.finderPattern);
+  state->layout = {state->symbol.size};
+  state->placing.emplace(state->model->prepared, state->model->gpu, state->pass, state->symbol.size,
+                         state->request.placement);
+  return std::unique_ptr<EngraveJob>(new EngraveJob(std::move(state)));
+}
+
+Result<Progress> EngraveJob::advance() {
+  using Stage = State::Stage;
+  State& s = *state_;
+  Status done;
+  std::string_view name;
+  double to = 1, share = 1;
+  switch (s.stage) {
+    case Stage::Placing:
+      name = "Finding direction and size";
+      to = 0.15;
+      done = s.place();
+      break;
+    case Stage::Mapping:
+      name = "Measuring the surface";
+      to = 0.25;
+      done = s.map();
+      break;
+    case Stage::Searching:
+      name = "Finding the depth";
+      to = 0.7;
+      done = s.searchOnce();
+      share = 0.35 + 0.65 * s.search->doneShare();
+      break;
+    case Stage::Embedding:
+      name = "Carving the mesh";
+      to = 0.8;
+      done = s.embed();
+      break;
+    case Stage::Checking:
+      name = "Checking the solid";
+      to = 0.9;
+      done = s.check();
+      break;
+    case Stage::Viewing:
+      name = "Looking at the result";
+      done = s.view();
+      break;
+    case Stage::Done:
+      assert(false && "advance() after done");
+      break;
+  }
+  if (!done) return tl::unexpected(done.error());
+  return s.at(name, to, share);
+}
+
+EngraveResult EngraveJob::takeResult() {
+  assert(state_->stage == State::Stage::Done);
+  state_->result.symbol = state_->symbol;
+  return std::move(state_->result);
+}
+
+InspectorMaps EngraveJob::inspectorMaps() const {
+  InspectorMaps maps;
+  if (!state_->light) return maps;
+  maps.surface = &state_->maps.surface;
+  maps.luminance = &state_->light->luminance();
+  maps.depths = &state_->light->depths();
+  return maps;
+}
+
+Result<EngraveResult> engrave(std::shared_ptr<const EngravableModel> model, const EngraveRequest& request) {
+  auto job = EngraveJob::create(std::move(model), request);
+  if (!job) return tl::unexpected(job.error());
+  for (;;) {
+    const Result<Progress> progress = (*job)->advance();
+    if (!progress) return tl::unexpected(progress.error());
+    if (progress->done) return (*job)->takeResult();
+  }
+}
+
+}  // namespace qrelief

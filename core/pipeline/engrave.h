@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "carving/depth_search.h"
+#include "mesh/prepare.h"
+#include "pipeline/placement.h"
+#include "qr/module_pattern.h"
+#include "qr/symbol.h"
+#include "render/geometry_pass.h"
+#include "verification/reader_view.h"
+#include "verification/solidity.h"
+
+namespace qrelief {
+
+/// A model that is ready to be engraved: checked, and in GPU memory.
+struct EngravableModel {
+  PreparedModel prepared;
+  GpuMesh gpu;
+
+  /// @param prepared  blocking findings do not matter here; EngraveJob refuses them
+  static std::shared_ptr<const EngravableModel> upload(PreparedModel prepared);
+};
+
+/// Everything that decides what comes out.
+struct EngraveRequest {
+  std::string text;  ///< UTF-8, not empty
+  SymbolOptions symbol;
+  ModulePattern modulePattern = ModulePattern::Square;
+  FinderPattern finderPattern = FinderPattern::ThickPlus;
+  PlacementRequest placement;
+  double contrast = 0.3;             ///< a carved submodule is darker than its surroundings by this share, 0 < c < 1
+  std::optional<double> maxDepthMm;  ///< none: 1.2 modules
+  double minWallMm = 0.8;            ///< material that stays behind every floor, ≥ 0
+  float albedo = 0.7f;               ///< of the printed material
+};
+
+/// Milliseconds spent in each stage.
+struct StageTimings {
+  double direction = 0, size = 0, depthSearch = 0, embed = 0, verify = 0;
+};
+
+/// The carved solid and everything that is known of it.
+struct EngraveResult {
+  Mesh mesh;                          ///< as an STL round trip gives it back
+  std::vector<std::uint8_t> stl;      ///< the very bytes that were checked
+  std::size_t keptTriangles = 0;      ///< facets of the input that came out bit for bit
+  Symbol symbol;
+  Placement placement;
+  DepthField depths;
+  int searchIterations = 0;
+  std::size_t limitedSubmodules = 0;  ///< that a limit kept from being dark enough
+  SolidityReport solidity;            ///< after the round trip
+  ReaderView readerView;              ///< what a phone would see
+  StageTimings timingsMs;
+};
+
+/// Mean, maximum and 95th percentile over the carved submodules, mm.
+struct DepthSummary {
+  double meanMm = 0, maxMm = 0, p95Mm = 0;
+};
+DepthSummary summarise(const DepthField& depths);
+
+/// What the inspector shows of a running or finished job. Textures belong to the job.
+struct InspectorMaps {
+  const gl::Texture* surface = nullptr;    ///< RGBA32F: facet normal, height over the QR plane (mm)
+  const gl::Texture* luminance = nullptr;  ///< R32F
+  const gl::Texture* depths = nullptr;     ///< R32F, one texel a submodule
+};
+
+/// Engraves one symbol, a bounded piece of work at a time; to cancel, stop calling. Needs the GL context of the model.
+///
+///     auto job = EngraveJob::create(model, request);
+///     for (;;) { auto progress = job->advance(); if (!progress) …error…; if (progress->done) break; }
+///     EngraveResult result = job->takeResult();
+class EngraveJob {
+ public:
+  /// @returns BadUsage or BadInput for a request that cannot be carried out whatever the geometry; a model with blocking
+  ///          findings
+  static Result<std::unique_ptr<EngraveJob>> create(std::shared_ptr<const EngravableModel> model, EngraveRequest request);
+  ~EngraveJob();
+
+  /// The next piece. After an error or `done` it must not be called again.
+  Result<Progress> advance();
+
+  /// The result, once, after `done`.
+  EngraveResult takeResult();
+
+  InspectorMaps inspectorMaps() const;
+
+ private:
+  struct State;
+  explicit EngraveJob(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+/// Runs a job to its end.
+Result<EngraveResult> engrave(std::shared_ptr<const EngravableModel> model, const EngraveRequest& request);
+
+}  // namespace qrelief

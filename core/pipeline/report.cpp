@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/report.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <nlohmann/json.hpp>
+
+
+namespace qrelief {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json triple(Vec3 v) { return Json::array({v.x, v.y, v.z}); }
+
+const char* letterOf(ErrorCorrection level) {
+  constexpr std::array<const char*, 4> letters = {"L", "M", "Q", "H"};
+  return letters[static_cast<std::size_t>(level)];
+}
+
+const char* nameOf(SizeMode mode) {
+  constexpr std::array<const char*, 3> names = {"free", "oriented", "fixed"};
+  return names[static_cast<std::size_t>(mode)];
+}
+
+Json describeInput(const EngravableModel& model, const ReportContext& context) {
+  Json warnings = Json::array();
+  for (const Finding& finding : model.prepared.findings)
+    if (finding.severity != Finding::Severity::Note) warnings.push_back(finding.message);
+  return {{"file", context.fileName},
+          {"format", context.format},
+          {"triangles", model.prepared.mesh.triangles.size()},
+          {"vertices", model.prepared.mesh.positions.size()},
+          {"scaleToMm", context.scaleToMm},
+          {"sizeMm", triple(boundingBox(model.prepared.mesh).size())},
+          {"warnings", warnings}};
+}
+
+Json describeSymbol(const Symbol& symbol) {
+  Json rows = Json::array();
+  for (int row = 0; row < symbol.size; ++row) {
+    std::string text;
+    for (int column = 0; column < symbol.size; ++column) text += symbol.isDark(row, column) ? '1' : '0';
+    rows.push_back(text);
+  }
+  return {{"version", symbol.version},
+          {"ecc", letterOf(symbol.errorCorrection)},
+          {"mask", symbol.mask},
+          {"modules", symbol.size},
+          {"rows", rows}};
+}
+
+Json describeProjection(const EngraveRequest& request, const Placement& placement) {
+  Json iterations = Json::array();
+  for (const DirectionIteration& i : placement.iterations)
+    iterations.push_back({{"normal", triple(i.normal)}, {"varianceMm2", i.varianceMm2}, {"outsideShare", i.outsideShare}});
+  const char* method = request.placement.direction                                              ? "given"
+                       : request.placement.directionMethod == DirectionMethod::MeanNormal ? "mean-normal"
+                                                                                          : "depth-balanced";
+  return {{"method", method},
+          {"centre", triple(placement.frame.centre)},
+          {"normal", triple(placement.frame.normal)},
+          {"up", triple(placement.frame.up)},
+          {"eyeDistanceMm", placement.frame.eyeDistance},
+          {"iterations", iterations}};
+}
+
+}  // namespace
+
+std::vector<std::string> failedChecks(const EngraveRequest& request, const EngraveResult& result,
+                                      const std::string& readBack) {
+  std::vector<std::string> failed = result.solidity.problems();
+  if (readBack.empty())
+    failed.push_back("no reader found the code in the simulated picture");
+  else if (readBack != request.text)
+    failed.push_back(fmt::format("the simulated picture reads as \"{}\"", readBack));
+  return failed;
+}
+
+std::string makeReport(const EngraveRequest& request, const EngravableModel& model, const EngraveResult& result,
+                       const ReportContext& context) {
+  const DepthSummary depth = summarise(result.depths);
+  const SolidityReport& solid = result.solidity;
+  Json report;
+  report["qrelief"] = QRELIEF_VERSION;
+  report["text"] = request.text;
+  report["input"] = describeInput(model, context);
+  report["symbol"] = describeSymbol(result.symbol);
+  report["projection"] = describeProjection(request, result.placement);
+  report["size"] = {{"symbolMm", result.placement.symbolMm},
+                    {"moduleMm", result.placement.moduleMm},
+                    {"guaranteedMm", result.placement.guaranteedMm},
+                    {"mode", nameOf(request.placement.sizeMode)}};
+  report["depth"] = {{"meanMm", depth.meanMm},
+                     {"maxMm", depth.maxMm},
+                     {"p95Mm", depth.p95Mm},
+                     {"iterations", result.searchIterations},
+                     {"limitedSubmodules", result.limitedSubmodules},
+                     {"solver", "paper-steps"}};
+  report["mesh"] = {{"triangles", solid.triangles},
+                    {"vertices", solid.vertices},
+                    {"keptTriangles", result.keptTriangles},
+                    {"closed", solid.closed()},
+                    {"manifold", solid.manifold()},
+                    {"selfIntersections", solid.selfIntersections},
+                    {"volumeMm3", solid.volumeMm3}};
+  report["verification"] = {{"decoded", !context.readBack.empty() && context.readBack == request.text},
+                            {"text", context.readBack},
+                            {"reader", context.reader},
+                            {"views", Json::array({{{"light", "sky"},
+                                                    {"tiltDeg", 0},
+                                                    {"picture", "simulated phone"},
+                                                    {"read", context.readBack == request.text}}})},
+                            {"failedChecks", failedChecks(request, result, context.readBack)}};
+  const StageTimings& t = result.timingsMs;
+  report["timingsMs"] = {{"load", context.loadMs},     {"prepare", context.prepareMs}, {"direction", t.direction},
+                         {"size", t.size},             {"depthSearch", t.depthSearch}, {"embed", t.embed},
+                         {"verify", t.verify},         {"write", context.writeMs},     {"total", context.totalMs}};
+  report["gl"] = {{"renderer", context.gl.renderer}, {"version", context.gl.version}};
+  // Text that is no UTF-8 (a file name, say) must not lose the report.
+  return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace qrelief

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "projection/direction.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/halton.h"
+
+namespace qrelief {
+namespace {
+
+Vec3 unitOrZero(Vec3 v) {
+  const double length = glm::length(v);
+  return length > 0 ? v / length : Vec3(0);
+}
+
+/// A map with the replaced normals of the texels outside the silhouette.
+class NormalMap {
+ public:
+  NormalMap(std::span<const float> smooth, int texels) : smooth_(smooth), texels_(texels) {}
+
+  bool inside(int column, int row) const { return distance(column, row) > 0; }
+  double distance(int column, int row) const { return smooth_[index(column, row) + 3]; }
+  Vec3 normal(int column, int row) const {
+    const std::size_t i = index(column, row);
+    if (inside(column, row)) return {smooth_[i], smooth_[i + 1], smooth_[i + 2]};
+    const auto acrossHalf = [this](int k) { return (2 * k + 1.0) / texels_ - 1; };
+    return glm::normalize(Vec3(acrossHalf(column), acrossHalf(row), -1));
+  }
+
+ private:
+  std::size_t index(int column, int row) const { return 4 * static_cast<std::size_t>(row * texels_ + column); }
+  std::span<const float> smooth_;
+  int texels_;
+};
+
+/// Sums over one cell of the depth grid.
+struct Cell {
+  Vec3 normals{0};
+  double distances = 0;
+  int inside = 0;
+  int outside = 0;
+};
+
+std::vector<Cell> sumCells(const NormalMap& map, int texels, int grid) {
+  std::vector<Cell> cells(static_cast<std::size_t>(grid * grid));
+  for (int row = 0; row < texels; ++row) {
+    for (int column = 0; column < texels; ++column) {
+      Cell& cell = cells[static_cast<std::size_t>(row * grid / texels * grid + column * grid / texels)];
+      cell.normals += map.normal(column, row);
+      if (map.inside(column, row)) {
+        cell.distances += map.distance(column, row);
+        ++cell.inside;
+      } else {
+        ++cell.outside;
+      }
+    }
+  }
+  return cells;
+}
+
+Vec3 extremeCellsMean(const std::vector<Cell>& cells) {
+  std::vector<const Cell*> ranked;
+  for (const Cell& cell : cells)
+    if (cell.inside > 0) ranked.push_back(&cell);
+  std::stable_sort(ranked.begin(), ranked.end(), [](const Cell* a, const Cell* b) {
+    return a->distances / a->inside < b->distances / b->inside;
+  });
+  Vec3 sum(0);
+  const std::size_t ends = std::min<std::size_t>(2, ranked.size());
+  for (std::size_t i = 0; i < ends; ++i)
+    sum += unitOrZero(ranked[i]->normals) + unitOrZero(ranked[ranked.size() - 1 - i]->normals);
+  return unitOrZero(sum);
+}
+
+}  // namespace
+
+MapSample sampleMap(std::span<const float> smooth, int texels, const DirectionOptions& options) {
+  const NormalMap map(smooth, texels);
+  MapSample sample;
+  for (int i = 1; i <= options.samples; ++i) {
+    const auto at = [texels](double unit) { return std::min(texels - 1, static_cast<int>(unit * texels)); };
+    const auto [x, y] = halton23(static_cast<std::uint32_t>(i));
+    sample.mean += map.normal(at(x), at(y));
+  }
+  sample.mean = unitOrZero(sample.mean);
+
+  const std::vector<Cell> cells = sumCells(map, texels, options.grid);
+  sample.depthBalance = extremeCellsMean(cells);
+  double sum = 0;
+  int inside = 0;
+  for (const Cell& cell : cells) {
+    sum += cell.distances;
+    inside += cell.inside;
+    if (cell.inside == 0) sample.outside += unitOrZero(cell.normals);
+  }
+  sample.outside = unitOrZero(sample.outside);
+  sample.outsideShare = 1 - static_cast<double>(inside) / (texels * texels);
+  if (inside == 0) return sample;
+
+  const double mean = sum / inside;
+  for (int row = 0; row < texels; ++row)
+    for (int column = 0; column < texels; ++column)
+      if (map.inside(column, row)) sample.varianceMm2 += std::pow(map.distance(column, row) - mean, 2);
+  sample.varianceMm2 /= inside;
+  return sample;
+}
+
+DirectionSearch::DirectionSearch(const GeometryPass& pass, const GpuMesh& mesh, Vec3 centre, Vec3 surfaceNormal,
+                                 Vec3 upHint, double eyeDistance, const DirectionOptions& options)
+    : pass_(&pass),
+      mesh_(&mesh),
+      centre_(centre),
+      upHint_(upHint),
+      current_(glm::normalize(surfaceNormal)),
+      best_(current_),
+      eyeDistance_(eyeDistance),
+      options_(options) {}
+
+Result<bool> DirectionSearch::step() {
+  const ProjectionFrame frame = makeFrame(centre_, current_, upHint_, eyeDistance_);
+  const auto maps = pass_->render(*mesh_, frame, {options_.sizeMm, options_.mapTexels});
+  if (!maps) return tl::unexpected(maps.error());
+  const MapSample sample = sampleMap(maps->framebuffer.readRgba(1), options_.mapTexels, options_);
+  iterations_.push_back({current_, sample.varianceMm2, sample.outsideShare});
+
+  // The first direction is a single facet's and says little: it is never the answer.
+  const bool updated = iterations_.size() > 1;
+  if (updated) {
+    const auto least = std::min_element(
+        iterations_.begin() + 1, iterations_.end(),
+        [](const DirectionIteration& a, const DirectionIteration& b) { return a.varianceMm2 < b.varianceMm2; });
+    best_ = least->normal;
+    if (options_.method == DirectionMethod::MeanNormal) return true;
+    if (sample.varianceMm2 <= options_.variance * options_.sizeMm * options_.sizeMm) return true;
+    if (static_cast<int>(iterations_.size()) > options_.maxIterations) return true;
+  }
+  const Vec3 inAxes = options_.method == DirectionMethod::MeanNormal
+                          ? sample.mean
+                          : unitOrZero(sample.mean + sample.depthBalance + sample.outside);
+  const Vec3 next = frame.right * inAxes.x + frame.up * inAxes.y + frame.normal * inAxes.z;
+  // Normals that cancel out, or a direction from behind the centre, lead nowhere: what there is stays.
+  if (glm::length(next) < 0.5 || glm::dot(next, iterations_.front().normal) <= 0) {
+    if (!updated) best_ = current_;
+    return true;
+  }
+  current_ = glm::normalize(next);
+  best_ = updated ? best_ : current_;
+  return false;
+}
+
+}  // namespace qrelief

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "qr/module_pattern.h"
+
+#include <array>
+#include <cstddef>
+#include <utility>
+
+namespace qrelief {
+namespace {
+
+constexpr int kFinderModules = 7;
+
+/// A pattern's picture as in the header; '#' is carved.
+using Picture = std::array<std::string_view, kSubmodulesPerModule>;
+
+constexpr Picture kNone = {"#####", "#####", "#####", "#####", "#####"};
+constexpr Picture kSquare = {".....", ".###.", ".###.", ".###.", "....."};
+constexpr Picture kThinPlus = {".....", "..#..", ".###.", "..#..", "....."};
+constexpr Picture kDiamond = {"..#..", ".###.", "#####", ".###.", "..#.."};
+constexpr Picture kThickPlus = {".###.", "#####", "#####", "#####", ".###."};
+
+const Picture& pictureOf(ModulePattern pattern) {
+  switch (pattern) {
+    case ModulePattern::None:
+      return kNone;
+    case ModulePattern::Square:
+      return kSquare;
+    case ModulePattern::ThinPlus:
+      return kThinPlus;
+    case ModulePattern::Diamond:
+      return kDiamond;
+    case ModulePattern::ThickPlus:
+      return kThickPlus;
+  }
+  return kNone;
+}
+
+const Picture& pictureOf(FinderPattern pattern, ModulePattern modules) {
+  switch (pattern) {
+    case FinderPattern::None:
+      return kNone;
+    case FinderPattern::AsModules:
+      return pictureOf(modules);
+    case FinderPattern::Diamond:
+      return kDiamond;
+    case FinderPattern::ThickPlus:
+      return kThickPlus;
+  }
+  return kNone;
+}
+
+/// Along one axis: +1 at the near end of a finder, -1 at the far end, 0 between, so that a corner module is one where
+/// both axes are not 0, and the values lead towards the finder's centre.
+int towardsCentre(int position, int size) {
+  const int within = position < kFinderModules ? position : position - (size - kFinderModules);
+  return within == 0 ? 1 : within == kFinderModules - 1 ? -1 : 0;
+}
+
+void carveModule(SubmoduleMask& mask, const Picture& picture, int row, int column, int shiftDown, int shiftRight) {
+  constexpr int n = kSubmodulesPerModule;
+  for (int k = 0; k < n; ++k) {
+    for (int l = 0; l < n; ++l) {
+      if (picture[static_cast<std::size_t>(k)][static_cast<std::size_t>(l)] != '#') continue;
+      const int y = row * n + k + shiftDown, x = column * n + l + shiftRight;
+      mask.carved[static_cast<std::size_t>(y * mask.size + x)] = 1;
+    }
+  }
+}
+
+template <class Pattern, std::size_t count>
+std::optional<Pattern> lookUp(const std::array<std::pair<std::string_view, Pattern>, count>& names,
+                              std::string_view name) {
+  for (const auto& [known, pattern] : names) {
+    if (known == name) return pattern;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+SubmoduleMask submodulesToCarve(const Symbol& symbol, ModulePattern modules, FinderPattern finders) {
+  SubmoduleMask mask;
+  mask.size = kSubmodulesPerModule * symbol.size;
+  mask.carved.assign(static_cast<std::size_t>(mask.size) * static_cast<std::size_t>(mask.size), 0);
+  const bool squareCorners = finders == FinderPattern::Diamond || finders == FinderPattern::ThickPlus;
+  for (int row = 0; row < symbol.size; ++row) {
+    for (int column = 0; column < symbol.size; ++column) {
+      if (!symbol.isDark(row, column)) continue;
+      if (symbol.role(row, column) != ModuleRole::Finder) {
+        carveModule(mask, pictureOf(modules), row, column, 0, 0);
+        continue;
+      }
+      const int down = towardsCentre(row, symbol.size), right = towardsCentre(column, symbol.size);
+      if (squareCorners && down != 0 && right != 0) {
+        carveModule(mask, kSquare, row, column, down, right);
+      } else {
+        carveModule(mask, pictureOf(finders, modules), row, column, 0, 0);
+      }
+    }
+  }
+  return mask;
+}
+
+std::optional<ModulePattern> modulePatternByName(std::string_view name) {
+  constexpr std::array<std::pair<std::string_view, ModulePattern>, 5> kNames = {{
+      {"none", ModulePattern::None},
+      {"square", ModulePattern::Square},
+      {"thin-plus", ModulePattern::ThinPlus},
+      {"diamond", ModulePattern::Diamond},
+      {"thick-plus", ModulePattern::ThickPlus},
+  }};
+  return lookUp(kNames, name);
+}
+
+std::optional<FinderPattern> finderPatternByName(std::string_view name) {
+  constexpr std::array<std::pair<std::string_view, FinderPattern>, 4> kNames = {{
+      {"none", FinderPattern::None},
+      {"as-modules", FinderPattern::AsModules},
+      {"diamond", FinderPattern::Diamond},
+      {"thick-plus", FinderPattern::ThickPlus},
+  }};
+  return lookUp(kNames, name);
+}
+
+}  // namespace qrelief

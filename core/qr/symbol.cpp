@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "qr/symbol.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstddef>
+#include <fmt/format.h>
+#include <memory>
+#include <qrencode.h>
+#include <string>
+
+#include "qr/segmentation.h"
+
+namespace qrelief {
+namespace {
+
+constexpr int kLargestVersion = 40;
+constexpr std::size_t kMostCharacters = 7089;  ///< digits in version 40-L, the most that any symbol holds
+
+// What libqrencode says of a module besides its colour.
+constexpr unsigned kDarkBit = 1, kFormatBit = 4, kVersionBit = 8, kTimingBit = 16, kAlignmentBit = 32,
+                   kFinderOrSeparatorBit = 64, kFunctionBit = 128;
+
+using InputHandle = std::unique_ptr<QRinput, decltype(&QRinput_free)>;
+using CodeHandle = std::unique_ptr<QRcode, decltype(&QRcode_free)>;
+
+/// Length of the well-formed UTF-8 sequence at the start of `bytes` [Unicode 15, table 3-7]; 0 if there is none.
+std::size_t utf8SequenceLength(std::string_view bytes) {
+  const auto at = [&](std::size_t i) { return i < bytes.size() ? static_cast<unsigned char>(bytes[i]) : 0u; };
+  const auto within = [&](std::size_t i, unsigned low, unsigned high) { return at(i) >= low && at(i) <= high; };
+  const auto continues = [&](std::size_t i) { return within(i, 0x80, 0xBF); };
+  const unsigned lead = at(0);
+  if (lead < 0x80) return 1;
+  if (lead >= 0xC2 && lead <= 0xDF) return continues(1) ? 2 : 0;
+  if (lead >= 0xE0 && lead <= 0xEF) {
+    const bool second = within(1, lead == 0xE0 ? 0xA0 : 0x80, lead == 0xED ? 0x9F : 0xBF);  // overlong, surrogates
+    return second && continues(2) ? 3 : 0;
+  }
+  if (lead >= 0xF0 && lead <= 0xF4) {
+    const bool second = within(1, lead == 0xF0 ? 0x90 : 0x80, lead == 0xF4 ? 0x8F : 0xBF);  // overlong, too large
+    return second && continues(2) && continues(3) ? 4 : 0;
+  }
+  return 0;
+}
+
+Status checkCharacters(std::string_view text) {
+  if (text.empty()) return fail(ErrorCode::BadInput, "The text is empty", "Give the text or link to be engraved");
+  for (std::size_t i = 0; i < text.size();) {
+    if (text[i] == '\0') {
+      return fail(ErrorCode::BadInput, fmt::format("The text holds a NUL character at byte {}", i + 1),
+                  "Remove it; readers end the text there");
+    }
+    const std::size_t length = utf8SequenceLength(text.substr(i));
+    if (length == 0) {
+      return fail(ErrorCode::BadInput, fmt::format("The text is not valid UTF-8 at byte {}", i + 1),
+                  "Save or paste it as UTF-8");
+    }
+    i += length;
+  }
+  return {};
+}
+
+QRecLevel toLibrary(ErrorCorrection level) {
+  switch (level) {
+    case ErrorCorrection::L:
+      return QR_ECLEVEL_L;
+    case ErrorCorrection::M:
+      return QR_ECLEVEL_M;
+    case ErrorCorrection::Q:
+      return QR_ECLEVEL_Q;
+    case ErrorCorrection::H:
+      return QR_ECLEVEL_H;
+  }
+  return QR_ECLEVEL_M;
+}
+
+/// The smallest symbol from `version` on that holds the text in the segments that suit `version`; null if there is
+/// none (errno is ERANGE then).
+CodeHandle encodeFrom(std::string_view text, int version, ErrorCorrection level) {
+  InputHandle input(QRinput_new2(version, toLibrary(level)), &QRinput_free);
+  if (!input) return {nullptr, &QRcode_free};
+  for (const Segment& segment : segmentText(text, version)) {
+    constexpr std::array<QRencodeMode, 3> kModes = {QR_MODE_NUM, QR_MODE_AN, QR_MODE_8};
+    const auto* bytes = reinterpret_cast<const unsigned char*>(text.data() + segment.begin);
+    const auto mode = kModes[static_cast<std::size_t>(segment.mode)];
+    if (QRinput_append(input.get(), mode, static_cast<int>(segment.length), bytes) != 0) return {nullptr, &QRcode_free};
+  }
+  return {QRcode_encodeInput(input.get()), &QRcode_free};
+}
+
+/// The best segments change with the length fields, at versions 10 and 27.
+int lastVersionOfGroup(int version) { return version < 10 ? 9 : version < 27 ? 26 : kLargestVersion; }
+
+/// The smallest symbol that holds the text, of at least version `from`; null as in encodeFrom.
+CodeHandle encodeSmallest(std::string_view text, int from, ErrorCorrection level) {
+  CodeHandle code = encodeFrom(text, from, level);
+  const int last = lastVersionOfGroup(from);
+  const bool outgrewGroup = code ? code->version > last : errno == ERANGE;
+  return outgrewGroup && last < kLargestVersion ? encodeSmallest(text, last + 1, level) : std::move(code);
+}
+
+int smallestVersion(std::string_view text, ErrorCorrection level) {
+  const CodeHandle code = encodeSmallest(text, 1, level);
+  return code ? code->version : 0;
+}
+
+/// What else could be asked for: "version 7, or version 5 with error correction L"; empty if nothing holds the text.
+std::string whatWouldHold(std::string_view text, const SymbolOptions& options) {
+  std::string found;
+  const int asked = options.version.value_or(0);
+  const int needed = smallestVersion(text, options.errorCorrection);
+  if (needed != 0) found = fmt::format("version {}", needed);
+  for (int weaker = static_cast<int>(options.errorCorrection) - 1; weaker >= 0; --weaker) {
+    const auto level = static_cast<ErrorCorrection>(weaker);
+    const int version = smallestVersion(text, level);
+    if (version == 0 || (needed != 0 && version > asked)) continue;
+    found += fmt::format("{}version {} with error correction {}", found.empty() ? "" : ", or ",
+                         std::max(version, asked), errorCorrectionName(level));
+    break;
+  }
+  return found;
+}
+
+tl::unexpected<Error> tooLong(std::string_view text, const SymbolOptions& options) {
+  const std::string size = text.size() == 1 ? "1 byte" : fmt::format("{} bytes", text.size());
+  const std::string symbol = options.version ? fmt::format("a version {} QR Code", *options.version) : "any QR Code";
+  const std::string message = fmt::format("The text is {} long, too long for {} with error correction {}", size, symbol,
+                                          errorCorrectionName(options.errorCorrection));
+  const std::string held = text.size() > kMostCharacters ? std::string() : whatWouldHold(text, options);
+  if (!held.empty()) return fail(ErrorCode::BadInput, message, fmt::format("It fits {}; or shorten the text", held));
+  return fail(ErrorCode::BadInput, message,
+              "Shorten the text: the largest symbol holds 2953 bytes with error correction L, 2331 with M, 1663 with Q "
+              "and 1273 with H");
+}
+
+bool isInFinder(int row, int column, int size) {
+  constexpr int kFinder = 7;
+  const bool left = column < kFinder, top = row < kFinder;
+  return (left && top) || (top && column >= size - kFinder) || (left && row >= size - kFinder);
+}
+
+ModuleRole roleOf(unsigned flags, bool inFinder) {
+  if (flags & kFinderOrSeparatorBit) return inFinder ? ModuleRole::Finder : ModuleRole::Separator;
+  if (flags & kAlignmentBit) return ModuleRole::Alignment;  // before timing: some alignment patterns lie across it
+  if (flags & kTimingBit) return ModuleRole::Timing;
+  if (flags & kFormatBit) return ModuleRole::Format;
+  if (flags & kVersionBit) return ModuleRole::Version;
+  return flags & kFunctionBit ? ModuleRole::Format : ModuleRole::Data;  // the dark module stands in the format area
+}
+
+/// Bits 12 to 10 of the format information, in row 8, under the fixed mask 101 [ISO/IEC 18004, 7.9.1].
+int maskOf(const Symbol& symbol) {
+  const int bits = symbol.isDark(8, 2) << 2 | symbol.isDark(8, 3) << 1 | static_cast<int>(symbol.isDark(8, 4));
+  return bits ^ 0b101;
+}
+
+Symbol toSymbol(const QRcode& code, ErrorCorrection level) {
+  Symbol symbol;
+  symbol.version = code.version;
+  symbol.errorCorrection = level;
+  symbol.size = code.width;
+  const int count = code.width * code.width;
+  symbol.dark.reserve(static_cast<std::size_t>(count));
+  symbol.roles.reserve(static_cast<std::size_t>(count));
+  for (int i = 0; i < count; ++i) {
+    const unsigned flags = code.data[i];
+    symbol.dark.push_back(flags & kDarkBit);
+    symbol.roles.push_back(roleOf(flags, isInFinder(i / code.width, i % code.width, code.width)));
+  }
+  symbol.mask = maskOf(symbol);
+  return symbol;
+}
+
+}  // namespace
+
+std::string_view errorCorrectionName(ErrorCorrection level) {
+  constexpr std::array<std::string_view, 4> kNames = {"L", "M", "Q", "H"};
+  return kNames[static_cast<std::size_t>(level)];
+}
+
+std::optional<ErrorCorrection> errorCorrectionByName(std::string_view name) {
+  for (const ErrorCorrection level : {ErrorCorrection::L, ErrorCorrection::M, ErrorCorrection::Q, ErrorCorrection::H}) {
+    if (errorCorrectionName(level) == name) return level;
+  }
+  return std::nullopt;
+}
+
+Result<Symbol> encodeSymbol(std::string_view text, const SymbolOptions& options) {
+  if (options.version && (*options.version < 1 || *options.version > kLargestVersion)) {
+    return fail(ErrorCode::BadUsage, fmt::format("There is no QR Code version {}", *options.version),
+                "Versions run from 1 to 40");
+  }
+  if (Status good = checkCharacters(text); !good) return tl::unexpected(good.error());
+  if (text.size() > kMostCharacters) return tooLong(text, options);
+
+  const CodeHandle code = options.version ? encodeFrom(text, *options.version, options.errorCorrection)
+                                          : encodeSmallest(text, 1, options.errorCorrection);
+  if (!code && errno != ERANGE) {
+    return fail(ErrorCode::Internal, fmt::format("libqrencode could not encode the text (errno {})", errno));
+  }
+  if (!code || (options.version && code->version > *options.version)) return tooLong(text, options);
+  return toSymbol(*code, options.errorCorrection);
+}
+
+}  // namespace qrelief

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/result.h"
+#include "gl/objects.h"
+#include "math/frame.h"
+#include "render/gpu_mesh.h"
+
+namespace qrelief {
+
+/// The square of the QR plane that a map covers, centred on the code.
+struct MapWindow {
+  double extentMm = 0;  ///< edge of the square
+  int texels = 0;       ///< along the edge; texel (0, 0) at the lower left
+
+  double texelMm() const { return extentMm / texels; }
+  /// Plane point of a texel's middle.
+  Vec2 planePoint(int column, int row) const {
+    return {(column + 0.5) * texelMm() - extentMm / 2, (row + 0.5) * texelMm() - extentMm / 2};
+  }
+};
+
+/// What the reader's eye sees: facet normals, smooth normals, heights, distances. Normals in the frame's axes (right, up,
+/// normal); heights in mm over the QR plane, distances in mm from the eye along the rays; all zero where the ray misses
+/// the model.
+struct SurfaceMaps {
+  MapWindow window;
+  gl::Texture surface;  ///< RGBA32F: facet normal, height over the QR plane
+  gl::Texture smooth;   ///< RGBA32F: interpolated vertex normal, distance
+  gl::Framebuffer framebuffer;  ///< attachment 0 = surface, 1 = smooth
+};
+
+/// Distance to the first facet seen from behind, mm; 0 where there is none. With the front distance: thickness.
+struct BackDistanceMap {
+  gl::Texture distance;  ///< R32F
+  gl::Framebuffer framebuffer;
+};
+
+/// Renders a model by the central projection of a frame [Papp 2022, §3].
+class GeometryPass {
+ public:
+  static Result<GeometryPass> create();
+
+  Result<SurfaceMaps> render(const GpuMesh& mesh, const ProjectionFrame& frame, const MapWindow& window) const;
+  Result<BackDistanceMap> renderBack(const GpuMesh& mesh, const ProjectionFrame& frame, const MapWindow& window) const;
+
+ private:
+  void draw(const gl::Program& program, GLenum culled, const GpuMesh& mesh, const ProjectionFrame& frame,
+            const MapWindow& window) const;
+  gl::Program front_, back_;
+};
+
+}  // namespace qrelief

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+
+#include "gl/objects.h"
+#include "mesh/mesh.h"
+
+namespace qrelief {
+
+/// A mesh in GPU memory: positions relative to the middle of its box (so that far-away models keep their digits) and
+/// smooth normals; attributes 0 and 1.
+class GpuMesh {
+ public:
+  GpuMesh() = default;
+  /// @param normals  unit, one per vertex
+  GpuMesh(const Mesh& mesh, std::span<const Vec3f> normals);
+
+  void draw() const;
+  Vec3 origin() const { return box_.centre(); }
+  const Box3& box() const { return box_; }
+
+ private:
+  gl::VertexArray array_;
+  gl::Buffer positions_, normals_, indices_;
+  GLsizei indexCount_ = 0;
+  Box3 box_;
+};
+
+}  // namespace qrelief

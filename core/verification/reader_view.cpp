@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verification/reader_view.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/random.h"
+#include "render/luminance_pass.h"
+
+namespace qrelief {
+namespace {
+
+constexpr double kWhite = 0.85;       // where exposure puts the 95th percentile, linear
+constexpr double kBackground = 0.35;  // luminance of what is not the model
+
+std::vector<double> gaussianBlur(const std::vector<double>& image, int width, double sigma) {
+  if (sigma <= 0) return image;
+  const int reach = static_cast<int>(std::ceil(3 * sigma));
+  std::vector<double> kernel;
+  double sum = 0;
+  for (int k = -reach; k <= reach; ++k) {
+    kernel.push_back(std::exp(-k * k / (2 * sigma * sigma)));
+    sum += kernel.back();
+  }
+  const auto pass = [&](const std::vector<double>& in, int stepX, int stepY) {
+    std::vector<double> out(in.size());
+    for (int y = 0; y < width; ++y) {
+      for (int x = 0; x < width; ++x) {
+        double value = 0;
+        for (int k = -reach; k <= reach; ++k) {
+          const int sx = std::clamp(x + k * stepX, 0, width - 1);
+          const int sy = std::clamp(y + k * stepY, 0, width - 1);
+          value += kernel[static_cast<std::size_t>(k + reach)] * in[static_cast<std::size_t>(sy * width + sx)];
+        }
+        out[static_cast<std::size_t>(y * width + x)] = value / sum;
+      }
+    }
+    return out;
+  };
+  return pass(pass(image, 1, 0), 0, 1);
+}
+
+/// Nearly normal, mean 0, standard deviation 1: the sum of twelve uniform numbers [Irwin-Hall].
+double noiseSample(Random& random) {
+  double sum = -6;
+  for (int i = 0; i < 12; ++i) sum += random.uniform();
+  return sum;
+}
+
+double srgb(double linear) {
+  const double v = std::clamp(linear, 0.0, 1.0);
+  return v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055;
+}
+
+}  // namespace
+
+GreyImage photograph(const std::vector<float>& luminance, int width, double blurPx, double noise, double strayLight) {
+  std::vector<double> middle;
+  double mean = 0;
+  for (int y = width / 5; y < width - width / 5; ++y)
+    for (int x = width / 5; x < width - width / 5; ++x) {
+      middle.push_back(luminance[static_cast<std::size_t>(y * width + x)]);
+      mean += middle.back();
+    }
+  mean /= static_cast<double>(middle.size());
+  const auto bright = middle.begin() + static_cast<std::ptrdiff_t>(middle.size() * 95 / 100);
+  std::nth_element(middle.begin(), bright, middle.end());
+  const double exposure = kWhite / std::max(*bright, 1e-6);
+
+  std::vector<double> image(luminance.size());
+  for (std::size_t i = 0; i < image.size(); ++i)
+    image[i] = exposure * ((1 - strayLight) * luminance[i] + strayLight * mean);
+  image = gaussianBlur(image, width, blurPx);
+
+  Random random(1);
+  GreyImage picture{width, width, std::vector<std::uint8_t>(image.size())};
+  for (int y = 0; y < width; ++y) {
+    for (int x = 0; x < width; ++x) {
+      double value = image[static_cast<std::size_t>((width - 1 - y) * width + x)];
+      if (noise > 0) value += noiseSample(random) * noise * std::sqrt(std::max(value, 0.05) / kWhite);
+      picture.pixels[static_cast<std::size_t>(y * width + x)] = static_cast<std::uint8_t>(std::lround(255 * srgb(value)));
+    }
+  }
+  return picture;
+}
+
+Result<ReaderView> renderReaderView(const GeometryPass& pass, const GpuMesh& mesh, const ProjectionFrame& frame,
+                                    const ReaderViewOptions& options) {
+  auto maps = pass.render(mesh, frame, {options.extentMm, options.texels});
+  if (!maps) return tl::unexpected(maps.error());
+  const LuminanceOptions light{
+      .cellTexels = 1, .slices = 2, .turnSlices = true, .radiusMm = options.radiusMm, .albedo = options.albedo};
+  auto luminancePass = LuminancePass::create(*maps, frame.eyeDistance, light);
+  if (!luminancePass) return tl::unexpected(luminancePass.error());
+  luminancePass->run();
+  std::vector<float> luminance = luminancePass->readLuminance();
+  const std::vector<float> surface = maps->framebuffer.readRgba(0);
+  for (std::size_t i = 0; i < luminance.size(); ++i)
+    if (surface[4 * i + 2] <= 0) luminance[i] = static_cast<float>(kBackground);
+
+  ReaderView view;
+  view.clean = photograph(luminance, options.texels, 0, 0, 0);
+  view.picture = photograph(luminance, options.texels, options.blurPx * options.texels / 700, options.noise, options.strayLight);
+  return view;
+}
+
+}  // namespace qrelief

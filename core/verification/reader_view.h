@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/result.h"
+#include "math/frame.h"
+#include "render/geometry_pass.h"
+
+namespace qrelief {
+
+/// 8-bit grey picture, row 0 at the top.
+struct GreyImage {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> pixels;
+};
+
+/// The carved model as a phone at the reader's eye sees it under a uniform sky.
+struct ReaderView {
+  GreyImage picture;  ///< exposed, blurred, with noise and sRGB gamma: what is decoded
+  GreyImage clean;    ///< without blur and noise: what is shown
+};
+
+struct ReaderViewOptions {
+  double extentMm = 50;    ///< edge of the square on the QR plane that fills the picture
+  int texels = 560;        ///< along its edge
+  float radiusMm = 4;      ///< reach of the occlusion
+  float albedo = 0.7f;
+  double blurPx = 1.0;     ///< standard deviation, at 700 texels; scales with the size
+  double noise = 0.02;     ///< standard deviation at white, linear
+  double strayLight = 0.05;  ///< share of light scattered in the lens
+};
+
+/// Renders the mesh itself (not the map that the depth search worked on), so that what the embedding made is what is
+/// judged.
+Result<ReaderView> renderReaderView(const GeometryPass& pass, const GpuMesh& mesh, const ProjectionFrame& frame,
+                                    const ReaderViewOptions& options);
+
+/// What a camera makes of linear luminance: exposure (95th percentile of the middle to 0.85), stray light, Gaussian
+/// blur, shot noise (seeded: the same on every run), sRGB gamma, 8 bits.
+/// @param luminance  width² values, row 0 at the bottom
+GreyImage photograph(const std::vector<float>& luminance, int width, double blurPx, double noise, double strayLight);
+
+}  // namespace qrelief

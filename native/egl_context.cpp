@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "native/egl_context.h"
+
+#include <EGL/egl.h>
+#include <EGL/eglext.h>
+
+#include <array>
+#include <cstdlib>
+#include <string_view>
+#include <vector>
+
+namespace qrelief {
+namespace {
+
+std::vector<EGLDisplay> candidateDisplays() {
+  std::vector<EGLDisplay> displays;
+  const char* wanted = std::getenv("QRELIEF_GL");
+  const bool softwareOnly = wanted && std::string_view(wanted) == "software";
+  const auto queryDevices = reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(eglGetProcAddress("eglQueryDevicesEXT"));
+  const auto queryString = reinterpret_cast<PFNEGLQUERYDEVICESTRINGEXTPROC>(eglGetProcAddress("eglQueryDeviceStringEXT"));
+  if (queryDevices && !softwareOnly) {
+    std::array<EGLDeviceEXT, 16> devices{};
+    EGLint count = 0;
+    if (queryDevices(static_cast<EGLint>(devices.size()), devices.data(), &count)) {
+      for (EGLint i = 0; i < count; ++i) {
+        const EGLDeviceEXT device = devices[static_cast<std::size_t>(i)];
+        // Mesa lists its software renderer as a device, too; it comes last, as surfaceless.
+        const char* extensions = queryString ? queryString(device, EGL_EXTENSIONS) : nullptr;
+        if (extensions && std::string_view(extensions).find("EGL_MESA_device_software") != std::string_view::npos) continue;
+        displays.push_back(eglGetPlatformDisplay(EGL_PLATFORM_DEVICE_EXT, device, nullptr));
+      }
+    }
+  }
+  displays.push_back(eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr));
+  return displays;
+}
+
+EGLContext createContext(EGLDisplay display) {
+  if (display == EGL_NO_DISPLAY || !eglInitialize(display, nullptr, nullptr)) return EGL_NO_CONTEXT;
+  eglBindAPI(EGL_OPENGL_ES_API);
+  const std::array<EGLint, 3> configAttributes = {EGL_RENDERABLE_TYPE, EGL_OPENGL_ES3_BIT, EGL_NONE};
+  EGLConfig config = nullptr;
+  EGLint count = 0;
+  // Only the context matters, no surface is ever made: where no configuration offers ES 3, none is asked for.
+  if (!eglChooseConfig(display, configAttributes.data(), &config, 1, &count) || count == 0) config = EGL_NO_CONFIG_KHR;
+  const std::array<EGLint, 3> contextAttributes = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_NONE};
+  const EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, contextAttributes.data());
+  if (context == EGL_NO_CONTEXT) return EGL_NO_CONTEXT;
+  if (eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) return context;
+  eglDestroyContext(display, context);
+  return EGL_NO_CONTEXT;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<EglContext>> EglContext::create() {
+  for (const EGLDisplay display : candidateDisplays()) {
+    const EGLContext context = createContext(display);
+    if (context == EGL_NO_CONTEXT) continue;
+    std::unique_ptr<EglContext> made(new EglContext);
+    made->display_ = display;
+    made->context_ = context;
+    return made;
+  }
+  return fail(ErrorCode::Internal, "no OpenGL ES 3 context could be made without a display",
+              "install Mesa's EGL (Debian: libegl-mesa0, libgl1-mesa-dri) or a GPU driver with EGL");
+}
+
+EglContext::~EglContext() {
+  eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+  eglDestroyContext(display_, context_);
+}
+
+}  // namespace qrelief

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "native/zxing_reader.h"
+
+#include <ZXing/ReadBarcode.h>
+#include <ZXing/TextUtfEncoding.h>
+
+namespace qrelief {
+
+std::string readWithZxing(const GreyImage& picture) {
+  const ZXing::ImageView view(picture.pixels.data(), picture.width, picture.height, ZXing::ImageFormat::Lum);
+  for (const ZXing::Binarizer binarizer : {ZXing::Binarizer::LocalAverage, ZXing::Binarizer::GlobalHistogram}) {
+    ZXing::DecodeHints hints;
+    hints.setFormats(ZXing::BarcodeFormat::QRCode).setTryHarder(true).setTryRotate(false).setBinarizer(binarizer);
+    const ZXing::Result result = ZXing::ReadBarcode(view, hints);
+    if (result.isValid()) return ZXing::TextUtfEncoding::ToUtf8(result.text());
+  }
+  return {};
+}
+
+std::string zxingName() { return "ZXing-C++"; }
+
+}  // namespace qrelief

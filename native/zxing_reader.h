@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "verification/reader_view.h"
+
+namespace qrelief {
+
+/// Text of the QR Code in a picture as ZXing-C++ reads it, with either of its binarisers; empty if it finds none.
+std::string readWithZxing(const GreyImage& picture);
+
+/// "ZXing-C++" and its version, for reports.
+std::string zxingName();
+
+}  // namespace qrelief

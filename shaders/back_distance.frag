@@ -1,0 +1,13 @@
+#version 300 es
+// Distance from the eye to the first facet seen from behind: what lies between it and the front is material.
+precision highp float;
+
+in vec3 v_position;  // mm, relative to the code's centre
+
+uniform float u_eyeDistance;
+
+layout(location = 0) out vec4 o_distance;  // mm
+
+void main() {
+  o_distance = vec4(length(v_position - vec3(0.0, 0.0, u_eyeDistance)), 0.0, 0.0, 1.0);
+}

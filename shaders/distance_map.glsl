@@ -1,0 +1,44 @@
+// A distance map over the QR plane, and the carving in it. Texel (0, 0) is at the lower left; its content is
+// (facet normal, height over the QR plane) as geometry.frag writes it, the normal zero where the ray misses the model.
+//
+// Code space: origin at the code's centre, axes right, up, normal, mm; the eye is at (0, 0, u_eyeDistance). Heights
+// and not distances are kept because some software renderers divide to 12 bits only: of 250 mm that would be the layer.
+
+uniform sampler2D u_surface;
+uniform sampler2D u_depth;       // carving depth of each cell along the ray, mm
+uniform float u_eyeDistance;     // mm
+uniform float u_texelMm;         // edge of a texel on the QR plane, mm
+uniform float u_mapTexels;       // texels along the map's edge
+uniform float u_cellTexels;      // texels along a cell's edge; depth is constant in a cell
+
+// From the eye to a point of the map (texel units) on the QR plane; not a unit vector.
+vec3 rayThrough(vec2 texel) {
+  return vec3((texel - 0.5 * u_mapTexels) * u_texelMm, -u_eyeDistance);
+}
+
+float carvedDepth(vec2 texel) {
+  return texelFetch(u_depth, ivec2(texel / u_cellTexels), 0).r;
+}
+
+bool isInside(vec2 texel) {
+  return all(greaterThanEqual(texel, vec2(0.0))) && all(lessThan(texel, vec2(u_mapTexels)));
+}
+
+bool isModel(vec4 surface) {
+  return dot(surface.xyz, surface.xyz) > 0.0;
+}
+
+// Point of the engraved surface on the ray through `point`, as the texel at `owner` sees it: on that texel's facet
+// plane, moved along the ray by its depth. Exact where the surface is flat over half a texel.
+vec3 engravedPoint(vec4 surface, float depth, vec2 owner, vec2 point) {
+  vec2 middle = floor(owner) + 0.5;
+  vec3 ray = rayThrough(point);
+  vec3 ownerRay = rayThrough(middle);
+  float scale = 1.0 - surface.w / u_eyeDistance;
+  vec3 seen = vec3(ownerRay.xy * scale, surface.w);
+  // The facet plane at the neighbouring ray, as a small step from the texel's own point.
+  vec2 offset = (point - middle) * u_texelMm;
+  float slope = dot(surface.xyz, ray);
+  if (slope < -0.1 * u_eyeDistance) seen += scale * (vec3(offset, 0.0) - ray * (dot(surface.xy, offset) / slope));
+  return seen + ray * (depth * inversesqrt(dot(ray, ray)));
+}

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gl/objects.h"
+
+#include "shaders.h"
+#include "support/gl_test.h"
+
+namespace qrelief::gl {
+namespace {
+
+class GlObjects : public GlTest {};
+
+TEST_F(GlObjects, CapabilitiesNameTheRendererAndTextureSize) {
+  const auto capabilities = queryCapabilities();
+  ASSERT_TRUE(capabilities.has_value()) << capabilities.error().message;
+  EXPECT_NE(capabilities->version.find("OpenGL ES 3"), std::string::npos) << capabilities->version;
+  EXPECT_GE(capabilities->maxTextureSize, 2048);
+}
+
+TEST_F(GlObjects, AFloatTextureComesBackBitForBit) {
+  const std::vector<float> texels = {0.0f, 1.0f, -2.5f, 1e-20f, 250.123456f, 3.4e38f};
+  const Texture texture(3, 2, Format::R32F, texels.data());
+  const Texture* const colours[] = {&texture};
+  const auto framebuffer = Framebuffer::create(colours, false);
+  ASSERT_TRUE(framebuffer.has_value());
+  EXPECT_EQ(framebuffer->readRed(), texels);
+}
+
+TEST_F(GlObjects, AShaderThatDoesNotCompileIsAnErrorThatNamesIt) {
+  const auto program = Program::create("broken pass", shaders::fullscreen_vert, "#version 300 es\nvoid main() { nonsense }");
+  ASSERT_FALSE(program.has_value());
+  EXPECT_EQ(program.error().code, ErrorCode::Internal);
+  EXPECT_NE(program.error().message.find("broken pass"), std::string::npos);
+}
+
+TEST_F(GlObjects, ShadersThatDoNotFitTogetherAreAnErrorThatNamesThem) {
+  const char* fragment =
+      "#version 300 es\nprecision highp float; in vec4 v_missing; layout(location=0) out vec4 o; void main() { o = v_missing; }";
+  const auto program = Program::create("unlinked pass", shaders::fullscreen_vert, fragment);
+  ASSERT_FALSE(program.has_value());
+  EXPECT_NE(program.error().message.find("unlinked pass"), std::string::npos);
+}
+
+TEST_F(GlObjects, AMovedTextureLeavesNothingBehind) {
+  Texture a(2, 2, Format::R32F);
+  const GLuint id = a.id();
+  const Texture b = std::move(a);
+  EXPECT_EQ(b.id(), id);
+  EXPECT_EQ(a.id(), 0u);  // NOLINT(bugprone-use-after-move): that is what is tested
+}
+
+}  // namespace
+}  // namespace qrelief::gl

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "qr/module_pattern.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <string>
+#include <vector>
+
+namespace qrelief {
+namespace {
+
+constexpr ModulePattern kModulePatterns[] = {ModulePattern::None, ModulePattern::Square, ModulePattern::ThinPlus,
+                                             ModulePattern::Diamond, ModulePattern::ThickPlus};
+using Lines = std::vector<std::string>;
+
+constexpr int kCarvedPerModule[] = {25, 9, 5, 13, 21};
+
+Symbol exampleSymbol() {
+  const Result<Symbol> symbol = encodeSymbol("https://example.com");
+  EXPECT_TRUE(symbol);
+  return symbol.value_or(Symbol{});
+}
+
+/// The submodules of the modules in rows [top, top + rows), columns [left, left + columns), one string a line.
+Lines picture(const SubmoduleMask& mask, int top, int left, int rows, int columns) {
+  Lines lines;
+  for (int y = top * kSubmodulesPerModule; y < (top + rows) * kSubmodulesPerModule; ++y) {
+    std::string line;
+    for (int x = left * kSubmodulesPerModule; x < (left + columns) * kSubmodulesPerModule; ++x) {
+      line += mask.isCarved(y, x) ? '#' : '.';
+    }
+    lines.push_back(line);
+  }
+  return lines;
+}
+
+void floodFill(Lines& lines, std::size_t y, std::size_t x) {
+  if (y >= lines.size() || x >= lines[y].size() || lines[y][x] != '#') return;
+  lines[y][x] = '.';
+  floodFill(lines, y + 1, x);
+  floodFill(lines, y - 1, x);  // wraps round below 0 and is refused
+  floodFill(lines, y, x + 1);
+  floodFill(lines, y, x - 1);
+}
+
+/// Carved regions joined along edges.
+int countPieces(Lines lines) {
+  int pieces = 0;
+  for (std::size_t y = 0; y < lines.size(); ++y) {
+    for (std::size_t x = 0; x < lines[y].size(); ++x) {
+      if (lines[y][x] != '#') continue;
+      ++pieces;
+      floodFill(lines, y, x);
+    }
+  }
+  return pieces;
+}
+
+long countCarved(const SubmoduleMask& mask) { return std::count(mask.carved.begin(), mask.carved.end(), 1); }
+
+long countDark(const Symbol& symbol, bool finder) {
+  long count = 0;
+  for (std::size_t i = 0; i < symbol.dark.size(); ++i) {
+    count += symbol.dark[i] != 0 && (symbol.roles[i] == ModuleRole::Finder) == finder;
+  }
+  return count;
+}
+
+TEST(ModulePattern, LooksAsInThePaper) {
+  const Symbol symbol = exampleSymbol();
+  const Lines expected[] = {{"#####", "#####", "#####", "#####", "#####"},
+                            {".....", ".###.", ".###.", ".###.", "....."},
+                            {".....", "..#..", ".###.", "..#..", "....."},
+                            {"..#..", ".###.", "#####", ".###.", "..#.."},
+                            {".###.", "#####", "#####", "#####", ".###."}};
+  for (std::size_t p = 0; p < std::size(kModulePatterns); ++p) {
+    const SubmoduleMask mask = submodulesToCarve(symbol, kModulePatterns[p], FinderPattern::None);
+    EXPECT_EQ(picture(mask, 6, 8, 1, 1), expected[p]);        // the first dark module of the timing pattern
+    EXPECT_EQ(picture(mask, 6, 9, 1, 1), Lines(5, "....."));  // the light one beside it
+  }
+}
+
+TEST(ModulePattern, CarvesItsShareOfEveryDarkModule) {
+  const Symbol symbol = exampleSymbol();
+  for (std::size_t p = 0; p < std::size(kModulePatterns); ++p) {
+    const SubmoduleMask mask = submodulesToCarve(symbol, kModulePatterns[p], FinderPattern::None);
+    EXPECT_EQ(mask.size, 5 * symbol.size);
+    EXPECT_EQ(mask.carved.size(), static_cast<std::size_t>(mask.size * mask.size));
+    EXPECT_EQ(countCarved(mask), kCarvedPerModule[p] * countDark(symbol, false) + 25 * countDark(symbol, true));
+  }
+}
+
+TEST(FinderPattern, AsModulesTreatsEveryModuleAlike) {
+  const Symbol symbol = exampleSymbol();
+  for (std::size_t p = 0; p < std::size(kModulePatterns); ++p) {
+    const SubmoduleMask mask = submodulesToCarve(symbol, kModulePatterns[p], FinderPattern::AsModules);
+    EXPECT_EQ(countCarved(mask), kCarvedPerModule[p] * (countDark(symbol, false) + countDark(symbol, true)));
+  }
+}
+
+TEST(FinderPattern, ShiftsTheCornersSquareTowardsTheCentre) {
+  const Symbol symbol = exampleSymbol();
+  EXPECT_EQ(picture(submodulesToCarve(symbol, ModulePattern::None, FinderPattern::Diamond), 0, 0, 2, 2),
+            (Lines{".......#..",  //
+                   "......###.",  //
+                   "..########",  //
+                   "..###.###.",  //
+                   "..###..#..",  //
+                   "..#.......",  //
+                   ".###......",  //
+                   "#####.....",  //
+                   ".###......",  //
+                   "..#......."}));
+  EXPECT_EQ(picture(submodulesToCarve(symbol, ModulePattern::Square, FinderPattern::ThickPlus), 0, 0, 1, 2),
+            (Lines{"......###.",  //
+                   ".....#####",  //
+                   "..########",  //
+                   "..########",  //
+                   "..###.###."}));
+}
+
+TEST(FinderPattern, IsTheSameInAllThreeFindersAndSymmetric) {
+  const Symbol symbol = exampleSymbol();
+  for (const FinderPattern finder : {FinderPattern::Diamond, FinderPattern::ThickPlus}) {
+    const SubmoduleMask mask = submodulesToCarve(symbol, ModulePattern::ThinPlus, finder);
+    const Lines topLeft = picture(mask, 0, 0, 7, 7);
+    EXPECT_EQ(picture(mask, 0, symbol.size - 7, 7, 7), topLeft);
+    EXPECT_EQ(picture(mask, symbol.size - 7, 0, 7, 7), topLeft);
+    EXPECT_EQ(Lines(topLeft.rbegin(), topLeft.rend()), topLeft);
+    for (std::size_t y = 0; y < topLeft.size(); ++y) {
+      for (std::size_t x = 0; x < topLeft.size(); ++x) EXPECT_EQ(topLeft[y][x], topLeft[x][y]);
+    }
+  }
+}
+
+TEST(FinderPattern, CarvesItsShareOfEveryFinder) {
+  const Symbol symbol = exampleSymbol();
+  const long others = 9 * countDark(symbol, false);  // Square
+  const auto carved = [&](FinderPattern finder) {
+    return countCarved(submodulesToCarve(symbol, ModulePattern::Square, finder)) - others;
+  };
+  // A finder has 24 + 9 dark modules; four of them take the nine submodules of a square.
+  EXPECT_EQ(carved(FinderPattern::None), 3 * 33 * 25);
+  EXPECT_EQ(carved(FinderPattern::AsModules), 3 * 33 * 9);
+  EXPECT_EQ(carved(FinderPattern::Diamond), 3 * (29 * 13 + 4 * 9));
+  EXPECT_EQ(carved(FinderPattern::ThickPlus), 3 * (29 * 21 + 4 * 9));
+}
+
+TEST(FinderPattern, KeepsRingAndCentreInOnePieceEach) {
+  const Symbol symbol = exampleSymbol();
+  for (const FinderPattern finder : {FinderPattern::Diamond, FinderPattern::ThickPlus}) {
+    EXPECT_EQ(countPieces(picture(submodulesToCarve(symbol, ModulePattern::Square, finder), 0, 0, 7, 7)), 2);
+  }
+  const SubmoduleMask apart = submodulesToCarve(symbol, ModulePattern::Square, FinderPattern::AsModules);
+  EXPECT_EQ(countPieces(picture(apart, 0, 0, 7, 7)), 33);
+}
+
+TEST(ModulePattern, IsFoundByTheNameOnTheCommandLine) {
+  EXPECT_EQ(modulePatternByName("none"), ModulePattern::None);
+  EXPECT_EQ(modulePatternByName("square"), ModulePattern::Square);
+  EXPECT_EQ(modulePatternByName("thin-plus"), ModulePattern::ThinPlus);
+  EXPECT_EQ(modulePatternByName("diamond"), ModulePattern::Diamond);
+  EXPECT_EQ(modulePatternByName("thick-plus"), ModulePattern::ThickPlus);
+  EXPECT_EQ(modulePatternByName("as-modules"), std::nullopt);
+  EXPECT_EQ(modulePatternByName("Square"), std::nullopt);
+}
+
+TEST(FinderPattern, IsFoundByTheNameOnTheCommandLine) {
+  EXPECT_EQ(finderPatternByName("none"), FinderPattern::None);
+  EXPECT_EQ(finderPatternByName("as-modules"), FinderPattern::AsModules);
+  EXPECT_EQ(finderPatternByName("diamond"), FinderPattern::Diamond);
+  EXPECT_EQ(finderPatternByName("thick-plus"), FinderPattern::ThickPlus);
+  EXPECT_EQ(finderPatternByName("thin-plus"), std::nullopt);
+  EXPECT_EQ(finderPatternByName(""), std::nullopt);
+}
+
+}  // namespace
+}  // namespace qrelief

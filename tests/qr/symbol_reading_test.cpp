@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What an independent reader makes of our symbols.
+#include <ZXing/ReadBarcode.h>
+#include <gtest/gtest.h>
+#include <string>
+#include <vector>
+
+#include "qr/symbol.h"
+
+namespace qrelief {
+namespace {
+
+ZXing::Result read(const Symbol& symbol) {
+  constexpr int kPixels = 3;
+  const int edge = kPixels * (symbol.size + 2 * kQuietZoneModules);
+  std::vector<std::uint8_t> picture(static_cast<std::size_t>(edge * edge), 255);
+  for (int y = 0; y < edge; ++y) {
+    for (int x = 0; x < edge; ++x) {
+      const int row = y / kPixels - kQuietZoneModules, column = x / kPixels - kQuietZoneModules;
+      const bool inside = row >= 0 && column >= 0 && row < symbol.size && column < symbol.size;
+      if (inside && symbol.isDark(row, column)) picture[static_cast<std::size_t>(y * edge + x)] = 0;
+    }
+  }
+  const ZXing::ImageView view(picture.data(), edge, edge, ZXing::ImageFormat::Lum);
+  return ZXing::ReadBarcode(view, ZXing::DecodeHints().setFormats(ZXing::BarcodeFormat::QRCode).setIsPure(true));
+}
+
+std::string readText(const std::string& text, const SymbolOptions& options = {}) {
+  const Result<Symbol> symbol = encodeSymbol(text, options);
+  return symbol ? read(*symbol).text() : symbol.error().message;
+}
+
+class EveryLevel : public testing::TestWithParam<ErrorCorrection> {};
+
+TEST_P(EveryLevel, IsReadInAllVersions) {
+  for (int version = 1; version <= 40; ++version) {
+    // As full as the level still allows in version 1, growing with the version: all three modes occur.
+    std::string text = "ab:" + std::to_string(version);
+    while (text.size() < static_cast<std::size_t>(version * version / 2))
+      text += " K" + std::to_string(text.size() * 977);
+    const Result<Symbol> symbol = encodeSymbol(text, {.errorCorrection = GetParam(), .version = version});
+    ASSERT_TRUE(symbol) << symbol.error().message;
+    const ZXing::Result result = read(*symbol);
+    EXPECT_EQ(result.text(), text) << "version " << version;
+    EXPECT_EQ(result.ecLevel(), errorCorrectionName(GetParam()));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(SymbolReading, EveryLevel,
+                         testing::Values(ErrorCorrection::L, ErrorCorrection::M, ErrorCorrection::Q,
+                                         ErrorCorrection::H),
+                         [](const auto& level) { return std::string(errorCorrectionName(level.param)); });
+
+TEST(SymbolReading, GivesBackUtf8Unharmed) {
+  for (const std::string text : {"Grüße aus Zürich", "naïve café – “quoted”", "Привет, мир", "日本語のテキスト",
+                                 "emoji 🙂🚀 and 0123456789 DIGITS", "line\nbreak\tand tab", "مرحبا 123"}) {
+    EXPECT_EQ(readText(text), text);
+  }
+}
+
+TEST(SymbolReading, GivesBackLinksWhoseModesWereMixed) {
+  const std::string text = "https://example.com/SHOP/0123456789012345678901234567890?ID=ABCDEFGHIJKLMNOP";
+  EXPECT_EQ(readText(text), text);
+}
+
+TEST(SymbolReading, GivesBackTheLongestTexts) {
+  const std::string bytes(2331, 'q'), digits(5596, '5');
+  EXPECT_EQ(readText(bytes), bytes);
+  EXPECT_EQ(readText(digits), digits);
+}
+
+}  // namespace
+}  // namespace qrelief

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verification/solidity.h"
+
+#include <cmath>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "support/shapes.h"
+
+namespace qrelief {
+namespace {
+
+SolidityReport check(const Mesh& mesh, std::span<const std::uint32_t> suspects = {}) {
+  const auto report = checkSolidity(mesh, suspects);
+  EXPECT_TRUE(report);
+  return report.value_or(SolidityReport{});
+}
+
+TEST(Solidity, AcceptsClosedShapesAndKnowsTheirVolume) {
+  const SolidityReport box = check(shapes::box({2, 3, 5}));
+  EXPECT_TRUE(box.solid());
+  EXPECT_THAT(box.problems(), testing::IsEmpty());
+  EXPECT_EQ(box.triangles, 12u);
+  EXPECT_EQ(box.vertices, 8u);
+  EXPECT_NEAR(box.volumeMm3, 30, 1e-9);
+  EXPECT_TRUE(check(shapes::torus(40, 10, 30, 20)).solid());
+  EXPECT_NEAR(check(shapes::tetrahedron(6)).volumeMm3, 216 / (6 * std::sqrt(2.0)), 1e-4);
+}
+
+TEST(Solidity, CountsTheEdgesOfAHole) {
+  Mesh mesh = shapes::icosphere(10, 2);
+  mesh.triangles.pop_back();
+  const SolidityReport report = check(mesh);
+  EXPECT_EQ(report.openEdges, 3u);
+  EXPECT_FALSE(report.closed());
+  EXPECT_TRUE(report.manifold());
+  EXPECT_THAT(report.problems(), testing::ElementsAre("3 open edges"));
+}
+
+TEST(Solidity, CountsTheEdgesOfATriangleTurnedRound) {
+  Mesh mesh = shapes::icosphere(10, 2);
+  std::swap(mesh.triangles[5][0], mesh.triangles[5][1]);
+  const SolidityReport report = check(mesh);
+  EXPECT_EQ(report.misorientedEdges, 3u);
+  EXPECT_THAT(report.problems(), testing::ElementsAre("3 edges between triangles that face opposite ways"));
+}
+
+TEST(Solidity, CountsAVertexWhereTwoPartsTouch) {
+  // The second box's first corner is welded to the first box's last.
+  Mesh mesh = shapes::together(shapes::box({2, 2, 2}), shapes::translated(shapes::box({2, 2, 2}), {2, 2, 2}));
+  const Vec3f meeting(1, 1, 1);
+  std::uint32_t kept = 0;
+  while (mesh.positions[kept] != meeting) ++kept;
+  for (Triangle& t : mesh.triangles)
+    for (std::uint32_t& v : t)
+      if (mesh.positions[v] == meeting) v = kept;
+  const SolidityReport report = check(mesh);
+  EXPECT_EQ(report.nonManifoldVertices, 1u);
+  EXPECT_EQ(report.nonManifoldEdges, 0u);
+  EXPECT_THAT(report.problems(), testing::ElementsAre("1 vertex where parts touch in a point only"));
+}
+
+TEST(Solidity, CountsAnEdgeOfFourTriangles) {
+  Mesh mesh = shapes::together(shapes::box({2, 2, 2}), shapes::translated(shapes::box({2, 2, 2}), {2, 2, 0}));
+  for (Triangle& t : mesh.triangles)
+    for (std::uint32_t& v : t)
+      for (std::uint32_t w = 0; w < v; ++w)
+        if (mesh.positions[w] == mesh.positions[v]) v = w;
+  const SolidityReport report = check(mesh);
+  EXPECT_EQ(report.nonManifoldEdges, 1u);
+  EXPECT_EQ(report.openEdges, 0u);
+  EXPECT_FALSE(report.manifold());
+}
+
+TEST(Solidity, TellsExactlyCollinearFromNearlyCollinear) {
+  // Two triangles of a box's side, split at a point on their diagonal, and one float beside it.
+  for (const bool exact : {true, false}) {
+    Mesh mesh = shapes::box({2, 2, 2});
+    const Triangle t = mesh.triangles[0];
+    Vec3f middle = (mesh.positions[t[0]] + mesh.positions[t[1]]) * 0.5f;
+    if (!exact) middle += (mesh.positions[t[2]] - middle) * 1e-7f;
+    const auto m = static_cast<std::uint32_t>(mesh.positions.size());
+    mesh.positions.push_back(middle);
+    mesh.triangles[0] = {t[0], m, t[2]};
+    mesh.triangles.push_back({m, t[1], t[2]});
+    mesh.triangles.push_back({t[0], t[1], m});
+    const SolidityReport report = check(mesh);
+    EXPECT_EQ(report.degenerateTriangles, exact ? 1u : 0u);
+    EXPECT_EQ(report.openEdges + report.nonManifoldEdges, 0u);
+  }
+}
+
+TEST(Solidity, CountsATriangleThatIsThereTwice) {
+  Mesh mesh = shapes::box({2, 3, 5});
+  const Triangle t = mesh.triangles[3];
+  mesh.triangles.push_back({t[1], t[2], t[0]});
+  EXPECT_EQ(check(mesh).duplicateTriangles, 1u);
+}
+
+TEST(Solidity, FindsASolidThatIsInsideOut) {
+  const SolidityReport report = check(shapes::insideOut(shapes::box({2, 3, 5})));
+  EXPECT_NEAR(report.volumeMm3, -30, 1e-9);
+  EXPECT_FALSE(report.solid());
+  EXPECT_THAT(report.problems(), testing::ElementsAre("inside out: its volume is -30 mm³"));
+}
+
+TEST(Solidity, FindsCrossingPartsAmongTheSuspectsOnly) {
+  const Mesh mesh = shapes::together(shapes::box({2, 2, 2}), shapes::translated(shapes::box({1, 1, 4}), {0.1, 0.2, 0}));
+  const SolidityReport all = check(mesh);
+  EXPECT_GT(all.selfIntersections, 0u);
+  EXPECT_FALSE(all.solid());
+  std::vector<std::uint32_t> apart;  // sides of the first box, which the second passes by
+  for (std::uint32_t t = 0; t < 12; ++t)
+    if (std::abs(triangleNormal(mesh, t).z) < 0.5) apart.push_back(t);
+  EXPECT_EQ(check(mesh, apart).selfIntersections, 0u);
+}
+
+TEST(Solidity, HasAWordForAnEmptyMesh) {
+  const SolidityReport report = check(Mesh{});
+  EXPECT_FALSE(report.solid());
+  EXPECT_THAT(report.problems(), testing::ElementsAre("no triangle"));
+}
+
+}  // namespace
+}  // namespace qrelief
