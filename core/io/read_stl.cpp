@@ -61,7 +61,7 @@ Status checkBinarySize(std::span<const std::uint8_t> bytes) {
 
 Result<PolygonSoup> readBinary(std::span<const std::uint8_t> bytes, const ReadLimits& limits) {
   if (Status s = checkBinarySize(bytes); !s) return tl::unexpected(s.error());
-  const std::uint64_t count = announcedFacets(bytes);
+  const auto count = static_cast<std::size_t>(announcedFacets(bytes));
   if (count > limits.maxTriangles) return tooManyTriangles(limits.maxTriangles);
 
   PolygonSoup soup;
