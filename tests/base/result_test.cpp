@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/result.h"
+
+#include <gtest/gtest.h>
+
+namespace qrelief {
+namespace {
+
+Result<int> half(int n) {
+  if (n % 2 != 0) return fail(ErrorCode::BadInput, "odd", "double it");
+  return n / 2;
+}
+
+TEST(Result, CarriesTheValueOrTheWholeError) {
+  EXPECT_EQ(*half(8), 4);
+  const auto failed = half(7);
+  ASSERT_FALSE(failed);
+  EXPECT_EQ(failed.error().code, ErrorCode::BadInput);
+  EXPECT_EQ(failed.error().message, "odd");
+  EXPECT_EQ(failed.error().hint, "double it");
+}
+
+TEST(Status, IsSuccessUnlessFailed) {
+  EXPECT_TRUE(Status());
+  EXPECT_FALSE(Status(fail(ErrorCode::NoSolution, "nothing fits")));
+}
+
+}  // namespace
+}  // namespace qrelief

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/read_model.h"
+
+#include <cmath>
+#include <functional>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "io/write_stl.h"
+#include "mesh/prepare.h"
+#include "support/model_files.h"
+#include "support/shapes.h"
+
+namespace qrelief {
+namespace {
+
+using model_files::Bytes;
+using model_files::bytesOf;
+using model_files::PlyKind;
+using ::testing::HasSubstr;
+
+struct Sample {
+  std::string name;
+  Bytes bytes;
+};
+
+std::vector<Sample> samples(const Mesh& mesh) {
+  return {{"binary.stl", writeStl(mesh)},
+          {"ascii.stl", bytesOf(model_files::asciiStl(mesh))},
+          {"a.obj", bytesOf(model_files::obj(mesh))},
+          {"a.off", bytesOf(model_files::off(mesh))},
+          {"ascii.ply", model_files::ply(mesh, PlyKind::Ascii)},
+          {"little.ply", model_files::ply(mesh, PlyKind::LittleEndian)},
+          {"big.ply", model_files::ply(mesh, PlyKind::BigEndian)}};
+}
+
+/// Either an error with words, or a soup whose indices and positions can be trusted.
+void expectErrorOrValid(const Bytes& bytes, const std::string& name) {
+  const auto soup = readModel(bytes, name);
+  if (!soup) {
+    ASSERT_FALSE(soup.error().message.empty());
+    ASSERT_EQ(soup.error().code, ErrorCode::BadInput);
+    return;
+  }
+  ASSERT_FALSE(soup->triangles.empty());
+  for (const Triangle& t : soup->triangles)
+    for (const std::uint32_t v : t) ASSERT_LT(v, soup->positions.size());
+  for (const Vec3& p : soup->positions) ASSERT_TRUE(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z));
+  const auto model = prepareModel(*soup, {});
+  if (!model) {
+    ASSERT_FALSE(model.error().message.empty());
+    return;
+  }
+  for (const Triangle& t : model->mesh.triangles)
+    for (const std::uint32_t v : t) ASSERT_LT(v, model->mesh.positions.size());
+}
+
+TEST(ReadModel, ReadsEveryFormatByItsExtensionInAnyCase) {
+  for (Sample sample : samples(shapes::tetrahedron(10))) {
+    for (char& c : sample.name) c = static_cast<char>(std::toupper(c));
+    const auto soup = readModel(sample.bytes, sample.name);
+    ASSERT_TRUE(soup) << sample.name << ": " << soup.error().message;
+    EXPECT_EQ(soup->triangles.size(), 4u);
+    EXPECT_TRUE(soup->warnings.empty());
+  }
+}
+
+TEST(ReadModel, GivesTheSameSolidFromEveryFormat) {
+  for (const Sample& sample : samples(shapes::bumpySphere(10, 1, 2, 1))) {
+    const auto soup = readModel(sample.bytes, sample.name);
+    ASSERT_TRUE(soup);
+    const auto model = prepareModel(*soup, {});
+    ASSERT_TRUE(model);
+    EXPECT_TRUE(model->findings.empty());
+    EXPECT_EQ(model->mesh.positions.size(), 42u);
+    EXPECT_EQ(signedVolume(model->mesh), signedVolume(shapes::bumpySphere(10, 1, 2, 1))) << sample.name;
+  }
+}
+
+TEST(ReadModel, TellsTheFormatByContentWhereTheNameSaysNothing) {
+  for (const Sample& sample : samples(shapes::tetrahedron(10))) {
+    const auto soup = readModel(sample.bytes, "model");
+    ASSERT_TRUE(soup) << sample.name << ": " << soup.error().message;
+    EXPECT_TRUE(soup->warnings.empty());
+  }
+}
+
+TEST(ReadModel, ReadsTheContentWithAWarningWhereTheNameIsWrong) {
+  const auto soup = readModel(bytesOf("# exported\n" + model_files::obj(shapes::tetrahedron(10))), "model.stl");
+  ASSERT_TRUE(soup) << soup.error().message;
+  EXPECT_EQ(soup->format, "OBJ");
+  EXPECT_THAT(soup->warnings.at(0), HasSubstr("named as STL"));
+  EXPECT_EQ(readModel(writeStl(shapes::tetrahedron(10)), "model.obj")->format, "STL (binary)");
+}
+
+TEST(ReadModel, RefusesAnEmptyFile) { EXPECT_THAT(readModel({}, "a.stl").error().message, HasSubstr("empty")); }
+
+TEST(ReadModel, RefusesAFileOverTheLimit) {
+  EXPECT_THAT(readModel(writeStl(shapes::tetrahedron(1)), "a.stl", {.maxBytes = 100}).error().message,
+              HasSubstr("284 bytes"));
+}
+
+TEST(ReadModel, NamesFormatsItCannotRead) {
+  EXPECT_THAT(readModel(bytesOf("PK\x03\x04 zip"), "a.3mf").error().message, HasSubstr("3MF"));
+  EXPECT_THAT(readModel(bytesOf("glTF...."), "a.glb").error().message, HasSubstr("glTF"));
+  const auto unknown = readModel(bytesOf("what is this"), "a.txt");
+  EXPECT_THAT(unknown.error().message, HasSubstr("not known"));
+  EXPECT_THAT(unknown.error().hint, HasSubstr("PLY"));
+}
+
+TEST(ReadModel, RefusesTextThatIsNoModelUnderEveryName) {
+  for (const char* name : {"a.stl", "a.obj", "a.ply", "a.off"})
+    EXPECT_FALSE(readModel(bytesOf("<html><body>404 Not Found</body></html>\n"), name)) << name;
+}
+
+TEST(ReadModel, SurvivesEveryTruncation) {
+  for (const Sample& sample : samples(shapes::box({10, 20, 30})))
+    for (std::size_t size = 0; size < sample.bytes.size(); ++size) {
+      expectErrorOrValid(Bytes(sample.bytes.begin(), sample.bytes.begin() + static_cast<std::ptrdiff_t>(size)),
+                         sample.name);
+      if (HasFatalFailure()) FAIL() << sample.name << " cut to " << size;
+    }
+}
+
+TEST(ReadModel, SurvivesEveryByteChanged) {
+  const std::array<std::function<std::uint8_t(std::uint8_t)>, 8> changes = {
+      [](std::uint8_t) { return 0x00; },       [](std::uint8_t) { return 0xff; },
+      [](std::uint8_t b) { return b ^ 0x01; }, [](std::uint8_t b) { return b ^ 0x80; },
+      [](std::uint8_t) { return '9'; },        [](std::uint8_t) { return '-'; },
+      [](std::uint8_t) { return '\n'; },       [](std::uint8_t) { return 'e'; }};
+  for (const Sample& sample : samples(shapes::box({10, 20, 30})))
+    for (std::size_t at = 0; at < sample.bytes.size(); ++at)
+      for (std::size_t i = 0; i < changes.size(); ++i) {
+        Bytes bytes = sample.bytes;
+        bytes[at] = changes[i](bytes[at]);
+        expectErrorOrValid(bytes, sample.name);
+        if (HasFatalFailure()) FAIL() << sample.name << ", byte " << at << ", change " << i;
+      }
+}
+
+}  // namespace
+}  // namespace qrelief

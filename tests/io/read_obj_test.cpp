@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/read_obj.h"
+
+#include <cmath>
+#include <cstring>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "support/model_files.h"
+#include "support/shapes.h"
+
+namespace qrelief {
+namespace {
+
+using model_files::bytesOf;
+using ::testing::HasSubstr;
+
+const std::string kSquare = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+
+Result<PolygonSoup> read(std::string_view text) { return readObj(bytesOf(text), {}); }
+
+std::string errorOf(std::string_view text) {
+  const auto soup = read(text);
+  return soup ? "no error" : soup.error().message;
+}
+
+TEST(ObjReader, ReadsVerticesAndTriangles) {
+  const Mesh mesh = shapes::icosphere(3, 1);
+  const auto soup = read(model_files::obj(mesh));
+  ASSERT_TRUE(soup) << soup.error().message;
+  EXPECT_EQ(soup->format, "OBJ");
+  EXPECT_EQ(soup->triangles, mesh.triangles);
+  ASSERT_EQ(soup->positions.size(), mesh.positions.size());
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) EXPECT_EQ(Vec3f(soup->positions[v]), mesh.positions[v]);
+}
+
+TEST(ObjReader, KeepsTheFirstVertexBehindAByteOrderMark) {
+  const auto soup = read("\xEF\xBB\xBF" + kSquare + "f 1 2 3\n");
+  ASSERT_TRUE(soup) << soup.error().message;
+  EXPECT_EQ(soup->positions.size(), 4u);
+  EXPECT_EQ(soup->triangles[0], (Triangle{0, 1, 2}));
+}
+
+TEST(ObjReader, CountsNegativeIndicesFromTheVerticesReadSoFar) {
+  const auto soup = read("v 0 0 0\nv 1 0 0\nv 1 1 0\nf -3 -2 -1\nv 0 1 0\nf -4 -2 -1\n");
+  ASSERT_TRUE(soup) << soup.error().message;
+  EXPECT_EQ(soup->triangles, (std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}}));
+}
+
+TEST(ObjReader, ReadsEveryFormOfACornerAndEveryLineEnd) {
+  for (const char* lineEnd : {"\n", "\r\n", "\r"}) {
+    std::string text = "mtllib a.mtl\no thing\n" + kSquare +
+                       "vt 0 0\nvn 0 0 1\ng a b\nusemtl none\ns 1\nf 1/1 2/1 3/1\nf 1//1\t3//1 4//1 # comment\n"
+                       "f 1/1/1 2/1/1 3/1/1\nl 1 2\np 1\n";
+    for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos; at += std::strlen(lineEnd))
+      text.replace(at, 1, lineEnd);
+    const auto soup = read(text);
+    ASSERT_TRUE(soup) << soup.error().message;
+    EXPECT_EQ(soup->triangles, (std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}, {0, 1, 2}}));
+  }
+}
+
+TEST(ObjReader, JoinsContinuedLines) {
+  const auto soup = read(kSquare + "f 1 2 \\\n3 \\\r\n4\n");
+  ASSERT_TRUE(soup) << soup.error().message;
+  EXPECT_EQ(soup->triangles.size(), 2u);
+}
+
+TEST(ObjReader, AcceptsFacesThatStandBeforeTheirVertices) { EXPECT_TRUE(read("f 1 2 3\n" + kSquare)); }
+
+TEST(ObjReader, CutsConcavePolygonsInside) {
+  const auto soup = read("v 0 0 0\nv 4 -1 0\nv 1 0 0\nv 4 1 0\nf 1 2 3 4\n");
+  ASSERT_TRUE(soup);
+  EXPECT_TRUE(soup->warnings.empty());
+  EXPECT_EQ(soup->triangles, (std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}}));
+}
+
+TEST(ObjReader, ReadsAPolygonOfMoreThan255Corners) {
+  std::string text;
+  std::string face = "f";
+  for (int i = 0; i < 300; ++i) {
+    const double angle = 6.283185307 * i / 300;
+    text += "v " + std::to_string(std::cos(angle)) + " " + std::to_string(std::sin(angle)) + " 0\n";
+    face += " " + std::to_string(i + 1);
+  }
+  const auto soup = read(text + face + "\n");
+  ASSERT_TRUE(soup) << soup.error().message;
+  EXPECT_EQ(soup->triangles.size(), 298u);
+}
+
+TEST(ObjReader, NamesTheLineOfAnIndexThatHasNoVertex) {
+  EXPECT_EQ(errorOf(kSquare + "# comment\nf 1 2 3\nf 1 2 5\n"),
+            "Line 7 of the OBJ file: a face asks for vertex 5, but the file has 4");
+  EXPECT_EQ(errorOf(kSquare + "f 1 2 0\n"), "Line 5 of the OBJ file: a face asks for vertex 0; OBJ counts from 1");
+  EXPECT_EQ(errorOf("v 0 0 0\nv 1 0 0\nf -1 -2 -3\nv 0 0 1\n"),
+            "Line 3 of the OBJ file: a face asks for vertex -3, but only 2 stand before it");
+  EXPECT_THAT(errorOf(kSquare + "f 1 2 99999999999999999999\n"), HasSubstr("Line 5"));
+  EXPECT_THAT(errorOf(kSquare + "f 1 2 4294967298\n"), HasSubstr("vertex 4294967298"));
+  EXPECT_THAT(errorOf(kSquare + "f 1 2 -9223372036854775808\n"), HasSubstr("Line 5"));
+}
+
+TEST(ObjReader, NamesTheLineOfABrokenCorner) {
+  EXPECT_EQ(errorOf(kSquare + "f 1 2 x\n"), "Line 5 of the OBJ file: 'x' is no corner of a face");
+  EXPECT_THAT(errorOf(kSquare + "f 1 2 /3\n"), HasSubstr("'/3'"));
+}
+
+TEST(ObjReader, NamesTheLineOfABrokenVertex) {
+  EXPECT_EQ(errorOf("v 0 0 0\nv 1 0\nf 1 1 1\n"), "Line 2 of the OBJ file: vertex 2: a number is missing");
+  EXPECT_EQ(errorOf("v 0 0,5 0\n"), "Line 1 of the OBJ file: vertex 1: '0,5' is not a number");
+  EXPECT_THAT(errorOf("v 0 nan 0\n"), HasSubstr("not finite"));
+  EXPECT_THAT(errorOf("v 0 1e999 0\n"), HasSubstr("not finite"));
+}
+
+TEST(ObjReader, RefusesAFileWithoutVerticesOrFaces) {
+  EXPECT_THAT(errorOf("hello\n"), HasSubstr("no vertex"));
+  EXPECT_THAT(errorOf(kSquare), HasSubstr("no face"));
+}
+
+TEST(ObjReader, RefusesMoreTrianglesThanAllowed) {
+  EXPECT_FALSE(readObj(bytesOf(kSquare + "f 1 2 3 4\n"), ReadLimits{.maxTriangles = 1}));
+}
+
+TEST(ObjReader, WarnsOfPolygonsThatCrossThemselves) {
+  const auto soup = read("v 0 0 0\nv 2 2 0\nv 2 0 0\nv 0 3 0\nv -1 1 0\nf 1 2 3 4 5\n");
+  ASSERT_TRUE(soup);
+  EXPECT_THAT(soup->warnings.at(0), HasSubstr("cross themselves"));
+}
+
+}  // namespace
+}  // namespace qrelief

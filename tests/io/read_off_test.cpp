@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/read_off.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "support/model_files.h"
+#include "support/shapes.h"
+
+namespace qrelief {
+namespace {
+
+using model_files::bytesOf;
+using ::testing::HasSubstr;
+
+std::string errorOf(std::string_view text) {
+  const auto soup = readOff(bytesOf(text), {});
+  return soup ? "no error" : soup.error().message;
+}
+
+TEST(OffReader, ReadsVerticesAndTriangles) {
+  const Mesh mesh = shapes::icosphere(3, 1);
+  const auto soup = readOff(bytesOf(model_files::off(mesh)), {});
+  ASSERT_TRUE(soup) << soup.error().message;
+  EXPECT_EQ(soup->triangles, mesh.triangles);
+  ASSERT_EQ(soup->positions.size(), mesh.positions.size());
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) EXPECT_EQ(Vec3f(soup->positions[v]), mesh.positions[v]);
+}
+
+TEST(OffReader, PassesOverCommentsColoursAndNormals) {
+  const auto soup =
+      readOff(bytesOf("COFF # coloured\n# a square\n4 1 4\n0 0 0  255 0 0 255\n1 0 0 0 0 0\n1 1 0\n0 1 0\n"
+                      "4 0 1 2 3  0.5 0.5 0.5\n"),
+              {});
+  ASSERT_TRUE(soup) << soup.error().message;
+  EXPECT_EQ(soup->positions.size(), 4u);
+  EXPECT_EQ(soup->triangles.size(), 2u);
+}
+
+TEST(OffReader, ReadsCountsOnTheFirstLine) {
+  EXPECT_TRUE(readOff(bytesOf("OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"), {}));
+}
+
+TEST(OffReader, NamesTheLineOfAnIndexThatHasNoVertex) {
+  EXPECT_EQ(errorOf("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n"),
+            "Line 6 of the OFF file: face 1 of 1 asks for vertex 3 (counted from 0), but there are 3");
+  EXPECT_THAT(errorOf("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n"), HasSubstr("vertex -1"));
+}
+
+TEST(OffReader, RefusesCountsThatTheFileCannotHold) {
+  EXPECT_THAT(errorOf("OFF\n4000000000 1 0\n0 0 0\n"), HasSubstr("announces 4000000000 vertices"));
+  EXPECT_THAT(errorOf("OFF\n0 9223372036854775807 0\n"), HasSubstr("announces"));
+  EXPECT_THAT(errorOf("OFF\n-3 1 0\n"), HasSubstr("number of vertices"));
+}
+
+TEST(OffReader, NamesTheLineWhereTheFileBreaksOff) {
+  EXPECT_THAT(errorOf("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1"), HasSubstr("Line 6 of the OFF file: face 1 of 1"));
+}
+
+TEST(OffReader, RefusesBinaryAndFourDimensionalFiles) {
+  EXPECT_THAT(errorOf("OFF BINARY\n"), HasSubstr("binary"));
+  EXPECT_THAT(errorOf("4OFF\n3 1 0\n"), HasSubstr("4OFF"));
+}
+
+TEST(OffReader, RefusesCoordinatesThatAreNotFinite) {
+  EXPECT_THAT(errorOf("OFF\n3 1 0\n0 0 0\n1 0 inf\n0 1 0\n3 0 1 2\n"), HasSubstr("Vertex 2"));
+}
+
+TEST(OffReader, RefusesAFileWithoutFaces) { EXPECT_THAT(errorOf("OFF\n1 0 0\n0 0 0\n"), HasSubstr("no face")); }
+
+TEST(OffReader, WarnsOfFacesWithFewerThanThreeCorners) {
+  const auto soup = readOff(bytesOf("OFF\n3 3 0\n0 0 0\n1 0 0\n0 1 0\n2 0 1\n3 0 1 2\n0\n"), {});
+  ASSERT_TRUE(soup);
+  EXPECT_THAT(soup->warnings.at(0), HasSubstr("2 faces"));
+}
+
+}  // namespace
+}  // namespace qrelief

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/read_stl.h"
+
+#include <cmath>
+#include <cstring>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "io/write_stl.h"
+#include "support/model_files.h"
+#include "support/shapes.h"
+
+namespace qrelief {
+namespace {
+
+using model_files::Bytes;
+using model_files::bytesOf;
+using ::testing::HasSubstr;
+
+Bytes binaryTetrahedron() { return writeStl(shapes::tetrahedron(2)); }
+
+void setCount(Bytes& bytes, std::uint32_t count) { std::memcpy(bytes.data() + 80, &count, 4); }
+
+void expectSameFacets(const PolygonSoup& soup, const Mesh& mesh) {
+  ASSERT_EQ(soup.triangles.size(), mesh.triangles.size());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    for (std::size_t k = 0; k < 3; ++k)
+      EXPECT_EQ(Vec3f(soup.positions[soup.triangles[t][k]]), mesh.positions[mesh.triangles[t][k]]);
+}
+
+std::string errorOf(const Bytes& bytes) {
+  const auto soup = readStl(bytes, {});
+  return soup ? "no error" : soup.error().message;
+}
+
+TEST(StlReader, ReadsBinaryFacetsBitForBit) {
+  const auto soup = readStl(binaryTetrahedron(), {});
+  ASSERT_TRUE(soup);
+  EXPECT_EQ(soup->format, "STL (binary)");
+  EXPECT_TRUE(soup->warnings.empty());
+  expectSameFacets(*soup, shapes::tetrahedron(2));
+}
+
+TEST(StlReader, ReadsAsciiWithEveryKindOfLineEnd) {
+  for (const char* lineEnd : {"\n", "\r\n", "\r", " "}) {
+    // With blanks for line ends the solid's name would swallow the file, so it gets a line of its own.
+    std::string text = model_files::asciiStl(shapes::tetrahedron(2), lineEnd);
+    if (*lineEnd == ' ') text.replace(text.find("  facet"), 2, "\n");
+    const auto soup = readStl(bytesOf(text), {});
+    ASSERT_TRUE(soup) << soup.error().message;
+    EXPECT_EQ(soup->format, "STL (ASCII)");
+    expectSameFacets(*soup, shapes::tetrahedron(2));
+  }
+}
+
+TEST(StlReader, TellsBinaryBySizeThoughTheHeaderSaysSolid) {
+  Bytes bytes = binaryTetrahedron();
+  std::memcpy(bytes.data(), "solid facet", 11);
+  const auto soup = readStl(bytes, {});
+  ASSERT_TRUE(soup);
+  EXPECT_EQ(soup->format, "STL (binary)");
+}
+
+TEST(StlReader, ReadsUpperCaseAndSeveralSolids) {
+  std::string text = model_files::asciiStl(shapes::tetrahedron(2));
+  for (char& c : text) c = static_cast<char>(std::toupper(c));
+  const auto soup = readStl(bytesOf(text + text), {});
+  ASSERT_TRUE(soup) << soup.error().message;
+  EXPECT_EQ(soup->triangles.size(), 8u);
+}
+
+TEST(StlReader, PassesOverNormalsThatAreNoNumbers) {
+  std::string text = model_files::asciiStl(shapes::tetrahedron(2));
+  text.replace(text.find("normal 0 0 0"), 12, "normal nan - ?");
+  EXPECT_TRUE(readStl(bytesOf(text), {}));
+}
+
+TEST(StlReader, RefusesATruncatedBinaryFileAndNamesBothSizes) {
+  Bytes bytes = binaryTetrahedron();
+  bytes.resize(84 + 50 * 2 + 20);
+  const std::string error = errorOf(bytes);
+  EXPECT_THAT(error, HasSubstr("4 facets"));
+  EXPECT_THAT(error, HasSubstr("284 bytes"));
+  EXPECT_THAT(error, HasSubstr("204 bytes"));
+  EXPECT_THAT(error, HasSubstr("room for 2 facets"));
+}
+
+TEST(StlReader, RefusesAFacetCountThatTheFileCannotHold) {
+  for (const std::uint32_t count : {5u, 8u, 0x7fffffffu, 0xffffffffu}) {
+    Bytes bytes = binaryTetrahedron();
+    setCount(bytes, count);
+    EXPECT_THAT(errorOf(bytes), HasSubstr(std::to_string(count) + " facets"));
+  }
+}
+
+TEST(StlReader, RefusesZeroFacets) {
+  Bytes bytes = binaryTetrahedron();
+  setCount(bytes, 0);
+  EXPECT_THAT(errorOf(bytes), HasSubstr("0 facets"));
+}
+
+TEST(StlReader, WarnsOfBytesAfterTheLastFacet) {
+  Bytes bytes = binaryTetrahedron();
+  bytes.resize(bytes.size() + 7);
+  const auto soup = readStl(bytes, {});
+  ASSERT_TRUE(soup);
+  ASSERT_EQ(soup->warnings.size(), 1u);
+  EXPECT_THAT(soup->warnings[0], HasSubstr("7 bytes"));
+}
+
+TEST(StlReader, RefusesCoordinatesThatAreNotFiniteAndNamesTheFacet) {
+  for (const float bad : {NAN, INFINITY, -INFINITY}) {
+    Bytes bytes = binaryTetrahedron();
+    std::memcpy(bytes.data() + 84 + 50 * 2 + 12, &bad, 4);
+    EXPECT_THAT(errorOf(bytes), HasSubstr("Facet 3"));
+  }
+  std::string text = model_files::asciiStl(shapes::tetrahedron(2));
+  text.replace(text.find("vertex "), 8, "vertex nan ");
+  EXPECT_THAT(errorOf(bytesOf(text)), HasSubstr("not finite"));
+}
+
+TEST(StlReader, NamesTheLineOfAWordThatShouldBeANumber) {
+  EXPECT_EQ(errorOf(bytesOf("solid a\nfacet normal 0 0 1\nouter loop\nvertex 1,5 2 3\n")),
+            "Line 4 of the ASCII STL file: '1,5' where a number should stand");
+}
+
+TEST(StlReader, NamesTheLineWhereAnAsciiFileBreaksOff) {
+  EXPECT_EQ(errorOf(bytesOf("solid a\nfacet normal 0 0 1\nouter loop\nvertex 1 2 3\nvertex 1")),
+            "The ASCII STL file ends in line 5, inside facet 1, where a number should follow");
+}
+
+TEST(StlReader, RefusesAFacetOfFourCorners) {
+  EXPECT_THAT(errorOf(bytesOf("solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\n"
+                              "vertex 0 1 0\nendloop\nendfacet\nendsolid\n")),
+              HasSubstr("Line 7"));
+}
+
+TEST(StlReader, WarnsWhenEndsolidIsMissing) {
+  std::string text = model_files::asciiStl(shapes::tetrahedron(2));
+  text.resize(text.find("endsolid"));
+  const auto soup = readStl(bytesOf(text), {});
+  ASSERT_TRUE(soup);
+  EXPECT_THAT(soup->warnings.at(0), HasSubstr("endsolid"));
+}
+
+TEST(StlReader, RefusesMoreTrianglesThanAllowed) {
+  const ReadLimits limits{.maxTriangles = 3};
+  EXPECT_FALSE(readStl(binaryTetrahedron(), limits));
+  EXPECT_FALSE(readStl(bytesOf(model_files::asciiStl(shapes::tetrahedron(2))), limits));
+}
+
+}  // namespace
+}  // namespace qrelief

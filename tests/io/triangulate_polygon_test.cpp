@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/triangulate_polygon.h"
+
+#include <chrono>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <map>
+#include <numbers>
+
+namespace qrelief {
+namespace {
+
+double area(const std::vector<Vec3>& p, const std::array<std::uint32_t, 3>& t, Vec3 normal) {
+  return glm::dot(glm::cross(p[t[1]] - p[t[0]], p[t[2]] - p[t[0]]), normal) / 2;
+}
+
+/// All triangles face along the normal, none overlap (their areas sum to the polygon's), and the border is the outline.
+void expectCovers(const std::vector<Vec3>& polygon, Vec3 normal, double wantedArea) {
+  const PolygonTriangles cut = triangulatePolygon(polygon);
+  EXPECT_TRUE(cut.simple);
+  ASSERT_EQ(cut.triangles.size(), polygon.size() - 2);
+  double sum = 0;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> border;
+  for (const auto& t : cut.triangles) {
+    EXPECT_GT(area(polygon, t, normal), 0);
+    sum += area(polygon, t, normal);
+    for (std::size_t k = 0; k < 3; ++k) {
+      ++border[{t[k], t[(k + 1) % 3]}];
+      --border[{t[(k + 1) % 3], t[k]}];
+    }
+  }
+  EXPECT_NEAR(sum, wantedArea, 1e-12 * wantedArea);
+  const auto n = static_cast<std::uint32_t>(polygon.size());
+  for (const auto& [edge, count] : border)
+    EXPECT_EQ(count, (edge.first + 1) % n == edge.second ? 1 : (edge.second + 1) % n == edge.first ? -1 : 0);
+}
+
+const Vec3 kUp(0, 0, 1);
+
+TEST(TriangulatePolygon, FansAConvexPolygon) {
+  std::vector<Vec3> polygon;
+  for (int i = 0; i < 12; ++i) {
+    const double angle = 2 * std::numbers::pi * i / 12;
+    polygon.emplace_back(std::cos(angle), std::sin(angle), 0);
+  }
+  expectCovers(polygon, kUp, 3);
+}
+
+TEST(TriangulatePolygon, KeepsTheDirectionOfRotationInAnyPlane) {
+  const std::vector<Vec3> onX = {{5, 0, 0}, {5, 0, 2}, {5, 3, 2}, {5, 3, 0}};
+  expectCovers(onX, Vec3(-1, 0, 0), 6);
+}
+
+TEST(TriangulatePolygon, CutsAQuadrilateralAlongItsShorterDiagonal) {
+  const PolygonTriangles cut = triangulatePolygon(std::vector<Vec3>{{-3, 0, 0}, {0, -1, 0}, {3, 0, 0}, {0, 1, 0}});
+  ASSERT_EQ(cut.triangles.size(), 2u);
+  EXPECT_EQ(cut.triangles[0], (std::array<std::uint32_t, 3>{1, 2, 3}));
+  EXPECT_EQ(cut.triangles[1], (std::array<std::uint32_t, 3>{1, 3, 0}));
+}
+
+TEST(TriangulatePolygon, CutsAConcaveQuadrilateralInside) {
+  expectCovers({{0, 0, 0}, {4, -1, 0}, {1, 0, 0}, {4, 1, 0}}, kUp, 1);
+}
+
+TEST(TriangulatePolygon, CutsAConcaveLetter) {
+  expectCovers({{0, 0, 0}, {3, 0, 0}, {3, 1, 0}, {1, 1, 0}, {1, 2, 0}, {3, 2, 0}, {3, 3, 0}, {0, 3, 0}}, kUp, 7);
+}
+
+TEST(TriangulatePolygon, LeavesNoTriangleWithoutAreaAtStraightCorners) {
+  expectCovers({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 1, 0}, {2, 2, 0}, {1, 2, 0}, {0, 2, 0}, {0, 1, 0}}, kUp, 4);
+  expectCovers({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}}, kUp, 1);
+}
+
+TEST(TriangulatePolygon, CutsARingThatIsJoinedByADoubledEdge) {
+  // A 4 x 4 square with a 2 x 2 hole, entered and left along the edge from (0, 0) to (1, 1).
+  expectCovers(
+      {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {0, 0, 0}, {1, 1, 0}, {1, 3, 0}, {3, 3, 0}, {3, 1, 0}, {1, 1, 0}},
+      kUp, 12);
+}
+
+TEST(TriangulatePolygon, CutsAStarWithManyReflexCorners) {
+  std::vector<Vec3> polygon;
+  for (int i = 0; i < 400; ++i) {
+    const double angle = 2 * std::numbers::pi * i / 400;
+    polygon.push_back(Vec3(std::cos(angle), std::sin(angle), 0) * (i % 2 ? 1.0 : 0.5));
+  }
+  expectCovers(polygon, kUp, 400 * 0.5 * 0.5 * std::sin(2 * std::numbers::pi / 400));
+}
+
+TEST(TriangulatePolygon, SaysWhenAPolygonCrossesItself) {
+  const PolygonTriangles cut =
+      triangulatePolygon(std::vector<Vec3>{{0, 0, 0}, {2, 2, 0}, {2, 0, 0}, {0, 3, 0}, {-1, 1, 0}});
+  EXPECT_FALSE(cut.simple);
+  EXPECT_EQ(cut.triangles.size(), 3u);
+}
+
+TEST(TriangulatePolygon, SaysWhenAPolygonHasNoArea) {
+  EXPECT_FALSE(triangulatePolygon(std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}}).simple);
+}
+
+TEST(TriangulatePolygon, EndsInGoodTimeOnAHostileOutline) {
+  // A spiral that crosses itself everywhere: no ears, all corners reflex one way or the other.
+  std::vector<Vec3> polygon;
+  for (int i = 0; i < 20'000; ++i)
+    polygon.push_back(Vec3(std::cos(2.4 * i), std::sin(2.4 * i), 0) * (1 + 0.001 * (i % 977)));
+  const auto begin = std::chrono::steady_clock::now();
+  EXPECT_EQ(triangulatePolygon(polygon).triangles.size(), polygon.size() - 2);
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(20));
+}
+
+}  // namespace
+}  // namespace qrelief

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/prepare.h"
+
+#include <cmath>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "support/shapes.h"
+
+namespace qrelief {
+namespace {
+
+using ::testing::HasSubstr;
+using Severity = Finding::Severity;
+
+PreparedModel prepared(const Mesh& mesh, double scale = 1) {
+  auto model = prepareModel(shapes::soupOf(mesh), {.scaleToMm = scale});
+  EXPECT_TRUE(model) << model.error().message;
+  return std::move(*model);
+}
+
+const Finding* find(const PreparedModel& model, std::string_view code) {
+  for (const Finding& finding : model.findings)
+    if (finding.code == code) return &finding;
+  return nullptr;
+}
+
+void expectFinding(const PreparedModel& model, std::string_view code, Severity severity, std::size_t count) {
+  const Finding* finding = find(model, code);
+  ASSERT_TRUE(finding) << code;
+  EXPECT_EQ(finding->severity, severity);
+  EXPECT_EQ(finding->count, count);
+  EXPECT_EQ(finding->hint.empty(), severity == Severity::Note);
+  EXPECT_EQ(model.engravable().has_value(), severity != Severity::Blocking);
+}
+
+/// As an STL reader hands it over: every triangle with corners of its own.
+PolygonSoup loose(const Mesh& mesh) {
+  PolygonSoup soup;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto first = static_cast<std::uint32_t>(soup.positions.size());
+    for (int k = 0; k < 3; ++k) soup.positions.push_back(mesh.corner(t, k));
+    soup.triangles.push_back({first, first + 1, first + 2});
+  }
+  return soup;
+}
+
+TEST(PrepareModel, WeldsLooseTrianglesIntoAClosedSolid) {
+  const Mesh mesh = shapes::icosphere(20, 2);
+  const auto model = prepareModel(loose(mesh), {});
+  ASSERT_TRUE(model);
+  EXPECT_EQ(model->mesh.positions.size(), mesh.positions.size());
+  EXPECT_TRUE(model->findings.empty());
+  EXPECT_TRUE(model->engravable());
+  EXPECT_EQ(model->shells, 1u);
+  EXPECT_EQ(model->normals.size(), model->mesh.positions.size());
+  EXPECT_EQ(model->adjacency, buildAdjacency(model->mesh.triangles));
+}
+
+TEST(PrepareModel, LeavesAWeldedCleanModelBitForBit) {
+  const Mesh mesh = shapes::bumpySphere(50, 3, 4, 3);
+  const PreparedModel model = prepared(mesh);
+  EXPECT_EQ(model.mesh.positions, mesh.positions);
+  EXPECT_EQ(model.mesh.triangles, mesh.triangles);
+}
+
+TEST(PrepareModel, ScalesToMillimetresInDoublesAndRoundsOnce) {
+  PolygonSoup soup = shapes::soupOf(shapes::box({2, 2, 2}));
+  for (Vec3& p : soup.positions) p *= 0.1;
+  const auto model = prepareModel(soup, {.scaleToMm = 1000});
+  ASSERT_TRUE(model);
+  EXPECT_EQ(model->mesh.positions[0], Vec3f(-100));
+}
+
+TEST(PrepareModel, BlocksAnOpenSurfaceAndNamesAPlaceInFileUnits) {
+  Mesh mesh = shapes::box({2, 2, 2});
+  mesh.triangles.pop_back();  // (1, 7, 5) on the face x = 1
+  const PreparedModel model = prepared(mesh, 10);
+  expectFinding(model, "open-edges", Severity::Blocking, 3);
+  EXPECT_THAT(find(model, "open-edges")->message, HasSubstr("3 open edges around 1 hole or gap, one at (1, "));
+  EXPECT_EQ(model.engravable().error().code, ErrorCode::BadInput);
+  EXPECT_EQ(model.engravable().error().message, find(model, "open-edges")->message);
+}
+
+TEST(PrepareModel, BlocksASurfaceThatIsNotWeldable) {
+  PolygonSoup soup = loose(shapes::box({10, 10, 10}));
+  for (std::size_t i = 0; i < soup.positions.size(); ++i) soup.positions[i].x += 1e-4 * static_cast<double>(i);
+  expectFinding(*prepareModel(soup, {}), "open-edges", Severity::Blocking, 36);
+}
+
+TEST(PrepareModel, BlocksEdgesOfThreeTriangles) {
+  Mesh mesh = shapes::box({10, 10, 10});
+  mesh.positions.push_back({0, -20, 5});
+  mesh.triangles.push_back({4, 8, 5});
+  expectFinding(prepared(mesh), "non-manifold-edges", Severity::Blocking, 1);
+}
+
+TEST(PrepareModel, BlocksAOneSidedSurface) {
+  // The projective plane on six vertices: closed, every edge in two triangles, and one-sided.
+  const std::vector<Triangle> triangles{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}, {0, 5, 1},
+                                        {1, 2, 4}, {2, 3, 5}, {3, 4, 1}, {4, 5, 2}, {5, 1, 3}};
+  Mesh mesh;
+  mesh.positions = {{0, 0, 9}, {9, 0, 0}, {3, 8, 1}, {-7, 5, 2}, {-7, -5, 3}, {3, -8, 4}};
+  mesh.triangles = triangles;
+  expectFinding(prepared(mesh), "one-sided", Severity::Blocking, 1);
+}
+
+TEST(PrepareModel, WarnsOfDegenerateTriangles) {
+  Mesh mesh = shapes::box({10, 10, 10});
+  mesh.triangles.push_back({0, 0, 1});
+  const PreparedModel model = prepared(mesh);
+  expectFinding(model, "degenerate-triangles", Severity::Warning, 1);
+  EXPECT_THAT(find(model, "degenerate-triangles")->message,
+              HasSubstr("1 triangle without area was dropped, one at (-5, -5, -5)"));
+}
+
+TEST(PrepareModel, WarnsOfDuplicateTriangles) {
+  Mesh mesh = shapes::box({10, 10, 10});
+  mesh.triangles.push_back(mesh.triangles[0]);
+  mesh.triangles.push_back(mesh.triangles[1]);
+  expectFinding(prepared(mesh), "duplicate-triangles", Severity::Warning, 2);
+}
+
+TEST(PrepareModel, WarnsOfTrianglesTurnedRound) {
+  Mesh mesh = shapes::box({10, 10, 10});
+  std::swap(mesh.triangles[3][0], mesh.triangles[3][1]);
+  const PreparedModel model = prepared(mesh);
+  expectFinding(model, "misoriented-triangles", Severity::Warning, 1);
+  EXPECT_NEAR(signedVolume(model.mesh), 1000, 1e-9);
+}
+
+TEST(PrepareModel, WarnsOfAShellThatWasInsideOut) {
+  const PreparedModel model = prepared(shapes::insideOut(shapes::box({10, 10, 10})));
+  expectFinding(model, "inside-out", Severity::Warning, 1);
+  EXPECT_NEAR(signedVolume(model.mesh), 1000, 1e-9);
+}
+
+TEST(PrepareModel, NotesACavityAndTheNumberOfShells) {
+  const PreparedModel model =
+      prepared(shapes::together(shapes::box({40, 40, 40}), shapes::insideOut(shapes::box({20, 20, 20}))));
+  expectFinding(model, "cavities", Severity::Note, 1);
+  expectFinding(model, "several-shells", Severity::Note, 2);
+  EXPECT_NEAR(signedVolume(model.mesh), 64000 - 8000, 1e-9);
+}
+
+TEST(PrepareModel, WarnsOfASolidInsideASolid) {
+  expectFinding(prepared(shapes::together(shapes::box({40, 40, 40}), shapes::box({20, 20, 20}))), "nested-solids",
+                Severity::Warning, 1);
+}
+
+TEST(PrepareModel, WarnsOfPartsThatTouchInAPoint) {
+  const Mesh box = shapes::box({10, 10, 10});
+  expectFinding(prepared(shapes::together(box, shapes::translated(box, {10, 10, 10}))), "non-manifold-vertices",
+                Severity::Warning, 1);
+}
+
+TEST(PrepareModel, NotesVerticesThatNoFaceUses) {
+  Mesh mesh = shapes::box({10, 10, 10});
+  mesh.positions.insert(mesh.positions.begin(), {1e9f, 0, 0});  // and they do not count for the size
+  for (Triangle& t : mesh.triangles)
+    for (std::uint32_t& v : t) ++v;
+  const PreparedModel model = prepared(mesh);
+  expectFinding(model, "unused-vertices", Severity::Note, 1);
+  EXPECT_EQ(model.mesh.positions.size(), 8u);
+}
+
+TEST(PrepareModel, WarnsOfATinyModelAndNamesTheUnits) {
+  const PreparedModel model = prepared(shapes::box({0.2, 0.1, 0.15}));
+  expectFinding(model, "tiny", Severity::Warning, 1);
+  EXPECT_THAT(find(model, "tiny")->message, HasSubstr("0.2 x 0.1 x 0.15 mm"));
+  EXPECT_THAT(find(model, "tiny")->hint, HasSubstr("--units m"));
+  EXPECT_FALSE(find(prepared(shapes::box({0.2, 0.1, 0.15}), 1000), "tiny"));
+}
+
+TEST(PrepareModel, WarnsOfAHugeModel) {
+  expectFinding(prepared(shapes::box({2001, 10, 10})), "huge", Severity::Warning, 1);
+  EXPECT_FALSE(find(prepared(shapes::box({2000, 10, 10})), "huge"));
+}
+
+TEST(PrepareModel, WarnsWhereFloatsAreCoarse) {
+  expectFinding(prepared(shapes::translated(shapes::box({128, 128, 128}), {65536, 0, 0})), "far-away",
+                Severity::Warning, 1);
+}
+
+TEST(PrepareModel, PutsWhatBlocksFirst) {
+  Mesh mesh = shapes::box({1, 1, 1});
+  mesh.triangles.pop_back();
+  mesh.triangles.push_back({0, 0, 1});
+  EXPECT_EQ(prepared(mesh).findings.front().severity, Severity::Blocking);
+}
+
+TEST(PrepareModel, RefusesAnImplausibleSize) {
+  const auto model = prepareModel(shapes::soupOf(shapes::box({1e30, 1, 1})), {});
+  ASSERT_FALSE(model);
+  EXPECT_EQ(model.error().code, ErrorCode::BadInput);
+  EXPECT_THAT(model.error().message, HasSubstr("implausible"));
+  EXPECT_THAT(model.error().hint, HasSubstr("--scale"));
+  EXPECT_FALSE(prepareModel(shapes::soupOf(shapes::box({10, 10, 10})), {.scaleToMm = 1e300}));
+}
+
+TEST(PrepareModel, RefusesAModelFarFromTheOrigin) {
+  EXPECT_THAT(
+      prepareModel(shapes::soupOf(shapes::translated(shapes::box({10, 10, 10}), {1e8, 0, 0})), {}).error().message,
+      HasSubstr("away from the origin"));
+}
+
+TEST(PrepareModel, RefusesCoordinatesThatAreNotFinite) {
+  PolygonSoup soup = shapes::soupOf(shapes::box({10, 10, 10}));
+  soup.positions[2].y = NAN;
+  EXPECT_THAT(prepareModel(soup, {}).error().message, HasSubstr("Vertex 3"));
+}
+
+TEST(PrepareModel, RefusesModelsWithoutArea) {
+  EXPECT_FALSE(prepareModel(PolygonSoup{}, {}));
+  Mesh line;
+  line.positions = {{0, 0, 0}, {5, 0, 0}, {10, 0, 0}};
+  line.triangles = {{0, 1, 2}};
+  EXPECT_THAT(prepareModel(shapes::soupOf(line), {}).error().message,
+              HasSubstr("None of the model's 1 triangles has an area"));
+  line.triangles = {{1, 1, 1}};
+  EXPECT_THAT(prepareModel(shapes::soupOf(line), {}).error().message, HasSubstr("no extent"));
+}
+
+TEST(PrepareModel, RefusesAScaleThatIsNotPositive) {
+  for (const double scale : {0.0, -1.0, static_cast<double>(NAN), static_cast<double>(INFINITY)})
+    EXPECT_EQ(prepareModel(shapes::soupOf(shapes::box({1, 1, 1})), {.scaleToMm = scale}).error().code,
+              ErrorCode::BadUsage);
+}
+
+}  // namespace
+}  // namespace qrelief

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/self_intersection.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "support/shapes.h"
+
+namespace qrelief {
+namespace {
+
+using Pairs = std::vector<TrianglePair>;
+
+Mesh twoTriangles(std::vector<Vec3f> positions, Triangle a, Triangle b) { return Mesh{std::move(positions), {a, b}}; }
+
+Pairs pairsOf(const Mesh& mesh) {
+  const auto pairs = findSelfIntersections(mesh);
+  EXPECT_TRUE(pairs);
+  return *pairs;
+}
+
+const Pairs kOnePair{{0, 1}};
+
+TEST(FindSelfIntersections, FindsNoneInSimpleSolids) {
+  for (const Mesh& mesh : {shapes::box({1, 2, 3}), shapes::icosphere(5, 3), shapes::torus(10, 3, 24, 12),
+                           shapes::plate({30, 20}, 4, 6, 5), shapes::cylinder(5, 9, 40)})
+    EXPECT_TRUE(pairsOf(mesh).empty());
+}
+
+TEST(FindSelfIntersections, FindsCrossingTriangles) {
+  EXPECT_EQ(
+      pairsOf(twoTriangles({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, -1}, {1, 1, 1}, {5, 5, 1}}, {0, 1, 2}, {3, 4, 5})),
+      kOnePair);
+}
+
+TEST(FindSelfIntersections, CountsATouchByAVertexThatIsNotShared) {
+  EXPECT_EQ(
+      pairsOf(twoTriangles({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, 0}, {1, 1, 1}, {2, 2, 1}}, {0, 1, 2}, {3, 4, 5})),
+      kOnePair);
+}
+
+TEST(FindSelfIntersections, FindsNeighboursFoldedOntoEachOther) {
+  EXPECT_EQ(pairsOf(twoTriangles({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 5, 0}}, {0, 1, 2}, {1, 0, 3})), kOnePair);
+  // In one plane, but side by side; and folded almost shut.
+  EXPECT_TRUE(pairsOf(twoTriangles({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, -5, 0}}, {0, 1, 2}, {1, 0, 3})).empty());
+  EXPECT_TRUE(pairsOf(twoTriangles({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 4, 1e-30f}}, {0, 1, 2}, {1, 0, 3})).empty());
+}
+
+TEST(FindSelfIntersections, FindsTrianglesThatShareAVertexAndCrossBeyondIt) {
+  EXPECT_EQ(pairsOf(twoTriangles({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, -1}, {1, 1, 1}}, {0, 1, 2}, {0, 3, 4})),
+            kOnePair);
+  // In one plane and overlapping in a wedge.
+  EXPECT_EQ(pairsOf(twoTriangles({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, 0}, {1, 3, 0}}, {0, 1, 2}, {0, 3, 4})),
+            kOnePair);
+  // Touching at the shared vertex only.
+  EXPECT_TRUE(
+      pairsOf(twoTriangles({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {-1, -1, 0}, {-1, 0, 3}}, {0, 1, 2}, {0, 3, 4})).empty());
+}
+
+TEST(FindSelfIntersections, FindsATriangleGivenTwice) {
+  EXPECT_EQ(pairsOf(twoTriangles({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}, {0, 1, 2}, {1, 0, 2})), kOnePair);
+}
+
+TEST(FindSelfIntersections, PassesOverTrianglesWithoutArea) {
+  EXPECT_TRUE(
+      pairsOf(twoTriangles({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, -1}, {1, 1, 1}, {1, 1, 3}}, {0, 1, 2}, {3, 4, 5}))
+          .empty());
+}
+
+/// Two boxes, the second pushed through the first's upper face.
+Mesh crossingBoxes() {
+  return shapes::together(shapes::box({4, 4, 4}), shapes::translated(shapes::box({1, 1, 2}), {0.1, 0.2, 2}));
+}
+
+TEST(FindSelfIntersections, FindsTheSamePairsFromTheSuspectsAlone) {
+  const Mesh mesh = crossingBoxes();
+  const Pairs all = pairsOf(mesh);
+  ASSERT_FALSE(all.empty());
+  std::vector<std::uint32_t> second;
+  for (std::uint32_t t = 23; t >= 12; --t) second.push_back(t);
+  EXPECT_EQ(*findSelfIntersections(mesh, second), all);
+  for (const auto& [a, b] : all) {
+    EXPECT_LT(a, 12u);
+    EXPECT_GE(b, 12u);
+  }
+  const std::vector<std::uint32_t> bystanders{0, 1};  // the first box's lower face
+  EXPECT_TRUE(findSelfIntersections(mesh, bystanders)->empty());
+}
+
+TEST(FindSelfIntersections, StopsAtTheLimit) { EXPECT_EQ(findSelfIntersections(crossingBoxes(), {}, 3)->size(), 3u); }
+
+TEST(FindSelfIntersections, DecidesExactlyOnAGridOfNearlyTouchingPoints) {
+  // A vertex moved by single float steps about the plane of a slanted triangle: on one side they cross, on the other
+  // not. The plane is x + y + z = 3.
+  for (int step = -8; step <= 8; ++step) {
+    float z = 1;
+    for (int i = 0; i < std::abs(step); ++i) z = std::nextafter(z, step > 0 ? 2.0f : 0.0f);
+    const Mesh mesh =
+        twoTriangles({{3, 0, 0}, {0, 3, 0}, {0, 0, 3}, {1, 1, z}, {3, 3, 3}, {3, 4, 3}}, {0, 1, 2}, {3, 4, 5});
+    EXPECT_EQ(pairsOf(mesh).size(), step <= 0 ? 1u : 0u) << step;
+  }
+}
+
+}  // namespace
+}  // namespace qrelief
