@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numbers>
 
 namespace qrelief {
 namespace {
@@ -91,16 +89,15 @@ double Clearance::nodeClearance(std::uint32_t node, Vec2 position, double enough
   return clear;
 }
 
-/// Another place for a node, uniform in a disc around its ideal one.
+/// Another place for a node, uniform in a square around its ideal one; by exact arithmetic only, so that it is the same
+/// with every mathematical library.
 Vec2 Clearance::dart(std::uint32_t node) {
   const std::uint32_t number = throws_[node]++;
-  const std::uint32_t turn = number / kDartsPerTurn;
-  const double radius =
-      std::min(graph_.leewayMm[node], snapMm_ * std::exp2(turn < 3 ? 0.0 : std::min(turn - 2.0, 30.0)));
+  const int doublings = std::clamp(static_cast<int>(number / kDartsPerTurn) - 2, 0, 30);
+  const double farthest = std::min(graph_.leewayMm[node], std::ldexp(snapMm_, doublings));
+  const double half = farthest * 0.7;  // its diagonal is shorter than `farthest`
   const std::uint64_t key = (static_cast<std::uint64_t>(node) << 32 | number) * 2;
-  const double r = radius * std::sqrt(hashToUnit(key));
-  const double angle = 2 * std::numbers::pi * hashToUnit(key + 1);
-  return ideal_[node] + Vec2(r * std::cos(angle), r * std::sin(angle));
+  return ideal_[node] + (Vec2(hashToUnit(key), hashToUnit(key + 1)) * 2.0 - 1.0) * half;
 }
 
 void Clearance::place(std::uint32_t node) {

@@ -2,23 +2,25 @@
 #include "embedding/embed.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <fmt/format.h>
 
 #include "embedding/clearance.h"
 #include "embedding/lift.h"
+#include "embedding/needle.h"
+#include "mesh/collinear.h"
 
 namespace qrelief {
 namespace {
 
 /// Times that outlines are moved before the arrangement is given up.
 constexpr int kAttempts = 8;
-
-/// Lowest height of a new triangle, in units of the last place of the largest coordinate around. Rounding moves a
-/// vertex by at most √3/2 of a unit, so a triangle this high keeps its orientation whichever way its corners go.
-constexpr double kLowestHeightUlps = 4;
+/// Times that an arrangement may be refused as a whole, which other places of the outlines hardly ever mend.
+constexpr int kRefusals = 2;
 
 DepthLevels quantise(const DepthField& field) {
+  assert(field.depthMm.size() == static_cast<std::size_t>(field.size) * static_cast<std::size_t>(field.size));
   DepthLevels levels{field.size, field.symbolMm, {}};
   levels.level.reserve(field.depthMm.size());
   for (const double depth : field.depthMm)
@@ -45,31 +47,34 @@ EdgeGrid makeGrid(const Footprint& footprint) {
   return EdgeGrid(std::move(edges));
 }
 
-double lowestHeight(const LiftedSurface& surface) {
-  float largest = 0;
-  for (const Vec3f& p : surface.positions) largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-  return kLowestHeightUlps * (std::nextafter(largest, HUGE_VALF) - largest);
-}
+struct Carving {
+  Arrangement arrangement;
+  std::vector<char> untouched;  // facets of the footprint
+  LiftedSurface surface;
 
-double height(const LiftedSurface& surface, const Triangle& t) {
-  const Vec3 a(surface.positions[t[0]]), b(surface.positions[t[1]]), c(surface.positions[t[2]]);
-  const double longest = std::max({glm::length(b - a), glm::length(c - b), glm::length(a - c)});
-  return longest > 0 ? glm::length(glm::cross(b - a, c - a)) / longest : 0;
-}
-
-/// Nodes on whose place the shape of too low triangles depends; ascending.
-struct LowTriangles {
-  std::size_t count = 0;
-  std::vector<std::uint32_t> nodes;
+  bool isNew(std::size_t triangle) const {
+    return triangle >= surface.firstWall || !untouched[arrangement.facets[triangle]];
+  }
 };
 
-LowTriangles findLowTriangles(const LiftedSurface& surface, const Arrangement& arrangement, const OutlineGraph& graph) {
+/// New triangles that are too low for 32-bit floats, and the nodes on whose places their shape depends.
+struct LowTriangles {
+  std::size_t count = 0, collinear = 0;
+  std::vector<std::uint32_t> nodes;  // ascending
+};
+
+LowTriangles findLowTriangles(const Carving& carving, const OutlineGraph& graph) {
   LowTriangles low;
-  const double lowest = lowestHeight(surface);
-  for (const Triangle& t : surface.triangles) {
-    if (height(surface, t) >= lowest) continue;
+  const LiftedSurface& surface = carving.surface;
+  const Arrangement& arrangement = carving.arrangement;
+  const double lowest = lowestHeight(surface.positions);
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    const Triangle& corners = surface.triangles[t];
+    const Vec3f a = surface.positions[corners[0]], b = surface.positions[corners[1]], c = surface.positions[corners[2]];
+    if (triangleHeight(a, b, c) >= lowest || !carving.isNew(t)) continue;
     ++low.count;
-    for (const std::uint32_t v : t) {
+    if (collinear(a, b, c)) ++low.collinear;
+    for (const std::uint32_t v : corners) {
       const std::uint32_t point = surface.vertices[v].point;
       if (point >= arrangement.firstCrossing) {
         const Outline& o = graph.outlines[arrangement.crossings[point - arrangement.firstCrossing].outline];
@@ -91,40 +96,11 @@ std::vector<std::uint32_t> allNodes(const OutlineGraph& graph) {
   return nodes;
 }
 
-struct Carving {
-  Arrangement arrangement;
-  LiftedSurface surface;
-};
-
-/// Arranges and lifts; where the result is too fine for 32-bit floats, moves the outlines there and tries again.
-Result<Carving> carve(const Mesh& mesh, const ProjectionFrame& frame, const Footprint& footprint, OutlineGraph graph,
-                      double snapMm) {
-  EdgeGrid edges = makeGrid(footprint);
-  Clearance clearance(graph, edges, snapMm);
-  clearance.placeAll();
-  Error lastError;
-  for (int attempt = 0; attempt < kAttempts; ++attempt) {
-    Result<Arrangement> arrangement = arrange(footprint, edges, graph);
-    if (!arrangement) {
-      if (arrangement.error().code != ErrorCode::Internal) return tl::unexpected(arrangement.error());
-      lastError = arrangement.error();
-      clearance.placeAgain(allNodes(graph));
-      continue;
-    }
-    LiftedSurface surface = lift(mesh, frame, footprint, *arrangement);
-    const LowTriangles low = findLowTriangles(surface, *arrangement, graph);
-    if (low.count == 0) return Carving{std::move(*arrangement), std::move(surface)};
-    lastError = {ErrorCode::Internal, fmt::format("{} carved triangles are too thin for 32-bit floats", low.count),
-                 "choose a slightly different centre or size"};
-    clearance.placeAgain(low.nodes);
-  }
-  return tl::unexpected(std::move(lastError));
-}
-
 /// Facets of the footprint that neither an outline cuts nor a pocket lowers.
 std::vector<char> findUntouched(const Footprint& footprint, const Arrangement& arrangement) {
   std::vector<std::uint32_t> parts(footprint.facets.size(), 0);
   std::vector<char> untouched(footprint.facets.size(), 1);
+  for (std::size_t f = 0; f < untouched.size(); ++f) untouched[f] = !footprint.reshaped[f];
   for (std::size_t t = 0; t < arrangement.triangles.size(); ++t) {
     const std::uint32_t facet = arrangement.facets[t];
     if (++parts[facet] > 1 || arrangement.levels[t] > 0) untouched[facet] = 0;
@@ -132,8 +108,38 @@ std::vector<char> findUntouched(const Footprint& footprint, const Arrangement& a
   return untouched;
 }
 
+/// Arranges and lifts; where the result is too fine for 32-bit floats, moves the outlines there and tries again.
+Result<Carving> carve(const Mesh& mesh, const ProjectionFrame& frame, const Footprint& footprint, OutlineGraph graph,
+                      double snapMm) {
+  EdgeGrid edges = makeGrid(footprint);
+  Clearance clearance(graph, edges, snapMm);
+  clearance.placeAll();
+  int refusals = 0;
+  for (int attempt = 1;; ++attempt) {
+    Result<Arrangement> arrangement = arrange(footprint, edges, graph);
+    if (!arrangement) {
+      if (arrangement.error().code != ErrorCode::Internal || ++refusals == kRefusals)
+        return tl::unexpected(arrangement.error());
+      clearance.placeAgain(allNodes(graph));
+      continue;
+    }
+    Carving carving{std::move(*arrangement), {}, {}};
+    carving.untouched = findUntouched(footprint, carving.arrangement);
+    carving.surface = lift(mesh, frame, footprint, carving.arrangement);
+    const LowTriangles low = findLowTriangles(carving, graph);
+    if (low.count == 0) return carving;
+    if (attempt == kAttempts || low.nodes.empty()) {
+      // Low triangles are a risk; whether they do harm is for the final check to say. Collinear ones always do.
+      if (low.collinear == 0) return carving;
+      return fail(ErrorCode::Internal, fmt::format("{} carved triangles are too thin for 32-bit floats", low.collinear),
+                  "choose a slightly different centre or size");
+    }
+    clearance.placeAgain(low.nodes);
+  }
+}
+
 EmbedResult assemble(const Mesh& mesh, const Footprint& footprint, const Carving& carving) {
-  const std::vector<char> untouched = findUntouched(footprint, carving.arrangement);
+  const std::vector<char>& untouched = carving.untouched;
   std::vector<char> kept(mesh.triangles.size(), 1);
   for (std::size_t f = 0; f < footprint.facets.size(); ++f) kept[footprint.facets[f]] = untouched[f];
 
@@ -141,7 +147,6 @@ EmbedResult assemble(const Mesh& mesh, const Footprint& footprint, const Carving
   const LiftedSurface& surface = carving.surface;
   constexpr std::uint32_t kUnused = 0xffffffffu, kUsed = 0;
   std::vector<std::uint32_t> place(mesh.positions.size(), kUnused), newPlace(surface.vertices.size(), kUnused);
-  const auto isNew = [&](std::size_t t) { return t >= surface.firstWall || !untouched[carving.arrangement.facets[t]]; };
   const auto modelVertex = [&](std::uint32_t v) -> std::uint32_t* {
     const LiftedSurface::Vertex& vertex = surface.vertices[v];
     if (vertex.point >= carving.arrangement.firstNode || vertex.level > 0) return nullptr;
@@ -151,7 +156,7 @@ EmbedResult assemble(const Mesh& mesh, const Footprint& footprint, const Carving
     if (kept[t])
       for (const std::uint32_t v : mesh.triangles[t]) place[v] = kUsed;
   for (std::size_t t = 0; t < surface.triangles.size(); ++t)
-    if (isNew(t))
+    if (carving.isNew(t))
       for (const std::uint32_t v : surface.triangles[t]) *(modelVertex(v) ? modelVertex(v) : &newPlace[v]) = kUsed;
 
   const auto number = [&](std::vector<std::uint32_t>& places, const std::vector<Vec3f>& positions) {
@@ -171,7 +176,7 @@ EmbedResult assemble(const Mesh& mesh, const Footprint& footprint, const Carving
   result.keptTriangles = result.mesh.triangles.size();
   const auto placeOf = [&](std::uint32_t v) { return modelVertex(v) ? *modelVertex(v) : newPlace[v]; };
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
-    if (!isNew(t)) continue;
+    if (!carving.isNew(t)) continue;
     const Triangle& corners = surface.triangles[t];
     result.newTriangles.push_back(static_cast<std::uint32_t>(result.mesh.triangles.size()));
     result.mesh.triangles.push_back({placeOf(corners[0]), placeOf(corners[1]), placeOf(corners[2])});
@@ -183,7 +188,7 @@ EmbedResult unchanged(const Mesh& mesh) { return {mesh, mesh.triangles.size(), {
 
 }  // namespace
 
-Result<EmbedResult> embedDepthField(const Mesh& mesh, const Adjacency& adjacency, const ProjectionFrame& frame,
+Result<EmbedResult> embedDepthField(const Mesh& mesh, const ProjectionFrame& frame,
                                     std::span<const std::uint32_t> patch, const DepthField& depths,
                                     const EmbedOptions& options) {
   const DepthLevels levels = quantise(depths);
@@ -192,7 +197,7 @@ Result<EmbedResult> embedDepthField(const Mesh& mesh, const Adjacency& adjacency
   const double snapMm = std::min(options.snapMm, levels.submoduleMm() / 20);
   const double chamferMm = std::min(options.chamferMm, levels.submoduleMm() / 4);
 
-  const Result<Footprint> footprint = findFootprint(mesh, adjacency, frame, patch, levels, levels.submoduleMm() / 4);
+  const Result<Footprint> footprint = findFootprint(mesh, frame, patch, levels, levels.submoduleMm() / 4);
   if (!footprint) return tl::unexpected(footprint.error());
   if (footprint->facets.empty())
     return fail(ErrorCode::NoSolution, "no part of the visible surface lies under the code",

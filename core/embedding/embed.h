@@ -6,7 +6,7 @@
 #include "base/result.h"
 #include "carving/depth_field.h"
 #include "math/frame.h"
-#include "mesh/topology.h"
+#include "mesh/mesh.h"
 
 namespace qrelief {
 
@@ -17,9 +17,11 @@ struct EmbedResult {
 };
 
 struct EmbedOptions {
-  /// Outlines are moved by at most this much so that they keep clear of the model's vertices and edges, mm.
+  /// Outlines are moved by at most this much so that they keep clear of the model's vertices and edges, mm, > 0; only
+  /// where many edges meet in one point, by up to an eighth of a submodule.
   double snapMm = 0.01;
-  /// Width of the material left between two pockets that would touch along a line only, mm.
+  /// Width of the material left between two pockets that would touch along a line only, mm, > 0; at most a quarter of
+  /// a submodule is taken.
   double chamferMm = 0.04;
 };
 
@@ -27,9 +29,17 @@ struct EmbedOptions {
 /// "preserved"]: a constrained Delaunay triangulation of facets and pocket outlines in the QR plane, every vertex
 /// lifted back along its ray; floors are the removed pieces shifted along their rays, walls run along rays.
 ///
-/// @param patch  triangles visible from the eye that cover all carved submodules; projections do not overlap
+/// Along the rays the new surface is single-valued, so it crosses itself nowhere; and no triangle of it is so low that
+/// rounding to 32-bit floats could change that. What lies behind the pockets is the depth field's affair.
+///
+/// Steps: find the facets concerned (footprint.h), the outlines (outline.h) and places for these clear of the model
+/// (clearance.h); overlay both and triangulate (arrangement.h); lift (lift.h).
+/// Cost: O(n log n) in facets and outlines concerned, 1 µs each or so, and a copy of the rest.
+///
+/// @param patch   triangles visible from the eye that cover all carved submodules; projections do not overlap
+/// @param depths  field.size² depths; symbolMm > 0
 /// @returns the carved mesh; NoSolution if the carved area leaves the patch; Internal if the arrangement failed
-Result<EmbedResult> embedDepthField(const Mesh& mesh, const Adjacency& adjacency, const ProjectionFrame& frame,
+Result<EmbedResult> embedDepthField(const Mesh& mesh, const ProjectionFrame& frame,
                                     std::span<const std::uint32_t> patch, const DepthField& depths,
                                     const EmbedOptions& options = {});
 

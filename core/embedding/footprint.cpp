@@ -5,6 +5,9 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "embedding/needle.h"
+#include "mesh/topology.h"
+
 namespace qrelief {
 namespace {
 
@@ -61,13 +64,11 @@ void addVertices(Footprint& footprint, const Mesh& mesh, const ProjectionFrame& 
   }
 }
 
-void addEdges(Footprint& footprint, const Adjacency& adjacency) {
-  std::vector<std::uint32_t> local(adjacency.size(), kNoFacet);
-  for (std::uint32_t f = 0; f < footprint.facets.size(); ++f) local[footprint.facets[f]] = f;
-  for (std::uint32_t f = 0; f < footprint.facets.size(); ++f)
+void addEdges(Footprint& footprint) {
+  const Adjacency adjacency = buildAdjacency(footprint.corners);
+  for (std::uint32_t f = 0; f < adjacency.size(); ++f)
     for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t across = adjacency[footprint.facets[f]][k];
-      const std::uint32_t other = across == kNoTriangle ? kNoFacet : local[across];
+      const std::uint32_t other = adjacency[f][k] == kNoTriangle ? kNoFacet : adjacency[f][k];
       if (other != kNoFacet && other < f) continue;  // added from the other side
       footprint.edges.push_back({footprint.corners[f][k], footprint.corners[f][(k + 1) % 3], f, other});
     }
@@ -75,8 +76,8 @@ void addEdges(Footprint& footprint, const Adjacency& adjacency) {
 
 }  // namespace
 
-Result<Footprint> findFootprint(const Mesh& mesh, const Adjacency& adjacency, const ProjectionFrame& frame,
-                                std::span<const std::uint32_t> patch, const DepthLevels& levels, double marginMm) {
+Result<Footprint> findFootprint(const Mesh& mesh, const ProjectionFrame& frame, std::span<const std::uint32_t> patch,
+                                const DepthLevels& levels, double marginMm) {
   Footprint footprint;
   for (const std::uint32_t facet : patch) {
     Corners2 t;
@@ -97,7 +98,8 @@ Result<Footprint> findFootprint(const Mesh& mesh, const Adjacency& adjacency, co
   }
   std::sort(footprint.facets.begin(), footprint.facets.end());
   addVertices(footprint, mesh, frame);
-  addEdges(footprint, adjacency);
+  flipNeedles(footprint, mesh);
+  addEdges(footprint);
   return footprint;
 }
 

@@ -9,7 +9,7 @@
 #include "base/result.h"
 #include "embedding/depth_levels.h"
 #include "math/frame.h"
-#include "mesh/topology.h"
+#include "mesh/mesh.h"
 
 namespace qrelief {
 
@@ -26,14 +26,15 @@ struct Footprint {
   std::vector<std::uint32_t> vertices;  ///< local vertex → mesh vertex, ascending
   std::vector<Vec2> points;             ///< local vertex → plane coordinates, mm
   std::vector<Triangle> corners;        ///< local facet → local vertices, counter-clockwise
+  std::vector<char> reshaped;           ///< local facet → its corners are no longer those of the mesh's triangle
   std::vector<Edge> edges;
 };
 
-/// Facets of the patch that come within `marginMm` of a carved submodule.
+/// Facets of the patch that come within `marginMm` of a carved submodule, needles among them flipped.
 ///
 /// Cost: O(patch + submodules covered).
 /// @returns NoSolution if one of them is not seen from its front
-Result<Footprint> findFootprint(const Mesh& mesh, const Adjacency& adjacency, const ProjectionFrame& frame,
-                                std::span<const std::uint32_t> patch, const DepthLevels& levels, double marginMm);
+Result<Footprint> findFootprint(const Mesh& mesh, const ProjectionFrame& frame, std::span<const std::uint32_t> patch,
+                                const DepthLevels& levels, double marginMm);
 
 }  // namespace qrelief

@@ -98,7 +98,7 @@ class VettedStatements : public std::streambuf {
       const std::optional<std::int64_t> index = parseInteger(word.substr(0, word.find('/')));
       if (!index) return failHere(fmt::format("{} is no corner of a face", quoted(word)));
       if (*index > 0 && static_cast<std::uint64_t>(*index) <= vertices_) continue;
-      if (*index < 0 && static_cast<std::uint64_t>(-*index) <= verticesSoFar_) continue;
+      if (*index < 0 && *index >= -static_cast<std::int64_t>(verticesSoFar_)) continue;
       return failHere(
           *index == 0  ? std::string("a face asks for vertex 0; OBJ counts from 1")
           : *index > 0 ? fmt::format("a face asks for vertex {}, but the file has {}", *index, vertices_)

@@ -18,8 +18,8 @@ inline constexpr double kOnSurfaceMm = 0.001;
 inline constexpr double kNearPlaneShare = 1e-9;
 
 /// Projected points nearer to one another than this share of the eye's distance (from the plane, and from the origin of
-/// the coordinates) cannot be told apart: a thousand times the rounding error of a projection. Rejects what is certainly
-/// apart, and keeps sample points clear of contours.
+/// the coordinates) cannot be told apart: a thousand times the rounding error of a projection. Rejects what is
+/// certainly apart, and keeps sample points clear of contours.
 inline constexpr double kProjectionNoise = 1e-12;
 
 /// Depths are rounded to this grid, mm: a tenth of the finest layer, so that neighbours that differ

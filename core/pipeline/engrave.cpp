@@ -292,7 +292,7 @@ Status EngraveJob::State::view() {
   ReaderViewOptions options;
   const int modulesAcross = symbol.size + 12;
   options.extentMm = result.placement.moduleMm * modulesAcross;
-  options.texels = std::clamp(12 * modulesAcross, 400, 1200);
+  options.texels = std::clamp(8 * modulesAcross, 320, 1200);
   options.radiusMm = static_cast<float>(kReachPerDepth / 2 * summarise(result.depths).maxMm);
   options.albedo = request.albedo;
   auto seen = renderReaderView(pass, carved, result.placement.frame, options);

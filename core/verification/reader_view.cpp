@@ -13,6 +13,7 @@ namespace {
 constexpr double kWhite = 0.85;       // where exposure puts the 95th percentile, linear
 constexpr double kBackground = 0.35;  // luminance of what is not the model
 
+/// Of a square picture.
 std::vector<double> gaussianBlur(const std::vector<double>& image, int width, double sigma) {
   if (sigma <= 0) return image;
   const int reach = static_cast<int>(std::ceil(3 * sigma));
@@ -82,6 +83,14 @@ GreyImage photograph(const std::vector<float>& luminance, int width, double blur
     }
   }
   return picture;
+}
+
+GreyImage blurred(const GreyImage& image, double sigmaPx) {
+  const std::vector<double> blurredPixels =
+      gaussianBlur(std::vector<double>(image.pixels.begin(), image.pixels.end()), image.width, sigmaPx);
+  GreyImage result{image.width, image.height, {}};
+  for (const double pixel : blurredPixels) result.pixels.push_back(static_cast<std::uint8_t>(std::lround(pixel)));
+  return result;
 }
 
 Result<ReaderView> renderReaderView(const GeometryPass& pass, const GpuMesh& mesh, const ProjectionFrame& frame,

@@ -43,4 +43,8 @@ Result<ReaderView> renderReaderView(const GeometryPass& pass, const GpuMesh& mes
 /// @param luminance  width² values, row 0 at the bottom
 GreyImage photograph(const std::vector<float>& luminance, int width, double blurPx, double noise, double strayLight);
 
+/// Gaussian blur; the border is continued outwards.
+/// @param sigmaPx  ≥ 0
+GreyImage blurred(const GreyImage& image, double sigmaPx);
+
 }  // namespace qrelief

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "embedding/embed.h"
+#include "mesh/topology.h"
 
 /// What a carved mesh must be, told from the input alone and by brute force.
 namespace qrelief::oracle {

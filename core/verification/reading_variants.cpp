@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verification/reading_variants.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace qrelief {
+namespace {
+
+/// 1st and 99th percentile to black and white.
+GreyImage stretched(GreyImage image) {
+  std::vector<std::uint8_t> sorted = image.pixels;
+  std::sort(sorted.begin(), sorted.end());
+  const double low = sorted[sorted.size() / 100];
+  const double high = sorted[sorted.size() - 1 - sorted.size() / 100];
+  for (std::uint8_t& pixel : image.pixels)
+    pixel = static_cast<std::uint8_t>(std::lround(std::clamp((pixel - low) * 255 / std::max(high - low, 1.0), 0.0, 255.0)));
+  return image;
+}
+
+GreyImage shrunk(const GreyImage& image, int factor) {
+  GreyImage small{image.width / factor, image.height / factor, {}};
+  for (int y = 0; y < small.height; ++y) {
+    for (int x = 0; x < small.width; ++x) {
+      int sum = 0;
+      for (int k = 0; k < factor * factor; ++k)
+        sum += image.pixels[static_cast<std::size_t>((y * factor + k / factor) * image.width + x * factor + k % factor)];
+      small.pixels.push_back(static_cast<std::uint8_t>((sum + factor * factor / 2) / (factor * factor)));
+    }
+  }
+  return small;
+}
+
+}  // namespace
+
+std::vector<GreyImage> readingVariants(const GreyImage& picture) {
+  // Out of focus by 1/230 of the picture's width: three pixels of 700.
+  const GreyImage soft = stretched(blurred(picture, picture.width / 230.0));
+  return {picture, stretched(picture), soft, stretched(shrunk(picture, 2)), stretched(shrunk(picture, 3))};
+}
+
+}  // namespace qrelief
