@@ -7,8 +7,9 @@ precision highp float;
 
 #include "view_camera.glsl"
 
-uniform highp sampler2D u_visibility;  // sky visibility, z (mm)
+uniform highp sampler2D u_visibility;  // sky visibility, z / u_blurUnit
 uniform int u_blur;                    // 1: mean over a 4×4 block of like depth, 0: this pixel alone
+uniform float u_blurUnit;              // mm
 uniform float u_blurReach;             // difference of z up to which a neighbour counts, mm
 uniform vec3 u_skyward;                // view space, unit
 uniform vec3 u_background[2];          // at the lower and upper edge
@@ -49,7 +50,7 @@ float skyVisibility(float z) {
   for (int y = -2; y < 2; ++y) {
     for (int x = -2; x < 2; ++x) {
       vec2 found = texelFetch(u_visibility, clamp(pixel + ivec2(x, y), ivec2(0), last), 0).rg;
-      float weight = max(0.0, 1.0 - abs(found.g - z) / u_blurReach);
+      float weight = max(0.0, 1.0 - abs(found.g * u_blurUnit - z) / u_blurReach);
       sum += weight * found.r;
       weights += weight;
     }

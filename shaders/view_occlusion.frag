@@ -3,7 +3,7 @@
 // between the walls of a pocket and in the folds of a model. Far samples fade out, as what lies behind a silhouette is
 // unknown. Directions turn from pixel to pixel and from sample to sample; the viewer averages.
 //
-// Output: visibility of the sky (1 = all), z (mm) for the blur that follows.
+// Output: visibility of the sky (1 = all), z in units of u_radius (half floats hold that) for the blur that follows.
 precision highp float;
 
 #include "view_camera.glsl"
@@ -30,7 +30,7 @@ float horizonCosine(vec2 direction, float radiusPx, float shift, vec3 origin, ve
   float highest = lowest;
   for (int i = 0; i < u_steps; ++i) {
     float t = (float(i) + shift) / float(u_steps);
-    vec2 pixel = gl_FragCoord.xy + direction * (1.0 + t * t * radiusPx);
+    vec2 pixel = gl_FragCoord.xy + direction * (1.0 + t * t * t * radiusPx);
     if (any(lessThan(pixel, vec2(0.0))) || any(greaterThanEqual(pixel, u_size))) break;
     vec4 surface = texelFetch(u_surface, ivec2(pixel), 0);
     if (!isSurface(surface.xyz)) continue;
@@ -50,7 +50,7 @@ float visibleArc(float horizon, float gamma) {
 void main() {
   vec4 surface = texelFetch(u_surface, ivec2(gl_FragCoord.xy), 0);
   if (!isSurface(surface.xyz)) {
-    o_visibility = vec4(1.0, 1e9, 0.0, 1.0);
+    o_visibility = vec4(1.0, 1e4, 0.0, 1.0);
     return;
   }
   vec3 origin = positionView(gl_FragCoord.xy, surface.w);
@@ -79,5 +79,5 @@ void main() {
     float left = gamma + max(-acos(clamp(behind, -1.0, 1.0)) - gamma, -0.5 * kPi);
     visibility += share * (visibleArc(right, gamma) + visibleArc(left, gamma));
   }
-  o_visibility = vec4(clamp(visibility / float(u_slices), 0.0, 1.0), surface.w, 0.0, 1.0);
+  o_visibility = vec4(clamp(visibility / float(u_slices), 0.0, 1.0), surface.w / u_radius, 0.0, 1.0);
 }

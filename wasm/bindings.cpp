@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The module's only door: one class of verbs for the page. No exception crosses it.
+#include <GLES3/gl3.h>
 #include <emscripten/bind.h>
+#include <emscripten/html5_webgl.h>
 #include <emscripten/val.h>
 #include <exception>
 #include <new>
@@ -43,9 +45,19 @@ val copyOut(std::span<const std::uint8_t> bytes) {
   return val::global("Uint8Array").new_(val(emscripten::typed_memory_view(bytes.size(), bytes.data())));
 }
 
+/// What draws: browsers say "WebKit WebGL" and the like unless asked by this extension.
+std::string rendererName() {
+  constexpr GLenum kUnmaskedRenderer = 0x9246;
+  if (!emscripten_webgl_enable_extension(emscripten_webgl_get_current_context(), "WEBGL_debug_renderer_info"))
+    return {};
+  const GLubyte* name = glGetString(kUnmaskedRenderer);
+  return name ? reinterpret_cast<const char*>(name) : "";
+}
+
 /// The engine and the window over it.
 class Facade {
  public:
+  Facade() : engine_(rendererName()) {}
   std::string capabilities() {
     return guarded([&] { return engine_.capabilities(); });
   }

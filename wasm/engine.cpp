@@ -96,13 +96,14 @@ Vec2 heightsUnder(const Placement& placement, const Mesh& mesh, double edge) {
 
 }  // namespace
 
-Engine::Engine() {
+Engine::Engine(const std::string& renderer) {
   const auto capabilities = gl::queryCapabilities();
   if (!capabilities) {
     problems_.push_back(capabilities.error().message + "; " + capabilities.error().hint);
     return;
   }
   gl_ = *capabilities;
+  if (!renderer.empty()) gl_.renderer = renderer;
   auto pass = GeometryPass::create();
   auto viewer = Viewer::create(ViewQuality::suitedTo(gl_));
   for (const Error* error : {pass ? nullptr : &pass.error(), viewer ? nullptr : &viewer.error()})

@@ -24,7 +24,9 @@ namespace qrelief {
 /// current GL context from its making to its end; knows nothing of browsers.
 class Engine {
  public:
-  Engine();
+  /// @param renderer  name of the graphics processor, where the caller knows it better than GL_RENDERER (browsers mask
+  /// it)
+  explicit Engine(const std::string& renderer = {});
 
   /// {renderer, version, problems: [text]}; with a problem nothing can be drawn or engraved.
   std::string capabilities() const;

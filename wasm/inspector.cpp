@@ -36,7 +36,9 @@ double nowMs() {
 // ImGui takes printf formats; ours are checked at compile time instead.
 template <class... Args>
 void write(fmt::format_string<Args...> format, Args&&... args) {
+  ImGui::PushTextWrapPos(0);
   ImGui::TextUnformatted(fmt::format(format, std::forward<Args>(args)...).c_str());
+  ImGui::PopTextWrapPos();
 }
 
 }  // namespace

@@ -33,7 +33,8 @@ class SettingsReader {
     if (!found->is_string()) return refuse(name, "give a text");
     value = found->get<std::string>();
   }
-  /// @param byName  from the name to a std::optional of the value
+  /// @param byName  from the name to a std::optional of the value; a lambda: the address of a function taken before a
+  ///                call of it makes Emscripten 3.1.6 declare it without parameters
   template <class T, class ByName>
   void choice(const char* name, T& value, ByName byName, const char* hint) {
     std::string chosen;
@@ -88,11 +89,15 @@ Result<EngraveRequest> readSettings(std::string_view json) {
   EngraveRequest request;
   SettingsReader read(settings);
   read.text("text", request.text);
-  read.choice("ecc", request.symbol.errorCorrection, errorCorrectionByName, "choose L, M, Q or H");
-  read.choice("pattern", request.modulePattern, modulePatternByName,
-              "choose none, square, thin-plus, diamond or thick-plus");
-  read.choice("finderPattern", request.finderPattern, finderPatternByName,
-              "choose none, as-modules, diamond or thick-plus");
+  read.choice(
+      "ecc", request.symbol.errorCorrection, [](std::string_view name) { return errorCorrectionByName(name); },
+      "choose L, M, Q or H");
+  read.choice(
+      "pattern", request.modulePattern, [](std::string_view name) { return modulePatternByName(name); },
+      "choose none, square, thin-plus, diamond or thick-plus");
+  read.choice(
+      "finderPattern", request.finderPattern, [](std::string_view name) { return finderPatternByName(name); },
+      "choose none, as-modules, diamond or thick-plus");
   read.size(request.placement);
   read.number("maxSizeMm", request.placement.maxSizeMm);
   read.flag("quietZone", request.placement.quietZone);

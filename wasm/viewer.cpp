@@ -13,7 +13,7 @@ namespace qrelief {
 namespace {
 
 constexpr double kRadiusShare = 0.08;  // reach of the occlusion, of the model's diagonal
-constexpr double kRadiusLimit = 0.2;   // greatest reach on the screen, of the picture's height
+constexpr double kRadiusLimit = 0.15;  // greatest reach on the screen, of the picture's height
 constexpr int kFirstShown = 4;         // averages of fewer pictures are noisier than the blurred first one
 constexpr double kMostPixels = 4.2e6;  // larger canvases are drawn at a lower resolution
 constexpr double kSlowFrameMs = 50;    // intervals above this lower the resolution while moving
@@ -172,13 +172,15 @@ void Viewer::drawSurface(const Stage& stage, const CameraView& camera, Vec2 jitt
   glDisable(GL_DEPTH_TEST);
 }
 
+double Viewer::radiusMm() const { return mesh_ ? kRadiusShare * mesh_->box().diagonal() : 1; }
+
 void Viewer::drawOcclusion(const Stage& stage, const CameraView& camera, Vec2 jitter, const Sample& sample) const {
   stage.visibilityTarget.bind();
   setCamera(occlusion_, stage, camera, jitter);
   occlusion_.setTexture("u_surface", 0, stage.surface);
   occlusion_.set("u_slices", sample.slices);
   occlusion_.set("u_steps", sample.steps);
-  occlusion_.set("u_radius", static_cast<float>(mesh_ ? kRadiusShare * mesh_->box().diagonal() : 1.0));
+  occlusion_.set("u_radius", static_cast<float>(radiusMm()));
   occlusion_.set("u_radiusLimit", static_cast<float>(kRadiusLimit * stage.height));
   occlusion_.set("u_turn", static_cast<float>(sample.turn));
   occlusion_.set("u_shift", static_cast<float>(sample.shift));
@@ -210,6 +212,7 @@ void Viewer::drawLighting(const Stage& stage, const Stage& into, const CameraVie
   lighting_.setTexture("u_visibility", 1, stage.visibility);
   lighting_.setTexture("u_ink", 2, print_ ? ink_ : stage.visibility);
   lighting_.set("u_blur", sample.blur ? 1 : 0);
+  lighting_.set("u_blurUnit", static_cast<float>(radiusMm()));
   lighting_.set("u_blurReach", static_cast<float>(8 * pixelMm));
   lighting_.set("u_skyward", inView(camera, camera.skyward));
   lighting_.set("u_background[0]", dark_ ? kDarkBackground[0] : kLightBackground[0]);

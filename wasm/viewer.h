@@ -92,6 +92,7 @@ class Viewer {
   void present(const Stage& stage, const gl::Framebuffer* target) const;
   Result<bool> drawMoving(const CameraView& camera, double nowMs, const gl::Framebuffer* target);
   Result<bool> drawStill(const CameraView& camera, const gl::Framebuffer* target);
+  double radiusMm() const;
   void adaptToInterval(double nowMs);
 
   ViewQuality quality_;
