@@ -54,6 +54,14 @@ tl::unexpected<Error> tooManyTriangles(std::size_t limit) {
               "Reduce (decimate) the model first");
 }
 
+Status PolygonList::reserve(std::uint64_t vertices, std::uint64_t faces) {
+  if (faces > maxTriangles || vertices > 3 * std::uint64_t{maxTriangles}) return tooManyTriangles(maxTriangles);
+  positions.reserve(static_cast<std::size_t>(vertices));
+  sizes.reserve(static_cast<std::size_t>(faces));
+  corners.reserve(static_cast<std::size_t>(3 * faces));
+  return {};
+}
+
 Status PolygonList::add(std::span<const std::uint32_t> polygon) {
   if (polygon.size() > 2) triangles += polygon.size() - 2;
   if (triangles > maxTriangles) return tooManyTriangles(maxTriangles);

@@ -20,6 +20,8 @@ struct PolygonList {
   std::size_t maxTriangles = 0;        ///< add() refuses more
   std::size_t triangles = 0;           ///< that the polygons will give
 
+  /// Makes room; refuses more faces than triangles are accepted, and more vertices than those could use.
+  Status reserve(std::uint64_t vertices, std::uint64_t faces);
   Status add(std::span<const std::uint32_t> polygon);
 };
 

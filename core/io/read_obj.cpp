@@ -145,8 +145,8 @@ Result<PolygonSoup> readObj(std::span<const std::uint8_t> bytes, const ReadLimit
     return fail(ErrorCode::BadInput, "The OBJ file holds no vertex (no line that begins with \"v \")",
                 "Check that the file is complete and that its extension is right");
   Collector collector{statements, {}, {}};
-  collector.list.positions.reserve(statements.vertices());
   collector.list.maxTriangles = limits.maxTriangles;
+  if (Status s = collector.list.reserve(statements.vertices(), 0); !s) return tl::unexpected(s.error());
 
   tinyobj::callback_t callbacks;
   callbacks.vertex_cb = takeVertex;

@@ -18,20 +18,20 @@ class OffReader {
 
   Result<PolygonSoup> read() {
     if (Status s = readKeyword(); !s) return tl::unexpected(s.error());
-    const Result<std::size_t> vertices = readCount("vertices");
+    const Result<std::uint64_t> vertices = readCount("vertices");
     if (!vertices) return tl::unexpected(vertices.error());
-    const Result<std::size_t> faces = readCount("faces");
+    const Result<std::uint64_t> faces = readCount("faces");
     if (!faces) return tl::unexpected(faces.error());
     scanner_.restOfLine();  // the number of edges; often wrong, never needed
     if (Status s = checkRoom(*vertices, *faces); !s) return tl::unexpected(s.error());
+    if (Status s = list_.reserve(*vertices, *faces); !s) return tl::unexpected(s.error());
 
-    list_.positions.reserve(*vertices);
-    for (std::size_t v = 0; v < *vertices; ++v)
-      if (Status s = readVertex(v + 1, *vertices); !s) return tl::unexpected(s.error());
-    list_.sizes.reserve(*faces);
-    list_.corners.reserve(3 * *faces);
-    for (std::size_t f = 0; f < *faces; ++f)
-      if (Status s = readFace(f + 1, *faces); !s) return tl::unexpected(s.error());
+    const auto vertexCount = static_cast<std::size_t>(*vertices);
+    const auto faceCount = static_cast<std::size_t>(*faces);
+    for (std::size_t v = 0; v < vertexCount; ++v)
+      if (Status s = readVertex(v + 1, vertexCount); !s) return tl::unexpected(s.error());
+    for (std::size_t f = 0; f < faceCount; ++f)
+      if (Status s = readFace(f + 1, faceCount); !s) return tl::unexpected(s.error());
     return triangulated(std::move(list_), "OFF");
   }
 
@@ -56,16 +56,16 @@ class OffReader {
     return {};
   }
 
-  Result<std::size_t> readCount(std::string_view of) {
+  Result<std::uint64_t> readCount(std::string_view of) {
     const std::string_view word = scanner_.word();
     const std::optional<std::int64_t> count = parseInteger(word);
     if (!count || *count < 0)
       return failHere(fmt::format("the number of {} is {}", of, word.empty() ? "missing" : quoted(word)));
-    return static_cast<std::size_t>(*count);
+    return static_cast<std::uint64_t>(*count);
   }
 
   /// The shortest vertex takes six bytes ("0 0 0" and a line end), the shortest face two ("0").
-  Status checkRoom(std::size_t vertices, std::size_t faces) const {
+  Status checkRoom(std::uint64_t vertices, std::uint64_t faces) const {
     const std::size_t room = text_.size() + 1 - scanner_.position();
     if (vertices <= room / 6 && faces <= room / 2) return {};
     return fail(ErrorCode::BadInput,

@@ -79,7 +79,7 @@ class BinaryValues {
 
   Status skip(PlyType type, std::uint64_t count) {
     if (room() / sizeOf(type) < count) return cutOff();
-    position_ += count * sizeOf(type);
+    position_ += static_cast<std::size_t>(count) * sizeOf(type);
     return {};
   }
 
@@ -186,7 +186,7 @@ class PlyReader {
                     "Export the model again");
       axisOf[*at] = axis;
     }
-    list_.positions.reserve(static_cast<std::size_t>(element.count));
+    if (Status s = list_.reserve(element.count, 0); !s) return s;
     for (std::uint64_t i = 0; i < element.count; ++i) {
       Vec3 p(0);
       for (std::size_t k = 0; k < axisOf.size(); ++k) {
@@ -210,8 +210,7 @@ class PlyReader {
       return fail(ErrorCode::BadInput,
                   "The PLY file's faces have no integer list \"vertex_indices\" or \"vertex_index\"",
                   "Export the model again");
-    list_.sizes.reserve(static_cast<std::size_t>(element.count));
-    list_.corners.reserve(static_cast<std::size_t>(std::min<std::uint64_t>(3 * element.count, values_.room())));
+    if (Status s = list_.reserve(0, element.count); !s) return s;
     for (std::uint64_t i = 0; i < element.count; ++i)
       for (std::size_t k = 0; k < element.properties.size(); ++k) {
         const PlyProperty& property = element.properties[k];

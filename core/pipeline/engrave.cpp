@@ -260,7 +260,7 @@ Status EngraveJob::State::searchOnce() {
 
 Status EngraveJob::State::embed() {
   const auto start = std::chrono::steady_clock::now();
-  auto made = embedDepthField(model->prepared.mesh, model->prepared.adjacency, result.placement.frame,
+  auto made = embedDepthField(model->prepared.mesh, result.placement.frame,
                               result.placement.patch.triangles, result.depths);
   if (!made) return tl::unexpected(made.error());
   embedded = std::move(*made);

@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/engrave.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "native/zxing_reader.h"
+#include "pipeline/report.h"
+#include "support/brute_force.h"
+#include "support/gl_test.h"
+#include "support/shapes.h"
+
+namespace qrelief {
+namespace {
+
+class EngraveTest : public GlTest {
+ protected:
+  static std::shared_ptr<const EngravableModel> upload(const Mesh& mesh) {
+    auto prepared = prepareModel(shapes::soupOf(mesh), {});
+    EXPECT_TRUE(prepared.has_value());
+    return EngravableModel::upload(std::move(*prepared));
+  }
+  static EngraveRequest request(Vec3 centre, double sizeMm) {
+    EngraveRequest made;
+    made.text = "https://qrelief.example";
+    made.symbol.errorCorrection = ErrorCorrection::M;
+    made.placement.centreMm = centre;
+    made.placement.sizeMode = SizeMode::Fixed;
+    made.placement.sizeMm = sizeMm;
+    return made;
+  }
+  /// Triangles by their corners' positions, for comparison across meshes.
+  static std::set<std::array<std::array<float, 3>, 3>> corners(const Mesh& mesh) {
+    std::set<std::array<std::array<float, 3>, 3>> all;
+    for (const Triangle& t : mesh.triangles) {
+      std::array<std::array<float, 3>, 3> triple{};
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Vec3f p = mesh.positions[t[k]];
+        triple[k] = {p.x, p.y, p.z};
+      }
+      std::rotate(triple.begin(), std::min_element(triple.begin(), triple.end()), triple.end());
+      all.insert(triple);
+    }
+    return all;
+  }
+};
+
+TEST_F(EngraveTest, ABumpySphereTakesACodeThatReadsAndStaysASolid) {
+  const auto model = upload(shapes::bumpySphere(40, 1.5, 5, 5));
+  const auto result = engrave(model, request({0, 0, 40}, 25));
+  ASSERT_TRUE(result.has_value()) << result.error().message;
+
+  EXPECT_TRUE(result->solidity.solid()) << testing::PrintToString(result->solidity.problems());
+  EXPECT_EQ(readWithZxing(result->readerView.picture), "https://qrelief.example");
+  EXPECT_EQ(result->placement.symbolMm, 25);
+  EXPECT_EQ(result->symbol.size, 17 + 4 * result->symbol.version);
+
+  // Untouched facets come out bit for bit, in number as reported.
+  const auto before = corners(model->prepared.mesh);
+  const auto after = corners(result->mesh);
+  std::size_t kept = 0;
+  for (const auto& triangle : before) kept += after.count(triangle);
+  EXPECT_EQ(kept, result->keptTriangles);
+  EXPECT_GT(kept, before.size() * 3 / 4);
+  EXPECT_LT(result->solidity.volumeMm3, signedVolume(model->prepared.mesh));
+}
+
+TEST_F(EngraveTest, TheDepthVariesBySubmoduleAndOnlyMaskedSubmodulesAreCarved) {
+  const auto result = engrave(upload(shapes::icosphere(40, 5)), request({0, 0, 40}, 25));
+  ASSERT_TRUE(result.has_value()) << result.error().message;
+  const SubmoduleMask mask = submodulesToCarve(result->symbol, ModulePattern::Square, FinderPattern::ThickPlus);
+  std::set<double> depths;
+  for (int row = 0; row < mask.size; ++row) {
+    for (int column = 0; column < mask.size; ++column) {
+      const double depth = result->depths.depth(row, column);
+      ASSERT_EQ(depth > 0, mask.isCarved(row, column));
+      if (depth > 0) depths.insert(depth);
+    }
+  }
+  EXPECT_GE(depths.size(), 4u);
+  // The wide finder patterns need more depth than single modules.
+  double finder = 0, data = 0;
+  int finderCount = 0, dataCount = 0;
+  for (int row = 0; row < mask.size; ++row)
+    for (int column = 0; column < mask.size; ++column) {
+      const double depth = result->depths.depth(row, column);
+      if (depth == 0) continue;
+      const bool isFinder = result->symbol.role(row / 5, column / 5) == ModuleRole::Finder;
+      (isFinder ? finder : data) += depth;
+      ++(isFinder ? finderCount : dataCount);
+    }
+  EXPECT_GT(finder / finderCount, data / dataCount);
+}
+
+TEST_F(EngraveTest, NoFloorComesNearerToTheBackThanTheMinimumWall) {
+  // A plate of 1.3 mm: with 1 mm of wall, 0.3 mm may be carved; the code asks for more.
+  const Mesh plate = shapes::plate({60, 60}, 1.3, 6, 6);
+  EngraveRequest wanted = request({0, 0, 0}, 30);
+  wanted.minWallMm = 1;
+  const auto result = engrave(upload(plate), wanted);
+  ASSERT_TRUE(result.has_value()) << result.error().message;
+  EXPECT_GT(result->limitedSubmodules, 0u);
+  double lowest = 0;
+  for (const Vec3f& p : result->mesh.positions)
+    if (p.z > -1.29f) lowest = std::min<double>(lowest, p.z);
+  EXPECT_GE(-lowest, 0.25);
+  EXPECT_LE(-lowest, 0.3 + 1e-4);
+}
+
+TEST_F(EngraveTest, AWallWithNothingToSpareIsRefusedWithTheReason) {
+  EngraveRequest wanted = request({0, 0, 0}, 30);
+  wanted.minWallMm = 2;
+  const auto result = engrave(upload(shapes::plate({60, 60}, 1.3, 6, 6)), wanted);
+  ASSERT_FALSE(result.has_value());
+  EXPECT_EQ(result.error().code, ErrorCode::NoSolution);
+  EXPECT_NE(result.error().message.find("2 mm"), std::string::npos) << result.error().message;
+}
+
+TEST_F(EngraveTest, ASizeThatDoesNotFitIsRefusedWithTheLargestThatDoes) {
+  const Mesh plate = shapes::plate({40, 40}, 5, 4, 4);
+  const auto result = engrave(upload(plate), request({0, 0, 0}, 35));
+  ASSERT_FALSE(result.has_value());
+  EXPECT_EQ(result.error().code, ErrorCode::NoSolution);
+  // Version 2 has 25 modules, 33 with the quiet zone: 40 mm · 25/33 = 30.30 mm fit.
+  EXPECT_NE(result.error().message.find("30.3 mm"), std::string::npos) << result.error().message;
+
+  // What is named as fitting does fit.
+  EXPECT_TRUE(engrave(upload(plate), request({0, 0, 0}, 30.29)).has_value());
+}
+
+TEST_F(EngraveTest, TheFreeSizeFitsAtEveryRotation) {
+  const auto model = upload(shapes::plate({40, 40}, 5, 4, 4));
+  EngraveRequest wanted = request({0, 0, 0}, 0);
+  wanted.placement.sizeMode = SizeMode::Free;
+  for (const double angle : {0.0, 30.0, 45.0}) {
+    wanted.placement.rotateDeg = angle;
+    const auto result = engrave(model, wanted);
+    ASSERT_TRUE(result.has_value()) << result.error().message;
+    EXPECT_NEAR(result->placement.symbolMm, 40 / std::sqrt(2.0) * 25 / 33, 0.01);
+    EXPECT_TRUE(result->solidity.solid());
+  }
+}
+
+TEST_F(EngraveTest, EveryPatternGivesASolid) {
+  const auto model = upload(shapes::bumpySphere(40, 1, 4, 5));
+  for (const ModulePattern modules : {ModulePattern::None, ModulePattern::ThinPlus, ModulePattern::Diamond, ModulePattern::ThickPlus}) {
+    for (const FinderPattern finders : {FinderPattern::None, FinderPattern::AsModules, FinderPattern::Diamond}) {
+      EngraveRequest wanted = request({0, 0, 40}, 25);
+      wanted.modulePattern = modules;
+      wanted.finderPattern = finders;
+      const auto result = engrave(model, wanted);
+      ASSERT_TRUE(result.has_value()) << result.error().message;
+      EXPECT_TRUE(result->solidity.solid()) << static_cast<int>(modules) << " " << static_cast<int>(finders) << " "
+                                            << testing::PrintToString(result->solidity.problems());
+    }
+  }
+}
+
+TEST_F(EngraveTest, ACodeOverAnEdgeLooksBetweenItsFaces) {
+  const auto result = engrave(upload(shapes::box({80, 80, 80})), request({40, 0, 40}, 20));
+  ASSERT_TRUE(result.has_value()) << result.error().message;
+  EXPECT_TRUE(result->solidity.solid()) << testing::PrintToString(result->solidity.problems());
+  EXPECT_GT(result->placement.frame.normal.x, 0.4);
+  EXPECT_GT(result->placement.frame.normal.z, 0.4);
+}
+
+TEST_F(EngraveTest, AGivenDirectionIsTakenAsItIs) {
+  EngraveRequest wanted = request({0, 0, 40}, 20);
+  wanted.placement.direction = Vec3(0.2, 0, 1);
+  const auto result = engrave(upload(shapes::icosphere(40, 5)), wanted);
+  ASSERT_TRUE(result.has_value()) << result.error().message;
+  EXPECT_LT(glm::length(result->placement.frame.normal - glm::normalize(Vec3(0.2, 0, 1))), 1e-12);
+  EXPECT_TRUE(result->placement.iterations.empty());
+}
+
+TEST_F(EngraveTest, TheSymbolsTopPointsWhereItWasAskedTo) {
+  EngraveRequest wanted = request({40, 0, 0}, 20);
+  wanted.placement.upHint = {0, 0, 1};
+  const auto upright = engrave(upload(shapes::icosphere(40, 5)), wanted);
+  wanted.placement.rotateDeg = 90;
+  const auto turned = engrave(upload(shapes::icosphere(40, 5)), wanted);
+  ASSERT_TRUE(upright.has_value() && turned.has_value());
+  EXPECT_GT(upright->placement.frame.up.z, 0.99);
+  // Anticlockwise as the reader sees it: seen from +X with +Z up, the top then points to -Y.
+  EXPECT_LT(turned->placement.frame.up.y, -0.99);
+}
+
+TEST_F(EngraveTest, AnOpenModelIsRefusedBeforeAnythingIsDone) {
+  Mesh open = shapes::box({40, 40, 40});
+  open.triangles.pop_back();
+  const auto job = EngraveJob::create(upload(open), request({0, 0, 20}, 20));
+  ASSERT_FALSE(job.has_value());
+  EXPECT_EQ(job.error().code, ErrorCode::BadInput);
+}
+
+TEST_F(EngraveTest, RequestsThatMakeNoSenseAreBadUsage) {
+  const auto model = upload(shapes::icosphere(40, 3));
+  const auto codeOf = [&](const EngraveRequest& wanted) {
+    const auto job = EngraveJob::create(model, wanted);
+    return job ? std::optional<ErrorCode>() : job.error().code;
+  };
+  EngraveRequest wanted = request({0, 0, 40}, 20);
+  wanted.contrast = 1.5;
+  EXPECT_EQ(codeOf(wanted), ErrorCode::BadUsage);
+  wanted = request({0, 0, 40}, -3);
+  EXPECT_EQ(codeOf(wanted), ErrorCode::BadUsage);
+  wanted = request({0, 0, 40}, 20);
+  wanted.placement.eyeDistanceMm = 0;
+  EXPECT_EQ(codeOf(wanted), ErrorCode::BadUsage);
+  wanted = request({0, 0, 40}, 20);
+  wanted.text = "";
+  EXPECT_EQ(codeOf(wanted), ErrorCode::BadInput);
+}
+
+TEST_F(EngraveTest, ProgressNeverFallsAndEndsAtOne) {
+  auto job = EngraveJob::create(upload(shapes::icosphere(40, 5)), request({0, 0, 40}, 25));
+  ASSERT_TRUE(job.has_value());
+  double last = 0;
+  for (;;) {
+    const auto progress = (*job)->advance();
+    ASSERT_TRUE(progress.has_value()) << progress.error().message;
+    EXPECT_GE(progress->fraction, last);
+    EXPECT_FALSE(progress->stage.empty());
+    last = progress->fraction;
+    if (progress->done) break;
+  }
+  EXPECT_EQ(last, 1);
+}
+
+TEST_F(EngraveTest, TheSameRequestGivesTheSameFile) {
+  const auto model = upload(shapes::bumpySphere(40, 1, 4, 4));
+  const auto first = engrave(model, request({0, 0, 40}, 25));
+  const auto second = engrave(model, request({0, 0, 40}, 25));
+  ASSERT_TRUE(first.has_value() && second.has_value());
+  EXPECT_EQ(first->stl, second->stl);
+}
+
+TEST_F(EngraveTest, TheReportHasTheKeysOfTheContract) {
+  const auto model = upload(shapes::icosphere(40, 5));
+  const EngraveRequest wanted = request({0, 0, 40}, 25);
+  const auto result = engrave(model, wanted);
+  ASSERT_TRUE(result.has_value());
+  ReportContext context;
+  context.readBack = readWithZxing(result->readerView.picture);
+  const auto report = nlohmann::json::parse(makeReport(wanted, *model, *result, context));
+  const std::map<std::string, std::vector<std::string>> keys = {
+      {"input", {"file", "format", "triangles", "vertices", "scaleToMm", "sizeMm", "warnings"}},
+      {"symbol", {"version", "ecc", "mask", "modules", "rows"}},
+      {"projection", {"method", "centre", "normal", "up", "eyeDistanceMm", "iterations"}},
+      {"size", {"symbolMm", "moduleMm", "guaranteedMm", "mode"}},
+      {"depth", {"meanMm", "maxMm", "p95Mm", "iterations", "limitedSubmodules", "solver"}},
+      {"mesh", {"triangles", "vertices", "keptTriangles", "closed", "manifold", "selfIntersections", "volumeMm3"}},
+      {"verification", {"decoded", "text", "views"}},
+      {"timingsMs", {"load", "prepare", "direction", "size", "depthSearch", "embed", "verify", "write", "total"}},
+      {"gl", {"renderer", "version"}}};
+  for (const auto& [group, names] : keys)
+    for (const std::string& name : names) EXPECT_TRUE(report.at(group).contains(name)) << group << "." << name;
+  EXPECT_EQ(report["text"], wanted.text);
+  EXPECT_EQ(report["symbol"]["rows"].size(), static_cast<std::size_t>(result->symbol.size));
+  EXPECT_TRUE(report["verification"]["decoded"].get<bool>());
+  EXPECT_TRUE(report["verification"]["failedChecks"].empty());
+}
+
+TEST_F(EngraveTest, AWrongOrMissingReadingIsAFailedCheck) {
+  const auto model = upload(shapes::icosphere(40, 4));
+  const EngraveRequest wanted = request({0, 0, 40}, 25);
+  const auto result = engrave(model, wanted);
+  ASSERT_TRUE(result.has_value());
+  EXPECT_TRUE(failedChecks(wanted, *result, wanted.text).empty());
+  EXPECT_EQ(failedChecks(wanted, *result, "").size(), 1u);
+  EXPECT_EQ(failedChecks(wanted, *result, "another text").size(), 1u);
+}
+
+TEST(DepthSummary, IsTheMeanMaximumAnd95thPercentileOfTheCarvedSubmodules) {
+  DepthField depths{10, 10, std::vector<double>(100, 0)};
+  for (int i = 0; i < 20; ++i) depths.depthMm[static_cast<std::size_t>(i)] = 0.1 * (i + 1);
+  const DepthSummary summary = summarise(depths);
+  EXPECT_NEAR(summary.meanMm, 1.05, 1e-12);
+  EXPECT_NEAR(summary.maxMm, 2.0, 1e-12);
+  EXPECT_NEAR(summary.p95Mm, 1.9, 1e-12);
+}
+
+}  // namespace
+}  // namespace qrelief
