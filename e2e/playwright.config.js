@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { createServer } from 'node:net';
+import { fileURLToPath } from 'node:url';
+import { defineConfig } from '@playwright/test';
+
+/** A port nobody listens on; the workers, which read this file too, inherit the choice. */
+async function choosePort() {
+  process.env.QRELIEF_E2E_PORT ??= await new Promise((resolve) => {
+    const server = createServer().listen(0, '127.0.0.1', () => {
+      const { port } = /** @type {import('node:net').AddressInfo} */ (server.address());
+      server.close(() => resolve(String(port)));
+    });
+  });
+  return process.env.QRELIEF_E2E_PORT;
+}
+
+const root = fileURLToPath(new URL('..', import.meta.url));
+const address = `http://127.0.0.1:${await choosePort()}/`;
+
+export default defineConfig({
+  testDir: '.',
+  outputDir: 'results',
+  workers: 1,  // the renderer is software and takes every core
+  timeout: 180_000,
+  expect: { timeout: 60_000 },
+  forbidOnly: Boolean(process.env.CI),
+  reporter: [['list']],
+  use: {
+    baseURL: address,
+    trace: 'retain-on-failure',
+    launchOptions: {
+      executablePath: process.env.QRELIEF_CHROMIUM ?? '/usr/bin/chromium',
+      args: [
+        '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--no-sandbox', '--disable-background-networking',
+        '--disable-component-update', '--disable-sync', '--no-first-run',
+      ],
+    },
+  },
+  projects: [
+    { name: 'desktop', testIgnore: 'phone.spec.js', use: { viewport: { width: 1280, height: 800 } } },
+    {
+      name: 'phone',
+      testMatch: ['phone.spec.js', 'open.spec.js'],
+      use: { viewport: { width: 360, height: 740 }, hasTouch: true, isMobile: true, deviceScaleFactor: 2 },
+    },
+  ],
+  webServer: {
+    command: `npm run preview -- --host 127.0.0.1 --port ${process.env.QRELIEF_E2E_PORT} --strictPort`,
+    cwd: root,
+    url: address,
+    reuseExistingServer: false,
+    stdout: 'ignore',
+  },
+});

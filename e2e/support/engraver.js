@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The page as its user knows it: by roles and names.
+import { readFile } from 'node:fs/promises';
+import { expect } from '@playwright/test';
+
+/** @typedef {import('@playwright/test').Page} Page */
+
+export class Engraver {
+  /** @param {Page} page */
+  constructor(page) {
+    this.page = page;
+    this.canvas = page.locator('canvas[aria-label="3D view"]');
+    this.text = page.getByRole('textbox', { name: 'Text or link' });
+    this.sample = page.getByRole('combobox', { name: 'Sample model' });
+    this.file = page.getByLabel('Model file');
+    this.engraveButton = page.getByRole('button', { name: 'Engrave' });
+    this.cancelButton = page.getByRole('button', { name: 'Cancel' });
+    this.progress = page.getByRole('progressbar');
+    this.status = page.getByRole('status');
+    this.alert = page.getByRole('alert');
+    this.result = page.getByRole('region', { name: 'Result' });
+    this.placement = page.locator('#placement-facts');
+    this.facts = page.locator('#model-facts');
+  }
+
+  /** @param {string} [query] */
+  async open(query = '') {
+    await this.page.goto(`./${query}`);
+  }
+
+  /** A model is loaded, its code has a place. */
+  async expectReady() {
+    await expect(this.placement).toContainText('mm wide');
+    await expect(this.status).toHaveText('Ready.');
+    await expect(this.engraveButton).toBeEnabled();
+  }
+
+  /** @param {string} name */
+  setting(name) {
+    return this.page.getByLabel(name, { exact: true });
+  }
+
+  async openSettings() {
+    await this.page.getByText('Settings', { exact: true }).click();
+  }
+
+  /** The centre in the model's coordinates, mm. */
+  async centre() {
+    const values = await Promise.all(['x', 'y', 'z'].map((axis) => this.page.locator(`#centre-${axis}`).inputValue()));
+    return values.map(Number);
+  }
+
+  /** Clicks Engrave and waits for the result. */
+  async engrave() {
+    await this.engraveButton.click();
+    await this.expectResult();
+  }
+
+  async expectResult() {
+    await expect(this.result).toBeVisible({ timeout: 120_000 });
+    await expect(this.alert).toBeEmpty();
+  }
+
+  /** @returns {Promise<{ name: string, bytes: Uint8Array }>} */
+  async download(button = 'Download') {
+    const [download] = await Promise.all([
+      this.page.waitForEvent('download'), this.page.getByRole('button', { name: button }).click(),
+    ]);
+    return { name: download.suggestedFilename(), bytes: new Uint8Array(await readFile(await download.path())) };
+  }
+
+  async report() {
+    return JSON.parse(new TextDecoder().decode((await this.download('Save report')).bytes));
+  }
+}

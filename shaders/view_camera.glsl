@@ -1,0 +1,21 @@
+// The viewer's camera and its G-buffer. View space: origin at the camera's target, axes right, up, back, mm; the eye is
+// at (0, 0, u_distance). Positions near the target keep their digits, whatever the distance.
+
+uniform highp sampler2D u_surface;  // shading normal (length 1: front side, 1/2: back side, 0: background), z
+uniform vec2 u_tanHalf;             // tangents of half the field of view
+uniform vec2 u_size;                // of the G-buffer, pixels
+uniform vec2 u_jitter;              // offset of this sample in normalised device coordinates
+uniform float u_distance;           // eye to target, mm
+
+vec3 positionView(vec2 pixel, float z) {
+  vec2 ndc = 2.0 * pixel / u_size - 1.0 - u_jitter;
+  return vec3(ndc * u_tanHalf * (u_distance - z), z);
+}
+
+bool isSurface(vec3 normal) {
+  return dot(normal, normal) > 0.1;
+}
+
+float squareOf(float x) {
+  return x * x;
+}

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "wasm/viewer.h"
+
+#include <cmath>
+
+#include "mesh/ray.h"
+#include "support/gl_test.h"
+#include "support/shapes.h"
+#include "wasm/display_mesh.h"
+
+namespace qrelief {
+namespace {
+
+constexpr int kWidth = 240, kHeight = 180;
+
+/// Pixels of a picture, 0 … 1, by screen position as the camera counts (from the upper left).
+struct Picture {
+  std::vector<float> rgba;  // row 0 at the bottom
+
+  Vec3 at(Vec2 pixel) const {
+    const int x = static_cast<int>(pixel.x), y = kHeight - 1 - static_cast<int>(pixel.y);
+    const auto i = 4 * static_cast<std::size_t>(y * kWidth + x);
+    return {rgba[i], rgba[i + 1], rgba[i + 2]};
+  }
+  double brightness(Vec2 pixel) const { return (at(pixel).x + at(pixel).y + at(pixel).z) / 3; }
+};
+
+class ViewerTest : public GlTest {
+ protected:
+  void SetUp() override {
+    auto made = Viewer::create();
+    ASSERT_TRUE(made.has_value()) << made.error().message;
+    viewer_ = std::make_unique<Viewer>(std::move(*made));
+    viewer_->resize(kWidth, kHeight);
+    camera_.setViewport(kWidth, kHeight);
+    canvas_ = gl::Texture(kWidth, kHeight, gl::Format::RGBA32F);
+    const gl::Texture* const colours[] = {&canvas_};
+    auto target = gl::Framebuffer::create(colours, false);
+    ASSERT_TRUE(target.has_value());
+    target_ = std::move(*target);
+  }
+  void show(const Mesh& mesh) {
+    const DisplayMesh display = splitAtCreases(mesh);
+    viewer_->setMesh(std::make_shared<GpuMesh>(display.mesh, display.normals));
+    camera_.setScene(boundingBox(mesh));
+    camera_.fitFromDefaultSide();
+  }
+  bool draw(double nowMs) {
+    const auto more = viewer_->draw(camera_.view(), nowMs, &target_);
+    EXPECT_TRUE(more.has_value());
+    return more.value_or(false);
+  }
+  /// The refined picture.
+  Picture refined() {
+    double now = clock_;
+    int frames = 0;
+    while (draw(now += 200) && frames < 100) ++frames;
+    EXPECT_LT(frames, 100);
+    clock_ = now + 1000;
+    return {target_.readRgba()};
+  }
+  std::unique_ptr<Viewer> viewer_;
+  OrbitCamera camera_;
+  gl::Texture canvas_;
+  gl::Framebuffer target_;
+  double clock_ = 0;
+};
+
+TEST_F(ViewerTest, TheThreeVisibleFacesOfABoxDifferAndTheUpperIsBrightest) {
+  show(shapes::box({40, 40, 40}));
+  const Picture picture = refined();
+  const double top = picture.brightness(camera_.toScreen({0, 0, 20}));
+  const double front = picture.brightness(camera_.toScreen({0, -20, 0}));
+  const double side = picture.brightness(camera_.toScreen({20, 0, 0}));
+  EXPECT_GT(top, front + 0.03);
+  EXPECT_GT(top, side + 0.03);
+  EXPECT_GT(std::abs(front - side), 0.02);
+}
+
+TEST_F(ViewerTest, TheBackgroundFollowsTheTheme) {
+  show(shapes::box({40, 40, 40}));
+  const double light = refined().brightness({2, 2});
+  viewer_->setTheme(true);
+  const double dark = refined().brightness({2, 2});
+  EXPECT_GT(light, 0.75);
+  EXPECT_LT(dark, 0.3);
+}
+
+TEST_F(ViewerTest, OcclusionDarkensAConcaveCornerAndLeavesTheOpenPlateAlone) {
+  // A plate with a step: the corner at the step's foot sees half the sky.
+  show(shapes::plate({80, 80}, 5, 160, 4, [](double x, double) { return x < 0 ? 5.0 : 0.0; }));
+  camera_.orbit(0, 30);
+  const Picture picture = refined();
+  const double open = picture.brightness(camera_.toScreen({30, 0, 0}));
+  const double corner = picture.brightness(camera_.toScreen({1.2, 0, 0}));
+  EXPECT_LT(corner, open * 0.9);
+  EXPECT_NEAR(picture.brightness(camera_.toScreen({30, 20, 0})), open, 0.02);
+}
+
+TEST_F(ViewerTest, ThePrintShowsItsInkWhereTheProjectionCarriesIt) {
+  show(shapes::box({60, 60, 20}));
+  camera_.orbit(0, 400);  // from above
+  SurfacePrint print;
+  print.frame = makeFrame({0, 0, 10}, {0, 0, 1}, {0, 1, 0}, 250);
+  print.edgeMm = 40;
+  print.heightsMm = {-1, 1};
+  print.size = 2;
+  print.ink = {255, 0,  // upper left, seen by the reader, is dark
+               0, 0};
+  viewer_->setPrint(print);
+  const Picture with = refined();
+  const double ink = with.brightness(camera_.toScreen({-10, 10, 10}));
+  for (const Vec3 paper : {Vec3(10, 10, 10), Vec3(-10, -10, 10), Vec3(10, -10, 10)})
+    EXPECT_GT(with.brightness(camera_.toScreen(paper)), ink + 0.4);
+  const double plain = with.brightness(camera_.toScreen({26, 0, 10}));
+  EXPECT_GT(with.brightness(camera_.toScreen({10, 10, 10})), plain + 0.03);
+
+  viewer_->setPrint(std::nullopt);
+  EXPECT_GT(refined().brightness(camera_.toScreen({-10, 10, 10})), ink + 0.3);
+}
+
+TEST_F(ViewerTest, ThePrintIsOnlyOnFacetsTowardsTheReader) {
+  show(shapes::box({60, 60, 20}));
+  SurfacePrint print;
+  print.frame = makeFrame({0, 0, 10}, {0, 0, 1}, {0, 1, 0}, 250);
+  print.edgeMm = 80;  // over the edges, where the sides begin
+  print.heightsMm = {-50, 50};
+  print.size = 1;
+  print.ink = {255};
+  const Vec2 front = camera_.toScreen({0, -30, 0});
+  const double before = refined().brightness(front);
+  viewer_->setPrint(print);
+  const Picture with = refined();
+  EXPECT_NEAR(with.brightness(front), before, 0.01);
+  EXPECT_LT(with.brightness(camera_.toScreen({0, 0, 10})), 0.35);
+}
+
+TEST_F(ViewerTest, TheRayThroughAPixelMeetsTheSurfaceThatThePixelShows) {
+  const Mesh sphere = shapes::icosphere(30, 5);
+  show(sphere);
+  viewer_->setMarker(Vec3(0, 0, 30));
+  const Picture picture = refined();
+  const Vec2 marked = camera_.toScreen({0, 0, 30});
+  const Vec3 colour = picture.at(marked);
+  EXPECT_GT(colour.z, colour.x + 0.2);  // the marker is blue
+  const Ray ray = camera_.ray(marked.x, marked.y);
+  const auto hit = firstHit(sphere, ray.origin, ray.direction);
+  ASSERT_TRUE(hit.has_value());
+  EXPECT_LT(glm::length(hit->position - Vec3(0, 0, 30)), 0.05);
+}
+
+TEST_F(ViewerTest, TheInsideOfAnOpenModelIsReddish) {
+  Mesh open = shapes::box({40, 40, 40});
+  open.triangles.erase(open.triangles.begin() + 2, open.triangles.begin() + 4);  // the upper side
+  show(open);
+  camera_.orbit(0, 1000);
+  const Vec3 colour = refined().at(camera_.toScreen({0, 0, -20}));
+  EXPECT_GT(colour.x, 1.3 * colour.z);
+}
+
+TEST_F(ViewerTest, RefinementWaitsUntilTheCameraRestsAndThenEnds) {
+  show(shapes::box({40, 40, 40}));
+  EXPECT_TRUE(draw(0));
+  EXPECT_TRUE(draw(50));
+  EXPECT_EQ(viewer_->statistics().samples, 0);
+  camera_.orbit(5, 0);
+  EXPECT_TRUE(draw(130));
+  EXPECT_TRUE(draw(200));
+  EXPECT_EQ(viewer_->statistics().samples, 0);
+  EXPECT_TRUE(draw(260));
+  EXPECT_EQ(viewer_->statistics().samples, 1);
+  EXPECT_EQ(viewer_->statistics().width, kWidth);
+  int frames = 1;
+  double now = 300;
+  while (draw(now += 10) && frames < 100) ++frames;
+  EXPECT_EQ(viewer_->statistics().samples, ViewQuality{}.stillSamples);
+  EXPECT_FALSE(draw(now + 10));
+  camera_.orbit(5, 0);
+  EXPECT_TRUE(draw(now + 20));
+  EXPECT_EQ(viewer_->statistics().width, kWidth / 2);
+}
+
+TEST_F(ViewerTest, SlowFramesInMotionLowerTheResolution) {
+  show(shapes::box({40, 40, 40}));
+  for (double now = 0; now < 2000; now += 100) {
+    camera_.orbit(1, 0);
+    draw(now);
+  }
+  EXPECT_EQ(viewer_->statistics().width, static_cast<int>(std::lround(0.4 * kWidth)));
+  EXPECT_NEAR(viewer_->statistics().coarseFrameMs, 100, 1);
+}
+
+TEST_F(ViewerTest, WithoutAModelOnlyTheBackgroundIsDrawn) {
+  const Picture picture = refined();
+  EXPECT_NEAR(picture.brightness({10, 90}), picture.brightness({200, 90}), 0.01);
+}
+
+}  // namespace
+}  // namespace qrelief

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { existsSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
+import { defineConfig } from 'vite';
+
+const root = fileURLToPath(new URL('.', import.meta.url));
+const moduleFolder = process.env.QRELIEF_WASM_DIR ?? `${root}build/wasm/wasm`;
+
+/** What a page of this origin may do: nothing is fetched from, or sent to, anywhere else. */
+const kPolicy = [
+  "default-src 'none'", "script-src 'self' 'wasm-unsafe-eval'", "worker-src 'self'", "connect-src 'self'",
+  "style-src 'self'", "img-src 'self' data:", "base-uri 'none'", "form-action 'none'",
+].join('; ');
+
+/** @returns {import('vite').Plugin} */
+function requireModule() {
+  return {
+    name: 'qrelief-require-module',
+    buildStart() {
+      for (const file of ['qrelief.js', 'qrelief.wasm']) {
+        if (!existsSync(`${moduleFolder}/${file}`)) {
+          this.error(`${moduleFolder}/${file} is not there: build the module first (cmake --preset wasm && cmake --build --preset wasm)`);
+        }
+      }
+    },
+  };
+}
+
+/**
+ * Only in what is built: the development server puts scripts and styles into the page.
+ * @returns {import('vite').Plugin}
+ */
+function contentSecurityPolicy() {
+  return {
+    name: 'qrelief-content-security-policy',
+    apply: 'build',
+    transformIndexHtml: () => [
+      { tag: 'meta', attrs: { 'http-equiv': 'Content-Security-Policy', content: kPolicy }, injectTo: 'head-prepend' },
+    ],
+  };
+}
+
+export default defineConfig({
+  root: `${root}web`,
+  base: './',
+  publicDir: `${root}public`,
+  resolve: {
+    alias: { 'qrelief-module': `${moduleFolder}/qrelief.js`, 'qrelief-wasm': `${moduleFolder}/qrelief.wasm?url` },
+  },
+  plugins: [requireModule(), contentSecurityPolicy()],
+  worker: { format: 'es' },
+  build: { outDir: `${root}dist`, emptyOutDir: true, target: 'es2022', assetsInlineLimit: 0, modulePreload: { polyfill: false } },
+  server: { fs: { allow: [root, moduleFolder] } },
+});

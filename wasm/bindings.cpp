@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The module's only door: one class of verbs for the page. No exception crosses it.
+#include <GLES3/gl3.h>
+#include <emscripten/bind.h>
+#include <emscripten/html5_webgl.h>
+#include <emscripten/val.h>
+#include <exception>
+#include <new>
+#include <nlohmann/json.hpp>
+
+#include "wasm/engine.h"
+#include "wasm/inspector.h"
+
+namespace qrelief {
+namespace {
+
+using emscripten::val;
+
+std::string failure(const char* what, const char* hint) {
+  const nlohmann::ordered_json answer = {{"ok", false},
+                                         {"error", {{"code", "Internal"}, {"message", what}, {"hint", hint}}}};
+  return answer.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+/// The verb's answer, or its exception as one.
+template <class Verb>
+std::string guarded(Verb verb) {
+  try {
+    return verb();
+  } catch (const std::bad_alloc&) {
+    return failure("there is not enough memory for this", "use a smaller model, or close other tabs");
+  } catch (const std::exception& exception) {
+    return failure(exception.what(), "this is a fault of QRelief: please report it with the model and the settings");
+  }
+}
+
+std::vector<std::uint8_t> copyIn(const val& array) {
+  std::vector<std::uint8_t> bytes(array["length"].as<std::size_t>());
+  if (!bytes.empty()) val(emscripten::typed_memory_view(bytes.size(), bytes.data())).call<void>("set", array);
+  return bytes;
+}
+
+/// A Uint8Array of its own, not a view of the heap, which may move.
+val copyOut(std::span<const std::uint8_t> bytes) {
+  return val::global("Uint8Array").new_(val(emscripten::typed_memory_view(bytes.size(), bytes.data())));
+}
+
+/// What draws: browsers say "WebKit WebGL" and the like unless asked by this extension.
+std::string rendererName() {
+  constexpr GLenum kUnmaskedRenderer = 0x9246;
+  if (!emscripten_webgl_enable_extension(emscripten_webgl_get_current_context(), "WEBGL_debug_renderer_info"))
+    return {};
+  const GLubyte* name = glGetString(kUnmaskedRenderer);
+  return name ? reinterpret_cast<const char*>(name) : "";
+}
+
+/// The engine and the window over it.
+class Facade {
+ public:
+  Facade() : engine_(rendererName()) {}
+  std::string capabilities() {
+    return guarded([&] { return engine_.capabilities(); });
+  }
+  std::string loadModel(const val& bytes, const std::string& fileName, double scaleToMm) {
+    return guarded([&] { return engine_.loadModel(copyIn(bytes), fileName, scaleToMm); });
+  }
+  std::string configure(const std::string& settings) {
+    return guarded([&] { return engine_.configure(settings); });
+  }
+  std::string pick(double x, double y) {
+    return guarded([&] { return engine_.pick(x, y); });
+  }
+  std::string setCentre(double x, double y, double z) {
+    return guarded([&] { return engine_.setCentre(x, y, z); });
+  }
+  std::string placement() {
+    return guarded([&] { return engine_.placement(); });
+  }
+  std::string startEngrave() {
+    return guarded([&] { return engine_.startEngrave(); });
+  }
+  std::string advance() {
+    return guarded([&] { return engine_.advance(); });
+  }
+  void cancel() { engine_.cancel(); }
+  std::string report() {
+    return guarded([&] { return engine_.report(); });
+  }
+  val readerImage() {
+    const GreyImage& image = engine_.readerImage();
+    val answer = val::object();
+    answer.set("width", image.width);
+    answer.set("height", image.height);
+    answer.set("pixels", copyOut(image.pixels));
+    return answer;
+  }
+  void setReadBack(const std::string& text, const std::string& reader) { engine_.setReadBack(text, reader); }
+  val exportModel(const std::string& format) { return copyOut(engine_.exportModel(format)); }
+
+  void resize(double width, double height, double devicePixelRatio) {
+    size_ = {width, height};
+    devicePixelRatio_ = devicePixelRatio;
+    engine_.resize(width, height, devicePixelRatio);
+    if (inspector_) inspector_->resize(width, height, devicePixelRatio);
+  }
+  void setTheme(bool dark) {
+    dark_ = dark;
+    engine_.setTheme(dark);
+    if (inspector_) inspector_->setTheme(dark);
+  }
+  void setUpAxis(const std::string& axis) { engine_.setUpAxis(axis); }
+  void showCarved(bool carved) { engine_.showCarved(carved); }
+  void orbit(double dx, double dy) { engine_.orbit(dx, dy); }
+  void pan(double dx, double dy) { engine_.pan(dx, dy); }
+  void zoom(double factor, double x, double y) { engine_.zoom(factor, x, y); }
+  void fit() { engine_.fit(); }
+  void readerView() { engine_.readerView(); }
+
+  bool draw() {
+    const bool hasInspector = inspectorShown_ && inspector_;
+    const bool more = engine_.draw(hasInspector || inspectorGone_);
+    inspectorGone_ = false;
+    return hasInspector ? inspector_->draw(engine_) || more : more;
+  }
+  void setInspector(bool shown) {
+    if (shown && !inspector_) {
+      inspector_ = std::make_unique<Inspector>();
+      inspector_->setTheme(dark_);
+    }
+    if (shown) inspector_->resize(size_.x, size_.y, devicePixelRatio_);
+    inspectorGone_ = inspectorShown_ && !shown;
+    inspectorShown_ = shown;
+  }
+  bool inspectorPointer(double x, double y, int buttons, double wheel) {
+    return inspectorShown_ && inspector_ && inspector_->pointer(x, y, buttons, wheel);
+  }
+
+ private:
+  Engine engine_;
+  std::unique_ptr<Inspector> inspector_;
+  bool inspectorShown_ = false, inspectorGone_ = false, dark_ = false;
+  Vec2 size_{1};
+  double devicePixelRatio_ = 1;
+};
+
+}  // namespace
+
+EMSCRIPTEN_BINDINGS(qrelief) {
+  emscripten::class_<Facade>("Engine")
+      .constructor<>()
+      .function("capabilities", &Facade::capabilities)
+      .function("loadModel", &Facade::loadModel)
+      .function("configure", &Facade::configure)
+      .function("pick", &Facade::pick)
+      .function("setCentre", &Facade::setCentre)
+      .function("placement", &Facade::placement)
+      .function("startEngrave", &Facade::startEngrave)
+      .function("advance", &Facade::advance)
+      .function("cancel", &Facade::cancel)
+      .function("report", &Facade::report)
+      .function("readerImage", &Facade::readerImage)
+      .function("setReadBack", &Facade::setReadBack)
+      .function("exportModel", &Facade::exportModel)
+      .function("resize", &Facade::resize)
+      .function("setTheme", &Facade::setTheme)
+      .function("setUpAxis", &Facade::setUpAxis)
+      .function("showCarved", &Facade::showCarved)
+      .function("orbit", &Facade::orbit)
+      .function("pan", &Facade::pan)
+      .function("zoom", &Facade::zoom)
+      .function("fit", &Facade::fit)
+      .function("readerView", &Facade::readerView)
+      .function("draw", &Facade::draw)
+      .function("setInspector", &Facade::setInspector)
+      .function("inspectorPointer", &Facade::inspectorPointer);
+}
+
+}  // namespace qrelief

@@ -1,0 +1,421 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "wasm/engine.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "io/read_model.h"
+#include "wasm/display_mesh.h"
+#include "wasm/settings.h"
+
+namespace qrelief {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Clock = std::chrono::steady_clock;
+
+constexpr double kPrintHeights = 0.75;     // farthest surface from the QR plane that takes the print, of its edge
+constexpr double kHeightTolerance = 0.02;  // of the print's edge: floats of two different projections
+constexpr double kReaderMargin = 1.1;      // air around symbol and quiet zone in the reader's view
+
+double millisecondsSince(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+double nowMs() { return std::chrono::duration<double, std::milli>(Clock::now().time_since_epoch()).count(); }
+
+// Texts from files may hold bytes that are no UTF-8: they are shown as replacement characters.
+std::string dump(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+const char* nameOf(ErrorCode code) {
+  switch (code) {
+    case ErrorCode::BadUsage:
+      return "BadUsage";
+    case ErrorCode::BadInput:
+      return "BadInput";
+    case ErrorCode::NoSolution:
+      return "NoSolution";
+    case ErrorCode::Internal:
+      break;
+  }
+  return "Internal";
+}
+
+const char* nameOf(Finding::Severity severity) {
+  switch (severity) {
+    case Finding::Severity::Note:
+      return "note";
+    case Finding::Severity::Warning:
+      return "warning";
+    case Finding::Severity::Blocking:
+      break;
+  }
+  return "blocking";
+}
+
+std::string answer(const Error& error) {
+  return dump(
+      {{"ok", false}, {"error", {{"code", nameOf(error.code)}, {"message", error.message}, {"hint", error.hint}}}});
+}
+
+std::string answer(ErrorCode code, std::string message, std::string hint) {
+  return answer(Error{code, std::move(message), std::move(hint)});
+}
+
+std::string done() { return dump({{"ok", true}}); }
+
+Json triple(Vec3 v) { return Json::array({v.x, v.y, v.z}); }
+
+const Error kNoModel = {ErrorCode::BadUsage, "there is no model yet", "open a model file or choose a sample"};
+const Error kNoResult = {ErrorCode::BadUsage, "nothing has been engraved yet", "press Engrave first"};
+
+// Range of heights over the QR plane among the patch's facets that the square covers.
+Vec2 heightsUnder(const Placement& placement, const Mesh& mesh, double edge) {
+  const ProjectionFrame& frame = placement.frame;
+  Vec2 range(0);
+  for (const std::uint32_t t : placement.patch.triangles) {
+    Vec2 low(edge), high(-edge);
+    Vec2 heights(edge, -edge);
+    for (int k = 0; k < 3; ++k) {
+      const Vec3 corner = mesh.corner(t, k);
+      const Vec2 p = frame.project(corner);
+      low = glm::min(low, p);
+      high = glm::max(high, p);
+      const double height = glm::dot(corner - frame.centre, frame.normal);
+      heights = {std::min(heights.x, height), std::max(heights.y, height)};
+    }
+    if (high.x < -edge / 2 || high.y < -edge / 2 || low.x > edge / 2 || low.y > edge / 2) continue;
+    range = {std::min(range.x, heights.x), std::max(range.y, heights.y)};
+  }
+  range = glm::clamp(range, Vec2(-kPrintHeights * edge), Vec2(kPrintHeights * edge));
+  return range + Vec2(-kHeightTolerance, kHeightTolerance) * edge;
+}
+
+}  // namespace
+
+Engine::Engine(const std::string& renderer) {
+  const auto capabilities = gl::queryCapabilities();
+  if (!capabilities) {
+    problems_.push_back(capabilities.error().message + "; " + capabilities.error().hint);
+    return;
+  }
+  gl_ = *capabilities;
+  if (!renderer.empty()) gl_.renderer = renderer;
+  auto pass = GeometryPass::create();
+  auto viewer = Viewer::create(ViewQuality::suitedTo(gl_));
+  for (const Error* error : {pass ? nullptr : &pass.error(), viewer ? nullptr : &viewer.error()})
+    if (error) problems_.push_back(error->message + "; " + error->hint);
+  if (!problems_.empty()) return;
+  pass_ = std::make_unique<GeometryPass>(std::move(*pass));
+  viewer_ = std::make_unique<Viewer>(std::move(*viewer));
+}
+
+std::string Engine::capabilities() const {
+  return dump({{"renderer", gl_.renderer}, {"version", gl_.version}, {"problems", problems_}});
+}
+
+Result<Engine::Model> Engine::readAndPrepare(std::vector<std::uint8_t> bytes, const std::string& fileName,
+                                             double scaleToMm) const {
+  const auto start = Clock::now();
+  auto soup = readModel(bytes, fileName);
+  if (!soup) return tl::unexpected(soup.error());
+  bytes = {};  // the file and the model need not be in memory at once
+  Model model;
+  model.fileName = fileName;
+  model.format = soup->format;
+  model.scaleToMm = scaleToMm;
+  model.warnings = soup->warnings;
+  model.loadMs = millisecondsSince(start);
+
+  const auto preparing = Clock::now();
+  auto prepared = prepareModel(*soup, {.scaleToMm = scaleToMm});
+  if (!prepared) return tl::unexpected(prepared.error());
+  *soup = {};
+  {
+    const DisplayMesh display = splitAtCreases(prepared->mesh);
+    model.display = std::make_shared<const GpuMesh>(display.mesh, display.normals);
+  }
+  model.engravable = EngravableModel::upload(std::move(*prepared));
+  model.prepareMs = millisecondsSince(preparing);
+  return model;
+}
+
+std::string Engine::loadModel(std::vector<std::uint8_t> bytes, const std::string& fileName, double scaleToMm) {
+  if (!viewer_) return answer(ErrorCode::Internal, problems_.front(), "use a browser with WebGL 2 and float targets");
+  if (!(scaleToMm > 0) || !std::isfinite(scaleToMm))
+    return answer(ErrorCode::BadUsage, fmt::format("the scale is {:g}", scaleToMm),
+                  "choose how many mm one unit of the file is");
+  auto model = readAndPrepare(std::move(bytes), fileName, scaleToMm);
+  if (!model) return answer(model.error());
+  forgetJob();
+  forgetPlacement();
+  model_ = std::move(*model);
+  camera_.setScene(model_->display->box());
+  camera_.fitFromDefaultSide();
+  const CameraView view = camera_.view();
+  auto middle = firstHit(model_->engravable->prepared.mesh, view.eye(), -view.back);
+  if (!middle) middle = closestPoint(model_->engravable->prepared.mesh, view.eye());
+  centre_ = middle ? std::optional(middle->position) : std::nullopt;
+  updateView();
+  return describeModel();
+}
+
+std::string Engine::describeModel() const {
+  const PreparedModel& prepared = model_->engravable->prepared;
+  Json findings = Json::array();
+  for (const std::string& warning : model_->warnings)
+    findings.push_back({{"severity", "warning"}, {"code", "reader"}, {"count", 1}, {"message", warning}, {"hint", ""}});
+  for (const Finding& finding : prepared.findings)
+    findings.push_back({{"severity", nameOf(finding.severity)},
+                        {"code", finding.code},
+                        {"count", finding.count},
+                        {"message", finding.message},
+                        {"hint", finding.hint}});
+  return dump({{"ok", true},
+               {"model",
+                {{"format", model_->format},
+                 {"triangles", prepared.mesh.triangles.size()},
+                 {"vertices", prepared.mesh.positions.size()},
+                 {"sizeMm", triple(boundingBox(prepared.mesh).size())},
+                 {"shells", prepared.shells},
+                 {"engravable", prepared.engravable().has_value()},
+                 {"findings", findings},
+                 {"centre", centre_ ? triple(*centre_) : Json()}}}});
+}
+
+std::string Engine::configure(const std::string& settings) {
+  auto request = readSettings(settings);
+  if (!request) return answer(request.error());
+  request_ = std::move(*request);
+  return done();
+}
+
+std::optional<SurfacePoint> Engine::surfaceAt(double x, double y) const {
+  if (!model_) return {};
+  const Ray ray = camera_.ray(x, y);
+  return firstHit(model_->engravable->prepared.mesh, ray.origin, ray.direction);
+}
+
+std::string Engine::chooseCentre(std::optional<SurfacePoint> point) {
+  if (!point) return dump({{"hit", false}});
+  centre_ = point->position;
+  forgetPlacement();
+  showCarved_ = false;
+  updateView();
+  return dump({{"hit", true}, {"centre", triple(*centre_)}});
+}
+
+std::string Engine::pick(double x, double y) { return chooseCentre(surfaceAt(x, y)); }
+
+std::string Engine::setCentre(double x, double y, double z) {
+  if (!model_ || !std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z)) return chooseCentre({});
+  return chooseCentre(closestPoint(model_->engravable->prepared.mesh, {x, y, z}));
+}
+
+EngraveRequest Engine::completeRequest() const {
+  EngraveRequest request = request_;
+  request.placement.centreMm = *centre_;
+  request.placement.upHint = camera_.skyward();
+  return request;
+}
+
+SurfacePrint Engine::printOf(const Symbol& symbol, const Placement& placement, const EngraveRequest& request) const {
+  const SubmoduleMask mask = submodulesToCarve(symbol, request.modulePattern, request.finderPattern);
+  const int border = kSubmodulesPerModule * kQuietZoneModules;
+  SurfacePrint print;
+  print.frame = placement.frame;
+  print.size = mask.size + 2 * border;
+  print.edgeMm = placement.symbolMm * print.size / mask.size;
+  print.heightsMm = heightsUnder(placement, model_->engravable->prepared.mesh, print.edgeMm);
+  print.ink.assign(static_cast<std::size_t>(print.size) * static_cast<std::size_t>(print.size), 0);
+  for (int row = 0; row < mask.size; ++row)
+    for (int column = 0; column < mask.size; ++column)
+      if (mask.isCarved(row, column))
+        print.ink[static_cast<std::size_t>((row + border) * print.size + column + border)] = 255;
+  return print;
+}
+
+Result<Symbol> Engine::placeSymbol() {
+  if (!model_) return tl::unexpected(kNoModel);
+  if (!centre_)
+    return fail(ErrorCode::BadUsage, "no place has been chosen", "click on the model where the code should go");
+  const EngravableModel& model = *model_->engravable;
+  if (const Status engravable = model.prepared.engravable(); !engravable) return tl::unexpected(engravable.error());
+  auto symbol = encodeSymbol(request_.text, request_.symbol);
+  if (!symbol) return symbol;
+  PlacementSearch search(model.prepared, model.gpu, *pass_, symbol->size, completeRequest().placement);
+  for (;;) {
+    const Result<bool> found = search.step();
+    if (!found) return tl::unexpected(found.error());
+    if (*found) break;
+  }
+  placement_ = search.placement();
+  print_ = printOf(*symbol, *placement_, request_);
+  return symbol;
+}
+
+std::string Engine::placement() {
+  forgetPlacement();
+  const Result<Symbol> symbol = placeSymbol();
+  updateView();
+  return symbol ? describePlacement(*symbol) : answer(symbol.error());
+}
+
+std::string Engine::describePlacement(const Symbol& symbol) const {
+  return dump({{"ok", true},
+               {"placement",
+                {{"centre", triple(placement_->frame.centre)},
+                 {"normal", triple(placement_->frame.normal)},
+                 {"up", triple(placement_->frame.up)},
+                 {"symbolMm", placement_->symbolMm},
+                 {"moduleMm", placement_->moduleMm},
+                 {"guaranteedMm", placement_->guaranteedMm},
+                 {"version", symbol.version},
+                 {"modules", symbol.size}}}});
+}
+
+std::string Engine::startEngrave() {
+  forgetJob();
+  updateView();
+  if (!model_) return answer(kNoModel);
+  if (!centre_)
+    return answer(ErrorCode::BadUsage, "no place has been chosen", "click on the model where the code should go");
+  jobRequest_ = completeRequest();
+  auto job = EngraveJob::create(model_->engravable, jobRequest_);
+  if (!job) return answer(job.error());
+  job_ = std::move(*job);
+  jobRuns_ = true;
+  jobMs_ = 0;
+  return done();
+}
+
+std::string Engine::advance() {
+  if (!jobRuns_) return answer(ErrorCode::BadUsage, "no engraving is running", "");
+  const auto start = Clock::now();
+  const Result<Progress> progress = job_->advance();
+  if (!progress) {
+    forgetJob();
+    return answer(progress.error());
+  }
+  if (progress->done) finishJob();
+  jobMs_ += millisecondsSince(start);
+  return dump({{"ok", true}, {"stage", progress->stage}, {"fraction", progress->fraction}, {"done", progress->done}});
+}
+
+void Engine::finishJob() {
+  jobRuns_ = false;  // the job itself stays: the inspector shows its maps
+  result_ = job_->takeResult();
+  const DisplayMesh display = splitAtCreases(result_->mesh);
+  carvedDisplay_ = std::make_shared<const GpuMesh>(display.mesh, display.normals);
+  placement_ = result_->placement;
+  print_ = printOf(result_->symbol, *placement_, jobRequest_);
+  showCarved_ = true;
+  updateView();
+}
+
+void Engine::cancel() {
+  if (jobRuns_) forgetJob();
+}
+
+std::string Engine::report() const {
+  if (!result_) return answer(kNoResult);
+  ReportContext context;
+  context.fileName = model_->fileName;
+  context.format = model_->format;
+  context.scaleToMm = model_->scaleToMm;
+  context.readBack = readBack_;
+  context.reader = reader_;
+  context.gl = gl_;
+  context.loadMs = model_->loadMs;
+  context.prepareMs = model_->prepareMs;
+  context.totalMs = model_->loadMs + model_->prepareMs + jobMs_;
+  return makeReport(jobRequest_, *model_->engravable, *result_, context);
+}
+
+const GreyImage& Engine::readerImage() const {
+  static const GreyImage kNone;
+  return result_ ? result_->readerView.picture : kNone;
+}
+
+void Engine::setReadBack(const std::string& text, const std::string& reader) {
+  readBack_ = text;
+  reader_ = reader;
+}
+
+std::span<const std::uint8_t> Engine::exportModel(const std::string& format) const {
+  if (!result_ || format != "stl") return {};
+  return result_->stl;
+}
+
+void Engine::resize(double width, double height, double devicePixelRatio) {
+  camera_.setViewport(width, height);
+  const auto devicePixels = [=](double length) { return static_cast<int>(std::lround(length * devicePixelRatio)); };
+  if (viewer_) viewer_->resize(devicePixels(width), devicePixels(height));
+}
+
+void Engine::setTheme(bool dark) {
+  if (viewer_) viewer_->setTheme(dark);
+}
+
+void Engine::setUpAxis(const std::string& axis) {
+  camera_.setUpAxis(axis == "y" ? UpAxis::Y : UpAxis::Z);
+  camera_.fitFromDefaultSide();
+}
+
+void Engine::showCarved(bool carved) {
+  showCarved_ = carved;
+  updateView();
+}
+
+void Engine::orbit(double dx, double dy) { camera_.orbit(dx, dy); }
+
+void Engine::pan(double dx, double dy) { camera_.pan(dx, dy); }
+
+void Engine::zoom(double factor, double x, double y) {
+  const auto surface = surfaceAt(x, y);
+  camera_.zoom(factor, surface ? surface->position : camera_.onTargetPlane(x, y));
+}
+
+void Engine::fit() { camera_.fit(); }
+
+void Engine::readerView() {
+  if (placement_ && print_) camera_.lookThrough(placement_->frame, print_->edgeMm * kReaderMargin);
+}
+
+bool Engine::draw(bool always) {
+  if (!viewer_) return false;
+  const double now = nowMs();
+  const bool gliding = camera_.advance(now);
+  const Result<bool> more = viewer_->draw(camera_.view(), now, nullptr, always);
+  if (more) return *more || gliding;
+  problems_.push_back(more.error().message);
+  return false;
+}
+
+void Engine::forgetPlacement() {
+  placement_.reset();
+  print_.reset();
+}
+
+void Engine::forgetJob() {
+  job_.reset();
+  jobRuns_ = false;
+  result_.reset();
+  carvedDisplay_.reset();
+  showCarved_ = false;
+  readBack_.clear();
+  reader_.clear();
+}
+
+void Engine::updateView() {
+  if (!viewer_) return;
+  const bool carved = showCarved_ && carvedDisplay_;
+  viewer_->setMesh(carved ? carvedDisplay_ : model_ ? model_->display : nullptr);
+  viewer_->setPrint(carved ? std::nullopt : print_);
+  viewer_->setMarker(carved || print_ ? std::nullopt : centre_);
+}
+
+}  // namespace qrelief

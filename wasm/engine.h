@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "gl/objects.h"
+#include "mesh/ray.h"
+#include "pipeline/engrave.h"
+#include "pipeline/report.h"
+#include "wasm/orbit_camera.h"
+#include "wasm/viewer.h"
+
+namespace qrelief {
+
+/// What the page asks of the core, as verbs; the state is one model, one place on it, one engraving.
+///
+/// Answers are JSON: {"ok": true, …} or {"ok": false, "error": {"code", "message", "hint"}} with the codes BadUsage,
+/// BadInput, NoSolution, Internal. Screen positions are CSS pixels from the canvas's upper left, lengths mm. Needs a
+/// current GL context from its making to its end; knows nothing of browsers.
+class Engine {
+ public:
+  /// @param renderer  name of the graphics processor, where the caller knows it better than GL_RENDERER (browsers mask
+  /// it)
+  explicit Engine(const std::string& renderer = {});
+
+  /// {renderer, version, problems: [text]}; with a problem nothing can be drawn or engraved.
+  std::string capabilities() const;
+
+  /// {model: {format, triangles, vertices, sizeMm, shells, engravable, findings, centre}}; `centre` is the surface
+  /// point in the middle of the view, chosen until another is. After an error the old model stays.
+  /// @param bytes  the file; freed as soon as it is read
+  std::string loadModel(std::vector<std::uint8_t> bytes, const std::string& fileName, double scaleToMm);
+
+  /// See readSettings. What is engraved follows from the last call.
+  std::string configure(const std::string& settings);
+
+  /// {hit: false} or {hit: true, centre}; the centre of the code. Shows the model as it was before carving.
+  std::string pick(double x, double y);
+  /// The same with the surface point nearest to a point in mm.
+  std::string setCentre(double x, double y, double z);
+
+  /// {placement: {centre, normal, up, symbolMm, moduleMm, guaranteedMm, version, modules}}, and shows the symbol there.
+  std::string placement();
+
+  std::string startEngrave();
+  /// {stage, fraction, done}; one bounded piece of work. When done the carved model is shown.
+  std::string advance();
+  void cancel();
+
+  /// The report of the contract; an error before an engraving is done.
+  std::string report() const;
+  /// What a phone at the reader's eye sees; empty before an engraving is done.
+  const GreyImage& readerImage() const;
+  /// What a reader made of it; empty: nothing.
+  void setReadBack(const std::string& text, const std::string& reader);
+  /// The carved model; empty before an engraving is done, or if the format (only "stl" so far) is not known.
+  std::span<const std::uint8_t> exportModel(const std::string& format) const;
+
+  void resize(double width, double height, double devicePixelRatio);
+  void setTheme(bool dark);
+  /// "y" or "z": the model's up axis, for the view and as the direction the code's top points to.
+  void setUpAxis(const std::string& axis);
+  void showCarved(bool carved);
+  void orbit(double dx, double dy);
+  void pan(double dx, double dy);
+  void zoom(double factor, double x, double y);
+  void fit();
+  void readerView();
+
+  /// @param always  present again even if nothing changed, as something is drawn over it
+  /// @returns whether another call would improve the picture
+  bool draw(bool always = false);
+
+  // For the inspector.
+  const EngraveJob* job() const { return job_.get(); }
+  const EngraveResult* result() const { return result_ ? &*result_ : nullptr; }
+  const Placement* placed() const { return placement_ ? &*placement_ : nullptr; }
+  const Viewer* viewer() const { return viewer_.get(); }
+  const gl::Capabilities& gl() const { return gl_; }
+
+ private:
+  struct Model {
+    std::string fileName, format;
+    double scaleToMm = 1, loadMs = 0, prepareMs = 0;
+    std::vector<std::string> warnings;
+    std::shared_ptr<const EngravableModel> engravable;
+    std::shared_ptr<const GpuMesh> display;
+  };
+  Result<Model> readAndPrepare(std::vector<std::uint8_t> bytes, const std::string& fileName, double scaleToMm) const;
+  std::string describeModel() const;
+  std::string describePlacement(const Symbol& symbol) const;
+  std::string chooseCentre(std::optional<SurfacePoint> point);
+  std::optional<SurfacePoint> surfaceAt(double x, double y) const;
+  Result<Symbol> placeSymbol();
+  SurfacePrint printOf(const Symbol& symbol, const Placement& placement, const EngraveRequest& request) const;
+  EngraveRequest completeRequest() const;
+  void forgetPlacement();
+  void forgetJob();
+  void finishJob();
+  void updateView();
+
+  gl::Capabilities gl_;
+  std::vector<std::string> problems_;
+  std::unique_ptr<GeometryPass> pass_;
+  std::unique_ptr<Viewer> viewer_;
+  OrbitCamera camera_;
+
+  std::optional<Model> model_;
+  EngraveRequest request_;
+  std::optional<Vec3> centre_;
+  std::optional<Placement> placement_;
+  std::optional<SurfacePrint> print_;
+
+  EngraveRequest jobRequest_;
+  std::unique_ptr<EngraveJob> job_;
+  bool jobRuns_ = false;
+  double jobMs_ = 0;
+  std::optional<EngraveResult> result_;
+  std::shared_ptr<const GpuMesh> carvedDisplay_;
+  bool showCarved_ = false;
+  std::string readBack_, reader_;
+};
+
+}  // namespace qrelief

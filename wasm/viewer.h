@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "base/result.h"
+#include "gl/objects.h"
+#include "math/frame.h"
+#include "render/gpu_mesh.h"
+#include "wasm/orbit_camera.h"
+
+namespace qrelief {
+
+/// A square picture that the viewer shows on the surface, carried there by a frame's central projection.
+struct SurfacePrint {
+  ProjectionFrame frame;
+  double edgeMm = 0;              ///< of the picture on the QR plane
+  Vec2 heightsMm{0};              ///< lowest and highest surface over the QR plane that takes the print
+  int size = 0;                   ///< texels along an edge
+  std::vector<std::uint8_t> ink;  ///< size², row 0 at the top; 255 = dark
+};
+
+/// What a frame may cost. The defaults suit a software renderer; `suitedTo` knows better ones.
+struct ViewQuality {
+  double movingScale = 0.5;  ///< resolution while something changes, 0 … 1
+  int movingSteps = 3;       ///< occlusion samples on each side of a slice while something changes
+  int stillSteps = 5;        ///< the same at rest
+  int stillSamples = 16;     ///< pictures that are averaged at rest; multiples of 16 leave no pattern
+  double settleMs = 120;     ///< without a change before refinement starts
+
+  static ViewQuality suitedTo(const gl::Capabilities& capabilities);
+};
+
+/// Milliseconds from the last change to the finished picture, and the frames it took; for the inspector.
+struct ViewStatistics {
+  double coarseFrameMs = 0;   ///< mean interval between frames while something changed
+  int samples = 0;            ///< averaged so far
+  int width = 0, height = 0;  ///< of the last frame's G-buffer
+};
+
+/// Draws a mesh by deferred shading: G-buffer, horizon-based occlusion, lighting. Coarsely while something changes; at
+/// rest it averages jittered full-resolution pictures, which smooths edges and occlusion alike.
+///
+/// Needs the GL context current that it was made in.
+class Viewer {
+ public:
+  static Result<Viewer> create(const ViewQuality& quality = {});
+
+  /// Size of what is drawn to, in device pixels.
+  void resize(int width, int height);
+  /// @param mesh  with normals split at creases (display_mesh.h); may be null: background only
+  void setMesh(std::shared_ptr<const GpuMesh> mesh);
+  void setPrint(std::optional<SurfacePrint> print);
+  void setMarker(std::optional<Vec3> marker);
+  void setTheme(bool dark);
+
+  /// Draws what is due, if anything is.
+  /// @param nowMs   a clock that never goes back
+  /// @param target  null: the canvas (framebuffer 0)
+  /// @param always  present the last picture again even if nothing is due (something else draws over it)
+  /// @returns true if the picture will get better by another call
+  Result<bool> draw(const CameraView& camera, double nowMs, const gl::Framebuffer* target = nullptr,
+                    bool always = false);
+
+  const ViewStatistics& statistics() const { return statistics_; }
+
+ private:
+  // Textures of one resolution.
+  struct Stage {
+    int width = 0, height = 0;
+    gl::Texture surface, visibility, colour;
+    gl::Framebuffer surfaceTarget, visibilityTarget, colourTarget;
+  };
+  struct Sample {
+    Vec2 jitterPx{0};
+    double turn = 0, shift = 0.35;
+    int slices = 1, steps = 3;
+    bool blur = false;
+    double weight = 1;  // of this picture in the average
+  };
+  static Result<Stage> makeStage(int width, int height, bool colourOnly);
+  Status prepareStage(std::optional<Stage>& stage, double scale, bool colourOnly);
+  void setCamera(const gl::Program& program, const Stage& stage, const CameraView& camera, Vec2 jitter) const;
+  void drawSurface(const Stage& stage, const CameraView& camera, Vec2 jitter) const;
+  void drawOcclusion(const Stage& stage, const CameraView& camera, Vec2 jitter, const Sample& sample) const;
+  void drawLighting(const Stage& stage, const Stage& into, const CameraView& camera, Vec2 jitter,
+                    const Sample& sample) const;
+  void drawSample(const Stage& stage, const Stage& into, const CameraView& camera, const Sample& sample) const;
+  void setPrintUniforms(const CameraView& camera) const;
+  void present(const Stage& stage, const gl::Framebuffer* target) const;
+  Result<bool> drawMoving(const CameraView& camera, double nowMs, const gl::Framebuffer* target);
+  Result<bool> drawStill(const CameraView& camera, const gl::Framebuffer* target);
+  double radiusMm() const;
+  void adaptToInterval(double nowMs);
+
+  ViewQuality quality_;
+  gl::Program surface_, occlusion_, lighting_, present_;
+  std::optional<Stage> moving_, still_, sum_;
+  const Stage* shown_ = nullptr;
+  std::shared_ptr<const GpuMesh> mesh_;
+  std::optional<SurfacePrint> print_;
+  std::optional<Vec3> marker_;
+  gl::Texture ink_;
+  bool dark_ = false;
+  int width_ = 1, height_ = 1;
+  CameraView lastCamera_;
+  bool changed_ = true;
+  double lastChangeMs_ = 0;
+  std::optional<double> lastMovingMs_;
+  int slowFrames_ = 0;
+  ViewStatistics statistics_;
+};
+
+}  // namespace qrelief

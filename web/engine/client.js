@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The page's only way to the module: one promise per verb, whether a worker does the work or the page itself.
+import { EngineFailure, describeThrown } from './engine_error.js';
+
+/** @typedef {import('./types.js').HostEvent} HostEvent */
+/** @typedef {import('./types.js').EngraveProgress} EngraveProgress */
+/** @typedef {import('./types.js').ViewAction} ViewAction */
+/** @typedef {import('./types.js').ViewSize} ViewSize */
+/** @typedef {import('./types.js').Settings} Settings */
+
+const kCancelPatienceMs = 2000;  // a worker that does not stop within this time is replaced
+
+/** @typedef {{ resolve: (value: any) => void, reject: (reason: unknown) => void }} Pending */
+
+/**
+ * Where the verbs are carried out.
+ * @typedef {{ send: (verb: string, args: any[], transfer: Transferable[]) => Promise<any>, end: () => void }} Backend
+ */
+
+/** Whether the reason of a rejection is that the worker was replaced, which is no fault to show. */
+export const isReplaced = (/** @type {unknown} */ thrown) => thrown instanceof EngineFailure && thrown.code === 'Replaced';
+
+const kReplaced = { code: 'Replaced', message: 'The work was stopped', hint: '' };
+
+export class EngineClient {
+  /**
+   * @param {object} options
+   * @param {() => HTMLCanvasElement} options.makeCanvas  a fresh canvas in place of the last one
+   * @param {(event: HostEvent) => void} options.onEvent  context lost, or a failure outside any verb
+   * @param {() => void} options.onReplaced               the module was replaced: it knows no model, no settings
+   */
+  constructor({ makeCanvas, onEvent, onReplaced }) {
+    this.makeCanvas_ = makeCanvas;
+    this.onEvent_ = onEvent;
+    this.onReplaced_ = onReplaced;
+    /** @type {Backend | undefined} */ this.backend_ = undefined;
+    /** @type {((progress: EngraveProgress) => void) | undefined} */ this.onProgress_ = undefined;
+  }
+
+  /** @returns {Promise<import('./types.js').Capabilities>} */
+  async start() {
+    if (typeof WebAssembly !== 'object') {
+      throw new EngineFailure({
+        code: 'NoWebAssembly',
+        message: 'This browser does not run WebAssembly, which QRelief is made of',
+        hint: 'Use a current Firefox, Chrome, Edge or Safari; some “lockdown” modes switch it off.',
+      });
+    }
+    this.backend_ = await this.startBackend_();
+    return this.call_('capabilities');
+  }
+
+  /** Ends the worker, however busy, and starts anew. */
+  async replace() {
+    this.backend_?.end();
+    this.backend_ = undefined;
+    try {
+      await this.start();
+    } catch (thrown) {
+      this.onEvent_({ event: 'failure', error: describeThrown(thrown) });
+      return;
+    }
+    this.onReplaced_();
+  }
+
+  /**
+   * @param {Uint8Array} bytes  stays usable: the worker gets a copy
+   * @param {string} fileName
+   * @param {number} scaleToMm
+   * @param {{ signal?: AbortSignal }} [options]  aborting replaces the worker
+   * @returns {Promise<import('./types.js').ModelInfo>}
+   */
+  loadModel(bytes, fileName, scaleToMm, { signal } = {}) {
+    const replace = () => void this.replace();
+    signal?.addEventListener('abort', replace, { once: true });
+    return this.call_('loadModel', bytes, fileName, scaleToMm).finally(() => signal?.removeEventListener('abort', replace));
+  }
+
+  /**
+   * @param {{ signal: AbortSignal, onProgress: (progress: EngraveProgress) => void }} options  aborting leaves the model
+   *   usable, at once if the module answers, else in a new worker
+   * @returns {Promise<boolean>}  false if it was cancelled
+   */
+  async engrave({ signal, onProgress }) {
+    /** @type {ReturnType<typeof setTimeout> | undefined} */ let patience;
+    const cancel = () => {
+      patience = setTimeout(() => void this.replace(), kCancelPatienceMs);
+      this.call_('cancel').catch(() => {});  // rejected only if the worker is replaced
+    };
+    signal.addEventListener('abort', cancel, { once: true });
+    this.onProgress_ = onProgress;
+    try {
+      return await this.call_('engrave');
+    } catch (thrown) {
+      if (signal.aborted && isReplaced(thrown)) return false;
+      throw thrown;
+    } finally {
+      clearTimeout(patience);
+      signal.removeEventListener('abort', cancel);
+      this.onProgress_ = undefined;
+    }
+  }
+
+  /** @param {Settings} settings @returns {Promise<void>} */
+  configure(settings) { return this.call_('configure', settings); }
+
+  /** @param {number} x @param {number} y @returns {Promise<import('./types.js').PickResult>} */
+  pick(x, y) { return this.call_('pick', x, y); }
+
+  /** @param {[number, number, number]} centreMm @returns {Promise<import('./types.js').PickResult>} */
+  setCentre(centreMm) { return this.call_('setCentre', ...centreMm); }
+
+  /** @returns {Promise<import('./types.js').Placement>} */
+  placement() { return this.call_('placement'); }
+
+  /** @returns {Promise<import('./types.js').Report>} */
+  report() { return this.call_('report'); }
+
+  /** @returns {Promise<import('./types.js').GreyImage>} */
+  readerImage() { return this.call_('readerImage'); }
+
+  /**
+   * @param {string} text    what was read; empty if nothing
+   * @param {string} reader  who read it
+   * @returns {Promise<void>}
+   */
+  setReadBack(text, reader) { return this.call_('setReadBack', text, reader); }
+
+  /** @param {string} format @returns {Promise<Uint8Array<ArrayBuffer>>} */
+  exportModel(format) { return this.call_('exportModel', format); }
+
+  /** @param {boolean} dark @returns {Promise<void>} */
+  setTheme(dark) { return this.call_('setTheme', dark); }
+
+  /** @param {import('./types.js').UpAxis} axis  of the model; also where the code's top points @returns {Promise<void>} */
+  setUpAxis(axis) { return this.call_('setUpAxis', axis); }
+
+  /** @param {boolean} carved @returns {Promise<void>} */
+  showCarved(carved) { return this.call_('showCarved', carved); }
+
+  /** @param {boolean} shown @returns {Promise<void>} */
+  setInspector(shown) { return this.call_('setInspector', shown); }
+
+  /** @param {ViewSize} size @returns {Promise<void>} */
+  resize(size) { return this.call_('resize', size); }
+
+  /** @param {ViewAction} action @returns {Promise<void>} */
+  act(action) { return this.call_('act', action); }
+
+  /**
+   * @param {string} verb
+   * @param {any[]} args
+   * @returns {Promise<any>}
+   */
+  call_(verb, ...args) {
+    if (!this.backend_) return Promise.reject(new EngineFailure(kReplaced));
+    return this.backend_.send(verb, args, []);
+  }
+
+  /** @returns {Promise<Backend>} */
+  async startBackend_() {
+    if (typeof OffscreenCanvas === 'function' && 'transferControlToOffscreen' in HTMLCanvasElement.prototype) {
+      const canvas = this.makeCanvas_().transferControlToOffscreen();
+      const backend = new WorkerBackend((event) => this.receive_(event));
+      try {
+        await backend.send('start', [canvas], [canvas]);
+        return backend;
+      } catch (thrown) {
+        backend.end();
+        if (!(thrown instanceof EngineFailure && thrown.code === 'NoWebGL2')) throw thrown;
+        // Some browsers have OffscreenCanvas, but no WebGL on it: the page can still do the work.
+      }
+    }
+    const { EngineHost } = await import('./engine_host.js');
+    return new PageBackend(await EngineHost.create(this.makeCanvas_(), (event) => this.receive_(event)));
+  }
+
+  /** @param {HostEvent} event */
+  receive_(event) {
+    if (event.event === 'progress') this.onProgress_?.(event.progress);
+    else this.onEvent_(event);
+  }
+}
+
+/** The module in a dedicated worker. */
+class WorkerBackend {
+  /** @param {(event: HostEvent) => void} onEvent */
+  constructor(onEvent) {
+    /** @type {Map<number, Pending>} */ this.pending_ = new Map();
+    this.nextId_ = 1;
+    this.worker_ = new Worker(new URL('./worker.js', import.meta.url), { type: 'module', name: 'qrelief' });
+    this.worker_.onmessage = ({ data }) => {
+      if ('event' in data) onEvent(data);
+      else this.settle_(data);
+    };
+    this.worker_.onerror = (event) => {
+      event.preventDefault();
+      const error = {
+        code: 'Crashed',
+        message: `The engraving module stopped (${event.message || 'it could not be loaded'})`,
+        hint: 'It is started again with your model and settings. If this repeats, use a model with fewer triangles.',
+      };
+      this.rejectAll_(error);
+      onEvent({ event: 'failure', error });
+    };
+  }
+
+  /**
+   * @param {string} verb
+   * @param {any[]} args
+   * @param {Transferable[]} transfer
+   * @returns {Promise<any>}
+   */
+  send(verb, args, transfer) {
+    return new Promise((resolve, reject) => {
+      const id = this.nextId_++;
+      this.pending_.set(id, { resolve, reject });
+      this.worker_.postMessage({ id, verb, args }, transfer);
+    });
+  }
+
+  end() {
+    this.worker_.terminate();
+    this.rejectAll_(kReplaced);
+  }
+
+  /** @param {{ id: number, value?: any, error?: import('./types.js').EngineError }} answer */
+  settle_({ id, value, error }) {
+    const pending = this.pending_.get(id);
+    this.pending_.delete(id);
+    if (error) pending?.reject(new EngineFailure(error));
+    else pending?.resolve(value);
+  }
+
+  /** @param {import('./types.js').EngineError} error */
+  rejectAll_(error) {
+    const waiting = [...this.pending_.values()];
+    this.pending_.clear();
+    waiting.forEach(({ reject }) => reject(new EngineFailure(error)));
+  }
+}
+
+/** The module in the page itself. */
+class PageBackend {
+  /** @param {import('./engine_host.js').EngineHost} host */
+  constructor(host) {
+    this.host_ = host;
+  }
+
+  /** @param {string} verb @param {any[]} args */
+  async send(verb, args) {
+    return /** @type {Record<string, (...args: any[]) => any>} */ (/** @type {unknown} */ (this.host_.verbs))[verb](...args);
+  }
+
+  end() {
+    this.host_.verbs.cancel();
+  }
+}

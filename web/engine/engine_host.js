@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Owns the module and its canvas, in the worker or, where there is no OffscreenCanvas, in the page.
+import createQRelief from 'qrelief-module';
+import wasmUrl from 'qrelief-wasm';
+import { EngineFailure, describeThrown } from './engine_error.js';
+
+/** @typedef {import('./types.js').Engine} Engine */
+/** @typedef {import('./types.js').HostEvent} HostEvent */
+/** @typedef {import('./types.js').ViewAction} ViewAction */
+/** @typedef {import('./types.js').ViewSize} ViewSize */
+
+const kSliceMs = 40;  // between two looks at the messages: a cancel is seen within one slice and one step
+
+/** @type {WebGLContextAttributes} */
+const kContextAttributes = { antialias: false, alpha: false, depth: false, stencil: false, powerPreference: 'high-performance' };
+
+/**
+ * The module's answer as a value; a failure is thrown.
+ * @param {string} json
+ * @returns {any}
+ */
+function parseAnswer(json) {
+  const answer = JSON.parse(json);
+  if (answer.ok === false || answer.error) throw new EngineFailure(answer.error);
+  return answer;
+}
+
+/**
+ * Lets waiting messages be handled; unlike a timer it is not throttled and costs microseconds.
+ * @returns {Promise<void>}
+ */
+function yieldToMessages() {
+  return new Promise((resolve) => {
+    const { port1, port2 } = new MessageChannel();
+    port1.onmessage = () => {
+      port1.close();
+      resolve();
+    };
+    port2.postMessage(null);
+  });
+}
+
+/** Turns verbs into calls of the module, draws on demand, and runs the engraving in slices. */
+export class EngineHost {
+  /**
+   * @param {Engine} engine
+   * @param {HTMLCanvasElement | OffscreenCanvas} canvas
+   * @param {(event: HostEvent) => void} notify
+   */
+  constructor(engine, canvas, notify) {
+    this.engine_ = engine;
+    this.canvas_ = canvas;
+    this.notify_ = notify;
+    this.frameRequested_ = false;
+    this.engraving_ = false;
+    this.cancelled_ = false;
+    this.lost_ = false;
+    this.inspectorShown_ = false;
+    this.inspectorTakes_ = false;
+  }
+
+  /**
+   * @param {HTMLCanvasElement | OffscreenCanvas} canvas
+   * @param {(event: HostEvent) => void} notify
+   */
+  static async create(canvas, notify) {
+    const gl = /** @type {WebGL2RenderingContext | null} */ (canvas.getContext('webgl2', kContextAttributes));
+    if (!gl) {
+      throw new EngineFailure({
+        code: 'NoWebGL2',
+        message: 'This browser offers no WebGL 2, which QRelief needs to draw the model and to find the depth',
+        hint: 'Use a current Firefox, Chrome, Edge or Safari, and switch on hardware acceleration in its settings.',
+      });
+    }
+    gl.getExtension('EXT_color_buffer_float');
+    const module = await EngineHost.loadModule_();
+    module.GL.makeContextCurrent(module.GL.registerContext(gl, { majorVersion: 2 }));
+    const host = new EngineHost(new module.Engine(), canvas, notify);
+    canvas.addEventListener('webglcontextlost', (event) => {
+      event.preventDefault();
+      host.lost_ = true;
+      notify({ event: 'contextlost' });
+    });
+    return host;
+  }
+
+  static async loadModule_() {
+    try {
+      return await createQRelief({ locateFile: () => wasmUrl });
+    } catch (thrown) {
+      const detail = thrown instanceof Error ? thrown.message : String(thrown);
+      throw new EngineFailure({
+        code: 'NoModule',
+        message: `The engraving module could not be started (${detail})`,
+        hint: 'Reload the page. If that does not help, the browser is too old for WebAssembly with exceptions: use a current one.',
+      });
+    }
+  }
+
+  /** Every verb the page may call by name. */
+  verbs = {
+    capabilities: () => JSON.parse(this.engine_.capabilities()),
+
+    /** @param {Uint8Array} bytes @param {string} fileName @param {number} scaleToMm */
+    loadModel: (bytes, fileName, scaleToMm) => {
+      const { model } = parseAnswer(this.engine_.loadModel(bytes, fileName, scaleToMm));
+      this.invalidate_();
+      return model;
+    },
+
+    /** @param {ViewSize} size */
+    resize: ({ width, height, devicePixelRatio }) => {
+      this.canvas_.width = Math.max(1, Math.round(width * devicePixelRatio));
+      this.canvas_.height = Math.max(1, Math.round(height * devicePixelRatio));
+      this.engine_.resize(width, height, devicePixelRatio);
+      this.drawFrame_();  // at once: resizing has cleared the canvas
+    },
+
+    /** @param {import('./types.js').Settings} settings */
+    configure: (settings) => {
+      parseAnswer(this.engine_.configure(JSON.stringify(settings)));
+      this.invalidate_();
+    },
+
+    /** @param {number} x @param {number} y */
+    pick: (x, y) => (this.inspectorTakes_ ? { hit: false } : this.drawn_(JSON.parse(this.engine_.pick(x, y)))),
+
+    /** @param {number} x @param {number} y @param {number} z */
+    setCentre: (x, y, z) => this.drawn_(JSON.parse(this.engine_.setCentre(x, y, z))),
+
+    placement: () => {
+      try {
+        return parseAnswer(this.engine_.placement()).placement;
+      } finally {
+        this.invalidate_();  // a placement that failed removes the square
+      }
+    },
+
+    engrave: () => this.engrave_(),
+    cancel: () => {
+      this.cancelled_ = true;
+    },
+
+    report: () => parseAnswer(this.engine_.report()),
+    readerImage: () => {
+      const { width, height, pixels } = this.engine_.readerImage();
+      return { width, height, pixels: pixels.slice() };
+    },
+    /** @param {string} text @param {string} reader */
+    setReadBack: (text, reader) => this.engine_.setReadBack(text, reader),
+    /** @param {string} format */
+    exportModel: (format) => this.engine_.exportModel(format).slice(),
+
+    /** @param {boolean} dark */
+    setTheme: (dark) => this.drawn_(this.engine_.setTheme(dark)),
+    /** @param {import('./types.js').UpAxis} axis */
+    setUpAxis: (axis) => this.drawn_(this.engine_.setUpAxis(axis)),
+    /** @param {boolean} carved */
+    showCarved: (carved) => this.drawn_(this.engine_.showCarved(carved)),
+    /** @param {boolean} shown */
+    setInspector: (shown) => {
+      this.inspectorShown_ = shown;
+      this.inspectorTakes_ = false;
+      this.drawn_(this.engine_.setInspector(shown));
+    },
+    /** @param {ViewAction} action */
+    act: (action) => this.act_(action),
+  };
+
+  /** @param {ViewAction} action */
+  act_(action) {
+    if (action.kind === 'pointer') {
+      if (!this.inspectorShown_) return;
+      this.inspectorTakes_ = this.engine_.inspectorPointer(action.x, action.y, action.buttons, action.wheel);
+    } else if (this.inspectorTakes_ && action.kind !== 'fit' && action.kind !== 'readerView') {
+      return;
+    } else if (action.kind === 'orbit') {
+      this.engine_.orbit(action.dx, action.dy);
+    } else if (action.kind === 'pan') {
+      this.engine_.pan(action.dx, action.dy);
+    } else if (action.kind === 'zoom') {
+      this.engine_.zoom(action.factor, action.x, action.y);
+    } else if (action.kind === 'fit') {
+      this.engine_.fit();
+    } else {
+      this.engine_.readerView();
+    }
+    this.invalidate_();
+  }
+
+  /** Runs the whole job in slices; returns whether it came to its end (false: cancelled). */
+  async engrave_() {
+    if (this.engraving_) throw new EngineFailure({ code: 'Busy', message: 'An engraving is already running', hint: '' });
+    this.engraving_ = true;
+    this.cancelled_ = false;
+    try {
+      parseAnswer(this.engine_.startEngrave());
+      for (let done = false; !done;) {
+        const sliceEnd = performance.now() + kSliceMs;
+        let progress;
+        do {
+          progress = parseAnswer(this.engine_.advance());
+        } while (!progress.done && performance.now() < sliceEnd);
+        this.notify_({ event: 'progress', progress: { stage: progress.stage, fraction: progress.fraction } });
+        done = progress.done;
+        await yieldToMessages();
+        if (this.cancelled_ && !done) {
+          this.engine_.cancel();
+          return false;
+        }
+      }
+      return true;
+    } finally {
+      this.engraving_ = false;
+      this.invalidate_();
+    }
+  }
+
+  /**
+   * @template T
+   * @param {T} value
+   * @returns {T}
+   */
+  drawn_(value) {
+    this.invalidate_();
+    return value;
+  }
+
+  /** Asks for one frame; many asks before it cost one frame. */
+  invalidate_() {
+    if (this.frameRequested_ || this.lost_) return;
+    this.frameRequested_ = true;
+    const request = typeof requestAnimationFrame === 'function' ? requestAnimationFrame : (/** @type {() => void} */ f) => setTimeout(f, 16);
+    request(() => {
+      this.frameRequested_ = false;
+      this.drawFrame_();
+    });
+  }
+
+  drawFrame_() {
+    if (this.lost_) return;
+    try {
+      const wantsAnother = this.engine_.draw();
+      if (wantsAnother && !this.engraving_) this.invalidate_();  // refinement waits while the job runs
+    } catch (thrown) {
+      this.lost_ = true;
+      this.notify_({ event: 'failure', error: describeThrown(thrown) });
+    }
+  }
+}
+
+/**
+ * The buffers to hand over instead of copying.
+ * @param {any} value
+ * @returns {Transferable[]}
+ */
+export function transferables(value) {
+  if (value instanceof Uint8Array) return [value.buffer];
+  if (value?.pixels instanceof Uint8Array) return [value.pixels.buffer];
+  return [];
+}

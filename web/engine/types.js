@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Types of what crosses the boundary between the page and the module. No code.
+
+/** @typedef {{ code: string, message: string, hint: string }} EngineError */
+/** @typedef {{ severity: 'note' | 'warning' | 'blocking', code: string, count: number, message: string, hint: string }}
+ *   Finding */
+
+/**
+ * @typedef {{ format: string, triangles: number, vertices: number, sizeMm: [number, number, number], shells: number,
+ *   engravable: boolean, findings: Finding[], centre: [number, number, number] | null }} ModelInfo
+ *   `centre`: a surface point in the middle of the view
+ */
+
+/** @typedef {'y' | 'z'} UpAxis */
+
+/** @typedef {'none' | 'square' | 'thin-plus' | 'diamond' | 'thick-plus'} ModulePattern */
+/** @typedef {'none' | 'as-modules' | 'diamond' | 'thick-plus'} FinderPattern */
+
+/**
+ * @typedef {object} Settings
+ * @property {string} text
+ * @property {'L' | 'M' | 'Q' | 'H'} ecc
+ * @property {ModulePattern} pattern
+ * @property {FinderPattern} finderPattern
+ * @property {'free' | 'oriented' | number} size   edge of the symbol without quiet zone; a number is mm
+ * @property {number} maxSizeMm                    upper bound for a size that is found
+ * @property {boolean} quietZone                   whether the quiet zone has to fit as well
+ * @property {'mean-normal' | 'depth-balanced'} direction
+ * @property {number} rotateDeg
+ * @property {number} contrast
+ * @property {number} minWallMm
+ * @property {number} [maxDepthMm]
+ * @property {number} eyeDistanceMm
+ */
+
+/**
+ * @typedef {{ centre: [number, number, number], normal: [number, number, number], up: [number, number, number],
+ *   symbolMm: number, moduleMm: number, guaranteedMm: number, version: number, modules: number }} Placement
+ */
+
+/** @typedef {{ hit: boolean, centre?: [number, number, number] }} PickResult */
+/** @typedef {{ renderer: string, version: string, problems: string[] }} Capabilities */
+/** @typedef {{ stage: string, fraction: number }} EngraveProgress */
+/** @typedef {{ width: number, height: number, pixels: Uint8Array }} GreyImage */
+
+/**
+ * The part of the report (see the contract) that the page shows.
+ * @typedef {object} Report
+ * @property {string} text
+ * @property {{ version: number, ecc: string, modules: number }} symbol
+ * @property {{ symbolMm: number, moduleMm: number, guaranteedMm: number }} size
+ * @property {{ meanMm: number, maxMm: number, iterations: number, limitedSubmodules: number }} depth
+ * @property {{ triangles: number, closed: boolean, manifold: boolean, selfIntersections: number, volumeMm3: number }} mesh
+ * @property {{ total: number } & Record<string, number>} timingsMs
+ */
+
+/**
+ * How the module answers a verb: its value, or what went wrong in words.
+ * @typedef {{ ok: false, error: EngineError }} Failure
+ */
+
+/**
+ * The class `Engine` of the module (embind); JSON travels as strings.
+ * @typedef {object} Engine
+ * @property {() => string} capabilities
+ * @property {(bytes: Uint8Array, fileName: string, scaleToMm: number) => string} loadModel
+ * @property {(width: number, height: number, devicePixelRatio: number) => void} resize
+ * @property {(settings: string) => string} configure
+ * @property {(x: number, y: number) => string} pick
+ * @property {(x: number, y: number, z: number) => string} setCentre
+ * @property {() => string} placement
+ * @property {() => string} startEngrave
+ * @property {() => string} advance
+ * @property {() => void} cancel
+ * @property {() => string} report
+ * @property {() => GreyImage} readerImage
+ * @property {(text: string, reader: string) => void} setReadBack
+ * @property {(format: string) => Uint8Array} exportModel
+ * @property {(dark: boolean) => void} setTheme
+ * @property {(axis: UpAxis) => void} setUpAxis
+ * @property {(carved: boolean) => void} showCarved
+ * @property {(dx: number, dy: number) => void} orbit
+ * @property {(dx: number, dy: number) => void} pan
+ * @property {(factor: number, x: number, y: number) => void} zoom
+ * @property {() => void} fit
+ * @property {() => void} readerView
+ * @property {() => boolean} draw
+ * @property {(shown: boolean) => void} setInspector
+ * @property {(x: number, y: number, buttons: number, wheel: number) => boolean} inspectorPointer
+ */
+
+/**
+ * @typedef {object} QReliefModule
+ * @property {new () => Engine} Engine
+ * @property {{ registerContext: (gl: WebGL2RenderingContext, attributes: { majorVersion: number }) => number,
+ *   makeContextCurrent: (handle: number) => boolean }} GL
+ */
+
+/**
+ * Everything the view may ask for; positions in CSS pixels of the canvas.
+ * @typedef {{ kind: 'orbit', dx: number, dy: number } | { kind: 'pan', dx: number, dy: number }
+ *   | { kind: 'zoom', factor: number, x: number, y: number } | { kind: 'fit' } | { kind: 'readerView' }
+ *   | { kind: 'pointer', x: number, y: number, buttons: number, wheel: number }} ViewAction
+ */
+
+/** @typedef {{ width: number, height: number, devicePixelRatio: number }} ViewSize */
+
+/**
+ * What the host tells the page unasked.
+ * @typedef {{ event: 'progress', progress: EngraveProgress } | { event: 'contextlost' }
+ *   | { event: 'failure', error: EngineError }} HostEvent
+ */
+
+export {};

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The worker's side of the client: starts a host on the canvas it is given, then answers verbs.
+import { describeThrown } from './engine_error.js';
+import { EngineHost, transferables } from './engine_host.js';
+
+/** @typedef {{ id: number, verb: string, args: any[] }} Request */
+
+const scope = /** @type {any} */ (globalThis);
+
+/** @type {Promise<EngineHost> | undefined} */
+let host;
+
+scope.onmessage = async (/** @type {MessageEvent} */ { data }) => {
+  const { id, verb, args } = /** @type {Request} */ (data);
+  try {
+    if (verb === 'start') {
+      host = EngineHost.create(args[0], (event) => scope.postMessage(event));
+      await host;
+      scope.postMessage({ id, value: undefined });
+      return;
+    }
+    const { verbs } = /** @type {EngineHost} */ (await host);
+    const value = await /** @type {Record<string, (...args: any[]) => any>} */ (verbs)[verb](...args);
+    scope.postMessage({ id, value }, transferables(value));
+  } catch (thrown) {
+    scope.postMessage({ id, error: describeThrown(thrown) });
+  }
+};

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Writes the sample models and their manifest into public/samples/: `npm run samples`.
+import { mkdirSync, writeFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { fileURLToPath } from 'node:url';
+import { bumpySphere, pyramid, saddle, star, vase } from './shapes.js';
+import { bounds, fillHoles, subdivide } from './solid.js';
+import { writeStl } from './stl.js';
+
+/** @typedef {import('./solid.js').Mesh} Mesh */
+/** @typedef {import('./solid.js').Point} Point */
+
+const kOwnCredit = 'Made by QRelief; CC0.';
+
+/**
+ * The bunny of the npm package: the reduced Stanford scan, y up, with the holes of its base. Closed, smoothed by one
+ * step of subdivision, z up, 100 mm high.
+ * @returns {Mesh}
+ */
+function stanfordBunny() {
+  const source = createRequire(import.meta.url)('bunny');
+  const turned = {
+    positions: source.positions.map((/** @type {Point} */ [x, y, z]) => [x, -z, y]),
+    triangles: source.cells,
+  };
+  const closed = subdivide(fillHoles(turned));
+  const { min, max } = bounds(closed);
+  const scale = 100 / (max[2] - min[2]);
+  const positions = closed.positions.map(([x, y, z]) => /** @type {Point} */ (
+    [(x - (min[0] + max[0]) / 2) * scale, (y - (min[1] + max[1]) / 2) * scale, (z - min[2]) * scale]));
+  return { positions, triangles: closed.triangles };
+}
+
+/**
+ * `centreMm` lies on or very near the surface, where a code fits well.
+ * @type {{ id: string, name: string, mesh: Mesh, centreMm: Point, credit: string }[]}
+ */
+export const samples = [
+  { id: 'bunny', name: 'Stanford bunny', mesh: stanfordBunny(), centreMm: [-4.3, -35.3, 30],
+    credit: 'Stanford 3D Scanning Repository, by way of the npm package “bunny” (public domain); holes closed, ' +
+      'subdivided once.' },
+  { id: 'bumpy-sphere', name: 'Bumpy sphere', mesh: bumpySphere(5), centreMm: [0, -48, 50], credit: kOwnCredit },
+  { id: 'vase', name: 'Vase', mesh: vase(144, 60), centreMm: [0, -46, 50], credit: kOwnCredit },
+  { id: 'star', name: 'Star', mesh: star(), centreMm: [0, 0, 40], credit: kOwnCredit },
+  { id: 'pyramid', name: 'Pyramid', mesh: pyramid(), centreMm: [0, -33, 36], credit: kOwnCredit },
+  { id: 'saddle', name: 'Saddle', mesh: saddle(48), centreMm: [0, 0, 30], credit: kOwnCredit },
+];
+
+/** Writes every sample and `manifest.json` into `folder`. @param {string} folder */
+export function writeSamples(folder) {
+  mkdirSync(folder, { recursive: true });
+  const manifest = samples.map(({ id, name, mesh, centreMm, credit }) => {
+    const file = `${id}.stl`;
+    writeFileSync(`${folder}/${file}`, writeStl(mesh, `QRelief sample: ${name}`));
+    return { id, name, file, centreMm, credit };
+  });
+  writeFileSync(`${folder}/manifest.json`, `${JSON.stringify(manifest, null, 2)}\n`);
+}
+
+if (process.argv[1] === fileURLToPath(import.meta.url)) {
+  writeSamples(fileURLToPath(new URL('../../public/samples', import.meta.url)));
+}

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Engrave, Cancel and how far the work has come.
+import { byId } from './dom.js';
+
+/** @typedef {import('../engine/types.js').EngraveProgress} EngraveProgress */
+
+export class WorkPanel {
+  /** @param {{ onEngrave: () => void, onCancel: () => void }} listener */
+  constructor({ onEngrave, onCancel }) {
+    this.engrave_ = byId('engrave', HTMLButtonElement);
+    this.cancel_ = byId('cancel', HTMLButtonElement);
+    this.progress_ = byId('progress', HTMLProgressElement);
+    byId('panel', HTMLFormElement).addEventListener('submit', (event) => {
+      event.preventDefault();
+      if (!this.engrave_.disabled) onEngrave();
+    });
+    this.cancel_.addEventListener('click', onCancel);
+    document.addEventListener('keydown', (event) => {
+      if (event.key === 'Escape' && !this.cancel_.hidden) onCancel();
+    });
+  }
+
+  /** @param {boolean} allowed */
+  allowEngrave(allowed) {
+    this.engrave_.disabled = !allowed;
+  }
+
+  /** @param {string} stage  without a fraction: nobody knows how long it takes */
+  begin(stage) {
+    this.focusReturns_ = document.activeElement === this.engrave_;
+    this.engrave_.disabled = true;
+    this.cancel_.hidden = false;
+    this.progress_.hidden = false;
+    this.progress_.removeAttribute('value');
+    this.progress_.setAttribute('aria-label', stage);
+    if (this.focusReturns_) this.cancel_.focus();
+  }
+
+  /** @param {EngraveProgress} progress */
+  update({ stage, fraction }) {
+    this.progress_.value = fraction;
+    this.progress_.setAttribute('aria-label', stage);
+  }
+
+  end() {
+    const hadFocus = document.activeElement === this.cancel_;
+    this.cancel_.hidden = true;
+    this.progress_.hidden = true;
+    if (hadFocus) this.engrave_.focus();
+  }
+}

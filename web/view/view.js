@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The 3D view's element: its canvas, its size, and what hand and keyboard do on it.
+import { GestureReader } from './gestures.js';
+
+/** @typedef {import('../engine/types.js').ViewAction} ViewAction */
+/** @typedef {import('../engine/types.js').ViewSize} ViewSize */
+
+const kKeyOrbitPx = 30;
+const kKeyPanPx = 30;
+const kKeyZoom = 1.2;
+const kMaxPixelRatio = 2;  // finer than this costs time and shows nothing
+
+/**
+ * @typedef {object} ViewListener
+ * @property {(action: ViewAction) => void} onAct
+ * @property {(x: number, y: number) => void} onPick
+ * @property {(size: ViewSize) => void} onResize
+ */
+
+export class View {
+  /**
+   * @param {HTMLElement} stage  holds the canvas
+   * @param {ViewListener} listener
+   */
+  constructor(stage, listener) {
+    this.stage_ = stage;
+    this.listener_ = listener;
+    /** Whether the inspector wants to know where the pointer is. */
+    this.reportsPointer = false;
+    const gestures = new GestureReader({
+      onOrbit: (dx, dy) => listener.onAct({ kind: 'orbit', dx, dy }),
+      onPan: (dx, dy) => listener.onAct({ kind: 'pan', dx, dy }),
+      onZoom: (factor, x, y) => listener.onAct({ kind: 'zoom', factor, x, y }),
+      onClick: (x, y) => listener.onPick(x, y),
+    });
+    for (const type of /** @type {const} */ (['pointerdown', 'pointermove', 'pointerup', 'pointercancel'])) {
+      stage.addEventListener(type, (event) => {
+        if (event.target !== this.canvas_) return;
+        if (type === 'pointerdown') this.canvas_.setPointerCapture(event.pointerId);
+        this.tellPointer_(event, 0);
+        gestures.pointer(type, event);
+      });
+    }
+    stage.addEventListener('wheel', (event) => {
+      if (event.target !== this.canvas_) return;
+      event.preventDefault();
+      this.tellPointer_(event, -event.deltaY / 100);
+      gestures.wheel(event);
+    }, { passive: false });
+    stage.addEventListener('contextmenu', (event) => event.preventDefault());
+    stage.addEventListener('keydown', (event) => this.key_(event));
+    new ResizeObserver(() => this.announceSize()).observe(stage);
+    this.watchPixelRatio_();
+  }
+
+  /**
+   * A fresh canvas in place of the last: one handed to a worker can never be taken back.
+   * @returns {HTMLCanvasElement}
+   */
+  makeCanvas() {
+    const canvas = document.createElement('canvas');
+    canvas.tabIndex = 0;
+    canvas.setAttribute('role', 'application');
+    canvas.setAttribute('aria-label', '3D view');
+    canvas.setAttribute('aria-describedby', 'view-help');
+    if (this.canvas_) this.canvas_.replaceWith(canvas);
+    else this.stage_.prepend(canvas);
+    this.canvas_ = canvas;
+    return canvas;
+  }
+
+  announceSize() {
+    const { width, height } = this.stage_.getBoundingClientRect();
+    if (width > 0 && height > 0) this.listener_.onResize({ width, height, devicePixelRatio: pixelRatio() });
+  }
+
+  /** The point in the middle, in CSS pixels of the canvas. */
+  middle_() {
+    return { x: this.stage_.clientWidth / 2, y: this.stage_.clientHeight / 2 };
+  }
+
+  /** @param {MouseEvent} event @param {number} wheel */
+  tellPointer_(event, wheel) {
+    if (!this.reportsPointer) return;
+    this.listener_.onAct({ kind: 'pointer', x: event.offsetX, y: event.offsetY, buttons: event.buttons, wheel });
+  }
+
+  /** @param {KeyboardEvent} event */
+  key_(event) {
+    if (event.target !== this.canvas_ || event.ctrlKey || event.metaKey || event.altKey) return;
+    const { x, y } = this.middle_();
+    const arrow = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }[event.key];
+    if (arrow && event.shiftKey) {
+      this.listener_.onAct({ kind: 'pan', dx: arrow[0] * kKeyPanPx, dy: arrow[1] * kKeyPanPx });
+    } else if (arrow) {
+      this.listener_.onAct({ kind: 'orbit', dx: arrow[0] * kKeyOrbitPx, dy: arrow[1] * kKeyOrbitPx });
+    } else if (event.key === '+' || event.key === '=') {
+      this.listener_.onAct({ kind: 'zoom', factor: kKeyZoom, x, y });
+    } else if (event.key === '-') {
+      this.listener_.onAct({ kind: 'zoom', factor: 1 / kKeyZoom, x, y });
+    } else if (event.key.toLowerCase() === 'f') {
+      this.listener_.onAct({ kind: 'fit' });
+    } else if (event.key.toLowerCase() === 'r') {
+      this.listener_.onAct({ kind: 'readerView' });
+    } else if (event.key === 'Enter') {
+      this.listener_.onPick(x, y);
+    } else {
+      return;
+    }
+    event.preventDefault();
+  }
+
+  watchPixelRatio_() {
+    matchMedia(`(resolution: ${devicePixelRatio}dppx)`).addEventListener('change', () => {
+      this.announceSize();
+      this.watchPixelRatio_();
+    }, { once: true });
+  }
+}
+
+const pixelRatio = () => Math.min(devicePixelRatio, kMaxPixelRatio);
