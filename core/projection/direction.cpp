@@ -36,7 +36,7 @@ class NormalMap {
 
 /// Cells nearer to the second than this share of the range of distances tie with it: on a symmetrical surface four
 /// cells lie alike, and two of them would tilt the direction.
-constexpr double kTieShare = 0.02;
+constexpr double kTieShare = 0.05;
 
 /// Sums over one cell of the depth grid.
 struct Cell {
@@ -159,7 +159,9 @@ Result<bool> DirectionSearch::step() {
     if (!updated) best_ = current_;
     return true;
   }
-  current_ = glm::normalize(next);
+  // The far cells lean away from the plane, so each full step goes too far: on a sphere it swings by ±4° for ever. From
+  // the second update on half a step is taken, which settles at once.
+  current_ = glm::normalize(updated ? glm::normalize(next) + current_ : next);
   best_ = updated ? best_ : current_;
   return false;
 }

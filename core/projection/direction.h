@@ -46,7 +46,8 @@ MapSample sampleMap(std::span<const float> normals, int texels, const DirectionO
 /// Direction of projection by the paper's two methods [Papp 2022, §3], one rendering a step.
 ///
 /// MeanNormal: the mean of the map's normals, once. DepthBalanced: the mean of the steps' vectors, repeated until the
-/// distance varies little; if it never does, the direction it varied least from.
+/// distance varies little (from the second time on by half a step, as full ones swing); if it never does, the direction
+/// it varied least from.
 class DirectionSearch {
  public:
   /// @param pass, mesh     kept by reference
