@@ -167,7 +167,7 @@ int engraveModel(EngraveOptions& options) {
   auto result = runJob(model, options);
   if (!result) return printError(result.error());
   const auto reading = Clock::now();
-  context.readBack = readWithZxing(result->readerView.picture);
+  context.readBack = readWithZxing(result->readerView);
   context.reader = zxingName();
   result->timingsMs.verify += millisecondsSince(reading);
 

@@ -8,8 +8,8 @@
 
 namespace qrelief {
 
-std::string readWithZxing(const GreyImage& picture) {
-  for (const GreyImage& variant : readingVariants(picture)) {
+std::string readWithZxing(const ReaderView& seen) {
+  for (const GreyImage& variant : readingVariants(seen.picture, seen.pixelsPerModule)) {
     const ZXing::ImageView view(variant.pixels.data(), variant.width, variant.height, ZXing::ImageFormat::Lum);
     for (const ZXing::Binarizer binarizer : {ZXing::Binarizer::LocalAverage, ZXing::Binarizer::GlobalHistogram}) {
       ZXing::DecodeHints hints;

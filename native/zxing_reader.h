@@ -9,7 +9,7 @@ namespace qrelief {
 
 /// Text of the QR Code in a picture as ZXing-C++ reads it in any of its reading variants, with either of its binarisers;
 /// empty if it finds none.
-std::string readWithZxing(const GreyImage& picture);
+std::string readWithZxing(const ReaderView& seen);
 
 /// "ZXing-C++" and its version, for reports.
 std::string zxingName();

@@ -1,12 +1,12 @@
 #version 300 es
-// One square for each listed cell of the map, so that a pass costs only what is carved.
+// One rectangle for each run of listed cells of the map, so that a pass costs only what is carved.
 precision highp float;
 
-layout(location = 0) in vec2 a_cell;  // column, row from the map's lower left
+layout(location = 0) in vec4 a_cells;  // column, row from the map's lower left, columns, rows
 
 uniform float u_cellsAlongEdge;
 
 void main() {
   vec2 corner = vec2(float(gl_VertexID & 1), float(gl_VertexID >> 1));
-  gl_Position = vec4(2.0 * (a_cell + corner) / u_cellsAlongEdge - 1.0, 0.0, 1.0);
+  gl_Position = vec4(2.0 * (a_cells.xy + corner * a_cells.zw) / u_cellsAlongEdge - 1.0, 0.0, 1.0);
 }

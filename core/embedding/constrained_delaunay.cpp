@@ -5,6 +5,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
+#include <algorithm>
 #include <fmt/format.h>
 #include <utility>
 
@@ -19,16 +20,34 @@ using Structure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
 using Triangulation =
     CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, CGAL::No_constraint_intersection_tag>;
 
+/// A triangle of the triangulation, turned so that its lowest index comes first.
+struct Face {
+  Triangle corners;
+  int first;  // CGAL's number of that corner
+  Triangulation::Face_handle handle;
+};
+
+/// The triangulation is unique (CGAL breaks the ties of cocircular points by a symbolic perturbation), but the order in
+/// which CGAL keeps it depends on the standard library; sorting makes the result the same everywhere.
 PlaneTriangulation toArrays(Triangulation& cdt) {
+  std::vector<Face> faces;
+  faces.reserve(cdt.number_of_faces());
+  for (auto face = cdt.all_faces_begin(); face != cdt.all_faces_end(); ++face) {
+    face->info() = kNoNeighbour;
+    if (cdt.is_infinite(face)) continue;
+    const std::uint32_t a = face->vertex(0)->info(), b = face->vertex(1)->info(), c = face->vertex(2)->info();
+    const int first = a < b && a < c ? 0 : b < c ? 1 : 2;
+    faces.push_back({first == 0 ? Triangle{a, b, c} : first == 1 ? Triangle{b, c, a} : Triangle{c, a, b}, first, face});
+  }
+  std::sort(faces.begin(), faces.end(), [](const Face& x, const Face& y) { return x.corners < y.corners; });
+  for (std::uint32_t k = 0; k < faces.size(); ++k) faces[k].handle->info() = k;
   PlaneTriangulation result;
-  std::uint32_t count = 0;
-  for (auto face = cdt.all_faces_begin(); face != cdt.all_faces_end(); ++face)
-    face->info() = cdt.is_infinite(face) ? kNoNeighbour : count++;
-  result.triangles.reserve(count);
-  result.neighbours.reserve(count);
-  for (auto face = cdt.finite_faces_begin(); face != cdt.finite_faces_end(); ++face) {
-    result.triangles.push_back({face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()});
-    result.neighbours.push_back({face->neighbor(2)->info(), face->neighbor(0)->info(), face->neighbor(1)->info()});
+  result.triangles.reserve(faces.size());
+  result.neighbours.reserve(faces.size());
+  for (const Face& face : faces) {
+    result.triangles.push_back(face.corners);
+    const auto across = [&](int k) { return face.handle->neighbor((face.first + k + 2) % 3)->info(); };
+    result.neighbours.push_back({across(0), across(1), across(2)});
   }
   return result;
 }

@@ -19,7 +19,8 @@ struct PlaneTriangulation {
   std::vector<std::array<std::uint32_t, 3>> neighbours;  ///< across the edge from corner k to corner k+1
 };
 
-/// Constrained Delaunay triangulation of the convex hull of some points, exact predicates [CGAL, Chew 1989].
+/// Constrained Delaunay triangulation of the convex hull of some points, exact predicates [CGAL, Chew 1989]. It is
+/// unique, cocircular points included, and comes in a fixed order.
 ///
 /// Cost: O(n log n); 1 µs a point.
 /// @param constraints  pairs of points; they may meet at their ends only

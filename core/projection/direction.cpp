@@ -17,22 +17,26 @@ Vec3 unitOrZero(Vec3 v) {
 /// A map with the replaced normals of the texels outside the silhouette.
 class NormalMap {
  public:
-  NormalMap(std::span<const float> smooth, int texels) : smooth_(smooth), texels_(texels) {}
+  NormalMap(std::span<const float> texel, int texels) : texel_(texel), texels_(texels) {}
 
   bool inside(int column, int row) const { return distance(column, row) > 0; }
-  double distance(int column, int row) const { return smooth_[index(column, row) + 3]; }
+  double distance(int column, int row) const { return texel_[index(column, row) + 3]; }
   Vec3 normal(int column, int row) const {
     const std::size_t i = index(column, row);
-    if (inside(column, row)) return {smooth_[i], smooth_[i + 1], smooth_[i + 2]};
+    if (inside(column, row)) return {texel_[i], texel_[i + 1], texel_[i + 2]};
     const auto acrossHalf = [this](int k) { return (2 * k + 1.0) / texels_ - 1; };
     return glm::normalize(Vec3(acrossHalf(column), acrossHalf(row), -1));
   }
 
  private:
   std::size_t index(int column, int row) const { return 4 * static_cast<std::size_t>(row * texels_ + column); }
-  std::span<const float> smooth_;
+  std::span<const float> texel_;
   int texels_;
 };
+
+/// Cells nearer to the second than this share of the range of distances tie with it: on a symmetrical surface four
+/// cells lie alike, and two of them would tilt the direction.
+constexpr double kTieShare = 0.05;
 
 /// Sums over one cell of the depth grid.
 struct Cell {
@@ -66,17 +70,23 @@ Vec3 extremeCellsMean(const std::vector<Cell>& cells) {
   std::stable_sort(ranked.begin(), ranked.end(), [](const Cell* a, const Cell* b) {
     return a->distances / a->inside < b->distances / b->inside;
   });
-  Vec3 sum(0);
-  const std::size_t ends = std::min<std::size_t>(2, ranked.size());
-  for (std::size_t i = 0; i < ends; ++i)
-    sum += unitOrZero(ranked[i]->normals) + unitOrZero(ranked[ranked.size() - 1 - i]->normals);
-  return unitOrZero(sum);
+  if (ranked.empty()) return Vec3(0);
+  const auto meanDistance = [&](std::size_t i) { return ranked[i]->distances / ranked[i]->inside; };
+  const std::size_t last = ranked.size() - 1;
+  const std::size_t second = std::min<std::size_t>(1, last);
+  const double tie = kTieShare * (meanDistance(last) - meanDistance(0));
+  Vec3 near(0), far(0);
+  for (std::size_t i = 0; i <= last; ++i) {
+    if (meanDistance(i) <= meanDistance(second) + tie) near += unitOrZero(ranked[i]->normals);
+    if (meanDistance(i) >= meanDistance(last - second) - tie) far += unitOrZero(ranked[i]->normals);
+  }
+  return unitOrZero(unitOrZero(near) + unitOrZero(far));
 }
 
 }  // namespace
 
-MapSample sampleMap(std::span<const float> smooth, int texels, const DirectionOptions& options) {
-  const NormalMap map(smooth, texels);
+MapSample sampleMap(std::span<const float> normals, int texels, const DirectionOptions& options) {
+  const NormalMap map(normals, texels);
   MapSample sample;
   for (int i = 1; i <= options.samples; ++i) {
     const auto at = [texels](double unit) { return std::min(texels - 1, static_cast<int>(unit * texels)); };
@@ -121,7 +131,12 @@ Result<bool> DirectionSearch::step() {
   const ProjectionFrame frame = makeFrame(centre_, current_, upHint_, eyeDistance_);
   const auto maps = pass_->render(*mesh_, frame, {options_.sizeMm, options_.mapTexels});
   if (!maps) return tl::unexpected(maps.error());
-  const MapSample sample = sampleMap(maps->framebuffer.readRgba(1), options_.mapTexels, options_);
+  // Facet normals where the paper interpolates vertex normals: over a sampled square both average to the same, but
+  // beside a crease interpolation leans away from the face by up to half the angle.
+  std::vector<float> map = maps->framebuffer.readRgba(0);
+  const std::vector<float> smooth = maps->framebuffer.readRgba(1);
+  for (std::size_t i = 3; i < map.size(); i += 4) map[i] = smooth[i];
+  const MapSample sample = sampleMap(map, options_.mapTexels, options_);
   iterations_.push_back({current_, sample.varianceMm2, sample.outsideShare});
 
   // The first direction is a single facet's and says little: it is never the answer.
@@ -144,7 +159,9 @@ Result<bool> DirectionSearch::step() {
     if (!updated) best_ = current_;
     return true;
   }
-  current_ = glm::normalize(next);
+  // The far cells lean away from the plane, so each full step goes too far: on a sphere it swings by ±4° for ever. From
+  // the second update on half a step is taken, which settles at once.
+  current_ = glm::normalize(updated ? glm::normalize(next) + current_ : next);
   best_ = updated ? best_ : current_;
   return false;
 }

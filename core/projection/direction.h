@@ -32,7 +32,7 @@ struct DirectionIteration {
 /// Mean normals that a pair of maps gives, in the axes of the frame it was rendered with; each unit or zero.
 struct MapSample {
   Vec3 mean{0};          ///< step 1: over all Halton samples
-  Vec3 depthBalance{0};  ///< step 2: over the cells of the two largest and two smallest mean distances
+  Vec3 depthBalance{0};  ///< step 2: over the cells of the two largest and two smallest mean distances, ties included
   Vec3 outside{0};       ///< step 3: over the cells wholly outside the silhouette; zero if there is none
   double varianceMm2 = 0;
   double outsideShare = 0;
@@ -40,13 +40,14 @@ struct MapSample {
 
 /// Samples a normal and distance map [Papp 2022, §3]. A texel outside the silhouette counts with the normal
 /// normalise((B - C)/(s/2) - n̂), which turns an overhanging square back towards the body.
-/// @param smooth  texels² of (unit normal, distance in mm), row 0 at the bottom; distance 0 = outside
-MapSample sampleMap(std::span<const float> smooth, int texels, const DirectionOptions& options);
+/// @param normals  texels² of (unit normal, distance in mm), row 0 at the bottom; distance 0 = outside
+MapSample sampleMap(std::span<const float> normals, int texels, const DirectionOptions& options);
 
 /// Direction of projection by the paper's two methods [Papp 2022, §3], one rendering a step.
 ///
 /// MeanNormal: the mean of the map's normals, once. DepthBalanced: the mean of the steps' vectors, repeated until the
-/// distance varies little; if it never does, the direction it varied least from.
+/// distance varies little (from the second time on by half a step, as full ones swing); if it never does, the direction
+/// it varied least from.
 class DirectionSearch {
  public:
   /// @param pass, mesh     kept by reference

@@ -66,18 +66,30 @@ void LuminancePass::setDepths(std::span<const float> depthsMm) {
 }
 
 void LuminancePass::selectCells(std::span<const std::uint32_t> cells) {
-  std::vector<glm::vec2> columnRow;
-  columnRow.reserve(cells.size());
+  // Neighbours in a row become one rectangle, all cells a single one: a renderer works on blocks of texels and wastes
+  // those that a rectangle's edges cut.
+  std::vector<glm::vec4> rectangles;
   const auto edge = static_cast<std::uint32_t>(cells_);
-  for (const std::uint32_t cell : cells)
-    columnRow.emplace_back(static_cast<float>(cell % edge), static_cast<float>(cell / edge));
+  if (cells.size() == static_cast<std::size_t>(edge) * edge) {
+    rectangles.emplace_back(0, 0, edge, edge);
+  } else {
+    std::vector<std::uint32_t> sorted(cells.begin(), cells.end());
+    std::sort(sorted.begin(), sorted.end());
+    for (std::size_t i = 0; i < sorted.size(); ++i) {
+      const bool continues = i > 0 && sorted[i] == sorted[i - 1] + 1 && sorted[i] % edge != 0;
+      if (continues)
+        rectangles.back().z += 1;
+      else
+        rectangles.emplace_back(sorted[i] % edge, sorted[i] / edge, 1, 1);
+    }
+  }
   cellArray_.bind();
-  cellBuffer_ = gl::Buffer(GL_ARRAY_BUFFER, std::as_bytes(std::span(columnRow)));
+  cellBuffer_ = gl::Buffer(GL_ARRAY_BUFFER, std::as_bytes(std::span(rectangles)));
   glEnableVertexAttribArray(0);
-  glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
+  glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, 0, nullptr);
   glVertexAttribDivisor(0, 1);
   glBindVertexArray(0);
-  selected_ = static_cast<GLsizei>(cells.size());
+  selected_ = static_cast<GLsizei>(rectangles.size());
 }
 
 void LuminancePass::run() {

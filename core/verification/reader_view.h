@@ -21,6 +21,7 @@ struct GreyImage {
 struct ReaderView {
   GreyImage picture;  ///< exposed, blurred, with noise and sRGB gamma: what is decoded
   GreyImage clean;    ///< without blur and noise: what is shown
+  double pixelsPerModule = 0;
 };
 
 struct ReaderViewOptions {

@@ -33,10 +33,9 @@ GreyImage shrunk(const GreyImage& image, int factor) {
 
 }  // namespace
 
-std::vector<GreyImage> readingVariants(const GreyImage& picture) {
-  // Out of focus by 1/230 of the picture's width: three pixels of 700.
-  const GreyImage soft = stretched(blurred(picture, picture.width / 230.0));
-  return {picture, stretched(picture), soft, stretched(shrunk(picture, 2)), stretched(shrunk(picture, 3))};
+std::vector<GreyImage> readingVariants(const GreyImage& picture, double pixelsPerModule) {
+  const auto outOfFocus = [&](double modules) { return stretched(blurred(picture, modules * pixelsPerModule)); };
+  return {picture, stretched(picture), outOfFocus(0.2), outOfFocus(0.35), stretched(shrunk(picture, 2)), stretched(shrunk(picture, 3))};
 }
 
 }  // namespace qrelief

@@ -10,6 +10,7 @@ namespace qrelief {
 /// What a scanning app tries on one camera frame before it gives up: the picture as it is, contrast-stretched, out of
 /// focus (which closes the gaps between the squares of a pattern), and from farther away. In this order; a reader that
 /// reads any of them reads the code.
-std::vector<GreyImage> readingVariants(const GreyImage& picture);
+/// @param pixelsPerModule  of the code in the picture, > 0
+std::vector<GreyImage> readingVariants(const GreyImage& picture, double pixelsPerModule);
 
 }  // namespace qrelief

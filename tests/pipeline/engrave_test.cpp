@@ -52,7 +52,7 @@ TEST_F(EngraveTest, ABumpySphereTakesACodeThatReadsAndStaysASolid) {
   ASSERT_TRUE(result.has_value()) << result.error().message;
 
   EXPECT_TRUE(result->solidity.solid()) << testing::PrintToString(result->solidity.problems());
-  EXPECT_EQ(readWithZxing(result->readerView.picture), "https://qrelief.example");
+  EXPECT_EQ(readWithZxing(result->readerView), "https://qrelief.example");
   EXPECT_EQ(result->placement.symbolMm, 25);
   EXPECT_EQ(result->symbol.size, 17 + 4 * result->symbol.version);
 
@@ -242,7 +242,7 @@ TEST_F(EngraveTest, TheReportHasTheKeysOfTheContract) {
   const auto result = engrave(model, wanted);
   ASSERT_TRUE(result.has_value());
   ReportContext context;
-  context.readBack = readWithZxing(result->readerView.picture);
+  context.readBack = readWithZxing(result->readerView);
   const auto report = nlohmann::json::parse(makeReport(wanted, *model, *result, context));
   const std::map<std::string, std::vector<std::string>> keys = {
       {"input", {"file", "format", "triangles", "vertices", "scaleToMm", "sizeMm", "warnings"}},

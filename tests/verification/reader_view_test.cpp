@@ -59,13 +59,13 @@ TEST(Blurred, ASinglePointBecomesTheGaussian) {
 TEST(ReadingVariants, TheFirstIsThePictureItselfAndTheSecondUsesTheWholeRange) {
   GreyImage faint{60, 60, std::vector<std::uint8_t>(3600, 120)};
   for (std::size_t i = 0; i < 1800; ++i) faint.pixels[i] = 140;
-  const auto variants = readingVariants(faint);
-  ASSERT_EQ(variants.size(), 5u);
+  const auto variants = readingVariants(faint, 8);
+  ASSERT_EQ(variants.size(), 6u);
   EXPECT_EQ(variants[0].pixels, faint.pixels);
   EXPECT_EQ(variants[1].pixels[0], 255);
   EXPECT_EQ(variants[1].pixels[3599], 0);
-  EXPECT_EQ(variants[3].width, 30);
-  EXPECT_EQ(variants[4].width, 20);
+  EXPECT_EQ(variants[4].width, 30);
+  EXPECT_EQ(variants[5].width, 20);
 }
 
 }  // namespace
