@@ -10,6 +10,7 @@
 #include "io/read_model.h"
 #include "wasm/display_mesh.h"
 #include "wasm/settings.h"
+#include "wasm/spot_search.h"
 
 namespace qrelief {
 namespace {
@@ -19,6 +20,8 @@ using Clock = std::chrono::steady_clock;
 
 constexpr double kPrintHeights = 0.75;     // farthest surface from the QR plane that takes the print, of its edge
 constexpr double kHeightTolerance = 0.02;  // of the print's edge: floats of two different projections
+constexpr double kProposedMm = 50;         // square looked for on a new model, quiet zone included,
+constexpr double kProposedShare = 0.3;     // and its greatest share of the model's diagonal
 constexpr double kReaderMargin = 1.1;      // air around symbol and quiet zone in the reader's view
 
 double millisecondsSince(Clock::time_point start) {
@@ -155,12 +158,19 @@ std::string Engine::loadModel(std::vector<std::uint8_t> bytes, const std::string
   model_ = std::move(*model);
   camera_.setScene(model_->display->box());
   camera_.fitFromDefaultSide();
-  const CameraView view = camera_.view();
-  auto middle = firstHit(model_->engravable->prepared.mesh, view.eye(), -view.back);
-  if (!middle) middle = closestPoint(model_->engravable->prepared.mesh, view.eye());
-  centre_ = middle ? std::optional(middle->position) : std::nullopt;
+  proposeCentre();
   updateView();
   return describeModel();
+}
+
+void Engine::proposeCentre() {
+  const Mesh& mesh = model_->engravable->prepared.mesh;
+  const CameraView view = camera_.view();
+  const double size = std::min(kProposedMm, kProposedShare * boundingBox(mesh).diagonal());
+  const auto spot = proposeSpot(*pass_, model_->engravable->gpu, view, size);
+  const Vec3 near = spot && *spot ? **spot : view.eye();
+  const auto snapped = closestPoint(mesh, near);
+  centre_ = snapped ? std::optional(snapped->position) : std::nullopt;
 }
 
 std::string Engine::describeModel() const {

@@ -92,6 +92,7 @@ class Engine {
     std::shared_ptr<const GpuMesh> display;
   };
   Result<Model> readAndPrepare(std::vector<std::uint8_t> bytes, const std::string& fileName, double scaleToMm) const;
+  void proposeCentre();
   std::string describeModel() const;
   std::string describePlacement(const Symbol& symbol) const;
   std::string chooseCentre(std::optional<SurfacePoint> point);

@@ -23,6 +23,7 @@ scope.onmessage = async (/** @type {MessageEvent} */ { data }) => {
     const value = await /** @type {Record<string, (...args: any[]) => any>} */ (verbs)[verb](...args);
     scope.postMessage({ id, value }, transferables(value));
   } catch (thrown) {
+    console.error(thrown);
     scope.postMessage({ id, error: describeThrown(thrown) });
   }
 };
