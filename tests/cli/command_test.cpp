@@ -129,9 +129,10 @@ TEST_F(CommandTest, NoSolutionIsStatusFour) {
 }
 
 TEST_F(CommandTest, ACodeNobodyReadsIsWrittenWithStatusOneAndTheReason) {
-  // 0.1 mm deep in 1 mm modules: no shadow to speak of.
-  const Outcome outcome = run({"engrave", writeModel("ball.stl", shapes::icosphere(40, 4)), "--text", "x", "--at", "0,0,40",
-                               "--size", "21", "--max-depth", "0.1", "-o", path("out.stl"), "--quiet"});
+  // One layer deep in modules of 4 mm: no shadow to speak of.
+  const Outcome outcome = run({"engrave", writeModel("ball.stl", shapes::icosphere(100, 4)), "--text", "x", "--at", "0,0,100",
+                               "--size", "84", "--max-depth", "0.1", "--pattern", "thin-plus", "--finder-pattern",
+                               "as-modules", "-o", path("out.stl"), "--quiet"});
   EXPECT_EQ(outcome.status, 1);
   EXPECT_NE(outcome.err.find("no reader found the code"), std::string::npos) << outcome.err;
   EXPECT_TRUE(fs::exists(path("out.stl")));
