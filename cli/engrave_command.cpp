@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <chrono>
+#include <fmt/format.h>
 #include <map>
 
 #include "cli/commands.h"
@@ -25,7 +24,8 @@ struct EngraveOptions {
   double scale = 1, maxDepth = 0;
   int version = 0;
   std::vector<double> at, up;
-  std::string pattern = "square", finderPattern = "thick-plus", ecc = "M", solver = "paper-steps", surface = "preserved";
+  std::string pattern = "square", finderPattern = "thick-plus", ecc = "M", solver = "paper-steps",
+              surface = "preserved";
   bool noQuietZone = false, quiet = false;
   EngraveRequest request;
 };
@@ -41,7 +41,7 @@ Result<double> numberFrom(const std::string& text, const char* what) {
     if (used == text.size()) return value;
   } catch (const std::exception&) {
   }
-  return fail(ErrorCode::BadUsage, fmt::format("{} is \"{}\"", what, text), "see qrelief engrave --help");
+  return fail(ErrorCode::BadUsage, fmt::format("{} is \"{}\"", what, text), "See qrelief engrave --help");
 }
 
 Status readSize(const std::string& text, PlacementRequest& placement) {
@@ -49,8 +49,8 @@ Status readSize(const std::string& text, PlacementRequest& placement) {
     placement.sizeMode = text == "free" ? SizeMode::Free : SizeMode::Oriented;
     return {};
   }
-  const Result<double> size = numberFrom(text, "the size");
-  if (!size) return fail(ErrorCode::BadUsage, size.error().message, "give mm, or free, or oriented");
+  const Result<double> size = numberFrom(text, "The size");
+  if (!size) return fail(ErrorCode::BadUsage, size.error().message, "Give mm, or free, or oriented");
   placement.sizeMode = SizeMode::Fixed;
   placement.sizeMm = *size;
   return {};
@@ -66,9 +66,9 @@ Status readDirection(const std::string& text, PlacementRequest& placement) {
   for (int k = 0; k < 3; ++k) {
     const std::size_t end = k < 2 ? text.find(',', begin) : text.size();
     if (end == std::string::npos)
-      return fail(ErrorCode::BadUsage, fmt::format("the direction is \"{}\"", text),
-                  "give mean-normal, depth-balanced, or a vector X,Y,Z");
-    const Result<double> value = numberFrom(text.substr(begin, end - begin), "the direction");
+      return fail(ErrorCode::BadUsage, fmt::format("The direction is \"{}\"", text),
+                  "Give mean-normal, depth-balanced, or a vector X,Y,Z");
+    const Result<double> value = numberFrom(text.substr(begin, end - begin), "The direction");
     if (!value) return tl::unexpected(value.error());
     vector[k] = *value;
     begin = end + 1;
@@ -128,7 +128,8 @@ void printSummary(const EngraveOptions& options, const EngraveResult& result, co
              options.output, result.symbol.version, result.placement.symbolMm, result.placement.moduleMm, depth.meanMm,
              depth.maxMm);
   if (result.limitedSubmodules > 0)
-    fmt::print("{} submodules could not be carved deep enough (maximum depth, or wall thickness)\n", result.limitedSubmodules);
+    fmt::print("{} submodules could not be carved deep enough (maximum depth, or wall thickness)\n",
+               result.limitedSubmodules);
   if (!context.readBack.empty()) fmt::print("reads as: {}\n", context.readBack);
 }
 
@@ -171,7 +172,8 @@ int engraveModel(EngraveOptions& options) {
   context.reader = zxingName();
   result->timingsMs.verify += millisecondsSince(reading);
 
-  if (const Status written = writeOutputs(options, *model, *result, context, start); !written) return printError(written.error());
+  if (const Status written = writeOutputs(options, *model, *result, context, start); !written)
+    return printError(written.error());
   printSummary(options, *result, context);
   const std::vector<std::string> failed = failedChecks(options.request, *result, context.readBack);
   for (const std::string& check : failed) fmt::print(stderr, "qrelief: check not passed: {}\n", check);
@@ -189,14 +191,19 @@ std::function<int()> addEngraveCommand(CLI::App& app) {
   c->add_option("-o", o->output, "carved model, a binary STL in mm")->required()->check([](const std::string& path) {
     return path.size() > 4 && path.ends_with(".stl") ? std::string() : "only .stl files can be written so far";
   });
-  c->add_option("--at", o->at, "X,Y,Z: centre in file units, moved to the nearest surface point")->required()->delimiter(',')->expected(3);
+  c->add_option("--at", o->at, "X,Y,Z: centre in file units, moved to the nearest surface point")
+      ->required()
+      ->delimiter(',')
+      ->expected(3);
   c->add_option("--scale", o->scale, "file units → mm [1]");
-  c->add_option("--units", o->units, "unit of the file, instead of --scale")->check(CLI::IsMember({"mm", "cm", "m", "in"}));
+  c->add_option("--units", o->units, "unit of the file, instead of --scale")
+      ->check(CLI::IsMember({"mm", "cm", "m", "in"}));
   c->add_option("--size", o->size, "MM, free or oriented: edge of the symbol without quiet zone [free]");
   c->add_option("--max-size", request.placement.maxSizeMm, "upper bound for a found size, mm [60]");
   c->add_option("--up", o->up, "X,Y,Z: where the symbol's top points [0,0,1]")->delimiter(',')->expected(3);
   c->add_option("--rotate", request.placement.rotateDeg, "degrees anticlockwise from there [0]");
-  c->add_option("--direction", o->direction, "mean-normal, depth-balanced or X,Y,Z towards the reader [depth-balanced]");
+  c->add_option("--direction", o->direction,
+                "mean-normal, depth-balanced or X,Y,Z towards the reader [depth-balanced]");
   c->add_option("--eye-distance", request.placement.eyeDistanceMm, "mm [250]");
   c->add_option("--ecc", o->ecc, "error correction [M]")->check(CLI::IsMember({"L", "M", "Q", "H"}));
   c->add_option("--version", o->version, "symbol version, 1 to 40 [smallest]")->check(CLI::Range(1, 40));
@@ -205,11 +212,13 @@ std::function<int()> addEngraveCommand(CLI::App& app) {
       ->check(CLI::IsMember({"none", "square", "thin-plus", "diamond", "thick-plus"}));
   c->add_option("--finder-pattern", o->finderPattern, "the same for the three finder patterns [thick-plus]")
       ->check(CLI::IsMember({"none", "as-modules", "diamond", "thick-plus"}));
-  c->add_option("--contrast", request.contrast, fmt::format("how much darker carved submodules must be [{:g}]", request.contrast));
+  c->add_option("--contrast", request.contrast,
+                fmt::format("how much darker carved submodules must be [{:g}]", request.contrast));
   c->add_option("--max-depth", o->maxDepth, "mm [1.2 modules]")->check(CLI::PositiveNumber);
   c->add_option("--min-wall", request.minWallMm, "material that must remain, mm [0.8]");
   c->add_option("--solver", o->solver, "how the depth is found [paper-steps]")->check(CLI::IsMember({"paper-steps"}));
-  c->add_option("--surface", o->surface, "what happens to the model's own facets [preserved]")->check(CLI::IsMember({"preserved"}));
+  c->add_option("--surface", o->surface, "what happens to the model's own facets [preserved]")
+      ->check(CLI::IsMember({"preserved"}));
   c->add_option("--report", o->report, "write everything that was found and measured as JSON");
   c->add_option("--preview", o->preview, "write the result as the reader sees it as PNG");
   c->add_flag("--quiet", o->quiet, "no progress");
