@@ -25,6 +25,7 @@ constexpr double kProposedMm = 50;         // square looked for on a new model, 
 constexpr double kProposedShare = 0.3;     // and its greatest share of the model's diagonal
 constexpr std::size_t kSpotsTried = 6;
 constexpr double kGoodFit = 0.7;       // a spot that takes this share of it will do
+constexpr int kNormalTexels = 768;     // of the map that gives a carved surface its smooth normals
 constexpr double kReaderMargin = 1.1;  // air around symbol and quiet zone in the reader's view
 
 double millisecondsSince(Clock::time_point start) {
@@ -335,10 +336,14 @@ std::string Engine::advance() {
 void Engine::finishJob() {
   jobRuns_ = false;  // the job itself stays: the inspector shows its maps
   result_ = job_->takeResult();
-  const DisplayMesh display = splitAtCreases(result_->mesh);
-  carvedDisplay_ = std::make_shared<const GpuMesh>(display.mesh, display.normals);
   placement_ = result_->placement;
   print_ = printOf(result_->symbol, *placement_, jobRequest_);
+  DisplayMesh display = splitAtCreases(result_->mesh);
+  const auto before = pass_->render(*model_->display, placement_->frame, {print_->edgeMm, kNormalTexels});
+  if (before)
+    takeSmoothNormals(display, result_->keptTriangles, placement_->frame, before->window,
+                      before->framebuffer.readRgba(1));
+  carvedDisplay_ = std::make_shared<const GpuMesh>(display.mesh, display.normals);
   showCarved_ = true;
   updateView();
 }
