@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <chrono>
+#include <fmt/format.h>
 #include <map>
 
 #include "cli/commands.h"
@@ -25,7 +24,8 @@ struct EngraveOptions {
   double scale = 1, maxDepth = 0;
   int version = 0;
   std::vector<double> at, up;
-  std::string pattern = "square", finderPattern = "thick-plus", ecc = "M", solver = "paper-steps", surface = "preserved";
+  std::string pattern = "square", finderPattern = "thick-plus", ecc = "M", solver = "paper-steps",
+              surface = "preserved";
   bool noQuietZone = false, quiet = false;
   EngraveRequest request;
 };
@@ -128,7 +128,8 @@ void printSummary(const EngraveOptions& options, const EngraveResult& result, co
              options.output, result.symbol.version, result.placement.symbolMm, result.placement.moduleMm, depth.meanMm,
              depth.maxMm);
   if (result.limitedSubmodules > 0)
-    fmt::print("{} submodules could not be carved deep enough (maximum depth, or wall thickness)\n", result.limitedSubmodules);
+    fmt::print("{} submodules could not be carved deep enough (maximum depth, or wall thickness)\n",
+               result.limitedSubmodules);
   if (!context.readBack.empty()) fmt::print("reads as: {}\n", context.readBack);
 }
 
@@ -171,7 +172,8 @@ int engraveModel(EngraveOptions& options) {
   context.reader = zxingName();
   result->timingsMs.verify += millisecondsSince(reading);
 
-  if (const Status written = writeOutputs(options, *model, *result, context, start); !written) return printError(written.error());
+  if (const Status written = writeOutputs(options, *model, *result, context, start); !written)
+    return printError(written.error());
   printSummary(options, *result, context);
   const std::vector<std::string> failed = failedChecks(options.request, *result, context.readBack);
   for (const std::string& check : failed) fmt::print(stderr, "qrelief: check not passed: {}\n", check);
@@ -189,14 +191,19 @@ std::function<int()> addEngraveCommand(CLI::App& app) {
   c->add_option("-o", o->output, "carved model, a binary STL in mm")->required()->check([](const std::string& path) {
     return path.size() > 4 && path.ends_with(".stl") ? std::string() : "only .stl files can be written so far";
   });
-  c->add_option("--at", o->at, "X,Y,Z: centre in file units, moved to the nearest surface point")->required()->delimiter(',')->expected(3);
+  c->add_option("--at", o->at, "X,Y,Z: centre in file units, moved to the nearest surface point")
+      ->required()
+      ->delimiter(',')
+      ->expected(3);
   c->add_option("--scale", o->scale, "file units → mm [1]");
-  c->add_option("--units", o->units, "unit of the file, instead of --scale")->check(CLI::IsMember({"mm", "cm", "m", "in"}));
+  c->add_option("--units", o->units, "unit of the file, instead of --scale")
+      ->check(CLI::IsMember({"mm", "cm", "m", "in"}));
   c->add_option("--size", o->size, "MM, free or oriented: edge of the symbol without quiet zone [free]");
   c->add_option("--max-size", request.placement.maxSizeMm, "upper bound for a found size, mm [60]");
   c->add_option("--up", o->up, "X,Y,Z: where the symbol's top points [0,0,1]")->delimiter(',')->expected(3);
   c->add_option("--rotate", request.placement.rotateDeg, "degrees anticlockwise from there [0]");
-  c->add_option("--direction", o->direction, "mean-normal, depth-balanced or X,Y,Z towards the reader [depth-balanced]");
+  c->add_option("--direction", o->direction,
+                "mean-normal, depth-balanced or X,Y,Z towards the reader [depth-balanced]");
   c->add_option("--eye-distance", request.placement.eyeDistanceMm, "mm [250]");
   c->add_option("--ecc", o->ecc, "error correction [M]")->check(CLI::IsMember({"L", "M", "Q", "H"}));
   c->add_option("--version", o->version, "symbol version, 1 to 40 [smallest]")->check(CLI::Range(1, 40));
@@ -205,11 +212,13 @@ std::function<int()> addEngraveCommand(CLI::App& app) {
       ->check(CLI::IsMember({"none", "square", "thin-plus", "diamond", "thick-plus"}));
   c->add_option("--finder-pattern", o->finderPattern, "the same for the three finder patterns [thick-plus]")
       ->check(CLI::IsMember({"none", "as-modules", "diamond", "thick-plus"}));
-  c->add_option("--contrast", request.contrast, fmt::format("how much darker carved submodules must be [{:g}]", request.contrast));
+  c->add_option("--contrast", request.contrast,
+                fmt::format("how much darker carved submodules must be [{:g}]", request.contrast));
   c->add_option("--max-depth", o->maxDepth, "mm [1.2 modules]")->check(CLI::PositiveNumber);
   c->add_option("--min-wall", request.minWallMm, "material that must remain, mm [0.8]");
   c->add_option("--solver", o->solver, "how the depth is found [paper-steps]")->check(CLI::IsMember({"paper-steps"}));
-  c->add_option("--surface", o->surface, "what happens to the model's own facets [preserved]")->check(CLI::IsMember({"preserved"}));
+  c->add_option("--surface", o->surface, "what happens to the model's own facets [preserved]")
+      ->check(CLI::IsMember({"preserved"}));
   c->add_option("--report", o->report, "write everything that was found and measured as JSON");
   c->add_option("--preview", o->preview, "write the result as the reader sees it as PNG");
   c->add_flag("--quiet", o->quiet, "no progress");

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
-
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.h"
 #include "cli/files.h"
 #include "io/read_model.h"
 #include "mesh/prepare.h"
-#include "mesh/self_intersection.h"
 
 namespace qrelief {
 namespace {
@@ -21,20 +19,6 @@ const char* nameOf(Finding::Severity severity) {
   return severity == Finding::Severity::Note ? "note" : severity == Finding::Severity::Warning ? "warning" : "blocking";
 }
 
-/// Crossing triangles are no reason to refuse: carving elsewhere works all the same.
-Status findCrossings(PreparedModel& model) {
-  constexpr std::size_t limit = 1000;
-  const auto pairs = findSelfIntersections(model.mesh, {}, limit);
-  if (!pairs) return tl::unexpected(pairs.error());
-  if (pairs->empty()) return {};
-  const Vec3 at = model.mesh.corner(pairs->front()[0], 0);
-  model.findings.push_back({Finding::Severity::Warning, "self-intersections", pairs->size(),
-                            fmt::format("{}{} pairs of triangles cross each other, the first near ({:.4g}, {:.4g}, {:.4g}) mm",
-                                        pairs->size() == limit ? "at least " : "", pairs->size(), at.x, at.y, at.z),
-                            "a code can be placed away from them; to be rid of them, unite the model's parts in a CAD program"});
-  return {};
-}
-
 int describe(const InfoOptions& options) {
   const Result<double> scale = scaleFrom(options.scale, options.units);
   if (!scale) return printError(scale.error());
@@ -45,8 +29,6 @@ int describe(const InfoOptions& options) {
   auto model = prepareModel(*soup, {.scaleToMm = *scale});
   if (!model) return printError(model.error());
   const bool engravable = model->engravable().has_value();
-  if (engravable)
-    if (const Status searched = findCrossings(*model); !searched) return printError(searched.error());
 
   const Box3 box = boundingBox(model->mesh);
   const Vec3 size = box.size();

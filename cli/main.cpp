@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The `qrelief` command; its options are the contract of the README.
-#include <fmt/format.h>
-
 #include <cstdio>
 #include <exception>
+#include <fmt/format.h>
 #include <new>
 
 #include "cli/commands.h"
@@ -33,14 +32,16 @@ int printError(const Error& error) {
 Result<double> scaleFrom(double scale, const std::string& units) {
   if (!units.empty()) return units == "mm" ? 1.0 : units == "cm" ? 10.0 : units == "m" ? 1000.0 : 25.4;
   if (!(scale > 0 && scale < 1e12))
-    return fail(ErrorCode::BadUsage, fmt::format("the scale is {:g}", scale), "give file units → mm, such as 1000 for metres");
+    return fail(ErrorCode::BadUsage, fmt::format("the scale is {:g}", scale),
+                "give file units → mm, such as 1000 for metres");
   return scale;
 }
 
 namespace {
 
 int run(int argc, char** argv) {
-  CLI::App app("Engraves a QR code into a 3D model, just deep enough for its own shadow to be read by a phone.", "qrelief");
+  CLI::App app("Engraves a QR code into a 3D model, just deep enough for its own shadow to be read by a phone.",
+               "qrelief");
   app.set_version_flag("--version", "qrelief " QRELIEF_VERSION);
   app.require_subcommand(1);
   const auto engraveModel = addEngraveCommand(app);

@@ -3,7 +3,6 @@
 
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
-
 #include <array>
 #include <cstdlib>
 #include <string_view>
@@ -17,7 +16,8 @@ std::vector<EGLDisplay> candidateDisplays() {
   const char* wanted = std::getenv("QRELIEF_GL");
   const bool softwareOnly = wanted && std::string_view(wanted) == "software";
   const auto queryDevices = reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(eglGetProcAddress("eglQueryDevicesEXT"));
-  const auto queryString = reinterpret_cast<PFNEGLQUERYDEVICESTRINGEXTPROC>(eglGetProcAddress("eglQueryDeviceStringEXT"));
+  const auto queryString =
+      reinterpret_cast<PFNEGLQUERYDEVICESTRINGEXTPROC>(eglGetProcAddress("eglQueryDeviceStringEXT"));
   if (queryDevices && !softwareOnly) {
     std::array<EGLDeviceEXT, 16> devices{};
     EGLint count = 0;
@@ -26,7 +26,8 @@ std::vector<EGLDisplay> candidateDisplays() {
         const EGLDeviceEXT device = devices[static_cast<std::size_t>(i)];
         // Mesa lists its software renderer as a device, too; it comes last, as surfaceless.
         const char* extensions = queryString ? queryString(device, EGL_EXTENSIONS) : nullptr;
-        if (extensions && std::string_view(extensions).find("EGL_MESA_device_software") != std::string_view::npos) continue;
+        if (extensions && std::string_view(extensions).find("EGL_MESA_device_software") != std::string_view::npos)
+          continue;
         displays.push_back(eglGetPlatformDisplay(EGL_PLATFORM_DEVICE_EXT, device, nullptr));
       }
     }

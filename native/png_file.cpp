@@ -2,7 +2,6 @@
 #include "native/png_file.h"
 
 #include <png.h>
-
 #include <string>
 
 namespace qrelief {

@@ -7,8 +7,8 @@
 
 namespace qrelief {
 
-/// Text of the QR Code in a picture as ZXing-C++ reads it in any of its reading variants, with either of its binarisers;
-/// empty if it finds none.
+/// Text of the QR Code in a picture as ZXing-C++ reads it in any of its reading variants, with either of its
+/// binarisers; empty if it finds none.
 std::string readWithZxing(const ReaderView& seen);
 
 /// "ZXing-C++" and its version, for reports.

@@ -2,7 +2,7 @@
 // Ties the panels, the view and the engine together. It keeps the model's file, the settings and the centre, so that a
 // module that had to be replaced can be given everything again.
 import { EngineClient, isReplaced } from './engine/client.js';
-import { EngineFailure, describeThrown } from './engine/engine_error.js';
+import { EngineFailure, describeThrown, isFatal } from './engine/engine_error.js';
 import { kReaderName, readCode } from './reader/reader.js';
 import { CodePanel } from './ui/code_panel.js';
 import { saveFile } from './ui/save_file.js';
@@ -75,6 +75,7 @@ export class App {
     this.carvedExists_ = false;
     this.engraving_ = false;
     this.replacements_ = 0;
+    this.recovering_ = false;
   }
 
   /** @param {URLSearchParams} address */
@@ -286,7 +287,7 @@ export class App {
         this.showPlacement_(await this.client_.placement());
         this.messages_.say('Ready.');
       } catch (thrown) {
-        if (isReplaced(thrown)) return;
+        if (isReplaced(thrown) || isFatal(thrown)) throw thrown;
         this.showPlacement_(undefined);
         this.messages_.say(this.centreIsGuess_ ? kAskForCentre : 'The code has no place yet.');
         if (!this.placeAgain_ && !this.centreIsGuess_) this.messages_.showError(thrown instanceof RangeError ? { message: thrown.message, hint: '' } : describeThrown(thrown));
@@ -371,6 +372,17 @@ export class App {
 
   /** @param {import('./engine/types.js').HostEvent} event */
   async recoverFrom_(event) {
+    if (this.recovering_) return;  // one fault is told by every verb that was waiting
+    this.recovering_ = true;
+    try {
+      await this.replaceAfter_(event);
+    } finally {
+      this.recovering_ = false;
+    }
+  }
+
+  /** @param {import('./engine/types.js').HostEvent} event */
+  async replaceAfter_(event) {
     this.replacements_ += 1;
     if (event.event === 'failure') this.messages_.showError(event.error);
     if (this.replacements_ > kMaxReplacements) {
@@ -409,8 +421,10 @@ export class App {
       await action();
     } catch (thrown) {
       if (isReplaced(thrown)) return;
-      this.messages_.showError(describeThrown(thrown));
+      const error = describeThrown(thrown);
+      this.messages_.showError(error);
       this.messages_.say('That did not work.');
+      if (isFatal(thrown)) await this.recoverFrom_({ event: 'failure', error });
     }
   }
 }

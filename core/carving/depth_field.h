@@ -12,8 +12,8 @@ namespace qrelief {
 /// Row-major from the symbol's top left; submodule (row, column) covers, in plane coordinates (mm, v upwards),
 ///     u ∈ [-s/2 + column·h, …+h],   v ∈ [s/2 - (row+1)·h, …+h],   h = symbolMm / size
 struct DepthField {
-  int size = 0;         ///< submodules along an edge, 5·modules
-  double symbolMm = 0;  ///< edge s of the symbol without quiet zone, on the QR plane
+  int size = 0;                 ///< submodules along an edge, 5·modules
+  double symbolMm = 0;          ///< edge s of the symbol without quiet zone, on the QR plane
   std::vector<double> depthMm;  ///< ≥ 0, multiples of kDepthQuantumMm; 0 = not carved
 
   double depth(int row, int column) const { return depthMm[static_cast<std::size_t>(row * size + column)]; }

@@ -103,7 +103,8 @@ void DepthSearch::update(std::span<const double> luminance) {
       if (states_[i] == DepthState::Light) continue;
       const double now =
           luminance[static_cast<std::size_t>((row + kN * kQuietZoneModules) * edge + column + kN * kQuietZoneModules)];
-      unchanged_[i] = iterations_ > 0 && std::abs(now - previous_[i]) < options_.significantChange ? unchanged_[i] + 1 : 0;
+      unchanged_[i] =
+          iterations_ > 0 && std::abs(now - previous_[i]) < options_.significantChange ? unchanged_[i] + 1 : 0;
       previous_[i] = now;
       const double excess = now - threshold;  // G
       worstExcess_ = std::max(worstExcess_, excess);

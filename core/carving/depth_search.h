@@ -17,8 +17,8 @@ namespace qrelief {
 double depthIncrease(int x);
 
 struct DepthSearchOptions {
-  double contrast = 0.3;           ///< c: a carved submodule must be darker than its surroundings by this share, 0 … 1
-  double initialDepthMm = 0.1;     ///< of every carved submodule, > 0
+  double contrast = 0.3;        ///< c: a carved submodule must be darker than its surroundings by this share, 0 … 1
+  double initialDepthMm = 0.1;  ///< of every carved submodule, > 0
   double significantChange = 0.005;  ///< of a submodule's luminance between iterations; less is "not changed"
   int maxIterations = 60;
 };
@@ -68,8 +68,8 @@ class DepthSearch {
   DepthSearchOptions options_;
   DepthField depths_;
   std::vector<DepthState> states_;
-  std::vector<double> previous_;       // luminance of the last iteration, per submodule
-  std::vector<int> unchanged_;         // iterations since it last changed significantly
+  std::vector<double> previous_;                        // luminance of the last iteration, per submodule
+  std::vector<int> unchanged_;                          // iterations since it last changed significantly
   std::vector<std::vector<std::uint32_t>> neighbours_;  // per module: light modules around it, quiet zone indexing
   int iterations_ = 0;
   bool finished_ = false;

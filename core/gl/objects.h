@@ -2,7 +2,6 @@
 #pragma once
 
 #include <GLES3/gl3.h>
-
 #include <cstdint>
 #include <glm/vec4.hpp>
 #include <span>

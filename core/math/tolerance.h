@@ -34,4 +34,11 @@ inline constexpr double kStraightSine = 1e-6;
 /// counts as the remains of one without area: files with six digits round that much.
 inline constexpr double kFlapHeight = 1e-5;
 
+/// How far a vertex may be moved to part triangles that cross, as a part of the mean length of its edges: it stays
+/// nearer to its place than to its neighbours, so the facets around it keep their order ...
+inline constexpr double kUntangleEdgeShare = 0.5;
+
+/// ... and as a part of the model's diagonal: 1 mm on a figure as large as a hand; more would change its shape.
+inline constexpr double kUntangleDiagonalShare = 0.01;
+
 }  // namespace qrelief

@@ -9,6 +9,7 @@
 #include "mesh/clean.h"
 #include "mesh/defects.h"
 #include "mesh/orient.h"
+#include "mesh/untangle.h"
 #include "mesh/weld.h"
 
 namespace qrelief {
@@ -218,6 +219,22 @@ void reportOrientation(const Mesh& mesh, const Consistency& consistency, const O
                   fmt::format("The model consists of {} separate shells", consistency.shells.count));
 }
 
+/// Crossing triangles are no reason to refuse: carving away from them works all the same.
+void reportUntangling(const Untangling& untangling, FindingList& findings) {
+  if (untangling.pairs == 0) return;
+  const std::string pairs = (untangling.atLeast ? "At least " : "") +
+                            counted(untangling.pairs, "pair of triangles crosses", "pairs of triangles cross") +
+                            fmt::format(" each other, the first near {}", findings.place(untangling.at));
+  if (untangling.mended)
+    findings.warn("self-intersections-mended", untangling.pairs,
+                  fmt::format("{}; mended: {} moved, by {:.2g} mm at most", pairs,
+                              counted(untangling.moved, "vertex was", "vertices were"), untangling.largestMoveMm),
+                  "Nothing needs to be done");
+  else
+    findings.warn("self-intersections", untangling.pairs, pairs + "; left as they are",
+                  "Place the code away from them; to be rid of them, unite the model's parts in a CAD program");
+}
+
 }  // namespace
 
 Status PreparedModel::engravable() const {
@@ -245,12 +262,16 @@ Result<PreparedModel> prepareModel(const PolygonSoup& soup, const PrepareOptions
   const Defects defects = findDefects(model.mesh, edges, model.adjacency);
   const Consistency consistency = makeConsistent(model.mesh.triangles, model.adjacency);
   const Outwardness outwardness = orientOutwards(model.mesh, model.adjacency, consistency);
+  const bool closed = defects.openEdges == 0 && defects.nonManifoldEdges == 0 && !consistency.oneSided;
+  const Result<Untangling> untangling = closed ? untangle(model.mesh) : Untangling{};
+  if (!untangling) return tl::unexpected(untangling.error());
   model.shells = consistency.shells.count;
   model.normals = vertexNormals(model.mesh);
 
   reportDefects(defects, findings);
   reportOrientation(model.mesh, consistency, outwardness, findings);
   reportCleaning(cleaning, findings);
+  reportUntangling(*untangling, findings);
   reportExtent(model.mesh, options.scaleToMm, findings);
   model.findings = findings.take();
   std::stable_sort(model.findings.begin(), model.findings.end(), [](const Finding& a, const Finding& b) {

@@ -42,9 +42,10 @@ struct PreparedModel {
 
 /// Scales to mm, rounds to 32-bit floats, welds by equal position, drops degenerate and duplicate triangles
 /// and unreferenced vertices, orients every shell consistently and outwards (an inner shell, a cavity, inwards),
-/// and says what it found.
+/// parts the few triangles that cross if it takes tiny moves only (see mesh/untangle.h; closed models only), and says
+/// what it found.
 ///
-/// Cost: O(T log T); no self-intersection test (see mesh/self_intersection.h).
+/// Cost: O(T log T), most of it the search for crossing triangles.
 /// @returns the model, blocking findings included; an error only for what cannot be represented: no triangle left,
 ///          coordinates that are not finite or whose size is implausible as mm (> 10 km across), too many triangles.
 Result<PreparedModel> prepareModel(const PolygonSoup& soup, const PrepareOptions& options);

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/engrave.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cassert>
 #include <chrono>
 #include <cmath>
+#include <fmt/format.h>
 #include <limits>
 
 #include "carving/wall_limit.h"
@@ -21,9 +20,9 @@ namespace qrelief {
 namespace {
 
 constexpr int kN = kSubmodulesPerModule;
-constexpr int kMarginModules = 1;      // beyond the quiet zone, so that its own occlusion is complete
+constexpr int kMarginModules = 1;  // beyond the quiet zone, so that its own occlusion is complete
 constexpr double kMaxDepthModules = 1.2;
-constexpr double kReachPerDepth = 8;   // a wall seen from eight times its height away hides 0.4 % of the sky
+constexpr double kReachPerDepth = 8;  // a wall seen from eight times its height away hides 0.4 % of the sky
 constexpr double kLeastReachModules = 3;
 constexpr int kMaxMapTexels = 2048;
 
@@ -67,12 +66,14 @@ Status checkRequest(const EngraveRequest& request) {
     return bad(fmt::format("the greatest depth is {:g} mm", *request.maxDepthMm), "choose at least 0.1 mm, one layer");
   const PlacementRequest& place = request.placement;
   if (!(place.eyeDistanceMm >= 20 && place.eyeDistanceMm <= 1e5))
-    return bad(fmt::format("the eye distance is {:g} mm", place.eyeDistanceMm), "choose between 20 mm and 100 m; 250 mm is a phone's");
+    return bad(fmt::format("the eye distance is {:g} mm", place.eyeDistanceMm),
+               "choose between 20 mm and 100 m; 250 mm is a phone's");
   if (place.sizeMode == SizeMode::Fixed && !(place.sizeMm > 0 && place.sizeMm <= 1e4))
     return bad(fmt::format("the size is {:g} mm", place.sizeMm), "choose the symbol's edge in mm, such as 35");
   if (!(place.maxSizeMm > 0 && place.maxSizeMm <= 1e4))
     return bad(fmt::format("the greatest size is {:g} mm", place.maxSizeMm), "choose an edge in mm, such as 60");
-  if (place.direction && !(glm::length(*place.direction) > 0)) return bad("the direction has no length", "give a vector such as 0,0,1");
+  if (place.direction && !(glm::length(*place.direction) > 0))
+    return bad("the direction has no length", "give a vector such as 0,0,1");
   return {};
 }
 
@@ -231,7 +232,8 @@ void EngraveJob::State::measure() {
     }
   }
   light->setDepths(depths);
-  light->setRadius(static_cast<float>(std::max(kLeastReachModules * result.placement.moduleMm, kReachPerDepth * deepest)));
+  light->setRadius(
+      static_cast<float>(std::max(kLeastReachModules * result.placement.moduleMm, kReachPerDepth * deepest)));
   light->run();
   means = light->readCellMeans();
 }
@@ -251,17 +253,18 @@ Status EngraveJob::State::searchOnce() {
   result.searchIterations = search->iterations();
   result.limitedSubmodules = search->limitedCount();
   if (summarise(result.depths).maxMm == 0)
-    return fail(ErrorCode::NoSolution,
-                fmt::format("nothing can be carved here without leaving less than {:g} mm of material", request.minWallMm),
-                "choose a thicker spot or a smaller minimum wall");
+    return fail(
+        ErrorCode::NoSolution,
+        fmt::format("nothing can be carved here without leaving less than {:g} mm of material", request.minWallMm),
+        "choose a thicker spot or a smaller minimum wall");
   stage = Stage::Embedding;
   return {};
 }
 
 Status EngraveJob::State::embed() {
   const auto start = std::chrono::steady_clock::now();
-  auto made = embedDepthField(model->prepared.mesh, result.placement.frame,
-                              result.placement.patch.triangles, result.depths);
+  auto made =
+      embedDepthField(model->prepared.mesh, result.placement.frame, result.placement.patch.triangles, result.depths);
   if (!made) return tl::unexpected(made.error());
   embedded = std::move(*made);
   result.keptTriangles = embedded.keptTriangles;

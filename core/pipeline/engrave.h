@@ -48,9 +48,9 @@ struct StageTimings {
 
 /// The carved solid and everything that is known of it.
 struct EngraveResult {
-  Mesh mesh;                          ///< as an STL round trip gives it back
-  std::vector<std::uint8_t> stl;      ///< the very bytes that were checked
-  std::size_t keptTriangles = 0;      ///< facets of the input that came out bit for bit
+  Mesh mesh;                      ///< as an STL round trip gives it back
+  std::vector<std::uint8_t> stl;  ///< the very bytes that were checked
+  std::size_t keptTriangles = 0;  ///< facets of the input that came out bit for bit
   Symbol symbol;
   Placement placement;
   DepthField depths;
@@ -81,9 +81,11 @@ struct InspectorMaps {
 ///     EngraveResult result = job->takeResult();
 class EngraveJob {
  public:
-  /// @returns BadUsage or BadInput for a request that cannot be carried out whatever the geometry; a model with blocking
+  /// @returns BadUsage or BadInput for a request that cannot be carried out whatever the geometry; a model with
+  /// blocking
   ///          findings
-  static Result<std::unique_ptr<EngraveJob>> create(std::shared_ptr<const EngravableModel> model, EngraveRequest request);
+  static Result<std::unique_ptr<EngraveJob>> create(std::shared_ptr<const EngravableModel> model,
+                                                    EngraveRequest request);
   ~EngraveJob();
 
   /// The next piece. After an error or `done` it must not be called again.

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/placement.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <fmt/format.h>
 #include <numbers>
 
 #include "mesh/ray.h"
@@ -17,14 +16,16 @@ namespace {
 constexpr int kMaxRounds = 5;
 constexpr double kSettledShare = 0.01;
 
-/// Below this a module is neither printed nor read by anything at hand (finest resin printers: 0.05 mm pixels, four to a
-/// module).
+/// Below this a module is neither printed nor read by anything at hand (finest resin printers: 0.05 mm pixels, four to
+/// a module).
 constexpr double kLeastModuleMm = 0.2;
 
 class Stopwatch {
  public:
   explicit Stopwatch(double& sumMs) : sumMs_(sumMs) {}
-  ~Stopwatch() { sumMs_ += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count(); }
+  ~Stopwatch() {
+    sumMs_ += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count();
+  }
 
  private:
   double& sumMs_;
@@ -66,7 +67,8 @@ Status PlacementSearch::measure(Vec3 normal) {
   const bool fixed = request_.sizeMode == SizeMode::Fixed;
   const ProjectionFrame frame = frameFor(normal);
   const double largest = std::max(request_.maxSizeMm, fixed ? request_.sizeMm : 0.0) * outerFactor();
-  auto patch = findVisiblePatch(model_->mesh, model_->adjacency, frame, placement_.seed, largest * std::numbers::sqrt2 / 2);
+  auto patch =
+      findVisiblePatch(model_->mesh, model_->adjacency, frame, placement_.seed, largest * std::numbers::sqrt2 / 2);
   if (!patch) return tl::unexpected(patch.error());
 
   placement_.frame = frame;
@@ -80,19 +82,21 @@ Status PlacementSearch::measure(Vec3 normal) {
   placement_.symbolMm = fixed ? request_.sizeMm : fitMm_;
   placement_.moduleMm = placement_.symbolMm / modules_;
   if (fixed && fitMm_ < request_.sizeMm) {
-    return fail(ErrorCode::NoSolution,
-                fmt::format("a code of {:.4g} mm{} does not fit here; the largest that does is {:.4g} mm ({:.4g} mm at any "
-                            "rotation)",
-                            request_.sizeMm, request_.quietZone ? " with its quiet zone" : "",
-                            std::floor(oriented * 100) / 100, std::floor(free * 100) / 100),
-                "ask for a smaller size, turn the code, or choose a spot farther from edges and overhangs");
+    return fail(
+        ErrorCode::NoSolution,
+        fmt::format("a code of {:.4g} mm{} does not fit here; the largest that does is {:.4g} mm ({:.4g} mm at any "
+                    "rotation)",
+                    request_.sizeMm, request_.quietZone ? " with its quiet zone" : "", std::floor(oriented * 100) / 100,
+                    std::floor(free * 100) / 100),
+        "ask for a smaller size, turn the code, or choose a spot farther from edges and overhangs");
   }
   if (placement_.moduleMm < kLeastModuleMm) {
-    return fail(ErrorCode::NoSolution,
-                fmt::format("only a code of {:.3g} mm fits here: its modules would be {:.2g} mm wide",
-                            placement_.symbolMm, placement_.moduleMm),
-                "choose a spot farther from edges and overhangs, or shorten the text; if the whole model is that small, "
-                "check its unit");
+    return fail(
+        ErrorCode::NoSolution,
+        fmt::format("only a code of {:.3g} mm fits here: its modules would be {:.2g} mm wide", placement_.symbolMm,
+                    placement_.moduleMm),
+        "choose a spot farther from edges and overhangs, or shorten the text; if the whole model is that small, "
+        "check its unit");
   }
   return {};
 }
@@ -100,9 +104,9 @@ Status PlacementSearch::measure(Vec3 normal) {
 /// The direction that varies least may be one from which the code does not fit: then the next best is tried.
 Status PlacementSearch::measureBestDirection() {
   std::vector<DirectionIteration> candidates = placement_.iterations;
-  std::stable_sort(candidates.begin() + 1, candidates.end(), [](const DirectionIteration& a, const DirectionIteration& b) {
-    return a.varianceMm2 < b.varianceMm2;
-  });
+  std::stable_sort(
+      candidates.begin() + 1, candidates.end(),
+      [](const DirectionIteration& a, const DirectionIteration& b) { return a.varianceMm2 < b.varianceMm2; });
   std::rotate(candidates.begin(), candidates.begin() + 1, candidates.end());  // the single facet's normal comes last
   Status first = measure(direction_->normal());
   if (first) return first;

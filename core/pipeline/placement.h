@@ -22,11 +22,11 @@ enum class SizeMode {
 struct PlacementRequest {
   Vec3 centreMm{0};  ///< moved to the nearest surface point
   SizeMode sizeMode = SizeMode::Free;
-  double sizeMm = 0;       ///< Fixed: edge of the symbol without quiet zone, > 0
-  double maxSizeMm = 60;   ///< upper bound of a found size, > 0
-  bool quietZone = true;   ///< the quiet zone must fit, too
-  Vec3 upHint{0, 0, 1};    ///< where the symbol's top points, projected onto the QR plane
-  double rotateDeg = 0;    ///< then turned anticlockwise, as the reader sees it
+  double sizeMm = 0;      ///< Fixed: edge of the symbol without quiet zone, > 0
+  double maxSizeMm = 60;  ///< upper bound of a found size, > 0
+  bool quietZone = true;  ///< the quiet zone must fit, too
+  Vec3 upHint{0, 0, 1};   ///< where the symbol's top points, projected onto the QR plane
+  double rotateDeg = 0;   ///< then turned anticlockwise, as the reader sees it
   DirectionMethod directionMethod = DirectionMethod::DepthBalanced;
   std::optional<Vec3> direction;  ///< towards the reader; overrides the method
   double eyeDistanceMm = 250;     ///< > 0
@@ -35,11 +35,11 @@ struct PlacementRequest {
 /// The answer.
 struct Placement {
   ProjectionFrame frame;
-  std::uint32_t seed = 0;     ///< triangle under the centre
-  double symbolMm = 0;        ///< edge of the symbol without quiet zone, on the QR plane
+  std::uint32_t seed = 0;  ///< triangle under the centre
+  double symbolMm = 0;     ///< edge of the symbol without quiet zone, on the QR plane
   double moduleMm = 0;
-  double guaranteedMm = 0;    ///< largest symbol that fits at every rotation, not cut by maxSizeMm
-  VisiblePatch patch;         ///< covers symbol and quiet zone
+  double guaranteedMm = 0;  ///< largest symbol that fits at every rotation, not cut by maxSizeMm
+  VisiblePatch patch;       ///< covers symbol and quiet zone
   std::vector<DirectionIteration> iterations;
 };
 
@@ -52,7 +52,8 @@ class PlacementSearch {
   PlacementSearch(const PreparedModel& model, const GpuMesh& gpu, const GeometryPass& pass, int modules,
                   const PlacementRequest& request);
 
-  /// One rendering or one silhouette. @returns true when done; NoSolution where no code fits (says the largest that does)
+  /// One rendering or one silhouette. @returns true when done; NoSolution where no code fits (says the largest that
+  /// does)
   Result<bool> step();
 
   const Placement& placement() const { return placement_; }

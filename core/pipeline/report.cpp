@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/report.h"
 
-#include <fmt/format.h>
-
 #include <array>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
-
 
 namespace qrelief {
 namespace {
@@ -54,8 +52,9 @@ Json describeSymbol(const Symbol& symbol) {
 Json describeProjection(const EngraveRequest& request, const Placement& placement) {
   Json iterations = Json::array();
   for (const DirectionIteration& i : placement.iterations)
-    iterations.push_back({{"normal", triple(i.normal)}, {"varianceMm2", i.varianceMm2}, {"outsideShare", i.outsideShare}});
-  const char* method = request.placement.direction                                              ? "given"
+    iterations.push_back(
+        {{"normal", triple(i.normal)}, {"varianceMm2", i.varianceMm2}, {"outsideShare", i.outsideShare}});
+  const char* method = request.placement.direction                                        ? "given"
                        : request.placement.directionMethod == DirectionMethod::MeanNormal ? "mean-normal"
                                                                                           : "depth-balanced";
   return {{"method", method},
@@ -98,12 +97,9 @@ std::string makeReport(const EngraveRequest& request, const EngravableModel& mod
                      {"iterations", result.searchIterations},
                      {"limitedSubmodules", result.limitedSubmodules},
                      {"solver", "paper-steps"}};
-  report["mesh"] = {{"triangles", solid.triangles},
-                    {"vertices", solid.vertices},
-                    {"keptTriangles", result.keptTriangles},
-                    {"closed", solid.closed()},
-                    {"manifold", solid.manifold()},
-                    {"selfIntersections", solid.selfIntersections},
+  report["mesh"] = {{"triangles", solid.triangles},          {"vertices", solid.vertices},
+                    {"keptTriangles", result.keptTriangles}, {"closed", solid.closed()},
+                    {"manifold", solid.manifold()},          {"selfIntersections", solid.selfIntersections},
                     {"volumeMm3", solid.volumeMm3}};
   report["verification"] = {{"decoded", !context.readBack.empty() && context.readBack == request.text},
                             {"text", context.readBack},
@@ -114,9 +110,9 @@ std::string makeReport(const EngraveRequest& request, const EngravableModel& mod
                                                     {"read", context.readBack == request.text}}})},
                             {"failedChecks", failedChecks(request, result, context.readBack)}};
   const StageTimings& t = result.timingsMs;
-  report["timingsMs"] = {{"load", context.loadMs},     {"prepare", context.prepareMs}, {"direction", t.direction},
-                         {"size", t.size},             {"depthSearch", t.depthSearch}, {"embed", t.embed},
-                         {"verify", t.verify},         {"write", context.writeMs},     {"total", context.totalMs}};
+  report["timingsMs"] = {{"load", context.loadMs}, {"prepare", context.prepareMs}, {"direction", t.direction},
+                         {"size", t.size},         {"depthSearch", t.depthSearch}, {"embed", t.embed},
+                         {"verify", t.verify},     {"write", context.writeMs},     {"total", context.totalMs}};
   report["gl"] = {{"renderer", context.gl.renderer}, {"version", context.gl.version}};
   // Text that is no UTF-8 (a file name, say) must not lose the report.
   return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

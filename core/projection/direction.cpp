@@ -67,9 +67,8 @@ Vec3 extremeCellsMean(const std::vector<Cell>& cells) {
   std::vector<const Cell*> ranked;
   for (const Cell& cell : cells)
     if (cell.inside > 0) ranked.push_back(&cell);
-  std::stable_sort(ranked.begin(), ranked.end(), [](const Cell* a, const Cell* b) {
-    return a->distances / a->inside < b->distances / b->inside;
-  });
+  std::stable_sort(ranked.begin(), ranked.end(),
+                   [](const Cell* a, const Cell* b) { return a->distances / a->inside < b->distances / b->inside; });
   if (ranked.empty()) return Vec3(0);
   const auto meanDistance = [&](std::size_t i) { return ranked[i]->distances / ranked[i]->inside; };
   const std::size_t last = ranked.size() - 1;

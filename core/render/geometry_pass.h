@@ -20,13 +20,13 @@ struct MapWindow {
   }
 };
 
-/// What the reader's eye sees: facet normals, smooth normals, heights, distances. Normals in the frame's axes (right, up,
-/// normal); heights in mm over the QR plane, distances in mm from the eye along the rays; all zero where the ray misses
-/// the model.
+/// What the reader's eye sees: facet normals, smooth normals, heights, distances. Normals in the frame's axes (right,
+/// up, normal); heights in mm over the QR plane, distances in mm from the eye along the rays; all zero where the ray
+/// misses the model.
 struct SurfaceMaps {
   MapWindow window;
-  gl::Texture surface;  ///< RGBA32F: facet normal, height over the QR plane
-  gl::Texture smooth;   ///< RGBA32F: interpolated vertex normal, distance
+  gl::Texture surface;          ///< RGBA32F: facet normal, height over the QR plane
+  gl::Texture smooth;           ///< RGBA32F: interpolated vertex normal, distance
   gl::Framebuffer framebuffer;  ///< attachment 0 = surface, 1 = smooth
 };
 

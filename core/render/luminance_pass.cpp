@@ -44,15 +44,17 @@ Result<LuminancePass> LuminancePass::create(const SurfaceMaps& maps, double eyeD
   pass.highestMm_ = std::numeric_limits<float>::lowest();
   for (std::size_t i = 0; i < surface.size(); i += 4)
     if (surface[i + 2] > 0) pass.highestMm_ = std::max(pass.highestMm_, surface[i + 3]);
-  for (const Status& made : {makeProgram(pass.occlusion_, "occlusion", shaders::cells_vert, shaders::occlusion_frag),
-                             makeProgram(pass.lighting_, "lighting", shaders::fullscreen_vert, shaders::lighting_frag),
-                             makeProgram(pass.reduction_, "reduction", shaders::fullscreen_vert, shaders::reduction_frag),
-                             makeTarget(pass.visibility_, pass.visibilityTarget_, maps.window.texels),
-                             makeTarget(pass.luminance_, pass.luminanceTarget_, maps.window.texels),
-                             makeTarget(pass.means_, pass.meansTarget_, pass.cells_)})
+  for (const Status& made :
+       {makeProgram(pass.occlusion_, "occlusion", shaders::cells_vert, shaders::occlusion_frag),
+        makeProgram(pass.lighting_, "lighting", shaders::fullscreen_vert, shaders::lighting_frag),
+        makeProgram(pass.reduction_, "reduction", shaders::fullscreen_vert, shaders::reduction_frag),
+        makeTarget(pass.visibility_, pass.visibilityTarget_, maps.window.texels),
+        makeTarget(pass.luminance_, pass.luminanceTarget_, maps.window.texels),
+        makeTarget(pass.means_, pass.meansTarget_, pass.cells_)})
     if (!made) return tl::unexpected(made.error());
   pass.depths_ = gl::Texture(pass.cells_, pass.cells_, gl::Format::R32F);
-  pass.setDepths(std::vector<float>(static_cast<std::size_t>(pass.cells_) * static_cast<std::size_t>(pass.cells_), 0.0f));
+  pass.setDepths(
+      std::vector<float>(static_cast<std::size_t>(pass.cells_) * static_cast<std::size_t>(pass.cells_), 0.0f));
   pass.cellArray_ = gl::VertexArray::create();
   std::vector<std::uint32_t> all(static_cast<std::size_t>(pass.cells_) * static_cast<std::size_t>(pass.cells_));
   std::iota(all.begin(), all.end(), 0u);

@@ -79,7 +79,8 @@ GreyImage photograph(const std::vector<float>& luminance, int width, double blur
     for (int x = 0; x < width; ++x) {
       double value = image[static_cast<std::size_t>((width - 1 - y) * width + x)];
       if (noise > 0) value += noiseSample(random) * noise * std::sqrt(std::max(value, 0.05) / kWhite);
-      picture.pixels[static_cast<std::size_t>(y * width + x)] = static_cast<std::uint8_t>(std::lround(255 * srgb(value)));
+      picture.pixels[static_cast<std::size_t>(y * width + x)] =
+          static_cast<std::uint8_t>(std::lround(255 * srgb(value)));
     }
   }
   return picture;
@@ -109,7 +110,8 @@ Result<ReaderView> renderReaderView(const GeometryPass& pass, const GpuMesh& mes
 
   ReaderView view;
   view.clean = photograph(luminance, options.texels, 0, 0, 0);
-  view.picture = photograph(luminance, options.texels, options.blurPx * options.texels / 700, options.noise, options.strayLight);
+  view.picture =
+      photograph(luminance, options.texels, options.blurPx * options.texels / 700, options.noise, options.strayLight);
   return view;
 }
 

@@ -25,12 +25,12 @@ struct ReaderView {
 };
 
 struct ReaderViewOptions {
-  double extentMm = 50;    ///< edge of the square on the QR plane that fills the picture
-  int texels = 560;        ///< along its edge
-  float radiusMm = 4;      ///< reach of the occlusion
+  double extentMm = 50;  ///< edge of the square on the QR plane that fills the picture
+  int texels = 560;      ///< along its edge
+  float radiusMm = 4;    ///< reach of the occlusion
   float albedo = 0.7f;
-  double blurPx = 1.0;     ///< standard deviation, at 700 texels; scales with the size
-  double noise = 0.02;     ///< standard deviation at white, linear
+  double blurPx = 1.0;       ///< standard deviation, at 700 texels; scales with the size
+  double noise = 0.02;       ///< standard deviation at white, linear
   double strayLight = 0.05;  ///< share of light scattered in the lens
 };
 

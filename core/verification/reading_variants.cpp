@@ -14,7 +14,8 @@ GreyImage stretched(GreyImage image) {
   const double low = sorted[sorted.size() / 100];
   const double high = sorted[sorted.size() - 1 - sorted.size() / 100];
   for (std::uint8_t& pixel : image.pixels)
-    pixel = static_cast<std::uint8_t>(std::lround(std::clamp((pixel - low) * 255 / std::max(high - low, 1.0), 0.0, 255.0)));
+    pixel =
+        static_cast<std::uint8_t>(std::lround(std::clamp((pixel - low) * 255 / std::max(high - low, 1.0), 0.0, 255.0)));
   return image;
 }
 
@@ -24,7 +25,8 @@ GreyImage shrunk(const GreyImage& image, int factor) {
     for (int x = 0; x < small.width; ++x) {
       int sum = 0;
       for (int k = 0; k < factor * factor; ++k)
-        sum += image.pixels[static_cast<std::size_t>((y * factor + k / factor) * image.width + x * factor + k % factor)];
+        sum +=
+            image.pixels[static_cast<std::size_t>((y * factor + k / factor) * image.width + x * factor + k % factor)];
       small.pixels.push_back(static_cast<std::uint8_t>((sum + factor * factor / 2) / (factor * factor)));
     }
   }
@@ -35,7 +37,12 @@ GreyImage shrunk(const GreyImage& image, int factor) {
 
 std::vector<GreyImage> readingVariants(const GreyImage& picture, double pixelsPerModule) {
   const auto outOfFocus = [&](double modules) { return stretched(blurred(picture, modules * pixelsPerModule)); };
-  return {picture, stretched(picture), outOfFocus(0.2), outOfFocus(0.35), stretched(shrunk(picture, 2)), stretched(shrunk(picture, 3))};
+  return {picture,
+          stretched(picture),
+          outOfFocus(0.2),
+          outOfFocus(0.35),
+          stretched(shrunk(picture, 2)),
+          stretched(shrunk(picture, 3))};
 }
 
 }  // namespace qrelief

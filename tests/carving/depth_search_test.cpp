@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "carving/depth_search.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
+#include <gtest/gtest.h>
 
 #include "math/tolerance.h"
 
@@ -43,7 +42,8 @@ class DepthSearchTest : public testing::Test {
     for (int row = 0; row < 105; ++row)
       for (int column = 0; column < 105; ++column)
         if (mask_.isCarved(row, column))
-          all[static_cast<std::size_t>((row + 20) * edge + column + 20)] = carved(row, column, search.depths().depth(row, column));
+          all[static_cast<std::size_t>((row + 20) * edge + column + 20)] =
+              carved(row, column, search.depths().depth(row, column));
     return all;
   }
   Symbol symbol_;
@@ -76,7 +76,8 @@ TEST_F(DepthSearchTest, SubmodulesAreJudgedOneByOne) {
   darken(10, 10);
   DepthSearch search = start();
   while (!search.finished())
-    search.update(luminances(search, [](int row, int, double depth) { return 1 - (row % 5 == 0 ? 2.0 : 0.5) * depth; }));
+    search.update(
+        luminances(search, [](int row, int, double depth) { return 1 - (row % 5 == 0 ? 2.0 : 0.5) * depth; }));
   EXPECT_LT(search.depths().depth(50, 50), 0.3);
   EXPECT_GE(search.depths().depth(52, 50), 0.6 - 1e-9);
 }
@@ -113,7 +114,8 @@ TEST_F(DepthSearchTest, TheSurroundingsAreTheFourDarkestLightNeighbours) {
       all[static_cast<std::size_t>(((row + 4) * 5 + k / 5) * edge + (column + 4) * 5 + k % 5)] = value;
   };
   // Four shaded neighbours of luminance 0.5: the threshold is 0.35, not 0.7 as the bright ones would have it.
-  for (const auto& [row, column] : {std::pair(9, 9), std::pair(9, 10), std::pair(9, 11), std::pair(10, 9)}) setModule(row, column, 0.5);
+  for (const auto& [row, column] : {std::pair(9, 9), std::pair(9, 10), std::pair(9, 11), std::pair(10, 9)})
+    setModule(row, column, 0.5);
   setModule(10, 10, 0.4);
   search.update(all);
   EXPECT_NEAR(search.worstExcess(), 0.05, 1e-12);

@@ -26,7 +26,8 @@ TEST_F(GlObjects, AFloatTextureComesBackBitForBit) {
 }
 
 TEST_F(GlObjects, AShaderThatDoesNotCompileIsAnErrorThatNamesIt) {
-  const auto program = Program::create("broken pass", shaders::fullscreen_vert, "#version 300 es\nvoid main() { nonsense }");
+  const auto program =
+      Program::create("broken pass", shaders::fullscreen_vert, "#version 300 es\nvoid main() { nonsense }");
   ASSERT_FALSE(program.has_value());
   EXPECT_EQ(program.error().code, ErrorCode::Internal);
   EXPECT_NE(program.error().message.find("broken pass"), std::string::npos);
@@ -34,7 +35,8 @@ TEST_F(GlObjects, AShaderThatDoesNotCompileIsAnErrorThatNamesIt) {
 
 TEST_F(GlObjects, ShadersThatDoNotFitTogetherAreAnErrorThatNamesThem) {
   const char* fragment =
-      "#version 300 es\nprecision highp float; in vec4 v_missing; layout(location=0) out vec4 o; void main() { o = v_missing; }";
+      "#version 300 es\nprecision highp float; in vec4 v_missing; layout(location=0) out vec4 o; void main() { o = "
+      "v_missing; }";
   const auto program = Program::create("unlinked pass", shaders::fullscreen_vert, fragment);
   ASSERT_FALSE(program.has_value());
   EXPECT_NE(program.error().message.find("unlinked pass"), std::string::npos);

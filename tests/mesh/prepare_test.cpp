@@ -2,9 +2,11 @@
 #include "mesh/prepare.h"
 
 #include <cmath>
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "mesh/self_intersection.h"
 #include "support/shapes.h"
 
 namespace qrelief {
@@ -152,6 +154,35 @@ TEST(PrepareModel, WarnsOfPartsThatTouchInAPoint) {
   const Mesh box = shapes::box({10, 10, 10});
   expectFinding(prepared(shapes::together(box, shapes::translated(box, {10, 10, 10}))), "non-manifold-vertices",
                 Severity::Warning, 1);
+}
+
+TEST(PrepareModel, MendsTinySelfIntersectionsAndSaysSo) {
+  const PreparedModel model = prepared(shapes::tangledSphere(), 2);
+  expectFinding(model, "self-intersections-mended", Severity::Warning, 5);
+  EXPECT_THAT(find(model, "self-intersections-mended")->message, HasSubstr("mended: 1 vertex was moved, by 0."));
+  EXPECT_TRUE(findSelfIntersections(model.mesh)->empty());
+  EXPECT_EQ(model.normals, vertexNormals(model.mesh));
+}
+
+TEST(PrepareModel, WarnsOfPartsThatOverlapAndLeavesThemAsTheyAre) {
+  const Mesh sphere = shapes::icosphere(10, 4);
+  const Mesh mesh = shapes::together(sphere, shapes::translated(sphere, {7, 1, 2}));
+  const PreparedModel model = prepared(mesh);
+  const auto pairs = findSelfIntersections(mesh);
+  expectFinding(model, "self-intersections", Severity::Warning, pairs->size());
+  const Vec3 first = mesh.corner(pairs->front()[0], 0);
+  EXPECT_THAT(find(model, "self-intersections")->message,
+              HasSubstr(fmt::format("the first near ({:.6g}, {:.6g}, {:.6g})", first.x, first.y, first.z)));
+  EXPECT_EQ(model.mesh.positions, mesh.positions);
+}
+
+TEST(PrepareModel, LooksForSelfIntersectionsOnlyInClosedModels) {
+  Mesh mesh = shapes::tangledSphere();
+  mesh.triangles.pop_back();
+  const PreparedModel model = prepared(mesh);
+  expectFinding(model, "open-edges", Severity::Blocking, 3);
+  EXPECT_EQ(model.findings.size(), 1u);
+  EXPECT_EQ(model.mesh.positions, mesh.positions);
 }
 
 TEST(PrepareModel, NotesVerticesThatNoFaceUses) {

@@ -144,7 +144,8 @@ TEST_F(EngraveTest, TheFreeSizeFitsAtEveryRotation) {
 
 TEST_F(EngraveTest, EveryPatternGivesASolid) {
   const auto model = upload(shapes::bumpySphere(40, 1, 4, 5));
-  for (const ModulePattern modules : {ModulePattern::None, ModulePattern::ThinPlus, ModulePattern::Diamond, ModulePattern::ThickPlus}) {
+  for (const ModulePattern modules :
+       {ModulePattern::None, ModulePattern::ThinPlus, ModulePattern::Diamond, ModulePattern::ThickPlus}) {
     for (const FinderPattern finders : {FinderPattern::None, FinderPattern::AsModules, FinderPattern::Diamond}) {
       EngraveRequest wanted = request({0, 0, 40}, 25);
       wanted.modulePattern = modules;

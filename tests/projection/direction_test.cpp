@@ -110,7 +110,8 @@ TEST_F(DirectionTest, OverAnEdgeTheDirectionEndsBetweenTheTwoFaces) {
   EXPECT_NEAR(found.normal().y, 0, 0.05);
   EXPECT_EQ(found.iterations().size(), 6u);
   double least = 1e9;
-  for (std::size_t i = 1; i < found.iterations().size(); ++i) least = std::min(least, found.iterations()[i].varianceMm2);
+  for (std::size_t i = 1; i < found.iterations().size(); ++i)
+    least = std::min(least, found.iterations()[i].varianceMm2);
   for (const DirectionIteration& i : found.iterations()) {
     if (i.normal != found.normal()) continue;
     EXPECT_EQ(i.varianceMm2, least);

@@ -79,7 +79,8 @@ TEST_F(LuminancePassTest, ATrenchFloorSeesWhatTheClosedFormSays) {
   const int texels = maps_.window.texels;
   double sum = 0;
   for (int dy = 0; dy < 4; ++dy)
-    for (int dx = -2; dx < 2; ++dx) sum += visibility[static_cast<std::size_t>((texels / 2 + dy) * texels + texels / 2 + dx)];
+    for (int dx = -2; dx < 2; ++dx)
+      sum += visibility[static_cast<std::size_t>((texels / 2 + dy) * texels + texels / 2 + dx)];
   // The map ends 6 mm away along the trench, where the closed form still has material: below 0.005 at this depth.
   EXPECT_NEAR(sum / 16, std::sin(std::atan(width / (2 * depth))), 0.005);
 }
@@ -98,7 +99,8 @@ TEST_F(LuminancePassTest, ACircularPitFloorSeesWhatTheClosedFormSays) {
   const std::vector<float> visibility = pass_.readVisibility();
   const double area = carvedCells * cell * cell / std::numbers::pi;  // effective r²
   const int texels = maps_.window.texels;
-  EXPECT_NEAR(visibility[static_cast<std::size_t>(texels / 2 * texels + texels / 2)], area / (area + depth * depth), 0.005);
+  EXPECT_NEAR(visibility[static_cast<std::size_t>(texels / 2 * texels + texels / 2)], area / (area + depth * depth),
+              0.005);
 }
 
 TEST_F(LuminancePassTest, TheCheapSettingAgreesWithTheFineOneInTheCellMeans) {
@@ -106,9 +108,8 @@ TEST_F(LuminancePassTest, TheCheapSettingAgreesWithTheFineOneInTheCellMeans) {
   std::vector<std::vector<float>> means;
   for (const int slices : {4, 48}) {
     makePass(cell, {.cellTexels = 4, .slices = slices, .turnSlices = true});
-    carve(cell, 0.6, [](double x, double y) {
-      return static_cast<int>(std::floor(x / 0.72) + std::floor(y / 1.2)) % 2 == 0;
-    });
+    carve(cell, 0.6,
+          [](double x, double y) { return static_cast<int>(std::floor(x / 0.72) + std::floor(y / 1.2)) % 2 == 0; });
     pass_.run();
     means.push_back(pass_.readCellMeans());
   }
@@ -129,7 +130,8 @@ TEST_F(LuminancePassTest, LightBouncingInAPocketFollowsTheCavityFormula) {
   const std::vector<float> visibility = pass_.readVisibility();
   const std::vector<float> luminance = pass_.readLuminance();
   for (std::size_t i = 0; i < visibility.size(); ++i)
-    ASSERT_NEAR(luminance[i], visibility[i] / (1 - 0.7 * (1 - visibility[i])), 5e-4);  // Mesa's software divides to 12 bits
+    ASSERT_NEAR(luminance[i], visibility[i] / (1 - 0.7 * (1 - visibility[i])),
+                5e-4);  // Mesa's software divides to 12 bits
 }
 
 TEST_F(LuminancePassTest, CellsThatAreNotSelectedKeepTheirLuminance) {

@@ -188,6 +188,17 @@ Mesh together(const Mesh& a, const Mesh& b) {
   return mesh;
 }
 
+Mesh tangledSphere() {
+  constexpr std::uint32_t vertex = 100;
+  Mesh mesh = icosphere(10, 3);
+  const auto t = std::find_if(mesh.triangles.begin(), mesh.triangles.end(),
+                              [](const Triangle& triangle) { return triangle[0] == vertex; });
+  const Vec3f middle = (mesh.positions[(*t)[1]] + mesh.positions[(*t)[2]]) * 0.5f;
+  Vec3f& pulled = mesh.positions[vertex];
+  pulled = middle + (middle - pulled) * 0.1f;
+  return mesh;
+}
+
 PolygonSoup soupOf(const Mesh& mesh) {
   PolygonSoup soup;
   for (const Vec3f& p : mesh.positions) soup.positions.emplace_back(p);

@@ -40,6 +40,10 @@ Mesh insideOut(Mesh mesh);
 /// Both in one mesh, `a` first; nothing is welded.
 Mesh together(const Mesh& a, const Mesh& b);
 
+/// Icosphere(10, 3) with one vertex pulled through a neighbouring facet, 0.1 mm beyond their common edge, so that 5
+/// pairs of triangles cross.
+Mesh tangledSphere();
+
 /// As a reader would hand it over.
 PolygonSoup soupOf(const Mesh& mesh);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The page's only way to the module: one promise per verb, whether a worker does the work or the page itself.
-import { EngineFailure, describeThrown } from './engine_error.js';
+import { EngineFailure, crash, describeThrown } from './engine_error.js';
 
 /** @typedef {import('./types.js').HostEvent} HostEvent */
 /** @typedef {import('./types.js').EngraveProgress} EngraveProgress */
@@ -195,11 +195,7 @@ class WorkerBackend {
     };
     this.worker_.onerror = (event) => {
       event.preventDefault();
-      const error = {
-        code: 'Crashed',
-        message: `The engraving module stopped (${event.message || 'it could not be loaded'})`,
-        hint: 'It is started again with your model and settings. If this repeats, use a model with fewer triangles.',
-      };
+      const error = crash(event.message || 'it could not be loaded');
       this.rejectAll_(error);
       onEvent({ event: 'failure', error });
     };

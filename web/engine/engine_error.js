@@ -33,12 +33,29 @@ export function describeThrown(thrown) {
     };
   }
   const detail = thrown instanceof Error ? thrown.message : String(thrown);
+  if (thrown instanceof WebAssembly.RuntimeError) return crash(detail);
   return {
     code: 'Internal',
     message: `Something went wrong inside QRelief: ${detail}`,
     hint: 'The model and the settings are kept: try again, or reload the page.',
   };
 }
+
+/**
+ * The module is beyond use and has to be replaced.
+ * @param {string} detail
+ * @returns {EngineErrorValue}
+ */
+export function crash(detail) {
+  return {
+    code: 'Crashed',
+    message: `The engraving module stopped (${detail})`,
+    hint: 'It is started again with your model and settings. If this repeats, use a model with fewer triangles.',
+  };
+}
+
+/** Whether the module must not be called any more. @param {unknown} thrown */
+export const isFatal = (thrown) => thrown instanceof EngineFailure && (thrown.code === 'Crashed' || thrown.code === 'OutOfMemory');
 
 /** @param {unknown} thrown */
 function isOutOfMemory(thrown) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The worker's side of the client: starts a host on the canvas it is given, then answers verbs.
-import { describeThrown } from './engine_error.js';
+import { EngineFailure, describeThrown } from './engine_error.js';
 import { EngineHost, transferables } from './engine_host.js';
 
 /** @typedef {{ id: number, verb: string, args: any[] }} Request */
@@ -23,7 +23,7 @@ scope.onmessage = async (/** @type {MessageEvent} */ { data }) => {
     const value = await /** @type {Record<string, (...args: any[]) => any>} */ (verbs)[verb](...args);
     scope.postMessage({ id, value }, transferables(value));
   } catch (thrown) {
-    console.error(thrown);
+    if (!(thrown instanceof EngineFailure)) console.error(thrown);  // a fault of ours: where it happened helps
     scope.postMessage({ id, error: describeThrown(thrown) });
   }
 };

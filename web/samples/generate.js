@@ -36,7 +36,7 @@ function stanfordBunny() {
  * @type {{ id: string, name: string, mesh: Mesh, centreMm: Point, credit: string }[]}
  */
 export const samples = [
-  { id: 'bunny', name: 'Stanford bunny', mesh: stanfordBunny(), centreMm: [-4.3, -35.3, 30],
+  { id: 'bunny', name: 'Stanford bunny', mesh: stanfordBunny(), centreMm: [6.3, -36.2, 41.1],
     credit: 'Stanford 3D Scanning Repository, by way of the npm package “bunny” (public domain); holes closed, ' +
       'subdivided once.' },
   { id: 'bumpy-sphere', name: 'Bumpy sphere', mesh: bumpySphere(5), centreMm: [0, -48, 50], credit: kOwnCredit },

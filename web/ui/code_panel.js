@@ -32,13 +32,13 @@ export class CodePanel {
       pause = setTimeout(listener.onSettings, kTypingPauseMs);
     });
     settings.addEventListener('change', (event) => {
-      if (this.centre_.some((input) => input === event.target)) {
-        const centre = this.centre_.map((input) => input.valueAsNumber);
-        if (centre.every(Number.isFinite)) listener.onCentre(/** @type {Point} */ (centre));
-        return;
-      }
+      if (this.centre_.some((input) => input === event.target)) return;  // three numbers make one point
       this.nameSizeField_();
       listener.onSettings();
+    });
+    byId('place-here', HTMLButtonElement).addEventListener('click', () => {
+      const centre = this.centre_.map((input) => input.valueAsNumber);
+      if (centre.every(Number.isFinite)) listener.onCentre(/** @type {Point} */ (centre));
     });
   }
 

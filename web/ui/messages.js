@@ -14,7 +14,7 @@ export class Messages {
 
   /** @param {string} text */
   say(text) {
-    this.status_.textContent = text;
+    if (this.status_.textContent !== text) this.status_.textContent = text;  // the same again would be read out again
   }
 
   /** @param {Words} words */

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where the time of an engraving goes, stage by stage: the median of some runs in one process, and each stage's share.
+//
+//     qrelief_bench                                       a bumpy sphere of 82k triangles, version 3, 35 mm
+//     qrelief_bench MODEL SCALE X,Y,Z [SIZE] [RUNS]       a model of one's own, centre in file units
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <fmt/format.h>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <sys/resource.h>
+
+#include "io/read_model.h"
+#include "io/write_stl.h"
+#include "native/egl_context.h"
+#include "native/zxing_reader.h"
+#include "pipeline/engrave.h"
+#include "support/shapes.h"
+
+namespace qrelief {
+namespace {
+
+struct Case {
+  std::string name = "bumpy sphere (generated)";
+  std::vector<std::uint8_t> bytes;
+  double scale = 1;
+  Vec3 centre{0, 0, 50};
+  double sizeMm = 35;
+  int runs = 5;
+};
+
+double millisecondsSince(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+Case caseFrom(int argc, char** argv) {
+  Case made;
+  if (argc < 4) {
+    made.bytes = writeStl(shapes::bumpySphere(50, 2, 5, 6));
+    made.name += ".stl";
+  } else {
+    made.name = argv[1];
+    std::ifstream stream(argv[1], std::ios::binary);
+    made.bytes.assign(std::istreambuf_iterator<char>(stream), {});
+    made.scale = std::atof(argv[2]);
+    std::sscanf(argv[3], "%lf,%lf,%lf", &made.centre.x, &made.centre.y, &made.centre.z);
+    made.centre *= made.scale;
+  }
+  if (argc > 4) made.sizeMm = std::atof(argv[4]);
+  if (argc > 5) made.runs = std::max(1, std::atoi(argv[5]));
+  return made;
+}
+
+int failed(const Error& error) {
+  fmt::print(stderr, "qrelief_bench: {} ({})\n", error.message, error.hint);
+  return 1;
+}
+
+int measure(const Case& wanted) {
+  const auto context = EglContext::create();
+  if (!context) return failed(context.error());
+  const auto gl = gl::queryCapabilities();
+  if (!gl) return failed(gl.error());
+
+  const std::vector<std::string> order = {"load",        "prepare", "direction", "size",
+                                          "depthSearch", "embed",   "verify",    "total"};
+  std::map<std::string, std::vector<double>> times;
+  EngraveResult last;
+  std::size_t triangles = 0;
+  for (int run = 0; run < wanted.runs; ++run) {
+    const auto start = std::chrono::steady_clock::now();
+    const auto soup = readModel(wanted.bytes, wanted.name);
+    if (!soup) return failed(soup.error());
+    times["load"].push_back(millisecondsSince(start));
+    const auto preparing = std::chrono::steady_clock::now();
+    auto prepared = prepareModel(*soup, {.scaleToMm = wanted.scale});
+    if (!prepared) return failed(prepared.error());
+    const auto model = EngravableModel::upload(std::move(*prepared));
+    times["prepare"].push_back(millisecondsSince(preparing));
+    triangles = model->prepared.mesh.triangles.size();
+
+    EngraveRequest request;
+    request.text = "https://qrelief.example/bench-000000001";
+    request.symbol.version = 3;
+    request.placement.centreMm = wanted.centre;
+    request.placement.sizeMode = wanted.sizeMm > 0 ? SizeMode::Fixed : SizeMode::Free;
+    request.placement.sizeMm = wanted.sizeMm;
+    auto result = engrave(model, request);
+    if (!result) return failed(result.error());
+    const auto reading = std::chrono::steady_clock::now();
+    (void)readWithZxing(result->readerView);
+    const StageTimings& t = result->timingsMs;
+    times["direction"].push_back(t.direction);
+    times["size"].push_back(t.size);
+    times["depthSearch"].push_back(t.depthSearch);
+    times["embed"].push_back(t.embed);
+    times["verify"].push_back(t.verify + millisecondsSince(reading));
+    times["total"].push_back(millisecondsSince(start));
+    last = std::move(*result);
+  }
+
+  const auto median = [&](const std::string& stage) {
+    std::vector<double> sorted = times[stage];
+    std::sort(sorted.begin(), sorted.end());
+    return sorted[sorted.size() / 2];
+  };
+  fmt::print("{}: {} triangles, {:.4g} mm, version {}, {} iterations, {} triangles out\n", wanted.name, triangles,
+             last.placement.symbolMm, last.symbol.version, last.searchIterations, last.solidity.triangles);
+  fmt::print("{}, {}; median of {} runs\n", gl->renderer, gl->version, wanted.runs);
+  for (const std::string& stage : order)
+    fmt::print("{:>12} {:9.1f} ms  {:5.1f} %\n", stage, median(stage), 100 * median(stage) / median("total"));
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  fmt::print("{:>12} {:9.1f} MB\n", "peak memory", static_cast<double>(usage.ru_maxrss) / 1024);
+  return 0;
+}
+
+}  // namespace
+}  // namespace qrelief
+
+int main(int argc, char** argv) { return qrelief::measure(qrelief::caseFrom(argc, argv)); }

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/untangle.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "math/tolerance.h"
+#include "mesh/box_tree.h"
+#include "mesh/collinear.h"
+#include "mesh/self_intersection.h"
+
+namespace qrelief {
+namespace {
+
+constexpr std::size_t kMostCounted = 1000;
+constexpr std::size_t kMostMended = 100;      // more pairs than that are parts that overlap, not slips of a scanner
+constexpr std::size_t kMostWork = 1'000'000;  // triangles tested in all tries together: about 2 s
+
+struct Move {
+  std::uint32_t vertex;
+  Vec3f to;
+  double length;  // mm
+};
+
+bool contains(const std::vector<std::uint32_t>& ascending, std::uint32_t v) {
+  return std::binary_search(ascending.begin(), ascending.end(), v);
+}
+
+bool usesAny(const Triangle& t, const std::vector<std::uint32_t>& ascending) {
+  return contains(ascending, t[0]) || contains(ascending, t[1]) || contains(ascending, t[2]);
+}
+
+/// Vertices of the first pair and of all that hang together with it, ascending.
+std::vector<std::uint32_t> firstTangle(const Mesh& mesh, const std::vector<TrianglePair>& pairs) {
+  const Triangle& first = mesh.triangles[pairs.front()[0]];
+  std::vector<std::uint32_t> vertices(first.begin(), first.end());
+  std::sort(vertices.begin(), vertices.end());
+  for (std::size_t size = 0; size != vertices.size();) {
+    size = vertices.size();
+    for (const auto& [t, u] : pairs) {
+      const Triangle& a = mesh.triangles[t];
+      const Triangle& b = mesh.triangles[u];
+      if (!usesAny(a, vertices) && !usesAny(b, vertices)) continue;
+      vertices.insert(vertices.end(), a.begin(), a.end());
+      vertices.insert(vertices.end(), b.begin(), b.end());
+      std::sort(vertices.begin(), vertices.end());
+      vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    }
+  }
+  return vertices;
+}
+
+FloatBox boxOf(const Mesh& mesh, const Triangle& t) {
+  const Vec3f a = mesh.positions[t[0]];
+  const Vec3f b = mesh.positions[t[1]];
+  const Vec3f c = mesh.positions[t[2]];
+  return {glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c))};
+}
+
+/// All triangles that can meet one at the tangle, wherever its vertices are moved: those whose boxes come as near to
+/// the tangle's as the moves may reach. Vertices keep their numbers' order.
+struct Surroundings {
+  Mesh mesh;
+  std::vector<std::uint32_t> vertices;  ///< their numbers in the whole mesh, ascending
+  std::vector<std::uint32_t> tangle;    ///< in `mesh`
+
+  std::uint32_t indexOf(std::uint32_t v) const {
+    return static_cast<std::uint32_t>(std::lower_bound(vertices.begin(), vertices.end(), v) - vertices.begin());
+  }
+};
+
+Surroundings surroundingsOf(const Mesh& mesh, const std::vector<std::uint32_t>& tangle, double reach) {
+  Box3 box;
+  for (const Triangle& t : mesh.triangles)
+    if (usesAny(t, tangle))
+      for (const std::uint32_t v : t) box.add(Vec3(mesh.positions[v]));
+  const double margin = 1.01 * reach;  // a hundredth for rounding
+  const FloatBox region{Vec3f(box.min - margin), Vec3f(box.max + margin)};
+  Surroundings around;
+  for (const Triangle& t : mesh.triangles)
+    if (boxOf(mesh, t).overlaps(region)) {
+      around.mesh.triangles.push_back(t);
+      around.vertices.insert(around.vertices.end(), t.begin(), t.end());
+    }
+  std::sort(around.vertices.begin(), around.vertices.end());
+  around.vertices.erase(std::unique(around.vertices.begin(), around.vertices.end()), around.vertices.end());
+  for (const std::uint32_t v : around.vertices) around.mesh.positions.push_back(mesh.positions[v]);
+  for (Triangle& t : around.mesh.triangles)
+    for (std::uint32_t& v : t) v = around.indexOf(v);
+  for (const std::uint32_t v : tangle) around.tangle.push_back(around.indexOf(v));
+  return around;
+}
+
+/// Where one vertex of the tangle might go: towards the mean of its neighbours, in space and along its normal.
+void addMoves(const Mesh& mesh, std::uint32_t v, Vec3 normal, double reach, std::vector<Move>& moves) {
+  const Vec3 from(mesh.positions[v]);
+  Vec3 sum(0);
+  double lengths = 0;
+  double n = 0;
+  for (const Triangle& t : mesh.triangles) {
+    if (t[0] != v && t[1] != v && t[2] != v) continue;
+    for (const std::uint32_t w : t) {  // a neighbour comes twice, once for either triangle beside the edge
+      if (w == v) continue;
+      sum += Vec3(mesh.positions[w]);
+      lengths += glm::distance(Vec3(mesh.positions[w]), from);
+      ++n;
+    }
+  }
+  const Vec3 toMean = sum / n - from;
+  const double limit = std::min(kUntangleEdgeShare * lengths / n, reach);
+  for (const Vec3 way : {toMean, normal * glm::dot(toMean, normal)})
+    for (double fraction = 1; fraction > 1.0 / 100; fraction /= 2) {
+      const Vec3f to(from + way * fraction);
+      const double length = glm::distance(Vec3(to), from);
+      if (length > 0 && length <= limit) moves.push_back({v, to, length});
+    }
+}
+
+/// The shortest first; ties by vertex.
+std::vector<Move> movesOf(const Surroundings& around, double reach) {
+  const std::vector<Vec3f> normals = vertexNormals(around.mesh);
+  std::vector<Move> moves;
+  for (const std::uint32_t v : around.tangle) addMoves(around.mesh, v, Vec3(normals[v]), reach, moves);
+  std::stable_sort(moves.begin(), moves.end(), [](const Move& a, const Move& b) { return a.length < b.length; });
+  return moves;
+}
+
+bool allHaveArea(const Mesh& mesh) {
+  return std::none_of(mesh.triangles.begin(), mesh.triangles.end(), [&](const Triangle& t) {
+    return collinear(mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]);
+  });
+}
+
+/// Parts the tangle by the shortest move that leaves none of its pairs and makes no other.
+/// @param work  triangles tested so far, in all tries
+/// @returns whether there is such a move
+Result<bool> part(Mesh& mesh, const std::vector<std::uint32_t>& tangle, double reach, std::size_t& work) {
+  Surroundings around = surroundingsOf(mesh, tangle, reach);
+  auto others = findSelfIntersections(around.mesh);
+  if (!others) return tl::unexpected(others.error());
+  const auto ofTangle = [&](const TrianglePair& pair) {
+    return usesAny(around.mesh.triangles[pair[0]], around.tangle) ||
+           usesAny(around.mesh.triangles[pair[1]], around.tangle);
+  };
+  const auto end = std::remove_if(others->begin(), others->end(), ofTangle);
+  if (end == others->end()) return true;  // parted with another tangle
+  others->erase(end, others->end());
+
+  for (const Move& move : movesOf(around, reach)) {
+    work += around.mesh.triangles.size();
+    if (work > kMostWork) return false;
+    const Vec3f from = std::exchange(around.mesh.positions[move.vertex], move.to);
+    const auto left = findSelfIntersections(around.mesh);
+    if (!left) return tl::unexpected(left.error());
+    if (std::includes(others->begin(), others->end(), left->begin(), left->end()) && allHaveArea(around.mesh)) {
+      mesh.positions[around.vertices[move.vertex]] = move.to;
+      return true;
+    }
+    around.mesh.positions[move.vertex] = from;
+  }
+  return false;
+}
+
+}  // namespace
+
+Result<Untangling> untangle(Mesh& mesh) {
+  auto pairs = findSelfIntersections(mesh, {}, kMostCounted);
+  if (!pairs) return tl::unexpected(pairs.error());
+  Untangling result;
+  result.pairs = pairs->size();
+  result.atLeast = pairs->size() == kMostCounted;
+  if (pairs->empty()) return result;
+  result.at = mesh.corner(pairs->front()[0], 0);
+  if (pairs->size() > kMostMended) return result;
+
+  const std::vector<Vec3f> before = mesh.positions;
+  const double reach = kUntangleDiagonalShare * boundingBox(mesh).diagonal();
+  std::size_t work = 0;
+  while (!pairs->empty()) {
+    const std::vector<std::uint32_t> tangle = firstTangle(mesh, *pairs);
+    const Result<bool> parted = part(mesh, tangle, reach, work);
+    if (!parted || !*parted) {
+      mesh.positions = before;
+      return parted ? Result<Untangling>(result) : tl::unexpected(parted.error());
+    }
+    pairs->erase(std::remove_if(pairs->begin(), pairs->end(),
+                                [&](const TrianglePair& pair) { return usesAny(mesh.triangles[pair[0]], tangle); }),
+                 pairs->end());
+  }
+  result.mended = true;
+  for (std::size_t v = 0; v < before.size(); ++v) {
+    if (mesh.positions[v] == before[v]) continue;
+    ++result.moved;
+    result.largestMoveMm = std::max(result.largestMoveMm, glm::distance(Vec3(mesh.positions[v]), Vec3(before[v])));
+  }
+  return result;
+}
+
+}  // namespace qrelief
