@@ -12,8 +12,8 @@ prepareZXingModule({ overrides: { wasmBinary: wasm.buffer.slice(wasm.byteOffset,
  * @returns {Promise<string>}  '' if there is none
  */
 export async function decodePng(png) {
-  for (const binarizer of /** @type {const} */ (['LocalAverage', 'GlobalHistogram'])) {
-    const [found] = await readBarcodes(new Uint8Array(png), { formats: ['QRCode'], tryHarder: true, binarizer });
+  for (const tryDenoise of [false, true]) {  // which closes the gaps between the squares of a pattern
+    const [found] = await readBarcodes(new Uint8Array(png), { formats: ['QRCode'], tryHarder: true, tryDenoise });
     if (found?.isValid) return found.text;
   }
   return '';

@@ -58,7 +58,7 @@ export class Engraver {
 
   async expectResult() {
     await expect(this.result).toBeVisible({ timeout: 120_000 });
-    await expect(this.alert).toBeEmpty();
+    await expect(this.alert).toHaveCount(0);
   }
 
   /** @returns {Promise<{ name: string, bytes: Uint8Array }>} */
