@@ -90,7 +90,9 @@ void main() {
   if (u_overlayShown == 1 && isFront) albedo = printed(albedo, position, normal);
   if (u_markerShown == 1) albedo = marked(albedo, position);
 
-  float visibility = squareOf(skyVisibility(surface.w));  // squared: the eye is to see the form, not the photometry
+  // To the power of 2.5: the eye is to see the form and the code, not the photometry.
+  float open = skyVisibility(surface.w);
+  float visibility = squareOf(open) * sqrt(open);
   vec3 sky = mix(kGround, kSky, 0.5 + 0.5 * dot(normal, u_skyward));
   // The key light fades in pockets, too, where a soft lamp would be hidden.
   float key = max(0.0, dot(normal, normalize(kTowardsKey))) * visibility;

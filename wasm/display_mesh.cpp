@@ -81,4 +81,20 @@ DisplayMesh splitAtCreases(const Mesh& mesh, double creaseDeg) {
   return display;
 }
 
+void takeSmoothNormals(DisplayMesh& carved, std::size_t firstTriangle, const ProjectionFrame& frame,
+                       const MapWindow& window, std::span<const float> smooth, double creaseDeg) {
+  const double limit = std::cos(creaseDeg * std::numbers::pi / 180);
+  for (std::size_t t = firstTriangle; t < carved.mesh.triangles.size(); ++t) {
+    for (const std::uint32_t v : carved.mesh.triangles[t]) {
+      const Vec2 at = (frame.project(Vec3(carved.mesh.positions[v])) + window.extentMm / 2) / window.texelMm();
+      if (!(at.x >= 0 && at.y >= 0 && at.x < window.texels && at.y < window.texels)) continue;
+      const auto texel = 4 * static_cast<std::size_t>(static_cast<int>(at.y) * window.texels + static_cast<int>(at.x));
+      const Vec3 normal = frame.right * static_cast<double>(smooth[texel]) +
+                          frame.up * static_cast<double>(smooth[texel + 1]) +
+                          frame.normal * static_cast<double>(smooth[texel + 2]);
+      if (glm::dot(normal, Vec3(carved.normals[v])) >= limit) carved.normals[v] = Vec3f(normal);
+    }
+  }
+}
+
 }  // namespace qrelief

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
+
+#include "math/frame.h"
 #include "mesh/mesh.h"
+#include "render/geometry_pass.h"
 
 namespace qrelief {
 
@@ -17,5 +21,14 @@ struct DisplayMesh {
 /// Cost: O(T · facets around a vertex).
 /// @param creaseDeg  edges sharper than this stay sharp
 DisplayMesh splitAtCreases(const Mesh& mesh, double creaseDeg = 40);
+
+/// Gives a carved surface the smooth normals of the surface before: carving cuts facets whose normals were interpolated
+/// across them, and the pieces' own normals would show them as facets again. Walls keep their normals.
+///
+/// @param firstTriangle  of those that carving made
+/// @param smooth         window.texels² of (unit normal in the frame's axes, any) of the surface before, row 0 at the
+///                       bottom; zero where there is none
+void takeSmoothNormals(DisplayMesh& carved, std::size_t firstTriangle, const ProjectionFrame& frame,
+                       const MapWindow& window, std::span<const float> smooth, double creaseDeg = 40);
 
 }  // namespace qrelief

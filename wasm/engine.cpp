@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/read_model.h"
+#include "projection/size.h"
 #include "wasm/display_mesh.h"
 #include "wasm/settings.h"
 #include "wasm/spot_search.h"
@@ -22,7 +23,10 @@ constexpr double kPrintHeights = 0.75;     // farthest surface from the QR plane
 constexpr double kHeightTolerance = 0.02;  // of the print's edge: floats of two different projections
 constexpr double kProposedMm = 50;         // square looked for on a new model, quiet zone included,
 constexpr double kProposedShare = 0.3;     // and its greatest share of the model's diagonal
-constexpr double kReaderMargin = 1.1;      // air around symbol and quiet zone in the reader's view
+constexpr std::size_t kSpotsTried = 6;
+constexpr double kGoodFit = 0.7;       // a spot that takes this share of it will do
+constexpr int kNormalTexels = 768;     // of the map that gives a carved surface its smooth normals
+constexpr double kReaderMargin = 1.1;  // air around symbol and quiet zone in the reader's view
 
 double millisecondsSince(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
@@ -164,13 +168,27 @@ std::string Engine::loadModel(std::vector<std::uint8_t> bytes, const std::string
 }
 
 void Engine::proposeCentre() {
-  const Mesh& mesh = model_->engravable->prepared.mesh;
+  const PreparedModel& prepared = model_->engravable->prepared;
   const CameraView view = camera_.view();
-  const double size = std::min(kProposedMm, kProposedShare * boundingBox(mesh).diagonal());
-  const auto spot = proposeSpot(*pass_, model_->engravable->gpu, view, size);
-  const Vec3 near = spot && *spot ? **spot : view.eye();
-  const auto snapped = closestPoint(mesh, near);
-  centre_ = snapped ? std::optional(snapped->position) : std::nullopt;
+  const double wanted = std::min(kProposedMm, kProposedShare * boundingBox(prepared.mesh).diagonal());
+  centre_.reset();
+  double largest = 0;
+  const auto spots = proposeSpots(*pass_, model_->engravable->gpu, view, wanted, kSpotsTried);
+  for (const Spot& spot : spots ? *spots : std::vector<Spot>{}) {
+    const auto surface = closestPoint(prepared.mesh, spot.position);
+    if (!surface) continue;
+    const ProjectionFrame frame =
+        makeFrame(surface->position, spot.normal, camera_.skyward(), request_.placement.eyeDistanceMm);
+    const auto patch = findVisiblePatch(prepared.mesh, prepared.adjacency, frame, surface->triangle, wanted);
+    const double fits = patch ? std::min(wanted, freeSize(patch->silhouette)) : 0;
+    if (centre_ && fits <= largest) continue;
+    centre_ = surface->position;
+    largest = fits;
+    if (fits >= kGoodFit * wanted) break;
+  }
+  if (centre_) return;
+  const auto towardsCamera = closestPoint(prepared.mesh, view.eye());
+  if (towardsCamera) centre_ = towardsCamera->position;
 }
 
 std::string Engine::describeModel() const {
@@ -318,10 +336,14 @@ std::string Engine::advance() {
 void Engine::finishJob() {
   jobRuns_ = false;  // the job itself stays: the inspector shows its maps
   result_ = job_->takeResult();
-  const DisplayMesh display = splitAtCreases(result_->mesh);
-  carvedDisplay_ = std::make_shared<const GpuMesh>(display.mesh, display.normals);
   placement_ = result_->placement;
   print_ = printOf(result_->symbol, *placement_, jobRequest_);
+  DisplayMesh display = splitAtCreases(result_->mesh);
+  const auto before = pass_->render(*model_->display, placement_->frame, {print_->edgeMm, kNormalTexels});
+  if (before)
+    takeSmoothNormals(display, result_->keptTriangles, placement_->frame, before->window,
+                      before->framebuffer.readRgba(1));
+  carvedDisplay_ = std::make_shared<const GpuMesh>(display.mesh, display.normals);
   showCarved_ = true;
   updateView();
 }

@@ -16,6 +16,7 @@ constexpr double kLeastFacing = 0.5;  // cosine to the line of sight: the spot i
 // Weights of what a reader suffers from; a flat, covered square scores 0.
 constexpr double kTiltWeight = 0.3;  // of the mean of 1 - cos(normal, mean normal)
 constexpr double kUncoveredWeight = 0.5;
+constexpr double kApart = 0.3;             // least distance of two spots, of the square's edge
 constexpr double kOffCentreWeight = 0.01;  // of the distance from the picture's middle, in half pictures
 
 struct Sample {
@@ -41,12 +42,20 @@ std::vector<Sample> visibleSamples(const SurfaceMaps& maps, double eyeDistance) 
   return samples;
 }
 
-// Smaller is better.
-double badness(const std::vector<Sample>& samples, const Sample& centre, double sizeMm) {
+struct Rated {
+  std::size_t sample = 0;
+  Vec3 normal{0};
+  double badness = std::numeric_limits<double>::infinity();
+};
+
+Rated rate(const std::vector<Sample>& samples, std::size_t index, double sizeMm) {
+  const Sample& centre = samples[index];
+  Rated rated;
+  rated.sample = index;
   Vec3 normal(0);
   for (const Sample& s : samples)
     if (glm::length(s.position - centre.position) < sizeMm / 2) normal += s.normal;
-  if (glm::length(normal) == 0) return std::numeric_limits<double>::infinity();
+  if (glm::length(normal) == 0) return rated;
   const ProjectionFrame square = makeFrame(centre.position, normal, {0, 1, 0}, 1);
 
   std::array<bool, kGrid * kGrid> covered{};
@@ -65,30 +74,39 @@ double badness(const std::vector<Sample>& samples, const Sample& centre, double 
   }
   const double uncovered = static_cast<double>(std::count(covered.begin(), covered.end(), false)) / (kGrid * kGrid);
   const double variance = std::max(0.0, sumSquares / count - (sum / count) * (sum / count));
-  return variance / (sizeMm * sizeMm) + kTiltWeight * tilt / count + kUncoveredWeight * uncovered;
+  rated.normal = square.normal;
+  rated.badness = variance / (sizeMm * sizeMm) + kTiltWeight * tilt / count + kUncoveredWeight * uncovered;
+  return rated;
 }
 
 }  // namespace
 
-Result<std::optional<Vec3>> proposeSpot(const GeometryPass& pass, const GpuMesh& mesh, const CameraView& camera,
-                                        double sizeMm) {
+Result<std::vector<Spot>> proposeSpots(const GeometryPass& pass, const GpuMesh& mesh, const CameraView& camera,
+                                       double sizeMm, std::size_t most) {
   const ProjectionFrame frame{camera.target, camera.right, camera.up, camera.back, camera.distance};
   const double extent = 2 * camera.distance * std::max(camera.tanHalf.x, camera.tanHalf.y);
   const auto maps = pass.render(mesh, frame, {extent, kTexels});
   if (!maps) return tl::unexpected(maps.error());
   const std::vector<Sample> samples = visibleSamples(*maps, frame.eyeDistance);
-  std::optional<Vec3> best;
-  double least = std::numeric_limits<double>::infinity();
-  for (const Sample& candidate : samples) {
-    if (!candidate.isCandidate) continue;
-    const double offCentre = glm::length(Vec2(candidate.position)) / (extent / 2);
-    const double found = badness(samples, candidate, sizeMm) + kOffCentreWeight * offCentre;
-    if (!(found < least)) continue;
-    least = found;
-    best = frame.centre + frame.right * candidate.position.x + frame.up * candidate.position.y +
-           frame.normal * candidate.position.z;
+  std::vector<Rated> ranked;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (!samples[i].isCandidate) continue;
+    ranked.push_back(rate(samples, i, sizeMm));
+    ranked.back().badness += kOffCentreWeight * glm::length(Vec2(samples[i].position)) / (extent / 2);
   }
-  return best;
+  std::stable_sort(ranked.begin(), ranked.end(), [](const Rated& a, const Rated& b) { return a.badness < b.badness; });
+
+  const auto inModel = [&](Vec3 v) { return frame.right * v.x + frame.up * v.y + frame.normal * v.z; };
+  std::vector<Spot> spots;
+  for (const Rated& rated : ranked) {
+    if (spots.size() == most || !std::isfinite(rated.badness)) break;
+    const Spot spot{frame.centre + inModel(samples[rated.sample].position), inModel(rated.normal)};
+    const bool isApart = std::all_of(spots.begin(), spots.end(), [&](const Spot& other) {
+      return glm::length(other.position - spot.position) >= kApart * sizeMm;
+    });
+    if (isApart) spots.push_back(spot);
+  }
+  return spots;
 }
 
 }  // namespace qrelief

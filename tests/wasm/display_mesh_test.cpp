@@ -42,5 +42,24 @@ TEST(DisplayMesh, TheTipOfAFanOfManyFacetsTakesLinearTime) {
   EXPECT_EQ(display.mesh.triangles.size(), cylinder.triangles.size());
 }
 
+TEST(DisplayMesh, ACarvedSurfaceTakesTheSmoothNormalsAndItsWallsDoNot) {
+  DisplayMesh plate = splitAtCreases(shapes::box({20, 20, 10}));
+  const ProjectionFrame frame = makeFrame({0, 0, 5}, {0, 0, 1}, {0, 1, 0}, 250);
+  const MapWindow window{30, 8};
+  const Vec3 tilted = glm::normalize(Vec3(0.2, 0, 1));
+  std::vector<float> smooth;
+  for (int texel = 0; texel < 64; ++texel)
+    for (const double value : {tilted.x, tilted.y, tilted.z, 0.0}) smooth.push_back(static_cast<float>(value));
+  const DisplayMesh before = plate;
+  takeSmoothNormals(plate, 0, frame, window, smooth);
+  int changed = 0;
+  for (std::size_t v = 0; v < plate.normals.size(); ++v) {
+    const bool isTop = before.normals[v].z > 0.9f;
+    EXPECT_LT(glm::length(Vec3(plate.normals[v]) - (isTop ? tilted : Vec3(before.normals[v]))), 1e-6);
+    changed += isTop;
+  }
+  EXPECT_EQ(changed, 4);
+}
+
 }  // namespace
 }  // namespace qrelief

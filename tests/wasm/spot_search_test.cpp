@@ -2,6 +2,7 @@
 #include "wasm/spot_search.h"
 
 #include <cmath>
+#include <optional>
 
 #include "support/gl_test.h"
 #include "support/shapes.h"
@@ -24,9 +25,13 @@ class SpotSearch : public GlTest {
     camera.orbit(0, 1e6);
     camera.fit();
     camera.finishGlide();
-    const auto spot = proposeSpot(pass_, {mesh, vertexNormals(mesh)}, camera.view(), sizeMm);
-    EXPECT_TRUE(spot.has_value());
-    return spot.value_or(std::nullopt);
+    const auto spots = proposeSpots(pass_, {mesh, vertexNormals(mesh)}, camera.view(), sizeMm, 5);
+    EXPECT_TRUE(spots.has_value());
+    if (!spots || spots->empty()) return {};
+    for (std::size_t i = 0; i < spots->size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        EXPECT_GE(glm::length((*spots)[i].position - (*spots)[j].position), 0.3 * sizeMm);
+    return spots->front().position;
   }
   GeometryPass pass_;
 };

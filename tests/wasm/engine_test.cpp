@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "wasm/engine.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "io/read_model.h"
+#include "io/write_stl.h"
+#include "support/gl_test.h"
+#include "support/shapes.h"
+
+namespace qrelief {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr const char* kSettings = R"({"text": "https://example.org/qrelief-test", "size": "free"})";
+
+class EngineTest : public GlTest {
+ protected:
+  void SetUp() override {
+    engine_ = std::make_unique<Engine>();
+    engine_->resize(400, 300, 1);
+  }
+  Json load(const Mesh& mesh, const std::string& name = "model.stl") {
+    return Json::parse(engine_->loadModel(writeStl(mesh), name, 1));
+  }
+  static void expectError(const std::string& answer, const std::string& code, const std::string& part) {
+    const Json json = Json::parse(answer);
+    EXPECT_EQ(json["ok"], false) << answer;
+    EXPECT_EQ(json["error"]["code"], code) << answer;
+    EXPECT_NE(json["error"]["message"].get<std::string>().find(part), std::string::npos) << answer;
+  }
+  std::unique_ptr<Engine> engine_;
+};
+
+TEST_F(EngineTest, SaysWhatDrawsAndThatNothingIsWrong) {
+  const Json capabilities = Json::parse(engine_->capabilities());
+  EXPECT_FALSE(capabilities["renderer"].get<std::string>().empty());
+  EXPECT_TRUE(capabilities["problems"].empty());
+  EXPECT_EQ(Engine("My GPU").gl().renderer, "My GPU");
+}
+
+TEST_F(EngineTest, DescribesTheModelThatItLoaded) {
+  const Json answer = load(shapes::box({60, 50, 20}));
+  ASSERT_EQ(answer["ok"], true);
+  const Json& model = answer["model"];
+  EXPECT_EQ(model["triangles"], 12);
+  EXPECT_EQ(model["vertices"], 8);
+  EXPECT_EQ(model["shells"], 1);
+  EXPECT_EQ(model["engravable"], true);
+  EXPECT_EQ(model["sizeMm"], Json({60, 50, 20}));
+  // The proposed centre lies on the box's surface.
+  const Vec3 centre(model["centre"][0], model["centre"][1], model["centre"][2]);
+  const Vec3 inBox = glm::abs(centre) / Vec3(30, 25, 10);
+  EXPECT_NEAR(std::max({inBox.x, inBox.y, inBox.z}), 1, 1e-6);
+}
+
+TEST_F(EngineTest, ABadFileIsRefusedAndTheOldModelStays) {
+  load(shapes::box({60, 50, 20}));
+  const Json refused = Json::parse(engine_->loadModel({1, 2, 3}, "broken.stl", 1));
+  EXPECT_EQ(refused["ok"], false);
+  EXPECT_EQ(refused["error"]["code"], "BadInput");
+  expectError(engine_->loadModel(writeStl(shapes::box({1, 1, 1})), "model.stl", std::nan("")), "BadUsage", "scale");
+  EXPECT_EQ(Json::parse(engine_->setCentre(0, 0, 100))["centre"], Json({0, 0, 10}));
+}
+
+TEST_F(EngineTest, AnOpenModelIsShownButNotEngraved) {
+  Mesh open = shapes::box({60, 50, 20});
+  open.triangles.pop_back();
+  const Json answer = load(open);
+  ASSERT_EQ(answer["ok"], true);
+  EXPECT_EQ(answer["model"]["engravable"], false);
+  const Json& findings = answer["model"]["findings"];
+  EXPECT_TRUE(std::any_of(findings.begin(), findings.end(), [](const Json& f) { return f["severity"] == "blocking"; }));
+  engine_->configure(kSettings);
+  EXPECT_EQ(Json::parse(engine_->placement())["ok"], false);
+  EXPECT_EQ(Json::parse(engine_->startEngrave())["ok"], false);
+}
+
+TEST_F(EngineTest, ClickingTheModelHitsItAndBesideItMisses) {
+  load(shapes::icosphere(30, 5));
+  const Json hit = Json::parse(engine_->pick(200, 150));
+  ASSERT_EQ(hit["hit"], true);
+  const Vec3 centre(hit["centre"][0], hit["centre"][1], hit["centre"][2]);
+  EXPECT_NEAR(glm::length(centre), 30, 0.05);
+  EXPECT_EQ(Json::parse(engine_->pick(2, 2)), Json({{"hit", false}}));
+  EXPECT_EQ(Json::parse(engine_->setCentre(std::nan(""), 0, 0)), Json({{"hit", false}}));
+}
+
+TEST_F(EngineTest, TheFreeSizeOnABoxesTopIsTheClosedForm) {
+  load(shapes::box({60, 60, 20}));
+  engine_->configure(kSettings);
+  engine_->setCentre(0, 0, 10);
+  const Json answer = Json::parse(engine_->placement());
+  ASSERT_EQ(answer["ok"], true) << answer;
+  const Json& placement = answer["placement"];
+  EXPECT_EQ(placement["modules"], 29);
+  EXPECT_EQ(placement["version"], 3);
+  // Symbol and quiet zone, 37 modules, fit a circle of 30 mm about the centre.
+  EXPECT_NEAR(placement["symbolMm"].get<double>(), std::sqrt(2.0) * 30 * 29 / 37, 0.01);
+  EXPECT_NEAR(placement["normal"][2].get<double>(), 1, 1e-6);
+  EXPECT_NEAR(placement["moduleMm"].get<double>() * 29, placement["symbolMm"].get<double>(), 1e-9);
+}
+
+TEST_F(EngineTest, WhatIsMissingIsNamed) {
+  expectError(engine_->placement(), "BadUsage", "no model");
+  expectError(engine_->startEngrave(), "BadUsage", "no model");
+  expectError(engine_->advance(), "BadUsage", "no engraving");
+  expectError(engine_->report(), "BadUsage", "nothing has been engraved");
+  EXPECT_TRUE(engine_->exportModel("stl").empty());
+  EXPECT_EQ(engine_->readerImage().width, 0);
+  expectError(engine_->configure("{"), "BadUsage", "settings");
+  load(shapes::box({60, 60, 20}));
+  EXPECT_EQ(Json::parse(engine_->placement())["error"]["code"], "BadInput");  // no text
+}
+
+TEST_F(EngineTest, EngravesStepByStepAndReportsWhatCameOut) {
+  load(shapes::box({60, 60, 20}));
+  engine_->configure(kSettings);
+  engine_->setCentre(0, 0, 10);
+  ASSERT_EQ(Json::parse(engine_->startEngrave())["ok"], true);
+  std::set<std::string> stages;
+  double fraction = 0;
+  for (bool done = false; !done;) {
+    const Json progress = Json::parse(engine_->advance());
+    ASSERT_EQ(progress["ok"], true) << progress;
+    EXPECT_GE(progress["fraction"].get<double>(), fraction);
+    fraction = progress["fraction"];
+    stages.insert(progress["stage"].get<std::string>());
+    done = progress["done"];
+  }
+  EXPECT_GE(stages.size(), 4u);
+  engine_->setReadBack("https://example.org/qrelief-test", "a reader");
+  const Json report = Json::parse(engine_->report());
+  EXPECT_EQ(report["input"]["file"], "model.stl");
+  EXPECT_EQ(report["mesh"]["closed"], true);
+  EXPECT_EQ(report["verification"]["decoded"], true);
+  EXPECT_EQ(report["verification"]["reader"], "a reader");
+  EXPECT_EQ(engine_->readerImage().pixels.size(),
+            static_cast<std::size_t>(engine_->readerImage().width) * engine_->readerImage().height);
+  const auto stl = engine_->exportModel("stl");
+  const auto carved = readModel(stl, "carved.stl");
+  ASSERT_TRUE(carved.has_value());
+  EXPECT_EQ(carved->triangles.size(), report["mesh"]["triangles"].get<std::size_t>());
+  EXPECT_TRUE(engine_->exportModel("gif").empty());
+
+  engine_->pick(200, 150);  // a new place: the result can still be had
+  EXPECT_FALSE(engine_->exportModel("stl").empty());
+  ASSERT_EQ(Json::parse(engine_->startEngrave())["ok"], true);  // a new engraving: it is gone
+  EXPECT_TRUE(engine_->exportModel("stl").empty());
+}
+
+TEST_F(EngineTest, AfterACancelNothingIsRunningAndAllCanStartAgain) {
+  load(shapes::box({60, 60, 20}));
+  engine_->configure(kSettings);
+  engine_->setCentre(0, 0, 10);
+  engine_->startEngrave();
+  engine_->advance();
+  engine_->cancel();
+  expectError(engine_->advance(), "BadUsage", "no engraving");
+  EXPECT_EQ(Json::parse(engine_->startEngrave())["ok"], true);
+}
+
+TEST_F(EngineTest, TextsThatAreNoUtf8DoNotBreakTheAnswer) {
+  const Json answer = Json::parse(engine_->loadModel({'x'}, "broken\xff.stl", 1));
+  EXPECT_EQ(answer["ok"], false);
+}
+
+TEST_F(EngineTest, TheUpAxisIsWhereTheCodesTopPoints) {
+  load(shapes::box({60, 60, 20}));
+  engine_->setUpAxis("y");
+  engine_->configure(kSettings);
+  engine_->setCentre(0, 0, 10);
+  const Json answer = Json::parse(engine_->placement());
+  ASSERT_EQ(answer["ok"], true) << answer;
+  EXPECT_NEAR(answer["placement"]["up"][1].get<double>(), 1, 1e-6);
+}
+
+}  // namespace
+}  // namespace qrelief
