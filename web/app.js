@@ -52,7 +52,7 @@ export class App {
       onFit: () => this.guard_(() => this.client_.act({ kind: 'fit' })),
       onInspector: (shown) => this.guard_(() => this.showInspector_(shown)),
     });
-    this.view_ = new View(byId('stage', HTMLElement), {
+    this.view_ = new View(byId('view', HTMLElement), {
       onAct: (action) => this.guard_(() => this.client_.act(action)),
       onPick: (x, y) => this.guard_(() => this.moveCentre_(() => this.client_.pick(x, y))),
       onResize: (size) => this.guard_(() => this.client_.resize(size)),
