@@ -41,7 +41,7 @@ Result<double> numberFrom(const std::string& text, const char* what) {
     if (used == text.size()) return value;
   } catch (const std::exception&) {
   }
-  return fail(ErrorCode::BadUsage, fmt::format("{} is \"{}\"", what, text), "see qrelief engrave --help");
+  return fail(ErrorCode::BadUsage, fmt::format("{} is \"{}\"", what, text), "See qrelief engrave --help");
 }
 
 Status readSize(const std::string& text, PlacementRequest& placement) {
@@ -49,8 +49,8 @@ Status readSize(const std::string& text, PlacementRequest& placement) {
     placement.sizeMode = text == "free" ? SizeMode::Free : SizeMode::Oriented;
     return {};
   }
-  const Result<double> size = numberFrom(text, "the size");
-  if (!size) return fail(ErrorCode::BadUsage, size.error().message, "give mm, or free, or oriented");
+  const Result<double> size = numberFrom(text, "The size");
+  if (!size) return fail(ErrorCode::BadUsage, size.error().message, "Give mm, or free, or oriented");
   placement.sizeMode = SizeMode::Fixed;
   placement.sizeMm = *size;
   return {};
@@ -66,9 +66,9 @@ Status readDirection(const std::string& text, PlacementRequest& placement) {
   for (int k = 0; k < 3; ++k) {
     const std::size_t end = k < 2 ? text.find(',', begin) : text.size();
     if (end == std::string::npos)
-      return fail(ErrorCode::BadUsage, fmt::format("the direction is \"{}\"", text),
-                  "give mean-normal, depth-balanced, or a vector X,Y,Z");
-    const Result<double> value = numberFrom(text.substr(begin, end - begin), "the direction");
+      return fail(ErrorCode::BadUsage, fmt::format("The direction is \"{}\"", text),
+                  "Give mean-normal, depth-balanced, or a vector X,Y,Z");
+    const Result<double> value = numberFrom(text.substr(begin, end - begin), "The direction");
     if (!value) return tl::unexpected(value.error());
     vector[k] = *value;
     begin = end + 1;

@@ -47,6 +47,7 @@ int describe(const InfoOptions& options) {
   fmt::print("{}: {}, {} triangles, {} vertices, {} shell{}\n", fileNameOf(options.model), soup->format,
              model->mesh.triangles.size(), model->mesh.positions.size(), model->shells, model->shells == 1 ? "" : "s");
   fmt::print("size {:.4g} × {:.4g} × {:.4g} mm\n", size.x, size.y, size.z);
+  for (const std::string& warning : soup->warnings) fmt::print("warning: {}\n", warning);
   for (const Finding& finding : model->findings) {
     json["findings"].push_back({{"severity", nameOf(finding.severity)},
                                 {"code", finding.code},

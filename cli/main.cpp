@@ -32,8 +32,8 @@ int printError(const Error& error) {
 Result<double> scaleFrom(double scale, const std::string& units) {
   if (!units.empty()) return units == "mm" ? 1.0 : units == "cm" ? 10.0 : units == "m" ? 1000.0 : 25.4;
   if (!(scale > 0 && scale < 1e12))
-    return fail(ErrorCode::BadUsage, fmt::format("the scale is {:g}", scale),
-                "give file units → mm, such as 1000 for metres");
+    return fail(ErrorCode::BadUsage, fmt::format("The scale is {:g}", scale),
+                "Give file units → mm, such as 1000 for metres");
   return scale;
 }
 

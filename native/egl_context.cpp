@@ -63,8 +63,8 @@ Result<std::unique_ptr<EglContext>> EglContext::create() {
     made->context_ = context;
     return made;
   }
-  return fail(ErrorCode::Internal, "no OpenGL ES 3 context could be made without a display",
-              "install Mesa's EGL (Debian: libegl-mesa0, libgl1-mesa-dri) or a GPU driver with EGL");
+  return fail(ErrorCode::Internal, "No OpenGL ES 3 context could be made without a display",
+              "Install Mesa's EGL (Debian: libegl-mesa0, libgl1-mesa-dri) or a GPU driver with EGL");
 }
 
 EglContext::~EglContext() {

@@ -154,7 +154,7 @@ std::string Engine::loadModel(std::vector<std::uint8_t> bytes, const std::string
   if (!viewer_) return answer(ErrorCode::Internal, problems_.front(), "use a browser with WebGL 2 and float targets");
   if (!(scaleToMm > 0) || !std::isfinite(scaleToMm))
     return answer(ErrorCode::BadUsage, fmt::format("the scale is {:g}", scaleToMm),
-                  "choose how many mm one unit of the file is");
+                  "Choose how many mm one unit of the file is");
   auto model = readAndPrepare(std::move(bytes), fileName, scaleToMm);
   if (!model) return answer(model.error());
   forgetJob();

@@ -52,7 +52,7 @@ class SettingsReader {
       placement.sizeMode = SizeMode::Fixed;
       return number("size", placement.sizeMm);
     }
-    choice("size", placement.sizeMode, sizeModeByName, "give mm, \"free\" or \"oriented\"");
+    choice("size", placement.sizeMode, sizeModeByName, "Give mm, \"free\" or \"oriented\"");
   }
   const std::optional<Error>& error() const { return error_; }
 
@@ -91,17 +91,17 @@ Result<EngraveRequest> readSettings(std::string_view json) {
   read.text("text", request.text);
   read.choice(
       "ecc", request.symbol.errorCorrection, [](std::string_view name) { return errorCorrectionByName(name); },
-      "choose L, M, Q or H");
+      "Choose L, M, Q or H");
   read.choice(
       "pattern", request.modulePattern, [](std::string_view name) { return modulePatternByName(name); },
-      "choose none, square, thin-plus, diamond or thick-plus");
+      "Choose none, square, thin-plus, diamond or thick-plus");
   read.choice(
       "finderPattern", request.finderPattern, [](std::string_view name) { return finderPatternByName(name); },
-      "choose none, as-modules, diamond or thick-plus");
+      "Choose none, as-modules, diamond or thick-plus");
   read.size(request.placement);
   read.number("maxSizeMm", request.placement.maxSizeMm);
   read.flag("quietZone", request.placement.quietZone);
-  read.choice("direction", request.placement.directionMethod, directionByName, "choose mean-normal or depth-balanced");
+  read.choice("direction", request.placement.directionMethod, directionByName, "Choose mean-normal or depth-balanced");
   read.number("rotateDeg", request.placement.rotateDeg);
   read.number("contrast", request.contrast);
   read.number("minWallMm", request.minWallMm);

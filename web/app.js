@@ -52,7 +52,7 @@ export class App {
       onFit: () => this.guard_(() => this.client_.act({ kind: 'fit' })),
       onInspector: (shown) => this.guard_(() => this.showInspector_(shown)),
     });
-    this.view_ = new View(byId('stage', HTMLElement), {
+    this.view_ = new View(byId('view', HTMLElement), {
       onAct: (action) => this.guard_(() => this.client_.act(action)),
       onPick: (x, y) => this.guard_(() => this.moveCentre_(() => this.client_.pick(x, y))),
       onResize: (size) => this.guard_(() => this.client_.resize(size)),
@@ -67,6 +67,8 @@ export class App {
     /** @type {ModelInfo | undefined} */ this.model_ = undefined;
     /** @type {Point | undefined} */ this.centreMm_ = undefined;
     /** @type {AbortController | undefined} */ this.workAbort_ = undefined;
+    /** @type {Promise<boolean>} */ this.started_ = Promise.resolve(false);
+    this.chosen_ = false;
     /** @type {Promise<unknown> | undefined} */ this.running_ = undefined;
     /** @type {Promise<void> | undefined} */ this.placing_ = undefined;
     this.centreIsGuess_ = false;  // the module's, not the user's: no error if the code has no place there
@@ -80,6 +82,20 @@ export class App {
 
   /** @param {URLSearchParams} address */
   async start(address) {
+    const started = this.startEngine_(address);
+    this.started_ = started;
+    if (!(await started) || this.chosen_) return;  // who was quicker than the module has chosen a model already
+    await this.guard_(async () => {
+      await this.openSample(address.get('sample') ?? this.samples_[0].id);
+      if (address.get('engrave') === '1') await this.engrave();
+    });
+  }
+
+  /**
+   * @param {URLSearchParams} address
+   * @returns {Promise<boolean>}  whether it runs
+   */
+  async startEngine_(address) {
     this.code_.text = address.get('text') ?? this.code_.text;
     try {
       const [{ problems }, samples] = await Promise.all([this.client_.start(), fetchJson('samples/manifest.json')]);
@@ -88,15 +104,12 @@ export class App {
     } catch (thrown) {
       this.messages_.say('QRelief could not start.');
       this.messages_.showError(describeThrown(thrown));
-      return;
+      return false;
     }
     this.models_.setSamples(this.samples_);
     this.view_.announceSize();
     await this.followTheme_();
-    await this.guard_(async () => {
-      await this.openSample(address.get('sample') ?? this.samples_[0].id);
-      if (address.get('engrave') === '1') await this.engrave();
-    });
+    return true;
   }
 
   async followTheme_() {
@@ -158,6 +171,8 @@ export class App {
 
   /** @param {File} file */
   async openFile_(file) {
+    this.chosen_ = true;
+    if (!(await this.started_)) return;  // said why
     if (file.size > kMaxFileBytes) {
       this.messages_.showError({
         message: `${file.name} has ${Math.round(file.size / 2 ** 20)} MiB; this page opens up to ${kMaxFileBytes / 2 ** 20} MiB`,

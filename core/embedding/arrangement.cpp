@@ -239,7 +239,7 @@ Result<Arrangement> arrange(const Footprint& footprint, EdgeGrid& edges, const O
   if (!cdt) return tl::unexpected(cdt.error());
   const Labels labels = labelTriangles(*cdt, constraints, result.points.size());
   if (auto leak = findLeak(*cdt, labels, constraints, result.points)) return tl::unexpected(std::move(*leak));
-  if (!labels.consistent) return fail(ErrorCode::Internal, "facets or depths of the arrangement contradict each other");
+  if (!labels.consistent) return fail(ErrorCode::Internal, "Facets or depths of the arrangement contradict each other");
   for (std::size_t t = 0; t < cdt->triangles.size(); ++t) {
     if (labels.facets[t] == kNoFacet) continue;
     result.triangles.push_back(cdt->triangles[t]);

@@ -70,7 +70,7 @@ Result<PlaneTriangulation> triangulateConstrained(std::span<const Vec2> points,
     for (const auto& [a, b] : constraints) cdt.insert_constraint(vertices[a], vertices[b]);
     return toArrays(cdt);
   } catch (const std::exception& e) {  // Intersection_of_constraints_exception, or a failed check inside CGAL
-    return fail(ErrorCode::Internal, fmt::format("the arrangement cannot be triangulated: {}", e.what()));
+    return fail(ErrorCode::Internal, fmt::format("The arrangement cannot be triangulated: {}", e.what()));
   }
 }
 

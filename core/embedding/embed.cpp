@@ -200,7 +200,7 @@ Result<EmbedResult> embedDepthField(const Mesh& mesh, const ProjectionFrame& fra
   const Result<Footprint> footprint = findFootprint(mesh, frame, patch, levels, levels.submoduleMm() / 4);
   if (!footprint) return tl::unexpected(footprint.error());
   if (footprint->facets.empty())
-    return fail(ErrorCode::NoSolution, "no part of the visible surface lies under the code",
+    return fail(ErrorCode::NoSolution, "No part of the visible surface lies under the code",
                 "choose another centre or direction");
   const int maxCells = longestOutline(*footprint, levels.submoduleMm(), snapMm);
   const Result<Carving> carving = carve(mesh, frame, *footprint, buildOutlines(levels, chamferMm, maxCells), snapMm);

@@ -38,8 +38,8 @@ Result<GLuint> compile(const char* name, GLenum kind, const char* source) {
   std::array<char, 2048> log{};
   glGetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), nullptr, log.data());
   glDeleteShader(shader);
-  return fail(ErrorCode::Internal, fmt::format("the graphics driver refuses the shader {}: {}", name, log.data()),
-              "update the graphics driver or the browser");
+  return fail(ErrorCode::Internal, fmt::format("The graphics driver refuses the shader {}: {}", name, log.data()),
+              "Update the graphics driver or the browser");
 }
 
 std::string glString(GLenum name) {
@@ -105,9 +105,9 @@ Result<Framebuffer> Framebuffer::create(std::span<const Texture* const> colours,
   const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
   if (status != GL_FRAMEBUFFER_COMPLETE)
     return fail(ErrorCode::Internal,
-                fmt::format("the graphics driver cannot render to a {} × {} float texture (status 0x{:x})", made.width_,
+                fmt::format("The graphics driver cannot render to a {} × {} float texture (status 0x{:x})", made.width_,
                             made.height_, status),
-                "use a device whose graphics support EXT_color_buffer_float");
+                "Use a device whose graphics support EXT_color_buffer_float");
   return made;
 }
 
@@ -186,8 +186,8 @@ Result<Program> Program::create(const char* name, const char* vertexSource, cons
   if (linked) return made;
   std::array<char, 2048> log{};
   glGetProgramInfoLog(made.id_, static_cast<GLsizei>(log.size()), nullptr, log.data());
-  return fail(ErrorCode::Internal, fmt::format("the graphics driver cannot link the shader {}: {}", name, log.data()),
-              "update the graphics driver or the browser");
+  return fail(ErrorCode::Internal, fmt::format("The graphics driver cannot link the shader {}: {}", name, log.data()),
+              "Update the graphics driver or the browser");
 }
 
 Program::~Program() {

@@ -60,20 +60,20 @@ Status checkRequest(const EngraveRequest& request) {
     return fail(ErrorCode::BadUsage, std::move(message), std::move(hint));
   };
   if (!(request.contrast > 0 && request.contrast < 1))
-    return bad(fmt::format("the contrast is {:g}", request.contrast), "choose a value between 0 and 1, such as 0.3");
-  if (!(request.minWallMm >= 0)) return bad("the minimum wall is negative", "choose 0 or more, such as 0.8");
+    return bad(fmt::format("The contrast is {:g}", request.contrast), "Choose a value between 0 and 1, such as 0.3");
+  if (!(request.minWallMm >= 0)) return bad("The minimum wall is negative", "Choose 0 or more, such as 0.8");
   if (request.maxDepthMm && !(*request.maxDepthMm >= 0.1))
-    return bad(fmt::format("the greatest depth is {:g} mm", *request.maxDepthMm), "choose at least 0.1 mm, one layer");
+    return bad(fmt::format("The greatest depth is {:g} mm", *request.maxDepthMm), "Choose at least 0.1 mm, one layer");
   const PlacementRequest& place = request.placement;
   if (!(place.eyeDistanceMm >= 20 && place.eyeDistanceMm <= 1e5))
-    return bad(fmt::format("the eye distance is {:g} mm", place.eyeDistanceMm),
-               "choose between 20 mm and 100 m; 250 mm is a phone's");
+    return bad(fmt::format("The eye distance is {:g} mm", place.eyeDistanceMm),
+               "Choose between 20 mm and 100 m; 250 mm is a phone's");
   if (place.sizeMode == SizeMode::Fixed && !(place.sizeMm > 0 && place.sizeMm <= 1e4))
-    return bad(fmt::format("the size is {:g} mm", place.sizeMm), "choose the symbol's edge in mm, such as 35");
+    return bad(fmt::format("The size is {:g} mm", place.sizeMm), "Choose the symbol's edge in mm, such as 35");
   if (!(place.maxSizeMm > 0 && place.maxSizeMm <= 1e4))
-    return bad(fmt::format("the greatest size is {:g} mm", place.maxSizeMm), "choose an edge in mm, such as 60");
+    return bad(fmt::format("The greatest size is {:g} mm", place.maxSizeMm), "Choose an edge in mm, such as 60");
   if (place.direction && !(glm::length(*place.direction) > 0))
-    return bad("the direction has no length", "give a vector such as 0,0,1");
+    return bad("The direction has no length", "give a vector such as 0,0,1");
   return {};
 }
 
@@ -255,8 +255,8 @@ Status EngraveJob::State::searchOnce() {
   if (summarise(result.depths).maxMm == 0)
     return fail(
         ErrorCode::NoSolution,
-        fmt::format("nothing can be carved here without leaving less than {:g} mm of material", request.minWallMm),
-        "choose a thicker spot or a smaller minimum wall");
+        fmt::format("Nothing can be carved here without leaving less than {:g} mm of material", request.minWallMm),
+        "Choose a thicker spot or a smaller minimum wall");
   stage = Stage::Embedding;
   return {};
 }

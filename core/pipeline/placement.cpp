@@ -53,7 +53,7 @@ ProjectionFrame PlacementSearch::frameFor(Vec3 normal) const {
 
 Status PlacementSearch::start() {
   const auto surface = closestPoint(model_->mesh, request_.centreMm);
-  if (!surface) return fail(ErrorCode::BadInput, "the model has no surface");
+  if (!surface) return fail(ErrorCode::BadInput, "The model has no surface");
   placement_.seed = surface->triangle;
   placement_.frame.centre = surface->position;
   surfaceNormal_ = triangleNormal(model_->mesh, surface->triangle);
@@ -84,18 +84,18 @@ Status PlacementSearch::measure(Vec3 normal) {
   if (fixed && fitMm_ < request_.sizeMm) {
     return fail(
         ErrorCode::NoSolution,
-        fmt::format("a code of {:.4g} mm{} does not fit here; the largest that does is {:.4g} mm ({:.4g} mm at any "
+        fmt::format("A code of {:.4g} mm{} does not fit here; the largest that does is {:.4g} mm ({:.4g} mm at any "
                     "rotation)",
                     request_.sizeMm, request_.quietZone ? " with its quiet zone" : "", std::floor(oriented * 100) / 100,
                     std::floor(free * 100) / 100),
-        "ask for a smaller size, turn the code, or choose a spot farther from edges and overhangs");
+        "Ask for a smaller size, turn the code, or choose a spot farther from edges and overhangs");
   }
   if (placement_.moduleMm < kLeastModuleMm) {
     return fail(
         ErrorCode::NoSolution,
-        fmt::format("only a code of {:.3g} mm fits here: its modules would be {:.2g} mm wide", placement_.symbolMm,
+        fmt::format("Only a code of {:.3g} mm fits here: its modules would be {:.2g} mm wide", placement_.symbolMm,
                     placement_.moduleMm),
-        "choose a spot farther from edges and overhangs, or shorten the text; if the whole model is that small, "
+        "Choose a spot farther from edges and overhangs, or shorten the text; if the whole model is that small, "
         "check its unit");
   }
   return {};

@@ -71,9 +71,9 @@ std::vector<std::string> failedChecks(const EngraveRequest& request, const Engra
                                       const std::string& readBack) {
   std::vector<std::string> failed = result.solidity.problems();
   if (readBack.empty())
-    failed.push_back("no reader found the code in the simulated picture");
+    failed.push_back("No reader found the code in the simulated picture");
   else if (readBack != request.text)
-    failed.push_back(fmt::format("the simulated picture reads as \"{}\"", readBack));
+    failed.push_back(fmt::format("The simulated picture reads as \"{}\"", readBack));
   return failed;
 }
 

@@ -137,7 +137,7 @@ TEST_F(CommandTest, ACodeNobodyReadsIsWrittenWithStatusOneAndTheReason) {
                                "0,0,100", "--size", "70", "--max-depth", "0.1", "--pattern", "thin-plus",
                                "--finder-pattern", "as-modules", "-o", path("out.stl"), "--quiet"});
   EXPECT_EQ(outcome.status, 1);
-  EXPECT_NE(outcome.err.find("no reader found the code"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("No reader found the code"), std::string::npos) << outcome.err;
   EXPECT_TRUE(fs::exists(path("out.stl")));
 }
 

@@ -86,7 +86,7 @@ export class CodePanel {
   /** @param {Placement} placement */
   showPlacement({ version, modules, symbolMm, moduleMm, guaranteedMm }) {
     this.facts_.textContent = `${formatMm(symbolMm)} wide, modules of ${formatMm(moduleMm)} · version ${version}, ` +
-      `${modules} × ${modules} · up to ${formatMm(guaranteedMm)} fits here`;
+      `${modules}\u00a0×\u00a0${modules} · up to ${formatMm(guaranteedMm)} fits here`;
   }
 
   hidePlacement() {

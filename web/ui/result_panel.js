@@ -83,8 +83,9 @@ function notes({ depth, size }, solid) {
   }
   if (depth.limitedSubmodules > 0) {
     found.push({
-      severity: 'warning',
-      message: `${formatNumber(depth.limitedSubmodules)} submodules could not be carved as deep as they should be`,
+      severity: 'note',
+      message: `${depth.limitedSubmodules === 1 ? 'One submodule' : `${formatNumber(depth.limitedSubmodules)} submodules`} ` +
+        'could not be carved as deep as wanted',
       hint: 'A larger code, a thicker wall or a smaller “Wall left” helps',
     });
   }

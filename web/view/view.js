@@ -64,7 +64,7 @@ export class View {
     canvas.setAttribute('aria-label', '3D view');
     canvas.setAttribute('aria-describedby', 'view-help');
     if (this.canvas_) this.canvas_.replaceWith(canvas);
-    else this.stage_.prepend(canvas);
+    else this.stage_.append(canvas);
     this.canvas_ = canvas;
     return canvas;
   }
