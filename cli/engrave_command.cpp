@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <chrono>
 #include <fmt/format.h>
-#include <map>
 
 #include "cli/commands.h"
 #include "cli/files.h"
@@ -87,9 +86,7 @@ Status completeRequest(EngraveOptions& options, double scaleToMm) {
   placement.quietZone = !options.noQuietZone;
   request.modulePattern = *modulePatternByName(options.pattern);
   request.finderPattern = *finderPatternByName(options.finderPattern);
-  const std::map<std::string, ErrorCorrection> levels = {
-      {"L", ErrorCorrection::L}, {"M", ErrorCorrection::M}, {"Q", ErrorCorrection::Q}, {"H", ErrorCorrection::H}};
-  request.symbol.errorCorrection = levels.at(options.ecc);
+  request.symbol.errorCorrection = *errorCorrectionByName(options.ecc);
   if (options.version > 0) request.symbol.version = options.version;
   if (options.maxDepth > 0) request.maxDepthMm = options.maxDepth;
   return {};

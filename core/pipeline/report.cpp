@@ -12,11 +12,6 @@ using Json = nlohmann::ordered_json;
 
 Json triple(Vec3 v) { return Json::array({v.x, v.y, v.z}); }
 
-const char* letterOf(ErrorCorrection level) {
-  constexpr std::array<const char*, 4> letters = {"L", "M", "Q", "H"};
-  return letters[static_cast<std::size_t>(level)];
-}
-
 const char* nameOf(SizeMode mode) {
   constexpr std::array<const char*, 3> names = {"free", "oriented", "fixed"};
   return names[static_cast<std::size_t>(mode)];
@@ -43,7 +38,7 @@ Json describeSymbol(const Symbol& symbol) {
     rows.push_back(text);
   }
   return {{"version", symbol.version},
-          {"ecc", letterOf(symbol.errorCorrection)},
+          {"ecc", errorCorrectionName(symbol.errorCorrection)},
           {"mask", symbol.mask},
           {"modules", symbol.size},
           {"rows", rows}};
