@@ -15,7 +15,6 @@ namespace {
 constexpr double kRadiusShare = 0.08;  // reach of the occlusion, of the model's diagonal
 constexpr double kRadiusLimit = 0.15;  // greatest reach on the screen, of the picture's height
 constexpr int kFirstShown = 4;         // averages of fewer pictures are noisier than the blurred first one
-constexpr double kMostPixels = 4.2e6;  // larger canvases are drawn at a lower resolution
 constexpr double kSlowFrameMs = 50;    // intervals above this lower the resolution while moving
 constexpr double kCoarsestScale = 0.4;
 
@@ -44,6 +43,7 @@ ViewQuality ViewQuality::suitedTo(const gl::Capabilities& capabilities) {
   quality.movingSteps = 4;
   quality.stillSteps = 8;
   quality.stillSamples = 32;
+  quality.mostPixels = 4.2e6;
   return quality;
 }
 
@@ -131,7 +131,7 @@ Result<Viewer::Stage> Viewer::makeStage(int width, int height, bool colourOnly) 
 
 Status Viewer::prepareStage(std::optional<Stage>& stage, double scale, bool colourOnly) {
   const double pixels = static_cast<double>(width_) * height_;
-  const double bounded = scale * std::min(1.0, std::sqrt(kMostPixels / pixels));
+  const double bounded = scale * std::min(1.0, std::sqrt(quality_.mostPixels / pixels));
   const int width = std::max(1, static_cast<int>(std::lround(width_ * bounded)));
   const int height = std::max(1, static_cast<int>(std::lround(height_ * bounded)));
   if (stage && stage->width == width && stage->height == height) return {};

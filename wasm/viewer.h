@@ -28,6 +28,7 @@ struct ViewQuality {
   int movingSteps = 3;       ///< occlusion samples on each side of a slice while something changes
   int stillSteps = 5;        ///< the same at rest
   int stillSamples = 16;     ///< pictures that are averaged at rest; multiples of 16 leave no pattern
+  double mostPixels = 8e5;   ///< larger canvases are drawn at a lower resolution and scaled up
   double settleMs = 120;     ///< without a change before refinement starts
 
   static ViewQuality suitedTo(const gl::Capabilities& capabilities);

@@ -190,6 +190,16 @@ TEST_F(ViewerTest, SlowFramesInMotionLowerTheResolution) {
   EXPECT_NEAR(viewer_->statistics().coarseFrameMs, 100, 1);
 }
 
+TEST_F(ViewerTest, ACanvasTooLargeIsDrawnCoarserButFilled) {
+  show(shapes::box({40, 40, 40}));
+  viewer_->resize(2000, 1600);
+  double now = 0;
+  while (draw(now += 200)) {
+  }
+  EXPECT_LE(viewer_->statistics().width * viewer_->statistics().height, 1.01 * ViewQuality{}.mostPixels);
+  EXPECT_NEAR(static_cast<double>(viewer_->statistics().width) / viewer_->statistics().height, 1.25, 0.01);
+}
+
 TEST_F(ViewerTest, WithoutAModelOnlyTheBackgroundIsDrawn) {
   const Picture picture = refined();
   EXPECT_NEAR(picture.brightness({10, 90}), picture.brightness({200, 90}), 0.01);
