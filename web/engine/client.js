@@ -8,7 +8,7 @@ import { EngineFailure, crash, describeThrown } from './engine_error.js';
 /** @typedef {import('./types.js').ViewSize} ViewSize */
 /** @typedef {import('./types.js').Settings} Settings */
 
-const kCancelPatienceMs = 2000;  // a worker that does not stop within this time is replaced
+const kCancelPatienceMs = 4000;  // a worker that does not stop within this time is replaced
 
 /** @typedef {{ resolve: (value: any) => void, reject: (reason: unknown) => void }} Pending */
 

@@ -45,11 +45,14 @@ export class EngineHost {
   /**
    * @param {Engine} engine
    * @param {HTMLCanvasElement | OffscreenCanvas} canvas
+   * @param {WebGL2RenderingContext} gl  of the canvas
    * @param {(event: HostEvent) => void} notify
    */
-  constructor(engine, canvas, notify) {
+  constructor(engine, canvas, gl, notify) {
     this.engine_ = engine;
     this.canvas_ = canvas;
+    this.gl_ = gl;
+    /** @type {WebGLSync | null} */ this.fence_ = null;  // behind the last frame
     this.notify_ = notify;
     this.frameRequested_ = false;
     this.engraving_ = false;
@@ -75,7 +78,7 @@ export class EngineHost {
     gl.getExtension('EXT_color_buffer_float');
     const module = await EngineHost.loadModule_();
     module.GL.makeContextCurrent(module.GL.registerContext(gl, { majorVersion: 2 }));
-    const host = new EngineHost(new module.Engine(), canvas, notify);
+    const host = new EngineHost(new module.Engine(), canvas, gl, notify);
     canvas.addEventListener('webglcontextlost', (event) => {
       event.preventDefault();
       host.lost_ = true;
@@ -233,14 +236,27 @@ export class EngineHost {
     const request = typeof requestAnimationFrame === 'function' ? requestAnimationFrame : (/** @type {() => void} */ f) => setTimeout(f, 16);
     request(() => {
       this.frameRequested_ = false;
-      this.drawFrame_();
+      if (this.lastFrameIsUnderWay_()) this.invalidate_();
+      else this.drawFrame_();
     });
+  }
+
+  /** Frames sent faster than the GPU draws them would pile up, and everything after them would wait. */
+  lastFrameIsUnderWay_() {
+    if (!this.fence_ || this.lost_) return false;
+    if (this.gl_.getSyncParameter(this.fence_, this.gl_.SYNC_STATUS) !== this.gl_.SIGNALED) return true;
+    this.gl_.deleteSync(this.fence_);
+    this.fence_ = null;
+    return false;
   }
 
   drawFrame_() {
     if (this.lost_) return;
     try {
       const wantsAnother = this.engine_.draw();
+      this.gl_.deleteSync(this.fence_);
+      this.fence_ = this.gl_.fenceSync(this.gl_.SYNC_GPU_COMMANDS_COMPLETE, 0);
+      this.gl_.flush();
       if (wantsAnother && !this.engraving_) this.invalidate_();  // refinement waits while the job runs
     } catch (thrown) {
       this.lost_ = true;
