@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "mesh/mesh.h"
 
 namespace qrelief {
+
+/// One object of a file that holds several (3MF build items).
+struct ModelPart {
+  std::string name;               ///< as the file has it, may be empty
+  std::size_t firstTriangle = 0;  ///< its triangles go on to the next part's first
+};
 
 /// What a model file says, before anything is trusted: positions in file units, triangles by index
 /// (all indices valid), neither welded nor oriented.
@@ -15,6 +22,8 @@ struct PolygonSoup {
   std::vector<Triangle> triangles;
   std::string format;                 ///< "STL (binary)", "STL (ASCII)", "OBJ", "PLY", "OFF"
   std::vector<std::string> warnings;  ///< what the reader passed over, in words
+  std::vector<ModelPart> parts;       ///< ascending by first triangle; empty: the file knows one object only
+  std::optional<double> unitMm;       ///< millimetres in a file unit, where the file says so (3MF)
 };
 
 }  // namespace qrelief

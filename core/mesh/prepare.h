@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,7 @@ struct PreparedModel {
   std::vector<Vec3f> normals;  ///< smooth unit vertex normals
   std::vector<Finding> findings;
   std::size_t shells = 0;
+  std::vector<std::uint32_t> partOfTriangle;  ///< index into the soup's parts; empty: one part only
 
   /// The first blocking finding as an error, if there is one.
   Status engravable() const;
