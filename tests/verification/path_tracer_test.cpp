@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verification/path_tracer.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "support/shapes.h"
+
+namespace qrelief {
+namespace {
+
+constexpr double kFar = 20000;
+
+ProjectionFrame fromAbove() { return makeFrame({0, 0, 0}, {0, 0, 1}, {0, 1, 0}, kFar); }
+
+/// A plate whose upper face lies at z = 0 and drops steeply to -depth where `inPit(x, y)`.
+template <class Predicate>
+Mesh carvedPlate(double edge, int cells, double depth, Predicate inPit) {
+  return shapes::plate({edge, edge}, 20, cells, cells, [&](double x, double y) { return inPit(x, y) ? -depth : 0.0; });
+}
+
+TEST(PathTracer, AnOpenPlaneSeesTheWholeSky) {
+  const Mesh plate = shapes::box({100, 100, 10});
+  const RayTree tree(plate);
+  const SeenCell cell{{-5, -5}, {5, 5}};
+  const auto light = traceCells(tree, fromAbove(), std::span(&cell, 1), {});
+  EXPECT_EQ(light[0].visibility, 1);
+  EXPECT_EQ(light[0].luminance, 1);
+}
+
+TEST(PathTracer, TheMiddleOfAPitSeesWhatTheClosedFormSays) {
+  // Between the grid's points the walls lean by one grid width: the pit's rim lies at radius + width / 2 on average.
+  const double grid = 0.05, radius = 3, depth = 2;
+  const Mesh pit = carvedPlate(20, 400, depth, [&](double x, double y) { return std::hypot(x, y) < radius; });
+  const RayTree tree(pit);
+  const SeenCell cell{{-0.01, -0.01}, {0.01, 0.01}};
+  const auto light = traceCells(tree, fromAbove(), std::span(&cell, 1), {.paths = 20000});
+  const double rim = radius + grid / 2;
+  EXPECT_NEAR(light[0].visibility, rim * rim / (rim * rim + depth * depth), 0.01);
+}
+
+TEST(PathTracer, TheMiddleOfATrenchSeesWhatTheClosedFormSays) {
+  const double grid = 0.05, width = 2, depth = 1.5;
+  const Mesh trench = carvedPlate(20, 400, depth, [&](double x, double) { return std::abs(x) < width / 2; });
+  const RayTree tree(trench);
+  const SeenCell cell{{-0.01, -0.5}, {0.01, 0.5}};
+  const auto light = traceCells(tree, fromAbove(), std::span(&cell, 1), {.paths = 20000});
+  EXPECT_NEAR(light[0].visibility, std::sin(std::atan((width + grid) / (2 * depth))), 0.01);
+}
+
+TEST(PathTracer, InsideASphereWithAHoleEveryPointIsAsBright) {
+  // Integrating sphere: a cap of height h is missing, so from everywhere inside the sky fills the share f = h / 2r of
+  // the cosine-weighted directions, and L = f / (1 - albedo·(1 - f)).
+  Mesh sphere = shapes::icosphere(10, 5);
+  const double rim = 8;
+  std::vector<Triangle> kept;
+  for (std::size_t t = 0; t < sphere.triangles.size(); ++t)
+    if (sphere.corner(t, 0).z + sphere.corner(t, 1).z + sphere.corner(t, 2).z < 3 * rim)
+      kept.push_back(sphere.triangles[t]);
+  double keptArea = 0, area = 0;
+  const auto areaOf = [&](const Triangle& t) {
+    const auto at = [&](int k) { return Vec3(sphere.positions[t[static_cast<std::size_t>(k)]]); };
+    return glm::length(glm::cross(at(1) - at(0), at(2) - at(0))) / 2;
+  };
+  for (const Triangle& t : sphere.triangles) area += areaOf(t);
+  for (const Triangle& t : kept) keptArea += areaOf(t);
+  sphere.triangles = kept;
+  const double open = 1 - keptArea / area;
+  const RayTree tree(sphere);
+  const std::vector<SeenCell> cells = {{{-1, -1}, {1, 1}}, {{2, 1}, {3, 2}}};
+  for (const double albedo : {0.3, 0.8}) {
+    for (const CellLight& light : traceCells(tree, fromAbove(), cells, {.paths = 40000, .albedo = albedo})) {
+      EXPECT_NEAR(light.visibility, open, 0.006);
+      EXPECT_NEAR(light.luminance, open / (1 - albedo * (1 - open)), 5 * light.deviation);
+    }
+  }
+}
+
+TEST(PathTracer, TheSameSeedGivesTheSameLight) {
+  const Mesh pit = carvedPlate(20, 40, 2, [](double x, double y) { return std::hypot(x, y) < 3; });
+  const RayTree tree(pit);
+  const SeenCell cell{{-1, -1}, {1, 1}};
+  const auto once = traceCells(tree, fromAbove(), std::span(&cell, 1), {});
+  const auto again = traceCells(tree, fromAbove(), std::span(&cell, 1), {});
+  EXPECT_EQ(once[0].luminance, again[0].luminance);
+}
+
+}  // namespace
+}  // namespace qrelief
