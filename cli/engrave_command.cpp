@@ -211,6 +211,10 @@ std::function<int()> addEngraveCommand(CLI::App& app) {
       ->check(CLI::IsMember({"none", "as-modules", "diamond", "thick-plus"}));
   c->add_option("--contrast", request.contrast,
                 fmt::format("how much darker carved submodules must be [{:g}]", request.contrast));
+  c->add_option("--data-contrast", request.reading.dataContrast, "reading: of data modules");
+  c->add_option("--finder-contrast", request.reading.finderContrast, "reading: of finder modules");
+  c->add_option("--blur", request.reading.blurModules, "reading: blur in modules");
+  c->add_flag_callback("--reading", [o] { o->request.objective = DepthObjective::Reading; }, "reading objective");
   c->add_option("--max-depth", o->maxDepth, "mm [1.2 modules]")->check(CLI::PositiveNumber);
   c->add_option("--min-wall", request.minWallMm, "material that must remain, mm [0.8]");
   c->add_option("--solver", o->solver, "how the depth is found [paper-steps]")->check(CLI::IsMember({"paper-steps"}));

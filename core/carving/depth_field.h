@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
+#include "math/tolerance.h"
 #include "math/vec.h"
 
 namespace qrelief {
@@ -24,5 +27,13 @@ struct DepthField {
     return {-symbolMm / 2 + column * submoduleMm(), symbolMm / 2 - row * submoduleMm()};
   }
 };
+
+/// A depth on the grid of the files (kDepthQuantumMm), rounded up; where that would pass the limit, the limit rounded
+/// down.
+inline double quantisedDepth(double depthMm, double limitMm) {
+  const double up = std::ceil(depthMm / kDepthQuantumMm - 1e-9) * kDepthQuantumMm;
+  if (up <= limitMm) return up;
+  return std::max(0.0, std::floor(limitMm / kDepthQuantumMm + 1e-9) * kDepthQuantumMm);
+}
 
 }  // namespace qrelief

@@ -11,14 +11,6 @@ namespace qrelief {
 namespace {
 
 constexpr int kN = kSubmodulesPerModule;
-constexpr std::size_t kDarkestNeighbours = 4;
-
-/// Depth on the grid of the files; a limit is never passed.
-double quantised(double depthMm, double limitMm) {
-  const double up = std::ceil(depthMm / kDepthQuantumMm - 1e-9) * kDepthQuantumMm;
-  if (up <= limitMm) return up;
-  return std::max(0.0, std::floor(limitMm / kDepthQuantumMm + 1e-9) * kDepthQuantumMm);
-}
 
 }  // namespace
 
@@ -28,7 +20,7 @@ double depthIncrease(int x) {
 }
 
 DepthSearch::DepthSearch(CarvingTarget target, const DepthSearchOptions& options)
-    : target_(std::move(target)), options_(options) {
+    : target_(std::move(target)), options_(options), neighbours_(*target_.symbol) {
   const std::size_t count = target_.mask->carved.size();
   assert(target_.limitMm.size() == count);
   depths_ = {target_.mask->size, target_.symbolMm, std::vector<double>(count, 0)};
@@ -38,44 +30,8 @@ DepthSearch::DepthSearch(CarvingTarget target, const DepthSearchOptions& options
   for (std::size_t i = 0; i < count; ++i) {
     if (!target_.mask->carved[i]) continue;
     states_[i] = DepthState::Searching;
-    depths_.depthMm[i] = quantised(options_.initialDepthMm, target_.limitMm[i]);
+    depths_.depthMm[i] = quantisedDepth(options_.initialDepthMm, target_.limitMm[i]);
   }
-  findNeighbours();
-}
-
-void DepthSearch::findNeighbours() {
-  const int m = target_.symbol->size;
-  const int withQuiet = m + 2 * kQuietZoneModules;
-  const auto isLight = [&](int row, int column) {
-    return row < 0 || column < 0 || row >= m || column >= m || !target_.symbol->isDark(row, column);
-  };
-  neighbours_.resize(static_cast<std::size_t>(m * m));
-  for (int row = 0; row < m; ++row) {
-    for (int column = 0; column < m; ++column) {
-      if (!target_.symbol->isDark(row, column)) continue;
-      auto& found = neighbours_[static_cast<std::size_t>(row * m + column)];
-      for (int ring = 1; found.size() < kDarkestNeighbours && ring < withQuiet; ++ring) {
-        for (int r = row - ring; r <= row + ring; ++r) {
-          for (int c = column - ring; c <= column + ring; ++c) {
-            if (std::max(std::abs(r - row), std::abs(c - column)) != ring) continue;
-            const int quietRow = r + kQuietZoneModules, quietColumn = c + kQuietZoneModules;
-            if (quietRow < 0 || quietColumn < 0 || quietRow >= withQuiet || quietColumn >= withQuiet) continue;
-            if (isLight(r, c)) found.push_back(static_cast<std::uint32_t>(quietRow * withQuiet + quietColumn));
-          }
-        }
-      }
-    }
-  }
-}
-
-double DepthSearch::surroundings(std::size_t module, std::span<const double> moduleLuminance) const {
-  std::vector<double> around;
-  for (const std::uint32_t light : neighbours_[module]) around.push_back(moduleLuminance[light]);
-  const std::size_t count = std::min(kDarkestNeighbours, around.size());
-  std::partial_sort(around.begin(), around.begin() + static_cast<std::ptrdiff_t>(count), around.end());
-  double sum = 0;
-  for (std::size_t i = 0; i < count; ++i) sum += around[i];
-  return sum / static_cast<double>(count);
 }
 
 void DepthSearch::update(std::span<const double> luminance) {
@@ -94,8 +50,8 @@ void DepthSearch::update(std::span<const double> luminance) {
   worstExcess_ = 0;
   for (int module = 0; module < m * m; ++module) {
     const auto moduleIndex = static_cast<std::size_t>(module);
-    if (neighbours_[moduleIndex].empty()) continue;
-    const double threshold = surroundings(moduleIndex, moduleLuminance) * (1 - options_.contrast);
+    if (!target_.symbol->dark[moduleIndex]) continue;
+    const double threshold = neighbours_.darkestMean(moduleIndex, moduleLuminance) * (1 - options_.contrast);
     for (int k = 0; k < kN * kN; ++k) {
       const int row = module / m * kN + k / kN;
       const int column = module % m * kN + k % kN;
@@ -112,7 +68,7 @@ void DepthSearch::update(std::span<const double> luminance) {
         states_[i] = DepthState::DarkEnough;
         continue;
       }
-      const double deeper = quantised(depths_.depthMm[i] + depthIncrease(unchanged_[i]), target_.limitMm[i]);
+      const double deeper = quantisedDepth(depths_.depthMm[i] + depthIncrease(unchanged_[i]), target_.limitMm[i]);
       states_[i] = deeper > depths_.depthMm[i] ? DepthState::Searching : DepthState::Limited;
       deepened = deepened || deeper > depths_.depthMm[i];
       depths_.depthMm[i] = std::max(deeper, depths_.depthMm[i]);

@@ -115,7 +115,7 @@ struct EngraveJob::State {
   std::optional<PlacementSearch> placing;
   SurfaceMaps maps;
   std::optional<LuminancePass> light;
-  std::optional<DepthSearch> search;
+  std::unique_ptr<DepthSolver> search;
   std::vector<float> means;  // luminance of every cell of the map
   EmbedResult embedded;
   EngraveResult result;
@@ -213,9 +213,13 @@ Status EngraveJob::State::map() {
   auto limits = depthLimits();
   if (!limits) return tl::unexpected(limits.error());
   CarvingTarget target{&symbol, &mask, placement.symbolMm, std::move(*limits)};
-  DepthSearchOptions searchOptions;
-  searchOptions.contrast = request.contrast;
-  search.emplace(std::move(target), searchOptions);
+  if (request.objective == DepthObjective::Reading) {
+    search = std::make_unique<ReadingSearch>(std::move(target), request.reading);
+  } else {
+    DepthSearchOptions searchOptions;
+    searchOptions.contrast = request.contrast;
+    search = std::make_unique<DepthSearch>(std::move(target), searchOptions);
+  }
   stage = Stage::Searching;
   return {};
 }
@@ -252,6 +256,7 @@ Status EngraveJob::State::searchOnce() {
   result.depths = search->depths();
   result.searchIterations = search->iterations();
   result.limitedSubmodules = search->limitedCount();
+  result.luminance = std::move(luminance);
   if (summarise(result.depths).maxMm == 0)
     return fail(
         ErrorCode::NoSolution,

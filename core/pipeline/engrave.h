@@ -9,6 +9,7 @@
 #include "base/progress.h"
 #include "base/result.h"
 #include "carving/depth_search.h"
+#include "carving/reading_search.h"
 #include "mesh/prepare.h"
 #include "pipeline/placement.h"
 #include "qr/module_pattern.h"
@@ -28,6 +29,12 @@ struct EngravableModel {
   static std::shared_ptr<const EngravableModel> upload(PreparedModel prepared);
 };
 
+/// Which depth is deep enough.
+enum class DepthObjective : std::uint8_t {
+  Contrast,  ///< every submodule darker than its surroundings, as published: carving/depth_search.h
+  Reading    ///< every module darker than its surroundings, as a reader sees it: carving/reading_search.h
+};
+
 /// Everything that decides what comes out.
 struct EngraveRequest {
   std::string text;  ///< UTF-8, not empty
@@ -35,7 +42,9 @@ struct EngraveRequest {
   ModulePattern modulePattern = ModulePattern::Square;
   FinderPattern finderPattern = FinderPattern::ThickPlus;
   PlacementRequest placement;
+  DepthObjective objective = DepthObjective::Contrast;
   double contrast = 0.3;             ///< a carved submodule is darker than its surroundings by this share, 0 < c < 1
+  ReadingOptions reading;
   std::optional<double> maxDepthMm;  ///< none: 1.2 modules
   double minWallMm = 0.8;            ///< material that stays behind every floor, ≥ 0
   float albedo = 0.7f;               ///< of the printed material
@@ -56,6 +65,8 @@ struct EngraveResult {
   DepthField depths;
   int searchIterations = 0;
   std::size_t limitedSubmodules = 0;  ///< that a limit kept from being dark enough
+  /// Of every submodule of symbol and quiet zone, at the depths found; row-major from the quiet zone's top left.
+  std::vector<double> luminance;
   SolidityReport solidity;            ///< after the round trip
   ReaderView readerView;              ///< what a phone would see
   StageTimings timingsMs;

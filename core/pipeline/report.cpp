@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "verification/grades.h"
+
 namespace qrelief {
 namespace {
 
@@ -60,6 +62,29 @@ Json describeProjection(const EngraveRequest& request, const Placement& placemen
           {"iterations", iterations}};
 }
 
+Json describeGrade(const Grade& grade) { return {{"value", grade.value}, {"grade", grade.grade}}; }
+
+/// Of the luminance that the depth search ended with, not of a picture.
+void describeGrades(Json& verification, const EngraveRequest& request, const EngraveResult& result) {
+  const SymbolGrades grades =
+      gradeSymbol(measureModules(result.symbol, result.luminance), static_cast<double>(request.albedo));
+  const Json common = {{"simulated", true},
+                       {"decode", describeGrade(grades.decode)},
+                       {"unusedErrorCorrection", describeGrade(grades.unusedCorrection)},
+                       {"fixedPatternDamage", describeGrade(grades.fixedPatternDamage)},
+                       {"formatInformation", describeGrade(grades.formatInformation)}};
+  Json printed = common, marked = common;
+  printed["symbolContrast"] = describeGrade(grades.symbolContrast);
+  printed["modulation"] = describeGrade(grades.modulation);
+  printed["reflectanceMargin"] = describeGrade(grades.reflectanceMargin);
+  printed["overall"] = grades.iso15415;
+  marked["cellContrast"] = describeGrade(grades.cellContrast);
+  marked["cellModulation"] = describeGrade(grades.cellModulation);
+  marked["overall"] = grades.iso29158;
+  verification["iso15415"] = printed;
+  verification["iso29158"] = marked;
+}
+
 }  // namespace
 
 std::vector<std::string> failedChecks(const EngraveRequest& request, const EngraveResult& result,
@@ -104,6 +129,7 @@ std::string makeReport(const EngraveRequest& request, const EngravableModel& mod
                                                     {"picture", "simulated phone"},
                                                     {"read", context.readBack == request.text}}})},
                             {"failedChecks", failedChecks(request, result, context.readBack)}};
+  describeGrades(report["verification"], request, result);
   const StageTimings& t = result.timingsMs;
   report["timingsMs"] = {{"load", context.loadMs}, {"prepare", context.prepareMs}, {"direction", t.direction},
                          {"size", t.size},         {"depthSearch", t.depthSearch}, {"embed", t.embed},

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "carving/depth_field.h"
+#include "qr/module_pattern.h"
+#include "qr/symbol.h"
+
+namespace qrelief {
+
+/// What a search for depths works on.
+struct CarvingTarget {
+  const Symbol* symbol = nullptr;
+  const SubmoduleMask* mask = nullptr;
+  double symbolMm = 0;
+  std::vector<double> limitMm;  ///< greatest depth of each submodule, row-major from the symbol's top left
+};
+
+/// A search for carving depths without the rendering: it is told luminances and answers depths.
+///
+///     while (!solver.finished()) solver.update(luminances(solver.depths()));
+class DepthSolver {
+ public:
+  virtual ~DepthSolver() = default;
+
+  /// One pass.
+  /// @param luminance  mean of every submodule of symbol and quiet zone at `depths()`, linear, 1 = unoccluded;
+  ///                   row-major from the quiet zone's top left, edge = 5·(modules + 8)
+  virtual void update(std::span<const double> luminance) = 0;
+
+  virtual bool finished() const = 0;
+  virtual int iterations() const = 0;
+  /// Share of what is carved that is done; not monotone, as deeper neighbours brighten each other.
+  virtual double doneShare() const = 0;
+  virtual const DepthField& depths() const = 0;
+  /// Submodules that a limit kept from being dark enough.
+  virtual std::size_t limitedCount() const = 0;
+};
+
+}  // namespace qrelief

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "qr/symbol.h"
+
+namespace qrelief {
+
+/// The surroundings that a dark module is compared with [Papp 2022, §7: AL]. The paper says "neighbours"; meant are the
+/// light modules (quiet zone included), in the 8-neighbourhood widened ring by ring until it holds four: carved
+/// neighbours would chase each other.
+class LightNeighbours {
+ public:
+  explicit LightNeighbours(const Symbol& symbol);
+
+  /// Mean of the four darkest light modules around a dark one.
+  /// @param module     row-major in the symbol
+  /// @param luminance  of every module of symbol and quiet zone, row-major from the quiet zone's top left
+  double darkestMean(std::size_t module, std::span<const double> luminance) const;
+
+ private:
+  std::vector<std::vector<std::uint32_t>> around_;  // per dark module: light modules, indexed as `luminance`
+};
+
+}  // namespace qrelief
