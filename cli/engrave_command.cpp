@@ -7,6 +7,7 @@
 #include "cli/files.h"
 #include "cli/progress_bar.h"
 #include "io/read_model.h"
+#include "io/write_checked.h"
 #include "native/egl_context.h"
 #include "native/png_file.h"
 #include "native/zxing_reader.h"
@@ -20,12 +21,13 @@ using Clock = std::chrono::steady_clock;
 
 struct EngraveOptions {
   std::string model, output, report, preview, units, size = "free", direction = "depth-balanced";
-  double scale = 1, maxDepth = 0;
+  std::optional<double> scale;
+  double maxDepth = 0;
   int version = 0;
   std::vector<double> at, up;
   std::string pattern = "square", finderPattern = "thick-plus", ecc = "M", solver = "paper-steps",
               surface = "preserved";
-  bool noQuietZone = false, quiet = false;
+  bool noQuietZone = false, ascii = false, quiet = false;
   EngraveRequest request;
 };
 
@@ -76,14 +78,24 @@ Status readDirection(const std::string& text, PlacementRequest& placement) {
   return {};
 }
 
-Status completeRequest(EngraveOptions& options, double scaleToMm) {
+/// For the check of -o; empty if such a file can be written.
+std::string whyNotWritable(const std::string& path) {
+  const ModelFormat format = formatOfName(path);
+  const bool writable = format == ModelFormat::Stl || format == ModelFormat::Obj || format == ModelFormat::Ply ||
+                        format == ModelFormat::ThreeMf;
+  return writable ? std::string() : fmt::format("{}: only .stl, .obj, .ply and .3mf files can be written", path);
+}
+
+Status completeRequest(EngraveOptions& options) {
   EngraveRequest& request = options.request;
   PlacementRequest& placement = request.placement;
   if (const Status read = readSize(options.size, placement); !read) return read;
   if (const Status read = readDirection(options.direction, placement); !read) return read;
-  placement.centreMm = Vec3(options.at[0], options.at[1], options.at[2]) * scaleToMm;
   if (!options.up.empty()) placement.upHint = {options.up[0], options.up[1], options.up[2]};
   placement.quietZone = !options.noQuietZone;
+  if (options.ascii && formatOfName(options.output) != ModelFormat::Stl)
+    return fail(ErrorCode::BadUsage, fmt::format("--ascii is for STL, and the output is {}", options.output),
+                "Leave it out, or name the output .stl");
   request.modulePattern = *modulePatternByName(options.pattern);
   request.finderPattern = *finderPatternByName(options.finderPattern);
   request.symbol.errorCorrection = *errorCorrectionByName(options.ecc);
@@ -104,10 +116,23 @@ Result<EngraveResult> runJob(std::shared_ptr<const EngravableModel> model, const
   }
 }
 
+/// The carved model in the format that the output's name asks for.
+Result<std::vector<std::uint8_t>> encodeModel(const EngraveOptions& options, const EngraveResult& result,
+                                              const std::vector<ModelPart>& parts) {
+  const ModelFormat format = formatOfName(options.output);
+  if (format == ModelFormat::Stl && !options.ascii) return result.stl;
+  std::vector<std::string> names;
+  for (const ModelPart& part : parts) names.push_back(part.name);
+  return writeChecked(objectsOf(result.mesh, result.partOfTriangle, names), format,
+                      {.title = fileNameOf(options.model), .ascii = options.ascii});
+}
+
 Status writeOutputs(const EngraveOptions& options, const EngravableModel& model, const EngraveResult& result,
-                    ReportContext& context, Clock::time_point start) {
+                    const std::vector<ModelPart>& parts, ReportContext& context, Clock::time_point start) {
   const auto writing = Clock::now();
-  if (const Status written = writeFileAtomically(options.output, result.stl); !written) return written;
+  const auto bytes = encodeModel(options, result, parts);
+  if (!bytes) return tl::unexpected(bytes.error());
+  if (const Status written = writeFileAtomically(options.output, *bytes); !written) return written;
   if (!options.preview.empty()) {
     const auto png = encodePng(result.readerView.clean);
     if (!png) return tl::unexpected(png.error());
@@ -132,22 +157,23 @@ void printSummary(const EngraveOptions& options, const EngraveResult& result, co
 
 int engraveModel(EngraveOptions& options) {
   const auto start = Clock::now();
-  const Result<double> scale = scaleFrom(options.scale, options.units);
-  if (!scale) return printError(scale.error());
-  if (const Status completed = completeRequest(options, *scale); !completed) return printError(completed.error());
+  const auto givenScale = scaleFrom(options.scale, options.units);
+  if (!givenScale) return printError(givenScale.error());
+  if (const Status completed = completeRequest(options); !completed) return printError(completed.error());
 
   ReportContext context;
   context.fileName = fileNameOf(options.model);
-  context.scaleToMm = *scale;
   const auto bytes = readFile(options.model);
   if (!bytes) return printError(bytes.error());
   const auto soup = readModel(*bytes, options.model);
   if (!soup) return printError(soup.error());
   context.format = soup->format;
+  context.scaleToMm = givenScale->value_or(soup->unitMm.value_or(1));
+  options.request.placement.centreMm = Vec3(options.at[0], options.at[1], options.at[2]) * context.scaleToMm;
   context.loadMs = millisecondsSince(start);
 
   const auto preparing = Clock::now();
-  auto prepared = prepareModel(*soup, {.scaleToMm = *scale});
+  auto prepared = prepareModel(*soup, {.scaleToMm = context.scaleToMm});
   if (!prepared) return printError(prepared.error());
   for (const std::string& warning : soup->warnings) fmt::print(stderr, "qrelief: {}\n", warning);
   for (const Finding& finding : prepared->findings)
@@ -169,7 +195,7 @@ int engraveModel(EngraveOptions& options) {
   context.reader = zxingName();
   result->timingsMs.verify += millisecondsSince(reading);
 
-  if (const Status written = writeOutputs(options, *model, *result, context, start); !written)
+  if (const Status written = writeOutputs(options, *model, *result, soup->parts, context, start); !written)
     return printError(written.error());
   printSummary(options, *result, context);
   const std::vector<std::string> failed = failedChecks(options.request, *result, context.readBack);
@@ -183,16 +209,15 @@ std::function<int()> addEngraveCommand(CLI::App& app) {
   auto o = std::make_shared<EngraveOptions>();
   EngraveRequest& request = o->request;
   CLI::App* c = app.add_subcommand("engrave", "Engrave a QR code");
-  c->add_option("MODEL", o->model, "OBJ, STL, PLY or OFF file")->required();
+  c->add_option("MODEL", o->model, "OBJ, STL, PLY, OFF or 3MF file")->required();
   c->add_option("--text", request.text, "what the code says, UTF-8")->required();
-  c->add_option("-o", o->output, "carved model, a binary STL in mm")->required()->check([](const std::string& path) {
-    return path.size() > 4 && path.ends_with(".stl") ? std::string() : "only .stl files can be written so far";
-  });
+  c->add_option("-o", o->output, "carved model in mm, .stl, .obj, .ply or .3mf")->required()->check(whyNotWritable);
+  c->add_flag("--ascii", o->ascii, "write the STL as text");
   c->add_option("--at", o->at, "X,Y,Z: centre in file units, moved to the nearest surface point")
       ->required()
       ->delimiter(',')
       ->expected(3);
-  c->add_option("--scale", o->scale, "file units → mm [1]");
+  c->add_option("--scale", o->scale, "file units → mm [1; 3MF: its own unit]");
   c->add_option("--units", o->units, "unit of the file, instead of --scale")
       ->check(CLI::IsMember({"mm", "cm", "m", "in"}));
   c->add_option("--size", o->size, "MM, free or oriented: edge of the symbol without quiet zone [free]");

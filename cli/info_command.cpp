@@ -12,7 +12,7 @@ namespace {
 
 struct InfoOptions {
   std::string model, units, json;
-  double scale = 1;
+  std::optional<double> scale;
 };
 
 const char* nameOf(Finding::Severity severity) {
@@ -20,13 +20,14 @@ const char* nameOf(Finding::Severity severity) {
 }
 
 int describe(const InfoOptions& options) {
-  const Result<double> scale = scaleFrom(options.scale, options.units);
-  if (!scale) return printError(scale.error());
+  const auto given = scaleFrom(options.scale, options.units);
+  if (!given) return printError(given.error());
   const auto bytes = readFile(options.model);
   if (!bytes) return printError(bytes.error());
   auto soup = readModel(*bytes, options.model);
   if (!soup) return printError(soup.error());
-  auto model = prepareModel(*soup, {.scaleToMm = *scale});
+  const double scale = given->value_or(soup->unitMm.value_or(1));
+  auto model = prepareModel(*soup, {.scaleToMm = scale});
   if (!model) return printError(model.error());
   const bool engravable = model->engravable().has_value();
 
@@ -37,7 +38,7 @@ int describe(const InfoOptions& options) {
                                  {"triangles", model->mesh.triangles.size()},
                                  {"vertices", model->mesh.positions.size()},
                                  {"shells", model->shells},
-                                 {"scaleToMm", *scale},
+                                 {"scaleToMm", scale},
                                  {"sizeMm", {size.x, size.y, size.z}},
                                  {"minMm", {box.min.x, box.min.y, box.min.z}},
                                  {"maxMm", {box.max.x, box.max.y, box.max.z}},
@@ -69,8 +70,8 @@ int describe(const InfoOptions& options) {
 std::function<int()> addInfoCommand(CLI::App& app) {
   auto options = std::make_shared<InfoOptions>();
   CLI::App* command = app.add_subcommand("info", "Size, triangles and defects of a model");
-  command->add_option("MODEL", options->model, "OBJ, STL, PLY or OFF file")->required();
-  command->add_option("--scale", options->scale, "file units → mm [1]");
+  command->add_option("MODEL", options->model, "OBJ, STL, PLY, OFF or 3MF file")->required();
+  command->add_option("--scale", options->scale, "file units → mm [1; 3MF: its own unit]");
   command->add_option("--units", options->units, "unit of the file, instead of --scale")
       ->check(CLI::IsMember({"mm", "cm", "m", "in"}));
   command->add_option("--json", options->json, "write it as JSON, too");

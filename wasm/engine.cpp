@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/read_model.h"
+#include "io/write_checked.h"
 #include "projection/size.h"
 #include "wasm/display_mesh.h"
 #include "wasm/settings.h"
@@ -133,12 +134,13 @@ Result<Engine::Model> Engine::readAndPrepare(std::vector<std::uint8_t> bytes, co
   Model model;
   model.fileName = fileName;
   model.format = soup->format;
-  model.scaleToMm = scaleToMm;
+  model.scaleToMm = scaleToMm > 0 ? scaleToMm : soup->unitMm.value_or(1);
   model.warnings = soup->warnings;
+  for (ModelPart& part : soup->parts) model.partNames.push_back(std::move(part.name));
   model.loadMs = millisecondsSince(start);
 
   const auto preparing = Clock::now();
-  auto prepared = prepareModel(*soup, {.scaleToMm = scaleToMm});
+  auto prepared = prepareModel(*soup, {.scaleToMm = model.scaleToMm});
   if (!prepared) return tl::unexpected(prepared.error());
   *soup = {};
   {
@@ -152,7 +154,7 @@ Result<Engine::Model> Engine::readAndPrepare(std::vector<std::uint8_t> bytes, co
 
 std::string Engine::loadModel(std::vector<std::uint8_t> bytes, const std::string& fileName, double scaleToMm) {
   if (!viewer_) return answer(ErrorCode::Internal, problems_.front(), "use a browser with WebGL 2 and float targets");
-  if (!(scaleToMm > 0) || !std::isfinite(scaleToMm))
+  if (!(scaleToMm >= 0) || !std::isfinite(scaleToMm))
     return answer(ErrorCode::BadUsage, fmt::format("the scale is {:g}", scaleToMm),
                   "Choose how many mm one unit of the file is");
   auto model = readAndPrepare(std::move(bytes), fileName, scaleToMm);
@@ -205,6 +207,7 @@ std::string Engine::describeModel() const {
   return dump({{"ok", true},
                {"model",
                 {{"format", model_->format},
+                 {"scaleToMm", model_->scaleToMm},
                  {"triangles", prepared.mesh.triangles.size()},
                  {"vertices", prepared.mesh.positions.size()},
                  {"sizeMm", triple(boundingBox(prepared.mesh).size())},
@@ -377,9 +380,12 @@ void Engine::setReadBack(const std::string& text, const std::string& reader) {
   reader_ = reader;
 }
 
-std::span<const std::uint8_t> Engine::exportModel(const std::string& format) const {
-  if (!result_ || format != "stl") return {};
-  return result_->stl;
+std::vector<std::uint8_t> Engine::exportModel(const std::string& format) const {
+  if (!result_) return {};
+  if (format == "stl") return result_->stl;
+  const auto bytes = writeChecked(objectsOf(result_->mesh, result_->partOfTriangle, model_->partNames),
+                                  formatOfName("." + format), {.title = model_->fileName});
+  return bytes ? *bytes : std::vector<std::uint8_t>();
 }
 
 void Engine::resize(double width, double height, double devicePixelRatio) {

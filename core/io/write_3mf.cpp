@@ -67,11 +67,13 @@ struct Numbering {
   std::vector<Colour> colours;  ///< each once, in order of appearance; empty: nothing has a colour
   std::vector<NumberedObject> objects;
 
-  explicit Numbering(std::span<const ModelObject> objectsToWrite) {
+  Numbering(std::span<const ModelObject> objectsToWrite, const std::string& title) {
     std::size_t nextId = 2;
     for (const ModelObject& object : objectsToWrite) {
       NumberedObject numbered;
-      numbered.name = !object.name.empty() ? object.name : fmt::format("Object {}", objects.size() + 1);
+      numbered.name = !object.name.empty()          ? object.name
+                      : objectsToWrite.size() == 1 ? title
+                                                   : fmt::format("Object {}", objects.size() + 1);
       for (const ModelBody& body : object.bodies) {
         const std::string name = !body.name.empty() ? body.name : numbered.name;
         numbered.bodies.push_back({&body, name, nextId++, colourOf(body)});
@@ -196,7 +198,7 @@ void putPrusaSettings(const Numbering& numbering, ZipWriter& zip) {
 }  // namespace
 
 Result<std::vector<std::uint8_t>> write3mf(std::span<const ModelObject> objects, const WriteOptions& options) {
-  const Numbering numbering(objects);
+  const Numbering numbering(objects, options.title);
   ZipWriter zip;
   zip.begin("[Content_Types].xml");
   zip.append(kXml);

@@ -14,6 +14,7 @@
 #include "io/write_stl.h"
 #include "math/tolerance.h"
 #include "mesh/weld.h"
+#include "pipeline/carved_parts.h"
 #include "render/luminance_pass.h"
 
 namespace qrelief {
@@ -283,6 +284,9 @@ Status EngraveJob::State::check() {
   const auto solidity = checkSolidity(result.mesh, embedded.newTriangles);
   if (!solidity) return tl::unexpected(solidity.error());
   result.solidity = *solidity;
+  const std::vector<std::uint32_t>& partOf = model->prepared.partOfTriangle;
+  result.partOfTriangle = partsAfterCarving(model->prepared.mesh, partOf, result.mesh, result.keptTriangles,
+                                            partOf.empty() ? 0 : partOf[result.placement.seed]);
   result.timingsMs.verify += millisecondsSince(start);
   embedded = {};
   stage = Stage::Viewing;

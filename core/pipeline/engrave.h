@@ -51,6 +51,9 @@ struct EngraveResult {
   Mesh mesh;                      ///< as an STL round trip gives it back
   std::vector<std::uint8_t> stl;  ///< the very bytes that were checked
   std::size_t keptTriangles = 0;  ///< facets of the input that came out bit for bit
+  /// Part of the model (PreparedModel::partOfTriangle) each triangle belongs to, the new ones to that of the facet
+  /// under the centre; empty: one part only.
+  std::vector<std::uint32_t> partOfTriangle;
   Symbol symbol;
   Placement placement;
   DepthField depths;

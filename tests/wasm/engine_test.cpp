@@ -145,6 +145,11 @@ TEST_F(EngineTest, EngravesStepByStepAndReportsWhatCameOut) {
   ASSERT_TRUE(carved.has_value());
   EXPECT_EQ(carved->triangles.size(), report["mesh"]["triangles"].get<std::size_t>());
   EXPECT_TRUE(engine_->exportModel("gif").empty());
+  for (const char* format : {"obj", "ply", "3mf"}) {
+    const auto same = readModel(engine_->exportModel(format), std::string("carved.") + format);
+    ASSERT_TRUE(same.has_value()) << format << ": " << same.error().message;
+    EXPECT_EQ(same->triangles.size(), carved->triangles.size()) << format;
+  }
 
   engine_->pick(200, 150);  // a new place: the result can still be had
   EXPECT_FALSE(engine_->exportModel("stl").empty());
