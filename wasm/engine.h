@@ -30,8 +30,8 @@ class Engine {
   /// {renderer, version, problems: [text]}; with a problem nothing can be drawn or engraved.
   std::string capabilities() const;
 
-  /// {model: {format, scaleToMm, triangles, vertices, sizeMm, shells, engravable, findings, centre}}; `centre` is the surface
-  /// point in the middle of the view, chosen until another is. After an error the old model stays.
+  /// {model: {format, scaleToMm, triangles, vertices, sizeMm, shells, engravable, findings, centre}}; `centre` is the
+  /// surface point in the middle of the view, chosen until another is. After an error the old model stays.
   /// @param bytes      the file; freed as soon as it is read
   /// @param scaleToMm  file units → mm; 0: as the file says (3MF), else 1
   std::string loadModel(std::vector<std::uint8_t> bytes, const std::string& fileName, double scaleToMm);

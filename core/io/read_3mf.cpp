@@ -17,8 +17,8 @@ namespace {
 constexpr std::string_view kRelationships = "_rels/.rels";
 constexpr std::string_view kRelationshipSpace = "http://schemas.openxmlformats.org/package/2006/relationships";
 constexpr std::string_view kStartPart = "http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel";
-constexpr std::size_t kMaxParts = 4096;       // model parts of one package
-constexpr std::size_t kMaxNesting = 32;       // of components
+constexpr std::size_t kMaxParts = 4096;         // model parts of one package
+constexpr std::size_t kMaxNesting = 32;         // of components
 constexpr std::size_t kMaxInstances = 100'000;  // objects after components are put together
 constexpr std::string_view kExportAgain = "The file is damaged; export it again";
 
@@ -135,8 +135,8 @@ class Package {
         }
         const auto name = partName(instance.path);
         if (!name)
-          return bad(fmt::format("Part {} of the 3MF file asks for object {} of {}, which is outside of it", quoted(own),
-                                 instance.object, quoted(instance.path)),
+          return bad(fmt::format("Part {} of the 3MF file asks for object {} of {}, which is outside of it",
+                                 quoted(own), instance.object, quoted(instance.path)),
                      "Export the model as one file");
         instance.path = *name;
         if (instance.path != own) wanted.push_back(*name);
@@ -274,11 +274,11 @@ class Builder {
                       notModels_, model.items.size()));
     if (empty_ > 0) soup_.warnings.push_back(fmt::format("{} items of the 3MF file have no triangle", empty_));
     if (soup_.triangles.empty())
-      return bad(model.items.empty() ? fmt::format("The 3MF file's build is empty: it has {} objects, but places none",
-                                                   model.objects.size())
-                                     : fmt::format("None of the {} items of the 3MF file has a triangle of a model",
-                                                   model.items.size()),
-                 "Export the model with its objects on the plate");
+      return bad(
+          model.items.empty()
+              ? fmt::format("The 3MF file's build is empty: it has {} objects, but places none", model.objects.size())
+              : fmt::format("None of the {} items of the 3MF file has a triangle of a model", model.items.size()),
+          "Export the model with its objects on the plate");
     for (const Vec3& p : soup_.positions)
       if (!(glm::length(p) < 1e300)) return bad("The 3MF file's transforms take its vertices out of all bounds");
     return std::move(soup_);

@@ -23,7 +23,8 @@ struct ReadLimits {
 /// Polygons are triangulated in their own plane (concave ones by ear clipping).
 /// @param bytes     the whole file
 /// @param fileName  only its extension is used
-/// @returns file units (and what they are, where the file says so); BadInput naming line, facet or byte for anything malformed
+/// @returns file units (and what they are, where the file says so); BadInput naming line, facet or byte for anything
+/// malformed
 Result<PolygonSoup> readModel(std::span<const std::uint8_t> bytes, std::string_view fileName,
                               const ReadLimits& limits = {});
 

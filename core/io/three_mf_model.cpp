@@ -180,7 +180,8 @@ class ModelHandler : public XmlHandler {
       if (!text) return badObject(fmt::format("vertex {} has no {}", number, name));
       const auto value = parseNumber(*text);
       if (!value) return badObject(fmt::format("vertex {}: {}", number, notANumber(*text)));
-      if (!std::isfinite(*value)) return badObject(fmt::format("vertex {} is at {}, which is not finite", number, *text));
+      if (!std::isfinite(*value))
+        return badObject(fmt::format("vertex {} is at {}, which is not finite", number, *text));
       p[axis] = *value;
     }
     object_->positions.push_back(p);

@@ -18,9 +18,11 @@ constexpr std::size_t kPieceBytes = 256 * 1024;
 std::size_t sequenceLength(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned lead = byte(0);
-  const std::size_t length = lead < 0x80 ? 1 : lead >= 0xc2 && lead < 0xe0 ? 2 : lead >= 0xe0 && lead < 0xf0 ? 3
-                             : lead >= 0xf0 && lead < 0xf5                 ? 4
-                                                                           : 0;
+  const std::size_t length = lead < 0x80                   ? 1
+                             : lead >= 0xc2 && lead < 0xe0 ? 2
+                             : lead >= 0xe0 && lead < 0xf0 ? 3
+                             : lead >= 0xf0 && lead < 0xf5 ? 4
+                                                           : 0;
   if (length == 0 || text.size() < length) return 0;
   for (std::size_t i = 1; i < length; ++i)
     if ((byte(i) & 0xc0) != 0x80) return 0;
@@ -36,13 +38,20 @@ std::string escaped(std::string_view text) {
   while (!text.empty()) {
     const std::size_t length = sequenceLength(text);
     const char c = text.front();
-    if (length > 1) result += text.substr(0, length);
-    else if (length == 0 || (c >= 0 && c < ' ')) result += '?';
-    else if (c == '&') result += "&amp;";
-    else if (c == '<') result += "&lt;";
-    else if (c == '>') result += "&gt;";
-    else if (c == '"') result += "&quot;";
-    else result += c;
+    if (length > 1)
+      result += text.substr(0, length);
+    else if (length == 0 || (c >= 0 && c < ' '))
+      result += '?';
+    else if (c == '&')
+      result += "&amp;";
+    else if (c == '<')
+      result += "&lt;";
+    else if (c == '>')
+      result += "&gt;";
+    else if (c == '"')
+      result += "&quot;";
+    else
+      result += c;
     text.remove_prefix(std::max<std::size_t>(length, 1));
   }
   return result;
@@ -71,7 +80,7 @@ struct Numbering {
     std::size_t nextId = 2;
     for (const ModelObject& object : objectsToWrite) {
       NumberedObject numbered;
-      numbered.name = !object.name.empty()          ? object.name
+      numbered.name = !object.name.empty()         ? object.name
                       : objectsToWrite.size() == 1 ? title
                                                    : fmt::format("Object {}", objects.size() + 1);
       for (const ModelBody& body : object.bodies) {
@@ -137,8 +146,9 @@ void putModel(const Numbering& numbering, const std::string& title, ZipWriter& z
            coloured ? " xmlns:m=\"http://schemas.microsoft.com/3dmanufacturing/material/2015/02\" "
                       "xmlns:cura=\"http://software.ultimaker.com/xml/cura/3mf/2015/10\" requiredextensions=\"m\""
                     : "");
-  text.add(FMT_COMPILE(" <metadata name=\"Title\">{}</metadata>\n <metadata name=\"Application\">QRelief {}</metadata>\n"),
-           escaped(title), QRELIEF_VERSION);
+  text.add(
+      FMT_COMPILE(" <metadata name=\"Title\">{}</metadata>\n <metadata name=\"Application\">QRelief {}</metadata>\n"),
+      escaped(title), QRELIEF_VERSION);
   text.add(FMT_COMPILE(" <resources>\n"));
   if (coloured) {
     text.add(FMT_COMPILE("  <m:colorgroup id=\"1\">\n"));

@@ -28,11 +28,13 @@ Status checkRequest(std::span<const ModelObject> objects, ModelFormat format, co
   if (options.ascii && format != ModelFormat::Stl)
     return fail(ErrorCode::BadUsage, fmt::format("{} is not written as text by choice; only STL is", nameOf(format)),
                 "Leave the choice out, or write an STL file");
-  const bool several = std::any_of(objects.begin(), objects.end(), [](const ModelObject& o) { return o.bodies.size() > 1; });
+  const bool several =
+      std::any_of(objects.begin(), objects.end(), [](const ModelObject& o) { return o.bodies.size() > 1; });
   if (several && format != ModelFormat::ThreeMf)
-    return fail(ErrorCode::BadUsage,
-                fmt::format("An object of several bodies cannot be written as {}, which holds one only", nameOf(format)),
-                "Write a 3MF file");
+    return fail(
+        ErrorCode::BadUsage,
+        fmt::format("An object of several bodies cannot be written as {}, which holds one only", nameOf(format)),
+        "Write a 3MF file");
   return {};
 }
 
@@ -85,7 +87,8 @@ std::vector<ModelObject> objectsOf(const Mesh& mesh, std::span<const std::uint32
   for (std::size_t p = 0; p < parts; ++p) {
     Mesh& body = objects[p].bodies.front().mesh;
     used.clear();
-    for (const std::uint32_t t : trianglesOf[p]) used.insert(used.end(), mesh.triangles[t].begin(), mesh.triangles[t].end());
+    for (const std::uint32_t t : trianglesOf[p])
+      used.insert(used.end(), mesh.triangles[t].begin(), mesh.triangles[t].end());
     std::sort(used.begin(), used.end());
     used.erase(std::unique(used.begin(), used.end()), used.end());
     for (const std::uint32_t v : used) {

@@ -19,8 +19,8 @@ using Colour = std::array<std::uint8_t, 3>;
 
 /// What is printed in one material.
 struct ModelBody {
-  std::string name;  ///< UTF-8; may be empty
-  Mesh mesh;         ///< mm, at least one triangle
+  std::string name;              ///< UTF-8; may be empty
+  Mesh mesh;                     ///< mm, at least one triangle
   std::optional<Colour> colour;  ///< none where others have one: the first colour that occurs
 };
 

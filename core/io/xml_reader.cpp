@@ -103,10 +103,10 @@ Status readXml(ZipStream& stream, const std::string& part, XmlHandler& handler) 
   XML_SetStartNamespaceDeclHandler(parser.get(), onSpace);
   XML_SetStartDoctypeDeclHandler(parser.get(), onDoctype);
   const auto failHere = [&](std::string what, std::string hint) {
-    return fail(ErrorCode::BadInput,
-                fmt::format("Part {} of the 3MF file, line {}: {}", quoted(part),
-                            XML_GetCurrentLineNumber(parser.get()), what),
-                hint.empty() ? "The file is damaged; export it again" : std::move(hint));
+    return fail(
+        ErrorCode::BadInput,
+        fmt::format("Part {} of the 3MF file, line {}: {}", quoted(part), XML_GetCurrentLineNumber(parser.get()), what),
+        hint.empty() ? "The file is damaged; export it again" : std::move(hint));
   };
 
   XML_Index fed = 0;

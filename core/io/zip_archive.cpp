@@ -27,7 +27,7 @@ constexpr std::uint32_t kDirectorySignature = 0x02014b50;
 constexpr std::uint32_t kLocalSignature = 0x04034b50;
 constexpr std::uint16_t kZip64Field = 0x0001;
 constexpr std::uint32_t kSee64 = 0xffffffff;  // "the number is in the ZIP64 record"
-constexpr std::uint16_t kEncrypted = 0x0001;
+constexpr std::uint16_t kEncrypted = 0x0001, kSizesFollow = 0x0008;
 constexpr std::uint16_t kStored = 0, kDeflated = 8;
 constexpr std::size_t kPieceBytes = 64 * 1024;
 
@@ -97,8 +97,8 @@ Result<Directory> findDirectory64(Bytes bytes, std::size_t endRecord) {
 Result<Directory> findDirectory(Bytes bytes) {
   const Result<std::size_t> at = findEndRecord(bytes);
   if (!at) return tl::unexpected(at.error());
-  const bool has64 = *at >= kZip64LocatorBytes &&
-                     loadBytes<std::uint32_t>(&bytes[*at - kZip64LocatorBytes]) == kZip64LocatorSignature;
+  const bool has64 =
+      *at >= kZip64LocatorBytes && loadBytes<std::uint32_t>(&bytes[*at - kZip64LocatorBytes]) == kZip64LocatorSignature;
   Directory directory;
   if (has64) {
     const Result<Directory> found = findDirectory64(bytes, *at);
@@ -113,7 +113,8 @@ Result<Directory> findDirectory(Bytes bytes) {
     directory.size = record.u32();
     directory.offset = record.u32();
     directory.end = *at;
-    if (disk != 0 || directoryDisk != 0 || entriesHere != directory.entries) return damaged("it is one of several disks");
+    if (disk != 0 || directoryDisk != 0 || entriesHere != directory.entries)
+      return damaged("it is one of several disks");
   }
   if (directory.offset > directory.end || directory.end - directory.offset < directory.size)
     return damaged("its directory is out of place");
@@ -150,7 +151,9 @@ bool take64(Bytes extra, std::array<std::uint64_t*, 3> numbers) {
 
 /// Reads one line and moves on to the next.
 Result<Listed> readListed(Bytes& lines, std::uint64_t number) {
-  const auto bad = [&](const char* what) { return damaged(fmt::format("line {} of its directory {}", number + 1, what)); };
+  const auto bad = [&](const char* what) {
+    return damaged(fmt::format("line {} of its directory {}", number + 1, what));
+  };
   if (lines.size() < kDirectoryHeaderBytes || loadBytes<std::uint32_t>(lines.data()) != kDirectorySignature)
     return bad("is missing");
   Fields fields(lines);
@@ -177,15 +180,31 @@ Result<Listed> readListed(Bytes& lines, std::uint64_t number) {
   return listed;
 }
 
-/// Finds the compressed bytes; the local header must name the same file.
+/// Whether the numbers of a file's own header are those of the directory, where it has them.
+bool agrees(Fields header, const Listed& listed) {
+  header.skip(6);
+  const std::uint16_t flags = header.u16(), method = header.u16();
+  header.skip(4);  // time and date
+  const std::uint32_t crc = header.u32(), packedSize = header.u32(), size = header.u32();
+  const auto same = [](std::uint32_t number, std::uint64_t expected) { return number == kSee64 || number == expected; };
+  if (method != listed.entry.method) return false;
+  return flags & kSizesFollow ||
+         (crc == listed.entry.crc && same(packedSize, listed.packedSize) && same(size, listed.entry.size));
+}
+
+/// Finds the compressed bytes; the local header must speak of the same file.
 /// @param limit  where the directory begins
 Status findContent(Bytes bytes, std::uint64_t limit, Listed& listed) {
-  const auto bad = [&](const char* what) { return damaged(fmt::format("the file {} {}", quoted(listed.entry.name), what)); };
+  const auto bad = [&](const char* what) {
+    return damaged(fmt::format("the file {} {}", quoted(listed.entry.name), what));
+  };
   const std::uint64_t at = listed.localHeader;
   if (at > limit || limit - at < kLocalHeaderBytes) return bad("is out of place");
   Fields fields(bytes.subspan(static_cast<std::size_t>(at)));
   if (fields.u32() != kLocalSignature) return bad("is not where the directory says");
   fields.skip(22);
+  if (!agrees(Fields(bytes.subspan(static_cast<std::size_t>(at))), listed))
+    return bad("has other numbers in its own header");
   const std::size_t nameSize = fields.u16(), extraSize = fields.u16();
   const std::uint64_t begin = at + kLocalHeaderBytes + nameSize + extraSize;
   if (begin > limit || limit - begin < listed.packedSize) return bad("reaches into the directory");
@@ -199,19 +218,21 @@ Status findContent(Bytes bytes, std::uint64_t limit, Listed& listed) {
 
 /// Files packed into each other's bytes are how small archives expand without end.
 Status checkOverlap(Bytes bytes, std::vector<Listed>& files) {
-  std::sort(files.begin(), files.end(),
-            [](const Listed& a, const Listed& b) { return a.localHeader < b.localHeader; });
+  std::sort(files.begin(), files.end(), [](const Listed& a, const Listed& b) { return a.localHeader < b.localHeader; });
   for (std::size_t i = 1; i < files.size(); ++i) {
     const Bytes before = files[i - 1].entry.packed;
     if (static_cast<std::uint64_t>(before.data() - bytes.data()) + before.size() > files[i].localHeader)
-      return damaged(fmt::format("the files {} and {} overlap", quoted(files[i - 1].entry.name),
-                                 quoted(files[i].entry.name)));
+      return damaged(
+          fmt::format("the files {} and {} overlap", quoted(files[i - 1].entry.name), quoted(files[i].entry.name)));
   }
   return {};
 }
 
 int hexValue(char c) {
-  return c >= '0' && c <= '9' ? c - '0' : c >= 'a' && c <= 'f' ? c - 'a' + 10 : c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
+  return c >= '0' && c <= '9'   ? c - '0'
+         : c >= 'a' && c <= 'f' ? c - 'a' + 10
+         : c >= 'A' && c <= 'F' ? c - 'A' + 10
+                                : -1;
 }
 
 std::string comparable(std::string_view name) {
@@ -290,8 +311,10 @@ struct ZipStream::State {
     while (z.avail_out == piece.size() && !ended) {
       const int status = inflate(&z, Z_NO_FLUSH);
       if (status == Z_MEM_ERROR) throw std::bad_alloc();
-      if (status == Z_STREAM_END) ended = true;
-      else if (status != Z_OK) return bad("cannot be unpacked");
+      if (status == Z_STREAM_END)
+        ended = true;
+      else if (status != Z_OK)
+        return bad("cannot be unpacked");
     }
     return Bytes(piece.data(), piece.size() - z.avail_out);
   }

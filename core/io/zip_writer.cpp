@@ -110,8 +110,8 @@ void ZipWriter::append(std::string_view content) {
   State& s = *state_;
   assert(s.open);
   File& file = s.files.back();
-  file.crc = static_cast<std::uint32_t>(
-      crc32_z(file.crc, reinterpret_cast<const Bytef*>(content.data()), content.size()));
+  file.crc =
+      static_cast<std::uint32_t>(crc32_z(file.crc, reinterpret_cast<const Bytef*>(content.data()), content.size()));
   file.size += content.size();
   s.compress(content, Z_NO_FLUSH);
 }

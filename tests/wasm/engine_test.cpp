@@ -9,6 +9,7 @@
 #include "io/write_stl.h"
 #include "support/gl_test.h"
 #include "support/shapes.h"
+#include "support/zip_file.h"
 
 namespace qrelief {
 namespace {
@@ -102,6 +103,14 @@ TEST_F(EngineTest, TheFreeSizeOnABoxesTopIsTheClosedForm) {
   EXPECT_NEAR(placement["symbolMm"].get<double>(), std::sqrt(2.0) * 30 * 29 / 37, 0.01);
   EXPECT_NEAR(placement["normal"][2].get<double>(), 1, 1e-6);
   EXPECT_NEAR(placement["moduleMm"].get<double>() * 29, placement["symbolMm"].get<double>(), 1e-9);
+}
+
+TEST_F(EngineTest, AScaleOfZeroLeavesTheUnitToTheFile) {
+  const auto inches = zip_file::threeMf(
+      zip_file::modelPart(zip_file::boxObject(1, 2, 3, 1), "<item objectid=\"1\"/>", "unit=\"inch\""));
+  EXPECT_EQ(Json::parse(engine_->loadModel(inches, "a.3mf", 0))["model"]["scaleToMm"], 25.4);
+  EXPECT_EQ(Json::parse(engine_->loadModel(inches, "a.3mf", 10))["model"]["scaleToMm"], 10);
+  EXPECT_EQ(Json::parse(engine_->loadModel(writeStl(shapes::box({9, 9, 9})), "a.stl", 0))["model"]["scaleToMm"], 1);
 }
 
 TEST_F(EngineTest, WhatIsMissingIsNamed) {
