@@ -14,7 +14,7 @@ namespace {
 constexpr std::uint16_t kVersionNeeded = 20;  // deflate
 constexpr std::uint16_t kDeflated = 8;
 constexpr std::uint16_t kDate = 1 << 5 | 1;  // 1 January 1980, the format's first day
-constexpr int kLevel = 4;  // on the text of meshes 6 % larger than zlib's default, in half the time
+constexpr int kLevel = 4;                    // on the text of meshes 6 % larger than zlib's default, in half the time
 constexpr int kMemoryLevel = 8;
 constexpr std::size_t kCrcInLocalHeader = 14;
 constexpr std::uint64_t kMaxBytes = 0xfffffffe;
