@@ -7,7 +7,6 @@
 
 #include "math/tolerance.h"
 #include "mesh/collinear.h"
-#include "mesh/topology.h"
 
 namespace qrelief {
 namespace {
@@ -107,17 +106,6 @@ std::vector<std::uint32_t> countUsers(const EdgeTable& edges) {
   return users;
 }
 
-/// Every edge of a repeated triangle has two or more triangles, and one of them is the twin: most meshes are cleared by
-/// a look at each triangle's neighbours.
-bool mayHaveDuplicates(std::span<const Triangle> triangles, const EdgeTable& edges) {
-  for (std::size_t e = 0; e < edges.size(); ++e) {
-    const auto users = edges.at(e);
-    if (users.size() > 2) return true;
-    if (users.size() == 2 && sorted(triangles[users[0] / 3]) == sorted(triangles[users[1] / 3])) return true;
-  }
-  return false;
-}
-
 /// How many triangles of a group over the same corners stay. Two that face opposite ways are a wall without thickness:
 /// both go, if that leaves no edge with a single triangle (a misoriented copy in a closed surface would).
 std::size_t survivors(std::span<const std::uint32_t> group, std::span<const Triangle> triangles,
@@ -173,6 +161,16 @@ void removeFlaps(Mesh& mesh, const EdgeTable& edges, double maxHeight, Cleaning&
 }
 
 }  // namespace
+
+bool mayHaveDuplicates(std::span<const Triangle> triangles, const EdgeTable& edges) {
+  // Every edge of a repeated triangle has two or more triangles, and one of them is the twin.
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const auto users = edges.at(e);
+    if (users.size() > 2) return true;
+    if (users.size() == 2 && sorted(triangles[users[0] / 3]) == sorted(triangles[users[1] / 3])) return true;
+  }
+  return false;
+}
 
 Cleaning cleanTriangles(Mesh& mesh) {
   Cleaning report;

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "mesh/mesh.h"
+#include "mesh/topology.h"
 
 namespace qrelief {
 
@@ -33,5 +34,10 @@ struct Cleaning {
 /// Cost: O(T); with collinear triangles a few edge tables more.
 /// @param mesh  welded
 Cleaning cleanTriangles(Mesh& mesh);
+
+/// False if no two triangles have the same three vertices: one look at each triangle's neighbours says so for most
+/// meshes. Cost: O(T).
+/// @param edges  of the triangles
+bool mayHaveDuplicates(std::span<const Triangle> triangles, const EdgeTable& edges);
 
 }  // namespace qrelief
