@@ -21,11 +21,23 @@ bool isCollinear(const Mesh& mesh, const Triangle& t) {
   return collinear(mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]);
 }
 
-void dropMarked(std::vector<Triangle>& triangles, const std::vector<char>& drop) {
+template <class T>
+void dropMarked(std::vector<T>& items, const std::vector<char>& drop) {
   std::size_t kept = 0;
-  for (std::size_t t = 0; t < triangles.size(); ++t)
-    if (!drop[t]) triangles[kept++] = triangles[t];
-  triangles.resize(kept);
+  for (std::size_t i = 0; i < items.size(); ++i)
+    if (!drop[i]) items[kept++] = items[i];
+  items.resize(kept);
+}
+
+/// Drops triangles, and remembers where those that stay come from.
+void dropMarked(Mesh& mesh, const std::vector<char>& drop, Cleaning& report) {
+  if (std::find(drop.begin(), drop.end(), 1) == drop.end()) return;
+  if (report.origin.empty()) {
+    report.origin.resize(mesh.triangles.size());
+    std::iota(report.origin.begin(), report.origin.end(), 0u);
+  }
+  dropMarked(report.origin, drop);
+  dropMarked(mesh.triangles, drop);
 }
 
 bool isClosed(std::span<const Triangle> triangles) {
@@ -79,13 +91,13 @@ void removeSlivers(Mesh& mesh, std::vector<char> sliver, Cleaning& report) {
   std::vector<Triangle> without = mesh.triangles;
   dropMarked(without, sliver);
   if (isClosed(without)) {
-    mesh.triangles = std::move(without);
+    dropMarked(mesh, sliver, report);
     return;
   }
   for (std::size_t work = 0; work < kMaxFlipWork; work += mesh.triangles.size())
     if (flipSlivers(mesh, sliver) == 0) break;
   report.mended = slivers - static_cast<std::size_t>(std::count(sliver.begin(), sliver.end(), 1));
-  dropMarked(mesh.triangles, sliver);
+  dropMarked(mesh, sliver, report);
 }
 
 Triangle sorted(Triangle t) {
@@ -135,7 +147,7 @@ void removeDuplicates(Mesh& mesh, const EdgeTable& edges, Cleaning& report) {
       if (report.duplicates++ == 0) report.duplicateAt = mesh.positions[mesh.triangles[t][0]];
     }
   }
-  dropMarked(mesh.triangles, drop);
+  dropMarked(mesh, drop, report);
 }
 
 double heightOver(const Mesh& mesh, const Triangle& t, std::size_t k) {
@@ -157,7 +169,7 @@ void removeFlaps(Mesh& mesh, const EdgeTable& edges, double maxHeight, Cleaning&
       drop[t] = 1;
       if (report.degenerate++ == 0) report.degenerateAt = mesh.positions[mesh.triangles[t][0]];
     }
-  dropMarked(mesh.triangles, drop);
+  dropMarked(mesh, drop, report);
 }
 
 }  // namespace
@@ -180,7 +192,7 @@ Cleaning cleanTriangles(Mesh& mesh) {
     drop[t] = 1;
     if (report.degenerate++ == 0) report.degenerateAt = mesh.positions[mesh.triangles[t][0]];
   }
-  if (report.degenerate > 0) dropMarked(mesh.triangles, drop);
+  dropMarked(mesh, drop, report);
 
   std::vector<char> sliver(mesh.triangles.size(), 0);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
