@@ -14,7 +14,7 @@ struct Defects {
   std::size_t openEdges = 0;  ///< edges of one triangle
   std::size_t holes = 0;      ///< connected groups of open edges
   Vec3 openAt{0};
-  std::uint32_t openTriangle = 0;  ///< there
+  std::uint32_t openTriangle = 0;    ///< there
   std::size_t nonManifoldEdges = 0;  ///< edges of three and more triangles
   Vec3 nonManifoldEdgeAt{0};
   std::vector<std::uint32_t> nonManifoldTriangles;  ///< there

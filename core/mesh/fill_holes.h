@@ -28,8 +28,8 @@ struct HoleFilling {
 
 /// Fills small holes: simple loops of open edges, each triangulated so that the sharpest fold, then the area, is least
 /// [Liepa 2003, after Barequet and Sharir 1995]; no vertex is added. A patch that would cross the surface, double a
-/// triangle or give an edge a third triangle is taken back. A surface with more than a thousand loops is in pieces rather
-/// than full of holes: nothing is filled or counted.
+/// triangle or give an edge a third triangle is taken back. A surface with more than a thousand loops is in pieces
+/// rather than full of holes: nothing is filled or counted.
 ///
 /// Cost: O(e³) for a hole of e edges, and a search for crossings of the new triangles.
 /// @param mesh           consistently oriented

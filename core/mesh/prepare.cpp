@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kImplausibleMm = 1e7;  // 10 km
 constexpr double kHugeMm = 2000;
-constexpr double kTinyMm = 10;  // no code that can be printed fits
+constexpr double kTinyMm = 10;                                // no code that can be printed fits
 constexpr double kLeastPrintedMm = 15, kMostPrintedMm = 500;  // what a unit may make of a tiny model
 constexpr double kCoarseMm = 0.001;  // a hundredth of a layer: coarser coordinates begin to show
 constexpr std::size_t kMaxTriangles = std::size_t{1} << 30;  // half-edges are numbered in 32 bits

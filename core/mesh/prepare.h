@@ -45,7 +45,7 @@ struct PreparedModel {
   std::vector<Vec3f> normals;  ///< smooth unit vertex normals
   std::vector<Finding> findings;
   std::size_t shells = 0;
-  std::vector<std::uint32_t> partOfTriangle;      ///< index into the soup's parts; empty: one part only
+  std::vector<std::uint32_t> partOfTriangle;    ///< index into the soup's parts; empty: one part only
   std::vector<UnitSuggestion> unitSuggestions;  ///< if the model is tiny; may be empty
 
   /// The first blocking finding as an error, if there is one.

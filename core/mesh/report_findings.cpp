@@ -21,12 +21,12 @@ void reportMended(bool allowed, std::string code, std::size_t count, std::string
 
 void reportCleaning(const Cleaning& cleaning, bool allowed, FindingList& findings) {
   if (cleaning.degenerate > 0)
-    reportMended(allowed, "degenerate-triangles", cleaning.degenerate,
-                 counted(cleaning.degenerate, "triangle has no area", "triangles have no area") +
-                     fmt::format(", one at {}", findings.place(*cleaning.degenerateAt)),
-                 cleaning.mended == 0 ? "dropped"
-                                      : fmt::format("removed, {} of them into their neighbours", cleaning.mended),
-                 findings);
+    reportMended(
+        allowed, "degenerate-triangles", cleaning.degenerate,
+        counted(cleaning.degenerate, "triangle has no area", "triangles have no area") +
+            fmt::format(", one at {}", findings.place(*cleaning.degenerateAt)),
+        cleaning.mended == 0 ? "dropped" : fmt::format("removed, {} of them into their neighbours", cleaning.mended),
+        findings);
   if (cleaning.duplicates > 0)
     reportMended(allowed, "duplicate-triangles", cleaning.duplicates,
                  counted(cleaning.duplicates, "triangle has", "triangles have") +
@@ -61,21 +61,21 @@ void reportFilling(const Repaired& repaired, FindingList& findings) {
                                   findings.length(filling.largestFilledMm), findings.place(filling.filledAt)),
                   "Look whether the model is right there; --no-repair holes leaves them open");
   if (filling.tooLarge > 0)
-    findings.block("large-openings", filling.tooLarge,
-                   counted(filling.tooLarge, "opening is", "openings are") +
-                       fmt::format(" too large to be filled (more than {} across, or {} edges): the largest is {} "
-                                   "across, has {} edges and starts at {}",
-                                   findings.length(repaired.maxHoleMm), kMostHoleEdges,
-                                   findings.length(filling.largestLeftMm), filling.largestLeftEdges,
-                                   findings.place(filling.leftAt)),
-                   "If it is meant to be closed there, close it in a mesh program or raise --max-hole; a surface that "
-                   "is open by design needs a thickness first (\"shell\", \"solidify\")");
+    findings.block(
+        "large-openings", filling.tooLarge,
+        counted(filling.tooLarge, "opening is", "openings are") +
+            fmt::format(" too large to be filled (more than {} across, or {} edges): the largest is {} "
+                        "across, has {} edges and starts at {}",
+                        findings.length(repaired.maxHoleMm), kMostHoleEdges, findings.length(filling.largestLeftMm),
+                        filling.largestLeftEdges, findings.place(filling.leftAt)),
+        "If it is meant to be closed there, close it in a mesh program or raise --max-hole; a surface that "
+        "is open by design needs a thickness first (\"shell\", \"solidify\")");
   if (filling.blocked > 0)
-    findings.block("holes-left", filling.blocked,
-                   counted(filling.blocked, "hole", "holes") +
-                       fmt::format(" cannot be filled without crossing the surface, one at {}",
-                                   findings.place(filling.blockedAt)),
-                   "Mend it in a mesh program (\"make solid\", \"repair\")");
+    findings.block(
+        "holes-left", filling.blocked,
+        counted(filling.blocked, "hole", "holes") +
+            fmt::format(" cannot be filled without crossing the surface, one at {}", findings.place(filling.blockedAt)),
+        "Mend it in a mesh program (\"make solid\", \"repair\")");
 }
 
 /// "facet 12", "facets 12, 88 and 90", as the file counts them.
@@ -117,13 +117,12 @@ void reportDefects(const Repaired& repaired, std::span<const ModelPart> parts,
                     facetsOf(repaired, std::span(&defects.openTriangle, 1))),
         "Close the holes and merge nearby vertices in a mesh program (\"make solid\", \"repair\"), then try again");
   if (defects.nonManifoldEdges > 0)
-    findings.block("non-manifold-edges", defects.nonManifoldEdges,
-                   counted(defects.nonManifoldEdges, "edge belongs", "edges belong") +
-                       fmt::format(" to more than two triangles, one at {}, of {}{}",
-                                   findings.place(defects.nonManifoldEdgeAt),
-                                   facetsOf(repaired, defects.nonManifoldTriangles),
-                                   partsThere(repaired, parts, partOfTriangle)),
-                   "Remove inner walls and doubled faces in a mesh program (\"make manifold\"), then try again");
+    findings.block(
+        "non-manifold-edges", defects.nonManifoldEdges,
+        counted(defects.nonManifoldEdges, "edge belongs", "edges belong") +
+            fmt::format(" to more than two triangles, one at {}, of {}{}", findings.place(defects.nonManifoldEdgeAt),
+                        facetsOf(repaired, defects.nonManifoldTriangles), partsThere(repaired, parts, partOfTriangle)),
+        "Remove inner walls and doubled faces in a mesh program (\"make manifold\"), then try again");
   if (defects.nonManifoldVertices > 0)
     findings.warn("non-manifold-vertices", defects.nonManifoldVertices,
                   fmt::format("At {} parts of the surface touch in a single point, as at {}; left as it is",

@@ -10,9 +10,9 @@ namespace qrelief {
 
 /// What weldNear() did.
 struct NearWelding {
-  std::size_t moved = 0;    ///< vertices that became one with another
+  std::size_t moved = 0;  ///< vertices that became one with another
   double largestMoveMm = 0;
-  Vec3 at{0};               ///< where the first of them was
+  Vec3 at{0};  ///< where the first of them was
 };
 
 /// Makes vertices on open edges one if they lie within a tolerance of each other: the nearest first, and the one of the

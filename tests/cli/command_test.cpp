@@ -203,8 +203,8 @@ TEST_F(CommandTest, RepairsAreSwitchedByOptions) {
   EXPECT_EQ(run({"info", model, "--max-hole", "wide"}).status, 2);
   EXPECT_EQ(run({"info", model, "--weld-tolerance", "-1"}).status, 2);
   EXPECT_EQ(run({"info", model, "--no-repair", "colours"}).status, 2);
-  EXPECT_EQ(run({"engrave", model, "--text", "x", "--at", "0,0,40", "-o", path("out.stl"), "--no-repair", "all"}).status,
-            3);
+  EXPECT_EQ(
+      run({"engrave", model, "--text", "x", "--at", "0,0,40", "-o", path("out.stl"), "--no-repair", "all"}).status, 3);
 }
 
 TEST_F(CommandTest, VersionAndHelpAreStatusZero) {

@@ -139,7 +139,8 @@ TEST(PrepareModel, BlocksWhatARepairThatIsSwitchedOffWouldHaveMended) {
   const RepairOptions none = RepairOptions::none();
   expectFinding(*prepareModel(shapes::soupOf(stray), {.repair = none}), "duplicate-triangles", Severity::Blocking, 1);
   expectFinding(*prepareModel(shapes::soupOf(stray), {.repair = none}), "degenerate-triangles", Severity::Blocking, 1);
-  expectFinding(*prepareModel(shapes::soupOf(turned), {.repair = none}), "misoriented-triangles", Severity::Blocking, 1);
+  expectFinding(*prepareModel(shapes::soupOf(turned), {.repair = none}), "misoriented-triangles", Severity::Blocking,
+                1);
   expectFinding(*prepareModel(shapes::soupOf(shapes::insideOut(shapes::box({10, 10, 10}))), {.repair = none}),
                 "inside-out", Severity::Blocking, 1);
 }
@@ -172,7 +173,8 @@ TEST(PrepareModel, NamesPartsThatTouchAlongAnEdge) {
   soup.parts = {{"left", 0}, {"right", 12}};
   const auto model = prepareModel(soup, {});
   expectFinding(*model, "non-manifold-edges", Severity::Blocking, 1);
-  EXPECT_THAT(find(*model, "non-manifold-edges")->message, HasSubstr("parts 1 (\"left\") and 2 (\"right\") touch there"));
+  EXPECT_THAT(find(*model, "non-manifold-edges")->message,
+              HasSubstr("parts 1 (\"left\") and 2 (\"right\") touch there"));
 }
 
 TEST(PrepareModel, RefusesAToleranceThatMakesNoSense) {
