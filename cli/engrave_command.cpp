@@ -6,6 +6,7 @@
 #include "cli/commands.h"
 #include "cli/files.h"
 #include "cli/progress_bar.h"
+#include "cli/repair_flags.h"
 #include "io/read_model.h"
 #include "io/write_checked.h"
 #include "native/egl_context.h"
@@ -28,6 +29,7 @@ struct EngraveOptions {
   std::string pattern = "square", finderPattern = "thick-plus", ecc = "M", solver = "paper-steps",
               surface = "preserved";
   bool noQuietZone = false, ascii = false, quiet = false;
+  RepairFlags repair;
   EngraveRequest request;
 };
 
@@ -174,7 +176,9 @@ int engraveModel(EngraveOptions& options) {
   context.loadMs = millisecondsSince(start);
 
   const auto preparing = Clock::now();
-  auto prepared = prepareModel(*soup, {.scaleToMm = context.scaleToMm});
+  const Result<RepairOptions> repair = repairOptionsFrom(options.repair);
+  if (!repair) return printError(repair.error());
+  auto prepared = prepareModel(*soup, {.scaleToMm = context.scaleToMm, .repair = *repair});
   if (!prepared) return printError(prepared.error());
   for (const std::string& warning : soup->warnings) fmt::print(stderr, "qrelief: {}\n", warning);
   for (const Finding& finding : prepared->findings)
@@ -221,6 +225,7 @@ std::function<int()> addEngraveCommand(CLI::App& app) {
   c->add_option("--scale", o->scale, "file units → mm [1; 3MF: its own unit]");
   c->add_option("--units", o->units, "unit of the file, instead of --scale")
       ->check(CLI::IsMember({"mm", "cm", "m", "in"}));
+  addRepairFlags(*c, o->repair);
   c->add_option("--size", o->size, "MM, free, oriented or best: edge of the symbol without quiet zone [free]");
   c->add_option("--max-size", request.placement.maxSizeMm, "upper bound for a found size, mm [60]");
   c->add_option("--up", o->up, "X,Y,Z: where the symbol's top points [0,0,1]")->delimiter(',')->expected(3);

@@ -4,6 +4,7 @@
 
 #include "cli/commands.h"
 #include "cli/files.h"
+#include "cli/repair_flags.h"
 #include "io/read_model.h"
 #include "mesh/prepare.h"
 
@@ -13,6 +14,7 @@ namespace {
 struct InfoOptions {
   std::string model, units, json;
   std::optional<double> scale;
+  RepairFlags repair;
 };
 
 const char* nameOf(Finding::Severity severity) {
@@ -27,7 +29,9 @@ int describe(const InfoOptions& options) {
   auto soup = readModel(*bytes, options.model);
   if (!soup) return printError(soup.error());
   const double scale = given->value_or(soup->unitMm.value_or(1));
-  auto model = prepareModel(*soup, {.scaleToMm = scale});
+  const Result<RepairOptions> repair = repairOptionsFrom(options.repair);
+  if (!repair) return printError(repair.error());
+  auto model = prepareModel(*soup, {.scaleToMm = scale, .repair = *repair});
   if (!model) return printError(model.error());
   const bool engravable = model->engravable().has_value();
 
@@ -44,6 +48,8 @@ int describe(const InfoOptions& options) {
                                  {"maxMm", {box.max.x, box.max.y, box.max.z}},
                                  {"engravable", engravable},
                                  {"findings", nlohmann::ordered_json::array()}};
+  for (const UnitSuggestion& unit : model->unitSuggestions)
+    json["unitSuggestions"].push_back({{"units", unit.unit}, {"scaleToMm", unit.scaleToMm}});
   if (engravable) json["volumeMm3"] = signedVolume(model->mesh);
   fmt::print("{}: {}, {} triangles, {} vertices, {} shell{}\n", fileNameOf(options.model), soup->format,
              model->mesh.triangles.size(), model->mesh.positions.size(), model->shells, model->shells == 1 ? "" : "s");
@@ -74,6 +80,7 @@ std::function<int()> addInfoCommand(CLI::App& app) {
   command->add_option("--scale", options->scale, "file units → mm [1; 3MF: its own unit]");
   command->add_option("--units", options->units, "unit of the file, instead of --scale")
       ->check(CLI::IsMember({"mm", "cm", "m", "in"}));
+  addRepairFlags(*command, options->repair);
   command->add_option("--json", options->json, "write it as JSON, too");
   return [options] { return describe(*options); };
 }

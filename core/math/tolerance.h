@@ -34,6 +34,17 @@ inline constexpr double kStraightSine = 1e-6;
 /// counts as the remains of one without area: files with six digits round that much.
 inline constexpr double kFlapHeight = 1e-5;
 
+/// Vertices on open edges nearer than this share of the model's diagonal become one if no tolerance is given: a micron
+/// on a figure as large as a hand, finer than any printer and coarser than files with six digits ...
+inline constexpr double kWeldShare = 1e-5;
+
+/// ... but never less than so many steps of 32-bit floats at the model's farthest coordinate.
+inline constexpr double kWeldFloatSteps = 4;
+
+/// Holes up to this share of the model's diagonal are filled if no size is given: scans miss the underside of what they
+/// stand on, a fifth of it or so; vases and open boxes gape wider.
+inline constexpr double kHoleShare = 0.2;
+
 /// How far a vertex may be moved to part triangles that cross, as a part of the mean length of its edges: it stays
 /// nearer to its place than to its neighbours, so the facets around it keep their order ...
 inline constexpr double kUntangleEdgeShare = 0.5;

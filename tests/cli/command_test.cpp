@@ -242,9 +242,24 @@ TEST_F(CommandTest, InfoTellsSizeAndFindings) {
   const auto info = nlohmann::json::parse(contentOf(path("info.json")));
   EXPECT_EQ(info["sizeMm"], nlohmann::json({40, 30, 20}));
   EXPECT_FALSE(info["engravable"].get<bool>());
-  ASSERT_FALSE(info["findings"].empty());
-  EXPECT_EQ(info["findings"][0]["code"], "open-edges");
-  EXPECT_EQ(info["findings"][0]["count"], 3);
+  ASSERT_EQ(info["findings"].size(), 2u);
+  EXPECT_EQ(info["findings"][0]["code"], "large-openings");
+  EXPECT_EQ(info["findings"][1]["code"], "open-edges");
+  EXPECT_EQ(info["findings"][1]["count"], 3);
+}
+
+TEST_F(CommandTest, RepairsAreSwitchedByOptions) {
+  Mesh open = shapes::icosphere(40, 3);
+  open.triangles.pop_back();
+  const std::string model = writeModel("open.stl", open);
+  EXPECT_NE(run({"info", model}).out.find("1 hole was filled"), std::string::npos);
+  EXPECT_NE(run({"info", model, "--no-repair", "weld,holes"}).out.find("3 open edges"), std::string::npos);
+  EXPECT_NE(run({"info", model, "--max-hole", "0.1"}).out.find("too large to be filled"), std::string::npos);
+  EXPECT_EQ(run({"info", model, "--max-hole", "wide"}).status, 2);
+  EXPECT_EQ(run({"info", model, "--weld-tolerance", "-1"}).status, 2);
+  EXPECT_EQ(run({"info", model, "--no-repair", "colours"}).status, 2);
+  EXPECT_EQ(
+      run({"engrave", model, "--text", "x", "--at", "0,0,40", "-o", path("out.stl"), "--no-repair", "all"}).status, 3);
 }
 
 TEST_F(CommandTest, VersionAndHelpAreStatusZero) {
