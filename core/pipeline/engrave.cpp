@@ -264,7 +264,8 @@ Status EngraveJob::State::searchOnce() {
 Status EngraveJob::State::embed() {
   const auto start = std::chrono::steady_clock::now();
   auto made =
-      embedDepthField(model->prepared.mesh, result.placement.frame, result.placement.patch.triangles, result.depths);
+      embedDepthField(model->prepared.mesh, result.placement.frame, result.placement.patch.triangles, result.depths,
+                      {.surface = request.surface, .inlay = request.inlay});
   if (!made) return tl::unexpected(made.error());
   embedded = std::move(*made);
   result.keptTriangles = embedded.keptTriangles;
@@ -283,6 +284,14 @@ Status EngraveJob::State::check() {
   const auto solidity = checkSolidity(result.mesh, embedded.newTriangles);
   if (!solidity) return tl::unexpected(solidity.error());
   result.solidity = *solidity;
+  if (request.inlay) {
+    const auto readInlay = readModel(writeStl(embedded.inlay), "inlay.stl");
+    if (!readInlay) return tl::unexpected(readInlay.error());
+    result.inlay = welded(*readInlay);
+    const auto inlaySolidity = checkSolidity(*result.inlay);
+    if (!inlaySolidity) return tl::unexpected(inlaySolidity.error());
+    result.inlaySolidity = *inlaySolidity;
+  }
   result.timingsMs.verify += millisecondsSince(start);
   embedded = {};
   stage = Stage::Viewing;
