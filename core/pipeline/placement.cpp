@@ -67,8 +67,8 @@ Status PlacementSearch::measure(Vec3 normal) {
   const bool fixed = request_.sizeMode == SizeMode::Fixed;
   const ProjectionFrame frame = frameFor(normal);
   const double largest = std::max(request_.maxSizeMm, fixed ? request_.sizeMm : 0.0) * outerFactor();
-  auto patch =
-      findVisiblePatch(model_->mesh, model_->adjacency, frame, placement_.seed, largest * std::numbers::sqrt2 / 2);
+  auto patch = findVisiblePatch(model_->mesh, model_->adjacency, frame, placement_.seed,
+                                largest * std::numbers::sqrt2 / 2 + request_.knownMarginMm);
   if (!patch) return tl::unexpected(patch.error());
 
   placement_.frame = frame;

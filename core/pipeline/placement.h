@@ -23,6 +23,7 @@ struct PlacementRequest {
   Vec3 centreMm{0};  ///< moved to the nearest surface point
   SizeMode sizeMode = SizeMode::Free;
   double sizeMm = 0;      ///< Fixed: edge of the symbol without quiet zone, > 0
+  double knownMarginMm = 0;  ///< the surface is looked at so much farther than the code reaches, ≥ 0
   double maxSizeMm = 60;  ///< upper bound of a found size, > 0
   bool quietZone = true;  ///< the quiet zone must fit, too
   Vec3 upHint{0, 0, 1};   ///< where the symbol's top points, projected onto the QR plane
