@@ -14,8 +14,8 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "embedding_spot.h"
 #include "embedding/embed.h"
+#include "embedding_spot.h"
 #include "io/read_model.h"
 
 namespace qrelief {

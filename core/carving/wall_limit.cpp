@@ -152,8 +152,9 @@ class SampleGrid {
     for (int row = 0; row < carved_.size; ++row)
       for (int column = 0; column < carved_.size; ++column)
         for (int k = 0; carved_.isCarved(row, column) && k < (kSteps + 1) * (kSteps + 1); ++k)
-          visit(static_cast<std::size_t>(row * carved_.size + column),
-                static_cast<std::size_t>((kSteps * row + k / (kSteps + 1)) * side_ + kSteps * column + k % (kSteps + 1)));
+          visit(
+              static_cast<std::size_t>(row * carved_.size + column),
+              static_cast<std::size_t>((kSteps * row + k / (kSteps + 1)) * side_ + kSteps * column + k % (kSteps + 1)));
   }
 
   std::size_t size() const { return used_.size(); }

@@ -32,14 +32,16 @@ struct WallLimitOptions {
 ///
 /// **Method.** The distance d of a point from those facets changes by no more than the point moves. So the point goes
 /// down its ray from the surface by d − minWall each time (sphere tracing), but by no less than half of
-/// kDepthQuantumMm, so that it goes on along walls it runs parallel to. A submodule's limit is the least of its corners,
-/// its centre and the middles of its sides: exact where surface and wall are plane there; elsewhere too deep by no more
-/// than they bulge between points a quarter of a submodule apart, and too shallow by no more than half a quantum.
+/// kDepthQuantumMm, so that it goes on along walls it runs parallel to. A submodule's limit is the least of its
+/// corners, its centre and the middles of its sides: exact where surface and wall are plane there; elsewhere too deep
+/// by no more than they bulge between points a quarter of a submodule apart, and too shallow by no more than half a
+/// quantum.
 ///
 /// Cost: one pass over the mesh, two trees over the facets near the carved region, one query for each of those points
 /// or, near a wall, a dozen.
 /// @param carved  size × size submodules; row-major from the symbol's top left
-/// @returns per submodule the limit in mm along its ray, 0 … maxDepthMm; 0 where nothing is carved or the patch does not
+/// @returns per submodule the limit in mm along its ray, 0 … maxDepthMm; 0 where nothing is carved or the patch does
+/// not
 ///          cover it
 std::vector<double> wallLimits(const Mesh& mesh, const VisiblePatch& patch, const ProjectionFrame& frame,
                                const SubmoduleMask& carved, const WallLimitOptions& options);

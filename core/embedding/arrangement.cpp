@@ -20,8 +20,8 @@ struct Constraint {
   std::uint32_t from, to;
   std::uint32_t leftFacet = kNoFacet, rightFacet = kNoFacet;
   int leftLevel = kUnknown, rightLevel = kUnknown;
-  bool onEdge = false;     ///< of the model
-  bool onBorder = false;   ///< of the resampled square
+  bool onEdge = false;    ///< of the model
+  bool onBorder = false;  ///< of the resampled square
   bool endsFacet() const { return onEdge || onBorder; }
 };
 

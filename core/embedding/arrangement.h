@@ -42,7 +42,8 @@ struct Arrangement {
 ///
 /// Cost: O(n log n) in vertices and crossings.
 /// @param edges  the footprint's edges, in the same order
-/// @returns NoSolution if an outline, a carved area or the resampled square leaves the footprint; Internal if pieces cross, which the
+/// @returns NoSolution if an outline, a carved area or the resampled square leaves the footprint; Internal if pieces
+/// cross, which the
 ///          outlines' clearance from the model rules out unless the footprint overlaps itself
 Result<Arrangement> arrange(const Footprint& footprint, EdgeGrid& edges, const OutlineGraph& graph);
 

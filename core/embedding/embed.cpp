@@ -224,10 +224,9 @@ Result<EmbedResult> embedDepthField(const Mesh& mesh, const ProjectionFrame& fra
   if (footprint->facets.empty())
     return fail(ErrorCode::NoSolution, "No part of the visible surface lies under the code",
                 "choose another centre or direction");
-  OutlineGraph graph =
-      options.surface == SurfaceMode::Resampled
-          ? buildGridOutlines(levels, chamferMm)
-          : buildOutlines(levels, chamferMm, longestOutline(*footprint, levels.submoduleMm(), snapMm));
+  OutlineGraph graph = options.surface == SurfaceMode::Resampled
+                           ? buildGridOutlines(levels, chamferMm)
+                           : buildOutlines(levels, chamferMm, longestOutline(*footprint, levels.submoduleMm(), snapMm));
   const Result<Carving> carving = carve(mesh, frame, *footprint, std::move(graph), snapMm);
   if (!carving) return tl::unexpected(carving.error());
   EmbedResult result = assemble(mesh, *footprint, *carving);

@@ -77,6 +77,14 @@ Status checkRequest(const EngraveRequest& request) {
   return {};
 }
 
+/// The walls beside the largest code that may be asked for must be known, too (see wallLimits).
+EngraveRequest withMargin(EngraveRequest request, int modules) {
+  PlacementRequest& place = request.placement;
+  const double largest = place.sizeMode == SizeMode::Fixed ? place.sizeMm : place.maxSizeMm;
+  place.beyondMm = request.minWallMm + request.maxDepthMm.value_or(kMaxDepthModules * largest / modules);
+  return request;
+}
+
 }  // namespace
 
 std::shared_ptr<const EngravableModel> EngravableModel::upload(PreparedModel prepared) {
@@ -257,9 +265,8 @@ Status EngraveJob::State::searchOnce() {
 
 Status EngraveJob::State::embed() {
   const auto start = std::chrono::steady_clock::now();
-  auto made =
-      embedDepthField(model->prepared.mesh, result.placement.frame, result.placement.patch.triangles, result.depths,
-                      {.surface = request.surface, .inlay = request.inlay});
+  auto made = embedDepthField(model->prepared.mesh, result.placement.frame, result.placement.patch.triangles,
+                              result.depths, {.surface = request.surface, .inlay = request.inlay});
   if (!made) return tl::unexpected(made.error());
   embedded = std::move(*made);
   result.keptTriangles = embedded.keptTriangles;
@@ -322,14 +329,9 @@ Result<std::unique_ptr<EngraveJob>> EngraveJob::create(std::shared_ptr<const Eng
   auto pass = GeometryPass::create();
   if (!pass) return tl::unexpected(pass.error());
 
-  // What lies beside the code may be the other side of a wall next to a pocket.
-  const double widest = std::max(request.placement.maxSizeMm, request.placement.sizeMm);
-  request.placement.knownMarginMm =
-      request.minWallMm + request.maxDepthMm.value_or(kMaxDepthModules * widest / symbol->size);
-
   auto state = std::make_unique<State>();
   state->model = std::move(model);
-  state->request = std::move(request);
+  state->request = withMargin(std::move(request), symbol->size);
   state->pass = std::move(*pass);
   state->symbol = std::move(*symbol);
   state->mask = submodulesToCarve(state->symbol, state->request.modulePattern, state->request.finderPattern);

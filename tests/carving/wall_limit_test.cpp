@@ -51,7 +51,8 @@ struct Case {
                       {.symbolMm = symbolMm, .maxDepthMm = maxDepthMm, .minWallMm = minWallMm});
   }
 
-  /// The closed form, which is least at a corner or the centre, as `limitAt(point of a flat upper side at height z, ray)`.
+  /// The closed form, which is least at a corner or the centre, as `limitAt(point of a flat upper side at height z,
+  /// ray)`.
   void expectLimits(double z, const std::function<double(Vec3, Vec3)>& limitAt) const {
     const std::vector<double> actual = limits();
     for (int row = 0; row < size; ++row) {
@@ -197,9 +198,12 @@ TEST(WallLimit, BesideASharpRidgeIsMeasuredThroughItThoughTheEyeSeesBothSides) {
   // A roof of 50° at its ridge along y: beside the ridge the material is thin from the start.
   const double slope = 1 / std::tan(25 * 0.017453292519943295);
   Mesh roof;
-  roof.positions = {{-10, -100, static_cast<float>(-10 * slope)}, {10, -100, static_cast<float>(-10 * slope)},
-                    {10, 100, static_cast<float>(-10 * slope)},   {-10, 100, static_cast<float>(-10 * slope)},
-                    {0, -100, 0},                                 {0, 100, 0}};
+  roof.positions = {{-10, -100, static_cast<float>(-10 * slope)},
+                    {10, -100, static_cast<float>(-10 * slope)},
+                    {10, 100, static_cast<float>(-10 * slope)},
+                    {-10, 100, static_cast<float>(-10 * slope)},
+                    {0, -100, 0},
+                    {0, 100, 0}};
   roof.triangles = {{0, 2, 1}, {0, 3, 2}, {0, 1, 4}, {2, 3, 5}, {1, 2, 5}, {1, 5, 4}, {3, 0, 4}, {3, 4, 5}};
   Case c{.mesh = roof, .symbolMm = 4, .size = 20};
   c.prepare();

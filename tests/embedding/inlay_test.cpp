@@ -92,8 +92,7 @@ TEST(Inlay, OfACheckerboardIsABodyForEachSubmodule) {
   const Mesh mesh = shapes::plate({47, 43}, 10, 3, 2);
   const DepthField field = fieldOf(15, 9, [](int r, int c) { return (r + c) % 2 == 0 ? 0.4 : 0.0; });
   for (const SurfaceMode surface : {SurfaceMode::Preserved, SurfaceMode::Resampled}) {
-    const auto result =
-        oracle::carve(mesh, obliquelyAbove({1.3, 0.7, 0}), field, {.surface = surface, .inlay = true});
+    const auto result = oracle::carve(mesh, obliquelyAbove({1.3, 0.7, 0}), field, {.surface = surface, .inlay = true});
     ASSERT_TRUE(result) << result.error().message;
     EXPECT_EQ(problemsOf(result->inlay), "");
     EXPECT_EQ(oracle::eulerCharacteristic(result->inlay), 2 * 113);  // of 15² submodules, 113 spheres

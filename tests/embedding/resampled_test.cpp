@@ -63,9 +63,8 @@ TEST(Resampled, TakesTheVolumeOfThePocketsFromAPlate) {
   const Mesh mesh = shapes::plate({47, 43}, 10, 3, 2);
   const ProjectionFrame frame = makeFrame({1.3, 0.7, 0}, {0, 0, 1}, {0.3, 1, 0}, 250);
   // Nothing on the border, whose nodes may move; no diagonal neighbours, which are kept apart.
-  const DepthField field = fieldOf(25, 25, [](int r, int c) {
-    return r > 0 && r < 24 && c > 0 && c < 24 && r % 2 == 0 ? 0.1 + 0.03 * c : 0.0;
-  });
+  const DepthField field = fieldOf(
+      25, 25, [](int r, int c) { return r > 0 && r < 24 && c > 0 && c < 24 && r % 2 == 0 ? 0.1 + 0.03 * c : 0.0; });
   const auto result = oracle::carve(mesh, frame, field, kResampled);
   ASSERT_TRUE(result) << result.error().message;
   EXPECT_EQ(oracle::solidProblems(*result), "");
@@ -172,9 +171,8 @@ TEST(Resampled, MakesASolidOfTheRightDepthWhateverTheFieldAndTheShape) {
     const ProjectionFrame frame =
         makeFrame(centre + offset, outwards + (Vec3(unit(), unit(), unit()) - 0.5) * 0.3, {unit(), unit(), 1}, 250);
     const double share = unit();
-    const DepthField field = fieldOf(5 * (2 + pick(4)), 4 + 8 * unit(), [&](int, int) {
-      return unit() < share ? kDepthQuantumMm * (1 + pick(40)) : 0.0;
-    });
+    const DepthField field = fieldOf(5 * (2 + pick(4)), 4 + 8 * unit(),
+                                     [&](int, int) { return unit() < share ? kDepthQuantumMm * (1 + pick(40)) : 0.0; });
     const auto result = oracle::carve(mesh, frame, field, kResampled);
     ASSERT_TRUE(result) << result.error().message;
     EXPECT_EQ(oracle::solidProblems(*result), "");

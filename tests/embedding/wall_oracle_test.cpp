@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Wall limits (carving/wall_limit.h) and embedding together, held against the model by brute force: what is taken out of
-// a body keeps the minimum wall from whatever the eye does not see of it, or sees edge-on, in every direction.
+// Wall limits (carving/wall_limit.h) and embedding together, held against the model by brute force: what is taken out
+// of a body keeps the minimum wall from whatever the eye does not see of it, or sees edge-on, in every direction.
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
@@ -92,16 +92,17 @@ std::vector<Body> bodies() {
       {"box with a cavity that comes near in one corner",
        shapes::together(shapes::translated(shapes::box({40, 40, 20}), {0, 0, -10}),
                         shapes::insideOut(shapes::translated(shapes::icosphere(6, 2), {4, 3, -7.3})))},
-      {"two shells side by side",
-       shapes::together(shapes::translated(shapes::box({13, 40, 20}), {0, 0, -10}),
-                        shapes::translated(shapes::box({13, 40, 20}), {13.2, 0, -12}))},
+      {"two shells side by side", shapes::together(shapes::translated(shapes::box({13, 40, 20}), {0, 0, -10}),
+                                                   shapes::translated(shapes::box({13, 40, 20}), {13.2, 0, -12}))},
       {"wedge", wedge()},
       {"hollow pyramid of few facets", hollowPyramid()},
       {"saddle", sheet(saddle, 14, 2.0, 24)},
       {"wavy sheet", sheet(waves, 14, 1.6, 40)},
       {"drafted block", draftedBlock(), {2, 0, 300}},
-      {"block seen obliquely beside its edge", shapes::translated(shapes::box({40, 40, 20}), {0, 0, -10}),
-       {13, 0, 300}, {-0.3, 0.1, 1}},
+      {"block seen obliquely beside its edge",
+       shapes::translated(shapes::box({40, 40, 20}), {0, 0, -10}),
+       {13, 0, 300},
+       {-0.3, 0.1, 1}},
   };
 }
 
@@ -136,15 +137,14 @@ TEST(WallOracle, WhatIsTakenOutKeepsTheMinimumWallFromEveryOtherSide) {
   for (const Body& body : bodies()) {
     SCOPED_TRACE(body.name);
     const auto spot = brute_force::spotSeen(body.mesh, body.from, {0, 0, -1}, body.normal, {0.2, 1, 0});
-    const auto patch =
-        findVisiblePatch(body.mesh, buildAdjacency(body.mesh.triangles), spot.frame, spot.seed, 1000);
+    const auto patch = findVisiblePatch(body.mesh, buildAdjacency(body.mesh.triangles), spot.frame, spot.seed, 1000);
     ASSERT_TRUE(patch) << patch.error().message;
     constexpr int kSize = 24;
     SubmoduleMask mask{kSize, {}};
     for (int k = 0; k < kSize * kSize; ++k) mask.carved.push_back(random() % 3 != 0);
-    const std::vector<double> limits = wallLimits(body.mesh, *patch, spot.frame, mask,
-                                                  {.symbolMm = body.symbolMm, .maxDepthMm = kMaxDepthMm,
-                                                   .minWallMm = kMinWallMm});
+    const std::vector<double> limits =
+        wallLimits(body.mesh, *patch, spot.frame, mask,
+                   {.symbolMm = body.symbolMm, .maxDepthMm = kMaxDepthMm, .minWallMm = kMinWallMm});
     DepthField field{kSize, body.symbolMm, {}};
     for (const double limit : limits) field.depthMm.push_back(std::floor(limit / kDepthQuantumMm) * kDepthQuantumMm);
     const std::vector<std::uint32_t> sides = otherSides(body.mesh, spot.frame, body.symbolMm + kMaxDepthMm);
