@@ -100,6 +100,7 @@ Status completeRequest(EngraveOptions& options) {
     return fail(ErrorCode::BadUsage, fmt::format("--ascii is for STL, and the output is {}", options.output),
                 "Leave it out, or name the output .stl");
   request.modulePattern = *modulePatternByName(options.pattern);
+  request.surface = *surfaceModeByName(options.surface);
   request.finderPattern = *finderPatternByName(options.finderPattern);
   request.symbol.errorCorrection = *errorCorrectionByName(options.ecc);
   if (options.version > 0) request.symbol.version = options.version;
@@ -246,7 +247,7 @@ std::function<int()> addEngraveCommand(CLI::App& app) {
   c->add_option("--min-wall", request.minWallMm, "material that must remain, mm [0.8]");
   c->add_option("--solver", o->solver, "how the depth is found [paper-steps]")->check(CLI::IsMember({"paper-steps"}));
   c->add_option("--surface", o->surface, "what happens to the model's own facets [preserved]")
-      ->check(CLI::IsMember({"preserved"}));
+      ->check(CLI::IsMember({"preserved", "resampled"}));
   c->add_option("--report", o->report, "write everything that was found and measured as JSON");
   c->add_option("--preview", o->preview, "write the result as the reader sees it as PNG");
   c->add_flag("--quiet", o->quiet, "no progress");

@@ -22,6 +22,19 @@ inline constexpr double kNearPlaneShare = 1e-9;
 /// certainly apart, and keeps sample points clear of contours.
 inline constexpr double kProjectionNoise = 1e-12;
 
+/// Cosine of the angle between a facet's normal and the ray that meets it, below which it counts as a side wall that
+/// the eye happens to see: a pocket beside it, whose walls run along the rays, leaves a blade sharper than 11.5°, and a
+/// code upon it is stretched more than fivefold.
+inline constexpr double kGrazingCosine = 0.2;
+
+/// Cosine of the angle between two facets' normals below which one is the other side of the material under the other:
+/// they enclose less than 75° of it.
+inline constexpr double kOppositeCosine = -0.26;
+
+/// A point this near to a facet's image counts as covered by it, mm: a thousand times the rounding error of a
+/// projection at 1 m, and far less than anything that is carved.
+inline constexpr double kCoveredMm = 1e-9;
+
 /// Depths are rounded to this grid, mm: a tenth of the finest layer, so that neighbours that differ
 /// only by noise share one floor, and no wall is lower than 32-bit floats can hold at 1 m.
 inline constexpr double kDepthQuantumMm = 0.01;
