@@ -10,7 +10,7 @@
 #include "native/egl_context.h"
 #include "native/png_file.h"
 #include "native/zxing_reader.h"
-#include "pipeline/engrave.h"
+#include "pipeline/place.h"
 #include "pipeline/report.h"
 
 namespace qrelief {
@@ -81,7 +81,7 @@ Status completeRequest(EngraveOptions& options, double scaleToMm) {
   PlacementRequest& placement = request.placement;
   if (const Status read = readSize(options.size, placement); !read) return read;
   if (const Status read = readDirection(options.direction, placement); !read) return read;
-  placement.centreMm = Vec3(options.at[0], options.at[1], options.at[2]) * scaleToMm;
+  if (!options.at.empty()) placement.centreMm = Vec3(options.at[0], options.at[1], options.at[2]) * scaleToMm;
   if (!options.up.empty()) placement.upHint = {options.up[0], options.up[1], options.up[2]};
   placement.quietZone = !options.noQuietZone;
   request.modulePattern = *modulePatternByName(options.pattern);
@@ -92,16 +92,32 @@ Status completeRequest(EngraveOptions& options, double scaleToMm) {
   return {};
 }
 
+/// Without --at: the best spot for the size asked for, or the one that takes the largest.
+Status chooseSpot(std::shared_ptr<const EngravableModel> model, EngraveOptions& options, double scaleToMm) {
+  EngraveRequest& request = options.request;
+  const auto symbol = encodeSymbol(request.text, request.symbol);
+  if (!symbol) return tl::unexpected(symbol.error());
+  auto job = PlaceJob::create(std::move(model), {.placement = request.placement,
+                                                 .modules = symbol->size,
+                                                 .minWallMm = request.minWallMm,
+                                                 .count = 3,
+                                                 .scaleToMm = scaleToMm});
+  if (!job) return tl::unexpected(job.error());
+  if (const Status done = runWithProgress(**job, options.quiet); !done) return done;
+  const OfferedSpot spot = (*job)->takeResult().spots.front();
+  request.placement.centreMm = spot.centreMm;
+  if (spot.needsDirection) request.placement.direction = spot.direction;
+  const int decimals = centreDecimals(scaleToMm);
+  fmt::print("placed at {:.{}f},{:.{}f},{:.{}f}\n", spot.centreFileUnits.x, decimals, spot.centreFileUnits.y, decimals,
+             spot.centreFileUnits.z, decimals);
+  return {};
+}
+
 Result<EngraveResult> runJob(std::shared_ptr<const EngravableModel> model, const EngraveOptions& options) {
   auto job = EngraveJob::create(std::move(model), options.request);
   if (!job) return tl::unexpected(job.error());
-  ProgressBar bar(options.quiet);
-  for (;;) {
-    const Result<Progress> progress = (*job)->advance();
-    if (!progress) return tl::unexpected(progress.error());
-    bar.show(*progress);
-    if (progress->done) return (*job)->takeResult();
-  }
+  if (const Status done = runWithProgress(**job, options.quiet); !done) return tl::unexpected(done.error());
+  return (*job)->takeResult();
 }
 
 Status writeOutputs(const EngraveOptions& options, const EngravableModel& model, const EngraveResult& result,
@@ -162,6 +178,8 @@ int engraveModel(EngraveOptions& options) {
   const auto model = EngravableModel::upload(std::move(*prepared));
   context.prepareMs = millisecondsSince(preparing);
 
+  if (options.at.empty())
+    if (const Status chosen = chooseSpot(model, options, *scale); !chosen) return printError(chosen.error());
   auto result = runJob(model, options);
   if (!result) return printError(result.error());
   const auto reading = Clock::now();
@@ -188,8 +206,7 @@ std::function<int()> addEngraveCommand(CLI::App& app) {
   c->add_option("-o", o->output, "carved model, a binary STL in mm")->required()->check([](const std::string& path) {
     return path.size() > 4 && path.ends_with(".stl") ? std::string() : "only .stl files can be written so far";
   });
-  c->add_option("--at", o->at, "X,Y,Z: centre in file units, moved to the nearest surface point")
-      ->required()
+  c->add_option("--at", o->at, "X,Y,Z: centre in file units, moved to the nearest surface point [best spot found]")
       ->delimiter(',')
       ->expected(3);
   c->add_option("--scale", o->scale, "file units → mm [1]");

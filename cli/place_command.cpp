@@ -59,18 +59,6 @@ Status completeRequest(PlaceOptions& options) {
   return {};
 }
 
-Result<PlaceResult> runJob(std::shared_ptr<const EngravableModel> model, const PlaceOptions& options) {
-  auto job = PlaceJob::create(std::move(model), options.request);
-  if (!job) return tl::unexpected(job.error());
-  ProgressBar bar(options.quiet);
-  for (;;) {
-    const Result<Progress> progress = (*job)->advance();
-    if (!progress) return tl::unexpected(progress.error());
-    bar.show(*progress);
-    if (progress->done) return (*job)->takeResult();
-  }
-}
-
 Json describe(const PlaceOptions& options, const LoadedModel& input, std::size_t triangles, const PlaceResult& result) {
   const PlaceRequest& request = options.request;
   Json json;
@@ -132,13 +120,15 @@ int findSpots(PlaceOptions& options) {
   const double prepareMs = millisecondsSince(start);
 
   const auto placing = Clock::now();
-  const auto result = runJob(model, options);
-  if (!result) return printError(result.error());
-  printSpots(*result, input->scaleToMm);
-  if (result->spots.size() < options.request.count)
-    fmt::print(stderr, "qrelief: {} spots were asked for, {} found\n", options.request.count, result->spots.size());
+  auto job = PlaceJob::create(model, options.request);
+  if (!job) return printError(job.error());
+  if (const Status done = runWithProgress(**job, options.quiet); !done) return printError(done.error());
+  const PlaceResult result = (*job)->takeResult();
+  printSpots(result, input->scaleToMm);
+  if (result.spots.size() < options.request.count)
+    fmt::print(stderr, "qrelief: {} spots were asked for, {} found\n", options.request.count, result.spots.size());
   if (options.json.empty()) return kEngraved;
-  Json json = describe(options, *input, model->prepared.mesh.triangles.size(), *result);
+  Json json = describe(options, *input, model->prepared.mesh.triangles.size(), result);
   json["timingsMs"] = {
       {"prepare", prepareMs}, {"place", millisecondsSince(placing)}, {"total", millisecondsSince(start)}};
   // A file name that is no UTF-8 must not lose the report.

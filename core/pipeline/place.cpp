@@ -17,17 +17,18 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double kSliceMs = 30;     // of views drawn in one piece of work
-constexpr double kMapShare = 0.6;   // of the progress
-constexpr double kMapMayErr = 0.9;  // a spot that the map gives this share of the size is worth a test; so is one
-                                    // that takes the square at some rotation only, down to 1/√2 of it
+constexpr double kSliceMs = 30;       // of views drawn in one piece of work
+constexpr double kMapShare = 0.6;     // of the progress
+constexpr double kMapMayErr = 0.9;    // a spot that the map gives this share of the size is worth a test; so is one
+                                      // that takes the square at some rotation only, down to 1/√2 of it
+constexpr double kMostSlopeDeg = 70;  // beyond it readers failed at codes that fitted; the map's own limit is 65°
 constexpr double kTrustedSizeShare = 1.001;  // what fits is to be larger than what is offered by this much
 constexpr std::size_t kTriesPerSpot = 4;
 constexpr std::size_t kLeastTries = 8;
 constexpr std::size_t kLargestTried = 3;  // spots tried for the largest size where the size asked for fits nowhere
 constexpr double kTakenShare = 0.98;      // of the modules must take pockets of the least depth
 constexpr double kUnaskedShare = 0.1;     // of the model's diagonal: how fine the map is without a size
-constexpr double kDirectionDigits = 1e4;
+constexpr double kPerDirectionUnit = 1e4;
 
 /// Edge of what must fit, in edges of the symbol.
 double outerFactor(const PlaceRequest& request) {
@@ -57,9 +58,14 @@ Status checkRequest(const PlaceRequest& request) {
   return {};
 }
 
-/// Whether the wall takes pockets of a depth under nearly all modules, by the limits that engraving will keep to.
-Result<bool> wallTakes(const EngravableModel& model, const GeometryPass& pass, const Placement& placement, int modules,
-                       double depthMm, double minWallMm) {
+struct Wall {
+  bool takes = false;      ///< pockets of the least depth
+  double thicknessMm = 0;  ///< along the rays
+};
+
+/// The wall under nearly all modules, by the limits that engraving will keep to.
+Result<Wall> measureWall(const EngravableModel& model, const GeometryPass& pass, const Placement& placement,
+                         int modules, double depthMm, double minWallMm) {
   const MapWindow window{placement.symbolMm, modules};
   const auto front = pass.render(model.gpu, placement.frame, window);
   if (!front) return tl::unexpected(front.error());
@@ -89,7 +95,9 @@ Result<bool> wallTakes(const EngravableModel& model, const GeometryPass& pass, c
   std::size_t taking = 0;
   for (std::size_t i = 0; i < cells; ++i)
     if (std::min(limits[i], thickness[i] - minWallMm) >= depthMm) ++taking;
-  return static_cast<double>(taking) >= kTakenShare * static_cast<double>(cells);
+  const auto thin = static_cast<std::size_t>((1 - kTakenShare) * static_cast<double>(cells));
+  std::nth_element(thickness.begin(), thickness.begin() + static_cast<std::ptrdiff_t>(thin), thickness.end());
+  return Wall{taking + thin >= cells, thickness[thin]};
 }
 
 }  // namespace
@@ -112,8 +120,10 @@ struct PlaceJob::State {
   std::size_t candidate = 0;
   bool withDirection = false;  // the second try at a candidate
   std::optional<PlacementSearch> search;
-  OfferedSpot offered;  // what is being tested
+  OfferedSpot offered;            // what is being tested
+  std::optional<Vec3> direction;  // that it is tested with; none: the method's
   std::size_t tooThin = 0;
+  double thickestMm = 0;               // of those
   std::optional<OfferedSpot> largest;  // of those that fit a size less than asked for
   PlaceResult result;
   double fraction = kMapShare;  // of the progress, once spots are tested
@@ -168,8 +178,8 @@ void PlaceJob::State::beginTest() {
       roundedTo(spot.position / request.scaleToMm, std::pow(10, centreDecimals(request.scaleToMm)));
   offered.centreMm = offered.centreFileUnits * request.scaleToMm;
   placement.centreMm = offered.centreMm;
-  placement.direction.reset();
-  if (withDirection) placement.direction = roundedTo(spot.direction, kDirectionDigits);
+  if (withDirection) placement.direction = roundedTo(spot.direction, kPerDirectionUnit);
+  direction = placement.direction;
   if (stage == Stage::FindingLargest) placement.sizeMode = SizeMode::Free;
   search.emplace(model->prepared, model->gpu, pass, request.modules, placement);
   ++result.tried;
@@ -178,25 +188,27 @@ void PlaceJob::State::beginTest() {
 /// On with the map's direction at the same spot, or with the next spot.
 void PlaceJob::State::nextTry() {
   search.reset();
-  if (withDirection) ++candidate;
-  withDirection = !withDirection;
+  const bool done = withDirection || request.placement.direction;
+  if (done) ++candidate;
+  withDirection = !done;
 }
 
 Status PlaceJob::State::take(const Placement& placement) {
   const double looked = placement.patch.radiusMm * std::numbers::sqrt2;
-  offered.direction = placement.frame.normal;
+  offered.direction = direction.value_or(placement.frame.normal);
   offered.needsDirection = withDirection;
   offered.symbolMm = placement.symbolMm;
   offered.guaranteedMm = placement.guaranteedMm;
   offered.largestMm = std::min(looked, orientedSize(placement.patch.silhouette)) / outer;
-  if (fixed() && stage == Stage::Testing && offered.largestMm < kTrustedSizeShare * offered.symbolMm) {
+  offered.quality = qualityOf(result.map, placement.frame, placement.symbolMm * outer);
+  const bool tooTight = fixed() && stage == Stage::Testing && offered.largestMm < kTrustedSizeShare * offered.symbolMm;
+  if (tooTight || offered.quality.worstAngleDeg > kMostSlopeDeg) {
     nextTry();
     return {};
   }
-  const auto takes = wallTakes(*model, pass, placement, request.modules, request.leastDepthMm, request.minWallMm);
-  if (!takes) return tl::unexpected(takes.error());
-  if (*takes) {
-    offered.quality = qualityOf(result.map, placement.frame, placement.symbolMm * outer);
+  const auto wall = measureWall(*model, pass, placement, request.modules, request.leastDepthMm, request.minWallMm);
+  if (!wall) return tl::unexpected(wall.error());
+  if (wall->takes) {
     if (stage == Stage::Testing)
       result.spots.push_back(offered);
     else if (!largest || offered.symbolMm > largest->symbolMm)
@@ -204,6 +216,7 @@ Status PlaceJob::State::take(const Placement& placement) {
     withDirection = true;  // done with this spot
   } else if (!withDirection) {
     ++tooThin;
+    thickestMm = std::max(thickestMm, wall->thicknessMm);
   }
   nextTry();
   return {};
@@ -247,17 +260,23 @@ Error PlaceJob::State::nothingFound() const {
                                      : std::string("a code");
   error.message = fmt::format("No spot of the model takes {}", wanted);
   if (tooThin > 0)
-    error.message += fmt::format("; {} {} large enough, but too thin for pockets of {:g} mm before a wall of {:g} mm",
-                                 tooThin, tooThin == 1 ? "is" : "are", request.leastDepthMm, request.minWallMm);
+    error.message += fmt::format(
+        "; {} {} large enough, but the wall is {:.2g} mm at most, too thin for pockets of {:g} mm if {:g} mm must "
+        "remain",
+        tooThin, tooThin == 1 ? "is" : "are", thickestMm, request.leastDepthMm, request.minWallMm);
   if (largest) {
     const Vec3 at = largest->centreFileUnits;
     const int digits = centreDecimals(request.scaleToMm);
     error.message += fmt::format("; the largest found is {:.4g} mm at {:.{}f},{:.{}f},{:.{}f}",
                                  std::floor(largest->symbolMm * 100) / 100, at.x, digits, at.y, digits, at.z, digits);
   }
-  error.hint = tooThin > 0 ? "Allow a thinner wall (--min-wall), or ask for a smaller size"
-               : largest   ? "Ask for a smaller size, or scale the model"
-                           : "Check the model's unit: it may be too small for any code";
+  const double spare = std::floor(10 * (thickestMm - request.leastDepthMm)) / 10;
+  error.hint =
+      tooThin > 0 && spare > 0 && spare < request.minWallMm
+          ? fmt::format("Let {:g} mm remain behind the pockets (--min-wall {:g}), or scale the model", spare, spare)
+      : tooThin > 0 ? "Scale the model up, or thicken its wall"
+      : largest     ? "Ask for a smaller size, or scale the model"
+                    : "Check the model's unit: it may be too small for any code";
   return error;
 }
 
@@ -281,6 +300,7 @@ Result<std::unique_ptr<PlaceJob>> PlaceJob::create(std::shared_ptr<const Engrava
   PlacementMapOptions options;
   options.eyeDistanceMm = request.placement.eyeDistanceMm;
   options.views = request.views;
+  options.onlyFrom = request.placement.direction;
   options.leastMm = request.placement.sizeMode == SizeMode::Fixed
                         ? request.placement.sizeMm * state->outer
                         : kUnaskedShare * boundingBox(model->prepared.mesh).diagonal();

@@ -13,12 +13,12 @@ namespace qrelief {
 
 /// What is to find a place.
 struct PlaceRequest {
-  /// As for engraving; `centreMm` and `direction` do not count. With SizeMode::Fixed spots that take that size are
-  /// found, else those that take the largest.
+  /// As for engraving; `centreMm` does not count. With SizeMode::Fixed spots that take that size are found, else those
+  /// that take the largest.
   PlacementRequest placement;
   int modules = 21;           ///< of the symbol along its edge; the fewer, the wider the quiet zone beside them
   double minWallMm = 0.8;     ///< material that must remain behind a floor, ≥ 0
-  double leastDepthMm = 0.4;  ///< a spot whose wall does not take pockets of this depth is not offered, > 0
+  double leastDepthMm = 0.3;  ///< a spot whose wall does not take pockets of this depth is not offered, > 0
   std::size_t count = 5;      ///< spots to find, ≥ 1
   int views = 240;            ///< of the placement map, ≥ 200
   /// File units → mm: a centre is rounded to what a user will read, about a micrometre, before it is tested.
@@ -33,7 +33,7 @@ int centreDecimals(double scaleToMm);
 struct OfferedSpot {
   Vec3 centreFileUnits{0};  ///< exact to centreDecimals()
   Vec3 centreMm{0};
-  Vec3 direction{0};            ///< towards the reader, unit
+  Vec3 direction{0};            ///< towards the reader; where it is needed, unit but for four decimals
   bool needsDirection = false;  ///< the request's method alone finds no direction from which the code fits
   double symbolMm = 0;          ///< the size asked for, or the one found
   double largestMm = 0;         ///< that fits there, from that direction, at the rotation asked for

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
-#include <optional>
 
 #include "mesh/cluster.h"
 #include "mesh/refine.h"
@@ -154,6 +153,7 @@ PlacementMapSearch::PlacementMapSearch(const Mesh& mesh, std::span<const Vec3f> 
   assert(options.eyeDistanceMm > 0 && options.leastMm > 0 && options.views > 0 && options.facets >= 100);
   State& s = *state_;
   s.options = options;
+  if (options.onlyFrom) s.options.views = 1;
   s.map = sampled(mesh, normals, options.facets);
   s.adjacency = buildAdjacency(s.map.mesh.triangles);
   s.centre = boundingBox(s.map.mesh).centre();
@@ -174,7 +174,7 @@ PlacementMapSearch::~PlacementMapSearch() = default;
 bool PlacementMapSearch::step() {
   State& s = *state_;
   assert(s.view < s.options.views);
-  s.lookFrom(latticeDirection(s.view, s.options.views));
+  s.lookFrom(s.options.onlyFrom.value_or(latticeDirection(s.view, s.options.views)));
   return ++s.view == s.options.views;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -14,7 +15,8 @@ struct PlacementMapOptions {
   double eyeDistanceMm = 250;  ///< from the bounding sphere to the eye, > 0
   double leastMm = 10;  ///< edge of the square looked for, > 0: how fine the map must be, and which views are dropped
   int views = 240;      ///< directions looked from, ≥ 1
-  std::size_t facets = 24000;  ///< a mesh with more is drawn by a coarser one of about so many, ≥ 100
+  std::optional<Vec3> onlyFrom;  ///< the only direction looked from, any length > 0; none: all around
+  std::size_t facets = 24000;    ///< a mesh with more is drawn by a coarser one of about so many, ≥ 100
 };
 
 /// Where on a model squares fit, and how large.
