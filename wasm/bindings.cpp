@@ -76,6 +76,20 @@ class Facade {
   std::string placement() {
     return guarded([&] { return engine_.placement(); });
   }
+  std::string startPlacing() {
+    return guarded([&] { return engine_.startPlacing(); });
+  }
+  std::string advancePlacing() {
+    return guarded([&] { return engine_.advancePlacing(); });
+  }
+  void cancelPlacing() { engine_.cancelPlacing(); }
+  std::string spots() {
+    return guarded([&] { return engine_.spots(); });
+  }
+  std::string chooseSpot(std::size_t index) {
+    return guarded([&] { return engine_.chooseSpot(index); });
+  }
+  void showSizes(bool shown) { engine_.showSizes(shown); }
   std::string startEngrave() {
     return guarded([&] { return engine_.startEngrave(); });
   }
@@ -154,6 +168,12 @@ EMSCRIPTEN_BINDINGS(qrelief) {
       .function("pick", &Facade::pick)
       .function("setCentre", &Facade::setCentre)
       .function("placement", &Facade::placement)
+      .function("startPlacing", &Facade::startPlacing)
+      .function("advancePlacing", &Facade::advancePlacing)
+      .function("cancelPlacing", &Facade::cancelPlacing)
+      .function("spots", &Facade::spots)
+      .function("chooseSpot", &Facade::chooseSpot)
+      .function("showSizes", &Facade::showSizes)
       .function("startEngrave", &Facade::startEngrave)
       .function("advance", &Facade::advance)
       .function("cancel", &Facade::cancel)

@@ -10,7 +10,7 @@
 
 #include "gl/objects.h"
 #include "mesh/ray.h"
-#include "pipeline/engrave.h"
+#include "pipeline/place.h"
 #include "pipeline/report.h"
 #include "wasm/orbit_camera.h"
 #include "wasm/viewer.h"
@@ -46,6 +46,19 @@ class Engine {
 
   /// {placement: {centre, normal, up, symbolMm, moduleMm, guaranteedMm, version, modules}}, and shows the symbol there.
   std::string placement();
+
+  /// Starts looking for the best spots for the settings; ends an earlier search.
+  std::string startPlacing();
+  /// {stage, fraction, done}; one bounded piece of work. When done the sizes are shown on the model.
+  std::string advancePlacing();
+  void cancelPlacing();
+  /// {spots: [{centre, sizeMm}], topMm}: best first, with the largest size there; `topMm` is the size that has the last
+  /// colour of the map. Empty before a search is done.
+  std::string spots() const;
+  /// {centre}; the spot becomes the code's centre, with the direction that was found for it.
+  std::string chooseSpot(std::size_t index);
+  /// The colours of the largest sizes on the model, if they are known.
+  void showSizes(bool shown);
 
   std::string startEngrave();
   /// {stage, fraction, done}; one bounded piece of work. When done the carved model is shown.
@@ -100,7 +113,9 @@ class Engine {
   Result<Symbol> placeSymbol();
   SurfacePrint printOf(const Symbol& symbol, const Placement& placement, const EngraveRequest& request) const;
   EngraveRequest completeRequest() const;
+  void finishPlacing();
   void forgetPlacement();
+  void forgetSpots();
   void forgetJob();
   void finishJob();
   void updateView();
@@ -116,6 +131,13 @@ class Engine {
   std::optional<Vec3> centre_;
   std::optional<Placement> placement_;
   std::optional<SurfacePrint> print_;
+
+  std::unique_ptr<PlaceJob> placing_;
+  std::vector<OfferedSpot> spots_;
+  double topMm_ = 0;
+  std::shared_ptr<const GpuMesh> sizesDisplay_;
+  bool showSizes_ = false;
+  std::optional<Vec3> spotDirection_;  // that the centre needs
 
   EngraveRequest jobRequest_;
   std::unique_ptr<EngraveJob> job_;

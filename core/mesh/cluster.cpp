@@ -8,24 +8,21 @@
 namespace qrelief {
 namespace {
 
-/// 0 … 5: the axis direction that a normal is nearest to.
-std::uint64_t axisClass(Vec3f normal) {
-  int axis = 0;
-  for (int k = 1; k < 3; ++k)
-    if (std::abs(normal[k]) > std::abs(normal[axis])) axis = k;
-  return static_cast<std::uint64_t>(2 * axis + (normal[axis] < 0 ? 1 : 0));
-}
-
 struct KeyedVertex {
-  std::uint64_t cell, axis;
+  std::uint64_t cell;
   std::uint32_t vertex;
   bool operator<(const KeyedVertex& other) const {
-    if (cell != other.cell) return cell < other.cell;
-    return axis != other.axis ? axis < other.axis : vertex < other.vertex;
+    return cell != other.cell ? cell < other.cell : vertex < other.vertex;
   }
 };
 
-std::vector<KeyedVertex> verticesByCluster(const Mesh& mesh, std::span<const Vec3f> normals, double cellMm) {
+/// Vertices of one cell that look to one side.
+struct Cluster {
+  Vec3 positions{0}, normals{0};  // sums
+  std::uint32_t count = 0;
+};
+
+std::vector<KeyedVertex> verticesByCell(const Mesh& mesh, double cellMm) {
   constexpr double kMostCells = 1 << 20;  // along an axis: three indices fit into a key
   const Box3 box = boundingBox(mesh);
   const Vec3 size = box.size();
@@ -35,7 +32,7 @@ std::vector<KeyedVertex> verticesByCluster(const Mesh& mesh, std::span<const Vec
     const Vec3 at = (Vec3(mesh.positions[v]) - box.min) / cell;
     std::uint64_t key = 0;
     for (int k = 0; k < 3; ++k) key = key << 21 | static_cast<std::uint64_t>(at[k]);
-    keyed[v] = {key, axisClass(normals[v]), v};
+    keyed[v] = {key, v};
   }
   std::sort(keyed.begin(), keyed.end());
   return keyed;
@@ -93,16 +90,22 @@ ClusteredMesh clusterVertices(const Mesh& mesh, std::span<const Vec3f> normals, 
   assert(normals.size() == mesh.positions.size() && cellMm > 0);
   ClusteredMesh result;
   result.clusterOf.resize(mesh.positions.size());
-  const std::vector<KeyedVertex> keyed = verticesByCluster(mesh, normals, cellMm);
-  for (std::size_t begin = 0; begin < keyed.size();) {
-    std::size_t end = begin;
-    Vec3 sum(0);
-    for (; end < keyed.size() && keyed[end].cell == keyed[begin].cell && keyed[end].axis == keyed[begin].axis; ++end) {
-      sum += Vec3(mesh.positions[keyed[end].vertex]);
-      result.clusterOf[keyed[end].vertex] = static_cast<std::uint32_t>(result.mesh.positions.size());
-    }
-    result.mesh.positions.emplace_back(sum / static_cast<double>(end - begin));
-    begin = end;
+  const std::vector<KeyedVertex> keyed = verticesByCell(mesh, cellMm);
+  std::vector<Cluster> clusters;  // of one cell
+  for (std::size_t i = 0; i < keyed.size(); ++i) {
+    const std::uint32_t v = keyed[i].vertex;
+    const Vec3 normal(normals[v]);
+    std::size_t c = 0;
+    while (c < clusters.size() && glm::dot(clusters[c].normals, normal) < 0) ++c;
+    if (c == clusters.size()) clusters.push_back({});
+    clusters[c].positions += Vec3(mesh.positions[v]);
+    clusters[c].normals += normal;
+    ++clusters[c].count;
+    result.clusterOf[v] = static_cast<std::uint32_t>(result.mesh.positions.size() + c);
+    if (i + 1 < keyed.size() && keyed[i + 1].cell == keyed[i].cell) continue;
+    for (const Cluster& cluster : clusters)
+      result.mesh.positions.emplace_back(cluster.positions / static_cast<double>(cluster.count));
+    clusters.clear();
   }
 
   std::vector<Triangle> triangles;

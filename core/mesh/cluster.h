@@ -14,10 +14,9 @@ struct ClusteredMesh {
   std::vector<std::uint32_t> clusterOf;  ///< per vertex of the original: vertex of the coarser mesh
 };
 
-/// Merges the vertices of each cell of a cubic grid whose normals point along the same of the six axis directions into
-/// their mean [Rossignac, Borrel 1993]; the six classes keep the two sides of a thin wall apart. Facets that collapse,
-/// and pairs that come to lie back to back, are dropped. For drawing and measuring roughly: the result need not be a
-/// manifold.
+/// Merges the vertices of each cell of a cubic grid into their mean [Rossignac, Borrel 1993], but those apart whose
+/// normals look the other way, so that the two sides of a thin wall do not become one. Facets that collapse, and pairs
+/// that come to lie back to back, are dropped. For drawing and measuring roughly: the result need not be a manifold.
 ///
 /// Cost: O(V log V + T).
 /// @param normals  unit or zero, one per vertex

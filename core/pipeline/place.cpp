@@ -30,6 +30,11 @@ constexpr double kTakenShare = 0.98;      // of the modules must take pockets of
 constexpr double kUnaskedShare = 0.1;     // of the model's diagonal: how fine the map is without a size
 constexpr double kPerDirectionUnit = 1e4;
 
+/// How fine the map is where no size is asked for.
+double unaskedLeastMm(const EngravableModel& model) {
+  return kUnaskedShare * boundingBox(model.prepared.mesh).diagonal();
+}
+
 /// Edge of what must fit, in edges of the symbol.
 double outerFactor(const PlaceRequest& request) {
   return request.placement.quietZone ? (request.modules + 2.0 * kQuietZoneModules) / request.modules : 1.0;
@@ -132,6 +137,7 @@ struct PlaceJob::State {
   double wantedMm() const { return fixed() ? request.placement.sizeMm : request.placement.maxSizeMm; }
   const PlacementMap& map() const { return mapping ? mapping->map() : result.map; }
   double mostInMap() const;
+  void startMap(double leastMm);
   void drawViews();
   void propose(double leastSizeMm);
   void beginTest();
@@ -148,14 +154,25 @@ double PlaceJob::State::mostInMap() const {
   return static_cast<double>(*std::max_element(sizes.begin(), sizes.end()));
 }
 
+/// @param leastMm  the least square that the map must show
+void PlaceJob::State::startMap(double leastMm) {
+  PlacementMapOptions options;
+  options.eyeDistanceMm = request.placement.eyeDistanceMm;
+  options.leastMm = leastMm;
+  options.views = request.views;
+  options.onlyFrom = request.placement.direction;
+  mapping.emplace(model->prepared.mesh, model->prepared.normals, options);
+}
+
 void PlaceJob::State::drawViews() {
   const auto start = Clock::now();
   while (std::chrono::duration<double, std::milli>(Clock::now() - start).count() < kSliceMs) {
     if (!mapping->step()) continue;
     result.map = mapping->takeMap();
     mapping.reset();
-    propose(fixed() ? kMapMayErr * request.placement.sizeMm * outer / std::numbers::sqrt2 : 0);
-    stage = Stage::Testing;
+    const bool searchesLargest = stage == Stage::FindingLargest;
+    propose(fixed() && !searchesLargest ? kMapMayErr * request.placement.sizeMm * outer / std::numbers::sqrt2 : 0);
+    if (!searchesLargest) stage = Stage::Testing;
     return;
   }
 }
@@ -239,7 +256,10 @@ Status PlaceJob::State::finishTests() {
   if (stage == Stage::FindingLargest) return tl::unexpected(nothingFound());
   if (result.spots.empty()) {
     stage = Stage::FindingLargest;
-    propose(0);
+    if (result.map.viewsDropped > 0)
+      startMap(unaskedLeastMm(*model));  // they may take a smaller one
+    else
+      propose(0);
     return {};
   }
   const double enough = std::max(wantedMm(), request.placement.maxSizeMm);
@@ -297,17 +317,11 @@ Result<std::unique_ptr<PlaceJob>> PlaceJob::create(std::shared_ptr<const Engrava
 
   auto state = std::make_unique<State>();
   state->outer = outerFactor(request);
-  PlacementMapOptions options;
-  options.eyeDistanceMm = request.placement.eyeDistanceMm;
-  options.views = request.views;
-  options.onlyFrom = request.placement.direction;
-  options.leastMm = request.placement.sizeMode == SizeMode::Fixed
-                        ? request.placement.sizeMm * state->outer
-                        : kUnaskedShare * boundingBox(model->prepared.mesh).diagonal();
-  state->mapping.emplace(model->prepared.mesh, model->prepared.normals, options);
   state->model = std::move(model);
   state->request = std::move(request);
   state->pass = std::move(*pass);
+  const PlacementRequest& placement = state->request.placement;
+  state->startMap(state->fixed() ? placement.sizeMm * state->outer : unaskedLeastMm(*state->model));
   return std::unique_ptr<PlaceJob>(new PlaceJob(std::move(state)));
 }
 
@@ -324,7 +338,10 @@ Result<Progress> PlaceJob::advance() {
       s.fraction = std::max(s.fraction, kMapShare + (1 - kMapShare) * std::min(1.0, s.testedShare()));
       return Progress{"Testing spots", s.fraction, false};
     case State::Stage::FindingLargest:
-      if (const Status tested = s.testOnce(); !tested) return tl::unexpected(tested.error());
+      if (s.mapping)
+        s.drawViews();
+      else if (const Status tested = s.testOnce(); !tested)
+        return tl::unexpected(tested.error());
       return Progress{"Finding the largest size", 1, false};
     case State::Stage::Done:
       break;

@@ -66,6 +66,7 @@ PlacementMap sampled(const Mesh& mesh, std::span<const Vec3f> normals, std::size
     ClusteredMesh coarse = clusterVertices(mesh, normals, std::sqrt(3 * area / static_cast<double>(facets)));
     map.mesh = std::move(coarse.mesh);
     map.vertexOf = std::move(coarse.clusterOf);
+    map.isCoarser = true;
   } else {
     map.mesh = mesh;
     map.vertexOf.resize(mesh.positions.size());
@@ -98,6 +99,7 @@ struct PlacementMapSearch::State {
   RasterWindow window;
   std::optional<ViewRaster> raster;
   std::vector<Vec3> meanNormal;
+  std::vector<double> score;  // per vertex: of the view that is kept
   int view = 0;
 
   void lookFrom(Vec3 direction);
@@ -133,7 +135,8 @@ void PlacementMapSearch::State::lookFrom(Vec3 direction) {
     const Vec3 fromVertex = eye - Vec3(map.mesh.positions[v]);
     const double distance = glm::length(fromVertex);
     const Vec3 toEye = fromVertex / distance;
-    if (glm::dot(meanNormal[v], toEye) < leastCentreCosine) continue;
+    const double facing = glm::dot(meanNormal[v], toEye);
+    if (facing < leastCentreCosine) continue;
     const double texels = radiusAround(squared, v) - kBlockedTexels;
     if (texels < 2) continue;
     // At an angle α off the axis a disc of radius r at distance ρ, facing the eye, reaches r·F / (ρ·cos²α) on the
@@ -141,7 +144,8 @@ void PlacementMapSearch::State::lookFrom(Vec3 direction) {
     const double cosine = glm::dot(toEye, frame.normal);
     const double sizeMm =
         std::numbers::sqrt2 * texels * window.texelMm() * distance * cosine * cosine / frame.eyeDistance;
-    if (sizeMm <= static_cast<double>(map.sizeMm[v]) || !raster->sees(v)) continue;
+    if (sizeMm * facing <= score[v] || !raster->sees(v)) continue;
+    score[v] = sizeMm * facing;
     map.sizeMm[v] = static_cast<float>(sizeMm);
     map.direction[v] = Vec3f(toEye);
   }
@@ -167,6 +171,7 @@ PlacementMapSearch::PlacementMapSearch(const Mesh& mesh, std::span<const Vec3f> 
   s.raster.emplace(s.map.mesh, s.adjacency);
 
   s.meanNormal = meanNormals(s.map.mesh);
+  s.score.assign(s.meanNormal.size(), 0);
 }
 
 PlacementMapSearch::~PlacementMapSearch() = default;

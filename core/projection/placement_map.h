@@ -15,8 +15,8 @@ struct PlacementMapOptions {
   double eyeDistanceMm = 250;  ///< from the bounding sphere to the eye, > 0
   double leastMm = 10;  ///< edge of the square looked for, > 0: how fine the map must be, and which views are dropped
   int views = 240;      ///< directions looked from, ≥ 1
-  std::optional<Vec3> onlyFrom;  ///< the only direction looked from, any length > 0; none: all around
-  std::size_t facets = 24000;    ///< a mesh with more is drawn by a coarser one of about so many, ≥ 100
+  std::optional<Vec3> onlyFrom{};  ///< the only direction looked from, any length > 0; none: all around
+  std::size_t facets = 24000;      ///< a mesh with more is drawn by a coarser one of about so many, ≥ 100
 };
 
 /// Where on a model squares fit, and how large.
@@ -27,6 +27,7 @@ struct PlacementMap {
   /// does.
   std::vector<float> sizeMm;
   std::vector<Vec3f> direction;  ///< unit, towards the eye that saw it; zero where none did
+  bool isCoarser = false;        ///< than the model; else the model's vertices come first, unchanged
   /// Vertex of the map's mesh that each vertex of the model became.
   std::vector<std::uint32_t> vertexOf;
   int viewsDropped = 0;  ///< as their silhouette is smaller than the square
@@ -42,7 +43,9 @@ Vec3 latticeDirection(int index, int count);
 /// (projection/view_raster.h); a view that covers less than the square's area is dropped (the isoptic test). The
 /// distance of each seen vertex from the nearest blocked texel is the radius of the disc that fits around it; √2 times
 /// that is the edge of a square that fits at every rotation. So every inner offset of the silhouette is had at once,
-/// and the union over the views is the greatest value.
+/// and the union over the views is the greatest value. Greatest is size times the cosine at which the surface around
+/// the centre is seen: on a cube, views from the side reach around an edge without gaining size, and would draw the
+/// best centre away from the middle of the face.
 ///
 /// Beyond the silhouette two things are kept out that an exact test would allow, but nobody wants: surface that the eye
 /// sees at more than kMostTilt (pockets would be carved along it), and centres that lie at more than kMostCentreTilt to

@@ -58,12 +58,13 @@ SquareQuality qualityOf(const PlacementMap& map, const ProjectionFrame& frame, d
 std::vector<SpotCandidate> spotCandidates(const PlacementMap& map, const CandidateOptions& options) {
   std::vector<std::uint32_t> order(map.sizeMm.size());
   std::iota(order.begin(), order.end(), 0u);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::uint32_t a, std::uint32_t b) { return map.sizeMm[a] > map.sizeMm[b]; });
+  const auto score = [&](std::uint32_t v) { return map.sizeMm[v] * glm::dot(map.direction[v], map.normals[v]); };
+  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return score(a) > score(b); });
   std::vector<SpotCandidate> spots;
   for (const std::uint32_t v : order) {
     const double size = static_cast<double>(map.sizeMm[v]);
-    if (size <= 0 || size < options.leastSizeMm || spots.size() == options.most) break;
+    if (spots.size() == options.most) break;
+    if (size <= 0 || size < options.leastSizeMm) continue;
     SpotCandidate spot{Vec3(map.mesh.positions[v]), Vec3(map.direction[v]), size, {}};
     const bool isApart = std::all_of(spots.begin(), spots.end(), [&](const SpotCandidate& other) {
       return glm::dot(other.direction, spot.direction) < 0 ||

@@ -14,7 +14,14 @@ constexpr float kContourStep = 0.5f;  // texels between two looks along a contou
 
 ViewRaster::ViewRaster(const Mesh& mesh, const Adjacency& adjacency) : mesh_(&mesh), adjacency_(&adjacency) {
   normals_.reserve(mesh.triangles.size());
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) normals_.push_back(triangleNormal(mesh, t));
+  smoothNormals_.reserve(mesh.triangles.size());
+  const std::vector<Vec3f> smooth = vertexNormals(mesh);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    normals_.push_back(triangleNormal(mesh, t));
+    const Triangle& corners = mesh.triangles[t];
+    const Vec3 sum = Vec3(smooth[corners[0]]) + Vec3(smooth[corners[1]]) + Vec3(smooth[corners[2]]);
+    smoothNormals_.push_back(glm::length(sum) > 0 ? glm::normalize(sum) : sum);
+  }
   front_.resize(mesh.triangles.size());
   vertices_.resize(mesh.positions.size());
 }
@@ -57,9 +64,9 @@ void ViewRaster::drawFacets(const ProjectionFrame& frame, double leastCosine) {
   const Vec3 eye = frame.eye();
   for (std::size_t t = 0; t < mesh_->triangles.size(); ++t) {
     const Vec3 toEye = eye - mesh_->corner(t, 0);
-    const double cosine = glm::dot(normals_[t], toEye) / glm::length(toEye);
-    front_[t] = cosine > 0 ? 1 : 0;
-    if (front_[t] != 0) drawFacet(mesh_->triangles[t], cosine < leastCosine);
+    front_[t] = glm::dot(normals_[t], toEye) > 0 ? 1 : 0;
+    if (front_[t] == 0) continue;
+    drawFacet(mesh_->triangles[t], glm::dot(smoothNormals_[t], toEye) < leastCosine * glm::length(toEye));
   }
 }
 

@@ -62,7 +62,8 @@ class ViewRaster {
 
   const Mesh* mesh_;
   const Adjacency* adjacency_;
-  std::vector<Vec3> normals_;
+  std::vector<Vec3> normals_;        // of the facets
+  std::vector<Vec3> smoothNormals_;  // of the facets, from their corners': slope without the noise of single facets
   RasterWindow window_;
   float depthSlack_ = 0;  // inverse depths that differ by less belong to one sheet
   std::vector<Seen> vertices_;
