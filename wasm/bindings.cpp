@@ -129,6 +129,7 @@ class Facade {
   void zoom(double factor, double x, double y) { engine_.zoom(factor, x, y); }
   void fit() { engine_.fit(); }
   void readerView() { engine_.readerView(); }
+  void faceCode() { engine_.faceCode(); }
 
   bool draw() {
     const bool hasInspector = inspectorShown_ && inspector_;
@@ -190,6 +191,7 @@ EMSCRIPTEN_BINDINGS(qrelief) {
       .function("zoom", &Facade::zoom)
       .function("fit", &Facade::fit)
       .function("readerView", &Facade::readerView)
+      .function("faceCode", &Facade::faceCode)
       .function("draw", &Facade::draw)
       .function("setInspector", &Facade::setInspector)
       .function("inspectorPointer", &Facade::inspectorPointer);

@@ -28,6 +28,8 @@ constexpr std::size_t kSpotsTried = 6;
 constexpr double kGoodFit = 0.7;       // a spot that takes this share of it will do
 constexpr int kNormalTexels = 768;     // of the map that gives a carved surface its smooth normals
 constexpr double kLegendStepMm = 5;    // the legend of the sizes ends at a multiple of it
+constexpr double kFacingEdges = 2;     // of the square that is seen around a code that is faced, at least, and
+constexpr double kFacingShare = 0.7;   // its share of the model's diagonal
 constexpr double kReaderMargin = 1.1;  // air around symbol and quiet zone in the reader's view
 
 double millisecondsSince(Clock::time_point start) {
@@ -162,6 +164,7 @@ std::string Engine::loadModel(std::vector<std::uint8_t> bytes, const std::string
   forgetJob();
   forgetPlacement();
   forgetSpots();
+  spotDirection_.reset();
   model_ = std::move(*model);
   camera_.setScene(model_->display->box());
   camera_.fitFromDefaultSide();
@@ -316,12 +319,12 @@ std::string Engine::startPlacing() {
   if (!model_) return answer(kNoModel);
   const auto symbol = encodeSymbol(request_.text, request_.symbol);
   if (!symbol) return answer(symbol.error());
-  PlaceRequest request;
-  request.placement = request_.placement;
-  request.placement.upHint = camera_.skyward();
-  request.modules = symbol->size;
-  request.minWallMm = request_.minWallMm;
-  auto job = PlaceJob::create(model_->engravable, std::move(request));
+  placingRequest_ = {};
+  placingRequest_.placement = request_.placement;
+  placingRequest_.placement.upHint = camera_.skyward();
+  placingRequest_.modules = symbol->size;
+  placingRequest_.minWallMm = request_.minWallMm;
+  auto job = PlaceJob::create(model_->engravable, placingRequest_);
   if (!job) return answer(job.error());
   placing_ = std::move(*job);
   return done();
@@ -343,9 +346,7 @@ void Engine::finishPlacing() {
   placing_.reset();
   spots_ = found.spots;
   // The map knows squares with the quiet zone, the legend the symbol in them.
-  const auto symbol = encodeSymbol(request_.text, request_.symbol);
-  const double outer =
-      symbol && request_.placement.quietZone ? (symbol->size + 2.0 * kQuietZoneModules) / symbol->size : 1.0;
+  const double outer = placingRequest_.outerFactor();
   const double largest = static_cast<double>(*std::max_element(found.map.sizeMm.begin(), found.map.sizeMm.end()));
   topMm_ = std::max(kLegendStepMm, std::ceil(largest / outer / kLegendStepMm) * kLegendStepMm);
   sizesDisplay_ =
@@ -360,8 +361,9 @@ void Engine::cancelPlacing() {
 std::string Engine::spots() const {
   Json spots = Json::array();
   for (const OfferedSpot& spot : spots_)
-    spots.push_back({{"centre", triple(spot.centreMm)},
-                     {"sizeMm", request_.placement.sizeMode == SizeMode::Free ? spot.guaranteedMm : spot.largestMm}});
+    spots.push_back(
+        {{"centre", triple(spot.centreMm)},
+         {"sizeMm", placingRequest_.placement.sizeMode == SizeMode::Free ? spot.guaranteedMm : spot.largestMm}});
   return dump({{"ok", true}, {"spots", spots}, {"topMm", topMm_}});
 }
 
@@ -474,6 +476,7 @@ void Engine::setUpAxis(const std::string& axis) {
 
 void Engine::showCarved(bool carved) {
   showCarved_ = carved;
+  if (carved) showSizes_ = false;
   updateView();
 }
 
@@ -490,6 +493,12 @@ void Engine::fit() { camera_.fit(); }
 
 void Engine::readerView() {
   if (placement_ && print_) camera_.lookThrough(placement_->frame, print_->edgeMm * kReaderMargin);
+}
+
+void Engine::faceCode() {
+  if (!placement_ || !print_) return;
+  const double extent = std::max(kFacingEdges * print_->edgeMm, kFacingShare * model_->display->box().diagonal());
+  camera_.lookThrough(placement_->frame, extent);
 }
 
 bool Engine::draw(bool always) {
@@ -512,7 +521,6 @@ void Engine::forgetSpots() {
   spots_.clear();
   sizesDisplay_.reset();
   showSizes_ = false;
-  spotDirection_.reset();
 }
 
 void Engine::forgetJob() {

@@ -84,6 +84,8 @@ class Engine {
   void zoom(double factor, double x, double y);
   void fit();
   void readerView();
+  /// From the reader's side, with the surroundings in view.
+  void faceCode();
 
   /// @param always  present again even if nothing changed, as something is drawn over it
   /// @returns whether another call would improve the picture
@@ -132,6 +134,7 @@ class Engine {
   std::optional<Placement> placement_;
   std::optional<SurfacePrint> print_;
 
+  PlaceRequest placingRequest_;  // of the search that runs, or whose spots are known
   std::unique_ptr<PlaceJob> placing_;
   std::vector<OfferedSpot> spots_;
   double topMm_ = 0;

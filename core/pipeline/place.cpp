@@ -35,11 +35,6 @@ double unaskedLeastMm(const EngravableModel& model) {
   return kUnaskedShare * boundingBox(model.prepared.mesh).diagonal();
 }
 
-/// Edge of what must fit, in edges of the symbol.
-double outerFactor(const PlaceRequest& request) {
-  return request.placement.quietZone ? (request.modules + 2.0 * kQuietZoneModules) / request.modules : 1.0;
-}
-
 Vec3 roundedTo(Vec3 v, double perUnit) {
   return {std::round(v.x * perUnit) / perUnit, std::round(v.y * perUnit) / perUnit,
           std::round(v.z * perUnit) / perUnit};
@@ -119,7 +114,7 @@ struct PlaceJob::State {
   GeometryPass pass;
   Stage stage = Stage::Mapping;
   std::optional<PlacementMapSearch> mapping;
-  double outer = 1;  // outerFactor
+  double outer = 1;  // request.outerFactor()
 
   std::vector<SpotCandidate> candidates;
   std::size_t candidate = 0;
@@ -316,7 +311,7 @@ Result<std::unique_ptr<PlaceJob>> PlaceJob::create(std::shared_ptr<const Engrava
   if (!pass) return tl::unexpected(pass.error());
 
   auto state = std::make_unique<State>();
-  state->outer = outerFactor(request);
+  state->outer = request.outerFactor();
   state->model = std::move(model);
   state->request = std::move(request);
   state->pass = std::move(*pass);

@@ -23,6 +23,9 @@ struct PlaceRequest {
   int views = 240;            ///< of the placement map, ≥ 200
   /// File units → mm: a centre is rounded to what a user will read, about a micrometre, before it is tested.
   double scaleToMm = 1;
+
+  /// Edge of what must fit, in edges of the symbol.
+  double outerFactor() const { return placement.quietZone ? (modules + 2.0 * kQuietZoneModules) / modules : 1.0; }
 };
 
 /// Decimals that a centre in file units is rounded to: a micrometre or finer, at most 15.
