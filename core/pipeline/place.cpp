@@ -27,7 +27,8 @@ constexpr std::size_t kTriesPerSpot = 4;
 constexpr std::size_t kLeastTries = 8;
 constexpr std::size_t kLargestTried = 3;  // spots tried for the largest size where the size asked for fits nowhere
 constexpr double kTakenShare = 0.98;      // of the modules must take pockets of the least depth
-constexpr double kUnaskedShare = 0.1;     // of the model's diagonal: how fine the map is without a size
+constexpr double kAcrossShare = 0.95;
+constexpr double kUnaskedShare = 0.1;  // of the model's diagonal: how fine the map is without a size
 constexpr double kPerDirectionUnit = 1e4;
 
 /// How fine the map is where no size is asked for.
@@ -285,7 +286,8 @@ Error PlaceJob::State::nothingFound() const {
     error.message += fmt::format("; the largest found is {:.4g} mm at {:.{}f},{:.{}f},{:.{}f}",
                                  std::floor(largest->symbolMm * 100) / 100, at.x, digits, at.y, digits, at.z, digits);
   }
-  const double spare = std::floor(10 * (thickestMm - request.leastDepthMm)) / 10;
+  // Walls are measured along the rays; across they may be a little thinner.
+  const double spare = std::floor(10 * (kAcrossShare * thickestMm - request.leastDepthMm)) / 10;
   error.hint =
       tooThin > 0 && spare > 0 && spare < request.minWallMm
           ? fmt::format("Let {:g} mm remain behind the pockets (--min-wall {:g}), or scale the model", spare, spare)

@@ -95,9 +95,9 @@ TEST_F(PlaceTest, RefusesAThinShellAndSaysHowThickItIs) {
   ASSERT_FALSE(refused.has_value());
   EXPECT_EQ(refused.error().code, ErrorCode::NoSolution);
   EXPECT_NE(refused.error().message.find("the wall is 0."), std::string::npos) << refused.error().message;
-  EXPECT_NE(refused.error().hint.find("--min-wall 0.5"), std::string::npos) << refused.error().hint;
+  EXPECT_NE(refused.error().hint.find("--min-wall 0.4"), std::string::npos) << refused.error().hint;
   PlaceRequest thinner = request(20);
-  thinner.minWallMm = 0.5;
+  thinner.minWallMm = 0.4;
   EXPECT_TRUE(place(model, thinner).has_value());
 }
 
