@@ -43,8 +43,7 @@ Status completeRequest(PlaceOptions& options) {
   placement.sizeMode = options.size > 0 ? SizeMode::Fixed : SizeMode::Free;
   placement.sizeMm = options.size;
   placement.quietZone = !options.noQuietZone;
-  placement.directionMethod =
-      options.direction == "mean-normal" ? DirectionMethod::MeanNormal : DirectionMethod::DepthBalanced;
+  placement.directionMethod = *directionMethodByName(options.direction);
   if (!options.up.empty()) placement.upHint = {options.up[0], options.up[1], options.up[2]};
   SymbolOptions symbolOptions;
   symbolOptions.errorCorrection = *errorCorrectionByName(options.ecc);
@@ -158,8 +157,8 @@ std::function<int()> addPlaceCommand(CLI::App& app) {
   c->add_option("--max-size", request.placement.maxSizeMm, "upper bound for a found size, mm [60]");
   c->add_option("--up", o->up, "X,Y,Z: where the symbol's top points [0,0,1]")->delimiter(',')->expected(3);
   c->add_option("--rotate", request.placement.rotateDeg, "degrees anticlockwise from there [0]");
-  c->add_option("--direction", o->direction, "mean-normal or depth-balanced [depth-balanced]")
-      ->check(CLI::IsMember({"mean-normal", "depth-balanced"}));
+  c->add_option("--direction", o->direction, "mean-normal, depth-balanced, pca or optimal [depth-balanced]")
+      ->check(CLI::IsMember({"mean-normal", "depth-balanced", "pca", "optimal"}));
   c->add_option("--eye-distance", request.placement.eyeDistanceMm, "mm [250]");
   c->add_option("--min-wall", request.minWallMm, "material that must remain, mm [0.8]");
   c->add_option("--views", request.views, fmt::format("directions looked from [{}]", request.views))

@@ -193,6 +193,7 @@ void PlaceJob::State::beginTest() {
   placement.centreMm = offered.centreMm;
   if (withDirection) placement.direction = roundedTo(spot.direction, kPerDirectionUnit);
   direction = placement.direction;
+  placement.beyondMm = request.minWallMm + request.leastDepthMm;
   if (stage == Stage::FindingLargest) placement.sizeMode = SizeMode::Free;
   search.emplace(model->prepared, model->gpu, pass, request.modules, placement);
   ++result.tried;
@@ -207,12 +208,12 @@ void PlaceJob::State::nextTry() {
 }
 
 Status PlaceJob::State::take(const Placement& placement) {
-  const double looked = placement.patch.radiusMm * std::numbers::sqrt2;
   offered.direction = direction.value_or(placement.frame.normal);
   offered.needsDirection = withDirection;
   offered.symbolMm = placement.symbolMm;
   offered.guaranteedMm = placement.guaranteedMm;
-  offered.largestMm = std::min(looked, orientedSize(placement.patch.silhouette)) / outer;
+  offered.largestMm =
+      std::min(std::max(wantedMm(), request.placement.maxSizeMm), orientedSize(placement.patch.silhouette) / outer);
   offered.quality = qualityOf(result.map, placement.frame, placement.symbolMm * outer);
   const bool tooTight = fixed() && stage == Stage::Testing && offered.largestMm < kTrustedSizeShare * offered.symbolMm;
   if (tooTight || offered.quality.worstAngleDeg > kMostSlopeDeg) {
@@ -258,9 +259,8 @@ Status PlaceJob::State::finishTests() {
       propose(0);
     return {};
   }
-  const double enough = std::max(wantedMm(), request.placement.maxSizeMm);
   const auto rank = [&](const OfferedSpot& spot) {
-    return SpotRank(std::min(spot.guaranteedMm, enough), spot.quality, spot.symbolMm * outer);
+    return SpotRank(spot.guaranteedMm, spot.quality, spot.symbolMm * outer);
   };
   std::stable_sort(result.spots.begin(), result.spots.end(), [&](const OfferedSpot& a, const OfferedSpot& b) {
     return a.needsDirection != b.needsDirection ? b.needsDirection : rank(a) < rank(b);
