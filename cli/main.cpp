@@ -46,12 +46,14 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   const auto engraveModel = addEngraveCommand(app);
   const auto describeModel = addInfoCommand(app);
+  const auto findSpots = addPlaceCommand(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kEngraved : kBadUsage;
   }
-  return app.got_subcommand("engrave") ? engraveModel() : describeModel();
+  if (app.got_subcommand("engrave")) return engraveModel();
+  return app.got_subcommand("place") ? findSpots() : describeModel();
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 
 #include "gl/objects.h"
 #include "mesh/ray.h"
-#include "pipeline/engrave.h"
+#include "pipeline/place.h"
 #include "pipeline/report.h"
 #include "wasm/orbit_camera.h"
 #include "wasm/viewer.h"
@@ -47,6 +47,19 @@ class Engine {
   /// {placement: {centre, normal, up, symbolMm, moduleMm, guaranteedMm, version, modules}}, and shows the symbol there.
   std::string placement();
 
+  /// Starts looking for the best spots for the settings; ends an earlier search.
+  std::string startPlacing();
+  /// {stage, fraction, done}; one bounded piece of work. When done the sizes are shown on the model.
+  std::string advancePlacing();
+  void cancelPlacing();
+  /// {spots: [{centre, sizeMm}], topMm}: best first, with the largest size there; `topMm` is the size that has the last
+  /// colour of the map. Empty before a search is done.
+  std::string spots() const;
+  /// {centre}; the spot becomes the code's centre, with the direction that was found for it.
+  std::string chooseSpot(std::size_t index);
+  /// The colours of the largest sizes on the model, if they are known.
+  void showSizes(bool shown);
+
   std::string startEngrave();
   /// {stage, fraction, done}; one bounded piece of work. When done the carved model is shown.
   std::string advance();
@@ -72,6 +85,8 @@ class Engine {
   void zoom(double factor, double x, double y);
   void fit();
   void readerView();
+  /// From the reader's side, with the surroundings in view.
+  void faceCode();
 
   /// @param always  present again even if nothing changed, as something is drawn over it
   /// @returns whether another call would improve the picture
@@ -101,7 +116,9 @@ class Engine {
   Result<Symbol> placeSymbol();
   SurfacePrint printOf(const Symbol& symbol, const Placement& placement, const EngraveRequest& request) const;
   EngraveRequest completeRequest() const;
+  void finishPlacing();
   void forgetPlacement();
+  void forgetSpots();
   void forgetJob();
   void finishJob();
   void updateView();
@@ -117,6 +134,14 @@ class Engine {
   std::optional<Vec3> centre_;
   std::optional<Placement> placement_;
   std::optional<SurfacePrint> print_;
+
+  PlaceRequest placingRequest_;  // of the search that runs, or whose spots are known
+  std::unique_ptr<PlaceJob> placing_;
+  std::vector<OfferedSpot> spots_;
+  double topMm_ = 0;
+  std::shared_ptr<const GpuMesh> sizesDisplay_;
+  bool showSizes_ = false;
+  std::optional<Vec3> spotDirection_;  // that the centre needs
 
   EngraveRequest jobRequest_;
   std::unique_ptr<EngraveJob> job_;

@@ -268,5 +268,36 @@ TEST_F(CommandTest, VersionAndHelpAreStatusZero) {
   EXPECT_EQ(run({"engrave", "--help"}).status, 0);
 }
 
+TEST_F(CommandTest, PlaceOffersSpotsThatEngraveTakesAsPrinted) {
+  const std::string model = writeModel("ball.stl", shapes::bumpySphere(40, 2, 5, 5));
+  const Outcome placed = run({"place", model, "--size", "20", "--count", "3", "--json", path("spots.json"), "--quiet"});
+  ASSERT_EQ(placed.status, 0) << placed.err;
+  EXPECT_EQ(placed.out.substr(0, 8), "1: --at ");
+  const auto json = nlohmann::json::parse(contentOf(path("spots.json")));
+  ASSERT_EQ(json["spots"].size(), 3u);
+  EXPECT_EQ(json["parameters"]["sizeMm"], 20);
+  EXPECT_GE(json["parameters"]["views"], 200);
+  const std::string at = placed.out.substr(8, placed.out.find(' ', 8) - 8);
+  const Outcome engraved =
+      run({"engrave", model, "--text", "HELLO", "--at", at, "--size", "20", "-o", path("out.stl"), "--quiet"});
+  EXPECT_EQ(engraved.status, 0) << at << engraved.err;
+}
+
+TEST_F(CommandTest, PlaceExitsWithFourAndTheLargestSizeWhereNothingFits) {
+  const std::string model = writeModel("ball.stl", shapes::icosphere(20, 4));
+  const Outcome outcome = run({"place", model, "--size", "50", "--quiet"});
+  EXPECT_EQ(outcome.status, 4);
+  EXPECT_NE(outcome.err.find("the largest found is "), std::string::npos) << outcome.err;
+  EXPECT_EQ(outcome.out, "");
+}
+
+TEST_F(CommandTest, EngravesTheBestSpotWhereNoCentreIsGiven) {
+  const std::string model = writeModel("cube.stl", shapes::box({60, 60, 60}));
+  const Outcome outcome = run({"engrave", model, "--text", "HELLO", "-o", path("out.stl"), "--quiet"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.out.substr(0, 10), "placed at ");
+  EXPECT_NE(outcome.out.find("reads as: HELLO"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace qrelief

@@ -192,5 +192,38 @@ TEST_F(EngineTest, TheUpAxisIsWhereTheCodesTopPoints) {
   EXPECT_NEAR(answer["placement"]["up"][1].get<double>(), 1, 1e-6);
 }
 
+TEST_F(EngineTest, FindsSpotsThatTakeTheSizeTheyPromise) {
+  ASSERT_EQ(load(shapes::box({60, 50, 20}))["ok"], true);
+  ASSERT_EQ(Json::parse(engine_->configure(kSettings))["ok"], true);
+  EXPECT_TRUE(Json::parse(engine_->spots())["spots"].empty());
+  ASSERT_EQ(Json::parse(engine_->startPlacing())["ok"], true);
+  for (bool done = false; !done;) {
+    const Json progress = Json::parse(engine_->advancePlacing());
+    ASSERT_EQ(progress["ok"], true) << progress;
+    done = progress["done"];
+  }
+  const Json found = Json::parse(engine_->spots());
+  ASSERT_FALSE(found["spots"].empty());
+  EXPECT_EQ(std::fmod(found["topMm"].get<double>(), 5), 0);
+  for (std::size_t i = 0; i < found["spots"].size(); ++i) {
+    EXPECT_EQ(Json::parse(engine_->chooseSpot(i))["centre"], found["spots"][i]["centre"]);
+    const Json placement = Json::parse(engine_->placement());
+    ASSERT_EQ(placement["ok"], true) << placement;
+    EXPECT_NEAR(placement["placement"]["guaranteedMm"], found["spots"][i]["sizeMm"], 1e-6);
+  }
+  expectError(engine_->chooseSpot(100), "BadUsage", "no such spot");
+}
+
+TEST_F(EngineTest, ASearchForSpotsThatIsCancelledLeavesNone) {
+  expectError(engine_->startPlacing(), "BadUsage", "no model");
+  ASSERT_EQ(load(shapes::icosphere(40, 4))["ok"], true);
+  ASSERT_EQ(Json::parse(engine_->configure(kSettings))["ok"], true);
+  ASSERT_EQ(Json::parse(engine_->startPlacing())["ok"], true);
+  ASSERT_EQ(Json::parse(engine_->advancePlacing())["ok"], true);
+  engine_->cancelPlacing();
+  expectError(engine_->advancePlacing(), "BadUsage", "no search");
+  EXPECT_TRUE(Json::parse(engine_->spots())["spots"].empty());
+}
+
 }  // namespace
 }  // namespace qrelief
