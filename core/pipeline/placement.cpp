@@ -90,6 +90,13 @@ Status PlacementSearch::measure(Vec3 normal) {
                     std::floor(free * 100) / 100),
         "Ask for a smaller size, turn the code, or choose a spot farther from edges and overhangs");
   }
+  if (placement_.moduleMm < kLeastModuleMm && (fixed || fitMm_ >= request_.maxSizeMm)) {
+    return fail(
+        ErrorCode::NoSolution,
+        fmt::format("A code of {:.4g} mm is asked for: its modules would be {:.2g} mm wide", placement_.symbolMm,
+                    placement_.moduleMm),
+        fmt::format("Allow a larger size (at least {:.3g} mm), or shorten the text", kLeastModuleMm * modules_));
+  }
   if (placement_.moduleMm < kLeastModuleMm) {
     return fail(
         ErrorCode::NoSolution,

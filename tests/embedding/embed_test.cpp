@@ -266,6 +266,19 @@ TEST(Embed, HoldsFarFromTheOriginWhereFloatsAreCoarse) {
   EXPECT_EQ(oracle::solidProblems(*result), "");
 }
 
+TEST(Embed, SaysThatFacetsAreTooFineWhereFloatsCannotHoldPiecesOfThem) {
+  // Two grid lines of the plate lie three floats apart, so whatever is cut from the strip between them collapses.
+  Mesh mesh = shapes::plate({40, 40}, 10, 8, 8);
+  for (Vec3f& p : mesh.positions)
+    if (p.x == 5 && p.z == 0) p.x = 3 * 0x1p-21f;
+  ASSERT_TRUE(checkSolidity(mesh)->solid());
+  const auto result = carve(mesh, aboveOrigin(), fieldOf(21, 21, [](int r, int c) { return 0.1 * (1 + (r + c) % 3); }));
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().code, ErrorCode::NoSolution);
+  EXPECT_THAT(result.error().message, testing::HasSubstr("too fine"));
+  EXPECT_THAT(result.error().hint, testing::HasSubstr("merge vertices"));
+}
+
 TEST(Embed, SaysThatACodeBeyondTheRimLeavesTheSurface) {
   const auto result = carve(coarsePlate(), makeFrame({20, 0, 0}, kTowardsZ, {0, 1, 0}, 250),
                             fieldOf(5, 10, [](int, int) { return 0.3; }));
