@@ -7,7 +7,6 @@
 #include <cstring>
 #include <fmt/format.h>
 #include <map>
-#include <numeric>
 
 #include "math/box.h"
 #include "projection/orientation.h"
@@ -129,16 +128,62 @@ bool cross(const Mesh& mesh, std::uint32_t first, std::uint32_t second) {
   return anySideMeets(a, s, b, t) || anySideMeets(b, t, a, s);
 }
 
-/// Along which the suspects lie farthest apart: there a sweep meets the fewest at a time.
-int widestAxis(const std::vector<std::uint32_t>& suspects, const std::vector<Vec3f>& lo, const std::vector<Vec3f>& hi) {
-  Box3 box;
-  for (const std::uint32_t t : suspects) {
-    box.add(Vec3(lo[t]));
-    box.add(Vec3(hi[t]));
+struct Boxes {
+  std::vector<Vec3f> lo, hi;
+
+  explicit Boxes(const Mesh& mesh) {
+    for (const auto& [a, b, c] : mesh.triangles) {
+      const Vec3f &p = mesh.positions[a], &q = mesh.positions[b], &r = mesh.positions[c];
+      lo.push_back(glm::min(p, glm::min(q, r)));
+      hi.push_back(glm::max(p, glm::max(q, r)));
+    }
   }
-  const Vec3 size = box.size();
-  return size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-}
+  bool meet(std::uint32_t s, std::uint32_t t) const {
+    return !glm::any(glm::greaterThan(lo[s], hi[t])) && !glm::any(glm::greaterThan(lo[t], hi[s]));
+  }
+};
+
+/// Square cells over the region of the suspects, across its shortest side: which boxes meet each of them?
+class Cells {
+ public:
+  static constexpr int kEdge = 160;
+
+  Cells(const Boxes& boxes, const std::vector<std::uint32_t>& suspects) {
+    for (const std::uint32_t t : suspects) {
+      region_.add(Vec3(boxes.lo[t]));
+      region_.add(Vec3(boxes.hi[t]));
+    }
+    const Vec3 size = region_.size();
+    const int shortest = size.x <= size.y && size.x <= size.z ? 0 : size.y <= size.z ? 1 : 2;
+    axes_ = {(shortest + 1) % 3, (shortest + 2) % 3};
+    cells_.resize(kEdge * kEdge);
+    for (std::uint32_t t = 0; t < boxes.lo.size(); ++t) {
+      const auto [x, y] = cellOf(boxes.lo[t]);
+      const auto [lastX, lastY] = cellOf(boxes.hi[t]);
+      for (int row = y; row <= lastY; ++row)
+        for (int column = x; column <= lastX; ++column)
+          cells_[static_cast<std::size_t>(row * kEdge + column)].push_back(t);
+    }
+  }
+
+  const std::vector<std::uint32_t>& at(int x, int y) const { return cells_[static_cast<std::size_t>(y * kEdge + x)]; }
+
+  /// Outside the region the nearest cell.
+  std::array<int, 2> cellOf(Vec3f p) const {
+    std::array<int, 2> cell{};
+    for (std::size_t k = 0; k < 2; ++k) {
+      const int axis = axes_[k];
+      const double share = (static_cast<double>(p[axis]) - region_.min[axis]) / region_.size()[axis];
+      cell[k] = static_cast<int>(std::clamp(share * kEdge, 0.0, kEdge - 1.0));
+    }
+    return cell;
+  }
+
+ private:
+  Box3 region_;
+  std::array<int, 2> axes_{};
+  std::vector<std::vector<std::uint32_t>> cells_;
+};
 
 }  // namespace
 
@@ -188,30 +233,19 @@ std::vector<std::uint32_t> facetsNotIn(const Mesh& mesh, const Mesh& original) {
 }
 
 std::size_t countCrossings(const Mesh& mesh, const std::vector<std::uint32_t>& suspects) {
-  const std::size_t count = mesh.triangles.size();
-  std::vector<Vec3f> lo(count), hi(count);
-  std::vector<char> suspected(count, 0);
+  const Boxes boxes(mesh);
+  const Cells cells(boxes, suspects);
+  std::vector<char> suspected(mesh.triangles.size(), 0);
   for (const std::uint32_t t : suspects) suspected[t] = 1;
-  for (std::size_t t = 0; t < count; ++t) {
-    const auto& [a, b, c] = mesh.triangles[t];
-    lo[t] = glm::min(mesh.positions[a], glm::min(mesh.positions[b], mesh.positions[c]));
-    hi[t] = glm::max(mesh.positions[a], glm::max(mesh.positions[b], mesh.positions[c]));
-  }
-  const int axis = widestAxis(suspects, lo, hi);
-  std::vector<std::uint32_t> order(count), open;
-  std::iota(order.begin(), order.end(), 0u);
-  std::sort(order.begin(), order.end(), [&](std::uint32_t s, std::uint32_t t) { return lo[s][axis] < lo[t][axis]; });
   std::size_t crossings = 0;
-  for (const std::uint32_t t : order) {
-    const auto isPassed = [&](std::uint32_t s) { return hi[s][axis] < lo[t][axis]; };
-    open.erase(std::remove_if(open.begin(), open.end(), isPassed), open.end());
-    for (const std::uint32_t s : open) {
-      if (!suspected[s] && !suspected[t]) continue;
-      if (glm::any(glm::greaterThan(lo[s], hi[t])) || glm::any(glm::greaterThan(lo[t], hi[s]))) continue;
-      if (cross(mesh, s, t)) ++crossings;
-    }
-    open.push_back(t);
-  }
+  for (int y = 0; y < Cells::kEdge; ++y)
+    for (int x = 0; x < Cells::kEdge; ++x)
+      for (const std::uint32_t s : cells.at(x, y))
+        for (const std::uint32_t t : cells.at(x, y)) {
+          if (t >= s || (!suspected[s] && !suspected[t]) || !boxes.meet(s, t)) continue;
+          // Two that share several cells are tested in the first.
+          if (cells.cellOf(glm::max(boxes.lo[s], boxes.lo[t])) == std::array{x, y} && cross(mesh, s, t)) ++crossings;
+        }
   return crossings;
 }
 
