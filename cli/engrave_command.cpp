@@ -44,31 +44,32 @@ Result<double> numberFrom(const std::string& text, const char* what) {
 }
 
 Status readSize(const std::string& text, PlacementRequest& placement) {
-  if (text == "free" || text == "oriented") {
-    placement.sizeMode = text == "free" ? SizeMode::Free : SizeMode::Oriented;
+  if (const std::optional<SizeMode> mode = sizeModeByName(text)) {
+    placement.sizeMode = *mode;
     return {};
   }
   const Result<double> size = numberFrom(text, "The size");
-  if (!size) return fail(ErrorCode::BadUsage, size.error().message, "Give mm, or free, or oriented");
+  if (!size) return fail(ErrorCode::BadUsage, size.error().message, "Give mm, or free, oriented or best");
   placement.sizeMode = SizeMode::Fixed;
   placement.sizeMm = *size;
   return {};
 }
 
 Status readDirection(const std::string& text, PlacementRequest& placement) {
-  if (text == "depth-balanced" || text == "mean-normal") {
-    placement.directionMethod = text == "mean-normal" ? DirectionMethod::MeanNormal : DirectionMethod::DepthBalanced;
+  if (const std::optional<DirectionMethod> method = directionMethodByName(text)) {
+    placement.directionMethod = *method;
     return {};
   }
   Vec3 vector(0);
   std::size_t begin = 0;
   for (int k = 0; k < 3; ++k) {
     const std::size_t end = k < 2 ? text.find(',', begin) : text.size();
-    if (end == std::string::npos)
-      return fail(ErrorCode::BadUsage, fmt::format("The direction is \"{}\"", text),
-                  "Give mean-normal, depth-balanced, or a vector X,Y,Z");
-    const Result<double> value = numberFrom(text.substr(begin, end - begin), "The direction");
-    if (!value) return tl::unexpected(value.error());
+    const Result<double> value = end == std::string::npos
+                                     ? fail(ErrorCode::BadUsage, fmt::format("The direction is \"{}\"", text))
+                                     : numberFrom(text.substr(begin, end - begin), "A number of the direction");
+    if (!value)
+      return fail(ErrorCode::BadUsage, value.error().message,
+                  "Give mean-normal, depth-balanced, pca, optimal, or a vector X,Y,Z");
     vector[k] = *value;
     begin = end + 1;
   }
@@ -195,12 +196,12 @@ std::function<int()> addEngraveCommand(CLI::App& app) {
   c->add_option("--scale", o->scale, "file units → mm [1]");
   c->add_option("--units", o->units, "unit of the file, instead of --scale")
       ->check(CLI::IsMember({"mm", "cm", "m", "in"}));
-  c->add_option("--size", o->size, "MM, free or oriented: edge of the symbol without quiet zone [free]");
+  c->add_option("--size", o->size, "MM, free, oriented or best: edge of the symbol without quiet zone [free]");
   c->add_option("--max-size", request.placement.maxSizeMm, "upper bound for a found size, mm [60]");
   c->add_option("--up", o->up, "X,Y,Z: where the symbol's top points [0,0,1]")->delimiter(',')->expected(3);
   c->add_option("--rotate", request.placement.rotateDeg, "degrees anticlockwise from there [0]");
   c->add_option("--direction", o->direction,
-                "mean-normal, depth-balanced or X,Y,Z towards the reader [depth-balanced]");
+                "mean-normal, depth-balanced, pca, optimal or X,Y,Z towards the reader [depth-balanced]");
   c->add_option("--eye-distance", request.placement.eyeDistanceMm, "mm [250]");
   c->add_option("--ecc", o->ecc, "error correction [M]")->check(CLI::IsMember({"L", "M", "Q", "H"}));
   c->add_option("--version", o->version, "symbol version, 1 to 40 [smallest]")->check(CLI::Range(1, 40));

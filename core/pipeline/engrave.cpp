@@ -77,6 +77,14 @@ Status checkRequest(const EngraveRequest& request) {
   return {};
 }
 
+/// The walls beside the largest code that may be asked for must be known, too (see wallLimits).
+EngraveRequest withMargin(EngraveRequest request, int modules) {
+  PlacementRequest& place = request.placement;
+  const double largest = place.sizeMode == SizeMode::Fixed ? place.sizeMm : place.maxSizeMm;
+  place.beyondMm = request.minWallMm + request.maxDepthMm.value_or(kMaxDepthModules * largest / modules);
+  return request;
+}
+
 }  // namespace
 
 std::shared_ptr<const EngravableModel> EngravableModel::upload(PreparedModel prepared) {
@@ -321,7 +329,7 @@ Result<std::unique_ptr<EngraveJob>> EngraveJob::create(std::shared_ptr<const Eng
 
   auto state = std::make_unique<State>();
   state->model = std::move(model);
-  state->request = std::move(request);
+  state->request = withMargin(std::move(request), symbol->size);
   state->pass = std::move(*pass);
   state->symbol = std::move(*symbol);
   state->mask = submodulesToCarve(state->symbol, state->request.modulePattern, state->request.finderPattern);

@@ -5,6 +5,7 @@
 
 #include "gl/objects.h"
 #include "mesh/mesh.h"
+#include "render/triangle_clusters.h"
 
 namespace qrelief {
 
@@ -17,13 +18,17 @@ class GpuMesh {
   GpuMesh(const Mesh& mesh, std::span<const Vec3f> normals);
 
   void draw() const;
+  /// Without the clusters of triangles that certainly lie outside the pyramid (model coordinates).
+  void draw(const ViewPyramid& pyramid) const;
   Vec3 origin() const { return box_.centre(); }
   const Box3& box() const { return box_; }
 
  private:
+  void drawRange(std::uint32_t begin, std::uint32_t end) const;
+
   gl::VertexArray array_;
   gl::Buffer positions_, normals_, indices_;
-  GLsizei indexCount_ = 0;
+  std::vector<TriangleCluster> clusters_;
   Box3 box_;
 };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The command as scripts see it: exit statuses, what is printed where, what is written.
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
@@ -95,6 +96,31 @@ TEST_F(CommandTest, UnitsScaleModelAndCentre) {
   EXPECT_NEAR(report["projection"]["centre"][2].get<double>(), 40, 0.1);
 }
 
+TEST_F(CommandTest, DirectionsAndSizesGoByTheNamesOfTheContract) {
+  const std::string model = writeModel("ball.stl", shapes::icosphere(40, 4));
+  const auto engraved = [&](const std::string& direction, const std::string& size) {
+    const Outcome outcome =
+        run({"engrave", model, "--text", "x", "--at", "0,0,40", "--direction", direction, "--size", size, "--max-size",
+             "25", "-o", path("out.stl"), "--report", path("out.json"), "--quiet"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return nlohmann::json::parse(contentOf(path("out.json")));
+  };
+  for (const std::string direction : {"mean-normal", "depth-balanced", "pca", "optimal"})
+    EXPECT_EQ(engraved(direction, "25")["projection"]["method"], direction);
+  const auto given = engraved("0.1,0,1", "best");
+  EXPECT_EQ(given["projection"]["method"], "given");
+  EXPECT_NEAR(given["projection"]["normal"][0].get<double>(), 0.1 / std::sqrt(1.01), 1e-9);
+  EXPECT_EQ(given["size"]["mode"], "best");
+  EXPECT_TRUE(given["size"].contains("rotationDeg"));
+}
+
+TEST_F(CommandTest, ADirectionFromBehindIsNoSolution) {
+  const Outcome outcome = run({"engrave", writeModel("ball.stl", shapes::icosphere(40, 3)), "--text", "x", "--at",
+                               "0,0,40", "--direction", "0,0,-1", "-o", path("out.stl"), "--quiet"});
+  EXPECT_EQ(outcome.status, 4);
+  EXPECT_NE(outcome.err.find("faces away"), std::string::npos) << outcome.err;
+}
+
 TEST_F(CommandTest, BadUsageIsStatusTwo) {
   const std::string model = writeModel("ball.stl", shapes::icosphere(40, 3));
   EXPECT_EQ(run({}).status, 2);
@@ -107,6 +133,11 @@ TEST_F(CommandTest, BadUsageIsStatusTwo) {
             2);
   EXPECT_EQ(run({"engrave", model, "--text", "x", "--at", "0,0,40", "-o", path("out.stl"), "--pattern", "dots"}).status,
             2);
+  for (const char* direction : {"upwards", "1,2", "1,2,x", "0,0,0", "1,2,3,4"})
+    EXPECT_EQ(run({"engrave", model, "--text", "x", "--at", "0,0,40", "-o", path("out.stl"), "--direction", direction})
+                  .status,
+              2)
+        << direction;
   EXPECT_FALSE(fs::exists(path("out.stl")));
 }
 

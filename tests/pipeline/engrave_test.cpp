@@ -101,6 +101,9 @@ TEST_F(EngraveTest, NoFloorComesNearerToTheBackThanTheMinimumWall) {
   const auto result = engrave(upload(plate), wanted);
   ASSERT_TRUE(result.has_value()) << result.error().message;
   EXPECT_GT(result->limitedSubmodules, 0u);
+  // The walls are known as far as they count: beyond the quiet zone by the wall and the deepest pocket, 1.2 modules.
+  const double moduleMm = result->placement.moduleMm;
+  EXPECT_GE(result->placement.patch.radiusMm, (30 + 8 * moduleMm) / std::sqrt(2.0) + 1 + 1.2 * moduleMm);
   double lowest = 0;
   for (const Vec3f& p : result->mesh.positions)
     if (p.z > -1.29f) lowest = std::min<double>(lowest, p.z);

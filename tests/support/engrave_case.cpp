@@ -235,8 +235,9 @@ std::string chosenText(Choices& choices) {
 }
 
 constexpr std::array kLevels = {ErrorCorrection::L, ErrorCorrection::M, ErrorCorrection::Q, ErrorCorrection::H};
-constexpr std::array kSizeModes = {SizeMode::Fixed, SizeMode::Free, SizeMode::Oriented};
-constexpr std::array kMethods = {DirectionMethod::DepthBalanced, DirectionMethod::MeanNormal};
+constexpr std::array kSizeModes = {SizeMode::Fixed, SizeMode::Free, SizeMode::Oriented, SizeMode::Best};
+constexpr std::array kMethods = {DirectionMethod::DepthBalanced, DirectionMethod::MeanNormal, DirectionMethod::Pca,
+                                 DirectionMethod::Optimal};
 constexpr std::array kModulePatterns = {ModulePattern::Square, ModulePattern::None, ModulePattern::ThinPlus,
                                         ModulePattern::Diamond, ModulePattern::ThickPlus};
 constexpr std::array kFinderPatterns = {FinderPattern::ThickPlus, FinderPattern::None, FinderPattern::AsModules,
@@ -286,11 +287,10 @@ EngraveCase makeEngraveCase(Choices& choices) {
 
 std::string EngraveCase::describe() const {
   const PlacementRequest& place = request.placement;
-  static constexpr std::array kModes = {"free", "oriented", "fixed"};
   return fmt::format(
       "{} of {} triangles, {} size {:.4g} (at most {:.4g}) at ({:.6g}, {:.6g}, {:.6g}), {} bytes of text", shape,
-      mesh.triangles.size(), kModes[static_cast<std::size_t>(place.sizeMode)], place.sizeMm, place.maxSizeMm,
-      place.centreMm.x, place.centreMm.y, place.centreMm.z, request.text.size());
+      mesh.triangles.size(), sizeModeName(place.sizeMode), place.sizeMm, place.maxSizeMm, place.centreMm.x,
+      place.centreMm.y, place.centreMm.z, request.text.size());
 }
 
 }  // namespace qrelief

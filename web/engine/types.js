@@ -22,10 +22,10 @@
  * @property {'L' | 'M' | 'Q' | 'H'} ecc
  * @property {ModulePattern} pattern
  * @property {FinderPattern} finderPattern
- * @property {'free' | 'oriented' | number} size   edge of the symbol without quiet zone; a number is mm
+ * @property {'free' | 'oriented' | 'best' | number} size   edge of the symbol without quiet zone; a number is mm
  * @property {number} maxSizeMm                    upper bound for a size that is found
  * @property {boolean} quietZone                   whether the quiet zone has to fit as well
- * @property {'mean-normal' | 'depth-balanced'} direction
+ * @property {'mean-normal' | 'depth-balanced' | 'pca' | 'optimal'} direction
  * @property {number} rotateDeg
  * @property {number} contrast
  * @property {number} minWallMm
