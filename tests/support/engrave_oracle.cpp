@@ -21,6 +21,7 @@ namespace qrelief {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
+constexpr double kDeepestMm = 2;  // of depths that are made up
 
 double outerFactor(const PlacementRequest& place, int modules) {
   return place.quietZone ? (modules + 2.0 * kQuietZoneModules) / modules : 1.0;
@@ -387,7 +388,7 @@ Verdict judgeBadInput(const EngraveCase& made, const EngravableModel& model, con
 std::vector<double> madeUpDepths(const SubmoduleMask& mask, std::span<const double> limits, Choices& choices) {
   const int grain = choices.of(std::array{kSubmodulesPerModule, 1, mask.size});
   const int perEdge = (mask.size + grain - 1) / grain;
-  const int levels = choices.between(1, 200);
+  const int levels = choices.between(1, static_cast<int>(kDeepestMm / kDepthQuantumMm));
   std::vector<double> wanted;
   Random random(choices.below(65536));
   for (int k = 0; k < perEdge * perEdge; ++k)
@@ -418,7 +419,7 @@ Result<EngraveResult> carve(const EngraveCase& made, const EngravableModel& mode
       distances.push_back(static_cast<float>(caster.distance(middle)));
     }
   const std::vector<double> limits = wallLimits(mesh, placement.patch, placement.frame, mask, distances,
-                                                {placement.symbolMm, 2.0, made.request.minWallMm});
+                                                {placement.symbolMm, kDeepestMm, made.request.minWallMm});
   result.depths.depthMm = madeUpDepths(mask, limits, choices);
   if (std::none_of(result.depths.depthMm.begin(), result.depths.depthMm.end(), [](double depth) { return depth > 0; }))
     return fail(ErrorCode::NoSolution, "Nothing can be carved here", "as EngraveJob says");
@@ -468,6 +469,7 @@ Verdict runCarvingCase(const EngraveCase& made, Choices& choices) {
     const auto nearest = closestPoint(model.prepared.mesh, made.request.placement.centreMm);
     directed.request.placement.direction = triangleNormal(model.prepared.mesh, nearest->triangle);
   }
+  directed.request.placement.beyondMm = made.request.minWallMm + kDeepestMm;
   const GeometryPass unused;
   PlacementSearch search(model.prepared, model.gpu, unused, symbol->size, directed.request.placement);
   if (const Result<bool> placed = search.step(); !placed) return judge(directed, model, tl::unexpected(placed.error()));

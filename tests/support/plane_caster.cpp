@@ -10,8 +10,9 @@ namespace {
 
 constexpr int kBins = 64;
 
-bool shareAVertex(const Triangle& s, const Triangle& t) {
-  return std::any_of(s.begin(), s.end(), [&](std::uint32_t v) { return v == t[0] || v == t[1] || v == t[2]; });
+/// Between two that share a vertex only, there may be a fold.
+bool shareAnEdge(const Triangle& s, const Triangle& t) {
+  return std::count_if(s.begin(), s.end(), [&](std::uint32_t v) { return v == t[0] || v == t[1] || v == t[2]; }) > 1;
 }
 
 }  // namespace
@@ -63,7 +64,7 @@ double PlaneCaster::distance(Vec2 p) const {
 }
 
 bool PlaneCaster::connected(Vec2 p, const Hit& atP, Vec2 q, const Hit& atQ) const {
-  if (atP.triangle == atQ.triangle || shareAVertex(mesh_.triangles[atP.triangle], mesh_.triangles[atQ.triangle]))
+  if (atP.triangle == atQ.triangle || shareAnEdge(mesh_.triangles[atP.triangle], mesh_.triangles[atQ.triangle]))
     return true;
   if (glm::distance(p, q) < 1e-9 * half_) return std::abs(atP.distance - atQ.distance) < 1e-4;
   const Vec2 middle = (p + q) * 0.5;

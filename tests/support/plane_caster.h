@@ -28,7 +28,7 @@ class PlaneCaster {
   double distance(Vec2 p) const;
 
   /// Whether one can walk on the surface from what is seen at `p` to what is seen at `q`: the halves of the way between
-  /// lie on facets that touch, down to a way so short that only a step from one part to another is left.
+  /// lie on facets that share an edge, down to a way so short that only a step from one part to another is left.
   bool connected(Vec2 p, const Hit& atP, Vec2 q, const Hit& atQ) const;
 
  private:
