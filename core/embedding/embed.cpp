@@ -146,8 +146,13 @@ Result<Carving> carve(const Mesh& mesh, const ProjectionFrame& frame, const Foot
     if (attempt == kAttempts || low.nodes.empty()) {
       // Low triangles are a risk; whether they do harm is for the final check to say. Collinear ones always do.
       if (low.collinear == 0) return carving;
-      return fail(ErrorCode::Internal, fmt::format("{} carved triangles are too thin for 32-bit floats", low.collinear),
-                  "choose a slightly different centre or size");
+      return fail(
+          ErrorCode::NoSolution,
+          fmt::format("The model's facets under the code are too fine: {} carved triangles would be thinner than "
+                      "32-bit floats can hold",
+                      low.collinear),
+          "Choose a slightly different centre or size, merge vertices that nearly coincide, or move the model "
+          "to the origin");
     }
     clearance.placeAgain(low.nodes);
   }

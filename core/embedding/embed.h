@@ -43,7 +43,8 @@ struct EmbedOptions {
 ///
 /// @param patch   triangles visible from the eye that cover all carved submodules; projections do not overlap
 /// @param depths  field.size² depths; symbolMm > 0
-/// @returns the carved mesh; NoSolution if the carved area leaves the patch; Internal if the arrangement failed
+/// @returns the carved mesh; NoSolution if the carved area leaves the patch, or if facets so fine lie under it that
+///          32-bit floats cannot hold pieces of them; Internal if the arrangement failed
 Result<EmbedResult> embedDepthField(const Mesh& mesh, const ProjectionFrame& frame,
                                     std::span<const std::uint32_t> patch, const DepthField& depths,
                                     const EmbedOptions& options = {});

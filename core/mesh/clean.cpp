@@ -11,8 +11,7 @@
 namespace qrelief {
 namespace {
 
-/// Triangles looked at in all rounds of edge flips, some seconds. A round mends all slivers that are no neighbours of
-/// each other, so a chain of n slivers takes n rounds.
+/// Triangles looked at in all rounds of edge flips, some seconds.
 constexpr std::size_t kMaxFlipWork = 20'000'000;
 
 bool repeatsAVertex(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
@@ -94,7 +93,10 @@ void removeSlivers(Mesh& mesh, std::vector<char> sliver, Cleaning& report) {
     dropMarked(mesh, sliver, report);
     return;
   }
-  for (std::size_t work = 0; work < kMaxFlipWork; work += mesh.triangles.size())
+  // A round mends all slivers that are no neighbours of each other, so a chain of n may take more than n rounds, but
+  // not n². Two that lie in one line with each other would flip each other for ever.
+  const std::size_t maxRounds = std::min(slivers * slivers + 1, kMaxFlipWork / mesh.triangles.size() + 1);
+  for (std::size_t round = 0; round < maxRounds; ++round)
     if (flipSlivers(mesh, sliver) == 0) break;
   report.mended = slivers - static_cast<std::size_t>(std::count(sliver.begin(), sliver.end(), 1));
   dropMarked(mesh, sliver, report);
