@@ -11,6 +11,7 @@
 #include "native/egl_context.h"
 #include "native/png_file.h"
 #include "native/zxing_reader.h"
+#include "pipeline/carved_objects.h"
 #include "pipeline/place.h"
 #include "pipeline/report.h"
 
@@ -97,6 +98,10 @@ Status completeRequest(EngraveOptions& options) {
   if (options.ascii && formatOfName(options.output) != ModelFormat::Stl)
     return fail(ErrorCode::BadUsage, fmt::format("--ascii is for STL, and the output is {}", options.output),
                 "Leave it out, or name the output .stl");
+  if (request.inlay && formatOfName(options.output) != ModelFormat::ThreeMf)
+    return fail(ErrorCode::BadUsage,
+                fmt::format("--inlay needs two bodies in a file, and the output is {}", options.output),
+                "Name the output .3mf, or leave it out");
   request.modulePattern = *modulePatternByName(options.pattern);
   request.surface = *surfaceModeByName(options.surface);
   request.finderPattern = *finderPatternByName(options.finderPattern);
@@ -139,7 +144,7 @@ Result<std::vector<std::uint8_t>> encodeModel(const EngraveOptions& options, con
                                               const std::vector<std::string>& partNames) {
   const ModelFormat format = formatOfName(options.output);
   if (format == ModelFormat::Stl && !options.ascii) return result.stl;
-  return writeChecked(objectsOf(result.mesh, result.partOfTriangle, partNames), format,
+  return writeChecked(carvedObjects(result, partNames, options.request.inlay), format,
                       {.title = fileNameOf(options.model.path), .ascii = options.ascii});
 }
 
@@ -220,6 +225,8 @@ std::function<int()> addEngraveCommand(CLI::App& app) {
   c->add_option("--text", request.text, "what the code says, UTF-8")->required();
   c->add_option("-o", o->output, "carved model in mm, .stl, .obj, .ply or .3mf")->required()->check(whyNotWritable);
   c->add_flag("--ascii", o->ascii, "write the STL as text");
+  c->add_flag("--inlay", request.inlay,
+              "add the body that fills the pockets, in a second colour, to be printed with the model (.3mf)");
   c->add_option("--at", o->at, "X,Y,Z: centre in file units, moved to the nearest surface point [best spot found]")
       ->delimiter(',')
       ->expected(3);

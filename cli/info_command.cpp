@@ -41,8 +41,8 @@ int describe(const InfoOptions& options) {
   for (const UnitSuggestion& unit : model.unitSuggestions)
     json["unitSuggestions"].push_back({{"units", unit.unit}, {"scaleToMm", unit.scaleToMm}});
   if (engravable) json["volumeMm3"] = signedVolume(model.mesh);
-  fmt::print("{}: {}, {} triangles, {} vertices, {} shell{}\n", name, input->format,
-             model.mesh.triangles.size(), model.mesh.positions.size(), model.shells, model.shells == 1 ? "" : "s");
+  fmt::print("{}: {}, {} triangles, {} vertices, {} shell{}\n", name, input->format, model.mesh.triangles.size(),
+             model.mesh.positions.size(), model.shells, model.shells == 1 ? "" : "s");
   fmt::print("size {:.4g} × {:.4g} × {:.4g} mm\n", size.x, size.y, size.z);
   for (const std::string& warning : input->warnings) fmt::print("warning: {}\n", warning);
   for (const Finding& finding : model.findings) {

@@ -9,6 +9,7 @@
 
 #include "io/read_model.h"
 #include "io/write_checked.h"
+#include "pipeline/carved_objects.h"
 #include "projection/size.h"
 #include "wasm/display_mesh.h"
 #include "wasm/heat_mesh.h"
@@ -392,6 +393,7 @@ std::string Engine::startEngrave() {
   if (!centre_)
     return answer(ErrorCode::BadUsage, "no place has been chosen", "click on the model where the code should go");
   jobRequest_ = completeRequest();
+  jobRequest_.inlay = true;  // so that the page can offer it
   auto job = EngraveJob::create(model_->engravable, jobRequest_);
   if (!job) return answer(job.error());
   job_ = std::move(*job);
@@ -460,8 +462,10 @@ void Engine::setReadBack(const std::string& text, const std::string& reader) {
 std::vector<std::uint8_t> Engine::exportModel(const std::string& format) const {
   if (!result_) return {};
   if (format == "stl") return result_->stl;
-  const auto bytes = writeChecked(objectsOf(result_->mesh, result_->partOfTriangle, model_->partNames),
-                                  formatOfName("." + format), {.title = model_->fileName});
+  const bool withInlay = format == "3mf-inlay";
+  const auto bytes =
+      writeChecked(carvedObjects(*result_, model_->partNames, withInlay),
+                   withInlay ? ModelFormat::ThreeMf : formatOfName("." + format), {.title = model_->fileName});
   return bytes ? *bytes : std::vector<std::uint8_t>();
 }
 

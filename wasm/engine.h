@@ -71,8 +71,9 @@ class Engine {
   const GreyImage& readerImage() const;
   /// What a reader made of it; empty: nothing.
   void setReadBack(const std::string& text, const std::string& reader);
-  /// The carved model as "stl" (binary), "obj", "ply" or "3mf", read back and compared; empty before an engraving is
-  /// done, for another format, and if the file would say anything else.
+  /// The carved model as "stl" (binary), "obj", "ply", "3mf" or "3mf-inlay" (with the body that fills the pockets),
+  /// read back and compared; empty before an engraving is done, for another format, and if the file would say anything
+  /// else.
   std::vector<std::uint8_t> exportModel(const std::string& format) const;
 
   void resize(double width, double height, double devicePixelRatio);

@@ -400,7 +400,9 @@ export class App {
   /** @param {string} format */
   async download_(format) {
     const bytes = await this.client_.exportModel(format);
-    saveFile(new Blob([bytes], { type: `model/${format}` }), `${this.baseName_()}-qr.${format}`);
+    const [extension, addition] = format.split('-');
+    saveFile(new Blob([bytes], { type: `model/${extension}` }),
+      `${this.baseName_()}-qr${addition ? `-${addition}` : ''}.${extension}`);
   }
 
   async saveReport_() {

@@ -287,8 +287,9 @@ Status EngraveJob::State::check() {
   if (!solidity) return tl::unexpected(solidity.error());
   result.solidity = *solidity;
   const std::vector<std::uint32_t>& partOf = model->prepared.partOfTriangle;
-  result.partOfTriangle = partsAfterCarving(model->prepared.mesh, partOf, result.mesh, result.keptTriangles,
-                                            partOf.empty() ? 0 : partOf[result.placement.seed]);
+  result.carvedPart = partOf.empty() ? 0 : partOf[result.placement.seed];
+  result.partOfTriangle =
+      partsAfterCarving(model->prepared.mesh, partOf, result.mesh, result.keptTriangles, result.carvedPart);
   if (request.inlay) {
     const auto readInlay = readModel(writeStl(embedded.inlay), "inlay.stl");
     if (!readInlay) return tl::unexpected(readInlay.error());

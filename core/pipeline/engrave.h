@@ -57,6 +57,7 @@ struct EngraveResult {
   /// Part of the model (PreparedModel::partOfTriangle) each triangle belongs to, the new ones to that of the facet
   /// under the centre; empty: one part only.
   std::vector<std::uint32_t> partOfTriangle;
+  std::uint32_t carvedPart = 0;
   Symbol symbol;
   Placement placement;
   DepthField depths;
