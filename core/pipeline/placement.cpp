@@ -83,7 +83,7 @@ Status PlacementSearch::start() {
   if (!surface) return fail(ErrorCode::BadInput, "The model has no surface");
   placement_.seed = surface->triangle;
   placement_.frame.centre = surface->position;
-  surfaceNormal_ = triangleNormal(model_->mesh, surface->triangle);
+  surfaceNormal_ = surfaceNormalAt(model_->mesh, *surface);
   fitMm_ = std::min(request_.maxSizeMm, kFirstShare * boundingBox(model_->mesh).diagonal());
   if (request_.direction) return measure(*request_.direction);
   if (request_.sizeMode == SizeMode::Fixed) return {};

@@ -20,6 +20,14 @@ GpuMesh::GpuMesh(const Mesh& mesh, std::span<const Vec3f> normals)
   glBindVertexArray(0);
 }
 
+void GpuMesh::setValues(std::span<const float> values) {
+  array_.bind();
+  values_ = gl::Buffer(GL_ARRAY_BUFFER, std::as_bytes(values));
+  glEnableVertexAttribArray(2);
+  glVertexAttribPointer(2, 1, GL_FLOAT, GL_FALSE, 0, nullptr);
+  glBindVertexArray(0);
+}
+
 void GpuMesh::drawRange(std::uint32_t begin, std::uint32_t end) const {
   if (begin == end) return;
   const std::size_t offset = begin * sizeof(Triangle);
