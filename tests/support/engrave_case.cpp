@@ -238,6 +238,7 @@ constexpr std::array kLevels = {ErrorCorrection::L, ErrorCorrection::M, ErrorCor
 constexpr std::array kSizeModes = {SizeMode::Fixed, SizeMode::Free, SizeMode::Oriented, SizeMode::Best};
 constexpr std::array kMethods = {DirectionMethod::DepthBalanced, DirectionMethod::MeanNormal, DirectionMethod::Pca,
                                  DirectionMethod::Optimal};
+constexpr std::array kSurfaceModes = {SurfaceMode::Preserved, SurfaceMode::Resampled};
 constexpr std::array kModulePatterns = {ModulePattern::Square, ModulePattern::None, ModulePattern::ThinPlus,
                                         ModulePattern::Diamond, ModulePattern::ThickPlus};
 constexpr std::array kFinderPatterns = {FinderPattern::ThickPlus, FinderPattern::None, FinderPattern::AsModules,
@@ -282,13 +283,14 @@ EngraveCase makeEngraveCase(Choices& choices) {
   request.contrast = choices.oneIn(6) ? choices.between(0.2, 0.5) : choices.between(0.02, 0.15);
   if (choices.oneIn(3)) request.maxDepthMm = choices.between(0.1, 3.0);
   if (choices.oneIn(2)) request.minWallMm = choices.between(0.0, 3.0);
+  request.surface = choices.of(kSurfaceModes);
   return made;
 }
 
 std::string EngraveCase::describe() const {
   const PlacementRequest& place = request.placement;
   return fmt::format(
-      "{} of {} triangles, {} size {:.4g} (at most {:.4g}) at ({:.6g}, {:.6g}, {:.6g}), {} bytes of text", shape,
+      "{} of {} triangles, {}, {} size {:.4g} (at most {:.4g}) at ({:.6g}, {:.6g}, {:.6g}), {} bytes of text", shape,
       mesh.triangles.size(), sizeModeName(place.sizeMode), place.sizeMm, place.maxSizeMm, place.centreMm.x,
       place.centreMm.y, place.centreMm.z, request.text.size());
 }

@@ -174,7 +174,7 @@ double distanceTo(const Mesh& mesh, const std::vector<std::uint32_t>& facets, Ve
   return nearest;
 }
 
-std::string wallFault(const PlaneCaster& before, const EngraveCase& made, const EngravableModel& model,
+std::string wallFault(const PlaneCaster& after, const EngraveCase& made, const EngravableModel& model,
                       const EngraveResult& result) {
   const Mesh& mesh = model.prepared.mesh;
   const DepthField& field = result.depths;
@@ -187,7 +187,7 @@ std::string wallFault(const PlaneCaster& before, const EngraveCase& made, const 
     const auto column = static_cast<int>(random.below(static_cast<std::uint64_t>(field.size)));
     if (field.depth(row, column) == 0) continue;
     const Vec2 p = pointOf(field, row, column, k);
-    const Vec3 floor = frame.eye() + frame.rayDirection(p) * (before.distance(p) + field.depth(row, column));
+    const Vec3 floor = frame.eye() + frame.rayDirection(p) * after.distance(p);
     const double wall = distanceTo(mesh, walls, floor);
     if (wall < made.request.minWallMm - kDepthQuantumMm - 0.05 * field.submoduleMm())
       return fmt::format("behind submodule ({}, {}) {:.4g} mm of wall are left, not {:.4g}", row, column, wall,
@@ -211,9 +211,11 @@ Verdict judgeSolid(const EngraveCase& made, const EngravableModel& model, const 
   std::string fault = solidFault(model, result, carved);
   if (fault.empty()) fault = untouchedFault(model, result, carved);
   if (fault.empty()) fault = seenFault(made, model, result);
-  if (fault.empty()) fault = depthFault(before, after, result);
-  if (fault.empty()) fault = volumeFault(before, model, result, carved);
-  if (fault.empty()) fault = wallFault(before, made, model, result);
+  // A resampled surface is another than the model's, so depths cannot be measured from that.
+  const bool isPreserved = made.request.surface == SurfaceMode::Preserved;
+  if (fault.empty() && isPreserved) fault = depthFault(before, after, result);
+  if (fault.empty() && isPreserved) fault = volumeFault(before, model, result, carved);
+  if (fault.empty()) fault = wallFault(after, made, model, result);
   return {"solid", fault};
 }
 
@@ -410,20 +412,14 @@ Result<EngraveResult> carve(const EngraveCase& made, const EngravableModel& mode
   const Mesh& mesh = model.prepared.mesh;
   EngraveResult result;
   const SubmoduleMask mask = submodulesToCarve(symbol, made.request.modulePattern, made.request.finderPattern);
-  const PlaneCaster caster(mesh, placement.frame, placement.symbolMm / 2);
   result.depths = {mask.size, placement.symbolMm, {}};
-  std::vector<float> distances;
-  for (int row = 0; row < mask.size; ++row)
-    for (int column = 0; column < mask.size; ++column) {
-      const Vec2 middle = result.depths.corner(row, column) + Vec2(0.5, -0.5) * result.depths.submoduleMm();
-      distances.push_back(static_cast<float>(caster.distance(middle)));
-    }
-  const std::vector<double> limits = wallLimits(mesh, placement.patch, placement.frame, mask, distances,
+  const std::vector<double> limits = wallLimits(mesh, placement.patch, placement.frame, mask,
                                                 {placement.symbolMm, kDeepestMm, made.request.minWallMm});
   result.depths.depthMm = madeUpDepths(mask, limits, choices);
   if (std::none_of(result.depths.depthMm.begin(), result.depths.depthMm.end(), [](double depth) { return depth > 0; }))
     return fail(ErrorCode::NoSolution, "Nothing can be carved here", "as EngraveJob says");
-  const auto embedded = embedDepthField(mesh, placement.frame, placement.patch.triangles, result.depths);
+  const auto embedded = embedDepthField(mesh, placement.frame, placement.patch.triangles, result.depths,
+                                        {.surface = made.request.surface});
   if (!embedded) return tl::unexpected(embedded.error());
   result.stl = writeStl(embedded->mesh);
   result.keptTriangles = embedded->keptTriangles;

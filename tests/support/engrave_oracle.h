@@ -18,7 +18,7 @@ struct Verdict {
 ///     very bytes of the STL file; and the job must say so, too;
 ///   - the model's facets bit for bit, except for those that come within a submodule of the code;
 ///   - at every point looked at, as much deeper than the model as the depth field says, and so smaller by the sum of
-///     the pockets' volumes;
+///     the pockets' volumes (surface mode "preserved");
 ///   - at least `minWallMm` thick behind and beside the floors looked at;
 ///   - of a code that is seen as a whole: no ray through its square misses the model or steps to another part of it.
 /// A refusal must be typed and its reason true: a code that does not fit is crossed by the silhouette, as rays tell;
