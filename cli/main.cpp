@@ -29,10 +29,10 @@ int printError(const Error& error) {
   return exitStatusOf(error.code);
 }
 
-Result<double> scaleFrom(double scale, const std::string& units) {
+Result<std::optional<double>> scaleFrom(std::optional<double> scale, const std::string& units) {
   if (!units.empty()) return units == "mm" ? 1.0 : units == "cm" ? 10.0 : units == "m" ? 1000.0 : 25.4;
-  if (!(scale > 0 && scale < 1e12))
-    return fail(ErrorCode::BadUsage, fmt::format("The scale is {:g}", scale),
+  if (scale && !(*scale > 0 && *scale < 1e12))
+    return fail(ErrorCode::BadUsage, fmt::format("The scale is {:g}", *scale),
                 "Give file units → mm, such as 1000 for metres");
   return scale;
 }

@@ -5,7 +5,7 @@
 
 #include "cli/commands.h"
 #include "cli/files.h"
-#include "cli/load_model.h"
+#include "cli/model_input.h"
 #include "cli/progress_bar.h"
 #include "native/egl_context.h"
 #include "pipeline/place.h"
@@ -19,8 +19,9 @@ using Json = nlohmann::ordered_json;
 constexpr int kDirectionDecimals = 4;
 
 struct PlaceOptions {
-  std::string model, units, json, text, direction = "depth-balanced", ecc = "M";
-  double scale = 1, size = 0;
+  ModelFlags model;
+  std::string json, text, direction = "depth-balanced", ecc = "M";
+  double size = 0;
   int version = 0;
   std::vector<double> up;
   bool noQuietZone = false, quiet = false;
@@ -58,11 +59,11 @@ Status completeRequest(PlaceOptions& options) {
   return {};
 }
 
-Json describe(const PlaceOptions& options, const LoadedModel& input, std::size_t triangles, const PlaceResult& result) {
+Json describe(const PlaceOptions& options, const ModelInput& input, std::size_t triangles, const PlaceResult& result) {
   const PlaceRequest& request = options.request;
   Json json;
   json["qrelief"] = QRELIEF_VERSION;
-  json["input"] = {{"file", fileNameOf(options.model)},
+  json["input"] = {{"file", fileNameOf(options.model.path)},
                    {"format", input.format},
                    {"triangles", triangles},
                    {"scaleToMm", input.scaleToMm}};
@@ -110,7 +111,7 @@ void printSpots(const PlaceResult& result, double scaleToMm) {
 int findSpots(PlaceOptions& options) {
   const auto start = Clock::now();
   if (const Status completed = completeRequest(options); !completed) return printError(completed.error());
-  auto input = loadEngravable(options.model, options.scale, options.units);
+  auto input = loadEngravable(options.model);
   if (!input) return printError(input.error());
   options.request.scaleToMm = input->scaleToMm;
   const auto gl = EglContext::create();
@@ -142,14 +143,11 @@ std::function<int()> addPlaceCommand(CLI::App& app) {
   auto o = std::make_shared<PlaceOptions>();
   PlaceRequest& request = o->request;
   CLI::App* c = app.add_subcommand("place", "Where a QR code could go: the best spots, each tested");
-  c->add_option("MODEL", o->model, "OBJ, STL, PLY or OFF file")->required();
+  addModelFlags(*c, o->model);
   c->add_option("--size", o->size, "edge of the symbol without quiet zone, mm [the largest that fits]")
       ->check(CLI::PositiveNumber);
   c->add_option("--count", request.count, fmt::format("spots to find [{}]", request.count))->check(CLI::Range(1, 100));
   c->add_option("--json", o->json, "write the spots and what led to them as JSON");
-  c->add_option("--scale", o->scale, "file units → mm [1]");
-  c->add_option("--units", o->units, "unit of the file, instead of --scale")
-      ->check(CLI::IsMember({"mm", "cm", "m", "in"}));
   c->add_option("--text", o->text, "what the code will say: a longer text needs less quiet zone [shortest]");
   c->add_option("--ecc", o->ecc, "error correction [M]")->check(CLI::IsMember({"L", "M", "Q", "H"}));
   c->add_option("--version", o->version, "symbol version, 1 to 40 [smallest]")->check(CLI::Range(1, 40));

@@ -8,6 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "io/read_model.h"
+#include "io/write_checked.h"
+#include "pipeline/carved_objects.h"
 #include "projection/size.h"
 #include "wasm/display_mesh.h"
 #include "wasm/heat_mesh.h"
@@ -137,12 +139,13 @@ Result<Engine::Model> Engine::readAndPrepare(std::vector<std::uint8_t> bytes, co
   Model model;
   model.fileName = fileName;
   model.format = soup->format;
-  model.scaleToMm = scaleToMm;
+  model.scaleToMm = scaleToMm > 0 ? scaleToMm : soup->unitMm.value_or(1);
   model.warnings = soup->warnings;
+  for (ModelPart& part : soup->parts) model.partNames.push_back(std::move(part.name));
   model.loadMs = millisecondsSince(start);
 
   const auto preparing = Clock::now();
-  auto prepared = prepareModel(*soup, {.scaleToMm = scaleToMm});
+  auto prepared = prepareModel(*soup, {.scaleToMm = model.scaleToMm});
   if (!prepared) return tl::unexpected(prepared.error());
   *soup = {};
   {
@@ -156,7 +159,7 @@ Result<Engine::Model> Engine::readAndPrepare(std::vector<std::uint8_t> bytes, co
 
 std::string Engine::loadModel(std::vector<std::uint8_t> bytes, const std::string& fileName, double scaleToMm) {
   if (!viewer_) return answer(ErrorCode::Internal, problems_.front(), "use a browser with WebGL 2 and float targets");
-  if (!(scaleToMm > 0) || !std::isfinite(scaleToMm))
+  if (!(scaleToMm >= 0) || !std::isfinite(scaleToMm))
     return answer(ErrorCode::BadUsage, fmt::format("the scale is {:g}", scaleToMm),
                   "Choose how many mm one unit of the file is");
   auto model = readAndPrepare(std::move(bytes), fileName, scaleToMm);
@@ -211,6 +214,7 @@ std::string Engine::describeModel() const {
   return dump({{"ok", true},
                {"model",
                 {{"format", model_->format},
+                 {"scaleToMm", model_->scaleToMm},
                  {"triangles", prepared.mesh.triangles.size()},
                  {"vertices", prepared.mesh.positions.size()},
                  {"sizeMm", triple(boundingBox(prepared.mesh).size())},
@@ -389,6 +393,7 @@ std::string Engine::startEngrave() {
   if (!centre_)
     return answer(ErrorCode::BadUsage, "no place has been chosen", "click on the model where the code should go");
   jobRequest_ = completeRequest();
+  jobRequest_.inlay = true;  // so that the page can offer it
   auto job = EngraveJob::create(model_->engravable, jobRequest_);
   if (!job) return answer(job.error());
   job_ = std::move(*job);
@@ -454,9 +459,14 @@ void Engine::setReadBack(const std::string& text, const std::string& reader) {
   reader_ = reader;
 }
 
-std::span<const std::uint8_t> Engine::exportModel(const std::string& format) const {
-  if (!result_ || format != "stl") return {};
-  return result_->stl;
+std::vector<std::uint8_t> Engine::exportModel(const std::string& format) const {
+  if (!result_) return {};
+  if (format == "stl") return result_->stl;
+  const bool withInlay = format == "3mf-inlay";
+  const auto bytes =
+      writeChecked(carvedObjects(*result_, model_->partNames, withInlay),
+                   withInlay ? ModelFormat::ThreeMf : formatOfName("." + format), {.title = model_->fileName});
+  return bytes ? *bytes : std::vector<std::uint8_t>();
 }
 
 void Engine::resize(double width, double height, double devicePixelRatio) {

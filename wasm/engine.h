@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -31,9 +30,10 @@ class Engine {
   /// {renderer, version, problems: [text]}; with a problem nothing can be drawn or engraved.
   std::string capabilities() const;
 
-  /// {model: {format, triangles, vertices, sizeMm, shells, engravable, findings, centre}}; `centre` is the surface
-  /// point in the middle of the view, chosen until another is. After an error the old model stays.
-  /// @param bytes  the file; freed as soon as it is read
+  /// {model: {format, scaleToMm, triangles, vertices, sizeMm, shells, engravable, findings, centre}}; `centre` is the
+  /// surface point in the middle of the view, chosen until another is. After an error the old model stays.
+  /// @param bytes      the file; freed as soon as it is read
+  /// @param scaleToMm  file units → mm; 0: as the file says (3MF), else 1
   std::string loadModel(std::vector<std::uint8_t> bytes, const std::string& fileName, double scaleToMm);
 
   /// See readSettings. What is engraved follows from the last call.
@@ -71,8 +71,10 @@ class Engine {
   const GreyImage& readerImage() const;
   /// What a reader made of it; empty: nothing.
   void setReadBack(const std::string& text, const std::string& reader);
-  /// The carved model; empty before an engraving is done, or if the format (only "stl" so far) is not known.
-  std::span<const std::uint8_t> exportModel(const std::string& format) const;
+  /// The carved model as "stl" (binary), "obj", "ply", "3mf" or "3mf-inlay" (with the body that fills the pockets),
+  /// read back and compared; empty before an engraving is done, for another format, and if the file would say anything
+  /// else.
+  std::vector<std::uint8_t> exportModel(const std::string& format) const;
 
   void resize(double width, double height, double devicePixelRatio);
   void setTheme(bool dark);
@@ -102,7 +104,7 @@ class Engine {
   struct Model {
     std::string fileName, format;
     double scaleToMm = 1, loadMs = 0, prepareMs = 0;
-    std::vector<std::string> warnings;
+    std::vector<std::string> warnings, partNames;
     std::shared_ptr<const EngravableModel> engravable;
     std::shared_ptr<const GpuMesh> display;
   };

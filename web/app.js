@@ -20,7 +20,8 @@ import { View } from './view/view.js';
 /** @typedef {import('./ui/model_panel.js').Sample} Sample */
 /** @typedef {[number, number, number]} Point */
 /** @typedef {{ bytes: Uint8Array, fileName: string, scaleToMm: number, upAxis: import('./engine/types.js').UpAxis,
- *   sampleId?: string, credit: string, centreMm?: Point }} Source */
+ *   sampleId?: string, credit: string, centreMm?: Point, unitStated?: boolean }} Source
+ * `scaleToMm` of 0 leaves the unit to the file, and the true one is put in its place; `unitStated`: that was done */
 
 const kAskForCentre = 'Click the model where the code should go.';
 const kMaxFileBytes = 512 * 1024 * 1024;  // beyond it a tab runs out of memory before it can say so
@@ -217,7 +218,8 @@ export class App {
       return;
     }
     const bytes = new Uint8Array(await file.arrayBuffer());
-    const { scaleToMm, upAxis } = this.models_;  // the last ones chosen: parts of one origin share them
+    const { upAxis } = this.models_;  // the last ones chosen: parts of one origin share them
+    const scaleToMm = /\.3mf$/i.test(file.name) ? 0 : this.source_?.unitStated ? 1 : this.models_.scaleToMm;
     await this.load_({ bytes, fileName: file.name, scaleToMm, upAxis, credit: '' });
   }
 
@@ -247,7 +249,7 @@ export class App {
       if (source.upAxis !== axisBefore) await this.client_.setUpAxis(source.upAxis);
       const model = await this.runWork_(`Reading ${source.fileName}`, (signal) =>
         this.client_.loadModel(source.bytes, source.fileName, source.scaleToMm, { signal }));
-      this.source_ = source;
+      this.source_ = { ...source, scaleToMm: model.scaleToMm, unitStated: source.scaleToMm === 0 };
       this.model_ = model;
       this.centreMm_ = source.centreMm;
     } catch (thrown) {
@@ -398,7 +400,9 @@ export class App {
   /** @param {string} format */
   async download_(format) {
     const bytes = await this.client_.exportModel(format);
-    saveFile(new Blob([bytes], { type: 'model/stl' }), `${this.baseName_()}-qr.${format}`);
+    const [extension, addition] = format.split('-');
+    saveFile(new Blob([bytes], { type: `model/${extension}` }),
+      `${this.baseName_()}-qr${addition ? `-${addition}` : ''}.${extension}`);
   }
 
   async saveReport_() {

@@ -83,7 +83,7 @@ Status PlacementSearch::start() {
   if (!surface) return fail(ErrorCode::BadInput, "The model has no surface");
   placement_.seed = surface->triangle;
   placement_.frame.centre = surface->position;
-  surfaceNormal_ = triangleNormal(model_->mesh, surface->triangle);
+  surfaceNormal_ = surfaceNormalAt(model_->mesh, *surface);
   fitMm_ = std::min(request_.maxSizeMm, kFirstShare * boundingBox(model_->mesh).diagonal());
   if (request_.direction) return measure(*request_.direction);
   if (request_.sizeMode == SizeMode::Fixed) return {};
@@ -146,6 +146,13 @@ Status PlacementSearch::measure(Vec3 normal) {
   placement_.symbolMm = isFixed ? request_.sizeMm : fitMm_;
   placement_.moduleMm = placement_.symbolMm / modules_;
   if (isFixed && fitMm_ < request_.sizeMm) return tl::unexpected(doesNotFit());
+  if (placement_.moduleMm < kLeastModuleMm && (isFixed || fitMm_ >= request_.maxSizeMm)) {
+    return fail(
+        ErrorCode::NoSolution,
+        fmt::format("A code of {:.4g} mm is asked for: its modules would be {:.2g} mm wide", placement_.symbolMm,
+                    placement_.moduleMm),
+        fmt::format("Allow a larger size (at least {:.3g} mm), or shorten the text", kLeastModuleMm * modules_));
+  }
   if (placement_.moduleMm < kLeastModuleMm) {
     return fail(
         ErrorCode::NoSolution,

@@ -61,6 +61,8 @@ Json describeProjection(const EngraveRequest& request, const Placement& placemen
 std::vector<std::string> failedChecks(const EngraveRequest& request, const EngraveResult& result,
                                       const std::string& readBack) {
   std::vector<std::string> failed = result.solidity.problems();
+  if (result.inlay)
+    for (const std::string& problem : result.inlaySolidity.problems()) failed.push_back("Inlay: " + problem);
   if (readBack.empty())
     failed.push_back("No reader found the code in the simulated picture");
   else if (readBack != request.text)
@@ -89,10 +91,10 @@ std::string makeReport(const EngraveRequest& request, const EngravableModel& mod
                      {"iterations", result.searchIterations},
                      {"limitedSubmodules", result.limitedSubmodules},
                      {"solver", "paper-steps"}};
-  report["mesh"] = {{"triangles", solid.triangles},          {"vertices", solid.vertices},
-                    {"keptTriangles", result.keptTriangles}, {"closed", solid.closed()},
-                    {"manifold", solid.manifold()},          {"selfIntersections", solid.selfIntersections},
-                    {"volumeMm3", solid.volumeMm3}};
+  report["mesh"] = {
+      {"surface", surfaceModeName(request.surface)},  {"triangles", solid.triangles}, {"vertices", solid.vertices},
+      {"keptTriangles", result.keptTriangles},        {"closed", solid.closed()},     {"manifold", solid.manifold()},
+      {"selfIntersections", solid.selfIntersections}, {"volumeMm3", solid.volumeMm3}};
   report["verification"] = {{"decoded", !context.readBack.empty() && context.readBack == request.text},
                             {"text", context.readBack},
                             {"reader", context.reader},

@@ -266,6 +266,25 @@ TEST_F(EngraveTest, TheReportHasTheKeysOfTheContract) {
   EXPECT_TRUE(report["verification"]["failedChecks"].empty());
 }
 
+TEST_F(EngraveTest, ACentreOnAnEdgeOrACornerIsSeenFromBetweenTheFaces) {
+  const auto model = upload(shapes::box({60, 60, 60}));
+  for (const Vec3 centre : {Vec3(30, 4, 30), Vec3(30, 30, 30)}) {
+    for (const SurfaceMode surface : {SurfaceMode::Preserved, SurfaceMode::Resampled}) {
+      EngraveRequest wanted = request(centre, 15);
+      wanted.surface = surface;
+      wanted.inlay = true;
+      const auto result = engrave(model, wanted);
+      ASSERT_TRUE(result.has_value()) << result.error().message;
+      EXPECT_TRUE(result->solidity.solid()) << testing::PrintToString(result->solidity.problems());
+      EXPECT_TRUE(result->inlaySolidity.solid()) << testing::PrintToString(result->inlaySolidity.problems());
+      if (surface == SurfaceMode::Preserved) {
+        const double lost = signedVolume(model->prepared.mesh) - result->solidity.volumeMm3;
+        EXPECT_NEAR(result->inlaySolidity.volumeMm3, lost, 2e-3);
+      }
+    }
+  }
+}
+
 TEST_F(EngraveTest, AWrongOrMissingReadingIsAFailedCheck) {
   const auto model = upload(shapes::icosphere(40, 4));
   const EngraveRequest wanted = request({0, 0, 40}, 25);

@@ -9,6 +9,7 @@
 #include "io/write_stl.h"
 #include "support/gl_test.h"
 #include "support/shapes.h"
+#include "support/zip_file.h"
 
 namespace qrelief {
 namespace {
@@ -104,6 +105,14 @@ TEST_F(EngineTest, TheFreeSizeOnABoxesTopIsTheClosedForm) {
   EXPECT_NEAR(placement["moduleMm"].get<double>() * 29, placement["symbolMm"].get<double>(), 1e-9);
 }
 
+TEST_F(EngineTest, AScaleOfZeroLeavesTheUnitToTheFile) {
+  const auto inches = zip_file::threeMf(
+      zip_file::modelPart(zip_file::boxObject(1, 2, 3, 1), "<item objectid=\"1\"/>", "unit=\"inch\""));
+  EXPECT_EQ(Json::parse(engine_->loadModel(inches, "a.3mf", 0))["model"]["scaleToMm"], 25.4);
+  EXPECT_EQ(Json::parse(engine_->loadModel(inches, "a.3mf", 10))["model"]["scaleToMm"], 10);
+  EXPECT_EQ(Json::parse(engine_->loadModel(writeStl(shapes::box({9, 9, 9})), "a.stl", 0))["model"]["scaleToMm"], 1);
+}
+
 TEST_F(EngineTest, WhatIsMissingIsNamed) {
   expectError(engine_->placement(), "BadUsage", "no model");
   expectError(engine_->startEngrave(), "BadUsage", "no model");
@@ -145,6 +154,11 @@ TEST_F(EngineTest, EngravesStepByStepAndReportsWhatCameOut) {
   ASSERT_TRUE(carved.has_value());
   EXPECT_EQ(carved->triangles.size(), report["mesh"]["triangles"].get<std::size_t>());
   EXPECT_TRUE(engine_->exportModel("gif").empty());
+  for (const char* format : {"obj", "ply", "3mf"}) {
+    const auto same = readModel(engine_->exportModel(format), std::string("carved.") + format);
+    ASSERT_TRUE(same.has_value()) << format << ": " << same.error().message;
+    EXPECT_EQ(same->triangles.size(), carved->triangles.size()) << format;
+  }
 
   engine_->pick(200, 150);  // a new place: the result can still be had
   EXPECT_FALSE(engine_->exportModel("stl").empty());

@@ -158,7 +158,15 @@ export class EngineHost {
     /** @param {string} text @param {string} reader */
     setReadBack: (text, reader) => this.engine_.setReadBack(text, reader),
     /** @param {string} format */
-    exportModel: (format) => this.engine_.exportModel(format).slice(),
+    exportModel: (format) => {
+      const bytes = this.engine_.exportModel(format);
+      if (bytes.length > 0) return bytes.slice();
+      throw new EngineFailure({
+        code: 'Internal',
+        message: `The model could not be written as ${format.toUpperCase()}`,
+        hint: 'Choose another format.',
+      });
+    },
 
     /** @param {boolean} dark */
     setTheme: (dark) => this.drawn_(this.engine_.setTheme(dark)),

@@ -6,8 +6,9 @@
  *   Finding */
 
 /**
- * @typedef {{ format: string, triangles: number, vertices: number, sizeMm: [number, number, number], shells: number,
- *   engravable: boolean, findings: Finding[], centre: [number, number, number] | null }} ModelInfo
+ * @typedef {{ format: string, scaleToMm: number, triangles: number, vertices: number,
+ *   sizeMm: [number, number, number], shells: number, engravable: boolean, findings: Finding[],
+ *   centre: [number, number, number] | null }} ModelInfo
  *   `centre`: a surface point in the middle of the view
  */
 
