@@ -79,20 +79,17 @@ Result<Wall> measureWall(const EngravableModel& model, const GeometryPass& pass,
   SubmoduleMask all;
   all.size = modules;
   all.carved.assign(cells, 1);
-  std::vector<float> distance(cells, std::numeric_limits<float>::quiet_NaN());
   std::vector<double> thickness(cells, std::numeric_limits<double>::infinity());
   for (int row = 0; row < modules; ++row) {
     for (int column = 0; column < modules; ++column) {
       const auto texel = static_cast<std::size_t>((modules - 1 - row) * modules + column);  // row 0 at the bottom
-      const auto cell = static_cast<std::size_t>(row * modules + column);
       const float nearest = ahead[4 * texel + 3];
-      if (nearest <= 0) continue;
-      distance[cell] = nearest;
-      if (behind[texel] > 0) thickness[cell] = static_cast<double>(behind[texel] - nearest);
+      if (nearest > 0 && behind[texel] > 0)
+        thickness[static_cast<std::size_t>(row * modules + column)] = static_cast<double>(behind[texel] - nearest);
     }
   }
-  const std::vector<double> limits = wallLimits(model.prepared.mesh, placement.patch, placement.frame, all, distance,
-                                                {placement.symbolMm, depthMm, minWallMm});
+  const std::vector<double> limits =
+      wallLimits(model.prepared.mesh, placement.patch, placement.frame, all, {placement.symbolMm, depthMm, minWallMm});
   std::size_t taking = 0;
   for (std::size_t i = 0; i < cells; ++i)
     if (std::min(limits[i], thickness[i] - minWallMm) >= depthMm) ++taking;
