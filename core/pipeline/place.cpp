@@ -83,14 +83,13 @@ Result<Wall> measureWall(const EngravableModel& model, const GeometryPass& pass,
   for (int row = 0; row < modules; ++row) {
     for (int column = 0; column < modules; ++column) {
       const auto texel = static_cast<std::size_t>((modules - 1 - row) * modules + column);  // row 0 at the bottom
-      const auto cell = static_cast<std::size_t>(row * modules + column);
       const float nearest = ahead[4 * texel + 3];
-      if (nearest <= 0) continue;
-      if (behind[texel] > 0) thickness[cell] = static_cast<double>(behind[texel] - nearest);
+      if (nearest > 0 && behind[texel] > 0)
+        thickness[static_cast<std::size_t>(row * modules + column)] = static_cast<double>(behind[texel] - nearest);
     }
   }
-  const std::vector<double> limits = wallLimits(model.prepared.mesh, placement.patch, placement.frame, all,
-                                                {placement.symbolMm, depthMm, minWallMm});
+  const std::vector<double> limits =
+      wallLimits(model.prepared.mesh, placement.patch, placement.frame, all, {placement.symbolMm, depthMm, minWallMm});
   std::size_t taking = 0;
   for (std::size_t i = 0; i < cells; ++i)
     if (std::min(limits[i], thickness[i] - minWallMm) >= depthMm) ++taking;

@@ -60,7 +60,9 @@ TEST_F(PlaceTest, ACubeIsOfferedItsFacesInFullSize) {
     EXPECT_EQ((p.x == 30) + (p.y == 30) + (p.z == 30), 1);
     EXPECT_NEAR(spot.guaranteedMm, 60 / std::sqrt(2), 4);
   }
-  EXPECT_NEAR(found->spots.front().symbolMm, 60, 6);
+  // The map's vertices are up to 3.5 mm apart, and a centre beside the middle loses twice the distance.
+  EXPECT_GT(found->spots.front().symbolMm, 60 - 2 * 3.5);
+  EXPECT_LT(found->spots.front().symbolMm, 60 + 1e-3);
 }
 
 TEST_F(PlaceTest, ACentreIsRoundedToWhatIsPrinted) {
