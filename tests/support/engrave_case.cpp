@@ -291,8 +291,8 @@ std::string EngraveCase::describe() const {
   const PlacementRequest& place = request.placement;
   return fmt::format(
       "{} of {} triangles, {}, {} size {:.4g} (at most {:.4g}) at ({:.6g}, {:.6g}, {:.6g}), {} bytes of text", shape,
-      mesh.triangles.size(), sizeModeName(place.sizeMode), place.sizeMm, place.maxSizeMm, place.centreMm.x,
-      place.centreMm.y, place.centreMm.z, request.text.size());
+      mesh.triangles.size(), surfaceModeName(request.surface), sizeModeName(place.sizeMode), place.sizeMm,
+      place.maxSizeMm, place.centreMm.x, place.centreMm.y, place.centreMm.z, request.text.size());
 }
 
 }  // namespace qrelief
