@@ -176,6 +176,7 @@ Result<PreparedModel> prepareModel(const PolygonSoup& soup, const PrepareOptions
   model.mesh = std::move(repaired->mesh);
   model.adjacency = std::move(repaired->adjacency);
   model.shells = repaired->consistency.shells.count;
+  model.crossesItself = repaired->untangling.pairs > 0 && !repaired->untangling.mended;
   model.normals = vertexNormals(model.mesh);
   reportExtent(model, options.scaleToMm, findings);
   model.findings = findings.take();

@@ -45,6 +45,7 @@ struct PreparedModel {
   std::vector<Vec3f> normals;  ///< smooth unit vertex normals
   std::vector<Finding> findings;
   std::size_t shells = 0;
+  bool crossesItself = false;                   ///< triangles cross each other, and were not parted
   std::vector<std::uint32_t> partOfTriangle;    ///< index into the soup's parts; empty: one part only
   std::vector<UnitSuggestion> unitSuggestions;  ///< if the model is tiny; may be empty
 

@@ -25,7 +25,7 @@ struct PlaceRequest {
   double scaleToMm = 1;
 
   /// Edge of what must fit, in edges of the symbol.
-  double outerFactor() const { return placement.quietZone ? (modules + 2.0 * kQuietZoneModules) / modules : 1.0; }
+  double outerFactor() const { return roomFactor(modules, placement.quietZone); }
 };
 
 /// Decimals that a centre in file units is rounded to: a micrometre or finer, at most 15.

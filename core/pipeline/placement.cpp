@@ -10,6 +10,7 @@
 
 #include "mesh/ray.h"
 #include "projection/best_size.h"
+#include "projection/crossings.h"
 #include "projection/size.h"
 
 namespace qrelief {
@@ -65,13 +66,18 @@ std::optional<SizeMode> sizeModeByName(std::string_view name) {
   return {};
 }
 
+double roomFactor(int modules, bool quietZone) {
+  // Carving moves its outlines by up to an eighth of a submodule, or a hundredth of a millimetre, off the model's
+  // edges.
+  constexpr double kBorderModules = 0.06;
+  return (modules + 2 * (quietZone ? kQuietZoneModules : kBorderModules)) / modules;
+}
+
 PlacementSearch::PlacementSearch(const PreparedModel& model, const GpuMesh& gpu, const GeometryPass& pass, int modules,
                                  const PlacementRequest& request)
     : model_(&model), gpu_(&gpu), pass_(&pass), modules_(modules), request_(request) {}
 
-double PlacementSearch::outerFactor() const {
-  return request_.quietZone ? (modules_ + 2.0 * kQuietZoneModules) / modules_ : 1.0;
-}
+double PlacementSearch::outerFactor() const { return roomFactor(modules_, request_.quietZone); }
 
 ProjectionFrame PlacementSearch::frameFor(Vec3 normal) const {
   return turnedFrame(makeFrame(placement_.frame.centre, normal, request_.upHint, request_.eyeDistanceMm),
@@ -107,6 +113,8 @@ Result<VisiblePatch> PlacementSearch::decisivePatch(const ProjectionFrame& frame
   double radius = std::min(farthest, kFirstReach * sampledMm() * halfDiagonal + beyond);
   for (;;) {
     auto patch = findVisiblePatch(model_->mesh, model_->adjacency, frame, placement_.seed, radius);
+    if (patch && model_->crossesItself)
+      if (const Status added = addCrossings(model_->mesh, frame, *patch); !added) return tl::unexpected(added.error());
     if (!patch || radius >= farthest) return patch;
     const double size = sizeWithin(patch->silhouette);
     if (size * halfDiagonal + beyond <= radius) return patch;

@@ -53,6 +53,10 @@ struct Placement {
   std::vector<DirectionIteration> iterations;
 };
 
+/// How much larger than the symbol the square is that the surface must have room for: the quiet zone, or, without it,
+/// the little that embedding may move the pockets' outlines by.
+double roomFactor(int modules, bool quietZone);
+
 /// Finds direction and size, which depend on each other: they are found in turn until the size moves by less than 1 %
 /// (at most 5 rounds) [Papp 2022, §3 and §4]. The optimal direction is then looked for once, at the size found, from
 /// the depth-balanced one on.

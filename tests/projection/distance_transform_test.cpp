@@ -28,7 +28,7 @@ TEST(DistanceTransform, IsExactOnRandomMapsOfEverySparsity) {
     for (const std::uint64_t sparsity : {2u, 10u, 300u}) {
       std::vector<std::uint8_t> blocked(static_cast<std::size_t>(texels * texels), 0);
       for (std::uint8_t& b : blocked) b = random.below(sparsity) == 0 ? 1 : 0;
-      blocked[random.below(blocked.size())] = 1;
+      blocked[static_cast<std::size_t>(random.below(blocked.size()))] = 1;
       EXPECT_EQ(squaredDistances(blocked, texels), byBruteForce(blocked, texels)) << texels << ", 1/" << sparsity;
     }
   }
