@@ -17,7 +17,8 @@ namespace qrelief {
 /// Calls work(0) … work(count - 1), each once, on all cores; in the browser, which has one thread, in turn.
 ///
 /// The calls may run at the same time and in any order: each writes only to a place of its own, so that the result is
-/// the same however many cores there are. Of several exceptions that of the lowest index is thrown.
+/// the same however many cores there are. Of several exceptions that of the lowest index is thrown; calls of higher
+/// indices may then be left out.
 /// Cost: starting a thread takes some 20 µs; a call should be worth more.
 template <class Work>
 void parallelFor(std::size_t count, const Work& work) {
