@@ -251,7 +251,7 @@ Search repeatSearch(const EngraveCase& made, const EngravableModel& model, int m
   const Vec3 centre = search.placement().frame.centre;
   const auto nearest = closestPoint(model.prepared.mesh, place.centreMm);
   repeated.frames.push_back(
-      frameOf(place, centre, place.direction.value_or(triangleNormal(model.prepared.mesh, nearest->triangle))));
+      frameOf(place, centre, place.direction.value_or(surfaceNormalAt(model.prepared.mesh, *nearest))));
   for (const DirectionIteration& iteration : search.placement().iterations)
     repeated.frames.push_back(frameOf(place, centre, iteration.normal));
   return repeated;
