@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <optional>
 
 #include "base/result.h"
 
@@ -19,8 +20,9 @@ int printError(const Error& error);
 /// Each adds its options to the program and returns what runs it.
 std::function<int()> addEngraveCommand(CLI::App& app);
 std::function<int()> addInfoCommand(CLI::App& app);
+std::function<int()> addPlaceCommand(CLI::App& app);
 
-/// File units → mm by the two options that say so; `units` is one of mm, cm, m, in or empty.
-Result<double> scaleFrom(double scale, const std::string& units);
+/// File units → mm by the two options that say so, if one does; `units` is one of mm, cm, m, in or empty.
+Result<std::optional<double>> scaleFrom(std::optional<double> scale, const std::string& units);
 
 }  // namespace qrelief

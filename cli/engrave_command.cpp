@@ -5,12 +5,14 @@
 
 #include "cli/commands.h"
 #include "cli/files.h"
+#include "cli/model_input.h"
 #include "cli/progress_bar.h"
-#include "io/read_model.h"
+#include "io/write_checked.h"
 #include "native/egl_context.h"
 #include "native/png_file.h"
 #include "native/zxing_reader.h"
-#include "pipeline/engrave.h"
+#include "pipeline/carved_objects.h"
+#include "pipeline/place.h"
 #include "pipeline/report.h"
 
 namespace qrelief {
@@ -19,13 +21,14 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 struct EngraveOptions {
-  std::string model, output, report, preview, units, size = "free", direction = "depth-balanced";
-  double scale = 1, maxDepth = 0;
+  ModelFlags model;
+  std::string output, report, preview, size = "free", direction = "depth-balanced";
+  double maxDepth = 0;
   int version = 0;
   std::vector<double> at, up;
   std::string pattern = "square", finderPattern = "thick-plus", ecc = "M", solver = "paper-steps",
-              surface = "preserved";
-  bool noQuietZone = false, quiet = false;
+              objective = "contrast", surface = "preserved";
+  bool noQuietZone = false, ascii = false, quiet = false;
   EngraveRequest request;
 };
 
@@ -44,31 +47,32 @@ Result<double> numberFrom(const std::string& text, const char* what) {
 }
 
 Status readSize(const std::string& text, PlacementRequest& placement) {
-  if (text == "free" || text == "oriented") {
-    placement.sizeMode = text == "free" ? SizeMode::Free : SizeMode::Oriented;
+  if (const std::optional<SizeMode> mode = sizeModeByName(text)) {
+    placement.sizeMode = *mode;
     return {};
   }
   const Result<double> size = numberFrom(text, "The size");
-  if (!size) return fail(ErrorCode::BadUsage, size.error().message, "Give mm, or free, or oriented");
+  if (!size) return fail(ErrorCode::BadUsage, size.error().message, "Give mm, or free, oriented or best");
   placement.sizeMode = SizeMode::Fixed;
   placement.sizeMm = *size;
   return {};
 }
 
 Status readDirection(const std::string& text, PlacementRequest& placement) {
-  if (text == "depth-balanced" || text == "mean-normal") {
-    placement.directionMethod = text == "mean-normal" ? DirectionMethod::MeanNormal : DirectionMethod::DepthBalanced;
+  if (const std::optional<DirectionMethod> method = directionMethodByName(text)) {
+    placement.directionMethod = *method;
     return {};
   }
   Vec3 vector(0);
   std::size_t begin = 0;
   for (int k = 0; k < 3; ++k) {
     const std::size_t end = k < 2 ? text.find(',', begin) : text.size();
-    if (end == std::string::npos)
-      return fail(ErrorCode::BadUsage, fmt::format("The direction is \"{}\"", text),
-                  "Give mean-normal, depth-balanced, or a vector X,Y,Z");
-    const Result<double> value = numberFrom(text.substr(begin, end - begin), "The direction");
-    if (!value) return tl::unexpected(value.error());
+    const Result<double> value = end == std::string::npos
+                                     ? fail(ErrorCode::BadUsage, fmt::format("The direction is \"{}\"", text))
+                                     : numberFrom(text.substr(begin, end - begin), "A number of the direction");
+    if (!value)
+      return fail(ErrorCode::BadUsage, value.error().message,
+                  "Give mean-normal, depth-balanced, pca, optimal, or a vector X,Y,Z");
     vector[k] = *value;
     begin = end + 1;
   }
@@ -76,15 +80,31 @@ Status readDirection(const std::string& text, PlacementRequest& placement) {
   return {};
 }
 
-Status completeRequest(EngraveOptions& options, double scaleToMm) {
+/// For the check of -o; empty if such a file can be written.
+std::string whyNotWritable(const std::string& path) {
+  const ModelFormat format = formatOfName(path);
+  const bool writable = format == ModelFormat::Stl || format == ModelFormat::Obj || format == ModelFormat::Ply ||
+                        format == ModelFormat::ThreeMf;
+  return writable ? std::string() : fmt::format("{}: only .stl, .obj, .ply and .3mf files can be written", path);
+}
+
+Status completeRequest(EngraveOptions& options) {
   EngraveRequest& request = options.request;
   PlacementRequest& placement = request.placement;
   if (const Status read = readSize(options.size, placement); !read) return read;
   if (const Status read = readDirection(options.direction, placement); !read) return read;
-  placement.centreMm = Vec3(options.at[0], options.at[1], options.at[2]) * scaleToMm;
   if (!options.up.empty()) placement.upHint = {options.up[0], options.up[1], options.up[2]};
   placement.quietZone = !options.noQuietZone;
+  if (options.ascii && formatOfName(options.output) != ModelFormat::Stl)
+    return fail(ErrorCode::BadUsage, fmt::format("--ascii is for STL, and the output is {}", options.output),
+                "Leave it out, or name the output .stl");
+  if (request.inlay && formatOfName(options.output) != ModelFormat::ThreeMf)
+    return fail(ErrorCode::BadUsage,
+                fmt::format("--inlay needs two bodies in a file, and the output is {}", options.output),
+                "Name the output .3mf, or leave it out");
   request.modulePattern = *modulePatternByName(options.pattern);
+  request.surface = *surfaceModeByName(options.surface);
+  request.objective = options.objective == "reading" ? DepthObjective::Reading : DepthObjective::Contrast;
   request.finderPattern = *finderPatternByName(options.finderPattern);
   request.symbol.errorCorrection = *errorCorrectionByName(options.ecc);
   if (options.version > 0) request.symbol.version = options.version;
@@ -92,22 +112,49 @@ Status completeRequest(EngraveOptions& options, double scaleToMm) {
   return {};
 }
 
+/// Without --at: the best spot for the size asked for, or the one that takes the largest.
+Status chooseSpot(std::shared_ptr<const EngravableModel> model, EngraveOptions& options, double scaleToMm) {
+  EngraveRequest& request = options.request;
+  const auto symbol = encodeSymbol(request.text, request.symbol);
+  if (!symbol) return tl::unexpected(symbol.error());
+  auto job = PlaceJob::create(std::move(model), {.placement = request.placement,
+                                                 .modules = symbol->size,
+                                                 .minWallMm = request.minWallMm,
+                                                 .count = 3,
+                                                 .scaleToMm = scaleToMm});
+  if (!job) return tl::unexpected(job.error());
+  if (const Status done = runWithProgress(**job, options.quiet); !done) return done;
+  const OfferedSpot spot = (*job)->takeResult().spots.front();
+  request.placement.centreMm = spot.centreMm;
+  if (spot.needsDirection) request.placement.direction = spot.direction;
+  const int decimals = centreDecimals(scaleToMm);
+  fmt::print("placed at {:.{}f},{:.{}f},{:.{}f}\n", spot.centreFileUnits.x, decimals, spot.centreFileUnits.y, decimals,
+             spot.centreFileUnits.z, decimals);
+  return {};
+}
+
 Result<EngraveResult> runJob(std::shared_ptr<const EngravableModel> model, const EngraveOptions& options) {
   auto job = EngraveJob::create(std::move(model), options.request);
   if (!job) return tl::unexpected(job.error());
-  ProgressBar bar(options.quiet);
-  for (;;) {
-    const Result<Progress> progress = (*job)->advance();
-    if (!progress) return tl::unexpected(progress.error());
-    bar.show(*progress);
-    if (progress->done) return (*job)->takeResult();
-  }
+  if (const Status done = runWithProgress(**job, options.quiet); !done) return tl::unexpected(done.error());
+  return (*job)->takeResult();
+}
+
+/// The carved model in the format that the output's name asks for.
+Result<std::vector<std::uint8_t>> encodeModel(const EngraveOptions& options, const EngraveResult& result,
+                                              const std::vector<std::string>& partNames) {
+  const ModelFormat format = formatOfName(options.output);
+  if (format == ModelFormat::Stl && !options.ascii) return result.stl;
+  return writeChecked(carvedObjects(result, partNames, options.request.inlay), format,
+                      {.title = fileNameOf(options.model.path), .ascii = options.ascii});
 }
 
 Status writeOutputs(const EngraveOptions& options, const EngravableModel& model, const EngraveResult& result,
-                    ReportContext& context, Clock::time_point start) {
+                    const std::vector<std::string>& partNames, ReportContext& context, Clock::time_point start) {
   const auto writing = Clock::now();
-  if (const Status written = writeFileAtomically(options.output, result.stl); !written) return written;
+  const auto bytes = encodeModel(options, result, partNames);
+  if (!bytes) return tl::unexpected(bytes.error());
+  if (const Status written = writeFileAtomically(options.output, *bytes); !written) return written;
   if (!options.preview.empty()) {
     const auto png = encodePng(result.readerView.clean);
     if (!png) return tl::unexpected(png.error());
@@ -132,36 +179,28 @@ void printSummary(const EngraveOptions& options, const EngraveResult& result, co
 
 int engraveModel(EngraveOptions& options) {
   const auto start = Clock::now();
-  const Result<double> scale = scaleFrom(options.scale, options.units);
-  if (!scale) return printError(scale.error());
-  if (const Status completed = completeRequest(options, *scale); !completed) return printError(completed.error());
-
+  if (const Status completed = completeRequest(options); !completed) return printError(completed.error());
+  auto input = loadEngravable(options.model);
+  if (!input) return printError(input.error());
   ReportContext context;
-  context.fileName = fileNameOf(options.model);
-  context.scaleToMm = *scale;
-  const auto bytes = readFile(options.model);
-  if (!bytes) return printError(bytes.error());
-  const auto soup = readModel(*bytes, options.model);
-  if (!soup) return printError(soup.error());
-  context.format = soup->format;
-  context.loadMs = millisecondsSince(start);
+  context.fileName = fileNameOf(options.model.path);
+  context.format = input->format;
+  context.scaleToMm = input->scaleToMm;
+  context.loadMs = input->loadMs;
+  if (!options.at.empty())
+    options.request.placement.centreMm = Vec3(options.at[0], options.at[1], options.at[2]) * input->scaleToMm;
 
-  const auto preparing = Clock::now();
-  auto prepared = prepareModel(*soup, {.scaleToMm = *scale});
-  if (!prepared) return printError(prepared.error());
-  for (const std::string& warning : soup->warnings) fmt::print(stderr, "qrelief: {}\n", warning);
-  for (const Finding& finding : prepared->findings)
-    if (finding.severity == Finding::Severity::Warning) fmt::print(stderr, "qrelief: {}\n", finding.message);
-  if (const Status engravable = prepared->engravable(); !engravable) return printError(engravable.error());
-
+  const auto uploading = Clock::now();
   const auto gl = EglContext::create();
   if (!gl) return printError(gl.error());
   const auto capabilities = gl::queryCapabilities();
   if (!capabilities) return printError(capabilities.error());
   context.gl = *capabilities;
-  const auto model = EngravableModel::upload(std::move(*prepared));
-  context.prepareMs = millisecondsSince(preparing);
+  const auto model = EngravableModel::upload(std::move(input->prepared));
+  context.prepareMs = input->prepareMs + millisecondsSince(uploading);
 
+  if (options.at.empty())
+    if (const Status chosen = chooseSpot(model, options, input->scaleToMm); !chosen) return printError(chosen.error());
   auto result = runJob(model, options);
   if (!result) return printError(result.error());
   const auto reading = Clock::now();
@@ -169,7 +208,7 @@ int engraveModel(EngraveOptions& options) {
   context.reader = zxingName();
   result->timingsMs.verify += millisecondsSince(reading);
 
-  if (const Status written = writeOutputs(options, *model, *result, context, start); !written)
+  if (const Status written = writeOutputs(options, *model, *result, input->partNames, context, start); !written)
     return printError(written.error());
   printSummary(options, *result, context);
   const std::vector<std::string> failed = failedChecks(options.request, *result, context.readBack);
@@ -183,24 +222,21 @@ std::function<int()> addEngraveCommand(CLI::App& app) {
   auto o = std::make_shared<EngraveOptions>();
   EngraveRequest& request = o->request;
   CLI::App* c = app.add_subcommand("engrave", "Engrave a QR code");
-  c->add_option("MODEL", o->model, "OBJ, STL, PLY or OFF file")->required();
+  addModelFlags(*c, o->model);
   c->add_option("--text", request.text, "what the code says, UTF-8")->required();
-  c->add_option("-o", o->output, "carved model, a binary STL in mm")->required()->check([](const std::string& path) {
-    return path.size() > 4 && path.ends_with(".stl") ? std::string() : "only .stl files can be written so far";
-  });
-  c->add_option("--at", o->at, "X,Y,Z: centre in file units, moved to the nearest surface point")
-      ->required()
+  c->add_option("-o", o->output, "carved model in mm, .stl, .obj, .ply or .3mf")->required()->check(whyNotWritable);
+  c->add_flag("--ascii", o->ascii, "write the STL as text");
+  c->add_flag("--inlay", request.inlay,
+              "add the body that fills the pockets, in a second colour, to be printed with the model (.3mf)");
+  c->add_option("--at", o->at, "X,Y,Z: centre in file units, moved to the nearest surface point [best spot found]")
       ->delimiter(',')
       ->expected(3);
-  c->add_option("--scale", o->scale, "file units → mm [1]");
-  c->add_option("--units", o->units, "unit of the file, instead of --scale")
-      ->check(CLI::IsMember({"mm", "cm", "m", "in"}));
-  c->add_option("--size", o->size, "MM, free or oriented: edge of the symbol without quiet zone [free]");
+  c->add_option("--size", o->size, "MM, free, oriented or best: edge of the symbol without quiet zone [free]");
   c->add_option("--max-size", request.placement.maxSizeMm, "upper bound for a found size, mm [60]");
   c->add_option("--up", o->up, "X,Y,Z: where the symbol's top points [0,0,1]")->delimiter(',')->expected(3);
   c->add_option("--rotate", request.placement.rotateDeg, "degrees anticlockwise from there [0]");
   c->add_option("--direction", o->direction,
-                "mean-normal, depth-balanced or X,Y,Z towards the reader [depth-balanced]");
+                "mean-normal, depth-balanced, pca, optimal or X,Y,Z towards the reader [depth-balanced]");
   c->add_option("--eye-distance", request.placement.eyeDistanceMm, "mm [250]");
   c->add_option("--ecc", o->ecc, "error correction [M]")->check(CLI::IsMember({"L", "M", "Q", "H"}));
   c->add_option("--version", o->version, "symbol version, 1 to 40 [smallest]")->check(CLI::Range(1, 40));
@@ -211,15 +247,21 @@ std::function<int()> addEngraveCommand(CLI::App& app) {
       ->check(CLI::IsMember({"none", "as-modules", "diamond", "thick-plus"}));
   c->add_option("--contrast", request.contrast,
                 fmt::format("how much darker carved submodules must be [{:g}]", request.contrast));
-  c->add_option("--data-contrast", request.reading.dataContrast, "reading: of data modules");
-  c->add_option("--finder-contrast", request.reading.finderContrast, "reading: of finder modules");
-  c->add_option("--blur", request.reading.blurModules, "reading: blur in modules");
-  c->add_flag_callback("--reading", [o] { o->request.objective = DepthObjective::Reading; }, "reading objective");
+  c->add_option("--objective", o->objective,
+                "contrast: every carved submodule that much darker, as published; reading: every module as a blurred "
+                "picture shows it [contrast]")
+      ->check(CLI::IsMember({"contrast", "reading"}));
+  c->add_option("--data-contrast", request.reading.dataContrast,
+                fmt::format("reading: how much darker data modules must be [{:g}]", request.reading.dataContrast))
+      ->check(CLI::Range(0.01, 0.9));
+  c->add_option("--finder-contrast", request.reading.finderContrast,
+                fmt::format("reading: the same for the finder patterns [{:g}]", request.reading.finderContrast))
+      ->check(CLI::Range(0.01, 0.9));
   c->add_option("--max-depth", o->maxDepth, "mm [1.2 modules]")->check(CLI::PositiveNumber);
   c->add_option("--min-wall", request.minWallMm, "material that must remain, mm [0.8]");
   c->add_option("--solver", o->solver, "how the depth is found [paper-steps]")->check(CLI::IsMember({"paper-steps"}));
   c->add_option("--surface", o->surface, "what happens to the model's own facets [preserved]")
-      ->check(CLI::IsMember({"preserved"}));
+      ->check(CLI::IsMember({"preserved", "resampled"}));
   c->add_option("--report", o->report, "write everything that was found and measured as JSON");
   c->add_option("--preview", o->preview, "write the result as the reader sees it as PNG");
   c->add_flag("--quiet", o->quiet, "no progress");

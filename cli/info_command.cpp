@@ -4,15 +4,14 @@
 
 #include "cli/commands.h"
 #include "cli/files.h"
-#include "io/read_model.h"
-#include "mesh/prepare.h"
+#include "cli/model_input.h"
 
 namespace qrelief {
 namespace {
 
 struct InfoOptions {
-  std::string model, units, json;
-  double scale = 1;
+  ModelFlags model;
+  std::string json;
 };
 
 const char* nameOf(Finding::Severity severity) {
@@ -20,35 +19,33 @@ const char* nameOf(Finding::Severity severity) {
 }
 
 int describe(const InfoOptions& options) {
-  const Result<double> scale = scaleFrom(options.scale, options.units);
-  if (!scale) return printError(scale.error());
-  const auto bytes = readFile(options.model);
-  if (!bytes) return printError(bytes.error());
-  auto soup = readModel(*bytes, options.model);
-  if (!soup) return printError(soup.error());
-  auto model = prepareModel(*soup, {.scaleToMm = *scale});
-  if (!model) return printError(model.error());
-  const bool engravable = model->engravable().has_value();
+  const auto input = loadModel(options.model);
+  if (!input) return printError(input.error());
+  const PreparedModel& model = input->prepared;
+  const std::string name = fileNameOf(options.model.path);
+  const bool engravable = model.engravable().has_value();
 
-  const Box3 box = boundingBox(model->mesh);
+  const Box3 box = boundingBox(model.mesh);
   const Vec3 size = box.size();
-  nlohmann::ordered_json json = {{"file", fileNameOf(options.model)},
-                                 {"format", soup->format},
-                                 {"triangles", model->mesh.triangles.size()},
-                                 {"vertices", model->mesh.positions.size()},
-                                 {"shells", model->shells},
-                                 {"scaleToMm", *scale},
+  nlohmann::ordered_json json = {{"file", name},
+                                 {"format", input->format},
+                                 {"triangles", model.mesh.triangles.size()},
+                                 {"vertices", model.mesh.positions.size()},
+                                 {"shells", model.shells},
+                                 {"scaleToMm", input->scaleToMm},
                                  {"sizeMm", {size.x, size.y, size.z}},
                                  {"minMm", {box.min.x, box.min.y, box.min.z}},
                                  {"maxMm", {box.max.x, box.max.y, box.max.z}},
                                  {"engravable", engravable},
                                  {"findings", nlohmann::ordered_json::array()}};
-  if (engravable) json["volumeMm3"] = signedVolume(model->mesh);
-  fmt::print("{}: {}, {} triangles, {} vertices, {} shell{}\n", fileNameOf(options.model), soup->format,
-             model->mesh.triangles.size(), model->mesh.positions.size(), model->shells, model->shells == 1 ? "" : "s");
+  for (const UnitSuggestion& unit : model.unitSuggestions)
+    json["unitSuggestions"].push_back({{"units", unit.unit}, {"scaleToMm", unit.scaleToMm}});
+  if (engravable) json["volumeMm3"] = signedVolume(model.mesh);
+  fmt::print("{}: {}, {} triangles, {} vertices, {} shell{}\n", name, input->format, model.mesh.triangles.size(),
+             model.mesh.positions.size(), model.shells, model.shells == 1 ? "" : "s");
   fmt::print("size {:.4g} × {:.4g} × {:.4g} mm\n", size.x, size.y, size.z);
-  for (const std::string& warning : soup->warnings) fmt::print("warning: {}\n", warning);
-  for (const Finding& finding : model->findings) {
+  for (const std::string& warning : input->warnings) fmt::print("warning: {}\n", warning);
+  for (const Finding& finding : model.findings) {
     json["findings"].push_back({{"severity", nameOf(finding.severity)},
                                 {"code", finding.code},
                                 {"count", finding.count},
@@ -69,10 +66,7 @@ int describe(const InfoOptions& options) {
 std::function<int()> addInfoCommand(CLI::App& app) {
   auto options = std::make_shared<InfoOptions>();
   CLI::App* command = app.add_subcommand("info", "Size, triangles and defects of a model");
-  command->add_option("MODEL", options->model, "OBJ, STL, PLY or OFF file")->required();
-  command->add_option("--scale", options->scale, "file units → mm [1]");
-  command->add_option("--units", options->units, "unit of the file, instead of --scale")
-      ->check(CLI::IsMember({"mm", "cm", "m", "in"}));
+  addModelFlags(*command, options->model);
   command->add_option("--json", options->json, "write it as JSON, too");
   return [options] { return describe(*options); };
 }

@@ -29,10 +29,10 @@ int printError(const Error& error) {
   return exitStatusOf(error.code);
 }
 
-Result<double> scaleFrom(double scale, const std::string& units) {
+Result<std::optional<double>> scaleFrom(std::optional<double> scale, const std::string& units) {
   if (!units.empty()) return units == "mm" ? 1.0 : units == "cm" ? 10.0 : units == "m" ? 1000.0 : 25.4;
-  if (!(scale > 0 && scale < 1e12))
-    return fail(ErrorCode::BadUsage, fmt::format("The scale is {:g}", scale),
+  if (scale && !(*scale > 0 && *scale < 1e12))
+    return fail(ErrorCode::BadUsage, fmt::format("The scale is {:g}", *scale),
                 "Give file units → mm, such as 1000 for metres");
   return scale;
 }
@@ -46,12 +46,14 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   const auto engraveModel = addEngraveCommand(app);
   const auto describeModel = addInfoCommand(app);
+  const auto findSpots = addPlaceCommand(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kEngraved : kBadUsage;
   }
-  return app.got_subcommand("engrave") ? engraveModel() : describeModel();
+  if (app.got_subcommand("engrave")) return engraveModel();
+  return app.got_subcommand("place") ? findSpots() : describeModel();
 }
 
 }  // namespace

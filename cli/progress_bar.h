@@ -4,6 +4,7 @@
 #include <string>
 
 #include "base/progress.h"
+#include "base/result.h"
 
 namespace qrelief {
 
@@ -20,5 +21,17 @@ class ProgressBar {
   bool drawn_ = false;
   std::string stage_;
 };
+
+/// Runs a job (EngraveJob, PlaceJob) to its end.
+template <class Job>
+Status runWithProgress(Job& job, bool quiet) {
+  ProgressBar bar(quiet);
+  for (;;) {
+    const Result<Progress> progress = job.advance();
+    if (!progress) return tl::unexpected(progress.error());
+    bar.show(*progress);
+    if (progress->done) return {};
+  }
+}
 
 }  // namespace qrelief

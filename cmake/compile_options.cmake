@@ -5,9 +5,12 @@ target_compile_options(qrelief_options INTERFACE
   -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion
   $<$<BOOL:${QRELIEF_WERROR}>:-Werror>
   -ffp-contract=off)  # fused multiply-adds would make results differ between machines
-if(QRELIEF_SANITIZE)
+if(QRELIEF_SANITIZE OR QRELIEF_FUZZ)
   target_compile_options(qrelief_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
   target_link_options(qrelief_options INTERFACE -fsanitize=address,undefined)
+endif()
+if(QRELIEF_FUZZ)
+  target_compile_options(qrelief_options INTERFACE -fsanitize=fuzzer-no-link)
 endif()
 if(EMSCRIPTEN)
   target_compile_options(qrelief_options INTERFACE -fwasm-exceptions -msimd128)

@@ -24,12 +24,16 @@ add_library(qrelief::headers ALIAS qrelief_headers)
 if(EMSCRIPTEN)
   # emcc's optimiser looks for the JavaScript parser acorn, which Debian keeps where only its own Node looks.
   set(CMAKE_CXX_LINKER_LAUNCHER ${CMAKE_COMMAND} -E env NODE_PATH=/usr/share/nodejs)
-  include(wasm_sources)  # qrelief::qrencode and qrelief::imgui from source
+  include(wasm_sources)  # qrelief::qrencode, zlib, expat and imgui from source
   add_library(qrelief_gles INTERFACE)
 else()
   find_package(PkgConfig REQUIRED)
   pkg_check_modules(qrencode REQUIRED IMPORTED_TARGET libqrencode)
   add_library(qrelief::qrencode ALIAS PkgConfig::qrencode)
+  pkg_check_modules(zlib REQUIRED IMPORTED_TARGET zlib)
+  add_library(qrelief::zlib ALIAS PkgConfig::zlib)
+  pkg_check_modules(expat REQUIRED IMPORTED_TARGET expat)
+  add_library(qrelief::expat ALIAS PkgConfig::expat)
   pkg_check_modules(gles REQUIRED IMPORTED_TARGET glesv2)
   pkg_check_modules(egl REQUIRED IMPORTED_TARGET egl)
   add_library(qrelief_gles INTERFACE)

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# qrelief::qrencode and qrelief::imgui for WebAssembly, from the sources that script/fetch-sources put into build/deps.
+# qrelief::qrencode, qrelief::zlib, qrelief::expat and qrelief::imgui for WebAssembly, from the sources that
+# script/fetch-sources put into build/deps.
 set(deps ${PROJECT_SOURCE_DIR}/build/deps)
-foreach(folder qrencode-4.1.1 imgui-1.86)
+foreach(folder qrencode-4.1.1 zlib-1.2.13.dfsg expat-2.5.0 imgui-1.86)
   if(NOT IS_DIRECTORY ${deps}/${folder})
     message(FATAL_ERROR "build/deps/${folder} is missing: run script/setup (or script/fetch-sources alone)")
   endif()
@@ -23,6 +24,31 @@ target_include_directories(qrelief_qrencode SYSTEM PUBLIC ${folder})
 target_compile_definitions(qrelief_qrencode PRIVATE
   STATIC_IN_RELEASE=static HAVE_STRDUP=1 MAJOR_VERSION=4 MINOR_VERSION=1 MICRO_VERSION=1 VERSION="4.1.1")
 add_library(qrelief::qrencode ALIAS qrelief_qrencode)
+
+set(folder ${deps}/zlib-1.2.13.dfsg)
+add_library(qrelief_zlib STATIC
+  ${folder}/adler32.c
+  ${folder}/crc32.c
+  ${folder}/deflate.c
+  ${folder}/inffast.c
+  ${folder}/inflate.c
+  ${folder}/inftrees.c
+  ${folder}/trees.c
+  ${folder}/zutil.c)
+target_include_directories(qrelief_zlib SYSTEM PUBLIC ${folder})
+target_compile_options(qrelief_zlib PRIVATE -w)  # function definitions of before 1989
+add_library(qrelief::zlib ALIAS qrelief_zlib)
+
+set(folder ${deps}/expat-2.5.0/expat/lib)
+add_library(qrelief_expat STATIC ${folder}/xmlparse.c ${folder}/xmlrole.c ${folder}/xmltok.c)
+target_include_directories(qrelief_expat SYSTEM PUBLIC ${folder})
+# What its configure script would have put into expat_config.h.
+target_compile_definitions(qrelief_expat PRIVATE
+  BYTEORDER=1234 HAVE_MEMMOVE=1 XML_NS=1 XML_DTD=1 XML_CONTEXT_BYTES=1024 XML_POOR_ENTROPY=1)
+file(WRITE ${CMAKE_BINARY_DIR}/expat/expat_config.h "")
+target_include_directories(qrelief_expat PRIVATE ${CMAKE_BINARY_DIR}/expat)
+target_compile_options(qrelief_expat PRIVATE -w)
+add_library(qrelief::expat ALIAS qrelief_expat)
 
 set(folder ${deps}/imgui-1.86)
 add_library(qrelief_imgui STATIC

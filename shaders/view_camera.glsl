@@ -1,7 +1,7 @@
 // The viewer's camera and its G-buffer. View space: origin at the camera's target, axes right, up, back, mm; the eye is
 // at (0, 0, u_distance). Positions near the target keep their digits, whatever the distance.
 
-uniform highp sampler2D u_surface;  // shading normal (length 1: front side, 1/2: back side, 0: background), z
+uniform highp sampler2D u_surface;  // shading normal (length 1 + heat: front side, 1/2: back side, 0: background), z
 uniform vec2 u_tanHalf;             // tangents of half the field of view
 uniform vec2 u_size;                // of the G-buffer, pixels
 uniform vec2 u_jitter;              // offset of this sample in normalised device coordinates

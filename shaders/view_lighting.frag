@@ -27,6 +27,7 @@ uniform float u_codeEyeDistance;  // mm
 uniform float u_codeEdge;         // of the image on the QR plane, mm
 uniform vec2 u_codeHeights;       // lowest and highest surface that takes the print, over the QR plane, mm
 
+uniform int u_heatShown;  // 1: the front side has the colours of its heat
 uniform int u_markerShown;
 uniform vec3 u_marker;  // view space
 
@@ -77,6 +78,16 @@ vec3 marked(vec3 albedo, vec3 position) {
   return radius < 3.0 || (radius > 7.0 && radius < 9.5) ? u_accent : albedo;
 }
 
+// Viridis, which grows evenly brighter and is told apart by every kind of colour vision: five of its colours, linear,
+// and straight lines between them.
+vec3 heatColour(float heat) {
+  const vec3 kStops[5] = vec3[5](vec3(0.058, 0.0004, 0.089), vec3(0.043, 0.085, 0.259), vec3(0.015, 0.282, 0.264),
+                                 vec3(0.112, 0.585, 0.121), vec3(0.983, 0.799, 0.019));
+  float at = clamp(heat, 0.0, 1.0) * 4.0;
+  int below = min(int(at), 3);
+  return mix(kStops[below], kStops[below + 1], at - float(below));
+}
+
 void main() {
   vec4 surface = texelFetch(u_surface, ivec2(gl_FragCoord.xy), 0);
   if (!isSurface(surface.xyz)) {
@@ -87,6 +98,7 @@ void main() {
   bool isFront = dot(surface.xyz, surface.xyz) > 0.5;
   vec3 normal = normalize(surface.xyz);
   vec3 albedo = isFront ? kMaterial : kBackSide;
+  if (u_heatShown == 1 && isFront) albedo = heatColour(length(surface.xyz) - 1.0);
   if (u_overlayShown == 1 && isFront) albedo = printed(albedo, position, normal);
   if (u_markerShown == 1) albedo = marked(albedo, position);
 

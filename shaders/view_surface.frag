@@ -4,11 +4,12 @@ precision highp float;
 
 in vec3 v_position;
 in vec3 v_normal;
+in float v_heat;
 
-layout(location = 0) out vec4 o_surface;  // normal towards the eye, its length 1 on front and 1/2 on back sides; z, mm
+layout(location = 0) out vec4 o_surface;  // normal towards the eye; z, mm
 
 void main() {
   float lengthSquared = dot(v_normal, v_normal);
   vec3 normal = lengthSquared > 1e-12 ? v_normal * inversesqrt(lengthSquared) : vec3(0.0, 0.0, 1.0);
-  o_surface = vec4(gl_FrontFacing ? normal : -0.5 * normal, v_position.z);
+  o_surface = vec4(gl_FrontFacing ? normal * (1.0 + clamp(v_heat, 0.0, 1.0)) : -0.5 * normal, v_position.z);
 }

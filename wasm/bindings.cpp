@@ -76,6 +76,20 @@ class Facade {
   std::string placement() {
     return guarded([&] { return engine_.placement(); });
   }
+  std::string startPlacing() {
+    return guarded([&] { return engine_.startPlacing(); });
+  }
+  std::string advancePlacing() {
+    return guarded([&] { return engine_.advancePlacing(); });
+  }
+  void cancelPlacing() { engine_.cancelPlacing(); }
+  std::string spots() {
+    return guarded([&] { return engine_.spots(); });
+  }
+  std::string chooseSpot(std::size_t index) {
+    return guarded([&] { return engine_.chooseSpot(index); });
+  }
+  void showSizes(bool shown) { engine_.showSizes(shown); }
   std::string startEngrave() {
     return guarded([&] { return engine_.startEngrave(); });
   }
@@ -115,6 +129,7 @@ class Facade {
   void zoom(double factor, double x, double y) { engine_.zoom(factor, x, y); }
   void fit() { engine_.fit(); }
   void readerView() { engine_.readerView(); }
+  void faceCode() { engine_.faceCode(); }
 
   bool draw() {
     const bool hasInspector = inspectorShown_ && inspector_;
@@ -154,6 +169,12 @@ EMSCRIPTEN_BINDINGS(qrelief) {
       .function("pick", &Facade::pick)
       .function("setCentre", &Facade::setCentre)
       .function("placement", &Facade::placement)
+      .function("startPlacing", &Facade::startPlacing)
+      .function("advancePlacing", &Facade::advancePlacing)
+      .function("cancelPlacing", &Facade::cancelPlacing)
+      .function("spots", &Facade::spots)
+      .function("chooseSpot", &Facade::chooseSpot)
+      .function("showSizes", &Facade::showSizes)
       .function("startEngrave", &Facade::startEngrave)
       .function("advance", &Facade::advance)
       .function("cancel", &Facade::cancel)
@@ -170,6 +191,7 @@ EMSCRIPTEN_BINDINGS(qrelief) {
       .function("zoom", &Facade::zoom)
       .function("fit", &Facade::fit)
       .function("readerView", &Facade::readerView)
+      .function("faceCode", &Facade::faceCode)
       .function("draw", &Facade::draw)
       .function("setInspector", &Facade::setInspector)
       .function("inspectorPointer", &Facade::inspectorPointer);

@@ -8,8 +8,11 @@
 #include <nlohmann/json.hpp>
 
 #include "io/read_model.h"
+#include "io/write_checked.h"
+#include "pipeline/carved_objects.h"
 #include "projection/size.h"
 #include "wasm/display_mesh.h"
+#include "wasm/heat_mesh.h"
 #include "wasm/settings.h"
 #include "wasm/spot_search.h"
 
@@ -26,6 +29,9 @@ constexpr double kProposedShare = 0.3;     // and its greatest share of the mode
 constexpr std::size_t kSpotsTried = 6;
 constexpr double kGoodFit = 0.7;       // a spot that takes this share of it will do
 constexpr int kNormalTexels = 768;     // of the map that gives a carved surface its smooth normals
+constexpr double kLegendStepMm = 5;    // the legend of the sizes ends at a multiple of it
+constexpr double kFacingEdges = 2;     // of the square that is seen around a code that is faced, at least, and
+constexpr double kFacingShare = 0.7;   // its share of the model's diagonal
 constexpr double kReaderMargin = 1.1;  // air around symbol and quiet zone in the reader's view
 
 double millisecondsSince(Clock::time_point start) {
@@ -133,12 +139,13 @@ Result<Engine::Model> Engine::readAndPrepare(std::vector<std::uint8_t> bytes, co
   Model model;
   model.fileName = fileName;
   model.format = soup->format;
-  model.scaleToMm = scaleToMm;
+  model.scaleToMm = scaleToMm > 0 ? scaleToMm : soup->unitMm.value_or(1);
   model.warnings = soup->warnings;
+  for (ModelPart& part : soup->parts) model.partNames.push_back(std::move(part.name));
   model.loadMs = millisecondsSince(start);
 
   const auto preparing = Clock::now();
-  auto prepared = prepareModel(*soup, {.scaleToMm = scaleToMm});
+  auto prepared = prepareModel(*soup, {.scaleToMm = model.scaleToMm});
   if (!prepared) return tl::unexpected(prepared.error());
   *soup = {};
   {
@@ -152,13 +159,15 @@ Result<Engine::Model> Engine::readAndPrepare(std::vector<std::uint8_t> bytes, co
 
 std::string Engine::loadModel(std::vector<std::uint8_t> bytes, const std::string& fileName, double scaleToMm) {
   if (!viewer_) return answer(ErrorCode::Internal, problems_.front(), "use a browser with WebGL 2 and float targets");
-  if (!(scaleToMm > 0) || !std::isfinite(scaleToMm))
+  if (!(scaleToMm >= 0) || !std::isfinite(scaleToMm))
     return answer(ErrorCode::BadUsage, fmt::format("the scale is {:g}", scaleToMm),
                   "Choose how many mm one unit of the file is");
   auto model = readAndPrepare(std::move(bytes), fileName, scaleToMm);
   if (!model) return answer(model.error());
   forgetJob();
   forgetPlacement();
+  forgetSpots();
+  spotDirection_.reset();
   model_ = std::move(*model);
   camera_.setScene(model_->display->box());
   camera_.fitFromDefaultSide();
@@ -205,6 +214,7 @@ std::string Engine::describeModel() const {
   return dump({{"ok", true},
                {"model",
                 {{"format", model_->format},
+                 {"scaleToMm", model_->scaleToMm},
                  {"triangles", prepared.mesh.triangles.size()},
                  {"vertices", prepared.mesh.positions.size()},
                  {"sizeMm", triple(boundingBox(prepared.mesh).size())},
@@ -230,6 +240,7 @@ std::optional<SurfacePoint> Engine::surfaceAt(double x, double y) const {
 std::string Engine::chooseCentre(std::optional<SurfacePoint> point) {
   if (!point) return dump({{"hit", false}});
   centre_ = point->position;
+  spotDirection_.reset();
   forgetPlacement();
   showCarved_ = false;
   updateView();
@@ -247,6 +258,7 @@ EngraveRequest Engine::completeRequest() const {
   EngraveRequest request = request_;
   request.placement.centreMm = *centre_;
   request.placement.upHint = camera_.skyward();
+  if (spotDirection_) request.placement.direction = spotDirection_;
   return request;
 }
 
@@ -305,13 +317,83 @@ std::string Engine::describePlacement(const Symbol& symbol) const {
                  {"modules", symbol.size}}}});
 }
 
+std::string Engine::startPlacing() {
+  forgetSpots();
+  updateView();
+  if (!model_) return answer(kNoModel);
+  const auto symbol = encodeSymbol(request_.text, request_.symbol);
+  if (!symbol) return answer(symbol.error());
+  placingRequest_ = {};
+  placingRequest_.placement = request_.placement;
+  placingRequest_.placement.upHint = camera_.skyward();
+  placingRequest_.modules = symbol->size;
+  placingRequest_.minWallMm = request_.minWallMm;
+  auto job = PlaceJob::create(model_->engravable, placingRequest_);
+  if (!job) return answer(job.error());
+  placing_ = std::move(*job);
+  return done();
+}
+
+std::string Engine::advancePlacing() {
+  if (!placing_) return answer(ErrorCode::BadUsage, "no search for spots is running", "");
+  const Result<Progress> progress = placing_->advance();
+  if (!progress) {
+    forgetSpots();
+    return answer(progress.error());
+  }
+  if (progress->done) finishPlacing();
+  return dump({{"ok", true}, {"stage", progress->stage}, {"fraction", progress->fraction}, {"done", progress->done}});
+}
+
+void Engine::finishPlacing() {
+  const PlaceResult found = placing_->takeResult();
+  placing_.reset();
+  spots_ = found.spots;
+  // The map knows squares with the quiet zone, the legend the symbol in them.
+  const double outer = placingRequest_.outerFactor();
+  const double largest = static_cast<double>(*std::max_element(found.map.sizeMm.begin(), found.map.sizeMm.end()));
+  topMm_ = std::max(kLegendStepMm, std::ceil(largest / outer / kLegendStepMm) * kLegendStepMm);
+  sizesDisplay_ =
+      std::make_shared<const GpuMesh>(heatMesh(model_->engravable->prepared.mesh, found.map, topMm_ * outer));
+  showSizes(true);
+}
+
+void Engine::cancelPlacing() {
+  if (placing_) forgetSpots();
+}
+
+std::string Engine::spots() const {
+  Json spots = Json::array();
+  for (const OfferedSpot& spot : spots_)
+    spots.push_back(
+        {{"centre", triple(spot.centreMm)},
+         {"sizeMm", placingRequest_.placement.sizeMode == SizeMode::Free ? spot.guaranteedMm : spot.largestMm}});
+  return dump({{"ok", true}, {"spots", spots}, {"topMm", topMm_}});
+}
+
+std::string Engine::chooseSpot(std::size_t index) {
+  if (index >= spots_.size()) return answer(ErrorCode::BadUsage, "there is no such spot", "");
+  const OfferedSpot& spot = spots_[index];
+  const std::string chosen = setCentre(spot.centreMm.x, spot.centreMm.y, spot.centreMm.z);
+  if (spot.needsDirection) spotDirection_ = spot.direction;
+  return chosen;
+}
+
+void Engine::showSizes(bool shown) {
+  showSizes_ = shown && sizesDisplay_;
+  if (showSizes_) showCarved_ = false;
+  updateView();
+}
+
 std::string Engine::startEngrave() {
+  showSizes_ = false;
   forgetJob();
   updateView();
   if (!model_) return answer(kNoModel);
   if (!centre_)
     return answer(ErrorCode::BadUsage, "no place has been chosen", "click on the model where the code should go");
   jobRequest_ = completeRequest();
+  jobRequest_.inlay = true;  // so that the page can offer it
   auto job = EngraveJob::create(model_->engravable, jobRequest_);
   if (!job) return answer(job.error());
   job_ = std::move(*job);
@@ -377,9 +459,14 @@ void Engine::setReadBack(const std::string& text, const std::string& reader) {
   reader_ = reader;
 }
 
-std::span<const std::uint8_t> Engine::exportModel(const std::string& format) const {
-  if (!result_ || format != "stl") return {};
-  return result_->stl;
+std::vector<std::uint8_t> Engine::exportModel(const std::string& format) const {
+  if (!result_) return {};
+  if (format == "stl") return result_->stl;
+  const bool withInlay = format == "3mf-inlay";
+  const auto bytes =
+      writeChecked(carvedObjects(*result_, model_->partNames, withInlay),
+                   withInlay ? ModelFormat::ThreeMf : formatOfName("." + format), {.title = model_->fileName});
+  return bytes ? *bytes : std::vector<std::uint8_t>();
 }
 
 void Engine::resize(double width, double height, double devicePixelRatio) {
@@ -399,6 +486,7 @@ void Engine::setUpAxis(const std::string& axis) {
 
 void Engine::showCarved(bool carved) {
   showCarved_ = carved;
+  if (carved) showSizes_ = false;
   updateView();
 }
 
@@ -417,6 +505,12 @@ void Engine::readerView() {
   if (placement_ && print_) camera_.lookThrough(placement_->frame, print_->edgeMm * kReaderMargin);
 }
 
+void Engine::faceCode() {
+  if (!placement_ || !print_) return;
+  const double extent = std::max(kFacingEdges * print_->edgeMm, kFacingShare * model_->display->box().diagonal());
+  camera_.lookThrough(placement_->frame, extent);
+}
+
 bool Engine::draw(bool always) {
   if (!viewer_) return false;
   const double now = nowMs();
@@ -432,6 +526,13 @@ void Engine::forgetPlacement() {
   print_.reset();
 }
 
+void Engine::forgetSpots() {
+  placing_.reset();
+  spots_.clear();
+  sizesDisplay_.reset();
+  showSizes_ = false;
+}
+
 void Engine::forgetJob() {
   job_.reset();
   jobRuns_ = false;
@@ -445,7 +546,9 @@ void Engine::forgetJob() {
 void Engine::updateView() {
   if (!viewer_) return;
   const bool carved = showCarved_ && carvedDisplay_;
-  viewer_->setMesh(carved ? carvedDisplay_ : model_ ? model_->display : nullptr);
+  const bool sizes = !carved && showSizes_ && sizesDisplay_;
+  viewer_->setMesh(carved ? carvedDisplay_ : sizes ? sizesDisplay_ : model_ ? model_->display : nullptr);
+  viewer_->showHeat(sizes);
   viewer_->setPrint(carved ? std::nullopt : print_);
   viewer_->setMarker(carved || print_ ? std::nullopt : centre_);
 }

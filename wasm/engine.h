@@ -4,13 +4,12 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
 #include "gl/objects.h"
 #include "mesh/ray.h"
-#include "pipeline/engrave.h"
+#include "pipeline/place.h"
 #include "pipeline/report.h"
 #include "wasm/orbit_camera.h"
 #include "wasm/viewer.h"
@@ -31,9 +30,10 @@ class Engine {
   /// {renderer, version, problems: [text]}; with a problem nothing can be drawn or engraved.
   std::string capabilities() const;
 
-  /// {model: {format, triangles, vertices, sizeMm, shells, engravable, findings, centre}}; `centre` is the surface
-  /// point in the middle of the view, chosen until another is. After an error the old model stays.
-  /// @param bytes  the file; freed as soon as it is read
+  /// {model: {format, scaleToMm, triangles, vertices, sizeMm, shells, engravable, findings, centre}}; `centre` is the
+  /// surface point in the middle of the view, chosen until another is. After an error the old model stays.
+  /// @param bytes      the file; freed as soon as it is read
+  /// @param scaleToMm  file units → mm; 0: as the file says (3MF), else 1
   std::string loadModel(std::vector<std::uint8_t> bytes, const std::string& fileName, double scaleToMm);
 
   /// See readSettings. What is engraved follows from the last call.
@@ -47,6 +47,19 @@ class Engine {
   /// {placement: {centre, normal, up, symbolMm, moduleMm, guaranteedMm, version, modules}}, and shows the symbol there.
   std::string placement();
 
+  /// Starts looking for the best spots for the settings; ends an earlier search.
+  std::string startPlacing();
+  /// {stage, fraction, done}; one bounded piece of work. When done the sizes are shown on the model.
+  std::string advancePlacing();
+  void cancelPlacing();
+  /// {spots: [{centre, sizeMm}], topMm}: best first, with the largest size there; `topMm` is the size that has the last
+  /// colour of the map. Empty before a search is done.
+  std::string spots() const;
+  /// {centre}; the spot becomes the code's centre, with the direction that was found for it.
+  std::string chooseSpot(std::size_t index);
+  /// The colours of the largest sizes on the model, if they are known.
+  void showSizes(bool shown);
+
   std::string startEngrave();
   /// {stage, fraction, done}; one bounded piece of work. When done the carved model is shown.
   std::string advance();
@@ -58,8 +71,10 @@ class Engine {
   const GreyImage& readerImage() const;
   /// What a reader made of it; empty: nothing.
   void setReadBack(const std::string& text, const std::string& reader);
-  /// The carved model; empty before an engraving is done, or if the format (only "stl" so far) is not known.
-  std::span<const std::uint8_t> exportModel(const std::string& format) const;
+  /// The carved model as "stl" (binary), "obj", "ply", "3mf" or "3mf-inlay" (with the body that fills the pockets),
+  /// read back and compared; empty before an engraving is done, for another format, and if the file would say anything
+  /// else.
+  std::vector<std::uint8_t> exportModel(const std::string& format) const;
 
   void resize(double width, double height, double devicePixelRatio);
   void setTheme(bool dark);
@@ -71,6 +86,8 @@ class Engine {
   void zoom(double factor, double x, double y);
   void fit();
   void readerView();
+  /// From the reader's side, with the surroundings in view.
+  void faceCode();
 
   /// @param always  present again even if nothing changed, as something is drawn over it
   /// @returns whether another call would improve the picture
@@ -87,7 +104,7 @@ class Engine {
   struct Model {
     std::string fileName, format;
     double scaleToMm = 1, loadMs = 0, prepareMs = 0;
-    std::vector<std::string> warnings;
+    std::vector<std::string> warnings, partNames;
     std::shared_ptr<const EngravableModel> engravable;
     std::shared_ptr<const GpuMesh> display;
   };
@@ -100,7 +117,9 @@ class Engine {
   Result<Symbol> placeSymbol();
   SurfacePrint printOf(const Symbol& symbol, const Placement& placement, const EngraveRequest& request) const;
   EngraveRequest completeRequest() const;
+  void finishPlacing();
   void forgetPlacement();
+  void forgetSpots();
   void forgetJob();
   void finishJob();
   void updateView();
@@ -116,6 +135,14 @@ class Engine {
   std::optional<Vec3> centre_;
   std::optional<Placement> placement_;
   std::optional<SurfacePrint> print_;
+
+  PlaceRequest placingRequest_;  // of the search that runs, or whose spots are known
+  std::unique_ptr<PlaceJob> placing_;
+  std::vector<OfferedSpot> spots_;
+  double topMm_ = 0;
+  std::shared_ptr<const GpuMesh> sizesDisplay_;
+  bool showSizes_ = false;
+  std::optional<Vec3> spotDirection_;  // that the centre needs
 
   EngraveRequest jobRequest_;
   std::unique_ptr<EngraveJob> job_;

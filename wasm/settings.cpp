@@ -52,16 +52,13 @@ class SettingsReader {
       placement.sizeMode = SizeMode::Fixed;
       return number("size", placement.sizeMm);
     }
-    choice("size", placement.sizeMode, sizeModeByName, "Give mm, \"free\" or \"oriented\"");
+    choice(
+        "size", placement.sizeMode, [](std::string_view name) { return sizeModeByName(name); },
+        "Give mm, \"free\", \"oriented\" or \"best\"");
   }
   const std::optional<Error>& error() const { return error_; }
 
  private:
-  static std::optional<SizeMode> sizeModeByName(std::string_view name) {
-    if (name == "free") return SizeMode::Free;
-    if (name == "oriented") return SizeMode::Oriented;
-    return {};
-  }
   const Json* find(const char* name) const {
     const auto found = settings_.find(name);
     return found == settings_.end() || found->is_null() ? nullptr : &*found;
@@ -74,12 +71,6 @@ class SettingsReader {
   const Json& settings_;
   std::optional<Error> error_;
 };
-
-std::optional<DirectionMethod> directionByName(std::string_view name) {
-  if (name == "mean-normal") return DirectionMethod::MeanNormal;
-  if (name == "depth-balanced") return DirectionMethod::DepthBalanced;
-  return {};
-}
 
 }  // namespace
 
@@ -101,7 +92,9 @@ Result<EngraveRequest> readSettings(std::string_view json) {
   read.size(request.placement);
   read.number("maxSizeMm", request.placement.maxSizeMm);
   read.flag("quietZone", request.placement.quietZone);
-  read.choice("direction", request.placement.directionMethod, directionByName, "Choose mean-normal or depth-balanced");
+  read.choice(
+      "direction", request.placement.directionMethod, [](std::string_view name) { return directionMethodByName(name); },
+      "Choose mean-normal, depth-balanced, pca or optimal");
   read.number("rotateDeg", request.placement.rotateDeg);
   read.number("contrast", request.contrast);
   read.number("minWallMm", request.minWallMm);

@@ -81,6 +81,11 @@ void Viewer::setMesh(std::shared_ptr<const GpuMesh> mesh) {
   changed_ = true;
 }
 
+void Viewer::showHeat(bool shown) {
+  heatShown_ = shown;
+  changed_ = true;
+}
+
 void Viewer::setPrint(std::optional<SurfacePrint> print) {
   print_ = std::move(print);
   if (print_) {
@@ -219,6 +224,7 @@ void Viewer::drawLighting(const Stage& stage, const Stage& into, const CameraVie
   lighting_.set("u_background[1]", dark_ ? kDarkBackground[1] : kLightBackground[1]);
   lighting_.set("u_accent", kAccent);
   lighting_.set("u_pixelMm", static_cast<float>(2 * camera.tanHalf.y * camera.distance / height_));
+  lighting_.set("u_heatShown", heatShown_ ? 1 : 0);
   setPrintUniforms(camera);
   if (sample.weight < 1) {
     glEnable(GL_BLEND);

@@ -53,6 +53,8 @@ class Viewer {
   void resize(int width, int height);
   /// @param mesh  with normals split at creases (display_mesh.h); may be null: background only
   void setMesh(std::shared_ptr<const GpuMesh> mesh);
+  /// Shows the mesh in the colours of its values, 0 … 1 (GpuMesh::setValues).
+  void showHeat(bool shown);
   void setPrint(std::optional<SurfacePrint> print);
   void setMarker(std::optional<Vec3> marker);
   void setTheme(bool dark);
@@ -105,6 +107,7 @@ class Viewer {
   std::optional<Vec3> marker_;
   gl::Texture ink_;
   bool dark_ = false;
+  bool heatShown_ = false;
   int width_ = 1, height_ = 1;
   CameraView lastCamera_;
   bool changed_ = true;

@@ -9,6 +9,7 @@ import { saveFile } from './ui/save_file.js';
 import { Messages } from './ui/messages.js';
 import { ModelPanel } from './ui/model_panel.js';
 import { ResultPanel } from './ui/result_panel.js';
+import { SpotsPanel } from './ui/spots_panel.js';
 import { ViewToolbar } from './ui/view_toolbar.js';
 import { WorkPanel } from './ui/work_panel.js';
 import { byId } from './ui/dom.js';
@@ -19,7 +20,8 @@ import { View } from './view/view.js';
 /** @typedef {import('./ui/model_panel.js').Sample} Sample */
 /** @typedef {[number, number, number]} Point */
 /** @typedef {{ bytes: Uint8Array, fileName: string, scaleToMm: number, upAxis: import('./engine/types.js').UpAxis,
- *   sampleId?: string, credit: string, centreMm?: Point }} Source */
+ *   sampleId?: string, credit: string, centreMm?: Point, unitStated?: boolean }} Source
+ * `scaleToMm` of 0 leaves the unit to the file, and the true one is put in its place; `unitStated`: that was done */
 
 const kAskForCentre = 'Click the model where the code should go.';
 const kMaxFileBytes = 512 * 1024 * 1024;  // beyond it a tab runs out of memory before it can say so
@@ -41,13 +43,18 @@ export class App {
       onSettings: () => this.guard_(() => this.changeSettings_()),
       onCentre: (centreMm) => this.guard_(() => this.moveCentre_(() => this.client_.setCentre(centreMm))),
     });
+    this.spots_ = new SpotsPanel({
+      onSuggest: () => this.guard_(() => this.suggestSpots_()),
+      onSpot: (index) => this.guard_(() => this.chooseSpot_(index)),
+      onSizes: (shown) => this.guard_(() => this.showSizes_(shown)),
+    });
     this.work_ = new WorkPanel({ onEngrave: () => this.guard_(() => this.engrave()), onCancel: () => this.cancel_() });
     this.result_ = new ResultPanel({
       onDownload: (format) => this.guard_(() => this.download_(format)),
       onSaveReport: () => this.guard_(() => this.saveReport_()),
     });
     this.toolbar_ = new ViewToolbar({
-      onCarved: (carved) => this.guard_(() => this.client_.showCarved(carved)),
+      onCarved: (carved) => this.guard_(() => this.showCarved_(carved)),
       onReaderView: () => this.guard_(() => this.client_.act({ kind: 'readerView' })),
       onFit: () => this.guard_(() => this.client_.act({ kind: 'fit' })),
       onInspector: (shown) => this.guard_(() => this.showInspector_(shown)),
@@ -76,6 +83,7 @@ export class App {
     this.placed_ = false;
     this.carvedExists_ = false;
     this.engraving_ = false;
+    this.suggesting_ = false;
     this.replacements_ = 0;
     this.recovering_ = false;
   }
@@ -142,17 +150,46 @@ export class App {
     }
   }
 
+  /** Looks for the best spots for the settings and shows them to choose from. */
+  async suggestSpots_() {
+    if (this.workAbort_ || !this.model_?.engravable) return;
+    this.messages_.clearError();
+    this.spots_.clear();
+    await this.client_.configure(this.code_.settings());
+    this.suggesting_ = true;
+    try {
+      const found = await this.runWork_('Looking for spots', (signal) =>
+        this.client_.findSpots({ signal, onProgress: (progress) => this.showProgress_(progress) }));
+      this.setCarvedShown_(false);
+      if (found) this.spots_.show(found);
+      this.messages_.say(found ? 'Choose a spot, or click the model.' : 'Cancelled.');
+    } finally {
+      this.suggesting_ = false;
+    }
+  }
+
+  /** @param {number} index */
+  async chooseSpot_(index) {
+    await this.moveCentre_(() => this.client_.chooseSpot(index));
+    this.spots_.mark(index);
+    if (this.placed_) await this.client_.act({ kind: 'face' });
+  }
+
+  /** @param {import('./engine/types.js').EngraveProgress} progress */
+  showProgress_(progress) {
+    this.work_.update(progress);
+    this.messages_.say(`${progress.stage}…`);
+  }
+
   /** @param {AbortSignal} signal */
   async engraveNow_(signal) {
     const started = performance.now();
     this.result_.hide();
     this.setCarved_(false);
+    this.spots_.setSizesShown(false);
     const finished = await this.client_.engrave({
       signal,
-      onProgress: (progress) => {
-        this.work_.update(progress);
-        this.messages_.say(`${progress.stage}…`);
-      },
+      onProgress: (progress) => this.showProgress_(progress),
     });
     if (finished) await this.showResult_(started);
     else this.messages_.say('Cancelled. The model is as it was.');
@@ -181,7 +218,8 @@ export class App {
       return;
     }
     const bytes = new Uint8Array(await file.arrayBuffer());
-    const { scaleToMm, upAxis } = this.models_;  // the last ones chosen: parts of one origin share them
+    const { upAxis } = this.models_;  // the last ones chosen: parts of one origin share them
+    const scaleToMm = /\.3mf$/i.test(file.name) ? 0 : this.source_?.unitStated ? 1 : this.models_.scaleToMm;
     await this.load_({ bytes, fileName: file.name, scaleToMm, upAxis, credit: '' });
   }
 
@@ -211,13 +249,13 @@ export class App {
       if (source.upAxis !== axisBefore) await this.client_.setUpAxis(source.upAxis);
       const model = await this.runWork_(`Reading ${source.fileName}`, (signal) =>
         this.client_.loadModel(source.bytes, source.fileName, source.scaleToMm, { signal }));
-      this.source_ = source;
+      this.source_ = { ...source, scaleToMm: model.scaleToMm, unitStated: source.scaleToMm === 0 };
       this.model_ = model;
       this.centreMm_ = source.centreMm;
     } catch (thrown) {
       if (source.upAxis !== axisBefore) await this.client_.setUpAxis(axisBefore);
       this.showSource_();
-      this.work_.allowEngrave(this.model_?.engravable ?? false);
+      this.allowWork_(this.model_?.engravable ?? false);
       throw thrown;
     }
     this.result_.hide();
@@ -235,7 +273,8 @@ export class App {
   async useModel_() {
     const { model_: model, centreMm_: centreMm } = this;
     if (!model) return;
-    this.work_.allowEngrave(model.engravable);
+    this.allowWork_(model.engravable);
+    this.spots_.clear();
     this.showPlacement_(undefined);
     if (!model.engravable) {
       const blocking = model.findings.filter(({ severity }) => severity === 'blocking');
@@ -260,8 +299,17 @@ export class App {
 
   async changeSettings_() {
     this.messages_.clearError();
+    await this.forgetSpots_();
     this.result_.markOutdated();
     await this.place_();
+  }
+
+  /** What was found holds for other settings. */
+  async forgetSpots_() {
+    if (this.suggesting_) this.workAbort_?.abort();
+    if (!this.spots_.known) return;
+    this.spots_.clear();
+    await this.client_.showSizes(false);
   }
 
   /** @param {() => Promise<import('./engine/types.js').PickResult>} pick */
@@ -275,6 +323,7 @@ export class App {
     this.centreIsGuess_ = false;
     if (this.source_) this.source_ = { ...this.source_, centreMm: centre };
     this.code_.showCentre(centre);
+    this.spots_.mark();
     this.setCarvedShown_(false);
     await this.place_();
   }
@@ -331,6 +380,18 @@ export class App {
   }
 
   /** @param {boolean} shown */
+  async showSizes_(shown) {
+    if (shown) this.toolbar_.setCarved(this.carvedExists_, false);
+    await this.client_.showSizes(shown);
+  }
+
+  /** @param {boolean} carved */
+  async showCarved_(carved) {
+    if (carved) this.spots_.setSizesShown(false);
+    await this.client_.showCarved(carved);
+  }
+
+  /** @param {boolean} shown */
   async showInspector_(shown) {
     this.view_.reportsPointer = shown;
     await this.client_.setInspector(shown);
@@ -339,7 +400,9 @@ export class App {
   /** @param {string} format */
   async download_(format) {
     const bytes = await this.client_.exportModel(format);
-    saveFile(new Blob([bytes], { type: 'model/stl' }), `${this.baseName_()}-qr.${format}`);
+    const [extension, addition] = format.split('-');
+    saveFile(new Blob([bytes], { type: `model/${extension}` }),
+      `${this.baseName_()}-qr${addition ? `-${addition}` : ''}.${extension}`);
   }
 
   async saveReport_() {
@@ -368,6 +431,7 @@ export class App {
     const abort = new AbortController();
     this.workAbort_ = abort;
     this.work_.begin(stage);
+    this.spots_.allow(false);
     this.messages_.say(`${stage}…`);
     const running = run(abort.signal);
     this.running_ = running;
@@ -377,8 +441,14 @@ export class App {
       this.running_ = undefined;
       this.workAbort_ = undefined;
       this.work_.end();
-      this.work_.allowEngrave(this.model_?.engravable ?? false);
+      this.allowWork_(this.model_?.engravable ?? false);
     }
+  }
+
+  /** @param {boolean} allowed */
+  allowWork_(allowed) {
+    this.work_.allowEngrave(allowed);
+    this.spots_.allow(allowed);
   }
 
   async untilIdle_() {

@@ -39,6 +39,13 @@ double squaredDistance(Vec3 p, const FacetTree::Facet& facet) {
   return height * height / area;
 }
 
+/// Unit; zero without area.
+Vec3 normalOf(const FacetTree::Facet& facet) {
+  const Vec3 normal = glm::cross(facet[1] - facet[0], facet[2] - facet[0]);
+  const double length = glm::length(normal);
+  return length > 0 ? normal / length : Vec3(0);
+}
+
 Vec3 middle(const FacetTree::Facet& facet) { return (facet[0] + facet[1] + facet[2]) / 3.0; }
 
 }  // namespace
@@ -51,12 +58,14 @@ std::uint32_t FacetTree::build(std::uint32_t begin, std::uint32_t end) {
   const std::uint32_t index = static_cast<std::uint32_t>(nodes_.size());
   nodes_.emplace_back();
   Box3 box;
-  Box3 middles;
+  Box3 middles, normals;
   for (std::uint32_t k = begin; k < end; ++k) {
     for (const Vec3 corner : facets_[k]) box.add(corner);
     middles.add(middle(facets_[k]));
+    normals.add(normalOf(facets_[k]));
   }
   nodes_[index].box = box;
+  nodes_[index].normals = normals;
   if (end - begin <= kLeafFacets) {
     nodes_[index].begin = begin;
     nodes_[index].end = end;
@@ -73,7 +82,9 @@ std::uint32_t FacetTree::build(std::uint32_t begin, std::uint32_t end) {
   return index;
 }
 
-double FacetTree::distance(Vec3 point, double reach) const {
+template <class NodeCounts, class FacetCounts>
+double FacetTree::nearest(Vec3 point, double reach, const NodeCounts& nodeCounts,
+                          const FacetCounts& facetCounts) const {
   if (nodes_.empty()) return reach;
   double least = reach * reach;
   std::array<std::uint32_t, 64> stack;  // halving 2^32 facets down to kLeafFacets takes fewer levels
@@ -82,9 +93,10 @@ double FacetTree::distance(Vec3 point, double reach) const {
   while (depth > 0) {
     const std::uint32_t index = stack[--depth];
     const Node& node = nodes_[index];
-    if (squaredDistance(point, node.box) >= least) continue;
+    if (!nodeCounts(node) || squaredDistance(point, node.box) >= least) continue;
     if (node.begin < node.end) {
-      for (std::uint32_t k = node.begin; k < node.end; ++k) least = std::min(least, squaredDistance(point, facets_[k]));
+      for (std::uint32_t k = node.begin; k < node.end; ++k)
+        if (facetCounts(facets_[k])) least = std::min(least, squaredDistance(point, facets_[k]));
       continue;
     }
     std::uint32_t near = index + 1;
@@ -94,6 +106,20 @@ double FacetTree::distance(Vec3 point, double reach) const {
     stack[depth++] = near;
   }
   return std::sqrt(least);
+}
+
+double FacetTree::distance(Vec3 point, double reach) const {
+  const auto any = [](const auto&) { return true; };
+  return nearest(point, reach, any, any);
+}
+
+double FacetTree::distanceOfTurned(Vec3 point, double reach, Vec3 normal, double component) const {
+  const auto mayTurn = [&](const Node& node) {
+    const Vec3 least = glm::min(normal * node.normals.min, normal * node.normals.max);
+    return least.x + least.y + least.z < component;
+  };
+  const auto turns = [&](const Facet& facet) { return glm::dot(normalOf(facet), normal) < component; };
+  return nearest(point, reach, mayTurn, turns);
 }
 
 }  // namespace qrelief

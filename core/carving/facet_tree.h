@@ -23,13 +23,19 @@ class FacetTree {
   /// Distance of the nearest facet from `point`, or `reach` if none is nearer.
   double distance(Vec3 point, double reach) const;
 
+  /// The same among those facets alone whose unit normal has a component below `component` along the unit vector
+  /// `normal`. As nodes know the range of their normals, smooth surfaces that turn nowhere so far cost next to nothing.
+  double distanceOfTurned(Vec3 point, double reach, Vec3 normal, double component) const;
+
  private:
   struct Node {
-    Box3 box;
+    Box3 box, normals;
     std::uint32_t begin = 0, end = 0;  // facets; inner nodes have none
     std::uint32_t right = 0;           // second child; the first follows its parent
   };
 
+  template <class NodeCounts, class FacetCounts>
+  double nearest(Vec3 point, double reach, const NodeCounts& nodeCounts, const FacetCounts& facetCounts) const;
   std::uint32_t build(std::uint32_t begin, std::uint32_t end);
 
   std::vector<Facet> facets_;

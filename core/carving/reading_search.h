@@ -10,10 +10,10 @@
 namespace qrelief {
 
 struct ReadingOptions {
-  double dataContrast = 0.3;    ///< by which a dark module must be darker than its surroundings as seen, 0 … 1
-  double finderContrast = 0.3;  ///< the same for the modules of the three finder patterns
-  double blurModules = 0.4;     ///< standard deviation of what a phone's lens and sensor blur, in module widths
-  double tolerance = 0.005;     ///< of the contrast: what is at most this much darker than it must be is done
+  double dataContrast = 0.1;     ///< by which a dark module must be darker than its surroundings as seen, 0 … 1
+  double finderContrast = 0.15;  ///< the same for the modules of the three finder patterns
+  double blurModules = 0.4;      ///< standard deviation of what a phone's lens and sensor blur, in module widths
+  double tolerance = 0.005;      ///< of the contrast: what is at most this much darker than it must be is done
   int maxPasses = 12;
 };
 

@@ -2,90 +2,74 @@
 #include "carving/wall_limit.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
-#include <cmath>
+#include <optional>
 
-#include "carving/depth_field.h"
 #include "carving/facet_tree.h"
 #include "math/tolerance.h"
+#include "projection/facet_locator.h"
 #include "projection/orientation.h"
 
 namespace qrelief {
 namespace {
 
-/// The floor of one submodule is followed at its centre and its corners.
-constexpr std::size_t kPoints = 5;
+/// Points along a submodule's edge less one.
+constexpr int kSteps = 2;
 
-struct Column {
-  std::array<Vec3, kPoints> surface;  // centre first
-  std::array<Vec3, kPoints> down;     // unit, along the rays
-  double spread = 0;                  // distance of the farthest corner from the centre
+/// A point of the surface over the symbol.
+struct Sample {
+  Vec3 surface{0}, down{0};  // down: unit, along the ray
+  Vec3 normal{0};            // of the facet, unit; zero where there is none
 };
 
-/// The surface over the submodules, as far as it is known.
+/// Projected corners, counter-clockwise; empty if not seen from the front or not before the eye.
+std::optional<Triangle2> imageOf(const Mesh& mesh, const ProjectionFrame& frame, std::uint32_t t) {
+  Triangle2 image;
+  for (int k = 0; k < 3; ++k) {
+    const Vec3 corner = mesh.corner(t, k);
+    if (frame.distanceAlongAxis(corner) <= kNearPlaneShare * frame.eyeDistance) return std::nullopt;
+    image[static_cast<std::size_t>(k)] = frame.project(corner);
+  }
+  if (cross2(image[1] - image[0], image[2] - image[0]) <= 0) return std::nullopt;
+  return image;
+}
+
+/// The patch over the symbol, answering what lies under a plane point.
 class BaseSurface {
  public:
-  BaseSurface(const ProjectionFrame& frame, int size, std::span<const float> distances, double symbolMm)
-      : frame_(frame), grid_{.size = size, .symbolMm = symbolMm, .depthMm = {}} {
-    // Depths below the eye, not distances from it: on a plane they change linearly from submodule to submodule.
-    depths_.reserve(distances.size());
-    for (int row = 0; row < size; ++row)
-      for (int column = 0; column < size; ++column)
-        depths_.push_back(static_cast<double>(distances[depths_.size()]) *
-                          -glm::dot(frame.rayDirection(middle(row, column)), frame.normal));
+  BaseSurface(const Mesh& mesh, const VisiblePatch& patch, const ProjectionFrame& frame, double symbolMm)
+      : mesh_(mesh), frame_(frame) {
+    std::vector<Triangle2> images;
+    for (const std::uint32_t t : patch.triangles) {
+      const auto image = imageOf(mesh, frame, t);
+      if (!image) continue;
+      const Vec2 lo = glm::min(glm::min((*image)[0], (*image)[1]), (*image)[2]);
+      const Vec2 hi = glm::max(glm::max((*image)[0], (*image)[1]), (*image)[2]);
+      if (std::max(lo.x, lo.y) > symbolMm / 2 || std::min(hi.x, hi.y) < -symbolMm / 2) continue;
+      facets_.push_back(t);
+      images.push_back(*image);
+    }
+    if (!images.empty()) locator_.emplace(std::move(images));
   }
 
-  bool known(int row, int column) const { return std::isfinite(depth(row, column)); }
-
-  /// Precondition: known(row, column).
-  Column columnAt(int row, int column) const {
-    Column result;
-    place(result, 0, middle(row, column), depth(row, column));
-    for (int k = 0; k < 4; ++k) {
-      const std::size_t corner = static_cast<std::size_t>(k + 1);
-      place(result, corner, grid_.corner(row + k / 2, column + k % 2), depthAtCorner(row + k / 2, column + k % 2));
-      result.spread = std::max(result.spread, glm::distance(result.surface[0], result.surface[corner]));
-    }
-    return result;
+  Sample at(Vec2 point) {
+    Sample sample;
+    if (!locator_) return sample;
+    const std::uint32_t found = locator_->nearest(point);
+    if (locator_->depthIn(found, point) < -kCoveredMm) return sample;
+    sample.normal = triangleNormal(mesh_, facets_[found]);
+    sample.down = frame_.rayDirection(point);
+    const Vec3 eye = frame_.eye();
+    const double along = glm::dot(sample.normal, mesh_.corner(facets_[found], 0) - eye);
+    sample.surface = eye + sample.down * (along / glm::dot(sample.normal, sample.down));
+    return sample;
   }
 
  private:
-  Vec2 middle(int row, int column) const {
-    return grid_.corner(row, column) + Vec2(grid_.submoduleMm(), -grid_.submoduleMm()) * 0.5;
-  }
-
-  /// NaN where unknown; outside the symbol carried on in a straight line.
-  double depth(int row, int column) const {
-    const int innerRow = std::clamp(row, 0, grid_.size - 1);
-    const int innerColumn = std::clamp(column, 0, grid_.size - 1);
-    const double inner = depths_[static_cast<std::size_t>(innerRow * grid_.size + innerColumn)];
-    if ((innerRow == row && innerColumn == column) || grid_.size == 1) return inner;
-    return 2 * inner - depth(2 * innerRow - row, 2 * innerColumn - column);
-  }
-
-  /// Mean of the four around it, or of those that are known: at least the submodule that the corner is asked for.
-  double depthAtCorner(int row, int column) const {
-    double sum = 0;
-    int count = 0;
-    for (const int r : {row - 1, row}) {
-      for (const int c : {column - 1, column}) {
-        if (!known(r, c)) continue;
-        sum += depth(r, c);
-        ++count;
-      }
-    }
-    return sum / count;
-  }
-
-  void place(Column& column, std::size_t k, Vec2 planePoint, double depthMm) const {
-    column.down[k] = frame_.rayDirection(planePoint);
-    column.surface[k] = frame_.eye() + column.down[k] * (depthMm / -glm::dot(column.down[k], frame_.normal));
-  }
-
+  const Mesh& mesh_;
   const ProjectionFrame& frame_;
-  DepthField grid_;  // only its geometry is used
-  std::vector<double> depths_;
+  std::vector<std::uint32_t> facets_;
+  std::optional<FacetLocator> locator_;
 };
 
 /// Coordinates along the frame's axes: the carved region is flat in these.
@@ -103,75 +87,122 @@ bool isUnknown(const FacetTree::Facet& facet, const VisiblePatch& patch, const P
   return distanceToTriangle(Vec2(0), image) > patch.radiusMm;
 }
 
-FacetTree wallsNear(const Mesh& mesh, const VisiblePatch& patch, const ProjectionFrame& frame, const Box3& region) {
+/// Whether the eye sees a facet of the patch nearly edge-on.
+bool isGrazing(const FacetTree::Facet& facet, const ProjectionFrame& frame) {
+  const Vec3 normal = glm::cross(facet[1] - facet[0], facet[2] - facet[0]);
+  const Vec3 toEye = frame.eye() - (facet[0] + facet[1] + facet[2]) / 3.0;
+  return glm::dot(normal, toEye) < kGrazingCosine * glm::length(normal) * glm::length(toEye);
+}
+
+struct Sides {
+  FacetTree walls;    ///< other sides of the material wherever a pocket is
+  FacetTree surface;  ///< of the patch: other sides for those that face away from them
+};
+
+Sides sidesNear(const Mesh& mesh, const VisiblePatch& patch, const ProjectionFrame& frame, const Box3& region) {
   std::vector<Vec3> positions;
   positions.reserve(mesh.positions.size());
   for (const Vec3f& p : mesh.positions) positions.push_back(alongAxes(frame, Vec3(p)));
   std::vector<std::uint8_t> inPatch(mesh.triangles.size(), 0);
   for (const std::uint32_t t : patch.triangles) inPatch[t] = 1;
-  std::vector<FacetTree::Facet> facets;
+  std::vector<FacetTree::Facet> walls, surface;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (inPatch[t] != 0) continue;
     Box3 box;
     for (const std::uint32_t v : mesh.triangles[t]) box.add(positions[v]);
     const bool apart = glm::any(glm::lessThan(box.max, region.min)) || glm::any(glm::greaterThan(box.min, region.max));
     if (apart) continue;
     const FacetTree::Facet facet{mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)};
-    if (!isUnknown(facet, patch, frame)) facets.push_back(facet);
+    if (inPatch[t] != 0 && !isGrazing(facet, frame))
+      surface.push_back(facet);
+    else if (inPatch[t] != 0 || !isUnknown(facet, patch, frame))
+      walls.push_back(facet);
   }
-  return FacetTree(std::move(facets));
+  return {FacetTree(std::move(walls)), FacetTree(std::move(surface))};
 }
 
-/// Least distance of the floor at `depth` from the walls; `reach` if that is less.
-double clearance(const FacetTree& walls, const Column& column, double depth, double reach) {
-  double least = reach;
-  for (std::size_t k = 0; k < kPoints; ++k) least = walls.distance(column.surface[k] + column.down[k] * depth, least);
-  return least;
+/// Least distance from any other side of the material; `reach` if that is less.
+double distanceThrough(const Sides& sides, const Sample& sample, double depth, double reach) {
+  const Vec3 point = sample.surface + sample.down * depth;
+  return sides.surface.distanceOfTurned(point, sides.walls.distance(point, reach), sample.normal, kOppositeCosine);
 }
 
-double limitOf(const FacetTree& walls, const Column& column, const WallLimitOptions& options) {
-  const double enough = options.maxDepthMm + column.spread + options.minWallMm;
-  if (walls.distance(column.surface[0], enough) >= enough) return options.maxDepthMm;
-
+double limitOf(const Sides& sides, const Sample& sample, const WallLimitOptions& options) {
   double depth = 0;
   for (;;) {
     const double reach = options.minWallMm + options.maxDepthMm - depth;
-    const double spare = clearance(walls, column, depth, reach) - options.minWallMm;
+    const double spare = distanceThrough(sides, sample, depth, reach) - options.minWallMm;
     if (spare < 0) return std::max(0.0, depth - kDepthQuantumMm / 2);
     depth += std::max(spare, kDepthQuantumMm / 2);
     if (depth >= options.maxDepthMm) return options.maxDepthMm;
   }
 }
 
+/// The points at which submodules are followed; those of carved ones only, each once.
+class SampleGrid {
+ public:
+  SampleGrid(const SubmoduleMask& carved, double symbolMm)
+      : carved_(carved), symbolMm_(symbolMm), side_(kSteps * carved.size + 1) {
+    used_.assign(static_cast<std::size_t>(side_ * side_), 0);
+    forEachCarved([&](std::size_t, std::size_t point) { used_[point] = 1; });
+  }
+
+  /// Calls `visit(submodule, point)` for each pair of a carved submodule and a point of it.
+  template <class Visit>
+  void forEachCarved(const Visit& visit) const {
+    for (int row = 0; row < carved_.size; ++row)
+      for (int column = 0; column < carved_.size; ++column)
+        for (int k = 0; carved_.isCarved(row, column) && k < (kSteps + 1) * (kSteps + 1); ++k)
+          visit(
+              static_cast<std::size_t>(row * carved_.size + column),
+              static_cast<std::size_t>((kSteps * row + k / (kSteps + 1)) * side_ + kSteps * column + k % (kSteps + 1)));
+  }
+
+  std::size_t size() const { return used_.size(); }
+  bool isUsed(std::size_t point) const { return used_[point] != 0; }
+  Vec2 at(std::size_t point) const {
+    const double step = symbolMm_ / (side_ - 1);
+    const auto row = static_cast<double>(point / static_cast<std::size_t>(side_));
+    const auto column = static_cast<double>(point % static_cast<std::size_t>(side_));
+    return {-symbolMm_ / 2 + column * step, symbolMm_ / 2 - row * step};
+  }
+
+ private:
+  const SubmoduleMask& carved_;
+  const double symbolMm_;
+  const int side_;
+  std::vector<std::uint8_t> used_;
+};
+
 }  // namespace
 
 std::vector<double> wallLimits(const Mesh& mesh, const VisiblePatch& patch, const ProjectionFrame& frame,
-                               const SubmoduleMask& carved, std::span<const float> baseDistanceMm,
-                               const WallLimitOptions& options) {
+                               const SubmoduleMask& carved, const WallLimitOptions& options) {
   assert(carved.size > 0 && carved.carved.size() == static_cast<std::size_t>(carved.size) * carved.size);
-  assert(baseDistanceMm.size() == carved.carved.size() && options.symbolMm > 0);
+  assert(options.symbolMm > 0);
   std::vector<double> limits(carved.carved.size(), 0);
   if (options.maxDepthMm <= 0) return limits;
 
-  std::vector<std::uint32_t> indices;
-  std::vector<Column> columns;
+  const SampleGrid grid(carved, options.symbolMm);
+  BaseSurface surface(mesh, patch, frame, options.symbolMm);
+  std::vector<Sample> samples(grid.size());
   Box3 region;
-  const BaseSurface surface(frame, carved.size, baseDistanceMm, options.symbolMm);
-  for (int row = 0; row < carved.size; ++row) {
-    for (int column = 0; column < carved.size; ++column) {
-      if (!carved.isCarved(row, column) || !surface.known(row, column)) continue;
-      indices.push_back(static_cast<std::uint32_t>(row * carved.size + column));
-      columns.push_back(surface.columnAt(row, column));
-      for (const Vec3 p : columns.back().surface) region.add(alongAxes(frame, p));
-    }
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    if (!grid.isUsed(k)) continue;
+    samples[k] = surface.at(grid.at(k));
+    if (samples[k].normal != Vec3(0)) region.add(alongAxes(frame, samples[k].surface));
   }
-  if (columns.empty()) return limits;
   const double reach = options.maxDepthMm + options.minWallMm;
   region.min -= Vec3(reach);
   region.max += Vec3(reach);
 
-  const FacetTree walls = wallsNear(mesh, patch, frame, region);
-  for (std::size_t k = 0; k < columns.size(); ++k) limits[indices[k]] = limitOf(walls, columns[k], options);
+  const Sides sides = sidesNear(mesh, patch, frame, region);
+  std::vector<double> sampleLimits(samples.size(), 0);
+  for (std::size_t k = 0; k < samples.size(); ++k)
+    if (samples[k].normal != Vec3(0)) sampleLimits[k] = limitOf(sides, samples[k], options);
+  grid.forEachCarved([&](std::size_t submodule, std::size_t) { limits[submodule] = options.maxDepthMm; });
+  grid.forEachCarved([&](std::size_t submodule, std::size_t point) {
+    limits[submodule] = std::min(limits[submodule], sampleLimits[point]);
+  });
   return limits;
 }
 

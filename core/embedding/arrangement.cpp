@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <fmt/format.h>
+#include <limits>
 #include <optional>
 
 #include "embedding/constrained_delaunay.h"
@@ -18,7 +20,9 @@ struct Constraint {
   std::uint32_t from, to;
   std::uint32_t leftFacet = kNoFacet, rightFacet = kNoFacet;
   int leftLevel = kUnknown, rightLevel = kUnknown;
-  bool onEdge = false;
+  bool onEdge = false;    ///< of the model
+  bool onBorder = false;  ///< of the resampled square
+  bool endsFacet() const { return onEdge || onBorder; }
 };
 
 Error leavesSurface(Vec2 where) {
@@ -32,6 +36,7 @@ std::vector<Arrangement::Crossing> findCrossings(const Footprint& footprint, Edg
                                                  const OutlineGraph& graph) {
   std::vector<Arrangement::Crossing> crossings;
   for (std::uint32_t k = 0; k < graph.outlines.size(); ++k) {
+    if (!graph.outlines[k].meetsModel()) continue;
     const Vec2 p = graph.nodes[graph.outlines[k].from], q = graph.nodes[graph.outlines[k].to];
     const std::size_t first = crossings.size();
     for (const std::uint32_t e : edges.near(glm::min(p, q), glm::max(p, q))) {
@@ -61,23 +66,56 @@ void addPoints(Arrangement& result, const Footprint& footprint, const OutlineGra
 }
 
 /// Outlines cut at their crossings, which are stored in that order.
-void addPieces(Arrangement& result, const OutlineGraph& graph) {
+void addPieces(std::vector<Constraint>& constraints, Arrangement& result, const OutlineGraph& graph) {
   std::size_t next = 0;
   for (std::uint32_t k = 0; k < graph.outlines.size(); ++k) {
     const Outline& o = graph.outlines[k];
     std::uint32_t from = result.firstNode + o.from;
-    for (; next < result.crossings.size() && result.crossings[next].outline == k; ++next) {
-      const std::uint32_t to = result.firstCrossing + static_cast<std::uint32_t>(next);
+    const auto cutAt = [&](std::uint32_t to) {
       result.pieces.push_back({from, to, o.left, o.right});
+      constraints.push_back({from, to, o.leftResampled ? Arrangement::kGridFacet : kNoFacet,
+                             o.rightResampled ? Arrangement::kGridFacet : kNoFacet, o.left, o.right, false,
+                             o.boundsGrid()});
       from = to;
-    }
-    result.pieces.push_back({from, result.firstNode + o.to, o.left, o.right});
+    };
+    for (; next < result.crossings.size() && result.crossings[next].outline == k; ++next)
+      cutAt(result.firstCrossing + static_cast<std::uint32_t>(next));
+    cutAt(result.firstNode + o.to);
   }
 }
 
-/// Model edges cut at their crossings.
-void addEdgeConstraints(std::vector<Constraint>& constraints, const Arrangement& arrangement,
-                        const Footprint& footprint) {
+/// Footprint vertices within the border of the resampled square, by the parity of borders to their right.
+std::vector<char> findReplaced(const Footprint& footprint, const OutlineGraph& graph) {
+  std::vector<char> replaced(footprint.points.size(), 0);
+  std::vector<EdgeGrid::Edge> border;
+  double inner = std::numeric_limits<double>::infinity(), outer = 0;  // distances from the centre in the maximum norm
+  for (const Outline& o : graph.outlines) {
+    if (!o.boundsGrid()) continue;
+    border.push_back({graph.nodes[o.from], graph.nodes[o.to]});
+    const double far = std::max(std::abs(border.back()[0].x), std::abs(border.back()[0].y));
+    inner = std::min(inner, far);
+    outer = std::max(outer, far);
+  }
+  if (border.empty()) return replaced;
+  for (std::size_t v = 0; v < replaced.size(); ++v) {
+    const Vec2 p = footprint.points[v];
+    const double far = std::max(std::abs(p.x), std::abs(p.y));
+    if (far < inner || far > outer) {
+      replaced[v] = far < inner;
+      continue;
+    }
+    for (const auto& [a, b] : border)
+      if ((a.y > p.y) != (b.y > p.y) && a.x + (b.x - a.x) * ((p.y - a.y) / (b.y - a.y)) > p.x)
+        replaced[v] = !replaced[v];
+  }
+  return replaced;
+}
+
+/// Model edges cut at their crossings, less what lies within the resampled square.
+/// @returns an error if the rim of the footprint comes there, or if crossings and sides contradict each other
+std::optional<Error> addEdgeConstraints(std::vector<Constraint>& constraints, const Arrangement& arrangement,
+                                        const Footprint& footprint, const OutlineGraph& graph,
+                                        std::span<const char> replaced) {
   std::vector<std::uint32_t> order(arrangement.crossings.size());
   for (std::uint32_t k = 0; k < order.size(); ++k) order[k] = k;
   const auto& crossings = arrangement.crossings;
@@ -88,15 +126,24 @@ void addEdgeConstraints(std::vector<Constraint>& constraints, const Arrangement&
   std::size_t next = 0;
   for (std::uint32_t e = 0; e < footprint.edges.size(); ++e) {
     const Footprint::Edge& edge = footprint.edges[e];
-    Constraint piece{edge.a, edge.b, edge.left, edge.right, kUnknown, kUnknown, true};
+    Constraint piece{edge.a, edge.b, edge.left, edge.right, kUnknown, kUnknown, true, false};
+    bool within = replaced[edge.a];
+    const auto cutAt = [&](std::uint32_t to) {
+      piece.to = to;
+      if (!within) constraints.push_back(piece);
+      piece.from = to;
+    };
     for (; next < order.size() && crossings[order[next]].edge == e; ++next) {
-      piece.to = arrangement.firstCrossing + order[next];
-      constraints.push_back(piece);
-      piece.from = piece.to;
+      cutAt(arrangement.firstCrossing + order[next]);
+      if (graph.outlines[crossings[order[next]].outline].boundsGrid()) within = !within;
+      if (within && edge.right == kNoFacet) return leavesSurface(arrangement.points[piece.from]);
     }
-    piece.to = edge.b;
-    constraints.push_back(piece);
+    cutAt(edge.b);
+    if (within && edge.right == kNoFacet) return leavesSurface(arrangement.points[edge.b]);
+    if (within != static_cast<bool>(replaced[edge.b]))
+      return Error{ErrorCode::Internal, "A model edge ends on the wrong side of the resampled square's border", ""};
   }
+  return std::nullopt;
 }
 
 /// Finds constraints by their end points.
@@ -189,7 +236,7 @@ Labels labelTriangles(const PlaneTriangulation& cdt, std::span<const Constraint>
   spread(
       labels.facets, kNoFacet, cdt,
       [&](std::uint32_t t, std::size_t k) {
-        return constraintAt(t, k) == kNoFacet || !constraints[constraintAt(t, k)].onEdge;
+        return constraintAt(t, k) == kNoFacet || !constraints[constraintAt(t, k)].endsFacet();
       },
       labels.consistent);
   spread(
@@ -219,23 +266,40 @@ std::optional<Error> findLeak(const PlaneTriangulation& cdt, const Labels& label
   return std::nullopt;
 }
 
+/// Triangulates the points that are left; the triangulation's indices are those of all points.
+Result<PlaneTriangulation> triangulate(const Arrangement& arrangement, std::span<const Constraint> constraints,
+                                       std::span<const char> replaced) {
+  std::vector<std::uint32_t> left, place(arrangement.points.size(), 0);
+  std::vector<Vec2> points;
+  for (std::uint32_t p = 0; p < place.size(); ++p) {
+    if (p < replaced.size() && replaced[p]) continue;
+    place[p] = static_cast<std::uint32_t>(left.size());
+    left.push_back(p);
+    points.push_back(arrangement.points[p]);
+  }
+  std::vector<std::array<std::uint32_t, 2>> pairs;
+  pairs.reserve(constraints.size());
+  for (const Constraint& c : constraints) pairs.push_back({place[c.from], place[c.to]});
+  auto cdt = triangulateConstrained(points, pairs);
+  if (!cdt) return cdt;
+  for (Triangle& t : cdt->triangles)
+    for (std::uint32_t& p : t) p = left[p];
+  return cdt;
+}
+
 }  // namespace
 
 Result<Arrangement> arrange(const Footprint& footprint, EdgeGrid& edges, const OutlineGraph& graph) {
   Arrangement result;
   result.crossings = findCrossings(footprint, edges, graph);
   addPoints(result, footprint, graph);
-  addPieces(result, graph);
-
+  const std::vector<char> replaced = findReplaced(footprint, graph);
   std::vector<Constraint> constraints;
-  addEdgeConstraints(constraints, result, footprint);
-  for (const Arrangement::Piece& p : result.pieces)
-    constraints.push_back({p.from, p.to, kNoFacet, kNoFacet, p.left, p.right, false});
-  std::vector<std::array<std::uint32_t, 2>> pairs;
-  pairs.reserve(constraints.size());
-  for (const Constraint& c : constraints) pairs.push_back({c.from, c.to});
+  if (auto error = addEdgeConstraints(constraints, result, footprint, graph, replaced))
+    return tl::unexpected(std::move(*error));
+  addPieces(constraints, result, graph);
 
-  const auto cdt = triangulateConstrained(result.points, pairs);
+  const auto cdt = triangulate(result, constraints, replaced);
   if (!cdt) return tl::unexpected(cdt.error());
   const Labels labels = labelTriangles(*cdt, constraints, result.points.size());
   if (auto leak = findLeak(*cdt, labels, constraints, result.points)) return tl::unexpected(std::move(*leak));

@@ -8,8 +8,11 @@
 
 namespace qrelief {
 
-/// Facets and outlines overlaid on the QR plane and triangulated: every triangle lies in one facet and at one depth.
+/// Facets and outlines overlaid on the QR plane and triangulated: every triangle lies in one facet, or in the resampled
+/// square, and at one depth.
 struct Arrangement {
+  static constexpr std::uint32_t kGridFacet = 0xfffffffeu;
+
   /// Where an outline crosses a model edge.
   struct Crossing {
     std::uint32_t edge = 0;     ///< of the footprint
@@ -28,17 +31,19 @@ struct Arrangement {
   std::vector<Crossing> crossings;
   std::vector<Piece> pieces;
   std::vector<Triangle> triangles;    ///< inside the footprint only, counter-clockwise
-  std::vector<std::uint32_t> facets;  ///< triangle → footprint facet
+  std::vector<std::uint32_t> facets;  ///< triangle → footprint facet; kGridFacet in a resampled square
   std::vector<int> levels;            ///< triangle → level of depth
 };
 
 /// Overlays the footprint's edges and the outlines: each crossing is computed once and shared by both, the pieces
 /// between are constraints of a Delaunay triangulation, and facets and levels spread over it from the pieces, whose
-/// sides are known.
+/// sides are known. Where the graph bounds a resampled square, the model's edges end at its border and its vertices
+/// within make way for the graph's nodes.
 ///
 /// Cost: O(n log n) in vertices and crossings.
 /// @param edges  the footprint's edges, in the same order
-/// @returns NoSolution if an outline or a carved area leaves the footprint; Internal if pieces cross, which the
+/// @returns NoSolution if an outline, a carved area or the resampled square leaves the footprint; Internal if pieces
+/// cross, which the
 ///          outlines' clearance from the model rules out unless the footprint overlaps itself
 Result<Arrangement> arrange(const Footprint& footprint, EdgeGrid& edges, const OutlineGraph& graph);
 

@@ -36,10 +36,12 @@ Clearance::Clearance(OutlineGraph& graph, EdgeGrid& edges, double snapMm)
       incident_(2 * graph.outlines.size()),
       placed_(graph.nodes.size(), 0),
       throws_(graph.nodes.size(), 0) {
-  for (const Outline& o : graph.outlines) ++firstIncident_[o.from + 1], ++firstIncident_[o.to + 1];
+  for (const Outline& o : graph.outlines)
+    if (o.meetsModel()) ++firstIncident_[o.from + 1], ++firstIncident_[o.to + 1];
   for (std::size_t n = 1; n < firstIncident_.size(); ++n) firstIncident_[n] += firstIncident_[n - 1];
   std::vector<std::uint32_t> next(firstIncident_.begin(), firstIncident_.end() - 1);
   for (std::uint32_t k = 0; k < graph.outlines.size(); ++k) {
+    if (!graph.outlines[k].meetsModel()) continue;
     incident_[next[graph.outlines[k].from]++] = k;
     incident_[next[graph.outlines[k].to]++] = k;
   }
@@ -101,6 +103,8 @@ Vec2 Clearance::dart(std::uint32_t node) {
 }
 
 void Clearance::place(std::uint32_t node) {
+  placed_[node] = 1;
+  if (graph_.leewayMm[node] == 0) return;
   Vec2 best = graph_.nodes[node];
   double bestClear = nodeClearance(node, best, 0);
   for (std::uint32_t k = 0; k < kDartsPerTurn && bestClear < plentyMm_; ++k) {
@@ -111,7 +115,6 @@ void Clearance::place(std::uint32_t node) {
     bestClear = clear;
   }
   graph_.nodes[node] = best;
-  placed_[node] = 1;
 }
 
 void Clearance::placeAll() {
@@ -131,8 +134,10 @@ void Clearance::placeAgain(std::span<const std::uint32_t> nodes) {
 
 double Clearance::smallest() const {
   double clear = plentyMm_;
-  for (const Outline& o : graph_.outlines)
+  for (const Outline& o : graph_.outlines) {
+    if (!o.meetsModel()) continue;
     clear = std::min(clear, outlineClearance(graph_.nodes[o.from], graph_.nodes[o.to], 0));
+  }
   return clear;
 }
 

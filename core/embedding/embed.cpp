@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "embedding/clearance.h"
+#include "embedding/inlay.h"
 #include "embedding/lift.h"
 #include "embedding/needle.h"
 #include "mesh/collinear.h"
@@ -53,11 +54,13 @@ struct Carving {
   LiftedSurface surface;
 
   bool isNew(std::size_t triangle) const {
-    return triangle >= surface.firstWall || !untouched[arrangement.facets[triangle]];
+    if (triangle >= surface.firstWall || arrangement.facets[triangle] == Arrangement::kGridFacet) return true;
+    return !untouched[arrangement.facets[triangle]];
   }
 };
 
-/// New triangles that are too low for 32-bit floats, and the nodes on whose places their shape depends.
+/// New triangles that are too low for 32-bit floats, and the nodes on whose places their shape depends. The surface
+/// over the pockets, which an inlay keeps, counts where it is cut.
 struct LowTriangles {
   std::size_t count = 0, collinear = 0;
   std::vector<std::uint32_t> nodes;  // ascending
@@ -68,22 +71,32 @@ LowTriangles findLowTriangles(const Carving& carving, const OutlineGraph& graph)
   const LiftedSurface& surface = carving.surface;
   const Arrangement& arrangement = carving.arrangement;
   const double lowest = lowestHeight(surface.positions);
-  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
-    const Triangle& corners = surface.triangles[t];
+  const auto addNode = [&](std::uint32_t node) {
+    if (graph.leewayMm[node] > 0) low.nodes.push_back(node);
+  };
+  const auto examine = [&](const Triangle& corners) {
     const Vec3f a = surface.positions[corners[0]], b = surface.positions[corners[1]], c = surface.positions[corners[2]];
-    if (triangleHeight(a, b, c) >= lowest || !carving.isNew(t)) continue;
+    if (triangleHeight(a, b, c) >= lowest) return;
     ++low.count;
     if (collinear(a, b, c)) ++low.collinear;
     for (const std::uint32_t v : corners) {
       const std::uint32_t point = surface.vertices[v].point;
       if (point >= arrangement.firstCrossing) {
         const Outline& o = graph.outlines[arrangement.crossings[point - arrangement.firstCrossing].outline];
-        low.nodes.push_back(o.from);
-        low.nodes.push_back(o.to);
+        addNode(o.from);
+        addNode(o.to);
       } else if (point >= arrangement.firstNode) {
-        low.nodes.push_back(point - arrangement.firstNode);
+        addNode(point - arrangement.firstNode);
       }
     }
+  };
+  const auto isCut = [&](std::uint32_t point) { return point >= arrangement.firstNode; };
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    if (carving.isNew(t)) examine(surface.triangles[t]);
+    if (t >= surface.firstWall || arrangement.levels[t] == 0) continue;
+    const Triangle& points = arrangement.triangles[t];
+    if (!std::any_of(points.begin(), points.end(), isCut)) continue;
+    examine({surface.surfaceVertex[points[0]], surface.surfaceVertex[points[1]], surface.surfaceVertex[points[2]]});
   }
   std::sort(low.nodes.begin(), low.nodes.end());
   low.nodes.erase(std::unique(low.nodes.begin(), low.nodes.end()), low.nodes.end());
@@ -96,14 +109,16 @@ std::vector<std::uint32_t> allNodes(const OutlineGraph& graph) {
   return nodes;
 }
 
-/// Facets of the footprint that neither an outline cuts nor a pocket lowers.
+/// Facets of the footprint that neither an outline cuts, nor a pocket lowers, nor a grid replaces: those that the
+/// arrangement holds whole, which are the triangles between model vertices.
 std::vector<char> findUntouched(const Footprint& footprint, const Arrangement& arrangement) {
-  std::vector<std::uint32_t> parts(footprint.facets.size(), 0);
-  std::vector<char> untouched(footprint.facets.size(), 1);
-  for (std::size_t f = 0; f < untouched.size(); ++f) untouched[f] = !footprint.reshaped[f];
+  std::vector<char> untouched(footprint.facets.size(), 0);
   for (std::size_t t = 0; t < arrangement.triangles.size(); ++t) {
     const std::uint32_t facet = arrangement.facets[t];
-    if (++parts[facet] > 1 || arrangement.levels[t] > 0) untouched[facet] = 0;
+    const auto ofModel = [&](std::uint32_t point) { return point < arrangement.firstNode; };
+    if (facet == Arrangement::kGridFacet || arrangement.levels[t] > 0 || footprint.reshaped[facet]) continue;
+    const Triangle& corners = arrangement.triangles[t];
+    if (std::all_of(corners.begin(), corners.end(), ofModel)) untouched[facet] = 1;
   }
   return untouched;
 }
@@ -131,8 +146,13 @@ Result<Carving> carve(const Mesh& mesh, const ProjectionFrame& frame, const Foot
     if (attempt == kAttempts || low.nodes.empty()) {
       // Low triangles are a risk; whether they do harm is for the final check to say. Collinear ones always do.
       if (low.collinear == 0) return carving;
-      return fail(ErrorCode::Internal, fmt::format("{} carved triangles are too thin for 32-bit floats", low.collinear),
-                  "choose a slightly different centre or size");
+      return fail(
+          ErrorCode::NoSolution,
+          fmt::format("The model's facets under the code are too fine: {} carved triangles would be thinner than "
+                      "32-bit floats can hold",
+                      low.collinear),
+          "Choose a slightly different centre or size, merge vertices that nearly coincide, or move the model "
+          "to the origin");
     }
     clearance.placeAgain(low.nodes);
   }
@@ -184,7 +204,13 @@ EmbedResult assemble(const Mesh& mesh, const Footprint& footprint, const Carving
   return result;
 }
 
-EmbedResult unchanged(const Mesh& mesh) { return {mesh, mesh.triangles.size(), {}}; }
+EmbedResult unchanged(const Mesh& mesh) { return {mesh, mesh.triangles.size(), {}, {}}; }
+
+/// The submodules whose facets are concerned: with a resampled surface those that stay uncarved as well.
+DepthLevels concerned(DepthLevels levels, SurfaceMode surface) {
+  if (surface == SurfaceMode::Resampled) std::fill(levels.level.begin(), levels.level.end(), 1);
+  return levels;
+}
 
 }  // namespace
 
@@ -197,15 +223,20 @@ Result<EmbedResult> embedDepthField(const Mesh& mesh, const ProjectionFrame& fra
   const double snapMm = std::min(options.snapMm, levels.submoduleMm() / 20);
   const double chamferMm = std::min(options.chamferMm, levels.submoduleMm() / 4);
 
-  const Result<Footprint> footprint = findFootprint(mesh, frame, patch, levels, levels.submoduleMm() / 4);
+  const Result<Footprint> footprint =
+      findFootprint(mesh, frame, patch, concerned(levels, options.surface), levels.submoduleMm() / 4);
   if (!footprint) return tl::unexpected(footprint.error());
   if (footprint->facets.empty())
     return fail(ErrorCode::NoSolution, "No part of the visible surface lies under the code",
                 "choose another centre or direction");
-  const int maxCells = longestOutline(*footprint, levels.submoduleMm(), snapMm);
-  const Result<Carving> carving = carve(mesh, frame, *footprint, buildOutlines(levels, chamferMm, maxCells), snapMm);
+  OutlineGraph graph = options.surface == SurfaceMode::Resampled
+                           ? buildGridOutlines(levels, chamferMm)
+                           : buildOutlines(levels, chamferMm, longestOutline(*footprint, levels.submoduleMm(), snapMm));
+  const Result<Carving> carving = carve(mesh, frame, *footprint, std::move(graph), snapMm);
   if (!carving) return tl::unexpected(carving.error());
-  return assemble(mesh, *footprint, *carving);
+  EmbedResult result = assemble(mesh, *footprint, *carving);
+  if (options.inlay) result.inlay = inlayMesh(carving->arrangement, carving->surface);
+  return result;
 }
 
 }  // namespace qrelief

@@ -3,6 +3,10 @@
 
 #include <algorithm>
 #include <cassert>
+#include <optional>
+#include <span>
+
+#include "projection/facet_locator.h"
 
 namespace qrelief {
 namespace {
@@ -18,6 +22,7 @@ class Lifter {
     addFloors();
     result_.firstWall = result_.triangles.size();
     for (const Arrangement::Piece& piece : arrangement_.pieces) addWall(piece);
+    result_.surfaceVertex = std::move(firstVertex_);
     return std::move(result_);
   }
 
@@ -35,15 +40,33 @@ class Lifter {
     for (std::size_t t = 0; t < arrangement_.triangles.size(); ++t)
       for (const std::uint32_t p : arrangement_.triangles[t]) {
         levels[next[p]++] = arrangement_.levels[t];
-        facetOf_[p] = arrangement_.facets[t];
+        if (arrangement_.facets[t] != Arrangement::kGridFacet) facetOf_[p] = arrangement_.facets[t];
       }
+    locateGrid(first);
     firstVertex_.assign(points + 1, 0);
     for (std::uint32_t p = 0; p < points; ++p) {
       const auto begin = levels.begin() + first[p], end = levels.begin() + first[p + 1];
       std::sort(begin, end);
       const auto last = std::unique(begin, end);
+      if (begin != last && *begin > 0) result_.vertices.push_back({p, 0});
       for (auto level = begin; level != last; ++level) result_.vertices.push_back({p, *level});
       firstVertex_[p + 1] = static_cast<std::uint32_t>(result_.vertices.size());
+    }
+  }
+
+  /// The facets beneath the grid's nodes that none of their triangles tells.
+  void locateGrid(std::span<const std::uint32_t> firstTriangle) {
+    std::optional<FacetLocator> locator;
+    for (std::uint32_t p = arrangement_.firstNode; p < arrangement_.firstCrossing; ++p) {
+      if (facetOf_[p] != kNoFacet || firstTriangle[p] == firstTriangle[p + 1]) continue;
+      if (!locator) {
+        std::vector<Triangle2> images;
+        images.reserve(footprint_.corners.size());
+        for (const Triangle& t : footprint_.corners)
+          images.push_back({footprint_.points[t[0]], footprint_.points[t[1]], footprint_.points[t[2]]});
+        locator.emplace(std::move(images));
+      }
+      facetOf_[p] = locator->nearest(arrangement_.points[p]);
     }
   }
 

@@ -17,6 +17,9 @@ struct LiftedSurface {
   std::vector<Vec3f> positions;     ///< of each; a model vertex at level 0 keeps its own bit for bit
   std::vector<Triangle> triangles;  ///< outward: tops and floors in the arrangement's order, then walls
   std::size_t firstWall = 0;        ///< index of the first wall's triangle
+
+  /// Vertex of a point at level 0, which every point of the arrangement's triangles has, used or not.
+  std::vector<std::uint32_t> surfaceVertex;
 };
 
 /// Lifts every point along its ray, once for each depth that meets there; floors are then shifted along their rays,

@@ -22,8 +22,9 @@ struct Corner {
 
 class OutlineBuilder {
  public:
-  OutlineBuilder(const DepthLevels& levels, double chamferMm, int maxCells)
+  OutlineBuilder(const DepthLevels& levels, double chamferMm, int maxCells, bool resampled)
       : levels_(levels),
+        resampled_(resampled),
         chamferMm_(chamferMm),
         shift_(chamferMm / 2 / std::sqrt(2.0)),
         maxCells_(maxCells),
@@ -58,8 +59,10 @@ class OutlineBuilder {
     return static_cast<std::uint32_t>(graph_.nodes.size() - 1);
   }
 
-  void addOutline(std::uint32_t from, std::uint32_t to, int left, int right) {
-    if (left != right) graph_.outlines.push_back({from, to, left, right});
+  /// Inside the square, or along a border of it that has the square on one side.
+  void addOutline(std::uint32_t from, std::uint32_t to, int left, int right, bool squareLeft, bool squareRight) {
+    const Outline outline{from, to, left, right, resampled_ && squareLeft, resampled_ && squareRight};
+    if (left != right || outline.boundsGrid()) graph_.outlines.push_back(outline);
   }
 
   /// A saddle has two nodes: a falling one takes its north and west arms to the first, the others to the second;
@@ -68,17 +71,18 @@ class OutlineBuilder {
     const Corner c = around(row, column);
     const Vec2 p = levels_.corner(row, column);
     const std::size_t k = index(row, column);
-    const double saddleLeeway = 0.4 * chamferMm_;     // a fifth of the band remains
-    const double leeway = levels_.submoduleMm() / 8;  // outlines to the next corners stay apart
+    const bool fixed = resampled_ && row > 0 && column > 0 && row < levels_.size && column < levels_.size;
+    const double saddleLeeway = fixed ? 0 : 0.4 * chamferMm_;     // a fifth of the band remains
+    const double leeway = fixed ? 0 : levels_.submoduleMm() / 8;  // outlines to the next corners stay apart
     if (c.fallingSaddle()) {
       northNode_[k] = addNode(p + Vec2(-shift_, shift_), saddleLeeway);
       southNode_[k] = addNode(p + Vec2(shift_, -shift_), saddleLeeway);
-      addOutline(northNode_[k], southNode_[k], c.ne, c.sw);
+      addOutline(northNode_[k], southNode_[k], c.ne, c.sw, true, true);
     } else if (c.risingSaddle()) {
       northNode_[k] = addNode(p + Vec2(shift_, shift_), saddleLeeway);
       southNode_[k] = addNode(p + Vec2(-shift_, -shift_), saddleLeeway);
-      addOutline(northNode_[k], southNode_[k], c.se, c.nw);
-    } else if (c.onOutline() && (!c.straight() || (row + column) % maxCells_ == 0)) {
+      addOutline(northNode_[k], southNode_[k], c.se, c.nw, true, true);
+    } else if (resampled_ || (c.onOutline() && (!c.straight() || (row + column) % maxCells_ == 0))) {
       northNode_[k] = southNode_[k] = addNode(p, leeway);
     }
   }
@@ -96,21 +100,26 @@ class OutlineBuilder {
 
   void traceEast(int row, int column) {
     const Corner c = around(row, column);
-    if (!isNode(row, column) || c.ne == c.se) return;
+    const bool squareNorth = row > 0, squareSouth = row < levels_.size;
+    const bool border = resampled_ && column < levels_.size && squareNorth != squareSouth;
+    if (!isNode(row, column) || (c.ne == c.se && !border)) return;
     int end = column + 1;
     while (!isNode(row, end)) ++end;  // an outline ends in a node: its last corner turns
-    addOutline(eastArm(row, column), westArm(row, end), c.ne, c.se);
+    addOutline(eastArm(row, column), westArm(row, end), c.ne, c.se, squareNorth, squareSouth);
   }
 
   void traceSouth(int row, int column) {
     const Corner c = around(row, column);
-    if (!isNode(row, column) || c.sw == c.se) return;
+    const bool squareWest = column > 0, squareEast = column < levels_.size;
+    const bool border = resampled_ && row < levels_.size && squareWest != squareEast;
+    if (!isNode(row, column) || (c.sw == c.se && !border)) return;
     int end = row + 1;
     while (!isNode(end, column)) ++end;
-    addOutline(southArm(row, column), northArm(end, column), c.se, c.sw);
+    addOutline(southArm(row, column), northArm(end, column), c.se, c.sw, squareEast, squareWest);
   }
 
   const DepthLevels& levels_;
+  const bool resampled_;
   const double chamferMm_;
   const double shift_;  // of a saddle's nodes along u and v
   const int maxCells_;
@@ -122,7 +131,11 @@ class OutlineBuilder {
 }  // namespace
 
 OutlineGraph buildOutlines(const DepthLevels& levels, double chamferMm, int maxCells) {
-  return OutlineBuilder(levels, chamferMm, maxCells).build();
+  return OutlineBuilder(levels, chamferMm, maxCells, false).build();
+}
+
+OutlineGraph buildGridOutlines(const DepthLevels& levels, double chamferMm) {
+  return OutlineBuilder(levels, chamferMm, 1, true).build();
 }
 
 }  // namespace qrelief

@@ -12,12 +12,16 @@ namespace qrelief {
 /// A straight stretch of pocket outline on the QR plane, from node to node.
 struct Outline {
   std::uint32_t from = 0, to = 0;
-  int left = 0, right = 0;  ///< levels of depth on its two sides; they differ
+  int left = 0, right = 0;  ///< levels of depth on its two sides; they differ unless it bounds a resampled square
+  bool leftResampled = false, rightResampled = false;  ///< sides on which a grid takes the place of the model's facets
+
+  bool meetsModel() const { return !leftResampled || !rightResampled; }
+  bool boundsGrid() const { return leftResampled != rightResampled; }
 };
 
 struct OutlineGraph {
   std::vector<Vec2> nodes;       ///< plane coordinates, mm
-  std::vector<double> leewayMm;  ///< how far each node may move without outlines coming to touch
+  std::vector<double> leewayMm;  ///< how far each node may move without outlines coming to touch; 0 = not at all
   std::vector<Outline> outlines;
 };
 
@@ -46,5 +50,10 @@ struct OutlineGraph {
 /// @param chamferMm   distance of the two nodes of a saddle, less than submoduleMm / 2
 /// @param maxCells    longest outline in submodules, ≥ 1; longer ones get nodes in between
 OutlineGraph buildOutlines(const DepthLevels& levels, double chamferMm, int maxCells);
+
+/// The same for a square whose surface is resampled [Papp 2022, §5]: every grid corner is a node, and outlines run all
+/// round the square's border, carved there or not. Only the border meets the model's own facets: its nodes alone may
+/// move.
+OutlineGraph buildGridOutlines(const DepthLevels& levels, double chamferMm);
 
 }  // namespace qrelief

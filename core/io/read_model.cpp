@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "io/read_3mf.h"
 #include "io/read_obj.h"
 #include "io/read_off.h"
 #include "io/read_ply.h"
@@ -12,7 +13,7 @@
 namespace qrelief {
 namespace {
 
-constexpr std::string_view kSupported = "STL, OBJ, PLY and OFF files can be read";
+constexpr std::string_view kSupported = "STL, OBJ, PLY, OFF and 3MF files can be read";
 
 Result<PolygonSoup> readAs(ModelFormat format, std::span<const std::uint8_t> bytes, const ReadLimits& limits) {
   switch (format) {
@@ -25,6 +26,7 @@ Result<PolygonSoup> readAs(ModelFormat format, std::span<const std::uint8_t> byt
     case ModelFormat::Off:
       return readOff(bytes, limits);
     case ModelFormat::ThreeMf:
+      return read3mf(bytes, limits);
     case ModelFormat::Gltf:
       return fail(ErrorCode::BadInput, fmt::format("{} files cannot be read yet", nameOf(format)),
                   fmt::format("{}; export the model as one of these", kSupported));

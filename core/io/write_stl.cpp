@@ -3,7 +3,12 @@
 
 #include <algorithm>
 #include <cstring>
+#include <fmt/compile.h>
+#include <fmt/format.h>
+#include <iterator>
 #include <string>
+
+#include "io/one_line.h"
 
 namespace qrelief {
 namespace {
@@ -33,6 +38,24 @@ std::vector<std::uint8_t> writeStl(const Mesh& mesh, std::string_view title) {
     const std::uint16_t attributes = 0;
     append(bytes, &attributes, sizeof(attributes));
   }
+  return bytes;
+}
+
+std::vector<std::uint8_t> writeAsciiStl(const Mesh& mesh, std::string_view title) {
+  const std::string name = oneLine(title);
+  std::vector<std::uint8_t> bytes;
+  const auto out = std::back_inserter(bytes);
+  fmt::format_to(out, FMT_COMPILE("solid {}\n"), name);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const Vec3f normal(triangleNormal(mesh, t));
+    fmt::format_to(out, FMT_COMPILE("facet normal {} {} {}\nouter loop\n"), normal.x, normal.y, normal.z);
+    for (const std::uint32_t v : mesh.triangles[t]) {
+      const Vec3f& p = mesh.positions[v];
+      fmt::format_to(out, FMT_COMPILE("vertex {} {} {}\n"), p.x, p.y, p.z);
+    }
+    fmt::format_to(out, FMT_COMPILE("endloop\nendfacet\n"));
+  }
+  fmt::format_to(out, FMT_COMPILE("endsolid {}\n"), name);
   return bytes;
 }
 

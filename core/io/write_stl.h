@@ -13,4 +13,8 @@ namespace qrelief {
 /// @param title  goes into the header, cut to 80 bytes; never begins with "solid"
 std::vector<std::uint8_t> writeStl(const Mesh& mesh, std::string_view title = "QRelief");
 
+/// ASCII STL; numbers are the shortest that give the same 32-bit floats.
+/// @param title  the solid's name
+std::vector<std::uint8_t> writeAsciiStl(const Mesh& mesh, std::string_view title = "QRelief");
+
 }  // namespace qrelief

@@ -2,76 +2,96 @@
 #include "mesh/box_tree.h"
 
 #include <algorithm>
+#include <array>
+#include <utility>
+
+#include "base/radix_sort.h"
 
 namespace qrelief {
 namespace {
 
-constexpr std::uint32_t kLeafSize = 4;
+constexpr double kCellsPerAxis = 1 << 16;
 
 FloatBox united(const FloatBox& a, const FloatBox& b) { return {glm::min(a.min, b.min), glm::max(a.max, b.max)}; }
 
+/// Bits of a 16-bit number with two zeros between each.
+std::uint64_t spread(std::uint64_t bits) {
+  bits = (bits | bits << 16) & 0x0000'ff00'00ffu;
+  bits = (bits | bits << 8) & 0xf'00f0'0f00'f00fu;
+  bits = (bits | bits << 4) & 0xc3'0c30'c30c'30c3u;
+  return (bits | bits << 2) & 0x249'2492'4924'9249u;
+}
+
+/// Boxes by the place of their centres on the curve; which order it is decides how fast the tree is, nothing else.
+std::vector<KeyedIndex> alongCurve(std::span<const FloatBox> boxes) {
+  Box3 centres;
+  for (const FloatBox& box : boxes) centres.add(Vec3(box.min) + Vec3(box.max));
+  const Vec3 size = glm::max(centres.size(), Vec3(1e-300));
+  const double scale = (kCellsPerAxis - 1) / std::max({size.x, size.y, size.z});
+  std::vector<KeyedIndex> order(boxes.size());
+  for (std::uint32_t i = 0; i < boxes.size(); ++i) {
+    const Vec3 cell = (Vec3(boxes[i].min) + Vec3(boxes[i].max) - centres.min) * scale;
+    order[i] = {spread(static_cast<std::uint64_t>(cell.x)) | spread(static_cast<std::uint64_t>(cell.y)) << 1 |
+                    spread(static_cast<std::uint64_t>(cell.z)) << 2,
+                i};
+  }
+  radixSort(order);
+  return order;
+}
+
 }  // namespace
 
-BoxTree::BoxTree(const Mesh& mesh) {
-  boxes_.reserve(mesh.triangles.size());
-  for (const Triangle& t : mesh.triangles) {
-    const Vec3f a = mesh.positions[t[0]];
-    const Vec3f b = mesh.positions[t[1]];
-    const Vec3f c = mesh.positions[t[2]];
-    boxes_.push_back({glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c))});
-  }
-  order_.resize(boxes_.size());
-  for (std::uint32_t t = 0; t < order_.size(); ++t) order_[t] = t;
-  nodes_.reserve(2 * order_.size() / kLeafSize + 1);
-  if (!order_.empty()) build(0, static_cast<std::uint32_t>(order_.size()));
+FloatBox boxOfTriangle(const Mesh& mesh, const Triangle& t) {
+  const Vec3f a = mesh.positions[t[0]];
+  const Vec3f b = mesh.positions[t[1]];
+  const Vec3f c = mesh.positions[t[2]];
+  return {glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c))};
 }
 
-std::uint32_t BoxTree::build(std::uint32_t begin, std::uint32_t end) {
-  const auto index = static_cast<std::uint32_t>(nodes_.size());
-  FloatBox box = boxes_[order_[begin]];
-  const auto twiceCentre = [&](std::uint32_t t) { return boxes_[t].min + boxes_[t].max; };
-  FloatBox centres{twiceCentre(order_[begin]), twiceCentre(order_[begin])};
-  for (std::uint32_t i = begin + 1; i < end; ++i) {
-    box = united(box, boxes_[order_[i]]);
-    centres = united(centres, {twiceCentre(order_[i]), twiceCentre(order_[i])});
+BoxTree::BoxTree(const Mesh& mesh, std::span<const std::uint32_t> triangles) {
+  std::vector<FloatBox> boxes;
+  boxes.reserve(triangles.size());
+  for (const std::uint32_t t : triangles) boxes.push_back(boxOfTriangle(mesh, mesh.triangles[t]));
+  triangles_.reserve(triangles.size());
+  boxes_.reserve(triangles.size());
+  for (const KeyedIndex& item : alongCurve(boxes)) {
+    triangles_.push_back(triangles[item.index]);
+    boxes_.push_back(boxes[item.index]);
   }
-  nodes_.push_back({box, begin, end, 0});
-  if (end - begin <= kLeafSize) return index;
-  const Vec3f size = centres.max - centres.min;
-  const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-  const std::uint32_t middle = begin + (end - begin) / 2;
-  std::nth_element(order_.begin() + begin, order_.begin() + middle, order_.begin() + end,
-                   [&](std::uint32_t a, std::uint32_t b) {
-                     const float x = twiceCentre(a)[axis];
-                     const float y = twiceCentre(b)[axis];
-                     return x != y ? x < y : a < b;
-                   });
-  build(begin, middle);
-  const std::uint32_t second = build(middle, end);
-  nodes_[index].second = second;
-  return index;
+
+  for (std::size_t leaf = 0; leaf < leafCount(); ++leaf) {
+    const auto inLeaf = boxesIn(leaf);
+    nodes_.push_back(inLeaf[0]);
+    for (const FloatBox& box : inLeaf) nodes_.back() = united(nodes_.back(), box);
+  }
+  levels_ = {0, nodes_.size()};
+  while (levels_.back() - levels_[levels_.size() - 2] > 1) {
+    const std::size_t end = levels_.back();
+    for (std::size_t i = levels_[levels_.size() - 2]; i < end; i += 2)
+      nodes_.push_back(united(nodes_[i], nodes_[std::min(i + 1, end - 1)]));
+    levels_.push_back(nodes_.size());
+  }
 }
 
-void BoxTree::findOverlaps(const FloatBox& box, std::vector<std::uint32_t>& found) const {
+void BoxTree::findLeaves(const FloatBox& box, std::size_t first, std::vector<std::uint32_t>& found) const {
   found.clear();
-  if (nodes_.empty()) return;
-  // Halving keeps the tree at most 32 deep; one node waits on each level.
-  std::array<std::uint32_t, 64> waiting;
+  if (leafCount() == 0 || !bounds().overlaps(box)) return;
+  // At most 32 levels, and one node waits on each.
+  std::array<std::pair<std::size_t, std::size_t>, 64> waiting;
   std::size_t count = 0;
-  waiting[count++] = 0;
+  waiting[count++] = {levels_.size() - 2, 0};
   while (count > 0) {
-    const std::uint32_t index = waiting[--count];
-    const Node& node = nodes_[index];
-    if (!node.box.overlaps(box)) continue;
-    if (node.second != 0) {
-      waiting[count++] = node.second;
-      waiting[count++] = index + 1;
+    const auto [level, index] = waiting[--count];
+    if (level == 0) {
+      found.push_back(static_cast<std::uint32_t>(index));
       continue;
     }
-    for (std::uint32_t i = node.begin; i < node.end; ++i)
-      if (boxes_[order_[i]].overlaps(box)) found.push_back(order_[i]);
+    const std::size_t below = level - 1;
+    const std::size_t size = levels_[level] - levels_[below];
+    for (const std::size_t child : {2 * index + 1, 2 * index})
+      if (child < size && (child + 1) << below > first && nodes_[levels_[below] + child].overlaps(box))
+        waiting[count++] = {below, child};
   }
-  std::sort(found.begin(), found.end());
 }
 
 }  // namespace qrelief

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "mesh/mesh.h"
@@ -14,34 +14,47 @@ struct FloatBox {
   Vec3f min, max;
 
   bool overlaps(const FloatBox& other) const {
-    return min.x <= other.max.x && other.min.x <= max.x && min.y <= other.max.y && other.min.y <= max.y &&
-           min.z <= other.max.z && other.min.z <= max.z;
+    // Without branches: which of the six decides is anybody's guess.
+    return (min.x <= other.max.x) & (other.min.x <= max.x) & (min.y <= other.max.y) & (other.min.y <= max.y) &
+           (min.z <= other.max.z) & (other.min.z <= max.z);
   }
 };
 
-/// A tree over the boxes of a mesh's triangles: halved along the longest axis of their centres, ties by index.
+FloatBox boxOfTriangle(const Mesh& mesh, const Triangle& triangle);
+
+/// A tree over the boxes of some triangles of a mesh: these are put in order along a Morton curve, four form a leaf,
+/// and two neighbours each the next level's node [Lauterbach et al. 2009, with the curve cut at fixed places].
 class BoxTree {
  public:
-  /// Cost: O(T log T).
-  explicit BoxTree(const Mesh& mesh);
+  static constexpr std::size_t kLeafSize = 4;
 
-  const FloatBox& boxOf(std::uint32_t triangle) const { return boxes_[triangle]; }
+  /// Cost: O(n).
+  /// @param triangles  no two the same
+  BoxTree(const Mesh& mesh, std::span<const std::uint32_t> triangles);
 
-  /// Triangles whose boxes overlap (or touch) the box, ascending. Cost: O(log T + found) as a rule.
-  void findOverlaps(const FloatBox& box, std::vector<std::uint32_t>& found) const;
+  /// Box of all; meaningful if there is a leaf.
+  const FloatBox& bounds() const { return nodes_.back(); }
+
+  std::size_t leafCount() const { return (triangles_.size() + kLeafSize - 1) / kLeafSize; }
+
+  /// The triangles of a leaf, and their boxes.
+  std::span<const std::uint32_t> trianglesIn(std::size_t leaf) const { return ofLeaf(triangles_, leaf); }
+  std::span<const FloatBox> boxesIn(std::size_t leaf) const { return ofLeaf(boxes_, leaf); }
+  const FloatBox& boxOfLeaf(std::size_t leaf) const { return nodes_[leaf]; }
+
+  /// Leaves from `first` on whose boxes overlap (or touch) the box, ascending. Cost: O(log n + found) as a rule.
+  void findLeaves(const FloatBox& box, std::size_t first, std::vector<std::uint32_t>& found) const;
 
  private:
-  struct Node {
-    FloatBox box;
-    std::uint32_t begin, end;  ///< range of order_
-    std::uint32_t second;      ///< the other child; the first is the next node. 0 for a leaf
-  };
+  template <class T>
+  std::span<const T> ofLeaf(const std::vector<T>& all, std::size_t leaf) const {
+    return std::span(all).subspan(leaf * kLeafSize, std::min(kLeafSize, all.size() - leaf * kLeafSize));
+  }
 
-  std::uint32_t build(std::uint32_t begin, std::uint32_t end);
-
-  std::vector<FloatBox> boxes_;
-  std::vector<std::uint32_t> order_;
-  std::vector<Node> nodes_;
+  std::vector<std::uint32_t> triangles_;  // along the curve
+  std::vector<FloatBox> boxes_;           // of these
+  std::vector<FloatBox> nodes_;           // level after level, leaves first; the last is the root
+  std::vector<std::size_t> levels_;       // where each level begins in nodes_, and the end
 };
 
 }  // namespace qrelief

@@ -7,13 +7,11 @@
 
 #include "math/tolerance.h"
 #include "mesh/collinear.h"
-#include "mesh/topology.h"
 
 namespace qrelief {
 namespace {
 
-/// Triangles looked at in all rounds of edge flips, some seconds. A round mends all slivers that are no neighbours of
-/// each other, so a chain of n slivers takes n rounds.
+/// Triangles looked at in all rounds of edge flips, some seconds.
 constexpr std::size_t kMaxFlipWork = 20'000'000;
 
 bool repeatsAVertex(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
@@ -22,11 +20,23 @@ bool isCollinear(const Mesh& mesh, const Triangle& t) {
   return collinear(mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]);
 }
 
-void dropMarked(std::vector<Triangle>& triangles, const std::vector<char>& drop) {
+template <class T>
+void dropMarked(std::vector<T>& items, const std::vector<char>& drop) {
   std::size_t kept = 0;
-  for (std::size_t t = 0; t < triangles.size(); ++t)
-    if (!drop[t]) triangles[kept++] = triangles[t];
-  triangles.resize(kept);
+  for (std::size_t i = 0; i < items.size(); ++i)
+    if (!drop[i]) items[kept++] = items[i];
+  items.resize(kept);
+}
+
+/// Drops triangles, and remembers where those that stay come from.
+void dropMarked(Mesh& mesh, const std::vector<char>& drop, Cleaning& report) {
+  if (std::find(drop.begin(), drop.end(), 1) == drop.end()) return;
+  if (report.origin.empty()) {
+    report.origin.resize(mesh.triangles.size());
+    std::iota(report.origin.begin(), report.origin.end(), 0u);
+  }
+  dropMarked(report.origin, drop);
+  dropMarked(mesh.triangles, drop);
 }
 
 bool isClosed(std::span<const Triangle> triangles) {
@@ -80,13 +90,16 @@ void removeSlivers(Mesh& mesh, std::vector<char> sliver, Cleaning& report) {
   std::vector<Triangle> without = mesh.triangles;
   dropMarked(without, sliver);
   if (isClosed(without)) {
-    mesh.triangles = std::move(without);
+    dropMarked(mesh, sliver, report);
     return;
   }
-  for (std::size_t work = 0; work < kMaxFlipWork; work += mesh.triangles.size())
+  // A round mends all slivers that are no neighbours of each other, so a chain of n may take more than n rounds, but
+  // not n². Two that lie in one line with each other would flip each other for ever.
+  const std::size_t maxRounds = std::min(slivers * slivers + 1, kMaxFlipWork / mesh.triangles.size() + 1);
+  for (std::size_t round = 0; round < maxRounds; ++round)
     if (flipSlivers(mesh, sliver) == 0) break;
   report.mended = slivers - static_cast<std::size_t>(std::count(sliver.begin(), sliver.end(), 1));
-  dropMarked(mesh.triangles, sliver);
+  dropMarked(mesh, sliver, report);
 }
 
 Triangle sorted(Triangle t) {
@@ -105,17 +118,6 @@ std::vector<std::uint32_t> countUsers(const EdgeTable& edges) {
   for (std::size_t e = 0; e < edges.size(); ++e)
     for (const std::uint32_t h : edges.at(e)) users[h] = static_cast<std::uint32_t>(edges.at(e).size());
   return users;
-}
-
-/// Every edge of a repeated triangle has two or more triangles, and one of them is the twin: most meshes are cleared by
-/// a look at each triangle's neighbours.
-bool mayHaveDuplicates(std::span<const Triangle> triangles, const EdgeTable& edges) {
-  for (std::size_t e = 0; e < edges.size(); ++e) {
-    const auto users = edges.at(e);
-    if (users.size() > 2) return true;
-    if (users.size() == 2 && sorted(triangles[users[0] / 3]) == sorted(triangles[users[1] / 3])) return true;
-  }
-  return false;
 }
 
 /// How many triangles of a group over the same corners stay. Two that face opposite ways are a wall without thickness:
@@ -147,7 +149,7 @@ void removeDuplicates(Mesh& mesh, const EdgeTable& edges, Cleaning& report) {
       if (report.duplicates++ == 0) report.duplicateAt = mesh.positions[mesh.triangles[t][0]];
     }
   }
-  dropMarked(mesh.triangles, drop);
+  dropMarked(mesh, drop, report);
 }
 
 double heightOver(const Mesh& mesh, const Triangle& t, std::size_t k) {
@@ -169,10 +171,20 @@ void removeFlaps(Mesh& mesh, const EdgeTable& edges, double maxHeight, Cleaning&
       drop[t] = 1;
       if (report.degenerate++ == 0) report.degenerateAt = mesh.positions[mesh.triangles[t][0]];
     }
-  dropMarked(mesh.triangles, drop);
+  dropMarked(mesh, drop, report);
 }
 
 }  // namespace
+
+bool mayHaveDuplicates(std::span<const Triangle> triangles, const EdgeTable& edges) {
+  // Every edge of a repeated triangle has two or more triangles, and one of them is the twin.
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const auto users = edges.at(e);
+    if (users.size() > 2) return true;
+    if (users.size() == 2 && sorted(triangles[users[0] / 3]) == sorted(triangles[users[1] / 3])) return true;
+  }
+  return false;
+}
 
 Cleaning cleanTriangles(Mesh& mesh) {
   Cleaning report;
@@ -182,7 +194,7 @@ Cleaning cleanTriangles(Mesh& mesh) {
     drop[t] = 1;
     if (report.degenerate++ == 0) report.degenerateAt = mesh.positions[mesh.triangles[t][0]];
   }
-  if (report.degenerate > 0) dropMarked(mesh.triangles, drop);
+  dropMarked(mesh, drop, report);
 
   std::vector<char> sliver(mesh.triangles.size(), 0);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "mesh/mesh.h"
+#include "mesh/topology.h"
 
 namespace qrelief {
 
@@ -13,6 +17,7 @@ struct Cleaning {
   std::size_t mended = 0;      ///< of these, how many went into their neighbour by an edge flip
   std::size_t duplicates = 0;  ///< dropped triangles that had the same three vertices as another one
   std::optional<Vec3f> degenerateAt, duplicateAt;
+  std::vector<std::uint32_t> origin;  ///< for each triangle that stayed, its number before; empty: all stayed
 };
 
 /// Drops triangles without area and triangles that repeat another one, the order of the rest kept.
@@ -33,5 +38,10 @@ struct Cleaning {
 /// Cost: O(T); with collinear triangles a few edge tables more.
 /// @param mesh  welded
 Cleaning cleanTriangles(Mesh& mesh);
+
+/// False if no two triangles have the same three vertices: one look at each triangle's neighbours says so for most
+/// meshes. Cost: O(T).
+/// @param edges  of the triangles
+bool mayHaveDuplicates(std::span<const Triangle> triangles, const EdgeTable& edges);
 
 }  // namespace qrelief

@@ -93,8 +93,14 @@ Defects findDefects(const Mesh& mesh, const EdgeTable& edges, const Adjacency& a
   for (std::size_t e = 0; e < edges.size(); ++e) {
     const std::span<const std::uint32_t> users = edges.at(e);
     if (users.size() == 2) continue;
-    if (users.size() == 1 && defects.openEdges++ == 0) defects.openAt = middleOf(mesh, users[0]);
-    if (users.size() > 2 && defects.nonManifoldEdges++ == 0) defects.nonManifoldEdgeAt = middleOf(mesh, users[0]);
+    if (users.size() == 1 && defects.openEdges++ == 0) {
+      defects.openAt = middleOf(mesh, users[0]);
+      defects.openTriangle = users[0] / 3;
+    }
+    if (users.size() > 2 && defects.nonManifoldEdges++ == 0) {
+      defects.nonManifoldEdgeAt = middleOf(mesh, users[0]);
+      for (const std::uint32_t h : users) defects.nonManifoldTriangles.push_back(h / 3);
+    }
   }
   if (defects.openEdges > 0) defects.holes = countHoles(mesh, edges);
   if (defects.openEdges == 0 && defects.nonManifoldEdges == 0) findNonManifoldVertices(mesh, adjacency, defects);

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <vector>
 
 #include "mesh/topology.h"
 
@@ -12,8 +14,10 @@ struct Defects {
   std::size_t openEdges = 0;  ///< edges of one triangle
   std::size_t holes = 0;      ///< connected groups of open edges
   Vec3 openAt{0};
+  std::uint32_t openTriangle = 0;    ///< there
   std::size_t nonManifoldEdges = 0;  ///< edges of three and more triangles
   Vec3 nonManifoldEdgeAt{0};
+  std::vector<std::uint32_t> nonManifoldTriangles;  ///< there
   std::size_t nonManifoldVertices =
       0;  ///< vertices whose triangles form several fans; looked for in closed meshes only
   Vec3 nonManifoldVertexAt{0};

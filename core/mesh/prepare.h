@@ -7,6 +7,7 @@
 
 #include "base/result.h"
 #include "mesh/polygon_soup.h"
+#include "mesh/repair.h"
 #include "mesh/topology.h"
 
 namespace qrelief {
@@ -27,6 +28,14 @@ struct Finding {
 
 struct PrepareOptions {
   double scaleToMm = 1;  ///< file units → mm, > 0, finite
+  RepairOptions repair = {};
+};
+
+/// A unit in which a tiny model would have a usual size.
+struct UnitSuggestion {
+  std::string unit;  ///< "m", "in", "cm"
+  std::string name;  ///< in words
+  double scaleToMm = 1;
 };
 
 /// A model that is welded, cleaned and searchable; engravable if no finding is blocking.
@@ -36,16 +45,17 @@ struct PreparedModel {
   std::vector<Vec3f> normals;  ///< smooth unit vertex normals
   std::vector<Finding> findings;
   std::size_t shells = 0;
-  std::vector<std::uint32_t> partOfTriangle;  ///< index into the soup's parts; empty: one part only
+  bool crossesItself = false;                   ///< triangles cross each other, and were not parted
+  std::vector<std::uint32_t> partOfTriangle;    ///< index into the soup's parts; empty: one part only
+  std::vector<UnitSuggestion> unitSuggestions;  ///< if the model is tiny; may be empty
 
   /// The first blocking finding as an error, if there is one.
   Status engravable() const;
 };
 
-/// Scales to mm, rounds to 32-bit floats, welds by equal position, drops degenerate and duplicate triangles
-/// and unreferenced vertices, orients every shell consistently and outwards (an inner shell, a cavity, inwards),
-/// parts the few triangles that cross if it takes tiny moves only (see mesh/untangle.h; closed models only), and says
-/// what it found.
+/// Scales to mm, rounds to 32-bit floats, welds by equal position (across parts, too: after a round trip through STL
+/// equal positions are one vertex, so parts that touch along an edge are no solid), drops unreferenced vertices, makes
+/// the repairs of mesh/repair.h, and says what it found, where, and what it did.
 ///
 /// Cost: O(T log T), most of it the search for crossing triangles.
 /// @returns the model, blocking findings included; an error only for what cannot be represented: no triangle left,

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "math/tolerance.h"
 #include "mesh/sheared_ray.h"
 
 namespace qrelief {
@@ -31,6 +32,18 @@ Vec3 closestOnTriangle(Vec3 a, Vec3 b, Vec3 c, Vec3 p) {
   return a + ab * (vb / sum) + ac * (vc / sum);
 }
 
+/// Angle that a triangle takes up around a point of it: 2π within, π on a side, less at a corner.
+double angleAround(Vec3 p, const std::array<Vec3, 3>& corners) {
+  double angle = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3 from = corners[k], to = corners[(k + 1) % 3];
+    if (glm::distance(p, closestOnTriangle(from, to, to, p)) <= kOnSurfaceMm) continue;
+    const Vec3 a = from - p, b = to - p;
+    angle += std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+  }
+  return angle;
+}
+
 }  // namespace
 
 std::optional<SurfacePoint> firstHit(const Mesh& mesh, Vec3 origin, Vec3 direction) {
@@ -57,6 +70,20 @@ std::optional<SurfacePoint> closestPoint(const Mesh& mesh, Vec3 query) {
     if (!best || distance < best->distance) best = SurfacePoint{p, t, distance};
   }
   return best;
+}
+
+Vec3 surfaceNormalAt(const Mesh& mesh, const SurfacePoint& point) {
+  const Vec3 p = point.position;
+  Vec3 sum(0);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const Vec3 a = mesh.corner(t, 0), b = mesh.corner(t, 1), c = mesh.corner(t, 2);
+    const Vec3 lo = glm::min(glm::min(a, b), c) - kOnSurfaceMm, hi = glm::max(glm::max(a, b), c) + kOnSurfaceMm;
+    if (glm::any(glm::lessThan(p, lo)) || glm::any(glm::greaterThan(p, hi))) continue;
+    if (glm::distance(p, closestOnTriangle(a, b, c, p)) > kOnSurfaceMm) continue;
+    sum += triangleNormal(mesh, t) * angleAround(p, {a, b, c});
+  }
+  const Vec3 own = triangleNormal(mesh, point.triangle);
+  return glm::dot(sum, own) > 0 ? glm::normalize(sum) : own;
 }
 
 }  // namespace qrelief

@@ -24,4 +24,9 @@ std::optional<SurfacePoint> firstHit(const Mesh& mesh, Vec3 origin, Vec3 directi
 /// Surface point nearest to `query`; ties go to the lower triangle index. Cost: O(T). Empty for an empty mesh.
 std::optional<SurfacePoint> closestPoint(const Mesh& mesh, Vec3 query);
 
+/// Unit normal of the surface at a point of it: within a facet the facet's; on an edge or vertex (to kOnSurfaceMm) the
+/// mean of all facets that meet there, weighted by the angle at which they do [Thürmer, Wüthrich 1998]. The facet's own
+/// where these cancel. Cost: O(T).
+Vec3 surfaceNormalAt(const Mesh& mesh, const SurfacePoint& point);
+
 }  // namespace qrelief

@@ -3,7 +3,10 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <algorithm>
+#include <numeric>
 
+#include "base/parallel.h"
+#include "mesh/apart.h"
 #include "mesh/box_tree.h"
 #include "mesh/collinear.h"
 
@@ -11,6 +14,10 @@ namespace qrelief {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+
+/// Leaves, or triangles beside the suspects, that make one piece of work: some milliseconds.
+constexpr std::size_t kLeavesAPiece = 4096;
+constexpr std::size_t kTrianglesAPiece = 1 << 16;
 
 Kernel::Point_3 pointOf(const Mesh& mesh, std::uint32_t vertex) {
   const Vec3f& p = mesh.positions[vertex];
@@ -25,13 +32,46 @@ bool hasArea(const Mesh& mesh, const Triangle& t) {
   return !collinear(mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]);
 }
 
-bool uses(const Triangle& t, std::uint32_t vertex) { return t[0] == vertex || t[1] == vertex || t[2] == vertex; }
+/// Two triangles with what they share moved to the front of both; how they are turned is lost.
+struct Meeting {
+  Triangle a, b;
+  std::size_t shared = 0;
+
+  Meeting(const Triangle& first, const Triangle& second) : a(first), b(second) {
+    for (std::size_t k = 0; k < 3; ++k)
+      for (std::size_t j = shared; j < 3; ++j)
+        if (a[k] == b[j]) {
+          std::swap(a[k], a[shared]);
+          std::swap(b[j], b[shared]);
+          ++shared;
+          break;
+        }
+  }
+};
+
+Corners cornersOf(const Mesh& mesh, const Triangle& t) {
+  return {Vec3(mesh.positions[t[0]]), Vec3(mesh.positions[t[1]]), Vec3(mesh.positions[t[2]])};
+}
+
+bool certainlyMeetNowhereElse(const Mesh& mesh, const Meeting& pair) {
+  const Corners a = cornersOf(mesh, pair.a);
+  const Corners b = cornersOf(mesh, pair.b);
+  switch (pair.shared) {
+    case 0:
+      return certainlyApart(a, b);
+    case 1:
+      return certainlyApartButForCorner(a, b);
+    case 2:
+      return certainlyApartButForEdge(a, b);
+    default:
+      return false;
+  }
+}
 
 /// Triangles with one common vertex: anything else they share reaches from it to the edge opposite it in one of them.
-bool meetBesidesVertex(const Mesh& mesh, const Triangle& a, const Triangle& b, std::uint32_t common) {
+bool meetBesidesVertex(const Mesh& mesh, const Triangle& a, const Triangle& b) {
   const auto oppositeMeets = [&](const Triangle& t, const Triangle& other) {
-    const std::size_t k = t[0] == common ? 0 : t[1] == common ? 1 : 2;
-    const Kernel::Segment_3 opposite(pointOf(mesh, t[(k + 1) % 3]), pointOf(mesh, t[(k + 2) % 3]));
+    const Kernel::Segment_3 opposite(pointOf(mesh, t[1]), pointOf(mesh, t[2]));
     return CGAL::do_intersect(triangleOf(mesh, other), opposite);
   };
   return oppositeMeets(a, b) || oppositeMeets(b, a);
@@ -39,62 +79,108 @@ bool meetBesidesVertex(const Mesh& mesh, const Triangle& a, const Triangle& b, s
 
 /// Triangles with a common edge: they meet elsewhere only if one is folded onto the other in one plane.
 bool foldedTogether(const Mesh& mesh, const Triangle& a, const Triangle& b) {
-  std::array<std::uint32_t, 2> edge{};
-  std::size_t n = 0;
-  std::uint32_t apexA = a[0];
-  for (const std::uint32_t v : a) {
-    if (uses(b, v))
-      edge[n++] = v;
-    else
-      apexA = v;
-  }
-  std::uint32_t apexB = b[0];
-  for (const std::uint32_t v : b)
-    if (!uses(a, v)) apexB = v;
-  const auto p = pointOf(mesh, edge[0]);
-  const auto q = pointOf(mesh, edge[1]);
-  const auto r = pointOf(mesh, apexA);
-  const auto s = pointOf(mesh, apexB);
+  const auto p = pointOf(mesh, a[0]);
+  const auto q = pointOf(mesh, a[1]);
+  const auto r = pointOf(mesh, a[2]);
+  const auto s = pointOf(mesh, b[2]);
   return CGAL::coplanar(p, q, r, s) && CGAL::coplanar_orientation(p, q, r, s) == CGAL::POSITIVE;
 }
 
-bool meet(const Mesh& mesh, const Triangle& a, const Triangle& b) {
-  std::size_t shared = 0;
-  std::uint32_t common = 0;
-  for (const std::uint32_t v : a)
-    if (uses(b, v)) {
-      common = v;
-      ++shared;
-    }
-  if (!hasArea(mesh, a) || !hasArea(mesh, b)) return false;
-  switch (shared) {
+bool meet(const Mesh& mesh, const Triangle& first, const Triangle& second) {
+  const Meeting pair(first, second);
+  if (certainlyMeetNowhereElse(mesh, pair) || !hasArea(mesh, first) || !hasArea(mesh, second)) return false;
+  switch (pair.shared) {
     case 0:
-      return CGAL::do_intersect(triangleOf(mesh, a), triangleOf(mesh, b));
+      return CGAL::do_intersect(triangleOf(mesh, first), triangleOf(mesh, second));
     case 1:
-      return meetBesidesVertex(mesh, a, b, common);
+      return meetBesidesVertex(mesh, pair.a, pair.b);
     case 2:
-      return foldedTogether(mesh, a, b);
+      return foldedTogether(mesh, pair.a, pair.b);
     default:
       return true;  // one triangle twice
   }
 }
 
-/// @param suspects  ascending
-std::vector<TrianglePair> findPairs(const Mesh& mesh, std::span<const std::uint32_t> suspects, std::size_t limit) {
-  std::vector<char> isSuspect(mesh.triangles.size(), 0);
-  for (const std::uint32_t t : suspects) isSuspect[t] = 1;
-  const BoxTree tree(mesh);
-  std::vector<TrianglePair> pairs;
+/// Pairs in the order they are found in, up to a limit.
+class PairList {
+ public:
+  PairList(const Mesh& mesh, std::size_t limit) : mesh_(mesh), limit_(limit) {}
+
+  void test(std::uint32_t t, std::uint32_t u) {
+    if (!full() && meet(mesh_, mesh_.triangles[std::min(t, u)], mesh_.triangles[std::max(t, u)]))
+      pairs_.push_back({std::min(t, u), std::max(t, u)});
+  }
+  bool full() const { return pairs_.size() >= limit_; }
+  const std::vector<TrianglePair>& pairs() const { return pairs_; }
+
+ private:
+  const Mesh& mesh_;
+  std::size_t limit_;
+  std::vector<TrianglePair> pairs_;
+};
+
+/// Suspects with one another: each leaf with itself and those after it.
+void testAmongLeaves(const BoxTree& tree, std::size_t begin, std::size_t end, PairList& list) {
   std::vector<std::uint32_t> nearby;
-  for (const std::uint32_t t : suspects) {
-    tree.findOverlaps(tree.boxOf(t), nearby);
+  for (std::size_t leaf = begin; leaf < end && !list.full(); ++leaf) {
+    tree.findLeaves(tree.boxOfLeaf(leaf), leaf, nearby);
+    const auto triangles = tree.trianglesIn(leaf);
+    const auto boxes = tree.boxesIn(leaf);
     for (const std::uint32_t other : nearby) {
-      if (other == t || (isSuspect[other] && other < t)) continue;  // a pair of suspects is tested once
-      if (!meet(mesh, mesh.triangles[t], mesh.triangles[other])) continue;
-      if (pairs.size() == limit) return pairs;
-      pairs.push_back({std::min(t, other), std::max(t, other)});
+      const auto others = tree.trianglesIn(other);
+      const auto otherBoxes = tree.boxesIn(other);
+      for (std::size_t i = 0; i < triangles.size(); ++i)
+        for (std::size_t j = other == leaf ? i + 1 : 0; j < others.size(); ++j)
+          if (boxes[i].overlaps(otherBoxes[j])) list.test(triangles[i], others[j]);
     }
   }
+}
+
+/// Suspects with the triangles from `begin` to `end` that are none.
+void testBystanders(const Mesh& mesh, const BoxTree& tree, std::span<const char> isSuspect, std::uint32_t begin,
+                    std::uint32_t end, PairList& list) {
+  std::vector<std::uint32_t> nearby;
+  for (std::uint32_t t = begin; t < end && !list.full(); ++t) {
+    const FloatBox box = boxOfTriangle(mesh, mesh.triangles[t]);
+    if (isSuspect[t] || !box.overlaps(tree.bounds())) continue;
+    tree.findLeaves(box, 0, nearby);
+    for (const std::uint32_t leaf : nearby) {
+      const auto suspects = tree.trianglesIn(leaf);
+      const auto boxes = tree.boxesIn(leaf);
+      for (std::size_t i = 0; i < suspects.size(); ++i)
+        if (box.overlaps(boxes[i])) list.test(t, suspects[i]);
+    }
+  }
+}
+
+/// The work is cut into pieces that depend on the mesh alone; the limit keeps the first pairs of the first pieces.
+std::vector<TrianglePair> findPairs(const Mesh& mesh, std::span<const std::uint32_t> suspects, std::size_t limit) {
+  const BoxTree tree(mesh, suspects);
+  const bool allSuspect = suspects.size() == mesh.triangles.size();
+  std::vector<char> isSuspect(allSuspect ? 0 : mesh.triangles.size(), 0);
+  if (!allSuspect)
+    for (const std::uint32_t t : suspects) isSuspect[t] = 1;
+
+  const std::size_t leafPieces = (tree.leafCount() + kLeavesAPiece - 1) / kLeavesAPiece;
+  const std::size_t bystanderPieces =
+      allSuspect || suspects.empty() ? 0 : (mesh.triangles.size() + kTrianglesAPiece - 1) / kTrianglesAPiece;
+  std::vector<PairList> lists(leafPieces + bystanderPieces, PairList(mesh, limit));
+  parallelFor(lists.size(), [&](std::size_t piece) {
+    if (piece < leafPieces) {
+      const std::size_t begin = piece * kLeavesAPiece;
+      testAmongLeaves(tree, begin, std::min(begin + kLeavesAPiece, tree.leafCount()), lists[piece]);
+    } else {
+      const std::size_t begin = (piece - leafPieces) * kTrianglesAPiece;
+      testBystanders(mesh, tree, isSuspect, static_cast<std::uint32_t>(begin),
+                     static_cast<std::uint32_t>(std::min(begin + kTrianglesAPiece, mesh.triangles.size())),
+                     lists[piece]);
+    }
+  });
+
+  std::vector<TrianglePair> pairs;
+  for (const PairList& list : lists) pairs.insert(pairs.end(), list.pairs().begin(), list.pairs().end());
+  if (pairs.size() > limit) pairs.resize(limit);
+  std::sort(pairs.begin(), pairs.end());
   return pairs;
 }
 
@@ -102,14 +188,10 @@ std::vector<TrianglePair> findPairs(const Mesh& mesh, std::span<const std::uint3
 
 Result<std::vector<TrianglePair>> findSelfIntersections(const Mesh& mesh, std::span<const std::uint32_t> suspects,
                                                         std::size_t limit) {
-  std::vector<std::uint32_t> ordered(suspects.begin(), suspects.end());
-  if (suspects.empty())
-    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) ordered.push_back(t);
-  std::sort(ordered.begin(), ordered.end());
+  std::vector<std::uint32_t> all(suspects.empty() ? mesh.triangles.size() : 0);
+  std::iota(all.begin(), all.end(), 0u);
   try {
-    std::vector<TrianglePair> pairs = findPairs(mesh, ordered, limit);
-    std::sort(pairs.begin(), pairs.end());
-    return pairs;
+    return findPairs(mesh, suspects.empty() ? all : suspects, limit);
   } catch (const CGAL::Failure_exception& failure) {
     return fail(ErrorCode::Internal, std::string("The test for self-intersections failed: ") + failure.what());
   }

@@ -12,12 +12,15 @@ namespace qrelief {
 
 using TrianglePair = std::array<std::uint32_t, 2>;
 
-/// Pairs of triangles that cross or touch other than along a shared edge or at a shared vertex, by exact predicates
-/// (CGAL, EPICK); ordered, first index < second.
+/// Pairs of triangles that cross or touch other than along a shared edge or at a shared vertex; ordered, first index
+/// < second. Exact: most pairs are cleared by a plane between them (mesh/apart.h), the rest goes to exact predicates
+/// (CGAL, EPICK).
 ///
 /// What two triangles share goes by vertex index: the mesh has to be welded. Two that share an edge are only counted if
 /// folded onto each other in one plane. Triangles without area are passed over.
-/// Cost: one query of a box tree for each suspect and one exact test for each pair of overlapping boxes.
+/// Cost: a box tree over the suspects, a query of it for each four of them and for each other triangle near them, and
+/// one test for each pair of overlapping boxes. On all cores.
+/// @param mesh      finite
 /// @param suspects  triangles to test against all others, no two the same; empty = all of the mesh
 /// @param limit     stops after so many pairs, always the same ones
 Result<std::vector<TrianglePair>> findSelfIntersections(const Mesh& mesh, std::span<const std::uint32_t> suspects = {},

@@ -50,13 +50,6 @@ std::vector<std::uint32_t> firstTangle(const Mesh& mesh, const std::vector<Trian
   return vertices;
 }
 
-FloatBox boxOf(const Mesh& mesh, const Triangle& t) {
-  const Vec3f a = mesh.positions[t[0]];
-  const Vec3f b = mesh.positions[t[1]];
-  const Vec3f c = mesh.positions[t[2]];
-  return {glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c))};
-}
-
 /// All triangles that can meet one at the tangle, wherever its vertices are moved: those whose boxes come as near to
 /// the tangle's as the moves may reach. Vertices keep their numbers' order.
 struct Surroundings {
@@ -78,7 +71,7 @@ Surroundings surroundingsOf(const Mesh& mesh, const std::vector<std::uint32_t>& 
   const FloatBox region{Vec3f(box.min - margin), Vec3f(box.max + margin)};
   Surroundings around;
   for (const Triangle& t : mesh.triangles)
-    if (boxOf(mesh, t).overlaps(region)) {
+    if (boxOfTriangle(mesh, t).overlaps(region)) {
       around.mesh.triangles.push_back(t);
       around.vertices.insert(around.vertices.end(), t.begin(), t.end());
     }

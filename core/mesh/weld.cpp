@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/weld.h"
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 #include <limits>
@@ -9,6 +10,9 @@ namespace qrelief {
 namespace {
 
 constexpr std::uint32_t kFree = std::numeric_limits<std::uint32_t>::max();
+
+/// Points whose places in the table are fetched before the first of them is looked up: memory answers late.
+constexpr std::size_t kAhead = 32;
 
 /// Mixes the bits of three floats [Steele et al. 2014, SplitMix64's finaliser].
 std::uint64_t hashOf(Vec3f p) {
@@ -32,15 +36,23 @@ Welding weldEqual(std::span<const Vec3f> points) {
   std::vector<std::uint32_t> table(capacity, kFree);
   Welding welding;
   welding.indexOf.reserve(points.size());
-  for (const Vec3f& given : points) {
-    const Vec3f p = given + Vec3f(0);  // -0 becomes 0
-    std::size_t slot = hashOf(p) & (capacity - 1);
-    while (table[slot] != kFree && welding.positions[table[slot]] != p) slot = (slot + 1) & (capacity - 1);
-    if (table[slot] == kFree) {
-      table[slot] = static_cast<std::uint32_t>(welding.positions.size());
-      welding.positions.push_back(p);
+  std::array<std::size_t, kAhead> slots;
+  for (std::size_t begin = 0; begin < points.size(); begin += kAhead) {
+    const auto block = points.subspan(begin, std::min(kAhead, points.size() - begin));
+    for (std::size_t i = 0; i < block.size(); ++i) {
+      slots[i] = hashOf(block[i] + Vec3f(0)) & (capacity - 1);  // -0 becomes 0
+      __builtin_prefetch(&table[slots[i]], 1);
     }
-    welding.indexOf.push_back(table[slot]);
+    for (std::size_t i = 0; i < block.size(); ++i) {
+      const Vec3f p = block[i] + Vec3f(0);
+      std::size_t slot = slots[i];
+      while (table[slot] != kFree && welding.positions[table[slot]] != p) slot = (slot + 1) & (capacity - 1);
+      if (table[slot] == kFree) {
+        table[slot] = static_cast<std::uint32_t>(welding.positions.size());
+        welding.positions.push_back(p);
+      }
+      welding.indexOf.push_back(table[slot]);
+    }
   }
   return welding;
 }

@@ -14,6 +14,7 @@
 #include "io/write_stl.h"
 #include "math/tolerance.h"
 #include "mesh/weld.h"
+#include "pipeline/carved_parts.h"
 #include "render/luminance_pass.h"
 
 namespace qrelief {
@@ -75,6 +76,14 @@ Status checkRequest(const EngraveRequest& request) {
   if (place.direction && !(glm::length(*place.direction) > 0))
     return bad("The direction has no length", "give a vector such as 0,0,1");
   return {};
+}
+
+/// The walls beside the largest code that may be asked for must be known, too (see wallLimits).
+EngraveRequest withMargin(EngraveRequest request, int modules) {
+  PlacementRequest& place = request.placement;
+  const double largest = place.sizeMode == SizeMode::Fixed ? place.sizeMm : place.maxSizeMm;
+  place.beyondMm = request.minWallMm + request.maxDepthMm.value_or(kMaxDepthModules * largest / modules);
+  return request;
 }
 
 }  // namespace
@@ -147,7 +156,8 @@ Status EngraveJob::State::place() {
   return {};
 }
 
-/// Greatest depth of every submodule: --max-depth, thickness along the ray, and distance to any other wall.
+/// Greatest depth of every submodule: --max-depth, distance to the other side of the material in any direction, and
+/// thickness along every texel's ray, which meets what is too fine for the former's samples.
 Result<std::vector<double>> EngraveJob::State::depthLimits() {
   const Placement& placement = result.placement;
   auto back = pass.renderBack(model->gpu, placement.frame, maps.window);
@@ -155,29 +165,22 @@ Result<std::vector<double>> EngraveJob::State::depthLimits() {
   const std::vector<float> behind = back->framebuffer.readRed();
   const std::vector<float> ahead = maps.framebuffer.readRgba(1);
   const int perCell = maps.window.texels / layout.cells();
-  std::vector<float> distance(mask.carved.size(), std::numeric_limits<float>::quiet_NaN());
   std::vector<double> thickness(mask.carved.size(), std::numeric_limits<double>::infinity());
   for (int row = 0; row < mask.size; ++row) {
     for (int column = 0; column < mask.size; ++column) {
       const auto cell = static_cast<int>(layout.ofSymbol(row, column));
       const auto i = static_cast<std::size_t>(row * mask.size + column);
-      double sum = 0;
-      int seen = 0;
       for (int t = 0; t < perCell * perCell; ++t) {
         const int y = cell / layout.cells() * perCell + t / perCell;
         const int x = cell % layout.cells() * perCell + t % perCell;
         const auto texel = static_cast<std::size_t>(y * maps.window.texels + x);
         const float front = ahead[4 * texel + 3];
-        if (front <= 0) continue;
-        sum += front;
-        ++seen;
-        if (behind[texel] > 0) thickness[i] = std::min<double>(thickness[i], behind[texel] - front);
+        if (front > 0 && behind[texel] > 0) thickness[i] = std::min<double>(thickness[i], behind[texel] - front);
       }
-      if (seen > 0) distance[i] = static_cast<float>(sum / seen);
     }
   }
   const double maxDepth = request.maxDepthMm.value_or(kMaxDepthModules * placement.moduleMm);
-  std::vector<double> limits = wallLimits(model->prepared.mesh, placement.patch, placement.frame, mask, distance,
+  std::vector<double> limits = wallLimits(model->prepared.mesh, placement.patch, placement.frame, mask,
                                           {placement.symbolMm, maxDepth, request.minWallMm});
   for (std::size_t i = 0; i < limits.size(); ++i)
     limits[i] = std::max(0.0, std::min(limits[i], thickness[i] - request.minWallMm));
@@ -268,8 +271,8 @@ Status EngraveJob::State::searchOnce() {
 
 Status EngraveJob::State::embed() {
   const auto start = std::chrono::steady_clock::now();
-  auto made =
-      embedDepthField(model->prepared.mesh, result.placement.frame, result.placement.patch.triangles, result.depths);
+  auto made = embedDepthField(model->prepared.mesh, result.placement.frame, result.placement.patch.triangles,
+                              result.depths, {.surface = request.surface, .inlay = request.inlay});
   if (!made) return tl::unexpected(made.error());
   embedded = std::move(*made);
   result.keptTriangles = embedded.keptTriangles;
@@ -288,6 +291,18 @@ Status EngraveJob::State::check() {
   const auto solidity = checkSolidity(result.mesh, embedded.newTriangles);
   if (!solidity) return tl::unexpected(solidity.error());
   result.solidity = *solidity;
+  const std::vector<std::uint32_t>& partOf = model->prepared.partOfTriangle;
+  result.carvedPart = partOf.empty() ? 0 : partOf[result.placement.seed];
+  result.partOfTriangle =
+      partsAfterCarving(model->prepared.mesh, partOf, result.mesh, result.keptTriangles, result.carvedPart);
+  if (request.inlay) {
+    const auto readInlay = readModel(writeStl(embedded.inlay), "inlay.stl");
+    if (!readInlay) return tl::unexpected(readInlay.error());
+    result.inlay = welded(*readInlay);
+    const auto inlaySolidity = checkSolidity(*result.inlay);
+    if (!inlaySolidity) return tl::unexpected(inlaySolidity.error());
+    result.inlaySolidity = *inlaySolidity;
+  }
   result.timingsMs.verify += millisecondsSince(start);
   embedded = {};
   stage = Stage::Viewing;
@@ -326,7 +341,7 @@ Result<std::unique_ptr<EngraveJob>> EngraveJob::create(std::shared_ptr<const Eng
 
   auto state = std::make_unique<State>();
   state->model = std::move(model);
-  state->request = std::move(request);
+  state->request = withMargin(std::move(request), symbol->size);
   state->pass = std::move(*pass);
   state->symbol = std::move(*symbol);
   state->mask = submodulesToCarve(state->symbol, state->request.modulePattern, state->request.finderPattern);

@@ -10,6 +10,7 @@
 #include "base/result.h"
 #include "carving/depth_search.h"
 #include "carving/reading_search.h"
+#include "embedding/surface_mode.h"
 #include "mesh/prepare.h"
 #include "pipeline/placement.h"
 #include "qr/module_pattern.h"
@@ -43,11 +44,13 @@ struct EngraveRequest {
   FinderPattern finderPattern = FinderPattern::ThickPlus;
   PlacementRequest placement;
   DepthObjective objective = DepthObjective::Contrast;
-  double contrast = 0.3;             ///< a carved submodule is darker than its surroundings by this share, 0 < c < 1
+  double contrast = 0.3;  ///< a carved submodule is darker than its surroundings by this share, 0 < c < 1
   ReadingOptions reading;
   std::optional<double> maxDepthMm;  ///< none: 1.2 modules
   double minWallMm = 0.8;            ///< material that stays behind every floor, ≥ 0
   float albedo = 0.7f;               ///< of the printed material
+  SurfaceMode surface = SurfaceMode::Preserved;
+  bool inlay = false;  ///< make the body that fills the pockets as well, for printing in two colours
 };
 
 /// Milliseconds spent in each stage.
@@ -60,6 +63,10 @@ struct EngraveResult {
   Mesh mesh;                      ///< as an STL round trip gives it back
   std::vector<std::uint8_t> stl;  ///< the very bytes that were checked
   std::size_t keptTriangles = 0;  ///< facets of the input that came out bit for bit
+  /// Part of the model (PreparedModel::partOfTriangle) each triangle belongs to, the new ones to that of the facet
+  /// under the centre; empty: one part only.
+  std::vector<std::uint32_t> partOfTriangle;
+  std::uint32_t carvedPart = 0;
   Symbol symbol;
   Placement placement;
   DepthField depths;
@@ -67,8 +74,10 @@ struct EngraveResult {
   std::size_t limitedSubmodules = 0;  ///< that a limit kept from being dark enough
   /// Of every submodule of symbol and quiet zone, at the depths found; row-major from the quiet zone's top left.
   std::vector<double> luminance;
-  SolidityReport solidity;            ///< after the round trip
-  ReaderView readerView;              ///< what a phone would see
+  SolidityReport solidity;       ///< after the round trip
+  std::optional<Mesh> inlay;     ///< if it was asked for; as an STL round trip gives it back, too
+  SolidityReport inlaySolidity;  ///< of the inlay
+  ReaderView readerView;         ///< what a phone would see
   StageTimings timingsMs;
 };
 

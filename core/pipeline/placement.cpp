@@ -2,12 +2,15 @@
 #include "pipeline/placement.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <fmt/format.h>
 #include <numbers>
 
 #include "mesh/ray.h"
+#include "projection/best_size.h"
+#include "projection/crossings.h"
 #include "projection/size.h"
 
 namespace qrelief {
@@ -15,10 +18,31 @@ namespace {
 
 constexpr int kMaxRounds = 5;
 constexpr double kSettledShare = 0.01;
+constexpr double kFirstShare = 0.15;  // of the model's diagonal: least square that is sampled first
+constexpr double kFirstReach = 1.25;  // of the expected size's half diagonal: how far is looked first,
+constexpr double kNextReach = 1.5;    // and how much farther each next time
 
 /// Below this a module is neither printed nor read by anything at hand (finest resin printers: 0.05 mm pixels, four to
 /// a module).
 constexpr double kLeastModuleMm = 0.2;
+
+/// Surface that lies nearer to the eye than the QR plane is seen larger than it is: a margin of the surface's takes up
+/// twice as much of the plane at most, halfway to the eye.
+constexpr double kNearnessFactor = 2;
+
+constexpr std::array<const char*, 4> kSizeModeNames = {"free", "oriented", "best", "fixed"};
+
+constexpr double kDegrees = 180 / std::numbers::pi;
+
+/// Turned anticlockwise as the reader sees it, by radians.
+ProjectionFrame turnedFrame(ProjectionFrame frame, double angle) {
+  const Vec3 right = frame.right * std::cos(angle) + frame.up * std::sin(angle);
+  frame.up = frame.up * std::cos(angle) - frame.right * std::sin(angle);
+  frame.right = right;
+  return frame;
+}
+
+double downToHundredths(double mm) { return std::floor(mm * 100) / 100; }
 
 class Stopwatch {
  public:
@@ -34,21 +58,30 @@ class Stopwatch {
 
 }  // namespace
 
+const char* sizeModeName(SizeMode mode) { return kSizeModeNames[static_cast<std::size_t>(mode)]; }
+
+std::optional<SizeMode> sizeModeByName(std::string_view name) {
+  for (const SizeMode mode : {SizeMode::Free, SizeMode::Oriented, SizeMode::Best})
+    if (name == sizeModeName(mode)) return mode;
+  return {};
+}
+
+double roomFactor(int modules, bool quietZone) {
+  // Carving moves its outlines by up to an eighth of a submodule, or a hundredth of a millimetre, off the model's
+  // edges.
+  constexpr double kBorderModules = 0.06;
+  return (modules + 2 * (quietZone ? kQuietZoneModules : kBorderModules)) / modules;
+}
+
 PlacementSearch::PlacementSearch(const PreparedModel& model, const GpuMesh& gpu, const GeometryPass& pass, int modules,
                                  const PlacementRequest& request)
     : model_(&model), gpu_(&gpu), pass_(&pass), modules_(modules), request_(request) {}
 
-double PlacementSearch::outerFactor() const {
-  return request_.quietZone ? (modules_ + 2.0 * kQuietZoneModules) / modules_ : 1.0;
-}
+double PlacementSearch::outerFactor() const { return roomFactor(modules_, request_.quietZone); }
 
 ProjectionFrame PlacementSearch::frameFor(Vec3 normal) const {
-  ProjectionFrame frame = makeFrame(placement_.frame.centre, normal, request_.upHint, request_.eyeDistanceMm);
-  const double angle = request_.rotateDeg * std::numbers::pi / 180;
-  const Vec3 right = frame.right * std::cos(angle) + frame.up * std::sin(angle);
-  frame.up = frame.up * std::cos(angle) - frame.right * std::sin(angle);
-  frame.right = right;
-  return frame;
+  return turnedFrame(makeFrame(placement_.frame.centre, normal, request_.upHint, request_.eyeDistanceMm),
+                     request_.rotateDeg / kDegrees);
 }
 
 Status PlacementSearch::start() {
@@ -56,39 +89,77 @@ Status PlacementSearch::start() {
   if (!surface) return fail(ErrorCode::BadInput, "The model has no surface");
   placement_.seed = surface->triangle;
   placement_.frame.centre = surface->position;
-  surfaceNormal_ = triangleNormal(model_->mesh, surface->triangle);
+  surfaceNormal_ = surfaceNormalAt(model_->mesh, *surface);
+  fitMm_ = std::min(request_.maxSizeMm, kFirstShare * boundingBox(model_->mesh).diagonal());
   if (request_.direction) return measure(*request_.direction);
   if (request_.sizeMode == SizeMode::Fixed) return {};
-  return measure(surfaceNormal_);
+  // A single facet's normal says little: from there the code may be tiny, or not fit at all, and from others be large.
+  const double expected = fitMm_;
+  const Status measured = measure(surfaceNormal_);
+  fitMm_ = measured ? std::max(expected, fitMm_) : expected;
+  return {};
+}
+
+double PlacementSearch::largestMm() const {
+  return request_.sizeMode == SizeMode::Fixed ? std::max(request_.maxSizeMm, request_.sizeMm) : request_.maxSizeMm;
+}
+
+/// The patch as far as it decides the size: looked at as far as the code is expected to reach, then farther and farther
+/// until the size is bounded by a silhouette, or is the largest allowed.
+Result<VisiblePatch> PlacementSearch::decisivePatch(const ProjectionFrame& frame) const {
+  const double halfDiagonal = std::numbers::sqrt2 / 2 * outerFactor();  // of a code's size
+  const double beyond = kNearnessFactor * request_.beyondMm;
+  const double farthest = largestMm() * halfDiagonal + beyond;
+  double radius = std::min(farthest, kFirstReach * sampledMm() * halfDiagonal + beyond);
+  for (;;) {
+    auto patch = findVisiblePatch(model_->mesh, model_->adjacency, frame, placement_.seed, radius);
+    if (patch && model_->crossesItself)
+      if (const Status added = addCrossings(model_->mesh, frame, *patch); !added) return tl::unexpected(added.error());
+    if (!patch || radius >= farthest) return patch;
+    const double size = sizeWithin(patch->silhouette);
+    if (size * halfDiagonal + beyond <= radius) return patch;
+    radius = std::min(farthest, kNextReach * radius);
+  }
+}
+
+/// Largest symbol that the silhouette leaves room for; Best: at any rotation.
+double PlacementSearch::sizeWithin(std::span<const Segment2> silhouette) const {
+  const double most = largestMm() * outerFactor();
+  const double size = request_.sizeMode == SizeMode::Free   ? freeSize(silhouette)
+                      : request_.sizeMode == SizeMode::Best ? bestSize(silhouette, most).sizeMm
+                                                            : orientedSize(silhouette);
+  return std::min(most, size) / outerFactor();
 }
 
 Status PlacementSearch::measure(Vec3 normal) {
   const Stopwatch stopwatch(sizeMs_);
-  const bool fixed = request_.sizeMode == SizeMode::Fixed;
   const ProjectionFrame frame = frameFor(normal);
-  const double largest = std::max(request_.maxSizeMm, fixed ? request_.sizeMm : 0.0) * outerFactor();
-  auto patch =
-      findVisiblePatch(model_->mesh, model_->adjacency, frame, placement_.seed, largest * std::numbers::sqrt2 / 2);
+  auto patch = decisivePatch(frame);
   if (!patch) return tl::unexpected(patch.error());
 
+  const bool isFixed = request_.sizeMode == SizeMode::Fixed;
   placement_.frame = frame;
+  placement_.rotationDeg = request_.rotateDeg;
   placement_.patch = std::move(*patch);
-  const double free = std::min(largest, freeSize(placement_.patch.silhouette)) / outerFactor();
-  const double oriented = std::min(largest, orientedSize(placement_.patch.silhouette)) / outerFactor();
-  placement_.guaranteedMm = free;
-  fitMm_ = request_.sizeMode == SizeMode::Free ? std::min(free, request_.maxSizeMm)
-           : fixed                             ? oriented
-                                               : std::min(oriented, request_.maxSizeMm);
-  placement_.symbolMm = fixed ? request_.sizeMm : fitMm_;
+  std::vector<Segment2>& silhouette = placement_.patch.silhouette;
+  if (request_.sizeMode == SizeMode::Best) {
+    const double rotation = bestSize(silhouette, largestMm() * outerFactor()).rotation;
+    placement_.frame = turnedFrame(frame, rotation);
+    placement_.rotationDeg += rotation * kDegrees;
+    silhouette = inTurnedAxes(silhouette, rotation);
+  }
+  placement_.guaranteedMm = std::min(largestMm(), freeSize(silhouette) / outerFactor());
+  fitMm_ = request_.sizeMode == SizeMode::Free ? placement_.guaranteedMm
+                                               : std::min(largestMm(), orientedSize(silhouette) / outerFactor());
+  placement_.symbolMm = isFixed ? request_.sizeMm : fitMm_;
   placement_.moduleMm = placement_.symbolMm / modules_;
-  if (fixed && fitMm_ < request_.sizeMm) {
+  if (isFixed && fitMm_ < request_.sizeMm) return tl::unexpected(doesNotFit());
+  if (placement_.moduleMm < kLeastModuleMm && (isFixed || fitMm_ >= request_.maxSizeMm)) {
     return fail(
         ErrorCode::NoSolution,
-        fmt::format("A code of {:.4g} mm{} does not fit here; the largest that does is {:.4g} mm ({:.4g} mm at any "
-                    "rotation)",
-                    request_.sizeMm, request_.quietZone ? " with its quiet zone" : "", std::floor(oriented * 100) / 100,
-                    std::floor(free * 100) / 100),
-        "Ask for a smaller size, turn the code, or choose a spot farther from edges and overhangs");
+        fmt::format("A code of {:.4g} mm is asked for: its modules would be {:.2g} mm wide", placement_.symbolMm,
+                    placement_.moduleMm),
+        fmt::format("Allow a larger size (at least {:.3g} mm), or shorten the text", kLeastModuleMm * modules_));
   }
   if (placement_.moduleMm < kLeastModuleMm) {
     return fail(
@@ -101,18 +172,77 @@ Status PlacementSearch::measure(Vec3 normal) {
   return {};
 }
 
-/// The direction that varies least may be one from which the code does not fit: then the next best is tried.
-Status PlacementSearch::measureBestDirection() {
-  std::vector<DirectionIteration> candidates = placement_.iterations;
-  std::stable_sort(
-      candidates.begin() + 1, candidates.end(),
-      [](const DirectionIteration& a, const DirectionIteration& b) { return a.varianceMm2 < b.varianceMm2; });
-  std::rotate(candidates.begin(), candidates.begin() + 1, candidates.end());  // the single facet's normal comes last
-  Status first = measure(direction_->normal());
+/// What does fit is named so that it still fits as it is written: sizes rounded down, measured at the rounded rotation.
+Error PlacementSearch::doesNotFit() const {
+  const std::vector<Segment2>& silhouette = placement_.patch.silhouette;
+  const double found = bestSize(silhouette, largestMm() * outerFactor()).rotation * kDegrees;
+  const double bestDeg = std::round(std::remainder(request_.rotateDeg + found, 360) * 10) / 10;
+  const double turn = (bestDeg - request_.rotateDeg) / kDegrees;
+  const double bestMm = std::min(largestMm(), orientedSize(inTurnedAxes(silhouette, turn)) / outerFactor());
+  const bool turningHelps = downToHundredths(bestMm) > downToHundredths(fitMm_);
+  const std::string atBest =
+      turningHelps ? fmt::format(", at a rotation of {:g}° {:.4g} mm", bestDeg, downToHundredths(bestMm)) : "";
+  return {ErrorCode::NoSolution,
+          fmt::format("A code of {:.4g} mm{} does not fit here; the largest that does is {:.4g} mm at {} rotation{}, "
+                      "and {:.4g} mm at every rotation",
+                      request_.sizeMm, request_.quietZone ? " with its quiet zone" : "", downToHundredths(fitMm_),
+                      turningHelps ? "this" : "the best", atBest, downToHundredths(placement_.guaranteedMm)),
+          bestMm >= request_.sizeMm
+              ? fmt::format("Turn the code (--rotate {:g}), ask for a smaller size, or choose another spot", bestDeg)
+              : "Ask for a smaller size, or choose a spot farther from edges and overhangs"};
+}
+
+double PlacementSearch::sampledMm() const { return request_.sizeMode == SizeMode::Fixed ? request_.sizeMm : fitMm_; }
+
+DirectionOptions PlacementSearch::directionOptions() const {
+  DirectionOptions options;
+  options.method = request_.directionMethod;
+  options.sizeMm = sampledMm();
+  return options;
+}
+
+/// The first of several directions from which the code fits; else the first one's error.
+Status PlacementSearch::measureFirstFitting(std::span<const Vec3> normals) {
+  const Status first = measure(normals.front());
   if (first) return first;
-  for (const DirectionIteration& candidate : candidates)
-    if (measure(candidate.normal)) return {};
+  for (const Vec3 normal : normals.subspan(1))
+    if (measure(normal)) return {};
   return first;
+}
+
+/// The direction found, then those that vary more and more: the best may be one from which the code does not fit. The
+/// single facet's normal comes last.
+std::vector<Vec3> PlacementSearch::roundCandidates() const {
+  std::vector<DirectionIteration> looks(placement_.iterations.begin() + 1, placement_.iterations.end());
+  std::stable_sort(looks.begin(), looks.end(), [](const DirectionIteration& a, const DirectionIteration& b) {
+    return a.varianceMm2 < b.varianceMm2;
+  });
+  std::vector<Vec3> normals{direction_->normal()};
+  for (const DirectionIteration& look : looks)
+    if (look.normal != normals.front()) normals.push_back(look.normal);
+  if (placement_.iterations.front().normal != normals.front()) normals.push_back(placement_.iterations.front().normal);
+  return normals;
+}
+
+/// One look for the optimal direction; at the end the best from which the code fits. The start does.
+Result<bool> PlacementSearch::refine() {
+  {
+    const Stopwatch stopwatch(directionMs_);
+    const Result<bool> found = optimal_->step();
+    if (!found || !*found) return found;
+  }
+  placement_.iterations = optimal_->iterations();
+  std::vector<DirectionIteration> looks = optimal_->iterations();
+  std::stable_sort(looks.begin(), looks.end(),
+                   [](const DirectionIteration& a, const DirectionIteration& b) { return a.measure < b.measure; });
+  std::vector<Vec3> normals{optimal_->normal()};
+  for (const DirectionIteration& look : looks) {
+    if (look.normal == normals.front()) continue;
+    normals.push_back(look.normal);
+    if (look.normal == optimal_->iterations().front().normal) break;
+  }
+  if (const Status measured = measureFirstFitting(normals); !measured) return tl::unexpected(measured.error());
+  return true;
 }
 
 Result<bool> PlacementSearch::step() {
@@ -121,26 +251,29 @@ Result<bool> PlacementSearch::step() {
     if (const Status begun = start(); !begun) return tl::unexpected(begun.error());
     return request_.direction.has_value();
   }
-  if (!direction_) {
-    DirectionOptions options;
-    options.method = request_.directionMethod;
-    options.sizeMm = request_.sizeMode == SizeMode::Fixed ? request_.sizeMm : fitMm_;
+  if (optimal_) return refine();
+  if (!direction_)
     direction_.emplace(*pass_, *gpu_, placement_.frame.centre, surfaceNormal_, request_.upHint, request_.eyeDistanceMm,
-                       options);
-  }
+                       directionOptions());
   {
     const Stopwatch stopwatch(directionMs_);
     const Result<bool> found = direction_->step();
-    if (!found) return found;
-    if (!*found) return false;
+    if (!found || !*found) return found;
     placement_.iterations = direction_->iterations();
   }
   const double before = fitMm_;
-  if (const Status measured = measureBestDirection(); !measured) return tl::unexpected(measured.error());
+  if (const Status measured = measureFirstFitting(roundCandidates()); !measured)
+    return tl::unexpected(measured.error());
   direction_.reset();
   ++round_;
-  if (request_.sizeMode == SizeMode::Fixed || round_ >= kMaxRounds) return true;
-  return std::abs(fitMm_ - before) < kSettledShare * before;
+  const bool settled = request_.sizeMode == SizeMode::Fixed || round_ >= kMaxRounds ||
+                       std::abs(fitMm_ - before) < kSettledShare * before;
+  if (settled && request_.directionMethod == DirectionMethod::Optimal) {
+    optimal_.emplace(*pass_, *gpu_, placement_.frame.centre, placement_.frame.normal, request_.upHint,
+                     request_.eyeDistanceMm, directionOptions());
+    return false;
+  }
+  return settled;
 }
 
 }  // namespace qrelief

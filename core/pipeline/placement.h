@@ -2,10 +2,12 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 
 #include "base/result.h"
 #include "mesh/prepare.h"
 #include "projection/direction.h"
+#include "projection/optimal_direction.h"
 #include "projection/visible_patch.h"
 #include "qr/symbol.h"
 #include "render/geometry_pass.h"
@@ -15,8 +17,14 @@ namespace qrelief {
 enum class SizeMode {
   Free,      ///< the largest that fits at every rotation
   Oriented,  ///< the largest that fits at the rotation asked for
+  Best,      ///< the largest that fits at any rotation, and that rotation
   Fixed      ///< the size asked for, or an error that names the largest
 };
+
+/// "free", "oriented", "best", "fixed": names that scripts rely on.
+const char* sizeModeName(SizeMode mode);
+/// Empty for "fixed", too: that takes a number.
+std::optional<SizeMode> sizeModeByName(std::string_view name);
 
 /// Where the code goes, which way it looks and how large it is.
 struct PlacementRequest {
@@ -26,10 +34,11 @@ struct PlacementRequest {
   double maxSizeMm = 60;  ///< upper bound of a found size, > 0
   bool quietZone = true;  ///< the quiet zone must fit, too
   Vec3 upHint{0, 0, 1};   ///< where the symbol's top points, projected onto the QR plane
-  double rotateDeg = 0;   ///< then turned anticlockwise, as the reader sees it
+  double rotateDeg = 0;   ///< then turned anticlockwise, as the reader sees it; Best: turned on from there
   DirectionMethod directionMethod = DirectionMethod::DepthBalanced;
   std::optional<Vec3> direction;  ///< towards the reader; overrides the method
   double eyeDistanceMm = 250;     ///< > 0
+  double beyondMm = 0;  ///< the patch must be known this much farther than the largest code reaches, ≥ 0 (walls)
 };
 
 /// The answer.
@@ -39,12 +48,18 @@ struct Placement {
   double symbolMm = 0;     ///< edge of the symbol without quiet zone, on the QR plane
   double moduleMm = 0;
   double guaranteedMm = 0;  ///< largest symbol that fits at every rotation, not cut by maxSizeMm
-  VisiblePatch patch;       ///< covers symbol and quiet zone
+  double rotationDeg = 0;   ///< of the symbol's top from where upHint points, anticlockwise as the reader sees it
+  VisiblePatch patch;       ///< covers symbol and quiet zone, and beyondMm more
   std::vector<DirectionIteration> iterations;
 };
 
+/// How much larger than the symbol the square is that the surface must have room for: the quiet zone, or, without it,
+/// the little that embedding may move the pockets' outlines by.
+double roomFactor(int modules, bool quietZone);
+
 /// Finds direction and size, which depend on each other: they are found in turn until the size moves by less than 1 %
-/// (at most 5 rounds) [Papp 2022, §3 and §4].
+/// (at most 5 rounds) [Papp 2022, §3 and §4]. The optimal direction is then looked for once, at the size found, from
+/// the depth-balanced one on.
 class PlacementSearch {
  public:
   /// @param model, gpu, pass  kept by reference
@@ -63,8 +78,16 @@ class PlacementSearch {
  private:
   Status start();
   Status measure(Vec3 normal);
-  Status measureBestDirection();
+  Status measureFirstFitting(std::span<const Vec3> normals);
+  std::vector<Vec3> roundCandidates() const;
+  Error doesNotFit() const;
+  Result<bool> refine();
+  Result<VisiblePatch> decisivePatch(const ProjectionFrame& frame) const;
+  double sizeWithin(std::span<const Segment2> silhouette) const;
+  double largestMm() const;
+  double sampledMm() const;
   double outerFactor() const;
+  DirectionOptions directionOptions() const;
   ProjectionFrame frameFor(Vec3 normal) const;
 
   const PreparedModel* model_;
@@ -75,9 +98,10 @@ class PlacementSearch {
   Placement placement_;
   Vec3 surfaceNormal_{0};
   std::optional<DirectionSearch> direction_;
+  std::optional<OptimalDirection> optimal_;
   int round_ = 0;
   bool started_ = false;
-  double fitMm_ = 0;  // symbol size that the last silhouette allows
+  double fitMm_ = 0;  // symbol size that the last silhouette allows; at first what is expected
   double directionMs_ = 0, sizeMs_ = 0;
 };
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/report.h"
 
-#include <array>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "verification/grades.h"
 
@@ -13,11 +13,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json triple(Vec3 v) { return Json::array({v.x, v.y, v.z}); }
-
-const char* nameOf(SizeMode mode) {
-  constexpr std::array<const char*, 3> names = {"free", "oriented", "fixed"};
-  return names[static_cast<std::size_t>(mode)];
-}
 
 Json describeInput(const EngravableModel& model, const ReportContext& context) {
   Json warnings = Json::array();
@@ -49,11 +44,12 @@ Json describeSymbol(const Symbol& symbol) {
 Json describeProjection(const EngraveRequest& request, const Placement& placement) {
   Json iterations = Json::array();
   for (const DirectionIteration& i : placement.iterations)
-    iterations.push_back(
-        {{"normal", triple(i.normal)}, {"varianceMm2", i.varianceMm2}, {"outsideShare", i.outsideShare}});
-  const char* method = request.placement.direction                                        ? "given"
-                       : request.placement.directionMethod == DirectionMethod::MeanNormal ? "mean-normal"
-                                                                                          : "depth-balanced";
+    iterations.push_back({{"normal", triple(i.normal)},
+                          {"varianceMm2", i.varianceMm2},
+                          {"outsideShare", i.outsideShare},
+                          {"worstAngleDeg", i.worstAngle * 180 / std::numbers::pi},
+                          {"measure", i.measure}});
+  const char* method = request.placement.direction ? "given" : directionMethodName(request.placement.directionMethod);
   return {{"method", method},
           {"centre", triple(placement.frame.centre)},
           {"normal", triple(placement.frame.normal)},
@@ -90,6 +86,8 @@ void describeGrades(Json& verification, const EngraveRequest& request, const Eng
 std::vector<std::string> failedChecks(const EngraveRequest& request, const EngraveResult& result,
                                       const std::string& readBack) {
   std::vector<std::string> failed = result.solidity.problems();
+  if (result.inlay)
+    for (const std::string& problem : result.inlaySolidity.problems()) failed.push_back("Inlay: " + problem);
   if (readBack.empty())
     failed.push_back("No reader found the code in the simulated picture");
   else if (readBack != request.text)
@@ -110,17 +108,19 @@ std::string makeReport(const EngraveRequest& request, const EngravableModel& mod
   report["size"] = {{"symbolMm", result.placement.symbolMm},
                     {"moduleMm", result.placement.moduleMm},
                     {"guaranteedMm", result.placement.guaranteedMm},
-                    {"mode", nameOf(request.placement.sizeMode)}};
+                    {"rotationDeg", result.placement.rotationDeg},
+                    {"mode", sizeModeName(request.placement.sizeMode)}};
   report["depth"] = {{"meanMm", depth.meanMm},
                      {"maxMm", depth.maxMm},
                      {"p95Mm", depth.p95Mm},
                      {"iterations", result.searchIterations},
                      {"limitedSubmodules", result.limitedSubmodules},
-                     {"solver", "paper-steps"}};
-  report["mesh"] = {{"triangles", solid.triangles},          {"vertices", solid.vertices},
-                    {"keptTriangles", result.keptTriangles}, {"closed", solid.closed()},
-                    {"manifold", solid.manifold()},          {"selfIntersections", solid.selfIntersections},
-                    {"volumeMm3", solid.volumeMm3}};
+                     {"objective", request.objective == DepthObjective::Reading ? "reading" : "contrast"},
+                     {"solver", request.objective == DepthObjective::Reading ? "secant" : "paper-steps"}};
+  report["mesh"] = {
+      {"surface", surfaceModeName(request.surface)},  {"triangles", solid.triangles}, {"vertices", solid.vertices},
+      {"keptTriangles", result.keptTriangles},        {"closed", solid.closed()},     {"manifold", solid.manifold()},
+      {"selfIntersections", solid.selfIntersections}, {"volumeMm3", solid.volumeMm3}};
   report["verification"] = {{"decoded", !context.readBack.empty() && context.readBack == request.text},
                             {"text", context.readBack},
                             {"reader", context.reader},

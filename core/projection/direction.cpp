@@ -2,9 +2,11 @@
 #include "projection/direction.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/halton.h"
+#include "math/principal_axes.h"
 
 namespace qrelief {
 namespace {
@@ -17,7 +19,10 @@ Vec3 unitOrZero(Vec3 v) {
 /// A map with the replaced normals of the texels outside the silhouette.
 class NormalMap {
  public:
-  NormalMap(std::span<const float> texel, int texels) : texel_(texel), texels_(texels) {}
+  NormalMap(std::span<const float> texel, int texels, const DirectionOptions& options)
+      : texel_(texel), texels_(texels), window_{options.sizeMm, texels}, eyeDistance_(options.eyeDistanceMm) {}
+
+  int texels() const { return texels_; }
 
   bool inside(int column, int row) const { return distance(column, row) > 0; }
   double distance(int column, int row) const { return texel_[index(column, row) + 3]; }
@@ -27,12 +32,24 @@ class NormalMap {
     const auto acrossHalf = [this](int k) { return (2 * k + 1.0) / texels_ - 1; };
     return glm::normalize(Vec3(acrossHalf(column), acrossHalf(row), -1));
   }
+  /// Unit, from the texel's surface point.
+  Vec3 towardsEye(int column, int row) const {
+    return glm::normalize(Vec3(-window_.planePoint(column, row), eyeDistance_));
+  }
+  Vec3 surfacePoint(int column, int row) const {
+    return Vec3(0, 0, eyeDistance_) - towardsEye(column, row) * distance(column, row);
+  }
 
  private:
   std::size_t index(int column, int row) const { return 4 * static_cast<std::size_t>(row * texels_ + column); }
   std::span<const float> texel_;
   int texels_;
+  MapWindow window_;
+  double eyeDistance_;
 };
+
+/// Share of the square that is seen most obliquely.
+constexpr double kWorstShare = 0.05;
 
 /// Cells nearer to the second than this share of the range of distances tie with it: on a symmetrical surface four
 /// cells lie alike, and two of them would tilt the direction.
@@ -82,37 +99,102 @@ Vec3 extremeCellsMean(const std::vector<Cell>& cells) {
   return unitOrZero(unitOrZero(near) + unitOrZero(far));
 }
 
-}  // namespace
-
-MapSample sampleMap(std::span<const float> normals, int texels, const DirectionOptions& options) {
-  const NormalMap map(normals, texels);
-  MapSample sample;
-  for (int i = 1; i <= options.samples; ++i) {
-    const auto at = [texels](double unit) { return std::min(texels - 1, static_cast<int>(unit * texels)); };
+/// Mean normal and least varying axis of the Halton samples.
+void sampleHalton(MapSample& sample, const NormalMap& map, int samples) {
+  std::vector<Vec3> points;
+  const auto at = [&](double unit) { return std::min(map.texels() - 1, static_cast<int>(unit * map.texels())); };
+  for (int i = 1; i <= samples; ++i) {
     const auto [x, y] = halton23(static_cast<std::uint32_t>(i));
     sample.mean += map.normal(at(x), at(y));
+    if (map.inside(at(x), at(y))) points.push_back(map.surfacePoint(at(x), at(y)));
   }
   sample.mean = unitOrZero(sample.mean);
+  sample.leastVariance = leastVarianceAxis(points);
+  if (sample.leastVariance.z < 0) sample.leastVariance = -sample.leastVariance;
+}
 
-  const std::vector<Cell> cells = sumCells(map, texels, options.grid);
-  sample.depthBalance = extremeCellsMean(cells);
+double worstAngleOf(const NormalMap& map) {
+  std::vector<double> cosines;
+  for (int row = 0; row < map.texels(); ++row)
+    for (int column = 0; column < map.texels(); ++column)
+      cosines.push_back(map.inside(column, row)
+                            ? std::clamp(glm::dot(map.normal(column, row), map.towardsEye(column, row)), 0.0, 1.0)
+                            : 0.0);
+  const auto count = std::max<std::ptrdiff_t>(1, std::lround(kWorstShare * static_cast<double>(cosines.size())));
+  std::nth_element(cosines.begin(), cosines.begin() + count - 1, cosines.end());
+  std::sort(cosines.begin(), cosines.begin() + count);  // so that the sum is the same with every standard library
+  double sum = 0;
+  for (auto cosine = cosines.begin(); cosine != cosines.begin() + count; ++cosine) sum += *cosine;
+  return std::acos(std::min(1.0, sum / static_cast<double>(count)));
+}
+
+/// Variance of the distance over the texels inside, outside share, and what follows from them.
+void rate(MapSample& sample, const NormalMap& map, const std::vector<Cell>& cells, double sizeMm) {
   double sum = 0;
   int inside = 0;
   for (const Cell& cell : cells) {
     sum += cell.distances;
     inside += cell.inside;
-    if (cell.inside == 0) sample.outside += unitOrZero(cell.normals);
   }
-  sample.outside = unitOrZero(sample.outside);
-  sample.outsideShare = 1 - static_cast<double>(inside) / (texels * texels);
-  if (inside == 0) return sample;
+  const double mean = inside > 0 ? sum / inside : 0;
+  double squares = 0;
+  for (int row = 0; row < map.texels(); ++row)
+    for (int column = 0; column < map.texels(); ++column)
+      if (map.inside(column, row)) squares += std::pow(map.distance(column, row) - mean, 2);
+  sample.varianceMm2 = inside > 0 ? squares / inside : 0;
+  sample.outsideShare = 1 - static_cast<double>(inside) / (map.texels() * map.texels());
+  sample.worstAngle = worstAngleOf(map);
+  const double insideVariance = sample.varianceMm2 / (sizeMm * sizeMm) * (1 - sample.outsideShare);
+  sample.measure = insideVariance + sample.outsideShare / 4 + kObliqueWeight * (1 - std::cos(sample.worstAngle));
+}
 
-  const double mean = sum / inside;
-  for (int row = 0; row < texels; ++row)
-    for (int column = 0; column < texels; ++column)
-      if (map.inside(column, row)) sample.varianceMm2 += std::pow(map.distance(column, row) - mean, 2);
-  sample.varianceMm2 /= inside;
+/// The texels around the middle are half a texel's diagonal away: a surface seen at up to 80° is nearer by four texels.
+bool seesCentre(const NormalMap& map, const DirectionOptions& options) {
+  const double nearest = options.eyeDistanceMm - 4 * options.sizeMm / map.texels();
+  for (const int row : {map.texels() / 2 - 1, map.texels() / 2})
+    for (const int column : {map.texels() / 2 - 1, map.texels() / 2})
+      if (map.inside(column, row) && map.distance(column, row) >= nearest) return true;
+  return false;
+}
+
+constexpr std::array<const char*, 4> kMethodNames = {"mean-normal", "depth-balanced", "pca", "optimal"};
+
+}  // namespace
+
+const char* directionMethodName(DirectionMethod method) { return kMethodNames[static_cast<std::size_t>(method)]; }
+
+std::optional<DirectionMethod> directionMethodByName(std::string_view name) {
+  for (std::size_t i = 0; i < kMethodNames.size(); ++i)
+    if (name == kMethodNames[i]) return static_cast<DirectionMethod>(i);
+  return {};
+}
+
+MapSample sampleMap(std::span<const float> normals, int texels, const DirectionOptions& options) {
+  const NormalMap map(normals, texels, options);
+  MapSample sample;
+  sampleHalton(sample, map, options.samples);
+  const std::vector<Cell> cells = sumCells(map, texels, options.grid);
+  sample.depthBalance = extremeCellsMean(cells);
+  for (const Cell& cell : cells)
+    if (cell.inside == 0) sample.outside += unitOrZero(cell.normals);
+  sample.outside = unitOrZero(sample.outside);
+  rate(sample, map, cells, options.sizeMm);
+  sample.centreIsSeen = seesCentre(map, options);
   return sample;
+}
+
+Result<MapSample> lookFrom(const GeometryPass& pass, const GpuMesh& mesh, const ProjectionFrame& frame,
+                           const DirectionOptions& options) {
+  const auto maps = pass.render(mesh, frame, {options.sizeMm, options.mapTexels});
+  if (!maps) return tl::unexpected(maps.error());
+  // Facet normals where the paper interpolates vertex normals: over a sampled square both average to the same, but
+  // beside a crease interpolation leans away from the face by up to half the angle.
+  std::vector<float> map = maps->framebuffer.readRgba(0);
+  const std::vector<float> smooth = maps->framebuffer.readRgba(1);
+  for (std::size_t i = 3; i < map.size(); i += 4) map[i] = smooth[i];
+  DirectionOptions fromFrame = options;
+  fromFrame.eyeDistanceMm = frame.eyeDistance;
+  return sampleMap(map, options.mapTexels, fromFrame);
 }
 
 DirectionSearch::DirectionSearch(const GeometryPass& pass, const GpuMesh& mesh, Vec3 centre, Vec3 surfaceNormal,
@@ -128,16 +210,12 @@ DirectionSearch::DirectionSearch(const GeometryPass& pass, const GpuMesh& mesh, 
 
 Result<bool> DirectionSearch::step() {
   const ProjectionFrame frame = makeFrame(centre_, current_, upHint_, eyeDistance_);
-  const auto maps = pass_->render(*mesh_, frame, {options_.sizeMm, options_.mapTexels});
-  if (!maps) return tl::unexpected(maps.error());
-  // Facet normals where the paper interpolates vertex normals: over a sampled square both average to the same, but
-  // beside a crease interpolation leans away from the face by up to half the angle.
-  std::vector<float> map = maps->framebuffer.readRgba(0);
-  const std::vector<float> smooth = maps->framebuffer.readRgba(1);
-  for (std::size_t i = 3; i < map.size(); i += 4) map[i] = smooth[i];
-  const MapSample sample = sampleMap(map, options_.mapTexels, options_);
-  iterations_.push_back({current_, sample.varianceMm2, sample.outsideShare});
+  const Result<MapSample> looked = lookFrom(*pass_, *mesh_, frame, options_);
+  if (!looked) return tl::unexpected(looked.error());
+  const MapSample& sample = *looked;
+  iterations_.push_back({current_, sample.varianceMm2, sample.outsideShare, sample.worstAngle, sample.measure});
 
+  const bool once = options_.method == DirectionMethod::MeanNormal || options_.method == DirectionMethod::Pca;
   // The first direction is a single facet's and says little: it is never the answer.
   const bool updated = iterations_.size() > 1;
   if (updated) {
@@ -145,12 +223,13 @@ Result<bool> DirectionSearch::step() {
         iterations_.begin() + 1, iterations_.end(),
         [](const DirectionIteration& a, const DirectionIteration& b) { return a.varianceMm2 < b.varianceMm2; });
     best_ = least->normal;
-    if (options_.method == DirectionMethod::MeanNormal) return true;
+    if (once) return true;
     if (sample.varianceMm2 <= options_.variance * options_.sizeMm * options_.sizeMm) return true;
     if (static_cast<int>(iterations_.size()) > options_.maxIterations) return true;
   }
-  const Vec3 inAxes = options_.method == DirectionMethod::MeanNormal
-                          ? sample.mean
+  const Vec3 inAxes = options_.method == DirectionMethod::MeanNormal ? sample.mean
+                      : options_.method == DirectionMethod::Pca
+                          ? sample.leastVariance
                           : unitOrZero(sample.mean + sample.depthBalance + sample.outside);
   const Vec3 next = frame.right * inAxes.x + frame.up * inAxes.y + frame.normal * inAxes.z;
   // Normals that cancel out, or a direction from behind the centre, lead nowhere: what there is stays.

@@ -42,8 +42,8 @@ struct VisiblePatch {
 /// the order makes it exact for a disc D: all facets with points of D enter at a point of D before any other facet with
 /// occluders does (induction along the straight path), so nothing is lost but what overlapping images cost.
 ///
-/// Preconditions: the surface does not cross itself; frame.centre lies on the seed (to kOnSurfaceMm).
-/// Cost: O(T + F + E) for T triangles, F within the radius, and E contour edges in uniform bins.
+/// Preconditions: the surface does not cross itself (else see crossings.h); frame.centre lies on the seed (to
+/// kOnSurfaceMm). Cost: O(T + F + E) for T triangles, F within the radius, and E contour edges in uniform bins.
 /// @param seed      triangle under the centre
 /// @param radiusMm  > 0, may be infinite; facets wholly farther than this from the centre on the QR plane are left out;
 ///                  the edge towards them is no silhouette

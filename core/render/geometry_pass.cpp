@@ -43,7 +43,7 @@ void GeometryPass::draw(const gl::Program& program, GLenum culled, const GpuMesh
   glCullFace(culled);
   glClearColor(0, 0, 0, 0);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  mesh.draw();
+  mesh.draw(ViewPyramid(frame, window.extentMm));
   glDisable(GL_CULL_FACE);
   glDisable(GL_DEPTH_TEST);
 }

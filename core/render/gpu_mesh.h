@@ -5,25 +5,34 @@
 
 #include "gl/objects.h"
 #include "mesh/mesh.h"
+#include "render/triangle_clusters.h"
 
 namespace qrelief {
 
 /// A mesh in GPU memory: positions relative to the middle of its box (so that far-away models keep their digits) and
 /// smooth normals; attributes 0 and 1.
+/// Attribute 2 is a number per vertex, 0 unless it is given.
 class GpuMesh {
  public:
   GpuMesh() = default;
   /// @param normals  unit, one per vertex
   GpuMesh(const Mesh& mesh, std::span<const Vec3f> normals);
 
+  /// @param values  one per vertex
+  void setValues(std::span<const float> values);
+
   void draw() const;
+  /// Without the clusters of triangles that certainly lie outside the pyramid (model coordinates).
+  void draw(const ViewPyramid& pyramid) const;
   Vec3 origin() const { return box_.centre(); }
   const Box3& box() const { return box_; }
 
  private:
+  void drawRange(std::uint32_t begin, std::uint32_t end) const;
+
   gl::VertexArray array_;
-  gl::Buffer positions_, normals_, indices_;
-  GLsizei indexCount_ = 0;
+  gl::Buffer positions_, normals_, values_, indices_;
+  std::vector<TriangleCluster> clusters_;
   Box3 box_;
 };
 

@@ -5,29 +5,13 @@
 #include <fmt/format.h>
 #include <numeric>
 
+#include "mesh/clean.h"
 #include "mesh/collinear.h"
+#include "mesh/defects.h"
 #include "mesh/self_intersection.h"
 
 namespace qrelief {
 namespace {
-
-struct HalfEdge {
-  std::uint64_t key;   // smaller vertex, larger vertex
-  std::uint32_t slot;  // 3·triangle + edge
-  bool forward;        // from the smaller vertex to the larger
-};
-
-std::vector<HalfEdge> sortedHalfEdges(const Mesh& mesh) {
-  std::vector<HalfEdge> edges(3 * mesh.triangles.size());
-  for (std::uint32_t slot = 0; slot < edges.size(); ++slot) {
-    const Triangle& t = mesh.triangles[slot / 3];
-    const std::uint64_t a = t[slot % 3], b = t[(slot + 1) % 3];
-    edges[slot] = {std::min(a, b) << 32 | std::max(a, b), slot, a < b};
-  }
-  std::sort(edges.begin(), edges.end(),
-            [](const HalfEdge& x, const HalfEdge& y) { return x.key != y.key ? x.key < y.key : x.slot < y.slot; });
-  return edges;
-}
 
 /// Sets of triangle corners, joined as they turn out to belong to one fan.
 class Fans {
@@ -47,30 +31,25 @@ class Fans {
   std::vector<std::uint32_t> parent_;
 };
 
-/// Counts the edges' defects; triangles that share an edge come into one fan at both of its ends.
-void checkEdges(const Mesh& mesh, std::span<const HalfEdge> edges, Fans& fans, SolidityReport& report) {
-  const auto cornerAt = [&](std::uint32_t slot, std::uint32_t vertex) {
-    const std::uint32_t first = slot - slot % 3;
-    const Triangle& t = mesh.triangles[slot / 3];
-    return first + (t[0] == vertex ? 0u : t[1] == vertex ? 1u : 2u);
+/// Triangles that share an edge, however many, come into one fan at both of its ends.
+Fans fansOf(const Mesh& mesh, const EdgeTable& edges) {
+  Fans fans(3 * mesh.triangles.size());
+  const auto cornerAt = [&](std::uint32_t halfEdge, std::uint32_t vertex) {
+    const Triangle& t = mesh.triangles[halfEdge / 3];
+    return halfEdge - halfEdge % 3 + (t[0] == vertex ? 0u : t[1] == vertex ? 1u : 2u);
   };
-  for (std::size_t begin = 0; begin < edges.size();) {
-    std::size_t end = begin + 1;
-    while (end < edges.size() && edges[end].key == edges[begin].key) ++end;
-    if (end - begin == 1) ++report.openEdges;
-    if (end - begin > 2) ++report.nonManifoldEdges;
-    if (end - begin == 2 && edges[begin].forward == edges[begin + 1].forward) ++report.misorientedEdges;
-    const auto low = static_cast<std::uint32_t>(edges[begin].key >> 32);
-    const auto high = static_cast<std::uint32_t>(edges[begin].key);
-    for (std::size_t k = begin + 1; k < end; ++k) {
-      fans.join(cornerAt(edges[begin].slot, low), cornerAt(edges[k].slot, low));
-      fans.join(cornerAt(edges[begin].slot, high), cornerAt(edges[k].slot, high));
-    }
-    begin = end;
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const std::uint32_t first = edges.at(e)[0];
+    const Triangle& t = mesh.triangles[first / 3];
+    for (const std::uint32_t other : edges.at(e))
+      for (const std::uint32_t vertex : {t[first % 3], t[(first + 1) % 3]})
+        fans.join(cornerAt(first, vertex), cornerAt(other, vertex));
   }
+  return fans;
 }
 
-std::size_t countVerticesOfSeveralFans(const Mesh& mesh, Fans& fans) {
+std::size_t countVerticesOfSeveralFans(const Mesh& mesh, const EdgeTable& edges) {
+  Fans fans = fansOf(mesh, edges);
   constexpr std::uint32_t kNone = 0xffffffffu;
   std::vector<std::uint32_t> fanOf(mesh.positions.size(), kNone);
   std::vector<char> several(mesh.positions.size(), 0);
@@ -89,11 +68,26 @@ std::size_t countCollinear(const Mesh& mesh) {
   }));
 }
 
-std::size_t countDuplicates(const Mesh& mesh) {
+std::size_t countDuplicates(const Mesh& mesh, const EdgeTable& edges) {
+  if (!mayHaveDuplicates(mesh.triangles, edges)) return 0;
   std::vector<Triangle> sorted = mesh.triangles;
   for (Triangle& t : sorted) std::sort(t.begin(), t.end());
   std::sort(sorted.begin(), sorted.end());
   return static_cast<std::size_t>(sorted.end() - std::unique(sorted.begin(), sorted.end()));
+}
+
+/// Edges whose two triangles run along them in the same direction.
+std::size_t countMisoriented(const Mesh& mesh, const EdgeTable& edges) {
+  const auto start = [&](std::uint32_t halfEdge) { return mesh.triangles[halfEdge / 3][halfEdge % 3]; };
+  std::size_t count = 0;
+  for (std::size_t e = 0; e < edges.size(); ++e)
+    count += edges.at(e).size() == 2 && start(edges.at(e)[0]) == start(edges.at(e)[1]);
+  return count;
+}
+
+bool anyRepeatsAVertex(const Mesh& mesh) {
+  return std::any_of(mesh.triangles.begin(), mesh.triangles.end(),
+                     [](const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });
 }
 
 }  // namespace
@@ -123,11 +117,16 @@ Result<SolidityReport> checkSolidity(const Mesh& mesh, std::span<const std::uint
   SolidityReport report;
   report.triangles = mesh.triangles.size();
   report.vertices = mesh.positions.size();
-  Fans fans(3 * mesh.triangles.size());
-  checkEdges(mesh, sortedHalfEdges(mesh), fans, report);
-  report.nonManifoldVertices = countVerticesOfSeveralFans(mesh, fans);
+  const EdgeTable edges = buildEdgeTable(mesh.triangles);
+  const Defects defects = findDefects(mesh, edges, buildAdjacency(mesh.triangles, edges));
+  report.openEdges = defects.openEdges;
+  report.nonManifoldEdges = defects.nonManifoldEdges;
+  report.misorientedEdges = countMisoriented(mesh, edges);
+  // A closed surface's fans are counted by walking round its vertices, others by joining corners.
+  const bool simple = defects.openEdges + defects.nonManifoldEdges == 0 && !anyRepeatsAVertex(mesh);
+  report.nonManifoldVertices = simple ? defects.nonManifoldVertices : countVerticesOfSeveralFans(mesh, edges);
   report.degenerateTriangles = countCollinear(mesh);
-  report.duplicateTriangles = countDuplicates(mesh);
+  report.duplicateTriangles = countDuplicates(mesh, edges);
   report.volumeMm3 = signedVolume(mesh);
   const auto crossings = findSelfIntersections(mesh, suspects);
   if (!crossings) return tl::unexpected(crossings.error());

@@ -21,6 +21,7 @@ export class Engraver {
     this.result = page.getByRole('region', { name: 'Result' });
     this.placement = page.locator('#placement-facts');
     this.facts = page.locator('#model-facts');
+    this.spots = page.getByRole('list', { name: 'Spots' }).getByRole('button');
   }
 
   /** @param {string} [query] */
@@ -48,6 +49,12 @@ export class Engraver {
   async centre() {
     const values = await Promise.all(['x', 'y', 'z'].map((axis) => this.page.locator(`#centre-${axis}`).inputValue()));
     return values.map(Number);
+  }
+
+  /** Has spots suggested and waits for them. */
+  async suggest() {
+    await this.page.getByRole('button', { name: 'Suggest spots' }).click();
+    await expect(this.status).toHaveText('Choose a spot, or click the model.');
   }
 
   /** Clicks Engrave and waits for the result. */

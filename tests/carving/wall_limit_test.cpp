@@ -6,7 +6,6 @@
 #include <cmath>
 #include <functional>
 #include <gtest/gtest.h>
-#include <limits>
 
 #include "math/tolerance.h"
 #include "support/brute_force.h"
@@ -28,17 +27,11 @@ struct Case {
 
   ProjectionFrame frame{};
   SubmoduleMask mask{};
-  std::vector<float> base{};
 
   void prepare() {
     const brute_force::Hit top = brute_force::castRay(mesh, {0, 0, 500}, {0, 0, -1});
     frame = makeFrame({0, 0, 500 - top.distance}, {0, 0, 1}, {0, 1, 0}, 250);
     mask = {size, std::vector<std::uint8_t>(static_cast<std::size_t>(size * size), 1)};
-    base.clear();
-    for (int row = 0; row < size; ++row)
-      for (int column = 0; column < size; ++column)
-        base.push_back(static_cast<float>(
-            brute_force::castRay(mesh, frame.eye(), frame.rayDirection(plane(row + 0.5, column + 0.5))).distance));
   }
 
   /// Plane point of a grid position, corners at whole numbers.
@@ -47,15 +40,19 @@ struct Case {
     return {-symbolMm / 2 + column * h, symbolMm / 2 - row * h};
   }
 
-  std::vector<double> limits() const {
+  VisiblePatch patch() const {
     const brute_force::Hit seed = brute_force::castRay(mesh, frame.eye(), {0, 0, -1});
-    const Result<VisiblePatch> patch =
-        findVisiblePatch(mesh, buildAdjacency(mesh.triangles), frame, seed.triangle, patchRadiusMm);
-    return wallLimits(mesh, patch.value(), frame, mask, base,
+    return findVisiblePatch(mesh, buildAdjacency(mesh.triangles), frame, seed.triangle, patchRadiusMm).value();
+  }
+
+  std::vector<double> limits() const { return limits(patch()); }
+  std::vector<double> limits(const VisiblePatch& patch) const {
+    return wallLimits(mesh, patch, frame, mask,
                       {.symbolMm = symbolMm, .maxDepthMm = maxDepthMm, .minWallMm = minWallMm});
   }
 
-  /// The closed form, evaluated at centre and corners as `limitAt(point of a flat upper side at height z, ray)`.
+  /// The closed form, which is least at a corner or the centre, as `limitAt(point of a flat upper side at height z,
+  /// ray)`.
   void expectLimits(double z, const std::function<double(Vec3, Vec3)>& limitAt) const {
     const std::vector<double> actual = limits();
     for (int row = 0; row < size; ++row) {
@@ -67,9 +64,8 @@ struct Case {
           expected = std::min(expected, std::max(0.0, limitAt(surface, ray)));
         }
         const double limit = actual[static_cast<std::size_t>(row * size + column)];
-        // Distances are 32-bit floats: 0.02 µm at 250 mm.
-        EXPECT_LE(limit, expected + 1e-3) << "row " << row << ", column " << column;
-        EXPECT_GE(limit, expected - kResolution - 1e-3) << "row " << row << ", column " << column;
+        EXPECT_LE(limit, expected + 1e-6) << "row " << row << ", column " << column;
+        EXPECT_GE(limit, expected - kResolution - 1e-6) << "row " << row << ", column " << column;
       }
     }
   }
@@ -150,7 +146,7 @@ TEST(WallLimit, NeverLetsABallAtAFloorTouchAHiddenFacetByBruteForce) {
     const double limit = limits[static_cast<std::size_t>(k)];
     limited += limit < c.maxDepthMm;
     const Vec3 ray = c.frame.rayDirection(c.plane(k / c.size + 0.5, k % c.size + 0.5));
-    const Vec3 floor = c.frame.eye() + ray * (static_cast<double>(c.base[static_cast<std::size_t>(k)]) + limit);
+    const Vec3 floor = c.frame.eye() + ray * (brute_force::castRay(c.mesh, c.frame.eye(), ray).distance + limit);
     double nearest = 1e9;
     for (std::size_t t = outer.triangles.size(); t < c.mesh.triangles.size(); ++t)
       nearest = std::min(
@@ -160,13 +156,80 @@ TEST(WallLimit, NeverLetsABallAtAFloorTouchAHiddenFacetByBruteForce) {
   EXPECT_GT(limited, 32u);
 }
 
-TEST(WallLimit, IsZeroWhereNothingIsCarvedOrThereIsNoSurface) {
+TEST(WallLimit, IsZeroWhereNothingIsCarved) {
   Case c{.mesh = shapes::box({60, 60, 60})};
   c.prepare();
   c.mask.carved[5] = 0;
-  c.base[9] = std::numeric_limits<float>::quiet_NaN();
   const std::vector<double> limits = c.limits();
-  for (std::size_t k = 0; k < limits.size(); ++k) EXPECT_EQ(limits[k], k == 5 || k == 9 ? 0 : 3);
+  for (std::size_t k = 0; k < limits.size(); ++k) EXPECT_EQ(limits[k], k == 5 ? 0 : 3);
+}
+
+TEST(WallLimit, IsZeroWhereThePatchDoesNotCoverTheSubmodule) {
+  // The box ends 1 mm within the symbol on the left and right, which the outermost columns stick out of.
+  Case c{.mesh = shapes::box({8, 200, 60})};
+  c.prepare();
+  c.minWallMm = 0;
+  const std::vector<double> limits = c.limits();
+  for (std::size_t k = 0; k < limits.size(); ++k) {
+    const bool outermost = k % 8 == 0 || k % 8 == 7;
+    EXPECT_EQ(limits[k] == 0, outermost) << k;
+  }
+}
+
+TEST(WallLimit, BesideADraftedSideThatTheEyeSeesKeepsTheWall) {
+  // A mould's draft of 5°: sides lean outwards by tan 5° a mm, and rays by half a mm in ten.
+  Mesh block = shapes::box({22, 200, 40});
+  const double slope = std::tan(5 * 0.017453292519943295);
+  for (Vec3f& p : block.positions)
+    if (p.z < 0) p.x += static_cast<float>(p.x > 0 ? 40 * slope : -40 * slope);
+  Case c{.mesh = block, .symbolMm = 20.8, .size = 26};
+  c.prepare();
+  ASSERT_EQ(c.patch().triangles.size(), 6u);  // the top and both sides are seen
+  const Vec3 outward = glm::normalize(Vec3(1, 0, slope));
+  c.expectLimits(20, [&](Vec3 p, Vec3 ray) {
+    const Vec3 mirrored(std::abs(p.x), p.y, p.z), down(std::abs(ray.x), ray.y, ray.z);
+    const double distance = glm::dot(Vec3(11, 0, 20) - mirrored, outward) - c.minWallMm;
+    if (distance < 0) return 0.0;
+    return glm::dot(down, outward) > 0 ? distance / glm::dot(down, outward) : 1e9;
+  });
+}
+
+TEST(WallLimit, BesideASharpRidgeIsMeasuredThroughItThoughTheEyeSeesBothSides) {
+  // A roof of 50° at its ridge along y: beside the ridge the material is thin from the start.
+  const double slope = 1 / std::tan(25 * 0.017453292519943295);
+  Mesh roof;
+  roof.positions = {{-10, -100, static_cast<float>(-10 * slope)},
+                    {10, -100, static_cast<float>(-10 * slope)},
+                    {10, 100, static_cast<float>(-10 * slope)},
+                    {-10, 100, static_cast<float>(-10 * slope)},
+                    {0, -100, 0},
+                    {0, 100, 0}};
+  roof.triangles = {{0, 2, 1}, {0, 3, 2}, {0, 1, 4}, {2, 3, 5}, {1, 2, 5}, {1, 5, 4}, {3, 0, 4}, {3, 4, 5}};
+  Case c{.mesh = roof, .symbolMm = 4, .size = 20};
+  c.prepare();
+  ASSERT_GT(signedVolume(roof), 0);
+  const Vec3 right = glm::normalize(Vec3(slope, 0, 1));
+  const std::vector<double> limits = c.limits();
+  for (int k = 0; k < c.size * c.size; ++k) {
+    // Through the roof, perpendicularly to its other side, from the point of the submodule nearest to the ridge.
+    double thickness = 1e9;
+    for (const double across : {0.0, 1.0}) {
+      const Vec3 ray = c.frame.rayDirection(c.plane(k / c.size + 0.5, k % c.size + across));
+      const brute_force::Hit hit = brute_force::castRay(roof, c.frame.eye(), ray);
+      const Vec3 p = c.frame.eye() + ray * hit.distance;
+      thickness = std::min(thickness, std::abs(glm::dot(right, Vec3(-std::abs(p.x), p.y, p.z))));
+    }
+    EXPECT_EQ(limits[static_cast<std::size_t>(k)] == 0, thickness < c.minWallMm) << k << ": " << thickness;
+  }
+}
+
+TEST(WallLimit, OfARoofThatIsNotSharpIsTheGreatestDepth) {
+  // 120° at the ridge: both sides are one surface to be carved.
+  const double slope = 1 / std::tan(60 * 0.017453292519943295);
+  const Mesh roof = shapes::plate({40, 40}, 40, 2, 2, [&](double x, double) { return -slope * std::abs(x); });
+  Case c{.mesh = roof};
+  c.prepare();
+  for (const double limit : c.limits()) EXPECT_EQ(limit, 3);
 }
 
 TEST(WallLimit, IsZeroWithoutDepth) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The command as scripts see it: exit statuses, what is printed where, what is written.
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
@@ -10,6 +11,7 @@
 #include "io/read_model.h"
 #include "io/write_stl.h"
 #include "support/shapes.h"
+#include "support/zip_file.h"
 
 namespace qrelief {
 namespace {
@@ -38,11 +40,17 @@ class CommandTest : public testing::Test {
 
   std::string path(const std::string& name) const { return (folder_ / name).string(); }
 
-  std::string writeModel(const std::string& name, const Mesh& mesh) const {
-    const std::vector<std::uint8_t> bytes = writeStl(mesh);
+  std::string writeModel(const std::string& name, const Mesh& mesh) const { return writeBytes(name, writeStl(mesh)); }
+
+  std::string writeBytes(const std::string& name, const std::vector<std::uint8_t>& bytes) const {
     std::ofstream(path(name), std::ios::binary)
         .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
     return path(name);
+  }
+
+  Result<PolygonSoup> readBack(const std::string& name) const {
+    const std::string bytes = contentOf(path(name));
+    return readModel(std::span(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()), name);
   }
 
   /// Runs the command; arguments are quoted for the shell.
@@ -95,11 +103,84 @@ TEST_F(CommandTest, UnitsScaleModelAndCentre) {
   EXPECT_NEAR(report["projection"]["centre"][2].get<double>(), 40, 0.1);
 }
 
+TEST_F(CommandTest, WritesTheSameSolidInEveryFormat) {
+  const std::string model = writeModel("ball.stl", shapes::icosphere(40, 4));
+  const auto engrave = [&](const std::string& output, const std::vector<std::string>& more = {}) {
+    std::vector<std::string> arguments = {"engrave", model, "--text", "x",          "--at",   "0,0,40",
+                                          "--size",  "25",  "-o",     path(output), "--quiet"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.status, 0) << output << ": " << outcome.err;
+    return readBack(output);
+  };
+  const auto binary = engrave("out.stl");
+  ASSERT_TRUE(binary);
+  for (const auto& other :
+       {engrave("out.STL", {"--ascii"}), engrave("out.obj"), engrave("out.ply"), engrave("out.3mf")}) {
+    ASSERT_TRUE(other) << other.error().message;
+    ASSERT_EQ(other->triangles.size(), binary->triangles.size()) << other->format;
+    for (std::size_t t = 0; t < binary->triangles.size(); ++t)
+      for (std::size_t k = 0; k < 3; ++k)
+        ASSERT_EQ(Vec3f(other->positions[other->triangles[t][k]]), Vec3f(binary->positions[binary->triangles[t][k]]))
+            << other->format << ", triangle " << t;
+  }
+  EXPECT_EQ(readBack("out.STL")->format, "STL (ASCII)");
+}
+
+TEST_F(CommandTest, A3mfBringsItsOwnUnitUnlessToldOtherwise) {
+  const std::string model =
+      writeBytes("box.3mf", zip_file::threeMf(zip_file::modelPart(zip_file::boxObject(1, 2, 3, 1),
+                                                                  "<item objectid=\"1\"/>", "unit=\"inch\"")));
+  const auto sizeWith = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = {"info", model, "--json", path("info.json")};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    EXPECT_EQ(run(arguments).status, 0);
+    return nlohmann::json::parse(contentOf(path("info.json")))["sizeMm"][0].get<double>();
+  };
+  EXPECT_NEAR(sizeWith({}), 50.8, 1e-5);
+  EXPECT_NEAR(sizeWith({"--units", "cm"}), 20, 1e-5);
+  EXPECT_NEAR(sizeWith({"--scale", "1"}), 2, 1e-5);
+
+  const Outcome outcome = run({"engrave", model, "--text", "x", "--at", "1,1.5,1", "--size", "25", "-o",
+                               path("out.3mf"), "--report", path("out.json"), "--quiet"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const auto report = nlohmann::json::parse(contentOf(path("out.json")));
+  EXPECT_EQ(report["input"]["scaleToMm"], 25.4);
+  EXPECT_NEAR(report["projection"]["centre"][0].get<double>(), 25.4, 1e-4);
+}
+
+TEST_F(CommandTest, DirectionsAndSizesGoByTheNamesOfTheContract) {
+  const std::string model = writeModel("ball.stl", shapes::icosphere(40, 4));
+  const auto engraved = [&](const std::string& direction, const std::string& size) {
+    const Outcome outcome =
+        run({"engrave", model, "--text", "x", "--at", "0,0,40", "--direction", direction, "--size", size, "--max-size",
+             "25", "-o", path("out.stl"), "--report", path("out.json"), "--quiet"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return nlohmann::json::parse(contentOf(path("out.json")));
+  };
+  for (const std::string direction : {"mean-normal", "depth-balanced", "pca", "optimal"})
+    EXPECT_EQ(engraved(direction, "25")["projection"]["method"], direction);
+  const auto given = engraved("0.1,0,1", "best");
+  EXPECT_EQ(given["projection"]["method"], "given");
+  EXPECT_NEAR(given["projection"]["normal"][0].get<double>(), 0.1 / std::sqrt(1.01), 1e-9);
+  EXPECT_EQ(given["size"]["mode"], "best");
+  EXPECT_TRUE(given["size"].contains("rotationDeg"));
+}
+
+TEST_F(CommandTest, ADirectionFromBehindIsNoSolution) {
+  const Outcome outcome = run({"engrave", writeModel("ball.stl", shapes::icosphere(40, 3)), "--text", "x", "--at",
+                               "0,0,40", "--direction", "0,0,-1", "-o", path("out.stl"), "--quiet"});
+  EXPECT_EQ(outcome.status, 4);
+  EXPECT_NE(outcome.err.find("faces away"), std::string::npos) << outcome.err;
+}
+
 TEST_F(CommandTest, BadUsageIsStatusTwo) {
   const std::string model = writeModel("ball.stl", shapes::icosphere(40, 3));
   EXPECT_EQ(run({}).status, 2);
   EXPECT_EQ(run({"engrave", model}).status, 2);
   EXPECT_EQ(run({"engrave", model, "--text", "x", "--at", "0,0,40", "-o", path("out.step")}).status, 2);
+  EXPECT_EQ(run({"engrave", model, "--text", "x", "--at", "0,0,40", "-o", path("out.off")}).status, 2);
+  EXPECT_EQ(run({"engrave", model, "--text", "x", "--at", "0,0,40", "-o", path("out.obj"), "--ascii"}).status, 2);
   EXPECT_EQ(run({"engrave", model, "--text", "x", "--at", "0,0", "-o", path("out.stl")}).status, 2);
   EXPECT_EQ(run({"engrave", model, "--text", "x", "--at", "0,0,40", "-o", path("out.stl"), "--size", "large"}).status,
             2);
@@ -107,6 +188,11 @@ TEST_F(CommandTest, BadUsageIsStatusTwo) {
             2);
   EXPECT_EQ(run({"engrave", model, "--text", "x", "--at", "0,0,40", "-o", path("out.stl"), "--pattern", "dots"}).status,
             2);
+  for (const char* direction : {"upwards", "1,2", "1,2,x", "0,0,0", "1,2,3,4"})
+    EXPECT_EQ(run({"engrave", model, "--text", "x", "--at", "0,0,40", "-o", path("out.stl"), "--direction", direction})
+                  .status,
+              2)
+        << direction;
   EXPECT_FALSE(fs::exists(path("out.stl")));
 }
 
@@ -156,15 +242,61 @@ TEST_F(CommandTest, InfoTellsSizeAndFindings) {
   const auto info = nlohmann::json::parse(contentOf(path("info.json")));
   EXPECT_EQ(info["sizeMm"], nlohmann::json({40, 30, 20}));
   EXPECT_FALSE(info["engravable"].get<bool>());
-  ASSERT_FALSE(info["findings"].empty());
-  EXPECT_EQ(info["findings"][0]["code"], "open-edges");
-  EXPECT_EQ(info["findings"][0]["count"], 3);
+  ASSERT_EQ(info["findings"].size(), 2u);
+  EXPECT_EQ(info["findings"][0]["code"], "large-openings");
+  EXPECT_EQ(info["findings"][1]["code"], "open-edges");
+  EXPECT_EQ(info["findings"][1]["count"], 3);
+}
+
+TEST_F(CommandTest, RepairsAreSwitchedByOptions) {
+  Mesh open = shapes::icosphere(40, 3);
+  open.triangles.pop_back();
+  const std::string model = writeModel("open.stl", open);
+  EXPECT_NE(run({"info", model}).out.find("1 hole was filled"), std::string::npos);
+  EXPECT_NE(run({"info", model, "--no-repair", "weld,holes"}).out.find("3 open edges"), std::string::npos);
+  EXPECT_NE(run({"info", model, "--max-hole", "0.1"}).out.find("too large to be filled"), std::string::npos);
+  EXPECT_EQ(run({"info", model, "--max-hole", "wide"}).status, 2);
+  EXPECT_EQ(run({"info", model, "--weld-tolerance", "-1"}).status, 2);
+  EXPECT_EQ(run({"info", model, "--no-repair", "colours"}).status, 2);
+  EXPECT_EQ(
+      run({"engrave", model, "--text", "x", "--at", "0,0,40", "-o", path("out.stl"), "--no-repair", "all"}).status, 3);
 }
 
 TEST_F(CommandTest, VersionAndHelpAreStatusZero) {
   EXPECT_EQ(run({"--version"}).status, 0);
   EXPECT_EQ(run({"--help"}).status, 0);
   EXPECT_EQ(run({"engrave", "--help"}).status, 0);
+}
+
+TEST_F(CommandTest, PlaceOffersSpotsThatEngraveTakesAsPrinted) {
+  const std::string model = writeModel("ball.stl", shapes::bumpySphere(40, 2, 5, 5));
+  const Outcome placed = run({"place", model, "--size", "20", "--count", "3", "--json", path("spots.json"), "--quiet"});
+  ASSERT_EQ(placed.status, 0) << placed.err;
+  EXPECT_EQ(placed.out.substr(0, 8), "1: --at ");
+  const auto json = nlohmann::json::parse(contentOf(path("spots.json")));
+  ASSERT_EQ(json["spots"].size(), 3u);
+  EXPECT_EQ(json["parameters"]["sizeMm"], 20);
+  EXPECT_GE(json["parameters"]["views"], 200);
+  const std::string at = placed.out.substr(8, placed.out.find(' ', 8) - 8);
+  const Outcome engraved =
+      run({"engrave", model, "--text", "HELLO", "--at", at, "--size", "20", "-o", path("out.stl"), "--quiet"});
+  EXPECT_EQ(engraved.status, 0) << at << engraved.err;
+}
+
+TEST_F(CommandTest, PlaceExitsWithFourAndTheLargestSizeWhereNothingFits) {
+  const std::string model = writeModel("ball.stl", shapes::icosphere(20, 4));
+  const Outcome outcome = run({"place", model, "--size", "50", "--quiet"});
+  EXPECT_EQ(outcome.status, 4);
+  EXPECT_NE(outcome.err.find("the largest found is "), std::string::npos) << outcome.err;
+  EXPECT_EQ(outcome.out, "");
+}
+
+TEST_F(CommandTest, EngravesTheBestSpotWhereNoCentreIsGiven) {
+  const std::string model = writeModel("cube.stl", shapes::box({60, 60, 60}));
+  const Outcome outcome = run({"engrave", model, "--text", "HELLO", "-o", path("out.stl"), "--quiet"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.out.substr(0, 10), "placed at ");
+  EXPECT_NE(outcome.out.find("reads as: HELLO"), std::string::npos);
 }
 
 }  // namespace

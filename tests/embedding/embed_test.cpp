@@ -266,6 +266,23 @@ TEST(Embed, HoldsFarFromTheOriginWhereFloatsAreCoarse) {
   EXPECT_EQ(oracle::solidProblems(*result), "");
 }
 
+TEST(Embed, SaysThatFacetsAreTooFineWhereFloatsCannotHoldPiecesOfThem) {
+  // Every other strip of the plate is four floats wide, so whatever is cut from it collapses.
+  const Vec3 away(937, -840, 1001);
+  Mesh mesh = shapes::plate({40, 40}, 10, 16, 8);
+  for (Vec3f& p : mesh.positions)
+    if (const long line = std::lround((p.x + 20) / 2.5f); line % 2 == 1)
+      p.x = 2.5f * static_cast<float>(line - 1) - 20 + 0x1p-12f;
+  mesh = shapes::translated(mesh, away);
+  ASSERT_TRUE(checkSolidity(mesh)->solid());
+  const auto result = carve(mesh, makeFrame(away, {0.1, 0.2, 1}, {0, 1, 0}, 250),
+                            fieldOf(105, 21, [](int r, int c) { return 0.1 * (1 + (r + c) % 3); }));
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().code, ErrorCode::NoSolution);
+  EXPECT_THAT(result.error().message, testing::HasSubstr("too fine"));
+  EXPECT_THAT(result.error().hint, testing::HasSubstr("erge vertices"));
+}
+
 TEST(Embed, SaysThatACodeBeyondTheRimLeavesTheSurface) {
   const auto result = carve(coarsePlate(), makeFrame({20, 0, 0}, kTowardsZ, {0, 1, 0}, 250),
                             fieldOf(5, 10, [](int, int) { return 0.3; }));

@@ -49,7 +49,7 @@ TEST(Lift, KeepsModelVerticesOfUncarvedPartsBitForBit) {
 TEST(Lift, MovesEachPointAlongItsRayByExactlyTheDepth) {
   const Scene s = halvedFacet(30, 10);
   const LiftedSurface surface = lift(s.mesh, kFrame, s.footprint, s.arrangement);
-  ASSERT_EQ(surface.vertices.size(), 2u + 1u + 1u + 2u);
+  ASSERT_EQ(surface.vertices.size(), 3u + 2u + 2u + 3u);  // the surface itself is a level at every point
   for (std::size_t v = 0; v < surface.vertices.size(); ++v) {
     const auto [point, level] = surface.vertices[v];
     const Vec3 lifted(surface.positions[v]);

@@ -120,5 +120,47 @@ TEST(Outline, LeavesTwoWallsOnEveryStretchOfEveryRayForAllFourDepths) {
   }
 }
 
+TEST(GridOutline, HasANodeAtEveryCornerAndABorderAllRound) {
+  const OutlineGraph graph = buildGridOutlines(levelsOf({"000", "030", "000"}), 0.04);
+  EXPECT_EQ(graph.nodes.size(), 16u);
+  std::size_t border = 0, inner = 0;
+  for (const Outline& o : graph.outlines) {
+    const Vec2 from = graph.nodes[o.from], to = graph.nodes[o.to];
+    const bool centreLeft = cross2(to - from, -from) > 0;
+    if (o.boundsGrid()) {
+      ++border;
+      EXPECT_TRUE(o.meetsModel());
+      EXPECT_EQ(o.leftResampled, centreLeft);
+      EXPECT_EQ(std::max(std::abs(from.x + to.x), std::abs(from.y + to.y)), 3);  // twice the half edge
+    } else {
+      ++inner;
+      EXPECT_FALSE(o.meetsModel());
+      EXPECT_EQ(centreLeft ? o.left : o.right, 3);
+    }
+  }
+  EXPECT_EQ(border, 12u);
+  EXPECT_EQ(inner, 4u);
+}
+
+TEST(GridOutline, LetsNodesOfTheBorderMoveAndNoOthers) {
+  const OutlineGraph graph = buildGridOutlines(levelsOf({"303", "030", "303"}), 0.04);
+  EXPECT_EQ(graph.nodes.size(), 16u + 4u);  // the inner corners are saddles
+  for (std::size_t n = 0; n < graph.nodes.size(); ++n) {
+    const bool onBorder = std::max(std::abs(graph.nodes[n].x), std::abs(graph.nodes[n].y)) == 1.5;
+    EXPECT_EQ(graph.leewayMm[n] > 0, onBorder) << n;
+  }
+}
+
+TEST(GridOutline, LeavesTwoWallsOnEveryStretchOfEveryRayForAllFourDepths) {
+  for (int code = 0; code < 256; ++code) {
+    std::vector<std::string> rows{"00", "00"};
+    for (int k = 0; k < 4; ++k)
+      rows[static_cast<std::size_t>(k / 2)][static_cast<std::size_t>(k % 2)] =
+          static_cast<char>('0' + (code >> 2 * k) % 4);
+    SCOPED_TRACE(rows[0] + "/" + rows[1]);
+    expectAtMostTwoWallsAnywhere(buildGridOutlines(levelsOf(rows), 0.1));
+  }
+}
+
 }  // namespace
 }  // namespace qrelief

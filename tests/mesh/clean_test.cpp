@@ -2,8 +2,10 @@
 #include "mesh/clean.h"
 
 #include <algorithm>
+#include <ctime>
 #include <gtest/gtest.h>
 
+#include "mesh/collinear.h"
 #include "mesh/topology.h"
 #include "support/shapes.h"
 
@@ -97,6 +99,18 @@ TEST(CleanTriangles, DropsAThinFlapThatHangsOnAClosedSurface) {
   mesh.triangles.push_back({4, 8, 5});
   EXPECT_EQ(cleanTriangles(mesh).degenerate, 1u);
   EXPECT_EQ(mesh.triangles, before);
+}
+
+TEST(CleanTriangles, EndsWhereSliversInOneLineFlipEachOther) {
+  // Found by fuzzing: all vertices but one lie in one line.
+  Mesh mesh;
+  mesh.positions = {{0, 0, 0}, {0, -7.9375f, 0}, {0, 0.8125f, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0.5f, 0}};
+  mesh.triangles = {{0, 4, 1}, {0, 1, 2}, {0, 3, 2}, {1, 2, 3}, {0, 2, 1}, {0, 2, 1}, {4, 3, 2}, {5, 0, 4}};
+  const std::clock_t before = std::clock();
+  cleanTriangles(mesh);
+  EXPECT_LT(static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC, 0.1);
+  for (const Triangle& t : mesh.triangles)
+    EXPECT_FALSE(collinear(mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]));
 }
 
 TEST(CleanTriangles, KeepsAWideFlap) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/prepare.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -80,14 +81,106 @@ TEST(PrepareModel, BlocksAnOpenSurfaceAndNamesAPlaceInFileUnits) {
   const PreparedModel model = prepared(mesh, 10);
   expectFinding(model, "open-edges", Severity::Blocking, 3);
   EXPECT_THAT(find(model, "open-edges")->message, HasSubstr("3 open edges around 1 hole or gap, one at (1, "));
+  EXPECT_THAT(find(model, "open-edges")->message, HasSubstr("of facet "));
   EXPECT_EQ(model.engravable().error().code, ErrorCode::BadInput);
-  EXPECT_EQ(model.engravable().error().message, find(model, "open-edges")->message);
+  EXPECT_EQ(model.engravable().error().message, model.findings.front().message);
 }
 
 TEST(PrepareModel, BlocksASurfaceThatIsNotWeldable) {
   PolygonSoup soup = loose(shapes::box({10, 10, 10}));
-  for (std::size_t i = 0; i < soup.positions.size(); ++i) soup.positions[i].x += 1e-4 * static_cast<double>(i);
+  for (std::size_t i = 0; i < soup.positions.size(); ++i) soup.positions[i].x += 1e-2 * static_cast<double>(i);
   expectFinding(*prepareModel(soup, {}), "open-edges", Severity::Blocking, 36);
+}
+
+TEST(PrepareModel, WeldsLooseTrianglesThatNearlyTouchAndSaysHowFarItMovedThem) {
+  const Mesh box = shapes::box({10, 10, 10});  // auto: 1/100000 of the diagonal is 0.00017 mm
+  PolygonSoup soup = loose(box);
+  for (std::size_t i = 0; i < soup.positions.size(); ++i) soup.positions[i].x += 1e-6 * static_cast<double>(i);
+  const auto model = prepareModel(soup, {});
+  ASSERT_TRUE(model);
+  expectFinding(*model, "welded-vertices", Severity::Warning, 28);
+  EXPECT_THAT(find(*model, "welded-vertices")->message, HasSubstr("within 0.000173 mm of another"));
+  EXPECT_EQ(model->mesh.positions.size(), 8u);
+  EXPECT_TRUE(model->engravable());
+  EXPECT_FALSE(prepareModel(soup, {.repair = {.weldNear = false}})->engravable());
+  EXPECT_FALSE(prepareModel(soup, {.repair = {.weldToleranceMm = 0}})->engravable());
+}
+
+TEST(PrepareModel, FillsASmallHoleAndSaysWhere) {
+  Mesh mesh = shapes::icosphere(10, 3);
+  mesh.triangles.erase(mesh.triangles.begin() + 5);
+  const PreparedModel model = prepared(mesh);
+  expectFinding(model, "holes-filled", Severity::Warning, 1);
+  EXPECT_THAT(find(model, "holes-filled")->message, HasSubstr("1 hole was filled with 1 triangle, the largest 1."));
+  EXPECT_EQ(model.findings.size(), 1u);
+  EXPECT_NEAR(signedVolume(model.mesh), signedVolume(shapes::icosphere(10, 3)), 1e-9);
+}
+
+TEST(PrepareModel, RefusesALargeOpeningAndSaysHowLarge) {
+  Mesh mesh = shapes::box({10, 10, 10});
+  std::erase_if(mesh.triangles, [&](const Triangle& t) {
+    return std::all_of(t.begin(), t.end(), [&](std::uint32_t v) { return mesh.positions[v].z > 0; });
+  });
+  const PreparedModel model = prepared(mesh);
+  expectFinding(model, "large-openings", Severity::Blocking, 1);
+  EXPECT_THAT(find(model, "large-openings")->message, HasSubstr("the largest is 14.1 mm across, has 4 edges"));
+  EXPECT_EQ(model.engravable().error().message, find(model, "large-openings")->message);
+  const auto filled = prepareModel(shapes::soupOf(mesh), {.repair = {.maxHoleMm = 15}});
+  EXPECT_TRUE(filled->engravable());
+  EXPECT_NEAR(signedVolume(filled->mesh), 1000, 1e-9);
+}
+
+TEST(PrepareModel, BlocksWhatARepairThatIsSwitchedOffWouldHaveMended) {
+  Mesh stray = shapes::box({10, 10, 10});
+  stray.triangles.push_back(stray.triangles[0]);
+  stray.triangles.push_back({0, 0, 1});
+  Mesh turned = shapes::box({10, 10, 10});
+  std::swap(turned.triangles[3][0], turned.triangles[3][1]);
+  const RepairOptions none = RepairOptions::none();
+  expectFinding(*prepareModel(shapes::soupOf(stray), {.repair = none}), "duplicate-triangles", Severity::Blocking, 1);
+  expectFinding(*prepareModel(shapes::soupOf(stray), {.repair = none}), "degenerate-triangles", Severity::Blocking, 1);
+  expectFinding(*prepareModel(shapes::soupOf(turned), {.repair = none}), "misoriented-triangles", Severity::Blocking,
+                1);
+  expectFinding(*prepareModel(shapes::soupOf(shapes::insideOut(shapes::box({10, 10, 10}))), {.repair = none}),
+                "inside-out", Severity::Blocking, 1);
+}
+
+TEST(PrepareModel, LeavesCrossingsAloneIfToldSo) {
+  const Mesh mesh = shapes::tangledSphere();
+  const auto model = prepareModel(shapes::soupOf(mesh), {.repair = {.untangle = false}});
+  expectFinding(*model, "self-intersections", Severity::Warning, 5);
+  EXPECT_EQ(model->mesh.positions, mesh.positions);
+}
+
+TEST(PrepareModel, KeepsWhichPartATriangleBelongsTo) {
+  Mesh both = shapes::together(shapes::box({10, 10, 10}), shapes::translated(shapes::icosphere(5, 1), {20, 0, 0}));
+  both.triangles.insert(both.triangles.begin(), {0, 0, 1});  // dropped, so the numbers move
+  both.triangles.pop_back();                                 // a hole, which is filled
+  PolygonSoup soup = shapes::soupOf(both);
+  soup.parts = {{"box", 0}, {"ball", 13}};
+  const auto model = prepareModel(soup, {.repair = {.maxHoleMm = 10}});
+  ASSERT_TRUE(model && model->engravable());
+  ASSERT_EQ(model->partOfTriangle.size(), model->mesh.triangles.size());
+  for (std::size_t t = 0; t < model->mesh.triangles.size(); ++t)
+    EXPECT_EQ(model->partOfTriangle[t], model->mesh.corner(t, 0).x > 10 ? 1u : 0u);
+  soup.parts.resize(1);
+  EXPECT_TRUE(prepareModel(soup, {})->partOfTriangle.empty());
+}
+
+TEST(PrepareModel, NamesPartsThatTouchAlongAnEdge) {
+  const Mesh box = shapes::box({10, 10, 10});
+  PolygonSoup soup = shapes::soupOf(shapes::together(box, shapes::translated(box, {10, 10, 0})));
+  soup.parts = {{"left", 0}, {"right", 12}};
+  const auto model = prepareModel(soup, {});
+  expectFinding(*model, "non-manifold-edges", Severity::Blocking, 1);
+  EXPECT_THAT(find(*model, "non-manifold-edges")->message,
+              HasSubstr("parts 1 (\"left\") and 2 (\"right\") touch there"));
+}
+
+TEST(PrepareModel, RefusesAToleranceThatMakesNoSense) {
+  for (const double mm : {-1.0, static_cast<double>(NAN)})
+    EXPECT_EQ(prepareModel(shapes::soupOf(shapes::box({1, 1, 1})), {.repair = {.weldToleranceMm = mm}}).error().code,
+              ErrorCode::BadUsage);
 }
 
 TEST(PrepareModel, BlocksEdgesOfThreeTriangles) {
@@ -113,7 +206,7 @@ TEST(PrepareModel, WarnsOfDegenerateTriangles) {
   const PreparedModel model = prepared(mesh);
   expectFinding(model, "degenerate-triangles", Severity::Warning, 1);
   EXPECT_THAT(find(model, "degenerate-triangles")->message,
-              HasSubstr("1 triangle without area was dropped, one at (-5, -5, -5)"));
+              HasSubstr("1 triangle has no area, one at (-5, -5, -5); dropped"));
 }
 
 TEST(PrepareModel, WarnsOfDuplicateTriangles) {
@@ -179,10 +272,10 @@ TEST(PrepareModel, WarnsOfPartsThatOverlapAndLeavesThemAsTheyAre) {
 TEST(PrepareModel, LooksForSelfIntersectionsOnlyInClosedModels) {
   Mesh mesh = shapes::tangledSphere();
   mesh.triangles.pop_back();
-  const PreparedModel model = prepared(mesh);
-  expectFinding(model, "open-edges", Severity::Blocking, 3);
-  EXPECT_EQ(model.findings.size(), 1u);
-  EXPECT_EQ(model.mesh.positions, mesh.positions);
+  const auto model = prepareModel(shapes::soupOf(mesh), {.repair = {.fillHoles = false}});
+  expectFinding(*model, "open-edges", Severity::Blocking, 3);
+  EXPECT_EQ(model->findings.size(), 1u);
+  EXPECT_EQ(model->mesh.positions, mesh.positions);
 }
 
 TEST(PrepareModel, NotesVerticesThatNoFaceUses) {
@@ -199,8 +292,16 @@ TEST(PrepareModel, WarnsOfATinyModelAndNamesTheUnits) {
   const PreparedModel model = prepared(shapes::box({0.2, 0.1, 0.15}));
   expectFinding(model, "tiny", Severity::Warning, 1);
   EXPECT_THAT(find(model, "tiny")->message, HasSubstr("0.2 x 0.1 x 0.15 mm"));
-  EXPECT_THAT(find(model, "tiny")->hint, HasSubstr("--units m"));
+  EXPECT_EQ(find(model, "tiny")->hint, "In metres, it is 200 x 100 x 150 mm: --units m; or use --scale");
+  ASSERT_EQ(model.unitSuggestions.size(), 1u);
+  EXPECT_EQ(model.unitSuggestions[0].scaleToMm, 1000);
   EXPECT_FALSE(find(prepared(shapes::box({0.2, 0.1, 0.15}), 1000), "tiny"));
+}
+
+TEST(PrepareModel, SuggestsInchesAndCentimetresWhereTheyArePlausible) {
+  EXPECT_THAT(find(prepared(shapes::box({5, 2.5, 1.5})), "tiny")->hint,
+              HasSubstr("In inches, it is 127 x 63.5 x 38.1 mm: --units in; in cm, it is 50 x 25 x 15 mm: --units cm"));
+  EXPECT_THAT(find(prepared(shapes::box({1e-3, 1e-3, 1e-3})), "tiny")->hint, HasSubstr("--scale"));
 }
 
 TEST(PrepareModel, WarnsOfAHugeModel) {

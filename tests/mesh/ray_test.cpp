@@ -81,5 +81,32 @@ TEST(ClosestPoint, GivesTheLowerTriangleInATie) {
 
 TEST(ClosestPoint, OfAnEmptyMeshIsEmpty) { EXPECT_FALSE(closestPoint(Mesh{}, {0, 0, 0})); }
 
+TEST(SurfaceNormalAt, IsTheFacetsWithinAFaceAndOnItsDiagonal) {
+  const Mesh mesh = shapes::box({20, 20, 20});
+  for (const Vec3 query : {Vec3(3, -2, 10), Vec3(0, 0, 10), Vec3(4, 4, 10), Vec3(4, -4, 10)})
+    EXPECT_LT(glm::distance(surfaceNormalAt(mesh, *closestPoint(mesh, query)), Vec3(0, 0, 1)), 1e-12);
+}
+
+TEST(SurfaceNormalAt, IsTheMeanOfBothFacesOnAnEdge) {
+  const Mesh mesh = shapes::box({20, 20, 20});
+  const Vec3 expected = glm::normalize(Vec3(1, 0, 1));
+  EXPECT_LT(glm::distance(surfaceNormalAt(mesh, *closestPoint(mesh, {10, 3, 10})), expected), 1e-12);
+}
+
+TEST(SurfaceNormalAt, IsTheMeanOfTheThreeFacesAtACornerHoweverTheyAreCut) {
+  const Mesh mesh = shapes::box({20, 20, 20});
+  for (const Vec3 corner : {Vec3(10, 10, 10), Vec3(-10, 10, 10), Vec3(10, -10, -10)}) {
+    const Vec3 normal = surfaceNormalAt(mesh, *closestPoint(mesh, corner));
+    EXPECT_LT(glm::distance(normal, glm::normalize(corner)), 1e-12);
+  }
+}
+
+TEST(SurfaceNormalAt, IsTheFacetsOwnWhereAllCancel) {
+  // Two boxes that touch in a face: on it normals are opposite.
+  const Mesh mesh = shapes::together(shapes::box({2, 2, 2}), shapes::translated(shapes::box({2, 2, 2}), {0, 0, 2}));
+  const auto point = closestPoint(mesh, {0.2, 0.1, 1});
+  EXPECT_EQ(surfaceNormalAt(mesh, *point), triangleNormal(mesh, point->triangle));
+}
+
 }  // namespace
 }  // namespace qrelief

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/self_intersection.h"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 
@@ -85,6 +86,24 @@ TEST(FindSelfIntersections, FindsTheSamePairsFromTheSuspectsAlone) {
   }
   const std::vector<std::uint32_t> bystanders{0, 1};  // the first box's lower face
   EXPECT_TRUE(findSelfIntersections(mesh, bystanders)->empty());
+}
+
+TEST(FindSelfIntersections, FindsInALargeMeshWhatItFindsInItsParts) {
+  // Large enough for several pieces of work, on as many cores.
+  const Mesh sphere = shapes::icosphere(10, 5);
+  const Mesh mesh = shapes::together(sphere, shapes::translated(sphere, {18, 1, 2}));
+  const Pairs all = *findSelfIntersections(mesh, {}, 1'000'000);
+  ASSERT_GT(all.size(), 100u);
+  std::vector<std::uint32_t> even;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); t += 2) even.push_back(t);
+  Pairs expected;
+  for (const TrianglePair& pair : all)
+    if (pair[0] % 2 == 0 || pair[1] % 2 == 0) expected.push_back(pair);
+  EXPECT_EQ(*findSelfIntersections(mesh, even, 1'000'000), expected);
+  const Pairs first = *findSelfIntersections(mesh, {}, 50);
+  EXPECT_EQ(first.size(), 50u);
+  EXPECT_EQ(first, *findSelfIntersections(mesh, {}, 50));
+  EXPECT_TRUE(std::includes(all.begin(), all.end(), first.begin(), first.end()));
 }
 
 TEST(FindSelfIntersections, StopsAtTheLimit) { EXPECT_EQ(findSelfIntersections(crossingBoxes(), {}, 3)->size(), 3u); }

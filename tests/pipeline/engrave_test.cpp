@@ -101,6 +101,9 @@ TEST_F(EngraveTest, NoFloorComesNearerToTheBackThanTheMinimumWall) {
   const auto result = engrave(upload(plate), wanted);
   ASSERT_TRUE(result.has_value()) << result.error().message;
   EXPECT_GT(result->limitedSubmodules, 0u);
+  // The walls are known as far as they count: beyond the quiet zone by the wall and the deepest pocket, 1.2 modules.
+  const double moduleMm = result->placement.moduleMm;
+  EXPECT_GE(result->placement.patch.radiusMm, (30 + 8 * moduleMm) / std::sqrt(2.0) + 1 + 1.2 * moduleMm);
   double lowest = 0;
   for (const Vec3f& p : result->mesh.positions)
     if (p.z > -1.29f) lowest = std::min<double>(lowest, p.z);
@@ -261,6 +264,25 @@ TEST_F(EngraveTest, TheReportHasTheKeysOfTheContract) {
   EXPECT_EQ(report["symbol"]["rows"].size(), static_cast<std::size_t>(result->symbol.size));
   EXPECT_TRUE(report["verification"]["decoded"].get<bool>());
   EXPECT_TRUE(report["verification"]["failedChecks"].empty());
+}
+
+TEST_F(EngraveTest, ACentreOnAnEdgeOrACornerIsSeenFromBetweenTheFaces) {
+  const auto model = upload(shapes::box({60, 60, 60}));
+  for (const Vec3 centre : {Vec3(30, 4, 30), Vec3(30, 30, 30)}) {
+    for (const SurfaceMode surface : {SurfaceMode::Preserved, SurfaceMode::Resampled}) {
+      EngraveRequest wanted = request(centre, 15);
+      wanted.surface = surface;
+      wanted.inlay = true;
+      const auto result = engrave(model, wanted);
+      ASSERT_TRUE(result.has_value()) << result.error().message;
+      EXPECT_TRUE(result->solidity.solid()) << testing::PrintToString(result->solidity.problems());
+      EXPECT_TRUE(result->inlaySolidity.solid()) << testing::PrintToString(result->inlaySolidity.problems());
+      if (surface == SurfaceMode::Preserved) {
+        const double lost = signedVolume(model->prepared.mesh) - result->solidity.volumeMm3;
+        EXPECT_NEAR(result->inlaySolidity.volumeMm3, lost, 2e-3);
+      }
+    }
+  }
 }
 
 TEST_F(EngraveTest, AWrongOrMissingReadingIsAFailedCheck) {

@@ -59,6 +59,63 @@ TEST(MapSample, AnOverhangTurnsTheDirectionTowardsTheOverhangingSide) {
   EXPECT_LT(sample.outside.z, -0.4);
 }
 
+TEST(MapSample, APlaneTiltedByAnAngleHasItsClosedFormMeasure) {
+  // From far away the distance is u·tan τ over u = -s/2 … s/2: variance s²·tan² τ/12.
+  const double tilt = 0.3;
+  DirectionOptions options;
+  options.eyeDistanceMm = 2e5;
+  options.sizeMm = 1000;
+  const auto map = makeMap(128, [&](double x, double) {
+    return std::pair(Vec3(std::sin(tilt), 0, std::cos(tilt)), options.eyeDistanceMm + 500 * x * std::tan(tilt));
+  });
+  const MapSample sample = sampleMap(map, 128, options);
+  EXPECT_NEAR(sample.worstAngle, tilt, 0.003);  // the far side is seen s/2 / D = 0.0025 more obliquely
+  EXPECT_NEAR(sample.measure, std::pow(std::tan(tilt), 2) / 12 + 0.02 * (1 - std::cos(sample.worstAngle)), 2e-6);
+  EXPECT_LT(glm::length(sample.leastVariance - Vec3(std::sin(tilt), 0, std::cos(tilt))), 0.01);
+  EXPECT_TRUE(sample.centreIsSeen);
+}
+
+TEST(MapSample, WhatLooksAtTheEyeFromEverywhereAlikeMeasuresNothing) {
+  DirectionOptions options;
+  const auto map = makeMap(64, [&](double x, double y) {
+    const double half = options.sizeMm / 2;
+    return std::pair(glm::normalize(Vec3(-x * half, -y * half, options.eyeDistanceMm)), 250.0);
+  });
+  const MapSample sample = sampleMap(map, 64, options);
+  EXPECT_NEAR(sample.worstAngle, 0, 1e-3);
+  EXPECT_NEAR(sample.measure, 0, 1e-8);
+}
+
+TEST(MapSample, TheWorstAngleIsThatOfTheWorstTwentieth) {
+  DirectionOptions options;
+  options.eyeDistanceMm = 1e5;
+  const auto seenAt = [](double angle) { return Vec3(std::sin(angle), 0, std::cos(angle)); };
+  const auto map = makeMap(100, [&](double x, double) {
+    return std::pair(seenAt(x > 0.9 ? 1.2 : x > 0.8 ? 1.0 : 0.1), 1e5);
+  });
+  // Five columns of a hundred are at 1.2; the next five at 1.0.
+  EXPECT_NEAR(sampleMap(map, 100, options).worstAngle, 1.2, 1e-3);
+}
+
+TEST(MapSample, OutsideTexelsCountAsHalfAnEdgeOffAndEdgeOn) {
+  const auto nothing = makeMap(32, [](double, double) { return std::pair(Vec3(0), 0.0); });
+  EXPECT_DOUBLE_EQ(sampleMap(nothing, 32, {}).measure, 0.25 + 0.02);
+  EXPECT_FALSE(sampleMap(nothing, 32, {}).centreIsSeen);
+}
+
+TEST(MapSample, TheCentreIsHiddenWhereSomethingIsNearer) {
+  const auto near = makeMap(64, [](double, double) { return std::pair(Vec3(0, 0, 1), 245.0); });
+  EXPECT_FALSE(sampleMap(near, 64, {}).centreIsSeen);
+  const auto at = makeMap(64, [](double, double) { return std::pair(Vec3(0, 0, 1), 249.9); });
+  EXPECT_TRUE(sampleMap(at, 64, {}).centreIsSeen);
+}
+
+TEST(DirectionMethod, NamesLeadToMethodsAndBack) {
+  for (const char* name : {"mean-normal", "depth-balanced", "pca", "optimal"})
+    EXPECT_STREQ(directionMethodName(*directionMethodByName(name)), name);
+  EXPECT_FALSE(directionMethodByName("up").has_value());
+}
+
 class DirectionTest : public GlTest {
  protected:
   void SetUp() override {
@@ -93,6 +150,26 @@ TEST_F(DirectionTest, OnASphereTheDirectionIsTheRadiusWhateverTheFirstNormal) {
     const double limit = method == DirectionMethod::MeanNormal ? 0.06 : 0.01;
     EXPECT_LT(glm::length(found.normal() - Vec3(0, 0, 1)), limit) << static_cast<int>(method);
   }
+}
+
+TEST_F(DirectionTest, ThePrincipalAxisOfATiltedPlaneIsItsNormal) {
+  const Mesh plane = shapes::plate({200, 200}, 80, 4, 4, [](double x, double y) { return 0.3 * x + 0.2 * y; });
+  const DirectionSearch found = search(plane, {0, 0, 0}, {0.2, 0, 1}, {.method = DirectionMethod::Pca, .sizeMm = 30});
+  EXPECT_LT(glm::length(found.normal() - glm::normalize(Vec3(-0.3, -0.2, 1))), 1e-4);
+  EXPECT_EQ(found.iterations().size(), 2u);
+  EXPECT_EQ(found.iterations()[1].normal, found.normal());
+}
+
+TEST_F(DirectionTest, ThePrincipalAxisOfASphereACylinderAndASaddlePointsOutwards) {
+  DirectionOptions options;
+  options.method = DirectionMethod::Pca;
+  options.sizeMm = 25;
+  const DirectionSearch sphere = search(shapes::icosphere(40, 6), {0, 0, 40}, {0, 0, 1}, options);
+  EXPECT_LT(glm::length(sphere.normal() - Vec3(0, 0, 1)), 0.01);
+  const DirectionSearch cylinder = search(shapes::cylinder(30, 120, 96), {30, 0, 0}, {1, 0, 0}, options);
+  EXPECT_LT(glm::length(cylinder.normal() - Vec3(1, 0, 0)), 0.01);
+  const Mesh saddle = shapes::plate({80, 80}, 40, 80, 80, [](double x, double y) { return 0.01 * (x * x - y * y); });
+  EXPECT_LT(glm::length(search(saddle, {0, 0, 0}, {0, 0, 1}, options).normal() - Vec3(0, 0, 1)), 0.01);
 }
 
 TEST_F(DirectionTest, OnAFlatFaceItStopsAfterOneUpdate) {

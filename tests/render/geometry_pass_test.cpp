@@ -51,6 +51,31 @@ TEST_F(GeometryPassTest, ASphereHasItsClosedFormDistancesAndNormals) {
   EXPECT_LT(worstSmooth, 0.003);
 }
 
+TEST_F(GeometryPassTest, ASmallWindowOnALargeMeshMissesNoFacet) {
+  // Only clusters of facets near the window are drawn: a hole would show wherever one is left out in vain.
+  const double radius = 30;
+  const GpuMesh sphere = upload(shapes::icosphere(radius, 6));
+  for (const Vec3 towards : {Vec3(1, 0, 0), Vec3(-0.3, 0.8, 0.2), Vec3(0.5, -0.5, -0.7), Vec3(0, -1, 0.1)}) {
+    for (const double extent : {3.0, 11.0, 20.0}) {
+      const Vec3 normal = glm::normalize(towards);
+      const ProjectionFrame frame = makeFrame(normal * radius, normal, {0, 0, 1}, 90);
+      const auto maps = pass_.render(sphere, frame, {extent, 64});
+      ASSERT_TRUE(maps.has_value());
+      const std::vector<float> smooth = maps->framebuffer.readRgba(1);
+      double worst = 0;
+      for (int row = 0; row < 64; ++row) {
+        for (int column = 0; column < 64; ++column) {
+          const Vec3 ray = frame.rayDirection(MapWindow{extent, 64}.planePoint(column, row));
+          const double b = glm::dot(frame.eye(), ray);
+          const double t = -b - std::sqrt(b * b - glm::dot(frame.eye(), frame.eye()) + radius * radius);
+          worst = std::max(worst, std::abs(smooth[4 * static_cast<std::size_t>(row * 64 + column) + 3] - t));
+        }
+      }
+      EXPECT_LT(worst, 0.01) << extent;
+    }
+  }
+}
+
 TEST_F(GeometryPassTest, FacetNormalsAreThoseOfTheFacetNotOfTheVertices) {
   const GpuMesh box = upload(shapes::box({40, 40, 20}));
   const ProjectionFrame frame = makeFrame({0, 0, 10}, {0, 0, 1}, {0, 1, 0}, 250);

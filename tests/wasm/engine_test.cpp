@@ -9,6 +9,7 @@
 #include "io/write_stl.h"
 #include "support/gl_test.h"
 #include "support/shapes.h"
+#include "support/zip_file.h"
 
 namespace qrelief {
 namespace {
@@ -104,6 +105,14 @@ TEST_F(EngineTest, TheFreeSizeOnABoxesTopIsTheClosedForm) {
   EXPECT_NEAR(placement["moduleMm"].get<double>() * 29, placement["symbolMm"].get<double>(), 1e-9);
 }
 
+TEST_F(EngineTest, AScaleOfZeroLeavesTheUnitToTheFile) {
+  const auto inches = zip_file::threeMf(
+      zip_file::modelPart(zip_file::boxObject(1, 2, 3, 1), "<item objectid=\"1\"/>", "unit=\"inch\""));
+  EXPECT_EQ(Json::parse(engine_->loadModel(inches, "a.3mf", 0))["model"]["scaleToMm"], 25.4);
+  EXPECT_EQ(Json::parse(engine_->loadModel(inches, "a.3mf", 10))["model"]["scaleToMm"], 10);
+  EXPECT_EQ(Json::parse(engine_->loadModel(writeStl(shapes::box({9, 9, 9})), "a.stl", 0))["model"]["scaleToMm"], 1);
+}
+
 TEST_F(EngineTest, WhatIsMissingIsNamed) {
   expectError(engine_->placement(), "BadUsage", "no model");
   expectError(engine_->startEngrave(), "BadUsage", "no model");
@@ -145,6 +154,11 @@ TEST_F(EngineTest, EngravesStepByStepAndReportsWhatCameOut) {
   ASSERT_TRUE(carved.has_value());
   EXPECT_EQ(carved->triangles.size(), report["mesh"]["triangles"].get<std::size_t>());
   EXPECT_TRUE(engine_->exportModel("gif").empty());
+  for (const char* format : {"obj", "ply", "3mf"}) {
+    const auto same = readModel(engine_->exportModel(format), std::string("carved.") + format);
+    ASSERT_TRUE(same.has_value()) << format << ": " << same.error().message;
+    EXPECT_EQ(same->triangles.size(), carved->triangles.size()) << format;
+  }
 
   engine_->pick(200, 150);  // a new place: the result can still be had
   EXPECT_FALSE(engine_->exportModel("stl").empty());
@@ -176,6 +190,40 @@ TEST_F(EngineTest, TheUpAxisIsWhereTheCodesTopPoints) {
   const Json answer = Json::parse(engine_->placement());
   ASSERT_EQ(answer["ok"], true) << answer;
   EXPECT_NEAR(answer["placement"]["up"][1].get<double>(), 1, 1e-6);
+}
+
+TEST_F(EngineTest, FindsSpotsThatTakeTheSizeTheyPromise) {
+  ASSERT_EQ(load(shapes::box({60, 50, 20}))["ok"], true);
+  ASSERT_EQ(Json::parse(engine_->configure(kSettings))["ok"], true);
+  EXPECT_TRUE(Json::parse(engine_->spots())["spots"].empty());
+  ASSERT_EQ(Json::parse(engine_->startPlacing())["ok"], true);
+  for (bool done = false; !done;) {
+    const Json progress = Json::parse(engine_->advancePlacing());
+    ASSERT_EQ(progress["ok"], true) << progress;
+    done = progress["done"];
+  }
+  const Json found = Json::parse(engine_->spots());
+  ASSERT_FALSE(found["spots"].empty());
+  EXPECT_EQ(std::fmod(found["topMm"].get<double>(), 5), 0);
+  for (std::size_t i = 0; i < found["spots"].size(); ++i) {
+    const Json chosen = Json::parse(engine_->chooseSpot(i));
+    for (int k = 0; k < 3; ++k) EXPECT_NEAR(chosen["centre"][k], found["spots"][i]["centre"][k], 1e-9);
+    const Json placement = Json::parse(engine_->placement());
+    ASSERT_EQ(placement["ok"], true) << placement;
+    EXPECT_NEAR(placement["placement"]["guaranteedMm"], found["spots"][i]["sizeMm"], 1e-6);
+  }
+  expectError(engine_->chooseSpot(100), "BadUsage", "no such spot");
+}
+
+TEST_F(EngineTest, ASearchForSpotsThatIsCancelledLeavesNone) {
+  expectError(engine_->startPlacing(), "BadUsage", "no model");
+  ASSERT_EQ(load(shapes::icosphere(40, 4))["ok"], true);
+  ASSERT_EQ(Json::parse(engine_->configure(kSettings))["ok"], true);
+  ASSERT_EQ(Json::parse(engine_->startPlacing())["ok"], true);
+  ASSERT_EQ(Json::parse(engine_->advancePlacing())["ok"], true);
+  engine_->cancelPlacing();
+  expectError(engine_->advancePlacing(), "BadUsage", "no search");
+  EXPECT_TRUE(Json::parse(engine_->spots())["spots"].empty());
 }
 
 }  // namespace

@@ -29,9 +29,10 @@ TEST(Settings, EverySettingArrives) {
 }
 
 TEST(Settings, WhatIsMissingOrNullHasItsDefault) {
-  const auto request = readSettings(R"({"text": "x", "maxDepthMm": null, "size": "oriented"})");
+  const auto request = readSettings(R"({"text": "x", "maxDepthMm": null, "size": "best", "direction": "optimal"})");
   ASSERT_TRUE(request.has_value());
-  EXPECT_EQ(request->placement.sizeMode, SizeMode::Oriented);
+  EXPECT_EQ(request->placement.sizeMode, SizeMode::Best);
+  EXPECT_EQ(request->placement.directionMethod, DirectionMethod::Optimal);
   EXPECT_FALSE(request->maxDepthMm.has_value());
   EXPECT_EQ(request->symbol.errorCorrection, ErrorCorrection::M);
   EXPECT_EQ(request->contrast, EngraveRequest{}.contrast);

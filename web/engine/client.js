@@ -10,6 +10,11 @@ import { EngineFailure, crash, describeThrown } from './engine_error.js';
 
 const kCancelPatienceMs = 4000;  // a worker that does not stop within this time is replaced
 
+/**
+ * Aborting leaves the model usable, at once if the module answers, else in a new worker.
+ * @typedef {{ signal: AbortSignal, onProgress: (progress: EngraveProgress) => void }} JobOptions
+ */
+
 /** @typedef {{ resolve: (value: any) => void, reject: (reason: unknown) => void }} Pending */
 
 /**
@@ -77,11 +82,27 @@ export class EngineClient {
   }
 
   /**
-   * @param {{ signal: AbortSignal, onProgress: (progress: EngraveProgress) => void }} options  aborting leaves the model
-   *   usable, at once if the module answers, else in a new worker
+   * @param {JobOptions} options
    * @returns {Promise<boolean>}  false if it was cancelled
    */
-  async engrave({ signal, onProgress }) {
+  async engrave(options) {
+    return (await this.runJob_('engrave', options)) ?? false;
+  }
+
+  /**
+   * @param {JobOptions} options
+   * @returns {Promise<import('./types.js').Spots | undefined>}  none if it was cancelled
+   */
+  async findSpots(options) {
+    return (await this.runJob_('findSpots', options)) ?? undefined;
+  }
+
+  /**
+   * @param {string} verb
+   * @param {JobOptions} options
+   * @returns {Promise<any>}  undefined if the worker had to be replaced to cancel it
+   */
+  async runJob_(verb, { signal, onProgress }) {
     /** @type {ReturnType<typeof setTimeout> | undefined} */ let patience;
     const cancel = () => {
       patience = setTimeout(() => void this.replace(), kCancelPatienceMs);
@@ -90,9 +111,9 @@ export class EngineClient {
     signal.addEventListener('abort', cancel, { once: true });
     this.onProgress_ = onProgress;
     try {
-      return await this.call_('engrave');
+      return await this.call_(verb);
     } catch (thrown) {
-      if (signal.aborted && isReplaced(thrown)) return false;
+      if (signal.aborted && isReplaced(thrown)) return undefined;
       throw thrown;
     } finally {
       clearTimeout(patience);
@@ -100,6 +121,12 @@ export class EngineClient {
       this.onProgress_ = undefined;
     }
   }
+
+  /** @param {number} index  into the spots found last @returns {Promise<import('./types.js').PickResult>} */
+  chooseSpot(index) { return this.call_('chooseSpot', index); }
+
+  /** @param {boolean} shown  the largest sizes, as colours on the model @returns {Promise<void>} */
+  showSizes(shown) { return this.call_('showSizes', shown); }
 
   /** @param {Settings} settings @returns {Promise<void>} */
   configure(settings) { return this.call_('configure', settings); }

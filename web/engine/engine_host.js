@@ -40,7 +40,7 @@ function yieldToMessages() {
   });
 }
 
-/** Turns verbs into calls of the module, draws on demand, and runs the engraving in slices. */
+/** Turns verbs into calls of the module, draws on demand, and runs the jobs in slices. */
 export class EngineHost {
   /**
    * @param {Engine} engine
@@ -55,7 +55,7 @@ export class EngineHost {
     /** @type {WebGLSync | null} */ this.fence_ = null;  // behind the last frame
     this.notify_ = notify;
     this.frameRequested_ = false;
-    this.engraving_ = false;
+    this.working_ = false;
     this.cancelled_ = false;
     this.lost_ = false;
     this.inspectorShown_ = false;
@@ -139,6 +139,12 @@ export class EngineHost {
       }
     },
 
+    findSpots: async () => ((await this.findSpots_()) ? parseAnswer(this.engine_.spots()) : null),
+    /** @param {number} index */
+    chooseSpot: (index) => this.drawn_(parseAnswer(this.engine_.chooseSpot(index))),
+    /** @param {boolean} shown */
+    showSizes: (shown) => this.drawn_(this.engine_.showSizes(shown)),
+
     engrave: () => this.engrave_(),
     cancel: () => {
       this.cancelled_ = true;
@@ -152,7 +158,15 @@ export class EngineHost {
     /** @param {string} text @param {string} reader */
     setReadBack: (text, reader) => this.engine_.setReadBack(text, reader),
     /** @param {string} format */
-    exportModel: (format) => this.engine_.exportModel(format).slice(),
+    exportModel: (format) => {
+      const bytes = this.engine_.exportModel(format);
+      if (bytes.length > 0) return bytes.slice();
+      throw new EngineFailure({
+        code: 'Internal',
+        message: `The model could not be written as ${format.toUpperCase()}`,
+        hint: 'Choose another format.',
+      });
+    },
 
     /** @param {boolean} dark */
     setTheme: (dark) => this.drawn_(this.engine_.setTheme(dark)),
@@ -175,7 +189,7 @@ export class EngineHost {
     if (action.kind === 'pointer') {
       if (!this.inspectorShown_) return;
       this.inspectorTakes_ = this.engine_.inspectorPointer(action.x, action.y, action.buttons, action.wheel);
-    } else if (this.inspectorTakes_ && action.kind !== 'fit' && action.kind !== 'readerView') {
+    } else if (this.inspectorTakes_ && action.kind !== 'fit' && action.kind !== 'readerView' && action.kind !== 'face') {
       return;
     } else if (action.kind === 'orbit') {
       this.engine_.orbit(action.dx, action.dy);
@@ -185,36 +199,55 @@ export class EngineHost {
       this.engine_.zoom(action.factor, action.x, action.y);
     } else if (action.kind === 'fit') {
       this.engine_.fit();
+    } else if (action.kind === 'face') {
+      this.engine_.faceCode();
     } else {
       this.engine_.readerView();
     }
     this.invalidate_();
   }
 
-  /** Runs the whole job in slices; returns whether it came to its end (false: cancelled). */
-  async engrave_() {
-    if (this.engraving_) throw new EngineFailure({ code: 'Busy', message: 'An engraving is already running', hint: '' });
-    this.engraving_ = true;
+  engrave_() {
+    return this.runJob_({
+      start: () => this.engine_.startEngrave(), advance: () => this.engine_.advance(), cancel: () => this.engine_.cancel(),
+    });
+  }
+
+  findSpots_() {
+    return this.runJob_({
+      start: () => this.engine_.startPlacing(),
+      advance: () => this.engine_.advancePlacing(),
+      cancel: () => this.engine_.cancelPlacing(),
+    });
+  }
+
+  /**
+   * Runs a whole job in slices; returns whether it came to its end (false: cancelled).
+   * @param {{ start: () => string, advance: () => string, cancel: () => void }} job
+   */
+  async runJob_(job) {
+    if (this.working_) throw new EngineFailure({ code: 'Busy', message: 'Another job is already running', hint: '' });
+    this.working_ = true;
     this.cancelled_ = false;
     try {
-      parseAnswer(this.engine_.startEngrave());
+      parseAnswer(job.start());
       for (let done = false; !done;) {
         const sliceEnd = performance.now() + kSliceMs;
         let progress;
         do {
-          progress = parseAnswer(this.engine_.advance());
+          progress = parseAnswer(job.advance());
         } while (!progress.done && performance.now() < sliceEnd);
         this.notify_({ event: 'progress', progress: { stage: progress.stage, fraction: progress.fraction } });
         done = progress.done;
         await yieldToMessages();
         if (this.cancelled_ && !done) {
-          this.engine_.cancel();
+          job.cancel();
           return false;
         }
       }
       return true;
     } finally {
-      this.engraving_ = false;
+      this.working_ = false;
       this.invalidate_();
     }
   }
@@ -257,7 +290,7 @@ export class EngineHost {
       this.gl_.deleteSync(this.fence_);
       this.fence_ = this.gl_.fenceSync(this.gl_.SYNC_GPU_COMMANDS_COMPLETE, 0);
       this.gl_.flush();
-      if (wantsAnother && !this.engraving_) this.invalidate_();  // refinement waits while the job runs
+      if (wantsAnother && !this.working_) this.invalidate_();  // refinement waits while the job runs
     } catch (thrown) {
       this.lost_ = true;
       this.notify_({ event: 'failure', error: describeThrown(thrown) });

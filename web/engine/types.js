@@ -6,8 +6,9 @@
  *   Finding */
 
 /**
- * @typedef {{ format: string, triangles: number, vertices: number, sizeMm: [number, number, number], shells: number,
- *   engravable: boolean, findings: Finding[], centre: [number, number, number] | null }} ModelInfo
+ * @typedef {{ format: string, scaleToMm: number, triangles: number, vertices: number,
+ *   sizeMm: [number, number, number], shells: number, engravable: boolean, findings: Finding[],
+ *   centre: [number, number, number] | null }} ModelInfo
  *   `centre`: a surface point in the middle of the view
  */
 
@@ -22,10 +23,10 @@
  * @property {'L' | 'M' | 'Q' | 'H'} ecc
  * @property {ModulePattern} pattern
  * @property {FinderPattern} finderPattern
- * @property {'free' | 'oriented' | number} size   edge of the symbol without quiet zone; a number is mm
+ * @property {'free' | 'oriented' | 'best' | number} size   edge of the symbol without quiet zone; a number is mm
  * @property {number} maxSizeMm                    upper bound for a size that is found
  * @property {boolean} quietZone                   whether the quiet zone has to fit as well
- * @property {'mean-normal' | 'depth-balanced'} direction
+ * @property {'mean-normal' | 'depth-balanced' | 'pca' | 'optimal'} direction
  * @property {number} rotateDeg
  * @property {number} contrast
  * @property {number} minWallMm
@@ -36,6 +37,11 @@
 /**
  * @typedef {{ centre: [number, number, number], normal: [number, number, number], up: [number, number, number],
  *   symbolMm: number, moduleMm: number, guaranteedMm: number, version: number, modules: number }} Placement
+ */
+
+/**
+ * @typedef {{ spots: { centre: [number, number, number], sizeMm: number }[], topMm: number }} Spots
+ *   best first, with the largest size there; `topMm`: the size of the map's last colour
  */
 
 /** @typedef {{ hit: boolean, centre?: [number, number, number] }} PickResult */
@@ -69,6 +75,12 @@
  * @property {(x: number, y: number) => string} pick
  * @property {(x: number, y: number, z: number) => string} setCentre
  * @property {() => string} placement
+ * @property {() => string} startPlacing
+ * @property {() => string} advancePlacing
+ * @property {() => void} cancelPlacing
+ * @property {() => string} spots
+ * @property {(index: number) => string} chooseSpot
+ * @property {(shown: boolean) => void} showSizes
  * @property {() => string} startEngrave
  * @property {() => string} advance
  * @property {() => void} cancel
@@ -84,6 +96,7 @@
  * @property {(factor: number, x: number, y: number) => void} zoom
  * @property {() => void} fit
  * @property {() => void} readerView
+ * @property {() => void} faceCode
  * @property {() => boolean} draw
  * @property {(shown: boolean) => void} setInspector
  * @property {(x: number, y: number, buttons: number, wheel: number) => boolean} inspectorPointer
@@ -99,7 +112,7 @@
 /**
  * Everything the view may ask for; positions in CSS pixels of the canvas.
  * @typedef {{ kind: 'orbit', dx: number, dy: number } | { kind: 'pan', dx: number, dy: number }
- *   | { kind: 'zoom', factor: number, x: number, y: number } | { kind: 'fit' } | { kind: 'readerView' }
+ *   | { kind: 'zoom', factor: number, x: number, y: number } | { kind: 'fit' } | { kind: 'readerView' } | { kind: 'face' }
  *   | { kind: 'pointer', x: number, y: number, buttons: number, wheel: number }} ViewAction
  */
 

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/model_input.h"
+
+#include <chrono>
+#include <fmt/format.h>
+
+#include "cli/commands.h"
+#include "cli/files.h"
+#include "io/read_model.h"
+
+namespace qrelief {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double millisecondsSince(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+}  // namespace
+
+void addModelFlags(CLI::App& command, ModelFlags& flags) {
+  command.add_option("MODEL", flags.path, "OBJ, STL, PLY, OFF or 3MF file")->required();
+  command.add_option("--scale", flags.scale, "file units → mm [1; 3MF: its own unit]");
+  command.add_option("--units", flags.units, "unit of the file, instead of --scale")
+      ->check(CLI::IsMember({"mm", "cm", "m", "in"}));
+  addRepairFlags(command, flags.repair);
+}
+
+Result<ModelInput> loadModel(const ModelFlags& flags) {
+  const auto start = Clock::now();
+  const auto given = scaleFrom(flags.scale, flags.units);
+  if (!given) return tl::unexpected(given.error());
+  const Result<RepairOptions> repair = repairOptionsFrom(flags.repair);
+  if (!repair) return tl::unexpected(repair.error());
+  const auto bytes = readFile(flags.path);
+  if (!bytes) return tl::unexpected(bytes.error());
+  auto soup = readModel(*bytes, flags.path);
+  if (!soup) return tl::unexpected(soup.error());
+  ModelInput input;
+  input.format = soup->format;
+  input.warnings = soup->warnings;
+  for (const ModelPart& part : soup->parts) input.partNames.push_back(part.name);
+  input.scaleToMm = given->value_or(soup->unitMm.value_or(1));
+  input.loadMs = millisecondsSince(start);
+
+  const auto preparing = Clock::now();
+  auto prepared = prepareModel(*soup, {.scaleToMm = input.scaleToMm, .repair = *repair});
+  if (!prepared) return tl::unexpected(prepared.error());
+  input.prepared = std::move(*prepared);
+  input.prepareMs = millisecondsSince(preparing);
+  return input;
+}
+
+Result<ModelInput> loadEngravable(const ModelFlags& flags) {
+  auto input = loadModel(flags);
+  if (!input) return input;
+  for (const std::string& warning : input->warnings) fmt::print(stderr, "qrelief: {}\n", warning);
+  for (const Finding& finding : input->prepared.findings)
+    if (finding.severity == Finding::Severity::Warning) fmt::print(stderr, "qrelief: {}\n", finding.message);
+  if (const Status engravable = input->prepared.engravable(); !engravable) return tl::unexpected(engravable.error());
+  return input;
+}
+
+}  // namespace qrelief

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <chrono>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "cli/commands.h"
+#include "cli/files.h"
+#include "cli/model_input.h"
+#include "cli/progress_bar.h"
+#include "native/egl_context.h"
+#include "pipeline/place.h"
+
+namespace qrelief {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Json = nlohmann::ordered_json;
+
+constexpr int kDirectionDecimals = 4;
+
+struct PlaceOptions {
+  ModelFlags model;
+  std::string json, text, direction = "depth-balanced", ecc = "M";
+  double size = 0;
+  int version = 0;
+  std::vector<double> up;
+  bool noQuietZone = false, quiet = false;
+  PlaceRequest request;
+};
+
+double millisecondsSince(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+std::string joined(Vec3 v, int decimals) {
+  return fmt::format("{:.{}f},{:.{}f},{:.{}f}", v.x, decimals, v.y, decimals, v.z, decimals);
+}
+
+Json triple(Vec3 v) { return Json::array({v.x, v.y, v.z}); }
+
+Status completeRequest(PlaceOptions& options) {
+  PlaceRequest& request = options.request;
+  PlacementRequest& placement = request.placement;
+  placement.sizeMode = options.size > 0 ? SizeMode::Fixed : SizeMode::Free;
+  placement.sizeMm = options.size;
+  placement.quietZone = !options.noQuietZone;
+  placement.directionMethod = *directionMethodByName(options.direction);
+  if (!options.up.empty()) placement.upHint = {options.up[0], options.up[1], options.up[2]};
+  SymbolOptions symbolOptions;
+  symbolOptions.errorCorrection = *errorCorrectionByName(options.ecc);
+  if (options.version > 0) symbolOptions.version = options.version;
+  if (!options.text.empty()) {
+    const auto symbol = encodeSymbol(options.text, symbolOptions);
+    if (!symbol) return tl::unexpected(symbol.error());
+    request.modules = symbol->size;
+  } else {
+    request.modules = 17 + 4 * std::max(1, options.version);
+  }
+  return {};
+}
+
+Json describe(const PlaceOptions& options, const ModelInput& input, std::size_t triangles, const PlaceResult& result) {
+  const PlaceRequest& request = options.request;
+  Json json;
+  json["qrelief"] = QRELIEF_VERSION;
+  json["input"] = {{"file", fileNameOf(options.model.path)},
+                   {"format", input.format},
+                   {"triangles", triangles},
+                   {"scaleToMm", input.scaleToMm}};
+  json["parameters"] = {{"sizeMm", options.size > 0 ? Json(options.size) : Json(nullptr)},
+                        {"maxSizeMm", request.placement.maxSizeMm},
+                        {"modules", request.modules},
+                        {"quietZone", request.placement.quietZone},
+                        {"direction", options.direction},
+                        {"eyeDistanceMm", request.placement.eyeDistanceMm},
+                        {"up", triple(request.placement.upHint)},
+                        {"rotateDeg", request.placement.rotateDeg},
+                        {"minWallMm", request.minWallMm},
+                        {"leastDepthMm", request.leastDepthMm},
+                        {"views", request.views},
+                        {"count", request.count}};
+  json["map"] = {{"vertices", result.map.mesh.positions.size()},
+                 {"triangles", result.map.mesh.triangles.size()},
+                 {"viewsDropped", result.map.viewsDropped},
+                 {"spotsTested", result.tried}};
+  json["spots"] = Json::array();
+  for (const OfferedSpot& spot : result.spots)
+    json["spots"].push_back({{"centre", triple(spot.centreFileUnits)},
+                             {"centreMm", triple(spot.centreMm)},
+                             {"direction", triple(spot.direction)},
+                             {"needsDirection", spot.needsDirection},
+                             {"symbolMm", spot.symbolMm},
+                             {"largestMm", spot.largestMm},
+                             {"guaranteedMm", spot.guaranteedMm},
+                             {"distanceVarianceMm2", spot.quality.varianceMm2},
+                             {"worstAngleDeg", spot.quality.worstAngleDeg}});
+  return json;
+}
+
+void printSpots(const PlaceResult& result, double scaleToMm) {
+  for (std::size_t i = 0; i < result.spots.size(); ++i) {
+    const OfferedSpot& spot = result.spots[i];
+    fmt::print("{}: --at {}{} {}  up to {:.4g} mm ({:.4g} mm at any rotation), worst angle {:.0f}°\n", i + 1,
+               joined(spot.centreFileUnits, centreDecimals(scaleToMm)),
+               spot.needsDirection ? " --direction" : "  direction", joined(spot.direction, kDirectionDecimals),
+               std::floor(spot.largestMm * 100) / 100, std::floor(spot.guaranteedMm * 100) / 100,
+               spot.quality.worstAngleDeg);
+  }
+}
+
+int findSpots(PlaceOptions& options) {
+  const auto start = Clock::now();
+  if (const Status completed = completeRequest(options); !completed) return printError(completed.error());
+  auto input = loadEngravable(options.model);
+  if (!input) return printError(input.error());
+  options.request.scaleToMm = input->scaleToMm;
+  const auto gl = EglContext::create();
+  if (!gl) return printError(gl.error());
+  const auto model = EngravableModel::upload(std::move(input->prepared));
+  const double prepareMs = millisecondsSince(start);
+
+  const auto placing = Clock::now();
+  auto job = PlaceJob::create(model, options.request);
+  if (!job) return printError(job.error());
+  if (const Status done = runWithProgress(**job, options.quiet); !done) return printError(done.error());
+  const PlaceResult result = (*job)->takeResult();
+  printSpots(result, input->scaleToMm);
+  if (result.spots.size() < options.request.count)
+    fmt::print(stderr, "qrelief: {} spots were asked for, {} found\n", options.request.count, result.spots.size());
+  if (options.json.empty()) return kEngraved;
+  Json json = describe(options, *input, model->prepared.mesh.triangles.size(), result);
+  json["timingsMs"] = {
+      {"prepare", prepareMs}, {"place", millisecondsSince(placing)}, {"total", millisecondsSince(start)}};
+  // A file name that is no UTF-8 must not lose the report.
+  const std::string text = json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  const Status written = writeFileAtomically(options.json, text);
+  return written ? kEngraved : printError(written.error());
+}
+
+}  // namespace
+
+std::function<int()> addPlaceCommand(CLI::App& app) {
+  auto o = std::make_shared<PlaceOptions>();
+  PlaceRequest& request = o->request;
+  CLI::App* c = app.add_subcommand("place", "Where a QR code could go: the best spots, each tested");
+  addModelFlags(*c, o->model);
+  c->add_option("--size", o->size, "edge of the symbol without quiet zone, mm [the largest that fits]")
+      ->check(CLI::PositiveNumber);
+  c->add_option("--count", request.count, fmt::format("spots to find [{}]", request.count))->check(CLI::Range(1, 100));
+  c->add_option("--json", o->json, "write the spots and what led to them as JSON");
+  c->add_option("--text", o->text, "what the code will say: a longer text needs less quiet zone [shortest]");
+  c->add_option("--ecc", o->ecc, "error correction [M]")->check(CLI::IsMember({"L", "M", "Q", "H"}));
+  c->add_option("--version", o->version, "symbol version, 1 to 40 [smallest]")->check(CLI::Range(1, 40));
+  c->add_flag("--no-quiet-zone", o->noQuietZone, "the light margin need not fit");
+  c->add_option("--max-size", request.placement.maxSizeMm, "upper bound for a found size, mm [60]");
+  c->add_option("--up", o->up, "X,Y,Z: where the symbol's top points [0,0,1]")->delimiter(',')->expected(3);
+  c->add_option("--rotate", request.placement.rotateDeg, "degrees anticlockwise from there [0]");
+  c->add_option("--direction", o->direction, "mean-normal, depth-balanced, pca or optimal [depth-balanced]")
+      ->check(CLI::IsMember({"mean-normal", "depth-balanced", "pca", "optimal"}));
+  c->add_option("--eye-distance", request.placement.eyeDistanceMm, "mm [250]");
+  c->add_option("--min-wall", request.minWallMm, "material that must remain, mm [0.8]");
+  c->add_option("--views", request.views, fmt::format("directions looked from [{}]", request.views))
+      ->check(CLI::Range(200, 10000));
+  c->add_flag("--quiet", o->quiet, "no progress");
+  return [o] { return findSpots(*o); };
+}
+
+}  // namespace qrelief

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/repair_flags.h"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <optional>
+
+namespace qrelief {
+namespace {
+
+Result<std::optional<double>> millimetresOrAuto(const std::string& text, const char* option) {
+  if (text == "auto") return std::optional<double>();
+  try {
+    std::size_t used = 0;
+    const double value = std::stod(text, &used);
+    if (used == text.size() && value >= 0 && std::isfinite(value)) return std::optional(value);
+  } catch (const std::exception&) {
+  }
+  return fail(ErrorCode::BadUsage, fmt::format("{} is \"{}\"", option, text), "Give mm, 0 or more, or auto");
+}
+
+}  // namespace
+
+void addRepairFlags(CLI::App& command, RepairFlags& flags) {
+  command.add_option("--weld-tolerance", flags.weldTolerance,
+                     "MM or auto: vertices on open edges this near become one, or split the edge they lie on; "
+                     "auto: 1/100000 of the diagonal, 0: equal ones only [auto]");
+  command.add_option("--max-hole", flags.maxHole,
+                     "MM or auto: diameter of the largest hole to be filled; auto: a fifth of the diagonal [auto]");
+  command
+      .add_option("--no-repair", flags.without,
+                  "STEP,...: repairs not to be made, any of weld, t-junctions, holes, stray, orientation, crossings; "
+                  "or all")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"weld", "t-junctions", "holes", "stray", "orientation", "crossings", "all"}));
+}
+
+Result<RepairOptions> repairOptionsFrom(const RepairFlags& flags) {
+  RepairOptions options;
+  for (const std::string& step : flags.without) {
+    if (step == "all") options = RepairOptions::none();
+    if (step == "weld") options.weldNear = false;
+    if (step == "t-junctions") options.splitTJunctions = false;
+    if (step == "holes") options.fillHoles = false;
+    if (step == "stray") options.dropStray = false;
+    if (step == "orientation") options.orient = false;
+    if (step == "crossings") options.untangle = false;
+  }
+  const auto tolerance = millimetresOrAuto(flags.weldTolerance, "--weld-tolerance");
+  if (!tolerance) return tl::unexpected(tolerance.error());
+  const auto maxHole = millimetresOrAuto(flags.maxHole, "--max-hole");
+  if (!maxHole) return tl::unexpected(maxHole.error());
+  options.weldToleranceMm = *tolerance;
+  options.maxHoleMm = *maxHole;
+  return options;
+}
+
+}  // namespace qrelief

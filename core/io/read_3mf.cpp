@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/read_3mf.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <map>
+#include <optional>
+
+#include "io/polygon_list.h"
+#include "io/three_mf_model.h"
+#include "io/xml_reader.h"
+#include "io/zip_archive.h"
+
+namespace qrelief {
+namespace {
+
+constexpr std::string_view kRelationships = "_rels/.rels";
+constexpr std::string_view kRelationshipSpace = "http://schemas.openxmlformats.org/package/2006/relationships";
+constexpr std::string_view kStartPart = "http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel";
+constexpr std::size_t kMaxParts = 4096;         // model parts of one package
+constexpr std::size_t kMaxNesting = 32;         // of components
+constexpr std::size_t kMaxInstances = 100'000;  // objects after components are put together
+constexpr std::string_view kExportAgain = "The file is damaged; export it again";
+
+tl::unexpected<Error> bad(std::string what, std::string_view hint = kExportAgain) {
+  return fail(ErrorCode::BadInput, std::move(what), std::string(hint));
+}
+
+/// The targets of relationships of one type.
+class RelationshipHandler : public XmlHandler {
+ public:
+  std::vector<std::string> targets;
+  bool external = false;  ///< one of them is outside of the package
+
+  Status startElement(const XmlElement& element) override {
+    if (element.space != kRelationshipSpace || element.name != "Relationship") return {};
+    if (element.attribute("Type") != kStartPart) return {};
+    external |= element.attribute("TargetMode") == "External";
+    targets.emplace_back(element.attribute("Target").value_or(""));
+    return {};
+  }
+};
+
+/// A part's name as the archive has it, from what a relationship or a `p:path` says; empty if it leads elsewhere.
+std::optional<std::string> partName(std::string_view target) {
+  std::vector<std::string_view> segments;
+  if (target.find_first_of(":\\?#") != std::string_view::npos) return std::nullopt;
+  while (!target.empty()) {
+    const std::size_t end = std::min(target.find('/'), target.size());
+    const std::string_view segment = target.substr(0, end);
+    target.remove_prefix(std::min(end + 1, target.size()));
+    if (segment.empty() || segment == ".") continue;
+    if (segment == "..") {
+      if (segments.empty()) return std::nullopt;
+      segments.pop_back();
+    } else {
+      segments.push_back(segment);
+    }
+  }
+  std::string name;
+  for (const std::string_view segment : segments) name.append(name.empty() ? "" : "/").append(segment);
+  return name.empty() ? std::nullopt : std::optional(name);
+}
+
+/// The model parts of a file, read as they are asked for.
+class Package {
+ public:
+  Package(ZipArchive archive, const ReadLimits& limits) : archive_(std::move(archive)), limits_(limits) {}
+
+  /// Finds and reads the model part that the package is about. @returns its name
+  Result<std::string> readStart() {
+    const ZipEntry* entry = archive_.find(kRelationships);
+    if (!entry) return bad("The 3MF file has no part '_rels/.rels', which says where the model is");
+    RelationshipHandler handler;
+    Result<ZipStream> stream = open(*entry);
+    if (!stream) return tl::unexpected(stream.error());
+    if (const Status read = readXml(*stream, std::string(kRelationships), handler); !read)
+      return tl::unexpected(read.error());
+    if (handler.targets.size() != 1)
+      return bad(fmt::format("The 3MF file has {} relationships in '_rels/.rels' that name its 3D model; it needs one",
+                             handler.targets.empty() ? "no" : std::to_string(handler.targets.size())));
+    const auto name = partName(handler.targets.front());
+    if (handler.external || !name)
+      return bad(fmt::format("The 3MF file's model {} is outside of it", quoted(handler.targets.front())),
+                 "Export the model as one file");
+    if (const Status read = readModels(*name); !read) return tl::unexpected(read.error());
+    return *name;
+  }
+
+  /// Reads a model part and all that its components and items ask for.
+  Status readModels(const std::string& start) {
+    std::vector<std::string> wanted = {start};
+    while (!wanted.empty()) {
+      const std::string name = std::move(wanted.back());
+      wanted.pop_back();
+      if (models_.count(name)) continue;
+      if (models_.size() == kMaxParts) return bad(fmt::format("The 3MF file has more than {} model parts", kMaxParts));
+      Result<ThreeMfModel> model = readPart(name);
+      if (!model) return tl::unexpected(model.error());
+      if (const Status resolved = resolvePaths(*model, name, wanted); !resolved) return resolved;
+      models_.emplace(name, std::move(*model));
+    }
+    return {};
+  }
+
+  const ThreeMfModel& model(const std::string& name) const { return models_.at(name); }
+
+ private:
+  Result<ZipStream> open(const ZipEntry& entry) {
+    Result<ZipStream> stream = ZipStream::open(entry, limits_.maxExpandedBytes - expanded_);
+    if (stream) expanded_ += entry.size;
+    return stream;
+  }
+
+  Result<ThreeMfModel> readPart(const std::string& name) {
+    const ZipEntry* entry = archive_.find(name);
+    if (!entry) return bad(fmt::format("The 3MF file's model part {} is missing", quoted(name)));
+    Result<ZipStream> stream = open(*entry);
+    if (!stream) return tl::unexpected(stream.error());
+    ReadLimits left = limits_;
+    left.maxTriangles -= triangles_;
+    Result<ThreeMfModel> model = readThreeMfModel(*stream, name, left);
+    if (model)
+      for (const auto& [id, object] : model->objects) triangles_ += object.triangles.size();
+    return model;
+  }
+
+  /// Turns every path into the name of a part, its own where none is given.
+  static Status resolvePaths(ThreeMfModel& model, const std::string& own, std::vector<std::string>& wanted) {
+    const auto resolve = [&](std::vector<ThreeMfInstance>& instances) -> Status {
+      for (ThreeMfInstance& instance : instances) {
+        if (instance.path.empty()) {
+          instance.path = own;
+          continue;
+        }
+        const auto name = partName(instance.path);
+        if (!name)
+          return bad(fmt::format("Part {} of the 3MF file asks for object {} of {}, which is outside of it",
+                                 quoted(own), instance.object, quoted(instance.path)),
+                     "Export the model as one file");
+        instance.path = *name;
+        if (instance.path != own) wanted.push_back(*name);
+      }
+      return {};
+    };
+    for (auto& [id, object] : model.objects)
+      if (const Status resolved = resolve(object.components); !resolved) return resolved;
+    return resolve(model.items);
+  }
+
+  ZipArchive archive_;
+  const ReadLimits& limits_;
+  std::map<std::string, ThreeMfModel> models_;
+  std::uint64_t expanded_ = 0;
+  std::size_t triangles_ = 0;
+};
+
+/// What an object comes to with all its components.
+struct Extent {
+  std::size_t triangles = 0, vertices = 0, instances = 1, nesting = 1;
+};
+
+/// Puts the build's items together.
+class Builder {
+ public:
+  Builder(const Package& package, const ReadLimits& limits) : package_(package), limits_(limits) {}
+
+  Result<PolygonSoup> build(const std::string& start) {
+    const ThreeMfModel& model = package_.model(start);
+    soup_.format = "3MF";
+    soup_.unitMm = model.unitMm;
+    Extent total{0, 0, 0, 0};
+    for (const ThreeMfInstance& item : model.items) {
+      const Result<Extent> extent = measure(item, start);
+      if (!extent) return tl::unexpected(extent.error());
+      if (const Status added = add(total, *extent); !added) return tl::unexpected(added.error());
+    }
+    for (const ThreeMfInstance& item : model.items) addItem(item, model.unitMm);
+    return finish(model);
+  }
+
+ private:
+  using Key = std::pair<std::string, std::uint32_t>;
+
+  Status add(Extent& total, const Extent& part) const {
+    total.triangles += part.triangles;
+    total.vertices += part.vertices;
+    total.instances += part.instances;
+    total.nesting = std::max(total.nesting, part.nesting + 1);
+    if (total.triangles > limits_.maxTriangles || total.vertices > 3 * limits_.maxTriangles)
+      return tooManyTriangles(limits_.maxTriangles);
+    if (total.instances > kMaxInstances)
+      return bad(fmt::format("The 3MF file puts together more than {} objects", kMaxInstances),
+                 "Reduce the number of copies, or export the model as STL");
+    if (total.nesting > kMaxNesting + 1)
+      return bad(fmt::format("The 3MF file's components are nested more than {} deep", kMaxNesting));
+    return {};
+  }
+
+  /// Nothing is multiplied before this has been found to be within limits.
+  /// @param asking  the part that asks for the object
+  Result<Extent> measure(const ThreeMfInstance& instance, const std::string& asking) {
+    const Key key{instance.path, instance.object};
+    if (const auto known = extents_.find(key); known != extents_.end()) {
+      if (known->second) return *known->second;
+      return bad(fmt::format("Object {} of part {} of the 3MF file is a component of itself", instance.object,
+                             quoted(instance.path)));
+    }
+    const ThreeMfObject* object = find(instance);
+    if (!object)
+      return bad(fmt::format("Part {} of the 3MF file asks for object {} of part {}, which is missing", quoted(asking),
+                             instance.object, quoted(instance.path)));
+    if (extents_.size() > kMaxInstances) return bad("The 3MF file has too many objects");
+    extents_.emplace(key, std::nullopt);  // while it is open: to find circles
+    if (++depth_ > kMaxNesting)
+      return bad(fmt::format("The 3MF file's components are nested more than {} deep", kMaxNesting));
+    Extent total{object->triangles.size(), object->positions.size(), 1, 1};
+    for (const ThreeMfInstance& component : object->components) {
+      const Result<Extent> extent = measure(component, instance.path);
+      if (!extent) return extent;
+      if (const Status added = add(total, *extent); !added) return tl::unexpected(added.error());
+    }
+    --depth_;
+    extents_[key] = total;
+    return total;
+  }
+
+  const ThreeMfObject* find(const ThreeMfInstance& instance) const {
+    const auto& objects = package_.model(instance.path).objects;
+    const auto found = objects.find(instance.object);
+    return found == objects.end() ? nullptr : &found->second;
+  }
+
+  void addItem(const ThreeMfInstance& item, double unitMm) {
+    const ThreeMfObject& object = *find(item);
+    if (object.type != "model") {
+      ++notModels_;
+      return;
+    }
+    const std::size_t first = soup_.triangles.size();
+    place(item, Affine(), unitMm);
+    if (soup_.triangles.size() == first)
+      ++empty_;
+    else
+      soup_.parts.push_back({object.name.empty() ? item.partNumber : object.name, first});
+  }
+
+  /// @param outer   where the coordinates of the asking part go
+  /// @param unitMm  of the asking part
+  void place(const ThreeMfInstance& instance, const Affine& outer, double unitMm) {
+    const ThreeMfObject& object = *find(instance);
+    const double ownUnitMm = package_.model(instance.path).unitMm;
+    Affine transform = outer.after(instance.transform);
+    if (ownUnitMm != unitMm) {
+      const double factor = ownUnitMm / unitMm;
+      transform = transform.after({{factor, 0, 0}, {0, factor, 0}, {0, 0, factor}, Vec3(0)});
+    }
+    const auto offset = static_cast<std::uint32_t>(soup_.positions.size());
+    for (const Vec3& p : object.positions) soup_.positions.push_back(transform(p));
+    const bool mirrored = transform.determinant() < 0;
+    for (const auto& [a, b, c] : object.triangles) {
+      if (mirrored)
+        soup_.triangles.push_back({a + offset, c + offset, b + offset});
+      else
+        soup_.triangles.push_back({a + offset, b + offset, c + offset});
+    }
+    for (const ThreeMfInstance& component : object.components) place(component, transform, ownUnitMm);
+  }
+
+  Result<PolygonSoup> finish(const ThreeMfModel& model) {
+    if (notModels_ > 0)
+      soup_.warnings.push_back(
+          fmt::format("{} of {} items of the 3MF file are no models (supports or the like) and were passed over",
+                      notModels_, model.items.size()));
+    if (empty_ > 0) soup_.warnings.push_back(fmt::format("{} items of the 3MF file have no triangle", empty_));
+    if (soup_.triangles.empty())
+      return bad(
+          model.items.empty()
+              ? fmt::format("The 3MF file's build is empty: it has {} objects, but places none", model.objects.size())
+              : fmt::format("None of the {} items of the 3MF file has a triangle of a model", model.items.size()),
+          "Export the model with its objects on the plate");
+    for (const Vec3& p : soup_.positions)
+      if (!(glm::length(p) < 1e300)) return bad("The 3MF file's transforms take its vertices out of all bounds");
+    return std::move(soup_);
+  }
+
+  const Package& package_;
+  const ReadLimits& limits_;
+  std::map<Key, std::optional<Extent>> extents_;
+  std::size_t depth_ = 0, notModels_ = 0, empty_ = 0;
+  PolygonSoup soup_;
+};
+
+}  // namespace
+
+Result<PolygonSoup> read3mf(std::span<const std::uint8_t> bytes, const ReadLimits& limits) {
+  Result<ZipArchive> archive = ZipArchive::open(bytes);
+  if (!archive) return tl::unexpected(archive.error());
+  Package package(std::move(*archive), limits);
+  const Result<std::string> start = package.readStart();
+  if (!start) return tl::unexpected(start.error());
+  return Builder(package, limits).build(*start);
+}
+
+}  // namespace qrelief

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/write_checked.h"
+
+#include <fmt/format.h>
+
+#include "io/read_model.h"
+
+namespace qrelief {
+namespace {
+
+/// How many triangles of the soup, in its order, are those of the bodies; all of them if it is what was written.
+std::size_t countEqual(const PolygonSoup& soup, std::span<const ModelObject> objects) {
+  std::size_t equal = 0;
+  for (const ModelObject& object : objects)
+    for (const ModelBody& body : object.bodies)
+      for (const Triangle& triangle : body.mesh.triangles) {
+        if (equal == soup.triangles.size()) return equal;
+        for (std::size_t k = 0; k < 3; ++k)
+          if (Vec3f(soup.positions[soup.triangles[equal][k]]) != body.mesh.positions[triangle[k]]) return equal;
+        ++equal;
+      }
+  return equal;
+}
+
+std::size_t countTriangles(std::span<const ModelObject> objects) {
+  std::size_t count = 0;
+  for (const ModelObject& object : objects)
+    for (const ModelBody& body : object.bodies) count += body.mesh.triangles.size();
+  return count;
+}
+
+}  // namespace
+
+Result<std::vector<std::uint8_t>> writeChecked(std::span<const ModelObject> objects, ModelFormat format,
+                                               const WriteOptions& options) {
+  auto bytes = writeModel(objects, format, options);
+  if (!bytes) return bytes;
+  const std::string_view name = nameOf(format);
+  const auto soup = readModel(*bytes, fmt::format("written.{}", name));
+  if (!soup)
+    return fail(ErrorCode::Internal, fmt::format("The {} file could not be read back: {}", name, soup.error().message),
+                "Choose another format, and report this");
+  const std::size_t expected = countTriangles(objects), equal = countEqual(*soup, objects);
+  if (equal != expected || soup->triangles.size() != expected || soup->unitMm.value_or(1) != 1)
+    return fail(ErrorCode::Internal,
+                fmt::format("Of {} triangles in the {} file, {} were read back as they are", expected, name, equal),
+                "Choose another format, and report this");
+  return bytes;
+}
+
+}  // namespace qrelief

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/write_model.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+#include "io/write_3mf.h"
+#include "io/write_obj.h"
+#include "io/write_ply.h"
+#include "io/write_stl.h"
+
+namespace qrelief {
+namespace {
+
+/// One surface of all bodies, for formats that know no objects.
+Mesh joined(std::span<const ModelObject> objects) {
+  Mesh mesh;
+  for (const ModelObject& object : objects)
+    for (const ModelBody& body : object.bodies) {
+      const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+      mesh.positions.insert(mesh.positions.end(), body.mesh.positions.begin(), body.mesh.positions.end());
+      for (const auto& [a, b, c] : body.mesh.triangles) mesh.triangles.push_back({first + a, first + b, first + c});
+    }
+  return mesh;
+}
+
+Status checkRequest(std::span<const ModelObject> objects, ModelFormat format, const WriteOptions& options) {
+  if (options.ascii && format != ModelFormat::Stl)
+    return fail(ErrorCode::BadUsage, fmt::format("{} is not written as text by choice; only STL is", nameOf(format)),
+                "Leave the choice out, or write an STL file");
+  const bool several =
+      std::any_of(objects.begin(), objects.end(), [](const ModelObject& o) { return o.bodies.size() > 1; });
+  if (several && format != ModelFormat::ThreeMf)
+    return fail(
+        ErrorCode::BadUsage,
+        fmt::format("An object of several bodies cannot be written as {}, which holds one only", nameOf(format)),
+        "Write a 3MF file");
+  return {};
+}
+
+}  // namespace
+
+Result<std::vector<std::uint8_t>> writeModel(std::span<const ModelObject> objects, ModelFormat format,
+                                             const WriteOptions& options) {
+  if (const Status checked = checkRequest(objects, format, options); !checked) return tl::unexpected(checked.error());
+  switch (format) {
+    case ModelFormat::Stl:
+      return options.ascii ? writeAsciiStl(joined(objects), options.title) : writeStl(joined(objects), options.title);
+    case ModelFormat::Obj:
+      return writeObj(objects, options);
+    case ModelFormat::Ply:
+      return writePly(objects, options);
+    case ModelFormat::ThreeMf:
+      return write3mf(objects, options);
+    case ModelFormat::Off:
+    case ModelFormat::Gltf:
+    case ModelFormat::Unknown:
+      break;
+  }
+  return fail(ErrorCode::BadUsage,
+              format == ModelFormat::Unknown ? std::string("The output's format is not known")
+                                             : fmt::format("{} files cannot be written", nameOf(format)),
+              "Name the output .stl, .obj, .ply or .3mf");
+}
+
+Result<std::vector<std::uint8_t>> writeModel(const Mesh& mesh, ModelFormat format, const WriteOptions& options) {
+  const ModelObject object{options.title, {{{}, mesh, std::nullopt}}};
+  return writeModel(std::span(&object, 1), format, options);
+}
+
+std::vector<ModelObject> objectsOf(const Mesh& mesh, std::span<const std::uint32_t> partOf,
+                                   std::span<const std::string> names) {
+  const std::size_t parts = partOf.empty() ? 1 : *std::max_element(partOf.begin(), partOf.end()) + std::size_t{1};
+  std::vector<ModelObject> objects(parts);
+  for (std::size_t p = 0; p < parts; ++p) {
+    if (p < names.size()) objects[p].name = names[p];
+    objects[p].bodies.resize(1);
+  }
+  if (partOf.empty()) {
+    objects.front().bodies.front().mesh = mesh;
+    return objects;
+  }
+  constexpr std::uint32_t kNowhere = 0xffffffffu;
+  std::vector<std::vector<std::uint32_t>> trianglesOf(parts);
+  for (std::size_t t = 0; t < partOf.size(); ++t) trianglesOf[partOf[t]].push_back(static_cast<std::uint32_t>(t));
+  std::vector<std::uint32_t> place(mesh.positions.size(), kNowhere), used;
+  for (std::size_t p = 0; p < parts; ++p) {
+    Mesh& body = objects[p].bodies.front().mesh;
+    used.clear();
+    for (const std::uint32_t t : trianglesOf[p])
+      used.insert(used.end(), mesh.triangles[t].begin(), mesh.triangles[t].end());
+    std::sort(used.begin(), used.end());
+    used.erase(std::unique(used.begin(), used.end()), used.end());
+    for (const std::uint32_t v : used) {
+      place[v] = static_cast<std::uint32_t>(body.positions.size());
+      body.positions.push_back(mesh.positions[v]);
+    }
+    for (const std::uint32_t t : trianglesOf[p]) {
+      const auto& [a, b, c] = mesh.triangles[t];
+      body.triangles.push_back({place[a], place[b], place[c]});
+    }
+  }
+  std::erase_if(objects, [](const ModelObject& o) { return o.bodies.front().mesh.triangles.empty(); });
+  return objects;
+}
+
+}  // namespace qrelief

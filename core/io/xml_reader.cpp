@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/xml_reader.h"
+
+#include <exception>
+#include <expat.h>
+#include <fmt/format.h>
+#include <memory>
+#include <new>
+
+#include "io/polygon_list.h"
+
+namespace qrelief {
+namespace {
+
+constexpr char kBetweenSpaceAndName = '\n';
+constexpr int kMaxDepth = 100;
+constexpr XML_Index kMaxTagBytes = 1 << 20;
+
+/// What Expat hands back to its callbacks.
+struct Session {
+  XML_Parser parser = nullptr;
+  XmlHandler& handler;
+  int depth = 0;
+  Status status{};
+  std::exception_ptr thrown{};  // must not pass through Expat, which is C
+
+  template <class Step>
+  void guarded(Step step) {
+    if (!status || thrown) return;
+    try {
+      status = step();
+    } catch (...) {
+      thrown = std::current_exception();
+    }
+    if (!status || thrown) XML_StopParser(parser, XML_FALSE);
+  }
+};
+
+void XMLCALL onStart(void* user, const XML_Char* name, const XML_Char** attributes) {
+  auto& session = *static_cast<Session*>(user);
+  session.guarded([&]() -> Status {
+    if (++session.depth > kMaxDepth)
+      return fail(ErrorCode::BadInput, fmt::format("more than {} elements are nested", kMaxDepth));
+    return session.handler.startElement(XmlElement(name, attributes));
+  });
+}
+
+void XMLCALL onEnd(void* user, const XML_Char*) {
+  auto& session = *static_cast<Session*>(user);
+  session.guarded([&] {
+    --session.depth;
+    return session.handler.endElement();
+  });
+}
+
+void XMLCALL onSpace(void* user, const XML_Char* prefix, const XML_Char* uri) {
+  auto& session = *static_cast<Session*>(user);
+  session.guarded([&]() -> Status {
+    session.handler.declareSpace(prefix ? prefix : "", uri ? uri : "");
+    return {};
+  });
+}
+
+void XMLCALL onDoctype(void* user, const XML_Char*, const XML_Char*, const XML_Char*, int) {
+  static_cast<Session*>(user)->guarded([]() -> Status {
+    return fail(ErrorCode::BadInput, "there is a document type definition (DTD), which 3MF forbids",
+                "Export the model again, without it");
+  });
+}
+
+}  // namespace
+
+XmlElement::XmlElement(const char* fullName, const char* const* attributes) : name(fullName), attributes_(attributes) {
+  if (const std::size_t end = name.rfind(kBetweenSpaceAndName); end != std::string_view::npos) {
+    space = name.substr(0, end);
+    name.remove_prefix(end + 1);
+  }
+}
+
+std::optional<std::string_view> XmlElement::attribute(std::string_view wanted) const {
+  for (const char* const* a = attributes_; *a; a += 2)
+    if (wanted == *a) return a[1];
+  return std::nullopt;
+}
+
+std::optional<std::string_view> XmlElement::attribute(std::string_view uri, std::string_view wanted) const {
+  for (const char* const* a = attributes_; *a; a += 2) {
+    const std::string_view full = *a;
+    if (full.size() == uri.size() + 1 + wanted.size() && full.starts_with(uri) && full.ends_with(wanted) &&
+        full[uri.size()] == kBetweenSpaceAndName)
+      return a[1];
+  }
+  return std::nullopt;
+}
+
+Status readXml(ZipStream& stream, const std::string& part, XmlHandler& handler) {
+  const std::unique_ptr<XML_ParserStruct, void (*)(XML_Parser)> parser(
+      XML_ParserCreateNS(nullptr, kBetweenSpaceAndName), XML_ParserFree);
+  if (!parser) throw std::bad_alloc();
+  Session session{parser.get(), handler};
+  XML_SetUserData(parser.get(), &session);
+  XML_SetElementHandler(parser.get(), onStart, onEnd);
+  XML_SetStartNamespaceDeclHandler(parser.get(), onSpace);
+  XML_SetStartDoctypeDeclHandler(parser.get(), onDoctype);
+  const auto failHere = [&](std::string what, std::string hint) {
+    return fail(
+        ErrorCode::BadInput,
+        fmt::format("Part {} of the 3MF file, line {}: {}", quoted(part), XML_GetCurrentLineNumber(parser.get()), what),
+        hint.empty() ? "The file is damaged; export it again" : std::move(hint));
+  };
+
+  XML_Index fed = 0;
+  for (bool more = true; more;) {
+    const auto piece = stream.next();
+    if (!piece) return tl::unexpected(piece.error());
+    more = !piece->empty();
+    const XML_Status parsed = XML_Parse(parser.get(), reinterpret_cast<const char*>(piece->data()),
+                                        static_cast<int>(piece->size()), more ? XML_FALSE : XML_TRUE);
+    if (session.thrown) std::rethrow_exception(session.thrown);
+    if (!session.status) return failHere(session.status.error().message, session.status.error().hint);
+    if (parsed != XML_STATUS_OK) {
+      if (XML_GetErrorCode(parser.get()) == XML_ERROR_NO_MEMORY) throw std::bad_alloc();
+      return failHere(XML_ErrorString(XML_GetErrorCode(parser.get())), {});
+    }
+    fed += static_cast<XML_Index>(piece->size());
+    // Expat keeps a tag or comment that has not ended, and looks at it again and again.
+    if (more && fed - XML_GetCurrentByteIndex(parser.get()) > kMaxTagBytes)
+      return failHere(fmt::format("a tag or comment is longer than {} bytes", kMaxTagBytes), {});
+  }
+  return {};
+}
+
+}  // namespace qrelief

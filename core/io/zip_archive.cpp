@@ -1,0 +1,375 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/zip_archive.h"
+
+#include <algorithm>
+#include <array>
+#include <fmt/format.h>
+#include <new>
+#include <vector>
+#include <zlib.h>
+
+#include "io/load_bytes.h"
+#include "io/polygon_list.h"
+
+namespace qrelief {
+namespace {
+
+constexpr std::size_t kEndRecordBytes = 22;
+constexpr std::size_t kLongestComment = 0xffff;
+constexpr std::size_t kZip64LocatorBytes = 20;
+constexpr std::size_t kZip64EndRecordBytes = 56;
+constexpr std::size_t kDirectoryHeaderBytes = 46;
+constexpr std::size_t kLocalHeaderBytes = 30;
+constexpr std::uint32_t kEndSignature = 0x06054b50;
+constexpr std::uint32_t kZip64LocatorSignature = 0x07064b50;
+constexpr std::uint32_t kZip64EndSignature = 0x06064b50;
+constexpr std::uint32_t kDirectorySignature = 0x02014b50;
+constexpr std::uint32_t kLocalSignature = 0x04034b50;
+constexpr std::uint16_t kZip64Field = 0x0001;
+constexpr std::uint32_t kSee64 = 0xffffffff;  // "the number is in the ZIP64 record"
+constexpr std::uint16_t kEncrypted = 0x0001, kSizesFollow = 0x0008;
+constexpr std::uint16_t kStored = 0, kDeflated = 8;
+constexpr std::size_t kPieceBytes = 64 * 1024;
+
+using Bytes = std::span<const std::uint8_t>;
+
+tl::unexpected<Error> damaged(std::string what) {
+  return fail(ErrorCode::BadInput, "The ZIP archive is damaged: " + std::move(what), "Copy or export the file again");
+}
+
+/// Numbers of a record one after the other; whoever makes one has checked that the record is all there.
+class Fields {
+ public:
+  explicit Fields(Bytes bytes) : bytes_(bytes) {}
+  std::uint16_t u16() { return take<std::uint16_t>(); }
+  std::uint32_t u32() { return take<std::uint32_t>(); }
+  std::uint64_t u64() { return take<std::uint64_t>(); }
+  void skip(std::size_t count) { position_ += count; }
+  std::size_t left() const { return bytes_.size() - position_; }
+
+ private:
+  template <class T>
+  T take() {
+    const T value = loadBytes<T>(bytes_.data() + position_);
+    position_ += sizeof(T);
+    return value;
+  }
+  Bytes bytes_;
+  std::size_t position_ = 0;
+};
+
+struct Directory {
+  std::uint64_t entries = 0, offset = 0, size = 0;
+  std::uint64_t end = 0;  ///< nothing of the directory or the files may reach beyond
+};
+
+/// The end record is the last thing in the file, but for a comment of the length it states.
+Result<std::size_t> findEndRecord(Bytes bytes) {
+  if (bytes.size() < kEndRecordBytes) return damaged(fmt::format("it has {} bytes only", bytes.size()));
+  const std::size_t last = bytes.size() - kEndRecordBytes;
+  const std::size_t first = last - std::min(last, kLongestComment);
+  for (std::size_t at = last + 1; at-- > first;) {
+    if (loadBytes<std::uint32_t>(&bytes[at]) != kEndSignature) continue;
+    if (at + kEndRecordBytes + loadBytes<std::uint16_t>(&bytes[at + 20]) == bytes.size()) return at;
+  }
+  return damaged("its directory is missing, which stands at the end; the file seems cut off");
+}
+
+Result<Directory> findDirectory64(Bytes bytes, std::size_t endRecord) {
+  const std::size_t locator = endRecord - kZip64LocatorBytes;
+  Fields fields(bytes.subspan(locator));
+  fields.skip(8);
+  const std::uint64_t at = fields.u64();
+  if (at > locator || locator - at < kZip64EndRecordBytes) return damaged("its ZIP64 record is out of place");
+  Fields record(bytes.subspan(static_cast<std::size_t>(at)));
+  if (record.u32() != kZip64EndSignature) return damaged("its ZIP64 record is missing");
+  record.skip(8 + 2 + 2 + 4 + 4);
+  Directory directory;
+  const std::uint64_t entriesHere = record.u64();
+  directory.entries = record.u64();
+  directory.size = record.u64();
+  directory.offset = record.u64();
+  directory.end = at;
+  if (entriesHere != directory.entries) return damaged("it is one of several disks");
+  return directory;
+}
+
+Result<Directory> findDirectory(Bytes bytes) {
+  const Result<std::size_t> at = findEndRecord(bytes);
+  if (!at) return tl::unexpected(at.error());
+  const bool has64 =
+      *at >= kZip64LocatorBytes && loadBytes<std::uint32_t>(&bytes[*at - kZip64LocatorBytes]) == kZip64LocatorSignature;
+  Directory directory;
+  if (has64) {
+    const Result<Directory> found = findDirectory64(bytes, *at);
+    if (!found) return found;
+    directory = *found;
+  } else {
+    Fields record(bytes.subspan(*at));
+    record.skip(4);
+    const std::uint16_t disk = record.u16(), directoryDisk = record.u16();
+    const std::uint16_t entriesHere = record.u16();
+    directory.entries = record.u16();
+    directory.size = record.u32();
+    directory.offset = record.u32();
+    directory.end = *at;
+    if (disk != 0 || directoryDisk != 0 || entriesHere != directory.entries)
+      return damaged("it is one of several disks");
+  }
+  if (directory.offset > directory.end || directory.end - directory.offset < directory.size)
+    return damaged("its directory is out of place");
+  return directory;
+}
+
+/// One line of the directory, and where its file begins.
+struct Listed {
+  ZipEntry entry;
+  std::uint64_t packedSize = 0, localHeader = 0;
+};
+
+/// The numbers that did not fit into 32 bits, in this order.
+bool take64(Bytes extra, std::array<std::uint64_t*, 3> numbers) {
+  for (Fields fields(extra); fields.left() >= 4;) {
+    const std::uint16_t kind = fields.u16();
+    const std::uint16_t size = fields.u16();
+    if (size > fields.left()) return false;
+    if (kind != kZip64Field) {
+      fields.skip(size);
+      continue;
+    }
+    std::size_t left = size;
+    for (std::uint64_t* number : numbers) {
+      if (*number != kSee64) continue;
+      if (left < 8) return false;
+      *number = fields.u64();
+      left -= 8;
+    }
+    return true;
+  }
+  return std::none_of(numbers.begin(), numbers.end(), [](const std::uint64_t* n) { return *n == kSee64; });
+}
+
+/// Reads one line and moves on to the next.
+Result<Listed> readListed(Bytes& lines, std::uint64_t number) {
+  const auto bad = [&](const char* what) {
+    return damaged(fmt::format("line {} of its directory {}", number + 1, what));
+  };
+  if (lines.size() < kDirectoryHeaderBytes || loadBytes<std::uint32_t>(lines.data()) != kDirectorySignature)
+    return bad("is missing");
+  Fields fields(lines);
+  Listed listed;
+  fields.skip(8);
+  listed.entry.flags = fields.u16();
+  listed.entry.method = fields.u16();
+  fields.skip(4);  // time and date
+  listed.entry.crc = fields.u32();
+  listed.packedSize = fields.u32();
+  listed.entry.size = fields.u32();
+  const std::size_t nameSize = fields.u16(), extraSize = fields.u16(), commentSize = fields.u16();
+  const std::uint16_t disk = fields.u16();
+  fields.skip(2 + 4);  // attributes
+  listed.localHeader = fields.u32();
+  const std::size_t size = kDirectoryHeaderBytes + nameSize + extraSize + commentSize;
+  if (lines.size() < size) return bad("is cut off");
+  if (disk != 0) return bad("names another disk");
+  listed.entry.name.assign(reinterpret_cast<const char*>(lines.data()) + kDirectoryHeaderBytes, nameSize);
+  if (!take64(lines.subspan(kDirectoryHeaderBytes + nameSize, extraSize),
+              {&listed.entry.size, &listed.packedSize, &listed.localHeader}))
+    return bad("has a malformed ZIP64 field");
+  lines = lines.subspan(size);
+  return listed;
+}
+
+/// Whether the numbers of a file's own header are those of the directory, where it has them.
+bool agrees(Fields header, const Listed& listed) {
+  header.skip(6);
+  const std::uint16_t flags = header.u16(), method = header.u16();
+  header.skip(4);  // time and date
+  const std::uint32_t crc = header.u32(), packedSize = header.u32(), size = header.u32();
+  const auto same = [](std::uint32_t number, std::uint64_t expected) { return number == kSee64 || number == expected; };
+  if (method != listed.entry.method) return false;
+  return flags & kSizesFollow ||
+         (crc == listed.entry.crc && same(packedSize, listed.packedSize) && same(size, listed.entry.size));
+}
+
+/// Finds the compressed bytes; the local header must speak of the same file.
+/// @param limit  where the directory begins
+Status findContent(Bytes bytes, std::uint64_t limit, Listed& listed) {
+  const auto bad = [&](const char* what) {
+    return damaged(fmt::format("the file {} {}", quoted(listed.entry.name), what));
+  };
+  const std::uint64_t at = listed.localHeader;
+  if (at > limit || limit - at < kLocalHeaderBytes) return bad("is out of place");
+  Fields fields(bytes.subspan(static_cast<std::size_t>(at)));
+  if (fields.u32() != kLocalSignature) return bad("is not where the directory says");
+  fields.skip(22);
+  if (!agrees(Fields(bytes.subspan(static_cast<std::size_t>(at))), listed))
+    return bad("has other numbers in its own header");
+  const std::size_t nameSize = fields.u16(), extraSize = fields.u16();
+  const std::uint64_t begin = at + kLocalHeaderBytes + nameSize + extraSize;
+  if (begin > limit || limit - begin < listed.packedSize) return bad("reaches into the directory");
+  const Bytes name = bytes.subspan(static_cast<std::size_t>(at) + kLocalHeaderBytes, nameSize);
+  if (!std::equal(name.begin(), name.end(), listed.entry.name.begin(), listed.entry.name.end(),
+                  [](std::uint8_t a, char b) { return a == static_cast<std::uint8_t>(b); }))
+    return bad("has another name in its own header");
+  listed.entry.packed = bytes.subspan(static_cast<std::size_t>(begin), static_cast<std::size_t>(listed.packedSize));
+  return {};
+}
+
+/// Files packed into each other's bytes are how small archives expand without end.
+Status checkOverlap(Bytes bytes, std::vector<Listed>& files) {
+  std::sort(files.begin(), files.end(), [](const Listed& a, const Listed& b) { return a.localHeader < b.localHeader; });
+  for (std::size_t i = 1; i < files.size(); ++i) {
+    const Bytes before = files[i - 1].entry.packed;
+    if (static_cast<std::uint64_t>(before.data() - bytes.data()) + before.size() > files[i].localHeader)
+      return damaged(
+          fmt::format("the files {} and {} overlap", quoted(files[i - 1].entry.name), quoted(files[i].entry.name)));
+  }
+  return {};
+}
+
+int hexValue(char c) {
+  return c >= '0' && c <= '9'   ? c - '0'
+         : c >= 'a' && c <= 'f' ? c - 'a' + 10
+         : c >= 'A' && c <= 'F' ? c - 'A' + 10
+                                : -1;
+}
+
+std::string comparable(std::string_view name) {
+  std::string result;
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    char c = name[i];
+    if (c == '%' && i + 2 < name.size() && hexValue(name[i + 1]) >= 0 && hexValue(name[i + 2]) >= 0) {
+      c = static_cast<char>(16 * hexValue(name[i + 1]) + hexValue(name[i + 2]));
+      i += 2;
+    }
+    result += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  }
+  return result;
+}
+
+}  // namespace
+
+Result<ZipArchive> ZipArchive::open(std::span<const std::uint8_t> bytes) {
+  const Result<Directory> directory = findDirectory(bytes);
+  if (!directory) return tl::unexpected(directory.error());
+  Bytes lines = bytes.subspan(static_cast<std::size_t>(directory->offset), static_cast<std::size_t>(directory->size));
+  std::vector<Listed> files;
+  for (std::uint64_t i = 0; i < directory->entries; ++i) {
+    Result<Listed> listed = readListed(lines, i);
+    if (!listed) return tl::unexpected(listed.error());
+    if (const Status found = findContent(bytes, directory->offset, *listed); !found)
+      return tl::unexpected(found.error());
+    files.push_back(std::move(*listed));
+  }
+  if (const Status apart = checkOverlap(bytes, files); !apart) return tl::unexpected(apart.error());
+
+  ZipArchive archive;
+  for (Listed& file : files) {
+    if (file.entry.name.ends_with('/')) continue;  // a folder
+    const std::string shown = quoted(file.entry.name);
+    const std::string key = comparable(file.entry.name);
+    if (!archive.entries_.emplace(key, std::move(file.entry)).second)
+      return damaged(fmt::format("it holds two files of the name {}", shown));
+  }
+  return archive;
+}
+
+const ZipEntry* ZipArchive::find(std::string_view name) const {
+  const auto found = entries_.find(comparable(name));
+  return found == entries_.end() ? nullptr : &found->second;
+}
+
+struct ZipStream::State {
+  const ZipEntry* entry = nullptr;
+  z_stream z{};
+  bool inflating = false;
+  bool ended = false;
+  std::uint64_t given = 0;  // bytes handed out so far
+  std::uint32_t crc = 0;
+  std::vector<std::uint8_t> piece;
+
+  State() = default;
+  State(const State&) = delete;
+  State& operator=(const State&) = delete;
+  ~State() {
+    if (inflating) inflateEnd(&z);
+  }
+
+  tl::unexpected<Error> bad(const std::string& what) const {
+    return damaged(fmt::format("the file {} {}", quoted(entry->name), what));
+  }
+
+  Bytes nextStored() {
+    const auto from = static_cast<std::size_t>(given);
+    return entry->packed.subspan(from, std::min(kPieceBytes, entry->packed.size() - from));
+  }
+
+  Result<Bytes> nextInflated() {
+    z.next_out = piece.data();
+    z.avail_out = static_cast<uInt>(piece.size());
+    while (z.avail_out == piece.size() && !ended) {
+      const int status = inflate(&z, Z_NO_FLUSH);
+      if (status == Z_MEM_ERROR) throw std::bad_alloc();
+      if (status == Z_STREAM_END)
+        ended = true;
+      else if (status != Z_OK)
+        return bad("cannot be unpacked");
+    }
+    return Bytes(piece.data(), piece.size() - z.avail_out);
+  }
+
+  Status checkEnd() const {
+    if (given != entry->size) return bad(fmt::format("holds {} bytes, not the {} it announces", given, entry->size));
+    if (inflating && z.avail_in > 0) return bad("is followed by bytes that belong to nothing");
+    if (crc != entry->crc) return bad("does not match its check sum");
+    return {};
+  }
+};
+
+ZipStream::ZipStream(std::unique_ptr<State> state) : state_(std::move(state)) {}
+ZipStream::ZipStream(ZipStream&&) noexcept = default;
+ZipStream& ZipStream::operator=(ZipStream&&) noexcept = default;
+ZipStream::~ZipStream() = default;
+
+Result<ZipStream> ZipStream::open(const ZipEntry& entry, std::uint64_t maxBytes) {
+  if (entry.flags & kEncrypted)
+    return fail(ErrorCode::BadInput, fmt::format("The file {} in the archive is encrypted", quoted(entry.name)),
+                "Save the model without a password");
+  if (entry.method != kStored && entry.method != kDeflated)
+    return fail(ErrorCode::BadInput,
+                fmt::format("The file {} in the archive is packed by method {}, which cannot be read",
+                            quoted(entry.name), entry.method),
+                "Pack it with deflate, as every 3MF program does");
+  if (entry.size > maxBytes || (entry.size > kFreeBytes && entry.size / kMaxRatio > entry.packed.size()))
+    return fail(ErrorCode::BadInput,
+                fmt::format("The file {} in the archive would expand from {} to {} bytes; at most {} bytes and {}-fold "
+                            "are accepted",
+                            quoted(entry.name), entry.packed.size(), entry.size, maxBytes, kMaxRatio),
+                "This looks like a ZIP bomb; if it is a real model, reduce (decimate) it first");
+  auto state = std::make_unique<State>();
+  state->entry = &entry;
+  if (entry.method == kStored && entry.size != entry.packed.size()) return state->bad("states two different sizes");
+  if (entry.method == kDeflated) {
+    state->piece.resize(kPieceBytes);
+    state->z.next_in = const_cast<Bytef*>(entry.packed.data());
+    state->z.avail_in = static_cast<uInt>(entry.packed.size());
+    if (inflateInit2(&state->z, -MAX_WBITS) != Z_OK) throw std::bad_alloc();
+    state->inflating = true;
+  }
+  return ZipStream(std::move(state));
+}
+
+Result<std::span<const std::uint8_t>> ZipStream::next() {
+  State& s = *state_;
+  const Result<Bytes> piece = s.inflating ? s.nextInflated() : Result<Bytes>(s.nextStored());
+  if (!piece) return piece;
+  s.given += piece->size();
+  if (s.given > s.entry->size) return s.bad("holds more bytes than it announces");
+  s.crc = static_cast<std::uint32_t>(crc32_z(s.crc, piece->data(), piece->size()));
+  if (piece->empty())
+    if (const Status whole = s.checkEnd(); !whole) return tl::unexpected(whole.error());
+  return piece;
+}
+
+}  // namespace qrelief

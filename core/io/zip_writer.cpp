@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/zip_writer.h"
+
+#include <array>
+#include <cassert>
+#include <cstring>
+#include <new>
+#include <string>
+#include <zlib.h>
+
+namespace qrelief {
+namespace {
+
+constexpr std::uint16_t kVersionNeeded = 20;  // deflate
+constexpr std::uint16_t kDeflated = 8;
+constexpr std::uint16_t kDate = 1 << 5 | 1;  // 1 January 1980, the format's first day
+constexpr int kLevel = 4;                    // on the text of meshes 6 % larger than zlib's default, in half the time
+constexpr int kMemoryLevel = 8;
+constexpr std::size_t kCrcInLocalHeader = 14;
+constexpr std::uint64_t kMaxBytes = 0xfffffffe;
+
+using Bytes = std::vector<std::uint8_t>;
+
+template <class T>
+void put(Bytes& bytes, T value) {
+  std::array<std::uint8_t, sizeof(T)> raw;
+  std::memcpy(raw.data(), &value, sizeof(T));
+  bytes.insert(bytes.end(), raw.begin(), raw.end());
+}
+
+void putText(Bytes& bytes, std::string_view text) { bytes.insert(bytes.end(), text.begin(), text.end()); }
+
+struct File {
+  std::string name;
+  std::uint64_t localHeader = 0, size = 0, packedSize = 0;
+  std::uint32_t crc = 0;
+};
+
+/// What the local header and the directory have in common.
+void putCommon(Bytes& bytes, const File& file) {
+  put<std::uint16_t>(bytes, kVersionNeeded);
+  put<std::uint16_t>(bytes, 0);  // flags
+  put<std::uint16_t>(bytes, kDeflated);
+  put<std::uint16_t>(bytes, 0);  // midnight
+  put<std::uint16_t>(bytes, kDate);
+  put<std::uint32_t>(bytes, file.crc);
+  put(bytes, static_cast<std::uint32_t>(file.packedSize));
+  put(bytes, static_cast<std::uint32_t>(file.size));
+  put(bytes, static_cast<std::uint16_t>(file.name.size()));
+  put<std::uint16_t>(bytes, 0);  // extra fields
+}
+
+}  // namespace
+
+struct ZipWriter::State {
+  Bytes bytes;
+  std::vector<File> files;
+  z_stream z{};
+  bool open = false;
+
+  State() = default;
+  State(const State&) = delete;
+  State& operator=(const State&) = delete;
+  ~State() {
+    if (open) deflateEnd(&z);
+  }
+
+  void compress(std::string_view content, int flush) {
+    std::array<std::uint8_t, 64 * 1024> piece;
+    z.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(content.data()));
+    z.avail_in = static_cast<uInt>(content.size());
+    do {
+      z.next_out = piece.data();
+      z.avail_out = static_cast<uInt>(piece.size());
+      deflate(&z, flush);
+      bytes.insert(bytes.end(), piece.begin(), piece.end() - z.avail_out);
+    } while (z.avail_out == 0);
+  }
+
+  void close() {
+    if (!open) return;
+    compress({}, Z_FINISH);
+    deflateEnd(&z);
+    open = false;
+    File& file = files.back();
+    const std::uint64_t begin = file.localHeader + 30 + file.name.size();
+    file.packedSize = bytes.size() - begin;
+    const std::array<std::uint32_t, 3> numbers = {file.crc, static_cast<std::uint32_t>(file.packedSize),
+                                                  static_cast<std::uint32_t>(file.size)};
+    std::memcpy(bytes.data() + file.localHeader + kCrcInLocalHeader, numbers.data(), sizeof(numbers));
+  }
+};
+
+ZipWriter::ZipWriter() : state_(std::make_unique<State>()) {}
+ZipWriter::~ZipWriter() = default;
+
+void ZipWriter::begin(std::string_view name) {
+  State& s = *state_;
+  s.close();
+  s.files.push_back({std::string(name), s.bytes.size(), 0, 0, 0});
+  put<std::uint32_t>(s.bytes, 0x04034b50);
+  putCommon(s.bytes, s.files.back());
+  putText(s.bytes, name);
+  s.z = {};
+  if (deflateInit2(&s.z, kLevel, Z_DEFLATED, -MAX_WBITS, kMemoryLevel, Z_DEFAULT_STRATEGY) != Z_OK)
+    throw std::bad_alloc();
+  s.open = true;
+}
+
+void ZipWriter::append(std::string_view content) {
+  State& s = *state_;
+  assert(s.open);
+  File& file = s.files.back();
+  file.crc =
+      static_cast<std::uint32_t>(crc32_z(file.crc, reinterpret_cast<const Bytef*>(content.data()), content.size()));
+  file.size += content.size();
+  s.compress(content, Z_NO_FLUSH);
+}
+
+Result<std::vector<std::uint8_t>> ZipWriter::finish() {
+  State& s = *state_;
+  s.close();
+  const std::uint64_t directory = s.bytes.size();
+  bool tooLarge = false;
+  for (const File& file : s.files) {
+    tooLarge |= file.size > kMaxBytes;
+    put<std::uint32_t>(s.bytes, 0x02014b50);
+    put<std::uint16_t>(s.bytes, kVersionNeeded);  // made by
+    putCommon(s.bytes, file);
+    put<std::uint16_t>(s.bytes, 0);  // comment
+    put<std::uint16_t>(s.bytes, 0);  // disk
+    put<std::uint16_t>(s.bytes, 0);  // attributes
+    put<std::uint32_t>(s.bytes, 0);
+    put(s.bytes, static_cast<std::uint32_t>(file.localHeader));
+    putText(s.bytes, file.name);
+  }
+  const std::uint64_t size = s.bytes.size() - directory;
+  if (tooLarge || s.bytes.size() > kMaxBytes)
+    return fail(ErrorCode::BadUsage, "The model is too large for the archive of a 3MF file, 4 GB",
+                "Write a binary STL or a PLY file");
+  put<std::uint32_t>(s.bytes, 0x06054b50);
+  put<std::uint32_t>(s.bytes, 0);  // disks
+  put(s.bytes, static_cast<std::uint16_t>(s.files.size()));
+  put(s.bytes, static_cast<std::uint16_t>(s.files.size()));
+  put(s.bytes, static_cast<std::uint32_t>(size));
+  put(s.bytes, static_cast<std::uint32_t>(directory));
+  put<std::uint16_t>(s.bytes, 0);  // comment
+  return std::move(s.bytes);
+}
+
+}  // namespace qrelief

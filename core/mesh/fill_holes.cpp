@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/fill_holes.h"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+#include "mesh/collinear.h"
+#include "mesh/self_intersection.h"
+#include "mesh/topology.h"
+
+namespace qrelief {
+namespace {
+
+/// More loops than that are no holes but a surface in pieces.
+constexpr std::size_t kMostHoles = 1000;
+
+/// A loop of open edges, in the direction that its patch's triangles take: from corners[i] to corners[i + 1].
+struct Hole {
+  std::vector<std::uint32_t> corners;
+  std::vector<std::uint32_t> triangles;  ///< beside each of the edges
+};
+
+struct HoleEdge {
+  std::uint32_t from, to, triangle;
+};
+
+/// The open edges turned round, by their start.
+std::vector<HoleEdge> holeEdges(const Mesh& mesh, const EdgeTable& edges) {
+  std::vector<HoleEdge> result;
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    if (edges.at(e).size() != 1) continue;
+    const std::uint32_t h = edges.at(e)[0];
+    const Triangle& t = mesh.triangles[h / 3];
+    result.push_back({t[(h + 1) % 3], t[h % 3], h / 3});
+  }
+  std::sort(result.begin(), result.end(),
+            [](const HoleEdge& a, const HoleEdge& b) { return std::tie(a.from, a.to) < std::tie(b.from, b.to); });
+  return result;
+}
+
+/// Walks along open edges; whenever the walk meets itself, that loop is a hole. Where the walk ends without, its edges
+/// belong to none.
+std::vector<Hole> findHoles(std::size_t vertexCount, const std::vector<HoleEdge>& edges) {
+  constexpr std::size_t kOff = std::numeric_limits<std::size_t>::max();
+  std::vector<Hole> holes;
+  std::vector<char> used(edges.size(), 0);
+  std::vector<std::size_t> placeOnPath(vertexCount, kOff);
+  const auto unusedFrom = [&](std::uint32_t vertex) {
+    auto e = std::lower_bound(edges.begin(), edges.end(), vertex,
+                              [](const HoleEdge& edge, std::uint32_t v) { return edge.from < v; });
+    while (e != edges.end() && e->from == vertex && used[static_cast<std::size_t>(e - edges.begin())]) ++e;
+    return e != edges.end() && e->from == vertex ? static_cast<std::size_t>(e - edges.begin()) : kOff;
+  };
+  for (const HoleEdge& first : edges) {
+    std::vector<std::uint32_t> path{first.from};
+    std::vector<std::uint32_t> beside;
+    placeOnPath[first.from] = 0;
+    for (std::size_t e = unusedFrom(path.back()); e != kOff; e = unusedFrom(path.back())) {
+      used[e] = 1;
+      beside.push_back(edges[e].triangle);
+      const std::size_t place = placeOnPath[edges[e].to];
+      if (place == kOff) {
+        placeOnPath[edges[e].to] = path.size();
+        path.push_back(edges[e].to);
+        continue;
+      }
+      const auto begin = static_cast<std::ptrdiff_t>(place);
+      holes.push_back({{path.begin() + begin, path.end()}, {beside.begin() + begin, beside.end()}});
+      for (std::size_t i = place + 1; i < path.size(); ++i) placeOnPath[path[i]] = kOff;
+      path.resize(place + 1);
+      beside.resize(place);
+    }
+    for (const std::uint32_t v : path) placeOnPath[v] = kOff;
+  }
+  return holes;
+}
+
+double diameterOf(const Mesh& mesh, const Hole& hole) {
+  if (hole.corners.size() > kMostHoleEdges) {
+    Box3 box;
+    for (const std::uint32_t v : hole.corners) box.add(Vec3(mesh.positions[v]));
+    return box.diagonal();
+  }
+  double diameter = 0;
+  for (const std::uint32_t u : hole.corners)
+    for (const std::uint32_t v : hole.corners)
+      diameter = std::max(diameter, glm::distance(Vec3(mesh.positions[u]), Vec3(mesh.positions[v])));
+  return diameter;
+}
+
+/// Best triangulations of all runs of a hole's corners, from the short ones to the whole.
+class PatchSearch {
+ public:
+  PatchSearch(const Mesh& mesh, const EdgeTable& edges, const Hole& hole)
+      : mesh_(mesh), hole_(hole), n_(hole.corners.size()), runs_(n_ * n_), isEdge_(n_ * n_, 0) {
+    std::vector<std::pair<std::uint32_t, std::size_t>> places;
+    for (std::size_t i = 0; i < n_; ++i) places.emplace_back(hole.corners[i], i);
+    std::sort(places.begin(), places.end());
+    const auto placeOf = [&](std::uint32_t vertex) {
+      const auto found = std::lower_bound(places.begin(), places.end(), std::pair(vertex, std::size_t{0}));
+      return found != places.end() && found->first == vertex ? found->second : n_;
+    };
+    for (std::size_t e = 0; e < edges.size(); ++e) {
+      const std::uint32_t h = edges.at(e)[0];
+      const std::size_t i = placeOf(mesh.triangles[h / 3][h % 3]);
+      if (i == n_) continue;
+      const std::size_t j = placeOf(mesh.triangles[h / 3][(h + 1) % 3]);
+      if (j < n_) isEdge_[std::min(i, j) * n_ + std::max(i, j)] = 1;
+    }
+  }
+
+  std::optional<std::vector<Triangle>> find() {
+    for (std::size_t length = 2; length < n_; ++length)
+      for (std::size_t i = 0; i + length < n_; ++i) findRun(i, i + length);
+    if (runs_[n_ - 1].fold == kImpossible) return std::nullopt;
+    std::vector<Triangle> triangles;
+    collect(0, n_ - 1, triangles);
+    return triangles;
+  }
+
+ private:
+  static constexpr double kImpossible = std::numeric_limits<double>::infinity();
+
+  /// The corners from i to j, closed by the chord from j to i.
+  struct Run {
+    double fold = kImpossible;  ///< 1 - cosine of the sharpest fold
+    double area = 0;
+    std::size_t apex = 0;
+    Vec3 normal{0};  ///< of the triangle at the chord
+  };
+
+  Vec3 at(std::size_t i) const { return Vec3(mesh_.positions[hole_.corners[i]]); }
+
+  /// Normal of what lies beyond the edge from i to j: the surface, or the run's triangle.
+  Vec3 normalBeyond(std::size_t i, std::size_t j) const {
+    return j == i + 1 ? triangleNormal(mesh_, hole_.triangles[i]) : runs_[i * n_ + j].normal;
+  }
+
+  void findRun(std::size_t i, std::size_t j) {
+    const bool whole = i == 0 && j == n_ - 1;
+    if (!whole && isEdge_[i * n_ + j]) return;  // the edge has its triangles
+    Run& best = runs_[i * n_ + j];
+    for (std::size_t m = i + 1; m < j; ++m) {
+      const Run& left = runs_[i * n_ + m];
+      const Run& right = runs_[m * n_ + j];
+      if ((m > i + 1 && left.fold == kImpossible) || (j > m + 1 && right.fold == kImpossible)) continue;
+      const Vec3 cross = glm::cross(at(m) - at(i), at(j) - at(i));
+      const double twice = glm::length(cross);
+      if (twice == 0 || collinear(mesh_.positions[hole_.corners[i]], mesh_.positions[hole_.corners[m]],
+                                  mesh_.positions[hole_.corners[j]]))
+        continue;
+      Run run{0, twice / 2, m, cross / twice};
+      if (m > i + 1) run.fold = left.fold, run.area += left.area;
+      if (j > m + 1) run.fold = std::max(run.fold, right.fold), run.area += right.area;
+      run.fold = std::max(run.fold, 1 - glm::dot(run.normal, normalBeyond(i, m)));
+      run.fold = std::max(run.fold, 1 - glm::dot(run.normal, normalBeyond(m, j)));
+      if (whole) run.fold = std::max(run.fold, 1 - glm::dot(run.normal, triangleNormal(mesh_, hole_.triangles[j])));
+      if (std::tie(run.fold, run.area) < std::tie(best.fold, best.area) || best.fold == kImpossible) best = run;
+    }
+  }
+
+  void collect(std::size_t i, std::size_t j, std::vector<Triangle>& triangles) const {
+    if (j < i + 2) return;
+    const std::size_t m = runs_[i * n_ + j].apex;
+    triangles.push_back({hole_.corners[i], hole_.corners[m], hole_.corners[j]});
+    collect(i, m, triangles);
+    collect(m, j, triangles);
+  }
+
+  const Mesh& mesh_;
+  const Hole& hole_;
+  std::size_t n_;
+  std::vector<Run> runs_;     // i·n + j
+  std::vector<char> isEdge_;  // of the mesh, i < j
+};
+
+struct Patch {
+  std::vector<Triangle> triangles;
+  std::uint32_t beside;
+  double diameter;
+};
+
+/// For each patch whether its triangles meet any others but at their common edges and corners.
+Result<std::vector<char>> findBadPatches(const Mesh& mesh, const std::vector<Patch>& patches) {
+  Mesh filled = mesh;
+  std::vector<std::size_t> patchOf;  // of the triangles added
+  std::vector<std::uint32_t> added;
+  for (std::size_t i = 0; i < patches.size(); ++i)
+    for (const Triangle& t : patches[i].triangles) {
+      added.push_back(static_cast<std::uint32_t>(filled.triangles.size()));
+      filled.triangles.push_back(t);
+      patchOf.push_back(i);
+    }
+  std::vector<char> bad(patches.size(), 0);
+  const auto blame = [&](std::size_t triangle) {
+    if (triangle >= mesh.triangles.size()) bad[patchOf[triangle - mesh.triangles.size()]] = 1;
+  };
+  constexpr std::size_t kMostCrossings = 100'000;
+  const auto crossings = findSelfIntersections(filled, added, kMostCrossings);
+  if (!crossings) return tl::unexpected(crossings.error());
+  if (crossings->size() == kMostCrossings) return std::vector<char>(patches.size(), 1);
+  for (const TrianglePair& pair : *crossings)
+    for (const std::uint32_t t : pair) blame(t);
+  const EdgeTable edges = buildEdgeTable(filled.triangles);
+  for (std::size_t e = 0; e < edges.size(); ++e)
+    if (edges.at(e).size() > 2)
+      for (const std::uint32_t h : edges.at(e)) blame(h / 3);
+  return bad;
+}
+
+}  // namespace
+
+Result<HoleFilling> fillHoles(Mesh& mesh, double maxDiameterMm) {
+  HoleFilling result;
+  const EdgeTable edges = buildEdgeTable(mesh.triangles);
+  const std::vector<Hole> holes = findHoles(mesh.positions.size(), holeEdges(mesh, edges));
+  if (holes.size() > kMostHoles) return result;
+  std::vector<Patch> patches;
+  const auto block = [&](std::uint32_t vertex) {
+    if (result.blocked++ == 0) result.blockedAt = Vec3(mesh.positions[vertex]);
+  };
+  for (const Hole& hole : holes) {
+    const double diameter = diameterOf(mesh, hole);
+    if (diameter > maxDiameterMm || hole.corners.size() > kMostHoleEdges) {
+      ++result.tooLarge;
+      if (diameter > result.largestLeftMm) {
+        result.largestLeftMm = diameter;
+        result.largestLeftEdges = hole.corners.size();
+        result.leftAt = Vec3(mesh.positions[hole.corners[0]]);
+      }
+      continue;
+    }
+    auto triangles = hole.corners.size() < 3 ? std::nullopt : PatchSearch(mesh, edges, hole).find();
+    if (triangles)
+      patches.push_back({std::move(*triangles), hole.triangles[0], diameter});
+    else
+      block(hole.corners[0]);
+  }
+  if (patches.empty()) return result;
+  const auto bad = findBadPatches(mesh, patches);
+  if (!bad) return tl::unexpected(bad.error());
+  for (std::size_t i = 0; i < patches.size(); ++i) {
+    const std::uint32_t corner = patches[i].triangles[0][0];
+    if ((*bad)[i]) {
+      block(corner);
+      continue;
+    }
+    ++result.filled;
+    if (patches[i].diameter > result.largestFilledMm) {
+      result.largestFilledMm = patches[i].diameter;
+      result.filledAt = Vec3(mesh.positions[corner]);
+    }
+    mesh.triangles.insert(mesh.triangles.end(), patches[i].triangles.begin(), patches[i].triangles.end());
+    result.beside.insert(result.beside.end(), patches[i].triangles.size(), patches[i].beside);
+  }
+  return result;
+}
+
+}  // namespace qrelief

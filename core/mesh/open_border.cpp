@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/open_border.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace qrelief {
+
+OpenBorder::Found OpenBorder::find(const Mesh& mesh) {
+  const EdgeTable edges = buildEdgeTable(mesh.triangles);
+  Found found;
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    if (edges.at(e).size() != 1) continue;
+    const std::uint32_t halfEdge = edges.at(e)[0];
+    const Triangle& t = mesh.triangles[halfEdge / 3];
+    found.halfEdges.push_back(halfEdge);
+    found.triangles.push_back(halfEdge / 3);
+    found.vertices.insert(found.vertices.end(), {t[halfEdge % 3], t[(halfEdge + 1) % 3]});
+  }
+  for (std::vector<std::uint32_t>* list : {&found.vertices, &found.triangles}) {
+    std::sort(list->begin(), list->end());
+    list->erase(std::unique(list->begin(), list->end()), list->end());
+  }
+  return found;
+}
+
+OpenBorder::OpenBorder(const Mesh& mesh) : OpenBorder(mesh, find(mesh)) {}
+
+OpenBorder::OpenBorder(const Mesh& mesh, Found found)
+    : halfEdges_(std::move(found.halfEdges)),
+      vertices_(std::move(found.vertices)),
+      isOpen_(mesh.positions.size(), 0),
+      tree_(mesh, found.triangles) {
+  for (const std::uint32_t v : vertices_) isOpen_[v] = 1;
+}
+
+void OpenBorder::findNear(Vec3 point, double reach, std::vector<std::uint32_t>& triangles) const {
+  triangles.clear();
+  // A little more than asked for, so that rounding to floats loses nothing.
+  const Vec3 margin = reach + 1e-6 * (glm::abs(point) + reach);
+  const FloatBox box{Vec3f(point - margin), Vec3f(point + margin)};
+  std::vector<std::uint32_t> leaves;
+  tree_.findLeaves(box, 0, leaves);
+  for (const std::uint32_t leaf : leaves)
+    for (std::size_t i = 0; i < tree_.trianglesIn(leaf).size(); ++i)
+      if (tree_.boxesIn(leaf)[i].overlaps(box)) triangles.push_back(tree_.trianglesIn(leaf)[i]);
+}
+
+}  // namespace qrelief

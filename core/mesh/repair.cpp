@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/repair.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include "math/tolerance.h"
+#include "mesh/self_intersection.h"
+#include "mesh/weld.h"
+
+namespace qrelief {
+namespace {
+
+std::size_t countEdges(const EdgeTable& edges, bool open) {
+  std::size_t count = 0;
+  for (std::size_t e = 0; e < edges.size(); ++e) count += open ? edges.at(e).size() == 1 : edges.at(e).size() > 2;
+  return count;
+}
+
+/// origin[i] becomes what step[i] stood for before; an empty step changed nothing.
+void follow(std::vector<std::uint32_t>& origin, const std::vector<std::uint32_t>& step) {
+  if (step.empty()) return;
+  std::vector<std::uint32_t> followed(step.size());
+  for (std::size_t i = 0; i < step.size(); ++i) followed[i] = origin[step[i]];
+  origin = std::move(followed);
+}
+
+void addTo(Cleaning& sum, const Cleaning& more) {
+  sum.degenerate += more.degenerate;
+  sum.mended += more.mended;
+  sum.duplicates += more.duplicates;
+  if (!sum.degenerateAt) sum.degenerateAt = more.degenerateAt;
+  if (!sum.duplicateAt) sum.duplicateAt = more.duplicateAt;
+}
+
+double toleranceFor(const Mesh& mesh, const RepairOptions& options) {
+  if (options.weldToleranceMm) return *options.weldToleranceMm;
+  const Box3 box = boundingBox(mesh);
+  const Vec3 far = glm::max(glm::abs(box.min), glm::abs(box.max));
+  return std::max(kWeldShare * box.diagonal(),
+                  kWeldFloatSteps * std::numeric_limits<float>::epsilon() * std::max({far.x, far.y, far.z}));
+}
+
+std::vector<std::uint32_t> partsNow(const Repaired& r, std::span<const std::uint32_t> partOfTriangle) {
+  std::vector<std::uint32_t> parts;
+  if (partOfTriangle.empty()) return parts;
+  for (const std::uint32_t t : r.origin) parts.push_back(partOfTriangle[t]);
+  return parts;
+}
+
+/// Welds and splits along open edges.
+void closeSeams(Repaired& r, std::span<const std::uint32_t> partOfTriangle, const RepairOptions& options,
+                EdgeTable& edges) {
+  const std::size_t nonManifold = countEdges(edges, false);
+  if (options.weldNear) {
+    Mesh welded = r.mesh;
+    const NearWelding welding = weldNear(welded, r.toleranceMm, partsNow(r, partOfTriangle));
+    const Cleaning cleaning = welding.moved > 0 ? cleanTriangles(welded) : Cleaning{};
+    EdgeTable after = buildEdgeTable(welded.triangles);
+    if (welding.moved > 0 && countEdges(after, false) <= nonManifold) {
+      r.mesh = std::move(welded);
+      edges = std::move(after);
+      r.welding = welding;
+      addTo(r.cleaning, cleaning);
+      follow(r.origin, cleaning.origin);
+    }
+  }
+  if (options.splitTJunctions && countEdges(edges, true) > 0) {
+    Mesh split = r.mesh;
+    TJunctionSplit splitting = splitAtTJunctions(split, r.toleranceMm);
+    EdgeTable after = buildEdgeTable(split.triangles);
+    if (splitting.vertices > 0 && countEdges(after, false) <= nonManifold) {
+      r.mesh = std::move(split);
+      edges = std::move(after);
+      follow(r.origin, splitting.origin);
+      r.split = std::move(splitting);
+    }
+  }
+}
+
+/// Fills holes in a consistent mesh, and takes stock of the shells again.
+Status closeHoles(Repaired& r, EdgeTable& edges) {
+  Result<HoleFilling> filling = fillHoles(r.mesh, r.maxHoleMm);
+  if (!filling) return tl::unexpected(filling.error());
+  r.filling = std::move(*filling);
+  if (r.filling.filled == 0) return {};
+  for (const std::uint32_t t : r.filling.beside) r.origin.push_back(r.origin[t]);
+  edges = buildEdgeTable(r.mesh.triangles);
+  r.adjacency = buildAdjacency(r.mesh.triangles, edges);
+  Consistency now = makeConsistent(r.mesh.triangles, r.adjacency);
+  const Consistency& before = r.consistency;
+  for (std::size_t t = 0; t < before.shells.of.size(); ++t)
+    if (before.wasMixed[before.shells.of[t]]) now.wasMixed[now.shells.of[t]] = 1;
+  now.turned += before.turned;
+  if (before.turnedExample) now.turnedExample = before.turnedExample;
+  r.consistency = std::move(now);
+  return {};
+}
+
+/// The first pairs that cross, nothing moved.
+Result<Untangling> countCrossings(const Mesh& mesh) {
+  constexpr std::size_t kMostCounted = 1000;
+  const auto pairs = findSelfIntersections(mesh, {}, kMostCounted);
+  if (!pairs) return tl::unexpected(pairs.error());
+  Untangling result;
+  result.pairs = pairs->size();
+  result.atLeast = pairs->size() == kMostCounted;
+  if (!pairs->empty()) result.at = mesh.corner(pairs->front()[0], 0);
+  return result;
+}
+
+}  // namespace
+
+Result<Repaired> repairMesh(Mesh mesh, std::span<const std::uint32_t> partOfTriangle, const RepairOptions& options) {
+  Repaired r;
+  r.mesh = std::move(mesh);
+  r.origin.resize(r.mesh.triangles.size());
+  std::iota(r.origin.begin(), r.origin.end(), 0u);
+  r.toleranceMm = toleranceFor(r.mesh, options);
+  r.maxHoleMm = options.maxHoleMm.value_or(kHoleShare * boundingBox(r.mesh).diagonal());
+  r.cleaning = cleanTriangles(r.mesh);
+  follow(r.origin, r.cleaning.origin);
+  EdgeTable edges = buildEdgeTable(r.mesh.triangles);
+  if (countEdges(edges, true) > 0) closeSeams(r, partOfTriangle, options, edges);
+  r.adjacency = buildAdjacency(r.mesh.triangles, edges);
+  r.consistency = makeConsistent(r.mesh.triangles, r.adjacency);
+  if (options.fillHoles && countEdges(edges, true) > 0)
+    if (const Status closed = closeHoles(r, edges); !closed) return tl::unexpected(closed.error());
+  r.defects = findDefects(r.mesh, edges, r.adjacency);
+  r.outwardness = orientOutwards(r.mesh, r.adjacency, r.consistency);
+  dropUnused(r.mesh);
+  if (r.closed()) {
+    Result<Untangling> untangling = options.untangle ? untangle(r.mesh) : countCrossings(r.mesh);
+    if (!untangling) return tl::unexpected(untangling.error());
+    r.untangling = *untangling;
+  }
+  return r;
+}
+
+}  // namespace qrelief

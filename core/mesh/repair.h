@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "base/result.h"
+#include "mesh/clean.h"
+#include "mesh/defects.h"
+#include "mesh/fill_holes.h"
+#include "mesh/orient.h"
+#include "mesh/t_junctions.h"
+#include "mesh/untangle.h"
+#include "mesh/weld_near.h"
+
+namespace qrelief {
+
+/// Which repairs may be made. What a repair that is switched off would have mended is reported, and blocks if the model
+/// is no solid without it.
+struct RepairOptions {
+  std::optional<double> weldToleranceMm = {};  ///< for vertices on open edges, ≥ 0; absent: kWeldShare of the diagonal
+  std::optional<double> maxHoleMm = {};        ///< diameter of the largest hole to be filled; absent: kHoleShare of it
+  bool weldNear = true;
+  bool splitTJunctions = true;
+  bool fillHoles = true;
+  bool dropStray = true;  ///< triangles without area, or that are there twice
+  bool orient = true;     ///< turn triangles and shells round
+  bool untangle = true;   ///< move vertices to part crossing triangles
+
+  static RepairOptions none() {
+    RepairOptions options;
+    options.weldNear = options.splitTJunctions = options.fillHoles = false;
+    options.dropStray = options.orient = options.untangle = false;
+    return options;
+  }
+};
+
+/// A mesh after all repairs, what each did, and what is left.
+struct Repaired {
+  Mesh mesh;
+  std::vector<std::uint32_t> origin;  ///< for each triangle, the one given that it comes from or lies beside
+  Adjacency adjacency;
+  double toleranceMm = 0, maxHoleMm = 0;  ///< that were used
+  Cleaning cleaning;
+  NearWelding welding;
+  TJunctionSplit split;
+  HoleFilling filling;
+  Consistency consistency;
+  Outwardness outwardness;
+  Untangling untangling;
+  Defects defects;  ///< that are left
+
+  bool closed() const { return defects.openEdges == 0 && defects.nonManifoldEdges == 0 && !consistency.oneSided; }
+};
+
+/// Drops stray triangles, welds and splits at open edges, turns neighbours to agree, fills holes, turns shells outwards
+/// and parts crossing triangles, in this order; each where it is needed only. A step that would give an edge a third
+/// triangle is not made.
+///
+/// Cost: O(T log T); on a sound mesh most of it the search for crossing triangles.
+/// @param mesh            welded by equal position
+/// @param partOfTriangle  vertices of different parts are not welded, unless they are equal; empty: one part
+/// @returns an error only if the exact predicates fail
+Result<Repaired> repairMesh(Mesh mesh, std::span<const std::uint32_t> partOfTriangle, const RepairOptions& options);
+
+}  // namespace qrelief

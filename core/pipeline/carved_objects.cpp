@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/carved_objects.h"
+
+#include <algorithm>
+
+namespace qrelief {
+namespace {
+
+constexpr Colour kBodyColour = {235, 235, 230};
+constexpr Colour kInlayColour = {25, 25, 30};
+
+/// The object that holds the carved part: parts without a triangle have none.
+std::size_t carvedObject(const EngraveResult& result) {
+  std::vector<std::uint32_t> parts = result.partOfTriangle;
+  std::sort(parts.begin(), parts.end());
+  parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
+  return static_cast<std::size_t>(std::lower_bound(parts.begin(), parts.end(), result.carvedPart) - parts.begin());
+}
+
+}  // namespace
+
+std::vector<ModelObject> carvedObjects(const EngraveResult& result, std::span<const std::string> partNames,
+                                       bool withInlay) {
+  std::vector<ModelObject> objects = objectsOf(result.mesh, result.partOfTriangle, partNames);
+  if (!withInlay || !result.inlay) return objects;
+  ModelObject& carved = objects[carvedObject(result)];
+  carved.bodies.front().colour = kBodyColour;
+  carved.bodies.push_back({"QR code", *result.inlay, kInlayColour});
+  return objects;
+}
+
+}  // namespace qrelief

@@ -1,0 +1,363 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/place.h"
+
+#include <algorithm>
+#include <cassert>
+#include <chrono>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+#include <numbers>
+
+#include "carving/wall_limit.h"
+#include "projection/size.h"
+
+namespace qrelief {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double kSliceMs = 30;       // of views drawn in one piece of work
+constexpr double kMapShare = 0.6;     // of the progress
+constexpr double kMapMayErr = 0.9;    // a spot that the map gives this share of the size is worth a test; so is one
+                                      // that takes the square at some rotation only, down to 1/√2 of it
+constexpr double kMostSlopeDeg = 70;  // beyond it readers failed at codes that fitted; the map's own limit is 65°
+constexpr double kTrustedSizeShare = 1.001;  // what fits is to be larger than what is offered by this much
+constexpr std::size_t kTriesPerSpot = 4;
+constexpr std::size_t kLeastTries = 8;
+constexpr std::size_t kLargestTried = 3;  // spots tried for the largest size where the size asked for fits nowhere
+constexpr double kTakenShare = 0.98;      // of the modules must take pockets of the least depth
+constexpr double kAcrossShare = 0.95;
+constexpr double kUnaskedShare = 0.1;  // of the model's diagonal: how fine the map is without a size
+constexpr double kPerDirectionUnit = 1e4;
+
+/// How fine the map is where no size is asked for.
+double unaskedLeastMm(const EngravableModel& model) {
+  return kUnaskedShare * boundingBox(model.prepared.mesh).diagonal();
+}
+
+Vec3 roundedTo(Vec3 v, double perUnit) {
+  return {std::round(v.x * perUnit) / perUnit, std::round(v.y * perUnit) / perUnit,
+          std::round(v.z * perUnit) / perUnit};
+}
+
+Status checkRequest(const PlaceRequest& request) {
+  const PlacementRequest& place = request.placement;
+  const auto bad = [](std::string message, std::string hint) {
+    return fail(ErrorCode::BadUsage, std::move(message), std::move(hint));
+  };
+  if (!(place.eyeDistanceMm >= 20 && place.eyeDistanceMm <= 1e5))
+    return bad(fmt::format("The eye distance is {:g} mm", place.eyeDistanceMm),
+               "Choose between 20 mm and 100 m; 250 mm is a phone's");
+  if (place.sizeMode == SizeMode::Fixed && !(place.sizeMm > 0 && place.sizeMm <= 1e4))
+    return bad(fmt::format("The size is {:g} mm", place.sizeMm), "Choose the symbol's edge in mm, such as 35");
+  if (!(place.maxSizeMm > 0 && place.maxSizeMm <= 1e4))
+    return bad(fmt::format("The greatest size is {:g} mm", place.maxSizeMm), "Choose an edge in mm, such as 60");
+  if (!(request.minWallMm >= 0)) return bad("The minimum wall is negative", "Choose 0 or more, such as 0.8");
+  if (request.count < 1 || request.count > 100)
+    return bad(fmt::format("{} spots are asked for", request.count), "Choose between 1 and 100");
+  return {};
+}
+
+struct Wall {
+  bool takes = false;      ///< pockets of the least depth
+  double thicknessMm = 0;  ///< along the rays
+};
+
+/// The wall under nearly all modules, by the limits that engraving will keep to.
+Result<Wall> measureWall(const EngravableModel& model, const GeometryPass& pass, const Placement& placement,
+                         int modules, double depthMm, double minWallMm) {
+  const MapWindow window{placement.symbolMm, modules};
+  const auto front = pass.render(model.gpu, placement.frame, window);
+  if (!front) return tl::unexpected(front.error());
+  const auto back = pass.renderBack(model.gpu, placement.frame, window);
+  if (!back) return tl::unexpected(back.error());
+  const std::vector<float> ahead = front->framebuffer.readRgba(1);
+  const std::vector<float> behind = back->framebuffer.readRed();
+
+  const auto cells = static_cast<std::size_t>(modules) * static_cast<std::size_t>(modules);
+  SubmoduleMask all;
+  all.size = modules;
+  all.carved.assign(cells, 1);
+  std::vector<double> thickness(cells, std::numeric_limits<double>::infinity());
+  for (int row = 0; row < modules; ++row) {
+    for (int column = 0; column < modules; ++column) {
+      const auto texel = static_cast<std::size_t>((modules - 1 - row) * modules + column);  // row 0 at the bottom
+      const float nearest = ahead[4 * texel + 3];
+      if (nearest > 0 && behind[texel] > 0)
+        thickness[static_cast<std::size_t>(row * modules + column)] = static_cast<double>(behind[texel] - nearest);
+    }
+  }
+  const std::vector<double> limits =
+      wallLimits(model.prepared.mesh, placement.patch, placement.frame, all, {placement.symbolMm, depthMm, minWallMm});
+  std::size_t taking = 0;
+  for (std::size_t i = 0; i < cells; ++i)
+    if (std::min(limits[i], thickness[i] - minWallMm) >= depthMm) ++taking;
+  const auto thin = static_cast<std::size_t>((1 - kTakenShare) * static_cast<double>(cells));
+  std::nth_element(thickness.begin(), thickness.begin() + static_cast<std::ptrdiff_t>(thin), thickness.end());
+  return Wall{taking + thin >= cells, thickness[thin]};
+}
+
+}  // namespace
+
+int centreDecimals(double scaleToMm) {
+  return std::clamp(3 + static_cast<int>(std::ceil(std::log10(scaleToMm))), 0, 15);
+}
+
+struct PlaceJob::State {
+  enum class Stage { Mapping, Testing, FindingLargest, Done };
+
+  std::shared_ptr<const EngravableModel> model;
+  PlaceRequest request;
+  GeometryPass pass;
+  Stage stage = Stage::Mapping;
+  std::optional<PlacementMapSearch> mapping;
+  double outer = 1;  // request.outerFactor()
+
+  std::vector<SpotCandidate> candidates;
+  std::size_t candidate = 0;
+  bool withDirection = false;  // the second try at a candidate
+  std::optional<PlacementSearch> search;
+  OfferedSpot offered;            // what is being tested
+  std::optional<Vec3> direction;  // that it is tested with; none: the method's
+  std::size_t tooThin = 0;
+  double thickestMm = 0;               // of those
+  std::optional<OfferedSpot> largest;  // of those that fit a size less than asked for
+  PlaceResult result;
+  double fraction = kMapShare;  // of the progress, once spots are tested
+
+  bool fixed() const { return request.placement.sizeMode == SizeMode::Fixed; }
+  double wantedMm() const { return fixed() ? request.placement.sizeMm : request.placement.maxSizeMm; }
+  const PlacementMap& map() const { return mapping ? mapping->map() : result.map; }
+  double mostInMap() const;
+  void startMap(double leastMm);
+  void drawViews();
+  void propose(double leastSizeMm);
+  void beginTest();
+  Status testOnce();
+  Status take(const Placement& placement);
+  void nextTry();
+  Status finishTests();
+  Error nothingFound() const;
+  double testedShare() const;
+};
+
+double PlaceJob::State::mostInMap() const {
+  const std::vector<float>& sizes = map().sizeMm;
+  return static_cast<double>(*std::max_element(sizes.begin(), sizes.end()));
+}
+
+/// @param leastMm  the least square that the map must show
+void PlaceJob::State::startMap(double leastMm) {
+  PlacementMapOptions options;
+  options.eyeDistanceMm = request.placement.eyeDistanceMm;
+  options.leastMm = leastMm;
+  options.views = request.views;
+  options.onlyFrom = request.placement.direction;
+  mapping.emplace(model->prepared.mesh, model->prepared.normals, options);
+}
+
+void PlaceJob::State::drawViews() {
+  const auto start = Clock::now();
+  while (std::chrono::duration<double, std::milli>(Clock::now() - start).count() < kSliceMs) {
+    if (!mapping->step()) continue;
+    result.map = mapping->takeMap();
+    mapping.reset();
+    const bool searchesLargest = stage == Stage::FindingLargest;
+    propose(fixed() && !searchesLargest ? kMapMayErr * request.placement.sizeMm * outer / std::numbers::sqrt2 : 0);
+    if (!searchesLargest) stage = Stage::Testing;
+    return;
+  }
+}
+
+void PlaceJob::State::propose(double leastSizeMm) {
+  CandidateOptions options;
+  options.edgeMm = std::min(wantedMm() * outer, std::max(mostInMap(), 1e-3));
+  options.leastSizeMm = leastSizeMm;
+  options.enoughMm = std::max(wantedMm(), request.placement.maxSizeMm) * outer;
+  candidates = spotCandidates(map(), options);
+  candidate = 0;
+  withDirection = false;
+}
+
+void PlaceJob::State::beginTest() {
+  const SpotCandidate& spot = candidates[candidate];
+  PlacementRequest placement = request.placement;
+  offered = {};
+  offered.centreFileUnits =
+      roundedTo(spot.position / request.scaleToMm, std::pow(10, centreDecimals(request.scaleToMm)));
+  offered.centreMm = offered.centreFileUnits * request.scaleToMm;
+  placement.centreMm = offered.centreMm;
+  if (withDirection) placement.direction = roundedTo(spot.direction, kPerDirectionUnit);
+  direction = placement.direction;
+  placement.beyondMm = request.minWallMm + request.leastDepthMm;
+  if (stage == Stage::FindingLargest) placement.sizeMode = SizeMode::Free;
+  search.emplace(model->prepared, model->gpu, pass, request.modules, placement);
+  ++result.tried;
+}
+
+/// On with the map's direction at the same spot, or with the next spot.
+void PlaceJob::State::nextTry() {
+  search.reset();
+  const bool done = withDirection || request.placement.direction;
+  if (done) ++candidate;
+  withDirection = !done;
+}
+
+Status PlaceJob::State::take(const Placement& placement) {
+  offered.direction = direction.value_or(placement.frame.normal);
+  offered.needsDirection = withDirection;
+  offered.symbolMm = placement.symbolMm;
+  offered.guaranteedMm = placement.guaranteedMm;
+  offered.largestMm =
+      std::min(std::max(wantedMm(), request.placement.maxSizeMm), orientedSize(placement.patch.silhouette) / outer);
+  offered.quality = qualityOf(result.map, placement.frame, placement.symbolMm * outer);
+  const bool tooTight = fixed() && stage == Stage::Testing && offered.largestMm < kTrustedSizeShare * offered.symbolMm;
+  if (tooTight || offered.quality.worstAngleDeg > kMostSlopeDeg) {
+    nextTry();
+    return {};
+  }
+  const auto wall = measureWall(*model, pass, placement, request.modules, request.leastDepthMm, request.minWallMm);
+  if (!wall) return tl::unexpected(wall.error());
+  if (wall->takes) {
+    if (stage == Stage::Testing)
+      result.spots.push_back(offered);
+    else if (!largest || offered.symbolMm > largest->symbolMm)
+      largest = offered;
+    withDirection = true;  // done with this spot
+  } else if (!withDirection) {
+    ++tooThin;
+    thickestMm = std::max(thickestMm, wall->thicknessMm);
+  }
+  nextTry();
+  return {};
+}
+
+Status PlaceJob::State::testOnce() {
+  const bool enough = stage == Stage::Testing ? result.spots.size() >= request.count ||
+                                                    candidate >= kLeastTries + kTriesPerSpot * request.count
+                                              : candidate >= kLargestTried;
+  if (candidate >= candidates.size() || enough) return finishTests();
+  if (!search) beginTest();
+  const Result<bool> found = search->step();
+  if (found) return *found ? take(search->placement()) : Status();
+  if (found.error().code != ErrorCode::NoSolution) return tl::unexpected(found.error());
+  nextTry();
+  return {};
+}
+
+Status PlaceJob::State::finishTests() {
+  if (stage == Stage::FindingLargest) return tl::unexpected(nothingFound());
+  if (result.spots.empty()) {
+    stage = Stage::FindingLargest;
+    if (result.map.viewsDropped > 0)
+      startMap(unaskedLeastMm(*model));  // they may take a smaller one
+    else
+      propose(0);
+    return {};
+  }
+  const auto rank = [&](const OfferedSpot& spot) {
+    return SpotRank(spot.guaranteedMm, spot.quality, spot.symbolMm * outer);
+  };
+  std::stable_sort(result.spots.begin(), result.spots.end(), [&](const OfferedSpot& a, const OfferedSpot& b) {
+    return a.needsDirection != b.needsDirection ? b.needsDirection : rank(a) < rank(b);
+  });
+  stage = Stage::Done;
+  return {};
+}
+
+Error PlaceJob::State::nothingFound() const {
+  Error error{ErrorCode::NoSolution, "", ""};
+  const std::string wanted = fixed() ? fmt::format("a code of {:.4g} mm{}", request.placement.sizeMm,
+                                                   request.placement.quietZone ? " with its quiet zone" : "")
+                                     : std::string("a code");
+  error.message = fmt::format("No spot of the model takes {}", wanted);
+  if (tooThin > 0)
+    error.message += fmt::format(
+        "; {} {} large enough, but the wall is {:.2g} mm at most, too thin for pockets of {:g} mm if {:g} mm must "
+        "remain",
+        tooThin, tooThin == 1 ? "is" : "are", thickestMm, request.leastDepthMm, request.minWallMm);
+  if (largest) {
+    const Vec3 at = largest->centreFileUnits;
+    const int digits = centreDecimals(request.scaleToMm);
+    error.message += fmt::format("; the largest found is {:.4g} mm at {:.{}f},{:.{}f},{:.{}f}",
+                                 std::floor(largest->symbolMm * 100) / 100, at.x, digits, at.y, digits, at.z, digits);
+  }
+  // Walls are measured along the rays; across they may be a little thinner.
+  const double spare = std::floor(10 * (kAcrossShare * thickestMm - request.leastDepthMm)) / 10;
+  error.hint =
+      tooThin > 0 && spare > 0 && spare < request.minWallMm
+          ? fmt::format("Let {:g} mm remain behind the pockets (--min-wall {:g}), or scale the model", spare, spare)
+      : tooThin > 0 ? "Scale the model up, or thicken its wall"
+      : largest     ? "Ask for a smaller size, or scale the model"
+                    : "Check the model's unit: it may be too small for any code";
+  return error;
+}
+
+double PlaceJob::State::testedShare() const {
+  const std::size_t all = std::min(candidates.size(), kLeastTries + kTriesPerSpot * request.count);
+  return std::max(static_cast<double>(result.spots.size()) / static_cast<double>(request.count),
+                  static_cast<double>(candidate) / static_cast<double>(std::max<std::size_t>(1, all)));
+}
+
+PlaceJob::PlaceJob(std::unique_ptr<State> state) : state_(std::move(state)) {}
+PlaceJob::~PlaceJob() = default;
+
+Result<std::unique_ptr<PlaceJob>> PlaceJob::create(std::shared_ptr<const EngravableModel> model, PlaceRequest request) {
+  if (const Status checked = checkRequest(request); !checked) return tl::unexpected(checked.error());
+  if (const Status engravable = model->prepared.engravable(); !engravable) return tl::unexpected(engravable.error());
+  auto pass = GeometryPass::create();
+  if (!pass) return tl::unexpected(pass.error());
+
+  auto state = std::make_unique<State>();
+  state->outer = request.outerFactor();
+  state->model = std::move(model);
+  state->request = std::move(request);
+  state->pass = std::move(*pass);
+  const PlacementRequest& placement = state->request.placement;
+  state->startMap(state->fixed() ? placement.sizeMm * state->outer : unaskedLeastMm(*state->model));
+  return std::unique_ptr<PlaceJob>(new PlaceJob(std::move(state)));
+}
+
+Result<Progress> PlaceJob::advance() {
+  State& s = *state_;
+  assert(s.stage != State::Stage::Done);
+  switch (s.stage) {
+    case State::Stage::Mapping:
+      s.drawViews();
+      return Progress{"Looking from all sides", kMapShare * (s.mapping ? s.mapping->doneShare() : 1), false};
+    case State::Stage::Testing:
+      if (const Status tested = s.testOnce(); !tested) return tl::unexpected(tested.error());
+      if (s.stage == State::Stage::Done) return Progress{"Testing spots", 1, true};
+      s.fraction = std::max(s.fraction, kMapShare + (1 - kMapShare) * std::min(1.0, s.testedShare()));
+      return Progress{"Testing spots", s.fraction, false};
+    case State::Stage::FindingLargest:
+      if (s.mapping)
+        s.drawViews();
+      else if (const Status tested = s.testOnce(); !tested)
+        return tl::unexpected(tested.error());
+      return Progress{"Finding the largest size", 1, false};
+    case State::Stage::Done:
+      break;
+  }
+  return fail(ErrorCode::Internal, "advance() after done");
+}
+
+const PlacementMap& PlaceJob::map() const { return state_->map(); }
+
+PlaceResult PlaceJob::takeResult() {
+  assert(state_->stage == State::Stage::Done);
+  return std::move(state_->result);
+}
+
+Result<PlaceResult> place(std::shared_ptr<const EngravableModel> model, const PlaceRequest& request) {
+  auto job = PlaceJob::create(std::move(model), request);
+  if (!job) return tl::unexpected(job.error());
+  for (;;) {
+    const Result<Progress> progress = (*job)->advance();
+    if (!progress) return tl::unexpected(progress.error());
+    if (progress->done) return (*job)->takeResult();
+  }
+}
+
+}  // namespace qrelief

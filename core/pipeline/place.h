@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "base/progress.h"
+#include "pipeline/engrave.h"
+#include "projection/spot_candidates.h"
+
+namespace qrelief {
+
+/// What is to find a place.
+struct PlaceRequest {
+  /// As for engraving; `centreMm` does not count. With SizeMode::Fixed spots that take that size are found, else those
+  /// that take the largest.
+  PlacementRequest placement;
+  int modules = 21;           ///< of the symbol along its edge; the fewer, the wider the quiet zone beside them
+  double minWallMm = 0.8;     ///< material that must remain behind a floor, ≥ 0
+  double leastDepthMm = 0.3;  ///< a spot whose wall does not take pockets of this depth is not offered, > 0
+  std::size_t count = 5;      ///< spots to find, ≥ 1
+  int views = 240;            ///< of the placement map, ≥ 200
+  /// File units → mm: a centre is rounded to what a user will read, about a micrometre, before it is tested.
+  double scaleToMm = 1;
+
+  /// Edge of what must fit, in edges of the symbol.
+  double outerFactor() const { return roomFactor(modules, placement.quietZone); }
+};
+
+/// Decimals that a centre in file units is rounded to: a micrometre or finer, at most 15.
+int centreDecimals(double scaleToMm);
+
+/// A spot that takes the code: engraving with this centre (and this direction, where it is needed) has been tried as
+/// far as placement and wall thickness go.
+struct OfferedSpot {
+  Vec3 centreFileUnits{0};  ///< exact to centreDecimals()
+  Vec3 centreMm{0};
+  Vec3 direction{0};            ///< towards the reader; where it is needed, unit but for four decimals
+  bool needsDirection = false;  ///< the request's method alone finds no direction from which the code fits
+  double symbolMm = 0;          ///< the size asked for, or the one found
+  double largestMm = 0;         ///< that fits there, from that direction, at the rotation asked for
+  double guaranteedMm = 0;      ///< at every rotation
+  SquareQuality quality;        ///< of the symbol with its quiet zone, if that must fit
+};
+
+struct PlaceResult {
+  PlacementMap map;
+  std::vector<OfferedSpot> spots;  ///< best first; may be fewer than asked for, not none
+  std::size_t tried = 0;           ///< spots that were tested
+};
+
+/// Finds where a code can go, a bounded piece of work at a time; to cancel, stop calling. Needs the GL context of the
+/// model.
+///
+/// The placement map (projection/placement_map.h) proposes, and every proposal is tested as engraving will test it:
+/// direction, exact silhouette, wall thickness. First with the direction method asked for; where the code does not fit
+/// so, with the direction of the map.
+class PlaceJob {
+ public:
+  /// @returns BadUsage for a request that makes no sense; a model's blocking findings
+  static Result<std::unique_ptr<PlaceJob>> create(std::shared_ptr<const EngravableModel> model, PlaceRequest request);
+  ~PlaceJob();
+
+  /// The next piece. @returns at the end NoSolution if there is no spot, with the largest size that fits somewhere.
+  /// After an error or `done` it must not be called again.
+  Result<Progress> advance();
+
+  /// The map as far as it is known; complete when the first spot is tested.
+  const PlacementMap& map() const;
+
+  /// The result, once, after `done`.
+  PlaceResult takeResult();
+
+ private:
+  struct State;
+  explicit PlaceJob(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+/// Runs a job to its end.
+Result<PlaceResult> place(std::shared_ptr<const EngravableModel> model, const PlaceRequest& request);
+
+}  // namespace qrelief

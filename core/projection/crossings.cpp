@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "projection/crossings.h"
+
+#include <algorithm>
+#include <array>
+#include <fmt/format.h>
+
+#include "mesh/self_intersection.h"
+#include "mesh/sheared_ray.h"
+
+namespace qrelief {
+namespace {
+
+constexpr std::size_t kMaxPairs = 100'000;
+
+using Segment3 = std::array<Vec3, 2>;
+using Corners = std::array<Vec3, 3>;
+
+Corners cornersOf(const Mesh& mesh, std::uint32_t triangle) {
+  return {mesh.corner(triangle, 0), mesh.corner(triangle, 1), mesh.corner(triangle, 2)};
+}
+
+/// Where the sides of `a` go through `b`.
+void collectHits(const Corners& a, const Corners& b, std::vector<Vec3>& hits) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3 from = a[k];
+    const Vec3 along = a[(k + 1) % 3] - from;
+    const ShearedRay ray(from, along);
+    const double parameter = hitParameter(ray.apply(b[0]), ray.apply(b[1]), ray.apply(b[2]));
+    if (parameter >= 0 && parameter <= 1) hits.push_back(from + along * parameter);
+  }
+}
+
+/// The segment that two crossing triangles have in common; the sides of `a` if that is no segment.
+std::vector<Segment3> commonSegments(const Corners& a, const Corners& b) {
+  std::vector<Vec3> hits;
+  collectHits(a, b, hits);
+  collectHits(b, a, hits);
+  Segment3 longest{};
+  double length = 0;
+  for (const Vec3& p : hits)
+    for (const Vec3& q : hits)
+      if (glm::distance(p, q) > length) {
+        length = glm::distance(p, q);
+        longest = {p, q};
+      }
+  if (length > 0) return {longest};
+  return {{a[0], a[1]}, {a[1], a[2]}, {a[2], a[0]}};
+}
+
+}  // namespace
+
+Status addCrossings(const Mesh& mesh, const ProjectionFrame& frame, VisiblePatch& patch) {
+  const auto pairs = findSelfIntersections(mesh, patch.triangles, kMaxPairs);
+  if (!pairs) return tl::unexpected(pairs.error());
+  if (pairs->size() >= kMaxPairs)
+    return fail(ErrorCode::NoSolution,
+                fmt::format("More than {} pairs of triangles cross each other around the centre", kMaxPairs),
+                "Unite the model's parts in a CAD program first");
+  for (const auto& [s, t] : *pairs) {
+    for (const auto& [mine, other] : {std::array{s, t}, std::array{t, s}}) {
+      if (!std::binary_search(patch.triangles.begin(), patch.triangles.end(), mine)) continue;
+      for (const auto& [from, to] : commonSegments(cornersOf(mesh, mine), cornersOf(mesh, other)))
+        patch.silhouette.push_back({frame.project(from), frame.project(to)});
+    }
+  }
+  return {};
+}
+
+}  // namespace qrelief

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/result.h"
+#include "projection/visible_patch.h"
+
+namespace qrelief {
+
+/// Adds to the silhouette the curves along which other facets come through those of the patch. Where a surface crosses
+/// itself the eye may see another sheet beyond such a curve without a contour edge between; with these curves in the
+/// silhouette, what findVisiblePatch says of a region that no silhouette segment enters is true of such models, too.
+///
+/// Two triangles that overlap in one plane, or only touch, give the sides of the one that belongs to the patch.
+/// Cost: one findSelfIntersections of the patch.
+/// @param mesh  may cross itself
+/// @returns NoSolution if more than 100,000 pairs cross within the patch; Internal if the exact predicates fail
+Status addCrossings(const Mesh& mesh, const ProjectionFrame& frame, VisiblePatch& patch);
+
+}  // namespace qrelief

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "projection/distance_transform.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace qrelief {
+namespace {
+
+/// Distance to the nearest blocked texel of the same column; more than any distance of the map where there is none.
+std::vector<std::int32_t> columnDistances(std::span<const std::uint8_t> blocked, int texels) {
+  const auto size = static_cast<std::size_t>(texels);
+  std::vector<std::int32_t> distance(blocked.size());
+  const std::int32_t far = 2 * texels;
+  for (std::size_t i = 0; i < blocked.size(); ++i) {
+    const std::int32_t above = i < size ? far : distance[i - size];
+    distance[i] = blocked[i] != 0 ? 0 : std::min(far, above + 1);
+  }
+  for (std::size_t i = blocked.size() - size; i-- > 0;) distance[i] = std::min(distance[i], distance[i + size] + 1);
+  return distance;
+}
+
+/// The parabolas x ↦ (x - q)² + f(q) of one row, as far as they are lowest somewhere.
+class Envelope {
+ public:
+  explicit Envelope(int texels) : vertex_(static_cast<std::size_t>(texels)), begin_(static_cast<std::size_t>(texels)) {}
+
+  void replaceRow(std::int32_t* row, int texels) {
+    height_.assign(row, row + texels);
+    std::size_t last = 0;
+    vertex_[0] = 0;
+    begin_[0] = 0;
+    for (int q = 1; q < texels; ++q) {
+      // The new parabola takes over from the last one where it becomes lower; if that is before the last one began,
+      // the last one is nowhere lowest.
+      int from = firstLower(vertex_[last], q);
+      while (last > 0 && from <= begin_[last]) from = firstLower(vertex_[--last], q);
+      if (last == 0 && from <= 0) {
+        vertex_[0] = q;
+      } else if (from < texels) {
+        vertex_[++last] = q;
+        begin_[last] = from;
+      }
+    }
+    std::size_t current = 0;
+    for (int x = 0; x < texels; ++x) {
+      while (current < last && begin_[current + 1] <= x) ++current;
+      const int across = x - vertex_[current];
+      row[x] = across * across + height_[static_cast<std::size_t>(vertex_[current])];
+    }
+  }
+
+ private:
+  /// Least x, not below 0, at which the parabola of q is not higher than that of p < q.
+  int firstLower(int p, int q) const {
+    const std::int32_t numerator =
+        q * q - p * p + height_[static_cast<std::size_t>(q)] - height_[static_cast<std::size_t>(p)];
+    const std::int32_t denominator = 2 * (q - p);
+    return numerator <= 0 ? 0 : (numerator + denominator - 1) / denominator;
+  }
+
+  std::vector<std::int32_t> height_;
+  std::vector<int> vertex_, begin_;
+};
+
+}  // namespace
+
+std::vector<std::int32_t> squaredDistances(std::span<const std::uint8_t> blocked, int texels) {
+  assert(texels > 0 && texels < 8192 &&
+         blocked.size() == static_cast<std::size_t>(texels) * static_cast<std::size_t>(texels));
+  std::vector<std::int32_t> squared = columnDistances(blocked, texels);
+  for (std::int32_t& d : squared) d *= d;
+  Envelope envelope(texels);
+  for (int row = 0; row < texels; ++row) envelope.replaceRow(squared.data() + row * texels, texels);
+  return squared;
+}
+
+}  // namespace qrelief

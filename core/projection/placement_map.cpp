@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "projection/placement_map.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "mesh/cluster.h"
+#include "mesh/refine.h"
+#include "projection/distance_transform.h"
+#include "projection/view_raster.h"
+
+namespace qrelief {
+namespace {
+
+constexpr double kTexelsPerSquare = 32;
+constexpr int kLeastTexels = 128;
+constexpr int kMostTexels = 512;
+constexpr double kBorderTexels = 2;     // of background around the model, so that something is always blocked
+constexpr double kBlockedTexels = 0.5;  // from the middle of a blocked texel to the contour that passes it, at most
+constexpr double kSamples = 6000;       // about so many vertices at least
+
+double cosineOfDegrees(double degrees) { return std::cos(degrees * std::numbers::pi / 180); }
+
+double surfaceArea(const Mesh& mesh) {
+  double area = 0;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const Vec3 a = mesh.corner(t, 0);
+    area += glm::length(glm::cross(mesh.corner(t, 1) - a, mesh.corner(t, 2) - a)) / 2;
+  }
+  return area;
+}
+
+/// Smallest that still surrounds all vertices about the middle of their box.
+double radiusAbout(const Mesh& mesh, Vec3 centre) {
+  double squared = 0;
+  for (const Vec3f& p : mesh.positions) squared = std::max(squared, glm::dot(Vec3(p) - centre, Vec3(p) - centre));
+  return std::sqrt(squared);
+}
+
+/// Of the facets around each vertex, by area; shorter than 1 where they differ.
+std::vector<Vec3> meanNormals(const Mesh& mesh) {
+  std::vector<Vec3> normals(mesh.positions.size(), Vec3(0));
+  std::vector<double> area(mesh.positions.size(), 0);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const Vec3 a = mesh.corner(t, 0);
+    const Vec3 across = glm::cross(mesh.corner(t, 1) - a, mesh.corner(t, 2) - a);
+    for (const std::uint32_t v : mesh.triangles[t]) {
+      normals[v] += across;
+      area[v] += glm::length(across);
+    }
+  }
+  for (std::size_t v = 0; v < normals.size(); ++v)
+    if (area[v] > 0) normals[v] /= area[v];
+  return normals;
+}
+
+/// Fills in mesh, normals, vertexOf.
+PlacementMap sampled(const Mesh& mesh, std::span<const Vec3f> normals, std::size_t facets) {
+  PlacementMap map;
+  const double area = surfaceArea(mesh);
+  if (mesh.triangles.size() > facets + facets / 2) {
+    // A surface passes about 1.5 cells of edge h for each h² of its area, and there are two facets to a vertex.
+    ClusteredMesh coarse = clusterVertices(mesh, normals, std::sqrt(3 * area / static_cast<double>(facets)));
+    map.mesh = std::move(coarse.mesh);
+    map.vertexOf = std::move(coarse.clusterOf);
+    map.isCoarser = true;
+  } else {
+    map.mesh = mesh;
+    map.vertexOf.resize(mesh.positions.size());
+    std::iota(map.vertexOf.begin(), map.vertexOf.end(), 0u);
+  }
+  // Facets of edge e have 0.87 e² a vertex; half that where edges have just been halved.
+  map.mesh = refineEdges(std::move(map.mesh), 1.5 * std::sqrt(area / kSamples), 2 * facets);
+  map.normals = vertexNormals(map.mesh);
+  map.sizeMm.assign(map.mesh.positions.size(), 0.0f);
+  map.direction.assign(map.mesh.positions.size(), Vec3f(0));
+  return map;
+}
+
+}  // namespace
+
+Vec3 latticeDirection(int index, int count) {
+  assert(index >= 0 && index < count);
+  const double z = 1 - (2 * index + 1.0) / count;
+  const double angle = index * std::numbers::pi * (3 - std::sqrt(5.0));
+  const double across = std::sqrt(1 - z * z);
+  return {across * std::cos(angle), across * std::sin(angle), z};
+}
+
+struct PlacementMapSearch::State {
+  PlacementMapOptions options;
+  PlacementMap map;
+  Adjacency adjacency;
+  Vec3 centre{0};
+  double radius = 0;
+  RasterWindow window;
+  std::optional<ViewRaster> raster;
+  std::vector<Vec3> meanNormal;
+  std::vector<double> score;  // per vertex: of the view that is kept
+  int view = 0;
+
+  void lookFrom(Vec3 direction);
+  double radiusAround(std::span<const std::int32_t> squared, std::uint32_t vertex) const;
+};
+
+/// Distance in texels from the nearest blocked one, between the four texels around the vertex.
+double PlacementMapSearch::State::radiusAround(std::span<const std::int32_t> squared, std::uint32_t vertex) const {
+  const Vec2 at = raster->at(vertex) - 0.5;
+  const int column = std::clamp(static_cast<int>(at.x), 0, window.texels - 2);
+  const int row = std::clamp(static_cast<int>(at.y), 0, window.texels - 2);
+  const auto distance = [&](int dx, int dy) {
+    return std::sqrt(static_cast<double>(squared[static_cast<std::size_t>((row + dy) * window.texels + column + dx)]));
+  };
+  const Vec2 share = at - Vec2(column, row);
+  return (1 - share.y) * ((1 - share.x) * distance(0, 0) + share.x * distance(1, 0)) +
+         share.y * ((1 - share.x) * distance(0, 1) + share.x * distance(1, 1));
+}
+
+void PlacementMapSearch::State::lookFrom(Vec3 direction) {
+  const ProjectionFrame frame = makeFrame(centre, direction, {0, 0, 1}, radius + options.eyeDistanceMm);
+  raster->draw(frame, window, cosineOfDegrees(kMostTiltDeg));
+  // The isoptic test; parts behind the middle look smaller than they are, and so would a code there.
+  const double shrink = frame.eyeDistance / (frame.eyeDistance + radius);
+  if (raster->coveredMm2() < std::pow(options.leastMm * shrink, 2)) {
+    ++map.viewsDropped;
+    return;
+  }
+  const std::vector<std::int32_t> squared = squaredDistances(raster->blocked(), window.texels);
+  const Vec3 eye = frame.eye();
+  const double leastCentreCosine = cosineOfDegrees(kMostCentreTiltDeg);
+  for (std::uint32_t v = 0; v < map.mesh.positions.size(); ++v) {
+    const Vec3 fromVertex = eye - Vec3(map.mesh.positions[v]);
+    const double distance = glm::length(fromVertex);
+    const Vec3 toEye = fromVertex / distance;
+    const double facing = glm::dot(meanNormal[v], toEye);
+    if (facing < leastCentreCosine) continue;
+    const double texels = radiusAround(squared, v) - kBlockedTexels;
+    if (texels < 2) continue;
+    // At an angle α off the axis a disc of radius r at distance ρ, facing the eye, reaches r·F / (ρ·cos²α) on the
+    // plane at distance F.
+    const double cosine = glm::dot(toEye, frame.normal);
+    const double sizeMm =
+        std::numbers::sqrt2 * texels * window.texelMm() * distance * cosine * cosine / frame.eyeDistance;
+    if (sizeMm * facing <= score[v] || !raster->sees(v)) continue;
+    score[v] = sizeMm * facing;
+    map.sizeMm[v] = static_cast<float>(sizeMm);
+    map.direction[v] = Vec3f(toEye);
+  }
+}
+
+PlacementMapSearch::PlacementMapSearch(const Mesh& mesh, std::span<const Vec3f> normals,
+                                       const PlacementMapOptions& options)
+    : state_(std::make_unique<State>()) {
+  assert(options.eyeDistanceMm > 0 && options.leastMm > 0 && options.views > 0 && options.facets >= 100);
+  State& s = *state_;
+  s.options = options;
+  if (options.onlyFrom) s.options.views = 1;
+  s.map = sampled(mesh, normals, options.facets);
+  s.adjacency = buildAdjacency(s.map.mesh.triangles);
+  s.centre = boundingBox(s.map.mesh).centre();
+  s.radius = radiusAbout(s.map.mesh, s.centre);
+  const double eyeDistance = s.radius + options.eyeDistanceMm;
+  // The sphere's outline on the plane through its middle.
+  const double outline = s.radius * eyeDistance / std::sqrt(eyeDistance * eyeDistance - s.radius * s.radius);
+  s.window.texels = std::clamp(static_cast<int>(std::ceil(2 * outline * kTexelsPerSquare / options.leastMm)),
+                               kLeastTexels, kMostTexels);
+  s.window.extentMm = 2 * outline * s.window.texels / (s.window.texels - 2 * kBorderTexels);
+  s.raster.emplace(s.map.mesh, s.adjacency);
+
+  s.meanNormal = meanNormals(s.map.mesh);
+  s.score.assign(s.meanNormal.size(), 0);
+}
+
+PlacementMapSearch::~PlacementMapSearch() = default;
+
+bool PlacementMapSearch::step() {
+  State& s = *state_;
+  assert(s.view < s.options.views);
+  s.lookFrom(s.options.onlyFrom.value_or(latticeDirection(s.view, s.options.views)));
+  return ++s.view == s.options.views;
+}
+
+double PlacementMapSearch::doneShare() const { return static_cast<double>(state_->view) / state_->options.views; }
+
+const PlacementMap& PlacementMapSearch::map() const { return state_->map; }
+
+PlacementMap PlacementMapSearch::takeMap() { return std::move(state_->map); }
+
+PlacementMap makePlacementMap(const Mesh& mesh, std::span<const Vec3f> normals, const PlacementMapOptions& options) {
+  PlacementMapSearch search(mesh, normals, options);
+  while (!search.step()) {
+  }
+  return search.takeMap();
+}
+
+}  // namespace qrelief

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "projection/spot_candidates.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+namespace qrelief {
+namespace {
+
+constexpr double kSizeClass = 1.1;
+constexpr double kSteeperShare = 0.01;
+
+}  // namespace
+
+SpotRank::SpotRank(double sizeMm, const SquareQuality& quality, double edgeMm)
+    : sizeClass(static_cast<int>(std::floor(std::log(std::max(sizeMm, 1e-6)) / std::log(kSizeClass)))),
+      badness(std::sqrt(quality.varianceMm2) / edgeMm + 1 - std::cos(quality.worstAngleDeg * std::numbers::pi / 180)) {}
+
+bool SpotRank::operator<(const SpotRank& other) const {
+  return sizeClass != other.sizeClass ? sizeClass > other.sizeClass : badness < other.badness;
+}
+
+SquareQuality qualityOf(const PlacementMap& map, const ProjectionFrame& frame, double edgeMm) {
+  struct Slope {
+    double cosine, area;
+  };
+  std::vector<Slope> slopes;
+  double area = 0, sum = 0, sumSquares = 0;
+  for (std::size_t t = 0; t < map.mesh.triangles.size(); ++t) {
+    const Vec3 a = map.mesh.corner(t, 0), b = map.mesh.corner(t, 1), c = map.mesh.corner(t, 2);
+    const Vec3 middle = (a + b + c) / 3.0 - frame.centre;
+    const double height = glm::dot(middle, frame.normal);
+    const Vec2 at(glm::dot(middle, frame.right), glm::dot(middle, frame.up));
+    if (std::max({std::abs(at.x), std::abs(at.y), std::abs(height)}) > edgeMm / 2) continue;
+    const Vec3 across = glm::cross(b - a, c - a) / 2.0;
+    const double seen = glm::dot(across, frame.normal);
+    if (!(seen > 0)) continue;
+    slopes.push_back({seen / glm::length(across), seen});
+    area += seen;
+    sum += seen * height;
+    sumSquares += seen * height * height;
+  }
+  SquareQuality quality;
+  if (slopes.empty()) return quality;
+  quality.varianceMm2 = std::max(0.0, sumSquares / area - (sum / area) * (sum / area));
+  std::stable_sort(slopes.begin(), slopes.end(), [](const Slope& a, const Slope& b) { return a.cosine < b.cosine; });
+  double steeper = 0;
+  for (const Slope& slope : slopes) {
+    quality.worstAngleDeg = std::acos(std::min(1.0, slope.cosine)) * 180 / std::numbers::pi;
+    steeper += slope.area;
+    if (steeper > kSteeperShare * area) break;
+  }
+  return quality;
+}
+
+std::vector<SpotCandidate> spotCandidates(const PlacementMap& map, const CandidateOptions& options) {
+  std::vector<std::uint32_t> order(map.sizeMm.size());
+  std::iota(order.begin(), order.end(), 0u);
+  const auto score = [&](std::uint32_t v) { return map.sizeMm[v] * glm::dot(map.direction[v], map.normals[v]); };
+  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return score(a) > score(b); });
+  std::vector<SpotCandidate> spots;
+  for (const std::uint32_t v : order) {
+    const double size = static_cast<double>(map.sizeMm[v]);
+    if (spots.size() == options.most) break;
+    if (size <= 0 || size < options.leastSizeMm) continue;
+    SpotCandidate spot{Vec3(map.mesh.positions[v]), Vec3(map.direction[v]), size, {}};
+    const bool isApart = std::all_of(spots.begin(), spots.end(), [&](const SpotCandidate& other) {
+      return glm::dot(other.direction, spot.direction) < 0 ||
+             glm::distance(other.position, spot.position) >= options.apart * options.edgeMm;
+    });
+    if (!isApart) continue;
+    spot.quality =
+        qualityOf(map, makeFrame(spot.position, spot.direction, {0, 0, 1}, 1), std::min(size, options.edgeMm));
+    spots.push_back(spot);
+  }
+  const auto rank = [&](const SpotCandidate& spot) {
+    return SpotRank(std::min(spot.sizeMm, options.enoughMm), spot.quality, std::min(spot.sizeMm, options.edgeMm));
+  };
+  std::stable_sort(spots.begin(), spots.end(),
+                   [&](const SpotCandidate& a, const SpotCandidate& b) { return rank(a) < rank(b); });
+  return spots;
+}
+
+}  // namespace qrelief

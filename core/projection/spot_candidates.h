@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "projection/placement_map.h"
+
+namespace qrelief {
+
+/// How a square lies on a surface, seen along its frame's normal.
+struct SquareQuality {
+  double varianceMm2 = 0;    ///< of the heights over the QR plane
+  double worstAngleDeg = 0;  ///< between the surface and the QR plane; a hundredth of the area is steeper
+};
+
+/// Of the map's facets whose middles lie over the square and that face the reader; all zero if there is none.
+/// Cost: O(T).
+SquareQuality qualityOf(const PlacementMap& map, const ProjectionFrame& frame, double edgeMm);
+
+/// A place that the map thinks well of; still to be tested.
+struct SpotCandidate {
+  Vec3 position{0};   ///< on the map's mesh
+  Vec3 direction{0};  ///< unit, towards the reader
+  double sizeMm = 0;  ///< edge of the largest square, at every rotation, by the map
+  SquareQuality quality;
+};
+
+struct CandidateOptions {
+  double edgeMm = 0;       ///< of the square looked for, > 0
+  double leastSizeMm = 0;  ///< by the map; a map may err, so this may be less than the edge
+  double enoughMm = std::numeric_limits<double>::infinity();  ///< sizes beyond it are as good as it
+  double apart = 0.5;  ///< least distance of two spots that do not look away from each other, in edges
+  std::size_t most = 48;
+};
+
+/// Well separated spots, best first: the largest sizes, in classes of 10 %; in a class those with the least spread of
+/// heights (as a share of the edge) and slope (1 - cosine of the worst angle) together.
+///
+/// Cost: O(V log V + most · (V + T)).
+std::vector<SpotCandidate> spotCandidates(const PlacementMap& map, const CandidateOptions& options);
+
+/// The order of spots by size and quality; smaller is better. @param edgeMm  of the square that `quality` is of
+struct SpotRank {
+  SpotRank(double sizeMm, const SquareQuality& quality, double edgeMm);
+  bool operator<(const SpotRank& other) const;
+
+  int sizeClass = 0;  ///< classes of 10 %, larger is better
+  double badness = 0;
+};
+
+}  // namespace qrelief

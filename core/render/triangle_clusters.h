@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "math/frame.h"
+#include "mesh/mesh.h"
+
+namespace qrelief {
+
+/// Triangles that lie near one another, and the box around them.
+struct TriangleCluster {
+  Box3 box;
+  std::uint32_t begin = 0, end = 0;  ///< of the reordered triangles
+};
+
+/// A mesh's triangles in an order in which neighbours in space are neighbours in memory.
+struct ClusteredTriangles {
+  std::vector<Triangle> triangles;        ///< the mesh's; within a cluster in their old order
+  std::vector<TriangleCluster> clusters;  ///< none empty, one behind the other
+};
+
+/// Clusters by a uniform grid over the mesh's box, a few hundred triangles a cell. Cost: O(T).
+ClusteredTriangles clusterTriangles(const Mesh& mesh);
+
+/// What the eye sees through a square on the QR plane: four planes through the eye.
+class ViewPyramid {
+ public:
+  /// @param extentMm  edge of the square, sides along the frame's axes, > 0
+  ViewPyramid(const ProjectionFrame& frame, double extentMm);
+
+  /// False if no point of the box lies in the pyramid; true may be in vain beside its edges.
+  bool mayMeet(const Box3& box) const;
+
+ private:
+  Vec3 eye_;
+  std::array<Vec3, 4> inwards_;
+};
+
+}  // namespace qrelief

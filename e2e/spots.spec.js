@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { expect, test } from '@playwright/test';
+import { Engraver } from './support/engraver.js';
+
+test('A suggested spot takes a code of the size that it promises, and is engraved', async ({ page }) => {
+  const app = new Engraver(page);
+  await app.open();
+  await app.expectReady();
+  const proposed = await app.centre();
+  await app.suggest();
+  await expect(page.getByRole('button', { name: 'Sizes' })).toHaveAttribute('aria-pressed', 'true');
+  await expect(page.getByLabel('Colours of the model')).toContainText(/Largest code that fits\s*0\s*\d+ mm/);
+
+  expect(await app.spots.count()).toBeGreaterThanOrEqual(3);
+  const spot = app.spots.nth(1);
+  const promised = Number(/up to ([\d.]+) mm/.exec(await spot.innerText())?.[1]);
+  await spot.click();
+  await expect(spot).toHaveAttribute('aria-pressed', 'true');
+  await expect.poll(() => app.centre()).not.toEqual(proposed);
+  await app.expectReady();
+  const width = Number(/^([\d.]+) mm wide/.exec(await app.placement.innerText())?.[1]);
+  expect(width).toBeGreaterThanOrEqual(promised);
+  expect(width).toBeLessThan(promised + 1.1);
+
+  await app.engrave();
+  await expect(app.result).toContainText('Reads as');
+  await expect(page.getByLabel('Colours of the model')).toBeHidden();
+});
+
+test('The sizes can be hidden and shown again, and other settings forget them', async ({ page }) => {
+  const app = new Engraver(page);
+  await app.open('?sample=saddle');
+  await app.expectReady();
+  await app.suggest();
+  const sizes = page.getByRole('button', { name: 'Sizes' });
+  const legend = page.getByLabel('Colours of the model');
+  await sizes.click();
+  await expect(legend).toBeHidden();
+  await sizes.click();
+  await expect(legend).toBeVisible();
+  await app.openSettings();
+  await app.setting('Wall left (mm)').fill('1');
+  await app.setting('Wall left (mm)').press('Tab');
+  await expect(app.spots).toHaveCount(0);
+  await expect(sizes).toBeDisabled();
+  await expect(legend).toBeHidden();
+});
+
+test('A search for spots can be cancelled, and says when there is none', async ({ page }) => {
+  const app = new Engraver(page);
+  await app.open();
+  await app.expectReady();
+  await page.getByRole('button', { name: 'Suggest spots' }).click();
+  await expect(app.progress).toBeVisible();
+  await app.cancelButton.click();
+  await expect(app.status).toHaveText('Cancelled.');
+  await expect(app.spots).toHaveCount(0);
+
+  await app.openSettings();
+  await app.setting('Size of the code').selectOption('Exactly');
+  await app.setting('Width (mm)').fill('300');
+  await app.setting('Width (mm)').press('Tab');
+  await expect(app.alert).toContainText('300 mm');
+  await page.getByRole('button', { name: 'Suggest spots' }).click();
+  await expect(app.alert).toContainText('No spot of the model takes a code of 300 mm');
+  await expect(app.alert).toContainText('the largest found is');
+});

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The bytes decide a model, a request and made-up depths; everything but the rendering runs, so many times as often as
+// in engrave_fuzz.
+#include "fuzz/check.h"
+#include "support/engrave_oracle.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace qrelief;
+  Choices choices(fuzz::bytesOf(data, size));
+  EngraveCase made = makeEngraveCase(choices);
+  if (made.mesh.triangles.size() > 1500) return -1;
+  made.request.text.resize(1);
+  made.request.symbol.version.reset();
+  const Verdict verdict = runCarvingCase(made, choices);
+  fuzz::require(verdict.fault.empty(), made.describe() + ": " + verdict.kind + ": " + verdict.fault);
+  return 0;
+}

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The bytes decide a model and a request (tests/support/engrave_case.h); the whole pipeline runs, with small symbols,
+// and the outcome is judged.
+#include "fuzz/check.h"
+#include "native/egl_context.h"
+#include "support/engrave_oracle.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace qrelief;
+  static const Result<std::unique_ptr<EglContext>> context = EglContext::create();
+  fuzz::require(context.has_value(), "there is a GL context");
+  Choices choices(fuzz::bytesOf(data, size));
+  EngraveCase made = makeEngraveCase(choices);
+  if (made.mesh.triangles.size() > 1500) return -1;
+  made.request.text.resize(1);
+  made.request.symbol.version.reset();
+  made.request.contrast = std::min(made.request.contrast, 0.05);
+  const Verdict verdict = runEngraveCase(made);
+  fuzz::require(verdict.fault.empty(), made.describe() + ": " + verdict.kind + ": " + verdict.fault);
+  return 0;
+}

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Any soup: the first byte says how the positions are spread and how many there are, three bytes follow for each
+// position, then three for each triangle. So a few bytes fold, double, cross and tear surfaces.
+#include <cmath>
+
+#include "fuzz/check.h"
+
+namespace qrelief::fuzz {
+namespace {
+
+/// Spread evenly, or over many orders of magnitude, down to where floats coincide and up to the largest.
+double coordinate(std::uint8_t byte, bool wild) {
+  const double fraction = (byte - 128) / 16.0;
+  return wild ? std::copysign(std::exp2(std::abs(fraction) * 16 - 64), fraction) : fraction;
+}
+
+PolygonSoup soupFrom(std::span<const std::uint8_t> bytes) {
+  PolygonSoup soup{.format = "bytes"};
+  const bool wild = bytes[0] & 0x80;
+  const std::size_t count = 3 + (bytes[0] & 0x1f);
+  std::size_t next = 1;
+  for (; soup.positions.size() < count && next + 3 <= bytes.size(); next += 3)
+    soup.positions.push_back(
+        {coordinate(bytes[next], wild), coordinate(bytes[next + 1], wild), coordinate(bytes[next + 2], wild)});
+  if (soup.positions.empty()) return soup;
+  const auto corner = [&](std::size_t i) { return static_cast<std::uint32_t>(bytes[i] % soup.positions.size()); };
+  for (; next + 3 <= bytes.size(); next += 3)
+    soup.triangles.push_back({corner(next), corner(next + 1), corner(next + 2)});
+  return soup;
+}
+
+}  // namespace
+}  // namespace qrelief::fuzz
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace qrelief;
+  if (size == 0) return 0;
+  fuzz::checkPrepared(prepareModel(fuzz::soupFrom(fuzz::bytesOf(data, size)), {}));
+  return 0;
+}

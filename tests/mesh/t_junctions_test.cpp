@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/t_junctions.h"
+
+#include <gtest/gtest.h>
+
+#include "mesh/topology.h"
+#include "support/shapes.h"
+
+namespace qrelief {
+namespace {
+
+std::size_t openEdges(const Mesh& mesh) {
+  const EdgeTable edges = buildEdgeTable(mesh.triangles);
+  std::size_t open = 0;
+  for (std::size_t e = 0; e < edges.size(); ++e) open += edges.at(e).size() == 1;
+  return open;
+}
+
+/// A box of edge 2 whose edge from vertex 4 to 5 has one or more vertices on the front face only, `gap` beside it.
+Mesh boxWithJunctions(int count, float gap) {
+  Mesh mesh = shapes::box({2, 2, 2});
+  std::erase(mesh.triangles, Triangle{4, 5, 7});
+  std::uint32_t previous = 4;
+  for (int i = 1; i <= count; ++i) {
+    mesh.positions.push_back({-1 + 2.0f * static_cast<float>(i) / static_cast<float>(count + 1), -1 - gap, 1});
+    const auto next = static_cast<std::uint32_t>(mesh.positions.size() - 1);
+    mesh.triangles.push_back({previous, next, 7});
+    previous = next;
+  }
+  mesh.triangles.push_back({previous, 5, 7});
+  return mesh;
+}
+
+TEST(SplitAtTJunctions, SplitsTheTriangleAtOneVertexOrSeveral) {
+  for (const int count : {1, 2, 5}) {
+    Mesh mesh = boxWithJunctions(count, 0);
+    const std::size_t before = mesh.triangles.size();
+    ASSERT_EQ(openEdges(mesh), static_cast<std::size_t>(count) + 2);
+    const TJunctionSplit split = splitAtTJunctions(mesh, 1e-5);
+    EXPECT_EQ(split.vertices, static_cast<std::size_t>(count));
+    EXPECT_EQ(split.largestGapMm, 0);
+    EXPECT_EQ(openEdges(mesh), 0u);
+    EXPECT_EQ(mesh.triangles.size(), before + static_cast<std::size_t>(count));
+    EXPECT_EQ(split.origin.size(), mesh.triangles.size());
+    EXPECT_NEAR(signedVolume(mesh), 8, 1e-6);
+  }
+}
+
+TEST(SplitAtTJunctions, ClosesAGapWithinTheToleranceOnly) {
+  Mesh mesh = boxWithJunctions(1, 1e-3f);
+  EXPECT_EQ(splitAtTJunctions(mesh, 0.5e-3).vertices, 0u);
+  EXPECT_EQ(openEdges(mesh), 3u);
+  const TJunctionSplit split = splitAtTJunctions(mesh, 2e-3);
+  EXPECT_EQ(split.vertices, 1u);
+  EXPECT_NEAR(split.largestGapMm, 1e-3, 1e-6);
+  EXPECT_EQ(openEdges(mesh), 0u);
+}
+
+TEST(SplitAtTJunctions, DoesNothingThatLeavesAsManyOpenEdges) {
+  // The corner of a loose triangle on the edge of another one.
+  Mesh mesh;
+  mesh.positions = {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {1, 0, 0}, {1, -1, 0}, {2, -1, 0}};
+  mesh.triangles = {{0, 1, 2}, {3, 4, 5}};
+  const Mesh before = mesh;
+  const TJunctionSplit split = splitAtTJunctions(mesh, 1e-3);
+  EXPECT_EQ(split.vertices, 0u);
+  EXPECT_EQ(mesh.triangles, before.triangles);
+}
+
+TEST(SplitAtTJunctions, LeavesAClosedMeshAsItIs) {
+  Mesh mesh = shapes::icosphere(5, 2);
+  const Mesh before = mesh;
+  EXPECT_EQ(splitAtTJunctions(mesh, 1).vertices, 0u);
+  EXPECT_EQ(mesh.triangles, before.triangles);
+}
+
+}  // namespace
+}  // namespace qrelief

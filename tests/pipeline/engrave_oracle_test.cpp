@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "support/engrave_oracle.h"
+
+#include <gmock/gmock.h>
+#include <numeric>
+
+#include "support/gl_test.h"
+#include "support/shapes.h"
+#include "support/solid_oracle.h"
+
+// A judge that never says no proves nothing: what is false must be seen.
+namespace qrelief {
+namespace {
+
+using testing::HasSubstr;
+
+std::vector<std::uint32_t> allOf(const Mesh& mesh) {
+  std::vector<std::uint32_t> all(mesh.triangles.size());
+  std::iota(all.begin(), all.end(), 0u);
+  return all;
+}
+
+TEST(SolidOracle, CountsTheCrossingsOfATangledSphereAndNoneOfAnother) {
+  EXPECT_EQ(countCrossings(shapes::tangledSphere(), allOf(shapes::tangledSphere())), 5u);
+  EXPECT_EQ(countCrossings(shapes::icosphere(10, 3), allOf(shapes::icosphere(10, 3))), 0u);
+}
+
+TEST(SolidOracle, SeesWhatIsNoSolid) {
+  EXPECT_EQ(surfaceProblems(shapes::box({2, 2, 2})), "");
+  Mesh open = shapes::box({2, 2, 2});
+  open.triangles.pop_back();
+  EXPECT_EQ(surfaceProblems(open), "an edge is open");
+  Mesh turned = shapes::box({2, 2, 2});
+  std::swap(turned.triangles[3][0], turned.triangles[3][1]);
+  EXPECT_EQ(surfaceProblems(turned), "two triangles run along an edge the same way");
+  Mesh flat = shapes::box({2, 2, 2});
+  flat.positions[0] = flat.positions[1];
+  EXPECT_THAT(surfaceProblems(flat), HasSubstr("has no area"));
+  Mesh touching = shapes::together(shapes::box({2, 2, 2}), shapes::translated(shapes::box({2, 2, 2}), {2, 2, 2}));
+  for (Triangle& t : touching.triangles)
+    for (std::uint32_t& v : t) v = v == 8 ? 7 : v;  // the corner that both have
+  EXPECT_THAT(surfaceProblems(touching), HasSubstr("touch in a point only"));
+}
+
+class EngraveOracle : public GlTest {
+ protected:
+  EngraveOracle() {
+    made_.mesh = shapes::icosphere(40, 4);
+    made_.request.text = "1";
+    made_.request.contrast = 0.05;
+    made_.request.placement.centreMm = {0, 0, 40};
+    made_.request.placement.sizeMode = SizeMode::Fixed;
+    made_.request.placement.sizeMm = 20;
+    model_ = EngravableModel::upload(*prepareModel(shapes::soupOf(made_.mesh), {}));
+  }
+  std::string faultOf(const Result<EngraveResult>& result) { return judge(made_, *model_, result).fault; }
+
+  EngraveCase made_;
+  std::shared_ptr<const EngravableModel> model_;
+};
+
+TEST_F(EngraveOracle, SeesWhatIsFalseAboutASolid) {
+  const EngraveResult result = *engrave(model_, made_.request);
+  EXPECT_EQ(faultOf(result), "");
+
+  EngraveResult open = result;
+  open.stl.resize(open.stl.size() - 50);
+  const auto count = static_cast<std::uint32_t>((open.stl.size() - 84) / 50);
+  for (std::size_t k = 0; k < 4; ++k) open.stl[80 + k] = static_cast<std::uint8_t>(count >> (8 * k));
+  EXPECT_EQ(faultOf(open), "an edge is open");
+
+  EngraveResult miscounted = result;
+  ++miscounted.keptTriangles;
+  EXPECT_THAT(faultOf(miscounted), HasSubstr("said to be kept"));
+
+  EngraveResult deeper = result;
+  for (double& depth : deeper.depths.depthMm) depth += depth > 0 ? 0.01 : 0;
+  EXPECT_THAT(faultOf(deeper), HasSubstr("mm deep, not"));
+
+  EngraveResult larger = result;
+  larger.placement.symbolMm = 70;
+  EXPECT_THAT(faultOf(larger), HasSubstr("broken by the silhouette"));
+
+  made_.request.minWallMm = 79.9;
+  EXPECT_THAT(faultOf(result), HasSubstr("of wall are left"));
+}
+
+TEST_F(EngraveOracle, SeesReasonsThatAreNotTrue) {
+  const auto refused = [&](ErrorCode code, const char* message) {
+    return faultOf(tl::unexpected(Error{code, message, "a hint"}));
+  };
+  EXPECT_THAT(refused(ErrorCode::NoSolution, "A code of 20 mm does not fit here"), HasSubstr("no ray contradicts it"));
+  EXPECT_THAT(refused(ErrorCode::NoSolution, "Only a code of 3 mm fits"), HasSubstr("no ray contradicts it"));
+  EXPECT_THAT(refused(ErrorCode::NoSolution, "Another part hides the chosen point"), HasSubstr("before the centre"));
+  EXPECT_THAT(refused(ErrorCode::NoSolution, "It faces away"), HasSubstr("from no direction"));
+  EXPECT_THAT(refused(ErrorCode::NoSolution, "Nothing can be carved here"), HasSubstr("to spare"));
+  EXPECT_THAT(refused(ErrorCode::NoSolution, "The facets under the code are too fine"), HasSubstr("no facet there"));
+  EXPECT_THAT(refused(ErrorCode::NoSolution, "I do not want to"), HasSubstr("nobody checks"));
+  EXPECT_THAT(refused(ErrorCode::BadInput, "The surface is not closed"), HasSubstr("nobody checks"));
+  EXPECT_THAT(refused(ErrorCode::Internal, "Oops"), HasSubstr("no typed refusal"));
+}
+
+}  // namespace
+}  // namespace qrelief

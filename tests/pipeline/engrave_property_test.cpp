@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "support/engrave_oracle.h"
+#include "support/gl_test.h"
+
+namespace qrelief {
+namespace {
+
+constexpr int kShards = 8;
+constexpr int kCasesEach = 25;
+
+/// 200 of the cases that qrelief_property_bench runs thousands of; in shards, for ctest to run them side by side.
+class EngraveProperty : public GlTest, public testing::WithParamInterface<int> {};
+
+TEST_P(EngraveProperty, EveryCaseEndsAsAValidSolidOrARefusalThatIsTrue) {
+  int solids = 0;
+  for (int k = 0; k < kCasesEach; ++k) {
+    const auto seed = static_cast<std::uint64_t>(1 + kCasesEach * GetParam() + k);
+    Choices choices(seed);
+    const EngraveCase made = makeEngraveCase(choices);
+    const Verdict verdict = runEngraveCase(made);
+    EXPECT_EQ(verdict.fault, "") << verdict.kind << ": " << made.describe()
+                                 << "\nrepeat it with: qrelief_property_bench 1 " << seed;
+    solids += verdict.kind == "solid" ? 1 : 0;
+  }
+  EXPECT_GE(solids, kCasesEach / 5) << "hardly anything is engraved: the cases prove nothing";
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, EngraveProperty, testing::Range(0, kShards));
+
+}  // namespace
+}  // namespace qrelief

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/place.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "support/gl_test.h"
+#include "support/shapes.h"
+
+namespace qrelief {
+namespace {
+
+class PlaceTest : public GlTest {
+ protected:
+  static std::shared_ptr<const EngravableModel> upload(const Mesh& mesh) {
+    auto prepared = prepareModel(shapes::soupOf(mesh), {});
+    EXPECT_TRUE(prepared.has_value());
+    return EngravableModel::upload(std::move(*prepared));
+  }
+  static PlaceRequest request(double sizeMm) {
+    PlaceRequest made;
+    if (sizeMm > 0) made.placement.sizeMode = SizeMode::Fixed;
+    made.placement.sizeMm = sizeMm;
+    return made;
+  }
+};
+
+TEST_F(PlaceTest, EveryOfferedSpotTakesTheCode) {
+  const auto model = upload(shapes::bumpySphere(40, 2, 5, 5));
+  const auto found = place(model, request(22));
+  ASSERT_TRUE(found.has_value()) << found.error().message;
+  ASSERT_EQ(found->spots.size(), 5u);
+  for (const OfferedSpot& spot : found->spots) {
+    EXPECT_EQ(spot.symbolMm, 22);
+    EXPECT_GE(spot.largestMm, 22);
+    EngraveRequest engraving;
+    engraving.text = "HELLO";  // version 1, the one that places are looked for by default
+    engraving.placement = request(22).placement;
+    engraving.placement.centreMm = spot.centreMm;
+    if (spot.needsDirection) engraving.placement.direction = spot.direction;
+    const auto engraved = engrave(model, engraving);
+    ASSERT_TRUE(engraved.has_value()) << engraved.error().message;
+    EXPECT_EQ(engraved->symbol.size, 21);
+    EXPECT_NEAR(engraved->placement.guaranteedMm, spot.guaranteedMm, 1e-9);
+    EXPECT_LT(glm::distance(engraved->placement.frame.normal, glm::normalize(spot.direction)), 1e-9);
+    EXPECT_TRUE(engraved->solidity.solid());
+  }
+}
+
+TEST_F(PlaceTest, ACubeIsOfferedItsFacesInFullSize) {
+  const auto model = upload(shapes::box({60, 60, 60}));
+  PlaceRequest wanted = request(0);
+  wanted.placement.quietZone = false;
+  wanted.placement.sizeMode = SizeMode::Oriented;
+  wanted.count = 6;
+  const auto found = place(model, wanted);
+  ASSERT_TRUE(found.has_value()) << found.error().message;
+  for (const OfferedSpot& spot : found->spots) {
+    const Vec3 p = glm::abs(spot.centreMm);
+    EXPECT_EQ((p.x == 30) + (p.y == 30) + (p.z == 30), 1);
+    EXPECT_NEAR(spot.guaranteedMm, 60 / std::sqrt(2), 4);
+  }
+  // The map's vertices are up to 3.5 mm apart, and a centre beside the middle loses twice the distance.
+  EXPECT_GT(found->spots.front().symbolMm, 60 - 2 * 3.5);
+  EXPECT_LT(found->spots.front().symbolMm, 60 + 1e-3);
+}
+
+TEST_F(PlaceTest, ACentreIsRoundedToWhatIsPrinted) {
+  const auto model = upload(shapes::icosphere(30, 4));
+  PlaceRequest wanted = request(12);
+  wanted.scaleToMm = 1000;
+  const auto found = place(model, wanted);
+  ASSERT_TRUE(found.has_value()) << found.error().message;
+  for (const OfferedSpot& spot : found->spots) {
+    for (int k = 0; k < 3; ++k) EXPECT_EQ(spot.centreFileUnits[k], std::round(spot.centreFileUnits[k] * 1e6) / 1e6);
+    EXPECT_EQ(spot.centreMm, spot.centreFileUnits * 1000.0);
+    EXPECT_NEAR(glm::length(spot.centreMm), 30, 0.2);
+  }
+}
+
+TEST_F(PlaceTest, NamesTheLargestSizeWhereTheOneAskedForFitsNowhere) {
+  const auto found = place(upload(shapes::icosphere(20, 4)), request(60));
+  ASSERT_FALSE(found.has_value());
+  EXPECT_EQ(found.error().code, ErrorCode::NoSolution);
+  const std::size_t at = found.error().message.find("the largest found is ");
+  ASSERT_NE(at, std::string::npos) << found.error().message;
+  const double largest = std::stod(found.error().message.substr(at + 21));
+  // The visible cap from 250 mm: half angle acos(20/270) about the point; on the plane 250·tan φ from its middle.
+  const double rim = 250 * std::tan(std::asin(20.0 / 270));
+  EXPECT_NEAR(largest, std::sqrt(2) * rim * 21 / 29, 1);
+}
+
+TEST_F(PlaceTest, RefusesAThinShellAndSaysHowThickItIs) {
+  const Mesh shell = shapes::together(shapes::icosphere(40, 5), shapes::insideOut(shapes::icosphere(39.2, 5)));
+  const auto model = upload(shell);
+  const auto refused = place(model, request(20));
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_EQ(refused.error().code, ErrorCode::NoSolution);
+  EXPECT_NE(refused.error().message.find("the wall is 0."), std::string::npos) << refused.error().message;
+  EXPECT_NE(refused.error().hint.find("--min-wall 0.4"), std::string::npos) << refused.error().hint;
+  PlaceRequest thinner = request(20);
+  thinner.minWallMm = 0.4;
+  EXPECT_TRUE(place(model, thinner).has_value());
+}
+
+TEST_F(PlaceTest, KeepsToTheDirectionAskedFor) {
+  PlaceRequest wanted = request(15);
+  wanted.placement.direction = Vec3(0, 3, 0);
+  const auto found = place(upload(shapes::icosphere(40, 4)), wanted);
+  ASSERT_TRUE(found.has_value()) << found.error().message;
+  for (const OfferedSpot& spot : found->spots) {
+    EXPECT_FALSE(spot.needsDirection);
+    EXPECT_LT(glm::distance(glm::normalize(spot.direction), Vec3(0, 1, 0)), 1e-12);
+  }
+}
+
+TEST_F(PlaceTest, IsTheSameOnEveryRun) {
+  const auto model = upload(shapes::bumpySphere(40, 3, 4, 4));
+  const auto first = place(model, request(20));
+  const auto second = place(model, request(20));
+  ASSERT_TRUE(first.has_value() && second.has_value());
+  ASSERT_EQ(first->spots.size(), second->spots.size());
+  for (std::size_t i = 0; i < first->spots.size(); ++i) {
+    EXPECT_EQ(first->spots[i].centreMm, second->spots[i].centreMm);
+    EXPECT_EQ(first->spots[i].direction, second->spots[i].direction);
+  }
+}
+
+TEST_F(PlaceTest, ProgressNeverFallsAndTheMapIsThereBeforeTheSpots) {
+  auto job = PlaceJob::create(upload(shapes::icosphere(40, 4)), request(20));
+  ASSERT_TRUE(job.has_value());
+  double before = 0;
+  for (;;) {
+    const auto progress = (*job)->advance();
+    ASSERT_TRUE(progress.has_value());
+    EXPECT_GE(progress->fraction, before);
+    before = progress->fraction;
+    if (progress->stage == "Testing spots") {
+      const std::vector<float>& sizes = (*job)->map().sizeMm;
+      EXPECT_GT(*std::max_element(sizes.begin(), sizes.end()), 20);
+    }
+    if (progress->done) break;
+  }
+  EXPECT_EQ(before, 1);
+}
+
+TEST_F(PlaceTest, RefusesRequestsThatMakeNoSense) {
+  const auto model = upload(shapes::icosphere(40, 2));
+  PlaceRequest none = request(20);
+  none.count = 0;
+  PlaceRequest negative = request(-5);
+  negative.placement.sizeMode = SizeMode::Fixed;
+  PlaceRequest near = request(20);
+  near.placement.eyeDistanceMm = 1;
+  PlaceRequest wall = request(20);
+  wall.minWallMm = -1;
+  for (const PlaceRequest& wrong : {none, negative, near, wall}) {
+    const auto job = PlaceJob::create(model, wrong);
+    ASSERT_FALSE(job.has_value());
+    EXPECT_EQ(job.error().code, ErrorCode::BadUsage);
+  }
+}
+
+TEST_F(PlaceTest, CentreDecimalsReachAMicrometre) {
+  EXPECT_EQ(centreDecimals(1), 3);
+  EXPECT_EQ(centreDecimals(900), 6);
+  EXPECT_EQ(centreDecimals(1000), 6);
+  EXPECT_EQ(centreDecimals(0.026), 2);
+  EXPECT_EQ(centreDecimals(1e-9), 0);
+}
+
+}  // namespace
+}  // namespace qrelief

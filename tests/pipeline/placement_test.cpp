@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/placement.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "projection/size.h"
+#include "support/gl_test.h"
+#include "support/shapes.h"
+
+namespace qrelief {
+namespace {
+
+constexpr int kModules = 29;
+constexpr double kOuter = 37.0 / 29;  // with the quiet zone
+
+class PlacementTest : public GlTest {
+ protected:
+  void SetUp() override {
+    auto made = GeometryPass::create();
+    ASSERT_TRUE(made.has_value());
+    pass_ = std::move(*made);
+  }
+  void load(const Mesh& mesh) {
+    auto prepared = prepareModel(shapes::soupOf(mesh), {});
+    ASSERT_TRUE(prepared.has_value());
+    model_ = std::move(*prepared);
+    gpu_ = GpuMesh(model_.mesh, model_.normals);
+  }
+  Result<Placement> place(const PlacementRequest& request) const {
+    PlacementSearch search(model_, gpu_, pass_, kModules, request);
+    for (;;) {
+      const Result<bool> done = search.step();
+      if (!done) return tl::unexpected(done.error());
+      if (*done) return search.placement();
+    }
+  }
+  /// A square plate about the z axis, turned anticlockwise by an angle; its upper side at z = 0.
+  static Mesh turnedPlate(double edge, double angle) {
+    Mesh plate = shapes::plate({edge, edge}, 5, 4, 4);
+    for (Vec3f& p : plate.positions)
+      p = Vec3f(
+          Vec3(p.x * std::cos(angle) - p.y * std::sin(angle), p.x * std::sin(angle) + p.y * std::cos(angle), p.z));
+    return plate;
+  }
+  static constexpr double kTurn = 20 * std::numbers::pi / 180;
+  PreparedModel model_;
+  GpuMesh gpu_;
+  GeometryPass pass_;
+};
+
+TEST_F(PlacementTest, OnATurnedSquareTheThreeSizesHaveTheirClosedForms) {
+  load(turnedPlate(40, kTurn));
+  PlacementRequest request;
+  request.upHint = {0, 1, 0};
+  for (const SizeMode mode : {SizeMode::Free, SizeMode::Oriented, SizeMode::Best}) {
+    request.sizeMode = mode;
+    const auto placed = place(request);
+    ASSERT_TRUE(placed.has_value()) << placed.error().message;
+    const double outer = mode == SizeMode::Free       ? 40 / std::numbers::sqrt2
+                         : mode == SizeMode::Oriented ? 40 / (std::cos(kTurn) + std::sin(kTurn))
+                                                      : 40;
+    EXPECT_NEAR(placed->symbolMm, outer / kOuter, 1e-3) << sizeModeName(mode);
+    EXPECT_NEAR(placed->guaranteedMm, 40 / std::numbers::sqrt2 / kOuter, 1e-3) << sizeModeName(mode);
+    EXPECT_NEAR(placed->rotationDeg, mode == SizeMode::Best ? 20 : 0, 1e-3);
+    // What is reported of the frame and its silhouette is in the turned axes.
+    const double upTurn = std::atan2(-placed->frame.up.x, placed->frame.up.y);
+    EXPECT_NEAR(upTurn * 180 / std::numbers::pi, placed->rotationDeg, 1e-3);
+    EXPECT_GE(orientedSize(placed->patch.silhouette), placed->symbolMm * kOuter * (1 - 1e-9));
+  }
+}
+
+TEST_F(PlacementTest, TheBestRotationIsCountedOnFromTheOneAskedFor) {
+  load(turnedPlate(40, kTurn));
+  PlacementRequest request;
+  request.upHint = {0, 1, 0};
+  request.sizeMode = SizeMode::Best;
+  request.rotateDeg = 100;
+  const auto placed = place(request);
+  ASSERT_TRUE(placed.has_value());
+  EXPECT_NEAR(placed->rotationDeg, 110, 1e-3);
+}
+
+TEST_F(PlacementTest, ASizeThatDoesNotFitNamesTheLargestHereAndAtTheBestRotation) {
+  load(turnedPlate(40, kTurn));
+  PlacementRequest request;
+  request.upHint = {0, 1, 0};
+  request.sizeMode = SizeMode::Fixed;
+  request.sizeMm = 36;
+  const auto refused = place(request);
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_EQ(refused.error().code, ErrorCode::NoSolution);
+  const std::string& message = refused.error().message;
+  EXPECT_NE(message.find("the largest that does is 24.4"), std::string::npos) << message;
+  EXPECT_NE(message.find("and 22.16 mm at every rotation"), std::string::npos) << message;
+  const std::string best = "at a rotation of 20° ";
+  ASSERT_NE(message.find(best), std::string::npos) << message;
+  const double bestMm = std::stod(message.substr(message.find(best) + best.size()));
+  EXPECT_NEAR(bestMm, 40 / kOuter, 0.02);
+
+  // What is named as fitting fits as it is written.
+  request.sizeMm = std::stod(message.substr(message.find("24.4")));
+  EXPECT_NEAR(request.sizeMm, 40 / (std::cos(kTurn) + std::sin(kTurn)) / kOuter, 0.02);
+  EXPECT_TRUE(place(request).has_value());
+  request.sizeMm = bestMm;
+  const auto turnable = place(request);
+  ASSERT_FALSE(turnable.has_value());
+  EXPECT_NE(turnable.error().hint.find("--rotate 20"), std::string::npos) << turnable.error().hint;
+  request.rotateDeg = 20;
+  EXPECT_TRUE(place(request).has_value());
+}
+
+TEST_F(PlacementTest, ThePatchIsKnownBeyondTheCodeAsFarAsItsWallsReach) {
+  load(shapes::icosphere(60, 5));
+  PlacementRequest request;
+  request.centreMm = {0, 0, 60};
+  request.beyondMm = 4;
+  request.quietZone = false;
+  for (const SizeMode mode : {SizeMode::Free, SizeMode::Oriented, SizeMode::Best, SizeMode::Fixed}) {
+    request.sizeMode = mode;
+    request.sizeMm = 30;
+    request.maxSizeMm = 35;
+    const auto placed = place(request);
+    ASSERT_TRUE(placed.has_value()) << placed.error().message;
+    EXPECT_GE(placed->patch.radiusMm, placed->symbolMm / std::numbers::sqrt2 + 4) << sizeModeName(mode);
+  }
+}
+
+TEST_F(PlacementTest, HowFarIsLookedDoesNotChangeTheSize) {
+  // The silhouette of a sphere of radius r from a distance D off its surface, on the plane that touches it:
+  // D·r/√((D + r)² - r²) away. Small and large bounds look differently far first.
+  const double r = 30, d = 250;
+  const double silhouette = d * r / std::sqrt((d + r) * (d + r) - r * r);
+  load(shapes::icosphere(r, 6));
+  PlacementRequest request;
+  request.direction = Vec3(0, 0, 1);
+  request.centreMm = {0, 0, r};
+  for (const double most : {40.0, 60.0, 500.0}) {
+    request.maxSizeMm = most;
+    const auto placed = place(request);
+    ASSERT_TRUE(placed.has_value()) << placed.error().message;
+    EXPECT_NEAR(placed->symbolMm * kOuter, std::min(std::numbers::sqrt2 * silhouette, most * kOuter), 0.2) << most;
+  }
+}
+
+TEST_F(PlacementTest, TheOptimalDirectionIsNoWorseThanTheDepthBalancedOneInItsSquare) {
+  load(shapes::bumpySphere(40, 3, 5, 5));
+  for (const Vec3 centre : {Vec3(0, 0, 40), Vec3(25, 20, 25), Vec3(-30, 5, 25)}) {
+    PlacementRequest request;
+    request.centreMm = centre;
+    const auto balanced = place(request);
+    request.directionMethod = DirectionMethod::Optimal;
+    const auto optimal = place(request);
+    ASSERT_TRUE(balanced.has_value() && optimal.has_value());
+    DirectionOptions options;
+    options.sizeMm = balanced->symbolMm;
+    const auto measure = [&](const Placement& placed) {
+      return lookFrom(pass_, gpu_, makeFrame(placed.frame.centre, placed.frame.normal, request.upHint, 250), options)
+          ->measure;
+    };
+    EXPECT_LE(measure(*optimal), measure(*balanced));
+    EXPECT_EQ(optimal->iterations.front().normal, balanced->frame.normal);
+  }
+}
+
+TEST_F(PlacementTest, ADirectionFromBehindIsRefusedWithTheReason) {
+  load(shapes::icosphere(40, 4));
+  PlacementRequest request;
+  request.centreMm = {0, 0, 40};
+  request.direction = Vec3(0.1, 0, -1);
+  const auto refused = place(request);
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_EQ(refused.error().code, ErrorCode::NoSolution);
+  EXPECT_NE(refused.error().message.find("faces away"), std::string::npos) << refused.error().message;
+}
+
+TEST_F(PlacementTest, ACentreOnASmallSteepFacetIsLookedAtFromWhereTheCodeFits) {
+  // A step of 2 mm within one strip of 0.5 mm: its own normal, 76° off, sees next to nothing of the plate.
+  load(shapes::plate({60, 60}, 10, 120, 12, [](double x, double) { return x < 0.01 ? 0.0 : 2.0; }));
+  PlacementRequest request;
+  request.centreMm = {0.25, 1, 1};
+  const auto placed = place(request);
+  ASSERT_TRUE(placed.has_value()) << placed.error().message;
+  EXPECT_GT(placed->frame.normal.z, 0.9);
+  EXPECT_GT(placed->symbolMm, 20);
+}
+
+TEST(SizeMode, NamesLeadToModesAndBack) {
+  for (const char* name : {"free", "oriented", "best"}) EXPECT_STREQ(sizeModeName(*sizeModeByName(name)), name);
+  EXPECT_FALSE(sizeModeByName("fixed").has_value());
+  EXPECT_FALSE(sizeModeByName("").has_value());
+}
+
+}  // namespace
+}  // namespace qrelief

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "projection/crossings.h"
+
+#include <gtest/gtest.h>
+
+#include "projection/size.h"
+#include "support/shapes.h"
+
+namespace qrelief {
+namespace {
+
+constexpr std::uint32_t kNone = 0xffffffff;
+
+/// Triangle of the upper face of the first box, a square of 40 mm at z = 5, under a point.
+std::uint32_t topTriangle(const Mesh& mesh, Vec2 at) {
+  for (std::uint32_t t = 0; t < 12; ++t) {
+    Triangle2 flat;
+    bool top = true;
+    for (int k = 0; k < 3; ++k) {
+      const Vec3 corner = mesh.corner(t, k);
+      top = top && corner.z == 5;
+      flat[static_cast<std::size_t>(k)] = Vec2(corner.x, corner.y);
+    }
+    if (top && distanceToTriangle(at, flat) == 0) return t;
+  }
+  return kNone;
+}
+
+double sizeAt(const Mesh& mesh, bool withCrossings) {
+  const ProjectionFrame frame = makeFrame({0, 1, 5}, {0, 0, 1}, {0, 1, 0}, 250);
+  auto patch = findVisiblePatch(mesh, buildAdjacency(mesh.triangles), frame, topTriangle(mesh, {0, 1}), 100);
+  EXPECT_TRUE(patch.has_value());
+  if (withCrossings) {
+    EXPECT_TRUE(addCrossings(mesh, frame, *patch).has_value());
+  }
+  return orientedSize(patch->silhouette);
+}
+
+TEST(Crossings, BoundACodeWhereAnotherBodyComesThroughTheFace) {
+  // Its upper edges are contour edges, and seen from the eye they lie farther out than where it comes through.
+  const Mesh mesh =
+      shapes::together(shapes::box({40, 40, 10}), shapes::translated(shapes::box({4, 60, 30}), {10, 0, 0}));
+  EXPECT_NEAR(sizeAt(mesh, true), 16, 1e-9);
+}
+
+TEST(Crossings, OfASlopeThatRisesOutOfTheFaceAreNoContour) {
+  // A ramp comes out of the face along x = 6 and faces the eye all the way: no contour edge says that it begins there.
+  Mesh ramp = shapes::plate({20, 60}, 20, 1, 1, [](double x, double) { return x; });
+  const Mesh mesh = shapes::together(shapes::box({40, 40, 10}), shapes::translated(ramp, {6, 0, 5}));
+  EXPECT_GT(sizeAt(mesh, false), 12.1);
+  EXPECT_NEAR(sizeAt(mesh, true), 12, 1e-9);
+}
+
+TEST(Crossings, LeaveASoundSurfaceAsItIs) {
+  const Mesh box = shapes::box({40, 40, 10});
+  EXPECT_EQ(sizeAt(box, true), sizeAt(box, false));
+}
+
+}  // namespace
+}  // namespace qrelief

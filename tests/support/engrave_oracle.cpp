@@ -1,0 +1,475 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "support/engrave_oracle.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+#include <numbers>
+
+#include "carving/wall_limit.h"
+#include "embedding/carving_oracle.h"
+#include "io/write_stl.h"
+#include "math/tolerance.h"
+#include "mesh/ray.h"
+#include "support/brute_force.h"
+#include "support/plane_caster.h"
+#include "support/shapes.h"
+#include "support/solid_oracle.h"
+
+namespace qrelief {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kDeepestMm = 2;  // of depths that are made up
+
+double outerFactor(const PlacementRequest& place, int modules) {
+  return place.quietZone ? (modules + 2.0 * kQuietZoneModules) / modules : 1.0;
+}
+
+bool warnedOf(const PreparedModel& prepared, std::string_view code) {
+  return std::any_of(prepared.findings.begin(), prepared.findings.end(),
+                     [&](const Finding& finding) { return finding.code == code; });
+}
+
+/// Plane point k of an even sequence inside a submodule, at least a quarter of it from its rim, where outlines may lie.
+Vec2 pointOf(const DepthField& field, int row, int column, int k) {
+  const Vec2 place(std::fmod(0.47 + 0.7548776662466927 * k, 1.0), std::fmod(0.58 + 0.5698402909980532 * k, 1.0));
+  const Vec2 inside = (place * 0.46 + 0.27) * field.submoduleMm();
+  return field.corner(row, column) + Vec2(inside.x, -inside.y);
+}
+
+// ---- How far the surface is seen in one piece ----
+
+/// What rays say about a centre: the largest code about it that none of them contradicts.
+struct Reach {
+  double freeMm = std::numeric_limits<double>::infinity();      ///< at any rotation
+  double orientedMm = std::numeric_limits<double>::infinity();  ///< at the frame's rotation
+};
+
+/// Walks outwards from the centre in `ways` directions by `steps` steps until a ray misses the model or steps to
+/// another part of it. Finds no gap that is narrower than the steps, so what it says is an upper bound.
+Reach walkOutwards(const Mesh& mesh, const ProjectionFrame& frame, double squareMm, int ways, int steps) {
+  const double reach = squareMm / 2;
+  const PlaneCaster caster(mesh, frame, 1.01 * reach);
+  Reach found;
+  const auto stopAt = [&](Vec2 p) {
+    found.freeMm = std::min(found.freeMm, std::numbers::sqrt2 * glm::length(p));
+    found.orientedMm = std::min(found.orientedMm, 2 * std::max(std::abs(p.x), std::abs(p.y)));
+  };
+  const auto centre = caster.hit(Vec2(0));
+  if (!centre || !centre->front) {
+    stopAt(Vec2(0));
+    return found;
+  }
+  for (int way = 0; way < ways; ++way) {
+    // Towards points of the square's rim, with a small turn so that no way runs along the model's own axes.
+    const double angle = 2 * kPi * (way + 0.377) / ways;
+    const Vec2 unit(std::cos(angle), std::sin(angle));
+    const Vec2 rim = unit * (reach / std::max(std::abs(unit.x), std::abs(unit.y)));
+    Vec2 last(0);
+    PlaneCaster::Hit lastHit = *centre;
+    for (int step = 1; step <= steps; ++step) {
+      const Vec2 next = rim * (static_cast<double>(step) / steps);
+      const auto hit = caster.hit(next);
+      if (!hit || !hit->front || !caster.connected(last, lastHit, next, *hit)) {
+        stopAt(next);
+        break;
+      }
+      last = next;
+      lastHit = *hit;
+    }
+  }
+  return found;
+}
+
+// ---- Solids ----
+
+std::string solidFault(const EngravableModel& model, const EngraveResult& result, const Mesh& carved) {
+  const std::string problem = surfaceProblems(carved);
+  if (!problem.empty()) return problem;
+  const std::vector<std::uint32_t> made = facetsNotIn(carved, model.prepared.mesh);
+  if (made.empty()) return "nothing was carved";
+  if (carved.triangles.size() - made.size() != result.keptTriangles)
+    return fmt::format("{} facets are said to be kept, {} are", result.keptTriangles,
+                       carved.triangles.size() - made.size());
+  if (warnedOf(model.prepared, "self-intersections")) return {};  // inherited ones cannot be told from new ones
+  if (const std::size_t crossings = countCrossings(carved, made); crossings > 0)
+    return fmt::format("{} pairs of triangles cross", crossings);
+  if (!result.solidity.solid()) return "the job says that it is no solid: " + result.solidity.problems().front();
+  return {};
+}
+
+/// Facets that face away or whose images stay clear of the code must be there still.
+std::string untouchedFault(const EngravableModel& model, const EngraveResult& result, const Mesh& carved) {
+  const Mesh& before = model.prepared.mesh;
+  const ProjectionFrame& frame = result.placement.frame;
+  const double half = result.placement.symbolMm / 2 + result.depths.submoduleMm();
+  for (const std::uint32_t t : facetsNotIn(before, carved)) {
+    const Vec3 a = before.corner(t, 0);
+    const Vec3 normal = glm::cross(before.corner(t, 1) - a, before.corner(t, 2) - a);
+    if (glm::dot(normal, frame.eye() - a) < 0) return fmt::format("facet {} faces away and is gone", t);
+    Vec2 lo(std::numeric_limits<double>::infinity()), hi = -lo;
+    for (int k = 0; k < 3; ++k) {
+      lo = glm::min(lo, frame.project(before.corner(t, k)));
+      hi = glm::max(hi, frame.project(before.corner(t, k)));
+    }
+    if (lo.x > half || lo.y > half || hi.x < -half || hi.y < -half)
+      return fmt::format("facet {} lies beside the code and is gone", t);
+  }
+  return {};
+}
+
+std::string depthFault(const PlaneCaster& before, const PlaneCaster& after, const EngraveResult& result) {
+  const DepthField& field = result.depths;
+  constexpr int kSamples = 1500;
+  Random random(static_cast<std::uint64_t>(field.size));
+  for (int k = 0; k < kSamples; ++k) {
+    const auto row = static_cast<int>(random.below(static_cast<std::uint64_t>(field.size)));
+    const auto column = static_cast<int>(random.below(static_cast<std::uint64_t>(field.size)));
+    const Vec2 p = pointOf(field, row, column, k);
+    const double deeper = after.distance(p) - before.distance(p);
+    if (!(std::abs(deeper - field.depth(row, column)) < 0.005))
+      return fmt::format("submodule ({}, {}) is {:.6g} mm deep, not {:.6g}", row, column, deeper,
+                         field.depth(row, column));
+  }
+  return {};
+}
+
+std::string volumeFault(const PlaneCaster& before, const EngravableModel& model, const EngraveResult& result,
+                        const Mesh& carved) {
+  const double lost = signedVolume(model.prepared.mesh) - signedVolume(carved);
+  const double pockets =
+      oracle::pocketVolume(result.placement.frame, result.depths, [&](Vec2 p) { return before.distance(p); });
+  // Outlines lie a little beside the grid's lines, as far as an eighth of a submodule where the model is dense.
+  const double share = std::min(0.02, result.depths.submoduleMm() / 20) * oracle::wallArea(result.depths);
+  if (!(lost > 0)) return fmt::format("the volume grew by {:.4g} mm3", -lost);
+  if (std::abs(lost - pockets) > share + 0.03 * pockets)
+    return fmt::format("{:.5g} mm3 are gone, but the pockets have {:.5g}", lost, pockets);
+  return {};
+}
+
+/// Facets that a floor must keep away from: those that face away, and those that face the eye but do not belong to the
+/// visible patch, as far as the patch says anything about the place.
+std::vector<std::uint32_t> wallFacets(const Mesh& mesh, const Placement& placement) {
+  const ProjectionFrame& frame = placement.frame;
+  std::vector<std::uint32_t> walls;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (std::binary_search(placement.patch.triangles.begin(), placement.patch.triangles.end(), t)) continue;
+    const Vec3 a = mesh.corner(t, 0);
+    const bool front = glm::dot(glm::cross(mesh.corner(t, 1) - a, mesh.corner(t, 2) - a), frame.eye() - a) > 0;
+    const Vec3 middle = (a + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3.0;
+    const bool isNear =
+        frame.distanceAlongAxis(middle) > 0 && glm::length(frame.project(middle)) < placement.symbolMm / 2;
+    if (!front || isNear) walls.push_back(t);
+  }
+  return walls;
+}
+
+double distanceTo(const Mesh& mesh, const std::vector<std::uint32_t>& facets, Vec3 p) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const std::uint32_t t : facets)
+    nearest =
+        std::min(nearest, brute_force::distanceToFacet(p, mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)));
+  return nearest;
+}
+
+std::string wallFault(const PlaneCaster& after, const EngraveCase& made, const EngravableModel& model,
+                      const EngraveResult& result) {
+  const Mesh& mesh = model.prepared.mesh;
+  const DepthField& field = result.depths;
+  const ProjectionFrame& frame = result.placement.frame;
+  const std::vector<std::uint32_t> walls = wallFacets(mesh, result.placement);
+  constexpr int kSamples = 300;
+  Random random(static_cast<std::uint64_t>(field.size) + 1);
+  for (int k = 0; k < kSamples; ++k) {
+    const auto row = static_cast<int>(random.below(static_cast<std::uint64_t>(field.size)));
+    const auto column = static_cast<int>(random.below(static_cast<std::uint64_t>(field.size)));
+    if (field.depth(row, column) == 0) continue;
+    const Vec2 p = pointOf(field, row, column, k);
+    const Vec3 floor = frame.eye() + frame.rayDirection(p) * after.distance(p);
+    const double wall = distanceTo(mesh, walls, floor);
+    if (wall < made.request.minWallMm - kDepthQuantumMm - 0.05 * field.submoduleMm())
+      return fmt::format("behind submodule ({}, {}) {:.4g} mm of wall are left, not {:.4g}", row, column, wall,
+                         made.request.minWallMm);
+  }
+  return {};
+}
+
+std::string seenFault(const EngraveCase& made, const EngravableModel& model, const EngraveResult& result) {
+  const double square = result.placement.symbolMm * outerFactor(made.request.placement, result.symbol.size);
+  const Reach reach = walkOutwards(model.prepared.mesh, result.placement.frame, square * (1 - 1e-9), 96, 24);
+  if (std::isinf(reach.orientedMm)) return {};
+  return fmt::format("the code of {:.5g} mm is broken by the silhouette {:.5g} mm out", square, reach.orientedMm / 2);
+}
+
+Verdict judgeSolid(const EngraveCase& made, const EngravableModel& model, const EngraveResult& result) {
+  const Mesh carved = meshOfStl(result.stl);
+  const double half = result.placement.symbolMm / 2;
+  const PlaneCaster before(model.prepared.mesh, result.placement.frame, half);
+  const PlaneCaster after(carved, result.placement.frame, half);
+  std::string fault = solidFault(model, result, carved);
+  if (fault.empty()) fault = untouchedFault(model, result, carved);
+  if (fault.empty()) fault = seenFault(made, model, result);
+  // A resampled surface is another than the model's, so depths cannot be measured from that.
+  const bool isPreserved = made.request.surface == SurfaceMode::Preserved;
+  if (fault.empty() && isPreserved) fault = depthFault(before, after, result);
+  if (fault.empty() && isPreserved) fault = volumeFault(before, model, result, carved);
+  if (fault.empty()) fault = wallFault(after, made, model, result);
+  return {"solid", fault};
+}
+
+// ---- Refusals ----
+
+/// The placement search by itself: where it ended, and every direction it looked from.
+struct Search {
+  Placement placement;
+  std::vector<ProjectionFrame> frames;
+};
+
+ProjectionFrame frameOf(const PlacementRequest& place, Vec3 centre, Vec3 normal) {
+  ProjectionFrame frame = makeFrame(centre, normal, place.upHint, place.eyeDistanceMm);
+  const double angle = place.rotateDeg * kPi / 180;
+  const Vec3 right = frame.right * std::cos(angle) + frame.up * std::sin(angle);
+  frame.up = frame.up * std::cos(angle) - frame.right * std::sin(angle);
+  frame.right = right;
+  return frame;
+}
+
+Search repeatSearch(const EngraveCase& made, const EngravableModel& model, int modules) {
+  const PlacementRequest& place = made.request.placement;
+  // Without a search for the direction nothing is rendered.
+  const Result<GeometryPass> pass = place.direction ? GeometryPass() : GeometryPass::create();
+  Search repeated;
+  if (!pass) return repeated;
+  PlacementSearch search(model.prepared, model.gpu, *pass, modules, place);
+  for (;;) {
+    const Result<bool> step = search.step();
+    if (!step || *step) break;
+  }
+  repeated.placement = search.placement();
+  const Vec3 centre = search.placement().frame.centre;
+  const auto nearest = closestPoint(model.prepared.mesh, place.centreMm);
+  repeated.frames.push_back(
+      frameOf(place, centre, place.direction.value_or(surfaceNormalAt(model.prepared.mesh, *nearest))));
+  for (const DirectionIteration& iteration : search.placement().iterations)
+    repeated.frames.push_back(frameOf(place, centre, iteration.normal));
+  return repeated;
+}
+
+/// True of every direction that was looked from: from there, a code of `symbolMm` is broken.
+std::string fitFault(const EngraveCase& made, const EngravableModel& model, const Search& search, int modules,
+                     double symbolMm) {
+  const double square = symbolMm * outerFactor(made.request.placement, modules);
+  const bool anyRotation = made.request.placement.sizeMode == SizeMode::Free;
+  for (const ProjectionFrame& frame : search.frames) {
+    // At any rotation the square's corners sweep a disc, which a larger square holds.
+    const double looked = square * (anyRotation ? std::numbers::sqrt2 : 1.0);
+    const Reach reach = walkOutwards(model.prepared.mesh, frame, looked, 720, 200);
+    const double largest = anyRotation ? reach.freeMm : reach.orientedMm;
+    if (largest > square * 1.01)
+      return fmt::format("a code of {:.4g} mm is said not to fit, but no ray contradicts it", symbolMm);
+  }
+  return {};
+}
+
+std::string thinFault(const EngraveCase& made, const EngravableModel& model, const Search& search,
+                      const Symbol& symbol) {
+  const Placement& placement = search.placement;
+  const SubmoduleMask mask = submodulesToCarve(symbol, made.request.modulePattern, made.request.finderPattern);
+  const DepthField field{mask.size, placement.symbolMm, {}};
+  const PlaneCaster before(model.prepared.mesh, placement.frame, placement.symbolMm / 2);
+  const std::vector<std::uint32_t> walls = wallFacets(model.prepared.mesh, placement);
+  Random random(2);
+  for (int k = 0; k < 300; ++k) {
+    const auto row = static_cast<int>(random.below(static_cast<std::uint64_t>(field.size)));
+    const auto column = static_cast<int>(random.below(static_cast<std::uint64_t>(field.size)));
+    if (!mask.isCarved(row, column)) continue;
+    const Vec2 p = field.corner(row, column) + Vec2(0.5, -0.5) * field.submoduleMm();
+    const Vec3 top = placement.frame.eye() + placement.frame.rayDirection(p) * before.distance(p);
+    const double spare = distanceTo(model.prepared.mesh, walls, top) - made.request.minWallMm;
+    if (spare > 0.05 + field.submoduleMm())
+      return fmt::format("submodule ({}, {}) has {:.4g} mm to spare", row, column, spare);
+  }
+  return {};
+}
+
+/// Facets that hold the centre: several if it lies on an edge or vertex.
+std::vector<std::uint32_t> facetsAt(const Mesh& mesh, Vec3 centre) {
+  std::vector<std::uint32_t> facets;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+    if (brute_force::distanceToFacet(centre, mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)) < 1e-9)
+      facets.push_back(t);
+  return facets;
+}
+
+/// One that does is enough: then the silhouette runs through the centre.
+bool facesAway(const Mesh& mesh, const ProjectionFrame& frame) {
+  const std::vector<std::uint32_t> facets = facetsAt(mesh, frame.centre);
+  return std::any_of(facets.begin(), facets.end(), [&](std::uint32_t t) {
+    return glm::dot(triangleNormal(mesh, t), glm::normalize(frame.eye() - mesh.corner(t, 0))) < 1e-6;
+  });
+}
+
+bool isHidden(const Mesh& mesh, const ProjectionFrame& frame) {
+  return brute_force::castRay(mesh, frame.eye(), -frame.normal).distance < frame.eyeDistance - kOnSurfaceMm;
+}
+
+bool reachesBehindEye(const Mesh& mesh, const ProjectionFrame& frame) {
+  const std::vector<std::uint32_t> facets = facetsAt(mesh, frame.centre);
+  return std::any_of(facets.begin(), facets.end(), [&](std::uint32_t t) {
+    for (int k = 0; k < 3; ++k)
+      if (frame.distanceAlongAxis(mesh.corner(t, k)) <= 1e-6 * frame.eyeDistance) return true;
+    return false;
+  });
+}
+
+/// A reason that is true of one direction that was looked from, at least.
+std::string reasonFault(const EngravableModel& model, const Search& search, const char* reason,
+                        bool (*isTrue)(const Mesh&, const ProjectionFrame&)) {
+  const bool any = std::any_of(search.frames.begin(), search.frames.end(),
+                               [&](const ProjectionFrame& frame) { return isTrue(model.prepared.mesh, frame); });
+  return any ? "" : fmt::format("from no direction that was looked from {}", reason);
+}
+
+/// Facets only a few dozen float steps wide, where the code is.
+std::string fineFault(const EngravableModel& model, const Search& search) {
+  const Mesh& mesh = model.prepared.mesh;
+  const Box3 box = boundingBox(mesh);
+  const Vec3 far = glm::max(glm::abs(box.min), glm::abs(box.max));
+  const double step = std::max({far.x, far.y, far.z}) * std::numeric_limits<float>::epsilon();
+  for (const std::uint32_t t : search.placement.patch.triangles) {
+    const Vec3 a = mesh.corner(t, 0), u = mesh.corner(t, 1) - a, v = mesh.corner(t, 2) - a;
+    const double longest = std::max({glm::length(u), glm::length(v), glm::length(v - u)});
+    if (glm::length(glm::cross(u, v)) / longest < 100 * step) return {};
+  }
+  return "no facet there is finer than 100 steps of a float";
+}
+
+Verdict judgeNoSolution(const EngraveCase& made, const EngravableModel& model, const Error& error) {
+  const auto says = [&](std::string_view words) { return error.message.find(words) != std::string::npos; };
+  const auto symbol = encodeSymbol(made.request.text, made.request.symbol);
+  if (!symbol) return {"no solution", "the text cannot be encoded, and nothing said so: " + error.message};
+  const Search search = repeatSearch(made, model, symbol->size);
+  if (says("does not fit here"))
+    return {"does not fit", fitFault(made, model, search, symbol->size, made.request.placement.sizeMm)};
+  if (says("is asked for: its modules")) {
+    const PlacementRequest& place = made.request.placement;
+    const double asked = place.sizeMode == SizeMode::Fixed ? place.sizeMm : place.maxSizeMm;
+    return {"asks for a tiny code", asked < 0.2 * symbol->size ? "" : "the modules would be wide enough"};
+  }
+  if (says("Only a code of"))  // its modules would be narrower than 0.2 mm
+    return {"fits a tiny code only", fitFault(made, model, search, symbol->size, 0.2 * symbol->size)};
+  if (says("faces away")) return {"faces away", reasonFault(model, search, "the centre faces away", facesAway)};
+  if (says("hides the chosen point"))
+    return {"hidden", reasonFault(model, search, "anything is before the centre", isHidden)};
+  if (says("reaches behind the eye"))
+    return {"behind the eye", reasonFault(model, search, "the facet reaches behind the eye", reachesBehindEye)};
+  if (says("Nothing can be carved")) return {"wall too thin", thinFault(made, model, search, *symbol)};
+  if (says("facets under the code are too fine")) return {"facets too fine", fineFault(model, search)};
+  return {"no solution", "a reason that nobody checks: " + error.message};
+}
+
+/// Bytes that a symbol of version 1 to 5 holds in byte mode [ISO/IEC 18004, table 7].
+constexpr std::array<std::array<std::size_t, 4>, 5> kByteCapacity = {
+    {{17, 14, 11, 7}, {32, 26, 20, 14}, {53, 42, 32, 24}, {78, 62, 46, 34}, {106, 84, 60, 44}}};
+
+Verdict judgeBadInput(const EngraveCase& made, const EngravableModel& model, const Error& error) {
+  if (!model.prepared.engravable()) {
+    const bool torn = !surfaceProblems(made.mesh).empty();
+    return {"no solid", torn ? "" : "the model is a solid, but: " + error.message};
+  }
+  const std::optional<int> version = made.request.symbol.version;
+  const auto level = static_cast<std::size_t>(made.request.symbol.errorCorrection);
+  if (!version) return {"bad input", "a reason that nobody checks: " + error.message};
+  const bool tooLong = made.request.text.size() > kByteCapacity[static_cast<std::size_t>(*version - 1)][level];
+  return {"text too long", tooLong ? "" : "the text fits: " + error.message};
+}
+
+/// Uneven depths for the submodules of a mask: a level a module, or one a submodule, or all the same.
+std::vector<double> madeUpDepths(const SubmoduleMask& mask, std::span<const double> limits, Choices& choices) {
+  const int grain = choices.of(std::array{kSubmodulesPerModule, 1, mask.size});
+  const int perEdge = (mask.size + grain - 1) / grain;
+  const int levels = choices.between(1, static_cast<int>(kDeepestMm / kDepthQuantumMm));
+  std::vector<double> wanted;
+  Random random(choices.below(65536));
+  for (int k = 0; k < perEdge * perEdge; ++k)
+    wanted.push_back(kDepthQuantumMm * static_cast<double>(1 + random.below(static_cast<std::uint64_t>(levels))));
+  std::vector<double> depths(limits.size(), 0);
+  for (int row = 0; row < mask.size; ++row)
+    for (int column = 0; column < mask.size; ++column) {
+      const auto i = static_cast<std::size_t>(row * mask.size + column);
+      const double depth =
+          std::min(limits[i], wanted[static_cast<std::size_t>(row / grain * perEdge + column / grain)]);
+      if (mask.isCarved(row, column)) depths[i] = kDepthQuantumMm * std::floor(depth / kDepthQuantumMm + 1e-6);
+    }
+  return depths;
+}
+
+/// Depths, embedding and the file for a placement that was found.
+Result<EngraveResult> carve(const EngraveCase& made, const EngravableModel& model, Placement placement,
+                            const Symbol& symbol, Choices& choices) {
+  const Mesh& mesh = model.prepared.mesh;
+  EngraveResult result;
+  const SubmoduleMask mask = submodulesToCarve(symbol, made.request.modulePattern, made.request.finderPattern);
+  result.depths = {mask.size, placement.symbolMm, {}};
+  const std::vector<double> limits = wallLimits(mesh, placement.patch, placement.frame, mask,
+                                                {placement.symbolMm, kDeepestMm, made.request.minWallMm});
+  result.depths.depthMm = madeUpDepths(mask, limits, choices);
+  if (std::none_of(result.depths.depthMm.begin(), result.depths.depthMm.end(), [](double depth) { return depth > 0; }))
+    return fail(ErrorCode::NoSolution, "Nothing can be carved here", "as EngraveJob says");
+  const auto embedded = embedDepthField(mesh, placement.frame, placement.patch.triangles, result.depths,
+                                        {.surface = made.request.surface});
+  if (!embedded) return tl::unexpected(embedded.error());
+  result.stl = writeStl(embedded->mesh);
+  result.keptTriangles = embedded->keptTriangles;
+  result.mesh = oracle::welded(embedded->mesh);
+  const auto solidity = checkSolidity(result.mesh, embedded->newTriangles);
+  if (!solidity) return tl::unexpected(solidity.error());
+  result.solidity = *solidity;
+  result.symbol = symbol;
+  result.placement = std::move(placement);
+  return result;
+}
+
+}  // namespace
+
+Verdict judge(const EngraveCase& made, const EngravableModel& model, const Result<EngraveResult>& result) {
+  if (result) return judgeSolid(made, model, *result);
+  const Error& error = result.error();
+  if (error.message.empty() || error.hint.empty()) return {"refused", "without a message or a hint: " + error.message};
+  if (error.code == ErrorCode::NoSolution) return judgeNoSolution(made, model, error);
+  if (error.code == ErrorCode::BadInput) return judgeBadInput(made, model, error);
+  return {"error", "no typed refusal: " + error.message};
+}
+
+Verdict runEngraveCase(const EngraveCase& made) {
+  auto prepared = prepareModel(shapes::soupOf(made.mesh), {});
+  if (!prepared) return {"not prepared", prepared.error().message};
+  const auto model = EngravableModel::upload(std::move(*prepared));
+  return judge(made, *model, engrave(model, made.request));
+}
+
+Verdict runCarvingCase(const EngraveCase& made, Choices& choices) {
+  auto prepared = prepareModel(shapes::soupOf(made.mesh), {});
+  if (!prepared) return {"not prepared", prepared.error().message};
+  EngravableModel model;  // nothing is rendered, so nothing is uploaded
+  model.prepared = std::move(*prepared);
+  if (const Status engravable = model.prepared.engravable(); !engravable)
+    return judge(made, model, tl::unexpected(engravable.error()));
+  const auto symbol = encodeSymbol(made.request.text, made.request.symbol);
+  if (!symbol) return judge(made, model, tl::unexpected(symbol.error()));
+
+  EngraveCase directed = made;
+  if (!directed.request.placement.direction) {
+    const auto nearest = closestPoint(model.prepared.mesh, made.request.placement.centreMm);
+    directed.request.placement.direction = triangleNormal(model.prepared.mesh, nearest->triangle);
+  }
+  directed.request.placement.beyondMm = made.request.minWallMm + kDeepestMm;
+  const GeometryPass unused;
+  PlacementSearch search(model.prepared, model.gpu, unused, symbol->size, directed.request.placement);
+  if (const Result<bool> placed = search.step(); !placed) return judge(directed, model, tl::unexpected(placed.error()));
+  return judge(directed, model, carve(directed, model, search.placement(), *symbol, choices));
+}
+
+}  // namespace qrelief
