@@ -57,7 +57,8 @@ ReadingSearch::ReadingSearch(CarvingTarget target, const ReadingOptions& options
         const auto i = static_cast<std::size_t>((row * kN + k / kN) * depths_.size + column * kN + k % kN);
         if (target_.mask->carved[i]) pocket.limitMm = std::max(pocket.limitMm, target_.limitMm[i]);
       }
-      pocket.depthMm = std::min(kFirstDepthModules * moduleMm, pocket.limitMm);
+      pocket.limitMm = quantisedDepth(pocket.limitMm, pocket.limitMm);
+      pocket.depthMm = quantisedDepth(kFirstDepthModules * moduleMm, pocket.limitMm);
       carve(pocket);
       pockets_.push_back(pocket);
     }
@@ -75,7 +76,8 @@ void ReadingSearch::carve(const Pocket& pocket) {
 
 void ReadingSearch::deepen(Pocket& pocket, double contrast) {
   const double excess = contrast - pocket.wanted;
-  pocket.done = excess >= 0 && excess <= options_.tolerance;
+  const bool least = pocket.brightMm > 0 && pocket.depthMm - pocket.brightMm < 1.5 * kDepthQuantumMm;
+  pocket.done = excess >= 0 && (excess <= options_.tolerance || least);
   pocket.limited = excess < 0 && pocket.depthMm >= pocket.limitMm;
   if (pocket.done || pocket.limited) return;
   // Neighbours move as well, so what was too bright a pass ago may do now: the bounds are those of the last passes
@@ -98,7 +100,7 @@ void ReadingSearch::deepen(Pocket& pocket, double contrast) {
   if (next <= pocket.brightMm) next = pocket.darkMm > 0 ? (pocket.brightMm + pocket.darkMm) / 2 : 1.2 * pocket.brightMm;
   pocket.lastMm = pocket.depthMm;
   pocket.lastContrast = contrast;
-  pocket.depthMm = std::clamp(next, std::min(kDepthQuantumMm, pocket.limitMm), pocket.limitMm);
+  pocket.depthMm = quantisedDepth(std::max(next, kDepthQuantumMm), pocket.limitMm);
 }
 
 void ReadingSearch::update(std::span<const double> luminance) {
@@ -122,7 +124,7 @@ void ReadingSearch::update(std::span<const double> luminance) {
     contrast_[pocket.module] = contrast;
     const double before = pocket.depthMm;
     deepen(pocket, contrast);
-    moved = moved || std::abs(pocket.depthMm - before) >= kDepthQuantumMm;
+    moved = moved || pocket.depthMm != before;
   }
   ++passes_;
   finished_ = !moved || passes_ >= options_.maxPasses;
