@@ -23,9 +23,8 @@ struct ReadingOptions {
 ///
 /// Seen luminance M of a module: that of its middle in the map blurred by a Gaussian. Surroundings A: the mean of the
 /// four darkest light modules around it, likewise blurred, as in DepthSearch. Wanted: M = (1 − c)·A for every dark
-/// module. The pockets of a module share one depth, since dark area per depth is then nearly the greatest and the floor
-/// is one facet; each pass moves it along the secant of the last two, kept within what was already too bright and
-/// already dark enough.
+/// module. The pockets of a module share one depth, so that their floor stays one facet; each pass moves it along the
+/// secant of the last two, kept within what was already too bright and already dark enough.
 class ReadingSearch final : public DepthSolver {
  public:
   ReadingSearch(CarvingTarget target, const ReadingOptions& options);

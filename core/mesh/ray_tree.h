@@ -14,7 +14,7 @@ namespace qrelief {
 /// binned, Wald 2007], watertight triangle test [Woop, Benthin, Wald 2013].
 class RayTree {
  public:
-  /// Cost: O(T log T), 0.5 µs a triangle and level of a million or so.
+  /// Cost: O(T log T).
   /// @param mesh  kept by reference
   explicit RayTree(const Mesh& mesh);
 

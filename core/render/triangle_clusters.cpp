@@ -37,7 +37,7 @@ ClusteredTriangles clusterTriangles(const Mesh& mesh) {
   for (const Triangle& t : mesh.triangles) {
     const std::size_t cell = cellOf(t);
     cellOfTriangle.push_back(static_cast<std::uint32_t>(cell));
-    ++cells[cell].end;  // the number of its triangles, for now
+    ++cells[cell].end;  // counts first; turned into an end below
     for (const std::uint32_t v : t) cells[cell].box.add(Vec3(mesh.positions[v]));
   }
   std::uint32_t begin = 0;
