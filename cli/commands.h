@@ -21,6 +21,7 @@ int printError(const Error& error);
 std::function<int()> addEngraveCommand(CLI::App& app);
 std::function<int()> addInfoCommand(CLI::App& app);
 std::function<int()> addPlaceCommand(CLI::App& app);
+std::function<int()> addVerifyCommand(CLI::App& app);
 
 /// File units → mm by the two options that say so, if one does; `units` is one of mm, cm, m, in or empty.
 Result<std::optional<double>> scaleFrom(std::optional<double> scale, const std::string& units);

@@ -47,12 +47,14 @@ int run(int argc, char** argv) {
   const auto engraveModel = addEngraveCommand(app);
   const auto describeModel = addInfoCommand(app);
   const auto findSpots = addPlaceCommand(app);
+  const auto verifyModel = addVerifyCommand(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kEngraved : kBadUsage;
   }
   if (app.got_subcommand("engrave")) return engraveModel();
+  if (app.got_subcommand("verify")) return verifyModel();
   return app.got_subcommand("place") ? findSpots() : describeModel();
 }
 

@@ -7,17 +7,34 @@
 #include "verification/reading_variants.h"
 
 namespace qrelief {
+namespace {
+
+std::optional<SymbolRead> readWith(const GreyImage& picture, ZXing::Binarizer binarizer) {
+  const ZXing::ImageView view(picture.pixels.data(), picture.width, picture.height, ZXing::ImageFormat::Lum);
+  ZXing::DecodeHints hints;
+  hints.setFormats(ZXing::BarcodeFormat::QRCode).setTryHarder(true).setTryRotate(false).setBinarizer(binarizer);
+  const ZXing::Result result = ZXing::ReadBarcode(view, hints);
+  if (!result.isValid()) return std::nullopt;
+  SymbolRead read{ZXing::TextUtfEncoding::ToUtf8(result.text()), result.isMirrored(), {}};
+  for (std::size_t k = 0; k < 4; ++k)
+    read.corners[k] = {result.position()[static_cast<int>(k)].x, result.position()[static_cast<int>(k)].y};
+  return read;
+}
+
+}  // namespace
+
+std::vector<SymbolReader> zxingReaders() {
+  std::vector<SymbolReader> readers;
+  for (const ZXing::Binarizer binarizer : {ZXing::Binarizer::LocalAverage, ZXing::Binarizer::GlobalHistogram})
+    readers.emplace_back([binarizer](const GreyImage& picture) { return readWith(picture, binarizer); });
+  return readers;
+}
 
 std::string readWithZxing(const ReaderView& seen) {
-  for (const GreyImage& variant : readingVariants(seen.picture, seen.pixelsPerModule)) {
-    const ZXing::ImageView view(variant.pixels.data(), variant.width, variant.height, ZXing::ImageFormat::Lum);
-    for (const ZXing::Binarizer binarizer : {ZXing::Binarizer::LocalAverage, ZXing::Binarizer::GlobalHistogram}) {
-      ZXing::DecodeHints hints;
-      hints.setFormats(ZXing::BarcodeFormat::QRCode).setTryHarder(true).setTryRotate(false).setBinarizer(binarizer);
-      const ZXing::Result result = ZXing::ReadBarcode(view, hints);
-      if (result.isValid()) return ZXing::TextUtfEncoding::ToUtf8(result.text());
-    }
-  }
+  const std::vector<SymbolReader> readers = zxingReaders();
+  for (const GreyImage& variant : readingVariants(seen.picture, seen.pixelsPerModule))
+    for (const SymbolReader& reader : readers)
+      if (const auto read = reader(variant)) return read->text;
   return {};
 }
 

@@ -2,14 +2,19 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "verification/reader_view.h"
+#include "verification/symbol_reader.h"
 
 namespace qrelief {
 
 /// Text of the QR Code in a picture as ZXing-C++ reads it in any of its reading variants, with either of its
 /// binarisers; empty if it finds none.
 std::string readWithZxing(const ReaderView& seen);
+
+/// ZXing-C++ with each of its binarisers, which differ in what they find: local averages and the global histogram.
+std::vector<SymbolReader> zxingReaders();
 
 /// "ZXing-C++" and its version, for reports.
 std::string zxingName();

@@ -16,6 +16,7 @@
 #include "qr/module_pattern.h"
 #include "qr/symbol.h"
 #include "render/geometry_pass.h"
+#include "verification/printability.h"
 #include "verification/reader_view.h"
 #include "verification/solidity.h"
 
@@ -47,6 +48,7 @@ struct EngraveRequest {
   double contrast = 0.3;  ///< a carved submodule is darker than its surroundings by this share, 0 < c < 1
   ReadingOptions reading;
   std::optional<double> maxDepthMm;  ///< none: 1.2 modules
+  Printer printer;                   ///< for advice only
   double minWallMm = 0.8;            ///< material that stays behind every floor, ≥ 0
   float albedo = 0.7f;               ///< of the printed material
   SurfaceMode surface = SurfaceMode::Preserved;

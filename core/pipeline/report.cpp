@@ -2,17 +2,15 @@
 #include "pipeline/report.h"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "pipeline/json_parts.h"
 #include "verification/grades.h"
 
 namespace qrelief {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json triple(Vec3 v) { return Json::array({v.x, v.y, v.z}); }
 
 Json describeInput(const EngravableModel& model, const ReportContext& context) {
   Json warnings = Json::array();
@@ -58,27 +56,19 @@ Json describeProjection(const EngraveRequest& request, const Placement& placemen
           {"iterations", iterations}};
 }
 
-Json describeGrade(const Grade& grade) { return {{"value", grade.value}, {"grade", grade.grade}}; }
-
 /// Of the luminance that the depth search ended with, not of a picture.
-void describeGrades(Json& verification, const EngraveRequest& request, const EngraveResult& result) {
-  const SymbolGrades grades =
-      gradeSymbol(measureModules(result.symbol, result.luminance), static_cast<double>(request.albedo));
-  const Json common = {{"simulated", true},
-                       {"decode", describeGrade(grades.decode)},
-                       {"unusedErrorCorrection", describeGrade(grades.unusedCorrection)},
-                       {"fixedPatternDamage", describeGrade(grades.fixedPatternDamage)},
-                       {"formatInformation", describeGrade(grades.formatInformation)}};
-  Json printed = common, marked = common;
-  printed["symbolContrast"] = describeGrade(grades.symbolContrast);
-  printed["modulation"] = describeGrade(grades.modulation);
-  printed["reflectanceMargin"] = describeGrade(grades.reflectanceMargin);
-  printed["overall"] = grades.iso15415;
-  marked["cellContrast"] = describeGrade(grades.cellContrast);
-  marked["cellModulation"] = describeGrade(grades.cellModulation);
-  marked["overall"] = grades.iso29158;
-  verification["iso15415"] = printed;
-  verification["iso29158"] = marked;
+void addGrades(Json& verification, const EngraveRequest& request, const EngraveResult& result) {
+  GradeReports grades = describeGrades(
+      gradeSymbol(measureModules(result.symbol, result.luminance), static_cast<double>(request.albedo)));
+  verification["iso15415"] = std::move(grades.iso15415);
+  verification["iso29158"] = std::move(grades.iso29158);
+}
+
+/// Of the depths that were carved.
+CarvedFeatures featuresOf(const EngraveResult& result) {
+  std::vector<std::uint8_t> carved;
+  for (const double depth : result.depths.depthMm) carved.push_back(depth > 0);
+  return measureFeatures(result.symbol, carved, result.depths.depthMm, result.placement.moduleMm);
 }
 
 }  // namespace
@@ -99,6 +89,7 @@ std::string makeReport(const EngraveRequest& request, const EngravableModel& mod
                        const ReportContext& context) {
   const DepthSummary depth = summarise(result.depths);
   const SolidityReport& solid = result.solidity;
+  const CarvedFeatures features = featuresOf(result);
   Json report;
   report["qrelief"] = QRELIEF_VERSION;
   report["text"] = request.text;
@@ -115,6 +106,7 @@ std::string makeReport(const EngraveRequest& request, const EngravableModel& mod
                      {"p95Mm", depth.p95Mm},
                      {"iterations", result.searchIterations},
                      {"limitedSubmodules", result.limitedSubmodules},
+                     {"features", describeFeatures(features, request.printer)},
                      {"objective", request.objective == DepthObjective::Reading ? "reading" : "contrast"},
                      {"solver", request.objective == DepthObjective::Reading ? "secant" : "paper-steps"}};
   report["mesh"] = {
@@ -129,7 +121,9 @@ std::string makeReport(const EngraveRequest& request, const EngravableModel& mod
                                                     {"picture", "simulated phone"},
                                                     {"read", context.readBack == request.text}}})},
                             {"failedChecks", failedChecks(request, result, context.readBack)}};
-  describeGrades(report["verification"], request, result);
+  addGrades(report["verification"], request, result);
+  report["verification"]["printability"] =
+      describeAdvice(advisePrinting(features, request.printer, request.minWallMm));
   const StageTimings& t = result.timingsMs;
   report["timingsMs"] = {{"load", context.loadMs}, {"prepare", context.prepareMs}, {"direction", t.direction},
                          {"size", t.size},         {"depthSearch", t.depthSearch}, {"embed", t.embed},

@@ -67,6 +67,15 @@ void carveModule(SubmoduleMask& mask, const Picture& picture, int row, int colum
   }
 }
 
+/// In the order of the enumeration.
+constexpr std::array<std::pair<std::string_view, ModulePattern>, 5> kModulePatternNames = {{
+    {"none", ModulePattern::None},
+    {"square", ModulePattern::Square},
+    {"thin-plus", ModulePattern::ThinPlus},
+    {"diamond", ModulePattern::Diamond},
+    {"thick-plus", ModulePattern::ThickPlus},
+}};
+
 template <class Pattern, std::size_t count>
 std::optional<Pattern> lookUp(const std::array<std::pair<std::string_view, Pattern>, count>& names,
                               std::string_view name) {
@@ -101,15 +110,10 @@ SubmoduleMask submodulesToCarve(const Symbol& symbol, ModulePattern modules, Fin
   return mask;
 }
 
-std::optional<ModulePattern> modulePatternByName(std::string_view name) {
-  constexpr std::array<std::pair<std::string_view, ModulePattern>, 5> kNames = {{
-      {"none", ModulePattern::None},
-      {"square", ModulePattern::Square},
-      {"thin-plus", ModulePattern::ThinPlus},
-      {"diamond", ModulePattern::Diamond},
-      {"thick-plus", ModulePattern::ThickPlus},
-  }};
-  return lookUp(kNames, name);
+std::optional<ModulePattern> modulePatternByName(std::string_view name) { return lookUp(kModulePatternNames, name); }
+
+std::string_view modulePatternName(ModulePattern pattern) {
+  return kModulePatternNames[static_cast<std::size_t>(pattern)].first;
 }
 
 std::optional<FinderPattern> finderPatternByName(std::string_view name) {

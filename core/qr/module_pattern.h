@@ -41,5 +41,6 @@ SubmoduleMask submodulesToCarve(const Symbol& symbol, ModulePattern modules, Fin
 /// Names as on the command line ("thin-plus"); empty if there is no such pattern.
 std::optional<ModulePattern> modulePatternByName(std::string_view name);
 std::optional<FinderPattern> finderPatternByName(std::string_view name);
+std::string_view modulePatternName(ModulePattern pattern);
 
 }  // namespace qrelief

@@ -10,7 +10,6 @@
 namespace qrelief {
 namespace {
 
-constexpr double kWhite = 0.85;       // where exposure puts the 95th percentile, linear
 constexpr double kBackground = 0.35;  // luminance of what is not the model
 
 /// Of a square picture.
@@ -55,7 +54,7 @@ double srgb(double linear) {
 
 }  // namespace
 
-GreyImage photograph(const std::vector<float>& luminance, int width, double blurPx, double noise, double strayLight) {
+GreyImage photograph(const std::vector<float>& luminance, int width, const CameraOptions& camera) {
   std::vector<double> middle;
   double mean = 0;
   for (int y = width / 5; y < width - width / 5; ++y)
@@ -66,19 +65,20 @@ GreyImage photograph(const std::vector<float>& luminance, int width, double blur
   mean /= static_cast<double>(middle.size());
   const auto bright = middle.begin() + static_cast<std::ptrdiff_t>(middle.size() * 95 / 100);
   std::nth_element(middle.begin(), bright, middle.end());
-  const double exposure = kWhite / std::max(*bright, 1e-6);
+  const double exposure = camera.exposure / std::max(*bright, 1e-6);
 
   std::vector<double> image(luminance.size());
   for (std::size_t i = 0; i < image.size(); ++i)
-    image[i] = exposure * ((1 - strayLight) * luminance[i] + strayLight * mean);
-  image = gaussianBlur(image, width, blurPx);
+    image[i] = exposure * ((1 - camera.strayLight) * luminance[i] + camera.strayLight * mean);
+  image = gaussianBlur(image, width, camera.blurPx);
 
-  Random random(1);
+  Random random(camera.seed);
   GreyImage picture{width, width, std::vector<std::uint8_t>(image.size())};
   for (int y = 0; y < width; ++y) {
     for (int x = 0; x < width; ++x) {
       double value = image[static_cast<std::size_t>((width - 1 - y) * width + x)];
-      if (noise > 0) value += noiseSample(random) * noise * std::sqrt(std::max(value, 0.05) / kWhite);
+      if (camera.noise > 0)
+        value += noiseSample(random) * camera.noise * std::sqrt(std::max(value, 0.05) / camera.exposure);
       picture.pixels[static_cast<std::size_t>(y * width + x)] =
           static_cast<std::uint8_t>(std::lround(255 * srgb(value)));
     }
@@ -109,9 +109,11 @@ Result<ReaderView> renderReaderView(const GeometryPass& pass, const GpuMesh& mes
     if (surface[4 * i + 2] <= 0) luminance[i] = static_cast<float>(kBackground);
 
   ReaderView view;
-  view.clean = photograph(luminance, options.texels, 0, 0, 0);
-  view.picture =
-      photograph(luminance, options.texels, options.blurPx * options.texels / 700, options.noise, options.strayLight);
+  view.clean = photograph(luminance, options.texels);
+  view.picture = photograph(luminance, options.texels,
+                            {.blurPx = options.blurPx * options.texels / 700,
+                             .noise = options.noise,
+                             .strayLight = options.strayLight});
   return view;
 }
 

@@ -39,10 +39,18 @@ struct ReaderViewOptions {
 Result<ReaderView> renderReaderView(const GeometryPass& pass, const GpuMesh& mesh, const ProjectionFrame& frame,
                                     const ReaderViewOptions& options);
 
-/// What a camera makes of linear luminance: exposure (95th percentile of the middle to 0.85), stray light, Gaussian
-/// blur, shot noise (seeded: the same on every run), sRGB gamma, 8 bits.
+struct CameraOptions {
+  double blurPx = 0;       ///< standard deviation, ≥ 0
+  double noise = 0;        ///< standard deviation at white, linear
+  double strayLight = 0;   ///< share of light scattered in the lens, 0 … 1
+  double exposure = 0.85;  ///< where the 95th percentile of the picture's middle comes to lie, linear; more is clipped
+  std::uint64_t seed = 1;  ///< of the noise
+};
+
+/// What a camera makes of linear luminance: exposure, stray light, Gaussian blur, shot noise (seeded: the same on every
+/// run), sRGB gamma, 8 bits.
 /// @param luminance  width² values, row 0 at the bottom
-GreyImage photograph(const std::vector<float>& luminance, int width, double blurPx, double noise, double strayLight);
+GreyImage photograph(const std::vector<float>& luminance, int width, const CameraOptions& camera = {});
 
 /// Gaussian blur; the border is continued outwards.
 /// @param sigmaPx  ≥ 0

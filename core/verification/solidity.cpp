@@ -48,7 +48,11 @@ Fans fansOf(const Mesh& mesh, const EdgeTable& edges) {
   return fans;
 }
 
-std::size_t countVerticesOfSeveralFans(const Mesh& mesh, const EdgeTable& edges) {
+Vec3 middleOf(const Mesh& mesh, std::size_t triangle) {
+  return (mesh.corner(triangle, 0) + mesh.corner(triangle, 1) + mesh.corner(triangle, 2)) / 3.0;
+}
+
+void findVerticesOfSeveralFans(const Mesh& mesh, const EdgeTable& edges, SolidityReport& report) {
   Fans fans = fansOf(mesh, edges);
   constexpr std::uint32_t kNone = 0xffffffffu;
   std::vector<std::uint32_t> fanOf(mesh.positions.size(), kNone);
@@ -59,30 +63,42 @@ std::size_t countVerticesOfSeveralFans(const Mesh& mesh, const EdgeTable& edges)
     if (fanOf[v] == kNone) fanOf[v] = fan;
     if (fanOf[v] != fan) several[v] = 1;
   }
-  return static_cast<std::size_t>(std::count(several.begin(), several.end(), 1));
+  report.nonManifoldVertices = static_cast<std::size_t>(std::count(several.begin(), several.end(), 1));
+  if (report.nonManifoldVertices > 0)
+    report.nonManifoldVertexAt =
+        Vec3(mesh.positions[static_cast<std::size_t>(std::find(several.begin(), several.end(), 1) - several.begin())]);
 }
 
-std::size_t countCollinear(const Mesh& mesh) {
-  return static_cast<std::size_t>(std::count_if(mesh.triangles.begin(), mesh.triangles.end(), [&](const Triangle& t) {
-    return collinear(mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]);
-  }));
+void findCollinear(const Mesh& mesh, SolidityReport& report) {
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const Triangle& v = mesh.triangles[t];
+    if (!collinear(mesh.positions[v[0]], mesh.positions[v[1]], mesh.positions[v[2]])) continue;
+    if (report.degenerateTriangles++ == 0) report.degenerateAt = middleOf(mesh, t);
+  }
 }
 
-std::size_t countDuplicates(const Mesh& mesh, const EdgeTable& edges) {
-  if (!mayHaveDuplicates(mesh.triangles, edges)) return 0;
-  std::vector<Triangle> sorted = mesh.triangles;
-  for (Triangle& t : sorted) std::sort(t.begin(), t.end());
+void findDuplicates(const Mesh& mesh, const EdgeTable& edges, SolidityReport& report) {
+  if (!mayHaveDuplicates(mesh.triangles, edges)) return;
+  std::vector<std::pair<Triangle, std::size_t>> sorted;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    Triangle corners = mesh.triangles[t];
+    std::sort(corners.begin(), corners.end());
+    sorted.emplace_back(corners, t);
+  }
   std::sort(sorted.begin(), sorted.end());
-  return static_cast<std::size_t>(sorted.end() - std::unique(sorted.begin(), sorted.end()));
+  for (std::size_t i = 1; i < sorted.size(); ++i) {
+    if (sorted[i].first != sorted[i - 1].first) continue;
+    if (report.duplicateTriangles++ == 0) report.duplicateAt = middleOf(mesh, sorted[i].second);
+  }
 }
 
 /// Edges whose two triangles run along them in the same direction.
-std::size_t countMisoriented(const Mesh& mesh, const EdgeTable& edges) {
+void findMisoriented(const Mesh& mesh, const EdgeTable& edges, SolidityReport& report) {
   const auto start = [&](std::uint32_t halfEdge) { return mesh.triangles[halfEdge / 3][halfEdge % 3]; };
-  std::size_t count = 0;
-  for (std::size_t e = 0; e < edges.size(); ++e)
-    count += edges.at(e).size() == 2 && start(edges.at(e)[0]) == start(edges.at(e)[1]);
-  return count;
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    if (edges.at(e).size() != 2 || start(edges.at(e)[0]) != start(edges.at(e)[1])) continue;
+    if (report.misorientedEdges++ == 0) report.misorientedAt = middleOf(mesh, edges.at(e)[0] / 3);
+  }
 }
 
 bool anyRepeatsAVertex(const Mesh& mesh) {
@@ -92,24 +108,31 @@ bool anyRepeatsAVertex(const Mesh& mesh) {
 
 }  // namespace
 
+std::vector<SolidityFinding> SolidityReport::findings() const {
+  std::vector<SolidityFinding> found;
+  const auto count = [&](std::size_t n, const char* one, const char* many, Vec3 at) {
+    if (n > 0) found.push_back({fmt::format("{} {}", n, n == 1 ? one : many), at});
+  };
+  count(openEdges, "open edge", "open edges", openAt);
+  count(nonManifoldEdges, "edge with more than two triangles", "edges with more than two triangles", nonManifoldEdgeAt);
+  count(misorientedEdges, "edge between triangles that face opposite ways",
+        "edges between triangles that face opposite ways", misorientedAt);
+  count(nonManifoldVertices, "vertex where parts touch in a point only", "vertices where parts touch in a point only",
+        nonManifoldVertexAt);
+  count(degenerateTriangles, "triangle without area", "triangles without area", degenerateAt);
+  count(duplicateTriangles, "duplicate triangle", "duplicate triangles", duplicateAt);
+  count(selfIntersections, "pair of triangles that cross", "pairs of triangles that cross", selfIntersectionAt);
+  if (triangles == 0) {
+    found.push_back({"no triangle", std::nullopt});
+  } else if (!(volumeMm3 > 0)) {
+    found.push_back({fmt::format("inside out: its volume is {:.6g} mm³", volumeMm3), std::nullopt});
+  }
+  return found;
+}
+
 std::vector<std::string> SolidityReport::problems() const {
   std::vector<std::string> words;
-  const auto count = [&](std::size_t n, const char* one, const char* many) {
-    if (n > 0) words.push_back(fmt::format("{} {}", n, n == 1 ? one : many));
-  };
-  count(openEdges, "open edge", "open edges");
-  count(nonManifoldEdges, "edge with more than two triangles", "edges with more than two triangles");
-  count(misorientedEdges, "edge between triangles that face opposite ways",
-        "edges between triangles that face opposite ways");
-  count(nonManifoldVertices, "vertex where parts touch in a point only", "vertices where parts touch in a point only");
-  count(degenerateTriangles, "triangle without area", "triangles without area");
-  count(duplicateTriangles, "duplicate triangle", "duplicate triangles");
-  count(selfIntersections, "pair of triangles that cross", "pairs of triangles that cross");
-  if (triangles == 0) {
-    words.push_back("no triangle");
-  } else if (!(volumeMm3 > 0)) {
-    words.push_back(fmt::format("inside out: its volume is {:.6g} mm³", volumeMm3));
-  }
+  for (SolidityFinding& finding : findings()) words.push_back(std::move(finding.problem));
   return words;
 }
 
@@ -120,17 +143,26 @@ Result<SolidityReport> checkSolidity(const Mesh& mesh, std::span<const std::uint
   const EdgeTable edges = buildEdgeTable(mesh.triangles);
   const Defects defects = findDefects(mesh, edges, buildAdjacency(mesh.triangles, edges));
   report.openEdges = defects.openEdges;
+  report.openAt = defects.openAt;
   report.nonManifoldEdges = defects.nonManifoldEdges;
-  report.misorientedEdges = countMisoriented(mesh, edges);
+  report.nonManifoldEdgeAt = defects.nonManifoldEdgeAt;
+  findMisoriented(mesh, edges, report);
   // A closed surface's fans are counted by walking round its vertices, others by joining corners.
   const bool simple = defects.openEdges + defects.nonManifoldEdges == 0 && !anyRepeatsAVertex(mesh);
-  report.nonManifoldVertices = simple ? defects.nonManifoldVertices : countVerticesOfSeveralFans(mesh, edges);
-  report.degenerateTriangles = countCollinear(mesh);
-  report.duplicateTriangles = countDuplicates(mesh, edges);
+  if (simple) {
+    report.nonManifoldVertices = defects.nonManifoldVertices;
+    report.nonManifoldVertexAt = defects.nonManifoldVertexAt;
+  } else {
+    findVerticesOfSeveralFans(mesh, edges, report);
+  }
+  findCollinear(mesh, report);
+  findDuplicates(mesh, edges, report);
   report.volumeMm3 = signedVolume(mesh);
   const auto crossings = findSelfIntersections(mesh, suspects);
   if (!crossings) return tl::unexpected(crossings.error());
   report.selfIntersections = crossings->size();
+  if (!crossings->empty())
+    report.selfIntersectionAt = (middleOf(mesh, crossings->front()[0]) + middleOf(mesh, crossings->front()[1])) / 2.0;
   return report;
 }
 

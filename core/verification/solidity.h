@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -10,6 +11,12 @@
 
 namespace qrelief {
 
+/// One way in which a mesh is no solid.
+struct SolidityFinding {
+  std::string problem;      ///< in words, with the count: "3 open edges"
+  std::optional<Vec3> at;   ///< of the first, mm; none where the whole mesh is meant
+};
+
 /// What a slicer would find in a mesh read back from a file.
 struct SolidityReport {
   std::size_t triangles = 0, vertices = 0;
@@ -17,13 +24,17 @@ struct SolidityReport {
   std::size_t degenerateTriangles = 0, duplicateTriangles = 0;
   std::size_t selfIntersections = 0;  ///< pairs of triangles, among the suspects only
   double volumeMm3 = 0;
+  /// Where the first of each is; meaningful where there is one.
+  Vec3 openAt{0}, nonManifoldEdgeAt{0}, misorientedAt{0}, nonManifoldVertexAt{0}, degenerateAt{0}, duplicateAt{0},
+      selfIntersectionAt{0};
 
   bool closed() const { return openEdges == 0; }
   bool manifold() const { return nonManifoldEdges + misorientedEdges + nonManifoldVertices == 0; }
   bool solid() const {
     return closed() && manifold() && degenerateTriangles + duplicateTriangles + selfIntersections == 0 && volumeMm3 > 0;
   }
-  std::vector<std::string> problems() const;  ///< in words; empty if solid
+  std::vector<SolidityFinding> findings() const;  ///< empty if solid
+  std::vector<std::string> problems() const;      ///< the same without places
 };
 
 /// Checks a mesh whose vertices are welded by equal position. Degenerate = collinear corners, by an exact test.

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <chrono>
+#include <fmt/format.h>
+
+#include "cli/commands.h"
+#include "cli/files.h"
+#include "cli/model_input.h"
+#include "cli/progress_bar.h"
+#include "io/read_model.h"
+#include "native/zxing_reader.h"
+#include "pipeline/verify_report.h"
+
+namespace qrelief {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+struct VerifyOptions {
+  std::string path, units, report, json, text, ecc = "M";
+  std::optional<double> scale;
+  std::vector<double> at, direction, up;
+  double size = 0, eyeDistance = 250;
+  int version = 0;
+  bool quiet = false;
+  Printer printer;
+  double minWallMm = 0.8;
+};
+
+Vec3 vectorOf(const std::vector<double>& numbers) { return {numbers[0], numbers[1], numbers[2]}; }
+
+/// Place, size and text from the command line.
+Result<VerifyRequest> requestFromFlags(const VerifyOptions& options) {
+  if (options.text.empty() || options.at.empty() || options.direction.empty() || !(options.size > 0))
+    return fail(ErrorCode::BadUsage, "Without --report the place of the code is not known",
+                "Give --report FILE, or --text, --at, --direction and --size");
+  VerifyRequest request;
+  request.text = options.text;
+  request.symbolMm = options.size;
+  SymbolOptions symbol{.errorCorrection = *errorCorrectionByName(options.ecc)};
+  if (options.version > 0) symbol.version = options.version;
+  auto encoded = encodeSymbol(options.text, symbol);
+  if (!encoded) return tl::unexpected(encoded.error());
+  request.symbol = std::move(*encoded);
+  const Vec3 normal = vectorOf(options.direction);
+  if (!(glm::length(normal) > 0))
+    return fail(ErrorCode::BadUsage, "The direction has no length", "Give a vector such as 0,0,1");
+  const Vec3 up = options.up.empty() ? Vec3(0, 0, 1) : vectorOf(options.up);
+  request.frame = makeFrame(vectorOf(options.at), normal, up, options.eyeDistance);
+  return request;
+}
+
+Result<VerifyRequest> requestFrom(const VerifyOptions& options) {
+  if (options.report.empty()) return requestFromFlags(options);
+  const auto bytes = readFile(options.report);
+  if (!bytes) return tl::unexpected(bytes.error());
+  return requestFromReport({reinterpret_cast<const char*>(bytes->data()), bytes->size()});
+}
+
+std::string rangeOf(const ReadingSummary& reading) {
+  std::string words;
+  const auto add = [&](std::string part) { words += (words.empty() ? "" : ", ") + std::move(part); };
+  if (reading.tiltDeg) add(fmt::format("tilted up to {:g}°", *reading.tiltDeg));
+  if (reading.tiltDegLamp) add(fmt::format("with a lamp up to {:g}°", *reading.tiltDegLamp));
+  if (reading.pixelsPerModule) add(fmt::format("from as far as {:g} pixels a module", *reading.pixelsPerModule));
+  if (reading.blurModules) add(fmt::format("blurred by up to {:g} modules", *reading.blurModules));
+  return words.empty() ? "nowhere else" : words;
+}
+
+void printResult(const std::string& name, const VerifyRequest& request, const VerifyResult& result) {
+  const SolidityReport& solid = result.solidity;
+  fmt::print("{}: {}, {} triangles\n", name, solid.solid() ? "a closed solid" : "no clean solid", solid.triangles);
+  const ReadingSummary& reading = result.reading;
+  if (reading.reads)
+    fmt::print("reads as: {}\n", request.text);
+  else
+    fmt::print("does not read reliably\n");
+  fmt::print("{:.0f} % of the tries from the front read ({:.0f} % are needed); reads {}\n", 100 * reading.share,
+             100 * kReadShare, rangeOf(reading));
+  if (result.features)
+    fmt::print("pockets {:.2f} mm deep on average, {:.2f} mm wide, modules {:.2f} mm\n", result.features->meanDepthMm,
+               result.features->pocketMm, result.features->moduleMm);
+  if (result.grades)
+    fmt::print("simulated grades: ISO/IEC 15415 {:g}, ISO/IEC 29158 {:g}; fixed pattern damage {:g}\n",
+               result.grades->iso15415, result.grades->iso29158, result.grades->fixedPatternDamage.grade);
+  for (const PrintAdvice& advice : result.advice) fmt::print("in print: {}\n  what helps: {}\n", advice.problem, advice.hint);
+}
+
+int verifyModel(const VerifyOptions& options) {
+  const auto start = Clock::now();
+  auto request = requestFrom(options);
+  if (!request) return printError(request.error());
+  request->printer = options.printer;
+  request->minWallMm = options.minWallMm;
+  const auto scale = scaleFrom(options.scale, options.units);
+  if (!scale) return printError(scale.error());
+  const auto bytes = readFile(options.path);
+  if (!bytes) return printError(bytes.error());
+  const auto soup = readModel(*bytes, options.path);
+  if (!soup) return printError(soup.error());
+  auto mesh = meshAsFound(*soup, scale->value_or(soup->unitMm.value_or(1)));
+  if (!mesh) return printError(mesh.error());
+
+  auto job = VerifyJob::create(std::move(*mesh), *request, zxingReaders());
+  if (!job) return printError(job.error());
+  if (const Status done = runWithProgress(**job, options.quiet); !done) return printError(done.error());
+  const VerifyResult result = (*job)->takeResult();
+
+  const std::string name = fileNameOf(options.path);
+  printResult(name, *request, result);
+  for (const VerifyFinding& finding : result.failed) {
+    fmt::print(stderr, "qrelief: check not passed: {}\n", finding.message);
+    if (!finding.hint.empty()) fmt::print(stderr, "  what helps: {}\n", finding.hint);
+  }
+  if (!options.json.empty()) {
+    const double total = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+    const std::string report = makeVerifyReport(*request, result, {name, soup->format, zxingName(), total});
+    if (const Status written = writeFileAtomically(options.json, report); !written) return printError(written.error());
+  }
+  return result.failed.empty() ? kEngraved : kCheckFailed;
+}
+
+}  // namespace
+
+std::function<int()> addVerifyCommand(CLI::App& app) {
+  auto o = std::make_shared<VerifyOptions>();
+  CLI::App* c = app.add_subcommand("verify", "Check an engraved model: is it a solid, does it read, can it be printed?");
+  c->add_option("MODEL", o->path, "OBJ, STL, PLY, OFF or 3MF file; it is taken as it is, nothing is repaired")->required();
+  c->add_option("--scale", o->scale, "file units → mm [1; 3MF: its own unit]");
+  c->add_option("--units", o->units, "unit of the file, instead of --scale")->check(CLI::IsMember({"mm", "cm", "m", "in"}));
+  c->add_option("--report", o->report, "what engrave wrote with --report: place, size, text and modules");
+  c->add_option("--text", o->text, "without --report: what the code should say");
+  c->add_option("--at", o->at, "without --report: X,Y,Z, centre of the code on the uncarved surface, mm")
+      ->delimiter(',')
+      ->expected(3);
+  c->add_option("--direction", o->direction, "without --report: X,Y,Z towards the reader")->delimiter(',')->expected(3);
+  c->add_option("--up", o->up, "without --report: X,Y,Z, where the code's top points [0,0,1]")->delimiter(',')->expected(3);
+  c->add_option("--size", o->size, "without --report: edge of the symbol without quiet zone, mm");
+  c->add_option("--eye-distance", o->eyeDistance, "without --report: mm [250]");
+  c->add_option("--ecc", o->ecc, "without --report: error correction [M]")->check(CLI::IsMember({"L", "M", "Q", "H"}));
+  c->add_option("--version", o->version, "without --report: 1 to 40 [smallest]")->check(CLI::Range(1, 40));
+  c->add_option("--nozzle", o->printer.nozzleMm, "of the printer, mm [0.4]")->check(CLI::Range(0.01, 10.0));
+  c->add_option("--layer", o->printer.layerMm, "of the print, mm [0.1]")->check(CLI::Range(0.001, 10.0));
+  c->add_option("--min-wall", o->minWallMm, "material that should stay behind every pocket, mm [0.8]");
+  c->add_option("--json", o->json, "write everything that was found as JSON");
+  c->add_flag("--quiet", o->quiet, "no progress");
+  return [o] { return verifyModel(*o); };
+}
+
+}  // namespace qrelief

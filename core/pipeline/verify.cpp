@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/verify.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+#include <numbers>
+
+#include "mesh/weld.h"
+
+namespace qrelief {
+namespace {
+
+constexpr int kN = kSubmodulesPerModule;
+constexpr int kRowsAStep = 16;
+constexpr int kPaths = 16;
+
+/// A code is raised or carved if it is so by more than this, mm: less is the grain of a model.
+constexpr double kFlatMm = 0.02;
+/// Contrast of dark and light modules (ISO/IEC 29158, CC) that grade A asks for.
+constexpr double kGoodContrast = 0.3;
+/// Corners of the symbol farther than this from their places, in modules: it is somewhere else.
+constexpr double kMisplacedModules = 1.5;
+
+/// A large weak lamp on the right, as in a room: elevation and azimuth over the QR plane (0 = right, 90 = top).
+constexpr double kLampElevationDeg = 55, kLampAzimuthDeg = -30;
+
+Lamp roomLamp(const ProjectionFrame& frame) {
+  const double elevation = kLampElevationDeg * std::numbers::pi / 180;
+  const double azimuth = kLampAzimuthDeg * std::numbers::pi / 180;
+  const Vec3 side = frame.right * std::cos(azimuth) + frame.up * std::sin(azimuth);
+  return {side * std::cos(elevation) + frame.normal * std::sin(elevation), 0.5, 20};
+}
+
+std::string placeOf(Vec3 p) { return fmt::format("{:.5g}, {:.5g}, {:.5g}", p.x, p.y, p.z); }
+
+/// Means over submodules of symbol and quiet zone, row-major from the quiet zone's top left.
+std::vector<double> submoduleLight(const BakedLight& light, int modules) {
+  constexpr int kPerSubmodule = kBakedPixels / kN;
+  const int edge = kN * (modules + 2 * kQuietZoneModules), texels = light.options().texels;
+  const int margin = kBakedPixels * (kMarginModules - kQuietZoneModules);
+  std::vector<double> means;
+  for (int row = 0; row < edge; ++row)
+    for (int column = 0; column < edge; ++column) {
+      double sum = 0;
+      for (int k = 0; k < kPerSubmodule * kPerSubmodule; ++k) {
+        const int y = texels - 1 - margin - kPerSubmodule * row - k / kPerSubmodule;
+        const int x = margin + kPerSubmodule * column + k % kPerSubmodule;
+        const double sky = light.light()[static_cast<std::size_t>(y * texels + x)].sky;
+        sum += sky < 0 ? 1 : sky;  // what lies beside the model is counted as open
+      }
+      means.push_back(sum / (kPerSubmodule * kPerSubmodule));
+    }
+  return means;
+}
+
+/// Least way through the material from the floors on: along the rays, and 45° from them to all sides.
+double leastWall(const RayTree& tree, const ProjectionFrame& frame, const CarvingProfile& profile) {
+  constexpr double kBelowFloorMm = 1e-4;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < profile.carved.size(); ++i) {
+    if (!profile.carved[i] || profile.points[i].triangle == kNoTriangle) continue;
+    const Vec3 floor = profile.points[i].position, inwards = glm::normalize(floor - frame.eye());
+    for (int k = 0; k <= 8; ++k) {
+      const double turn = k * std::numbers::pi / 4;
+      const Vec3 side = frame.right * std::cos(turn) + frame.up * std::sin(turn);
+      const Vec3 direction = k == 8 ? inwards : glm::normalize(inwards + side);
+      if (const auto hit = tree.firstHit(floor, direction, kBelowFloorMm)) least = std::min(least, hit->distance);
+    }
+  }
+  return least;
+}
+
+}  // namespace
+
+Result<Mesh> meshAsFound(const PolygonSoup& soup, double scaleToMm) {
+  if (soup.triangles.empty()) return fail(ErrorCode::BadInput, "The model has no triangle", "Choose another file");
+  std::vector<Vec3f> corners;
+  corners.reserve(soup.positions.size());
+  for (const Vec3 position : soup.positions) {
+    const Vec3f p(position * scaleToMm);
+    if (!(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)))
+      return fail(ErrorCode::BadInput, "The model has coordinates that are no finite numbers", "Repair it first");
+    corners.push_back(p);
+  }
+  Welding welding = weldEqual(corners);
+  Mesh mesh{std::move(welding.positions), soup.triangles};
+  for (Triangle& triangle : mesh.triangles)
+    for (std::uint32_t& vertex : triangle) vertex = welding.indexOf[vertex];
+  return mesh;
+}
+
+/// The stages in their order; each `advance` does one step of the current one.
+struct VerifyJob::State {
+  enum class Stage { Solid, Shape, Light, Reading, Done };
+
+  Mesh mesh;
+  VerifyRequest request;
+  std::vector<SymbolReader> readers;
+  Stage stage = Stage::Solid;
+  double fraction = 0;
+  RayTree tree;
+  std::optional<BakedLight> light;
+  int bakedRows = 0;
+  std::optional<ReadingSweep> sweep;
+  VerifyResult result;
+
+  State(Mesh model, VerifyRequest wanted, std::vector<SymbolReader> decoders)
+      : mesh(std::move(model)), request(std::move(wanted)), readers(std::move(decoders)), tree(mesh) {}
+
+  double moduleMm() const { return request.symbolMm / request.symbol.size; }
+  Status checkSolid();
+  void measureShape();
+  bool bake();
+  bool read();
+  void judge();
+  void judgeShape();
+  void judgeReading();
+  void fail(std::string code, std::string message, std::string hint) {
+    result.failed.push_back({std::move(code), std::move(message), std::move(hint)});
+  }
+};
+
+Status VerifyJob::State::checkSolid() {
+  auto solidity = checkSolidity(mesh);
+  if (!solidity) return tl::unexpected(solidity.error());
+  result.solidity = *solidity;
+  stage = Stage::Shape;
+  return {};
+}
+
+void VerifyJob::State::measureShape() {
+  result.profile = profileCarving(tree, request.frame, request.symbol, request.symbolMm);
+  const CarvingProfile& profile = result.profile;
+  if (profile.pose == SymbolPose::AsWanted && profile.meanDepthMm > kFlatMm) {
+    result.features = measureFeatures(request.symbol, profile.carved, profile.depthMm, moduleMm());
+    const double wall = leastWall(tree, request.frame, profile);
+    if (std::isfinite(wall)) result.features->wallMm = wall;
+    result.advice = advisePrinting(*result.features, request.printer, request.minWallMm);
+  }
+  light.emplace(tree, request.frame,
+                BakeOptions{.texelMm = moduleMm() / kBakedPixels,
+                            .texels = kBakedPixels * (request.symbol.size + 2 * kMarginModules),
+                            .paths = kPaths,
+                            .albedo = request.albedo,
+                            .lamp = roomLamp(request.frame)});
+  stage = Stage::Light;
+}
+
+/// @returns whether it is done
+bool VerifyJob::State::bake() {
+  bakedRows += kRowsAStep;
+  if (!light->bakeRows(kRowsAStep)) return false;
+  light->smooth();
+  if (result.profile.pose == SymbolPose::AsWanted) {
+    const ModuleReflectances measured =
+        measureModules(request.symbol, submoduleLight(*light, request.symbol.size));
+    result.grades = gradeSymbol(measured, request.albedo);
+  }
+  sweep.emplace(*light, request.frame, request.symbol.size, request.symbolMm, request.text, readers);
+  stage = Stage::Reading;
+  return true;
+}
+
+bool VerifyJob::State::read() {
+  if (!sweep->step()) return false;
+  result.views = sweep->views();
+  result.reading = sweep->summary();
+  judge();
+  stage = Stage::Done;
+  return true;
+}
+
+void VerifyJob::State::judgeShape() {
+  const CarvingProfile& profile = result.profile;
+  const double depth = profile.meanDepthMm;
+  switch (profile.pose) {
+    case SymbolPose::AsWanted:
+      break;
+    case SymbolPose::Mirrored:
+      fail("mirrored", "The code is mirrored: its modules are where those of its mirror image should be",
+           "Most readers refuse mirrored codes: mirror the model back");
+      break;
+    case SymbolPose::Turned90:
+    case SymbolPose::Turned180:
+    case SymbolPose::Turned270:
+      fail("turned",
+           fmt::format("The code is turned by {}° from where its top should point",
+                       90 * (static_cast<int>(profile.pose) - static_cast<int>(SymbolPose::AsWanted))),
+           "It can be read, but it is not the place that was named: check --up");
+      break;
+    case SymbolPose::None:
+      break;
+  }
+  if (profile.pose == SymbolPose::None) {
+    // A reader may still find it: then the modules are others than those expected, and nothing is known of them.
+    if (!result.reading.reads)
+      fail("no-code", "No carved modules of this code were found at the place named",
+           "Check centre, normal, up, size and text, and the scale of the file");
+  } else if (depth < -kFlatMm) {
+    fail("raised",
+         fmt::format("The dark modules stand {:.2g} mm out of the surface instead of lying in it", -depth),
+         "Raised modules catch light and do not look dark: carve them");
+  } else if (depth <= kFlatMm) {
+    fail("not-carved", "The dark modules are level with the surface", "Engrave the model first");
+  }
+}
+
+void VerifyJob::State::judgeReading() {
+  const ReadingSummary& reading = result.reading;
+  if (!reading.otherText.empty())
+    fail("other-text", fmt::format("A simulated picture reads as \"{}\" instead of \"{}\"", reading.otherText, request.text),
+         "Check the text that was asked for");
+  if (reading.mirrored && result.profile.pose != SymbolPose::Mirrored)
+    fail("mirrored", "The reader found the code mirrored", "Mirror the model back");
+  if (reading.cornerErrorModules && *reading.cornerErrorModules > kMisplacedModules)
+    fail("misplaced",
+         fmt::format("The code was read {:.1f} modules away from where it should be", *reading.cornerErrorModules),
+         "Check centre, normal, up and size");
+  if (reading.reads || !reading.otherText.empty()) return;
+  const std::string share = fmt::format("{:.0f} % of the tries on simulated pictures read it; {:.0f} % are a reliable code",
+                                        100 * reading.share, 100 * kReadShare);
+  const bool carved = result.profile.pose == SymbolPose::AsWanted && result.profile.meanDepthMm > kFlatMm;
+  if (carved && result.grades && result.grades->cellContrast.value < kGoodContrast) {
+    fail("too-shallow",
+         fmt::format("The pockets are too shallow: {:.2f} mm deep on average, they make the dark modules {:.0f} % darker "
+                     "than the light ones; {}",
+                     result.profile.meanDepthMm, 100 * result.grades->cellContrast.value, share),
+         "Carve deeper, choose larger modules, or break up dark areas with a module and a finder pattern");
+  } else if (result.profile.pose != SymbolPose::None) {
+    fail("unreadable", "The code does not read: " + share,
+         "Choose larger modules, a flatter spot, or another pattern of modules and finders");
+  }
+}
+
+void VerifyJob::State::judge() {
+  for (const SolidityFinding& finding : result.solidity.findings())
+    fail("not-solid", finding.at ? fmt::format("{}, the first at {} mm", finding.problem, placeOf(*finding.at)) : finding.problem,
+         "Slicers guess what is meant: repair the model");
+  judgeShape();
+  judgeReading();
+}
+
+VerifyJob::VerifyJob(std::unique_ptr<State> state) : state_(std::move(state)) {}
+VerifyJob::~VerifyJob() = default;
+
+Result<std::unique_ptr<VerifyJob>> VerifyJob::create(Mesh mesh, VerifyRequest request,
+                                                     std::vector<SymbolReader> readers) {
+  const auto bad = [](std::string message, std::string hint) {
+    return qrelief::fail(ErrorCode::BadUsage, std::move(message), std::move(hint));
+  };
+  if (request.text.empty()) return bad("There is no text to compare with", "Say what the code should read as");
+  if (!(request.symbolMm > 0 && request.symbolMm <= 1e4))
+    return bad(fmt::format("The size is {:g} mm", request.symbolMm), "Give the symbol's edge in mm, such as 35");
+  if (!(request.frame.eyeDistance >= 20 && request.frame.eyeDistance <= 1e5))
+    return bad(fmt::format("The eye distance is {:g} mm", request.frame.eyeDistance),
+               "Choose between 20 mm and 100 m; 250 mm is a phone's");
+  if (!(request.printer.nozzleMm > 0 && request.printer.layerMm > 0))
+    return bad("Nozzle and layer must be greater than 0", "Usual are 0.4 and 0.2 mm");
+  return std::unique_ptr<VerifyJob>(
+      new VerifyJob(std::make_unique<State>(std::move(mesh), std::move(request), std::move(readers))));
+}
+
+Result<Progress> VerifyJob::advance() {
+  using Stage = State::Stage;
+  State& s = *state_;
+  std::string_view name;
+  switch (s.stage) {
+    case Stage::Solid: {
+      name = "Checking the solid";
+      if (const Status checked = s.checkSolid(); !checked) return tl::unexpected(checked.error());
+      s.fraction = 0.1;
+      break;
+    }
+    case Stage::Shape:
+      name = "Measuring the carving";
+      s.measureShape();
+      s.fraction = 0.15;
+      break;
+    case Stage::Light:
+      name = "Tracing the light";
+      s.bake();
+      s.fraction = 0.15 + 0.35 * std::min(1.0, static_cast<double>(s.bakedRows) / s.light->options().texels);
+      break;
+    case Stage::Reading:
+      name = "Reading pictures";
+      s.read();
+      s.fraction = 0.5 + 0.5 * s.sweep->doneShare();
+      break;
+    case Stage::Done:
+      assert(false && "advance() after done");
+      break;
+  }
+  return Progress{name, s.fraction, s.stage == Stage::Done};
+}
+
+VerifyResult VerifyJob::takeResult() {
+  assert(state_->stage == State::Stage::Done);
+  return std::move(state_->result);
+}
+
+}  // namespace qrelief

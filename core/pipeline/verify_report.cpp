@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/verify_report.h"
+
+#include <fmt/format.h>
+
+#include "pipeline/json_parts.h"
+
+namespace qrelief {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+tl::unexpected<Error> badReport(std::string message) {
+  return fail(ErrorCode::BadInput, std::move(message), "Give the report that engrave wrote with --report");
+}
+
+Vec3 vectorFrom(const Json& json) {
+  return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
+}
+
+const char* nameOf(SymbolPose pose) {
+  switch (pose) {
+    case SymbolPose::AsWanted:
+      return "as wanted";
+    case SymbolPose::Turned90:
+      return "turned by 90°";
+    case SymbolPose::Turned180:
+      return "turned by 180°";
+    case SymbolPose::Turned270:
+      return "turned by 270°";
+    case SymbolPose::Mirrored:
+      return "mirrored";
+    case SymbolPose::None:
+      break;
+  }
+  return "not found";
+}
+
+/// Throws what nlohmann's accessors throw.
+Result<VerifyRequest> readRequest(const Json& report) {
+  VerifyRequest request;
+  request.text = report.at("text").get<std::string>();
+  const Json& projection = report.at("projection");
+  request.frame = makeFrame(vectorFrom(projection.at("centre")), vectorFrom(projection.at("normal")),
+                            vectorFrom(projection.at("up")), projection.at("eyeDistanceMm").get<double>());
+  request.symbolMm = report.at("size").at("symbolMm").get<double>();
+  const Json& symbol = report.at("symbol");
+  const auto level = errorCorrectionByName(symbol.at("ecc").get<std::string>());
+  if (!level) return badReport("The report's symbol.ecc is none of L, M, Q and H");
+  auto encoded = encodeSymbol(request.text, {.errorCorrection = *level, .version = symbol.at("version").get<int>()});
+  if (!encoded) return tl::unexpected(encoded.error());
+  encoded->mask = symbol.at("mask").get<int>();
+  auto listed = withModules(std::move(*encoded), symbol.at("rows").get<std::vector<std::string>>());
+  if (!listed) return tl::unexpected(listed.error());
+  request.symbol = std::move(*listed);
+  return request;
+}
+
+Json describeViews(const std::vector<ReadingView>& views) {
+  Json list = Json::array();
+  for (const ReadingView& view : views)
+    list.push_back({{"test", readingTestName(view.test)},
+                    {"light", view.lamp ? "sky+lamp" : "sky"},
+                    {"tiltDeg", view.tiltDeg},
+                    {"azimuthDeg", view.azimuthDeg},
+                    {"pixelsPerModule", view.pixelsPerModule},
+                    {"blurModules", view.blurModules},
+                    {"noise", view.noise},
+                    {"exposure", view.exposure},
+                    {"tries", view.tries},
+                    {"reads", view.reads},
+                    {"read", view.read()}});
+  return list;
+}
+
+Json numberOrNull(const std::optional<double>& number) { return number ? Json(*number) : Json(nullptr); }
+
+Json describeReading(const VerifyRequest& request, const VerifyResult& result, const VerifyReportContext& context) {
+  const ReadingSummary& reading = result.reading;
+  Json json = {{"decoded", reading.reads},
+               {"text", reading.share > 0 ? request.text : reading.otherText},
+               {"reader", context.reader},
+               {"readShare", reading.share},
+               {"readShareNeeded", kReadShare},
+               {"tiltDeg", {{"sky", numberOrNull(reading.tiltDeg)}, {"sky+lamp", numberOrNull(reading.tiltDegLamp)}}},
+               {"pixelsPerModule", numberOrNull(reading.pixelsPerModule)},
+               {"blurModules", numberOrNull(reading.blurModules)},
+               {"cornerErrorModules", numberOrNull(reading.cornerErrorModules)}};
+  if (result.grades) {
+    GradeReports grades = describeGrades(*result.grades);
+    json["iso15415"] = std::move(grades.iso15415);
+    json["iso29158"] = std::move(grades.iso29158);
+  }
+  json["printability"] = describeAdvice(result.advice);
+  json["views"] = describeViews(result.views);
+  return json;
+}
+
+}  // namespace
+
+Result<Symbol> withModules(Symbol symbol, const std::vector<std::string>& rows) {
+  const auto size = static_cast<std::size_t>(symbol.size);
+  if (rows.size() != size)
+    return badReport(fmt::format("The report's symbol has {} rows, and its version {}", rows.size(), size));
+  for (std::size_t row = 0; row < size; ++row) {
+    if (rows[row].size() != size || rows[row].find_first_not_of("01") != std::string::npos)
+      return badReport(fmt::format("Row {} of the report's symbol is not {} times 0 or 1", row + 1, size));
+    for (std::size_t column = 0; column < size; ++column) symbol.dark[row * size + column] = rows[row][column] == '1';
+  }
+  return symbol;
+}
+
+Result<VerifyRequest> requestFromReport(std::string_view json) {
+  try {
+    return readRequest(Json::parse(json));
+  } catch (const Json::exception& error) {
+    return badReport(fmt::format("The report cannot be understood: {}", error.what()));
+  }
+}
+
+std::string makeVerifyReport(const VerifyRequest& request, const VerifyResult& result,
+                             const VerifyReportContext& context) {
+  const SolidityReport& solid = result.solidity;
+  Json report;
+  report["qrelief"] = QRELIEF_VERSION;
+  report["text"] = request.text;
+  report["verified"] = result.failed.empty();
+  report["failedChecks"] = Json::array();
+  for (const VerifyFinding& finding : result.failed)
+    report["failedChecks"].push_back({{"code", finding.code}, {"message", finding.message}, {"hint", finding.hint}});
+  report["input"] = {{"file", context.fileName}, {"format", context.format}};
+  report["projection"] = {{"centre", triple(request.frame.centre)},
+                          {"normal", triple(request.frame.normal)},
+                          {"up", triple(request.frame.up)},
+                          {"eyeDistanceMm", request.frame.eyeDistance}};
+  report["size"] = {{"symbolMm", request.symbolMm}, {"moduleMm", request.symbolMm / request.symbol.size}};
+  report["mesh"] = {{"triangles", solid.triangles},
+                    {"vertices", solid.vertices},
+                    {"solid", solid.solid()},
+                    {"closed", solid.closed()},
+                    {"manifold", solid.manifold()},
+                    {"selfIntersections", solid.selfIntersections},
+                    {"volumeMm3", solid.volumeMm3},
+                    {"findings", Json::array()}};
+  for (const SolidityFinding& finding : solid.findings())
+    report["mesh"]["findings"].push_back(
+        {{"problem", finding.problem}, {"at", finding.at ? triple(*finding.at) : Json(nullptr)}});
+  report["carving"] = {{"pose", nameOf(result.profile.pose)},
+                       {"fit", result.profile.fit},
+                       {"meanDepthMm", result.profile.meanDepthMm}};
+  if (result.features) report["carving"]["features"] = describeFeatures(*result.features, request.printer);
+  report["verification"] = describeReading(request, result, context);
+  report["timingsMs"] = {{"total", context.totalMs}};
+  // Text that is no UTF-8 (a file name, say) must not lose the report.
+  return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace qrelief

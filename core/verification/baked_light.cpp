@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verification/baked_light.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+#include "base/halton.h"
+#include "base/parallel.h"
+
+namespace qrelief {
+namespace {
+
+constexpr float kBackground = 0.35f;
+/// A baked texel speaks for points this many texels away, as seen straight on: next to it, and over there on a steep
+/// surface.
+constexpr double kNearTexels = 3;
+/// Texels whose planes lie within this share of a texel of each other's points are one floor.
+constexpr double kSameFloor = 0.3;
+
+double wrapped(double x) { return x - std::floor(x); }
+
+/// Whether two points lie in each other's tangent planes.
+bool sameFloor(Vec3 a, Vec3 normalA, Vec3 b, Vec3 normalB, double texelMm) {
+  const double across = kSameFloor * texelMm;
+  return normalA != Vec3(0) && normalB != Vec3(0) && std::abs(glm::dot(b - a, normalA)) < across &&
+         std::abs(glm::dot(b - a, normalB)) < across;
+}
+
+}  // namespace
+
+BakedLight::BakedLight(const RayTree& tree, const ProjectionFrame& frame, const BakeOptions& options)
+    : tree_(&tree), frame_(frame), options_(options) {
+  assert(options.texels > 0 && options.paths > 0 && options.texelMm > 0);
+  const std::size_t count = static_cast<std::size_t>(options.texels) * static_cast<std::size_t>(options.texels);
+  texels_.resize(count);
+  light_.resize(count, {-1, -1});
+}
+
+SurfaceLight BakedLight::traced(const SurfacePoint& at, Vec3 seen, std::uint64_t seed) const {
+  Random random(seed);
+  const double shiftU = random.uniform(), shiftV = random.uniform();
+  SurfaceLight sum;
+  for (int i = 1; i <= options_.paths; ++i) {
+    const auto point = halton23(static_cast<std::uint32_t>(i));
+    const SurfaceLight one = traceLight(*tree_, at, seen, {wrapped(point[0] + shiftU), wrapped(point[1] + shiftV)},
+                                        options_.albedo, options_.lamp, random);
+    sum.sky += one.sky;
+    sum.lamp += one.lamp;
+  }
+  return {sum.sky / options_.paths, sum.lamp / options_.paths};
+}
+
+void BakedLight::bakeTexel(std::size_t texel) {
+  const auto edge = static_cast<std::size_t>(options_.texels);
+  const double middle = options_.texels / 2.0;
+  const Vec2 at{(static_cast<double>(texel % edge) + 0.5 - middle) * options_.texelMm,
+                (static_cast<double>(texel / edge) + 0.5 - middle) * options_.texelMm};
+  const Vec3 ray = frame_.rayDirection(at);
+  const auto hit = tree_->firstHit(frame_.eye(), ray);
+  if (!hit) return;
+  const Vec3 normal = triangleNormal(tree_->mesh(), hit->triangle);
+  texels_[texel] = {hit->position, glm::dot(normal, ray) > 0 ? -normal : normal};
+  light_[texel] = traced(*hit, ray, texel);
+}
+
+bool BakedLight::bakeRows(int rows) {
+  const int end = std::min(options_.texels, baked_ + rows);
+  const auto edge = static_cast<std::size_t>(options_.texels);
+  parallelFor(static_cast<std::size_t>(end - baked_), [&](std::size_t i) {
+    const std::size_t row = static_cast<std::size_t>(baked_) + i;
+    for (std::size_t column = 0; column < edge; ++column) bakeTexel(row * edge + column);
+  });
+  baked_ = end;
+  return baked_ == options_.texels;
+}
+
+void BakedLight::smooth() {
+  const int edge = options_.texels;
+  const std::vector<SurfaceLight> before = light_;
+  parallelFor(static_cast<std::size_t>(edge), [&](std::size_t y) {
+    const int row = static_cast<int>(y);
+    for (int column = 0; column < edge; ++column) {
+      const auto texel = static_cast<std::size_t>(row * edge + column);
+      if (texels_[texel].normal == Vec3(0)) continue;
+      SurfaceLight sum;
+      int count = 0;
+      for (int k = 0; k < 9; ++k) {
+        const int r = row + k / 3 - 1, c = column + k % 3 - 1;
+        if (r < 0 || c < 0 || r >= edge || c >= edge) continue;
+        const auto other = static_cast<std::size_t>(r * edge + c);
+        const Texel &a = texels_[texel], &b = texels_[other];
+        if (!sameFloor(a.position, a.normal, b.position, b.normal, options_.texelMm)) continue;
+        sum.sky += before[other].sky;
+        sum.lamp += before[other].lamp;
+        ++count;
+      }
+      if (count > 0) light_[texel] = {sum.sky / count, sum.lamp / count};
+    }
+  });
+}
+
+SurfaceLight BakedLight::lightAt(const SurfacePoint& at, Vec3 seen, std::uint64_t seed) const {
+  if (frame_.distanceAlongAxis(at.position) > 0) {
+    const Vec2 place = frame_.project(at.position) / options_.texelMm + Vec2(options_.texels / 2.0);
+    const double column = std::floor(place.x), row = std::floor(place.y);
+    if (column >= 0 && row >= 0 && column < options_.texels && row < options_.texels) {
+      const auto texel = static_cast<std::size_t>(row) * static_cast<std::size_t>(options_.texels) +
+                         static_cast<std::size_t>(column);
+      const Texel& baked = texels_[texel];
+      const bool near = glm::length(baked.position - at.position) < kNearTexels * options_.texelMm;
+      const Vec3 normal = triangleNormal(tree_->mesh(), at.triangle);
+      if (near && sameFloor(baked.position, baked.normal, at.position, normal, options_.texelMm)) return light_[texel];
+    }
+  }
+  return traced(at, seen, seed);
+}
+
+LinearPicture BakedLight::picture(const ProjectionFrame& camera, int texels, double texelMm) const {
+  assert(baked_ == options_.texels);
+  const std::size_t count = static_cast<std::size_t>(texels) * static_cast<std::size_t>(texels);
+  LinearPicture picture{texels, std::vector<float>(count, kBackground), std::vector<float>(count, 0)};
+  parallelFor(static_cast<std::size_t>(texels), [&](std::size_t row) {
+    for (std::size_t column = 0; column < static_cast<std::size_t>(texels); ++column) {
+      const double middle = texels / 2.0;
+      const Vec2 at{(static_cast<double>(column) + 0.5 - middle) * texelMm,
+                    (static_cast<double>(row) + 0.5 - middle) * texelMm};
+      const Vec3 ray = camera.rayDirection(at);
+      const auto hit = tree_->firstHit(camera.eye(), ray);
+      if (!hit) continue;
+      const std::size_t pixel = row * static_cast<std::size_t>(texels) + column;
+      const SurfaceLight light = lightAt(*hit, ray, pixel);
+      picture.sky[pixel] = static_cast<float>(light.sky);
+      picture.added[pixel] = static_cast<float>(light.lamp);
+    }
+  });
+  return picture;
+}
+
+ProjectionFrame tilted(const ProjectionFrame& frame, double tiltDeg, double azimuthDeg) {
+  const double tilt = tiltDeg * std::numbers::pi / 180, azimuth = azimuthDeg * std::numbers::pi / 180;
+  const Vec3 side = frame.right * std::cos(azimuth) + frame.up * std::sin(azimuth);
+  return makeFrame(frame.centre, frame.normal * std::cos(tilt) + side * std::sin(tilt), frame.up, frame.eyeDistance);
+}
+
+}  // namespace qrelief

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "math/frame.h"
+#include "verification/light_path.h"
+
+namespace qrelief {
+
+struct BakeOptions {
+  double texelMm = 0.1;  ///< on the QR plane
+  int texels = 400;      ///< along the edge of the square that is baked, centred on the code
+  int paths = 16;        ///< a texel, ≥ 1
+  double albedo = 0.7;   ///< of the matte material, 0 … 1
+  Lamp lamp;
+};
+
+/// Linear picture, 1 = an unoccluded surface under the sky alone; row 0 at the bottom. What is no model is 0.35.
+struct LinearPicture {
+  int width = 0;             ///< = height
+  std::vector<float> sky;    ///< under the sky alone
+  std::vector<float> added;  ///< by the lamp
+};
+
+/// The light on a carved surface, computed once by path tracing the mesh itself and seen from anywhere: a matte surface
+/// looks the same from every side, so a tilted reader's picture takes the light that was found in front. What was not
+/// seen there, the walls of the pockets as a rule, is traced when a picture shows it.
+///
+/// Independent of the maps that carving works on: it knows the mesh, the eye and nothing else. Deterministic.
+class BakedLight {
+ public:
+  /// @param tree  kept by reference
+  BakedLight(const RayTree& tree, const ProjectionFrame& frame, const BakeOptions& options);
+
+  /// Bakes the next rows, on all cores. @returns whether that was the last
+  /// Cost: rows × texels × paths × (bounces + 1) rays each for sky and lamp.
+  bool bakeRows(int rows);
+
+  /// Averages each texel with its neighbours on the same floor, which leaves a third of the noise. Once, after the last
+  /// row.
+  void smooth();
+
+  /// What a camera sees at `texels` of `texelMm` along the edge of a square on its own QR plane. Cost: a ray a texel, and
+  /// the paths of the texels that show what the bake does not.
+  /// @param camera  its centre is the code's
+  LinearPicture picture(const ProjectionFrame& camera, int texels, double texelMm) const;
+
+  /// Of the baked square, row-major from the lower left; negative where the model is missed.
+  const std::vector<SurfaceLight>& light() const { return light_; }
+  const BakeOptions& options() const { return options_; }
+
+ private:
+  struct Texel {
+    Vec3 position{0};
+    Vec3 normal{0};  ///< 0: the ray misses the model
+  };
+
+  void bakeTexel(std::size_t texel);
+  SurfaceLight traced(const SurfacePoint& at, Vec3 seen, std::uint64_t seed) const;
+  SurfaceLight lightAt(const SurfacePoint& at, Vec3 seen, std::uint64_t seed) const;
+
+  const RayTree* tree_;
+  ProjectionFrame frame_;
+  BakeOptions options_;
+  std::vector<Texel> texels_;
+  std::vector<SurfaceLight> light_;
+  int baked_ = 0;
+};
+
+/// The same eye distance and centre, leaning by `tiltDeg` towards `azimuthDeg` (0 = right, 90 = the symbol's top).
+ProjectionFrame tilted(const ProjectionFrame& frame, double tiltDeg, double azimuthDeg);
+
+}  // namespace qrelief

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verification/carving_profile.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "base/parallel.h"
+#include "qr/module_pattern.h"
+
+namespace qrelief {
+namespace {
+
+constexpr int kN = kSubmodulesPerModule;
+constexpr int kWindow = 2;          // modules on each side of a window's middle
+constexpr std::size_t kTerms = 7;   // 1, x, y, x², xy, y², dark
+constexpr double kLeastFit = 0.5;   // a symbol of other content shares its finder patterns and explains less
+constexpr double kCarvedShare = 0.3;  // of a module's deepest submodule: what is deeper is carved
+
+using System = std::array<std::array<double, kTerms + 1>, kTerms>;
+using Terms = std::array<double, kTerms>;
+
+/// Gaussian elimination with pivots; terms that the data do not determine become 0.
+Terms solved(System a, std::size_t terms) {
+  Terms x{};
+  std::array<bool, kTerms> known{};
+  std::array<std::size_t, kTerms> rowOf{};
+  std::size_t row = 0;
+  for (std::size_t c = 0; c < terms; ++c) {
+    std::size_t best = row;
+    for (std::size_t r = row; r < terms; ++r)
+      if (std::abs(a[r][c]) > std::abs(a[best][c])) best = r;
+    if (row >= terms || std::abs(a[best][c]) < 1e-9) continue;
+    std::swap(a[row], a[best]);
+    for (std::size_t r = 0; r < terms; ++r) {
+      if (r == row) continue;
+      const double k = a[r][c] / a[row][c];
+      for (std::size_t i = c; i <= kTerms; ++i) a[r][i] -= k * a[row][i];
+    }
+    known[c] = true;
+    rowOf[c] = row++;
+  }
+  for (std::size_t c = 0; c < terms; ++c)
+    if (known[c]) x[c] = a[rowOf[c]][kTerms] / a[rowOf[c]][c];
+  return x;
+}
+
+/// The symbol as it would stand in the picture in each pose. The mirrored ones are four, too: all are one to the user.
+bool isDarkIn(const Symbol& symbol, int pose, int row, int column) {
+  const int last = symbol.size - 1;
+  if (row < 0 || column < 0 || row > last || column > last) return false;
+  if (pose >= 4) column = last - column;
+  for (int turn = 0; turn < pose % 4; ++turn) {
+    const int r = row;
+    row = last - column;
+    column = r;
+  }
+  return symbol.isDark(row, column);
+}
+
+SymbolPose nameOf(int pose) {
+  constexpr std::array<SymbolPose, 4> kTurned = {SymbolPose::AsWanted, SymbolPose::Turned90, SymbolPose::Turned180,
+                                                 SymbolPose::Turned270};
+  return pose >= 4 ? SymbolPose::Mirrored : kTurned[static_cast<std::size_t>(pose)];
+}
+
+/// Distances from the eye over symbol and quiet zone, a submodule apart.
+class DistanceGrid {
+ public:
+  DistanceGrid(const RayTree& tree, const ProjectionFrame& frame, int modules, double moduleMm)
+      : modules_(modules), edge_(kN * (modules + 2 * kQuietZoneModules)) {
+    points_.resize(static_cast<std::size_t>(edge_) * static_cast<std::size_t>(edge_));
+    const double step = moduleMm / kN, middle = edge_ / 2.0;
+    parallelFor(static_cast<std::size_t>(edge_), [&](std::size_t row) {
+      for (std::size_t column = 0; column < static_cast<std::size_t>(edge_); ++column) {
+        const Vec2 at{(static_cast<double>(column) + 0.5 - middle) * step,
+                      (middle - static_cast<double>(row) - 0.5) * step};
+        const auto hit = tree.firstHit(frame.eye(), frame.rayDirection(at));
+        points_[row * static_cast<std::size_t>(edge_) + column] =
+            hit.value_or(SurfacePoint{Vec3(0), kNoTriangle, std::numeric_limits<double>::quiet_NaN()});
+      }
+    });
+  }
+
+  /// @param row, column  submodules from the symbol's top left; negative in the quiet zone
+  const SurfacePoint& at(int row, int column) const {
+    const int offset = kN * kQuietZoneModules;
+    return points_[static_cast<std::size_t>((row + offset) * edge_ + column + offset)];
+  }
+  /// Of a module's middle.
+  double middleOf(int row, int column) const { return at(kN * row + kN / 2, kN * column + kN / 2).distance; }
+  bool inside(int row, int column) const {
+    return row >= -kQuietZoneModules && column >= -kQuietZoneModules && row < modules_ + kQuietZoneModules &&
+           column < modules_ + kQuietZoneModules;
+  }
+
+ private:
+  int modules_, edge_;
+  std::vector<SurfacePoint> points_;
+};
+
+Terms termsAt(double x, double y, bool dark) { return {1, x, y, x * x, x * y, y * y, dark ? 1.0 : 0.0}; }
+
+struct WindowFit {
+  Terms terms{};
+  double left = 0;        // squares that the surface alone leaves
+  double leftByBoth = 0;  // and with dark and light told apart
+};
+
+WindowFit fitWindow(const DistanceGrid& grid, const Symbol& symbol, int pose, int row, int column) {
+  System normal{};
+  std::vector<std::pair<Terms, double>> samples;
+  for (int r = row - kWindow; r <= row + kWindow; ++r) {
+    for (int c = column - kWindow; c <= column + kWindow; ++c) {
+      if (!grid.inside(r, c) || std::isnan(grid.middleOf(r, c))) continue;
+      samples.emplace_back(termsAt(c - column, r - row, isDarkIn(symbol, pose, r, c)), grid.middleOf(r, c));
+    }
+  }
+  if (samples.size() <= kTerms) return {};
+  const double origin = samples.front().second;
+  for (auto& [terms, distance] : samples) {
+    distance -= origin;
+    for (std::size_t i = 0; i < kTerms; ++i) {
+      for (std::size_t k = 0; k < kTerms; ++k) normal[i][k] += terms[i] * terms[k];
+      normal[i][kTerms] += terms[i] * distance;
+    }
+  }
+  WindowFit fit;
+  fit.terms = solved(normal, kTerms);
+  const Terms surface = solved(normal, kTerms - 1);
+  for (const auto& [terms, distance] : samples) {
+    double both = -distance, alone = -distance;
+    for (std::size_t i = 0; i < kTerms; ++i) {
+      both += fit.terms[i] * terms[i];
+      alone += surface[i] * terms[i];
+    }
+    fit.left += alone * alone;
+    fit.leftByBoth += both * both;
+  }
+  fit.terms[0] += origin;
+  return fit;
+}
+
+double explainedBy(const DistanceGrid& grid, const Symbol& symbol, int pose) {
+  double left = 0, leftByBoth = 0;
+  for (int row = 0; row < symbol.size; ++row)
+    for (int column = 0; column < symbol.size; ++column) {
+      const WindowFit fit = fitWindow(grid, symbol, pose, row, column);
+      left += fit.left;
+      leftByBoth += fit.leftByBoth;
+    }
+  return left > 0 ? 1 - leftByBoth / left : 0;
+}
+
+/// Depth of each submodule of one dark module.
+void measureModule(const DistanceGrid& grid, const WindowFit& fit, int row, int column, int edge,
+                   std::vector<double>& depths) {
+  for (int k = 0; k < kN * kN; ++k) {
+    const int r = kN * row + k / kN, c = kN * column + k % kN;
+    const Terms terms = termsAt((k % kN - kN / 2) / static_cast<double>(kN),
+                                (k / kN - kN / 2) / static_cast<double>(kN), false);
+    double surface = 0;
+    for (std::size_t i = 0; i + 1 < kTerms; ++i) surface += fit.terms[i] * terms[i];
+    depths[static_cast<std::size_t>(r * edge + c)] = grid.at(r, c).distance - surface;
+  }
+}
+
+/// Tells the carved submodules of one dark module from those that a pattern leaves.
+void markCarved(CarvingProfile& profile, int row, int column, int edge) {
+  const auto index = [&](int k) {
+    return static_cast<std::size_t>((kN * row + k / kN) * edge + kN * column + k % kN);
+  };
+  double most = 0;
+  for (int k = 0; k < kN * kN; ++k)
+    if (std::abs(profile.depthMm[index(k)]) > std::abs(most)) most = profile.depthMm[index(k)];
+  for (int k = 0; k < kN * kN; ++k)
+    profile.carved[index(k)] = most != 0 && profile.depthMm[index(k)] / most > kCarvedShare;
+}
+
+}  // namespace
+
+CarvingProfile profileCarving(const RayTree& tree, const ProjectionFrame& frame, const Symbol& symbol,
+                              double symbolMm) {
+  const DistanceGrid grid(tree, frame, symbol.size, symbolMm / symbol.size);
+  std::array<double, 8> explained{};
+  parallelFor(explained.size(),
+              [&](std::size_t pose) { explained[pose] = explainedBy(grid, symbol, static_cast<int>(pose)); });
+  const auto best = std::max_element(explained.begin(), explained.end());
+  const int pose = static_cast<int>(best - explained.begin());
+  CarvingProfile profile;
+  profile.fit = *best;
+  const int edge = kN * symbol.size;
+  for (int i = 0; i < edge * edge; ++i) profile.points.push_back(grid.at(i / edge, i % edge));
+  if (profile.fit < kLeastFit) return profile;
+  profile.pose = nameOf(pose);
+  profile.depthMm.assign(profile.points.size(), 0);
+  profile.carved.assign(profile.points.size(), 0);
+  for (int row = 0; row < symbol.size; ++row)
+    for (int column = 0; column < symbol.size; ++column) {
+      if (!isDarkIn(symbol, pose, row, column)) continue;
+      measureModule(grid, fitWindow(grid, symbol, pose, row, column), row, column, edge, profile.depthMm);
+      markCarved(profile, row, column, edge);
+    }
+  double sum = 0;
+  int count = 0;
+  for (std::size_t i = 0; i < profile.carved.size(); ++i)
+    if (profile.carved[i]) sum += profile.depthMm[i], ++count;
+  profile.meanDepthMm = count > 0 ? sum / count : 0;
+  return profile;
+}
+
+}  // namespace qrelief

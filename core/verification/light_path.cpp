@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verification/light_path.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace qrelief {
+namespace {
+
+constexpr double kLeaveSurfaceMm = 1e-6;  // along the new direction, so that a path does not hit where it starts
+constexpr int kSureBounces = 3;
+
+/// About a unit vector: `height` along it, the rest around it by `turn`, 0 … 1 [axes: Duff et al. 2017].
+Vec3 directionAbout(Vec3 axis, double height, double turn) {
+  const double sign = std::copysign(1.0, axis.z);
+  const double a = -1 / (sign + axis.z);
+  const double b = axis.x * axis.y * a;
+  const Vec3 x{1 + sign * axis.x * axis.x * a, sign * b, -sign * axis.x};
+  const Vec3 y{b, sign + axis.y * axis.y * a, -axis.y};
+  const double radius = std::sqrt(std::max(0.0, 1 - height * height)), angle = 2 * std::numbers::pi * turn;
+  return x * (radius * std::cos(angle)) + y * (radius * std::sin(angle)) + axis * height;
+}
+
+/// Facet normal on the side that the ray comes from.
+Vec3 facing(const Mesh& mesh, const SurfacePoint& at, Vec3 direction) {
+  const Vec3 normal = triangleNormal(mesh, at.triangle);
+  return glm::dot(normal, direction) > 0 ? -normal : normal;
+}
+
+/// By one point of the lamp's disc, chosen at random.
+double lampIrradiance(const RayTree& tree, Vec3 at, Vec3 normal, const Lamp& lamp, Random& random) {
+  if (lamp.strength <= 0) return 0;
+  const double edge = std::cos(lamp.radiusDeg * std::numbers::pi / 180);
+  const double height = 1 - random.uniform() * (1 - edge);
+  const Vec3 to = directionAbout(lamp.towards, height, random.uniform());
+  const double cosine = glm::dot(normal, to);
+  return cosine > 0 && !tree.firstHit(at, to, kLeaveSurfaceMm) ? lamp.strength * cosine : 0;
+}
+
+}  // namespace
+
+SurfaceLight traceLight(const RayTree& tree, SurfacePoint at, Vec3 seen, std::array<double, 2> first, double albedo,
+                        const Lamp& lamp, Random& random) {
+  SurfaceLight light;
+  double throughput = 1;
+  for (int bounce = 0;; ++bounce) {
+    const Vec3 normal = facing(tree.mesh(), at, seen);
+    light.lamp += throughput * lampIrradiance(tree, at.position, normal, lamp, random);
+    const double u = bounce == 0 ? first[0] : random.uniform();
+    const double v = bounce == 0 ? first[1] : random.uniform();
+    const Vec3 direction = directionAbout(normal, std::sqrt(1 - u), v);
+    const auto hit = tree.firstHit(at.position, direction, kLeaveSurfaceMm);
+    if (!hit) {
+      light.sky = throughput;
+      return light;
+    }
+    if (bounce < kSureBounces)
+      throughput *= albedo;
+    else if (random.uniform() >= albedo)
+      return light;
+    at = *hit;
+    seen = direction;
+  }
+}
+
+}  // namespace qrelief

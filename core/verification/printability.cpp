@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verification/printability.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <fmt/format.h>
+#include <limits>
+
+namespace qrelief {
+namespace {
+
+constexpr int kN = kSubmodulesPerModule;
+
+/// Narrower pockets do not open in print: `thin-plus` with 0.6 nozzle widths did not, `thick-plus` with 0.9 did.
+constexpr double kLeastPocketNozzles = 0.9;
+/// Thinner material between pockets is left out by a slicer: 0.6 nozzle widths still did no harm.
+constexpr double kLeastGapNozzles = 0.6;
+constexpr double kLeastDepthLayers = 2;
+
+/// Least module that was printed and read with a 0.4 mm nozzle, mm; in nozzle widths for others.
+std::optional<double> leastModuleNozzles(ModulePattern pattern) {
+  switch (pattern) {
+    case ModulePattern::Square:
+    case ModulePattern::Diamond:
+      return 0.9 / 0.4;
+    case ModulePattern::ThickPlus:
+      return 0.6 / 0.4;
+    case ModulePattern::None:
+      return 1.2 / 0.4;
+    case ModulePattern::ThinPlus:
+      break;
+  }
+  return std::nullopt;
+}
+
+class Mask {
+ public:
+  Mask(const std::vector<std::uint8_t>& carved, int edge) : carved_(carved), edge_(edge) {}
+  bool at(int row, int column) const { return carved_[static_cast<std::size_t>(row * edge_ + column)] != 0; }
+  int edge() const { return edge_; }
+
+ private:
+  const std::vector<std::uint8_t>& carved_;
+  int edge_;
+};
+
+/// Edge of the largest carved square within one module, in submodules.
+int largestSquare(const Mask& mask, int row, int column) {
+  for (int size = kN; size > 0; --size)
+    for (int r = 0; r + size <= kN; ++r)
+      for (int c = 0; c + size <= kN; ++c) {
+        bool whole = true;
+        for (int k = 0; k < size * size && whole; ++k)
+          whole = mask.at(kN * row + r + k / size, kN * column + c + k % size);
+        if (whole) return size;
+      }
+  return 0;
+}
+
+/// Length of the shortest run of material between two carved submodules in a row or column.
+int shortestGap(const Mask& mask) {
+  int shortest = std::numeric_limits<int>::max();
+  for (int line = 0; line < mask.edge(); ++line)
+    for (const bool across : {true, false}) {
+      int last = -1;  // carved before here
+      for (int k = 0; k < mask.edge(); ++k) {
+        if (!(across ? mask.at(line, k) : mask.at(k, line))) continue;
+        if (last >= 0 && k - last > 1) shortest = std::min(shortest, k - last - 1);
+        last = k;
+      }
+    }
+  return shortest;
+}
+
+/// Submodules of one module in which the mask differs from a pattern.
+int differences(const Mask& mask, int row, int column, const SubmoduleMask& pattern) {
+  int count = 0;
+  for (int k = 0; k < kN * kN; ++k) {
+    const int r = kN * row + k / kN, c = kN * column + k % kN;
+    count += mask.at(r, c) != pattern.isCarved(r, c);
+  }
+  return count;
+}
+
+/// Pattern that most of the data modules come nearest to.
+std::optional<ModulePattern> recognised(const Symbol& symbol, const Mask& mask) {
+  constexpr std::array kPatterns = {ModulePattern::None, ModulePattern::Square, ModulePattern::ThinPlus,
+                                    ModulePattern::Diamond, ModulePattern::ThickPlus};
+  constexpr double kAlike = 3;  // of 25 submodules, on average
+  std::optional<ModulePattern> best;
+  double least = kAlike;
+  for (const ModulePattern pattern : kPatterns) {
+    const SubmoduleMask wanted = submodulesToCarve(symbol, pattern, FinderPattern::None);
+    int wrong = 0, modules = 0;
+    for (int row = 0; row < symbol.size; ++row)
+      for (int column = 0; column < symbol.size; ++column) {
+        if (!symbol.isDark(row, column) || symbol.role(row, column) != ModuleRole::Data) continue;
+        wrong += differences(mask, row, column, wanted);
+        ++modules;
+      }
+    if (modules > 0 && static_cast<double>(wrong) / modules < least) {
+      least = static_cast<double>(wrong) / modules;
+      best = pattern;
+    }
+  }
+  return best;
+}
+
+std::string largerModule(double leastMm) { return fmt::format("a module of {:.2g} mm or more", leastMm); }
+
+}  // namespace
+
+CarvedFeatures measureFeatures(const Symbol& symbol, const std::vector<std::uint8_t>& carved,
+                               const std::vector<double>& depthMm, double moduleMm) {
+  const int edge = kN * symbol.size;
+  assert(carved.size() == static_cast<std::size_t>(edge) * static_cast<std::size_t>(edge));
+  assert(depthMm.size() == carved.size());
+  const Mask mask(carved, edge);
+  CarvedFeatures features;
+  features.moduleMm = moduleMm;
+  features.pattern = recognised(symbol, mask);
+  int pocket = kN, count = 0;
+  std::vector<double> deepest;
+  for (int row = 0; row < symbol.size; ++row)
+    for (int column = 0; column < symbol.size; ++column) {
+      const int square = largestSquare(mask, row, column);
+      if (square == 0) continue;
+      pocket = std::min(pocket, square);
+      double most = 0;
+      for (int k = 0; k < kN * kN; ++k) {
+        const auto i = static_cast<std::size_t>((kN * row + k / kN) * edge + kN * column + k % kN);
+        if (!carved[i]) continue;
+        features.meanDepthMm += depthMm[i];
+        most = std::max(most, depthMm[i]);
+        ++count;
+      }
+      deepest.push_back(most);
+    }
+  if (count == 0) return features;
+  std::sort(deepest.begin(), deepest.end());
+  features.meanDepthMm /= count;
+  features.leastDepthMm = deepest[deepest.size() / 20];
+  features.pocketMm = pocket * moduleMm / kN;
+  const int gap = shortestGap(mask);
+  features.gapMm =
+      gap == std::numeric_limits<int>::max() ? std::numeric_limits<double>::infinity() : gap * moduleMm / kN;
+  return features;
+}
+
+std::vector<PrintAdvice> advisePrinting(const CarvedFeatures& features, const Printer& printer, double minWallMm) {
+  std::vector<PrintAdvice> advice;
+  const double nozzle = printer.nozzleMm;
+  const double leastPocket = kLeastPocketNozzles * nozzle;
+  constexpr double kRounding = 1e-9;
+  if (features.pocketMm < leastPocket - kRounding) {
+    const double needed = features.moduleMm * leastPocket / features.pocketMm;
+    const bool thinPlus = features.pattern == ModulePattern::ThinPlus;
+    advice.push_back({fmt::format("The pockets are {:.2f} mm wide, and the nozzle {:g} mm", features.pocketMm, nozzle),
+                      fmt::format("{:g} mm nozzle: choose {}{}", nozzle, thinPlus ? "`square` or " : "", largerModule(needed))});
+  } else if (features.pattern) {
+    const auto least = leastModuleNozzles(*features.pattern);
+    if (least && features.moduleMm < *least * nozzle - kRounding)
+      advice.push_back(
+          {fmt::format("Modules of {:.2f} mm with `{}` are smaller than what was printed and read with such a nozzle",
+                       features.moduleMm, modulePatternName(*features.pattern)),
+           fmt::format("{:g} mm nozzle: choose {}{}", nozzle, largerModule(*least * nozzle),
+                       *features.pattern == ModulePattern::ThickPlus ? "" : ", or `thick-plus`")});
+  }
+  if (features.gapMm < kLeastGapNozzles * nozzle - kRounding)
+    advice.push_back({fmt::format("Only {:.2f} mm stand between pockets, and the nozzle is {:g} mm wide",
+                                  features.gapMm, nozzle),
+                      fmt::format("{:g} mm nozzle: choose {}", nozzle,
+                                  largerModule(features.moduleMm * kLeastGapNozzles * nozzle / features.gapMm))});
+  if (features.leastDepthMm < kLeastDepthLayers * printer.layerMm - kRounding)
+    advice.push_back({fmt::format("The shallowest modules are {:.2f} mm deep: {:.1f} layers of {:g} mm",
+                                  features.leastDepthMm, features.leastDepthMm / printer.layerMm, printer.layerMm),
+                      "Print with thinner layers or with the code on a side, or carve deeper"});
+  if (features.wallMm && *features.wallMm < minWallMm - 1e-3)
+    advice.push_back({fmt::format("Only {:.2f} mm of material stay behind a pocket", *features.wallMm),
+                      fmt::format("Choose a thicker spot or a larger --min-wall than {:.2g} mm", *features.wallMm)});
+  return advice;
+}
+
+}  // namespace qrelief

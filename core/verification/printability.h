@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "qr/module_pattern.h"
+#include "qr/symbol.h"
+
+namespace qrelief {
+
+/// The printer that a carved model is meant for.
+struct Printer {
+  double nozzleMm = 0.4;  ///< > 0
+  double layerMm = 0.1;   ///< > 0
+};
+
+/// What a printer has to make of a carved symbol.
+struct CarvedFeatures {
+  double moduleMm = 0;
+  std::optional<ModulePattern> pattern;  ///< of most data modules; none: no known one
+  double pocketMm = 0;  ///< edge of the largest square that fits into a dark module's pocket, the least of all modules
+  double gapMm = 0;     ///< least material between two pockets, along rows and columns; infinite if there is none
+  double meanDepthMm = 0;   ///< over the carved submodules
+  double leastDepthMm = 0;  ///< of a dark module's deepest submodule: 5th percentile
+  std::optional<double> wallMm;  ///< least material behind a floor, if it is known
+};
+
+/// @param carved   (5·modules)² submodules, row-major from the symbol's top left, 1 = carved
+/// @param depthMm  of the same; only carved ones count
+CarvedFeatures measureFeatures(const Symbol& symbol, const std::vector<std::uint8_t>& carved,
+                               const std::vector<double>& depthMm, double moduleMm);
+
+/// One thing that may go wrong in print, and what would help.
+struct PrintAdvice {
+  std::string problem;  ///< "the pockets are 0.24 mm wide, the nozzle 0.4 mm"
+  std::string hint;     ///< "choose `square` or a larger module"
+};
+
+/// Compares features with the printer. The bounds in nozzle widths are what the published prints allow [Papp 2022, §8,
+/// 0.4 mm nozzle]: `square` and `diamond` down to modules of 0.9 mm, `thick-plus` down to 0.6 mm, no `thin-plus` at
+/// 1.2 mm; for other nozzles they are scaled. Depths are counted in layers.
+/// @param minWallMm  material that should stay behind every floor
+std::vector<PrintAdvice> advisePrinting(const CarvedFeatures& features, const Printer& printer, double minWallMm = 0.8);
+
+}  // namespace qrelief

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verification/reading_sweep.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+#include "verification/reading_variants.h"
+#include "verification/resample.h"
+
+namespace qrelief {
+namespace {
+
+constexpr double kStrayLight = 0.05;
+constexpr double kPhoneBlurPx = 0.6;
+constexpr std::array kTilts = {15.0, 30.0, 45.0};
+constexpr std::array kAzimuths = {0.0, 90.0, 180.0, 270.0};
+
+/// From the nearest to the farthest.
+constexpr std::array kDistances = {10.0, 8.0, 6.5, 5.0, 4.0, 3.3, 2.6, 2.0};
+constexpr std::array kBlurs = {0.1, 0.2, 0.3, 0.4, 0.5};
+
+std::vector<ReadingView> plannedViews() {
+  std::vector<ReadingView> views;
+  for (const double scale : {10.0, 8.0, 6.5, 5.0})
+    for (const Vec2 phase : {Vec2(0), Vec2(0.5, 0.3)})
+      for (const double blur : {0.07, 0.15, 0.25, 0.35})
+        views.push_back({.pixelsPerModule = scale, .phase = phase, .blurModules = blur});
+  for (const double distance : kDistances)
+    views.push_back({.test = ReadingTest::Distance, .pixelsPerModule = distance, .blurModules = kPhoneBlurPx / distance});
+  for (const double blur : kBlurs) views.push_back({.test = ReadingTest::Blur, .blurModules = blur});
+  for (const double noise : {0.05, 0.1}) views.push_back({.test = ReadingTest::Noise, .noise = noise});
+  for (const double exposure : {0.3, 1.2}) views.push_back({.test = ReadingTest::Exposure, .exposure = exposure});
+  for (const double blur : {0.07, 0.2}) views.push_back({.test = ReadingTest::Lamp, .lamp = true, .blurModules = blur});
+  for (const double tilt : kTilts)
+    for (const double azimuth : kAzimuths)
+      for (const bool lamp : {false, true})
+        views.push_back({.test = ReadingTest::Tilt, .lamp = lamp, .tiltDeg = tilt, .azimuthDeg = azimuth});
+  return views;
+}
+
+/// The last of the values, from the first on, at which everything reads.
+template <class Reads, std::size_t count>
+std::optional<double> lastReading(const std::array<double, count>& values, const Reads& reads) {
+  std::optional<double> last;
+  for (const double value : values) {
+    if (!reads(value)) break;
+    last = value;
+  }
+  return last;
+}
+
+}  // namespace
+
+std::string_view readingTestName(ReadingTest test) {
+  constexpr std::array<std::string_view, 7> kNames = {"frontal", "lamp", "tilt", "distance", "blur", "noise", "exposure"};
+  return kNames[static_cast<std::size_t>(test)];
+}
+
+ReadingSweep::ReadingSweep(const BakedLight& light, const ProjectionFrame& frame, int modules, double symbolMm,
+                           std::string text, std::vector<SymbolReader> readers)
+    : light_(&light),
+      frame_(frame),
+      modules_(modules),
+      symbolMm_(symbolMm),
+      text_(std::move(text)),
+      readers_(std::move(readers)),
+      views_(plannedViews()) {
+  assert(!readers_.empty());
+}
+
+std::vector<float> ReadingSweep::luminanceOf(const ReadingView& view) {
+  if (seenTilt_ != view.tiltDeg || seenAzimuth_ != view.azimuthDeg) {
+    const ProjectionFrame camera = view.tiltDeg > 0 ? tilted(frame_, view.tiltDeg, view.azimuthDeg) : frame_;
+    seen_ = light_->picture(camera, kBakedPixels * (modules_ + 2 * kMarginModules),
+                            symbolMm_ / modules_ / kBakedPixels);
+    seenTilt_ = view.tiltDeg;
+    seenAzimuth_ = view.azimuthDeg;
+  }
+  std::vector<float> luminance = seen_.sky;
+  if (view.lamp)
+    for (std::size_t i = 0; i < luminance.size(); ++i) luminance[i] += seen_.added[i];
+  return luminance;
+}
+
+void ReadingSweep::read(ReadingView& view, const GreyImage& picture) {
+  for (const GreyImage& variant : readingVariants(picture, view.pixelsPerModule)) {
+    for (const SymbolReader& reader : readers_) {
+      ++view.tries;
+      const auto found = reader(variant);
+      if (!found) continue;
+      if (found->text != text_) {
+        view.otherText = found->text;
+      } else if (found->mirrored) {
+        view.mirrored = true;
+      } else {
+        ++view.reads;
+        if (cornerError_ || view.tiltDeg > 0) continue;
+        // Corners in modules from the picture's middle, x to the right and y down, clockwise from the top left.
+        const double modules = static_cast<double>(picture.width) / view.pixelsPerModule / variant.width;
+        double error = 0;
+        for (std::size_t k = 0; k < 4; ++k) {
+          const Vec2 at = found->corners[k] * modules - Vec2(picture.width / view.pixelsPerModule / 2);
+          const Vec2 wanted = Vec2(k == 1 || k == 2 ? 0.5 : -0.5, k >= 2 ? 0.5 : -0.5) * static_cast<double>(modules_);
+          error = std::max(error, glm::length(at - wanted));
+        }
+        cornerError_ = error;
+      }
+    }
+  }
+}
+
+bool ReadingSweep::step() {
+  assert(next_ < views_.size());
+  ReadingView& view = views_[next_++];
+  const std::vector<float> luminance = luminanceOf(view);
+  const double coarser = kBakedPixels / view.pixelsPerModule;
+  const GreyImage picture = photograph(resampled(luminance, seen_.width, coarser, view.phase),
+                                       resampledWidth(seen_.width, coarser),
+                                       {.blurPx = view.blurModules * view.pixelsPerModule,
+                                        .noise = view.noise,
+                                        .strayLight = kStrayLight,
+                                        .exposure = view.exposure,
+                                        .seed = next_});
+  read(view, picture);
+  return next_ == views_.size();
+}
+
+ReadingSummary ReadingSweep::summary() const {
+  ReadingSummary summary;
+  int tries = 0, reads = 0;
+  for (const ReadingView& view : views_) {
+    summary.mirrored |= view.mirrored;
+    if (summary.otherText.empty()) summary.otherText = view.otherText;
+    if (view.test != ReadingTest::Frontal) continue;
+    tries += view.tries;
+    reads += view.reads;
+  }
+  summary.share = static_cast<double>(reads) / tries;
+  summary.reads = summary.share >= kReadShare;
+  const auto allRead = [&](ReadingTest test, const auto& chosen) {
+    return std::all_of(views_.begin(), views_.end(),
+                       [&](const ReadingView& v) { return v.test != test || !chosen(v) || v.read(); });
+  };
+  const auto tilt = [&](bool lamp) -> std::optional<double> {
+    const bool frontal = lamp ? allRead(ReadingTest::Lamp, [](const ReadingView&) { return true; }) : summary.reads;
+    if (!frontal) return std::nullopt;
+    return lastReading(kTilts,
+                       [&](double deg) {
+                         return allRead(ReadingTest::Tilt,
+                                        [&](const ReadingView& v) { return v.lamp == lamp && v.tiltDeg == deg; });
+                       })
+        .value_or(0);
+  };
+  summary.tiltDeg = tilt(false);
+  summary.tiltDegLamp = tilt(true);
+  summary.pixelsPerModule = lastReading(kDistances, [&](double pixels) {
+    return allRead(ReadingTest::Distance, [&](const ReadingView& v) { return v.pixelsPerModule == pixels; });
+  });
+  summary.blurModules = lastReading(kBlurs, [&](double blur) {
+    return allRead(ReadingTest::Blur, [&](const ReadingView& v) { return v.blurModules == blur; });
+  });
+  summary.cornerErrorModules = cornerError_;
+  return summary;
+}
+
+}  // namespace qrelief

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verification/resample.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace qrelief {
+namespace {
+
+/// Means over cells along the rows of `picture`, which are written as columns: two passes make a whole.
+std::vector<float> alongRows(const std::vector<float>& picture, int width, int height, double step, double phase,
+                             int cells) {
+  std::vector<float> out(static_cast<std::size_t>(cells) * static_cast<std::size_t>(height));
+  for (int c = 0; c < cells; ++c) {
+    const double begin = (c + phase) * step, end = begin + step;
+    for (int row = 0; row < height; ++row) {
+      double sum = 0;
+      for (int x = static_cast<int>(std::floor(begin)); x < end; ++x) {
+        const double share = std::min(end, x + 1.0) - std::max<double>(begin, x);
+        sum += share * static_cast<double>(
+                           picture[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
+                                   static_cast<std::size_t>(std::clamp(x, 0, width - 1))]);
+      }
+      out[static_cast<std::size_t>(c) * static_cast<std::size_t>(height) + static_cast<std::size_t>(row)] =
+          static_cast<float>(sum / step);
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+int resampledWidth(int width, double step) { return std::max(1, static_cast<int>(std::floor(width / step + 1e-9))); }
+
+std::vector<float> resampled(const std::vector<float>& picture, int width, double step, Vec2 phase) {
+  assert(step >= 1 && picture.size() == static_cast<std::size_t>(width) * static_cast<std::size_t>(width));
+  const int cells = resampledWidth(width, step);
+  const std::vector<float> turned = alongRows(picture, width, width, step, phase.x, cells);
+  return alongRows(turned, width, cells, step, phase.y, cells);
+}
+
+}  // namespace qrelief
