@@ -258,8 +258,10 @@ std::function<int()> addEngraveCommand(CLI::App& app) {
                 fmt::format("reading: the same for the finder patterns [{:g}]", request.reading.finderContrast))
       ->check(CLI::Range(0.01, 0.9));
   c->add_option("--max-depth", o->maxDepth, "mm [1.2 modules]")->check(CLI::PositiveNumber);
-  c->add_option("--nozzle", request.printer.nozzleMm, "of the printer, mm, for advice [0.4]")->check(CLI::Range(0.01, 10.0));
-  c->add_option("--layer", request.printer.layerMm, "of the print, mm, for advice [0.1]")->check(CLI::Range(0.001, 10.0));
+  c->add_option("--nozzle", request.printer.nozzleMm, "of the printer, mm, for advice [0.4]")
+      ->check(CLI::Range(0.01, 10.0));
+  c->add_option("--layer", request.printer.layerMm, "of the print, mm, for advice [0.1]")
+      ->check(CLI::Range(0.001, 10.0));
   c->add_option("--min-wall", request.minWallMm, "material that must remain, mm [0.8]");
   c->add_option("--solver", o->solver, "how the depth is found [paper-steps]")->check(CLI::IsMember({"paper-steps"}));
   c->add_option("--surface", o->surface, "what happens to the model's own facets [preserved]")

@@ -21,7 +21,7 @@ struct VerifyOptions {
   std::vector<double> at, direction, up;
   double size = 0, eyeDistance = 250;
   int version = 0;
-  bool quiet = false;
+  bool quick = false, quiet = false;
   Printer printer;
   double minWallMm = 0.8;
 };
@@ -63,7 +63,7 @@ std::string rangeOf(const ReadingSummary& reading) {
   if (reading.tiltDegLamp) add(fmt::format("with a lamp up to {:g}°", *reading.tiltDegLamp));
   if (reading.pixelsPerModule) add(fmt::format("from as far as {:g} pixels a module", *reading.pixelsPerModule));
   if (reading.blurModules) add(fmt::format("blurred by up to {:g} modules", *reading.blurModules));
-  return words.empty() ? "nowhere else" : words;
+  return words;
 }
 
 void printResult(const std::string& name, const VerifyRequest& request, const VerifyResult& result) {
@@ -74,15 +74,17 @@ void printResult(const std::string& name, const VerifyRequest& request, const Ve
     fmt::print("reads as: {}\n", request.text);
   else
     fmt::print("does not read reliably\n");
-  fmt::print("{:.0f} % of the tries from the front read ({:.0f} % are needed); reads {}\n", 100 * reading.share,
-             100 * kReadShare, rangeOf(reading));
+  fmt::print("{:.0f} % of the tries from the front read ({:.0f} % are needed)\n", 100 * reading.share,
+             100 * kReadShare);
+  if (const std::string range = rangeOf(reading); reading.reads && !range.empty()) fmt::print("reads {}\n", range);
   if (result.features)
     fmt::print("pockets {:.2f} mm deep on average, {:.2f} mm wide, modules {:.2f} mm\n", result.features->meanDepthMm,
                result.features->pocketMm, result.features->moduleMm);
   if (result.grades)
     fmt::print("simulated grades: ISO/IEC 15415 {:g}, ISO/IEC 29158 {:g}; fixed pattern damage {:g}\n",
                result.grades->iso15415, result.grades->iso29158, result.grades->fixedPatternDamage.grade);
-  for (const PrintAdvice& advice : result.advice) fmt::print("in print: {}\n  what helps: {}\n", advice.problem, advice.hint);
+  for (const PrintAdvice& advice : result.advice)
+    fmt::print("in print: {}\n  what helps: {}\n", advice.problem, advice.hint);
 }
 
 int verifyModel(const VerifyOptions& options) {
@@ -91,6 +93,7 @@ int verifyModel(const VerifyOptions& options) {
   if (!request) return printError(request.error());
   request->printer = options.printer;
   request->minWallMm = options.minWallMm;
+  request->ranges = !options.quick;
   const auto scale = scaleFrom(options.scale, options.units);
   if (!scale) return printError(scale.error());
   const auto bytes = readFile(options.path);
@@ -123,17 +126,22 @@ int verifyModel(const VerifyOptions& options) {
 
 std::function<int()> addVerifyCommand(CLI::App& app) {
   auto o = std::make_shared<VerifyOptions>();
-  CLI::App* c = app.add_subcommand("verify", "Check an engraved model: is it a solid, does it read, can it be printed?");
-  c->add_option("MODEL", o->path, "OBJ, STL, PLY, OFF or 3MF file; it is taken as it is, nothing is repaired")->required();
+  CLI::App* c =
+      app.add_subcommand("verify", "Check an engraved model: is it a solid, does it read, can it be printed?");
+  c->add_option("MODEL", o->path, "OBJ, STL, PLY, OFF or 3MF file; it is taken as it is, nothing is repaired")
+      ->required();
   c->add_option("--scale", o->scale, "file units → mm [1; 3MF: its own unit]");
-  c->add_option("--units", o->units, "unit of the file, instead of --scale")->check(CLI::IsMember({"mm", "cm", "m", "in"}));
+  c->add_option("--units", o->units, "unit of the file, instead of --scale")
+      ->check(CLI::IsMember({"mm", "cm", "m", "in"}));
   c->add_option("--report", o->report, "what engrave wrote with --report: place, size, text and modules");
   c->add_option("--text", o->text, "without --report: what the code should say");
   c->add_option("--at", o->at, "without --report: X,Y,Z, centre of the code on the uncarved surface, mm")
       ->delimiter(',')
       ->expected(3);
   c->add_option("--direction", o->direction, "without --report: X,Y,Z towards the reader")->delimiter(',')->expected(3);
-  c->add_option("--up", o->up, "without --report: X,Y,Z, where the code's top points [0,0,1]")->delimiter(',')->expected(3);
+  c->add_option("--up", o->up, "without --report: X,Y,Z, where the code's top points [0,0,1]")
+      ->delimiter(',')
+      ->expected(3);
   c->add_option("--size", o->size, "without --report: edge of the symbol without quiet zone, mm");
   c->add_option("--eye-distance", o->eyeDistance, "without --report: mm [250]");
   c->add_option("--ecc", o->ecc, "without --report: error correction [M]")->check(CLI::IsMember({"L", "M", "Q", "H"}));
@@ -141,6 +149,7 @@ std::function<int()> addVerifyCommand(CLI::App& app) {
   c->add_option("--nozzle", o->printer.nozzleMm, "of the printer, mm [0.4]")->check(CLI::Range(0.01, 10.0));
   c->add_option("--layer", o->printer.layerMm, "of the print, mm [0.1]")->check(CLI::Range(0.001, 10.0));
   c->add_option("--min-wall", o->minWallMm, "material that should stay behind every pocket, mm [0.8]");
+  c->add_flag("--quick", o->quick, "do not find out from how far, and how tilted or blurred, it reads");
   c->add_option("--json", o->json, "write everything that was found as JSON");
   c->add_flag("--quiet", o->quiet, "no progress");
   return [o] { return verifyModel(*o); };

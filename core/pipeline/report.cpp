@@ -58,8 +58,8 @@ Json describeProjection(const EngraveRequest& request, const Placement& placemen
 
 /// Of the luminance that the depth search ended with, not of a picture.
 void addGrades(Json& verification, const EngraveRequest& request, const EngraveResult& result) {
-  GradeReports grades = describeGrades(
-      gradeSymbol(measureModules(result.symbol, result.luminance), static_cast<double>(request.albedo)));
+  GradeReports grades =
+      describeGrades(gradeSymbol(measureModules(result.symbol, result.luminance), static_cast<double>(request.albedo)));
   verification["iso15415"] = std::move(grades.iso15415);
   verification["iso29158"] = std::move(grades.iso29158);
 }
@@ -122,8 +122,7 @@ std::string makeReport(const EngraveRequest& request, const EngravableModel& mod
                                                     {"read", context.readBack == request.text}}})},
                             {"failedChecks", failedChecks(request, result, context.readBack)}};
   addGrades(report["verification"], request, result);
-  report["verification"]["printability"] =
-      describeAdvice(advisePrinting(features, request.printer, request.minWallMm));
+  report["verification"]["printability"] = describeAdvice(advisePrinting(features, request.printer, request.minWallMm));
   const StageTimings& t = result.timingsMs;
   report["timingsMs"] = {{"load", context.loadMs}, {"prepare", context.prepareMs}, {"direction", t.direction},
                          {"size", t.size},         {"depthSearch", t.depthSearch}, {"embed", t.embed},

@@ -57,18 +57,25 @@ std::vector<double> submoduleLight(const BakedLight& light, int modules) {
   return means;
 }
 
-/// Least way through the material from the floors on: along the rays, and 45° from them to all sides.
+/// Least way through the material from the floors on: along the rays, and 45° from them to all sides, where a ray may
+/// come out in a deeper pocket nearby, which is no other side.
 double leastWall(const RayTree& tree, const ProjectionFrame& frame, const CarvingProfile& profile) {
   constexpr double kBelowFloorMm = 1e-4;
+  double deepest = 0;
+  for (std::size_t i = 0; i < profile.carved.size(); ++i)
+    if (profile.carved[i]) deepest = std::max(deepest, profile.depthMm[i]);
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < profile.carved.size(); ++i) {
     if (!profile.carved[i] || profile.points[i].triangle == kNoTriangle) continue;
+    const double pockets = deepest - profile.depthMm[i] + kFlatMm;  // so far down there may be some
     const Vec3 floor = profile.points[i].position, inwards = glm::normalize(floor - frame.eye());
     for (int k = 0; k <= 8; ++k) {
       const double turn = k * std::numbers::pi / 4;
       const Vec3 side = frame.right * std::cos(turn) + frame.up * std::sin(turn);
       const Vec3 direction = k == 8 ? inwards : glm::normalize(inwards + side);
-      if (const auto hit = tree.firstHit(floor, direction, kBelowFloorMm)) least = std::min(least, hit->distance);
+      const auto hit = tree.firstHit(floor, direction, kBelowFloorMm);
+      if (hit && (k == 8 || hit->distance * glm::dot(direction, inwards) > pockets))
+        least = std::min(least, hit->distance);
     }
   }
   return least;
@@ -156,11 +163,10 @@ bool VerifyJob::State::bake() {
   if (!light->bakeRows(kRowsAStep)) return false;
   light->smooth();
   if (result.profile.pose == SymbolPose::AsWanted) {
-    const ModuleReflectances measured =
-        measureModules(request.symbol, submoduleLight(*light, request.symbol.size));
+    const ModuleReflectances measured = measureModules(request.symbol, submoduleLight(*light, request.symbol.size));
     result.grades = gradeSymbol(measured, request.albedo);
   }
-  sweep.emplace(*light, request.frame, request.symbol.size, request.symbolMm, request.text, readers);
+  sweep.emplace(*light, request.frame, request.symbol.size, request.symbolMm, request.text, readers, request.ranges);
   stage = Stage::Reading;
   return true;
 }
@@ -201,8 +207,7 @@ void VerifyJob::State::judgeShape() {
       fail("no-code", "No carved modules of this code were found at the place named",
            "Check centre, normal, up, size and text, and the scale of the file");
   } else if (depth < -kFlatMm) {
-    fail("raised",
-         fmt::format("The dark modules stand {:.2g} mm out of the surface instead of lying in it", -depth),
+    fail("raised", fmt::format("The dark modules stand {:.2g} mm out of the surface instead of lying in it", -depth),
          "Raised modules catch light and do not look dark: carve them");
   } else if (depth <= kFlatMm) {
     fail("not-carved", "The dark modules are level with the surface", "Engrave the model first");
@@ -212,7 +217,8 @@ void VerifyJob::State::judgeShape() {
 void VerifyJob::State::judgeReading() {
   const ReadingSummary& reading = result.reading;
   if (!reading.otherText.empty())
-    fail("other-text", fmt::format("A simulated picture reads as \"{}\" instead of \"{}\"", reading.otherText, request.text),
+    fail("other-text",
+         fmt::format("A simulated picture reads as \"{}\" instead of \"{}\"", reading.otherText, request.text),
          "Check the text that was asked for");
   if (reading.mirrored && result.profile.pose != SymbolPose::Mirrored)
     fail("mirrored", "The reader found the code mirrored", "Mirror the model back");
@@ -220,17 +226,20 @@ void VerifyJob::State::judgeReading() {
     fail("misplaced",
          fmt::format("The code was read {:.1f} modules away from where it should be", *reading.cornerErrorModules),
          "Check centre, normal, up and size");
-  if (reading.reads || !reading.otherText.empty()) return;
-  const std::string share = fmt::format("{:.0f} % of the tries on simulated pictures read it; {:.0f} % are a reliable code",
-                                        100 * reading.share, 100 * kReadShare);
-  const bool carved = result.profile.pose == SymbolPose::AsWanted && result.profile.meanDepthMm > kFlatMm;
-  if (carved && result.grades && result.grades->cellContrast.value < kGoodContrast) {
+  const CarvingProfile& profile = result.profile;
+  const bool explained = profile.pose == SymbolPose::Mirrored || profile.meanDepthMm <= kFlatMm;
+  if (reading.reads || explained || !reading.otherText.empty()) return;
+  const std::string share =
+      fmt::format("{:.0f} % of the tries on simulated pictures read it; {:.0f} % are a reliable code",
+                  100 * reading.share, 100 * kReadShare);
+  if (result.grades && result.grades->cellContrast.value < kGoodContrast) {
     fail("too-shallow",
-         fmt::format("The pockets are too shallow: {:.2f} mm deep on average, they make the dark modules {:.0f} % darker "
-                     "than the light ones; {}",
-                     result.profile.meanDepthMm, 100 * result.grades->cellContrast.value, share),
+         fmt::format(
+             "The pockets are too shallow: {:.2f} mm deep on average, they make the dark modules {:.0f} % darker "
+             "than the light ones; {}",
+             result.profile.meanDepthMm, 100 * result.grades->cellContrast.value, share),
          "Carve deeper, choose larger modules, or break up dark areas with a module and a finder pattern");
-  } else if (result.profile.pose != SymbolPose::None) {
+  } else {
     fail("unreadable", "The code does not read: " + share,
          "Choose larger modules, a flatter spot, or another pattern of modules and finders");
   }
@@ -238,7 +247,8 @@ void VerifyJob::State::judgeReading() {
 
 void VerifyJob::State::judge() {
   for (const SolidityFinding& finding : result.solidity.findings())
-    fail("not-solid", finding.at ? fmt::format("{}, the first at {} mm", finding.problem, placeOf(*finding.at)) : finding.problem,
+    fail("not-solid",
+         finding.at ? fmt::format("{}, the first at {} mm", finding.problem, placeOf(*finding.at)) : finding.problem,
          "Slicers guess what is meant: repair the model");
   judgeShape();
   judgeReading();

@@ -28,6 +28,7 @@ struct VerifyRequest {
   Printer printer;
   double minWallMm = 0.8;
   double albedo = 0.7;  ///< of the printed material
+  bool ranges = true;   ///< find out how far it can be tilted, blurred and so on, too
 };
 
 /// A model as its file has it: scaled and welded by equal position, nothing mended.

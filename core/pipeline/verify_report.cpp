@@ -134,20 +134,15 @@ std::string makeVerifyReport(const VerifyRequest& request, const VerifyResult& r
                           {"up", triple(request.frame.up)},
                           {"eyeDistanceMm", request.frame.eyeDistance}};
   report["size"] = {{"symbolMm", request.symbolMm}, {"moduleMm", request.symbolMm / request.symbol.size}};
-  report["mesh"] = {{"triangles", solid.triangles},
-                    {"vertices", solid.vertices},
-                    {"solid", solid.solid()},
-                    {"closed", solid.closed()},
-                    {"manifold", solid.manifold()},
-                    {"selfIntersections", solid.selfIntersections},
-                    {"volumeMm3", solid.volumeMm3},
-                    {"findings", Json::array()}};
+  report["mesh"] = {{"triangles", solid.triangles}, {"vertices", solid.vertices},
+                    {"solid", solid.solid()},       {"closed", solid.closed()},
+                    {"manifold", solid.manifold()}, {"selfIntersections", solid.selfIntersections},
+                    {"volumeMm3", solid.volumeMm3}, {"findings", Json::array()}};
   for (const SolidityFinding& finding : solid.findings())
     report["mesh"]["findings"].push_back(
         {{"problem", finding.problem}, {"at", finding.at ? triple(*finding.at) : Json(nullptr)}});
-  report["carving"] = {{"pose", nameOf(result.profile.pose)},
-                       {"fit", result.profile.fit},
-                       {"meanDepthMm", result.profile.meanDepthMm}};
+  report["carving"] = {
+      {"pose", nameOf(result.profile.pose)}, {"fit", result.profile.fit}, {"meanDepthMm", result.profile.meanDepthMm}};
   if (result.features) report["carving"]["features"] = describeFeatures(*result.features, request.printer);
   report["verification"] = describeReading(request, result, context);
   report["timingsMs"] = {{"total", context.totalMs}};

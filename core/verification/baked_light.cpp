@@ -106,8 +106,8 @@ SurfaceLight BakedLight::lightAt(const SurfacePoint& at, Vec3 seen, std::uint64_
     const Vec2 place = frame_.project(at.position) / options_.texelMm + Vec2(options_.texels / 2.0);
     const double column = std::floor(place.x), row = std::floor(place.y);
     if (column >= 0 && row >= 0 && column < options_.texels && row < options_.texels) {
-      const auto texel = static_cast<std::size_t>(row) * static_cast<std::size_t>(options_.texels) +
-                         static_cast<std::size_t>(column);
+      const auto texel =
+          static_cast<std::size_t>(row) * static_cast<std::size_t>(options_.texels) + static_cast<std::size_t>(column);
       const Texel& baked = texels_[texel];
       const bool near = glm::length(baked.position - at.position) < kNearTexels * options_.texelMm;
       const Vec3 normal = triangleNormal(tree_->mesh(), at.triangle);

@@ -13,7 +13,7 @@ struct BakeOptions {
   int texels = 400;      ///< along the edge of the square that is baked, centred on the code
   int paths = 16;        ///< a texel, ≥ 1
   double albedo = 0.7;   ///< of the matte material, 0 … 1
-  Lamp lamp;
+  Lamp lamp = {};
 };
 
 /// Linear picture, 1 = an unoccluded surface under the sky alone; row 0 at the bottom. What is no model is 0.35.
@@ -41,8 +41,8 @@ class BakedLight {
   /// row.
   void smooth();
 
-  /// What a camera sees at `texels` of `texelMm` along the edge of a square on its own QR plane. Cost: a ray a texel, and
-  /// the paths of the texels that show what the bake does not.
+  /// What a camera sees at `texels` of `texelMm` along the edge of a square on its own QR plane. Cost: a ray a texel,
+  /// and the paths of the texels that show what the bake does not.
   /// @param camera  its centre is the code's
   LinearPicture picture(const ProjectionFrame& camera, int texels, double texelMm) const;
 

@@ -13,9 +13,9 @@ namespace qrelief {
 namespace {
 
 constexpr int kN = kSubmodulesPerModule;
-constexpr int kWindow = 2;          // modules on each side of a window's middle
-constexpr std::size_t kTerms = 7;   // 1, x, y, x², xy, y², dark
-constexpr double kLeastFit = 0.5;   // a symbol of other content shares its finder patterns and explains less
+constexpr int kWindow = 2;            // modules on each side of a window's middle
+constexpr std::size_t kTerms = 7;     // 1, x, y, x², xy, y², dark
+constexpr double kLeastFit = 0.5;     // a symbol of other content shares its finder patterns and explains less
 constexpr double kCarvedShare = 0.3;  // of a module's deepest submodule: what is deeper is carved
 
 using System = std::array<std::array<double, kTerms + 1>, kTerms>;
@@ -158,8 +158,8 @@ void measureModule(const DistanceGrid& grid, const WindowFit& fit, int row, int 
                    std::vector<double>& depths) {
   for (int k = 0; k < kN * kN; ++k) {
     const int r = kN * row + k / kN, c = kN * column + k % kN;
-    const Terms terms = termsAt((k % kN - kN / 2) / static_cast<double>(kN),
-                                (k / kN - kN / 2) / static_cast<double>(kN), false);
+    const Terms terms =
+        termsAt((k % kN - kN / 2) / static_cast<double>(kN), (k / kN - kN / 2) / static_cast<double>(kN), false);
     double surface = 0;
     for (std::size_t i = 0; i + 1 < kTerms; ++i) surface += fit.terms[i] * terms[i];
     depths[static_cast<std::size_t>(r * edge + c)] = grid.at(r, c).distance - surface;
@@ -168,9 +168,7 @@ void measureModule(const DistanceGrid& grid, const WindowFit& fit, int row, int 
 
 /// Tells the carved submodules of one dark module from those that a pattern leaves.
 void markCarved(CarvingProfile& profile, int row, int column, int edge) {
-  const auto index = [&](int k) {
-    return static_cast<std::size_t>((kN * row + k / kN) * edge + kN * column + k % kN);
-  };
+  const auto index = [&](int k) { return static_cast<std::size_t>((kN * row + k / kN) * edge + kN * column + k % kN); };
   double most = 0;
   for (int k = 0; k < kN * kN; ++k)
     if (std::abs(profile.depthMm[index(k)]) > std::abs(most)) most = profile.depthMm[index(k)];

@@ -21,8 +21,8 @@ struct SurfaceLight {
   double lamp = 0;  ///< what the lamp adds, all bounces
 };
 
-/// One path of light, traced back from a point of the surface to sky and lamp, with every bounce (Russian roulette after
-/// the third) and the lamp asked at each [Kajiya 1986]: its mean over many paths is the surface's light.
+/// One path of light, traced back from a point of the surface to sky and lamp, with every bounce (Russian roulette
+/// after the third) and the lamp asked at each [Kajiya 1986]: its mean over many paths is the surface's light.
 /// @param at      a point of the tree's mesh
 /// @param seen    direction in which it is seen: the light on that side of the facet counts
 /// @param first   in [0, 1)²: choose the first direction, cosine-weighted

@@ -156,8 +156,9 @@ std::vector<PrintAdvice> advisePrinting(const CarvedFeatures& features, const Pr
   if (features.pocketMm < leastPocket - kRounding) {
     const double needed = features.moduleMm * leastPocket / features.pocketMm;
     const bool thinPlus = features.pattern == ModulePattern::ThinPlus;
-    advice.push_back({fmt::format("The pockets are {:.2f} mm wide, and the nozzle {:g} mm", features.pocketMm, nozzle),
-                      fmt::format("{:g} mm nozzle: choose {}{}", nozzle, thinPlus ? "`square` or " : "", largerModule(needed))});
+    advice.push_back(
+        {fmt::format("The pockets are {:.2f} mm wide, and the nozzle {:g} mm", features.pocketMm, nozzle),
+         fmt::format("{:g} mm nozzle: choose {}{}", nozzle, thinPlus ? "`square` or " : "", largerModule(needed))});
   } else if (features.pattern) {
     const auto least = leastModuleNozzles(*features.pattern);
     if (least && features.moduleMm < *least * nozzle - kRounding)
@@ -168,10 +169,10 @@ std::vector<PrintAdvice> advisePrinting(const CarvedFeatures& features, const Pr
                        *features.pattern == ModulePattern::ThickPlus ? "" : ", or `thick-plus`")});
   }
   if (features.gapMm < kLeastGapNozzles * nozzle - kRounding)
-    advice.push_back({fmt::format("Only {:.2f} mm stand between pockets, and the nozzle is {:g} mm wide",
-                                  features.gapMm, nozzle),
-                      fmt::format("{:g} mm nozzle: choose {}", nozzle,
-                                  largerModule(features.moduleMm * kLeastGapNozzles * nozzle / features.gapMm))});
+    advice.push_back(
+        {fmt::format("Only {:.2f} mm stand between pockets, and the nozzle is {:g} mm wide", features.gapMm, nozzle),
+         fmt::format("{:g} mm nozzle: choose {}", nozzle,
+                     largerModule(features.moduleMm * kLeastGapNozzles * nozzle / features.gapMm))});
   if (features.leastDepthMm < kLeastDepthLayers * printer.layerMm - kRounding)
     advice.push_back({fmt::format("The shallowest modules are {:.2f} mm deep: {:.1f} layers of {:g} mm",
                                   features.leastDepthMm, features.leastDepthMm / printer.layerMm, printer.layerMm),

@@ -110,10 +110,9 @@ Result<ReaderView> renderReaderView(const GeometryPass& pass, const GpuMesh& mes
 
   ReaderView view;
   view.clean = photograph(luminance, options.texels);
-  view.picture = photograph(luminance, options.texels,
-                            {.blurPx = options.blurPx * options.texels / 700,
-                             .noise = options.noise,
-                             .strayLight = options.strayLight});
+  view.picture = photograph(
+      luminance, options.texels,
+      {.blurPx = options.blurPx * options.texels / 700, .noise = options.noise, .strayLight = options.strayLight});
   return view;
 }
 

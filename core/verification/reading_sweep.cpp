@@ -22,14 +22,16 @@ constexpr std::array kAzimuths = {0.0, 90.0, 180.0, 270.0};
 constexpr std::array kDistances = {10.0, 8.0, 6.5, 5.0, 4.0, 3.3, 2.6, 2.0};
 constexpr std::array kBlurs = {0.1, 0.2, 0.3, 0.4, 0.5};
 
-std::vector<ReadingView> plannedViews() {
+std::vector<ReadingView> plannedViews(bool ranges) {
   std::vector<ReadingView> views;
   for (const double scale : {10.0, 8.0, 6.5, 5.0})
     for (const Vec2 phase : {Vec2(0), Vec2(0.5, 0.3)})
       for (const double blur : {0.07, 0.15, 0.25, 0.35})
         views.push_back({.pixelsPerModule = scale, .phase = phase, .blurModules = blur});
+  if (!ranges) return views;
   for (const double distance : kDistances)
-    views.push_back({.test = ReadingTest::Distance, .pixelsPerModule = distance, .blurModules = kPhoneBlurPx / distance});
+    views.push_back(
+        {.test = ReadingTest::Distance, .pixelsPerModule = distance, .blurModules = kPhoneBlurPx / distance});
   for (const double blur : kBlurs) views.push_back({.test = ReadingTest::Blur, .blurModules = blur});
   for (const double noise : {0.05, 0.1}) views.push_back({.test = ReadingTest::Noise, .noise = noise});
   for (const double exposure : {0.3, 1.2}) views.push_back({.test = ReadingTest::Exposure, .exposure = exposure});
@@ -55,27 +57,29 @@ std::optional<double> lastReading(const std::array<double, count>& values, const
 }  // namespace
 
 std::string_view readingTestName(ReadingTest test) {
-  constexpr std::array<std::string_view, 7> kNames = {"frontal", "lamp", "tilt", "distance", "blur", "noise", "exposure"};
+  constexpr std::array<std::string_view, 7> kNames = {"frontal", "lamp",  "tilt",    "distance",
+                                                      "blur",    "noise", "exposure"};
   return kNames[static_cast<std::size_t>(test)];
 }
 
 ReadingSweep::ReadingSweep(const BakedLight& light, const ProjectionFrame& frame, int modules, double symbolMm,
-                           std::string text, std::vector<SymbolReader> readers)
+                           std::string text, std::vector<SymbolReader> readers, bool ranges)
     : light_(&light),
       frame_(frame),
       modules_(modules),
       symbolMm_(symbolMm),
       text_(std::move(text)),
       readers_(std::move(readers)),
-      views_(plannedViews()) {
+      ranges_(ranges),
+      views_(plannedViews(ranges)) {
   assert(!readers_.empty());
 }
 
 std::vector<float> ReadingSweep::luminanceOf(const ReadingView& view) {
   if (seenTilt_ != view.tiltDeg || seenAzimuth_ != view.azimuthDeg) {
     const ProjectionFrame camera = view.tiltDeg > 0 ? tilted(frame_, view.tiltDeg, view.azimuthDeg) : frame_;
-    seen_ = light_->picture(camera, kBakedPixels * (modules_ + 2 * kMarginModules),
-                            symbolMm_ / modules_ / kBakedPixels);
+    seen_ =
+        light_->picture(camera, kBakedPixels * (modules_ + 2 * kMarginModules), symbolMm_ / modules_ / kBakedPixels);
     seenTilt_ = view.tiltDeg;
     seenAzimuth_ = view.azimuthDeg;
   }
@@ -88,6 +92,8 @@ std::vector<float> ReadingSweep::luminanceOf(const ReadingView& view) {
 void ReadingSweep::read(ReadingView& view, const GreyImage& picture) {
   for (const GreyImage& variant : readingVariants(picture, view.pixelsPerModule)) {
     for (const SymbolReader& reader : readers_) {
+      // How often is asked of the frontal pictures only; elsewhere, whether at all.
+      if (view.test != ReadingTest::Frontal && view.read()) return;
       ++view.tries;
       const auto found = reader(variant);
       if (!found) continue;
@@ -117,13 +123,13 @@ bool ReadingSweep::step() {
   ReadingView& view = views_[next_++];
   const std::vector<float> luminance = luminanceOf(view);
   const double coarser = kBakedPixels / view.pixelsPerModule;
-  const GreyImage picture = photograph(resampled(luminance, seen_.width, coarser, view.phase),
-                                       resampledWidth(seen_.width, coarser),
-                                       {.blurPx = view.blurModules * view.pixelsPerModule,
-                                        .noise = view.noise,
-                                        .strayLight = kStrayLight,
-                                        .exposure = view.exposure,
-                                        .seed = next_});
+  const GreyImage picture =
+      photograph(resampled(luminance, seen_.width, coarser, view.phase), resampledWidth(seen_.width, coarser),
+                 {.blurPx = view.blurModules * view.pixelsPerModule,
+                  .noise = view.noise,
+                  .strayLight = kStrayLight,
+                  .exposure = view.exposure,
+                  .seed = next_});
   read(view, picture);
   return next_ == views_.size();
 }
@@ -140,6 +146,8 @@ ReadingSummary ReadingSweep::summary() const {
   }
   summary.share = static_cast<double>(reads) / tries;
   summary.reads = summary.share >= kReadShare;
+  summary.cornerErrorModules = cornerError_;
+  if (!ranges_) return summary;
   const auto allRead = [&](ReadingTest test, const auto& chosen) {
     return std::all_of(views_.begin(), views_.end(),
                        [&](const ReadingView& v) { return v.test != test || !chosen(v) || v.read(); });
@@ -162,7 +170,6 @@ ReadingSummary ReadingSweep::summary() const {
   summary.blurModules = lastReading(kBlurs, [&](double blur) {
     return allRead(ReadingTest::Blur, [&](const ReadingView& v) { return v.blurModules == blur; });
   });
-  summary.cornerErrorModules = cornerError_;
   return summary;
 }
 

@@ -18,16 +18,16 @@ std::string_view readingTestName(ReadingTest test);
 /// One simulated picture and what the reader made of it, in all reading variants (verification/reading_variants.h).
 struct ReadingView {
   ReadingTest test = ReadingTest::Frontal;
-  bool lamp = false;  ///< under sky and lamp; else under the sky alone
+  bool lamp = false;                   ///< under sky and lamp; else under the sky alone
   double tiltDeg = 0, azimuthDeg = 0;  ///< see tilted()
   double pixelsPerModule = 8;
-  Vec2 phase{0};            ///< of the pixel grid, in pixels
+  Vec2 phase{0};              ///< of the pixel grid, in pixels
   double blurModules = 0.07;  ///< standard deviation, in modules
-  double noise = 0.02;      ///< standard deviation at white, linear
-  double exposure = 0.85;   ///< see CameraOptions
+  double noise = 0.02;        ///< standard deviation at white, linear
+  double exposure = 0.85;     ///< see CameraOptions
   // What came of it:
-  int tries = 0, reads = 0;  ///< with each variant and reader; reads: gave the wanted text, and not mirrored
-  bool mirrored = false;    ///< one gave it mirrored
+  int tries = 0, reads = 0;    ///< with each variant and reader; reads: gave the wanted text, and not mirrored
+  bool mirrored = false;       ///< one gave it mirrored
   std::string otherText = {};  ///< one gave this instead
 
   bool read() const { return reads > 0; }
@@ -38,11 +38,11 @@ struct ReadingSummary {
   double share = 0;    ///< of all tries in the frontal pictures that read
   bool reads = false;  ///< share ≥ kReadShare
   bool mirrored = false;
-  std::string otherText;                ///< that was read instead of the wanted one; empty: none
-  std::optional<double> tiltDeg;        ///< up to which every azimuth reads under the sky; none: not even from the front
-  std::optional<double> tiltDegLamp;    ///< the same under sky and lamp
-  std::optional<double> pixelsPerModule;  ///< least with which it reads, without a gap from the nearest
-  std::optional<double> blurModules;      ///< greatest standard deviation with which it reads, without a gap
+  std::string otherText;              ///< that was read instead of the wanted one; empty: none
+  std::optional<double> tiltDeg;      ///< up to which every azimuth reads under the sky; none: not even from the front
+  std::optional<double> tiltDegLamp;  ///< the same under sky and lamp
+  std::optional<double> pixelsPerModule;     ///< least with which it reads, without a gap from the nearest
+  std::optional<double> blurModules;         ///< greatest standard deviation with which it reads, without a gap
   std::optional<double> cornerErrorModules;  ///< between where it was found and where it should be, the worst corner
 };
 
@@ -57,8 +57,9 @@ class ReadingSweep {
   /// @param light    baked and smoothed, at kBakedPixels a module; kept by reference
   /// @param modules  along the symbol's edge
   /// @param readers  tried one after the other on each picture, each counts; not empty
+  /// @param ranges   find out how far it can be tilted, blurred and so on, too; else only whether it reads
   ReadingSweep(const BakedLight& light, const ProjectionFrame& frame, int modules, double symbolMm, std::string text,
-               std::vector<SymbolReader> readers);
+               std::vector<SymbolReader> readers, bool ranges);
 
   /// Takes the next picture and reads it. @returns whether that was the last
   bool step();
@@ -78,6 +79,7 @@ class ReadingSweep {
   double symbolMm_;
   std::string text_;
   std::vector<SymbolReader> readers_;
+  bool ranges_;
   std::vector<ReadingView> views_;
   std::size_t next_ = 0;
   LinearPicture seen_;  // by the camera of the view before

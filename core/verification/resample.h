@@ -7,8 +7,8 @@
 
 namespace qrelief {
 
-/// A square picture as a coarser grid of sensor cells sees it: means over their areas. What lies beyond the border counts
-/// as the border does.
+/// A square picture as a coarser grid of sensor cells sees it: means over their areas. What lies beyond the border
+/// counts as the border does.
 /// @param picture  width² values
 /// @param step     pixels along a cell's edge, ≥ 1
 /// @param phase    where the grid begins, in cells: 0 … 1

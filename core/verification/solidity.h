@@ -13,8 +13,8 @@ namespace qrelief {
 
 /// One way in which a mesh is no solid.
 struct SolidityFinding {
-  std::string problem;      ///< in words, with the count: "3 open edges"
-  std::optional<Vec3> at;   ///< of the first, mm; none where the whole mesh is meant
+  std::string problem;     ///< in words, with the count: "3 open edges"
+  std::optional<Vec3> at;  ///< of the first, mm; none where the whole mesh is meant
 };
 
 /// What a slicer would find in a mesh read back from a file.

@@ -115,6 +115,46 @@ TEST(Solidity, FindsCrossingPartsAmongTheSuspectsOnly) {
   EXPECT_EQ(check(mesh, apart).selfIntersections, 0u);
 }
 
+TEST(Solidity, SaysWhereTheFirstOfEachIs) {
+  const auto near = [](const SolidityReport& report, const char* problem, Vec3 at) {
+    const auto findings = report.findings();
+    ASSERT_EQ(findings.size(), 1u);
+    EXPECT_EQ(findings[0].problem, problem);
+    ASSERT_TRUE(findings[0].at);
+    EXPECT_NEAR(glm::length(*findings[0].at - at), 0, 1e-6);
+  };
+  const auto middle = [](const Mesh& mesh, std::size_t t) {
+    return (mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3.0;
+  };
+  Mesh mesh = shapes::box({2, 3, 5});
+  mesh.triangles.push_back({mesh.triangles[3][1], mesh.triangles[3][2], mesh.triangles[3][0]});
+  const auto doubled = check(mesh).findings();
+  ASSERT_FALSE(doubled.empty());
+  EXPECT_EQ(doubled.back().problem, "1 duplicate triangle");
+  EXPECT_NEAR(glm::length(*doubled.back().at - middle(mesh, 3)), 0, 1e-6);
+
+  mesh = shapes::icosphere(10, 2);
+  std::swap(mesh.triangles[5][0], mesh.triangles[5][1]);
+  const auto turned = check(mesh).findings();
+  ASSERT_EQ(turned.size(), 1u);
+  EXPECT_LT(glm::length(*turned[0].at - middle(mesh, 5)), 5);  // it or a neighbour
+
+  mesh = shapes::icosphere(10, 2);
+  const Vec3 hole = middle(mesh, 7);
+  mesh.triangles.erase(mesh.triangles.begin() + 7);
+  const auto open = check(mesh).findings();
+  ASSERT_EQ(open.size(), 1u);
+  EXPECT_LT(glm::length(*open[0].at - hole), 3);
+
+  mesh = shapes::together(shapes::box({2, 2, 2}), shapes::translated(shapes::box({2, 2, 2}), {2, 2, 2}));
+  std::uint32_t kept = 0;
+  while (mesh.positions[kept] != Vec3f(1, 1, 1)) ++kept;
+  for (Triangle& t : mesh.triangles)
+    for (std::uint32_t& v : t)
+      if (mesh.positions[v] == Vec3f(1, 1, 1)) v = kept;
+  near(check(mesh), "1 vertex where parts touch in a point only", {1, 1, 1});
+}
+
 TEST(Solidity, HasAWordForAnEmptyMesh) {
   const SolidityReport report = check(Mesh{});
   EXPECT_FALSE(report.solid());

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/verify.h"
+
+#include <algorithm>
+#include <cmath>
+#include <gmock/gmock.h>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "native/zxing_reader.h"
+#include "pipeline/report.h"
+#include "pipeline/verify_report.h"
+#include "support/gl_test.h"
+#include "support/shapes.h"
+
+namespace qrelief {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+/// A plate that the engraver carved, and the report it wrote: what every sample here is made from.
+struct Sample {
+  Mesh mesh;
+  std::string report;
+};
+
+Sample engravedPlate(const std::string& text, double maxDepthMm) {
+  auto prepared = prepareModel(shapes::soupOf(shapes::box({50, 50, 10})), {});
+  const auto model = EngravableModel::upload(std::move(*prepared));
+  EngraveRequest request;
+  request.text = text;
+  request.symbol.version = 1;
+  request.placement.centreMm = {0, 0, 5};
+  request.placement.upHint = {0, 1, 0};
+  request.placement.sizeMode = SizeMode::Fixed;
+  request.placement.sizeMm = 25.2;
+  request.maxDepthMm = maxDepthMm;
+  const auto result = engrave(model, request);
+  EXPECT_TRUE(result.has_value()) << result.error().message;
+  return {result->mesh, makeReport(request, *model, *result, {})};
+}
+
+class VerifyTest : public GlTest {
+ protected:
+  static const Sample& good() {
+    static const Sample sample = engravedPlate("QRELIEF", 0.8);
+    return sample;
+  }
+  static VerifyRequest requestOf(const Sample& sample) {
+    auto request = requestFromReport(sample.report);
+    EXPECT_TRUE(request.has_value()) << request.error().message;
+    request->ranges = false;
+    return *request;
+  }
+  static VerifyResult verify(const Mesh& mesh, const VerifyRequest& request) {
+    auto job = VerifyJob::create(mesh, request, zxingReaders());
+    EXPECT_TRUE(job.has_value());
+    double before = 0;
+    for (;;) {
+      const auto progress = (*job)->advance();
+      EXPECT_TRUE(progress.has_value());
+      EXPECT_GE(progress->fraction, before);
+      before = progress->fraction;
+      if (progress->done) return (*job)->takeResult();
+    }
+  }
+  static std::vector<std::string> codesOf(const VerifyResult& result) {
+    std::vector<std::string> codes;
+    for (const VerifyFinding& finding : result.failed) codes.push_back(finding.code);
+    return codes;
+  }
+};
+
+TEST_F(VerifyTest, AGoodEngravingPassesEveryCheckAndIsMeasuredFromItsMesh) {
+  VerifyRequest request = requestOf(good());
+  request.ranges = true;
+  const VerifyResult result = verify(good().mesh, request);
+  EXPECT_THAT(codesOf(result), IsEmpty());
+  EXPECT_TRUE(result.solidity.solid());
+  EXPECT_TRUE(result.reading.reads) << result.reading.share;
+  EXPECT_GE(result.reading.tiltDeg.value_or(-1), 15);
+  EXPECT_LE(result.reading.pixelsPerModule.value_or(99), 5);
+  EXPECT_LT(result.reading.cornerErrorModules.value_or(99), 0.5);
+  ASSERT_TRUE(result.features);
+  EXPECT_EQ(result.features->pattern, ModulePattern::Square);
+  EXPECT_NEAR(result.features->pocketMm, 0.72, 1e-9);
+  // What the engraver says it carved is what the mesh has, found without asking it.
+  const auto report = nlohmann::json::parse(good().report);
+  EXPECT_NEAR(result.features->meanDepthMm, report["depth"]["meanMm"].get<double>(), 0.02);
+  ASSERT_TRUE(result.features->wallMm);
+  EXPECT_NEAR(*result.features->wallMm, 10 - report["depth"]["maxMm"].get<double>(), 0.02);
+  ASSERT_TRUE(result.grades);
+  EXPECT_EQ(result.grades->fixedPatternDamage.grade, 4);
+}
+
+TEST_F(VerifyTest, AMirroredEngravingIsSaidToBeMirrored) {
+  Mesh mesh = good().mesh;
+  for (Vec3f& p : mesh.positions) p.x = -p.x;
+  mesh = shapes::insideOut(mesh);
+  const VerifyResult result = verify(mesh, requestOf(good()));
+  EXPECT_TRUE(result.solidity.solid());
+  EXPECT_EQ(result.profile.pose, SymbolPose::Mirrored);
+  EXPECT_FALSE(result.reading.reads);
+  EXPECT_THAT(codesOf(result), testing::ElementsAre("mirrored"));
+}
+
+TEST_F(VerifyTest, ARaisedCodeIsSaidToBeRaised) {
+  // The plate's upper face pushed through: what lay 0.3 … 0.8 mm below it stands so far above.
+  Mesh mesh = good().mesh;
+  for (Vec3f& p : mesh.positions)
+    if (p.z > 0) p.z = 10 - p.z;
+  const VerifyResult result = verify(mesh, requestOf(good()));
+  EXPECT_THAT(codesOf(result), Contains("raised"));
+  EXPECT_LT(result.profile.meanDepthMm, -0.1);
+  EXPECT_FALSE(result.reading.reads);
+}
+
+TEST_F(VerifyTest, AShallowEngravingIsSaidToBeTooShallow) {
+  Mesh mesh = good().mesh;
+  for (Vec3f& p : mesh.positions)
+    if (p.z > 0) p.z = 5 - (5 - p.z) * 0.15f;
+  const VerifyResult result = verify(mesh, requestOf(good()));
+  EXPECT_TRUE(result.solidity.solid());
+  ASSERT_THAT(codesOf(result), testing::ElementsAre("too-shallow"));
+  EXPECT_THAT(result.failed[0].message, HasSubstr("mm deep on average"));
+  EXPECT_FALSE(result.advice.empty());  // its depth is less than two layers
+}
+
+TEST_F(VerifyTest, APlainPlateHasNoCode) {
+  const VerifyResult result = verify(shapes::box({50, 50, 10}), requestOf(good()));
+  EXPECT_THAT(codesOf(result), testing::ElementsAre("no-code"));
+}
+
+TEST_F(VerifyTest, ABrokenSolidIsNamedWithThePlace) {
+  Mesh mesh = good().mesh;
+  mesh.triangles.erase(mesh.triangles.begin());
+  const VerifyResult result = verify(mesh, requestOf(good()));
+  ASSERT_THAT(codesOf(result), testing::ElementsAre("not-solid"));
+  EXPECT_THAT(result.failed[0].message, HasSubstr("3 open edges, the first at "));
+  EXPECT_TRUE(result.reading.reads);
+}
+
+TEST_F(VerifyTest, ATurnedCodeReadsButIsNotWhereItWasSaidToBe) {
+  Mesh mesh = good().mesh;
+  for (Vec3f& p : mesh.positions) p = {-p.y, p.x, p.z};
+  const VerifyResult result = verify(mesh, requestOf(good()));
+  EXPECT_EQ(result.profile.pose, SymbolPose::Turned90);
+  EXPECT_TRUE(result.reading.reads);
+  EXPECT_THAT(codesOf(result), Contains("turned"));
+}
+
+TEST_F(VerifyTest, AnotherTextIsReadOut) {
+  VerifyRequest request = requestOf(good());
+  request.text = "SOMETHING";
+  request.symbol = *encodeSymbol("SOMETHING", {.version = 1});
+  const VerifyResult result = verify(good().mesh, request);
+  ASSERT_THAT(codesOf(result), Contains("other-text"));
+  EXPECT_EQ(result.reading.otherText, "QRELIEF");
+}
+
+TEST_F(VerifyTest, ACodeBesideItsPlaceIsMisplaced) {
+  VerifyRequest request = requestOf(good());
+  request.frame.centre.x += 4;
+  const VerifyResult result = verify(good().mesh, request);
+  EXPECT_THAT(codesOf(result), Contains("misplaced"));
+  EXPECT_NEAR(result.reading.cornerErrorModules.value_or(0), 4 / 1.2, 0.5);
+}
+
+TEST_F(VerifyTest, TheResultIsTheSameEveryTime) {
+  const auto reportOf = [&] {
+    const VerifyRequest request = requestOf(good());
+    return makeVerifyReport(request, verify(good().mesh, request), {"a.stl", "STL (binary)", "ZXing-C++", 0});
+  };
+  EXPECT_EQ(reportOf(), reportOf());
+}
+
+TEST_F(VerifyTest, TheReportHasTheKeysOfTheContract) {
+  const VerifyRequest request = requestOf(good());
+  const auto json = nlohmann::json::parse(
+      makeVerifyReport(request, verify(good().mesh, request), {"a.stl", "STL (binary)", "ZXing-C++", 1}));
+  EXPECT_EQ(json["text"], "QRELIEF");
+  EXPECT_EQ(json["verified"], true);
+  EXPECT_EQ(json["verification"]["decoded"], true);
+  EXPECT_EQ(json["verification"]["text"], "QRELIEF");
+  EXPECT_EQ(json["verification"]["iso15415"]["simulated"], true);
+  EXPECT_EQ(json["verification"]["views"].size(), 32u);
+  EXPECT_EQ(json["carving"]["pose"], "as wanted");
+  EXPECT_EQ(json["mesh"]["closed"], true);
+}
+
+TEST_F(VerifyTest, TheEngraversReportNamesDepthInLayersAndPrintability) {
+  const auto report = nlohmann::json::parse(good().report);
+  const auto& features = report["depth"]["features"];
+  EXPECT_NEAR(features["meanDepthLayers"].get<double>(), report["depth"]["meanMm"].get<double>() / 0.1, 1e-9);
+  EXPECT_EQ(features["pattern"], "square");
+  EXPECT_TRUE(report["verification"]["printability"].is_array());
+}
+
+TEST_F(VerifyTest, AReportWithoutAPlaceIsRefusedWithTheMissingKey) {
+  auto report = nlohmann::json::parse(good().report);
+  report["projection"].erase("centre");
+  const auto request = requestFromReport(report.dump());
+  ASSERT_FALSE(request.has_value());
+  EXPECT_EQ(request.error().code, ErrorCode::BadInput);
+  EXPECT_THAT(request.error().message, HasSubstr("centre"));
+  EXPECT_FALSE(requestFromReport("no JSON").has_value());
+  EXPECT_FALSE(requestFromReport("[1, 2]").has_value());
+  report = nlohmann::json::parse(good().report);
+  report["symbol"]["rows"][3] = "0102";
+  EXPECT_THAT(requestFromReport(report.dump()).error().message, HasSubstr("Row 4"));
+  report["symbol"]["rows"].erase(0);
+  EXPECT_THAT(requestFromReport(report.dump()).error().message, HasSubstr("20 rows"));
+}
+
+TEST_F(VerifyTest, RequestsThatMakeNoSenseAreRefused) {
+  const VerifyRequest fine = requestOf(good());
+  const auto codeOf = [&](auto change) {
+    VerifyRequest request = fine;
+    change(request);
+    const auto job = VerifyJob::create(good().mesh, request, zxingReaders());
+    return job ? std::optional<ErrorCode>() : job.error().code;
+  };
+  EXPECT_EQ(codeOf([](VerifyRequest& r) { r.text.clear(); }), ErrorCode::BadUsage);
+  EXPECT_EQ(codeOf([](VerifyRequest& r) { r.symbolMm = 0; }), ErrorCode::BadUsage);
+  EXPECT_EQ(codeOf([](VerifyRequest& r) { r.frame.eyeDistance = 1; }), ErrorCode::BadUsage);
+  EXPECT_EQ(codeOf([](VerifyRequest& r) { r.printer.layerMm = 0; }), ErrorCode::BadUsage);
+  EXPECT_EQ(codeOf([](VerifyRequest&) {}), std::nullopt);
+}
+
+TEST(MeshAsFound, WeldsAndScalesButMendsNothing) {
+  PolygonSoup soup = shapes::soupOf(shapes::box({2, 3, 5}));
+  soup.triangles.pop_back();
+  const auto mesh = meshAsFound(soup, 10);
+  ASSERT_TRUE(mesh.has_value());
+  EXPECT_EQ(mesh->triangles.size(), 11u);
+  EXPECT_EQ(mesh->positions.size(), 8u);
+  EXPECT_EQ(boundingBox(*mesh).size(), Vec3(20, 30, 50));
+  soup.positions[0].x = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(meshAsFound(soup, 1).error().code, ErrorCode::BadInput);
+  EXPECT_EQ(meshAsFound({}, 1).error().code, ErrorCode::BadInput);
+}
+
+}  // namespace
+}  // namespace qrelief

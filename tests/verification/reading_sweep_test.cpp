@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verification/reading_sweep.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+
+#include "support/shapes.h"
+
+namespace qrelief {
+namespace {
+
+constexpr int kModules = 21;
+constexpr double kSymbolMm = 21;
+
+/// A sweep over a plain plate: what is read is up to the readers.
+class ReadingSweepTest : public testing::Test {
+ protected:
+  ReadingSweepTest() {
+    while (!light_.bakeRows(50)) {
+    }
+  }
+
+  ReadingSweep sweep(std::vector<SymbolReader> readers, bool ranges = true) {
+    ReadingSweep made(light_, frame_, kModules, kSymbolMm, "WANTED", std::move(readers), ranges);
+    while (!made.step()) {
+    }
+    return made;
+  }
+
+  /// The text at its place in every picture.
+  static SymbolRead wanted(const GreyImage& picture) {
+    const double modules = kModules + 2 * kMarginModules, module = picture.width / modules;
+    const double begin = kMarginModules * module, end = (kMarginModules + kModules) * module;
+    return {"WANTED", false, {Vec2(begin, begin), Vec2(end, begin), Vec2(end, end), Vec2(begin, end)}};
+  }
+
+  Mesh plate_ = shapes::box({60, 60, 4});
+  RayTree tree_{plate_};
+  ProjectionFrame frame_ = makeFrame({0, 0, 2}, {0, 0, 1}, {0, 1, 0}, 250);
+  BakedLight light_{tree_,
+                    frame_,
+                    {.texelMm = kSymbolMm / kModules / kBakedPixels,
+                     .texels = kBakedPixels * (kModules + 2 * kMarginModules),
+                     .paths = 1}};
+};
+
+TEST_F(ReadingSweepTest, AReaderThatAlwaysReadsReadsEverywhere) {
+  const ReadingSweep done = sweep({wanted});
+  const ReadingSummary summary = done.summary();
+  EXPECT_EQ(summary.share, 1);
+  EXPECT_TRUE(summary.reads);
+  EXPECT_EQ(summary.tiltDeg, 45);
+  EXPECT_EQ(summary.tiltDegLamp, 45);
+  EXPECT_EQ(summary.pixelsPerModule, 2.0);
+  EXPECT_EQ(summary.blurModules, 0.5);
+  ASSERT_TRUE(summary.cornerErrorModules);
+  EXPECT_LT(*summary.cornerErrorModules, 0.1);
+  for (const ReadingView& view : done.views()) EXPECT_TRUE(view.read());
+}
+
+TEST_F(ReadingSweepTest, AReaderThatNeverReadsReadsNowhere) {
+  const ReadingSummary summary = sweep({[](const GreyImage&) { return std::nullopt; }}).summary();
+  EXPECT_EQ(summary.share, 0);
+  EXPECT_FALSE(summary.reads);
+  EXPECT_EQ(summary.tiltDeg, std::nullopt);
+  EXPECT_EQ(summary.pixelsPerModule, std::nullopt);
+  EXPECT_EQ(summary.cornerErrorModules, std::nullopt);
+}
+
+TEST_F(ReadingSweepTest, TheShareIsOfAllTriesOfAllReaders) {
+  const ReadingSummary summary = sweep({wanted, [](const GreyImage&) { return std::nullopt; }}, false).summary();
+  EXPECT_EQ(summary.share, 0.5);
+  EXPECT_TRUE(summary.reads);
+  EXPECT_EQ(summary.tiltDeg, std::nullopt);  // was not asked for
+}
+
+TEST_F(ReadingSweepTest, TheDistanceEndsAtTheFirstPictureThatIsTooSmall) {
+  const double across = kModules + 2 * kMarginModules;
+  const auto atLeastThreePixels = [&](const GreyImage& picture) -> std::optional<SymbolRead> {
+    if (picture.width < 3 * across) return std::nullopt;
+    return wanted(picture);
+  };
+  const ReadingSummary summary = sweep({atLeastThreePixels}).summary();
+  EXPECT_EQ(summary.pixelsPerModule, 3.3);
+}
+
+TEST_F(ReadingSweepTest, MirroredAndOtherTextsAreNoReads) {
+  const auto mirrored = [](const GreyImage& picture) {
+    SymbolRead read = wanted(picture);
+    read.mirrored = true;
+    return std::optional(read);
+  };
+  const ReadingSummary first = sweep({mirrored}, false).summary();
+  EXPECT_EQ(first.share, 0);
+  EXPECT_TRUE(first.mirrored);
+  const auto other = [](const GreyImage& picture) {
+    SymbolRead read = wanted(picture);
+    read.text = "OTHER";
+    return std::optional(read);
+  };
+  const ReadingSummary second = sweep({other}, false).summary();
+  EXPECT_EQ(second.share, 0);
+  EXPECT_EQ(second.otherText, "OTHER");
+}
+
+TEST_F(ReadingSweepTest, ASymbolElsewhereIsMeasuredInModules) {
+  const auto shifted = [](const GreyImage& picture) {
+    SymbolRead read = wanted(picture);
+    for (Vec2& corner : read.corners) corner.x += 3.0 * picture.width / (kModules + 2 * kMarginModules);
+    return std::optional(read);
+  };
+  EXPECT_NEAR(sweep({shifted}, false).summary().cornerErrorModules.value_or(0), 3, 0.1);
+}
+
+TEST_F(ReadingSweepTest, PicturesDifferInScalePhaseAndBlur) {
+  const ReadingSweep done = sweep({wanted}, false);
+  EXPECT_EQ(done.views().size(), 32u);
+  EXPECT_TRUE(std::all_of(done.views().begin(), done.views().end(),
+                          [](const ReadingView& view) { return view.test == ReadingTest::Frontal; }));
+}
+
+}  // namespace
+}  // namespace qrelief

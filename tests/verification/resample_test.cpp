@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verification/resample.h"
+
+#include <gtest/gtest.h>
+
+namespace qrelief {
+namespace {
+
+/// value = column + 10·row
+std::vector<float> ramp(int width) {
+  std::vector<float> picture;
+  for (int i = 0; i < width * width; ++i) picture.push_back(static_cast<float>(i % width + 10 * (i / width)));
+  return picture;
+}
+
+TEST(Resampled, AStepOfOnePixelChangesNothing) { EXPECT_EQ(resampled(ramp(7), 7, 1), ramp(7)); }
+
+TEST(Resampled, CellsAreMeansOverTheirAreas) {
+  const std::vector<float> halved = resampled(ramp(4), 4, 2);
+  ASSERT_EQ(halved.size(), 4u);
+  EXPECT_FLOAT_EQ(halved[0], 5.5f);   // 0, 1, 10, 11
+  EXPECT_FLOAT_EQ(halved[1], 7.5f);   // 2, 3, 12, 13
+  EXPECT_FLOAT_EQ(halved[2], 25.5f);  // 20, 21, 30, 31
+}
+
+TEST(Resampled, PixelsOnACellsBorderCountByTheirShare) {
+  // Cells of 1.5 pixels: 0 and half of 1; half of 1 and 2.
+  const std::vector<float> cells = resampled({0, 1, 2, 0, 1, 2, 0, 1, 2}, 3, 1.5);
+  ASSERT_EQ(cells.size(), 4u);
+  EXPECT_FLOAT_EQ(cells[0], 0.5f / 1.5f);
+  EXPECT_FLOAT_EQ(cells[1], 2.5f / 1.5f);
+  EXPECT_EQ(resampledWidth(3, 1.5), 2);
+  EXPECT_EQ(resampledWidth(410, 10 / 6.5), 266);
+}
+
+TEST(Resampled, APhaseShiftsTheGridAndTheBorderGoesOn) {
+  const std::vector<float> shifted = resampled({0, 2, 4, 6, 0, 2, 4, 6, 0, 2, 4, 6, 0, 2, 4, 6}, 4, 2, {0.5, 0});
+  EXPECT_FLOAT_EQ(shifted[0], 3);  // 2, 4
+  EXPECT_FLOAT_EQ(shifted[1], 6);  // 6, and 6 again beyond the border
+}
+
+}  // namespace
+}  // namespace qrelief
