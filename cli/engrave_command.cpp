@@ -7,6 +7,7 @@
 #include "cli/files.h"
 #include "cli/model_input.h"
 #include "cli/progress_bar.h"
+#include "cli/symbol_flags.h"
 #include "io/write_checked.h"
 #include "native/egl_context.h"
 #include "native/png_file.h"
@@ -24,10 +25,10 @@ struct EngraveOptions {
   ModelFlags model;
   std::string output, report, preview, size = "free", direction = "depth-balanced";
   double maxDepth = 0;
-  int version = 0;
+  SymbolFlags symbol;
   std::vector<double> at, up;
-  std::string pattern = "square", finderPattern = "thick-plus", ecc = "M", solver = "paper-steps",
-              objective = "contrast", surface = "preserved";
+  std::string pattern = "square", finderPattern = "thick-plus", solver = "fast", objective = "contrast",
+              surface = "preserved";
   bool noQuietZone = false, ascii = false, quiet = false;
   EngraveRequest request;
 };
@@ -105,9 +106,9 @@ Status completeRequest(EngraveOptions& options) {
   request.modulePattern = *modulePatternByName(options.pattern);
   request.surface = *surfaceModeByName(options.surface);
   request.objective = options.objective == "reading" ? DepthObjective::Reading : DepthObjective::Contrast;
+  request.solver = options.solver == "fast" ? ContrastSolver::Fast : ContrastSolver::PaperSteps;
   request.finderPattern = *finderPatternByName(options.finderPattern);
-  request.symbol.errorCorrection = *errorCorrectionByName(options.ecc);
-  if (options.version > 0) request.symbol.version = options.version;
+  request.symbol = symbolOptionsFrom(options.symbol);
   if (options.maxDepth > 0) request.maxDepthMm = options.maxDepth;
   return {};
 }
@@ -238,8 +239,7 @@ std::function<int()> addEngraveCommand(CLI::App& app) {
   c->add_option("--direction", o->direction,
                 "mean-normal, depth-balanced, pca, optimal or X,Y,Z towards the reader [depth-balanced]");
   c->add_option("--eye-distance", request.placement.eyeDistanceMm, "mm [250]");
-  c->add_option("--ecc", o->ecc, "error correction [M]")->check(CLI::IsMember({"L", "M", "Q", "H"}));
-  c->add_option("--version", o->version, "symbol version, 1 to 40 [smallest]")->check(CLI::Range(1, 40));
+  addSymbolFlags(*c, o->symbol);
   c->add_flag("--no-quiet-zone", o->noQuietZone, "the light margin need not fit");
   c->add_option("--pattern", o->pattern, "carved part of a dark module [square]")
       ->check(CLI::IsMember({"none", "square", "thin-plus", "diamond", "thick-plus"}));
@@ -258,12 +258,12 @@ std::function<int()> addEngraveCommand(CLI::App& app) {
                 fmt::format("reading: the same for the finder patterns [{:g}]", request.reading.finderContrast))
       ->check(CLI::Range(0.01, 0.9));
   c->add_option("--max-depth", o->maxDepth, "mm [1.2 modules]")->check(CLI::PositiveNumber);
-  c->add_option("--nozzle", request.printer.nozzleMm, "of the printer, mm, for advice [0.4]")
-      ->check(CLI::Range(0.01, 10.0));
-  c->add_option("--layer", request.printer.layerMm, "of the print, mm, for advice [0.1]")
-      ->check(CLI::Range(0.001, 10.0));
+  c->add_option("--nozzle", request.nozzleMm, "of the printer, mm, for advice [0.4]")->check(CLI::Range(0.01, 10.0));
   c->add_option("--min-wall", request.minWallMm, "material that must remain, mm [0.8]");
-  c->add_option("--solver", o->solver, "how the depth is found [paper-steps]")->check(CLI::IsMember({"paper-steps"}));
+  c->add_option("--solver", o->solver,
+                "how the depth for --contrast is found: fast, or paper-steps as published [fast]")
+      ->check(CLI::IsMember({"fast", "paper-steps"}));
+  c->add_option("--layer", request.layerMm, "height of a printed layer, mm [0.1]");
   c->add_option("--surface", o->surface, "what happens to the model's own facets [preserved]")
       ->check(CLI::IsMember({"preserved", "resampled"}));
   c->add_option("--report", o->report, "write everything that was found and measured as JSON");

@@ -6,6 +6,7 @@
 #include "cli/files.h"
 #include "cli/model_input.h"
 #include "cli/progress_bar.h"
+#include "cli/symbol_flags.h"
 #include "io/read_model.h"
 #include "native/zxing_reader.h"
 #include "pipeline/verify_report.h"
@@ -16,11 +17,11 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 struct VerifyOptions {
-  std::string path, units, report, json, text, ecc = "M";
+  std::string path, units, report, json, text;
+  SymbolFlags symbol;
   std::optional<double> scale;
   std::vector<double> at, direction, up;
   double size = 0, eyeDistance = 250;
-  int version = 0;
   bool quick = false, quiet = false;
   Printer printer;
   double minWallMm = 0.8;
@@ -36,9 +37,7 @@ Result<VerifyRequest> requestFromFlags(const VerifyOptions& options) {
   VerifyRequest request;
   request.text = options.text;
   request.symbolMm = options.size;
-  SymbolOptions symbol{.errorCorrection = *errorCorrectionByName(options.ecc)};
-  if (options.version > 0) symbol.version = options.version;
-  auto encoded = encodeSymbol(options.text, symbol);
+  auto encoded = encodeSymbol(options.text, symbolOptionsFrom(options.symbol));
   if (!encoded) return tl::unexpected(encoded.error());
   request.symbol = std::move(*encoded);
   const Vec3 normal = vectorOf(options.direction);
@@ -144,8 +143,7 @@ std::function<int()> addVerifyCommand(CLI::App& app) {
       ->expected(3);
   c->add_option("--size", o->size, "without --report: edge of the symbol without quiet zone, mm");
   c->add_option("--eye-distance", o->eyeDistance, "without --report: mm [250]");
-  c->add_option("--ecc", o->ecc, "without --report: error correction [M]")->check(CLI::IsMember({"L", "M", "Q", "H"}));
-  c->add_option("--version", o->version, "without --report: 1 to 40 [smallest]")->check(CLI::Range(1, 40));
+  addSymbolFlags(*c, o->symbol);
   c->add_option("--nozzle", o->printer.nozzleMm, "of the printer, mm [0.4]")->check(CLI::Range(0.01, 10.0));
   c->add_option("--layer", o->printer.layerMm, "of the print, mm [0.1]")->check(CLI::Range(0.001, 10.0));
   c->add_option("--min-wall", o->minWallMm, "material that should stay behind every pocket, mm [0.8]");

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "pipeline/json_parts.h"
+#include "qr/symbol_shaping.h"
 #include "verification/grades.h"
 
 namespace qrelief {
@@ -25,6 +26,11 @@ Json describeInput(const EngravableModel& model, const ReportContext& context) {
           {"warnings", warnings}};
 }
 
+const char* solverName(const EngraveRequest& request) {
+  if (request.objective == DepthObjective::Reading) return "secant";
+  return request.solver == ContrastSolver::Fast ? "fast" : "paper-steps";
+}
+
 Json describeSymbol(const Symbol& symbol) {
   Json rows = Json::array();
   for (int row = 0; row < symbol.size; ++row) {
@@ -32,10 +38,14 @@ Json describeSymbol(const Symbol& symbol) {
     for (int column = 0; column < symbol.size; ++column) text += symbol.isDark(row, column) ? '1' : '0';
     rows.push_back(text);
   }
+  const CorrectionReserve reserve = correctionReserve(symbol);
   return {{"version", symbol.version},
           {"ecc", errorCorrectionName(symbol.errorCorrection)},
           {"mask", symbol.mask},
           {"modules", symbol.size},
+          {"flippedModules", reserve.flippedModules},
+          {"correctableCodewords", reserve.correctable},
+          {"spentCodewords", reserve.spent},
           {"rows", rows}};
 }
 
@@ -90,6 +100,7 @@ std::string makeReport(const EngraveRequest& request, const EngravableModel& mod
   const DepthSummary depth = summarise(result.depths);
   const SolidityReport& solid = result.solidity;
   const CarvedFeatures features = featuresOf(result);
+  const Printer printer{request.nozzleMm, request.layerMm};
   Json report;
   report["qrelief"] = QRELIEF_VERSION;
   report["text"] = request.text;
@@ -106,9 +117,9 @@ std::string makeReport(const EngraveRequest& request, const EngravableModel& mod
                      {"p95Mm", depth.p95Mm},
                      {"iterations", result.searchIterations},
                      {"limitedSubmodules", result.limitedSubmodules},
-                     {"features", describeFeatures(features, request.printer)},
+                     {"features", describeFeatures(features, printer)},
                      {"objective", request.objective == DepthObjective::Reading ? "reading" : "contrast"},
-                     {"solver", request.objective == DepthObjective::Reading ? "secant" : "paper-steps"}};
+                     {"solver", solverName(request)}};
   report["mesh"] = {
       {"surface", surfaceModeName(request.surface)},  {"triangles", solid.triangles}, {"vertices", solid.vertices},
       {"keptTriangles", result.keptTriangles},        {"closed", solid.closed()},     {"manifold", solid.manifold()},
@@ -122,7 +133,7 @@ std::string makeReport(const EngraveRequest& request, const EngravableModel& mod
                                                     {"read", context.readBack == request.text}}})},
                             {"failedChecks", failedChecks(request, result, context.readBack)}};
   addGrades(report["verification"], request, result);
-  report["verification"]["printability"] = describeAdvice(advisePrinting(features, request.printer, request.minWallMm));
+  report["verification"]["printability"] = describeAdvice(advisePrinting(features, printer, request.minWallMm));
   const StageTimings& t = result.timingsMs;
   report["timingsMs"] = {{"load", context.loadMs}, {"prepare", context.prepareMs}, {"direction", t.direction},
                          {"size", t.size},         {"depthSearch", t.depthSearch}, {"embed", t.embed},

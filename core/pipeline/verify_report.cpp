@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/verify_report.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 #include "pipeline/json_parts.h"
@@ -47,9 +48,11 @@ Result<VerifyRequest> readRequest(const Json& report) {
   const Json& symbol = report.at("symbol");
   const auto level = errorCorrectionByName(symbol.at("ecc").get<std::string>());
   if (!level) return badReport("The report's symbol.ecc is none of L, M, Q and H");
-  auto encoded = encodeSymbol(request.text, {.errorCorrection = *level, .version = symbol.at("version").get<int>()});
+  auto encoded = encodeSymbol(request.text, {.errorCorrection = *level,
+                                             .version = symbol.at("version").get<int>(),
+                                             .maskRule = MaskRule::Fixed,
+                                             .mask = symbol.at("mask").get<int>()});
   if (!encoded) return tl::unexpected(encoded.error());
-  encoded->mask = symbol.at("mask").get<int>();
   auto listed = withModules(std::move(*encoded), symbol.at("rows").get<std::vector<std::string>>());
   if (!listed) return tl::unexpected(listed.error());
   request.symbol = std::move(*listed);
@@ -100,13 +103,19 @@ Json describeReading(const VerifyRequest& request, const VerifyResult& result, c
 
 Result<Symbol> withModules(Symbol symbol, const std::vector<std::string>& rows) {
   const auto size = static_cast<std::size_t>(symbol.size);
+  std::vector<std::uint8_t> flipped(size * size, 0);
   if (rows.size() != size)
     return badReport(fmt::format("The report's symbol has {} rows, and its version {}", rows.size(), size));
   for (std::size_t row = 0; row < size; ++row) {
     if (rows[row].size() != size || rows[row].find_first_not_of("01") != std::string::npos)
       return badReport(fmt::format("Row {} of the report's symbol is not {} times 0 or 1", row + 1, size));
-    for (std::size_t column = 0; column < size; ++column) symbol.dark[row * size + column] = rows[row][column] == '1';
+    for (std::size_t column = 0; column < size; ++column) {
+      const bool dark = rows[row][column] == '1';
+      flipped[row * size + column] = symbol.dark[row * size + column] && !dark;
+      symbol.dark[row * size + column] = dark;
+    }
   }
+  if (std::find(flipped.begin(), flipped.end(), 1) != flipped.end()) symbol.flipped = std::move(flipped);
   return symbol;
 }
 

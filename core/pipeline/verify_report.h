@@ -14,7 +14,7 @@ namespace qrelief {
 /// @returns BadInput naming the key that is missing or of the wrong kind
 Result<VerifyRequest> requestFromReport(std::string_view json);
 
-/// The symbol with other modules than its encoder chose, as a report lists them.
+/// The symbol with the modules that a report lists: some may have been made light on purpose (Symbol::flipped).
 /// @param rows  '1' = dark, top row first; as many as the symbol has
 Result<Symbol> withModules(Symbol symbol, const std::vector<std::string>& rows);
 
