@@ -41,8 +41,6 @@ Result<VerifyRequest> requestFromFlags(const VerifyOptions& options) {
   if (!encoded) return tl::unexpected(encoded.error());
   request.symbol = std::move(*encoded);
   const Vec3 normal = vectorOf(options.direction);
-  if (!(glm::length(normal) > 0))
-    return fail(ErrorCode::BadUsage, "The direction has no length", "Give a vector such as 0,0,1");
   const Vec3 up = options.up.empty() ? Vec3(0, 0, 1) : vectorOf(options.up);
   request.frame = makeFrame(vectorOf(options.at), normal, up, options.eyeDistance);
   return request;

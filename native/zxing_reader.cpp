@@ -34,7 +34,7 @@ std::string readWithZxing(const ReaderView& seen) {
   const std::vector<SymbolReader> readers = zxingReaders();
   for (const GreyImage& variant : readingVariants(seen.picture, seen.pixelsPerModule))
     for (const SymbolReader& reader : readers)
-      if (const auto read = reader(variant)) return read->text;
+      if (const auto read = reader(variant); read && !read->mirrored) return read->text;
   return {};
 }
 

@@ -10,7 +10,7 @@
 namespace qrelief {
 
 /// Text of the QR Code in a picture as ZXing-C++ reads it in any of its reading variants, with either of its
-/// binarisers; empty if it finds none.
+/// binarisers; empty if it finds none, or only a mirrored one.
 std::string readWithZxing(const ReaderView& seen);
 
 /// ZXing-C++ with each of its binarisers, which differ in what they find: local averages and the global histogram.

@@ -222,11 +222,12 @@ void VerifyJob::State::judgeReading() {
          "Check the text that was asked for");
   if (reading.mirrored && result.profile.pose != SymbolPose::Mirrored)
     fail("mirrored", "The reader found the code mirrored", "Mirror the model back");
-  if (reading.cornerErrorModules && *reading.cornerErrorModules > kMisplacedModules)
+  const CarvingProfile& profile = result.profile;
+  const bool otherPose = profile.pose != SymbolPose::AsWanted && profile.pose != SymbolPose::None;
+  if (!otherPose && reading.cornerErrorModules.value_or(0) > kMisplacedModules)
     fail("misplaced",
          fmt::format("The code was read {:.1f} modules away from where it should be", *reading.cornerErrorModules),
          "Check centre, normal, up and size");
-  const CarvingProfile& profile = result.profile;
   const bool explained = profile.pose == SymbolPose::Mirrored || profile.meanDepthMm <= kFlatMm;
   if (reading.reads || explained || !reading.otherText.empty()) return;
   const std::string share =
@@ -265,6 +266,8 @@ Result<std::unique_ptr<VerifyJob>> VerifyJob::create(Mesh mesh, VerifyRequest re
   if (request.text.empty()) return bad("There is no text to compare with", "Say what the code should read as");
   if (!(request.symbolMm > 0 && request.symbolMm <= 1e4))
     return bad(fmt::format("The size is {:g} mm", request.symbolMm), "Give the symbol's edge in mm, such as 35");
+  if (!(std::abs(glm::length(request.frame.normal) - 1) < 1e-6))
+    return bad("The direction to the reader has no length", "Give a vector such as 0,0,1");
   if (!(request.frame.eyeDistance >= 20 && request.frame.eyeDistance <= 1e5))
     return bad(fmt::format("The eye distance is {:g} mm", request.frame.eyeDistance),
                "Choose between 20 mm and 100 m; 250 mm is a phone's");

@@ -15,6 +15,7 @@ namespace {
 constexpr int kN = kSubmodulesPerModule;
 constexpr int kWindow = 2;            // modules on each side of a window's middle
 constexpr std::size_t kTerms = 7;     // 1, x, y, x², xy, y², dark
+constexpr double kEvenMm = 1e-3;      // a window no less even than this is bare
 constexpr double kLeastFit = 0.5;     // a symbol of other content shares its finder patterns and explains less
 constexpr double kCarvedShare = 0.3;  // of a module's deepest submodule: what is deeper is carved
 
@@ -142,15 +143,15 @@ WindowFit fitWindow(const DistanceGrid& grid, const Symbol& symbol, int pose, in
   return fit;
 }
 
+/// Mean over the windows, so that a crease of the surface counts no more than the windows it crosses.
 double explainedBy(const DistanceGrid& grid, const Symbol& symbol, int pose) {
-  double left = 0, leftByBoth = 0;
+  double sum = 0;
   for (int row = 0; row < symbol.size; ++row)
     for (int column = 0; column < symbol.size; ++column) {
       const WindowFit fit = fitWindow(grid, symbol, pose, row, column);
-      left += fit.left;
-      leftByBoth += fit.leftByBoth;
+      if (fit.left > kEvenMm * kEvenMm) sum += 1 - fit.leftByBoth / fit.left;
     }
-  return left > 0 ? 1 - leftByBoth / left : 0;
+  return sum / (symbol.size * symbol.size);
 }
 
 /// Depth of each submodule of one dark module.

@@ -26,7 +26,7 @@ std::vector<ReadingView> plannedViews(bool ranges) {
   std::vector<ReadingView> views;
   for (const double scale : {10.0, 8.0, 6.5, 5.0})
     for (const Vec2 phase : {Vec2(0), Vec2(0.5, 0.3)})
-      for (const double blur : {0.07, 0.15, 0.25, 0.35})
+      for (const double blur : {0.07, 0.15})
         views.push_back({.pixelsPerModule = scale, .phase = phase, .blurModules = blur});
   if (!ranges) return views;
   for (const double distance : kDistances)

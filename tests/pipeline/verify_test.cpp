@@ -148,7 +148,7 @@ TEST_F(VerifyTest, ATurnedCodeReadsButIsNotWhereItWasSaidToBe) {
   const VerifyResult result = verify(mesh, requestOf(good()));
   EXPECT_EQ(result.profile.pose, SymbolPose::Turned90);
   EXPECT_TRUE(result.reading.reads);
-  EXPECT_THAT(codesOf(result), Contains("turned"));
+  EXPECT_THAT(codesOf(result), testing::ElementsAre("turned"));
 }
 
 TEST_F(VerifyTest, AnotherTextIsReadOut) {
@@ -185,7 +185,7 @@ TEST_F(VerifyTest, TheReportHasTheKeysOfTheContract) {
   EXPECT_EQ(json["verification"]["decoded"], true);
   EXPECT_EQ(json["verification"]["text"], "QRELIEF");
   EXPECT_EQ(json["verification"]["iso15415"]["simulated"], true);
-  EXPECT_EQ(json["verification"]["views"].size(), 32u);
+  EXPECT_EQ(json["verification"]["views"].size(), 16u);
   EXPECT_EQ(json["carving"]["pose"], "as wanted");
   EXPECT_EQ(json["mesh"]["closed"], true);
 }
@@ -225,6 +225,10 @@ TEST_F(VerifyTest, RequestsThatMakeNoSenseAreRefused) {
   EXPECT_EQ(codeOf([](VerifyRequest& r) { r.text.clear(); }), ErrorCode::BadUsage);
   EXPECT_EQ(codeOf([](VerifyRequest& r) { r.symbolMm = 0; }), ErrorCode::BadUsage);
   EXPECT_EQ(codeOf([](VerifyRequest& r) { r.frame.eyeDistance = 1; }), ErrorCode::BadUsage);
+  EXPECT_EQ(codeOf([](VerifyRequest& r) {
+              r.frame = makeFrame({0, 0, 0}, {0, 0, 0}, {0, 1, 0}, 250);
+            }),
+            ErrorCode::BadUsage);
   EXPECT_EQ(codeOf([](VerifyRequest& r) { r.printer.layerMm = 0; }), ErrorCode::BadUsage);
   EXPECT_EQ(codeOf([](VerifyRequest&) {}), std::nullopt);
 }

@@ -55,7 +55,7 @@ class CarvingProfileTest : public testing::Test {
 TEST_F(CarvingProfileTest, MeasuresTheDepthOfAPlateAndFindsTheFloors) {
   const CarvingProfile found = profile(plate(0.5));
   EXPECT_EQ(found.pose, SymbolPose::AsWanted);
-  EXPECT_GT(found.fit, 0.99);
+  EXPECT_GT(found.fit, 0.9);
   // Middles of the floors are 0.5 deep; those of the leaning walls 0.25, and at the corners 0.125 or so.
   const int edge = kN * symbol_.size;
   for (int row = 0; row < symbol_.size; ++row)

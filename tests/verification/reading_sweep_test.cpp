@@ -114,7 +114,7 @@ TEST_F(ReadingSweepTest, ASymbolElsewhereIsMeasuredInModules) {
 
 TEST_F(ReadingSweepTest, PicturesDifferInScalePhaseAndBlur) {
   const ReadingSweep done = sweep({wanted}, false);
-  EXPECT_EQ(done.views().size(), 32u);
+  EXPECT_EQ(done.views().size(), 16u);
   EXPECT_TRUE(std::all_of(done.views().begin(), done.views().end(),
                           [](const ReadingView& view) { return view.test == ReadingTest::Frontal; }));
 }
