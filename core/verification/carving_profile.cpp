@@ -54,8 +54,8 @@ bool isDarkIn(const Symbol& symbol, int pose, int row, int column) {
   if (pose >= 4) column = last - column;
   for (int turn = 0; turn < pose % 4; ++turn) {
     const int r = row;
-    row = last - column;
-    column = r;
+    row = column;
+    column = last - r;
   }
   return symbol.isDark(row, column);
 }

@@ -14,8 +14,6 @@ constexpr int kN = kSubmodulesPerModule;
 
 /// Narrower pockets do not open in print: `thin-plus` with 0.6 nozzle widths did not, `thick-plus` with 0.9 did.
 constexpr double kLeastPocketNozzles = 0.9;
-/// Thinner material between pockets is left out by a slicer: 0.6 nozzle widths still did no harm.
-constexpr double kLeastGapNozzles = 0.6;
 constexpr double kLeastDepthLayers = 2;
 
 /// Least module that was printed and read with a 0.4 mm nozzle, mm; in nozzle widths for others.
@@ -168,11 +166,6 @@ std::vector<PrintAdvice> advisePrinting(const CarvedFeatures& features, const Pr
            fmt::format("{:g} mm nozzle: choose {}{}", nozzle, largerModule(*least * nozzle),
                        *features.pattern == ModulePattern::ThickPlus ? "" : ", or `thick-plus`")});
   }
-  if (features.gapMm < kLeastGapNozzles * nozzle - kRounding)
-    advice.push_back(
-        {fmt::format("Only {:.2f} mm stand between pockets, and the nozzle is {:g} mm wide", features.gapMm, nozzle),
-         fmt::format("{:g} mm nozzle: choose {}", nozzle,
-                     largerModule(features.moduleMm * kLeastGapNozzles * nozzle / features.gapMm))});
   if (features.leastDepthMm < kLeastDepthLayers * printer.layerMm - kRounding)
     advice.push_back({fmt::format("The shallowest modules are {:.2f} mm deep: {:.1f} layers of {:g} mm",
                                   features.leastDepthMm, features.leastDepthMm / printer.layerMm, printer.layerMm),

@@ -69,7 +69,7 @@ TEST_F(CarvingProfileTest, MeasuresTheDepthOfAPlateAndFindsTheFloors) {
 TEST_F(CarvingProfileTest, RaisedModulesHaveNegativeDepth) {
   const CarvingProfile found = profile(plate(-0.5));
   EXPECT_EQ(found.pose, SymbolPose::AsWanted);
-  EXPECT_LT(found.meanDepthMm, -0.35);
+  EXPECT_NEAR(found.meanDepthMm, -0.35, 0.01);  // floors -0.5, the leaning walls beside them half that and less
 }
 
 TEST_F(CarvingProfileTest, KnowsTheMirrorImageFromEverySide) {

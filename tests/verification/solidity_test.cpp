@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verification/solidity.h"
 
+#include <algorithm>
 #include <cmath>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -129,9 +130,10 @@ TEST(Solidity, SaysWhereTheFirstOfEachIs) {
   Mesh mesh = shapes::box({2, 3, 5});
   mesh.triangles.push_back({mesh.triangles[3][1], mesh.triangles[3][2], mesh.triangles[3][0]});
   const auto doubled = check(mesh).findings();
-  ASSERT_FALSE(doubled.empty());
-  EXPECT_EQ(doubled.back().problem, "1 duplicate triangle");
-  EXPECT_NEAR(glm::length(*doubled.back().at - middle(mesh, 3)), 0, 1e-6);
+  const auto duplicate = std::find_if(doubled.begin(), doubled.end(),
+                                      [](const SolidityFinding& f) { return f.problem == "1 duplicate triangle"; });
+  ASSERT_NE(duplicate, doubled.end());
+  EXPECT_NEAR(glm::length(*duplicate->at - middle(mesh, 3)), 0, 1e-6);
 
   mesh = shapes::icosphere(10, 2);
   std::swap(mesh.triangles[5][0], mesh.triangles[5][1]);
