@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cmath>
 #include <fmt/format.h>
 #include <limits>
 
@@ -105,7 +106,10 @@ std::optional<ModulePattern> recognised(const Symbol& symbol, const Mask& mask) 
   return best;
 }
 
-std::string largerModule(double leastMm) { return fmt::format("a module of {:.2g} mm or more", leastMm); }
+/// Rounded up to a twentieth of a millimetre.
+std::string largerModule(double leastMm) {
+  return fmt::format("a module of {:.4g} mm or more", std::ceil(leastMm * 20 - 1e-6) / 20);
+}
 
 }  // namespace
 

@@ -322,7 +322,7 @@ TEST_F(CommandTest, VerifyReadsWhatEngraveWroteAndSaysWhatIsWrongWithOtherModels
                             "--nozzle", "0.6", "--quick", "--quiet"});
   EXPECT_EQ(good.status, 0) << good.err;
   EXPECT_NE(good.out.find("reads as: HELLO"), std::string::npos) << good.out;
-  EXPECT_NE(good.out.find("0.6 mm nozzle: choose a module of 1.4 mm or more, or `thick-plus`"), std::string::npos)
+  EXPECT_NE(good.out.find("0.6 mm nozzle: choose a module of 1.35 mm or more, or `thick-plus`"), std::string::npos)
       << good.out;
   EXPECT_EQ(good.err, "");
   const auto json = nlohmann::json::parse(contentOf(path("verified.json")));
