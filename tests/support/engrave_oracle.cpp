@@ -260,7 +260,7 @@ Search repeatSearch(const EngraveCase& made, const EngravableModel& model, int m
 /// True of every direction that was looked from: from there, a code of `symbolMm` is broken.
 std::string fitFault(const EngraveCase& made, const EngravableModel& model, const Search& search, int modules,
                      double symbolMm) {
-  const double square = symbolMm * outerFactor(made.request.placement, modules);
+  const double square = symbolMm * roomFactor(modules, made.request.placement.quietZone);
   const bool anyRotation = made.request.placement.sizeMode == SizeMode::Free;
   for (const ProjectionFrame& frame : search.frames) {
     // At any rotation the square's corners sweep a disc, which a larger square holds.
