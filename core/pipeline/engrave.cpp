@@ -62,6 +62,9 @@ Status checkRequest(const EngraveRequest& request) {
   };
   if (!(request.contrast > 0 && request.contrast < 1))
     return bad(fmt::format("The contrast is {:g}", request.contrast), "Choose a value between 0 and 1, such as 0.3");
+  if (!(request.layerMm >= 0.01 && request.layerMm <= 1))
+    return bad(fmt::format("The layer height is {:g} mm", request.layerMm),
+               "Choose between 0.01 and 1 mm, such as 0.1");
   if (!(request.minWallMm >= 0)) return bad("The minimum wall is negative", "Choose 0 or more, such as 0.8");
   if (request.maxDepthMm && !(*request.maxDepthMm >= 0.1))
     return bad(fmt::format("The greatest depth is {:g} mm", *request.maxDepthMm), "Choose at least 0.1 mm, one layer");
@@ -218,9 +221,16 @@ Status EngraveJob::State::map() {
   CarvingTarget target{&symbol, &mask, placement.symbolMm, std::move(*limits)};
   if (request.objective == DepthObjective::Reading) {
     search = std::make_unique<ReadingSearch>(std::move(target), request.reading);
+  } else if (request.solver == ContrastSolver::Fast) {
+    FastSearchOptions searchOptions;
+    searchOptions.contrast = request.contrast;
+    searchOptions.slackMm = request.layerMm / 2;
+    searchOptions.albedo = static_cast<double>(request.albedo);
+    search = std::make_unique<FastSearch>(std::move(target), searchOptions);
   } else {
     DepthSearchOptions searchOptions;
     searchOptions.contrast = request.contrast;
+    searchOptions.initialDepthMm = request.layerMm;
     search = std::make_unique<DepthSearch>(std::move(target), searchOptions);
   }
   stage = Stage::Searching;

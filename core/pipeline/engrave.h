@@ -9,6 +9,7 @@
 #include "base/progress.h"
 #include "base/result.h"
 #include "carving/depth_search.h"
+#include "carving/fast_search.h"
 #include "carving/reading_search.h"
 #include "embedding/surface_mode.h"
 #include "mesh/prepare.h"
@@ -36,6 +37,12 @@ enum class DepthObjective : std::uint8_t {
   Reading    ///< every module darker than its surroundings, as a reader sees it: carving/reading_search.h
 };
 
+/// How the depths that DepthObjective::Contrast asks for are found.
+enum class ContrastSolver : std::uint8_t {
+  Fast,       ///< carving/fast_search.h
+  PaperSteps  ///< as published: carving/depth_search.h
+};
+
 /// Everything that decides what comes out.
 struct EngraveRequest {
   std::string text;  ///< UTF-8, not empty
@@ -45,6 +52,8 @@ struct EngraveRequest {
   PlacementRequest placement;
   DepthObjective objective = DepthObjective::Contrast;
   double contrast = 0.3;  ///< a carved submodule is darker than its surroundings by this share, 0 < c < 1
+  ContrastSolver solver = ContrastSolver::Fast;
+  double layerMm = 0.1;  ///< height of a printed layer, > 0: the first depth of PaperSteps; Fast leaves half of it
   ReadingOptions reading;
   std::optional<double> maxDepthMm;  ///< none: 1.2 modules
   double minWallMm = 0.8;            ///< material that stays behind every floor, ≥ 0
