@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kN = kSubmodulesPerModule;
 constexpr double kFirstDepthModules = 0.25;
-constexpr double kAimShare = 0.01;  // of the threshold: so much darker is aimed at, so that G ends at 0 or below
+constexpr double kAimShare = 0.003;  // of the threshold: so much darker is aimed at, so that G ends at 0 or below
 constexpr double kGreatestAimShare = 0.2;
 constexpr int kFreePasses = 2;      // after these, what is dark enough stays,
 constexpr int kLoweringPasses = 3;  // and after these nothing becomes less deep: that ends

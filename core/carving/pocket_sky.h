@@ -43,11 +43,13 @@ class PocketSky {
   static constexpr std::uint32_t kLight = 0xffffffff;
   static constexpr int kDirections = 16;
 
+  void listSeenFrom();
   double depthFor(std::size_t k, double share, double limitMm, std::span<const double> depthsMm) const;
 
   std::vector<std::uint32_t> carved_;
-  std::vector<Step> steps_;           // by floor and direction, outwards
-  std::vector<std::uint32_t> begin_;  // of the steps of floor and direction
+  std::vector<Step> steps_;                              // by floor and direction, outwards
+  std::vector<std::uint32_t> begin_;                     // of the steps of floor and direction
+  std::vector<std::uint32_t> seenFrom_, seenFromBegin_;  // by floor: those that have it among their steps
 };
 
 }  // namespace qrelief
