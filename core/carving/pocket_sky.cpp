@@ -9,7 +9,6 @@ namespace qrelief {
 namespace {
 
 constexpr double kSettledMm = 2e-4;
-constexpr int kMaxSweeps = 6;
 constexpr int kSteps = 24;
 
 }  // namespace
@@ -99,10 +98,10 @@ double PocketSky::depthFor(std::size_t k, double wanted, double limitMm, std::sp
   return high;
 }
 
-void PocketSky::solve(std::span<const double> shares, std::span<const double> limitsMm,
-                      std::span<double> depthsMm) const {
+void PocketSky::solve(std::span<const double> shares, std::span<const double> limitsMm, std::span<double> depthsMm,
+                      int mostSweeps) const {
   std::vector<char> isDue(carved_.size(), 1);
-  for (int sweep = 0; sweep < kMaxSweeps; ++sweep) {
+  for (int sweep = 0; sweep < mostSweeps; ++sweep) {
     bool moved = false;
     for (std::size_t i = 0; i < carved_.size(); ++i) {
       const std::size_t k = sweep % 2 == 0 ? i : carved_.size() - 1 - i;  // there and back

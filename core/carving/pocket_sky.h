@@ -32,8 +32,10 @@ class PocketSky {
   /// other ends there from any start.
   /// @param shares    per floor, above 0 and below 1
   /// @param limitsMm  per floor, ≥ 0
-  /// @param depthsMm  where to begin; the answer
-  void solve(std::span<const double> shares, std::span<const double> limitsMm, std::span<double> depthsMm) const;
+  /// @param depthsMm    where to begin; the answer
+  /// @param mostSweeps  over all floors; a few bring it near, and near is enough where the shares will change again
+  void solve(std::span<const double> shares, std::span<const double> limitsMm, std::span<double> depthsMm,
+             int mostSweeps) const;
 
  private:
   struct Step {
