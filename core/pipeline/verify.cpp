@@ -57,26 +57,15 @@ std::vector<double> submoduleLight(const BakedLight& light, int modules) {
   return means;
 }
 
-/// Least way through the material from the floors on: along the rays, and 45° from them to all sides, where a ray may
-/// come out in a deeper pocket nearby, which is no other side.
+/// Least way through the material from the floors on along the rays. Pockets run along rays, too, so that none is met.
 double leastWall(const RayTree& tree, const ProjectionFrame& frame, const CarvingProfile& profile) {
   constexpr double kBelowFloorMm = 1e-4;
-  double deepest = 0;
-  for (std::size_t i = 0; i < profile.carved.size(); ++i)
-    if (profile.carved[i]) deepest = std::max(deepest, profile.depthMm[i]);
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < profile.carved.size(); ++i) {
     if (!profile.carved[i] || profile.points[i].triangle == kNoTriangle) continue;
-    const double pockets = deepest - profile.depthMm[i] + kFlatMm;  // so far down there may be some
-    const Vec3 floor = profile.points[i].position, inwards = glm::normalize(floor - frame.eye());
-    for (int k = 0; k <= 8; ++k) {
-      const double turn = k * std::numbers::pi / 4;
-      const Vec3 side = frame.right * std::cos(turn) + frame.up * std::sin(turn);
-      const Vec3 direction = k == 8 ? inwards : glm::normalize(inwards + side);
-      const auto hit = tree.firstHit(floor, direction, kBelowFloorMm);
-      if (hit && (k == 8 || hit->distance * glm::dot(direction, inwards) > pockets))
-        least = std::min(least, hit->distance);
-    }
+    const Vec3 floor = profile.points[i].position;
+    const auto hit = tree.firstHit(floor, glm::normalize(floor - frame.eye()), kBelowFloorMm);
+    if (hit) least = std::min(least, hit->distance);
   }
   return least;
 }

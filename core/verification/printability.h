@@ -24,7 +24,7 @@ struct CarvedFeatures {
   double gapMm = 0;     ///< least material between two pockets, along rows and columns; infinite if there is none
   double meanDepthMm = 0;        ///< over the carved submodules
   double leastDepthMm = 0;       ///< of a dark module's deepest submodule: 5th percentile
-  std::optional<double> wallMm;  ///< least material behind a floor, if it is known
+  std::optional<double> wallMm;  ///< least material behind a floor, along the rays, if it is known
 };
 
 /// @param carved   (5·modules)² submodules, row-major from the symbol's top left, 1 = carved
