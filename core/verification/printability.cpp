@@ -122,13 +122,14 @@ CarvedFeatures measureFeatures(const Symbol& symbol, const std::vector<std::uint
   CarvedFeatures features;
   features.moduleMm = moduleMm;
   features.pattern = recognised(symbol, mask);
-  int pocket = kN, count = 0;
+  int count = 0;
+  std::vector<int> squares;
   std::vector<double> deepest;
   for (int row = 0; row < symbol.size; ++row)
     for (int column = 0; column < symbol.size; ++column) {
       const int square = largestSquare(mask, row, column);
       if (square == 0) continue;
-      pocket = std::min(pocket, square);
+      squares.push_back(square);
       double most = 0;
       for (int k = 0; k < kN * kN; ++k) {
         const auto i = static_cast<std::size_t>((kN * row + k / kN) * edge + kN * column + k % kN);
@@ -141,9 +142,10 @@ CarvedFeatures measureFeatures(const Symbol& symbol, const std::vector<std::uint
     }
   if (count == 0) return features;
   std::sort(deepest.begin(), deepest.end());
+  std::sort(squares.begin(), squares.end());
   features.meanDepthMm /= count;
   features.leastDepthMm = deepest[deepest.size() / 20];
-  features.pocketMm = pocket * moduleMm / kN;
+  features.pocketMm = squares[squares.size() / 2] * moduleMm / kN;
   const int gap = shortestGap(mask);
   features.gapMm =
       gap == std::numeric_limits<int>::max() ? std::numeric_limits<double>::infinity() : gap * moduleMm / kN;
@@ -176,7 +178,7 @@ std::vector<PrintAdvice> advisePrinting(const CarvedFeatures& features, const Pr
                       "Print with thinner layers or with the code on a side, or carve deeper"});
   if (features.wallMm && *features.wallMm < minWallMm - 1e-3)
     advice.push_back({fmt::format("Only {:.2f} mm of material stay behind a pocket", *features.wallMm),
-                      fmt::format("Choose a thicker spot or a larger --min-wall than {:.2g} mm", *features.wallMm)});
+                      fmt::format("Choose a thicker spot, or engrave with --min-wall {:g}", minWallMm)});
   return advice;
 }
 

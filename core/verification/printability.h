@@ -20,10 +20,10 @@ struct Printer {
 struct CarvedFeatures {
   double moduleMm = 0;
   std::optional<ModulePattern> pattern;  ///< of most data modules; none: no known one
-  double pocketMm = 0;  ///< edge of the largest square that fits into a dark module's pocket, the least of all modules
-  double gapMm = 0;     ///< least material between two pockets, along rows and columns; infinite if there is none
-  double meanDepthMm = 0;        ///< over the carved submodules
-  double leastDepthMm = 0;       ///< of a dark module's deepest submodule: 5th percentile
+  double pocketMm = 0;                   ///< edge of the largest square that fits into a dark module's pocket: median
+  double gapMm = 0;         ///< least material between two pockets, along rows and columns; infinite if there is none
+  double meanDepthMm = 0;   ///< over the carved submodules
+  double leastDepthMm = 0;  ///< of a dark module's deepest submodule: 5th percentile
   std::optional<double> wallMm;  ///< least material behind a floor, along the rays, if it is known
 };
 
