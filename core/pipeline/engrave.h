@@ -16,6 +16,7 @@
 #include "qr/module_pattern.h"
 #include "qr/symbol.h"
 #include "render/geometry_pass.h"
+#include "render/luminance_pass.h"
 #include "verification/reader_view.h"
 #include "verification/solidity.h"
 
@@ -49,6 +50,7 @@ struct EngraveRequest {
   std::optional<double> maxDepthMm;  ///< none: 1.2 modules
   double minWallMm = 0.8;            ///< material that stays behind every floor, ≥ 0
   float albedo = 0.7f;               ///< of the printed material
+  std::vector<DirectionalLight> lights;  ///< beside the uniform sky, at most kMostLights
   SurfaceMode surface = SurfaceMode::Preserved;
   bool inlay = false;  ///< make the body that fills the pockets as well, for printing in two colours
 };
@@ -74,6 +76,7 @@ struct EngraveResult {
   std::size_t limitedSubmodules = 0;  ///< that a limit kept from being dark enough
   /// Of every submodule of symbol and quiet zone, at the depths found; row-major from the quiet zone's top left.
   std::vector<double> luminance;
+  std::vector<Received> received;  ///< the light that this luminance is made of, in the same order
   SolidityReport solidity;       ///< after the round trip
   std::optional<Mesh> inlay;     ///< if it was asked for; as an STL round trip gives it back, too
   SolidityReport inlaySolidity;  ///< of the inlay

@@ -24,7 +24,7 @@ TEST(PathTracer, AnOpenPlaneSeesTheWholeSky) {
   const RayTree tree(plate);
   const SeenCell cell{{-5, -5}, {5, 5}};
   const auto light = traceCells(tree, fromAbove(), std::span(&cell, 1), {});
-  EXPECT_EQ(light[0].visibility, 1);
+  EXPECT_EQ(light[0].visibility.mean, 1);
   EXPECT_EQ(light[0].luminance, 1);
 }
 
