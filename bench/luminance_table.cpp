@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How far the luminance that the depth search sees is from path traced light, over engraved models:
+// How far the light that the depth search sees is from path traced light, over engraved models:
 //
-//     qrelief_luminance_table FOLDER CENTRES.json [CELLS] [PATHS] [FILE.csv]
+//     qrelief_luminance_table FOLDER CENTRES.json [CELLS] [PATHS]
 //
 //     CENTRES.json: {"model.stl": {"scaleToMm": 1, "picks": {"KIND": {"pointFileUnits": [x, y, z],
 //                                                                     "widthWithQuietZoneMm": 35}}}}
 //
-// Each flat and each curved centre is engraved with the next of five patterns, half of them with each objective. The
-// pass works on the map of the model and the depths found; the path tracer on the engraved mesh, as written to a file
+// Each flat and each curved centre is engraved with the next of the five patterns, by either objective in turn. The
+// pass works on the map of the model with the depths found; the path tracer on the engraved mesh, as written to a file
 // and read again. Of each, CELLS submodules drawn at random are compared, as many carved as not.
+//
+// Then the interreflection of shaders/interreflection.glsl is fitted anew: to every second model, and judged on the
+// others.
 #include <algorithm>
 #include <array>
-#include <chrono>
+#include <cmath>
 #include <fmt/format.h>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -20,7 +23,6 @@
 #include "io/read_model.h"
 #include "native/egl_context.h"
 #include "pipeline/engrave.h"
-#include "render/luminance_pass.h"
 #include "verification/path_tracer.h"
 
 namespace qrelief {
@@ -28,11 +30,18 @@ namespace {
 
 using Json = nlohmann::json;
 constexpr int kN = kSubmodulesPerModule;
+constexpr double kAlbedo = 0.7;
+constexpr std::array<double, 3> kFitAlbedos = {0.4, kAlbedo, 0.9};
 
-struct Case {
-  std::string name;
-  std::shared_ptr<const EngravableModel> model;
-  EngraveRequest request;
+struct Cell {
+  int row = 0, column = 0;  // from the quiet zone's top left
+  bool carved = false;
+  Received received = {};
+  double luminance = 0;  // of the pass, at kAlbedo
+  std::array<CellLight, kFitAlbedos.size()> traced = {};
+  int model = 0;
+
+  const CellLight& reference() const { return traced[1]; }
 };
 
 Result<std::shared_ptr<const EngravableModel>> load(const std::string& path, double scaleToMm) {
@@ -46,149 +55,207 @@ Result<std::shared_ptr<const EngravableModel>> load(const std::string& path, dou
   return EngravableModel::upload(std::move(*prepared));
 }
 
-struct Cell {
-  int row = 0, column = 0;  // from the quiet zone's top left
-  bool carved = false;
-  double depthMm = 0;
-  double visibility = 0, open = 0, luminance = 0;  // of the pass
-  CellLight traced = {};
-};
+EngraveRequest requestFor(const Json& pick, double scale, int number) {
+  const auto point = pick["pointFileUnits"].get<std::array<double, 3>>();
+  EngraveRequest request;
+  request.text = "https://example.com/qrelief";
+  request.symbol.version = 3;
+  request.placement.centreMm = Vec3(point[0], point[1], point[2]) * scale;
+  request.placement.sizeMode = SizeMode::Fixed;
+  request.placement.sizeMm = pick["widthWithQuietZoneMm"].get<double>() * 29 / 37;
+  request.modulePattern = static_cast<ModulePattern>(number % 5);
+  request.finderPattern = number % 2 ? FinderPattern::Diamond : FinderPattern::ThickPlus;
+  request.objective = number % 4 < 2 ? DepthObjective::Reading : DepthObjective::Contrast;
+  request.minWallMm = 0.4;
+  request.albedo = static_cast<float>(kAlbedo);
+  return request;
+}
+
+/// At the suggested width, or the largest that fits.
+Result<EngraveResult> engraveAt(const std::shared_ptr<const EngravableModel>& model, EngraveRequest request) {
+  auto engraved = engrave(model, request);
+  if (engraved) return engraved;
+  request.placement.sizeMode = SizeMode::Free;
+  return engrave(model, request);
+}
+
+std::vector<Cell> drawCells(const EngraveResult& engraved, int count, int model) {
+  Random random(7);
+  const int edge = kN * (engraved.symbol.size + 2 * kQuietZoneModules);
+  std::vector<Cell> cells;
+  std::array<int, 2> wanted = {count - count / 2, count / 2};
+  while (wanted[0] + wanted[1] > 0) {
+    Cell cell;
+    cell.row = static_cast<int>(random.below(static_cast<std::uint64_t>(edge)));
+    cell.column = static_cast<int>(random.below(static_cast<std::uint64_t>(edge)));
+    const int row = cell.row - kN * kQuietZoneModules, column = cell.column - kN * kQuietZoneModules;
+    const int size = engraved.depths.size;
+    cell.carved = row >= 0 && column >= 0 && row < size && column < size && engraved.depths.depth(row, column) > 0;
+    if (wanted[cell.carved]-- <= 0) {
+      wanted[cell.carved] = 0;
+      continue;
+    }
+    const auto i = static_cast<std::size_t>(cell.row * edge + cell.column);
+    cell.received = engraved.received[i];
+    cell.luminance = engraved.luminance[i];
+    cell.model = model;
+    cells.push_back(cell);
+  }
+  return cells;
+}
+
+void trace(const EngraveResult& engraved, int paths, std::vector<Cell>& cells) {
+  const RayTree tree(engraved.mesh);
+  const double edge = engraved.depths.submoduleMm();
+  std::vector<SeenCell> seen;
+  for (const Cell& cell : cells) {
+    const Vec2 corner =
+        engraved.depths.corner(cell.row - kN * kQuietZoneModules, cell.column - kN * kQuietZoneModules);
+    seen.push_back({{corner.x, corner.y - edge}, {corner.x + edge, corner.y}});
+  }
+  for (std::size_t a = 0; a < kFitAlbedos.size(); ++a) {
+    const auto traced =
+        traceCells(tree, engraved.placement.frame, seen, {.paths = paths, .albedo = kFitAlbedos[a], .seed = a + 1});
+    for (std::size_t i = 0; i < cells.size(); ++i) cells[i].traced[a] = traced[i];
+  }
+}
+
+/// Mean of the absolute values and their 99th percentile.
+template <class Value>
+std::string summary(const std::vector<Cell>& cells, Value value) {
+  std::vector<double> values;
+  double sum = 0;
+  for (const Cell& cell : cells) {
+    values.push_back(std::abs(value(cell)));
+    sum += values.back();
+  }
+  if (values.empty()) return "–";
+  std::sort(values.begin(), values.end());
+  const double count = static_cast<double>(values.size());
+  return fmt::format("{:.4f} / {:.4f}", sum / count, values[static_cast<std::size_t>(std::ceil(0.99 * count)) - 1]);
+}
+
+std::vector<Cell> carvedOnes(const std::vector<Cell>& cells) {
+  std::vector<Cell> carved;
+  std::copy_if(cells.begin(), cells.end(), std::back_inserter(carved), [](const Cell& cell) { return cell.carved; });
+  return carved;
+}
+
+void printRow(const std::string& name, const std::vector<Cell>& cells) {
+  fmt::print("| {} |", name);
+  for (const std::vector<Cell>& some : {cells, carvedOnes(cells)}) {
+    fmt::print(" {} |",
+               summary(some, [](const Cell& c) { return c.received.sky - c.reference().visibility.mean; }));
+    fmt::print(" {} |", summary(some, [](const Cell& c) { return c.luminance - c.reference().luminance.mean; }));
+  }
+  fmt::print(" {} |", summary(cells, [](const Cell& c) { return c.reference().visibility.standardError; }));
+  fmt::print(" {} |\n", summary(cells, [](const Cell& c) { return c.reference().luminance.standardError; }));
+  std::fflush(stdout);
+}
+
+constexpr std::size_t kFactors = 4;
+using Factors = std::array<double, kFactors>;
+
+/// Of interreflection.glsl, what each factor is multiplied by.
+Factors shares(const Cell& cell, double albedo) {
+  const double wall = (1 - cell.received.pastWalls) * std::sqrt(cell.received.sky);
+  const double surface = cell.received.pastWalls - cell.received.sky;
+  return {albedo * wall, albedo * albedo * wall, albedo * surface, albedo * albedo * surface};
+}
+
+/// Least squares over every second model, by the normal equations [Gauss-Jordan].
+Factors fitted(const std::vector<Cell>& cells) {
+  std::array<std::array<double, kFactors + 1>, kFactors> rows{};
+  for (const Cell& cell : cells) {
+    if (cell.model % 2) continue;
+    for (std::size_t a = 0; a < kFitAlbedos.size(); ++a) {
+      const Factors x = shares(cell, kFitAlbedos[a]);
+      const double y = cell.traced[a].luminance.mean - cell.traced[a].visibility.mean;
+      for (std::size_t i = 0; i < kFactors; ++i) {
+        for (std::size_t j = 0; j < kFactors; ++j) rows[i][j] += x[i] * x[j];
+        rows[i][kFactors] += x[i] * y;
+      }
+    }
+  }
+  for (std::size_t i = 0; i < kFactors; ++i) {
+    for (std::size_t r = 0; r < kFactors; ++r) {
+      if (r == i) continue;
+      const double factor = rows[r][i] / rows[i][i];
+      for (std::size_t j = i; j <= kFactors; ++j) rows[r][j] -= factor * rows[i][j];
+    }
+  }
+  Factors factors;
+  for (std::size_t i = 0; i < kFactors; ++i) factors[i] = rows[i][kFactors] / rows[i][i];
+  return factors;
+}
+
+void printFit(const std::vector<Cell>& cells) {
+  const Factors f = fitted(cells);
+  fmt::print("\ninterreflection fitted to the models 1, 3, 5 …: wall = ({:.3f} + {:.3f}·albedo)·√visibility, "
+             "surface = {:.3f} + {:.3f}·albedo\n\n",
+             f[0], f[1], f[2], f[3]);
+  fmt::print("| luminance error (mean / 99 %) at albedo | {} | {} | {} |\n|---|---|---|---|\n", kFitAlbedos[0],
+             kFitAlbedos[1], kFitAlbedos[2]);
+  for (const int parity : {0, 1}) {
+    std::vector<Cell> some;
+    std::copy_if(cells.begin(), cells.end(), std::back_inserter(some),
+                 [&](const Cell& cell) { return cell.carved && cell.model % 2 == parity; });
+    fmt::print("| carved submodules of the {} |", parity == 0 ? "models fitted to" : "other models");
+    for (std::size_t a = 0; a < kFitAlbedos.size(); ++a)
+      fmt::print(" {} |", summary(some, [&](const Cell& cell) {
+                   const Factors x = shares(cell, kFitAlbedos[a]);
+                   double luminance = cell.received.sky;
+                   for (std::size_t i = 0; i < kFactors; ++i) luminance += f[i] * x[i];
+                   return luminance - cell.traced[a].luminance.mean;
+                 }));
+    fmt::print("\n");
+  }
+}
 
 int failed(const std::string& what, const Error& error) {
   fmt::print(stderr, "{}: {} ({})\n", what, error.message, error.hint);
   return 1;
 }
 
-double secondsSince(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-std::vector<Cell> drawCells(const EngraveResult& engraved, int count) {
-  Random random(7);
-  const int edge = kN * (engraved.symbol.size + 2 * kQuietZoneModules);
-  std::vector<Cell> cells;
-  int wanted[2] = {count - count / 2, count / 2};
-  while (wanted[0] + wanted[1] > 0) {
-    Cell cell{static_cast<int>(random.below(edge)), static_cast<int>(random.below(edge))};
-    const int row = cell.row - kN * kQuietZoneModules, column = cell.column - kN * kQuietZoneModules;
-    if (row >= 0 && column >= 0 && row < engraved.depths.size && column < engraved.depths.size)
-      cell.depthMm = engraved.depths.depth(row, column);
-    cell.carved = cell.depthMm > 0;
-    if (wanted[cell.carved] == 0) continue;
-    --wanted[cell.carved];
-    cells.push_back(cell);
-  }
-  return cells;
-}
-
-struct Summary {
-  double meanAbsolute = 0, p99 = 0, bias = 0;
-};
-
-template <class Difference>
-Summary summary(const std::vector<Cell>& cells, int carved, Difference difference) {
-  std::vector<double> values;
-  Summary s;
-  for (const Cell& cell : cells) {
-    if (carved >= 0 && cell.carved != (carved == 1)) continue;
-    values.push_back(std::abs(difference(cell)));
-    s.bias += difference(cell);
-    s.meanAbsolute += values.back();
-  }
-  const double n = static_cast<double>(values.size());
-  std::sort(values.begin(), values.end());
-  s.bias /= n;
-  s.meanAbsolute /= n;
-  s.p99 = values[static_cast<std::size_t>(std::ceil(0.99 * n)) - 1];
-  return s;
-}
-
-void printRow(const std::string& name, const std::vector<Cell>& cells) {
-  fmt::print("| {} |", name);
-  for (const int carved : {1, 0}) {
-    const Summary v = summary(cells, carved, [](const Cell& c) { return c.visibility - c.traced.visibility.mean; });
-    const Summary l = summary(cells, carved, [](const Cell& c) { return c.luminance - c.traced.luminance.mean; });
-    fmt::print(" {:.4f} {:.4f} {:+.4f} | {:.4f} {:.4f} {:+.4f} |", v.meanAbsolute, v.p99, v.bias, l.meanAbsolute,
-               l.p99, l.bias);
-  }
-  const Summary se = summary(cells, -1, [](const Cell& c) { return c.traced.visibility.standardError; });
-  const Summary sl = summary(cells, -1, [](const Cell& c) { return c.traced.luminance.standardError; });
-  fmt::print(" {:.4f} {:.4f} | {:.4f} {:.4f} |\n", se.meanAbsolute, se.p99, sl.meanAbsolute, sl.p99);
-  std::fflush(stdout);
-}
-
-int run(const std::string& folder, const std::string& centres, int cellCount, int paths, const std::string& csv) {
+int run(const std::string& folder, const std::string& centres, int cellCount, int paths) {
   const auto context = EglContext::create();
   if (!context) return failed("EGL", context.error());
-  const auto geometry = GeometryPass::create();
-  if (!geometry) return failed("shaders", geometry.error());
   std::ifstream stream(centres);
   const Json models = Json::parse(stream, nullptr, false);
   if (!models.is_object()) return failed(centres, {ErrorCode::BadInput, "not a JSON object", ""});
-  std::ofstream dump;
-  if (!csv.empty()) dump.open(csv);
+
+  fmt::print("Error per submodule, mean / 99th percentile; {} submodules a row, half of them carved; {} paths each\n\n",
+             cellCount, paths);
+  fmt::print("| engraved | visibility | luminance | visibility, carved | luminance, carved "
+             "| tracer's standard error: visibility | luminance |\n|---|---|---|---|---|---|---|\n");
   std::vector<Cell> all;
-  int number = 0, status = 0;
-  const char* only = std::getenv("ONLY");
+  int number = 0, modelNumber = 0, status = 0;
   for (const auto& [file, entry] : models.items()) {
-    if (file.find("igea") != std::string::npos || file.find("gears") != std::string::npos) continue;
-    if (only && file.find(only) == std::string::npos) { number += 2; continue; }
     const double scale = entry["scaleToMm"].get<double>();
     const auto model = load(folder + "/" + file, scale);
-    if (!model) { status = failed(file, model.error()); continue; }
+    if (!model) {
+      status = failed(file, model.error());
+      continue;
+    }
     for (const char* kind : {"flat", "curved"}) {
       if (!entry["picks"].contains(kind)) continue;
-      const Json& pick = entry["picks"][kind];
-      const auto point = pick["pointFileUnits"].get<std::array<double, 3>>();
-      Case c;
-      c.model = *model;
-      c.request.text = "https://example.com/qrelief";
-      c.request.symbol.version = 3;
-      c.request.placement.centreMm = Vec3(point[0], point[1], point[2]) * scale;
-      c.request.placement.sizeMode = SizeMode::Fixed;
-      c.request.placement.sizeMm = pick["widthWithQuietZoneMm"].get<double>() * 29 / 37;
-      c.request.modulePattern = static_cast<ModulePattern>(number % 5);
-      c.request.finderPattern = number % 2 ? FinderPattern::Diamond : FinderPattern::ThickPlus;
-      c.request.objective = number % 4 < 2 ? DepthObjective::Reading : DepthObjective::Contrast;
-      c.name = fmt::format("{} {} p{}f{}o{}", file.substr(0, file.find('.')), kind, number % 5, number % 2, number % 4 < 2 ? "r" : "c");
-      ++number;
-      auto engraved = engrave(c.model, c.request);
+      const EngraveRequest request = requestFor(entry["picks"][kind], scale, number++);
+      const std::string name = fmt::format("{} {}, {}", file.substr(0, file.find('.')), kind,
+                                           modulePatternName(request.modulePattern));
+      const auto engraved = engraveAt(*model, request);
       if (!engraved) {
-        c.request.placement.sizeMode = SizeMode::Free;
-        engraved = engrave(c.model, c.request);
+        status = failed(name, engraved.error());
+        continue;
       }
-      if (!engraved) { status = failed(c.name, engraved.error()); continue; }
-      std::vector<Cell> cells = drawCells(*engraved, cellCount);
-      const int edge = kN * (engraved->symbol.size + 2 * kQuietZoneModules);
-      for (Cell& cell : cells) {
-        const auto i = static_cast<std::size_t>(cell.row * edge + cell.column);
-        cell.visibility = engraved->received[i].sky;
-        cell.open = engraved->received[i].skyUncarved;
-        cell.luminance = engraved->luminance[i];
-      }
-      const RayTree tree(engraved->mesh);
-      std::vector<SeenCell> seen;
-      const double h = engraved->depths.submoduleMm();
-      for (const Cell& cell : cells) {
-        const Vec2 corner = engraved->depths.corner(cell.row - kN * kQuietZoneModules, cell.column - kN * kQuietZoneModules);
-        seen.push_back({{corner.x, corner.y - h}, {corner.x + h, corner.y}});
-      }
-      const auto start = std::chrono::steady_clock::now();
-      if (paths > 0) {
-        const auto traced = traceCells(tree, engraved->placement.frame, seen, {.paths = paths});
-        for (std::size_t i = 0; i < cells.size(); ++i) cells[i].traced = traced[i];
-      }
-      fmt::print(stderr, "{}: traced {:.1f} s, symbol {:.1f} mm mean {:.2f}\n", c.name, secondsSince(start), engraved->placement.symbolMm, summarise(engraved->depths).meanMm);
-      printRow(c.name, cells);
+      std::vector<Cell> cells = drawCells(*engraved, cellCount, modelNumber);
+      trace(*engraved, paths, cells);
+      printRow(name, cells);
       all.insert(all.end(), cells.begin(), cells.end());
-      if (dump)
-        for (const Cell& cell : cells)
-          dump << fmt::format("{},{},{},{},{:.4f},{:.5f},{:.5f},{:.5f},{:.5f},{:.5f},{:.5f},{:.5f}\n", c.name, cell.row, cell.column, cell.carved, cell.depthMm,
-                              cell.visibility, cell.luminance, cell.traced.visibility.mean, cell.traced.visibility.standardError, cell.traced.luminance.mean, cell.traced.luminance.standardError, cell.open);
-      dump.flush();
     }
+    ++modelNumber;
   }
-  if (!all.empty()) printRow("all", all);
+  printRow("all", all);
+  printFit(all);
   return status;
 }
 
@@ -196,7 +263,9 @@ int run(const std::string& folder, const std::string& centres, int cellCount, in
 }  // namespace qrelief
 
 int main(int argc, char** argv) {
-  if (argc < 3) return 2;
-  return qrelief::run(argv[1], argv[2], argc > 3 ? std::atoi(argv[3]) : 60, argc > 4 ? std::atoi(argv[4]) : 1024,
-                      argc > 5 ? argv[5] : "");
+  if (argc < 3) {
+    fmt::print(stderr, "usage: {} FOLDER CENTRES.json [CELLS] [PATHS]\n", argv[0]);
+    return 2;
+  }
+  return qrelief::run(argv[1], argv[2], argc > 3 ? std::atoi(argv[3]) : 200, argc > 4 ? std::atoi(argv[4]) : 2048);
 }

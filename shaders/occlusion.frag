@@ -7,8 +7,8 @@
 // and the horizon integral is the sky visibility itself. The march goes from cell border to cell border, where the
 // walls stand, so no step is too long.
 //
-// Output: share of a uniform sky, cosine-weighted, that reaches the texel, 1 = unoccluded plane; the same before
-// anything was carved; irradiance by the lamps, 1 = that of the whole sky; the same before anything was carved.
+// Output: share of a uniform sky, cosine-weighted, that reaches the texel, 1 = unoccluded plane; the same past the
+// walls of pockets alone; irradiance by the lamps, 1 = that of the whole sky; the same before anything was carved.
 precision highp float;
 
 #include "distance_map.glsl"
@@ -87,7 +87,7 @@ float horizonCotangent(vec2 start, vec3 along, vec3 origin, SightFrame sight, fl
     float across = dot(towards, along);
     if (across > 0.0) highest = max(highest, dot(towards, sight.toEye) / across);
   }
-  return max(highest, surfaceHorizon);
+  return highest;
 }
 
 // Share of the texel that a lamp reaches, past rims and past the surface's own horizon. A shadow's edge is as wide as a
@@ -147,14 +147,18 @@ void main() {
     float gamma = atan(inSlice.x, inSlice.y);
     // Below the tangent plane nothing counts: that is the lowest horizon.
     float tangent = tangentCotangent(surface.xyz, along, sight.toEye);
-    vec2 ahead = vec2(0.0, max(tangent, horizonOfSurface(texel, angle)));
-    vec2 behind = vec2(0.0, max(-tangent, horizonOfSurface(texel, angle + kPi)));
-    ahead.x = horizonCotangent(texel, along, origin, sight, tangent, ahead.y, pocketMm);
-    behind.x = horizonCotangent(texel, -along, origin, sight, -tangent, behind.y, pocketMm);
-    for (int k = 0; k < 2; ++k)
-      visibility[k] += length(inSlice) * (visibleArc(atan(1.0, ahead[k]), gamma) + visibleArc(-atan(1.0, behind[k]), gamma));
+    float farAhead = max(tangent, horizonOfSurface(texel, angle));
+    float farBehind = max(-tangent, horizonOfSurface(texel, angle + kPi));
+    float wallAhead = horizonCotangent(texel, along, origin, sight, tangent, farAhead, pocketMm);
+    float wallBehind = horizonCotangent(texel, -along, origin, sight, -tangent, farBehind, pocketMm);
+    float share = length(inSlice);
+    visibility.x += share * (visibleArc(atan(1.0, max(wallAhead, farAhead)), gamma) +
+                             visibleArc(-atan(1.0, max(wallBehind, farBehind)), gamma));
+    visibility.y += share * (visibleArc(atan(1.0, wallAhead), gamma) + visibleArc(-atan(1.0, wallBehind), gamma));
   }
   visibility /= float(u_slices);
+  // Outside pockets what the march met is the surface itself.
+  if (pocketMm == 0.0) visibility.y = 1.0;
 
   vec2 lamps = vec2(0.0);
   for (int i = 0; i < u_lampCount; ++i) {

@@ -26,7 +26,7 @@ struct LuminanceOptions {
 
 /// What reaches a cell, its mean; 1 = what the whole sky brings to an unoccluded surface.
 struct Received {
-  float sky = 1, skyUncarved = 1;      ///< share of a uniform sky, cosine-weighted; the same before anything was carved
+  float sky = 1, pastWalls = 1;        ///< share of a uniform sky, cosine-weighted; the same past pockets' walls alone
   float lamps = 0, lampsUncarved = 0;  ///< by the lamps alone, without what is reflected
 };
 
