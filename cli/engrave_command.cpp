@@ -7,6 +7,7 @@
 #include "cli/files.h"
 #include "cli/model_input.h"
 #include "cli/progress_bar.h"
+#include "cli/symbol_flags.h"
 #include "io/write_checked.h"
 #include "native/egl_context.h"
 #include "native/png_file.h"
@@ -24,10 +25,10 @@ struct EngraveOptions {
   ModelFlags model;
   std::string output, report, preview, size = "free", direction = "depth-balanced";
   double maxDepth = 0;
-  int version = 0;
+  SymbolFlags symbol;
   std::vector<double> at, up;
-  std::string pattern = "square", finderPattern = "thick-plus", ecc = "M", solver = "paper-steps",
-              objective = "contrast", surface = "preserved";
+  std::string pattern = "square", finderPattern = "thick-plus", solver = "paper-steps", objective = "contrast",
+              surface = "preserved";
   bool noQuietZone = false, ascii = false, quiet = false;
   EngraveRequest request;
 };
@@ -106,8 +107,7 @@ Status completeRequest(EngraveOptions& options) {
   request.surface = *surfaceModeByName(options.surface);
   request.objective = options.objective == "reading" ? DepthObjective::Reading : DepthObjective::Contrast;
   request.finderPattern = *finderPatternByName(options.finderPattern);
-  request.symbol.errorCorrection = *errorCorrectionByName(options.ecc);
-  if (options.version > 0) request.symbol.version = options.version;
+  request.symbol = symbolOptionsFrom(options.symbol);
   if (options.maxDepth > 0) request.maxDepthMm = options.maxDepth;
   return {};
 }
@@ -238,8 +238,7 @@ std::function<int()> addEngraveCommand(CLI::App& app) {
   c->add_option("--direction", o->direction,
                 "mean-normal, depth-balanced, pca, optimal or X,Y,Z towards the reader [depth-balanced]");
   c->add_option("--eye-distance", request.placement.eyeDistanceMm, "mm [250]");
-  c->add_option("--ecc", o->ecc, "error correction [M]")->check(CLI::IsMember({"L", "M", "Q", "H"}));
-  c->add_option("--version", o->version, "symbol version, 1 to 40 [smallest]")->check(CLI::Range(1, 40));
+  addSymbolFlags(*c, o->symbol);
   c->add_flag("--no-quiet-zone", o->noQuietZone, "the light margin need not fit");
   c->add_option("--pattern", o->pattern, "carved part of a dark module [square]")
       ->check(CLI::IsMember({"none", "square", "thin-plus", "diamond", "thick-plus"}));

@@ -14,10 +14,6 @@ struct InfoOptions {
   std::string json;
 };
 
-const char* nameOf(Finding::Severity severity) {
-  return severity == Finding::Severity::Note ? "note" : severity == Finding::Severity::Warning ? "warning" : "blocking";
-}
-
 int describe(const InfoOptions& options) {
   const auto input = loadModel(options.model);
   if (!input) return printError(input.error());
@@ -46,12 +42,12 @@ int describe(const InfoOptions& options) {
   fmt::print("size {:.4g} × {:.4g} × {:.4g} mm\n", size.x, size.y, size.z);
   for (const std::string& warning : input->warnings) fmt::print("warning: {}\n", warning);
   for (const Finding& finding : model.findings) {
-    json["findings"].push_back({{"severity", nameOf(finding.severity)},
+    json["findings"].push_back({{"severity", severityName(finding.severity)},
                                 {"code", finding.code},
                                 {"count", finding.count},
                                 {"message", finding.message},
                                 {"hint", finding.hint}});
-    fmt::print("{}: {}\n", nameOf(finding.severity), finding.message);
+    fmt::print("{}: {}\n", severityName(finding.severity), finding.message);
     if (!finding.hint.empty()) fmt::print("  what helps: {}\n", finding.hint);
   }
   fmt::print("{}\n", engravable ? "a closed solid: can be engraved" : "no closed solid: cannot be engraved as it is");

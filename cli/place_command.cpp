@@ -7,6 +7,7 @@
 #include "cli/files.h"
 #include "cli/model_input.h"
 #include "cli/progress_bar.h"
+#include "cli/symbol_flags.h"
 #include "native/egl_context.h"
 #include "pipeline/place.h"
 
@@ -20,9 +21,9 @@ constexpr int kDirectionDecimals = 4;
 
 struct PlaceOptions {
   ModelFlags model;
-  std::string json, text, direction = "depth-balanced", ecc = "M";
+  std::string json, text, direction = "depth-balanced";
   double size = 0;
-  int version = 0;
+  SymbolFlags symbol;
   std::vector<double> up;
   bool noQuietZone = false, quiet = false;
   PlaceRequest request;
@@ -46,15 +47,12 @@ Status completeRequest(PlaceOptions& options) {
   placement.quietZone = !options.noQuietZone;
   placement.directionMethod = *directionMethodByName(options.direction);
   if (!options.up.empty()) placement.upHint = {options.up[0], options.up[1], options.up[2]};
-  SymbolOptions symbolOptions;
-  symbolOptions.errorCorrection = *errorCorrectionByName(options.ecc);
-  if (options.version > 0) symbolOptions.version = options.version;
   if (!options.text.empty()) {
-    const auto symbol = encodeSymbol(options.text, symbolOptions);
+    const auto symbol = encodeSymbol(options.text, symbolOptionsFrom(options.symbol));
     if (!symbol) return tl::unexpected(symbol.error());
     request.modules = symbol->size;
   } else {
-    request.modules = 17 + 4 * std::max(1, options.version);
+    request.modules = 17 + 4 * std::max(1, options.symbol.version);
   }
   return {};
 }
@@ -149,8 +147,7 @@ std::function<int()> addPlaceCommand(CLI::App& app) {
   c->add_option("--count", request.count, fmt::format("spots to find [{}]", request.count))->check(CLI::Range(1, 100));
   c->add_option("--json", o->json, "write the spots and what led to them as JSON");
   c->add_option("--text", o->text, "what the code will say: a longer text needs less quiet zone [shortest]");
-  c->add_option("--ecc", o->ecc, "error correction [M]")->check(CLI::IsMember({"L", "M", "Q", "H"}));
-  c->add_option("--version", o->version, "symbol version, 1 to 40 [smallest]")->check(CLI::Range(1, 40));
+  addSymbolFlags(*c, o->symbol);
   c->add_flag("--no-quiet-zone", o->noQuietZone, "the light margin need not fit");
   c->add_option("--max-size", request.placement.maxSizeMm, "upper bound for a found size, mm [60]");
   c->add_option("--up", o->up, "X,Y,Z: where the symbol's top points [0,0,1]")->delimiter(',')->expected(3);

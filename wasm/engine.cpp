@@ -5,27 +5,25 @@
 #include <chrono>
 #include <cmath>
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "io/read_model.h"
 #include "io/write_checked.h"
 #include "pipeline/carved_objects.h"
 #include "projection/size.h"
+#include "wasm/answers.h"
 #include "wasm/display_mesh.h"
 #include "wasm/heat_mesh.h"
 #include "wasm/settings.h"
 #include "wasm/spot_search.h"
+#include "wasm/symbol_print.h"
 
 namespace qrelief {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using Clock = std::chrono::steady_clock;
 
-constexpr double kPrintHeights = 0.75;     // farthest surface from the QR plane that takes the print, of its edge
-constexpr double kHeightTolerance = 0.02;  // of the print's edge: floats of two different projections
-constexpr double kProposedMm = 50;         // square looked for on a new model, quiet zone included,
-constexpr double kProposedShare = 0.3;     // and its greatest share of the model's diagonal
+constexpr double kProposedMm = 50;      // square looked for on a new model, quiet zone included,
+constexpr double kProposedShare = 0.3;  // and its greatest share of the model's diagonal
 constexpr std::size_t kSpotsTried = 6;
 constexpr double kGoodFit = 0.7;       // a spot that takes this share of it will do
 constexpr int kNormalTexels = 768;     // of the map that gives a carved surface its smooth normals
@@ -40,72 +38,8 @@ double millisecondsSince(Clock::time_point start) {
 
 double nowMs() { return std::chrono::duration<double, std::milli>(Clock::now().time_since_epoch()).count(); }
 
-// Texts from files may hold bytes that are no UTF-8: they are shown as replacement characters.
-std::string dump(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
-
-const char* nameOf(ErrorCode code) {
-  switch (code) {
-    case ErrorCode::BadUsage:
-      return "BadUsage";
-    case ErrorCode::BadInput:
-      return "BadInput";
-    case ErrorCode::NoSolution:
-      return "NoSolution";
-    case ErrorCode::Internal:
-      break;
-  }
-  return "Internal";
-}
-
-const char* nameOf(Finding::Severity severity) {
-  switch (severity) {
-    case Finding::Severity::Note:
-      return "note";
-    case Finding::Severity::Warning:
-      return "warning";
-    case Finding::Severity::Blocking:
-      break;
-  }
-  return "blocking";
-}
-
-std::string answer(const Error& error) {
-  return dump(
-      {{"ok", false}, {"error", {{"code", nameOf(error.code)}, {"message", error.message}, {"hint", error.hint}}}});
-}
-
-std::string answer(ErrorCode code, std::string message, std::string hint) {
-  return answer(Error{code, std::move(message), std::move(hint)});
-}
-
-std::string done() { return dump({{"ok", true}}); }
-
-Json triple(Vec3 v) { return Json::array({v.x, v.y, v.z}); }
-
 const Error kNoModel = {ErrorCode::BadUsage, "there is no model yet", "open a model file or choose a sample"};
 const Error kNoResult = {ErrorCode::BadUsage, "nothing has been engraved yet", "press Engrave first"};
-
-// Range of heights over the QR plane among the patch's facets that the square covers.
-Vec2 heightsUnder(const Placement& placement, const Mesh& mesh, double edge) {
-  const ProjectionFrame& frame = placement.frame;
-  Vec2 range(0);
-  for (const std::uint32_t t : placement.patch.triangles) {
-    Vec2 low(edge), high(-edge);
-    Vec2 heights(edge, -edge);
-    for (int k = 0; k < 3; ++k) {
-      const Vec3 corner = mesh.corner(t, k);
-      const Vec2 p = frame.project(corner);
-      low = glm::min(low, p);
-      high = glm::max(high, p);
-      const double height = glm::dot(corner - frame.centre, frame.normal);
-      heights = {std::min(heights.x, height), std::max(heights.y, height)};
-    }
-    if (high.x < -edge / 2 || high.y < -edge / 2 || low.x > edge / 2 || low.y > edge / 2) continue;
-    range = {std::min(range.x, heights.x), std::max(range.y, heights.y)};
-  }
-  range = glm::clamp(range, Vec2(-kPrintHeights * edge), Vec2(kPrintHeights * edge));
-  return range + Vec2(-kHeightTolerance, kHeightTolerance) * edge;
-}
 
 }  // namespace
 
@@ -127,7 +61,7 @@ Engine::Engine(const std::string& renderer) {
 }
 
 std::string Engine::capabilities() const {
-  return dump({{"renderer", gl_.renderer}, {"version", gl_.version}, {"problems", problems_}});
+  return textOf({{"renderer", gl_.renderer}, {"version", gl_.version}, {"problems", problems_}});
 }
 
 Result<Engine::Model> Engine::readAndPrepare(std::vector<std::uint8_t> bytes, const std::string& fileName,
@@ -202,26 +136,17 @@ void Engine::proposeCentre() {
 
 std::string Engine::describeModel() const {
   const PreparedModel& prepared = model_->engravable->prepared;
-  Json findings = Json::array();
-  for (const std::string& warning : model_->warnings)
-    findings.push_back({{"severity", "warning"}, {"code", "reader"}, {"count", 1}, {"message", warning}, {"hint", ""}});
-  for (const Finding& finding : prepared.findings)
-    findings.push_back({{"severity", nameOf(finding.severity)},
-                        {"code", finding.code},
-                        {"count", finding.count},
-                        {"message", finding.message},
-                        {"hint", finding.hint}});
-  return dump({{"ok", true},
-               {"model",
-                {{"format", model_->format},
-                 {"scaleToMm", model_->scaleToMm},
-                 {"triangles", prepared.mesh.triangles.size()},
-                 {"vertices", prepared.mesh.positions.size()},
-                 {"sizeMm", triple(boundingBox(prepared.mesh).size())},
-                 {"shells", prepared.shells},
-                 {"engravable", prepared.engravable().has_value()},
-                 {"findings", findings},
-                 {"centre", centre_ ? triple(*centre_) : Json()}}}});
+  return textOf({{"ok", true},
+                 {"model",
+                  {{"format", model_->format},
+                   {"scaleToMm", model_->scaleToMm},
+                   {"triangles", prepared.mesh.triangles.size()},
+                   {"vertices", prepared.mesh.positions.size()},
+                   {"sizeMm", jsonOf(boundingBox(prepared.mesh).size())},
+                   {"shells", prepared.shells},
+                   {"engravable", prepared.engravable().has_value()},
+                   {"findings", jsonOf(model_->warnings, prepared.findings)},
+                   {"centre", centre_ ? jsonOf(*centre_) : Json()}}}});
 }
 
 std::string Engine::configure(const std::string& settings) {
@@ -238,13 +163,13 @@ std::optional<SurfacePoint> Engine::surfaceAt(double x, double y) const {
 }
 
 std::string Engine::chooseCentre(std::optional<SurfacePoint> point) {
-  if (!point) return dump({{"hit", false}});
+  if (!point) return textOf({{"hit", false}});
   centre_ = point->position;
   spotDirection_.reset();
   forgetPlacement();
   showCarved_ = false;
   updateView();
-  return dump({{"hit", true}, {"centre", triple(*centre_)}});
+  return textOf({{"hit", true}, {"centre", jsonOf(*centre_)}});
 }
 
 std::string Engine::pick(double x, double y) { return chooseCentre(surfaceAt(x, y)); }
@@ -262,22 +187,6 @@ EngraveRequest Engine::completeRequest() const {
   return request;
 }
 
-SurfacePrint Engine::printOf(const Symbol& symbol, const Placement& placement, const EngraveRequest& request) const {
-  const SubmoduleMask mask = submodulesToCarve(symbol, request.modulePattern, request.finderPattern);
-  const int border = kSubmodulesPerModule * kQuietZoneModules;
-  SurfacePrint print;
-  print.frame = placement.frame;
-  print.size = mask.size + 2 * border;
-  print.edgeMm = placement.symbolMm * print.size / mask.size;
-  print.heightsMm = heightsUnder(placement, model_->engravable->prepared.mesh, print.edgeMm);
-  print.ink.assign(static_cast<std::size_t>(print.size) * static_cast<std::size_t>(print.size), 0);
-  for (int row = 0; row < mask.size; ++row)
-    for (int column = 0; column < mask.size; ++column)
-      if (mask.isCarved(row, column))
-        print.ink[static_cast<std::size_t>((row + border) * print.size + column + border)] = 255;
-  return print;
-}
-
 Result<Symbol> Engine::placeSymbol() {
   if (!model_) return tl::unexpected(kNoModel);
   if (!centre_)
@@ -293,7 +202,7 @@ Result<Symbol> Engine::placeSymbol() {
     if (*found) break;
   }
   placement_ = search.placement();
-  print_ = printOf(*symbol, *placement_, request_);
+  print_ = symbolPrint(*symbol, *placement_, request_, model_->engravable->prepared.mesh);
   return symbol;
 }
 
@@ -305,16 +214,16 @@ std::string Engine::placement() {
 }
 
 std::string Engine::describePlacement(const Symbol& symbol) const {
-  return dump({{"ok", true},
-               {"placement",
-                {{"centre", triple(placement_->frame.centre)},
-                 {"normal", triple(placement_->frame.normal)},
-                 {"up", triple(placement_->frame.up)},
-                 {"symbolMm", placement_->symbolMm},
-                 {"moduleMm", placement_->moduleMm},
-                 {"guaranteedMm", placement_->guaranteedMm},
-                 {"version", symbol.version},
-                 {"modules", symbol.size}}}});
+  return textOf({{"ok", true},
+                 {"placement",
+                  {{"centre", jsonOf(placement_->frame.centre)},
+                   {"normal", jsonOf(placement_->frame.normal)},
+                   {"up", jsonOf(placement_->frame.up)},
+                   {"symbolMm", placement_->symbolMm},
+                   {"moduleMm", placement_->moduleMm},
+                   {"guaranteedMm", placement_->guaranteedMm},
+                   {"version", symbol.version},
+                   {"modules", symbol.size}}}});
 }
 
 std::string Engine::startPlacing() {
@@ -342,7 +251,7 @@ std::string Engine::advancePlacing() {
     return answer(progress.error());
   }
   if (progress->done) finishPlacing();
-  return dump({{"ok", true}, {"stage", progress->stage}, {"fraction", progress->fraction}, {"done", progress->done}});
+  return textOf({{"ok", true}, {"stage", progress->stage}, {"fraction", progress->fraction}, {"done", progress->done}});
 }
 
 void Engine::finishPlacing() {
@@ -366,9 +275,9 @@ std::string Engine::spots() const {
   Json spots = Json::array();
   for (const OfferedSpot& spot : spots_)
     spots.push_back(
-        {{"centre", triple(spot.centreMm)},
+        {{"centre", jsonOf(spot.centreMm)},
          {"sizeMm", placingRequest_.placement.sizeMode == SizeMode::Free ? spot.guaranteedMm : spot.largestMm}});
-  return dump({{"ok", true}, {"spots", spots}, {"topMm", topMm_}});
+  return textOf({{"ok", true}, {"spots", spots}, {"topMm", topMm_}});
 }
 
 std::string Engine::chooseSpot(std::size_t index) {
@@ -412,14 +321,14 @@ std::string Engine::advance() {
   }
   if (progress->done) finishJob();
   jobMs_ += millisecondsSince(start);
-  return dump({{"ok", true}, {"stage", progress->stage}, {"fraction", progress->fraction}, {"done", progress->done}});
+  return textOf({{"ok", true}, {"stage", progress->stage}, {"fraction", progress->fraction}, {"done", progress->done}});
 }
 
 void Engine::finishJob() {
   jobRuns_ = false;  // the job itself stays: the inspector shows its maps
   result_ = job_->takeResult();
   placement_ = result_->placement;
-  print_ = printOf(result_->symbol, *placement_, jobRequest_);
+  print_ = symbolPrint(result_->symbol, *placement_, jobRequest_, model_->engravable->prepared.mesh);
   DisplayMesh display = splitAtCreases(result_->mesh);
   const auto before = pass_->render(*model_->display, placement_->frame, {print_->edgeMm, kNormalTexels});
   if (before)

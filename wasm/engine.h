@@ -115,7 +115,6 @@ class Engine {
   std::string chooseCentre(std::optional<SurfacePoint> point);
   std::optional<SurfacePoint> surfaceAt(double x, double y) const;
   Result<Symbol> placeSymbol();
-  SurfacePrint printOf(const Symbol& symbol, const Placement& placement, const EngraveRequest& request) const;
   EngraveRequest completeRequest() const;
   void finishPlacing();
   void forgetPlacement();

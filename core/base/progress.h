@@ -3,6 +3,8 @@
 
 #include <string_view>
 
+#include "base/result.h"
+
 namespace qrelief {
 
 /// How far a job has come. `stage` is a static, human-readable name ("Finding the depth").
@@ -11,5 +13,15 @@ struct Progress {
   double fraction = 0;  ///< of the whole job, 0 … 1, never falls
   bool done = false;
 };
+
+/// All the work of a job at once. @param job  has advance() and takeResult()
+template <class Job>
+auto runToEnd(Job& job) -> Result<decltype(job.takeResult())> {
+  for (;;) {
+    const Result<Progress> progress = job.advance();
+    if (!progress) return tl::unexpected(progress.error());
+    if (progress->done) return job.takeResult();
+  }
+}
 
 }  // namespace qrelief

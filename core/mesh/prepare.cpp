@@ -149,6 +149,18 @@ std::vector<std::uint32_t> partsOf(const PolygonSoup& soup) {
 
 }  // namespace
 
+const char* severityName(Finding::Severity severity) {
+  switch (severity) {
+    case Finding::Severity::Note:
+      return "note";
+    case Finding::Severity::Warning:
+      return "warning";
+    case Finding::Severity::Blocking:
+      break;
+  }
+  return "blocking";
+}
+
 Status PreparedModel::engravable() const {
   for (const Finding& finding : findings)
     if (finding.severity == Finding::Severity::Blocking)

@@ -26,6 +26,9 @@ struct Finding {
   std::string hint;     ///< what would help; empty for notes
 };
 
+/// "note", "warning", "blocking": names that scripts rely on.
+const char* severityName(Finding::Severity severity);
+
 struct PrepareOptions {
   double scaleToMm = 1;  ///< file units → mm, > 0, finite
   RepairOptions repair = {};

@@ -435,11 +435,7 @@ InspectorMaps EngraveJob::inspectorMaps() const {
 Result<EngraveResult> engrave(std::shared_ptr<const EngravableModel> model, const EngraveRequest& request) {
   auto job = EngraveJob::create(std::move(model), request);
   if (!job) return tl::unexpected(job.error());
-  for (;;) {
-    const Result<Progress> progress = (*job)->advance();
-    if (!progress) return tl::unexpected(progress.error());
-    if (progress->done) return (*job)->takeResult();
-  }
+  return runToEnd(**job);
 }
 
 }  // namespace qrelief

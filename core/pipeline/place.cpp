@@ -353,11 +353,7 @@ PlaceResult PlaceJob::takeResult() {
 Result<PlaceResult> place(std::shared_ptr<const EngravableModel> model, const PlaceRequest& request) {
   auto job = PlaceJob::create(std::move(model), request);
   if (!job) return tl::unexpected(job.error());
-  for (;;) {
-    const Result<Progress> progress = (*job)->advance();
-    if (!progress) return tl::unexpected(progress.error());
-    if (progress->done) return (*job)->takeResult();
-  }
+  return runToEnd(**job);
 }
 
 }  // namespace qrelief

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "qr/symbol_shaping.h"
 #include "verification/grades.h"
 
 namespace qrelief {
@@ -34,10 +35,14 @@ Json describeSymbol(const Symbol& symbol) {
     for (int column = 0; column < symbol.size; ++column) text += symbol.isDark(row, column) ? '1' : '0';
     rows.push_back(text);
   }
+  const CorrectionReserve reserve = correctionReserve(symbol);
   return {{"version", symbol.version},
           {"ecc", errorCorrectionName(symbol.errorCorrection)},
           {"mask", symbol.mask},
           {"modules", symbol.size},
+          {"flippedModules", reserve.flippedModules},
+          {"correctableCodewords", reserve.correctable},
+          {"spentCodewords", reserve.spent},
           {"rows", rows}};
 }
 

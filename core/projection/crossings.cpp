@@ -12,6 +12,7 @@ namespace qrelief {
 namespace {
 
 constexpr std::size_t kMaxPairs = 100'000;
+constexpr double kOnPlaneShare = 1e-9;  // of a triangle's sides: rounding
 
 using Segment3 = std::array<Vec3, 2>;
 using Corners = std::array<Vec3, 3>;
@@ -31,7 +32,22 @@ void collectHits(const Corners& a, const Corners& b, std::vector<Vec3>& hits) {
   }
 }
 
-/// The segment that two crossing triangles have in common; the sides of `a` if that is no segment.
+/// Whether only a corner or a side of `b` lies in the plane of `a`, and all else of it on one side.
+bool touches(const Corners& a, const Corners& b) {
+  const Vec3 u = a[1] - a[0], v = a[2] - a[0];
+  const Vec3 normal = glm::normalize(glm::cross(u, v));
+  const double tolerance = kOnPlaneShare * std::max(glm::length(u), glm::length(v));
+  bool above = false, below = false;
+  for (const Vec3& corner : b) {
+    const double height = glm::dot(normal, corner - a[0]);
+    above = above || height > tolerance;
+    below = below || height < -tolerance;
+  }
+  return above != below;
+}
+
+/// The segment that two crossing triangles have in common, or the point where they touch; the sides of `a` if they
+/// have more in common, or rounding hides what.
 std::vector<Segment3> commonSegments(const Corners& a, const Corners& b) {
   std::vector<Vec3> hits;
   collectHits(a, b, hits);
@@ -45,6 +61,7 @@ std::vector<Segment3> commonSegments(const Corners& a, const Corners& b) {
         longest = {p, q};
       }
   if (length > 0) return {longest};
+  if (!hits.empty() && (touches(a, b) || touches(b, a))) return {{hits.front(), hits.front()}};
   return {{a[0], a[1]}, {a[1], a[2]}, {a[2], a[0]}};
 }
 

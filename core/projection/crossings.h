@@ -10,8 +10,8 @@ namespace qrelief {
 /// itself the eye may see another sheet beyond such a curve without a contour edge between; with these curves in the
 /// silhouette, what findVisiblePatch says of a region that no silhouette segment enters is true of such models, too.
 ///
-/// Two triangles that overlap in one plane, or only touch, give the sides of the one that belongs to the patch.
-/// Cost: one findSelfIntersections of the patch.
+/// Two triangles that overlap in one plane give the sides of the one that belongs to the patch; two that only touch,
+/// the segment or the point where they do. Cost: one findSelfIntersections of the patch.
 /// @param mesh  may cross itself
 /// @returns NoSolution if more than 100,000 pairs cross within the patch; Internal if the exact predicates fail
 Status addCrossings(const Mesh& mesh, const ProjectionFrame& frame, VisiblePatch& patch);

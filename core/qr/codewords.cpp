@@ -45,8 +45,24 @@ int dataModules(int version) {
   return count;
 }
 
-/// The mask inverts a data module here [ISO/IEC 18004, table 10].
-bool isMasked(int mask, int row, int column) {
+/// Data modules in the order in which they are filled: pairs of columns from the right, upwards and downwards in turn.
+std::vector<int> dataModulesInOrder(const Symbol& symbol) {
+  std::vector<int> order;
+  bool upwards = true;
+  for (int right = symbol.size - 1; right > 0; right -= 2, upwards = !upwards) {
+    if (right == kVerticalTiming) --right;
+    for (int step = 0; step < symbol.size; ++step) {
+      const int row = upwards ? symbol.size - 1 - step : step;
+      for (const int column : {right, right - 1})
+        if (symbol.role(row, column) == ModuleRole::Data) order.push_back(row * symbol.size + column);
+    }
+  }
+  return order;
+}
+
+}  // namespace
+
+bool invertsModule(int mask, int row, int column) {
   switch (mask) {
     case 0:
       return (row + column) % 2 == 0;
@@ -67,23 +83,6 @@ bool isMasked(int mask, int row, int column) {
   }
 }
 
-/// Data modules in the order in which they are filled: pairs of columns from the right, upwards and downwards in turn.
-std::vector<int> dataModulesInOrder(const Symbol& symbol) {
-  std::vector<int> order;
-  bool upwards = true;
-  for (int right = symbol.size - 1; right > 0; right -= 2, upwards = !upwards) {
-    if (right == kVerticalTiming) --right;
-    for (int step = 0; step < symbol.size; ++step) {
-      const int row = upwards ? symbol.size - 1 - step : step;
-      for (const int column : {right, right - 1})
-        if (symbol.role(row, column) == ModuleRole::Data) order.push_back(row * symbol.size + column);
-    }
-  }
-  return order;
-}
-
-}  // namespace
-
 BlockStructure blockStructure(int version, ErrorCorrection level) {
   assert(version >= 1 && version <= static_cast<int>(kVersions));
   const auto v = static_cast<std::size_t>(version - 1);
@@ -97,10 +96,14 @@ CodewordLayout layoutCodewords(const Symbol& symbol) {
   layout.structure = blockStructure(symbol.version, symbol.errorCorrection);
   const BlockStructure& s = layout.structure;
   layout.codewordOfModule.assign(symbol.dark.size(), -1);
+  layout.isSpoilt.assign(static_cast<std::size_t>(s.codewords), 0);
   int bit = 0;
   for (const int module : dataModulesInOrder(symbol)) {
-    if (bit / 8 < s.codewords) layout.codewordOfModule[static_cast<std::size_t>(module)] = bit / 8;
-    ++bit;
+    const int codeword = bit++ / 8;
+    if (codeword >= s.codewords) break;  // remainder bits
+    const auto i = static_cast<std::size_t>(module);
+    layout.codewordOfModule[i] = codeword;
+    if (!symbol.flipped.empty() && symbol.flipped[i]) layout.isSpoilt[static_cast<std::size_t>(codeword)] = 1;
   }
   // Codeword by codeword the blocks take turns, those that have no more are passed over; then the check codewords.
   const int longest = s.codewordsOfBlock(s.blocks - 1) - s.checkCodewords;
@@ -118,7 +121,7 @@ std::vector<std::vector<std::uint8_t>> readBlocks(const Symbol& symbol, const Co
     const int codeword = layout.codewordOfModule[static_cast<std::size_t>(module)];
     if (codeword < 0) continue;
     const int row = module / symbol.size, column = module % symbol.size;
-    const bool bit = symbol.isDark(row, column) != isMasked(symbol.mask, row, column);
+    const bool bit = symbol.isDark(row, column) != invertsModule(symbol.mask, row, column);
     auto& value = codewords[static_cast<std::size_t>(codeword)];
     value = static_cast<std::uint8_t>(value << 1 | static_cast<int>(bit));
   }

@@ -25,11 +25,15 @@ struct BlockStructure {
 /// @param version  1 … 40
 BlockStructure blockStructure(int version, ErrorCorrection level);
 
+/// Whether a mask inverts the data module there [ISO/IEC 18004, table 10]. @param mask  0 … 7
+bool invertsModule(int mask, int row, int column);
+
 /// Which modules make up which codeword, and which codewords which block [ISO/IEC 18004, 7.6 and 7.7.3].
 struct CodewordLayout {
   BlockStructure structure;
   std::vector<int> codewordOfModule;  ///< row-major; -1: no codeword (function patterns, remainder bits)
   std::vector<int> blockOfCodeword;
+  std::vector<std::uint8_t> isSpoilt;  ///< of each codeword: 1 = it holds a module that was flipped on purpose
 };
 
 /// Cost: O(modules).

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "qr/segmentation.h"
+#include "qr/symbol_shaping.h"
 
 namespace qrelief {
 namespace {
@@ -74,6 +75,8 @@ QRecLevel toLibrary(ErrorCorrection level) {
   }
   return QR_ECLEVEL_M;
 }
+
+constexpr std::array kLevels = {ErrorCorrection::L, ErrorCorrection::M, ErrorCorrection::Q, ErrorCorrection::H};
 
 /// The smallest symbol from `version` on that holds the text in the segments that suit `version`; null if there is
 /// none (errno is ERANGE then).
@@ -172,6 +175,16 @@ Symbol toSymbol(const QRcode& code, ErrorCorrection level) {
   return symbol;
 }
 
+Symbol withRaisedErrorCorrection(std::string_view text, Symbol symbol) {
+  for (const ErrorCorrection level : kLevels) {
+    if (level <= symbol.errorCorrection) continue;
+    const CodeHandle code = encodeFrom(text, symbol.version, level);
+    if (!code || code->version > symbol.version) break;
+    symbol = toSymbol(*code, level);
+  }
+  return symbol;
+}
+
 }  // namespace
 
 std::string_view errorCorrectionName(ErrorCorrection level) {
@@ -180,9 +193,8 @@ std::string_view errorCorrectionName(ErrorCorrection level) {
 }
 
 std::optional<ErrorCorrection> errorCorrectionByName(std::string_view name) {
-  for (const ErrorCorrection level : {ErrorCorrection::L, ErrorCorrection::M, ErrorCorrection::Q, ErrorCorrection::H}) {
+  for (const ErrorCorrection level : kLevels)
     if (errorCorrectionName(level) == name) return level;
-  }
   return std::nullopt;
 }
 
@@ -191,6 +203,8 @@ Result<Symbol> encodeSymbol(std::string_view text, const SymbolOptions& options)
     return fail(ErrorCode::BadUsage, fmt::format("There is no QR Code version {}", *options.version),
                 "Versions run from 1 to 40");
   }
+  if (options.maskRule == MaskRule::Fixed && (options.mask < 0 || options.mask > 7))
+    return fail(ErrorCode::BadUsage, fmt::format("There is no mask {}", options.mask), "Masks run from 0 to 7");
   if (Status good = checkCharacters(text); !good) return tl::unexpected(good.error());
   if (text.size() > kMostCharacters) return tooLong(text, options);
 
@@ -200,7 +214,12 @@ Result<Symbol> encodeSymbol(std::string_view text, const SymbolOptions& options)
     return fail(ErrorCode::Internal, fmt::format("libqrencode could not encode the text (errno {})", errno));
   }
   if (!code || (options.version && code->version > *options.version)) return tooLong(text, options);
-  return toSymbol(*code, options.errorCorrection);
+  Symbol symbol = toSymbol(*code, options.errorCorrection);
+  if (options.raiseErrorCorrection) symbol = withRaisedErrorCorrection(text, std::move(symbol));
+  if (options.maskRule == MaskRule::Fixed) symbol = withMask(symbol, options.mask);
+  if (options.maskRule == MaskRule::Shadiest) symbol = withShadiestMask(symbol);
+  if (options.breakUpDarkAreas) breakUpDarkAreas(symbol);
+  return symbol;
 }
 
 }  // namespace qrelief

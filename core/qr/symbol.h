@@ -20,9 +20,20 @@ std::optional<ErrorCorrection> errorCorrectionByName(std::string_view name);
 /// Format the one module beside the lower left finder that is always dark.
 enum class ModuleRole : std::uint8_t { Data, Finder, Separator, Timing, Alignment, Format, Version };
 
+/// How the mask is chosen.
+enum class MaskRule : std::uint8_t {
+  Standard,  ///< by the penalties of the standard [ISO/IEC 18004, 7.8.3]
+  Shadiest,  ///< whose dark modules would see the least sky (qr/symbol_shaping.h)
+  Fixed      ///< the one asked for
+};
+
 struct SymbolOptions {
   ErrorCorrection errorCorrection = ErrorCorrection::M;
   std::optional<int> version = std::nullopt;  ///< 1 … 40; the smallest that holds the text if empty
+  bool raiseErrorCorrection = false;          ///< to the highest level that needs no larger version
+  MaskRule maskRule = MaskRule::Standard;
+  int mask = 0;                   ///< Fixed: 0 … 7
+  bool breakUpDarkAreas = false;  ///< spend error correction on smaller dark areas (qr/symbol_shaping.h)
 };
 
 /// A QR Code symbol without quiet zone: `size × size` modules, row-major from the top left.
@@ -33,6 +44,7 @@ struct Symbol {
   int size = 21;                   ///< 17 + 4·version
   std::vector<std::uint8_t> dark;  ///< 1 = dark
   std::vector<ModuleRole> roles;
+  std::vector<std::uint8_t> flipped;  ///< 1 = made light on purpose, for readers to restore; empty = none
 
   bool isDark(int row, int column) const { return dark[static_cast<std::size_t>(row * size + column)] != 0; }
   ModuleRole role(int row, int column) const { return roles[static_cast<std::size_t>(row * size + column)]; }
@@ -43,12 +55,12 @@ inline constexpr int kQuietZoneModules = 4;
 
 /// Encodes a text as UTF-8 bytes without ECI, as every phone expects [ISO/IEC 18004, by libqrencode]. Digits and
 /// capitals take their shorter modes where that saves bits (qr/segmentation.h), so the symbol is the smallest that the
-/// standard allows; the mask is libqrencode's choice, read back from the format information.
+/// standard allows.
 ///
 /// Cost: milliseconds.
 /// @param text  not empty, valid UTF-8, without NUL
 /// @returns BadInput if the text is empty, no UTF-8, or too long for the version and level asked for (says how long it
-///          is and what would hold it); BadUsage if there is no such version
+///          is and what would hold it); BadUsage if there is no such version or mask
 Result<Symbol> encodeSymbol(std::string_view text, const SymbolOptions& options = {});
 
 }  // namespace qrelief

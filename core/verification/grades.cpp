@@ -34,10 +34,10 @@ double gradeFrom(double value, const Levels& levels) {
 
 Grade graded(double value, const Levels& levels) { return {value, gradeFrom(value, levels)}; }
 
-/// What error correction is left if the codewords with a wrong module are wrong: 1 − errors / correctable, worst block;
-/// below 0 where a block cannot be corrected.
+/// What error correction is left if the codewords with a wrong module are wrong, and those that are so on purpose: 1 −
+/// errors / correctable, worst block; below 0 where a block cannot be corrected.
 double unusedCorrection(const CodewordLayout& layout, const std::vector<std::uint8_t>& wrongModules) {
-  std::vector<std::uint8_t> wrong(static_cast<std::size_t>(layout.structure.codewords), 0);
+  std::vector<std::uint8_t> wrong = layout.isSpoilt;
   for (std::size_t i = 0; i < wrongModules.size(); ++i)
     if (wrongModules[i] && layout.codewordOfModule[i] >= 0)
       wrong[static_cast<std::size_t>(layout.codewordOfModule[i])] = 1;

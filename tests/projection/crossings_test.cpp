@@ -51,6 +51,15 @@ TEST(Crossings, OfASlopeThatRisesOutOfTheFaceAreNoContour) {
   EXPECT_NEAR(sizeAt(mesh, true), 12, 1e-9);
 }
 
+TEST(Crossings, OfBodiesThatTouchAtAPointAreThatPoint) {
+  // The tip of a spike ends in the face, whose own sides come nearer to the centre than that.
+  Mesh tip = shapes::box({4, 4, 4});
+  for (Vec3f& p : tip.positions)
+    p = p.x == p.y && p.y == p.z && p.x > 0 ? Vec3f(9, -3, 5) : p * 0.25f + Vec3f(9, -3, 0);
+  const Mesh mesh = shapes::together(shapes::box({40, 40, 10}), tip);
+  EXPECT_NEAR(sizeAt(mesh, true), 18, 1e-9);
+}
+
 TEST(Crossings, LeaveASoundSurfaceAsItIs) {
   const Mesh box = shapes::box({40, 40, 10});
   EXPECT_EQ(sizeAt(box, true), sizeAt(box, false));

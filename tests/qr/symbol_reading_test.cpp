@@ -69,5 +69,19 @@ TEST(SymbolReading, GivesBackTheLongestTexts) {
   EXPECT_EQ(readText(digits), digits);
 }
 
+TEST(SymbolReading, WorksUnderEveryMask) {
+  for (int mask = 0; mask < 8; ++mask)
+    EXPECT_EQ(readText("https://qrelief.example", {.maskRule = MaskRule::Fixed, .mask = mask}),
+              "https://qrelief.example");
+}
+
+TEST(SymbolReading, RestoresWhatWasBrokenUp) {
+  for (const int version : {2, 3, 6, 10, 20, 40})
+    for (const ErrorCorrection level : {ErrorCorrection::M, ErrorCorrection::Q, ErrorCorrection::H})
+      EXPECT_EQ(readText("QRELIEF", {.errorCorrection = level, .version = version, .breakUpDarkAreas = true}),
+                "QRELIEF")
+          << version << errorCorrectionName(level);
+}
+
 }  // namespace
 }  // namespace qrelief

@@ -58,7 +58,7 @@ Reach walkOutwards(const Mesh& mesh, const ProjectionFrame& frame, double square
     found.orientedMm = std::min(found.orientedMm, 2 * std::max(std::abs(p.x), std::abs(p.y)));
   };
   const auto centre = caster.hit(Vec2(0));
-  if (!centre || !centre->front) {
+  if (!centre || !centre->front || centre->distance < frame.eyeDistance - kOnSurfaceMm) {
     stopAt(Vec2(0));
     return found;
   }
@@ -123,13 +123,15 @@ std::string untouchedFault(const EngravableModel& model, const EngraveResult& re
 std::string depthFault(const PlaneCaster& before, const PlaneCaster& after, const EngraveResult& result) {
   const DepthField& field = result.depths;
   constexpr int kSamples = 1500;
+  // Outlines give way to the model's corners by so much: a floor that they end on a crease follows it that far beside.
+  const double tolerance = EmbedOptions().snapMm;
   Random random(static_cast<std::uint64_t>(field.size));
   for (int k = 0; k < kSamples; ++k) {
     const auto row = static_cast<int>(random.below(static_cast<std::uint64_t>(field.size)));
     const auto column = static_cast<int>(random.below(static_cast<std::uint64_t>(field.size)));
     const Vec2 p = pointOf(field, row, column, k);
     const double deeper = after.distance(p) - before.distance(p);
-    if (!(std::abs(deeper - field.depth(row, column)) < 0.005))
+    if (!(std::abs(deeper - field.depth(row, column)) < tolerance))
       return fmt::format("submodule ({}, {}) is {:.6g} mm deep, not {:.6g}", row, column, deeper,
                          field.depth(row, column));
   }
@@ -260,7 +262,7 @@ Search repeatSearch(const EngraveCase& made, const EngravableModel& model, int m
 /// True of every direction that was looked from: from there, a code of `symbolMm` is broken.
 std::string fitFault(const EngraveCase& made, const EngravableModel& model, const Search& search, int modules,
                      double symbolMm) {
-  const double square = symbolMm * outerFactor(made.request.placement, modules);
+  const double square = symbolMm * roomFactor(modules, made.request.placement.quietZone);
   const bool anyRotation = made.request.placement.sizeMode == SizeMode::Free;
   for (const ProjectionFrame& frame : search.frames) {
     // At any rotation the square's corners sweep a disc, which a larger square holds.

@@ -10,9 +10,8 @@ namespace {
 
 constexpr int kBins = 64;
 
-/// Between two that share a vertex only, there may be a fold.
-bool shareAnEdge(const Triangle& s, const Triangle& t) {
-  return std::count_if(s.begin(), s.end(), [&](std::uint32_t v) { return v == t[0] || v == t[1] || v == t[2]; }) > 1;
+auto sharedVertices(const Triangle& s, const Triangle& t) {
+  return std::count_if(s.begin(), s.end(), [&](std::uint32_t v) { return v == t[0] || v == t[1] || v == t[2]; });
 }
 
 }  // namespace
@@ -64,9 +63,10 @@ double PlaneCaster::distance(Vec2 p) const {
 }
 
 bool PlaneCaster::connected(Vec2 p, const Hit& atP, Vec2 q, const Hit& atQ) const {
-  if (atP.triangle == atQ.triangle || shareAnEdge(mesh_.triangles[atP.triangle], mesh_.triangles[atQ.triangle]))
-    return true;
-  if (glm::distance(p, q) < 1e-9 * half_) return std::abs(atP.distance - atQ.distance) < 1e-4;
+  const auto shared = sharedVertices(mesh_.triangles[atP.triangle], mesh_.triangles[atQ.triangle]);
+  if (shared >= 2) return true;  // at one vertex there may be a fold
+  // Without one, here a facet comes through another.
+  if (glm::distance(p, q) < 1e-9 * half_) return shared == 1 && std::abs(atP.distance - atQ.distance) < 1e-4;
   const Vec2 middle = (p + q) * 0.5;
   const auto between = hit(middle);
   return between && between->front && connected(p, atP, middle, *between) && connected(middle, *between, q, atQ);

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "qr/sky_share.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "math/vec.h"
+
+namespace qrelief {
+namespace {
+
+constexpr double kDepthModules = 0.5;
+constexpr int kDirections = 32;
+constexpr double kReachModules = 8;  // a wall that far takes less than 0.4 % of the sky
+
+bool isLight(const Symbol& symbol, int row, int column) {
+  const bool inside = row >= 0 && column >= 0 && row < symbol.size && column < symbol.size;
+  return !inside || !symbol.isDark(row, column);
+}
+
+/// From the middle of a module to the next light one, in modules, along a direction that is no multiple of 90°.
+double distanceToLight(const Symbol& symbol, int row, int column, double angle) {
+  const Vec2 along(std::cos(angle), std::sin(angle));  // columns, rows
+  int cell[2] = {column, row};
+  double next[2];  // where the ray leaves its column, and its row
+  for (int axis = 0; axis < 2; ++axis) next[axis] = 0.5 / std::abs(along[axis]);
+  for (;;) {
+    const int axis = next[0] < next[1] ? 0 : 1;
+    const double distance = next[axis];
+    cell[axis] += along[axis] > 0 ? 1 : -1;
+    if (distance >= kReachModules || isLight(symbol, cell[1], cell[0])) return distance;
+    next[axis] += 1 / std::abs(along[axis]);
+  }
+}
+
+double shareOf(const Symbol& symbol, int row, int column) {
+  if (!symbol.isDark(row, column)) return 1;
+  double sum = 0;
+  for (int k = 0; k < kDirections; ++k) {
+    // Between the axes and the diagonals, along which two modules only touch.
+    const double distance = distanceToLight(symbol, row, column, 2 * std::numbers::pi * (k + 0.5) / kDirections);
+    sum += distance * distance / (distance * distance + kDepthModules * kDepthModules);
+  }
+  return sum / kDirections;
+}
+
+}  // namespace
+
+double SkyShare::ofModuleAlone() {
+  Symbol alone;
+  alone.size = 1;
+  alone.dark = {1};
+  return shareOf(alone, 0, 0);
+}
+
+SkyShare::SkyShare(const Symbol& symbol) : size_(symbol.size), shares_(symbol.dark.size()) {
+  for (int row = 0; row < size_; ++row)
+    for (int column = 0; column < size_; ++column)
+      shares_[static_cast<std::size_t>(row * size_ + column)] = shareOf(symbol, row, column);
+}
+
+double SkyShare::mean(const Symbol& symbol) const {
+  double sum = 0;
+  int count = 0;
+  for (std::size_t i = 0; i < shares_.size(); ++i) {
+    if (symbol.roles[i] != ModuleRole::Data || !symbol.dark[i]) continue;
+    sum += shares_[i];
+    ++count;
+  }
+  return count > 0 ? sum / count : 0;
+}
+
+void SkyShare::update(const Symbol& symbol, int row, int column) {
+  const int reach = static_cast<int>(kReachModules) + 1;
+  const int top = std::max(0, row - reach), bottom = std::min(size_ - 1, row + reach);
+  const int left = std::max(0, column - reach), right = std::min(size_ - 1, column + reach);
+  for (int y = top; y <= bottom; ++y)
+    for (int x = left; x <= right; ++x) shares_[static_cast<std::size_t>(y * size_ + x)] = shareOf(symbol, y, x);
+}
+
+}  // namespace qrelief

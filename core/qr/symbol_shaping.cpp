@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "qr/symbol_shaping.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+
+#include "qr/codewords.h"
+#include "qr/sky_share.h"
+
+namespace qrelief {
+namespace {
+
+constexpr int kMasks = 8;
+constexpr int kFormatBits = 15;
+
+/// The BCH code (15, 5) of level and mask, under the format's own mask
+/// [ISO/IEC 18004, 7.9.1].
+int formatInformation(ErrorCorrection level, int mask) {
+  constexpr std::array<int, 4> kLevelBits = {0b01, 0b00, 0b11, 0b10};
+  constexpr int kGenerator = 0b10100110111, kFormatMask = 0b101010000010010;
+  const int data = kLevelBits[static_cast<std::size_t>(level)] << 3 | mask;
+  int remainder = data << 10;
+  for (int bit = kFormatBits - 1; bit >= 10; --bit)
+    if (remainder >> bit & 1) remainder ^= kGenerator << (bit - 10);
+  return (data << 10 | remainder) ^ kFormatMask;
+}
+
+void setDark(Symbol& symbol, int row, int column, bool dark) {
+  symbol.dark[static_cast<std::size_t>(row * symbol.size + column)] = dark ? 1 : 0;
+}
+
+/// Both copies, least significant bit first [ISO/IEC 18004, figure 25].
+void writeFormatInformation(Symbol& symbol, int bits) {
+  const int last = symbol.size - 1;
+  for (int i = 0; i < kFormatBits; ++i) {
+    const bool dark = bits >> i & 1;
+    // Down column 8 past the timing row, then along row 8 to the left past the timing column.
+    if (i < 8)
+      setDark(symbol, i < 6 ? i : i + 1, 8, dark);
+    else
+      setDark(symbol, 8, i == 8 ? 7 : kFormatBits - 1 - i, dark);
+    // Along row 8 from the right, then down column 8 to the bottom.
+    if (i < 8)
+      setDark(symbol, 8, last - i, dark);
+    else
+      setDark(symbol, last - (kFormatBits - 1 - i), 8, dark);
+  }
+}
+
+/// Codewords of each block that may become wrong: what is left corrects as much as level L would.
+int sparedPerBlock(const BlockStructure& structure, int version) {
+  const BlockStructure least = blockStructure(version, ErrorCorrection::L);
+  const int kept = (least.correctable() * least.blocks + structure.blocks - 1) / structure.blocks;
+  return std::max(0, structure.correctable() - kept);
+}
+
+}  // namespace
+
+Symbol withMask(const Symbol& symbol, int mask) {
+  assert(mask >= 0 && mask < kMasks);
+  Symbol masked = symbol;
+  masked.mask = mask;
+  for (int row = 0; row < symbol.size; ++row)
+    for (int column = 0; column < symbol.size; ++column)
+      if (symbol.role(row, column) == ModuleRole::Data &&
+          invertsModule(symbol.mask, row, column) != invertsModule(mask, row, column))
+        setDark(masked, row, column, !symbol.isDark(row, column));
+  writeFormatInformation(masked, formatInformation(symbol.errorCorrection, mask));
+  return masked;
+}
+
+Symbol withShadiestMask(const Symbol& symbol) {
+  Symbol best;
+  double least = 2;
+  for (int mask = 0; mask < kMasks; ++mask) {
+    Symbol masked = withMask(symbol, mask);
+    const double sky = SkyShare(masked).mean(masked);
+    if (sky >= least) continue;
+    least = sky;
+    best = std::move(masked);
+  }
+  return best;
+}
+
+void breakUpDarkAreas(Symbol& symbol) {
+  const CodewordLayout layout = layoutCodewords(symbol);
+  const int spare = sparedPerBlock(layout.structure, symbol.version);
+  std::vector<int> spent(static_cast<std::size_t>(layout.structure.blocks), 0);
+  std::vector<char> isWrong(layout.blockOfCodeword.size(), 0);
+  const auto mayFlip = [&](std::size_t module) {
+    const int codeword = layout.codewordOfModule[module];
+    if (!symbol.dark[module] || symbol.roles[module] != ModuleRole::Data) return false;
+    return codeword < 0 || isWrong[static_cast<std::size_t>(codeword)] ||
+           spent[static_cast<std::size_t>(layout.blockOfCodeword[static_cast<std::size_t>(codeword)])] < spare;
+  };
+
+  symbol.flipped.assign(symbol.dark.size(), 0);
+  SkyShare sky(symbol);
+  // What sees no more than a module alone gains nothing for its neighbours.
+  const double alone = SkyShare::ofModuleAlone();
+  for (;;) {
+    std::size_t brightest = symbol.dark.size();
+    double most = alone;
+    for (std::size_t i = 0; i < symbol.dark.size(); ++i) {
+      const double share = sky.of(static_cast<int>(i) / symbol.size, static_cast<int>(i) % symbol.size);
+      if (share > most && mayFlip(i)) brightest = i, most = share;
+    }
+    if (brightest == symbol.dark.size()) break;
+    if (const int index = layout.codewordOfModule[brightest]; index >= 0) {
+      const auto codeword = static_cast<std::size_t>(index);
+      spent[static_cast<std::size_t>(layout.blockOfCodeword[codeword])] += isWrong[codeword] ? 0 : 1;
+      isWrong[codeword] = 1;
+    }
+    symbol.dark[brightest] = 0;
+    symbol.flipped[brightest] = 1;
+    sky.update(symbol, static_cast<int>(brightest) / symbol.size, static_cast<int>(brightest) % symbol.size);
+  }
+}
+
+CorrectionReserve correctionReserve(const Symbol& symbol) {
+  const CodewordLayout layout = layoutCodewords(symbol);
+  CorrectionReserve reserve{layout.structure.correctable(), 0, 0};
+  std::vector<int> spent(static_cast<std::size_t>(layout.structure.blocks), 0);
+  for (std::size_t i = 0; i < layout.isSpoilt.size(); ++i)
+    spent[static_cast<std::size_t>(layout.blockOfCodeword[i])] += layout.isSpoilt[i];
+  reserve.spent = *std::max_element(spent.begin(), spent.end());
+  reserve.flippedModules = static_cast<int>(std::count(symbol.flipped.begin(), symbol.flipped.end(), 1));
+  return reserve;
+}
+
+}  // namespace qrelief

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "qr/symbol_shaping.h"
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <string>
+
+#include "qr/codewords.h"
+#include "qr/sky_share.h"
+
+namespace qrelief {
+namespace {
+
+constexpr ErrorCorrection kLevels[] = {ErrorCorrection::L, ErrorCorrection::M, ErrorCorrection::Q, ErrorCorrection::H};
+
+Symbol symbolOf(const SymbolOptions& options) {
+  const Result<Symbol> symbol = encodeSymbol("https://qrelief.example/spot-1234", options);
+  EXPECT_TRUE(symbol) << symbol.error().message;
+  return symbol.value_or(Symbol());
+}
+
+int darkModules(const Symbol& symbol) {
+  return static_cast<int>(std::count(symbol.dark.begin(), symbol.dark.end(), 1));
+}
+
+TEST(SymbolMask, IsTheLibrarysWhereItIsTheSame) {
+  for (int version = 1; version <= 40; ++version) {
+    for (const ErrorCorrection level : kLevels) {
+      const Result<Symbol> symbol = encodeSymbol("QRELIEF", {.errorCorrection = level, .version = version});
+      ASSERT_TRUE(symbol);
+      // There and back: every module of data and format is written twice.
+      const Symbol other = withMask(*symbol, (symbol->mask + 3) % 8);
+      EXPECT_NE(other.dark, symbol->dark);
+      EXPECT_EQ(withMask(other, symbol->mask).dark, symbol->dark) << version << errorCorrectionName(level);
+    }
+  }
+}
+
+TEST(SymbolMask, LeavesTheCodewordsAsTheyAre) {
+  const Symbol symbol = symbolOf({.version = 5});
+  const CodewordLayout layout = layoutCodewords(symbol);
+  for (int mask = 0; mask < 8; ++mask) {
+    const Symbol masked = withMask(symbol, mask);
+    EXPECT_EQ(masked.mask, mask);
+    EXPECT_EQ(readBlocks(masked, layout), readBlocks(symbol, layout)) << mask;
+  }
+}
+
+TEST(SymbolMask, ThatDoesNotExistIsRefused) {
+  const auto symbol = encodeSymbol("a", {.maskRule = MaskRule::Fixed, .mask = 8});
+  ASSERT_FALSE(symbol);
+  EXPECT_EQ(symbol.error().code, ErrorCode::BadUsage);
+}
+
+TEST(ShadiestMask, SeesNoMoreSkyThanAnyOther) {
+  const Symbol shadiest = symbolOf({.maskRule = MaskRule::Shadiest});
+  const double least = SkyShare(shadiest).mean(shadiest);
+  for (int mask = 0; mask < 8; ++mask) {
+    const Symbol other = symbolOf({.maskRule = MaskRule::Fixed, .mask = mask});
+    EXPECT_LE(least, SkyShare(other).mean(other)) << mask;
+  }
+}
+
+TEST(SkyShare, OfAModuleAloneIsThatOfASquarePit) {
+  // Middle of the floor of a square pit of edge 1 and depth 1/2: its opening is the top of a cube's upper half, seen
+  // from the cube's middle plane; form factor of a square of edge a at distance a/2 from its axis, 4 corners of
+  // (1/2π)(x/√(1+x²) atan(y/√(1+x²)) + y/√(1+y²) atan(x/√(1+y²))) with x = y = 1.
+  const double corner = (std::atan(1 / std::sqrt(2.0)) / std::sqrt(2.0)) * 2 / (2 * 3.14159265358979);
+  EXPECT_NEAR(SkyShare::ofModuleAlone(), 4 * corner, 0.001);  // 32 directions
+}
+
+TEST(SkyShare, IsOneForLightModulesAndMoreInTheMiddleOfADarkArea) {
+  Symbol symbol;
+  symbol.size = 9;
+  symbol.dark.assign(81, 0);
+  symbol.roles.assign(81, ModuleRole::Data);
+  for (int row = 2; row < 7; ++row)
+    for (int column = 2; column < 7; ++column) symbol.dark[static_cast<std::size_t>(row * 9 + column)] = 1;
+  const SkyShare sky(symbol);
+  EXPECT_EQ(sky.of(0, 0), 1);
+  EXPECT_GT(sky.of(4, 4), sky.of(2, 4));
+  EXPECT_GT(sky.of(2, 4), sky.of(2, 2));
+  EXPECT_GT(sky.of(2, 2), SkyShare::ofModuleAlone());
+}
+
+TEST(SkyShare, IsTheSameUpdatedAsMadeAnew) {
+  Symbol symbol = symbolOf({});
+  SkyShare sky(symbol);
+  for (const int row : {9, 12, 15}) {
+    symbol.dark[static_cast<std::size_t>(row * symbol.size + 12)] = 0;
+    sky.update(symbol, row, 12);
+  }
+  const SkyShare anew(symbol);
+  for (int row = 0; row < symbol.size; ++row)
+    for (int column = 0; column < symbol.size; ++column) ASSERT_EQ(sky.of(row, column), anew.of(row, column));
+}
+
+TEST(BreakUpDarkAreas, LeavesEachBlockAsMuchCorrectionAsLevelL) {
+  for (const int version : {3, 5, 7, 12}) {
+    for (const ErrorCorrection level : {ErrorCorrection::M, ErrorCorrection::Q, ErrorCorrection::H}) {
+      const Result<Symbol> plain = encodeSymbol("QRELIEF", {.errorCorrection = level, .version = version});
+      const Result<Symbol> broken =
+          encodeSymbol("QRELIEF", {.errorCorrection = level, .version = version, .breakUpDarkAreas = true});
+      ASSERT_TRUE(plain && broken);
+      // What it says against the codewords that differ.
+      const CodewordLayout layout = layoutCodewords(*plain);
+      const auto before = readBlocks(*plain, layout), after = readBlocks(*broken, layout);
+      int most = 0;
+      for (std::size_t b = 0; b < before.size(); ++b) {
+        int wrong = 0;
+        for (std::size_t i = 0; i < before[b].size(); ++i) wrong += before[b][i] != after[b][i];
+        most = std::max(most, wrong);
+      }
+      const CorrectionReserve reserve = correctionReserve(*broken);
+      EXPECT_EQ(reserve.spent, most);
+      EXPECT_GT(reserve.spent, 0);
+      const BlockStructure least = blockStructure(version, ErrorCorrection::L);
+      EXPECT_GE((reserve.correctable - reserve.spent) * layout.structure.blocks, least.correctable() * least.blocks);
+      EXPECT_EQ(darkModules(*plain) - darkModules(*broken), reserve.flippedModules);
+    }
+  }
+}
+
+TEST(BreakUpDarkAreas, MakesOnlyDataModulesLightAndLessSkySeen) {
+  const Symbol plain = symbolOf({.errorCorrection = ErrorCorrection::H});
+  const Symbol broken = symbolOf({.errorCorrection = ErrorCorrection::H, .breakUpDarkAreas = true});
+  for (std::size_t i = 0; i < plain.dark.size(); ++i) {
+    if (broken.dark[i] == plain.dark[i]) continue;
+    EXPECT_EQ(plain.dark[i], 1);
+    EXPECT_EQ(plain.roles[i], ModuleRole::Data);
+    EXPECT_EQ(broken.flipped[i], 1);
+  }
+  EXPECT_LT(SkyShare(broken).mean(broken), SkyShare(plain).mean(plain));
+}
+
+TEST(BreakUpDarkAreas, ChangesNothingWithLevelL) {
+  const SymbolOptions plain{.errorCorrection = ErrorCorrection::L};
+  SymbolOptions broken = plain;
+  broken.breakUpDarkAreas = true;
+  // But for remainder bits, which no reader looks at.
+  const Symbol symbol = symbolOf(plain);
+  EXPECT_EQ(readBlocks(symbolOf(broken), layoutCodewords(symbol)), readBlocks(symbol, layoutCodewords(symbol)));
+}
+
+TEST(RaisedErrorCorrection, IsTheHighestThatTheVersionHolds) {
+  for (const std::size_t length : {5u, 15u, 27u, 40u, 43u}) {
+    const std::string text(length, 'x');
+    const Result<Symbol> plain = encodeSymbol(text, {.errorCorrection = ErrorCorrection::L});
+    const Result<Symbol> raised =
+        encodeSymbol(text, {.errorCorrection = ErrorCorrection::L, .raiseErrorCorrection = true});
+    ASSERT_TRUE(plain && raised);
+    EXPECT_EQ(raised->version, plain->version);
+    for (const ErrorCorrection level : kLevels) {
+      const auto held = encodeSymbol(text, {.errorCorrection = level, .version = plain->version});
+      EXPECT_EQ(held.has_value(), level <= raised->errorCorrection) << length << errorCorrectionName(level);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace qrelief

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+
+#include "base/result.h"
+#include "math/vec.h"
+#include "mesh/prepare.h"
+
+namespace qrelief {
+
+/// What the engine's verbs answer, as JSON text: {"ok": true, …} or {"ok": false, "error": {"code", "message",
+/// "hint"}}.
+using Json = nlohmann::ordered_json;
+
+/// Texts from files may hold bytes that are no UTF-8: they become replacement characters.
+std::string textOf(const Json& json);
+
+/// {"ok": true}
+std::string done();
+
+std::string answer(const Error& error);
+std::string answer(ErrorCode code, std::string message, std::string hint);
+
+Json jsonOf(Vec3 v);
+
+/// The reader's warnings, then what was found out about the model.
+Json jsonOf(std::span<const std::string> warnings, std::span<const Finding> findings);
+
+}  // namespace qrelief
