@@ -31,6 +31,7 @@ namespace {
 using Json = nlohmann::json;
 constexpr int kN = kSubmodulesPerModule;
 constexpr double kAlbedo = 0.7;
+constexpr std::array<const char*, 5> kPatternNames = {"none", "square", "thin-plus", "diamond", "thick-plus"};
 constexpr std::array<double, 3> kFitAlbedos = {0.4, kAlbedo, 0.9};
 
 struct Cell {
@@ -241,7 +242,7 @@ int run(const std::string& folder, const std::string& centres, int cellCount, in
       if (!entry["picks"].contains(kind)) continue;
       const EngraveRequest request = requestFor(entry["picks"][kind], scale, number++);
       const std::string name = fmt::format("{} {}, {}", file.substr(0, file.find('.')), kind,
-                                           modulePatternName(request.modulePattern));
+                                           kPatternNames[static_cast<std::size_t>(request.modulePattern)]);
       const auto engraved = engraveAt(*model, request);
       if (!engraved) {
         status = failed(name, engraved.error());

@@ -65,6 +65,14 @@ Json describeProjection(const EngraveRequest& request, const Placement& placemen
 
 Json describeGrade(const Grade& grade) { return {{"value", grade.value}, {"grade", grade.grade}}; }
 
+Json describeLights(const std::vector<DirectionalLight>& lights) {
+  Json list = Json::array();
+  for (const DirectionalLight& light : lights)
+    list.push_back(
+        {{"azimuthDeg", light.azimuthDeg}, {"elevationDeg", light.elevationDeg}, {"strength", light.strength}});
+  return list;
+}
+
 /// Of the luminance that the depth search ended with, not of a picture.
 void describeGrades(Json& verification, const EngraveRequest& request, const EngraveResult& result) {
   const SymbolGrades grades =
@@ -121,6 +129,7 @@ std::string makeReport(const EngraveRequest& request, const EngravableModel& mod
                      {"iterations", result.searchIterations},
                      {"limitedSubmodules", result.limitedSubmodules},
                      {"objective", request.objective == DepthObjective::Reading ? "reading" : "contrast"},
+                     {"lights", describeLights(request.lights)},
                      {"solver", request.objective == DepthObjective::Reading ? "secant" : "paper-steps"}};
   report["mesh"] = {
       {"surface", surfaceModeName(request.surface)},  {"triangles", solid.triangles}, {"vertices", solid.vertices},
@@ -129,7 +138,7 @@ std::string makeReport(const EngraveRequest& request, const EngravableModel& mod
   report["verification"] = {{"decoded", !context.readBack.empty() && context.readBack == request.text},
                             {"text", context.readBack},
                             {"reader", context.reader},
-                            {"views", Json::array({{{"light", "sky"},
+                            {"views", Json::array({{{"light", request.lights.empty() ? "sky" : "sky+lights"},
                                                     {"tiltDeg", 0},
                                                     {"picture", "simulated phone"},
                                                     {"read", context.readBack == request.text}}})},
