@@ -54,8 +54,7 @@ Status printRow(const GeometryPass& pass, const std::shared_ptr<const Engravable
   request.placement.sizeMm = 29 * 1.2;
   request.modulePattern = withPatterns ? ModulePattern::Square : ModulePattern::None;
   request.finderPattern = withPatterns ? FinderPattern::ThickPlus : FinderPattern::None;
-  if (elevationDeg)
-    request.lights = {{.azimuthDeg = kAzimuthDeg, .elevationDeg = *elevationDeg, .strength = strength}};
+  if (elevationDeg) request.lights = {{.azimuthDeg = kAzimuthDeg, .elevationDeg = *elevationDeg, .strength = strength}};
   const auto engraved = engrave(model, request);
   if (!engraved) return tl::unexpected(engraved.error());
   fmt::print("| {} | {} | {:.2f} | {} |", withPatterns ? "square, thick-plus" : "none",
@@ -80,9 +79,10 @@ int run(double strength) {
   if (!prepared) return failed("plate", prepared.error());
   const auto model = EngravableModel::upload(std::move(*prepared));
 
-  fmt::print("Lamp {:g} times as strong as the sky\n\n| patterns | lamp when engraved | mean depth (mm) "
-             "| submodules at a limit |",
-             strength);
+  fmt::print(
+      "Lamp {:g} times as strong as the sky\n\n| patterns | lamp when engraved | mean depth (mm) "
+      "| submodules at a limit |",
+      strength);
   for (const double reading : kReadingElevationsDeg) fmt::print(" read at {:g}° |", reading);
   fmt::print("\n|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
   for (const bool withPatterns : {false, true})

@@ -110,8 +110,7 @@ void trace(const EngraveResult& engraved, int paths, std::vector<Cell>& cells) {
   const double edge = engraved.depths.submoduleMm();
   std::vector<SeenCell> seen;
   for (const Cell& cell : cells) {
-    const Vec2 corner =
-        engraved.depths.corner(cell.row - kN * kQuietZoneModules, cell.column - kN * kQuietZoneModules);
+    const Vec2 corner = engraved.depths.corner(cell.row - kN * kQuietZoneModules, cell.column - kN * kQuietZoneModules);
     seen.push_back({{corner.x, corner.y - edge}, {corner.x + edge, corner.y}});
   }
   for (std::size_t a = 0; a < kFitAlbedos.size(); ++a) {
@@ -145,8 +144,7 @@ std::vector<Cell> carvedOnes(const std::vector<Cell>& cells) {
 void printRow(const std::string& name, const std::vector<Cell>& cells) {
   fmt::print("| {} |", name);
   for (const std::vector<Cell>& some : {cells, carvedOnes(cells)}) {
-    fmt::print(" {} |",
-               summary(some, [](const Cell& c) { return c.received.sky - c.reference().visibility.mean; }));
+    fmt::print(" {} |", summary(some, [](const Cell& c) { return c.received.sky - c.reference().visibility.mean; }));
     fmt::print(" {} |", summary(some, [](const Cell& c) { return c.luminance - c.reference().luminance.mean; }));
   }
   fmt::print(" {} |", summary(cells, [](const Cell& c) { return c.reference().visibility.standardError; }));
@@ -192,9 +190,10 @@ Factors fitted(const std::vector<Cell>& cells) {
 
 void printFit(const std::vector<Cell>& cells) {
   const Factors f = fitted(cells);
-  fmt::print("\ninterreflection fitted to the models 1, 3, 5 …: wall = ({:.3f} + {:.3f}·albedo)·√visibility, "
-             "surface = {:.3f} + {:.3f}·albedo\n\n",
-             f[0], f[1], f[2], f[3]);
+  fmt::print(
+      "\ninterreflection fitted to the models 1, 3, 5 …: wall = ({:.3f} + {:.3f}·albedo)·√visibility, "
+      "surface = {:.3f} + {:.3f}·albedo\n\n",
+      f[0], f[1], f[2], f[3]);
   fmt::print("| luminance error (mean / 99 %) at albedo | {} | {} | {} |\n|---|---|---|---|\n", kFitAlbedos[0],
              kFitAlbedos[1], kFitAlbedos[2]);
   for (const int parity : {0, 1}) {
@@ -227,8 +226,9 @@ int run(const std::string& folder, const std::string& centres, int cellCount, in
 
   fmt::print("Error per submodule, mean / 99th percentile; {} submodules a row, half of them carved; {} paths each\n\n",
              cellCount, paths);
-  fmt::print("| engraved | visibility | luminance | visibility, carved | luminance, carved "
-             "| tracer's standard error: visibility | luminance |\n|---|---|---|---|---|---|---|\n");
+  fmt::print(
+      "| engraved | visibility | luminance | visibility, carved | luminance, carved "
+      "| tracer's standard error: visibility | luminance |\n|---|---|---|---|---|---|---|\n");
   std::vector<Cell> all;
   int number = 0, modelNumber = 0, status = 0;
   for (const auto& [file, entry] : models.items()) {

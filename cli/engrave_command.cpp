@@ -27,7 +27,7 @@ struct EngraveOptions {
   double maxDepth = 0;
   SymbolFlags symbol;
   std::vector<double> at, up;
-  std::string pattern = "square", finderPattern = "thick-plus", solver = "paper-steps", objective = "contrast",
+  std::string pattern = "square", finderPattern = "thick-plus", solver = "fast", objective = "contrast",
               surface = "preserved";
   std::vector<std::string> lights;
   bool noQuietZone = false, ascii = false, quiet = false;
@@ -125,6 +125,7 @@ Status completeRequest(EngraveOptions& options) {
   request.modulePattern = *modulePatternByName(options.pattern);
   request.surface = *surfaceModeByName(options.surface);
   request.objective = options.objective == "reading" ? DepthObjective::Reading : DepthObjective::Contrast;
+  request.solver = options.solver == "fast" ? ContrastSolver::Fast : ContrastSolver::PaperSteps;
   request.finderPattern = *finderPatternByName(options.finderPattern);
   request.symbol = symbolOptionsFrom(options.symbol);
   for (const std::string& text : options.lights) {
@@ -280,13 +281,17 @@ std::function<int()> addEngraveCommand(CLI::App& app) {
   c->add_option("--finder-contrast", request.reading.finderContrast,
                 fmt::format("reading: the same for the finder patterns [{:g}]", request.reading.finderContrast))
       ->check(CLI::Range(0.01, 0.9));
-  c->add_option("--light", o->lights,
-                "AZIMUTH,ELEVATION[,STRENGTH]: a lamp beside the sky; degrees round the code from its right anticlockwise "
-                "and over its plane; strength 1 is that of the sky; at most 2 [none]")
+  c->add_option(
+       "--light", o->lights,
+       "AZIMUTH,ELEVATION[,STRENGTH]: a lamp beside the sky; degrees round the code from its right anticlockwise "
+       "and over its plane; strength 1 is that of the sky; at most 2 [none]")
       ->allow_extra_args(false);
   c->add_option("--max-depth", o->maxDepth, "mm [1.2 modules]")->check(CLI::PositiveNumber);
   c->add_option("--min-wall", request.minWallMm, "material that must remain, mm [0.8]");
-  c->add_option("--solver", o->solver, "how the depth is found [paper-steps]")->check(CLI::IsMember({"paper-steps"}));
+  c->add_option("--solver", o->solver,
+                "how the depth for --contrast is found: fast, or paper-steps as published [fast]")
+      ->check(CLI::IsMember({"fast", "paper-steps"}));
+  c->add_option("--layer", request.layerMm, "height of a printed layer, mm [0.1]");
   c->add_option("--surface", o->surface, "what happens to the model's own facets [preserved]")
       ->check(CLI::IsMember({"preserved", "resampled"}));
   c->add_option("--report", o->report, "write everything that was found and measured as JSON");

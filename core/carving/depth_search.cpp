@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "carving/submodule_luminances.h"
 #include "math/tolerance.h"
 
 namespace qrelief {
@@ -36,15 +37,8 @@ DepthSearch::DepthSearch(CarvingTarget target, const DepthSearchOptions& options
 
 void DepthSearch::update(std::span<const double> luminance) {
   const int m = target_.symbol->size;
-  const int withQuiet = m + 2 * kQuietZoneModules;
-  const int edge = kN * withQuiet;
-  assert(luminance.size() == static_cast<std::size_t>(edge * edge));
-
-  std::vector<double> moduleLuminance(static_cast<std::size_t>(withQuiet * withQuiet), 0);
-  for (int row = 0; row < edge; ++row)
-    for (int column = 0; column < edge; ++column)
-      moduleLuminance[static_cast<std::size_t>(row / kN * withQuiet + column / kN)] +=
-          luminance[static_cast<std::size_t>(row * edge + column)] / (kN * kN);
+  const SubmoduleLuminances seen(luminance, m);
+  const std::vector<double> moduleLuminance = seen.moduleMeans();
 
   bool deepened = false;
   worstExcess_ = 0;
@@ -57,8 +51,7 @@ void DepthSearch::update(std::span<const double> luminance) {
       const int column = module % m * kN + k % kN;
       const auto i = static_cast<std::size_t>(row * depths_.size + column);
       if (states_[i] == DepthState::Light) continue;
-      const double now =
-          luminance[static_cast<std::size_t>((row + kN * kQuietZoneModules) * edge + column + kN * kQuietZoneModules)];
+      const double now = seen.of(row, column);
       unchanged_[i] =
           iterations_ > 0 && std::abs(now - previous_[i]) < options_.significantChange ? unchanged_[i] + 1 : 0;
       previous_[i] = now;

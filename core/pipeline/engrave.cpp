@@ -72,6 +72,9 @@ Status checkRequest(const EngraveRequest& request) {
       return bad(fmt::format("A light has azimuth {:g}° and strength {:g}", light.azimuthDeg, light.strength),
                  "Choose a strength from 0 to 1000 times the sky's, such as 1");
   }
+  if (!(request.layerMm >= 0.01 && request.layerMm <= 1))
+    return bad(fmt::format("The layer height is {:g} mm", request.layerMm),
+               "Choose between 0.01 and 1 mm, such as 0.1");
   if (!(request.minWallMm >= 0)) return bad("The minimum wall is negative", "Choose 0 or more, such as 0.8");
   if (request.maxDepthMm && !(*request.maxDepthMm >= 0.1))
     return bad(fmt::format("The greatest depth is {:g} mm", *request.maxDepthMm), "Choose at least 0.1 mm, one layer");
@@ -207,14 +210,14 @@ Status EngraveJob::State::map() {
 
   LuminanceOptions options;
   options.cellTexels = perCell;
-  options.slices = perCell == 4 ? 3 : 6;
+  options.slices = perCell == 4 ? 4 : 8;
   options.albedo = request.albedo;
   options.lights = request.lights;
   options.horizonSamples = kHorizonsPerModule * layout.cells() / kN;
   options.horizonStartMm = static_cast<float>(placement.moduleMm);
   options.radiusMm = static_cast<float>(kLeastReachModules * placement.moduleMm);
-  const auto around = pass.render(model->gpu, placement.frame,
-                                  surroundingsOf(maps.window, placement.frame, model->gpu.box()));
+  const auto around =
+      pass.render(model->gpu, placement.frame, surroundingsOf(maps.window, placement.frame, model->gpu.box()));
   if (!around) return tl::unexpected(around.error());
   auto made = LuminancePass::create(maps, &*around, placement.frame.eyeDistance, options);
   if (!made) return tl::unexpected(made.error());
@@ -234,9 +237,16 @@ Status EngraveJob::State::map() {
   CarvingTarget target{&symbol, &mask, placement.symbolMm, std::move(*limits)};
   if (request.objective == DepthObjective::Reading) {
     search = std::make_unique<ReadingSearch>(std::move(target), request.reading);
+  } else if (request.solver == ContrastSolver::Fast) {
+    FastSearchOptions searchOptions;
+    searchOptions.contrast = request.contrast;
+    searchOptions.slackMm = request.layerMm / 2;
+    searchOptions.albedo = static_cast<double>(request.albedo);
+    search = std::make_unique<FastSearch>(std::move(target), searchOptions);
   } else {
     DepthSearchOptions searchOptions;
     searchOptions.contrast = request.contrast;
+    searchOptions.initialDepthMm = request.layerMm;
     search = std::make_unique<DepthSearch>(std::move(target), searchOptions);
   }
   stage = Stage::Searching;

@@ -9,6 +9,7 @@
 #include "base/progress.h"
 #include "base/result.h"
 #include "carving/depth_search.h"
+#include "carving/fast_search.h"
 #include "carving/reading_search.h"
 #include "embedding/surface_mode.h"
 #include "mesh/prepare.h"
@@ -37,6 +38,12 @@ enum class DepthObjective : std::uint8_t {
   Reading    ///< every module darker than its surroundings, as a reader sees it: carving/reading_search.h
 };
 
+/// How the depths that DepthObjective::Contrast asks for are found.
+enum class ContrastSolver : std::uint8_t {
+  Fast,       ///< carving/fast_search.h
+  PaperSteps  ///< as published: carving/depth_search.h
+};
+
 /// Everything that decides what comes out.
 struct EngraveRequest {
   std::string text;  ///< UTF-8, not empty
@@ -46,10 +53,12 @@ struct EngraveRequest {
   PlacementRequest placement;
   DepthObjective objective = DepthObjective::Contrast;
   double contrast = 0.3;  ///< a carved submodule is darker than its surroundings by this share, 0 < c < 1
+  ContrastSolver solver = ContrastSolver::Fast;
+  double layerMm = 0.1;  ///< height of a printed layer, > 0: the first depth of PaperSteps; Fast leaves half of it
   ReadingOptions reading;
-  std::optional<double> maxDepthMm;  ///< none: 1.2 modules
-  double minWallMm = 0.8;            ///< material that stays behind every floor, ≥ 0
-  float albedo = 0.7f;               ///< of the printed material
+  std::optional<double> maxDepthMm;      ///< none: 1.2 modules
+  double minWallMm = 0.8;                ///< material that stays behind every floor, ≥ 0
+  float albedo = 0.7f;                   ///< of the printed material
   std::vector<DirectionalLight> lights;  ///< beside the uniform sky, at most kMostLights
   SurfaceMode surface = SurfaceMode::Preserved;
   bool inlay = false;  ///< make the body that fills the pockets as well, for printing in two colours
@@ -77,10 +86,10 @@ struct EngraveResult {
   /// Of every submodule of symbol and quiet zone, at the depths found; row-major from the quiet zone's top left.
   std::vector<double> luminance;
   std::vector<Received> received;  ///< the light that this luminance is made of, in the same order
-  SolidityReport solidity;       ///< after the round trip
-  std::optional<Mesh> inlay;     ///< if it was asked for; as an STL round trip gives it back, too
-  SolidityReport inlaySolidity;  ///< of the inlay
-  ReaderView readerView;         ///< what a phone would see
+  SolidityReport solidity;         ///< after the round trip
+  std::optional<Mesh> inlay;       ///< if it was asked for; as an STL round trip gives it back, too
+  SolidityReport inlaySolidity;    ///< of the inlay
+  ReaderView readerView;           ///< what a phone would see
   StageTimings timingsMs;
 };
 

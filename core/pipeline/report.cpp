@@ -28,6 +28,11 @@ Json describeInput(const EngravableModel& model, const ReportContext& context) {
           {"warnings", warnings}};
 }
 
+const char* solverName(const EngraveRequest& request) {
+  if (request.objective == DepthObjective::Reading) return "secant";
+  return request.solver == ContrastSolver::Fast ? "fast" : "paper-steps";
+}
+
 Json describeSymbol(const Symbol& symbol) {
   Json rows = Json::array();
   for (int row = 0; row < symbol.size; ++row) {
@@ -130,7 +135,7 @@ std::string makeReport(const EngraveRequest& request, const EngravableModel& mod
                      {"limitedSubmodules", result.limitedSubmodules},
                      {"objective", request.objective == DepthObjective::Reading ? "reading" : "contrast"},
                      {"lights", describeLights(request.lights)},
-                     {"solver", request.objective == DepthObjective::Reading ? "secant" : "paper-steps"}};
+                     {"solver", solverName(request)}};
   report["mesh"] = {
       {"surface", surfaceModeName(request.surface)},  {"triangles", solid.triangles}, {"vertices", solid.vertices},
       {"keptTriangles", result.keptTriangles},        {"closed", solid.closed()},     {"manifold", solid.manifold()},

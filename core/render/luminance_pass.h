@@ -13,14 +13,14 @@
 namespace qrelief {
 
 struct LuminanceOptions {
-  int cellTexels = 4;          ///< texels along a cell's edge; the map's edge is a whole number of cells
-  int slices = 4;              ///< pairs of half-planes per texel, ≥ 1
-  bool turnSlices = true;      ///< texels of a 4×4 block take different slices: for cell means; false for pictures
-  float radiusMm = 5;          ///< reach of the march; what lies farther counts by the surface's own horizon
-  float reliefMm = 0;          ///< depth of what is carved into the maps' own surface, beside `setDepths`
-  int horizonSamples = 64;     ///< places along the map's edge for which the surface's own horizon is found, ≥ 1
-  float horizonStartMm = 1;    ///< surface nearer than this is left to the march
-  float albedo = 0.7f;         ///< of the material, 0 … 1; white plastic is about 0.7
+  int cellTexels = 4;        ///< texels along a cell's edge; the map's edge is a whole number of cells
+  int slices = 4;            ///< pairs of half-planes per texel, ≥ 1
+  bool turnSlices = true;    ///< texels of a 4×4 block take different slices: for cell means; false for pictures
+  float radiusMm = 5;        ///< reach of the march; what lies farther counts by the surface's own horizon
+  float reliefMm = 0;        ///< depth of what is carved into the maps' own surface, beside `setDepths`
+  int horizonSamples = 64;   ///< places along the map's edge for which the surface's own horizon is found, ≥ 1
+  float horizonStartMm = 1;  ///< surface nearer than this is left to the march
+  float albedo = 0.7f;       ///< of the material, 0 … 1; white plastic is about 0.7
   std::vector<DirectionalLight> lights = {};  ///< at most kMostLights
 };
 
@@ -53,8 +53,8 @@ class LuminancePass {
   void selectCells(std::span<const std::uint32_t> cells);
 
   void run();
-  std::vector<float> readLuminance() const;       ///< means of the cells², row-major from the lower left
-  std::vector<Received> readReceived() const;     ///< likewise
+  std::vector<float> readLuminance() const;                    ///< means of the cells², row-major from the lower left
+  std::vector<Received> readReceived() const;                  ///< likewise
   const gl::Texture& luminance() const { return luminance_; }  ///< R32F, one texel a cell
   const gl::Texture& depths() const { return depths_; }
 

@@ -119,8 +119,8 @@ Traced summarised(const std::array<double, kEstimates>& values) {
   return {mean, std::sqrt(squares / (kEstimates * (kEstimates - 1)))};
 }
 
-CellLight traceCell(const RayTree& tree, const ProjectionFrame& frame, const SeenCell& cell, std::span<const Lamp> lamps,
-                    double open, const PathTraceOptions& options, std::uint64_t seed) {
+CellLight traceCell(const RayTree& tree, const ProjectionFrame& frame, const SeenCell& cell,
+                    std::span<const Lamp> lamps, double open, const PathTraceOptions& options, std::uint64_t seed) {
   Random random(seed);
   std::array<double, kEstimates> sky{}, direct{}, luminance{};
   for (std::size_t k = 0; k < kEstimates; ++k) {
@@ -147,9 +147,8 @@ std::vector<CellLight> traceCells(const RayTree& tree, const ProjectionFrame& fr
   for (std::uint64_t& seed : seeds) seed = random.next();
   std::vector<CellLight> light(cells.size());
   const double open = openIrradiance(options.lights);
-  parallelFor(cells.size(), [&](std::size_t i) {
-    light[i] = traceCell(tree, frame, cells[i], lamps, open, options, seeds[i]);
-  });
+  parallelFor(cells.size(),
+              [&](std::size_t i) { light[i] = traceCell(tree, frame, cells[i], lamps, open, options, seeds[i]); });
   return light;
 }
 

@@ -17,9 +17,9 @@ struct SeenCell {
 };
 
 struct PathTraceOptions {
-  int paths = 256;         ///< per cell, ≥ 8; rounded down to a multiple of 8
-  double albedo = 0.7;     ///< of the matte material, 0 … 1
-  std::uint64_t seed = 1;  ///< the same seed, the same result
+  int paths = 256;                            ///< per cell, ≥ 8; rounded down to a multiple of 8
+  double albedo = 0.7;                        ///< of the matte material, 0 … 1
+  std::uint64_t seed = 1;                     ///< the same seed, the same result
   std::vector<DirectionalLight> lights = {};  ///< at most kMostLights
 };
 

@@ -32,9 +32,9 @@ struct ReaderViewOptions {
   float reliefMm = 2;    ///< depth of the deepest of them
   float albedo = 0.7f;
   std::vector<DirectionalLight> lights = {};  ///< beside the uniform sky, at most kMostLights
-  double blurPx = 1.0;       ///< standard deviation, at 700 texels; scales with the size
-  double noise = 0.02;       ///< standard deviation at white, linear
-  double strayLight = 0.05;  ///< share of light scattered in the lens
+  double blurPx = 1.0;                        ///< standard deviation, at 700 texels; scales with the size
+  double noise = 0.02;                        ///< standard deviation at white, linear
+  double strayLight = 0.05;                   ///< share of light scattered in the lens
 };
 
 /// Renders the mesh itself (not the map that the depth search worked on), so that what the embedding made is what is

@@ -277,8 +277,8 @@ TEST_F(CommandTest, RepairsAreSwitchedByOptions) {
 
 TEST_F(CommandTest, LampsAreTakenFromTheOptionAndSaidInTheReport) {
   const std::string model = writeModel("ball.stl", shapes::icosphere(40, 4));
-  const std::vector<std::string> engraving = {"engrave", model,  "--text", "x", "--at",    "0,0,40",
-                                              "--size",  "25",   "-o",     path("out.stl"), "--quiet"};
+  const std::vector<std::string> engraving = {"engrave", model, "--text",        "x",      "--at", "0,0,40", "--size",
+                                              "25",      "-o",  path("out.stl"), "--quiet"};
   const auto with = [&](std::vector<std::string> more) {
     more.insert(more.begin(), engraving.begin(), engraving.end());
     return run(more);

@@ -168,8 +168,8 @@ TEST_F(LuminancePassTest, APocketIsAsBrightAsPathTracingSays) {
     pass_.run();
     const std::vector<float> luminance = pass_.readLuminance();
     const std::vector<Received> received = pass_.readReceived();
-    const auto traced = traceCells(tree, makeFrame({0, 0, 0}, {0, 0, 1}, {0, 1, 0}, kFar), cells,
-                                   {.paths = 1024, .lights = lights});
+    const auto traced =
+        traceCells(tree, makeFrame({0, 0, 0}, {0, 0, 1}, {0, 1, 0}, kFar), cells, {.paths = 1024, .lights = lights});
     double skyError = 0, error = 0;
     for (std::size_t i = 0; i < cells.size(); ++i) {
       const auto at = (kCells / 2 - 4 + i / 8) * kCells + kCells / 2 - 4 + i % 8;

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "carving/fast_search.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "carving/submodule_luminances.h"
+
+namespace qrelief {
+namespace {
+
+constexpr int kN = kSubmodulesPerModule;
+constexpr double kFirstDepthModules = 0.25;
+constexpr double kAimShare = 0.01;  // of the threshold: so much darker is aimed at, so that G ends at 0 or below
+constexpr double kGreatestAimShare = 0.2;
+constexpr int kFreePasses = 2;      // after these, what is dark enough stays,
+constexpr int kLoweringPasses = 3;  // and after these nothing becomes less deep: that ends
+constexpr double kGreatestAlbedo = 0.95;
+
+/// log((1 − V)/V)
+double darkness(double share) {
+  const double v = std::clamp(share, 1e-3, 1 - 1e-3);
+  return std::log((1 - v) / v);
+}
+
+double shareOfDarkness(double darkness) { return 1 / (1 + std::exp(darkness)); }
+
+}  // namespace
+
+FastSearch::FastSearch(CarvingTarget target, const FastSearchOptions& options)
+    : target_(std::move(target)),
+      options_(options),
+      neighbours_(*target_.symbol),
+      sky_(*target_.mask, target_.symbolMm / target_.mask->size) {
+  depths_ = {target_.mask->size, target_.symbolMm, std::vector<double>(target_.mask->carved.size(), 0)};
+  for (const std::uint32_t i : sky_.carved()) limitMm_.push_back(target_.limitMm[i]);
+  const std::size_t count = sky_.carved().size();
+  solvedMm_.assign(count, kFirstDepthModules * target_.symbolMm / target_.symbol->size);
+  difference_.assign(count, std::log(1 - std::min(options_.albedo, kGreatestAlbedo)));
+  states_.assign(count, State::TooBright);
+  solve();
+}
+
+void FastSearch::solve() {
+  // The few that stay too bright are those that the plane says too little of.
+  const double lastAim = std::min(kAimShare * std::pow(3.0, std::max(0, iterations_ - kFreePasses)), kGreatestAimShare);
+  std::vector<double> shares;
+  for (std::size_t k = 0; k < states_.size(); ++k) {
+    const double margin = states_[k] == State::TooBright ? lastAim : kAimShare;
+    shares.push_back(shareOfDarkness(darkness((1 - options_.contrast) * (1 - margin)) - difference_[k]));
+  }
+  sky_.solve(shares, limitMm_, solvedMm_);
+  for (std::size_t k = 0; k < states_.size(); ++k) {
+    double& depth = depths_.depthMm[sky_.carved()[k]];
+    const double next = quantisedDepth(std::max(solvedMm_[k], kDepthQuantumMm), limitMm_[k]);
+    if (iterations_ < kFreePasses)
+      depth = next;
+    else if (states_[k] == State::TooBright)
+      depth = quantisedDepth(std::max(next, depth + kDepthQuantumMm), limitMm_[k]);
+    else
+      depth = std::max(depth, next);
+  }
+}
+
+void FastSearch::update(std::span<const double> luminance) {
+  const int m = target_.symbol->size;
+  const SubmoduleLuminances seen(luminance, m);
+  const std::vector<double> modules = seen.moduleMeans();
+  std::vector<double> depths;
+  for (const std::uint32_t i : sky_.carved()) depths.push_back(depths_.depthMm[i]);
+
+  const double aim = darkness((1 - options_.contrast) * (1 - kAimShare));
+  for (std::size_t k = 0; k < states_.size(); ++k) {
+    const int row = static_cast<int>(sky_.carved()[k]) / depths_.size;
+    const int column = static_cast<int>(sky_.carved()[k]) % depths_.size;
+    const double around = neighbours_.darkestMean(static_cast<std::size_t>(row / kN * m + column / kN), modules);
+    const double share = seen.of(row, column) / around;
+    difference_[k] = darkness(share) - darkness(sky_.share(k, depths[k], depths));
+    if (share > 1 - options_.contrast) {
+      states_[k] =
+          quantisedDepth(depths[k] + kDepthQuantumMm, limitMm_[k]) > depths[k] ? State::TooBright : State::Limited;
+    } else {
+      const double less = std::max(depths[k] - options_.slackMm, 0.0);
+      const bool couldBeLess =
+          iterations_ < kLoweringPasses && less > 0 && darkness(sky_.share(k, less, depths)) + difference_[k] > aim;
+      states_[k] = couldBeLess ? State::TooDeep : State::Done;
+    }
+  }
+  ++iterations_;
+  const bool allDone = std::all_of(states_.begin(), states_.end(),
+                                   [](State state) { return state == State::Done || state == State::Limited; });
+  finished_ = allDone || iterations_ >= options_.maxIterations;
+  if (!finished_) solve();
+}
+
+double FastSearch::doneShare() const {
+  const auto done = std::count_if(states_.begin(), states_.end(),
+                                  [](State state) { return state == State::Done || state == State::Limited; });
+  return states_.empty() ? 1 : static_cast<double>(done) / static_cast<double>(states_.size());
+}
+
+std::size_t FastSearch::limitedCount() const {
+  return static_cast<std::size_t>(std::count(states_.begin(), states_.end(), State::Limited));
+}
+
+}  // namespace qrelief

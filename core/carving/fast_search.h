@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "carving/depth_solver.h"
+#include "carving/light_neighbours.h"
+#include "carving/pocket_sky.h"
+
+namespace qrelief {
+
+struct FastSearchOptions {
+  double contrast = 0.3;  ///< c: a carved submodule must be darker than its surroundings by this share, 0 … 1
+  double slackMm = 0.05;  ///< a submodule is no deeper than it must be by more than about this, > 0
+  double albedo = 0.7;    ///< of the material, 0 … 1: what interreflection is expected to be at first
+  int maxIterations = 20;
+};
+
+/// Reaches what the paper's search reaches (DepthSearch: no submodule with G = AL·(c − 1) + LS > 0) in fewer passes and
+/// no deeper.
+///
+/// The depths are solved for on a plane without rendering (PocketSky), neighbours and all. What a pass then shows to be
+/// brighter or darker than the plane said, by interreflection and curvature, is carried over to the next solution: as a
+/// difference in log((1 − V)/V), V = LS/AL, which depends little on the depth. At first depths rise and fall; then what
+/// is dark enough only gets deeper where deeper neighbours brighten it, so that the search ends.
+class FastSearch final : public DepthSolver {
+ public:
+  FastSearch(CarvingTarget target, const FastSearchOptions& options);
+
+  void update(std::span<const double> luminance) override;
+
+  bool finished() const override { return finished_; }
+  int iterations() const override { return iterations_; }
+  double doneShare() const override;
+  const DepthField& depths() const override { return depths_; }
+  std::size_t limitedCount() const override;
+
+ private:
+  enum class State : std::uint8_t { TooBright, TooDeep, Done, Limited };
+
+  void solve();
+
+  CarvingTarget target_;
+  FastSearchOptions options_;
+  LightNeighbours neighbours_;
+  PocketSky sky_;
+  DepthField depths_;
+  // Per carved submodule, in the order of sky_.carved():
+  std::vector<double> limitMm_, solvedMm_;
+  std::vector<double> difference_;  // between what was seen and what the plane says
+  std::vector<State> states_;
+  int iterations_ = 0;
+  bool finished_ = false;
+};
+
+}  // namespace qrelief

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "qr/module_pattern.h"
+
+namespace qrelief {
+
+/// How much of a uniform sky the floors of a carved symbol see, were the surface plane: what each submodule's depth
+/// does to itself and to its neighbours, without rendering.
+///
+/// From the middle of a floor, in each of 16 directions, the highest of the steps passed, of height Δ at distance d,
+/// leaves d²/(d² + Δ²), cosine-weighted; the first light submodule ends the search, as nothing behind it is higher.
+class PocketSky {
+ public:
+  /// Cost: O(carved submodules · width of the dark areas).
+  PocketSky(const SubmoduleMask& mask, double submoduleMm);
+
+  /// Indices of the carved submodules in the mask, ascending; what follows counts in this order.
+  const std::vector<std::uint32_t>& carved() const { return carved_; }
+
+  /// Share of the sky that floor `k` sees, 0 … 1, were its depth `depthMm` and those of the others `depthsMm`.
+  double share(std::size_t k, double depthMm, std::span<const double> depthsMm) const;
+
+  /// Depths at which every floor sees no more than its share, or is as deep as it may be.
+  ///
+  /// A floor gets darker as it gets deeper, and brighter as its neighbours do; and all get darker if all depths grow by
+  /// one factor. So there is one solution, it is the least depth in every place, and solving for one floor after the
+  /// other ends there from any start.
+  /// @param shares    per floor, above 0 and below 1
+  /// @param limitsMm  per floor, ≥ 0
+  /// @param depthsMm  where to begin; the answer
+  void solve(std::span<const double> shares, std::span<const double> limitsMm, std::span<double> depthsMm) const;
+
+ private:
+  struct Step {
+    std::uint32_t floor;  // that begins here; kLight: none, the surface
+    float inverseDistanceMm;
+  };
+  static constexpr std::uint32_t kLight = 0xffffffff;
+  static constexpr int kDirections = 16;
+
+  double depthFor(std::size_t k, double share, double limitMm, std::span<const double> depthsMm) const;
+
+  std::vector<std::uint32_t> carved_;
+  std::vector<Step> steps_;           // by floor and direction, outwards
+  std::vector<std::uint32_t> begin_;  // of the steps of floor and direction
+};
+
+}  // namespace qrelief

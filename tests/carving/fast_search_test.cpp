@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "carving/fast_search.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <memory>
+
+#include "carving/depth_search.h"
+#include "carving/submodule_luminances.h"
+
+namespace qrelief {
+namespace {
+
+constexpr double kContrast = 0.3;
+
+/// A real symbol on a made-up surface: light as PocketSky says, with interreflection, and besides every submodule
+/// brighter or darker than that by up to a twentieth.
+class FastSearchTest : public testing::Test {
+ protected:
+  FastSearchTest()
+      : symbol_(*encodeSymbol("https://qrelief.example", {})),
+        mask_(submodulesToCarve(symbol_, ModulePattern::Square, FinderPattern::ThickPlus)),
+        sky_(mask_, kSymbolMm / mask_.size) {}
+
+  static constexpr double kSymbolMm = 25;
+
+  CarvingTarget target(double limitMm) const {
+    return {&symbol_, &mask_, kSymbolMm, std::vector<double>(mask_.carved.size(), limitMm)};
+  }
+
+  std::vector<double> luminances(const DepthField& field) const {
+    const int edge = 5 * (symbol_.size + 8);
+    std::vector<double> all(static_cast<std::size_t>(edge * edge), 1.0), depths;
+    for (const std::uint32_t i : sky_.carved()) depths.push_back(field.depthMm[i]);
+    for (std::size_t k = 0; k < depths.size(); ++k) {
+      const int row = static_cast<int>(sky_.carved()[k]) / mask_.size;
+      const int column = static_cast<int>(sky_.carved()[k]) % mask_.size;
+      const double sky = sky_.share(k, depths[k], depths), uneven = 1 + 0.05 * std::sin(7.0 * row + 3.0 * column);
+      all[static_cast<std::size_t>((row + 20) * edge + column + 20)] = uneven * sky / (1 - 0.7 * (1 - sky));
+    }
+    return all;
+  }
+
+  void run(DepthSolver& solver) const {
+    while (!solver.finished()) solver.update(luminances(solver.depths()));
+  }
+
+  /// Submodules with G > 0, all light around being 1.
+  int tooBright(const DepthField& field) const {
+    const std::vector<double> all = luminances(field);
+    const SubmoduleLuminances seen(all, symbol_.size);
+    int count = 0;
+    for (const std::uint32_t i : sky_.carved())
+      count += seen.of(static_cast<int>(i) / mask_.size, static_cast<int>(i) % mask_.size) > 1 - kContrast;
+    return count;
+  }
+
+  double meanMm(const DepthField& field) const {
+    double sum = 0;
+    for (const double depth : field.depthMm) sum += depth;
+    return sum / static_cast<double>(sky_.carved().size());
+  }
+
+  Symbol symbol_;
+  SubmoduleMask mask_;
+  PocketSky sky_;
+};
+
+TEST_F(FastSearchTest, ReachesThePapersGoalInFewerPassesAndNoDeeper) {
+  FastSearch fast(target(5), {.contrast = kContrast});
+  DepthSearch paper(target(5), {.contrast = kContrast});
+  run(fast);
+  run(paper);
+  EXPECT_EQ(tooBright(fast.depths()), 0);
+  EXPECT_EQ(tooBright(paper.depths()), 0);
+  EXPECT_LE(2 * fast.iterations(), paper.iterations());
+  EXPECT_LE(meanMm(fast.depths()), meanMm(paper.depths()));
+  EXPECT_EQ(fast.limitedCount(), 0u);
+}
+
+TEST_F(FastSearchTest, LeavesFewSubmodulesDeeperThanTheyMustBe) {
+  FastSearch fast(target(5), {.contrast = kContrast, .slackMm = 0.05});
+  run(fast);
+  int tooDeep = 0;
+  for (const std::uint32_t i : sky_.carved()) {
+    DepthField less = fast.depths();
+    less.depthMm[i] = std::max(0.01, less.depthMm[i] - 0.1);
+    tooDeep += tooBright(less) == 0;
+  }
+  EXPECT_LE(tooDeep, static_cast<int>(sky_.carved().size()) / 100);
+}
+
+TEST_F(FastSearchTest, StopsAtTheLimitsAndCountsWhatTheyKeepTooBright) {
+  FastSearch fast(target(0.123), {.contrast = kContrast});
+  run(fast);
+  for (const double depth : fast.depths().depthMm) EXPECT_LE(depth, 0.123);
+  EXPECT_EQ(fast.limitedCount(), static_cast<std::size_t>(tooBright(fast.depths())));
+  EXPECT_GT(fast.limitedCount(), 0u);
+}
+
+TEST_F(FastSearchTest, WhereThereIsNoRoomNothingIsCarved) {
+  FastSearch fast(target(0), {.contrast = kContrast});
+  run(fast);
+  EXPECT_EQ(fast.iterations(), 1);
+  EXPECT_EQ(meanMm(fast.depths()), 0);
+  EXPECT_EQ(fast.limitedCount(), sky_.carved().size());
+}
+
+}  // namespace
+}  // namespace qrelief

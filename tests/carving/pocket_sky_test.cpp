@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "carving/pocket_sky.h"
+
+#include <cmath>
+#include <functional>
+#include <gtest/gtest.h>
+#include <numbers>
+
+namespace qrelief {
+namespace {
+
+SubmoduleMask maskOf(int size, const std::function<bool(int, int)>& isCarved) {
+  SubmoduleMask mask;
+  mask.size = size;
+  for (int row = 0; row < size; ++row)
+    for (int column = 0; column < size; ++column) mask.carved.push_back(isCarved(row, column));
+  return mask;
+}
+
+TEST(PocketSky, SeesOfASquarePitWhatTheFormFactorSays) {
+  // A floor of edge 1 at depth 1/2: 4 corners of (1/π)(1/√2)·atan(1/√2), the form factor of a square at half its edge.
+  const PocketSky sky(maskOf(5, [](int row, int column) { return row == 2 && column == 2; }), 1);
+  const double depth[] = {0.5};
+  EXPECT_NEAR(sky.share(0, 0.5, depth), 4 / std::numbers::pi * std::sqrt(0.5) * std::atan(std::sqrt(0.5)), 0.005);
+}
+
+TEST(PocketSky, SeesOfALongTrenchWhatItsClosedFormSays) {
+  // Middle of the floor of an infinite trench of width w and depth h: sin of the wall's angle, (w/2)/√(w²/4 + h²).
+  const PocketSky sky(maskOf(101, [](int, int column) { return column == 50; }), 0.4);
+  const std::vector<double> depths(101, 0.3);
+  EXPECT_NEAR(sky.share(50, 0.3, depths), 0.2 / std::hypot(0.2, 0.3), 0.01);
+}
+
+TEST(PocketSky, StepsBetweenFloorsCountByTheirHeight) {
+  const PocketSky sky(maskOf(9, [](int, int) { return true; }), 1);
+  std::vector<double> depths(81, 0.0);
+  EXPECT_EQ(sky.share(40, 0.0, depths), 1);
+  const double alone = sky.share(40, 0.5, depths);
+  EXPECT_LT(alone, 0.6);
+  for (double& depth : depths) depth = 0.5;
+  EXPECT_GT(sky.share(40, 0.5, depths), 0.98);  // only the symbol's rim stands out, four and a half submodules away
+}
+
+class PocketSkySolve : public testing::Test {
+ protected:
+  PocketSkySolve()
+      : sky_(maskOf(20, [](int row, int column) { return (row / 5 + column / 5) % 2 == 0 || row < 5; }), 0.2),
+        limits_(sky_.carved().size(), 2) {
+    // Uneven targets.
+    for (std::size_t k = 0; k < limits_.size(); ++k) shares_.push_back(0.4 + 0.03 * static_cast<double>(k % 8));
+  }
+  std::vector<double> solvedFrom(double startMm) const {
+    std::vector<double> depths(limits_.size(), startMm);
+    sky_.solve(shares_, limits_, depths);
+    return depths;
+  }
+  PocketSky sky_;
+  std::vector<double> limits_, shares_;
+};
+
+TEST_F(PocketSkySolve, EveryFloorSeesItsShareAndNoLess) {
+  const std::vector<double> depths = solvedFrom(0.2);
+  for (std::size_t k = 0; k < depths.size(); ++k) {
+    ASSERT_LT(depths[k], 2);
+    EXPECT_LE(sky_.share(k, depths[k] + 0.003, depths), shares_[k]) << k;
+    EXPECT_GE(sky_.share(k, depths[k] - 0.003, depths), shares_[k]) << k;
+  }
+}
+
+TEST_F(PocketSkySolve, EndsAtTheSameDepthsFromAnyStart) {
+  const std::vector<double> fromBelow = solvedFrom(0.001), fromAbove = solvedFrom(1.9);
+  for (std::size_t k = 0; k < fromBelow.size(); ++k) EXPECT_NEAR(fromBelow[k], fromAbove[k], 0.02) << k;
+}
+
+TEST_F(PocketSkySolve, StopsAtTheLimits) {
+  limits_.assign(limits_.size(), 0.05);
+  limits_[3] = 0;
+  const std::vector<double> depths = solvedFrom(0.02);
+  for (std::size_t k = 0; k < depths.size(); ++k) EXPECT_LE(depths[k], limits_[k]);
+  EXPECT_EQ(depths[3], 0);
+}
+
+}  // namespace
+}  // namespace qrelief
