@@ -147,10 +147,10 @@ TEST_F(LuminancePassTest, ALampAcrossATrenchLightsTheShareOfItsFloorThatTheRimLe
 }
 
 TEST_F(LuminancePassTest, APocketIsAsBrightAsPathTracingSays) {
-  // Walls lean by one grid width: what is a cell's edge in the map is the middle of the lean.
-  const double grid = 0.04, half = 0.98, depth = 0.6, cell = half / 4;
+  // The rims lie on the mesh's grid, where the map has them; the walls lean inwards by one grid width.
+  const double grid = 0.04, half = 1, depth = 0.6, cell = half / 4;
   const Mesh carved = shapes::plate({40, 40}, 20, 1000, 1000, [&](double x, double y) {
-    return std::abs(x) < half && std::abs(y) < half ? -depth : 0.0;
+    return std::max(std::abs(x), std::abs(y)) < half - grid / 2 ? -depth : 0.0;
   });
   const RayTree tree(carved);
   const std::vector<DirectionalLight> lamp = {{.azimuthDeg = 20, .elevationDeg = 35, .strength = 0.5}};
@@ -159,7 +159,7 @@ TEST_F(LuminancePassTest, APocketIsAsBrightAsPathTracingSays) {
     for (int column = -4; column < 4; ++column) {
       // Without the foot of the walls.
       const Vec2 min(column * cell, row * cell);
-      cells.push_back({glm::max(min, Vec2(grid - half)), glm::min(min + cell, Vec2(half - grid))});
+      cells.push_back({glm::max(min, Vec2(1.5 * grid - half)), glm::min(min + cell, Vec2(half - 1.5 * grid))});
     }
   for (const bool withLamp : {false, true}) {
     const auto lights = withLamp ? lamp : std::vector<DirectionalLight>{};

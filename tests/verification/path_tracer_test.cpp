@@ -41,12 +41,13 @@ TEST(PathTracer, TheMiddleOfAPitSeesWhatTheClosedFormSays) {
 }
 
 TEST(PathTracer, TheMiddleOfATrenchSeesWhatTheClosedFormSays) {
+  // Its rims lie on the grid, at ±width/2; the walls lean inwards by one grid width.
   const double grid = 0.05, width = 2, depth = 1.5;
-  const Mesh trench = carvedPlate(20, 400, depth, [&](double x, double) { return std::abs(x) < width / 2; });
+  const Mesh trench = carvedPlate(20, 400, depth, [&](double x, double) { return std::abs(x) < width / 2 - grid / 2; });
   const RayTree tree(trench);
   const SeenCell cell{{-0.01, -0.5}, {0.01, 0.5}};
   const auto light = traceCells(tree, fromAbove(), std::span(&cell, 1), {.paths = 20000});
-  EXPECT_NEAR(light[0].visibility.mean, std::sin(std::atan((width + grid) / (2 * depth))), 0.005);
+  EXPECT_NEAR(light[0].visibility.mean, std::sin(std::atan(width / (2 * depth))), 0.005);
 }
 
 TEST(PathTracer, InsideASphereWithAHoleEveryPointIsAsBright) {
@@ -89,9 +90,9 @@ TEST(PathTracer, AnOpenPlaneUnderALampIsAsBrightAsTheUnitSaysAndReceivesLamberts
 }
 
 TEST(PathTracer, ALampAcrossATrenchLightsTheShareOfItsFloorThatTheRimLeaves) {
-  // The rim's shadow is depth / tan(elevation) long; the leaning walls are half a grid width farther out.
+  // The rim's shadow is depth / tan(elevation) long; the walls lean inwards by one grid width.
   const double grid = 0.05, width = 2, depth = 0.5, elevation = 40;
-  const Mesh trench = carvedPlate(20, 400, depth, [&](double x, double) { return std::abs(x) < width / 2; });
+  const Mesh trench = carvedPlate(20, 400, depth, [&](double x, double) { return std::abs(x) < width / 2 - grid / 2; });
   const RayTree tree(trench);
   const SeenCell floor{{-width / 2 + grid, -0.5}, {width / 2 - grid, 0.5}};
   const auto lit = [&](double azimuth) {
@@ -100,8 +101,7 @@ TEST(PathTracer, ALampAcrossATrenchLightsTheShareOfItsFloorThatTheRimLeaves) {
   };
   const double sine = std::sin(elevation * std::numbers::pi / 180);
   const double shadow = depth / std::tan(elevation * std::numbers::pi / 180);
-  const double rim = width / 2;  // of the upper edge of the wall, at one end of its lean
-  const double share = (width / 2 - grid - (shadow - rim)) / (width - 2 * grid);
+  const double share = (width - grid - shadow) / (width - 2 * grid);
   EXPECT_NEAR(lit(0), sine * share, 0.005);
   EXPECT_NEAR(lit(180), sine * share, 0.005);
   EXPECT_NEAR(lit(90), sine, 0.005);
