@@ -17,6 +17,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <fstream>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "base/random.h"
@@ -32,7 +33,7 @@ using Json = nlohmann::json;
 constexpr int kN = kSubmodulesPerModule;
 constexpr double kAlbedo = 0.7;
 constexpr std::array<const char*, 5> kPatternNames = {"none", "square", "thin-plus", "diamond", "thick-plus"};
-constexpr std::array<double, 3> kFitAlbedos = {0.4, kAlbedo, 0.9};
+constexpr std::array<double, 3> kFitAlbedos = {0.5, kAlbedo, 0.85};
 
 struct Cell {
   int row = 0, column = 0;  // from the quiet zone's top left
@@ -152,48 +153,55 @@ void printRow(const std::string& name, const std::vector<Cell>& cells) {
   std::fflush(stdout);
 }
 
-constexpr std::size_t kFactors = 4;
-using Factors = std::array<double, kFactors>;
+/// Of interreflection.glsl: what walls send is wall / (1 - bounces·albedo)·√visibility, what the surface sends
+/// `surface`.
+struct Factors {
+  double wall = 0, bounces = 0, surface = 0;
+};
 
-/// Of interreflection.glsl, what each factor is multiplied by.
-Factors shares(const Cell& cell, double albedo) {
-  const double wall = (1 - cell.received.pastWalls) * std::sqrt(cell.received.sky);
-  const double surface = cell.received.pastWalls - cell.received.sky;
-  return {albedo * wall, albedo * albedo * wall, albedo * surface, albedo * albedo * surface};
+double reflectedBy(const Factors& f, const Received& r, double albedo) {
+  const double sky = static_cast<double>(r.sky), pastWalls = static_cast<double>(r.pastWalls);
+  const double wall = f.wall / (1 - f.bounces * albedo) * std::sqrt(sky);
+  return albedo * ((1 - pastWalls) * wall + (pastWalls - sky) * f.surface);
 }
 
-/// Least squares over every second model, by the normal equations [Gauss-Jordan].
+/// Least squares over every second model: linear in `wall` and `surface`, tried for every hundredth of `bounces`.
 Factors fitted(const std::vector<Cell>& cells) {
-  std::array<std::array<double, kFactors + 1>, kFactors> rows{};
-  for (const Cell& cell : cells) {
-    if (cell.model % 2) continue;
-    for (std::size_t a = 0; a < kFitAlbedos.size(); ++a) {
-      const Factors x = shares(cell, kFitAlbedos[a]);
-      const double y = cell.traced[a].luminance.mean - cell.traced[a].visibility.mean;
-      for (std::size_t i = 0; i < kFactors; ++i) {
-        for (std::size_t j = 0; j < kFactors; ++j) rows[i][j] += x[i] * x[j];
-        rows[i][kFactors] += x[i] * y;
+  Factors best;
+  double least = std::numeric_limits<double>::infinity();
+  for (int hundredths = 0; hundredths < 100; ++hundredths) {
+    const double bounces = hundredths / 100.0;
+    double xx = 0, xy = 0, yy = 0, xt = 0, yt = 0;
+    for (const Cell& cell : cells) {
+      if (cell.model % 2) continue;
+      for (std::size_t a = 0; a < kFitAlbedos.size(); ++a) {
+        const double x = reflectedBy({1, bounces, 0}, cell.received, kFitAlbedos[a]);
+        const double y = reflectedBy({0, bounces, 1}, cell.received, kFitAlbedos[a]);
+        const double target = cell.traced[a].luminance.mean - cell.traced[a].visibility.mean;
+        xx += x * x;
+        xy += x * y;
+        yy += y * y;
+        xt += x * target;
+        yt += y * target;
       }
     }
-  }
-  for (std::size_t i = 0; i < kFactors; ++i) {
-    for (std::size_t r = 0; r < kFactors; ++r) {
-      if (r == i) continue;
-      const double factor = rows[r][i] / rows[i][i];
-      for (std::size_t j = i; j <= kFactors; ++j) rows[r][j] -= factor * rows[i][j];
+    const double determinant = xx * yy - xy * xy;
+    const double wall = (xt * yy - yt * xy) / determinant, surface = (yt * xx - xt * xy) / determinant;
+    const double squares = -wall * xt - surface * yt;  // beside those of the target
+    if (squares < least) {
+      least = squares;
+      best = {wall, bounces, surface};
     }
   }
-  Factors factors;
-  for (std::size_t i = 0; i < kFactors; ++i) factors[i] = rows[i][kFactors] / rows[i][i];
-  return factors;
+  return best;
 }
 
 void printFit(const std::vector<Cell>& cells) {
   const Factors f = fitted(cells);
   fmt::print(
-      "\ninterreflection fitted to the models 1, 3, 5 …: wall = ({:.3f} + {:.3f}·albedo)·√visibility, "
-      "surface = {:.3f} + {:.3f}·albedo\n\n",
-      f[0], f[1], f[2], f[3]);
+      "\ninterreflection fitted to the models 1, 3, 5 …: wall = {:.3f} / (1 - {:.2f}·albedo)·√visibility, "
+      "surface = {:.3f}\n\n",
+      f.wall, f.bounces, f.surface);
   fmt::print("| luminance error (mean / 99 %) at albedo | {} | {} | {} |\n|---|---|---|---|\n", kFitAlbedos[0],
              kFitAlbedos[1], kFitAlbedos[2]);
   for (const int parity : {0, 1}) {
@@ -203,9 +211,8 @@ void printFit(const std::vector<Cell>& cells) {
     fmt::print("| carved submodules of the {} |", parity == 0 ? "models fitted to" : "other models");
     for (std::size_t a = 0; a < kFitAlbedos.size(); ++a)
       fmt::print(" {} |", summary(some, [&](const Cell& cell) {
-                   const Factors x = shares(cell, kFitAlbedos[a]);
-                   double luminance = cell.received.sky;
-                   for (std::size_t i = 0; i < kFactors; ++i) luminance += f[i] * x[i];
+                   const double luminance =
+                       static_cast<double>(cell.received.sky) + reflectedBy(f, cell.received, kFitAlbedos[a]);
                    return luminance - cell.traced[a].luminance.mean;
                  }));
     fmt::print("\n");
