@@ -11,8 +11,9 @@ namespace {
 
 constexpr int kN = kSubmodulesPerModule;
 constexpr double kFirstDepthModules = 0.25;
-constexpr double kAimShare = 0.01;  // of the threshold: so much darker is aimed at, so that G ends at 0 or below
+constexpr double kAimShare = 0.003;  // of the threshold: so much darker is aimed at, so that G ends at 0 or below
 constexpr double kGreatestAimShare = 0.2;
+constexpr int kSweepsPerPass = 6;
 constexpr int kFreePasses = 2;      // after these, what is dark enough stays,
 constexpr int kLoweringPasses = 3;  // and after these nothing becomes less deep: that ends
 constexpr double kGreatestAlbedo = 0.95;
@@ -49,7 +50,7 @@ void FastSearch::solve() {
     const double margin = states_[k] == State::TooBright ? lastAim : kAimShare;
     shares.push_back(shareOfDarkness(darkness((1 - options_.contrast) * (1 - margin)) - difference_[k]));
   }
-  sky_.solve(shares, limitMm_, solvedMm_);
+  sky_.solve(shares, limitMm_, solvedMm_, kSweepsPerPass);
   for (std::size_t k = 0; k < states_.size(); ++k) {
     double& depth = depths_.depthMm[sky_.carved()[k]];
     const double next = quantisedDepth(std::max(solvedMm_[k], kDepthQuantumMm), limitMm_[k]);

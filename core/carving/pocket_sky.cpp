@@ -8,9 +8,8 @@
 namespace qrelief {
 namespace {
 
-constexpr double kSettledMm = 0.002;
-constexpr int kMaxSweeps = 200;
-constexpr int kBisections = 12;
+constexpr double kSettledMm = 2e-4;
+constexpr int kSteps = 24;
 
 }  // namespace
 
@@ -42,6 +41,20 @@ PocketSky::PocketSky(const SubmoduleMask& mask, double submoduleMm) {
     }
   }
   begin_.push_back(static_cast<std::uint32_t>(steps_.size()));
+  listSeenFrom();
+}
+
+/// The steps the other way round.
+void PocketSky::listSeenFrom() {
+  seenFromBegin_.assign(carved_.size() + 1, 0);
+  for (const Step& step : steps_)
+    if (step.floor != kLight) ++seenFromBegin_[step.floor + 1];
+  for (std::size_t k = 0; k < carved_.size(); ++k) seenFromBegin_[k + 1] += seenFromBegin_[k];
+  seenFrom_.resize(seenFromBegin_.back());
+  std::vector<std::uint32_t> next(seenFromBegin_.begin(), seenFromBegin_.end() - 1);
+  for (std::size_t k = 0; k < carved_.size(); ++k)
+    for (std::uint32_t s = begin_[k * kDirections]; s < begin_[(k + 1) * kDirections]; ++s)
+      if (steps_[s].floor != kLight) seenFrom_[next[steps_[s].floor]++] = static_cast<std::uint32_t>(k);
 }
 
 double PocketSky::share(std::size_t k, double depthMm, std::span<const double> depthsMm) const {
@@ -57,34 +70,51 @@ double PocketSky::share(std::size_t k, double depthMm, std::span<const double> d
   return sum / kDirections;
 }
 
+/// By steps along y = y₀ + 2·log h, y = log((1 − V)/V), the law of a pocket whose walls stand where they stand, until
+/// the depth lies between two known ones; then between these.
 double PocketSky::depthFor(std::size_t k, double wanted, double limitMm, std::span<const double> depthsMm) const {
-  if (share(k, limitMm, depthsMm) > wanted) return limitMm;
-  // A bracket around the depth of the last sweep first: mostly it has hardly moved.
-  double low = 0, high = limitMm;
-  for (double width = 4 * kSettledMm; width < limitMm; width *= 4) {
-    const double below = std::max(0.0, depthsMm[k] - width), above = std::min(limitMm, depthsMm[k] + width);
-    if (share(k, below, depthsMm) > wanted) low = std::max(low, below);
-    if (share(k, above, depthsMm) <= wanted) high = std::min(high, above);
-    if (low == below && high == above) break;
-  }
-  for (int i = 0; i < kBisections && high - low > kSettledMm / 4; ++i) {
-    const double middle = (low + high) / 2;
-    (share(k, middle, depthsMm) > wanted ? low : high) = middle;
+  double low = 0, high = limitMm, seenLow = 1, seenHigh = 0;
+  bool lowIsKnown = false, highIsKnown = false;
+  double depth = std::clamp(depthsMm[k], std::min(kSettledMm, limitMm), limitMm);
+  for (int i = 0; i < kSteps; ++i) {
+    const double seen = share(k, depth, depthsMm);
+    if (seen > wanted) {
+      if (depth >= limitMm) return limitMm;
+      low = depth, seenLow = seen, lowIsKnown = true;
+    } else {
+      high = depth, seenHigh = seen, highIsKnown = true;
+    }
+    if (highIsKnown && high - low < kSettledMm / 2) break;
+    if (lowIsKnown && highIsKnown) {
+      const double along = (seenLow - wanted) / (seenLow - seenHigh);
+      depth = low + (high - low) * std::clamp(along, 0.05, 0.95);
+      continue;
+    }
+    const double v = std::clamp(seen, 1e-6, 1 - 1e-6);
+    const double next = depth * std::sqrt((1 - wanted) / wanted * v / (1 - v));
+    // A little farther than the law says, so that the next one lies on the other side.
+    depth = std::clamp(next + 0.2 * (next - depth), kSettledMm / 4, limitMm);
   }
   return high;
 }
 
-void PocketSky::solve(std::span<const double> shares, std::span<const double> limitsMm,
-                      std::span<double> depthsMm) const {
-  for (int sweep = 0; sweep < kMaxSweeps; ++sweep) {
-    double moved = 0;
+void PocketSky::solve(std::span<const double> shares, std::span<const double> limitsMm, std::span<double> depthsMm,
+                      int mostSweeps) const {
+  std::vector<char> isDue(carved_.size(), 1);
+  for (int sweep = 0; sweep < mostSweeps; ++sweep) {
+    bool moved = false;
     for (std::size_t i = 0; i < carved_.size(); ++i) {
       const std::size_t k = sweep % 2 == 0 ? i : carved_.size() - 1 - i;  // there and back
+      if (!isDue[k]) continue;
+      isDue[k] = 0;
       const double depth = depthFor(k, shares[k], limitsMm[k], depthsMm);
-      moved = std::max(moved, std::abs(depth - depthsMm[k]));
+      const double change = std::abs(depth - depthsMm[k]);
       depthsMm[k] = depth;
+      if (change < kSettledMm) continue;
+      moved = true;
+      for (std::uint32_t s = seenFromBegin_[k]; s < seenFromBegin_[k + 1]; ++s) isDue[seenFrom_[s]] = 1;
     }
-    if (moved < kSettledMm) return;
+    if (!moved) return;
   }
 }
 

@@ -32,8 +32,10 @@ class PocketSky {
   /// other ends there from any start.
   /// @param shares    per floor, above 0 and below 1
   /// @param limitsMm  per floor, ≥ 0
-  /// @param depthsMm  where to begin; the answer
-  void solve(std::span<const double> shares, std::span<const double> limitsMm, std::span<double> depthsMm) const;
+  /// @param depthsMm    where to begin; the answer
+  /// @param mostSweeps  over all floors; a few bring it near, and near is enough where the shares will change again
+  void solve(std::span<const double> shares, std::span<const double> limitsMm, std::span<double> depthsMm,
+             int mostSweeps) const;
 
  private:
   struct Step {
@@ -43,11 +45,13 @@ class PocketSky {
   static constexpr std::uint32_t kLight = 0xffffffff;
   static constexpr int kDirections = 16;
 
+  void listSeenFrom();
   double depthFor(std::size_t k, double share, double limitMm, std::span<const double> depthsMm) const;
 
   std::vector<std::uint32_t> carved_;
-  std::vector<Step> steps_;           // by floor and direction, outwards
-  std::vector<std::uint32_t> begin_;  // of the steps of floor and direction
+  std::vector<Step> steps_;                              // by floor and direction, outwards
+  std::vector<std::uint32_t> begin_;                     // of the steps of floor and direction
+  std::vector<std::uint32_t> seenFrom_, seenFromBegin_;  // by floor: those that have it among their steps
 };
 
 }  // namespace qrelief

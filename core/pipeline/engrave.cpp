@@ -91,6 +91,18 @@ Status checkRequest(const EngraveRequest& request) {
   return {};
 }
 
+/// What carving must not bring into a model. Crossings count where it had none: facets that crossed others before may
+/// have been cut.
+Status checkNewDefects(SolidityReport solidity, const PreparedModel& before) {
+  if (before.crossesItself) solidity.selfIntersections = 0;
+  if (solidity.solid()) return {};
+  return fail(ErrorCode::NoSolution,
+              fmt::format("The model's facets under the code are too fine: carved, it would be no solid ({})",
+                          solidity.problems().front()),
+              "Choose a slightly different centre or size, merge vertices that nearly coincide, or move the model to "
+              "the origin");
+}
+
 /// The walls beside the largest code that may be asked for must be known, too (see wallLimits).
 EngraveRequest withMargin(EngraveRequest request, int modules) {
   PlacementRequest& place = request.placement;
@@ -320,6 +332,7 @@ Status EngraveJob::State::check() {
   const auto solidity = checkSolidity(result.mesh, embedded.newTriangles);
   if (!solidity) return tl::unexpected(solidity.error());
   result.solidity = *solidity;
+  if (const Status sound = checkNewDefects(result.solidity, model->prepared); !sound) return sound;
   const std::vector<std::uint32_t>& partOf = model->prepared.partOfTriangle;
   result.carvedPart = partOf.empty() ? 0 : partOf[result.placement.seed];
   result.partOfTriangle =

@@ -9,6 +9,7 @@
 #include <sys/wait.h>
 
 #include "io/read_model.h"
+#include "io/write_3mf.h"
 #include "io/write_stl.h"
 #include "support/shapes.h"
 #include "support/zip_file.h"
@@ -125,6 +126,64 @@ TEST_F(CommandTest, WritesTheSameSolidInEveryFormat) {
             << other->format << ", triangle " << t;
   }
   EXPECT_EQ(readBack("out.STL")->format, "STL (ASCII)");
+}
+
+/// Volume of the soup's triangles from `first` up to `end`, outwards.
+double volumeOf(const PolygonSoup& soup, std::size_t first, std::size_t end) {
+  double sixfold = 0;
+  for (std::size_t t = first; t < end; ++t) {
+    const auto& [a, b, c] = soup.triangles[t];
+    sixfold += glm::dot(soup.positions[a], glm::cross(soup.positions[b], soup.positions[c]));
+  }
+  return sixfold / 6;
+}
+
+TEST_F(CommandTest, TheInlayFillsThePocketsOfTheCarvedObjectAndTheOtherObjectStaysAsItWas) {
+  const std::vector<ModelObject> objects = {
+      {"ball", {{"", shapes::icosphere(40, 4), {}}}},
+      {"cube", {{"", shapes::translated(shapes::box({5, 6, 7}), {100, 0, 0}), {}}}}};
+  const std::string model = writeBytes("two.3mf", *write3mf(objects, {}));
+  const auto engraved = [&](const std::string& output, const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = {"engrave", model, "--text", "x",          "--at",   "0,0,40",
+                                          "--size",  "25",  "-o",     path(output), "--quiet"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return readBack(output);
+  };
+  const auto plain = engraved("plain.3mf", {});
+  const auto inlaid = engraved("inlaid.3mf", {"--inlay"});
+  const auto original = readBack("two.3mf");
+  ASSERT_TRUE(plain && inlaid && original);
+  for (const auto* soup : {&*plain, &*inlaid}) {
+    ASSERT_EQ(soup->parts.size(), 2u);
+    EXPECT_EQ(soup->parts[0].name, "ball");
+    EXPECT_EQ(soup->parts[1].name, "cube");
+    const std::size_t cube = soup->parts[1].firstTriangle;
+    ASSERT_EQ(soup->triangles.size(), cube + 12);
+    for (std::size_t t = 0; t < 12; ++t)
+      for (std::size_t k = 0; k < 3; ++k)
+        EXPECT_EQ(soup->positions[soup->triangles[cube + t][k]],
+                  original->positions[original->triangles[original->parts[1].firstTriangle + t][k]]);
+  }
+  // One object after the other, the inlay behind the body that it fills.
+  const std::size_t carved = plain->parts[1].firstTriangle, filled = inlaid->parts[1].firstTriangle;
+  ASSERT_GT(filled, carved);
+  const double whole = volumeOf(*original, 0, original->parts[1].firstTriangle);
+  const double body = volumeOf(*inlaid, 0, carved), inlay = volumeOf(*inlaid, carved, filled);
+  EXPECT_EQ(body, volumeOf(*plain, 0, carved));
+  EXPECT_NEAR((body + inlay) / whole, 1, 1e-6);
+}
+
+TEST_F(CommandTest, AnInlayIsFor3mfOnly) {
+  const std::string model = writeModel("ball.stl", shapes::icosphere(40, 3));
+  for (const char* output : {"out.stl", "out.obj", "out.ply"}) {
+    const Outcome outcome =
+        run({"engrave", model, "--text", "x", "--at", "0,0,40", "-o", path(output), "--inlay", "--quiet"});
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_NE(outcome.err.find("--inlay needs two bodies"), std::string::npos) << outcome.err;
+    EXPECT_FALSE(fs::exists(path(output)));
+  }
 }
 
 TEST_F(CommandTest, A3mfBringsItsOwnUnitUnlessToldOtherwise) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/triangulate_polygon.h"
 
-#include <chrono>
 #include <cmath>
+#include <ctime>
 #include <gtest/gtest.h>
 #include <map>
 #include <numbers>
@@ -103,9 +103,9 @@ TEST(TriangulatePolygon, EndsInGoodTimeOnAHostileOutline) {
   std::vector<Vec3> polygon;
   for (int i = 0; i < 20'000; ++i)
     polygon.push_back(Vec3(std::cos(2.4 * i), std::sin(2.4 * i), 0) * (1 + 0.001 * (i % 977)));
-  const auto begin = std::chrono::steady_clock::now();
+  const std::clock_t begin = std::clock();  // of the processor: others may be at work, too
   EXPECT_EQ(triangulatePolygon(polygon).triangles.size(), polygon.size() - 2);
-  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(20));
+  EXPECT_LT(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, 20);
 }
 
 }  // namespace

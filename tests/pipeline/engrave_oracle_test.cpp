@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support/engrave_oracle.h"
 
+#include <fstream>
 #include <gmock/gmock.h>
+#include <iterator>
 #include <numeric>
 
 #include "support/gl_test.h"
@@ -98,6 +100,20 @@ TEST_F(EngraveOracle, SeesReasonsThatAreNotTrue) {
   EXPECT_THAT(refused(ErrorCode::NoSolution, "I do not want to"), HasSubstr("nobody checks"));
   EXPECT_THAT(refused(ErrorCode::BadInput, "The surface is not closed"), HasSubstr("nobody checks"));
   EXPECT_THAT(refused(ErrorCode::Internal, "Oops"), HasSubstr("no typed refusal"));
+}
+
+TEST(CarvingCase, MayBeRefusedForFacetsThatOverlap) {
+  // Found by fuzzing: one corner of the code lies on a facet that a ridge beside the code hides a part of.
+  std::ifstream stream(QRELIEF_SOURCE_DIR "/tests/fuzz/seeds/carve/overlapping_facets", std::ios::binary);
+  const std::vector<std::uint8_t> bytes(std::istreambuf_iterator<char>(stream), {});
+  ASSERT_EQ(bytes.size(), 122u);
+  Choices choices(bytes);
+  EngraveCase made = makeEngraveCase(choices);
+  made.request.text.resize(1);
+  made.request.symbol.version.reset();
+  const Verdict verdict = runCarvingCase(made, choices);
+  EXPECT_EQ(verdict.kind, "does not fit");
+  EXPECT_EQ(verdict.fault, "");
 }
 
 }  // namespace

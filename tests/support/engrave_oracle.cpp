@@ -6,12 +6,14 @@
 #include <fmt/format.h>
 #include <limits>
 #include <numbers>
+#include <set>
 
 #include "carving/wall_limit.h"
 #include "embedding/carving_oracle.h"
 #include "io/write_stl.h"
 #include "math/tolerance.h"
 #include "mesh/ray.h"
+#include "projection/occlusion.h"
 #include "support/brute_force.h"
 #include "support/plane_caster.h"
 #include "support/shapes.h"
@@ -45,6 +47,7 @@ Vec2 pointOf(const DepthField& field, int row, int column, int k) {
 struct Reach {
   double freeMm = std::numeric_limits<double>::infinity();      ///< at any rotation
   double orientedMm = std::numeric_limits<double>::infinity();  ///< at the frame's rotation
+  std::vector<std::uint32_t> facets;                            ///< that rays met on the way, ascending
 };
 
 /// Walks outwards from the centre in `ways` directions by `steps` steps until a ray misses the model or steps to
@@ -62,6 +65,7 @@ Reach walkOutwards(const Mesh& mesh, const ProjectionFrame& frame, double square
     stopAt(Vec2(0));
     return found;
   }
+  std::set<std::uint32_t> met{centre->triangle};
   for (int way = 0; way < ways; ++way) {
     // Towards points of the square's rim, with a small turn so that no way runs along the model's own axes.
     const double angle = 2 * kPi * (way + 0.377) / ways;
@@ -78,8 +82,10 @@ Reach walkOutwards(const Mesh& mesh, const ProjectionFrame& frame, double square
       }
       last = next;
       lastHit = *hit;
+      met.insert(hit->triangle);
     }
   }
+  found.facets.assign(met.begin(), met.end());
   return found;
 }
 
@@ -259,6 +265,17 @@ Search repeatSearch(const EngraveCase& made, const EngravableModel& model, int m
   return repeated;
 }
 
+/// Of facets whose images overlap only one can be taken (projection/visible_patch.h), which may cost a code that no ray
+/// contradicts: whether one that the code needs overlaps another that is seen beside it.
+bool losesFacets(const Mesh& mesh, const ProjectionFrame& frame, const Reach& reach, double squareMm) {
+  const Reach farther = walkOutwards(mesh, frame, 2 * squareMm, 720, 400);
+  return std::any_of(reach.facets.begin(), reach.facets.end(), [&](std::uint32_t needed) {
+    return std::any_of(farther.facets.begin(), farther.facets.end(), [&](std::uint32_t other) {
+      return other != needed && imagesOverlap(mesh, needed, other, frame.eye());
+    });
+  });
+}
+
 /// True of every direction that was looked from: from there, a code of `symbolMm` is broken.
 std::string fitFault(const EngraveCase& made, const EngravableModel& model, const Search& search, int modules,
                      double symbolMm) {
@@ -269,7 +286,7 @@ std::string fitFault(const EngraveCase& made, const EngravableModel& model, cons
     const double looked = square * (anyRotation ? std::numbers::sqrt2 : 1.0);
     const Reach reach = walkOutwards(model.prepared.mesh, frame, looked, 720, 200);
     const double largest = anyRotation ? reach.freeMm : reach.orientedMm;
-    if (largest > square * 1.01)
+    if (largest > square * 1.01 && !losesFacets(model.prepared.mesh, frame, reach, looked))
       return fmt::format("a code of {:.4g} mm is said not to fit, but no ray contradicts it", symbolMm);
   }
   return {};

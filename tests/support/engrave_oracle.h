@@ -21,9 +21,10 @@ struct Verdict {
 ///     the pockets' volumes (surface mode "preserved");
 ///   - at least `minWallMm` thick behind and beside the floors looked at;
 ///   - of a code that is seen as a whole: no ray through its square misses the model or steps to another part of it.
-/// A refusal must be typed and its reason true: a code that does not fit is crossed by the silhouette, as rays tell;
-/// a hidden centre has something before it; a wall is too thin where its distance is measured; a model that is not
-/// closed has an open edge; a text that is too long has more bytes than the standard's table allows.
+/// A refusal must be typed and its reason true: a code that does not fit is crossed by the silhouette, as rays tell, or
+/// needs a facet that lies partly behind another that is seen, or before it; a hidden centre has something before it; a
+/// wall is too thin where its distance is measured; a model that is not closed has an open edge; a text that is too
+/// long has more bytes than the standard's table allows.
 Verdict judge(const EngraveCase& made, const EngravableModel& model, const Result<EngraveResult>& result);
 
 /// Prepares, engraves and judges. Needs a GL context.

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The depth search beside the schemes of earlier work, in one run, to the same end: no carved submodule brighter than
+// (1 − c) of its surroundings.
+//
+//     qrelief_search_bench                                            a bumpy sphere of 82k triangles, 35 mm
+//     qrelief_search_bench MODEL SCALE X,Y,Z [SIZE [RAYS]]            a model of one's own, centre in file units
+//
+// map           depths on a map that was drawn once: ours, with both solvers
+// redraw        the same rule and steps as paper-steps, but every iteration carves the mesh, uploads and redraws it
+//               [Papp 2022, §7]
+// ray tracing   every iteration carves the mesh and traces RAYS paths from each dark submodule (their code: 50,000, in
+//               previews 5,000); what is too bright gets a layer deeper [in the manner of Peng 2019]. RAYS is 50
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <fmt/format.h>
+#include <fstream>
+#include <functional>
+#include <iterator>
+
+#include "carving/depth_search.h"
+#include "carving/submodule_luminances.h"
+#include "carving/wall_limit.h"
+#include "embedding/embed.h"
+#include "io/read_model.h"
+#include "io/write_stl.h"
+#include "native/egl_context.h"
+#include "pipeline/engrave.h"
+#include "render/luminance_pass.h"
+#include "support/shapes.h"
+#include "verification/path_tracer.h"
+
+namespace qrelief {
+namespace {
+
+constexpr int kN = kSubmodulesPerModule;
+constexpr int kMarginModules = 1;
+constexpr double kLayerMm = 0.1;
+constexpr double kMaxDepthModules = 1.2;
+
+using Clock = std::chrono::steady_clock;
+
+double millisecondsSince(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+struct Row {
+  std::string name;
+  int iterations = 0;
+  double meanMm = 0, milliseconds = 0;
+};
+
+/// A placed code and what its depths may be.
+struct Spot {
+  std::shared_ptr<const EngravableModel> model;
+  EngraveRequest request;
+  Placement placement;
+  Symbol symbol;
+  SubmoduleMask mask;
+  std::vector<double> limitMm;
+
+  CarvingTarget target() const { return {&symbol, &mask, placement.symbolMm, limitMm}; }
+  int edge() const { return kN * (symbol.size + 2 * kQuietZoneModules); }
+};
+
+Result<Mesh> carved(const Spot& spot, const DepthField& depths) {
+  auto embedded =
+      embedDepthField(spot.model->prepared.mesh, spot.placement.frame, spot.placement.patch.triangles, depths, {});
+  if (!embedded) return tl::unexpected(embedded.error());
+  return std::move(embedded->mesh);
+}
+
+Result<Row> runOnMap(const Spot& spot, ContrastSolver solver, const char* name) {
+  EngraveRequest request = spot.request;
+  request.solver = solver;
+  const auto result = engrave(spot.model, request);
+  if (!result) return tl::unexpected(result.error());
+  return Row{name, result->searchIterations, summarise(result->depths).meanMm, result->timingsMs.depthSearch};
+}
+
+/// The paper's: carve, redraw, light, compare.
+Result<Row> runRedrawing(const Spot& spot) {
+  const auto pass = GeometryPass::create();
+  if (!pass) return tl::unexpected(pass.error());
+  const int cells = spot.edge() + 2 * kN * kMarginModules, cellTexels = 4, border = kN * kMarginModules;
+  const MapWindow window{spot.placement.moduleMm * cells / kN, cellTexels * cells};
+  DepthSearchOptions options;
+  options.contrast = spot.request.contrast;
+  const auto start = Clock::now();
+  DepthSearch search(spot.target(), options);
+  while (!search.finished()) {
+    const auto mesh = carved(spot, search.depths());
+    if (!mesh) return tl::unexpected(mesh.error());
+    const GpuMesh gpu(*mesh, vertexNormals(*mesh));
+    const auto maps = pass->render(gpu, spot.placement.frame, window);
+    if (!maps) return tl::unexpected(maps.error());
+    LuminanceOptions light;
+    light.cellTexels = cellTexels;
+    light.slices = 2;
+    light.albedo = spot.request.albedo;
+    light.radiusMm = static_cast<float>(3 * spot.placement.moduleMm);
+    light.reliefMm = static_cast<float>(summarise(search.depths()).maxMm);
+    light.horizonSamples = 1;
+    light.horizonStartMm = light.radiusMm;
+    auto luminance = LuminancePass::create(*maps, nullptr, spot.placement.frame.eyeDistance, light);
+    if (!luminance) return tl::unexpected(luminance.error());
+    luminance->run();
+    const std::vector<float> means = luminance->readLuminance();
+    std::vector<double> told;
+    for (int row = 0; row < spot.edge(); ++row)
+      for (int column = 0; column < spot.edge(); ++column)
+        told.push_back(means[static_cast<std::size_t>((cells - 1 - row - border) * cells + column + border)]);
+    search.update(told);
+  }
+  return Row{"redraw", search.iterations(), summarise(search.depths()).meanMm, millisecondsSince(start)};
+}
+
+/// Peng's: rays from every dark submodule, one layer deeper where it sees too much.
+Result<Row> runTracing(const Spot& spot, int rays) {
+  const auto start = Clock::now();
+  DepthField depths{spot.mask.size, spot.placement.symbolMm, std::vector<double>(spot.mask.carved.size(), 0)};
+  std::vector<std::uint32_t> dark;
+  std::vector<SeenCell> cells;
+  for (std::uint32_t i = 0; i < spot.mask.carved.size(); ++i) {
+    if (!spot.mask.carved[i]) continue;
+    dark.push_back(i);
+    depths.depthMm[i] = quantisedDepth(kLayerMm, spot.limitMm[i]);
+    const Vec2 corner = depths.corner(static_cast<int>(i) / spot.mask.size, static_cast<int>(i) % spot.mask.size);
+    const double h = depths.submoduleMm();
+    cells.push_back({{corner.x, corner.y - h}, {corner.x + h, corner.y}});
+  }
+  int iterations = 0;
+  for (bool deepened = true; deepened; ++iterations) {
+    const auto mesh = carved(spot, depths);
+    if (!mesh) return tl::unexpected(mesh.error());
+    const RayTree tree(*mesh);
+    const auto light = traceCells(tree, spot.placement.frame, cells,
+                                  {.paths = rays, .albedo = static_cast<double>(spot.request.albedo)});
+    deepened = false;
+    for (std::size_t k = 0; k < dark.size(); ++k) {
+      if (light[k].luminance.mean <= 1 - spot.request.contrast) continue;
+      double& depth = depths.depthMm[dark[k]];
+      const double deeper = quantisedDepth(depth + kLayerMm, spot.limitMm[dark[k]]);
+      deepened = deepened || deeper > depth;
+      depth = std::max(depth, deeper);
+    }
+  }
+  return Row{fmt::format("ray tracing, {} rays", rays), iterations, summarise(depths).meanMm, millisecondsSince(start)};
+}
+
+Result<Spot> placedSpot(const std::vector<std::uint8_t>& bytes, const std::string& name, double scale, Vec3 centre,
+                        double sizeMm) {
+  const auto soup = readModel(bytes, name);
+  if (!soup) return tl::unexpected(soup.error());
+  auto prepared = prepareModel(*soup, {.scaleToMm = scale});
+  if (!prepared) return tl::unexpected(prepared.error());
+  Spot spot;
+  spot.model = EngravableModel::upload(std::move(*prepared));
+  EngraveRequest& request = spot.request;
+  request.text = "https://qrelief.example/bench-000000001";
+  request.symbol.version = 3;
+  request.placement.centreMm = centre;
+  request.placement.sizeMode = sizeMm > 0 ? SizeMode::Fixed : SizeMode::Free;
+  request.placement.sizeMm = sizeMm;
+  auto result = engrave(spot.model, request);
+  if (!result) return tl::unexpected(result.error());
+  spot.placement = std::move(result->placement);
+  spot.symbol = std::move(result->symbol);
+  spot.mask = submodulesToCarve(spot.symbol, request.modulePattern, request.finderPattern);
+  spot.limitMm = wallLimits(spot.model->prepared.mesh, spot.placement.patch, spot.placement.frame, spot.mask,
+                            {spot.placement.symbolMm, kMaxDepthModules * spot.placement.moduleMm, request.minWallMm});
+  return spot;
+}
+
+int failed(const Error& error) {
+  fmt::print(stderr, "qrelief_search_bench: {} ({})\n", error.message, error.hint);
+  return 1;
+}
+
+int run(int argc, char** argv) {
+  const auto context = EglContext::create();
+  if (!context) return failed(context.error());
+  std::vector<std::uint8_t> bytes;
+  std::string name = "bumpy sphere (generated).stl";
+  double scale = 1;
+  Vec3 centre(0, 0, 50);
+  if (argc < 4) {
+    bytes = writeStl(shapes::bumpySphere(50, 2, 5, 6));
+  } else {
+    name = argv[1];
+    std::ifstream stream(argv[1], std::ios::binary);
+    bytes.assign(std::istreambuf_iterator<char>(stream), {});
+    scale = std::atof(argv[2]);
+    std::sscanf(argv[3], "%lf,%lf,%lf", &centre.x, &centre.y, &centre.z);
+    centre *= scale;
+  }
+  const double sizeMm = argc > 4 ? std::atof(argv[4]) : 35;
+  const int rays = argc > 5 ? std::atoi(argv[5]) : 50;
+  const auto spot = placedSpot(bytes, name, scale, centre, sizeMm);
+  if (!spot) return failed(spot.error());
+  fmt::print("{}, {:.4g} mm, {} dark submodules, contrast {:g}\n", name, spot->placement.symbolMm,
+             std::count(spot->mask.carved.begin(), spot->mask.carved.end(), 1), spot->request.contrast);
+
+  double fastMs = 0;
+  const std::function<Result<Row>()> schemes[] = {
+      [&] { return runOnMap(*spot, ContrastSolver::Fast, "map, fast"); },
+      [&] { return runOnMap(*spot, ContrastSolver::PaperSteps, "map, paper-steps"); },
+      [&] { return runRedrawing(*spot); },
+      [&] { return runTracing(*spot, rays); },
+  };
+  for (const auto& scheme : schemes) {
+    const Result<Row> row = scheme();
+    if (!row) return failed(row.error());
+    if (fastMs == 0) fastMs = row->milliseconds;
+    fmt::print("{:<24} {:3} iterations  mean depth {:.3f} mm  {:10.0f} ms  {:8.1f} times\n", row->name, row->iterations,
+               row->meanMm, row->milliseconds, row->milliseconds / fastMs);
+    std::fflush(stdout);
+  }
+  return 0;
+}
+
+}  // namespace
+}  // namespace qrelief
+
+int main(int argc, char** argv) { return qrelief::run(argc, argv); }

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Reads the 3MF files that the page gives back, by means that are not its own.
+import { inflateRawSync } from 'node:zlib';
+
+/** @typedef {import('../../web/samples/solid.js').Mesh} Mesh */
+/** @typedef {{ name: string, colour: string, cura: string, mesh: Mesh }} Body */
+
+/**
+ * The files of an archive, by its central directory.
+ * @param {Uint8Array} bytes
+ * @returns {Map<string, string>}
+ */
+export function unzip(bytes) {
+  const data = Buffer.from(bytes);
+  const end = data.lastIndexOf('PK\x05\x06');
+  /** @type {Map<string, string>} */ const files = new Map();
+  let at = data.readUInt32LE(end + 16);
+  for (let left = data.readUInt16LE(end + 10); left > 0; left -= 1) {
+    const [packedSize, nameSize, extraSize, commentSize, header] = [
+      data.readUInt32LE(at + 20), data.readUInt16LE(at + 28), data.readUInt16LE(at + 30), data.readUInt16LE(at + 32),
+      data.readUInt32LE(at + 42),
+    ];
+    const begin = header + 30 + data.readUInt16LE(header + 26) + data.readUInt16LE(header + 28);
+    const packed = data.subarray(begin, begin + packedSize);
+    const content = data.readUInt16LE(at + 10) === 8 ? inflateRawSync(packed) : packed;
+    files.set(data.toString('utf8', at + 46, at + 46 + nameSize), content.toString('utf8'));
+    at += 46 + nameSize + extraSize + commentSize;
+  }
+  return files;
+}
+
+/**
+ * Attributes of every element of that name.
+ * @param {string} xml @param {string} name
+ * @returns {Record<string, string>[]}
+ */
+const elements = (xml, name) => [...xml.matchAll(new RegExp(`<${name}\\b([^>]*)>`, 'g'))].map(([, attributes]) =>
+  Object.fromEntries([...attributes.matchAll(/([\w:]+)="([^"]*)"/g)].map(([, key, value]) => [key, value])));
+
+/**
+ * Every object that has a mesh, by its id.
+ * @param {string} model
+ * @returns {Map<string, Body>}
+ */
+export function bodiesOf(model) {
+  const colours = elements(model, 'm:color').map(({ color }) => color);
+  /** @type {Map<string, Body>} */ const bodies = new Map();
+  for (const [text] of model.matchAll(/<object\b.*?<\/object>/gs)) {
+    if (!text.includes('<mesh>')) continue;
+    const [{ id, name, pindex }] = elements(text, 'object');
+    bodies.set(id, {
+      name,
+      colour: colours[Number(pindex)],
+      cura: /name="cura:extruder_nr"[^>]*>(\d+)</.exec(text)?.[1] ?? '',
+      mesh: {
+        positions: elements(text, 'vertex').map(({ x, y, z }) => [Number(x), Number(y), Number(z)]),
+        triangles: elements(text, 'triangle').map(({ v1, v2, v3 }) => [Number(v1), Number(v2), Number(v3)]),
+      },
+    });
+  }
+  return bodies;
+}
+
+/**
+ * Ids of the bodies of each thing on the plate.
+ * @param {string} model
+ */
+export function itemsOf(model) {
+  const objects = new Map([...model.matchAll(/<object\b.*?<\/object>/gs)].map(([text]) =>
+    [elements(text, 'object')[0].id, elements(text, 'component').map(({ objectid }) => objectid)]));
+  return elements(model, 'item').map(({ objectid }) => objects.get(objectid));
+}
+
+/**
+ * The extruder that slicers' own settings give each body, by its id.
+ * @param {Map<string, string>} files
+ */
+export function extrudersOf(files) {
+  const bambu = [...(files.get('Metadata/model_settings.config') ?? '')
+    .matchAll(/<part id="(\d+)"(?:(?!<\/part>).)*key="extruder" value="(\d+)"/gs)];
+  const prusa = [...(files.get('Metadata/Slic3r_PE_model.config') ?? '')
+    .matchAll(/<object id="(\d+)"(?:(?!<\/object>).)*?key="extruder" value="(\d+)"/gs)];
+  const byId = (/** @type {RegExpMatchArray[]} */ found) => Object.fromEntries(found.map(([, id, number]) => [id, number]));
+  return { bambu: byId(bambu), prusa: byId(prusa) };
+}

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/carved_objects.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "support/gl_test.h"
+#include "support/shapes.h"
+
+namespace qrelief {
+namespace {
+
+const std::vector<std::string> kNames = {"left", "nothing", "right"};
+
+/// The corners of every triangle, bit for bit; which vertices they share is not looked at.
+std::vector<Vec3f> cornersOf(const Mesh& mesh) {
+  std::vector<Vec3f> corners;
+  for (const Triangle& triangle : mesh.triangles)
+    for (const std::uint32_t v : triangle) corners.push_back(mesh.positions[v]);
+  return corners;
+}
+
+void expectSameMesh(const Mesh& found, const Mesh& expected) {
+  EXPECT_EQ(found.positions, expected.positions);
+  EXPECT_EQ(found.triangles, expected.triangles);
+}
+
+/// As if the right one of two boxes had been carved; the part between them has no triangle.
+EngraveResult twoBoxes() {
+  EngraveResult result;
+  result.mesh = shapes::together(shapes::box({1, 2, 3}), shapes::translated(shapes::box({4, 4, 4}), {10, 0, 0}));
+  result.partOfTriangle.assign(12, 0);
+  result.partOfTriangle.resize(24, 2);
+  result.carvedPart = 2;
+  return result;
+}
+
+TEST(CarvedObjects, EveryPartIsAnObjectOfItsNameWithoutAColour) {
+  const std::vector<ModelObject> objects = carvedObjects(twoBoxes(), kNames, true);
+  ASSERT_EQ(objects.size(), 2u);
+  EXPECT_EQ(objects[0].name, "left");
+  EXPECT_EQ(objects[1].name, "right");
+  for (const ModelObject& object : objects) {
+    ASSERT_EQ(object.bodies.size(), 1u);
+    EXPECT_FALSE(object.bodies[0].colour);
+  }
+  expectSameMesh(objects[0].bodies[0].mesh, shapes::box({1, 2, 3}));
+  expectSameMesh(objects[1].bodies[0].mesh, shapes::translated(shapes::box({4, 4, 4}), {10, 0, 0}));
+}
+
+TEST(CarvedObjects, TheInlayIsTheSecondBodyOfTheCarvedObjectInAnotherColour) {
+  EngraveResult result = twoBoxes();
+  result.inlay = shapes::translated(shapes::box({1, 1, 1}), {10, 0, 1.5});
+  for (const std::uint32_t carved : {0u, 2u}) {
+    result.carvedPart = carved;
+    const std::vector<ModelObject> objects = carvedObjects(result, kNames, true);
+    ASSERT_EQ(objects.size(), 2u);
+    const ModelObject& whole = objects[carved == 0 ? 1 : 0];
+    EXPECT_EQ(whole.bodies.size(), 1u);
+    EXPECT_FALSE(whole.bodies[0].colour);
+    const ModelObject& object = objects[carved == 0 ? 0 : 1];
+    EXPECT_EQ(object.name, kNames[carved]);
+    ASSERT_EQ(object.bodies.size(), 2u);
+    expectSameMesh(object.bodies[1].mesh, *result.inlay);
+    EXPECT_EQ(object.bodies[1].name, "QR code");
+    ASSERT_TRUE(object.bodies[0].colour && object.bodies[1].colour);
+    EXPECT_NE(*object.bodies[0].colour, *object.bodies[1].colour);
+  }
+}
+
+TEST(CarvedObjects, AnInlayThatIsNotWantedIsLeftOut) {
+  EngraveResult result = twoBoxes();
+  result.inlay = shapes::box({1, 1, 1});
+  for (const ModelObject& object : carvedObjects(result, kNames, false)) {
+    ASSERT_EQ(object.bodies.size(), 1u);
+    EXPECT_FALSE(object.bodies[0].colour);
+  }
+}
+
+TEST(CarvedObjects, AModelOfOnePartIsOneObjectAsItIs) {
+  EngraveResult result;
+  result.mesh = shapes::icosphere(10, 2);
+  result.inlay = shapes::box({1, 1, 1});
+  const std::vector<ModelObject> objects = carvedObjects(result, {}, true);
+  ASSERT_EQ(objects.size(), 1u);
+  EXPECT_EQ(objects[0].name, "");
+  ASSERT_EQ(objects[0].bodies.size(), 2u);
+  expectSameMesh(objects[0].bodies[0].mesh, result.mesh);
+}
+
+class CarvedObjectsOfAnEngravedModel : public GlTest {};
+
+/// A small cube, and a ball behind it in the file that takes the code.
+TEST_F(CarvedObjectsOfAnEngravedModel, KeepTheOtherObjectBitForBitAndFillThePockets) {
+  const Mesh cube = shapes::translated(shapes::box({5, 6, 7}), {100, 0, 0}), ball = shapes::icosphere(40, 4);
+  PolygonSoup soup = shapes::soupOf(shapes::together(cube, ball));
+  soup.parts = {{"cube", 0}, {"ball", 12}};
+  auto prepared = prepareModel(soup, {});
+  ASSERT_TRUE(prepared) << prepared.error().message;
+  EngraveRequest request;
+  request.text = "x";
+  request.placement.centreMm = {0, 0, 40};
+  request.placement.sizeMode = SizeMode::Fixed;
+  request.placement.sizeMm = 25;
+  request.inlay = true;
+  const auto result = engrave(EngravableModel::upload(std::move(*prepared)), request);
+  ASSERT_TRUE(result) << result.error().message;
+
+  const std::vector<ModelObject> objects = carvedObjects(*result, std::vector<std::string>{"cube", "ball"}, true);
+  ASSERT_EQ(objects.size(), 2u);
+  EXPECT_EQ(objects[0].name, "cube");
+  EXPECT_EQ(objects[1].name, "ball");
+  ASSERT_EQ(objects[0].bodies.size(), 1u);
+  EXPECT_EQ(cornersOf(objects[0].bodies[0].mesh), cornersOf(cube));
+  ASSERT_EQ(objects[1].bodies.size(), 2u);
+  const Mesh &carved = objects[1].bodies[0].mesh, &inlay = objects[1].bodies[1].mesh;
+  for (const Mesh* body : {&carved, &inlay}) {
+    const auto solidity = checkSolidity(*body);
+    ASSERT_TRUE(solidity);
+    EXPECT_TRUE(solidity->solid()) << testing::PrintToString(solidity->problems());
+  }
+  // The surface over the pockets is that of the ball, up to the rounding of new corners to floats.
+  EXPECT_NEAR((signedVolume(carved) + signedVolume(inlay)) / signedVolume(ball), 1, 1e-6);
+  double depths = 0;
+  for (int row = 0; row < result->depths.size; ++row)
+    for (int column = 0; column < result->depths.size; ++column) depths += result->depths.depth(row, column);
+  const double pockets = depths * std::pow(25.0 / result->depths.size, 2);
+  EXPECT_NEAR(signedVolume(inlay) / pockets, 1, 0.05);  // the ball curves away from the plane that the squares lie in
+}
+
+}  // namespace
+}  // namespace qrelief
