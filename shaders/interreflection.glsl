@@ -1,8 +1,9 @@
 // Light that matte material of an albedo reflects into what is hidden from the sky, as irradiance, 1 = the open sky.
 //
 // What a pocket's walls send to its floor grows with the root of the floor's own visibility (both see the sky through
-// the same opening); the model's further surface, seen past the walls, is nearly as bright as an open one. Factors
-// fitted against path tracing: bench/luminance_table.cpp, which also says how far off they are.
+// the same opening); the model's further surface, seen past the walls, is nearly as bright as an open one. The factor
+// of the wall is a fit to path tracing at albedo 0.7; its change with the albedo is an estimate. How far off the formula
+// is, and a fit over albedos: bench/luminance_table.cpp.
 //
 // visibility: of the sky; pastWalls: the same if nothing but the walls of pockets hid it, ≥ visibility.
 float interreflection(float visibility, float pastWalls, float albedo) {
