@@ -100,10 +100,13 @@ Result<Row> runRedrawing(const Spot& spot) {
     light.slices = 2;
     light.albedo = spot.request.albedo;
     light.radiusMm = static_cast<float>(3 * spot.placement.moduleMm);
-    auto luminance = LuminancePass::create(*maps, spot.placement.frame.eyeDistance, light);
+    light.reliefMm = static_cast<float>(summarise(search.depths()).maxMm);
+    light.horizonSamples = 1;
+    light.horizonStartMm = light.radiusMm;
+    auto luminance = LuminancePass::create(*maps, nullptr, spot.placement.frame.eyeDistance, light);
     if (!luminance) return tl::unexpected(luminance.error());
     luminance->run();
-    const std::vector<float> means = luminance->readCellMeans();
+    const std::vector<float> means = luminance->readLuminance();
     std::vector<double> told;
     for (int row = 0; row < spot.edge(); ++row)
       for (int column = 0; column < spot.edge(); ++column)
@@ -136,7 +139,7 @@ Result<Row> runTracing(const Spot& spot, int rays) {
                                   {.paths = rays, .albedo = static_cast<double>(spot.request.albedo)});
     deepened = false;
     for (std::size_t k = 0; k < dark.size(); ++k) {
-      if (light[k].luminance <= 1 - spot.request.contrast) continue;
+      if (light[k].luminance.mean <= 1 - spot.request.contrast) continue;
       double& depth = depths.depthMm[dark[k]];
       const double deeper = quantisedDepth(depth + kLayerMm, spot.limitMm[dark[k]]);
       deepened = deepened || deeper > depth;

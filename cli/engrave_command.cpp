@@ -29,6 +29,7 @@ struct EngraveOptions {
   std::vector<double> at, up;
   std::string pattern = "square", finderPattern = "thick-plus", solver = "fast", objective = "contrast",
               surface = "preserved";
+  std::vector<std::string> lights;
   bool noQuietZone = false, ascii = false, quiet = false;
   EngraveRequest request;
 };
@@ -81,6 +82,24 @@ Status readDirection(const std::string& text, PlacementRequest& placement) {
   return {};
 }
 
+/// @param text  AZIMUTH,ELEVATION[,STRENGTH]
+Result<DirectionalLight> readLight(const std::string& text) {
+  std::vector<double> numbers;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const Result<double> value = numberFrom(text.substr(begin, end - begin), "A number of the light");
+    if (!value) return fail(ErrorCode::BadUsage, value.error().message, "Give AZIMUTH,ELEVATION,STRENGTH: 90,45,1");
+    numbers.push_back(*value);
+    begin = end + 1;
+  }
+  if (numbers.size() != 2 && numbers.size() != 3)
+    return fail(ErrorCode::BadUsage, fmt::format("The light \"{}\" has {} numbers", text, numbers.size()),
+                "Give AZIMUTH,ELEVATION,STRENGTH: 90,45,1");
+  DirectionalLight light{.azimuthDeg = numbers[0], .elevationDeg = numbers[1]};
+  if (numbers.size() == 3) light.strength = numbers[2];
+  return light;
+}
+
 /// For the check of -o; empty if such a file can be written.
 std::string whyNotWritable(const std::string& path) {
   const ModelFormat format = formatOfName(path);
@@ -109,6 +128,11 @@ Status completeRequest(EngraveOptions& options) {
   request.solver = options.solver == "fast" ? ContrastSolver::Fast : ContrastSolver::PaperSteps;
   request.finderPattern = *finderPatternByName(options.finderPattern);
   request.symbol = symbolOptionsFrom(options.symbol);
+  for (const std::string& text : options.lights) {
+    const Result<DirectionalLight> light = readLight(text);
+    if (!light) return tl::unexpected(light.error());
+    request.lights.push_back(*light);
+  }
   if (options.maxDepth > 0) request.maxDepthMm = options.maxDepth;
   return {};
 }
@@ -257,6 +281,11 @@ std::function<int()> addEngraveCommand(CLI::App& app) {
   c->add_option("--finder-contrast", request.reading.finderContrast,
                 fmt::format("reading: the same for the finder patterns [{:g}]", request.reading.finderContrast))
       ->check(CLI::Range(0.01, 0.9));
+  c->add_option(
+       "--light", o->lights,
+       "AZIMUTH,ELEVATION[,STRENGTH]: a lamp beside the sky; degrees round the code from its right anticlockwise "
+       "and over its plane; strength 1 is that of the sky; at most 2 [none]")
+      ->allow_extra_args(false);
   c->add_option("--max-depth", o->maxDepth, "mm [1.2 modules]")->check(CLI::PositiveNumber);
   c->add_option("--nozzle", request.nozzleMm, "of the printer, mm, for advice [0.4]")->check(CLI::Range(0.01, 10.0));
   c->add_option("--min-wall", request.minWallMm, "material that must remain, mm [0.8]");

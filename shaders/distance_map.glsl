@@ -28,10 +28,9 @@ bool isModel(vec4 surface) {
   return dot(surface.xyz, surface.xyz) > 0.0;
 }
 
-// Point of the engraved surface on the ray through `point`, as the texel at `owner` sees it: on that texel's facet
+// Point of the engraved surface on the ray through `point`, as the texel round `middle` sees it: on that texel's facet
 // plane, moved along the ray by its depth. Exact where the surface is flat over half a texel.
-vec3 engravedPoint(vec4 surface, float depth, vec2 owner, vec2 point) {
-  vec2 middle = floor(owner) + 0.5;
+vec3 engravedPoint(vec4 surface, float depth, vec2 middle, vec2 point) {
   vec3 ray = rayThrough(point);
   vec3 ownerRay = rayThrough(middle);
   float scale = 1.0 - surface.w / u_eyeDistance;
@@ -41,4 +40,37 @@ vec3 engravedPoint(vec4 surface, float depth, vec2 owner, vec2 point) {
   float slope = dot(surface.xyz, ray);
   if (slope < -0.1 * u_eyeDistance) seen += scale * (vec3(offset, 0.0) - ray * (dot(surface.xy, offset) / slope));
   return seen + ray * (depth * inversesqrt(dot(ray, ray)));
+}
+
+const float kPi = 3.14159265359;
+const float kSteepest = 100.0;  // cotangents are kept within ± this
+
+// What slices through the line of sight of a texel are measured by. `side` and `upward` are square to it.
+struct SightFrame {
+  vec3 ray;  // not a unit vector
+  vec3 toEye;
+  vec3 side;
+  vec3 upward;
+};
+
+SightFrame sightFrame(vec2 texel) {
+  vec3 ray = rayThrough(texel);
+  vec3 toEye = -normalize(ray);
+  vec3 side = normalize(cross(vec3(0.0, 1.0, 0.0), toEye));
+  return SightFrame(ray, toEye, side, cross(toEye, side));
+}
+
+// Unit vector square to the line of sight.
+vec3 directionAcross(SightFrame sight, float angle) {
+  return sight.side * cos(angle) + sight.upward * sin(angle);
+}
+
+// Direction in the map in which a point that moves by `along` is projected: where the slice meets the QR plane.
+vec2 onPlane(vec3 along, vec3 ray) {
+  return normalize(along.xy * u_eyeDistance + ray.xy * along.z);
+}
+
+// Of the angle between the line of sight and the tangent plane, in a slice.
+float tangentCotangent(vec3 normal, vec3 along, vec3 toEye) {
+  return clamp(-dot(normal, along) / max(dot(normal, toEye), 1e-3), -kSteepest, kSteepest);
 }

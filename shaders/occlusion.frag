@@ -7,46 +7,109 @@
 // and the horizon integral is the sky visibility itself. The march goes from cell border to cell border, where the
 // walls stand, so no step is too long.
 //
-// Output: share of a uniform sky, cosine-weighted, that reaches the texel; 1 = unoccluded plane.
+// Output: share of a uniform sky, cosine-weighted, that reaches the texel, 1 = unoccluded plane; the same past the
+// walls of pockets alone; irradiance by the lamps, 1 = that of the whole sky; the same before anything was carved.
 precision highp float;
 
 #include "distance_map.glsl"
 
-uniform int u_slices;          // half-planes pairs through the line of sight
+uniform sampler2D u_horizon;   // of the uncarved surface (horizon.frag)
+uniform float u_samples;       // places along its edge
+uniform int u_slices;          // pairs of half-planes through the line of sight
 uniform float u_radiusTexels;  // reach of the march
-uniform float u_highestMm;     // no point of the map lies higher over the QR plane
+uniform float u_reliefMm;      // depth of what is carved into u_surface itself, beside u_depth
 uniform int u_rotate;          // 1: texels of each 4×4 block take turned slices, so that a block's mean has 16 times as many
 
-layout(location = 0) out vec4 o_visibility;
+uniform int u_lampCount;
+uniform vec4 u_lamps[2];       // unit vector to the lamp, strength
 
-const float kPi = 3.14159265359;
+layout(location = 0) out vec4 o_received;
 
-// Cosine of the greatest horizon angle's complement seen from `origin` along `step` (texel units, unit length).
-float horizonCosine(vec2 start, vec2 direction, vec3 origin, vec3 toEye, float lowest) {
-  float highest = lowest;
-  float rise = max(u_highestMm - origin.z, 0.0);
-  float lean = max(dot(toEye.xy, direction), 0.0);
-  vec2 forward = sign(direction);
-  vec2 perBorder = u_cellTexels / max(abs(direction), vec2(1e-6));
-  vec2 cell = floor(start / u_cellTexels);
-  vec2 border = (cell + max(forward, 0.0)) * u_cellTexels;
-  vec2 next = abs(border - start) / max(abs(direction), vec2(1e-6));
-  for (int i = 0; i < 256; ++i) {
-    float travelled = min(next.x, next.y);
-    if (travelled > u_radiusTexels) break;
-    // Could even the map's highest point raise the horizon from here? (0.9: the surface lies nearer than the plane.)
-    float reach = 0.9 * travelled * u_texelMm;
-    if ((rise * toEye.z + reach * lean) * inversesqrt(rise * rise + reach * reach) <= highest) break;
-    next += perBorder * vec2(lessThanEqual(next, vec2(travelled)));
-    vec2 point = start + direction * travelled;
-    vec2 owner = point + direction * 1e-3 + forward * 1e-3;
-    if (!isInside(owner)) break;
-    vec4 surface = texelFetch(u_surface, ivec2(owner), 0);
-    if (!isModel(surface)) continue;
-    vec3 towards = engravedPoint(surface, carvedDepth(owner), owner, point) - origin;
-    highest = max(highest, dot(towards, toEye) * inversesqrt(dot(towards, towards)));
+// Cotangent of the angle between the line of sight and the uncarved surface's horizon.
+float horizonOfSurface(vec2 texel, float angle) {
+  ivec2 place = ivec2(texel * u_samples / u_mapTexels);
+  float sector = mod(angle * 8.0 / kPi, 16.0);
+  int from = int(sector);
+  int to = (from + 1) & 15;
+  float first = texelFetch(u_horizon, ivec2(4 * place.x + (from >> 2), place.y), 0)[from & 3];
+  float second = texelFetch(u_horizon, ivec2(4 * place.x + (to >> 2), place.y), 0)[to & 3];
+  return mix(first, second, fract(sector));
+}
+
+// March from cell border to cell border.
+struct March {
+  vec2 start;
+  vec2 direction;
+  vec2 forward;
+  vec2 perBorder;
+  vec2 next;  // distance to the next border across columns, rows
+};
+
+March marchFrom(vec2 start, vec2 direction) {
+  March march;
+  march.start = start;
+  march.direction = direction;
+  march.forward = sign(direction);
+  march.perBorder = u_cellTexels / max(abs(direction), vec2(1e-6));
+  vec2 border = (floor(start / u_cellTexels) + max(march.forward, 0.0)) * u_cellTexels;
+  march.next = abs(border - start) / max(abs(direction), vec2(1e-6));
+  return march;
+}
+
+// From `origin` to the rim at the border reached, as seen from the cell behind it; false beyond the map.
+bool stepMarch(inout March march, vec3 origin, out vec3 towards) {
+  float travelled = min(march.next.x, march.next.y);
+  march.next += march.perBorder * vec2(lessThanEqual(march.next, vec2(travelled)));
+  vec2 point = march.start + march.direction * travelled;
+  vec2 owner = point + march.direction * 1e-3 + march.forward * 1e-3;
+  towards = vec3(0.0);
+  if (!isInside(owner)) return false;
+  vec4 surface = texelFetch(u_surface, ivec2(owner), 0);
+  if (isModel(surface)) towards = engravedPoint(surface, carvedDepth(owner), floor(owner) + 0.5, point) - origin;
+  return true;
+}
+
+// From the floor of a pocket nothing rises higher over the surface's own horizon than its rim at a distance: whether
+// that is too little to matter. (0.9: the surface lies nearer than the plane.)
+bool isSettled(March march, float cotangent, float surfaceHorizon, float pocketMm) {
+  float travelled = min(march.next.x, march.next.y);
+  return travelled > u_radiusTexels || (cotangent - surfaceHorizon) * (0.9 * travelled * u_texelMm) >= pocketMm;
+}
+
+// Cotangent of the angle between the line of sight and the horizon seen from `origin` in the slice along `along`.
+float horizonCotangent(vec2 start, vec3 along, vec3 origin, SightFrame sight, float tangent, float surfaceHorizon,
+                       float pocketMm) {
+  March march = marchFrom(start, onPlane(along, sight.ray));
+  float highest = tangent;
+  for (int i = 0; i < 256 && !isSettled(march, highest, surfaceHorizon, pocketMm); ++i) {
+    vec3 towards;
+    if (!stepMarch(march, origin, towards)) break;
+    float across = dot(towards, along);
+    if (across > 0.0) highest = max(highest, dot(towards, sight.toEye) / across);
   }
   return highest;
+}
+
+// Share of the texel that a lamp reaches, past rims and past the surface's own horizon. A shadow's edge is as wide as a
+// texel, so that cell means do not jump.
+vec2 lampReaches(vec2 start, vec3 toLamp, vec3 origin, SightFrame sight, float pocketMm) {
+  vec3 across = toLamp - sight.toEye * dot(toLamp, sight.toEye);
+  float sine = length(across);
+  if (sine < 1e-3) return vec2(1.0);  // beside the eye, which sees the texel
+  vec3 along = across / sine;
+  float cotangent = dot(toLamp, sight.toEye) / sine;
+  float surfaceHorizon = horizonOfSurface(start, atan(dot(along, sight.upward), dot(along, sight.side)));
+  if (cotangent <= surfaceHorizon) return vec2(0.0);
+  March march = marchFrom(start, onPlane(along, sight.ray));
+  float edgeMm = u_texelMm * max(cotangent, 0.05);
+  float lit = 1.0;
+  for (int i = 0; i < 256 && !isSettled(march, cotangent, surfaceHorizon, pocketMm); ++i) {
+    vec3 towards;
+    if (!stepMarch(march, origin, towards)) break;
+    float over = dot(towards, sight.toEye) - dot(towards, along) * cotangent;
+    lit = min(lit, clamp(0.5 - over / edgeMm, 0.0, 1.0));
+  }
+  return vec2(lit, 1.0);
 }
 
 // Cosine-weighted visibility of one side of a slice: angles from the line of sight; gamma = the normal's.
@@ -54,33 +117,53 @@ float visibleArc(float horizon, float gamma) {
   return 0.25 * (-cos(2.0 * horizon - gamma) + cos(gamma) + 2.0 * horizon * sin(gamma));
 }
 
+// Sixteenths, each once in a 4×4 block, and each quarter once in every row and column: directions and places are not
+// to go together. Two orthogonal Latin squares over the field of four elements [Bose 1938].
+float turnOf(ivec2 inBlock) {
+  int turned = inBlock.y == 0 ? 0 : inBlock.y == 3 ? 1 : inBlock.y + 1;  // y times the field's generator
+  int quarter = inBlock.x ^ inBlock.y;
+  int within = inBlock.x ^ turned;
+  return (float(4 * quarter + within) + 0.5) / 16.0;
+}
+
 void main() {
   vec2 texel = gl_FragCoord.xy;
   vec4 surface = texelFetch(u_surface, ivec2(texel), 0);
   if (!isModel(surface)) {
-    o_visibility = vec4(1.0);
+    o_received = vec4(1.0, 1.0, 0.0, 0.0);
     return;
   }
-  vec3 ray = rayThrough(texel);
-  vec3 origin = engravedPoint(surface, carvedDepth(texel), texel, texel);
-  vec3 toEye = -normalize(ray);
-  vec3 side = normalize(cross(vec3(0.0, 1.0, 0.0), toEye));
-  vec3 upward = cross(toEye, side);
+  SightFrame sight = sightFrame(texel);
+  float depth = carvedDepth(texel);
+  vec3 origin = engravedPoint(surface, depth, texel, texel);
+  float pocketMm = depth + u_reliefMm;
 
-  ivec2 inBlock = ivec2(texel) & 3;
-  float turn = u_rotate == 1 ? (float(inBlock.x + 4 * inBlock.y) + 0.5) / 16.0 : 0.5;
-  float visibility = 0.0;
+  float turn = u_rotate == 1 ? turnOf(ivec2(texel) & 3) : 0.5;
+  vec2 visibility = vec2(0.0);
   for (int i = 0; i < u_slices; ++i) {
     float angle = (float(i) + turn) * kPi / float(u_slices);
-    vec3 along = side * cos(angle) + upward * sin(angle);  // unit, square to the line of sight
-    // The slice meets the QR plane in the line along which a point moving by `along` is projected.
-    vec2 direction = normalize(along.xy * u_eyeDistance + ray.xy * along.z);
-    float normalLength = length(vec2(dot(surface.xyz, along), dot(surface.xyz, toEye)));
-    float gamma = atan(dot(surface.xyz, along), dot(surface.xyz, toEye));
+    vec3 along = directionAcross(sight, angle);
+    vec2 inSlice = vec2(dot(surface.xyz, along), dot(surface.xyz, sight.toEye));
+    float gamma = atan(inSlice.x, inSlice.y);
     // Below the tangent plane nothing counts: that is the lowest horizon.
-    float ahead = horizonCosine(texel, direction, origin, toEye, cos(min(gamma + 0.5 * kPi, kPi)));
-    float behind = horizonCosine(texel, -direction, origin, toEye, cos(max(gamma - 0.5 * kPi, -kPi)));
-    visibility += normalLength * (visibleArc(acos(clamp(ahead, -1.0, 1.0)), gamma) + visibleArc(-acos(clamp(behind, -1.0, 1.0)), gamma));
+    float tangent = tangentCotangent(surface.xyz, along, sight.toEye);
+    float farAhead = max(tangent, horizonOfSurface(texel, angle));
+    float farBehind = max(-tangent, horizonOfSurface(texel, angle + kPi));
+    float wallAhead = horizonCotangent(texel, along, origin, sight, tangent, farAhead, pocketMm);
+    float wallBehind = horizonCotangent(texel, -along, origin, sight, -tangent, farBehind, pocketMm);
+    float share = length(inSlice);
+    visibility.x += share * (visibleArc(atan(1.0, max(wallAhead, farAhead)), gamma) +
+                             visibleArc(-atan(1.0, max(wallBehind, farBehind)), gamma));
+    visibility.y += share * (visibleArc(atan(1.0, wallAhead), gamma) + visibleArc(-atan(1.0, wallBehind), gamma));
   }
-  o_visibility = vec4(visibility / float(u_slices), 0.0, 0.0, 1.0);
+  visibility /= float(u_slices);
+  // Outside pockets what the march met is the surface itself.
+  if (pocketMm == 0.0) visibility.y = 1.0;
+
+  vec2 lamps = vec2(0.0);
+  for (int i = 0; i < u_lampCount; ++i) {
+    float facing = max(dot(surface.xyz, u_lamps[i].xyz), 0.0);
+    if (facing > 0.0) lamps += u_lamps[i].w * facing * lampReaches(texel, u_lamps[i].xyz, origin, sight, pocketMm);
+  }
+  o_received = vec4(visibility, lamps);
 }

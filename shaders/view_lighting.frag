@@ -6,6 +6,7 @@
 precision highp float;
 
 #include "view_camera.glsl"
+#include "interreflection.glsl"
 
 uniform highp sampler2D u_visibility;  // sky visibility, z / u_blurUnit
 uniform int u_blur;                    // 1: mean over a 4×4 block of like depth, 0: this pixel alone
@@ -104,7 +105,8 @@ void main() {
 
   // To the power of 2.5: the eye is to see the form and the code, not the photometry.
   float open = skyVisibility(surface.w);
-  float visibility = squareOf(open) * sqrt(open);
+  float light = open + interreflection(open, open, kMaterial.g);
+  float visibility = squareOf(light) * sqrt(light);
   vec3 sky = mix(kGround, kSky, 0.5 + 0.5 * dot(normal, u_skyward));
   // The key light fades in pockets, too, where a soft lamp would be hidden.
   float key = max(0.0, dot(normal, normalize(kTowardsKey))) * visibility;

@@ -15,7 +15,6 @@
 #include "math/tolerance.h"
 #include "mesh/weld.h"
 #include "pipeline/carved_parts.h"
-#include "render/luminance_pass.h"
 
 namespace qrelief {
 namespace {
@@ -26,6 +25,7 @@ constexpr double kMaxDepthModules = 1.2;
 constexpr double kReachPerDepth = 8;  // a wall seen from eight times its height away hides 0.4 % of the sky
 constexpr double kLeastReachModules = 3;
 constexpr int kMaxMapTexels = 2048;
+constexpr int kHorizonsPerModule = 2;
 
 double millisecondsSince(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
@@ -62,6 +62,16 @@ Status checkRequest(const EngraveRequest& request) {
   };
   if (!(request.contrast > 0 && request.contrast < 1))
     return bad(fmt::format("The contrast is {:g}", request.contrast), "Choose a value between 0 and 1, such as 0.3");
+  if (request.lights.size() > kMostLights)
+    return bad(fmt::format("There are {} lights", request.lights.size()), fmt::format("Give at most {}", kMostLights));
+  for (const DirectionalLight& light : request.lights) {
+    if (!(light.elevationDeg > 0 && light.elevationDeg <= 90))
+      return bad(fmt::format("A light's elevation is {:g}°", light.elevationDeg),
+                 "Choose more than 0 and at most 90 degrees over the code");
+    if (!(light.strength >= 0 && light.strength <= 1000) || !std::isfinite(light.azimuthDeg))
+      return bad(fmt::format("A light has azimuth {:g}° and strength {:g}", light.azimuthDeg, light.strength),
+                 "Choose a strength from 0 to 1000 times the sky's, such as 1");
+  }
   if (!(request.layerMm >= 0.01 && request.layerMm <= 1))
     return bad(fmt::format("The layer height is {:g} mm", request.layerMm),
                "Choose between 0.01 and 1 mm, such as 0.1");
@@ -212,15 +222,21 @@ Status EngraveJob::State::map() {
 
   LuminanceOptions options;
   options.cellTexels = perCell;
-  options.slices = perCell == 4 ? 2 : 4;
+  options.slices = perCell == 4 ? 4 : 8;
   options.albedo = request.albedo;
+  options.lights = request.lights;
+  options.horizonSamples = kHorizonsPerModule * layout.cells() / kN;
+  options.horizonStartMm = static_cast<float>(placement.moduleMm);
   options.radiusMm = static_cast<float>(kLeastReachModules * placement.moduleMm);
-  auto made = LuminancePass::create(maps, placement.frame.eyeDistance, options);
+  const auto around =
+      pass.render(model->gpu, placement.frame, surroundingsOf(maps.window, placement.frame, model->gpu.box()));
+  if (!around) return tl::unexpected(around.error());
+  auto made = LuminancePass::create(maps, &*around, placement.frame.eyeDistance, options);
   if (!made) return tl::unexpected(made.error());
   light.emplace(std::move(*made));
   // The surroundings are lit once: pockets lie below the light modules and take no sky from them.
   light->run();
-  means = light->readCellMeans();
+  means = light->readLuminance();
 
   std::vector<std::uint32_t> carvedCells;
   for (int row = 0; row < mask.size; ++row)
@@ -264,7 +280,7 @@ void EngraveJob::State::measure() {
   light->setRadius(
       static_cast<float>(std::max(kLeastReachModules * result.placement.moduleMm, kReachPerDepth * deepest)));
   light->run();
-  means = light->readCellMeans();
+  means = light->readLuminance();
 }
 
 Status EngraveJob::State::searchOnce() {
@@ -282,6 +298,9 @@ Status EngraveJob::State::searchOnce() {
   result.searchIterations = search->iterations();
   result.limitedSubmodules = search->limitedCount();
   result.luminance = std::move(luminance);
+  const std::vector<Received> received = light->readReceived();
+  for (int row = 0; row < edge; ++row)
+    for (int column = 0; column < edge; ++column) result.received.push_back(received[layout.ofQuietZone(row, column)]);
   if (summarise(result.depths).maxMm == 0)
     return fail(
         ErrorCode::NoSolution,
@@ -339,8 +358,10 @@ Status EngraveJob::State::view() {
   const int modulesAcross = symbol.size + 12;
   options.extentMm = result.placement.moduleMm * modulesAcross;
   options.texels = std::clamp(8 * modulesAcross, 320, 1200);
-  options.radiusMm = static_cast<float>(kReachPerDepth / 2 * summarise(result.depths).maxMm);
+  options.reliefMm = static_cast<float>(summarise(result.depths).maxMm);
+  options.radiusMm = static_cast<float>(kReachPerDepth / 2) * options.reliefMm;
   options.albedo = request.albedo;
+  options.lights = request.lights;
   auto seen = renderReaderView(pass, carved, result.placement.frame, options);
   if (!seen) return tl::unexpected(seen.error());
   result.readerView = std::move(*seen);

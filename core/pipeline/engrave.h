@@ -17,6 +17,7 @@
 #include "qr/module_pattern.h"
 #include "qr/symbol.h"
 #include "render/geometry_pass.h"
+#include "render/luminance_pass.h"
 #include "verification/reader_view.h"
 #include "verification/solidity.h"
 
@@ -55,10 +56,11 @@ struct EngraveRequest {
   ContrastSolver solver = ContrastSolver::Fast;
   double layerMm = 0.1;  ///< height of a printed layer, > 0: the first depth of PaperSteps; Fast leaves half of it
   ReadingOptions reading;
-  std::optional<double> maxDepthMm;  ///< none: 1.2 modules
-  double nozzleMm = 0.4;             ///< of the printer, for advice only; > 0
-  double minWallMm = 0.8;            ///< material that stays behind every floor, ≥ 0
-  float albedo = 0.7f;               ///< of the printed material
+  std::optional<double> maxDepthMm;      ///< none: 1.2 modules
+  double nozzleMm = 0.4;                 ///< of the printer, for advice only; > 0
+  double minWallMm = 0.8;                ///< material that stays behind every floor, ≥ 0
+  float albedo = 0.7f;                   ///< of the printed material
+  std::vector<DirectionalLight> lights;  ///< beside the uniform sky, at most kMostLights
   SurfaceMode surface = SurfaceMode::Preserved;
   bool inlay = false;  ///< make the body that fills the pockets as well, for printing in two colours
 };
@@ -84,10 +86,11 @@ struct EngraveResult {
   std::size_t limitedSubmodules = 0;  ///< that a limit kept from being dark enough
   /// Of every submodule of symbol and quiet zone, at the depths found; row-major from the quiet zone's top left.
   std::vector<double> luminance;
-  SolidityReport solidity;       ///< after the round trip
-  std::optional<Mesh> inlay;     ///< if it was asked for; as an STL round trip gives it back, too
-  SolidityReport inlaySolidity;  ///< of the inlay
-  ReaderView readerView;         ///< what a phone would see
+  std::vector<Received> received;  ///< the light that this luminance is made of, in the same order
+  SolidityReport solidity;         ///< after the round trip
+  std::optional<Mesh> inlay;       ///< if it was asked for; as an STL round trip gives it back, too
+  SolidityReport inlaySolidity;    ///< of the inlay
+  ReaderView readerView;           ///< what a phone would see
   StageTimings timingsMs;
 };
 

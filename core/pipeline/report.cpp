@@ -66,6 +66,14 @@ Json describeProjection(const EngraveRequest& request, const Placement& placemen
           {"iterations", iterations}};
 }
 
+Json describeLights(const std::vector<DirectionalLight>& lights) {
+  Json list = Json::array();
+  for (const DirectionalLight& light : lights)
+    list.push_back(
+        {{"azimuthDeg", light.azimuthDeg}, {"elevationDeg", light.elevationDeg}, {"strength", light.strength}});
+  return list;
+}
+
 /// Of the luminance that the depth search ended with, not of a picture.
 void addGrades(Json& verification, const EngraveRequest& request, const EngraveResult& result) {
   GradeReports grades =
@@ -119,6 +127,7 @@ std::string makeReport(const EngraveRequest& request, const EngravableModel& mod
                      {"limitedSubmodules", result.limitedSubmodules},
                      {"features", describeFeatures(features, printer)},
                      {"objective", request.objective == DepthObjective::Reading ? "reading" : "contrast"},
+                     {"lights", describeLights(request.lights)},
                      {"solver", solverName(request)}};
   report["mesh"] = {
       {"surface", surfaceModeName(request.surface)},  {"triangles", solid.triangles}, {"vertices", solid.vertices},
@@ -127,7 +136,7 @@ std::string makeReport(const EngraveRequest& request, const EngravableModel& mod
   report["verification"] = {{"decoded", !context.readBack.empty() && context.readBack == request.text},
                             {"text", context.readBack},
                             {"reader", context.reader},
-                            {"views", Json::array({{{"light", "sky"},
+                            {"views", Json::array({{{"light", request.lights.empty() ? "sky" : "sky+lights"},
                                                     {"tiltDeg", 0},
                                                     {"picture", "simulated phone"},
                                                     {"read", context.readBack == request.text}}})},

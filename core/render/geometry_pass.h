@@ -3,6 +3,7 @@
 
 #include "base/result.h"
 #include "gl/objects.h"
+#include "math/box.h"
 #include "math/frame.h"
 #include "render/gpu_mesh.h"
 
@@ -19,6 +20,10 @@ struct MapWindow {
     return {(column + 0.5) * texelMm() - extentMm / 2, (row + 0.5) * texelMm() - extentMm / 2};
   }
 };
+
+/// The window in which a frame's eye sees what of a model may stand round a map: the whole model, or 16 times the map
+/// where it is larger; 256 texels.
+MapWindow surroundingsOf(const MapWindow& map, const ProjectionFrame& frame, const Box3& model);
 
 /// What the reader's eye sees: facet normals, smooth normals, heights, distances. Normals in the frame's axes (right,
 /// up, normal); heights in mm over the QR plane, distances in mm from the eye along the rays; all zero where the ray

@@ -2,8 +2,8 @@
 #include "render/luminance_pass.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
-#include <limits>
 #include <numeric>
 
 #include "shaders.h"
@@ -11,14 +11,16 @@
 namespace qrelief {
 namespace {
 
-Status makeTarget(gl::Texture& texture, gl::Framebuffer& framebuffer, int edge) {
-  texture = gl::Texture(edge, edge, gl::Format::R32F);
+constexpr int kHorizonDirections = 16;  // as in horizon.frag
+
+Status makeTarget(gl::Texture& texture, gl::Framebuffer& framebuffer, int width, int height, gl::Format format) {
+  texture = gl::Texture(width, height, format);
   const gl::Texture* const colours[] = {&texture};
   auto made = gl::Framebuffer::create(colours, false);
   if (!made) return tl::unexpected(made.error());
   framebuffer = std::move(*made);
   framebuffer.bind();
-  glClearColor(1, 0, 0, 1);
+  glClearColor(1, 1, 0, 0);
   glClear(GL_COLOR_BUFFER_BIT);
   return {};
 }
@@ -32,29 +34,28 @@ Status makeProgram(gl::Program& program, const char* name, const char* vertex, c
 
 }  // namespace
 
-Result<LuminancePass> LuminancePass::create(const SurfaceMaps& maps, double eyeDistance,
-                                            const LuminanceOptions& options) {
+Result<LuminancePass> LuminancePass::create(const SurfaceMaps& maps, const SurfaceMaps* surroundings,
+                                            double eyeDistance, const LuminanceOptions& options) {
   assert(maps.window.texels % options.cellTexels == 0);
+  assert(options.lights.size() <= kMostLights);
   LuminancePass pass;
   pass.maps_ = &maps;
   pass.eyeDistance_ = eyeDistance;
   pass.options_ = options;
   pass.cells_ = maps.window.texels / options.cellTexels;
-  const std::vector<float> surface = maps.framebuffer.readRgba(0);
-  pass.highestMm_ = std::numeric_limits<float>::lowest();
-  for (std::size_t i = 0; i < surface.size(); i += 4)
-    if (surface[i + 2] > 0) pass.highestMm_ = std::max(pass.highestMm_, surface[i + 3]);
+  const int texels = maps.window.texels;
   for (const Status& made :
        {makeProgram(pass.occlusion_, "occlusion", shaders::cells_vert, shaders::occlusion_frag),
         makeProgram(pass.lighting_, "lighting", shaders::fullscreen_vert, shaders::lighting_frag),
         makeProgram(pass.reduction_, "reduction", shaders::fullscreen_vert, shaders::reduction_frag),
-        makeTarget(pass.visibility_, pass.visibilityTarget_, maps.window.texels),
-        makeTarget(pass.luminance_, pass.luminanceTarget_, maps.window.texels),
-        makeTarget(pass.means_, pass.meansTarget_, pass.cells_)})
+        makeTarget(pass.received_, pass.receivedTarget_, texels, texels, gl::Format::RGBA32F),
+        makeTarget(pass.means_, pass.meansTarget_, pass.cells_, pass.cells_, gl::Format::RGBA32F),
+        makeTarget(pass.luminance_, pass.luminanceTarget_, pass.cells_, pass.cells_, gl::Format::R32F)})
     if (!made) return tl::unexpected(made.error());
   pass.depths_ = gl::Texture(pass.cells_, pass.cells_, gl::Format::R32F);
   pass.setDepths(
       std::vector<float>(static_cast<std::size_t>(pass.cells_) * static_cast<std::size_t>(pass.cells_), 0.0f));
+  if (const Status found = pass.findHorizon(surroundings); !found) return tl::unexpected(found.error());
   pass.cellArray_ = gl::VertexArray::create();
   std::vector<std::uint32_t> all(static_cast<std::size_t>(pass.cells_) * static_cast<std::size_t>(pass.cells_));
   std::iota(all.begin(), all.end(), 0u);
@@ -94,43 +95,82 @@ void LuminancePass::selectCells(std::span<const std::uint32_t> cells) {
   selected_ = static_cast<GLsizei>(rectangles.size());
 }
 
+void LuminancePass::setMap(const gl::Program& program) const {
+  program.use();
+  program.setTexture("u_surface", 0, maps_->surface);
+  program.setTexture("u_depth", 1, depths_);
+  program.set("u_eyeDistance", static_cast<float>(eyeDistance_));
+  program.set("u_texelMm", static_cast<float>(maps_->window.texelMm()));
+  program.set("u_mapTexels", static_cast<float>(maps_->window.texels));
+  program.set("u_cellTexels", static_cast<float>(options_.cellTexels));
+  program.set("u_samples", static_cast<float>(options_.horizonSamples));
+}
+
+Status LuminancePass::findHorizon(const SurfaceMaps* surroundings) {
+  gl::Program program;
+  if (const Status made = makeProgram(program, "horizon", shaders::fullscreen_vert, shaders::horizon_frag); !made)
+    return made;
+  gl::Framebuffer target;
+  if (const Status made = makeTarget(horizon_, target, kHorizonDirections / 4 * options_.horizonSamples,
+                                     options_.horizonSamples, gl::Format::RGBA32F);
+      !made)
+    return made;
+  glDisable(GL_BLEND);
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_CULL_FACE);
+  setMap(program);
+  program.setTexture("u_surroundings", 2, surroundings ? surroundings->surface : maps_->surface);
+  program.set("u_surroundingsTexels", surroundings ? static_cast<float>(surroundings->window.texels) : 0.0f);
+  program.set("u_surroundingsTexelMm", surroundings ? static_cast<float>(surroundings->window.texelMm()) : 1.0f);
+  program.set("u_startTexels", static_cast<float>(options_.horizonStartMm / maps_->window.texelMm()));
+  gl::drawFullscreen();
+  return {};
+}
+
 void LuminancePass::run() {
   glDisable(GL_BLEND);
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);
-  const double texelMm = maps_->window.texelMm();
 
-  visibilityTarget_.bind();
-  occlusion_.use();
-  occlusion_.setTexture("u_surface", 0, maps_->surface);
-  occlusion_.setTexture("u_depth", 1, depths_);
-  occlusion_.set("u_eyeDistance", static_cast<float>(eyeDistance_));
-  occlusion_.set("u_texelMm", static_cast<float>(texelMm));
-  occlusion_.set("u_mapTexels", static_cast<float>(maps_->window.texels));
-  occlusion_.set("u_cellTexels", static_cast<float>(options_.cellTexels));
+  receivedTarget_.bind();
+  setMap(occlusion_);
+  occlusion_.setTexture("u_horizon", 2, horizon_);
   occlusion_.set("u_cellsAlongEdge", static_cast<float>(cells_));
   occlusion_.set("u_slices", options_.slices);
-  occlusion_.set("u_radiusTexels", static_cast<float>(options_.radiusMm / texelMm));
-  occlusion_.set("u_highestMm", highestMm_);
+  occlusion_.set("u_radiusTexels", static_cast<float>(options_.radiusMm / maps_->window.texelMm()));
+  occlusion_.set("u_reliefMm", options_.reliefMm);
   occlusion_.set("u_rotate", options_.turnSlices ? 1 : 0);
+  std::array<glm::vec4, kMostLights> lamps{};
+  for (std::size_t i = 0; i < options_.lights.size(); ++i)
+    lamps[i] = glm::vec4(Vec3f(towards(options_.lights[i])), static_cast<float>(options_.lights[i].strength));
+  occlusion_.set("u_lampCount", static_cast<int>(options_.lights.size()));
+  occlusion_.set("u_lamps[0]", lamps[0]);
+  occlusion_.set("u_lamps[1]", lamps[1]);
   cellArray_.bind();
   glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, selected_);
 
-  luminanceTarget_.bind();
-  lighting_.use();
-  lighting_.setTexture("u_visibility", 0, visibility_);
-  lighting_.set("u_albedo", options_.albedo);
-  gl::drawFullscreen();
-
   meansTarget_.bind();
   reduction_.use();
-  reduction_.setTexture("u_map", 0, luminance_);
+  reduction_.setTexture("u_map", 0, received_);
   reduction_.set("u_cellTexels", options_.cellTexels);
+  gl::drawFullscreen();
+
+  luminanceTarget_.bind();
+  lighting_.use();
+  lighting_.setTexture("u_received", 0, means_);
+  lighting_.set("u_albedo", options_.albedo);
+  lighting_.set("u_openIrradiance", static_cast<float>(openIrradiance(options_.lights)));
   gl::drawFullscreen();
 }
 
-std::vector<float> LuminancePass::readCellMeans() const { return meansTarget_.readRed(); }
 std::vector<float> LuminancePass::readLuminance() const { return luminanceTarget_.readRed(); }
-std::vector<float> LuminancePass::readVisibility() const { return visibilityTarget_.readRed(); }
+
+std::vector<Received> LuminancePass::readReceived() const {
+  const std::vector<float> means = meansTarget_.readRgba();
+  std::vector<Received> received(means.size() / 4);
+  for (std::size_t i = 0; i < received.size(); ++i)
+    received[i] = {means[4 * i], means[4 * i + 1], means[4 * i + 2], means[4 * i + 3]};
+  return received;
+}
 
 }  // namespace qrelief

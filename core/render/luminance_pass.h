@@ -7,26 +7,40 @@
 
 #include "base/result.h"
 #include "gl/objects.h"
+#include "render/directional_light.h"
 #include "render/geometry_pass.h"
 
 namespace qrelief {
 
 struct LuminanceOptions {
-  int cellTexels = 4;      ///< texels along a cell's edge; the map's edge is a whole number of cells
-  int slices = 4;          ///< pairs of half-planes per texel, ≥ 1
-  bool turnSlices = true;  ///< texels of a 4×4 block take different slices: for cell means; false for pictures
-  float radiusMm = 5;      ///< reach of the occlusion
-  float albedo = 0.7f;     ///< of the material, 0 … 1; white plastic is about 0.7
+  int cellTexels = 4;        ///< texels along a cell's edge; the map's edge is a whole number of cells
+  int slices = 4;            ///< pairs of half-planes per texel, ≥ 1
+  bool turnSlices = true;    ///< texels of a 4×4 block take different slices: for cell means; false for pictures
+  float radiusMm = 5;        ///< reach of the march; what lies farther counts by the surface's own horizon
+  float reliefMm = 0;        ///< depth of what is carved into the maps' own surface, beside `setDepths`
+  int horizonSamples = 64;   ///< places along the map's edge for which the surface's own horizon is found, ≥ 1
+  float horizonStartMm = 1;  ///< surface nearer than this is left to the march
+  float albedo = 0.7f;       ///< of the material, 0 … 1; white plastic is about 0.7
+  std::vector<DirectionalLight> lights = {};  ///< at most kMostLights
 };
 
-/// Luminance of an engraved distance map under a uniform sky, in three passes: horizon-based occlusion, lighting with
-/// interreflection, and the reduction to one mean a cell [Papp 2022, §7]. 1 = unoccluded plane.
+/// What reaches a cell, its mean; 1 = what the whole sky brings to an unoccluded surface.
+struct Received {
+  float sky = 1, pastWalls = 1;        ///< share of a uniform sky, cosine-weighted; the same past pockets' walls alone
+  float lamps = 0, lampsUncarved = 0;  ///< by the lamps alone, without what is reflected
+};
+
+/// Luminance of an engraved distance map under a uniform sky and lamps, in three passes: horizon-based occlusion and
+/// shadows, the reduction to one mean a cell, and lighting with interreflection [Papp 2022, §7]. 1 = an unoccluded
+/// surface in the QR plane. Once, when it is made: the horizon of the uncarved surface, far and near.
 ///
-/// Cost: texels of the listed cells × 2·slices × cells within the radius.
+/// Cost: texels of the listed cells × (2·slices + lamps) × cells up to where no rim can matter.
 class LuminancePass {
  public:
-  /// @param maps  kept by reference: they must outlive the pass
-  static Result<LuminancePass> create(const SurfaceMaps& maps, double eyeDistance, const LuminanceOptions& options);
+  /// @param maps          kept by reference: they must outlive the pass
+  /// @param surroundings  the model's further surface from the same eye, in a wider window; may be null
+  static Result<LuminancePass> create(const SurfaceMaps& maps, const SurfaceMaps* surroundings, double eyeDistance,
+                                      const LuminanceOptions& options);
 
   int cellsAlongEdge() const { return cells_; }
 
@@ -39,21 +53,22 @@ class LuminancePass {
   void selectCells(std::span<const std::uint32_t> cells);
 
   void run();
-  std::vector<float> readCellMeans() const;   ///< cells², row-major from the lower left
-  std::vector<float> readLuminance() const;   ///< texels², row-major from the lower left
-  std::vector<float> readVisibility() const;  ///< texels², row-major from the lower left
-  const gl::Texture& luminance() const { return luminance_; }
+  std::vector<float> readLuminance() const;                    ///< means of the cells², row-major from the lower left
+  std::vector<Received> readReceived() const;                  ///< likewise
+  const gl::Texture& luminance() const { return luminance_; }  ///< R32F, one texel a cell
   const gl::Texture& depths() const { return depths_; }
 
  private:
+  Status findHorizon(const SurfaceMaps* surroundings);
+  void setMap(const gl::Program& program) const;
+
   const SurfaceMaps* maps_ = nullptr;
   double eyeDistance_ = 250;
   LuminanceOptions options_;
   int cells_ = 0;
-  float highestMm_ = 0;
   gl::Program occlusion_, lighting_, reduction_;
-  gl::Texture depths_, visibility_, luminance_, means_;
-  gl::Framebuffer visibilityTarget_, luminanceTarget_, meansTarget_;
+  gl::Texture horizon_, depths_, received_, means_, luminance_;
+  gl::Framebuffer receivedTarget_, meansTarget_, luminanceTarget_;
   gl::VertexArray cellArray_;
   gl::Buffer cellBuffer_;
   GLsizei selected_ = 0;

@@ -44,8 +44,8 @@ SurfaceLight BakedLight::traced(const SurfacePoint& at, Vec3 seen, std::uint64_t
   SurfaceLight sum;
   for (int i = 1; i <= options_.paths; ++i) {
     const auto point = halton23(static_cast<std::uint32_t>(i));
-    const SurfaceLight one = traceLight(*tree_, at, seen, {wrapped(point[0] + shiftU), wrapped(point[1] + shiftV)},
-                                        options_.albedo, options_.lamp, random);
+    const LightPath one = traceLight(*tree_, at, seen, {wrapped(point[0] + shiftU), wrapped(point[1] + shiftV)},
+                                     options_.albedo, std::span(&options_.lamp, 1), random);
     sum.sky += one.sky;
     sum.lamp += one.lamp;
   }

@@ -8,6 +8,12 @@
 
 namespace qrelief {
 
+/// What leaves a matte surface, the same in all directions. 1 = an unoccluded surface under the sky alone.
+struct SurfaceLight {
+  double sky = 0;   ///< under the sky alone, all bounces
+  double lamp = 0;  ///< what the lamp adds, all bounces
+};
+
 struct BakeOptions {
   double texelMm = 0.1;  ///< on the QR plane
   int texels = 400;      ///< along the edge of the square that is baked, centred on the code

@@ -28,37 +28,47 @@ Vec3 facing(const Mesh& mesh, const SurfacePoint& at, Vec3 direction) {
   return glm::dot(normal, direction) > 0 ? -normal : normal;
 }
 
-/// By one point of the lamp's disc, chosen at random.
-double lampIrradiance(const RayTree& tree, Vec3 at, Vec3 normal, const Lamp& lamp, Random& random) {
-  if (lamp.strength <= 0) return 0;
-  const double edge = std::cos(lamp.radiusDeg * std::numbers::pi / 180);
-  const double height = 1 - random.uniform() * (1 - edge);
-  const Vec3 to = directionAbout(lamp.towards, height, random.uniform());
-  const double cosine = glm::dot(normal, to);
-  return cosine > 0 && !tree.firstHit(at, to, kLeaveSurfaceMm) ? lamp.strength * cosine : 0;
+/// By one point of each lamp's disc, chosen at random.
+double lampIrradiance(const RayTree& tree, Vec3 at, Vec3 normal, std::span<const Lamp> lamps, Random& random) {
+  double sum = 0;
+  for (const Lamp& lamp : lamps) {
+    if (lamp.strength <= 0) continue;
+    Vec3 to = lamp.towards;
+    if (lamp.radiusDeg > 0) {
+      const double edge = std::cos(lamp.radiusDeg * std::numbers::pi / 180);
+      const double height = 1 - random.uniform() * (1 - edge);
+      to = directionAbout(lamp.towards, height, random.uniform());
+    }
+    const double cosine = glm::dot(normal, to);
+    if (cosine > 0 && !tree.firstHit(at, to, kLeaveSurfaceMm)) sum += lamp.strength * cosine;
+  }
+  return sum;
 }
 
 }  // namespace
 
-SurfaceLight traceLight(const RayTree& tree, SurfacePoint at, Vec3 seen, std::array<double, 2> first, double albedo,
-                        const Lamp& lamp, Random& random) {
-  SurfaceLight light;
+LightPath traceLight(const RayTree& tree, SurfacePoint at, Vec3 seen, std::array<double, 2> first, double albedo,
+                     std::span<const Lamp> lamps, Random& random) {
+  LightPath path;
   double throughput = 1;
   for (int bounce = 0;; ++bounce) {
     const Vec3 normal = facing(tree.mesh(), at, seen);
-    light.lamp += throughput * lampIrradiance(tree, at.position, normal, lamp, random);
+    const double lamp = lampIrradiance(tree, at.position, normal, lamps, random);
+    if (bounce == 0) path.lampDirect = lamp;
+    path.lamp += throughput * lamp;
     const double u = bounce == 0 ? first[0] : random.uniform();
     const double v = bounce == 0 ? first[1] : random.uniform();
     const Vec3 direction = directionAbout(normal, std::sqrt(1 - u), v);
     const auto hit = tree.firstHit(at.position, direction, kLeaveSurfaceMm);
     if (!hit) {
-      light.sky = throughput;
-      return light;
+      path.seesSky = bounce == 0;
+      path.sky = throughput;
+      return path;
     }
     if (bounce < kSureBounces)
       throughput *= albedo;
     else if (random.uniform() >= albedo)
-      return light;
+      return path;
     at = *hit;
     seen = direction;
   }

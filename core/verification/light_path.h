@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 
 #include "base/random.h"
 #include "mesh/ray_tree.h"
@@ -12,22 +13,24 @@ namespace qrelief {
 struct Lamp {
   Vec3 towards{0, 0, 1};  ///< unit, model space
   double strength = 0.5;  ///< irradiance of a surface that faces it, 1 = that of the whole sky; ≥ 0
-  double radiusDeg = 20;  ///< 0 … 90, as seen from the model
+  double radiusDeg = 20;  ///< 0 … 90, as seen from the model; 0: a point, with sharp shadows
 };
 
-/// What leaves a matte surface, the same in all directions. 1 = an unoccluded surface under the sky alone.
-struct SurfaceLight {
-  double sky = 0;   ///< under the sky alone, all bounces
-  double lamp = 0;  ///< what the lamp adds, all bounces
+/// What one path brings. 1 = the irradiance of an unoccluded surface under the sky alone.
+struct LightPath {
+  bool seesSky = false;   ///< the first ray leaves the model
+  double sky = 0;         ///< from the sky, all bounces
+  double lampDirect = 0;  ///< from the lamps without a bounce
+  double lamp = 0;        ///< from the lamps, all bounces
 };
 
-/// One path of light, traced back from a point of the surface to sky and lamp, with every bounce (Russian roulette
-/// after the third) and the lamp asked at each [Kajiya 1986]: its mean over many paths is the surface's light.
+/// One path of light, traced back from a point of the surface to sky and lamps, with every bounce (Russian roulette
+/// after the third) and the lamps asked at each [Kajiya 1986]: its mean over many paths is the surface's light.
 /// @param at      a point of the tree's mesh
 /// @param seen    direction in which it is seen: the light on that side of the facet counts
 /// @param first   in [0, 1)²: choose the first direction, cosine-weighted
 /// @param albedo  of the matte material, 0 … 1
-SurfaceLight traceLight(const RayTree& tree, SurfacePoint at, Vec3 seen, std::array<double, 2> first, double albedo,
-                        const Lamp& lamp, Random& random);
+LightPath traceLight(const RayTree& tree, SurfacePoint at, Vec3 seen, std::array<double, 2> first, double albedo,
+                     std::span<const Lamp> lamps, Random& random);
 
 }  // namespace qrelief

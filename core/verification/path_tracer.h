@@ -7,6 +7,7 @@
 
 #include "math/frame.h"
 #include "mesh/ray_tree.h"
+#include "render/directional_light.h"
 
 namespace qrelief {
 
@@ -16,25 +17,31 @@ struct SeenCell {
 };
 
 struct PathTraceOptions {
-  int paths = 256;         ///< per cell, ≥ 1
-  double albedo = 0.7;     ///< of the matte material, 0 … 1
-  std::uint64_t seed = 1;  ///< the same seed, the same result
+  int paths = 256;                            ///< per cell, ≥ 8; rounded down to a multiple of 8
+  double albedo = 0.7;                        ///< of the matte material, 0 … 1
+  std::uint64_t seed = 1;                     ///< the same seed, the same result
+  std::vector<DirectionalLight> lights = {};  ///< at most kMostLights
 };
 
-/// What reaches a cell, means over it; 1 = an unoccluded plane.
+/// A mean over a cell and its standard error, from the spread of 8 independent estimates.
+struct Traced {
+  double mean = 0, standardError = 0;
+};
+
+/// What reaches a cell.
 struct CellLight {
-  double visibility = 0;  ///< share of a uniform sky that is seen, cosine-weighted
-  double luminance = 0;   ///< with all bounces
-  double deviation = 0;   ///< standard error of `luminance`
+  Traced visibility;  ///< share of a uniform sky that is seen, cosine-weighted
+  Traced direct;      ///< irradiance by the lamps without bounces, 1 = by the whole sky
+  Traced luminance;   ///< of sky and lamps with all bounces; 1 = an unoccluded surface in the QR plane
 };
 
-/// The yardstick for LuminancePass: what light a uniform sky brings to the surface, by path tracing the mesh itself,
-/// with every bounce (Russian roulette after the third, so without bias) [Kajiya 1986]. Independent of the maps: it
-/// knows the mesh, the eye and nothing else.
+/// The yardstick for LuminancePass: what light sky and lamps bring to the surface, by path tracing the mesh itself,
+/// with every bounce and the lamps asked at each (traceLight).
+/// Independent of the maps: it knows the mesh, the eye and nothing else.
 ///
-/// Each path starts at a point of the cell (Halton points, shifted at random per cell), goes from the eye to the
-/// surface and on in a cosine-weighted direction. Cells whose ray misses the mesh get 1.
-/// Cost: O(cells · paths · log T).
+/// Each path starts at a point of the cell (Halton points, shifted at random per estimate), goes from the eye to the
+/// surface and on in a cosine-weighted direction. Cells whose ray misses the mesh are open.
+/// Cost: O(cells · paths · log T), on all cores; the result does not depend on their number.
 std::vector<CellLight> traceCells(const RayTree& tree, const ProjectionFrame& frame, std::span<const SeenCell> cells,
                                   const PathTraceOptions& options);
 

@@ -10,6 +10,7 @@
 namespace qrelief {
 namespace {
 
+constexpr int kHorizonSamples = 64;
 constexpr double kBackground = 0.35;  // luminance of what is not the model
 
 /// Of a square picture.
@@ -98,9 +99,18 @@ Result<ReaderView> renderReaderView(const GeometryPass& pass, const GpuMesh& mes
                                     const ReaderViewOptions& options) {
   auto maps = pass.render(mesh, frame, {options.extentMm, options.texels});
   if (!maps) return tl::unexpected(maps.error());
-  const LuminanceOptions light{
-      .cellTexels = 1, .slices = 2, .turnSlices = true, .radiusMm = options.radiusMm, .albedo = options.albedo};
-  auto luminancePass = LuminancePass::create(*maps, frame.eyeDistance, light);
+  const auto around = pass.render(mesh, frame, surroundingsOf(maps->window, frame, mesh.box()));
+  if (!around) return tl::unexpected(around.error());
+  const LuminanceOptions light{.cellTexels = 1,
+                               .slices = 3,
+                               .turnSlices = true,
+                               .radiusMm = options.radiusMm,
+                               .reliefMm = options.reliefMm,
+                               .horizonSamples = kHorizonSamples,
+                               .horizonStartMm = options.radiusMm,
+                               .albedo = options.albedo,
+                               .lights = options.lights};
+  auto luminancePass = LuminancePass::create(*maps, &*around, frame.eyeDistance, light);
   if (!luminancePass) return tl::unexpected(luminancePass.error());
   luminancePass->run();
   std::vector<float> luminance = luminancePass->readLuminance();

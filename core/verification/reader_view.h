@@ -6,6 +6,7 @@
 
 #include "base/result.h"
 #include "math/frame.h"
+#include "render/directional_light.h"
 #include "render/geometry_pass.h"
 
 namespace qrelief {
@@ -17,7 +18,7 @@ struct GreyImage {
   std::vector<std::uint8_t> pixels;
 };
 
-/// The carved model as a phone at the reader's eye sees it under a uniform sky.
+/// The carved model as a phone at the reader's eye sees it under a uniform sky and lamps.
 struct ReaderView {
   GreyImage picture;  ///< exposed, blurred, with noise and sRGB gamma: what is decoded
   GreyImage clean;    ///< without blur and noise: what is shown
@@ -27,11 +28,13 @@ struct ReaderView {
 struct ReaderViewOptions {
   double extentMm = 50;  ///< edge of the square on the QR plane that fills the picture
   int texels = 560;      ///< along its edge
-  float radiusMm = 4;    ///< reach of the occlusion
+  float radiusMm = 4;    ///< reach of the march for pockets
+  float reliefMm = 2;    ///< depth of the deepest of them
   float albedo = 0.7f;
-  double blurPx = 1.0;       ///< standard deviation, at 700 texels; scales with the size
-  double noise = 0.02;       ///< standard deviation at white, linear
-  double strayLight = 0.05;  ///< share of light scattered in the lens
+  std::vector<DirectionalLight> lights = {};  ///< beside the uniform sky, at most kMostLights
+  double blurPx = 1.0;                        ///< standard deviation, at 700 texels; scales with the size
+  double noise = 0.02;                        ///< standard deviation at white, linear
+  double strayLight = 0.05;                   ///< share of light scattered in the lens
 };
 
 /// Renders the mesh itself (not the map that the depth search worked on), so that what the embedding made is what is

@@ -334,6 +334,27 @@ TEST_F(CommandTest, RepairsAreSwitchedByOptions) {
       run({"engrave", model, "--text", "x", "--at", "0,0,40", "-o", path("out.stl"), "--no-repair", "all"}).status, 3);
 }
 
+TEST_F(CommandTest, LampsAreTakenFromTheOptionAndSaidInTheReport) {
+  const std::string model = writeModel("ball.stl", shapes::icosphere(40, 4));
+  const std::vector<std::string> engraving = {"engrave", model, "--text",        "x",      "--at", "0,0,40", "--size",
+                                              "25",      "-o",  path("out.stl"), "--quiet"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), engraving.begin(), engraving.end());
+    return run(more);
+  };
+  const Outcome outcome = with({"--light", "90,60", "--light", "0,75,0.5", "--report", path("out.json")});
+  EXPECT_LE(outcome.status, 1) << outcome.err;
+  const auto report = nlohmann::json::parse(contentOf(path("out.json")));
+  EXPECT_EQ(report["depth"]["lights"],
+            nlohmann::json::parse(R"([{"azimuthDeg": 90.0, "elevationDeg": 60.0, "strength": 1.0},
+                                      {"azimuthDeg": 0.0, "elevationDeg": 75.0, "strength": 0.5}])"));
+  EXPECT_EQ(with({"--light", "90"}).status, 2);
+  EXPECT_EQ(with({"--light", "90,high"}).status, 2);
+  EXPECT_EQ(with({"--light", "90,0"}).status, 2);
+  EXPECT_EQ(with({"--light", "90,45,-1"}).status, 2);
+  EXPECT_EQ(with({"--light", "1,45", "--light", "2,45", "--light", "3,45"}).status, 2);
+}
+
 TEST_F(CommandTest, VersionAndHelpAreStatusZero) {
   EXPECT_EQ(run({"--version"}).status, 0);
   EXPECT_EQ(run({"--help"}).status, 0);

@@ -2,7 +2,9 @@
 #include "pipeline/engrave.h"
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <set>
 
 #include "native/zxing_reader.h"
@@ -215,6 +217,26 @@ TEST_F(EngraveTest, RequestsThatMakeNoSenseAreBadUsage) {
   wanted = request({0, 0, 40}, 20);
   wanted.text = "";
   EXPECT_EQ(codeOf(wanted), ErrorCode::BadInput);
+  wanted = request({0, 0, 40}, 20);
+  wanted.lights = {{.elevationDeg = 0}};
+  EXPECT_EQ(codeOf(wanted), ErrorCode::BadUsage);
+  wanted.lights = {{.strength = -1}};
+  EXPECT_EQ(codeOf(wanted), ErrorCode::BadUsage);
+  wanted.lights = std::vector<DirectionalLight>(3);
+  EXPECT_EQ(codeOf(wanted), ErrorCode::BadUsage);
+}
+
+TEST_F(EngraveTest, ALampThatShinesIntoThePocketsMakesThemDeeper) {
+  const auto model = upload(shapes::box({50, 50, 10}));
+  EngraveRequest wanted = request({0, 0, 5}, 25);
+  const auto bySky = engrave(model, wanted);
+  wanted.lights = {{.azimuthDeg = 90, .elevationDeg = 60, .strength = 1}};
+  const auto byLamp = engrave(model, wanted);
+  ASSERT_TRUE(bySky && byLamp);
+  EXPECT_GT(summarise(byLamp->depths).meanMm, summarise(bySky->depths).meanMm);
+  // The quiet zone's corner: open.
+  EXPECT_NEAR(byLamp->received[0].lamps, std::sin(60 * std::numbers::pi / 180), 0.01);
+  EXPECT_NEAR(byLamp->luminance[0], 1, 0.01);
 }
 
 TEST_F(EngraveTest, ProgressNeverFallsAndEndsAtOne) {

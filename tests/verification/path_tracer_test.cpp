@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <gtest/gtest.h>
+#include <numbers>
 
 #include "support/shapes.h"
 
@@ -24,8 +25,8 @@ TEST(PathTracer, AnOpenPlaneSeesTheWholeSky) {
   const RayTree tree(plate);
   const SeenCell cell{{-5, -5}, {5, 5}};
   const auto light = traceCells(tree, fromAbove(), std::span(&cell, 1), {});
-  EXPECT_EQ(light[0].visibility, 1);
-  EXPECT_EQ(light[0].luminance, 1);
+  EXPECT_EQ(light[0].visibility.mean, 1);
+  EXPECT_EQ(light[0].luminance.mean, 1);
 }
 
 TEST(PathTracer, TheMiddleOfAPitSeesWhatTheClosedFormSays) {
@@ -36,16 +37,17 @@ TEST(PathTracer, TheMiddleOfAPitSeesWhatTheClosedFormSays) {
   const SeenCell cell{{-0.01, -0.01}, {0.01, 0.01}};
   const auto light = traceCells(tree, fromAbove(), std::span(&cell, 1), {.paths = 20000});
   const double rim = radius + grid / 2;
-  EXPECT_NEAR(light[0].visibility, rim * rim / (rim * rim + depth * depth), 0.01);
+  EXPECT_NEAR(light[0].visibility.mean, rim * rim / (rim * rim + depth * depth), 0.005);
 }
 
 TEST(PathTracer, TheMiddleOfATrenchSeesWhatTheClosedFormSays) {
+  // Its rims lie on the grid, at ±width/2; the walls lean inwards by one grid width.
   const double grid = 0.05, width = 2, depth = 1.5;
-  const Mesh trench = carvedPlate(20, 400, depth, [&](double x, double) { return std::abs(x) < width / 2; });
+  const Mesh trench = carvedPlate(20, 400, depth, [&](double x, double) { return std::abs(x) < width / 2 - grid / 2; });
   const RayTree tree(trench);
   const SeenCell cell{{-0.01, -0.5}, {0.01, 0.5}};
   const auto light = traceCells(tree, fromAbove(), std::span(&cell, 1), {.paths = 20000});
-  EXPECT_NEAR(light[0].visibility, std::sin(std::atan((width + grid) / (2 * depth))), 0.01);
+  EXPECT_NEAR(light[0].visibility.mean, std::sin(std::atan(width / (2 * depth))), 0.005);
 }
 
 TEST(PathTracer, InsideASphereWithAHoleEveryPointIsAsBright) {
@@ -70,10 +72,39 @@ TEST(PathTracer, InsideASphereWithAHoleEveryPointIsAsBright) {
   const std::vector<SeenCell> cells = {{{-1, -1}, {1, 1}}, {{2, 1}, {3, 2}}};
   for (const double albedo : {0.3, 0.8}) {
     for (const CellLight& light : traceCells(tree, fromAbove(), cells, {.paths = 40000, .albedo = albedo})) {
-      EXPECT_NEAR(light.visibility, open, 0.006);
-      EXPECT_NEAR(light.luminance, open / (1 - albedo * (1 - open)), 5 * light.deviation);
+      EXPECT_NEAR(light.visibility.mean, open, 0.005);
+      EXPECT_NEAR(light.luminance.mean, open / (1 - albedo * (1 - open)), 5 * light.luminance.standardError);
     }
   }
+}
+
+TEST(PathTracer, AnOpenPlaneUnderALampIsAsBrightAsTheUnitSaysAndReceivesLambertsLaw) {
+  const Mesh plate = shapes::box({100, 100, 10});
+  const RayTree tree(plate);
+  const SeenCell cell{{-5, -5}, {5, 5}};
+  const auto light = traceCells(
+      tree, fromAbove(), std::span(&cell, 1),
+      {.lights = {{.azimuthDeg = 40, .elevationDeg = 30, .strength = 2}, {.azimuthDeg = 200, .elevationDeg = 90}}});
+  EXPECT_NEAR(light[0].direct.mean, 2 * 0.5 + 1, 1e-9);
+  EXPECT_NEAR(light[0].luminance.mean, 1, 1e-9);
+}
+
+TEST(PathTracer, ALampAcrossATrenchLightsTheShareOfItsFloorThatTheRimLeaves) {
+  // The rim's shadow is depth / tan(elevation) long; the walls lean inwards by one grid width.
+  const double grid = 0.05, width = 2, depth = 0.5, elevation = 40;
+  const Mesh trench = carvedPlate(20, 400, depth, [&](double x, double) { return std::abs(x) < width / 2 - grid / 2; });
+  const RayTree tree(trench);
+  const SeenCell floor{{-width / 2 + grid, -0.5}, {width / 2 - grid, 0.5}};
+  const auto lit = [&](double azimuth) {
+    const DirectionalLight lamp{.azimuthDeg = azimuth, .elevationDeg = elevation, .strength = 1};
+    return traceCells(tree, fromAbove(), std::span(&floor, 1), {.paths = 8192, .lights = {lamp}})[0].direct.mean;
+  };
+  const double sine = std::sin(elevation * std::numbers::pi / 180);
+  const double shadow = depth / std::tan(elevation * std::numbers::pi / 180);
+  const double share = (width - grid - shadow) / (width - 2 * grid);
+  EXPECT_NEAR(lit(0), sine * share, 0.005);
+  EXPECT_NEAR(lit(180), sine * share, 0.005);
+  EXPECT_NEAR(lit(90), sine, 0.005);
 }
 
 TEST(PathTracer, TheSameSeedGivesTheSameLight) {
@@ -82,7 +113,7 @@ TEST(PathTracer, TheSameSeedGivesTheSameLight) {
   const SeenCell cell{{-1, -1}, {1, 1}};
   const auto once = traceCells(tree, fromAbove(), std::span(&cell, 1), {});
   const auto again = traceCells(tree, fromAbove(), std::span(&cell, 1), {});
-  EXPECT_EQ(once[0].luminance, again[0].luminance);
+  EXPECT_EQ(once[0].luminance.mean, again[0].luminance.mean);
 }
 
 }  // namespace

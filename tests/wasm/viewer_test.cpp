@@ -87,13 +87,14 @@ TEST_F(ViewerTest, TheBackgroundFollowsTheTheme) {
 }
 
 TEST_F(ViewerTest, OcclusionDarkensAConcaveCornerAndLeavesTheOpenPlateAlone) {
-  // A plate with a step: the corner at the step's foot sees half the sky.
+  // A plate with a step: the corner at the step's foot sees little more than half the sky; what the step reflects
+  // gives back most of what it hides.
   show(shapes::plate({80, 80}, 5, 160, 4, [](double x, double) { return x < 0 ? 5.0 : 0.0; }));
   camera_.orbit(0, 30);
   const Picture picture = refined();
   const double open = picture.brightness(camera_.toScreen({30, 0, 0}));
   const double corner = picture.brightness(camera_.toScreen({1.2, 0, 0}));
-  EXPECT_LT(corner, open * 0.9);
+  EXPECT_LT(corner, open * 0.93);
   EXPECT_NEAR(picture.brightness(camera_.toScreen({30, 20, 0})), open, 0.02);
 }
 

@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How far the light that the depth search sees is from path traced light, over engraved models:
+//
+//     qrelief_luminance_table FOLDER CENTRES.json [CELLS] [PATHS]
+//
+//     CENTRES.json: {"model.stl": {"scaleToMm": 1, "picks": {"KIND": {"pointFileUnits": [x, y, z],
+//                                                                     "widthWithQuietZoneMm": 35}}}}
+//
+// Each flat and each curved centre is engraved with the next of the five patterns, by either objective in turn. The
+// pass works on the map of the model with the depths found; the path tracer on the engraved mesh, as written to a file
+// and read again. Of each, CELLS submodules drawn at random are compared, as many carved as not.
+//
+// Then the interreflection of shaders/interreflection.glsl is fitted anew: to every second model, and judged on the
+// others.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fmt/format.h>
+#include <fstream>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "base/random.h"
+#include "io/read_model.h"
+#include "native/egl_context.h"
+#include "pipeline/engrave.h"
+#include "verification/path_tracer.h"
+
+namespace qrelief {
+namespace {
+
+using Json = nlohmann::json;
+constexpr int kN = kSubmodulesPerModule;
+constexpr double kAlbedo = 0.7;
+constexpr std::array<const char*, 5> kPatternNames = {"none", "square", "thin-plus", "diamond", "thick-plus"};
+constexpr std::array<double, 3> kFitAlbedos = {0.5, kAlbedo, 0.85};
+
+struct Cell {
+  int row = 0, column = 0;  // from the quiet zone's top left
+  bool carved = false;
+  Received received = {};
+  double luminance = 0;  // of the pass, at kAlbedo
+  std::array<CellLight, kFitAlbedos.size()> traced = {};
+  int model = 0;
+
+  const CellLight& reference() const { return traced[1]; }
+};
+
+Result<std::shared_ptr<const EngravableModel>> load(const std::string& path, double scaleToMm) {
+  std::ifstream stream(path, std::ios::binary);
+  const std::vector<std::uint8_t> bytes(std::istreambuf_iterator<char>(stream), {});
+  const auto soup = readModel(bytes, path);
+  if (!soup) return tl::unexpected(soup.error());
+  auto prepared = prepareModel(*soup, {.scaleToMm = scaleToMm});
+  if (!prepared) return tl::unexpected(prepared.error());
+  if (const Status engravable = prepared->engravable(); !engravable) return tl::unexpected(engravable.error());
+  return EngravableModel::upload(std::move(*prepared));
+}
+
+EngraveRequest requestFor(const Json& pick, double scale, int number) {
+  const auto point = pick["pointFileUnits"].get<std::array<double, 3>>();
+  EngraveRequest request;
+  request.text = "https://example.com/qrelief";
+  request.symbol.version = 3;
+  request.placement.centreMm = Vec3(point[0], point[1], point[2]) * scale;
+  request.placement.sizeMode = SizeMode::Fixed;
+  request.placement.sizeMm = pick["widthWithQuietZoneMm"].get<double>() * 29 / 37;
+  request.modulePattern = static_cast<ModulePattern>(number % 5);
+  request.finderPattern = number % 2 ? FinderPattern::Diamond : FinderPattern::ThickPlus;
+  request.objective = number % 4 < 2 ? DepthObjective::Reading : DepthObjective::Contrast;
+  request.minWallMm = 0.4;
+  request.albedo = static_cast<float>(kAlbedo);
+  return request;
+}
+
+/// At the suggested width, or the largest that fits.
+Result<EngraveResult> engraveAt(const std::shared_ptr<const EngravableModel>& model, EngraveRequest request) {
+  auto engraved = engrave(model, request);
+  if (engraved) return engraved;
+  request.placement.sizeMode = SizeMode::Free;
+  return engrave(model, request);
+}
+
+std::vector<Cell> drawCells(const EngraveResult& engraved, int count, int model) {
+  Random random(7);
+  const int edge = kN * (engraved.symbol.size + 2 * kQuietZoneModules);
+  std::vector<Cell> cells;
+  std::array<int, 2> wanted = {count - count / 2, count / 2};
+  while (wanted[0] + wanted[1] > 0) {
+    Cell cell;
+    cell.row = static_cast<int>(random.below(static_cast<std::uint64_t>(edge)));
+    cell.column = static_cast<int>(random.below(static_cast<std::uint64_t>(edge)));
+    const int row = cell.row - kN * kQuietZoneModules, column = cell.column - kN * kQuietZoneModules;
+    const int size = engraved.depths.size;
+    cell.carved = row >= 0 && column >= 0 && row < size && column < size && engraved.depths.depth(row, column) > 0;
+    if (wanted[cell.carved]-- <= 0) {
+      wanted[cell.carved] = 0;
+      continue;
+    }
+    const auto i = static_cast<std::size_t>(cell.row * edge + cell.column);
+    cell.received = engraved.received[i];
+    cell.luminance = engraved.luminance[i];
+    cell.model = model;
+    cells.push_back(cell);
+  }
+  return cells;
+}
+
+void trace(const EngraveResult& engraved, int paths, std::vector<Cell>& cells) {
+  const RayTree tree(engraved.mesh);
+  const double edge = engraved.depths.submoduleMm();
+  std::vector<SeenCell> seen;
+  for (const Cell& cell : cells) {
+    const Vec2 corner = engraved.depths.corner(cell.row - kN * kQuietZoneModules, cell.column - kN * kQuietZoneModules);
+    seen.push_back({{corner.x, corner.y - edge}, {corner.x + edge, corner.y}});
+  }
+  for (std::size_t a = 0; a < kFitAlbedos.size(); ++a) {
+    const auto traced =
+        traceCells(tree, engraved.placement.frame, seen, {.paths = paths, .albedo = kFitAlbedos[a], .seed = a + 1});
+    for (std::size_t i = 0; i < cells.size(); ++i) cells[i].traced[a] = traced[i];
+  }
+}
+
+/// Mean of the absolute values and their 99th percentile.
+template <class Value>
+std::string summary(const std::vector<Cell>& cells, Value value) {
+  std::vector<double> values;
+  double sum = 0;
+  for (const Cell& cell : cells) {
+    values.push_back(std::abs(value(cell)));
+    sum += values.back();
+  }
+  if (values.empty()) return "–";
+  std::sort(values.begin(), values.end());
+  const double count = static_cast<double>(values.size());
+  return fmt::format("{:.4f} / {:.4f}", sum / count, values[static_cast<std::size_t>(std::ceil(0.99 * count)) - 1]);
+}
+
+std::vector<Cell> carvedOnes(const std::vector<Cell>& cells) {
+  std::vector<Cell> carved;
+  std::copy_if(cells.begin(), cells.end(), std::back_inserter(carved), [](const Cell& cell) { return cell.carved; });
+  return carved;
+}
+
+void printRow(const std::string& name, const std::vector<Cell>& cells) {
+  fmt::print("| {} |", name);
+  for (const std::vector<Cell>& some : {cells, carvedOnes(cells)}) {
+    fmt::print(" {} |", summary(some, [](const Cell& c) { return c.received.sky - c.reference().visibility.mean; }));
+    fmt::print(" {} |", summary(some, [](const Cell& c) { return c.luminance - c.reference().luminance.mean; }));
+  }
+  fmt::print(" {} |", summary(cells, [](const Cell& c) { return c.reference().visibility.standardError; }));
+  fmt::print(" {} |\n", summary(cells, [](const Cell& c) { return c.reference().luminance.standardError; }));
+  std::fflush(stdout);
+}
+
+/// Of interreflection.glsl: what walls send is wall / (1 - bounces·albedo)·√visibility, what the surface sends
+/// `surface`.
+struct Factors {
+  double wall = 0, bounces = 0, surface = 0;
+};
+
+double reflectedBy(const Factors& f, const Received& r, double albedo) {
+  const double sky = static_cast<double>(r.sky), pastWalls = static_cast<double>(r.pastWalls);
+  const double wall = f.wall / (1 - f.bounces * albedo) * std::sqrt(sky);
+  return albedo * ((1 - pastWalls) * wall + (pastWalls - sky) * f.surface);
+}
+
+/// Least squares over every second model: linear in `wall` and `surface`, tried for every hundredth of `bounces`.
+Factors fitted(const std::vector<Cell>& cells) {
+  Factors best;
+  double least = std::numeric_limits<double>::infinity();
+  for (int hundredths = 0; hundredths < 100; ++hundredths) {
+    const double bounces = hundredths / 100.0;
+    double xx = 0, xy = 0, yy = 0, xt = 0, yt = 0;
+    for (const Cell& cell : cells) {
+      if (cell.model % 2) continue;
+      for (std::size_t a = 0; a < kFitAlbedos.size(); ++a) {
+        const double x = reflectedBy({1, bounces, 0}, cell.received, kFitAlbedos[a]);
+        const double y = reflectedBy({0, bounces, 1}, cell.received, kFitAlbedos[a]);
+        const double target = cell.traced[a].luminance.mean - cell.traced[a].visibility.mean;
+        xx += x * x;
+        xy += x * y;
+        yy += y * y;
+        xt += x * target;
+        yt += y * target;
+      }
+    }
+    const double determinant = xx * yy - xy * xy;
+    const double wall = (xt * yy - yt * xy) / determinant, surface = (yt * xx - xt * xy) / determinant;
+    const double squares = -wall * xt - surface * yt;  // beside those of the target
+    if (squares < least) {
+      least = squares;
+      best = {wall, bounces, surface};
+    }
+  }
+  return best;
+}
+
+void printFit(const std::vector<Cell>& cells) {
+  const Factors f = fitted(cells);
+  fmt::print(
+      "\ninterreflection fitted to the models 1, 3, 5 …: wall = {:.3f} / (1 - {:.2f}·albedo)·√visibility, "
+      "surface = {:.3f}\n\n",
+      f.wall, f.bounces, f.surface);
+  fmt::print("| luminance error (mean / 99 %) at albedo | {} | {} | {} |\n|---|---|---|---|\n", kFitAlbedos[0],
+             kFitAlbedos[1], kFitAlbedos[2]);
+  for (const int parity : {0, 1}) {
+    std::vector<Cell> some;
+    std::copy_if(cells.begin(), cells.end(), std::back_inserter(some),
+                 [&](const Cell& cell) { return cell.carved && cell.model % 2 == parity; });
+    fmt::print("| carved submodules of the {} |", parity == 0 ? "models fitted to" : "other models");
+    for (std::size_t a = 0; a < kFitAlbedos.size(); ++a)
+      fmt::print(" {} |", summary(some, [&](const Cell& cell) {
+                   const double luminance =
+                       static_cast<double>(cell.received.sky) + reflectedBy(f, cell.received, kFitAlbedos[a]);
+                   return luminance - cell.traced[a].luminance.mean;
+                 }));
+    fmt::print("\n");
+  }
+}
+
+int failed(const std::string& what, const Error& error) {
+  fmt::print(stderr, "{}: {} ({})\n", what, error.message, error.hint);
+  return 1;
+}
+
+int run(const std::string& folder, const std::string& centres, int cellCount, int paths) {
+  const auto context = EglContext::create();
+  if (!context) return failed("EGL", context.error());
+  std::ifstream stream(centres);
+  const Json models = Json::parse(stream, nullptr, false);
+  if (!models.is_object()) return failed(centres, {ErrorCode::BadInput, "not a JSON object", ""});
+
+  fmt::print("Error per submodule, mean / 99th percentile; {} submodules a row, half of them carved; {} paths each\n\n",
+             cellCount, paths);
+  fmt::print(
+      "| engraved | visibility | luminance | visibility, carved | luminance, carved "
+      "| tracer's standard error: visibility | luminance |\n|---|---|---|---|---|---|---|\n");
+  std::vector<Cell> all;
+  int number = 0, modelNumber = 0, status = 0;
+  for (const auto& [file, entry] : models.items()) {
+    const double scale = entry["scaleToMm"].get<double>();
+    const auto model = load(folder + "/" + file, scale);
+    if (!model) {
+      status = failed(file, model.error());
+      continue;
+    }
+    for (const char* kind : {"flat", "curved"}) {
+      if (!entry["picks"].contains(kind)) continue;
+      const EngraveRequest request = requestFor(entry["picks"][kind], scale, number++);
+      const std::string name = fmt::format("{} {}, {}", file.substr(0, file.find('.')), kind,
+                                           kPatternNames[static_cast<std::size_t>(request.modulePattern)]);
+      const auto engraved = engraveAt(*model, request);
+      if (!engraved) {
+        status = failed(name, engraved.error());
+        continue;
+      }
+      std::vector<Cell> cells = drawCells(*engraved, cellCount, modelNumber);
+      trace(*engraved, paths, cells);
+      printRow(name, cells);
+      all.insert(all.end(), cells.begin(), cells.end());
+    }
+    ++modelNumber;
+  }
+  printRow("all", all);
+  printFit(all);
+  return status;
+}
+
+}  // namespace
+}  // namespace qrelief
+
+int main(int argc, char** argv) {
+  if (argc < 3) {
+    fmt::print(stderr, "usage: {} FOLDER CENTRES.json [CELLS] [PATHS]\n", argv[0]);
+    return 2;
+  }
+  return qrelief::run(argv[1], argv[2], argc > 3 ? std::atoi(argv[3]) : 200, argc > 4 ? std::atoi(argv[4]) : 2048);
+}

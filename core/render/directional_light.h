@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+#include <numbers>
+#include <span>
+
+#include "math/vec.h"
+
+namespace qrelief {
+
+inline constexpr std::size_t kMostLights = 2;
+
+/// A lamp so far away that its rays are parallel, beside the uniform sky.
+struct DirectionalLight {
+  double azimuthDeg = 0;     ///< where it stands round the code: 0 = right, 90 = at the top, as the reader sees it
+  double elevationDeg = 45;  ///< over the QR plane, 0 < e ≤ 90; 90 = at the reader
+  double strength = 1;       ///< irradiance of a surface that faces it, 1 = that of the whole sky; ≥ 0
+};
+
+/// Unit vector to the lamp in the frame's axes (right, up, normal).
+inline Vec3 towards(const DirectionalLight& light) {
+  const double azimuth = light.azimuthDeg * std::numbers::pi / 180;
+  const double elevation = light.elevationDeg * std::numbers::pi / 180;
+  return {std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth), std::sin(elevation)};
+}
+
+/// Irradiance of an unoccluded surface in the QR plane under the sky and the lamps, 1 = under the sky alone: what
+/// luminances are divided by.
+inline double openIrradiance(std::span<const DirectionalLight> lights) {
+  double sum = 1;
+  for (const DirectionalLight& light : lights) sum += light.strength * towards(light).z;
+  return sum;
+}
+
+}  // namespace qrelief
