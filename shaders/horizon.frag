@@ -52,6 +52,8 @@ void main() {
   }
   SightFrame sight = sightFrame(texel);
   vec3 origin = engravedPoint(surface, 0.0, texel, texel);
+  vec4 cotangents;
   for (int i = 0; i < 4; ++i)
-    o_cotangents[i] = horizonCotangent(texel, float(4 * (pixel.x & 3) + i) * kPi / 8.0, origin, sight, surface.xyz);
+    cotangents[i] = horizonCotangent(texel, float(4 * (pixel.x & 3) + i) * kPi / 8.0, origin, sight, surface.xyz);
+  o_cotangents = cotangents;  // whose elements WebGL lets constants alone index
 }
