@@ -106,13 +106,13 @@ double PlacementSearch::largestMm() const {
 
 /// The patch as far as it decides the size: looked at as far as the code is expected to reach, then farther and farther
 /// until the size is bounded by a silhouette, or is the largest allowed.
-Result<VisiblePatch> PlacementSearch::decisivePatch(const ProjectionFrame& frame) const {
+Result<VisiblePatch> PlacementSearch::decisivePatch(const ProjectionFrame& frame, GrowingRegion region) const {
   const double halfDiagonal = std::numbers::sqrt2 / 2 * outerFactor();  // of a code's size
   const double beyond = kNearnessFactor * request_.beyondMm;
   const double farthest = largestMm() * halfDiagonal + beyond;
   double radius = std::min(farthest, kFirstReach * sampledMm() * halfDiagonal + beyond);
   for (;;) {
-    auto patch = findVisiblePatch(model_->mesh, model_->adjacency, frame, placement_.seed, radius);
+    auto patch = findVisiblePatch(model_->mesh, model_->adjacency, frame, placement_.seed, radius, region);
     if (patch && model_->crossesItself)
       if (const Status added = addCrossings(model_->mesh, frame, *patch); !added) return tl::unexpected(added.error());
     if (!patch || radius >= farthest) return patch;
@@ -131,24 +131,42 @@ double PlacementSearch::sizeWithin(std::span<const Segment2> silhouette) const {
   return std::min(most, size) / outerFactor();
 }
 
+/// Of a patch for a square: as a disc finds it, where that differs.
+Result<double> PlacementSearch::guaranteedMm(const VisiblePatch& patch, const ProjectionFrame& frame) const {
+  const auto of = [&](const VisiblePatch& found) {
+    return std::min(largestMm(), freeSize(found.silhouette) / outerFactor());
+  };
+  if (!patch.partlyHidden || request_.sizeMode == SizeMode::Free) return of(patch);
+  const auto forDiscs = decisivePatch(frame, GrowingRegion::Disc);
+  if (!forDiscs) return tl::unexpected(forDiscs.error());
+  return std::max(of(patch), of(*forDiscs));
+}
+
 Status PlacementSearch::measure(Vec3 normal) {
   const Stopwatch stopwatch(sizeMs_);
-  const ProjectionFrame frame = frameFor(normal);
-  auto patch = decisivePatch(frame);
-  if (!patch) return tl::unexpected(patch.error());
-
   const bool isFixed = request_.sizeMode == SizeMode::Fixed;
-  placement_.frame = frame;
-  placement_.rotationDeg = request_.rotateDeg;
-  placement_.patch = std::move(*patch);
-  std::vector<Segment2>& silhouette = placement_.patch.silhouette;
+  ProjectionFrame frame = frameFor(normal);
+  const bool isAlongAxes = isFixed || request_.sizeMode == SizeMode::Oriented;
+  auto patch = decisivePatch(frame, isAlongAxes ? GrowingRegion::Square : GrowingRegion::Disc);
+  if (!patch) return tl::unexpected(patch.error());
+  double rotation = 0;
   if (request_.sizeMode == SizeMode::Best) {
-    const double rotation = bestSize(silhouette, largestMm() * outerFactor()).rotation;
-    placement_.frame = turnedFrame(frame, rotation);
-    placement_.rotationDeg += rotation * kDegrees;
-    silhouette = inTurnedAxes(silhouette, rotation);
+    rotation = bestSize(patch->silhouette, largestMm() * outerFactor()).rotation;
+    frame = turnedFrame(frame, rotation);
+    if (patch->partlyHidden)
+      patch = decisivePatch(frame, GrowingRegion::Square);
+    else
+      patch->silhouette = inTurnedAxes(patch->silhouette, rotation);
+    if (!patch) return tl::unexpected(patch.error());
   }
-  placement_.guaranteedMm = std::min(largestMm(), freeSize(silhouette) / outerFactor());
+  const auto guaranteed = guaranteedMm(*patch, frame);
+  if (!guaranteed) return tl::unexpected(guaranteed.error());
+
+  placement_.frame = frame;
+  placement_.rotationDeg = request_.rotateDeg + rotation * kDegrees;
+  placement_.patch = std::move(*patch);
+  placement_.guaranteedMm = *guaranteed;
+  const std::vector<Segment2>& silhouette = placement_.patch.silhouette;
   fitMm_ = request_.sizeMode == SizeMode::Free ? placement_.guaranteedMm
                                                : std::min(largestMm(), orientedSize(silhouette) / outerFactor());
   placement_.symbolMm = isFixed ? request_.sizeMm : fitMm_;

@@ -82,7 +82,8 @@ class PlacementSearch {
   std::vector<Vec3> roundCandidates() const;
   Error doesNotFit() const;
   Result<bool> refine();
-  Result<VisiblePatch> decisivePatch(const ProjectionFrame& frame) const;
+  Result<VisiblePatch> decisivePatch(const ProjectionFrame& frame, GrowingRegion region) const;
+  Result<double> guaranteedMm(const VisiblePatch& patch, const ProjectionFrame& frame) const;
   double sizeWithin(std::span<const Segment2> silhouette) const;
   double largestMm() const;
   double sampledMm() const;

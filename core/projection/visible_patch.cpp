@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 #include <optional>
 #include <queue>
 #include <span>
@@ -15,30 +16,63 @@
 namespace qrelief {
 namespace {
 
-/// Point of an edge nearest to the centre, kept off the edge's ends: paths go through edges, not vertices.
-Vec2 nearestInnerPoint(Vec2 a, Vec2 b) {
+/// From the centre, as the region grows.
+double reachOfPoint(Vec2 p, GrowingRegion region) {
+  return region == GrowingRegion::Disc ? glm::length(p) : std::max(std::abs(p.x), std::abs(p.y));
+}
+
+/// Share of a side, from a to b, at which the region meets it first.
+double nearestShare(Vec2 a, Vec2 b, GrowingRegion region) {
   const Vec2 along = b - a;
-  const double squared = glm::dot(along, along);
-  const double share = squared > 0 ? glm::dot(-a, along) / squared : 0.5;
-  return a + along * std::clamp(share, 0.001, 0.999);
+  if (region == GrowingRegion::Disc) {
+    const double squared = glm::dot(along, along);
+    return squared > 0 ? std::clamp(glm::dot(-a, along) / squared, 0.0, 1.0) : 0.5;
+  }
+  // The reach is convex and linear between the diagonals of the square.
+  double best = reachOfPoint(a, region) <= reachOfPoint(b, region) ? 0 : 1;
+  for (const double turn : {1.0, -1.0}) {
+    const double slope = along.x - turn * along.y;
+    const double share = slope != 0 ? (turn * a.y - a.x) / slope : -1;
+    if (share > 0 && share < 1 && reachOfPoint(a + along * share, region) < reachOfPoint(a + along * best, region))
+      best = share;
+  }
+  return best;
+}
+
+/// Point of an edge nearest to the centre, kept off the edge's ends: paths go through edges, not vertices.
+Vec2 nearestInnerPoint(Vec2 a, Vec2 b, GrowingRegion region) {
+  return a + (b - a) * std::clamp(nearestShare(a, b, region), 0.001, 0.999);
+}
+
+/// Least reach of a triangle's points.
+double reachOfTriangle(const Triangle2& triangle, GrowingRegion region) {
+  double reach = distanceToTriangle(Vec2(0), triangle);
+  if (region == GrowingRegion::Disc || reach == 0) return reach;
+  reach = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec2 a = triangle[k], b = triangle[(k + 1) % 3];
+    reach = std::min(reach, reachOfPoint(a + (b - a) * nearestShare(a, b, region), region));
+  }
+  return reach;
 }
 
 /// A facet that occluders pass over.
 struct ObstructedFacet {
   std::uint32_t triangle = 0;
   bool crossed = false;  // otherwise they only touch it
-  double reach = 0;      // distance from the centre at which it was entered
+  double reach = 0;      // at which it was entered
   std::vector<Segment2> occluders;
 };
 
 class Flood {
  public:
-  Flood(const Mesh& mesh, const Adjacency& adjacency, const ProjectionFrame& frame, double radius)
+  Flood(const Mesh& mesh, const Adjacency& adjacency, const ProjectionFrame& frame, double radius, GrowingRegion region)
       : mesh_(mesh),
         adjacency_(adjacency),
         frame_(frame),
         eye_(frame.eye()),
         radius_(radius),
+        region_(region),
         view_(viewFrom(mesh, frame)),
         contours_(contourEdges(mesh, adjacency, frame, view_)),
         bins_(imagesOf(contours_), 2 * radius),
@@ -65,7 +99,7 @@ class Flood {
         if (state_[entry.triangle] == State::Taken) continue;
         state_[entry.triangle] = State::Taken;
         ObstructedFacet& facet = obstructed_[entry.record];
-        facet.reach = entry.distance;
+        facet.reach = entry.reach;
         leave(entry.triangle, std::vector<Segment2>(facet.occluders), entry.point);  // a copy: the list may grow
       } else {
         break;
@@ -77,6 +111,7 @@ class Flood {
   VisiblePatch patch() const {
     VisiblePatch result;
     result.radiusMm = radius_;
+    result.partlyHidden = !obstructed_.empty();
     for (std::uint32_t t = 0; t < state_.size(); ++t) {
       if (state_[t] != State::Taken) continue;
       result.triangles.push_back(t);
@@ -104,12 +139,12 @@ class Flood {
 
   /// A way into an obstructed facet: the nearest first, ties by index.
   struct Entry {
-    double distance;
+    double reach;
     std::uint32_t triangle;
     std::uint32_t record;
     Vec2 point;
     bool operator<(const Entry& other) const {
-      return distance != other.distance ? distance > other.distance : triangle > other.triangle;
+      return reach != other.reach ? reach > other.reach : triangle > other.triangle;
     }
   };
 
@@ -148,7 +183,7 @@ class Flood {
       state = State::Taken;
       open_.push_back(triangle);
     } else if (state == State::Waiting)
-      waiting_.push({glm::length(point), triangle, recordOf_.at(triangle), point});
+      waiting_.push({reachOfPoint(point, region_), triangle, recordOf_.at(triangle), point});
   }
 
   ObstructedFacet occludersOf(std::uint32_t triangle) {
@@ -186,8 +221,8 @@ class Flood {
   /// centre is tried first (the proof of exactness needs no other), the others help regions that are no discs.
   std::optional<Vec2> clearPoint(const Segment2& edge, Vec2 from, std::span<const Segment2> occluders) const {
     const Vec2 along = edge[1] - edge[0];
-    for (const Vec2 point :
-         {nearestInnerPoint(edge[0], edge[1]), edge[0] + along * 0.5, edge[0] + along * 0.25, edge[0] + along * 0.75}) {
+    for (const Vec2 point : {nearestInnerPoint(edge[0], edge[1], region_), edge[0] + along * 0.5,
+                             edge[0] + along * 0.25, edge[0] + along * 0.75}) {
       const bool clear = std::none_of(occluders.begin(), occluders.end(), [&](const Segment2& occluder) {
         return distanceBetween({from, point}, occluder) <= view_.noiseMm;
       });
@@ -228,7 +263,7 @@ class Flood {
 
   double reachOf(std::uint32_t triangle) const {
     const auto record = recordOf_.find(triangle);
-    return record == recordOf_.end() ? distanceToTriangle(Vec2(0), image(triangle)) : obstructed_[record->second].reach;
+    return record == recordOf_.end() ? reachOfTriangle(image(triangle), region_) : obstructed_[record->second].reach;
   }
 
   void keepConnected() {
@@ -253,6 +288,7 @@ class Flood {
   const ProjectionFrame& frame_;
   Vec3 eye_;
   double radius_;
+  GrowingRegion region_;
   EyeView view_;
   std::vector<ContourEdge> contours_;
   PlaneGrid bins_;
@@ -289,9 +325,9 @@ Status checkCentre(const Mesh& mesh, const ProjectionFrame& frame, const EyeView
 }  // namespace
 
 Result<VisiblePatch> findVisiblePatch(const Mesh& mesh, const Adjacency& adjacency, const ProjectionFrame& frame,
-                                      std::uint32_t seed, double radiusMm) {
+                                      std::uint32_t seed, double radiusMm, GrowingRegion region) {
   assert(seed < mesh.triangles.size() && adjacency.size() == mesh.triangles.size() && radiusMm > 0);
-  Flood flood(mesh, adjacency, frame, radiusMm);
+  Flood flood(mesh, adjacency, frame, radiusMm, region);
   if (const Status seen = checkCentre(mesh, frame, flood.view(), seed); !seen) return tl::unexpected(seen.error());
   flood.run(seed);
   return flood.patch();

@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "base/result.h"
 #include "projection/occlusion.h"
 
 namespace qrelief {
+
+/// What grows about the centre until it meets the silhouette, if nothing of it is to be lost.
+enum class GrowingRegion : std::uint8_t {
+  Disc,   ///< codes of any rotation
+  Square  ///< a code along the frame's axes
+};
 
 /// The facets that can take the code, and their outline.
 struct VisiblePatch {
@@ -15,6 +22,8 @@ struct VisiblePatch {
   /// convex region about the centre within that radius that they do not enter is covered by `triangles` and seen.
   std::vector<Segment2> silhouette;
   double radiusMm = 0;  ///< what lies farther from the centre on the QR plane has not been looked at
+  /// Whether a facet that was met is seen in part only; else the patch is the same for every GrowingRegion.
+  bool partlyHidden = false;
 };
 
 /// Facets that the frame's eye sees, connected (across edges) with the seed [Papp 2022, §4], and the silhouette that
@@ -26,7 +35,8 @@ struct VisiblePatch {
 /// the eye. A facet without occluders is seen as a whole as soon as one point of it is. A facet with occluders stays in
 /// the patch, but is left only through points that can be reached within it without meeting an occluder; such facets
 /// wait, and are entered in the order of the distance at which they can be. Of two facets whose images overlap (one of
-/// them then has occluders) the one met farther from the centre is dropped. The silhouette is
+/// them then has occluders) the one met farther from the centre is dropped. Distance is half the edge of the aligned
+/// square through a point, or the radius of the disc. The silhouette is
 ///   (A) every edge of the patch beyond which there is no facet of the patch, and
 ///   (B) every occluder of a facet of the patch.
 ///
@@ -39,17 +49,18 @@ struct VisiblePatch {
 /// image of one that is nearer than q(t), which is (B), or that meets q(t) itself, and then not all facets around q(t)
 /// face the eye and x(t) lies on (A). Hence q(t) stays seen, and since the eye sees one point at a time, the answer is
 /// unique. This holds whatever facets the flood picks; which ones it picks decides only how large the code may be. And
-/// the order makes it exact for a disc D: all facets with points of D enter at a point of D before any other facet with
-/// occluders does (induction along the straight path), so nothing is lost but what overlapping images cost.
+/// the order makes it exact for a disc, or a square, D: all facets with points of D enter at a point of D before any
+/// other facet with occluders does (induction along the straight path), so nothing of D is lost.
 ///
 /// Preconditions: the surface does not cross itself (else see crossings.h); frame.centre lies on the seed (to
 /// kOnSurfaceMm). Cost: O(T + F + E) for T triangles, F within the radius, and E contour edges in uniform bins.
 /// @param seed      triangle under the centre
 /// @param radiusMm  > 0, may be infinite; facets wholly farther than this from the centre on the QR plane are left out;
 ///                  the edge towards them is no silhouette
+/// @param region    for which the silhouette leaves as much room as there is; for others it may leave less
 /// @returns NoSolution if the seed faces away from the eye, lies beside or behind it, or something hides the centre
 ///          (says what, where, and how near the eye would have to come)
 Result<VisiblePatch> findVisiblePatch(const Mesh& mesh, const Adjacency& adjacency, const ProjectionFrame& frame,
-                                      std::uint32_t seed, double radiusMm);
+                                      std::uint32_t seed, double radiusMm, GrowingRegion region = GrowingRegion::Disc);
 
 }  // namespace qrelief

@@ -2,6 +2,7 @@
 #include "projection/visible_patch.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -21,8 +22,9 @@ using testing::HasSubstr;
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr double kRoot2 = std::numbers::sqrt2;
 
-Result<VisiblePatch> patchAt(const Mesh& mesh, const brute_force::Spot& spot, double radius = kInfinite) {
-  return findVisiblePatch(mesh, buildAdjacency(mesh.triangles), spot.frame, spot.seed, radius);
+Result<VisiblePatch> patchAt(const Mesh& mesh, const brute_force::Spot& spot, double radius = kInfinite,
+                             GrowingRegion region = GrowingRegion::Disc) {
+  return findVisiblePatch(mesh, buildAdjacency(mesh.triangles), spot.frame, spot.seed, radius, region);
 }
 
 /// Straight from above on the point of the surface over (x, y).
@@ -238,12 +240,22 @@ TEST(VisiblePatch, GoesRoundARidgeWithoutOverlappingItself) {
     for (const Vec2 centre : {Vec2(0, 0), Vec2(0.3, 44.7), Vec2(52.1, 3.9), Vec2(20.5, -55)}) {
       const brute_force::Spot spot =
           brute_force::spotSeen(mesh, {centre.x, centre.y, 50}, {0, 0, -1}, {-1, 0.2, 1}, {0, 1, 0});
-      const Result<VisiblePatch> patch = patchAt(mesh, spot);
-      ASSERT_TRUE(patch) << patch.error().message;
-      expectSeenWithin(mesh, spot.frame, *patch);
-      expectNoOverlap(mesh, spot.frame, *patch);
-      expectConnected(mesh, spot.seed, *patch);
-      expectEndsForAReason(mesh, spot.frame, *patch);
+      std::array<double, 2> free{}, oriented{};
+      for (const GrowingRegion region : {GrowingRegion::Disc, GrowingRegion::Square}) {
+        const Result<VisiblePatch> patch = patchAt(mesh, spot, kInfinite, region);
+        ASSERT_TRUE(patch) << patch.error().message;
+        EXPECT_TRUE(patch->partlyHidden);
+        expectSeenWithin(mesh, spot.frame, *patch);
+        expectNoOverlap(mesh, spot.frame, *patch);
+        expectConnected(mesh, spot.seed, *patch);
+        expectEndsForAReason(mesh, spot.frame, *patch);
+        const auto k = static_cast<std::size_t>(region);
+        free[k] = freeSize(patch->silhouette);
+        oriented[k] = orientedSize(patch->silhouette);
+      }
+      // Each leaves its own region the most room.
+      EXPECT_GE(free[0], free[1]);
+      EXPECT_GE(oriented[1], oriented[0]);
     }
   }
 }

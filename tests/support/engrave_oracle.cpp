@@ -265,17 +265,6 @@ Search repeatSearch(const EngraveCase& made, const EngravableModel& model, int m
   return repeated;
 }
 
-/// Of facets whose images overlap only one can be taken (projection/visible_patch.h), which may cost a code that no ray
-/// contradicts: whether one that the code needs overlaps another that is seen beside it.
-bool losesFacets(const Mesh& mesh, const ProjectionFrame& frame, const Reach& reach, double squareMm) {
-  const Reach farther = walkOutwards(mesh, frame, 2 * squareMm, 720, 400);
-  return std::any_of(reach.facets.begin(), reach.facets.end(), [&](std::uint32_t needed) {
-    return std::any_of(farther.facets.begin(), farther.facets.end(), [&](std::uint32_t other) {
-      return other != needed && imagesOverlap(mesh, needed, other, frame.eye());
-    });
-  });
-}
-
 /// True of every direction that was looked from: from there, a code of `symbolMm` is broken.
 std::string fitFault(const EngraveCase& made, const EngravableModel& model, const Search& search, int modules,
                      double symbolMm) {
@@ -286,7 +275,7 @@ std::string fitFault(const EngraveCase& made, const EngravableModel& model, cons
     const double looked = square * (anyRotation ? std::numbers::sqrt2 : 1.0);
     const Reach reach = walkOutwards(model.prepared.mesh, frame, looked, 720, 200);
     const double largest = anyRotation ? reach.freeMm : reach.orientedMm;
-    if (largest > square * 1.01 && !losesFacets(model.prepared.mesh, frame, reach, looked))
+    if (largest > square * 1.01)
       return fmt::format("a code of {:.4g} mm is said not to fit, but no ray contradicts it", symbolMm);
   }
   return {};
