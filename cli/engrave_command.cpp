@@ -14,6 +14,7 @@
 #include "native/zxing_reader.h"
 #include "pipeline/carved_objects.h"
 #include "pipeline/place.h"
+#include "pipeline/preset.h"
 #include "pipeline/report.h"
 
 namespace qrelief {
@@ -27,8 +28,9 @@ struct EngraveOptions {
   double maxDepth = 0;
   SymbolFlags symbol;
   std::vector<double> at, up;
-  std::string pattern = "square", finderPattern = "thick-plus", solver = "fast", objective = "contrast",
+  std::string preset = "balanced", pattern, finderPattern, solver = "fast", objective = "contrast",
               surface = "preserved";
+  std::optional<double> contrast;
   std::vector<std::string> lights;
   bool noQuietZone = false, ascii = false, quiet = false;
   EngraveRequest request;
@@ -122,11 +124,13 @@ Status completeRequest(EngraveOptions& options) {
     return fail(ErrorCode::BadUsage,
                 fmt::format("--inlay needs two bodies in a file, and the output is {}", options.output),
                 "Name the output .3mf, or leave it out");
-  request.modulePattern = *modulePatternByName(options.pattern);
+  applyPreset(request, *presetByName(options.preset));
+  if (options.contrast) request.contrast = *options.contrast;
+  if (!options.pattern.empty()) request.modulePattern = *modulePatternByName(options.pattern);
   request.surface = *surfaceModeByName(options.surface);
   request.objective = options.objective == "reading" ? DepthObjective::Reading : DepthObjective::Contrast;
   request.solver = options.solver == "fast" ? ContrastSolver::Fast : ContrastSolver::PaperSteps;
-  request.finderPattern = *finderPatternByName(options.finderPattern);
+  if (!options.finderPattern.empty()) request.finderPattern = *finderPatternByName(options.finderPattern);
   request.symbol = symbolOptionsFrom(options.symbol);
   for (const std::string& text : options.lights) {
     const Result<DirectionalLight> light = readLight(text);
@@ -265,12 +269,18 @@ std::function<int()> addEngraveCommand(CLI::App& app) {
   c->add_option("--eye-distance", request.placement.eyeDistanceMm, "mm [250]");
   addSymbolFlags(*c, o->symbol);
   c->add_flag("--no-quiet-zone", o->noQuietZone, "the light margin need not fit");
-  c->add_option("--pattern", o->pattern, "carved part of a dark module [square]")
+  c->add_option(
+       "--preset", o->preset,
+       "shallow, balanced or robust: how dark the code is carved, 0.2, 0.3 or 0.45 darker than its surroundings "
+       "[balanced]")
+      ->check(CLI::IsMember({"shallow", "balanced", "robust"}));
+  c->add_option("--pattern", o->pattern, "carved part of a dark module [thick-plus]")
       ->check(CLI::IsMember({"none", "square", "thin-plus", "diamond", "thick-plus"}));
-  c->add_option("--finder-pattern", o->finderPattern, "the same for the three finder patterns [thick-plus]")
-      ->check(CLI::IsMember({"none", "as-modules", "diamond", "thick-plus"}));
-  c->add_option("--contrast", request.contrast,
-                fmt::format("how much darker carved submodules must be [{:g}]", request.contrast));
+  c->add_option("--finder-pattern", o->finderPattern,
+                "the same for the three finder patterns; thick-plus rounds their corners, thick-plus-sharp does not "
+                "[thick-plus-sharp]")
+      ->check(CLI::IsMember({"none", "as-modules", "diamond", "thick-plus", "thick-plus-sharp"}));
+  c->add_option("--contrast", o->contrast, "how much darker carved submodules must be [that of --preset]");
   c->add_option("--objective", o->objective,
                 "contrast: every carved submodule that much darker, as published; reading: every module as a blurred "
                 "picture shows it [contrast]")

@@ -4,8 +4,9 @@
 namespace qrelief {
 
 void addSymbolFlags(CLI::App& command, SymbolFlags& flags) {
-  command.add_option("--ecc", flags.ecc, "error correction [M]")->check(CLI::IsMember({"L", "M", "Q", "H"}));
-  command.add_flag("--raise-ecc", flags.raiseEcc, "a higher one where that needs no larger version");
+  command.add_option("--ecc", flags.ecc, "error correction [M, or a higher one where that needs no larger version]")
+      ->check(CLI::IsMember({"L", "M", "Q", "H"}));
+  command.add_flag("--raise-ecc", flags.raiseEcc, "a higher one than --ecc says where that needs no larger version");
   command.add_option("--version", flags.version, "symbol version, 1 to 40 [smallest]")->check(CLI::Range(1, 40));
   command
       .add_option("--mask", flags.mask,
@@ -18,9 +19,9 @@ void addSymbolFlags(CLI::App& command, SymbolFlags& flags) {
 
 SymbolOptions symbolOptionsFrom(const SymbolFlags& flags) {
   SymbolOptions options;
-  options.errorCorrection = *errorCorrectionByName(flags.ecc);
+  if (!flags.ecc.empty()) options.errorCorrection = *errorCorrectionByName(flags.ecc);
   if (flags.version > 0) options.version = flags.version;
-  options.raiseErrorCorrection = flags.raiseEcc;
+  options.raiseErrorCorrection = flags.raiseEcc || flags.ecc.empty();
   options.breakUpDarkAreas = flags.breakUp;
   if (flags.mask == "shadiest") {
     options.maskRule = MaskRule::Shadiest;

@@ -10,8 +10,8 @@ namespace qrelief {
 
 /// What the command line says about the symbol.
 struct SymbolFlags {
-  std::string ecc = "M", mask = "auto";
-  int version = 0;  ///< 0: the smallest
+  std::string ecc, mask = "auto";  ///< no ecc: M, raised where that needs no larger version
+  int version = 0;                 ///< 0: the smallest
   bool raiseEcc = false, breakUp = false;
 };
 

@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "pipeline/preset.h"
+
 namespace qrelief {
 namespace {
 
@@ -58,6 +60,8 @@ class SettingsReader {
   }
   const std::optional<Error>& error() const { return error_; }
 
+  bool has(const char* name) const { return find(name) != nullptr; }
+
  private:
   const Json* find(const char* name) const {
     const auto found = settings_.find(name);
@@ -83,12 +87,17 @@ Result<EngraveRequest> readSettings(std::string_view json) {
   read.choice(
       "ecc", request.symbol.errorCorrection, [](std::string_view name) { return errorCorrectionByName(name); },
       "Choose L, M, Q or H");
+  request.symbol.raiseErrorCorrection = !read.has("ecc");
+  Preset preset = Preset::Balanced;
+  read.choice(
+      "preset", preset, [](std::string_view name) { return presetByName(name); }, "Choose shallow, balanced or robust");
+  applyPreset(request, preset);
   read.choice(
       "pattern", request.modulePattern, [](std::string_view name) { return modulePatternByName(name); },
       "Choose none, square, thin-plus, diamond or thick-plus");
   read.choice(
       "finderPattern", request.finderPattern, [](std::string_view name) { return finderPatternByName(name); },
-      "Choose none, as-modules, diamond or thick-plus");
+      "Choose none, as-modules, diamond, thick-plus or thick-plus-sharp");
   read.size(request.placement);
   read.number("maxSizeMm", request.placement.maxSizeMm);
   read.flag("quietZone", request.placement.quietZone);
@@ -98,6 +107,8 @@ Result<EngraveRequest> readSettings(std::string_view json) {
   read.number("rotateDeg", request.placement.rotateDeg);
   read.number("contrast", request.contrast);
   read.number("minWallMm", request.minWallMm);
+  read.number("nozzleMm", request.nozzleMm);
+  read.number("layerMm", request.layerMm);
   double maxDepth = 0;
   read.number("maxDepthMm", maxDepth);
   if (maxDepth != 0) request.maxDepthMm = maxDepth;

@@ -75,6 +75,9 @@ Status checkRequest(const EngraveRequest& request) {
   if (!(request.layerMm >= 0.01 && request.layerMm <= 1))
     return bad(fmt::format("The layer height is {:g} mm", request.layerMm),
                "Choose between 0.01 and 1 mm, such as 0.1");
+  if (!(request.nozzleMm >= 0.01 && request.nozzleMm <= 10))
+    return bad(fmt::format("The nozzle is {:g} mm wide", request.nozzleMm),
+               "Choose between 0.01 and 10 mm, such as 0.4");
   if (!(request.minWallMm >= 0)) return bad("The minimum wall is negative", "Choose 0 or more, such as 0.8");
   if (request.maxDepthMm && !(*request.maxDepthMm >= 0.1))
     return bad(fmt::format("The greatest depth is {:g} mm", *request.maxDepthMm), "Choose at least 0.1 mm, one layer");

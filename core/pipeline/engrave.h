@@ -48,8 +48,8 @@ enum class ContrastSolver : std::uint8_t {
 struct EngraveRequest {
   std::string text;  ///< UTF-8, not empty
   SymbolOptions symbol;
-  ModulePattern modulePattern = ModulePattern::Square;
-  FinderPattern finderPattern = FinderPattern::ThickPlus;
+  ModulePattern modulePattern = ModulePattern::ThickPlus;
+  FinderPattern finderPattern = FinderPattern::ThickPlusSharp;
   PlacementRequest placement;
   DepthObjective objective = DepthObjective::Contrast;
   double contrast = 0.3;  ///< a carved submodule is darker than its surroundings by this share, 0 < c < 1

@@ -44,6 +44,7 @@ const Picture& pictureOf(FinderPattern pattern, ModulePattern modules) {
     case FinderPattern::Diamond:
       return kDiamond;
     case FinderPattern::ThickPlus:
+    case FinderPattern::ThickPlusSharp:
       return kThickPlus;
   }
   return kNone;
@@ -117,11 +118,12 @@ std::string_view modulePatternName(ModulePattern pattern) {
 }
 
 std::optional<FinderPattern> finderPatternByName(std::string_view name) {
-  constexpr std::array<std::pair<std::string_view, FinderPattern>, 4> kNames = {{
+  constexpr std::array<std::pair<std::string_view, FinderPattern>, 5> kNames = {{
       {"none", FinderPattern::None},
       {"as-modules", FinderPattern::AsModules},
       {"diamond", FinderPattern::Diamond},
       {"thick-plus", FinderPattern::ThickPlus},
+      {"thick-plus-sharp", FinderPattern::ThickPlusSharp},
   }};
   return lookUp(kNames, name);
 }

@@ -69,9 +69,11 @@ TEST_F(EngraveTest, ABumpySphereTakesACodeThatReadsAndStaysASolid) {
 }
 
 TEST_F(EngraveTest, TheDepthVariesBySubmoduleAndOnlyMaskedSubmodulesAreCarved) {
-  const auto result = engrave(upload(shapes::icosphere(40, 5)), request({0, 0, 40}, 25));
+  EngraveRequest wanted = request({0, 0, 40}, 25);
+  wanted.modulePattern = ModulePattern::Square;
+  const auto result = engrave(upload(shapes::icosphere(40, 5)), wanted);
   ASSERT_TRUE(result.has_value()) << result.error().message;
-  const SubmoduleMask mask = submodulesToCarve(result->symbol, ModulePattern::Square, FinderPattern::ThickPlus);
+  const SubmoduleMask mask = submodulesToCarve(result->symbol, ModulePattern::Square, wanted.finderPattern);
   std::set<double> depths;
   for (int row = 0; row < mask.size; ++row) {
     for (int column = 0; column < mask.size; ++column) {
@@ -217,6 +219,9 @@ TEST_F(EngraveTest, RequestsThatMakeNoSenseAreBadUsage) {
   wanted = request({0, 0, 40}, 20);
   wanted.text = "";
   EXPECT_EQ(codeOf(wanted), ErrorCode::BadInput);
+  wanted = request({0, 0, 40}, 20);
+  wanted.nozzleMm = 0;
+  EXPECT_EQ(codeOf(wanted), ErrorCode::BadUsage);
   wanted = request({0, 0, 40}, 20);
   wanted.lights = {{.elevationDeg = 0}};
   EXPECT_EQ(codeOf(wanted), ErrorCode::BadUsage);

@@ -84,7 +84,7 @@ TEST_F(VerifyTest, AGoodEngravingPassesEveryCheckAndIsMeasuredFromItsMesh) {
   EXPECT_LE(result.reading.pixelsPerModule.value_or(99), 5);
   EXPECT_LT(result.reading.cornerErrorModules.value_or(99), 0.5);
   ASSERT_TRUE(result.features);
-  EXPECT_EQ(result.features->pattern, ModulePattern::Square);
+  EXPECT_EQ(result.features->pattern, ModulePattern::ThickPlus);
   EXPECT_NEAR(result.features->pocketMm, 0.72, 1e-9);
   // What the engraver says it carved is what the mesh has, found without asking it.
   const auto report = nlohmann::json::parse(good().report);
@@ -194,7 +194,7 @@ TEST_F(VerifyTest, TheEngraversReportNamesDepthInLayersAndPrintability) {
   const auto report = nlohmann::json::parse(good().report);
   const auto& features = report["depth"]["features"];
   EXPECT_NEAR(features["meanDepthLayers"].get<double>(), report["depth"]["meanMm"].get<double>() / 0.1, 1e-9);
-  EXPECT_EQ(features["pattern"], "square");
+  EXPECT_EQ(features["pattern"], "thick-plus");
   EXPECT_TRUE(report["verification"]["printability"].is_array());
 }
 

@@ -144,11 +144,12 @@ TEST(FinderPattern, CarvesItsShareOfEveryFinder) {
   EXPECT_EQ(carved(FinderPattern::AsModules), 3 * 33 * 9);
   EXPECT_EQ(carved(FinderPattern::Diamond), 3 * (29 * 13 + 4 * 9));
   EXPECT_EQ(carved(FinderPattern::ThickPlus), 3 * (29 * 21 + 4 * 9));
+  EXPECT_EQ(carved(FinderPattern::ThickPlusSharp), 3 * 33 * 21);
 }
 
 TEST(FinderPattern, KeepsRingAndCentreInOnePieceEach) {
   const Symbol symbol = exampleSymbol();
-  for (const FinderPattern finder : {FinderPattern::Diamond, FinderPattern::ThickPlus}) {
+  for (const FinderPattern finder : {FinderPattern::Diamond, FinderPattern::ThickPlus, FinderPattern::ThickPlusSharp}) {
     EXPECT_EQ(countPieces(picture(submodulesToCarve(symbol, ModulePattern::Square, finder), 0, 0, 7, 7)), 2);
   }
   const SubmoduleMask apart = submodulesToCarve(symbol, ModulePattern::Square, FinderPattern::AsModules);
@@ -170,6 +171,7 @@ TEST(FinderPattern, IsFoundByTheNameOnTheCommandLine) {
   EXPECT_EQ(finderPatternByName("as-modules"), FinderPattern::AsModules);
   EXPECT_EQ(finderPatternByName("diamond"), FinderPattern::Diamond);
   EXPECT_EQ(finderPatternByName("thick-plus"), FinderPattern::ThickPlus);
+  EXPECT_EQ(finderPatternByName("thick-plus-sharp"), FinderPattern::ThickPlusSharp);
   EXPECT_EQ(finderPatternByName("thin-plus"), std::nullopt);
   EXPECT_EQ(finderPatternByName(""), std::nullopt);
 }

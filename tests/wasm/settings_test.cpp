@@ -10,7 +10,7 @@ TEST(Settings, EverySettingArrives) {
   const auto request =
       readSettings(R"({"text": "grüezi", "ecc": "Q", "pattern": "thin-plus", "finderPattern": "diamond",
       "size": 35.5, "maxSizeMm": 80, "quietZone": false, "direction": "mean-normal", "rotateDeg": 30, "contrast": 0.4,
-      "minWallMm": 1.2, "maxDepthMm": 0.9, "eyeDistanceMm": 300})");
+      "minWallMm": 1.2, "nozzleMm": 0.6, "layerMm": 0.2, "maxDepthMm": 0.9, "eyeDistanceMm": 300})");
   ASSERT_TRUE(request.has_value()) << request.error().message;
   EXPECT_EQ(request->text, "grüezi");
   EXPECT_EQ(request->symbol.errorCorrection, ErrorCorrection::Q);
@@ -24,6 +24,8 @@ TEST(Settings, EverySettingArrives) {
   EXPECT_EQ(request->placement.rotateDeg, 30);
   EXPECT_EQ(request->contrast, 0.4);
   EXPECT_EQ(request->minWallMm, 1.2);
+  EXPECT_EQ(request->nozzleMm, 0.6);
+  EXPECT_EQ(request->layerMm, 0.2);
   EXPECT_EQ(request->maxDepthMm, 0.9);
   EXPECT_EQ(request->placement.eyeDistanceMm, 300);
 }

@@ -15,12 +15,13 @@
 /** @typedef {'y' | 'z'} UpAxis */
 
 /** @typedef {'none' | 'square' | 'thin-plus' | 'diamond' | 'thick-plus'} ModulePattern */
-/** @typedef {'none' | 'as-modules' | 'diamond' | 'thick-plus'} FinderPattern */
+/** @typedef {'none' | 'as-modules' | 'diamond' | 'thick-plus' | 'thick-plus-sharp'} FinderPattern */
 
 /**
  * @typedef {object} Settings
  * @property {string} text
- * @property {'L' | 'M' | 'Q' | 'H'} ecc
+ * @property {'L' | 'M' | 'Q' | 'H'} [ecc]            left out: M, or a higher one where that needs no larger version
+ * @property {'shallow' | 'balanced' | 'robust'} preset   how dark the code is carved
  * @property {ModulePattern} pattern
  * @property {FinderPattern} finderPattern
  * @property {'free' | 'oriented' | 'best' | number} size   edge of the symbol without quiet zone; a number is mm
@@ -28,8 +29,10 @@
  * @property {boolean} quietZone                   whether the quiet zone has to fit as well
  * @property {'mean-normal' | 'depth-balanced' | 'pca' | 'optimal'} direction
  * @property {number} rotateDeg
- * @property {number} contrast
+ * @property {number} [contrast]                   instead of that of the preset
  * @property {number} minWallMm
+ * @property {number} nozzleMm                     of the printer, for advice
+ * @property {number} layerMm
  * @property {number} [maxDepthMm]
  * @property {number} eyeDistanceMm
  */
@@ -57,6 +60,7 @@
  * @property {{ symbolMm: number, moduleMm: number, guaranteedMm: number }} size
  * @property {{ meanMm: number, maxMm: number, iterations: number, limitedSubmodules: number }} depth
  * @property {{ triangles: number, closed: boolean, manifold: boolean, selfIntersections: number, volumeMm3: number }} mesh
+ * @property {{ printability: { problem: string, hint: string }[] }} verification
  * @property {{ total: number } & Record<string, number>} timingsMs
  */
 

@@ -61,7 +61,7 @@ export class CodePanel {
     const contrast = optionalNumber('contrast');
     return /** @type {Settings} */ ({
       text: this.text_.value,
-      ecc: choice('ecc'),
+      preset: choice('preset'),
       pattern: choice('pattern'),
       finderPattern: choice('finder-pattern'),
       size: fixed ? sizeMm : choice('size'),
@@ -70,7 +70,10 @@ export class CodePanel {
       direction: choice('direction'),
       rotateDeg: requiredNumber('rotate'),
       minWallMm: requiredNumber('min-wall'),
+      nozzleMm: requiredNumber('nozzle'),
+      layerMm: requiredNumber('layer'),
       eyeDistanceMm: requiredNumber('eye-distance'),
+      ...(choice('ecc') === 'auto' ? {} : { ecc: choice('ecc') }),
       ...(contrast === undefined ? {} : { contrast }),
       ...(maxDepthMm === undefined ? {} : { maxDepthMm }),
     });

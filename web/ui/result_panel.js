@@ -76,7 +76,7 @@ export class ResultPanel {
 const row = (term, value) => [make('dt', { text: term }), make('dd', { text: value })];
 
 /** @param {Report} report @param {boolean} solid */
-function notes({ depth, size }, solid) {
+function notes({ depth, verification }, solid) {
   const found = [];
   if (!solid) {
     found.push({ severity: 'warning', message: 'The result is not a clean solid', hint: 'A slicer may have to repair it' });
@@ -89,12 +89,11 @@ function notes({ depth, size }, solid) {
       hint: 'A larger code, a thicker wall or a smaller “Wall left” helps',
     });
   }
-  if (size.moduleMm < 0.9) {
-    found.push({
-      severity: 'warning',
-      message: `Modules of ${formatMm(size.moduleMm)} are fine work for a 0.4 mm nozzle`,
-      hint: 'A shorter text or a larger code makes larger modules',
-    });
+  for (const { problem, hint } of verification.printability) {
+    found.push({ severity: 'warning', message: withoutTicks(problem), hint: withoutTicks(hint) });
   }
   return found;
 }
+
+/** Names of patterns stand between ticks in reports. @param {string} text */
+const withoutTicks = (text) => text.replaceAll('`', '');

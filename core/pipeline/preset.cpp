@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/preset.h"
+
+#include <array>
+
+namespace qrelief {
+namespace {
+
+struct Settings {
+  const char* name;
+  double contrast;
+};
+constexpr std::array<Settings, 3> kPresets = {{{"shallow", 0.2}, {"balanced", 0.3}, {"robust", 0.45}}};
+
+}  // namespace
+
+void applyPreset(EngraveRequest& request, Preset preset) {
+  request.modulePattern = ModulePattern::ThickPlus;
+  request.finderPattern = FinderPattern::ThickPlusSharp;
+  request.contrast = kPresets[static_cast<std::size_t>(preset)].contrast;
+}
+
+const char* presetName(Preset preset) { return kPresets[static_cast<std::size_t>(preset)].name; }
+
+std::optional<Preset> presetByName(std::string_view name) {
+  for (const Preset preset : {Preset::Shallow, Preset::Balanced, Preset::Robust})
+    if (name == presetName(preset)) return preset;
+  return {};
+}
+
+}  // namespace qrelief
