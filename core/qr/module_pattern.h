@@ -25,7 +25,7 @@ enum class ModulePattern : std::uint8_t { None, Square, ThinPlus, Diamond, Thick
 
 /// The same for the 7×7 finder patterns [figure 9]. With Diamond and ThickPlus the four corner modules of the ring
 /// take a Square shifted by one submodule towards the finder's centre along both axes, so that it touches its
-/// neighbours. ThickPlusSharp has none of that: with its corners whole, readers find it more often (README).
+/// neighbours. ThickPlusSharp has none of that: with its corners whole, more readers found it in simulated pictures.
 enum class FinderPattern : std::uint8_t { None, AsModules, Diamond, ThickPlus, ThickPlusSharp };
 
 /// The submodules to be carved: `size × size`, row-major from the symbol's top left, 1 = carved.
