@@ -269,10 +269,7 @@ std::function<int()> addEngraveCommand(CLI::App& app) {
   c->add_option("--eye-distance", request.placement.eyeDistanceMm, "mm [250]");
   addSymbolFlags(*c, o->symbol);
   c->add_flag("--no-quiet-zone", o->noQuietZone, "the light margin need not fit");
-  c->add_option(
-       "--preset", o->preset,
-       "shallow, balanced or robust: how dark the code is carved, 0.2, 0.3 or 0.4 darker than its surroundings "
-       "[balanced]")
+  c->add_option("--preset", o->preset, "shallow, balanced or robust: --contrast 0.2, 0.3 or 0.4 [balanced]")
       ->check(CLI::IsMember({"shallow", "balanced", "robust"}));
   c->add_option("--pattern", o->pattern, "carved part of a dark module [thick-plus]")
       ->check(CLI::IsMember({"none", "square", "thin-plus", "diamond", "thick-plus"}));

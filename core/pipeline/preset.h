@@ -11,9 +11,9 @@ namespace qrelief {
 /// How much is carved so that the code reads, by name. In simulated pictures, `thick-plus` modules were read by more
 /// readers than `square` ones at the same mean depth, so all presets take them and differ in the contrast.
 enum class Preset : std::uint8_t {
-  Shallow,   ///< little depth: reads from the front in even light
-  Balanced,  ///< the default
-  Robust     ///< deep: reads in the light of a lamp, too
+  Shallow,   ///< little depth, for reading from the front in even light
+  Balanced,  ///< for a lamp beside it, too; the default
+  Robust     ///< deeper, for less even light
 };
 
 /// Sets contrast and patterns of a request.

@@ -384,6 +384,25 @@ TEST_F(CommandTest, PlaceExitsWithFourAndTheLargestSizeWhereNothingFits) {
   EXPECT_EQ(outcome.out, "");
 }
 
+TEST_F(CommandTest, PresetsDifferInDepthAndGiveWayToWhatIsSaid) {
+  const std::string model = writeModel("box.stl", shapes::box({40, 40, 8}));
+  const auto meanDepth = [&](std::vector<std::string> options) {
+    std::vector<std::string> words = {"engrave", model, "--text", "HELLO",         "--at",     "0,0,4",
+                                      "--size",  "21",  "-o",     path("out.stl"), "--report", path("out.json"),
+                                      "--quiet"};
+    words.insert(words.end(), options.begin(), options.end());
+    const Outcome outcome = run(words);
+    EXPECT_LE(outcome.status, 1) << outcome.err;
+    return nlohmann::json::parse(contentOf(path("out.json")))["depth"]["meanMm"].get<double>();
+  };
+  const double balanced = meanDepth({});
+  EXPECT_EQ(meanDepth({"--preset", "balanced"}), balanced);
+  EXPECT_LT(meanDepth({"--preset", "shallow"}), balanced);
+  EXPECT_GT(meanDepth({"--preset", "robust"}), balanced);
+  EXPECT_EQ(meanDepth({"--preset", "robust", "--contrast", "0.3"}), balanced);
+  EXPECT_EQ(run({"engrave", model, "--text", "HELLO", "--preset", "deep", "-o", path("out.stl")}).status, 2);
+}
+
 TEST_F(CommandTest, EngravesTheBestSpotWhereNoCentreIsGiven) {
   const std::string model = writeModel("cube.stl", shapes::box({60, 60, 60}));
   const Outcome outcome = run({"engrave", model, "--text", "HELLO", "-o", path("out.stl"), "--quiet"});

@@ -30,6 +30,21 @@ TEST(Settings, EverySettingArrives) {
   EXPECT_EQ(request->placement.eyeDistanceMm, 300);
 }
 
+TEST(Settings, APresetGivesWhatIsNotSaidItself) {
+  const auto robust = readSettings(R"({"text": "x", "preset": "robust"})");
+  ASSERT_TRUE(robust.has_value());
+  EXPECT_GT(robust->contrast, EngraveRequest{}.contrast);
+  const auto own =
+      readSettings(R"({"text": "x", "preset": "robust", "contrast": 0.25, "pattern": "square", "ecc": "M"})");
+  ASSERT_TRUE(own.has_value());
+  EXPECT_EQ(own->contrast, 0.25);
+  EXPECT_EQ(own->modulePattern, ModulePattern::Square);
+  EXPECT_FALSE(own->symbol.raiseErrorCorrection);
+  const auto unknown = readSettings(R"({"text": "x", "preset": "deep"})");
+  ASSERT_FALSE(unknown.has_value());
+  EXPECT_EQ(unknown.error().code, ErrorCode::BadUsage);
+}
+
 TEST(Settings, WhatIsMissingOrNullHasItsDefault) {
   const auto request = readSettings(R"({"text": "x", "maxDepthMm": null, "size": "best", "direction": "optimal"})");
   ASSERT_TRUE(request.has_value());
@@ -37,6 +52,7 @@ TEST(Settings, WhatIsMissingOrNullHasItsDefault) {
   EXPECT_EQ(request->placement.directionMethod, DirectionMethod::Optimal);
   EXPECT_FALSE(request->maxDepthMm.has_value());
   EXPECT_EQ(request->symbol.errorCorrection, ErrorCorrection::M);
+  EXPECT_TRUE(request->symbol.raiseErrorCorrection);
   EXPECT_EQ(request->contrast, EngraveRequest{}.contrast);
 }
 
