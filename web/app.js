@@ -4,6 +4,7 @@
 import { EngineClient, isReplaced } from './engine/client.js';
 import { EngineFailure, describeThrown, isFatal } from './engine/engine_error.js';
 import { kReaderName, readCode } from './reader/reader.js';
+import { text } from './text/catalogue.js';
 import { CodePanel } from './ui/code_panel.js';
 import { saveFile } from './ui/save_file.js';
 import { Messages } from './ui/messages.js';
@@ -192,7 +193,7 @@ export class App {
       onProgress: (progress) => this.showProgress_(progress),
     });
     if (finished) await this.showResult_(started);
-    else this.messages_.say('Cancelled. The model is as it was.');
+    else this.messages_.say(text('page.cancelled'));
   }
 
   /** @param {number} started */
@@ -349,7 +350,7 @@ export class App {
         }
         this.messages_.say('Finding direction and size…');
         this.showPlacement_(await this.client_.placement());
-        this.messages_.say('Ready.');
+        this.messages_.say(text('page.ready'));
       } catch (thrown) {
         if (isReplaced(thrown) || isFatal(thrown)) throw thrown;
         this.showPlacement_(undefined);

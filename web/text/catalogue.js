@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every text of the page in every language. A part of the page keeps its texts in parts/, all languages side by side.
+import { page } from './parts/page.js';
+
+/** @typedef {'en' | 'de'} Language */
+/** @typedef {string | { one: string, other: string }} Entry  chosen by the value `count`; `{name}` stands for a value */
+
+const kParts = { page };
+
+/** @typedef {{ [P in keyof typeof kParts]: `${P}.${string & keyof (typeof kParts)[P]['en']}` }[keyof typeof kParts]} Key */
+
+/** @type {readonly Language[]} */
+export const kLanguages = ['en', 'de'];
+const kStored = 'qrelief.language';
+
+/** @param {unknown} value @returns {value is Language} */
+const isLanguage = (value) => kLanguages.includes(/** @type {Language} */ (value));
+
+/** The one asked for in the address, else the one chosen before, else the first of the browser's that we have. */
+function preferredLanguage() {
+  if (typeof document === 'undefined') return 'en';
+  const wanted = [new URLSearchParams(location.search).get('lang'), localStorage.getItem(kStored),
+    ...navigator.languages.map((tag) => tag.split('-')[0])];
+  return wanted.find(isLanguage) ?? 'en';
+}
+
+/** @type {Language} */
+let language = preferredLanguage();
+
+export const currentLanguage = () => language;
+
+/** Keeps it for the next visit; what is on the page already stays. @param {Language} chosen */
+export function setLanguage(chosen) {
+  language = chosen;
+  if (typeof localStorage !== 'undefined') localStorage.setItem(kStored, chosen);
+}
+
+/** @param {Language} of @param {string} key @returns {Entry | undefined} */
+function entry(of, key) {
+  const [part, ...name] = key.split('.');
+  return /** @type {any} */ (kParts)[part]?.[of]?.[name.join('.')];
+}
+
+/**
+ * @param {Key} key
+ * @param {Record<string, string | number>} [values]
+ * @throws {Error} for a key or a value that is not there
+ */
+export function text(key, values = {}) {
+  const found = entry(language, key);
+  if (found === undefined) throw new Error(`There is no text "${key}" in "${language}"`);
+  const template = typeof found === 'string' ? found
+    : found[new Intl.PluralRules(language).select(Number(values.count)) === 'one' ? 'one' : 'other'];
+  return template.replace(/\{(\w+)\}/g, (_, name) => {
+    const value = values[name];
+    if (value === undefined) throw new Error(`The text "${key}" lacks the value "${name}"`);
+    return typeof value === 'number' ? value.toLocaleString(language) : value;
+  });
+}
+
+/**
+ * Puts texts where the markup names them: `data-text="page.model"` for the content, `data-text-label` for aria-label,
+ * `data-text-placeholder` and `data-text-title` for these attributes.
+ * @param {ParentNode} root
+ */
+export function localise(root) {
+  const attributes = { textLabel: 'aria-label', textPlaceholder: 'placeholder', textTitle: 'title' };
+  for (const element of root.querySelectorAll('[data-text],[data-text-label],[data-text-placeholder],[data-text-title]')) {
+    if (!(element instanceof HTMLElement || element instanceof SVGElement)) continue;
+    if (element.dataset.text) element.textContent = text(/** @type {Key} */ (element.dataset.text));
+    for (const [from, to] of Object.entries(attributes)) {
+      const key = element.dataset[from];
+      if (key) element.setAttribute(to, text(/** @type {Key} */ (key)));
+    }
+  }
+}
+
+/** For tests: every part. */
+export const allParts = () => kParts;
