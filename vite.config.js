@@ -2,6 +2,7 @@
 import { existsSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
+import { offline } from './web/offline/build_plugin.js';
 
 const root = fileURLToPath(new URL('.', import.meta.url));
 const moduleFolder = process.env.QRELIEF_WASM_DIR ?? `${root}build/wasm/wasm`;
@@ -9,7 +10,7 @@ const moduleFolder = process.env.QRELIEF_WASM_DIR ?? `${root}build/wasm/wasm`;
 /** What a page of this origin may do: nothing is fetched from, or sent to, anywhere else. */
 const kPolicy = [
   "default-src 'none'", "script-src 'self' 'wasm-unsafe-eval'", "worker-src 'self'", "connect-src 'self'",
-  "style-src 'self'", "img-src 'self' data:", "base-uri 'none'", "form-action 'none'",
+  "style-src 'self'", "img-src 'self' data:", "manifest-src 'self'", "base-uri 'none'", "form-action 'none'",
 ].join('; ');
 
 /** @returns {import('vite').Plugin} */
@@ -47,7 +48,7 @@ export default defineConfig({
   resolve: {
     alias: { 'qrelief-module': `${moduleFolder}/qrelief.js`, 'qrelief-wasm': `${moduleFolder}/qrelief.wasm?url` },
   },
-  plugins: [requireModule(), contentSecurityPolicy()],
+  plugins: [requireModule(), contentSecurityPolicy(), offline({ site: process.env.QRELIEF_SITE })],
   worker: { format: 'es' },
   build: { outDir: `${root}dist`, emptyOutDir: true, target: 'es2022', assetsInlineLimit: 0, modulePreload: { polyfill: false } },
   server: { fs: { allow: [root, moduleFolder] } },

@@ -27,6 +27,7 @@ export default defineConfig({
   reporter: [['list']],
   use: {
     baseURL: address,
+    serviceWorkers: 'block',  // but where a test is about them: what is kept on the device hides what is served
     trace: 'retain-on-failure',
     launchOptions: {
       executablePath: process.env.QRELIEF_CHROMIUM ?? '/usr/bin/chromium',

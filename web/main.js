@@ -1,4 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { App } from './app.js';
+import { Notices } from './keep/notices.js';
+import { keepOffline } from './offline/updates.js';
+import { text } from './text/catalogue.js';
+import { byId } from './ui/dom.js';
 
-void new App().start(new URLSearchParams(location.search));
+const notices = new Notices(byId('stage', HTMLElement));
+await new App().start(new URLSearchParams(location.search));
+if (import.meta.env.PROD) {
+  await keepOffline((reload) => notices.show('version', text('keep.newVersion'), [
+    { label: text('keep.reload'), run: reload, primary: true },
+    { label: text('keep.later'), run: () => {} },
+  ]));
+}

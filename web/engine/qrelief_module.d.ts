@@ -17,5 +17,5 @@ declare module '*.wasm?url' {
 }
 
 interface ImportMeta {
-  readonly env: { readonly BASE_URL: string };
+  readonly env: { readonly BASE_URL: string; readonly PROD: boolean };
 }

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { expect, test } from '@playwright/test';
+import { Engraver } from './support/engraver.js';
+import { Site } from './support/site.js';
+
+/** @typedef {import('@playwright/test').Page} Page */
+
+/** @type {Site} */ let site;
+test.beforeEach(async () => {
+  site = await new Site('/some/base/').open();
+});
+test.afterEach(() => site.close());
+test.use({ serviceWorkers: 'allow' });
+
+/** The page is kept on the device. @param {Page} page */
+const untilKept = (page) => expect.poll(() => page.evaluate(() => Boolean(navigator.serviceWorker.controller))).toBe(true);
+
+test('Below any path and without a network the page opens, engraves, and reads the code back', async ({ page, context }) => {
+  const app = new Engraver(page);
+  await page.goto(site.address);
+  await app.expectReady();
+  await untilKept(page);
+  await site.close();
+  await context.setOffline(true);
+
+  await page.goto(`${site.address}?sample=saddle&text=without%20a%20network`);
+  await app.expectReady();
+  await app.engrave();
+  await expect(app.result).toContainText('Reads as without a network');
+  await app.sample.selectOption('Vase');
+  await expect(app.facts).toContainText('triangles');
+  await expect(app.alert).toHaveCount(0);
+});
+
+test('A new version is offered, and takes over when its reader says so', async ({ page }) => {
+  const app = new Engraver(page);
+  await page.goto(site.address);
+  await app.expectReady();
+  await untilKept(page);
+  site.changes.set('index.html', (html) => html.replace(/<title>.*<\/title>/, '<title>The next version</title>'));
+  site.changes.set('service_worker.js', (code) => code
+    .replace(/"version":"\w+"/, '"version":"next"').replace(/\["index.html","\w+"\]/, '["index.html","next"]'));
+  await page.reload();
+  await expect(page.getByText('A new version is ready.')).toBeVisible();
+  await expect(page).not.toHaveTitle('The next version');
+  await page.getByRole('button', { name: 'Reload' }).click();
+  await expect(page).toHaveTitle('The next version');
+  await app.expectReady();
+  await expect(page.getByText('A new version is ready.')).toHaveCount(0);
+  const names = await page.evaluate(() => caches.keys());
+  expect(names).toEqual([`qrelief ${site.address} next`]);
+});
+
+test('The page can be installed: a manifest with a name and icons of the sizes it states', async ({ page }) => {
+  await page.goto(site.address);
+  const address = await page.locator('link[rel="manifest"]').evaluate((link) => /** @type {HTMLLinkElement} */ (link).href);
+  const manifest = await (await page.request.get(address)).json();
+  expect(manifest).toMatchObject({ short_name: 'QRelief', display: 'standalone', start_url: './', scope: './' });
+  const measured = await page.evaluate((icons) => Promise.all(icons.map(async (/** @type {{ src: string }} */ { src }) => {
+    const image = new Image();
+    image.src = src;
+    await image.decode();
+    return `${image.naturalWidth}x${image.naturalHeight}`;
+  })), manifest.icons.filter((/** @type {{ sizes: string }} */ { sizes }) => sizes !== 'any'));
+  expect(measured).toEqual(['192x192', '512x512', '512x512']);
+  const touch = page.locator('link[rel="apple-touch-icon"]');
+  const response = await page.request.get(await touch.evaluate((link) => /** @type {HTMLLinkElement} */ (link).href));
+  expect(response.status()).toBe(200);
+});

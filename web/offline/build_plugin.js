@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of the build: writes the service worker with the list of what it keeps, and what search engines ask for.
+import { createHash } from 'node:crypto';
+import { readFileSync, readdirSync, writeFileSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
+
+const kSource = fileURLToPath(new URL('service_worker.js', import.meta.url));
+const kWorker = 'service_worker.js';
+const kNotKept = new Set([kWorker, 'robots.txt', 'sitemap.xml']);
+
+/** @param {string | Uint8Array} content */
+const hashOf = (content) => createHash('sha256').update(content).digest('hex').slice(0, 16);
+
+/**
+ * Every file below a folder with the hash of its content, by name; hidden ones are left out.
+ * @param {string} folder
+ * @returns {[path: string, hash: string][]}
+ */
+export function listFiles(folder) {
+  return readdirSync(folder, { recursive: true, withFileTypes: true })
+    .filter((entry) => entry.isFile() && !entry.name.startsWith('.'))
+    .map((entry) => `${entry.parentPath}/${entry.name}`.slice(folder.length + 1).replaceAll('\\', '/'))
+    .filter((path) => !kNotKept.has(path))
+    .sort()
+    .map((path) => [path, hashOf(readFileSync(`${folder}/${path}`))]);
+}
+
+/**
+ * The service worker of a built page. Its version changes with any file and with its own source.
+ * @param {[path: string, hash: string][]} files
+ * @returns {string}
+ */
+export function serviceWorkerFor(files) {
+  const source = readFileSync(kSource, 'utf8');
+  const build = { version: hashOf(JSON.stringify(files) + source), files };
+  return `self.qreliefBuild = ${JSON.stringify(build)};\n${source}`;
+}
+
+/**
+ * @param {string} site     where the page is published, with a slash at its end
+ * @param {string[]} pages
+ */
+const sitemap = (site, pages) => ['<?xml version="1.0" encoding="UTF-8"?>',
+  '<urlset xmlns="http://www.sitemaps.org/schemas/sitemap/0.9">',
+  ...pages.map((page) => `  <url><loc>${site}${page === 'index.html' ? '' : page}</loc></url>`), '</urlset>', ''].join('\n');
+
+/**
+ * @param {{ site?: string }} options  `site`: the address the page will have, for the sitemap; without it there is none
+ * @returns {import('vite').Plugin}
+ */
+export function offline({ site }) {
+  let folder = '';
+  return {
+    name: 'qrelief-offline',
+    apply: 'build',
+    configResolved: (config) => {
+      folder = config.build.outDir;
+    },
+    closeBundle: () => {
+      const files = listFiles(folder);
+      writeFileSync(`${folder}/${kWorker}`, serviceWorkerFor(files));
+      const robots = ['User-agent: *', 'Allow: /'];
+      if (site) {
+        const home = site.endsWith('/') ? site : `${site}/`;
+        robots.push(`Sitemap: ${home}sitemap.xml`);
+        writeFileSync(`${folder}/sitemap.xml`, sitemap(home, files.map(([path]) => path).filter((path) => path.endsWith('.html'))));
+      }
+      writeFileSync(`${folder}/robots.txt`, `${robots.join('\n')}\n`);
+    },
+  };
+}
