@@ -106,7 +106,8 @@ bool Inspector::pointer(double x, double y, int buttons, double wheel) {
 
 void Inspector::refresh(const Engine& engine, Map map) {
   const InspectorMaps maps = engine.job() ? engine.job()->inspectorMaps() : InspectorMaps{};
-  const std::array<const gl::Texture*, 4> sources = {maps.surface, maps.surface, maps.luminance, maps.depths};
+  const gl::Texture* surface = maps.surface ? &maps.surface->surface : nullptr;
+  const std::array<const gl::Texture*, 4> sources = {surface, surface, maps.luminance, maps.depths};
   const gl::Texture* source = sources[static_cast<std::size_t>(map)];
   if (!source || source->width() == 0) {
     picture_.reset();

@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <string_view>
 
+#include "gl/pass_timings.h"
+
 namespace qrelief::gl {
 namespace {
 
@@ -122,6 +124,7 @@ void Framebuffer::bind() const {
 }
 
 std::vector<float> Framebuffer::readRgba(int attachment) const {
+  const TimedPass timed("reading back");
   std::vector<float> texels(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) * 4);
   glBindFramebuffer(GL_FRAMEBUFFER, id_);
   glReadBuffer(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(attachment));

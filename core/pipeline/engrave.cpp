@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <limits>
 
+#include "carving/submodule_luminances.h"
 #include "carving/wall_limit.h"
 #include "embedding/embed.h"
 #include "io/read_model.h"
@@ -165,6 +166,8 @@ struct EngraveJob::State {
   Status view();
   Result<std::vector<double>> depthLimits();
   void measure();
+  void startRecord(std::span<const double> limitMm);
+  void recordPass(const DepthField& tried, std::span<const double> luminance, double ms);
   Progress at(std::string_view name, double to, double share);
 };
 
@@ -249,6 +252,7 @@ Status EngraveJob::State::map() {
 
   auto limits = depthLimits();
   if (!limits) return tl::unexpected(limits.error());
+  if (request.recordSearch) startRecord(*limits);
   CarvingTarget target{&symbol, &mask, placement.symbolMm, std::move(*limits)};
   if (request.objective == DepthObjective::Reading) {
     search = std::make_unique<ReadingSearch>(std::move(target), request.reading);
@@ -286,6 +290,27 @@ void EngraveJob::State::measure() {
   means = light->readLuminance();
 }
 
+void EngraveJob::State::startRecord(std::span<const double> limitMm) {
+  for (std::size_t i = 0; i < mask.carved.size(); ++i) {
+    if (!mask.carved[i]) continue;
+    result.search.carved.push_back(static_cast<std::uint32_t>(i));
+    result.search.limitMm.push_back(static_cast<float>(limitMm[i]));
+  }
+}
+
+void EngraveJob::State::recordPass(const DepthField& tried, std::span<const double> luminance, double ms) {
+  const SubmoduleLuminances seen(luminance, symbol.size);
+  SearchRecord::Pass made;
+  made.ms = ms;
+  for (const std::uint32_t i : result.search.carved) {
+    const int row = static_cast<int>(i) / mask.size, column = static_cast<int>(i) % mask.size;
+    made.depthMm.push_back(static_cast<float>(tried.depthMm[i]));
+    made.luminance.push_back(static_cast<float>(seen.of(row, column)));
+  }
+  result.search.passes.push_back(std::move(made));
+  result.search.luminance.assign(luminance.begin(), luminance.end());
+}
+
 Status EngraveJob::State::searchOnce() {
   const auto start = std::chrono::steady_clock::now();
   measure();
@@ -294,8 +319,11 @@ Status EngraveJob::State::searchOnce() {
   for (int row = 0; row < edge; ++row)
     for (int column = 0; column < edge; ++column)
       luminance[static_cast<std::size_t>(row * edge + column)] = means[layout.ofQuietZone(row, column)];
+  const DepthField tried = request.recordSearch ? search->depths() : DepthField{};
   search->update(luminance);
-  result.timingsMs.depthSearch += millisecondsSince(start);
+  const double ms = millisecondsSince(start);
+  result.timingsMs.depthSearch += ms;
+  if (request.recordSearch) recordPass(tried, luminance, ms);
   if (!search->finished()) return {};
   result.depths = search->depths();
   result.searchIterations = search->iterations();
@@ -452,9 +480,11 @@ EngraveResult EngraveJob::takeResult() {
 InspectorMaps EngraveJob::inspectorMaps() const {
   InspectorMaps maps;
   if (!state_->light) return maps;
-  maps.surface = &state_->maps.surface;
+  maps.surface = &state_->maps;
   maps.luminance = &state_->light->luminance();
   maps.depths = &state_->light->depths();
+  maps.symbol = &state_->symbol;
+  maps.search = &state_->result.search;
   return maps;
 }
 

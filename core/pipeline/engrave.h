@@ -11,6 +11,7 @@
 #include "carving/depth_search.h"
 #include "carving/fast_search.h"
 #include "carving/reading_search.h"
+#include "carving/search_record.h"
 #include "embedding/surface_mode.h"
 #include "mesh/prepare.h"
 #include "pipeline/placement.h"
@@ -62,7 +63,8 @@ struct EngraveRequest {
   float albedo = 0.7f;                   ///< of the printed material
   std::vector<DirectionalLight> lights;  ///< beside the uniform sky, at most kMostLights
   SurfaceMode surface = SurfaceMode::Preserved;
-  bool inlay = false;  ///< make the body that fills the pockets as well, for printing in two colours
+  bool inlay = false;         ///< make the body that fills the pockets as well, for printing in two colours
+  bool recordSearch = false;  ///< keep what every pass of the search for depths saw, in EngraveResult::search
 };
 
 /// Milliseconds spent in each stage.
@@ -91,6 +93,7 @@ struct EngraveResult {
   std::optional<Mesh> inlay;       ///< if it was asked for; as an STL round trip gives it back, too
   SolidityReport inlaySolidity;    ///< of the inlay
   ReaderView readerView;           ///< what a phone would see
+  SearchRecord search;             ///< if it was asked for
   StageTimings timingsMs;
 };
 
@@ -100,11 +103,13 @@ struct DepthSummary {
 };
 DepthSummary summarise(const DepthField& depths);
 
-/// What the inspector shows of a running or finished job. Textures belong to the job.
+/// What the inspector shows of a running or finished job. Everything belongs to the job.
 struct InspectorMaps {
-  const gl::Texture* surface = nullptr;    ///< RGBA32F: facet normal, height over the QR plane (mm)
+  const SurfaceMaps* surface = nullptr;    ///< null before the surface was measured
   const gl::Texture* luminance = nullptr;  ///< R32F
   const gl::Texture* depths = nullptr;     ///< R32F, one texel a submodule
+  const Symbol* symbol = nullptr;
+  const SearchRecord* search = nullptr;  ///< empty if it was not asked for; moves into the result when that is taken
 };
 
 /// Engraves one symbol, a bounded piece of work at a time; to cancel, stop calling. Needs the GL context of the model.

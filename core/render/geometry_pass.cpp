@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gl/pass_timings.h"
 #include "shaders.h"
 
 namespace qrelief {
@@ -65,6 +66,7 @@ void GeometryPass::draw(const gl::Program& program, GLenum culled, const GpuMesh
 
 Result<SurfaceMaps> GeometryPass::render(const GpuMesh& mesh, const ProjectionFrame& frame,
                                          const MapWindow& window) const {
+  const gl::TimedPass timed("geometry");
   SurfaceMaps maps;
   maps.window = window;
   maps.surface = gl::Texture(window.texels, window.texels, gl::Format::RGBA32F);
@@ -80,6 +82,7 @@ Result<SurfaceMaps> GeometryPass::render(const GpuMesh& mesh, const ProjectionFr
 
 Result<BackDistanceMap> GeometryPass::renderBack(const GpuMesh& mesh, const ProjectionFrame& frame,
                                                  const MapWindow& window) const {
+  const gl::TimedPass timed("back distance");
   BackDistanceMap map;
   map.distance = gl::Texture(window.texels, window.texels, gl::Format::R32F);
   const gl::Texture* const colours[] = {&map.distance};

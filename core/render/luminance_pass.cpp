@@ -5,7 +5,9 @@
 #include <array>
 #include <cassert>
 #include <numeric>
+#include <optional>
 
+#include "gl/pass_timings.h"
 #include "shaders.h"
 
 namespace qrelief {
@@ -107,6 +109,7 @@ void LuminancePass::setMap(const gl::Program& program) const {
 }
 
 Status LuminancePass::findHorizon(const SurfaceMaps* surroundings) {
+  const gl::TimedPass timed("horizon");
   gl::Program program;
   if (const Status made = makeProgram(program, "horizon", shaders::fullscreen_vert, shaders::horizon_frag); !made)
     return made;
@@ -132,6 +135,7 @@ void LuminancePass::run() {
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);
 
+  std::optional<gl::TimedPass> timed(std::in_place, "occlusion");
   receivedTarget_.bind();
   setMap(occlusion_);
   occlusion_.setTexture("u_horizon", 2, horizon_);
@@ -149,12 +153,14 @@ void LuminancePass::run() {
   cellArray_.bind();
   glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, selected_);
 
+  timed.emplace("reduction");
   meansTarget_.bind();
   reduction_.use();
   reduction_.setTexture("u_map", 0, received_);
   reduction_.set("u_cellTexels", options_.cellTexels);
   gl::drawFullscreen();
 
+  timed.emplace("lighting");
   luminanceTarget_.bind();
   lighting_.use();
   lighting_.setTexture("u_received", 0, means_);

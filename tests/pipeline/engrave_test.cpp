@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <set>
@@ -66,6 +67,38 @@ TEST_F(EngraveTest, ABumpySphereTakesACodeThatReadsAndStaysASolid) {
   EXPECT_EQ(kept, result->keptTriangles);
   EXPECT_GT(kept, before.size() * 3 / 4);
   EXPECT_LT(result->solidity.volumeMm3, signedVolume(model->prepared.mesh));
+}
+
+TEST_F(EngraveTest, RecordsEveryPassOfTheSearchIfItIsAskedTo) {
+  const auto model = upload(shapes::icosphere(40, 5));
+  EngraveRequest wanted = request({0, 0, 40}, 25);
+  const auto plain = engrave(model, wanted);
+  ASSERT_TRUE(plain.has_value());
+  EXPECT_TRUE(plain->search.passes.empty());
+
+  wanted.recordSearch = true;
+  const auto result = engrave(model, wanted);
+  ASSERT_TRUE(result.has_value());
+  EXPECT_EQ(result->depths.depthMm, plain->depths.depthMm);  // looking changes nothing
+  const SearchRecord& record = result->search;
+  ASSERT_EQ(record.passes.size(), static_cast<std::size_t>(result->searchIterations));
+  const SubmoduleMask mask = submodulesToCarve(result->symbol, wanted.modulePattern, wanted.finderPattern);
+  ASSERT_EQ(record.carved.size(), static_cast<std::size_t>(std::count(mask.carved.begin(), mask.carved.end(), 1)));
+  EXPECT_THAT(record.luminance, testing::Pointwise(testing::FloatEq(), std::vector<float>(result->luminance.begin(),
+                                                                                          result->luminance.end())));
+  // The last pass looked at what came out.
+  const SearchRecord::Pass& last = record.passes.back();
+  const int edge = kSubmodulesPerModule * (result->symbol.size + 2 * kQuietZoneModules),
+            quiet = kSubmodulesPerModule * kQuietZoneModules;
+  for (std::size_t k = 0; k < record.carved.size(); ++k) {
+    const auto i = static_cast<int>(record.carved[k]);
+    ASSERT_TRUE(mask.carved[record.carved[k]]);
+    ASSERT_EQ(last.depthMm[k], static_cast<float>(result->depths.depthMm[record.carved[k]]));
+    ASSERT_LE(last.depthMm[k], record.limitMm[k]);
+    ASSERT_EQ(last.luminance[k],
+              record.luminance[static_cast<std::size_t>((i / mask.size + quiet) * edge + i % mask.size + quiet)]);
+  }
+  EXPECT_NE(record.passes.front().depthMm, last.depthMm);
 }
 
 TEST_F(EngraveTest, TheDepthVariesBySubmoduleAndOnlyMaskedSubmodulesAreCarved) {

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gl/pass_timings.h"
+
+#include <gmock/gmock.h>
+#include <thread>
+
+#include "gl/objects.h"
+#include "support/gl_test.h"
+
+namespace qrelief {
+namespace {
+
+using namespace std::chrono_literals;
+using testing::Field;
+
+class PassTimingsTest : public GlTest {};
+
+/// Something the graphics processor has to do.
+void clearATexture() {
+  const gl::Texture texture(512, 512, gl::Format::RGBA8);
+  const gl::Texture* const colours[] = {&texture};
+  const auto target = gl::Framebuffer::create(colours, false);
+  ASSERT_TRUE(target.has_value());
+  target->bind();
+  glClear(GL_COLOR_BUFFER_BIT);
+}
+
+TEST_F(PassTimingsTest, AddsUpPassesOfOneNameInTheOrderInWhichNamesCame) {
+  gl::PassTimings timings(false);
+  timings.listen();
+  for (const char* name : {"second letter", "a", "second letter"}) {
+    const gl::TimedPass timed(name);
+    std::this_thread::sleep_for(2ms);
+  }
+  timings.stopListening();
+  ASSERT_THAT(timings.times(),
+              testing::ElementsAre(Field(&gl::PassTime::name, "second letter"), Field(&gl::PassTime::name, "a")));
+  EXPECT_EQ(timings.times()[0].count, 2);
+  EXPECT_EQ(timings.times()[1].count, 1);
+  EXPECT_GE(timings.times()[0].cpuMs, 4);
+  EXPECT_GE(timings.times()[1].cpuMs, 2);
+  EXPECT_FALSE(timings.hasGpuTimes());
+  EXPECT_EQ(timings.times()[0].gpuCount, 0);
+}
+
+TEST_F(PassTimingsTest, HearsNothingBeforeItListensNorAfterwards) {
+  gl::PassTimings timings(false);
+  { const gl::TimedPass before("before"); }
+  timings.listen();
+  timings.stopListening();
+  { const gl::TimedPass after("after"); }
+  EXPECT_TRUE(timings.times().empty());
+}
+
+TEST_F(PassTimingsTest, OneThatHasGoneIsToldNothing) {
+  {
+    gl::PassTimings gone(false);
+    gone.listen();
+  }
+  const gl::TimedPass timed("nobody hears this");  // would write to freed memory
+}
+
+TEST_F(PassTimingsTest, WithTimerQueriesKnowsTheProcessorsTimeOfEveryPassThatIsNotInsideAnother) {
+  if (!gl::hasTimerQueries()) {
+    SUCCEED() << "this renderer has no timer queries";
+    return;
+  }
+  gl::PassTimings timings(true);
+  timings.listen();
+  {
+    const gl::TimedPass outer("outer");
+    clearATexture();
+    const gl::TimedPass inner("inner");
+    clearATexture();
+  }
+  timings.stopListening();
+  glFinish();
+  timings.collect();
+  ASSERT_EQ(timings.times().size(), 2u);
+  EXPECT_EQ(timings.times()[0].gpuCount, 1);
+  EXPECT_GT(timings.times()[0].gpuMs, 0);
+  EXPECT_EQ(timings.times()[1].count, 1);
+  EXPECT_EQ(timings.times()[1].gpuCount, 0);
+  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+}
+
+}  // namespace
+}  // namespace qrelief
