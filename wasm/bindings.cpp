@@ -8,8 +8,11 @@
 #include <new>
 #include <nlohmann/json.hpp>
 
+#include "wasm/answers.h"
 #include "wasm/engine.h"
 #include "wasm/inspector.h"
+#include "wasm/settings.h"
+#include "wasm/symbol_facts.h"
 
 namespace qrelief {
 namespace {
@@ -66,6 +69,12 @@ class Facade {
   }
   std::string configure(const std::string& settings) {
     return guarded([&] { return engine_.configure(settings); });
+  }
+  std::string symbol(const std::string& settings) {
+    return guarded([&] {
+      const auto request = readSettings(settings);
+      return request ? describeSymbol(*request) : answer(request.error());
+    });
   }
   std::string pick(double x, double y) {
     return guarded([&] { return engine_.pick(x, y); });
@@ -166,6 +175,7 @@ EMSCRIPTEN_BINDINGS(qrelief) {
       .function("capabilities", &Facade::capabilities)
       .function("loadModel", &Facade::loadModel)
       .function("configure", &Facade::configure)
+      .function("symbol", &Facade::symbol)
       .function("pick", &Facade::pick)
       .function("setCentre", &Facade::setCentre)
       .function("placement", &Facade::placement)

@@ -131,6 +131,9 @@ export class EngineClient {
   /** @param {Settings} settings @returns {Promise<void>} */
   configure(settings) { return this.call_('configure', settings); }
 
+  /** The symbol that these settings engrave. @param {Settings} settings @returns {Promise<import('./types.js').SymbolFacts>} */
+  symbol(settings) { return this.call_('symbol', settings); }
+
   /** @param {number} x @param {number} y @returns {Promise<import('./types.js').PickResult>} */
   pick(x, y) { return this.call_('pick', x, y); }
 

@@ -125,6 +125,9 @@ export class EngineHost {
       this.invalidate_();
     },
 
+    /** @param {import('./types.js').Settings} settings */
+    symbol: (settings) => parseAnswer(this.engine_.symbol(JSON.stringify(settings))).symbol,
+
     /** @param {number} x @param {number} y */
     pick: (x, y) => (this.inspectorTakes_ ? { hit: false } : this.drawn_(JSON.parse(this.engine_.pick(x, y)))),
 

@@ -47,6 +47,13 @@
  *   best first, with the largest size there; `topMm`: the size of the map's last colour
  */
 
+/**
+ * @typedef {{ version: number, ecc: 'L' | 'M' | 'Q' | 'H', mask: number, size: number, rows: string[], bytes: number, room: number,
+ *   leastModuleMm: number | null }} SymbolFacts
+ *   `rows`: '1' is dark; `bytes` of the text; `room`: more bytes that the version holds; `leastModuleMm`: that the printer
+ *   makes of the pattern
+ */
+
 /** @typedef {{ hit: boolean, centre?: [number, number, number] }} PickResult */
 /** @typedef {{ renderer: string, version: string, problems: string[] }} Capabilities */
 /** @typedef {{ stage: string, fraction: number }} EngraveProgress */
@@ -76,6 +83,7 @@
  * @property {(bytes: Uint8Array, fileName: string, scaleToMm: number) => string} loadModel
  * @property {(width: number, height: number, devicePixelRatio: number) => void} resize
  * @property {(settings: string) => string} configure
+ * @property {(settings: string) => string} symbol
  * @property {(x: number, y: number) => string} pick
  * @property {(x: number, y: number, z: number) => string} setCentre
  * @property {() => string} placement
