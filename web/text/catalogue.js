@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every text of the page in every language. A part of the page keeps its texts in parts/, all languages side by side.
+import { code } from './parts/code.js';
 import { keep } from './parts/keep.js';
 import { page } from './parts/page.js';
+import { take } from './parts/take.js';
 
 /** @typedef {'en' | 'de'} Language */
 /** @typedef {string | { one: string, other: string }} Entry  chosen by the value `count`; `{name}` stands for a value */
 
-const kParts = { keep, page };
+const kParts = { code, keep, page, take };
 
 /** @typedef {{ [P in keyof typeof kParts]: `${P}.${string & keyof (typeof kParts)[P]['en']}` }[keyof typeof kParts]} Key */
 

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A text message that is ready to be sent: SMSTO:number:message, which every reader of phones knows. The message is
+// all that follows the second colon; nothing in it is escaped.
+import { Findings } from './findings.js';
+import { checkPhone } from './phone.js';
+
+/** @type {import('./types.js').Content} */
+export const sms = {
+  id: 'sms',
+  label: 'code.sms',
+  fields: [
+    { id: 'number', label: 'code.phone.number', kind: 'tel', autocomplete: 'tel' },
+    { id: 'message', label: 'code.sms.message', kind: 'lines', optional: true },
+  ],
+  build({ number, message }) {
+    const findings = new Findings();
+    const dialled = checkPhone(findings, 'number', number);
+    return findings.built(() => `SMSTO:${dialled}${message === '' ? '' : `:${message}`}`);
+  },
+};

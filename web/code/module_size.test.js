@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { tooSmall } from './module_size.js';
+
+test('modules that print need no word, down to the very size', () => {
+  assert.equal(tooSmall(29, 29 * 0.6, 0.6), undefined);
+  assert.equal(tooSmall(29, 40, 0.6), undefined);
+});
+
+test('modules that are too small say what width they need and how many would fit', () => {
+  // 33 modules of 0.9 mm are 29.7 mm wide; in 24 mm there is room for 26 of them, and no symbol has more than 25 then.
+  const found = tooSmall(33, 24, 0.9);
+  assert.ok(found);
+  assert.ok(Math.abs(found.moduleMm - 24 / 33) < 1e-12);
+  assert.ok(Math.abs(found.neededMm - 29.7) < 1e-12);
+  assert.equal(found.printable, 25);
+});
+
+test('a symbol of the largest size that prints is found at its very width', () => {
+  assert.equal(tooSmall(29, 25 * 0.6, 0.6)?.printable, 25);
+  assert.equal(tooSmall(29, 25 * 0.6 - 1e-3, 0.6)?.printable, 21);
+});
+
+test('where not even the smallest symbol prints, none is named', () => {
+  assert.equal(tooSmall(29, 12, 0.6)?.printable, undefined);
+});
