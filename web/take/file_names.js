@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Names of the files that are saved: they say what is inside, in characters that every file system takes.
+import { parsePhone } from '../code/content/addresses.js';
+
+const kMostOfText = 32, kMostOfModel = 48;
+/** Of letters that Unicode does not take apart. */
+const kPlainLetters = /** @type {Record<string, string>} */ ({
+  ß: 'ss', æ: 'ae', Æ: 'AE', œ: 'oe', Œ: 'OE', ø: 'o', Ø: 'O', ł: 'l', Ł: 'L', đ: 'd', Đ: 'D', ð: 'd', þ: 'th', ı: 'i',
+});
+
+/**
+ * In ASCII letters, digits, dots, hyphens and underscores; no separator at an end, no two dots in a row.
+ * @param {string} text @param {number} most  characters
+ */
+export function safePart(text, most) {
+  return text.replace(/[^\x00-\x7f]/g, (letter) => kPlainLetters[letter] ?? letter)
+    .normalize('NFKD').replace(/\p{M}/gu, '')
+    .replace(/[^A-Za-z0-9._-]+/g, '-').replace(/\.{2,}/g, '.').replace(/-{2,}/g, '-')
+    .slice(0, most).replace(/^[-._]+|[-._]+$/g, '');
+}
+
+/** The value of a line or field, without the backslashes. @param {string} text @param {RegExp} start */
+const valueAfter = (text, start) => {
+  const found = start.exec(text);
+  if (!found) return '';
+  const value = /^(?:\\[^]|[^;\r\n\\])*/.exec(text.slice(found.index + found[0].length))?.[0] ?? '';
+  return value.replace(/\\(.)/g, '$1');
+};
+
+/**
+ * What a code's text is about, in a few characters; never a password.
+ * @param {string} text
+ */
+export function subjectOf(text) {
+  const host = /^https?:\/\/(?:[^/?#@]*@)?([^/?#:]+)/i.exec(text)?.[1];
+  if (host) return safePart(host.toLowerCase().replace(/^www\./, ''), kMostOfText);
+  /** @type {[RegExp, string, () => string][]} */
+  const forms = [
+    [/^WIFI:/i, 'wifi', () => valueAfter(text, /(?:^WIFI:|;)S:/i).replace(/^"(.*)"$/, '$1')],
+    [/^MECARD:/i, 'contact', () => valueAfter(text, /(?:^MECARD:|;)N:/i)],
+    [/^BEGIN:VCARD/i, 'contact', () => valueAfter(text, /^FN:/im)],
+    [/^BEGIN:V(?:EVENT|CALENDAR)/i, 'event', () => valueAfter(text, /^SUMMARY:/im)],
+    [/^mailto:/i, 'email', () => decoded(text.slice(7).split('?')[0])],
+    [/^SMSTO:/i, 'sms', () => parsePhone(text.slice(6).split(':')[0])?.dialled ?? ''],
+    [/^tel:/i, 'tel', () => text.slice(4)],
+    [/^geo:/i, 'place', () => text.slice(4).split('?')[0].replace(',', '_')],
+  ];
+  const form = forms.find(([start]) => start.test(text));
+  if (form) return [form[1], safePart(form[2](), kMostOfText)].filter(Boolean).join('-');
+  return safePart(text, kMostOfText);
+}
+
+/** @param {string} text */
+function decoded(text) {
+  try {
+    return decodeURIComponent(text);
+  } catch {
+    return text;
+  }
+}
+
+/**
+ * `bunny-qr-en.wikipedia.org-31mm.stl`
+ * @param {object} of
+ * @param {string} of.modelFile
+ * @param {string} of.text        that the code holds
+ * @param {number} [of.symbolMm]  left out before it is known
+ * @param {string} [of.addition]  what sets it apart from other files of the same carving
+ * @param {string} of.extension
+ */
+export function fileNameOf({ modelFile, text, symbolMm, addition, extension }) {
+  const model = safePart(modelFile.replace(/\.[^.]*$/, ''), kMostOfModel) || 'model';
+  const size = symbolMm === undefined ? '' : `${Math.round(symbolMm)}mm`;
+  return `${[model, 'qr', subjectOf(text), size, addition].filter(Boolean).join('-')}.${extension}`;
+}
+
+/** Of the symbol alone: `qr-en.wikipedia.org.svg` @param {string} text @param {string} extension */
+export const symbolFileName = (text, extension) => `${['qr', subjectOf(text)].filter(Boolean).join('-')}.${extension}`;

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Settings as a file: all that decides what is carved, and on which model, but for the model itself.
+import { EngineFailure } from '../engine/engine_error.js';
+import { text as words } from '../text/catalogue.js';
+
+/** @typedef {import('../engine/types.js').Settings} Settings */
+/** @typedef {import('../engine/types.js').UpAxis} UpAxis */
+/** @typedef {[number, number, number]} Point */
+
+/**
+ * @typedef {object} ModelChoice
+ * @property {string} file           its name
+ * @property {string} [sample]       which sample it is, if it is one
+ * @property {number} scaleToMm
+ * @property {UpAxis} upAxis
+ * @property {Point} [centreMm]      of the code
+ */
+
+/** @typedef {{ settings: Settings, model?: ModelChoice }} SettingsFile */
+
+const kKind = 'qrelief-settings';
+const kVersion = 1;
+const kMostBytes = 1 << 20;
+
+/** @type {Record<string, readonly string[]>} */
+const kChoices = {
+  ecc: ['L', 'M', 'Q', 'H'],
+  preset: ['shallow', 'balanced', 'robust'],
+  pattern: ['none', 'square', 'thin-plus', 'diamond', 'thick-plus'],
+  finderPattern: ['none', 'as-modules', 'diamond', 'thick-plus', 'thick-plus-sharp'],
+  direction: ['mean-normal', 'depth-balanced', 'pca', 'optimal'],
+};
+const kSizes = ['free', 'oriented', 'best'];
+
+/**
+ * From and to, as in the fields of the page.
+ * @type {Record<string, readonly [number, number]>}
+ */
+export const kRanges = {
+  maxSizeMm: [5, 1000],
+  rotateDeg: [-360, 360],
+  contrast: [0.05, 0.9],
+  minWallMm: [0, 100],
+  nozzleMm: [0.01, 10],
+  layerMm: [0.01, 1],
+  maxDepthMm: [0.05, 100],
+  eyeDistanceMm: [20, 10000],
+};
+const kMayBeMissing = ['ecc', 'contrast', 'maxDepthMm'];
+const kSettings = ['text', 'size', 'quietZone', ...Object.keys(kChoices), ...Object.keys(kRanges)];
+
+/** @param {SettingsFile} file */
+export const writeSettingsFile = ({ settings, model }) =>
+  `${JSON.stringify({ kind: kKind, version: kVersion, settings, ...(model ? { model } : {}) }, null, 2)}\n`;
+
+/**
+ * Whether a file may be one of settings rather than a model.
+ * @param {{ name: string, type: string }} file
+ */
+export const looksLikeSettings = ({ name, type }) => /\.json$/i.test(name) || type === 'application/json';
+
+/** @param {import('../text/catalogue.js').Key} key @param {Record<string, string | number>} [values] @returns {never} */
+function refuse(key, values) {
+  throw new EngineFailure({ code: 'BadInput', message: words(key, values), hint: words('take.settingsHint') });
+}
+
+/** Short enough for a message. @param {unknown} value */
+function shown(value) {
+  const json = JSON.stringify(value) ?? 'undefined';
+  return json.length > 40 ? `${json.slice(0, 39)}…` : json;
+}
+
+/** @param {unknown} value @returns {value is Record<string, unknown>} */
+const isObject = (value) => typeof value === 'object' && value !== null && !Array.isArray(value);
+
+/** @param {unknown} value @returns {value is number} */
+const isNumber = (value) => typeof value === 'number' && Number.isFinite(value);
+
+/** @param {unknown} value @returns {value is Point} */
+const isPoint = (value) => Array.isArray(value) && value.length === 3 && value.every(isNumber);
+
+/** @param {string} name @param {unknown} value @param {readonly [number, number]} range */
+function checkNumber(name, value, [from, to]) {
+  if (!isNumber(value) || value < from || value > to) refuse('take.wrongNumber', { name, from, to, value: shown(value) });
+}
+
+/** @param {string} name @param {unknown} value @param {readonly string[]} choices */
+function checkChoice(name, value, choices) {
+  if (!choices.includes(/** @type {string} */ (value))) refuse('take.wrongChoice', { name, choices: choices.join(', '), value: shown(value) });
+}
+
+/** @param {Record<string, unknown>} settings */
+function checkSettings(settings) {
+  const unknown = Object.keys(settings).find((name) => !kSettings.includes(name));
+  if (unknown !== undefined) refuse('take.unknownSetting', { name: shown(unknown) });
+  const missing = kSettings.find((name) => settings[name] === undefined && !kMayBeMissing.includes(name));
+  if (missing) refuse('take.missingSetting', { name: missing });
+  if (typeof settings.text !== 'string') refuse('take.wrongText', { value: shown(settings.text) });
+  if (typeof settings.quietZone !== 'boolean') refuse('take.wrongFlag', { name: 'quietZone', value: shown(settings.quietZone) });
+  if (isNumber(settings.size)) checkNumber('size', settings.size, kRanges.maxSizeMm);
+  else checkChoice('size', settings.size, kSizes);
+  for (const [name, choices] of Object.entries(kChoices)) if (settings[name] !== undefined) checkChoice(name, settings[name], choices);
+  for (const [name, range] of Object.entries(kRanges)) if (settings[name] !== undefined) checkNumber(name, settings[name], range);
+}
+
+/** @param {unknown} model @returns {ModelChoice} */
+function checkModel(model) {
+  if (!isObject(model)) refuse('take.wrongModel', { value: shown(model) });
+  const { file, sample, scaleToMm, upAxis, centreMm } = model;
+  if (typeof file !== 'string' || (sample !== undefined && typeof sample !== 'string')) refuse('take.wrongModel', { value: shown(file) });
+  checkNumber('scaleToMm', scaleToMm, [1e-6, 1e6]);
+  checkChoice('upAxis', upAxis, ['y', 'z']);
+  if (centreMm !== undefined && !isPoint(centreMm)) refuse('take.wrongCentre', { value: shown(centreMm) });
+  return /** @type {ModelChoice} */ ({ file, scaleToMm, upAxis, ...(sample === undefined ? {} : { sample }), ...(centreMm ? { centreMm } : {}) });
+}
+
+/** @param {string} json @param {string} name */
+function parse(json, name) {
+  try {
+    return JSON.parse(json);
+  } catch {
+    return refuse('take.noJson', { file: name });
+  }
+}
+
+/**
+ * @param {string} json
+ * @param {string} name  of the file, for messages
+ * @returns {SettingsFile}
+ * @throws {EngineFailure} saying what is wrong with which setting; then nothing of the file may be used
+ */
+export function readSettingsFile(json, name) {
+  if (json.length > kMostBytes) refuse('take.noSettings', { file: name });
+  const content = parse(json.replace(/^\ufeff/, ''), name);
+  if (isObject(content) && typeof content.qrelief === 'string') refuse('take.report', { file: name });
+  if (!isObject(content) || content.kind !== kKind) refuse('take.noSettings', { file: name });
+  if (content.version !== kVersion) refuse('take.otherVersion', { file: name, version: shown(content.version), known: kVersion });
+  if (!isObject(content.settings)) refuse('take.missingSetting', { name: 'settings' });
+  checkSettings(content.settings);
+  const settings = /** @type {Settings} */ (/** @type {unknown} */ (content.settings));
+  return content.model === undefined ? { settings } : { settings, model: checkModel(content.model) };
+}

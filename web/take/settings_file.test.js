@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { test } from 'node:test';
+import { kRanges, looksLikeSettings, readSettingsFile, writeSettingsFile } from './settings_file.js';
+
+/** @type {import('../engine/types.js').Settings} */
+const kSettings = {
+  text: 'Grüße\n"☕"', preset: 'robust', pattern: 'square', finderPattern: 'diamond', size: 31.5, maxSizeMm: 40, quietZone: true,
+  direction: 'pca', rotateDeg: -12.5, minWallMm: 0, nozzleMm: 0.4, layerMm: 0.1, eyeDistanceMm: 250,
+};
+/** @type {import('./settings_file.js').ModelChoice} */
+const kModel = { file: 'bunny.stl', sample: 'bunny', scaleToMm: 1, upAxis: 'z', centreMm: [1.25, -3, 0] };
+
+/** The file's content with other values. @param {any} change */
+const changed = (change) => JSON.stringify({ ...JSON.parse(writeSettingsFile({ settings: kSettings, model: kModel })), ...change });
+
+/** @param {Record<string, unknown>} change */
+const withSettings = (change) => changed({ settings: { ...kSettings, ...change } });
+
+test('what is written is read again, with and without a model', () => {
+  const whole = { settings: { ...kSettings, ecc: /** @type {const} */ ('Q'), contrast: 0.3, maxDepthMm: 1.5 }, model: kModel };
+  assert.deepEqual(readSettingsFile(writeSettingsFile(whole), 'x.json'), whole);
+  assert.deepEqual(readSettingsFile(`\ufeff${writeSettingsFile({ settings: kSettings })}`, 'x.json'), { settings: kSettings });
+  for (const size of /** @type {const} */ (['free', 'oriented', 'best'])) {
+    assert.equal(readSettingsFile(withSettings({ size }), 'x.json').settings.size, size);
+  }
+});
+
+test('another file is refused, and said what it is', () => {
+  const refused = [
+    ['', /x\.json is no JSON file/], ['solid bunny', /no JSON/], ['[]', /no settings of QRelief/], ['null', /no settings/],
+    ['{}', /no settings/], ['{"qrelief": "0.1.0", "text": "a"}', /x\.json is a report/],
+    [changed({ version: 2 }), /version 2 of the settings, and this page knows version 1/], [changed({ version: undefined }), /version undefined/],
+    [changed({ settings: [] }), /settings is missing/], [`"${'x'.repeat(2 ** 20)}"`, /no settings/],
+  ];
+  for (const [json, message] of refused) {
+    assert.throws(() => readSettingsFile(/** @type {string} */ (json), 'x.json'), { name: 'EngineFailure', code: 'BadInput', message });
+  }
+});
+
+test('every wrong setting is named with its value', () => {
+  const wrong = [
+    [{ text: 5 }, /setting text must be a text, not 5/], [{ quietZone: 1 }, /quietZone must be true or false, not 1/],
+    [{ preset: 'deep' }, /preset must be one of shallow, balanced, robust, not "deep"/], [{ size: 'huge' }, /size must be one of free, oriented, best/],
+    [{ size: 4 }, /size must be a number from 5 to 1,000, not 4/], [{ rotateDeg: '0' }, /rotateDeg must be a number/], [{ ecc: null }, /ecc must be one of/],
+    [{ nozzleMm: null }, /nozzleMm must be a number/], [{ contrast: 1 }, /contrast must be a number from 0.05 to 0.9, not 1/],
+    [{ pattern: undefined }, /pattern is missing/], [{ colour: 'red' }, /no setting "colour"/], [{ ['__proto__x']: 1 }, /no setting/],
+    [{ pattern: ['square'] }, /pattern must be one of/], [{ preset: `${'x'.repeat(1000)}` }, /not "x{38}…/],
+  ];
+  for (const [change, message] of wrong) {
+    assert.throws(() => readSettingsFile(withSettings(/** @type {any} */ (change)), 'x.json'), { message: /** @type {RegExp} */ (message) });
+  }
+});
+
+test('every wrong property of the model is named', () => {
+  const wrong = [
+    [null, /model in the settings is null/], [{ ...kModel, file: 1 }, /model in the settings is 1/], [{ ...kModel, scaleToMm: 0 }, /scaleToMm must be/],
+    [{ ...kModel, upAxis: 'x' }, /upAxis must be one of y, z/], [{ ...kModel, centreMm: [1, 2] }, /centre .* must be three numbers, not \[1,2\]/],
+    [{ ...kModel, centreMm: [1, 2, null] }, /three numbers/],
+  ];
+  for (const [model, message] of wrong) {
+    assert.throws(() => readSettingsFile(changed({ model }), 'x.json'), { message: /** @type {RegExp} */ (message) });
+  }
+});
+
+test('cut off anywhere, a file is refused', () => {
+  const whole = writeSettingsFile({ settings: kSettings, model: kModel }).trimEnd();
+  for (let length = 0; length < whole.length; length += 1) {
+    assert.throws(() => readSettingsFile(whole.slice(0, length), 'x.json'), { name: 'EngineFailure' });
+  }
+});
+
+test('the ranges are those of the fields of the page', () => {
+  const page = readFileSync(new URL('../index.html', import.meta.url), 'utf8');
+  const ids = {
+    maxSizeMm: 'size-mm', rotateDeg: 'rotate', contrast: 'contrast', minWallMm: 'min-wall', nozzleMm: 'nozzle', layerMm: 'layer',
+    maxDepthMm: 'max-depth', eyeDistanceMm: 'eye-distance',
+  };
+  assert.deepEqual(Object.keys(ids).sort(), Object.keys(kRanges).sort());
+  for (const [name, id] of Object.entries(ids)) {
+    const tag = new RegExp(`<input\\b[^>]*\\bid="${id}"[^>]*>`).exec(page)?.[0] ?? '';
+    const bound = (/** @type {string} */ which) => Number(new RegExp(`\\b${which}="([^"]*)"`).exec(tag)?.[1]);
+    assert.deepEqual([bound('min'), bound('max')], kRanges[name], name);
+  }
+});
+
+test('settings are told from models by name or type', () => {
+  assert.ok(looksLikeSettings({ name: 'a.JSON', type: '' }));
+  assert.ok(looksLikeSettings({ name: 'a', type: 'application/json' }));
+  assert.ok(!looksLikeSettings({ name: 'a.json.stl', type: 'model/stl' }));
+});
