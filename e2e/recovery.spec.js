@@ -1,23 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { expect, test } from '@playwright/test';
 import { Engraver } from './support/engraver.js';
-
-/** Gives the tests a hold of the page's workers and lets them send a worker a script of their own. */
-const kHoldWorkers = () => {
-  const page = /** @type {any} */ (window);
-  page.workers = [];
-  const Original = window.Worker;
-  page.Worker = class extends Original {
-    /** @param {string | URL} url @param {WorkerOptions} [options] */
-    constructor(url, options) {
-      super(url, options);
-      page.workers.push(this);
-    }
-  };
-};
+import { holdWorkers } from './support/workers.js';
 
 test('A worker that crashes is replaced, with the model, the text and the centre kept', async ({ page }) => {
-  await page.addInitScript(kHoldWorkers);
+  await page.addInitScript(holdWorkers);
   const app = new Engraver(page);
   await app.open('?sample=saddle&text=kept');
   await app.expectReady();
@@ -50,4 +37,51 @@ test('A lost WebGL context is rebuilt', async ({ page }) => {
   await app.expectReady();
   await app.engraveButton.click();
   await expect(app.result).toContainText('Reads as again');
+});
+
+test('A lost WebGL context of the worker is rebuilt', async ({ page, browser }) => {
+  await page.addInitScript(holdWorkers);
+  const app = new Engraver(page);
+  await app.open('?sample=saddle&text=and%20again');
+  await app.expectReady();
+  const session = await browser.newBrowserCDPSession();
+  await session.send('Browser.crashGpuProcess').catch(() => {});  // it answers that it crashed
+  await expect.poll(() => page.evaluate(() => /** @type {any} */ (window).workers.length)).toBeGreaterThan(1);
+  await app.expectReady();
+  await app.engrave();
+  await expect(app.result).toContainText('Reads as and again');
+});
+
+test('A worker that gives no sign of life is replaced, with everything kept', async ({ page }) => {
+  await page.addInitScript(holdWorkers);
+  await page.clock.install();
+  const app = new Engraver(page);
+  await app.open('?sample=saddle&text=kept%20too');
+  await app.expectReady();
+  await page.evaluate(() => /** @type {any} */ (window).unheard.push('placement'));
+  await app.openSettings();
+  await app.setting('Rotation (°)').fill('10');
+  await app.setting('Rotation (°)').blur();
+  await page.clock.runFor(110_000);
+  await expect(app.alert).toHaveCount(0);
+  await page.evaluate(() => /** @type {any} */ (window).unheard.pop());
+  await page.clock.runFor(15_000);
+  await expect(app.alert).toContainText('The engraving module has not answered for 120 seconds');
+  await expect.poll(() => page.evaluate(() => /** @type {any} */ (window).workers.length)).toBe(2);
+  await app.expectReady();
+  await expect(app.setting('Rotation (°)')).toHaveValue('10');
+  await expect(app.text).toHaveValue('kept too');
+});
+
+test('A worker that is busy is left alone', async ({ page }) => {
+  await page.addInitScript(holdWorkers);
+  await page.clock.install();
+  const app = new Engraver(page);
+  await app.open('?sample=saddle');
+  await app.expectReady();
+  await page.clock.runFor(600_000);  // nothing was asked of it
+  await app.engraveButton.click();
+  await page.clock.runFor(600);
+  await app.expectResult();
+  expect(await page.evaluate(() => /** @type {any} */ (window).workers.length)).toBe(1);
 });

@@ -5,6 +5,7 @@
 #include <emscripten/html5_webgl.h>
 #include <emscripten/val.h>
 #include <exception>
+#include <malloc.h>
 #include <new>
 #include <nlohmann/json.hpp>
 
@@ -19,9 +20,8 @@ namespace {
 
 using emscripten::val;
 
-std::string failure(const char* what, const char* hint) {
-  const nlohmann::ordered_json answer = {{"ok", false},
-                                         {"error", {{"code", "Internal"}, {"message", what}, {"hint", hint}}}};
+std::string failure(const char* code, const char* what, const char* hint) {
+  const nlohmann::ordered_json answer = {{"ok", false}, {"error", {{"code", code}, {"message", what}, {"hint", hint}}}};
   return answer.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
@@ -31,9 +31,11 @@ std::string guarded(Verb verb) {
   try {
     return verb();
   } catch (const std::bad_alloc&) {
-    return failure("there is not enough memory for this", "use a smaller model, or close other tabs");
+    return failure("OutOfMemory", "there is not enough memory for this",
+                   "use a model with fewer triangles, or close other tabs");
   } catch (const std::exception& exception) {
-    return failure(exception.what(), "this is a fault of QRelief: please report it with the model and the settings");
+    return failure("Internal", exception.what(),
+                   "this is a fault of QRelief: please report it with the model and the settings");
   }
 }
 
@@ -155,6 +157,8 @@ class Facade {
     inspectorGone_ = inspectorShown_ && !shown;
     inspectorShown_ = shown;
   }
+  /// Bytes of the heap in use: what a leak makes grow.
+  double memoryInUse() const { return mallinfo().uordblks; }
   bool inspectorPointer(double x, double y, int buttons, double wheel) {
     return inspectorShown_ && inspector_ && inspector_->pointer(x, y, buttons, wheel);
   }
@@ -203,6 +207,7 @@ EMSCRIPTEN_BINDINGS(qrelief) {
       .function("readerView", &Facade::readerView)
       .function("faceCode", &Facade::faceCode)
       .function("draw", &Facade::draw)
+      .function("memoryInUse", &Facade::memoryInUse)
       .function("setInspector", &Facade::setInspector)
       .function("inspectorPointer", &Facade::inspectorPointer);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The page's only way to the module: one promise per verb, whether a worker does the work or the page itself.
-import { EngineFailure, crash, describeThrown } from './engine_error.js';
+import { EngineFailure, crash, describeThrown, hung } from './engine_error.js';
 
 /** @typedef {import('./types.js').HostEvent} HostEvent */
 /** @typedef {import('./types.js').EngraveProgress} EngraveProgress */
@@ -8,10 +8,13 @@ import { EngineFailure, crash, describeThrown } from './engine_error.js';
 /** @typedef {import('./types.js').ViewSize} ViewSize */
 /** @typedef {import('./types.js').Settings} Settings */
 
-const kCancelPatienceMs = 4000;  // a worker that does not stop within this time is replaced
+const kCancelPatienceMs = 4000;  // a worker that does not come to the end of its step within this time is replaced
+const kTickMs = 5000;            // of the clock that waits for a worker's signs of life
+const kSilenceMs = 120_000;      // a worker that gives none for so long hangs;
+const kLoadBytesPerMs = 100;     // one that reads a file may take this much longer
 
 /**
- * Aborting leaves the model usable, at once if the module answers, else in a new worker.
+ * Aborting ends the promise at once. The module ends its step and keeps the model; if that takes too long it is replaced.
  * @typedef {{ signal: AbortSignal, onProgress: (progress: EngraveProgress) => void }} JobOptions
  */
 
@@ -100,26 +103,33 @@ export class EngineClient {
   /**
    * @param {string} verb
    * @param {JobOptions} options
-   * @returns {Promise<any>}  undefined if the worker had to be replaced to cancel it
+   * @returns {Promise<any>}  undefined if it was cancelled
    */
   async runJob_(verb, { signal, onProgress }) {
-    /** @type {ReturnType<typeof setTimeout> | undefined} */ let patience;
-    const cancel = () => {
-      patience = setTimeout(() => void this.replace(), kCancelPatienceMs);
-      this.call_('cancel').catch(() => {});  // rejected only if the worker is replaced
-    };
-    signal.addEventListener('abort', cancel, { once: true });
+    if (signal.aborted) return undefined;
     this.onProgress_ = onProgress;
+    const job = this.call_(verb);
+    /** @type {() => void} */ let stop = () => {};
+    const stopped = new Promise((resolve) => {
+      stop = () => {
+        this.stopJob_(job);
+        resolve(undefined);
+      };
+      signal.addEventListener('abort', stop, { once: true });
+    });
     try {
-      return await this.call_(verb);
-    } catch (thrown) {
-      if (signal.aborted && isReplaced(thrown)) return undefined;
-      throw thrown;
+      return await Promise.race([job, stopped]);
     } finally {
-      clearTimeout(patience);
-      signal.removeEventListener('abort', cancel);
-      this.onProgress_ = undefined;
+      signal.removeEventListener('abort', stop);
+      if (this.onProgress_ === onProgress) this.onProgress_ = undefined;
     }
+  }
+
+  /** @param {Promise<any>} job */
+  stopJob_(job) {
+    const patience = setTimeout(() => void this.replace(), kCancelPatienceMs);
+    job.catch(() => {}).finally(() => clearTimeout(patience));
+    this.call_('cancel').catch(() => {});  // rejected only if the worker is replaced
   }
 
   /** @param {number} index  into the spots found last @returns {Promise<import('./types.js').PickResult>} */
@@ -177,6 +187,9 @@ export class EngineClient {
   /** @param {ViewAction} action @returns {Promise<void>} */
   act(action) { return this.call_('act', action); }
 
+  /** @returns {Promise<import('./types.js').MemoryUse>} */
+  memory() { return this.call_('memory'); }
+
   /**
    * @param {string} verb
    * @param {any[]} args
@@ -218,8 +231,13 @@ class WorkerBackend {
   constructor(onEvent) {
     /** @type {Map<number, Pending>} */ this.pending_ = new Map();
     this.nextId_ = 1;
+    this.onEvent_ = onEvent;
+    /** @type {ReturnType<typeof setInterval> | undefined} */ this.clock_ = undefined;
+    this.silenceMs_ = 0;  // in ticks: a device that slept has not let the worker work, either
+    this.allowedMs_ = 0;
     this.worker_ = new Worker(new URL('./worker.js', import.meta.url), { type: 'module', name: 'qrelief' });
     this.worker_.onmessage = ({ data }) => {
+      this.silenceMs_ = 0;
       if ('event' in data) onEvent(data);
       else this.settle_(data);
     };
@@ -242,10 +260,30 @@ class WorkerBackend {
       const id = this.nextId_++;
       this.pending_.set(id, { resolve, reject });
       this.worker_.postMessage({ id, verb, args }, transfer);
+      this.expectLife_(kSilenceMs + (args[0] instanceof Uint8Array ? args[0].length / kLoadBytesPerMs : 0));
     });
   }
 
+  /** @param {number} allowedMs */
+  expectLife_(allowedMs) {
+    this.allowedMs_ = Math.max(allowedMs, this.clock_ === undefined ? 0 : this.allowedMs_);
+    if (this.clock_ !== undefined) return;
+    this.silenceMs_ = 0;
+    this.clock_ = setInterval(() => {
+      this.silenceMs_ += kTickMs;
+      if (this.silenceMs_ < this.allowedMs_) return;
+      this.stopClock_();
+      this.onEvent_({ event: 'failure', error: hung(this.silenceMs_) });
+    }, kTickMs);
+  }
+
+  stopClock_() {
+    clearInterval(this.clock_);
+    this.clock_ = undefined;
+  }
+
   end() {
+    this.stopClock_();
     this.worker_.terminate();
     this.rejectAll_(kReplaced);
   }
@@ -254,6 +292,7 @@ class WorkerBackend {
   settle_({ id, value, error }) {
     const pending = this.pending_.get(id);
     this.pending_.delete(id);
+    if (this.pending_.size === 0) this.stopClock_();
     if (error) pending?.reject(new EngineFailure(error));
     else pending?.resolve(value);
   }
@@ -262,6 +301,7 @@ class WorkerBackend {
   rejectAll_(error) {
     const waiting = [...this.pending_.values()];
     this.pending_.clear();
+    this.stopClock_();
     waiting.forEach(({ reject }) => reject(new EngineFailure(error)));
   }
 }

@@ -54,6 +54,19 @@ export function crash(detail) {
   };
 }
 
+/**
+ * The module gives no sign of life.
+ * @param {number} silenceMs
+ * @returns {EngineErrorValue}
+ */
+export function hung(silenceMs) {
+  return {
+    code: 'Hung',
+    message: `The engraving module has not answered for ${Math.round(silenceMs / 1000)} seconds`,
+    hint: 'It is started again with your model and settings. If this repeats, use a model with fewer triangles.',
+  };
+}
+
 /** Whether the module must not be called any more. @param {unknown} thrown */
 export const isFatal = (thrown) => thrown instanceof EngineFailure && (thrown.code === 'Crashed' || thrown.code === 'OutOfMemory');
 

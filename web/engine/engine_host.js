@@ -8,6 +8,7 @@ import { EngineFailure, describeThrown } from './engine_error.js';
 /** @typedef {import('./types.js').HostEvent} HostEvent */
 /** @typedef {import('./types.js').ViewAction} ViewAction */
 /** @typedef {import('./types.js').ViewSize} ViewSize */
+/** @typedef {{ start: () => string, advance: () => string, cancel: () => void }} Job  of the module, done in steps */
 
 const kSliceMs = 40;  // between two looks at the messages: a cancel is seen within one slice and one step
 
@@ -43,20 +44,20 @@ function yieldToMessages() {
 /** Turns verbs into calls of the module, draws on demand, and runs the jobs in slices. */
 export class EngineHost {
   /**
-   * @param {Engine} engine
+   * @param {import('./types.js').QReliefModule} module
    * @param {HTMLCanvasElement | OffscreenCanvas} canvas
    * @param {WebGL2RenderingContext} gl  of the canvas
    * @param {(event: HostEvent) => void} notify
    */
-  constructor(engine, canvas, gl, notify) {
-    this.engine_ = engine;
+  constructor(module, canvas, gl, notify) {
+    this.module_ = module;
+    /** @type {Engine} */ this.engine_ = new module.Engine();
     this.canvas_ = canvas;
     this.gl_ = gl;
     /** @type {WebGLSync | null} */ this.fence_ = null;  // behind the last frame
     this.notify_ = notify;
     this.frameRequested_ = false;
-    this.working_ = false;
-    this.cancelled_ = false;
+    /** @type {Job | undefined} */ this.job_ = undefined;
     this.lost_ = false;
     this.inspectorShown_ = false;
     this.inspectorTakes_ = false;
@@ -78,7 +79,7 @@ export class EngineHost {
     gl.getExtension('EXT_color_buffer_float');
     const module = await EngineHost.loadModule_();
     module.GL.makeContextCurrent(module.GL.registerContext(gl, { majorVersion: 2 }));
-    const host = new EngineHost(new module.Engine(), canvas, gl, notify);
+    const host = new EngineHost(module, canvas, gl, notify);
     canvas.addEventListener('webglcontextlost', (event) => {
       event.preventDefault();
       host.lost_ = true;
@@ -150,8 +151,12 @@ export class EngineHost {
 
     engrave: () => this.engrave_(),
     cancel: () => {
-      this.cancelled_ = true;
+      this.job_?.cancel();
+      this.job_ = undefined;
+      this.engine_.showCarved(false);  // it may just have come to its end
+      this.drawn_(this.engine_.showSizes(false));
     },
+    memory: () => this.memory_(),
 
     report: () => parseAnswer(this.engine_.report()),
     readerImage: () => {
@@ -226,12 +231,11 @@ export class EngineHost {
 
   /**
    * Runs a whole job in slices; returns whether it came to its end (false: cancelled).
-   * @param {{ start: () => string, advance: () => string, cancel: () => void }} job
+   * @param {Job} job
    */
   async runJob_(job) {
-    if (this.working_) throw new EngineFailure({ code: 'Busy', message: 'Another job is already running', hint: '' });
-    this.working_ = true;
-    this.cancelled_ = false;
+    if (this.job_) throw new EngineFailure({ code: 'Busy', message: 'Another job is already running', hint: '' });
+    this.job_ = job;
     try {
       parseAnswer(job.start());
       for (let done = false; !done;) {
@@ -243,16 +247,21 @@ export class EngineHost {
         this.notify_({ event: 'progress', progress: { stage: progress.stage, fraction: progress.fraction } });
         done = progress.done;
         await yieldToMessages();
-        if (this.cancelled_ && !done) {
-          job.cancel();
-          return false;
-        }
+        if (this.job_ !== job) return done;  // a message has cancelled it; the next one may run already
       }
       return true;
     } finally {
-      this.working_ = false;
+      if (this.job_ === job) this.job_ = undefined;
       this.invalidate_();
     }
+  }
+
+  /** @returns {import('./types.js').MemoryUse} */
+  memory_() {
+    const { GL, HEAPU8 } = this.module_;
+    const tables = [GL.buffers, GL.programs, GL.framebuffers, GL.renderbuffers, GL.textures, GL.shaders, GL.vaos, GL.queries, GL.syncs];
+    const glObjects = tables.reduce((sum, table) => sum + table.filter(Boolean).length, 0);
+    return { usedBytes: this.engine_.memoryInUse(), heapBytes: HEAPU8.length, glObjects };
   }
 
   /**
@@ -293,7 +302,7 @@ export class EngineHost {
       this.gl_.deleteSync(this.fence_);
       this.fence_ = this.gl_.fenceSync(this.gl_.SYNC_GPU_COMMANDS_COMPLETE, 0);
       this.gl_.flush();
-      if (wantsAnother && !this.working_) this.invalidate_();  // refinement waits while the job runs
+      if (wantsAnother && !this.job_) this.invalidate_();  // refinement waits while the job runs
     } catch (thrown) {
       this.lost_ = true;
       this.notify_({ event: 'failure', error: describeThrown(thrown) });

@@ -57,6 +57,7 @@
 /** @typedef {{ hit: boolean, centre?: [number, number, number] }} PickResult */
 /** @typedef {{ renderer: string, version: string, problems: string[] }} Capabilities */
 /** @typedef {{ stage: string, fraction: number }} EngraveProgress */
+/** @typedef {{ usedBytes: number, heapBytes: number, glObjects: number }} MemoryUse  of the module; its heap never shrinks */
 /** @typedef {{ width: number, height: number, pixels: Uint8Array }} GreyImage */
 
 /**
@@ -110,15 +111,23 @@
  * @property {() => void} readerView
  * @property {() => void} faceCode
  * @property {() => boolean} draw
+ * @property {() => number} memoryInUse            bytes of the heap
  * @property {(shown: boolean) => void} setInspector
  * @property {(x: number, y: number, buttons: number, wheel: number) => boolean} inspectorPointer
+ */
+
+/**
+ * Emscripten's tables from the names C++ has to WebGL's objects; null where one was deleted.
+ * @typedef {Record<'buffers' | 'programs' | 'framebuffers' | 'renderbuffers' | 'textures' | 'shaders' | 'vaos' | 'queries' | 'syncs',
+ *   (object | null)[]>} GlTables
  */
 
 /**
  * @typedef {object} QReliefModule
  * @property {new () => Engine} Engine
  * @property {{ registerContext: (gl: WebGL2RenderingContext, attributes: { majorVersion: number }) => number,
- *   makeContextCurrent: (handle: number) => boolean }} GL
+ *   makeContextCurrent: (handle: number) => boolean } & GlTables} GL
+ * @property {Uint8Array} HEAPU8
  */
 
 /**

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { expect, test } from '@playwright/test';
+import { Engraver } from './support/engraver.js';
+
+/** @typedef {import('@playwright/test').Page} Page */
+
+const kCancelled = /^Cancelled\./;
+
+/**
+ * Clicks Cancel in the page at the moment the status shows the stage, and measures until the status says it is cancelled
+ * and Cancel is gone. The clock is the page's own: the test's way to the page takes longer than what is measured.
+ * @param {Page} page
+ * @param {string} stage  what the status begins with
+ * @returns {Promise<number>}  ms
+ */
+const cancelAt = (page, stage) => page.evaluate(([begin, cancelled]) => new Promise((resolve) => {
+  const status = /** @type {HTMLElement} */ (document.querySelector('[role="status"]'));
+  const button = /** @type {HTMLElement} */ ([...document.querySelectorAll('button')].find(({ textContent }) => textContent?.trim() === 'Cancel'));
+  let clicked = 0;
+  const look = () => {
+    const words = status.textContent ?? '';
+    if (clicked === 0 && words.startsWith(begin)) {
+      clicked = performance.now();
+      button.click();
+    } else if (clicked > 0 && new RegExp(cancelled).test(words) && button.offsetParent === null) {
+      observer.disconnect();
+      resolve(performance.now() - clicked);
+    }
+  };
+  const observer = new MutationObserver(look);
+  observer.observe(document.body, { childList: true, characterData: true, attributes: true, subtree: true });
+  look();
+}), [stage, kCancelled.source]);
+
+const kStages = ['Preparing', 'Finding direction and size', 'Measuring the surface', 'Finding the depth', 'Carving the mesh',
+  'Checking the solid', 'Looking at the result'];
+
+test('Cancel is obeyed within 250 ms at every stage, and nothing is lost', async ({ page }) => {
+  const app = new Engraver(page);
+  await app.open('?sample=saddle&text=cancelled%20often');
+  await app.expectReady();
+  const centre = await app.centre();
+  /** @type {string[]} */ const measured = [];
+  for (const stage of kStages) {
+    const time = cancelAt(page, stage);
+    await app.engraveButton.click();
+    const ms = await time;
+    measured.push(`${stage} ${ms.toFixed(0)} ms`);
+    expect(ms, stage).toBeLessThan(250);
+    await expect(app.result).toBeHidden();
+    await expect(app.engraveButton).toBeEnabled();
+  }
+  console.log(`cancel: ${measured.join(', ')}`);
+  expect(await app.centre()).toEqual(centre);
+  await app.engrave();
+  await expect(app.result).toContainText('Reads as cancelled often');
+});
+
+test('Cancel stops the search for spots within 250 ms', async ({ page }) => {
+  const app = new Engraver(page);
+  await app.open('?sample=saddle');
+  await app.expectReady();
+  const time = cancelAt(page, 'Looking for spots');
+  await page.getByRole('button', { name: 'Suggest spots' }).click();
+  expect(await time).toBeLessThan(250);
+  await app.suggest();
+  await expect(app.spots).not.toHaveCount(0);
+});

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A hold of the page's workers: runs in the page before its own scripts (`page.addInitScript(holdWorkers)`).
+
+/** `window.workers` are all of them; `window.unheard` names verbs that never reach a worker. */
+export const holdWorkers = () => {
+  const page = /** @type {any} */ (window);
+  page.workers = [];
+  page.unheard = [];
+  const Original = window.Worker;
+  page.Worker = class extends Original {
+    /** @param {string | URL} url @param {WorkerOptions} [options] */
+    constructor(url, options) {
+      super(url, options);
+      page.workers.push(this);
+    }
+
+    /** @param {any} message @param {any} transfer */
+    postMessage(message, transfer) {
+      if (!page.unheard.includes(message.verb)) super.postMessage(message, transfer);
+    }
+  };
+};
+
+/**
+ * What the newest worker answers to a verb that the page itself does not ask for.
+ * @param {import('@playwright/test').Page} page
+ * @param {string} verb
+ * @returns {Promise<any>}
+ */
+export const askWorker = (page, verb) => page.evaluate((asked) => new Promise((resolve) => {
+  const worker = /** @type {any} */ (window).workers.at(-1);
+  const id = `test ${Math.random()}`;
+  const listen = (/** @type {MessageEvent} */ { data }) => {
+    if (data.id !== id) return;
+    worker.removeEventListener('message', listen);
+    resolve(data.value);
+  };
+  worker.addEventListener('message', listen);
+  worker.postMessage({ id, verb: asked, args: [] });
+}), verb);

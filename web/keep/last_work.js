@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Keeps what is being worked on, to offer it when the page is opened again: the model's file, unit and up axis, the code's
+// text and settings, and the centre. Of a sample only its name is kept, of a file up to kMaxBytes.
+
+/** @typedef {import('../engine/types.js').UpAxis} UpAxis */
+/** @typedef {Record<string, string | boolean>} Values */
+/** @typedef {[number, number, number]} Point */
+
+/**
+ * @typedef {object} Work
+ * @property {string} fileName
+ * @property {string} [sampleId]     of a sample; its file comes with the page
+ * @property {Uint8Array} [bytes]    of a file of the user's
+ * @property {number} scaleToMm
+ * @property {UpAxis} upAxis
+ * @property {boolean} [unitStated]  by the file
+ * @property {string} [text]         left out where it holds a password
+ * @property {Values} values         of the settings
+ * @property {Point} [centreMm]
+ */
+
+/** @typedef {{ get: (key: string) => Promise<any>, put: (values: Record<string, any>) => Promise<boolean> }} Store */
+
+export const kMaxBytes = 256 * 1024 * 1024;
+const kPauseMs = 800;   // after the last change
+const kFormat = 1;      // of what is kept; another one is not offered
+const kState = 'last work';
+const kModel = 'last model';
+
+export class LastWork {
+  /**
+   * @param {Store} store
+   * @param {(text: string) => boolean} holdsSecret  such a text is not kept
+   */
+  constructor(store, holdsSecret) {
+    this.store_ = store;
+    this.holdsSecret_ = holdsSecret;
+    /** @type {string | undefined} */ this.seen_ = undefined;        // the work as it was last, in short
+    /** @type {Uint8Array | undefined} */ this.seenBytes_ = undefined;
+    /** @type {Uint8Array | undefined} */ this.keptBytes_ = undefined;  // of the file that is stored
+    /** @type {Work | undefined} */ this.next_ = undefined;
+    /** @type {ReturnType<typeof setTimeout> | undefined} */ this.pause_ = undefined;
+    /** @type {Promise<void>} */ this.writing_ = Promise.resolve();
+    this.modelId_ = 0;
+  }
+
+  /**
+   * What is there now. The first call says what the page opened with, which is not worth keeping; later ones are kept
+   * when something differs, a moment after the last change.
+   * @param {Work} work
+   */
+  note(work) {
+    const brief = JSON.stringify({ ...work, bytes: work.bytes?.length });
+    const isFirst = this.seen_ === undefined;
+    const isSame = this.seen_ === brief && this.seenBytes_ === work.bytes;
+    this.seen_ = brief;
+    this.seenBytes_ = work.bytes;
+    if (isFirst || isSame) return;
+    this.next_ = work;
+    clearTimeout(this.pause_);
+    this.pause_ = setTimeout(() => void this.flush(), kPauseMs);
+  }
+
+  /** Writes at once what was noted. */
+  flush() {
+    clearTimeout(this.pause_);
+    const work = this.next_;
+    this.next_ = undefined;
+    if (work) this.writing_ = this.writing_.then(() => this.write_(work));
+    return this.writing_;
+  }
+
+  /** @param {Work} work */
+  async write_({ bytes, text, ...rest }) {
+    if (bytes && bytes.length > kMaxBytes) {
+      await this.forget();  // else the one before it would be offered
+      return;
+    }
+    const changed = bytes !== this.keptBytes_;
+    if (changed) this.modelId_ = Date.now();
+    const state = {
+      ...rest, format: kFormat, ...(bytes && { modelId: this.modelId_ }),
+      ...(text !== undefined && !this.holdsSecret_(text) && { text }),
+    };
+    const model = bytes && { id: this.modelId_, bytes };
+    if (await this.store_.put({ [kState]: state, ...(changed && { [kModel]: model }) })) this.keptBytes_ = bytes;
+    else await this.forget();
+  }
+
+  /** What was worked on when the page was open last. @returns {Promise<Work | undefined>} */
+  async recall() {
+    const state = await this.store_.get(kState);
+    if (state?.format !== kFormat) return undefined;
+    const { format: _, modelId, ...work } = state;
+    if (work.sampleId !== undefined) return work;
+    const model = await this.store_.get(kModel);
+    return model && model.id === modelId ? { ...work, bytes: model.bytes } : undefined;
+  }
+
+  /** Keeps nothing, until something changes. */
+  async forget() {
+    this.keptBytes_ = undefined;
+    await this.store_.put({ [kState]: undefined, [kModel]: undefined });
+  }
+}

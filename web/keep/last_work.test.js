@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { LastWork, kMaxBytes } from './last_work.js';
+
+/** Keeps copies, as IndexedDB does; counts the bytes it was given. */
+class MemoryStore {
+  constructor() {
+    /** @type {Map<string, any>} */ this.values = new Map();
+    this.full = false;
+    this.bytesWritten = 0;
+  }
+
+  /** @param {string} key */
+  async get(key) {
+    return structuredClone(this.values.get(key));
+  }
+
+  /** @param {Record<string, any>} values */
+  async put(values) {
+    for (const [key, value] of Object.entries(values)) {
+      if (value !== undefined && this.full) return false;
+      this.bytesWritten += value?.bytes?.length ?? 0;
+      if (value === undefined) this.values.delete(key);
+      else this.values.set(key, structuredClone(value));
+    }
+    return true;
+  }
+}
+
+const noSecrets = () => false;
+const opened = { fileName: 'bunny.stl', sampleId: 'bunny', scaleToMm: 1, upAxis: /** @type {const} */ ('z'), text: 'a', values: { preset: 'balanced' } };
+const own = () => ({
+  fileName: 'cup.stl', bytes: Uint8Array.of(1, 2, 3), scaleToMm: 25.4, upAxis: /** @type {const} */ ('y'), text: 'b',
+  values: { preset: 'robust', 'quiet-zone': true }, centreMm: /** @type {[number, number, number]} */ ([1, 2, 3]),
+});
+
+test('what the page opened with is not kept, what was changed on it is', async () => {
+  const store = new MemoryStore();
+  const last = new LastWork(store, noSecrets);
+  last.note(opened);
+  await last.flush();
+  assert.equal(await last.recall(), undefined);
+  last.note({ ...opened, text: 'other' });
+  await last.flush();
+  assert.deepEqual(await new LastWork(store, noSecrets).recall(), { ...opened, text: 'other' });
+});
+
+test('a file comes back with its bytes, unit, axis, text, settings and centre', async () => {
+  const store = new MemoryStore();
+  const last = new LastWork(store, noSecrets);
+  last.note(opened);
+  const work = own();
+  last.note(work);
+  await last.flush();
+  assert.deepEqual(await new LastWork(store, noSecrets).recall(), work);
+});
+
+test('a change of the settings does not write the file again', async () => {
+  const store = new MemoryStore();
+  const last = new LastWork(store, noSecrets);
+  last.note(opened);
+  const work = own();
+  last.note(work);
+  await last.flush();
+  last.note({ ...work, text: 'c' });
+  await last.flush();
+  assert.equal(store.bytesWritten, 3);
+  assert.deepEqual(await last.recall(), { ...work, text: 'c' });
+});
+
+test('of several changes in a row only the last is written', async () => {
+  const store = new MemoryStore();
+  const last = new LastWork(store, noSecrets);
+  last.note(opened);
+  for (const text of ['b', 'bc', 'bcd']) last.note({ ...opened, text });
+  assert.equal(store.values.size, 0);
+  await last.flush();
+  assert.equal((await last.recall())?.text, 'bcd');
+});
+
+test('another file of the same name and size takes the place of the first', async () => {
+  const store = new MemoryStore();
+  const last = new LastWork(store, noSecrets);
+  last.note(opened);
+  last.note(own());
+  await last.flush();
+  last.note({ ...own(), bytes: Uint8Array.of(4, 5, 6) });
+  await last.flush();
+  assert.deepEqual((await last.recall())?.bytes, Uint8Array.of(4, 5, 6));
+});
+
+test('a text that holds a password is never written, the rest is', async () => {
+  const store = new MemoryStore();
+  const last = new LastWork(store, (text) => text.startsWith('WIFI:'));
+  last.note(opened);
+  last.note({ ...opened, text: 'WIFI:T:WPA;S:net;P:secret;;', values: { preset: 'robust' } });
+  await last.flush();
+  assert.doesNotMatch(JSON.stringify([...store.values]), /secret/);
+  const { text: _, ...rest } = opened;
+  assert.deepEqual(await last.recall(), { ...rest, values: { preset: 'robust' } });
+});
+
+test('a full storage keeps nothing, rather than half of it, and what was there before is not offered', async () => {
+  const store = new MemoryStore();
+  const last = new LastWork(store, noSecrets);
+  last.note(opened);
+  last.note({ ...opened, text: 'before' });
+  await last.flush();
+  store.full = true;
+  last.note(own());
+  await last.flush();
+  assert.equal(await last.recall(), undefined);
+  assert.equal(store.values.size, 0);
+});
+
+test('a file beyond the bound is not kept', async () => {
+  const store = new MemoryStore();
+  const last = new LastWork(store, noSecrets);
+  last.note(opened);
+  const bytes = /** @type {Uint8Array} */ ({ length: kMaxBytes + 1 });
+  last.note({ ...own(), bytes });
+  await last.flush();
+  assert.equal(await last.recall(), undefined);
+});
+
+test('a file whose settings were kept by another window is not mixed with them', async () => {
+  const store = new MemoryStore();
+  const last = new LastWork(store, noSecrets);
+  last.note(opened);
+  last.note(own());
+  await last.flush();
+  store.values.get('last model').id += 1;
+  assert.equal(await last.recall(), undefined);
+});
+
+test('what was forgotten is not offered', async () => {
+  const store = new MemoryStore();
+  const last = new LastWork(store, noSecrets);
+  last.note(opened);
+  last.note(own());
+  await last.flush();
+  await last.forget();
+  assert.equal(await last.recall(), undefined);
+});
