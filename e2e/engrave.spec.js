@@ -69,7 +69,7 @@ test('A file of one’s own is opened, a point picked, settings changed, and the
   await app.open();
   await app.expectReady();
   await app.file.setInputFiles(saddleFile);
-  await expect(app.facts).toHaveText(/^my saddle\.stl: 90\.0 × 90\.0 × 40\.0 mm · [\d,]+ triangles$/);
+  await expect(app.facts).toHaveText('my saddle.stl, 90.0 × 90.0 × 40.0 mm');
   await app.expectReady();
   const proposed = await app.centre();
   const box = /** @type {{ width: number, height: number }} */ (await app.canvas.boundingBox());

@@ -10,7 +10,7 @@ test('A truncated file is refused with both sizes, and the model before it stays
   await app.file.setInputFiles(truncatedFile);
   await expect(app.alert).toContainText('10000');
   await expect(app.alert).toContainText(String(saddleFile.buffer.length));
-  await expect(app.facts).toHaveText('102.8 × 77.9 × 100.0 mm · 14,696 triangles');
+  await expect(app.facts).toHaveText('Stanford bunny, 102.8 × 77.9 × 100.0 mm');
   await expect(app.engraveButton).toBeEnabled();
   await page.getByRole('button', { name: 'Dismiss' }).click();
   await expect(app.alert).toHaveCount(0);
@@ -38,6 +38,7 @@ test('Another unit makes the model larger by its factor', async ({ page }) => {
   await app.open();
   await app.file.setInputFiles(saddleFile);
   await expect(app.facts).toContainText('90.0 × 90.0 × 40.0 mm');
+  await app.openSettings();
   await app.setting('Unit').selectOption('inch');
   await expect(app.facts).toContainText('2,286.0 × 2,286.0 × 1,016.0 mm');
 });

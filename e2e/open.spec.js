@@ -10,7 +10,8 @@ test('The page opens with the bunny loaded and a place for the code, so that Eng
   await app.open();
   await app.expectReady();
   await expect(app.sample).toHaveValue('bunny');
-  await expect(app.facts).toHaveText('102.8 × 77.9 × 100.0 mm · 14,696 triangles');
+  await expect(app.facts).toHaveText('Stanford bunny, 102.8 × 77.9 × 100.0 mm');
+  await expect(page.locator('#model-facts')).toHaveText('14,696 triangles');
   await expect(app.text).not.toHaveValue('');
   await expect(app.canvas).toBeVisible();
   expect(complaints).toEqual([]);

@@ -20,7 +20,7 @@ export class Engraver {
     this.alert = page.getByRole('alert');
     this.result = page.getByRole('region', { name: 'Result' });
     this.placement = page.locator('#placement-facts');
-    this.facts = page.locator('#model-facts');
+    this.facts = page.locator('#model-state');
     this.spots = page.getByRole('list', { name: 'Spots' }).getByRole('button');
   }
 
@@ -41,8 +41,10 @@ export class Engraver {
     return this.page.getByLabel(name, { exact: true });
   }
 
+  /** Unfolds the settings of every step. */
   async openSettings() {
-    await this.page.getByText('Settings', { exact: true }).click();
+    const folded = this.page.locator('.step > details:not([open]) > summary');
+    while ((await folded.count()) > 0) await folded.first().click();
   }
 
   /** The centre in the model's coordinates, mm. */

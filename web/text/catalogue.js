@@ -1,20 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every text of the page in every language. A part of the page keeps its texts in parts/, all languages side by side.
+import { recall, remember } from '../take/remembered.js';
 import { code } from './parts/code.js';
 import { keep } from './parts/keep.js';
 import { page } from './parts/page.js';
+import { samples } from './parts/samples.js';
+import { settings } from './parts/settings.js';
+import { stages } from './parts/stages.js';
 import { take } from './parts/take.js';
 
 /** @typedef {'en' | 'de'} Language */
 /** @typedef {string | { one: string, other: string }} Entry  chosen by the value `count`; `{name}` stands for a value */
 
-const kParts = { code, keep, page, take };
+const kParts = { code, keep, page, samples, settings, stages, take };
 
 /** @typedef {{ [P in keyof typeof kParts]: `${P}.${string & keyof (typeof kParts)[P]['en']}` }[keyof typeof kParts]} Key */
 
 /** @type {readonly Language[]} */
 export const kLanguages = ['en', 'de'];
-const kStored = 'qrelief.language';
+const kStored = 'language';
 
 /** @param {unknown} value @returns {value is Language} */
 const isLanguage = (value) => kLanguages.includes(/** @type {Language} */ (value));
@@ -22,7 +26,7 @@ const isLanguage = (value) => kLanguages.includes(/** @type {Language} */ (value
 /** The one asked for in the address, else the one chosen before, else the first of the browser's that we have. */
 function preferredLanguage() {
   if (typeof document === 'undefined') return 'en';
-  const wanted = [new URLSearchParams(location.search).get('lang'), localStorage.getItem(kStored),
+  const wanted = [new URLSearchParams(location.search).get('lang'), recall(kStored),
     ...navigator.languages.map((tag) => tag.split('-')[0])];
   return wanted.find(isLanguage) ?? 'en';
 }
@@ -32,10 +36,19 @@ let language = preferredLanguage();
 
 export const currentLanguage = () => language;
 
-/** Keeps it for the next visit; what is on the page already stays. @param {Language} chosen */
+/** @type {(() => void)[]} */
+const listeners = [];
+
+/** @param {() => void} listener  writes its texts again when another language is chosen */
+export function onLanguage(listener) {
+  listeners.push(listener);
+}
+
+/** Keeps it for the next visit, and has what is on the page written again. @param {Language} chosen */
 export function setLanguage(chosen) {
   language = chosen;
-  if (typeof localStorage !== 'undefined') localStorage.setItem(kStored, chosen);
+  remember(kStored, chosen);
+  listeners.forEach((listener) => listener());
 }
 
 /** @param {Language} of @param {string} key @returns {Entry | undefined} */
@@ -77,6 +90,12 @@ export function localise(root) {
     }
   }
 }
+
+/** The text of a name that may be unknown, such as one that the core or a list of samples gives; else the name itself.
+ * @param {keyof typeof kParts} part @param {string} name
+ */
+export const textOr = (part, name, otherwise = name) =>
+  (entry(language, `${part}.${name}`) === undefined ? otherwise : text(/** @type {Key} */ (`${part}.${name}`)));
 
 /** For tests: every part. */
 export const allParts = () => kParts;

@@ -1,11 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Numbers as they are written in the language chosen.
+import { currentLanguage } from '../text/catalogue.js';
 
 /** @param {number} value @param {number} [digits] after the point */
 export const formatNumber = (value, digits = 0) =>
-  value.toLocaleString('en', { minimumFractionDigits: digits, maximumFractionDigits: digits });
+  value.toLocaleString(currentLanguage(), { minimumFractionDigits: digits, maximumFractionDigits: digits });
 
-/** A length with as many digits as it is worth. @param {number} mm */
-export const formatMm = (mm) => `${formatNumber(mm, mm < 10 ? 2 : mm < 1000 ? 1 : 0)} mm`;
+/** As many digits as a length is worth. @param {number} mm */
+const digitsOf = (mm) => (mm < 10 ? 2 : mm < 1000 ? 1 : 0);
+
+/** @param {number} mm */
+export const formatMm = (mm) => `${formatNumber(mm, digitsOf(mm))} mm`;
+
+/** Width × depth × height. @param {readonly number[]} mm */
+export const formatBox = (mm) => `${mm.map((edge) => formatNumber(edge, edge < 10 ? 2 : 1)).join(' × ')} mm`;
+
+/** A number as a person would write it: no digits that say nothing. @param {number} value @param {number} [digits] at most */
+export const formatPlain = (value, digits = 2) => value.toLocaleString(currentLanguage(), { maximumFractionDigits: digits });
 
 /** @param {number} ms */
 export const formatSeconds = (ms) => `${formatNumber(ms / 1000, 1)} s`;

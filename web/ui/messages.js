@@ -1,30 +1,38 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the page says: the status line, and errors with what was found and what helps.
+import { onLanguage } from '../text/catalogue.js';
+import { write } from '../text/live.js';
 import { byId, make } from './dom.js';
 
-/** @typedef {{ message: string, hint: string }} Words */
+/** @typedef {import('../text/live.js').Words} Words */
+/** @typedef {{ message: string | Words, hint: string | Words }} Problem */
 
 export class Messages {
   constructor() {
     this.status_ = byId('status', HTMLElement);
     this.box_ = byId('alert', HTMLElement);
     this.text_ = byId('alert-text', HTMLElement);
+    /** @type {Problem | undefined} */ this.problem_ = undefined;
     byId('alert-dismiss', HTMLButtonElement).addEventListener('click', () => this.clearError());
-  }
-
-  /** @param {string} text */
-  say(text) {
-    if (this.status_.textContent !== text) this.status_.textContent = text;  // the same again would be read out again
+    onLanguage(() => this.problem_ && this.showError(this.problem_));
   }
 
   /** @param {Words} words */
-  showError({ message, hint }) {
+  say(words) {
+    write(this.status_, words);
+  }
+
+  /** @param {Problem} problem */
+  showError(problem) {
+    this.problem_ = problem;
+    const [message, hint] = [problem.message, problem.hint].map((part) => (typeof part === 'string' ? part : part()));
     this.text_.replaceChildren(make('strong', { text: asSentence(message) }));
     if (hint) this.text_.append(' ', asSentence(hint));
     this.box_.hidden = false;
   }
 
   clearError() {
+    this.problem_ = undefined;
     this.box_.hidden = true;
     this.text_.replaceChildren();
   }

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which model: a sample, a file, a file dropped anywhere; and what was found in it.
-import { byId, make } from './dom.js';
-import { formatNumber } from './format.js';
+import { onLanguage, text, textOr } from '../text/catalogue.js';
+import { byId } from './dom.js';
+import { formatBox } from './format.js';
 import { showFindings } from './messages.js';
+import { showStep } from './steps.js';
 
 /** @typedef {import('../engine/types.js').ModelInfo} ModelInfo */
 /** @typedef {import('../engine/types.js').UpAxis} UpAxis */
 /** @typedef {{ id: string, name: string, file: string, centreMm: [number, number, number], credit: string }} Sample */
+/** @typedef {{ sampleId?: string, fileName: string, credit: string, scaleToMm: number, upAxis: UpAxis }} ShownSource */
 
 /**
  * @typedef {object} ModelListener
@@ -32,6 +35,10 @@ export class ModelPanel {
     this.unit_.addEventListener('change', () => listener.onScale(this.scaleToMm));
     this.upAxis_.addEventListener('change', () => listener.onUpAxis(this.upAxis));
     this.listenForDrops_(listener);
+    /** @type {Sample[]} */ this.samples_ = [];
+    /** @type {{ model: ModelInfo, source: ShownSource } | undefined} */ this.shown_ = undefined;
+    showStep('model', 'todo', () => text('page.noModel'));
+    onLanguage(() => this.showTexts_());
   }
 
   get upAxis() {
@@ -44,33 +51,44 @@ export class ModelPanel {
 
   /** @param {Sample[]} samples */
   setSamples(samples) {
-    this.sample_.replaceChildren(...samples.map(({ id, name }) => new Option(name, id)));
+    this.samples_ = samples;
+    this.sample_.replaceChildren(...samples.map(({ id, name }) => new Option(textOr('samples', id, name), id)));
   }
 
   /**
    * Shows what is loaded, whichever way it came.
    * @param {ModelInfo} model
-   * @param {{ sampleId?: string, fileName: string, credit: string, scaleToMm: number, upAxis: UpAxis }} source
+   * @param {ShownSource} source
    */
-  show(model, { sampleId, fileName, credit, scaleToMm, upAxis }) {
-    this.unit_.value = String(scaleToMm);
-    this.upAxis_.value = upAxis;
-    this.sample_.querySelector('option[value=""]')?.remove();
-    if (sampleId === undefined) {
-      const own = new Option('None: your own file', '');
+  show(model, source) {
+    this.shown_ = { model, source };
+    this.unit_.value = String(source.scaleToMm);
+    this.upAxis_.value = source.upAxis;
+    if (source.sampleId !== undefined) this.file_.value = '';
+    byId('credit', HTMLElement).textContent = source.credit;
+    showStep('model', model.engravable ? 'done' : 'bad', () => text('page.modelState', { name: this.nameOf_(source), size: formatBox(model.sizeMm) }));
+    this.showTexts_();
+  }
+
+  /** @param {ShownSource} source */
+  nameOf_({ sampleId, fileName }) {
+    return sampleId === undefined ? fileName : textOr('samples', sampleId);
+  }
+
+  /** What is in the language chosen. */
+  showTexts_() {
+    if (this.samples_.length > 0) this.setSamples(this.samples_);
+    if (!this.shown_) return;
+    const { model, source } = this.shown_;
+    if (source.sampleId === undefined) {
+      const own = new Option(text('page.ownFile'), '');
       own.disabled = true;
       this.sample_.prepend(own);
-      this.sample_.value = '';
-    } else {
-      this.sample_.value = sampleId;
-      this.file_.value = '';
     }
-    const size = model.sizeMm.map((mm) => formatNumber(mm, mm < 10 ? 2 : 1)).join(' × ');
-    byId('model-facts', HTMLElement).replaceChildren(
-      make('span', { text: `${sampleId === undefined ? `${fileName}: ` : ''}${size} mm` }),
-      ` · ${formatNumber(model.triangles)} triangles${model.shells > 1 ? ` · ${formatNumber(model.shells)} shells` : ''}`);
+    this.sample_.value = source.sampleId ?? '';
+    const facts = [text('page.triangles', { count: model.triangles }), ...(model.shells > 1 ? [text('page.shells', { count: model.shells })] : [])];
+    byId('model-facts', HTMLElement).textContent = facts.join(' · ');
     showFindings(byId('findings', HTMLElement), model.findings);
-    byId('credit', HTMLElement).textContent = credit;
   }
 
   /** @param {ModelListener} listener */

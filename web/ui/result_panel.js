@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What came out: numbers, whether it can be read, and the file.
+import { onLanguage, text } from '../text/catalogue.js';
 import { byId, make } from './dom.js';
 import { formatMm, formatNumber, formatSeconds } from './format.js';
 import { showFindings } from './messages.js';
+import { markStep, showStep } from './steps.js';
 
 /** @typedef {import('../engine/types.js').Report} Report */
+/** @typedef {{ report: Report, readBack: string, elapsedMs: number }} Result
+ *   `readBack`: what the page's reader read, '' if nothing; `elapsedMs`: from the click to the end */
 
 const kUnlinkedLength = 80;
 
@@ -15,59 +19,71 @@ export class ResultPanel {
     this.verdict_ = byId('verdict', HTMLElement);
     this.numbers_ = byId('numbers', HTMLElement);
     this.notes_ = byId('result-notes', HTMLElement);
+    /** @type {Result | undefined} */ this.result_ = undefined;
+    this.outdated_ = false;
     const format = byId('format', HTMLSelectElement);
     byId('download', HTMLButtonElement).addEventListener('click', () => onDownload(format.value));
     byId('save-report', HTMLButtonElement).addEventListener('click', onSaveReport);
+    onLanguage(() => this.render_());
+    this.render_();
   }
 
-  /**
-   * @param {Report} report
-   * @param {string} readBack  what the page's reader read; '' if nothing
-   * @param {number} elapsedMs  from the click to the end
-   */
-  show(report, readBack, elapsedMs) {
-    const { size, depth, mesh, symbol } = report;
-    const solid = mesh.closed && mesh.manifold && mesh.selfIntersections === 0;
-    this.showVerdict_(report.text, readBack);
-    this.numbers_.replaceChildren(
-      ...row('Size', `${formatMm(size.symbolMm)}, modules of ${formatMm(size.moduleMm)}`),
-      ...row('Depth', `${formatMm(depth.meanMm)} on average, ${formatMm(depth.maxMm)} at most`),
-      ...row('Time', formatSeconds(elapsedMs)),
-      ...row('Code', `version ${symbol.version}-${symbol.ecc}, ${symbol.modules} × ${symbol.modules} modules`),
-      ...row('Solid', `${solid ? 'closed and manifold' : 'not a clean solid'}, ${formatNumber(mesh.triangles)} triangles`));
-    showFindings(this.notes_, notes(report, solid));
-    this.region_.classList.remove('outdated');
-    this.region_.hidden = false;
+  /** @param {Result} result */
+  show(result) {
+    this.result_ = result;
+    this.outdated_ = false;
+    this.render_();
   }
 
   /** The model or the settings have changed since. */
   markOutdated() {
-    if (this.region_.hidden || this.region_.classList.contains('outdated')) return;
-    this.region_.classList.add('outdated');
-    this.notes_.prepend(make('li', { className: 'warning', text: 'Made before your last change. Engrave again to update it.' }));
+    if (!this.result_ || this.outdated_) return;
+    this.outdated_ = true;
+    this.render_();
   }
 
   hide() {
-    this.region_.hidden = true;
+    this.result_ = undefined;
+    this.render_();
   }
 
   scrollIntoView() {
-    this.region_.scrollIntoView({ block: 'start' });
+    byId('step-check', HTMLElement).scrollIntoView({ block: 'start' });
   }
 
-  /** @param {string} text @param {string} readBack */
-  showVerdict_(text, readBack) {
-    const right = readBack === text;
+  render_() {
+    this.region_.hidden = !this.result_;
+    markStep('carve', this.result_ && !this.outdated_ ? 'done' : 'todo');
+    if (!this.result_) return showStep('check', 'todo', () => text('page.checkNone'));
+    const { report, readBack, elapsedMs } = this.result_;
+    const { size, depth, mesh, symbol } = report;
+    const solid = mesh.closed && mesh.manifold && mesh.selfIntersections === 0;
+    const good = solid && readBack === report.text;
+    showStep('check', this.outdated_ ? 'todo' : good ? 'done' : 'bad', () => text(this.outdated_ ? 'page.checkOutdated' : 'page.checkDone'));
+    this.region_.classList.toggle('outdated', this.outdated_);
+    this.showVerdict_(report.text, readBack);
+    this.numbers_.replaceChildren(
+      ...row(text('page.size'), text('page.sizeValue', { width: formatMm(size.symbolMm), module: formatMm(size.moduleMm) })),
+      ...row(text('page.depth'), text('page.depthValue', { mean: formatMm(depth.meanMm), max: formatMm(depth.maxMm) })),
+      ...row(text('page.time'), formatSeconds(elapsedMs)),
+      ...row(text('page.code'), text('page.codeValue', symbol)),
+      ...row(text('page.solid'), text(solid ? 'page.solidYes' : 'page.solidNo', { triangles: formatNumber(mesh.triangles) })));
+    showFindings(this.notes_, notes(report, solid, this.outdated_));
+  }
+
+  /** @param {string} wanted @param {string} readBack */
+  showVerdict_(wanted, readBack) {
+    const right = readBack === wanted;
     this.verdict_.classList.toggle('bad', !right);
     if (readBack === '') {
-      this.verdict_.textContent = 'Could not be read back from its picture.';
+      this.verdict_.textContent = text('page.readsNot');
     } else if (!right) {
-      this.verdict_.textContent = `Reads as “${readBack}”, which is not the text that was asked for.`;
+      this.verdict_.textContent = text('page.readsWrong', { text: readBack });
     } else {
-      const link = /^https?:\/\/\S+$/.test(text) && text.length <= kUnlinkedLength;
-      const words = link ? make('a', { text }) : make('q', { text });
-      if (words instanceof HTMLAnchorElement) Object.assign(words, { href: text, target: '_blank', rel: 'noopener noreferrer' });
-      this.verdict_.replaceChildren('Reads as ', words);
+      const link = /^https?:\/\/\S+$/.test(wanted) && wanted.length <= kUnlinkedLength;
+      const words = link ? make('a', { text: wanted }) : make('q', { text: wanted });
+      if (words instanceof HTMLAnchorElement) Object.assign(words, { href: wanted, target: '_blank', rel: 'noopener noreferrer' });
+      this.verdict_.replaceChildren(text('page.readsAs'), words);
     }
   }
 }
@@ -75,19 +91,13 @@ export class ResultPanel {
 /** @param {string} term @param {string} value */
 const row = (term, value) => [make('dt', { text: term }), make('dd', { text: value })];
 
-/** @param {Report} report @param {boolean} solid */
-function notes({ depth, verification }, solid) {
+/** @param {Report} report @param {boolean} solid @param {boolean} outdated */
+function notes({ depth, verification }, solid, outdated) {
   const found = [];
-  if (!solid) {
-    found.push({ severity: 'warning', message: 'The result is not a clean solid', hint: 'A slicer may have to repair it' });
-  }
+  if (outdated) found.push({ severity: 'warning', message: text('page.outdated'), hint: '' });
+  if (!solid) found.push({ severity: 'warning', message: text('page.notSolid'), hint: text('page.notSolidHint') });
   if (depth.limitedSubmodules > 0) {
-    found.push({
-      severity: 'note',
-      message: `${depth.limitedSubmodules === 1 ? 'One submodule' : `${formatNumber(depth.limitedSubmodules)} submodules`} ` +
-        'could not be carved as deep as wanted',
-      hint: 'A larger code, a thicker wall or a smaller “Wall left” helps',
-    });
+    found.push({ severity: 'note', message: text('page.limited', { count: depth.limitedSubmodules }), hint: text('page.limitedHint') });
   }
   for (const { problem, hint } of verification.printability) {
     found.push({ severity: 'warning', message: withoutTicks(problem), hint: withoutTicks(hint) });

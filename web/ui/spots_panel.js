@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where a code could go: suggestions to choose from, and the sizes as colours on the model.
+import { onLanguage, text } from '../text/catalogue.js';
+import { write } from '../text/live.js';
 import { byId, make } from './dom.js';
+import { formatPlain } from './format.js';
 
 /** @typedef {import('../engine/types.js').Spots} Spots */
 
@@ -19,6 +22,8 @@ export class SpotsPanel {
     this.sizes_ = byId('show-sizes', HTMLButtonElement);
     this.legend_ = byId('legend', HTMLElement);
     this.onSpot_ = onSpot;
+    /** @type {Spots['spots']} */ this.spots_ = [];
+    onLanguage(() => this.nameSpots_());
     this.suggest_.addEventListener('click', onSuggest);
     this.sizes_.addEventListener('click', () => {
       const shown = this.sizes_.getAttribute('aria-pressed') !== 'true';
@@ -34,18 +39,24 @@ export class SpotsPanel {
 
   /** @param {Spots} found */
   show({ spots, topMm }) {
-    this.list_.replaceChildren(...spots.map(({ sizeMm }, index) => {
-      const button = make('button', { text: `Spot ${index + 1}` },
-        make('span', { text: `up to ${wholeMm(sizeMm)} mm` }));
+    this.spots_ = spots;
+    this.list_.replaceChildren(...spots.map((_, index) => {
+      const button = make('button');
       button.type = 'button';
       button.setAttribute('aria-pressed', 'false');
       button.addEventListener('click', () => this.onSpot_(index));
       return make('li', {}, button);
     }));
-    byId('legend-top', HTMLElement).textContent = `${topMm} mm`;
+    this.nameSpots_();
+    write(byId('legend-top', HTMLElement), () => `${formatPlain(topMm)} mm`);
     this.sizes_.disabled = false;
     this.setSizesShown(true);
     this.list_.scrollIntoView({ block: 'nearest' });
+  }
+
+  nameSpots_() {
+    [...this.list_.querySelectorAll('button')].forEach((button, index) => button.replaceChildren(text('page.spot', { index: index + 1 }),
+      make('span', { text: text('page.upTo', { size: `${formatPlain(wholeMm(this.spots_[index].sizeMm))} mm` }) })));
   }
 
   clear() {

@@ -2,8 +2,6 @@
 // Engrave, Cancel and how far the work has come.
 import { byId } from './dom.js';
 
-/** @typedef {import('../engine/types.js').EngraveProgress} EngraveProgress */
-
 export class WorkPanel {
   /** @param {{ onEngrave: () => void, onCancel: () => void }} listener */
   constructor({ onEngrave, onCancel }) {
@@ -36,8 +34,8 @@ export class WorkPanel {
     if (this.focusReturns_) this.cancel_.focus();
   }
 
-  /** @param {EngraveProgress} progress */
-  update({ stage, fraction }) {
+  /** @param {number} fraction @param {string} stage */
+  update(fraction, stage) {
     this.progress_.value = fraction;
     this.progress_.setAttribute('aria-label', stage);
   }

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { expect, test } from '@playwright/test';
+import { Engraver } from './support/engraver.js';
+
+/** Mean of the view's lower left corner, 0 … 255. @param {import('@playwright/test').Page} page */
+async function cornerBrightness(page) {
+  const picture = await page.screenshot({ clip: { x: 4, y: 700, width: 40, height: 40 } });
+  return page.evaluate(async (base64) => {
+    const image = new Image();
+    image.src = `data:image/png;base64,${base64}`;
+    await image.decode();
+    const context = /** @type {CanvasRenderingContext2D} */ (document.createElement('canvas').getContext('2d'));
+    context.drawImage(image, 0, 0);
+    const { data } = context.getImageData(0, 0, 40, 40);
+    return data.reduce((sum, value, i) => (i % 4 === 3 ? sum : sum + value), 0) / (40 * 40 * 3);
+  }, picture.toString('base64'));
+}
+
+test('Another language takes effect at once, with its numbers, and is kept', async ({ page }) => {
+  const app = new Engraver(page);
+  await app.open('?sample=saddle');
+  await app.expectReady();
+  await page.getByRole('combobox', { name: 'Language' }).selectOption('Deutsch');
+  await expect(page.locator('html')).toHaveAttribute('lang', 'de');
+  await expect(page.getByRole('button', { name: 'Gravieren' })).toBeEnabled();
+  await expect(app.facts).toHaveText('Sattel, 90,0 × 90,0 × 40,0 mm');
+  await expect(app.placement).toHaveText(/^\d+,\d mm breit, bis \d+,\d mm passt$/);
+  await expect(app.status).toHaveText('Bereit.');
+  await expect(page.getByRole('combobox', { name: 'Beispielmodell' })).toHaveValue('saddle');
+  await expect(page).toHaveTitle(/einen QR-Code/);
+
+  await page.getByRole('button', { name: 'Gravieren' }).click();
+  await expect(page.getByRole('region', { name: 'Ergebnis' })).toContainText(/Tiefe\s*\d+,\d\d mm im Mittel/);
+  await page.getByRole('combobox', { name: 'Sprache' }).selectOption('English');
+  await expect(app.result).toContainText(/Depth\s*\d+\.\d\d mm on average/);
+
+  await page.getByRole('combobox', { name: 'Language' }).selectOption('Deutsch');
+  await page.reload();
+  await expect(page.getByRole('button', { name: 'Gravieren' })).toBeVisible();
+});
+
+test('The address may ask for a language, and blocked storage does no harm', async ({ page }) => {
+  /** @type {string[]} */ const complaints = [];
+  page.on('pageerror', (error) => complaints.push(error.message));
+  await page.addInitScript(() => {
+    Object.defineProperty(window, 'localStorage', { get: () => { throw new DOMException('denied', 'SecurityError'); } });
+  });
+  await page.goto('./?lang=de');
+  await expect(page.getByRole('status')).toHaveText('Bereit.');
+  await page.getByRole('combobox', { name: 'Sprache' }).selectOption('English');
+  await expect(page.getByRole('button', { name: 'Engrave' })).toBeVisible();
+  await page.getByRole('combobox', { name: 'Appearance' }).selectOption('Dark');
+  expect(complaints).toEqual([]);
+});
+
+test('A chosen appearance overrides the device’s, in the 3D view too, and is kept', async ({ page }) => {
+  await page.emulateMedia({ colorScheme: 'light' });
+  const app = new Engraver(page);
+  await app.open('?sample=saddle');
+  await app.expectReady();
+  const ground = () => page.locator('#panel').evaluate((panel) => getComputedStyle(panel).backgroundColor);
+  expect(await ground()).toBe('rgb(255, 255, 255)');
+  expect(await cornerBrightness(page)).toBeGreaterThan(180);
+  await page.getByRole('combobox', { name: 'Appearance' }).selectOption('Dark');
+  await expect.poll(ground).toBe('rgb(30, 33, 37)');
+  await expect.poll(() => cornerBrightness(page)).toBeLessThan(80);
+
+  await page.reload();
+  await expect(page.getByRole('combobox', { name: 'Appearance' })).toHaveValue('dark');
+  expect(await ground()).toBe('rgb(30, 33, 37)');
+});

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Long work, one at a time, with its progress and a way to stop it.
+import { text } from '../text/catalogue.js';
+import { stageText } from '../text/stages.js';
+
+/** @typedef {import('../text/live.js').Words} Words */
+
+/**
+ * @typedef {object} JobsOptions
+ * @property {import('../ui/work_panel.js').WorkPanel} panel
+ * @property {import('../ui/messages.js').Messages} messages
+ * @property {(busy: boolean) => void} onBusy
+ */
+
+export class Jobs {
+  /** @param {JobsOptions} options */
+  constructor({ panel, messages, onBusy }) {
+    this.panel_ = panel;
+    this.messages_ = messages;
+    this.onBusy_ = onBusy;
+    /** @type {AbortController | undefined} */ this.abort_ = undefined;
+    /** @type {Promise<unknown> | undefined} */ this.running_ = undefined;
+  }
+
+  get busy() {
+    return this.abort_ !== undefined;
+  }
+
+  /**
+   * @template T
+   * @param {Words} stage  the first
+   * @param {(signal: AbortSignal) => Promise<T>} run
+   * @returns {Promise<T>}
+   */
+  async run(stage, run) {
+    await this.untilIdle();
+    const abort = new AbortController();
+    this.abort_ = abort;
+    this.panel_.begin(stage());
+    this.onBusy_(true);
+    this.messages_.say(() => text('page.working', { stage: stage() }));
+    const running = run(abort.signal);
+    this.running_ = running;
+    try {
+      return await running;
+    } finally {
+      this.running_ = undefined;
+      this.abort_ = undefined;
+      this.panel_.end();
+      this.onBusy_(false);
+    }
+  }
+
+  /** @param {import('../engine/types.js').EngraveProgress} progress */
+  showProgress({ stage, fraction }) {
+    this.panel_.update(fraction, stageText(stage));
+    this.messages_.say(() => text('page.working', { stage: stageText(stage) }));
+  }
+
+  /** For the user, who is told. */
+  cancel() {
+    this.messages_.say(() => text('page.stopping'));
+    this.abort();
+  }
+
+  abort() {
+    this.abort_?.abort();
+  }
+
+  async untilIdle() {
+    while (this.running_) await this.running_.catch(() => {});  // whoever began it hears of its failure
+  }
+}

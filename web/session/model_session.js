@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The model: where it came from, so that it can be opened again, and what the module says of it.
+import { text } from '../text/catalogue.js';
+import { fetchBytes } from './fetch_file.js';
+
+/** @typedef {import('../engine/types.js').ModelInfo} ModelInfo */
+/** @typedef {import('../engine/types.js').UpAxis} UpAxis */
+/** @typedef {import('../ui/model_panel.js').Sample} Sample */
+/** @typedef {[number, number, number]} Point */
+/** @typedef {{ bytes: Uint8Array, fileName: string, scaleToMm: number, upAxis: UpAxis, sampleId?: string, credit: string,
+ *   centreMm?: Point, unitStated?: boolean }} Source
+ * `scaleToMm` of 0 leaves the unit to the file, and the true one is put in its place; `unitStated`: that was done */
+
+const kMaxFileBytes = 512 * 1024 * 1024;  // beyond it a tab runs out of memory before it can say so
+
+/**
+ * @typedef {object} ModelOptions
+ * @property {import('../engine/client.js').EngineClient} client
+ * @property {import('./jobs.js').Jobs} jobs
+ * @property {import('../ui/messages.js').Messages} messages
+ * @property {import('../ui/model_panel.js').ModelPanel} panel
+ * @property {() => void} onReplacing          another model is about to be read
+ * @property {() => Promise<void>} onLoaded    a model is there, with `source` and `info`
+ * @property {() => void} onFailed             the model before it stays
+ */
+
+export class ModelSession {
+  /** @param {ModelOptions} options */
+  constructor({ client, jobs, messages, panel, onReplacing, onLoaded, onFailed }) {
+    this.client_ = client;
+    this.jobs_ = jobs;
+    this.messages_ = messages;
+    this.panel_ = panel;
+    this.onReplacing_ = onReplacing;
+    this.onLoaded_ = onLoaded;
+    this.onFailed_ = onFailed;
+    /** @type {Sample[]} */ this.samples_ = [];
+    /** @type {Source | undefined} */ this.source = undefined;
+    /** @type {ModelInfo | undefined} */ this.info = undefined;
+  }
+
+  get engravable() {
+    return this.info?.engravable ?? false;
+  }
+
+  /** The file's name without its extension. */
+  get baseName() {
+    return (this.source?.fileName ?? 'model').replace(/\.[^.]*$/, '');
+  }
+
+  /** @param {Sample[]} samples  at least one */
+  setSamples(samples) {
+    this.samples_ = samples;
+    this.panel_.setSamples(samples);
+  }
+
+  /** @param {string} [id]  none: the first */
+  async openSample(id = this.samples_[0].id) {
+    const sample = this.samples_.find((known) => known.id === id);
+    if (!sample) {
+      const names = this.samples_.map((known) => known.id).join(', ');
+      this.messages_.showError({ message: () => text('page.noSample', { id }), hint: () => text('page.samplesAre', { names }) });
+      return;
+    }
+    const bytes = await fetchBytes(`samples/${sample.file}`);
+    await this.load({ bytes, fileName: sample.file, scaleToMm: 1, upAxis: 'z', sampleId: id, credit: sample.credit, centreMm: sample.centreMm });
+  }
+
+  /** @param {File} file */
+  async openFile(file) {
+    if (file.size > kMaxFileBytes) {
+      const values = { file: file.name, size: Math.round(file.size / 2 ** 20), limit: kMaxFileBytes / 2 ** 20 };
+      this.messages_.showError({ message: () => text('page.tooLarge', values), hint: () => text('page.tooLargeHint') });
+      return;
+    }
+    const bytes = new Uint8Array(await file.arrayBuffer());
+    const { upAxis } = this.panel_;  // the last ones chosen: parts of one origin share them
+    const scaleToMm = /\.3mf$/i.test(file.name) ? 0 : this.source?.unitStated ? 1 : this.panel_.scaleToMm;
+    await this.load({ bytes, fileName: file.name, scaleToMm, upAxis, credit: '' });
+  }
+
+  /** @param {number} scaleToMm */
+  async rescale(scaleToMm) {
+    if (!this.source) return;
+    const { scaleToMm: before, centreMm } = this.source;
+    const moved = centreMm && /** @type {Point} */ (centreMm.map((v) => (v * scaleToMm) / before));
+    await this.load({ ...this.source, scaleToMm, centreMm: moved });
+  }
+
+  /** @param {UpAxis} upAxis */
+  async turnUp(upAxis) {
+    if (!this.source) return;
+    this.source = { ...this.source, upAxis };
+    await this.client_.setUpAxis(upAxis);
+  }
+
+  /** The centre that was chosen on it, for when it is opened again. @param {Point} centreMm */
+  rememberCentre(centreMm) {
+    if (this.source) this.source = { ...this.source, centreMm };
+  }
+
+  /** @param {Source} source  becomes the current one if it can be read */
+  async load(source) {
+    this.onReplacing_();
+    await this.jobs_.untilIdle();
+    this.messages_.clearError();
+    const axisBefore = this.source?.upAxis ?? 'z';
+    try {
+      if (source.upAxis !== axisBefore) await this.client_.setUpAxis(source.upAxis);
+      this.info = await this.read_(source);
+      this.source = { ...source, scaleToMm: this.info.scaleToMm, unitStated: source.scaleToMm === 0 };
+    } catch (thrown) {
+      if (source.upAxis !== axisBefore) await this.client_.setUpAxis(axisBefore);
+      this.show_();
+      this.onFailed_();
+      throw thrown;
+    }
+    this.show_();
+    await this.onLoaded_();
+  }
+
+  /** Gives a new module the model of the last. */
+  async reload() {
+    if (!this.source) return;
+    await this.client_.setUpAxis(this.source.upAxis);
+    this.info = await this.read_(this.source);
+  }
+
+  /** @param {Source} source */
+  read_({ bytes, fileName, scaleToMm }) {
+    return this.jobs_.run(() => text('page.reading', { file: fileName }), (signal) =>
+      this.client_.loadModel(bytes, fileName, scaleToMm, { signal }));
+  }
+
+  /** The file's name, numbers and findings; after a failure those of the model that stays. */
+  show_() {
+    if (this.source && this.info) this.panel_.show(this.info, this.source);
+  }
+}

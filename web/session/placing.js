@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where the code is: its centre, chosen or proposed, and the direction and size that were found there.
+import { isReplaced } from '../engine/client.js';
+import { describeThrown, isFatal } from '../engine/engine_error.js';
+import { text } from '../text/catalogue.js';
+import { SettingProblem } from '../ui/settings_form.js';
+
+/** @typedef {import('../engine/types.js').Placement} Placement */
+/** @typedef {import('../engine/types.js').Settings} Settings */
+/** @typedef {[number, number, number]} Point */
+
+/**
+ * @typedef {object} PlacingOptions
+ * @property {import('../engine/client.js').EngineClient} client
+ * @property {import('./model_session.js').ModelSession} model
+ * @property {import('../ui/messages.js').Messages} messages
+ * @property {import('../ui/place_panel.js').PlacePanel} panel
+ * @property {() => Settings} settings                  throws a SettingProblem
+ * @property {() => boolean} mayMove                    nothing is at work that needs the centre
+ * @property {() => void} onMoved                       another centre was chosen
+ * @property {(placement: Placement | undefined) => void} onPlaced
+ */
+
+export class Placing {
+  /** @param {PlacingOptions} options */
+  constructor({ client, model, messages, panel, settings, mayMove, onMoved, onPlaced }) {
+    this.client_ = client;
+    this.model_ = model;
+    this.messages_ = messages;
+    this.panel_ = panel;
+    this.settings_ = settings;
+    this.mayMove_ = mayMove;
+    this.onMoved_ = onMoved;
+    this.onPlaced_ = onPlaced;
+    /** @type {Point | undefined} */ this.centreMm = undefined;
+    /** @type {Placement | undefined} */ this.placement = undefined;
+    this.centreIsGuess = false;  // the module's, not the user's: no error if the code has no place there
+    /** @type {Promise<void> | undefined} */ this.running_ = undefined;
+    this.again_ = false;
+  }
+
+  /** Begins with a model that was just loaded: its own centre, or the one that the module proposes. @param {Point} [centreMm] */
+  async begin(centreMm) {
+    const { info } = this.model_;
+    if (!info) return;
+    this.centreMm = centreMm;
+    this.show_(undefined);
+    if (!info.engravable) {
+      this.refuse_(info);
+    } else if (centreMm) {
+      await this.move(() => this.client_.setCentre(centreMm));
+    } else if (info.centre) {
+      this.centreMm = info.centre;
+      this.centreIsGuess = true;
+      this.panel_.showCentre(info.centre);
+      await this.place();
+    } else {
+      this.messages_.say(() => text('page.askForCentre'));
+    }
+  }
+
+  /** @param {() => Promise<import('../engine/types.js').PickResult>} pick */
+  async move(pick) {
+    if (!this.mayMove_() || !this.model_.engravable) return;
+    const { hit, centre } = await pick();
+    if (!hit || !centre) return;
+    this.messages_.clearError();
+    this.centreMm = centre;
+    this.centreIsGuess = false;
+    this.model_.rememberCentre(centre);
+    this.panel_.showCentre(centre);
+    this.onMoved_();
+    await this.place();
+  }
+
+  /** Places the code anew; asked again while it runs, it runs once more, with the newest settings. */
+  place() {
+    this.again_ = true;
+    this.running_ ??= this.placeUntilNewest_().finally(() => {
+      this.running_ = undefined;
+    });
+    return this.running_;
+  }
+
+  async placeUntilNewest_() {
+    while (this.again_) {
+      this.again_ = false;
+      if (!this.model_.engravable) return;
+      try {
+        await this.client_.configure(this.settings_());
+        if (this.centreMm === undefined) {
+          this.messages_.say(() => text('page.askForCentre'));
+          return;
+        }
+        this.messages_.say(() => text('page.placing'));
+        this.show_(await this.client_.placement());
+        this.messages_.say(() => text('page.ready'));
+      } catch (thrown) {
+        if (isReplaced(thrown) || isFatal(thrown)) throw thrown;
+        this.show_(undefined);
+        const guess = this.centreIsGuess;
+        this.messages_.say(() => text(guess ? 'page.askForCentre' : 'page.noPlace'));
+        if (!this.again_ && !guess) {
+          this.messages_.showError(thrown instanceof SettingProblem ? { message: thrown.words, hint: '' } : describeThrown(thrown));
+        }
+      }
+    }
+  }
+
+  /** @param {Placement | undefined} placement */
+  show_(placement) {
+    this.placement = placement;
+    this.panel_.showPlacement(placement);
+    this.onPlaced_(placement);
+  }
+
+  /** @param {import('../engine/types.js').ModelInfo} info */
+  refuse_({ findings }) {
+    const blocking = findings.filter(({ severity }) => severity === 'blocking');
+    this.messages_.showError({
+      message: blocking.map(({ message }) => message).join('; ') || (() => text('page.notEngravable')),
+      hint: blocking.map(({ hint }) => hint).find((hint) => hint !== '') ?? '',
+    });
+    this.messages_.say(() => text('page.notEngravable'));
+  }
+}

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Whatever goes wrong ends as words on the page; a module that is beyond use is replaced.
+import { isReplaced } from '../engine/client.js';
+import { describeThrown, isFatal } from '../engine/engine_error.js';
+import { text } from '../text/catalogue.js';
+
+/** @typedef {import('../engine/types.js').HostEvent} HostEvent */
+
+const kMaxReplacements = 3;  // by faults, before the page gives up
+
+export class Recovery {
+  /**
+   * @param {import('../ui/messages.js').Messages} messages
+   * @param {() => Promise<void>} replace  the module by a new one
+   */
+  constructor(messages, replace) {
+    this.messages_ = messages;
+    this.replace_ = replace;
+    this.replacements_ = 0;
+    this.recovering_ = false;
+  }
+
+  /**
+   * Runs what a control asked for.
+   * @param {() => Promise<unknown>} action
+   */
+  async guard(action) {
+    try {
+      await action();
+    } catch (thrown) {
+      if (isReplaced(thrown)) return;
+      const error = describeThrown(thrown);
+      this.messages_.showError(error);
+      this.messages_.say(() => text('page.failed'));
+      if (isFatal(thrown)) await this.recoverFrom({ event: 'failure', error });
+    }
+  }
+
+  /** @param {HostEvent} event */
+  async recoverFrom(event) {
+    if (this.recovering_) return;  // one fault is told by every verb that was waiting
+    this.recovering_ = true;
+    try {
+      await this.replaceAfter_(event);
+    } finally {
+      this.recovering_ = false;
+    }
+  }
+
+  /** @param {HostEvent} event */
+  async replaceAfter_(event) {
+    this.replacements_ += 1;
+    if (event.event === 'failure') this.messages_.showError(event.error);
+    if (this.replacements_ > kMaxReplacements) {
+      this.messages_.say(() => text('page.stopped'));
+      this.messages_.showError({ message: () => text('page.failsAgain'), hint: () => text('page.failsAgainHint') });
+      return;
+    }
+    this.messages_.say(() => text(event.event === 'contextlost' ? 'page.contextLost' : 'page.restarting'));
+    await this.replace_();
+  }
+}

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Looks for the best spots, and lets one be chosen.
+import { text } from '../text/catalogue.js';
+
+/**
+ * @typedef {object} SpotFindingOptions
+ * @property {import('../engine/client.js').EngineClient} client
+ * @property {import('./jobs.js').Jobs} jobs
+ * @property {import('./model_session.js').ModelSession} model
+ * @property {import('./placing.js').Placing} placing
+ * @property {import('../ui/messages.js').Messages} messages
+ * @property {import('../ui/spots_panel.js').SpotsPanel} panel
+ * @property {() => import('../engine/types.js').Settings} settings
+ * @property {() => void} onShown  the sizes are on the model now
+ */
+
+export class SpotFinding {
+  /** @param {SpotFindingOptions} options */
+  constructor({ client, jobs, model, placing, messages, panel, settings, onShown }) {
+    this.client_ = client;
+    this.jobs_ = jobs;
+    this.model_ = model;
+    this.placing_ = placing;
+    this.messages_ = messages;
+    this.panel_ = panel;
+    this.settings_ = settings;
+    this.onShown_ = onShown;
+    this.searching_ = false;
+  }
+
+  async suggest() {
+    if (this.jobs_.busy || !this.model_.engravable) return;
+    this.messages_.clearError();
+    this.panel_.clear();
+    await this.client_.configure(this.settings_());
+    this.searching_ = true;
+    try {
+      const found = await this.jobs_.run(() => text('page.lookingForSpots'), (signal) =>
+        this.client_.findSpots({ signal, onProgress: (progress) => this.jobs_.showProgress(progress) }));
+      this.onShown_();
+      if (found) this.panel_.show(found);
+      this.messages_.say(() => text(found ? 'page.chooseSpot' : 'page.searchCancelled'));
+    } finally {
+      this.searching_ = false;
+    }
+  }
+
+  /** @param {number} index */
+  async choose(index) {
+    await this.placing_.move(() => this.client_.chooseSpot(index));
+    this.panel_.mark(index);
+    if (this.placing_.placement) await this.client_.act({ kind: 'face' });
+  }
+
+  /** What was found holds for other settings. */
+  async forget() {
+    if (this.searching_) this.jobs_.abort();
+    if (!this.panel_.known) return;
+    this.panel_.clear();
+    await this.client_.showSizes(false);
+  }
+}

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Names of the sample models, by their ids.
+
+export const samples = {
+  en: {
+    bunny: 'Stanford bunny',
+    'bumpy-sphere': 'Bumpy sphere',
+    vase: 'Vase',
+    star: 'Star',
+    pyramid: 'Pyramid',
+    saddle: 'Saddle',
+  },
+  de: {
+    bunny: 'Stanford-Hase',
+    'bumpy-sphere': 'Wellige Kugel',
+    vase: 'Vase',
+    star: 'Stern',
+    pyramid: 'Pyramide',
+    saddle: 'Sattel',
+  },
+};

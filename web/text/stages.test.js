@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { test } from 'node:test';
+import { setLanguage } from './catalogue.js';
+import { stageText } from './stages.js';
+
+/** The names of stages in a source: `Progress{"…"` and `name = "…"` in an advance(). @param {string} path */
+function stagesIn(path) {
+  const source = readFileSync(new URL(`../../${path}`, import.meta.url), 'utf8');
+  const advance = source.slice(source.indexOf('Job::advance()'));
+  return [...advance.matchAll(/(?:Progress\{|name = )"([^"]+)"/g)].map(([, name]) => name);
+}
+
+// The jobs that the module runs for the page.
+for (const path of ['core/pipeline/engrave.cpp', 'core/pipeline/place.cpp']) {
+  test(`every stage of ${path} has German words`, () => {
+    const stages = stagesIn(path);
+    assert.ok(stages.length >= 3, `found only ${stages.length} stages: the source is written differently now`);
+    setLanguage('de');
+    const missing = stages.filter((stage) => stageText(stage) === stage);
+    setLanguage('en');
+    assert.deepEqual(missing, []);
+  });
+}

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where the code is: its width there, and the exact centre.
+import { text } from '../text/catalogue.js';
+import { byId } from './dom.js';
+import { formatMm } from './format.js';
+import { showStep } from './steps.js';
+
+/** @typedef {import('../engine/types.js').Placement} Placement */
+/** @typedef {[number, number, number]} Point */
+
+export class PlacePanel {
+  /** @param {(centreMm: Point) => void} onCentre */
+  constructor(onCentre) {
+    this.centre_ = ['centre-x', 'centre-y', 'centre-z'].map((id) => byId(id, HTMLInputElement));
+    byId('place-here', HTMLButtonElement).addEventListener('click', () => {
+      const centre = this.centre_.map((input) => input.valueAsNumber);
+      if (centre.every(Number.isFinite)) onCentre(/** @type {Point} */ (centre));
+    });
+    this.showPlacement(undefined);
+  }
+
+  /** @param {Point} centreMm */
+  showCentre(centreMm) {
+    this.centre_.forEach((input, axis) => {
+      input.value = centreMm[axis].toFixed(2);
+    });
+  }
+
+  /** @param {Placement | undefined} placement */
+  showPlacement(placement) {
+    if (!placement) return showStep('place', 'todo', () => '');
+    const { symbolMm, guaranteedMm } = placement;
+    return showStep('place', 'done', () => text('page.placeState', { width: formatMm(symbolMm), guaranteed: formatMm(guaranteedMm) }));
+  }
+}

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Language and appearance: chosen on the page, kept for the next visit, in effect at once.
+import { recall, remember } from '../take/remembered.js';
+import { currentLanguage, localise, onLanguage, setLanguage } from '../text/catalogue.js';
+import { byId } from './dom.js';
+
+/** @typedef {import('../text/catalogue.js').Language} Language */
+
+const kThemes = ['auto', 'light', 'dark'];
+const kThemeName = 'theme';
+const kGround = { light: '#f4f4f1', dark: '#17191c' };  // --ground of styles.css, for the browser's own frame
+
+/** Writes every text of the page and offers the languages. */
+export function offerLanguages() {
+  const select = byId('language', HTMLSelectElement);
+  const follow = () => {
+    document.documentElement.lang = currentLanguage();
+    select.value = currentLanguage();
+    localise(document);
+  };
+  onLanguage(follow);
+  follow();
+  select.addEventListener('change', () => setLanguage(/** @type {Language} */ (select.value)));
+}
+
+export class Theme {
+  /** @param {(dark: boolean) => void} onChange  now dark, or now light */
+  constructor(onChange) {
+    this.system_ = matchMedia('(prefers-color-scheme: dark)');
+    this.select_ = byId('theme', HTMLSelectElement);
+    const stored = recall(kThemeName) ?? '';
+    this.select_.value = kThemes.includes(stored) ? stored : 'auto';
+    this.apply_();
+    this.select_.addEventListener('change', () => {
+      remember(kThemeName, this.select_.value);
+      this.apply_();
+      onChange(this.dark);
+    });
+    this.system_.addEventListener('change', () => {
+      if (this.select_.value === 'auto') onChange(this.dark);
+    });
+  }
+
+  get dark() {
+    return this.select_.value === 'auto' ? this.system_.matches : this.select_.value === 'dark';
+  }
+
+  apply_() {
+    const chosen = this.select_.value;
+    document.documentElement.dataset.theme = chosen;
+    for (const meta of document.querySelectorAll('meta[name="theme-color"]')) {
+      const own = meta.getAttribute('media')?.includes('dark') ? 'dark' : 'light';
+      meta.setAttribute('content', kGround[chosen === 'auto' ? own : /** @type {'light' | 'dark'} */ (chosen)]);
+    }
+  }
+}
