@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { expect, test } from '@playwright/test';
+import { wavySphereStl } from './support/big_model.js';
 import { Engraver } from './support/engraver.js';
 
 /** @typedef {import('@playwright/test').Page} Page */
@@ -65,4 +66,16 @@ test('Cancel stops the search for spots within 250 ms', async ({ page }) => {
   expect(await time).toBeLessThan(250);
   await app.suggest();
   await expect(app.spots).not.toHaveCount(0);
+});
+
+test('Cancel stops the reading of a file within 250 ms, and the model before it stays', async ({ page }) => {
+  const app = new Engraver(page);
+  await app.open('?sample=saddle');
+  await app.expectReady();
+  const time = cancelAt(page, 'Reading big.stl');
+  await app.file.setInputFiles({ name: 'big.stl', mimeType: 'model/stl', buffer: wavySphereStl(200) });
+  expect(await time).toBeLessThan(250);
+  await app.expectReady();
+  await expect(app.facts).toContainText('90.0 × 90.0 × 40.0 mm');
+  await app.engrave();
 });

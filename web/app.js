@@ -2,6 +2,10 @@
 // Ties the panels, the view, the parts of the session and the engine together.
 import { EngineClient } from './engine/client.js';
 import { EngineFailure, describeThrown } from './engine/engine_error.js';
+import { holdsSecret } from './code/secrets.js';
+import { Continuing } from './keep/continuing.js';
+import { Database } from './keep/database.js';
+import { LastWork } from './keep/last_work.js';
 import { Carving } from './session/carving.js';
 import { fetchJson } from './session/fetch_file.js';
 import { Jobs } from './session/jobs.js';
@@ -25,7 +29,8 @@ import { WorkPanel } from './ui/work_panel.js';
 import { View } from './view/view.js';
 
 export class App {
-  constructor() {
+  /** @param {import('./keep/notices.js').Notices} notices */
+  constructor(notices) {
     offerLanguages();
     this.messages_ = new Messages();
     this.messages_.say(() => text('page.starting'));
@@ -48,6 +53,7 @@ export class App {
     this.spotsPanel_ = this.makeSpotsPanel_();
     this.spots_ = this.makeSpotFinding_();
     this.carving_ = this.makeCarving_();
+    this.kept_ = this.makeContinuing_(notices);
     /** @type {Promise<boolean>} */ this.started_ = Promise.resolve(false);
     this.fileChosen_ = false;
   }
@@ -127,6 +133,31 @@ export class App {
     });
   }
 
+  /** @param {import('./keep/notices.js').Notices} notices */
+  makeContinuing_(notices) {
+    return new Continuing({
+      last: new LastWork(new Database(), holdsSecret), notices,
+      current: () => this.currentWork_(),
+      onContinue: (work) => this.guard_(() => this.continueWith_(work)),
+    });
+  }
+
+  /** @returns {import('./keep/last_work.js').Work | undefined} */
+  currentWork_() {
+    const { source } = this.model_;
+    if (!source) return undefined;
+    const { bytes, sampleId, fileName, scaleToMm, upAxis, centreMm } = source;
+    return { ...(sampleId ? { sampleId } : { bytes }), fileName, scaleToMm, upAxis, centreMm, text: this.code_.text, values: this.form_.values };
+  }
+
+  /** @param {import('./keep/last_work.js').Work} work */
+  async continueWith_({ text: content, values, sampleId, bytes, ...place }) {
+    this.form_.values = values;
+    this.code_.text = content ?? this.code_.text;
+    if (sampleId) await this.model_.openSample(sampleId, place);
+    else if (bytes) await this.model_.load({ ...place, bytes, credit: '' });
+  }
+
   settings_() {
     return this.form_.settings(this.code_.text);
   }
@@ -138,6 +169,7 @@ export class App {
     if (!(await started) || this.fileChosen_) return;  // who was quicker than the module has chosen a model already
     await this.guard_(async () => {
       await this.model_.openSample(address.get('sample') ?? undefined);
+      await this.kept_.begin(address.size === 0);  // who asked for something in the address gets that
       if (address.get('engrave') === '1') await this.carving_.engrave();
     });
   }
@@ -181,10 +213,12 @@ export class App {
     await this.carving_.drop();
     this.allowWork_(true);
     this.spotsPanel_.clear();
+    this.kept_.note();
     await this.placing_.begin(this.model_.source?.centreMm);
   }
 
   async changeSettings_() {
+    this.kept_.note();
     this.messages_.clearError();
     await this.spots_.forget();
     this.carving_.markOutdated();
@@ -193,6 +227,7 @@ export class App {
 
   /** The centre was moved: what was carved is elsewhere. */
   async leaveCarved_() {
+    this.kept_.note();
     this.carving_.markOutdated();
     this.spotsPanel_.mark();
     await this.carving_.show(false);

@@ -6,7 +6,7 @@ import { text } from './text/catalogue.js';
 import { byId } from './ui/dom.js';
 
 const notices = new Notices(byId('stage', HTMLElement));
-await new App().start(new URLSearchParams(location.search));
+await new App(notices).start(new URLSearchParams(location.search));
 if (import.meta.env.PROD) {
   await keepOffline((reload) => notices.show('version', text('keep.newVersion'), [
     { label: text('keep.reload'), run: reload, primary: true },

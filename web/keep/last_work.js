@@ -9,13 +9,12 @@
 /**
  * @typedef {object} Work
  * @property {string} fileName
- * @property {string} [sampleId]     of a sample; its file comes with the page
- * @property {Uint8Array} [bytes]    of a file of the user's
+ * @property {string} [sampleId]   of a sample; its file comes with the page
+ * @property {Uint8Array} [bytes]  of a file of the user's
  * @property {number} scaleToMm
  * @property {UpAxis} upAxis
- * @property {boolean} [unitStated]  by the file
- * @property {string} [text]         left out where it holds a password
- * @property {Values} values         of the settings
+ * @property {string} [text]       left out where it holds a password
+ * @property {Values} values       of the settings
  * @property {Point} [centreMm]
  */
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Long work, one at a time, with its progress and a way to stop it.
+import { isReplaced } from '../engine/client.js';
 import { text } from '../text/catalogue.js';
 import { stageText } from '../text/stages.js';
 
@@ -43,6 +44,9 @@ export class Jobs {
     this.running_ = running;
     try {
       return await running;
+    } catch (thrown) {
+      if (isReplaced(thrown) && abort.signal.aborted) this.messages_.say(() => text('page.cancelled'));
+      throw thrown;
     } finally {
       this.running_ = undefined;
       this.abort_ = undefined;

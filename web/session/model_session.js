@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The model: where it came from, so that it can be opened again, and what the module says of it.
+import { isReplaced } from '../engine/client.js';
 import { text } from '../text/catalogue.js';
 import { fetchBytes } from './fetch_file.js';
 
@@ -54,8 +55,11 @@ export class ModelSession {
     this.panel_.setSamples(samples);
   }
 
-  /** @param {string} [id]  none: the first */
-  async openSample(id = this.samples_[0].id) {
+  /**
+   * @param {string} [id]  none: the first
+   * @param {Partial<Source>} [place]  instead of the sample's own
+   */
+  async openSample(id = this.samples_[0].id, place = {}) {
     const sample = this.samples_.find((known) => known.id === id);
     if (!sample) {
       const names = this.samples_.map((known) => known.id).join(', ');
@@ -63,7 +67,7 @@ export class ModelSession {
       return;
     }
     const bytes = await fetchBytes(`samples/${sample.file}`);
-    await this.load({ bytes, fileName: sample.file, scaleToMm: 1, upAxis: 'z', sampleId: id, credit: sample.credit, centreMm: sample.centreMm });
+    await this.load({ bytes, fileName: sample.file, scaleToMm: 1, upAxis: 'z', sampleId: id, credit: sample.credit, centreMm: sample.centreMm, ...place });
   }
 
   /** @param {File} file */
@@ -110,9 +114,9 @@ export class ModelSession {
       this.info = await this.read_(source);
       this.source = { ...source, scaleToMm: this.info.scaleToMm, unitStated: source.scaleToMm === 0 };
     } catch (thrown) {
-      if (source.upAxis !== axisBefore) await this.client_.setUpAxis(axisBefore);
       this.show_();
       this.onFailed_();
+      if (source.upAxis !== axisBefore && !isReplaced(thrown)) await this.client_.setUpAxis(axisBefore);
       throw thrown;
     }
     this.show_();

@@ -6,7 +6,8 @@ import { text } from '../text/catalogue.js';
 
 /** @typedef {import('../engine/types.js').HostEvent} HostEvent */
 
-const kMaxReplacements = 3;  // by faults, before the page gives up
+const kMaxReplacements = 3;  // by faults within kFaultSpanMs, before the page gives up
+const kFaultSpanMs = 10 * 60 * 1000;
 
 export class Recovery {
   /**
@@ -16,7 +17,7 @@ export class Recovery {
   constructor(messages, replace) {
     this.messages_ = messages;
     this.replace_ = replace;
-    this.replacements_ = 0;
+    /** @type {number[]} */ this.faults_ = [];  // when they happened
     this.recovering_ = false;
   }
 
@@ -49,9 +50,10 @@ export class Recovery {
 
   /** @param {HostEvent} event */
   async replaceAfter_(event) {
-    this.replacements_ += 1;
+    const now = Date.now();
+    this.faults_ = [...this.faults_.filter((at) => now - at < kFaultSpanMs), now];
     if (event.event === 'failure') this.messages_.showError(event.error);
-    if (this.replacements_ > kMaxReplacements) {
+    if (this.faults_.length > kMaxReplacements) {
       this.messages_.say(() => text('page.stopped'));
       this.messages_.showError({ message: () => text('page.failsAgain'), hint: () => text('page.failsAgainHint') });
       return;

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Offers the last visit's work, and keeps this one's.
+import { text } from '../text/catalogue.js';
+
+/** @typedef {import('./last_work.js').Work} Work */
+
+const kNotice = 'continue';
+
+export class Continuing {
+  /**
+   * @param {object} options
+   * @param {import('./last_work.js').LastWork} options.last
+   * @param {import('./notices.js').Notices} options.notices
+   * @param {() => Work | undefined} options.current          none while there is no model
+   * @param {(work: Work) => Promise<void>} options.onContinue
+   */
+  constructor({ last, notices, current, onContinue }) {
+    this.last_ = last;
+    this.notices_ = notices;
+    this.current_ = current;
+    this.onContinue_ = onContinue;
+    this.watching_ = false;
+    document.addEventListener('visibilitychange', () => {
+      if (document.visibilityState === 'hidden') void this.last_.flush();  // it may never be seen again
+    });
+  }
+
+  /**
+   * The page has opened: what is there now is not worth keeping, what it becomes is.
+   * @param {boolean} offer  the last visit's work, too
+   */
+  async begin(offer) {
+    const work = offer ? await this.last_.recall() : undefined;
+    this.watching_ = true;
+    this.note();
+    if (!work) return;
+    this.notices_.show(kNotice, text('keep.continueWith', { name: work.fileName }), [
+      { label: text('keep.discard'), run: () => void this.last_.forget() },
+      { label: text('keep.continue'), run: () => void this.onContinue_(work), primary: true },
+    ]);
+  }
+
+  /** Something may have changed. */
+  note() {
+    const work = this.current_();
+    if (this.watching_ && work) this.last_.note(work);
+  }
+}
