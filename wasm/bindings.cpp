@@ -108,6 +108,8 @@ class Facade {
     return guarded([&] { return engine_.advance(); });
   }
   void cancel() { engine_.cancel(); }
+  int carving() const { return engine_.carving(); }
+  bool useCarving(int number) { return engine_.useCarving(number); }
   std::string report() {
     return guarded([&] { return engine_.report(); });
   }
@@ -192,6 +194,8 @@ EMSCRIPTEN_BINDINGS(qrelief) {
       .function("startEngrave", &Facade::startEngrave)
       .function("advance", &Facade::advance)
       .function("cancel", &Facade::cancel)
+      .function("carving", &Facade::carving)
+      .function("useCarving", &Facade::useCarving)
       .function("report", &Facade::report)
       .function("readerImage", &Facade::readerImage)
       .function("setReadBack", &Facade::setReadBack)

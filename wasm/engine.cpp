@@ -98,6 +98,7 @@ std::string Engine::loadModel(std::vector<std::uint8_t> bytes, const std::string
                   "Choose how many mm one unit of the file is");
   auto model = readAndPrepare(std::move(bytes), fileName, scaleToMm);
   if (!model) return answer(model.error());
+  earlier_.reset();
   forgetJob();
   forgetPlacement();
   forgetSpots();
@@ -296,6 +297,7 @@ void Engine::showSizes(bool shown) {
 
 std::string Engine::startEngrave() {
   showSizes_ = false;
+  setCarvingAside();
   forgetJob();
   updateView();
   if (!model_) return answer(kNoModel);
@@ -335,12 +337,40 @@ void Engine::finishJob() {
     takeSmoothNormals(display, result_->keptTriangles, placement_->frame, before->window,
                       before->framebuffer.readRgba(1));
   carvedDisplay_ = std::make_shared<const GpuMesh>(display.mesh, display.normals);
+  carving_ = ++carvings_;
   showCarved_ = true;
   updateView();
 }
 
 void Engine::cancel() {
   if (jobRuns_) forgetJob();
+}
+
+void Engine::setCarvingAside() {
+  if (!result_) return;
+  earlier_ = Carving{
+      carving_,          jobRequest_, jobMs_, std::move(*result_), std::move(carvedDisplay_), std::move(readBack_),
+      std::move(reader_)};
+  forgetJob();
+}
+
+bool Engine::useCarving(int number) {
+  if (jobRuns_) return false;
+  if (carving() != number) {
+    if (!earlier_ || earlier_->number != number) return false;
+    Carving wanted = std::move(*earlier_);
+    earlier_.reset();
+    setCarvingAside();
+    carving_ = wanted.number;
+    jobRequest_ = std::move(wanted.request);
+    jobMs_ = wanted.ms;
+    result_ = std::move(wanted.result);
+    carvedDisplay_ = std::move(wanted.display);
+    readBack_ = std::move(wanted.readBack);
+    reader_ = std::move(wanted.reader);
+  }
+  showCarved(true);
+  return true;
 }
 
 std::string Engine::report() const {

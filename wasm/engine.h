@@ -65,6 +65,12 @@ class Engine {
   std::string advance();
   void cancel();
 
+  /// Number of the finished engraving that can be reported and exported; 0: none.
+  int carving() const { return result_ ? carving_ : 0; }
+  /// Brings a finished engraving back and shows it: the last one, or the one before it, of the same model.
+  /// @returns whether it is still there
+  bool useCarving(int number);
+
   /// The report of the contract; an error before an engraving is done.
   std::string report() const;
   /// What a phone at the reader's eye sees; empty before an engraving is done.
@@ -120,6 +126,7 @@ class Engine {
   void forgetPlacement();
   void forgetSpots();
   void forgetJob();
+  void setCarvingAside();
   void finishJob();
   void updateView();
 
@@ -151,6 +158,18 @@ class Engine {
   std::shared_ptr<const GpuMesh> carvedDisplay_;
   bool showCarved_ = false;
   std::string readBack_, reader_;
+
+  struct Carving {
+    int number = 0;
+    EngraveRequest request;
+    double ms = 0;
+    EngraveResult result;
+    std::shared_ptr<const GpuMesh> display;
+    std::string readBack, reader;
+  };
+  int carving_ = 0;                 // the number of `result_`, or of the last there was
+  int carvings_ = 0;                // so many were finished
+  std::optional<Carving> earlier_;  // the one before: more would cost memory without end
 };
 
 }  // namespace qrelief

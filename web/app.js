@@ -13,10 +13,12 @@ import { ModelSession } from './session/model_session.js';
 import { Placing } from './session/placing.js';
 import { Recovery } from './session/recovery.js';
 import { SpotFinding } from './session/spot_finding.js';
+import { Undo } from './session/undo.js';
 import { text } from './text/catalogue.js';
 import { CarvePanel } from './ui/carve_panel.js';
 import { CodePanel } from './ui/code_panel.js';
 import { byId } from './ui/dom.js';
+import { HelpSheet } from './ui/help_sheet.js';
 import { Messages } from './ui/messages.js';
 import { ModelPanel } from './ui/model_panel.js';
 import { PlacePanel } from './ui/place_panel.js';
@@ -43,17 +45,21 @@ export class App {
       onEvent: (event) => this.guard_(() => this.recovery_.recoverFrom(event)),
       onReplaced: () => this.guard_(() => this.restore_()),
     });
-    this.code_ = new CodePanel(() => this.guard_(() => this.changeSettings_()));
-    this.form_ = new SettingsForm(() => this.guard_(() => this.changeSettings_()));
-    this.work_ = new WorkPanel({ onEngrave: () => this.guard_(() => this.carving_.engrave()), onCancel: () => this.jobs_.cancel() });
+    this.code_ = new CodePanel(() => this.guard_(() => this.changeSettings_('text')));
+    this.initialText_ = this.code_.text;
+    this.form_ = new SettingsForm((id) => this.guard_(() => this.changeSettings_(id)));
+    this.workPanel_ = new WorkPanel({ onEngrave: () => this.guard_(() => this.carving_.engrave()), onCancel: () => this.jobs_.cancel() });
     this.carvePanel_ = new CarvePanel();
-    this.jobs_ = new Jobs({ panel: this.work_, messages: this.messages_, onBusy: (busy) => this.allowWork_(!busy) });
+    this.jobs_ = new Jobs({ panel: this.workPanel_, messages: this.messages_, onBusy: (busy) => this.allowWork_(!busy) });
     this.model_ = this.makeModel_();
     this.placing_ = this.makePlacing_();
     this.spotsPanel_ = this.makeSpotsPanel_();
     this.spots_ = this.makeSpotFinding_();
     this.carving_ = this.makeCarving_();
     this.kept_ = this.makeContinuing_(notices);
+    this.undo_ = this.makeUndo_();
+    this.help_ = new HelpSheet();
+    byId('start-over', HTMLButtonElement).addEventListener('click', () => this.guard_(() => this.startOver_()));
     /** @type {Promise<boolean>} */ this.started_ = Promise.resolve(false);
     this.fileChosen_ = false;
   }
@@ -117,7 +123,7 @@ export class App {
       client: this.client_, jobs: this.jobs_, model: this.model_, placing: this.placing_, messages: this.messages_,
       panel: this.spotsPanel_,
       settings: () => this.settings_(),
-      onShown: () => this.guard_(() => this.carving_.show(false)),
+      onSizes: () => this.guard_(() => this.carving_.show(false)),
     });
   }
 
@@ -128,8 +134,10 @@ export class App {
     });
     return new Carving({
       client: this.client_, jobs: this.jobs_, model: this.model_, placing: this.placing_, messages: this.messages_, panel,
+      work: () => this.work_(),
       onStart: () => this.spotsPanel_.setSizesShown(false),
-      onCarved: (exists, shown) => this.toolbar_.setCarved(exists, shown),
+      onDone: () => this.undo_.record(),
+      onShown: (exists, shown) => this.toolbar_.setCarved(exists, shown),
     });
   }
 
@@ -152,10 +160,33 @@ export class App {
 
   /** @param {import('./keep/last_work.js').Work} work */
   async continueWith_({ text: content, values, sampleId, bytes, ...place }) {
-    this.form_.values = values;
-    this.code_.text = content ?? this.code_.text;
+    this.write_({ text: content ?? this.code_.text, values });
     if (sampleId) await this.model_.openSample(sampleId, place);
     else if (bytes) await this.model_.load({ ...place, bytes, credit: '' });
+  }
+
+  makeUndo_() {
+    return new Undo({
+      client: this.client_, jobs: this.jobs_, model: this.model_, placing: this.placing_, spots: this.spots_,
+      carving: this.carving_, messages: this.messages_,
+      work: () => this.work_(),
+      write: (state) => this.write_(state),
+      guard: (action) => this.guard_(action),
+      onRestored: () => this.kept_.note(),
+    });
+  }
+
+  /** @returns {import('./session/work.js').Work} */
+  work_() {
+    const { centreMm, centreIsGuess } = this.placing_;
+    return { source: this.model_.source, text: this.code_.text, values: this.form_.values, centreMm, centreIsGuess };
+  }
+
+  /** Into the controls, without any effect yet. @param {Pick<import('./session/work.js').Work, 'text' | 'values'>} state */
+  write_({ text: content, values }) {
+    this.code_.text = content;
+    this.form_.values = values;
+    this.carvePanel_.show();
   }
 
   settings_() {
@@ -208,34 +239,48 @@ export class App {
     await this.changeSettings_();
   }
 
-  /** A model was loaded. */
-  async useModel_() {
-    await this.carving_.drop();
-    this.allowWork_(true);
-    this.spotsPanel_.clear();
-    this.kept_.note();
-    await this.placing_.begin(this.model_.source?.centreMm);
+  /** A model was loaded. @returns {Promise<void>} */
+  useModel_() {
+    return this.undo_.asOne(async () => {
+      await this.carving_.drop();
+      this.allowWork_(true);
+      this.spotsPanel_.clear();
+      this.kept_.note();
+      await this.placing_.begin(this.model_.source?.centreMm);
+    });
   }
 
-  async changeSettings_() {
+  /** @param {string} [field]  that was edited */
+  async changeSettings_(field) {
     this.kept_.note();
     this.messages_.clearError();
+    this.undo_.record(field);
+    this.carving_.compare();
     await this.spots_.forget();
-    this.carving_.markOutdated();
     await this.placing_.place();
   }
 
   /** The centre was moved: what was carved is elsewhere. */
   async leaveCarved_() {
     this.kept_.note();
-    this.carving_.markOutdated();
+    this.undo_.record('centre');
+    this.carving_.compare();
     this.spotsPanel_.mark();
     await this.carving_.show(false);
   }
 
+  /** As the page was opened, which can be undone. */
+  async startOver_() {
+    this.jobs_.abort();
+    await this.undo_.asOne(async () => {
+      this.write_({ text: this.initialText_, values: this.form_.defaults });
+      await this.model_.openSample();
+    });
+  }
+
   /** @param {boolean} shown */
   async showSizes_(shown) {
-    if (shown) this.toolbar_.setCarved(this.carving_.exists, false);
+    if (shown) this.toolbar_.setCarved(this.carving_.carved !== undefined, false);
     await this.client_.showSizes(shown);
   }
 
@@ -254,13 +299,14 @@ export class App {
   /** @param {boolean} allowed  if the model can be engraved */
   allowWork_(allowed) {
     const possible = allowed && this.model_.engravable;
-    this.work_.allowEngrave(possible);
+    this.undo_.allow();
+    this.workPanel_.allowEngrave(possible);
     this.spotsPanel_.allow(possible);
   }
 
   /** Gives a new module what the last one knew. */
   async restore_() {
-    await this.carving_.drop();
+    await this.carving_.dropForGood();
     this.view_.announceSize();
     await this.client_.setTheme(this.theme_.dark);
     if (this.toolbar_.inspectorShown) await this.client_.setInspector(true);

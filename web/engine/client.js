@@ -153,6 +153,12 @@ export class EngineClient {
   /** @returns {Promise<import('./types.js').Placement>} */
   placement() { return this.call_('placement'); }
 
+  /** @returns {Promise<number>}  which finished carving can be reported and exported; 0: none */
+  carving() { return this.call_('carving'); }
+
+  /** @param {number} number  of the last carving or the one before it @returns {Promise<boolean>}  whether it is there again */
+  useCarving(number) { return this.call_('useCarving', number); }
+
   /** @returns {Promise<import('./types.js').Report>} */
   report() { return this.call_('report'); }
 

@@ -158,6 +158,9 @@ export class EngineHost {
     },
     memory: () => this.memory_(),
 
+    carving: () => this.engine_.carving(),
+    /** @param {number} number */
+    useCarving: (number) => this.drawn_(this.engine_.useCarving(number)),
     report: () => parseAnswer(this.engine_.report()),
     readerImage: () => {
       const { width, height, pixels } = this.engine_.readerImage();

@@ -97,6 +97,8 @@
  * @property {() => string} startEngrave
  * @property {() => string} advance
  * @property {() => void} cancel
+ * @property {() => number} carving
+ * @property {(number: number) => boolean} useCarving
  * @property {() => string} report
  * @property {() => GreyImage} readerImage
  * @property {(text: string, reader: string) => void} setReadBack

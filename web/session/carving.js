@@ -4,6 +4,12 @@ import { kReaderName, readCode } from '../reader/reader.js';
 import { text } from '../text/catalogue.js';
 import { saveFile } from '../ui/save_file.js';
 
+import { sameWork } from './work.js';
+
+/** @typedef {import('./work.js').Work} Work */
+/** @typedef {import('../ui/result_panel.js').Result & { number: number, life: number, made: Work }} Carved
+ *   `number`: the module's; `life`: of which module; `made`: from what */
+
 /**
  * @typedef {object} CarvingOptions
  * @property {import('../engine/client.js').EngineClient} client
@@ -12,22 +18,27 @@ import { saveFile } from '../ui/save_file.js';
  * @property {import('./placing.js').Placing} placing
  * @property {import('../ui/messages.js').Messages} messages
  * @property {import('../ui/result_panel.js').ResultPanel} panel
+ * @property {() => Work} work
  * @property {() => void} onStart
- * @property {(exists: boolean, shown: boolean) => void} onCarved  whether there is a carved model, and whether it is seen
+ * @property {() => void} onDone
+ * @property {(exists: boolean, shown: boolean) => void} onShown  whether there is a carved model, and whether it is seen
  */
 
 export class Carving {
   /** @param {CarvingOptions} options */
-  constructor({ client, jobs, model, placing, messages, panel, onStart, onCarved }) {
+  constructor({ client, jobs, model, placing, messages, panel, work, onStart, onDone, onShown }) {
     this.client_ = client;
     this.jobs_ = jobs;
     this.model_ = model;
     this.placing_ = placing;
     this.messages_ = messages;
     this.panel_ = panel;
+    this.work_ = work;
     this.onStart_ = onStart;
-    this.onCarved_ = onCarved;
-    this.exists = false;
+    this.onDone_ = onDone;
+    this.onShown_ = onShown;
+    /** @type {Carved | undefined} */ this.carved = undefined;
+    this.life_ = 0;
     this.running_ = false;
   }
 
@@ -49,47 +60,76 @@ export class Carving {
     if (this.running_) this.jobs_.abort();
   }
 
-  /** What was carved is gone. */
+  /** Nothing is carved any more. */
   async drop() {
+    this.carved = undefined;
     this.panel_.hide();
-    await this.setExists_(false);
+    await this.show(false);
   }
 
-  markOutdated() {
-    this.panel_.markOutdated();
+  /** The module was replaced, and what it had carved went with it. */
+  async dropForGood() {
+    this.life_ += 1;
+    await this.drop();
+  }
+
+  /**
+   * Back to what was carved in an earlier state.
+   * @param {Carved | undefined} carved
+   * @returns {Promise<boolean>}  whether it is there again
+   */
+  async restore(carved) {
+    if (!carved || carved.life !== this.life_ || !(await this.client_.useCarving(carved.number))) {
+      await this.drop();
+      return false;
+    }
+    this.carved = carved;
+    this.panel_.show(carved);
+    this.compare();
+    await this.show(sameWork(carved.made, this.work_()));
+    return true;
+  }
+
+  /** Whether the model or the settings have changed since. */
+  compare() {
+    if (this.carved) this.panel_.setOutdated(!sameWork(this.carved.made, this.work_()));
   }
 
   /** @param {boolean} shown */
   async show(shown) {
-    this.onCarved_(this.exists, shown && this.exists);
-    if (this.exists) await this.client_.showCarved(shown);
+    const exists = this.carved !== undefined;
+    this.onShown_(exists, shown && exists);
+    await this.client_.showCarved(shown && exists);
   }
 
   /** @param {AbortSignal} signal */
   async carve_(signal) {
     const started = performance.now();
+    const { carved: before } = this;
     await this.drop();
     this.onStart_();
+    const made = this.work_();
     const finished = await this.client_.engrave({ signal, onProgress: (progress) => this.jobs_.showProgress(progress) });
-    if (finished) await this.finish_(started);
-    else this.messages_.say(() => text('page.cancelled'));
+    if (finished) {
+      await this.finish_(started, made);
+    } else {
+      await this.restore(before);
+      this.messages_.say(() => text('page.cancelled'));
+    }
   }
 
-  /** @param {number} started */
-  async finish_(started) {
-    await this.setExists_(true);
+  /** @param {number} started @param {Work} made */
+  async finish_(started, made) {
     this.messages_.say(() => text('page.readingBack'));
     const readBack = await readCode(await this.client_.readerImage());
     await this.client_.setReadBack(readBack, kReaderName);
-    this.panel_.show({ report: await this.client_.report(), readBack, elapsedMs: performance.now() - started });
+    const [report, number] = await Promise.all([this.client_.report(), this.client_.carving()]);
+    this.carved = { report, readBack, elapsedMs: performance.now() - started, number, life: this.life_, made };
+    await this.show(true);
+    this.panel_.show(this.carved);
     this.panel_.scrollIntoView();
+    this.onDone_();
     this.messages_.say(() => text('page.engraved'));
-  }
-
-  /** @param {boolean} exists  and is shown */
-  async setExists_(exists) {
-    this.exists = exists;
-    await this.show(exists);
   }
 
   /** @param {string} format */

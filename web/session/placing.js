@@ -3,6 +3,7 @@
 import { isReplaced } from '../engine/client.js';
 import { describeThrown, isFatal } from '../engine/engine_error.js';
 import { text } from '../text/catalogue.js';
+import { findingWords } from '../text/finding_words.js';
 import { SettingProblem } from '../ui/settings_form.js';
 
 /** @typedef {import('../engine/types.js').Placement} Placement */
@@ -57,6 +58,15 @@ export class Placing {
     } else {
       this.messages_.say(() => text('page.askForCentre'));
     }
+  }
+
+  /** The centre of an earlier state, without placing the code. @param {Point | undefined} centreMm @param {boolean} isGuess */
+  async put(centreMm, isGuess) {
+    if (!centreMm) return;
+    await this.client_.setCentre(centreMm);
+    this.centreMm = centreMm;
+    this.centreIsGuess = isGuess;
+    this.panel_.showCentre(centreMm);
   }
 
   /** @param {() => Promise<import('../engine/types.js').PickResult>} pick */
@@ -118,8 +128,8 @@ export class Placing {
   refuse_({ findings }) {
     const blocking = findings.filter(({ severity }) => severity === 'blocking');
     this.messages_.showError({
-      message: blocking.map(({ message }) => message).join('; ') || (() => text('page.notEngravable')),
-      hint: blocking.map(({ hint }) => hint).find((hint) => hint !== '') ?? '',
+      message: () => blocking.map((finding) => findingWords(finding).message).join('; ') || text('page.notEngravable'),
+      hint: () => blocking.map((finding) => findingWords(finding).hint).find((hint) => hint !== '') ?? '',
     });
     this.messages_.say(() => text('page.notEngravable'));
   }

@@ -11,12 +11,12 @@ import { text } from '../text/catalogue.js';
  * @property {import('../ui/messages.js').Messages} messages
  * @property {import('../ui/spots_panel.js').SpotsPanel} panel
  * @property {() => import('../engine/types.js').Settings} settings
- * @property {() => void} onShown  the sizes are on the model now
+ * @property {() => void} onSizes  the sizes are on the model now
  */
 
 export class SpotFinding {
   /** @param {SpotFindingOptions} options */
-  constructor({ client, jobs, model, placing, messages, panel, settings, onShown }) {
+  constructor({ client, jobs, model, placing, messages, panel, settings, onSizes }) {
     this.client_ = client;
     this.jobs_ = jobs;
     this.model_ = model;
@@ -24,7 +24,7 @@ export class SpotFinding {
     this.messages_ = messages;
     this.panel_ = panel;
     this.settings_ = settings;
-    this.onShown_ = onShown;
+    this.onSizes_ = onSizes;
     this.searching_ = false;
   }
 
@@ -37,7 +37,7 @@ export class SpotFinding {
     try {
       const found = await this.jobs_.run(() => text('page.lookingForSpots'), (signal) =>
         this.client_.findSpots({ signal, onProgress: (progress) => this.jobs_.showProgress(progress) }));
-      this.onShown_();
+      this.onSizes_();
       if (found) this.panel_.show(found);
       this.messages_.say(() => text(found ? 'page.chooseSpot' : 'page.searchCancelled'));
     } finally {

@@ -2,6 +2,9 @@
 // Every text of the page in every language. A part of the page keeps its texts in parts/, all languages side by side.
 import { recall, remember } from '../take/remembered.js';
 import { code } from './parts/code.js';
+import { core } from './parts/core.js';
+import { findings } from './parts/findings.js';
+import { help } from './parts/help.js';
 import { keep } from './parts/keep.js';
 import { page } from './parts/page.js';
 import { samples } from './parts/samples.js';
@@ -12,7 +15,7 @@ import { take } from './parts/take.js';
 /** @typedef {'en' | 'de'} Language */
 /** @typedef {string | { one: string, other: string }} Entry  chosen by the value `count`; `{name}` stands for a value */
 
-const kParts = { code, keep, page, samples, settings, stages, take };
+const kParts = { code, core, findings, help, keep, page, samples, settings, stages, take };
 
 /** @typedef {{ [P in keyof typeof kParts]: `${P}.${string & keyof (typeof kParts)[P]['en']}` }[keyof typeof kParts]} Key */
 
@@ -53,8 +56,8 @@ export function setLanguage(chosen) {
 
 /** @param {Language} of @param {string} key @returns {Entry | undefined} */
 function entry(of, key) {
-  const [part, ...name] = key.split('.');
-  return /** @type {any} */ (kParts)[part]?.[of]?.[name.join('.')];
+  const dot = key.indexOf('.');
+  return /** @type {any} */ (kParts)[key.slice(0, dot)]?.[of]?.[key.slice(dot + 1)];
 }
 
 /**
@@ -91,11 +94,15 @@ export function localise(root) {
   }
 }
 
-/** The text of a name that may be unknown, such as one that the core or a list of samples gives; else the name itself.
- * @param {keyof typeof kParts} part @param {string} name
+/**
+ * The text of a name that may be unknown, such as one that the core or a list of samples gives; else `otherwise`.
+ * @param {keyof typeof kParts} part
+ * @param {string} name
+ * @param {string} [otherwise]
+ * @param {Record<string, string | number>} [values]
  */
-export const textOr = (part, name, otherwise = name) =>
-  (entry(language, `${part}.${name}`) === undefined ? otherwise : text(/** @type {Key} */ (`${part}.${name}`)));
+export const textOr = (part, name, otherwise = name, values = {}) =>
+  (entry(language, `${part}.${name}`) === undefined ? otherwise : text(/** @type {Key} */ (`${part}.${name}`), values));
 
 /** For tests: every part. */
 export const allParts = () => kParts;

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the page says: the status line, and errors with what was found and what helps.
 import { onLanguage } from '../text/catalogue.js';
+import { coreWords } from '../text/core_words.js';
 import { write } from '../text/live.js';
 import { byId, make } from './dom.js';
 
 /** @typedef {import('../text/live.js').Words} Words */
-/** @typedef {{ message: string | Words, hint: string | Words }} Problem */
+/** @typedef {{ message: string | Words, hint: string | Words }} Problem  a string is the core's or the engine's English */
 
 export class Messages {
   constructor() {
@@ -25,7 +26,7 @@ export class Messages {
   /** @param {Problem} problem */
   showError(problem) {
     this.problem_ = problem;
-    const [message, hint] = [problem.message, problem.hint].map((part) => (typeof part === 'string' ? part : part()));
+    const [message, hint] = [problem.message, problem.hint].map((part) => (typeof part === 'string' ? coreWords(part) : part()));
     this.text_.replaceChildren(make('strong', { text: asSentence(message) }));
     if (hint) this.text_.append(' ', asSentence(hint));
     this.box_.hidden = false;
@@ -44,14 +45,28 @@ export function asSentence(text) {
   return /[.!?…]$/.test(capital) ? capital : `${capital}.`;
 }
 
+/** @typedef {{ label: string, run: () => void }} Remedy  that one click brings */
+/** @typedef {{ severity: string, message: string, hint: string, remedies?: Remedy[] }} Shown */
+
 /**
  * Fills a list with findings, worst first.
  * @param {HTMLElement} list
- * @param {{ severity: string, message: string, hint: string }[]} findings
+ * @param {Shown[]} findings
  */
 export function showFindings(list, findings) {
   const order = ['blocking', 'warning', 'note'];
   const sorted = [...findings].sort((a, b) => order.indexOf(a.severity) - order.indexOf(b.severity));
-  list.replaceChildren(...sorted.map(({ severity, message, hint }) => make('li', { className: severity },
-    make('span', { text: asSentence(message) }), ...(hint ? [make('span', { className: 'remedy', text: ` ${asSentence(hint)}` })] : []))));
+  list.replaceChildren(...sorted.map(({ severity, message, hint, remedies = [] }) => make('li', { className: severity },
+    make('span', { text: asSentence(message) }), ...(hint ? [` ${asSentence(hint)}`] : []), ...remedyButtons(remedies))));
+}
+
+/** @param {Remedy[]} remedies */
+export function remedyButtons(remedies) {
+  if (remedies.length === 0) return [];
+  return [make('div', { className: 'remedies' }, ...remedies.map(({ label, run }) => {
+    const button = make('button', { className: 'quiet', text: label });
+    button.type = 'button';
+    button.addEventListener('click', run);
+    return button;
+  }))];
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which model: a sample, a file, a file dropped anywhere; and what was found in it.
 import { onLanguage, text, textOr } from '../text/catalogue.js';
+import { findingWords, suggestedUnits } from '../text/finding_words.js';
 import { byId } from './dom.js';
 import { formatBox } from './format.js';
 import { showFindings } from './messages.js';
@@ -10,6 +11,9 @@ import { showStep } from './steps.js';
 /** @typedef {import('../engine/types.js').UpAxis} UpAxis */
 /** @typedef {{ id: string, name: string, file: string, centreMm: [number, number, number], credit: string }} Sample */
 /** @typedef {{ sampleId?: string, fileName: string, credit: string, scaleToMm: number, upAxis: UpAxis }} ShownSource */
+
+/** @type {Record<string, number>} */
+const kUnitsMm = { m: 1000, cm: 10, in: 25.4 };
 
 /**
  * @typedef {object} ModelListener
@@ -22,6 +26,7 @@ import { showStep } from './steps.js';
 export class ModelPanel {
   /** @param {ModelListener} listener */
   constructor(listener) {
+    this.listener_ = listener;
     this.sample_ = byId('sample', HTMLSelectElement);
     this.file_ = byId('file', HTMLInputElement);
     this.unit_ = byId('unit', HTMLSelectElement);
@@ -88,7 +93,13 @@ export class ModelPanel {
     this.sample_.value = source.sampleId ?? '';
     const facts = [text('page.triangles', { count: model.triangles }), ...(model.shells > 1 ? [text('page.shells', { count: model.shells })] : [])];
     byId('model-facts', HTMLElement).textContent = facts.join(' · ');
-    showFindings(byId('findings', HTMLElement), model.findings);
+    showFindings(byId('findings', HTMLElement), model.findings.map((finding) => ({
+      ...findingWords(finding),
+      remedies: suggestedUnits(finding).filter(({ unit }) => unit in kUnitsMm).map(({ unit, size }) => ({
+        label: text('findings.tiny.remedy', { unit: textOr('findings', `unit.${unit}`), size }),
+        run: () => this.listener_.onScale(kUnitsMm[unit]),
+      })),
+    })));
   }
 
   /** @param {ModelListener} listener */

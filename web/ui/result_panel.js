@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What came out: numbers, whether it can be read, and the file.
 import { onLanguage, text } from '../text/catalogue.js';
+import { coreWords } from '../text/core_words.js';
 import { byId, make } from './dom.js';
 import { formatMm, formatNumber, formatSeconds } from './format.js';
 import { showFindings } from './messages.js';
@@ -35,10 +36,10 @@ export class ResultPanel {
     this.render_();
   }
 
-  /** The model or the settings have changed since. */
-  markOutdated() {
-    if (!this.result_ || this.outdated_) return;
-    this.outdated_ = true;
+  /** @param {boolean} outdated  the model or the settings have changed since */
+  setOutdated(outdated) {
+    if (outdated === this.outdated_) return;
+    this.outdated_ = outdated;
     this.render_();
   }
 
@@ -100,10 +101,7 @@ function notes({ depth, verification }, solid, outdated) {
     found.push({ severity: 'note', message: text('page.limited', { count: depth.limitedSubmodules }), hint: text('page.limitedHint') });
   }
   for (const { problem, hint } of verification.printability) {
-    found.push({ severity: 'warning', message: withoutTicks(problem), hint: withoutTicks(hint) });
+    found.push({ severity: 'warning', message: coreWords(problem), hint: coreWords(hint) });
   }
   return found;
 }
-
-/** Names of patterns stand between ticks in reports. @param {string} text */
-const withoutTicks = (text) => text.replaceAll('`', '');

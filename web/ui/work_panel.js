@@ -14,7 +14,7 @@ export class WorkPanel {
     });
     this.cancel_.addEventListener('click', onCancel);
     document.addEventListener('keydown', (event) => {
-      if (event.key === 'Escape' && !this.cancel_.hidden) onCancel();
+      if (event.key === 'Escape' && !this.cancel_.hidden && !document.querySelector('dialog[open]')) onCancel();
     });
   }
 

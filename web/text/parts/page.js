@@ -21,6 +21,13 @@ export const page = {
     dismiss: 'Dismiss',
     clickModel: 'Click the model where the code should go',
 
+    undo: 'Undo',
+    undoTitle: 'Undo (Ctrl+Z)',
+    redo: 'Redo',
+    redoTitle: 'Redo (Ctrl+Shift+Z)',
+    startOver: 'Start over',
+    carvingGone: 'What was carved then is no longer here. Engrave again to get it.',
+
     model: 'Model',
     sample: 'Sample model',
     file: 'Model file',
@@ -135,6 +142,13 @@ export const page = {
     drop: 'Modell hier ablegen, um es zu öffnen',
     dismiss: 'Schließen',
     clickModel: 'Auf das Modell klicken, wo der Code hin soll',
+
+    undo: 'Rückgängig',
+    undoTitle: 'Rückgängig (Strg+Z)',
+    redo: 'Wiederholen',
+    redoTitle: 'Wiederholen (Strg+Umschalt+Z)',
+    startOver: 'Neu beginnen',
+    carvingGone: 'Was damals graviert war, ist nicht mehr da. Neu gravieren, um es zu bekommen.',
 
     model: 'Modell',
     sample: 'Beispielmodell',

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { expect, test } from '@playwright/test';
+import { Engraver } from './support/engraver.js';
+import { saddleFile } from './support/models.js';
+
+/** @param {import('@playwright/test').Page} page */
+const buttons = (page) => ({
+  undo: page.getByRole('button', { name: 'Undo' }),
+  redo: page.getByRole('button', { name: 'Redo' }),
+  startOver: page.getByRole('button', { name: 'Start over' }),
+});
+
+test('The text, the size and the centre are undone and redone one by one', async ({ page }) => {
+  const app = new Engraver(page);
+  const { undo, redo } = buttons(page);
+  await app.open('?sample=saddle&text=first');
+  await app.expectReady();
+  await expect(undo).toBeDisabled();
+  const centre = await app.centre();
+  const width = await app.placement.innerText();
+
+  await app.text.fill('second');
+  await expect(undo).toBeEnabled();
+  await app.expectReady();
+  await app.openSettings();
+  await app.setting('Size of the code').selectOption('Exactly');
+  await app.setting('Width (mm)').fill('21');
+  await app.setting('Width (mm)').press('Tab');
+  await expect(app.placement).toContainText('21.0 mm wide');
+  const box = /** @type {{ width: number, height: number }} */ (await app.canvas.boundingBox());
+  await app.canvas.click({ position: { x: box.width / 2 + 30, y: box.height / 2 + 10 } });
+  await expect.poll(() => app.centre()).not.toEqual(centre);
+  await app.expectReady();
+  const moved = await app.centre();
+
+  await undo.click();
+  await expect.poll(() => app.centre()).toEqual(centre);
+  await expect(undo).toBeEnabled();
+  await expect(app.setting('Width (mm)')).toHaveValue('21');
+  await undo.click();
+  await expect(undo).toBeEnabled();
+  await expect(app.setting('Width (mm)')).toHaveValue('40');
+  await undo.click();
+  await expect(undo).toBeEnabled();
+  await expect(app.setting('Size of the code')).toHaveValue('free');
+  await expect(app.text).toHaveValue('second');
+  await undo.click();
+  await expect(app.text).toHaveValue('first');
+  await expect(undo).toBeDisabled();
+  await expect(app.placement).toHaveText(width);
+
+  for (let i = 0; i < 4; i += 1) {
+    await expect(redo).toBeEnabled();
+    await redo.click();
+  }
+  await expect.poll(() => app.centre()).toEqual(moved);
+  await expect(redo).toBeDisabled();
+  await expect(app.placement).toContainText('21.0 mm wide');
+  await expect(app.text).toHaveValue('second');
+});
+
+test('Undoing a carve shows the uncarved model, and redoing it brings the result back without carving', async ({ page }) => {
+  const app = new Engraver(page);
+  const { undo, redo } = buttons(page);
+  await app.open('?sample=saddle&text=one');
+  await app.expectReady();
+  await app.engrave();
+  const carved = page.getByRole('button', { name: 'Carved' });
+  const first = (await app.download()).bytes;
+
+  await expect(undo).toBeEnabled();
+  await undo.click();
+  await expect(app.result).toBeHidden();
+  await expect(carved).toBeDisabled();
+  await expect(redo).toBeEnabled();
+  await redo.click();
+  await app.expectResult();
+  await expect(app.progress).toBeHidden();
+  await expect(carved).toHaveAttribute('aria-pressed', 'true');
+  expect(Buffer.from((await app.download()).bytes).equals(Buffer.from(first))).toBe(true);
+
+  await app.text.fill('another text, for a second carving');
+  await expect(app.result).toContainText('Made before your last change');
+  await app.expectReady();
+  await app.engraveButton.click();
+  await expect(app.result).toBeHidden();
+  await app.expectResult();
+  await expect(app.result).toContainText('Reads as another text, for a second carving');
+  await expect(undo).toBeEnabled();
+  await undo.click();
+  await expect(app.result).toContainText('Reads as one');
+  await expect(app.result).toContainText('Made before your last change');
+  await expect(undo).toBeEnabled();
+  await undo.click();
+  await expect(app.text).toHaveValue('one');
+  await expect(app.result).not.toContainText('Made before your last change');
+  expect(Buffer.from((await app.download()).bytes).equals(Buffer.from(first))).toBe(true);
+});
+
+test('A change of model is undone, with its unit and the centre on it', async ({ page }) => {
+  const app = new Engraver(page);
+  const { undo, redo } = buttons(page);
+  await app.open('?sample=vase');
+  await app.expectReady();
+  const centre = await app.centre();
+  await app.file.setInputFiles(saddleFile);
+  await expect(app.facts).toContainText('my saddle.stl, 90.0 × 90.0 × 40.0 mm');
+  await app.expectReady();
+  await app.openSettings();
+  await app.setting('Unit').selectOption('cm');
+  await expect(app.facts).toContainText('900.0 × 900.0 × 400.0 mm');
+  await expect(undo).toBeEnabled();
+  await undo.click();
+  await expect(app.facts).toContainText('my saddle.stl, 90.0 × 90.0 × 40.0 mm');
+  await expect(app.setting('Unit')).toHaveValue('1');
+  await expect(undo).toBeEnabled();
+  await undo.click();
+  await expect(app.facts).toContainText('Vase');
+  await expect(app.sample).toHaveValue('vase');
+  await expect.poll(() => app.centre()).toEqual(centre);
+  await expect(redo).toBeEnabled();
+  await redo.click();
+  await expect(app.facts).toContainText('my saddle.stl');
+});
+
+test('Start over brings back what the page opens with, and can be undone', async ({ page }) => {
+  const app = new Engraver(page);
+  const { undo, startOver } = buttons(page);
+  await app.open();
+  await app.expectReady();
+  const text = await app.text.inputValue();
+  await app.text.fill('mine');
+  await app.openSettings();
+  await app.setting('Modules').selectOption('Full');
+  await app.sample.selectOption('Star');
+  await expect(app.facts).toContainText('Star');
+  await app.expectReady();
+
+  await startOver.click();
+  await expect(app.facts).toContainText('Stanford bunny');
+  await expect(app.text).toHaveValue(text);
+  await expect(app.setting('Modules')).toHaveValue('thick-plus');
+  await expect(undo).toBeEnabled();
+  await undo.click();
+  await expect(app.facts).toContainText('Star');
+  await expect(app.text).toHaveValue('mine');
+  await expect(app.setting('Modules')).toHaveValue('none');
+});

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { History } from './history.js';
+
+/** @typedef {{ text: string, bytes?: Uint8Array }} State */
+
+function makeHistory() {
+  const clock = { ms: 0 };
+  /** @type {History<State>} */
+  const history = new History({ same: (a, b) => a.text === b.text, bytesOf: ({ bytes }) => bytes, now: () => clock.ms });
+  return { history, clock };
+}
+
+test('Each change is undone and redone in its turn', () => {
+  const { history } = makeHistory();
+  for (const text of ['a', 'b', 'c']) history.record({ text });
+  assert.equal(history.undo()?.text, 'b');
+  assert.equal(history.undo()?.text, 'a');
+  assert.equal(history.undo(), undefined);
+  assert.equal(history.redo()?.text, 'b');
+  assert.equal(history.redo()?.text, 'c');
+  assert.equal(history.redo(), undefined);
+});
+
+test('The first state is nothing to be undone', () => {
+  const { history } = makeHistory();
+  assert.deepEqual([history.canUndo, history.canRedo], [false, false]);
+  history.record({ text: 'a' });
+  assert.deepEqual([history.canUndo, history.canRedo], [false, false]);
+});
+
+test('A state like the last is no change', () => {
+  const { history } = makeHistory();
+  history.record({ text: 'a' });
+  history.record({ text: 'a' });
+  assert.equal(history.canUndo, false);
+});
+
+test('A change after an undo takes away what could be redone', () => {
+  const { history } = makeHistory();
+  for (const text of ['a', 'b', 'c']) history.record({ text });
+  history.undo();
+  history.record({ text: 'd' });
+  assert.equal(history.canRedo, false);
+  assert.equal(history.undo()?.text, 'b');
+});
+
+test('Quick edits of one field are undone together, slow ones and those of another field are not', () => {
+  const { history, clock } = makeHistory();
+  history.record({ text: '' });
+  for (const text of ['h', 'he', 'hel']) {
+    history.record({ text }, 'text');
+    clock.ms += 900;
+  }
+  clock.ms += 101;
+  history.record({ text: 'hello' }, 'text');
+  history.record({ text: 'hello, 20 mm' }, 'size');
+  assert.equal(history.undo()?.text, 'hello');
+  assert.equal(history.undo()?.text, 'hel');
+  assert.equal(history.undo()?.text, '');
+});
+
+test('The first edit of a field is never merged into the state before it, nor one after an undo', () => {
+  const { history } = makeHistory();
+  history.record({ text: 'a' }, 'text');
+  history.record({ text: 'ab' }, 'text');
+  assert.equal(history.undo()?.text, 'a');
+  history.record({ text: 'ac' }, 'text');
+  assert.equal(history.undo()?.text, 'a');
+});
+
+test('Of very many changes the oldest are forgotten', () => {
+  const { history } = makeHistory();
+  for (let i = 0; i < 500; i += 1) history.record({ text: String(i) });
+  let steps = 0;
+  while (history.undo()) steps += 1;
+  assert.equal(steps, 199);
+});
+
+test('Of large models no more are held than 512 MiB beside the one that is open', () => {
+  const { history } = makeHistory();
+  const large = () => /** @type {any} */ ({ byteLength: 200 * 1024 * 1024 });
+  for (const text of ['a', 'b', 'c', 'd']) history.record({ text, bytes: large() });
+  assert.equal(history.undo()?.text, 'c');
+  assert.equal(history.undo()?.text, 'b');
+  assert.equal(history.undo(), undefined);
+});
+
+test('A model that many states share counts once', () => {
+  const { history } = makeHistory();
+  const bytes = /** @type {any} */ ({ byteLength: 300 * 1024 * 1024 });
+  for (const text of ['a', 'b', 'c', 'd']) history.record({ text, bytes });
+  history.record({ text: 'e', bytes: new Uint8Array(1) });
+  let steps = 0;
+  while (history.undo()) steps += 1;
+  assert.equal(steps, 4);
+});

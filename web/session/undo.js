@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Undo and redo of everything that decides what is carved, and of the carving itself.
+import { text } from '../text/catalogue.js';
+import { byId } from '../ui/dom.js';
+import { History } from './history.js';
+import { sameCentre, sameModel, sameWork } from './work.js';
+
+/** @typedef {import('./work.js').Work} Work */
+/** @typedef {import('./carving.js').Carved} Carved */
+/** @typedef {Work & { carved: Carved | undefined }} State */
+
+/**
+ * @typedef {object} UndoOptions
+ * @property {() => Work} work
+ * @property {(values: Pick<Work, 'text' | 'values'>) => void} write  into the controls
+ * @property {import('../engine/client.js').EngineClient} client
+ * @property {import('./jobs.js').Jobs} jobs
+ * @property {import('./model_session.js').ModelSession} model
+ * @property {import('./placing.js').Placing} placing
+ * @property {import('./spot_finding.js').SpotFinding} spots
+ * @property {import('./carving.js').Carving} carving
+ * @property {import('../ui/messages.js').Messages} messages
+ * @property {(action: () => Promise<unknown>) => Promise<void>} guard
+ * @property {() => void} onRestored
+ */
+
+export class Undo {
+  /** @param {UndoOptions} options */
+  constructor(options) {
+    this.options_ = options;
+    /** @type {History<State>} */
+    this.history_ = new History({ same: (a, b) => sameWork(a, b) && a.carved === b.carved, bytesOf: ({ source }) => source?.bytes });
+    this.pauses_ = 0;
+    this.undo_ = byId('undo', HTMLButtonElement);
+    this.redo_ = byId('redo', HTMLButtonElement);
+    this.undo_.addEventListener('click', () => this.undo());
+    this.redo_.addEventListener('click', () => this.redo());
+  }
+
+  /** Something was changed. @param {string} [field]  quick edits of the same one are one change */
+  record(field) {
+    if (this.pauses_ > 0) return;
+    const { work, carving } = this.options_;
+    this.history_.record({ ...work(), carved: carving.carved }, field);
+    this.allow();
+  }
+
+  /**
+   * However much it changes, it is one change.
+   * @template T
+   * @param {() => Promise<T>} action
+   */
+  async asOne(action) {
+    this.pauses_ += 1;
+    try {
+      return await action();
+    } finally {
+      this.pauses_ -= 1;
+      this.record();
+    }
+  }
+
+  /** The buttons, which wait while something is at work. */
+  allow() {
+    const idle = !this.options_.jobs.busy && this.pauses_ === 0;
+    this.undo_.disabled = !(idle && this.history_.canUndo);
+    this.redo_.disabled = !(idle && this.history_.canRedo);
+  }
+
+  undo() {
+    this.record('text');  // what was typed just now
+    if (!this.undo_.disabled) this.restore_(this.history_.undo());
+  }
+
+  redo() {
+    if (!this.redo_.disabled) this.restore_(this.history_.redo());
+  }
+
+  /** @param {State | undefined} state */
+  restore_(state) {
+    if (!state) return;
+    this.pauses_ += 1;
+    this.allow();
+    const restored = this.options_.guard(() => this.apply_(state)).finally(() => {
+      this.pauses_ -= 1;
+      this.allow();
+      this.options_.onRestored();
+    });
+    void restored;
+  }
+
+  /** @param {State} state */
+  async apply_(state) {
+    const { write, model, placing, spots, carving, messages, work } = this.options_;
+    const before = work();
+    messages.clearError();
+    write(state);
+    if (!sameModel(before.source, state.source) && state.source) {
+      await model.load({ ...state.source, centreMm: state.centreIsGuess ? undefined : state.centreMm });
+    } else {
+      if (state.source && before.source?.upAxis !== state.source.upAxis) await model.turnUp(state.source.upAxis);
+      await spots.forget();
+      if (!sameCentre(before.centreMm, state.centreMm)) await placing.put(state.centreMm, state.centreIsGuess);
+      await placing.place();
+    }
+    if (!(await carving.restore(state.carved)) && state.carved) messages.say(() => text('page.carvingGone'));
+  }
+}

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Keys that do what a control of the page does. They are silent while something is typed and under an open dialog.
+
+/**
+ * @typedef {object} Shortcut
+ * @property {string} key          as KeyboardEvent.key gives it, in lower case
+ * @property {boolean} [ctrl]      with Ctrl, or ⌘ on a Mac
+ * @property {boolean} [shift]     with it; of signs it does not matter
+ * @property {string} control      the id of the control it works; focused if it is a text, else clicked
+ * @property {import('../text/catalogue.js').Key} name
+ */
+
+/** @type {readonly Shortcut[]} */
+export const kShortcuts = [
+  { key: '?', control: 'help', name: 'help.openHelp' },
+  { key: 'z', ctrl: true, control: 'undo', name: 'help.undo' },
+  { key: 'z', ctrl: true, shift: true, control: 'redo', name: 'help.redo' },
+  { key: 'o', control: 'file', name: 'help.openFile' },
+  { key: 't', control: 'text', name: 'help.editText' },
+  { key: 's', control: 'suggest', name: 'help.suggest' },
+  { key: 'e', control: 'engrave', name: 'help.engrave' },
+  { key: 'escape', control: 'cancel', name: 'help.cancel' },
+  { key: 'd', control: 'download', name: 'help.download' },
+  { key: 'c', control: 'show-carved', name: 'help.carved' },
+  { key: 'f', control: 'fit', name: 'help.fit' },
+  { key: 'r', control: 'reader-view', name: 'help.reader' },
+];
+
+const kTypedInto = ['text', 'number', 'search', 'url', 'email', 'tel', 'password', 'date', 'time', 'datetime-local'];
+
+/** Whether what is pressed there is text. @param {EventTarget | null} target */
+function isTyping(target) {
+  if (target instanceof HTMLInputElement) return kTypedInto.includes(target.type);
+  return target instanceof HTMLTextAreaElement || (target instanceof HTMLElement && target.isContentEditable);
+}
+
+/**
+ * @param {Pick<KeyboardEvent, 'key' | 'ctrlKey' | 'metaKey' | 'altKey' | 'shiftKey'>} event
+ * @returns {Shortcut | undefined}
+ */
+export function shortcutOf({ key, ctrlKey, metaKey, altKey, shiftKey }) {
+  if (altKey) return undefined;
+  const pressed = key.toLowerCase();
+  const ctrl = ctrlKey || metaKey;
+  const isLetter = /^[a-z]$/.test(pressed);
+  return kShortcuts.find((one) => one.key === pressed && (one.ctrl ?? false) === ctrl &&
+    (!isLetter || (one.shift ?? false) === shiftKey));
+}
+
+/** @param {() => boolean} singleKeys  whether keys without Ctrl count */
+export function listenForShortcuts(singleKeys) {
+  document.addEventListener('keydown', (event) => {
+    if (event.defaultPrevented || isTyping(event.target) || document.querySelector('dialog[open]')) return;
+    const shortcut = shortcutOf(event);
+    if (!shortcut || shortcut.control === 'cancel') return;  // which also works while typing, see WorkPanel
+    if (!shortcut.ctrl && (!singleKeys() || event.target instanceof HTMLSelectElement || event.repeat)) return;
+    const control = document.getElementById(shortcut.control);
+    if (!control || (control instanceof HTMLButtonElement && control.disabled) || !control.checkVisibility()) return;
+    event.preventDefault();
+    if (control instanceof HTMLTextAreaElement) control.focus();
+    else control.click();
+  });
+}
