@@ -97,7 +97,7 @@ Result<Row> runRedrawing(const Spot& spot) {
     if (!maps) return tl::unexpected(maps.error());
     LuminanceOptions light;
     light.cellTexels = cellTexels;
-    light.slices = 2;
+    light.sampling = {4, 2};
     light.albedo = spot.request.albedo;
     light.radiusMm = static_cast<float>(3 * spot.placement.moduleMm);
     light.reliefMm = static_cast<float>(summarise(search.depths()).maxMm);

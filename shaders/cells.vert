@@ -1,12 +1,15 @@
 #version 300 es
-// One rectangle for each run of listed cells of the map, so that a pass costs only what is carved.
+// One texel of the map of cells for each that is listed.
 precision highp float;
 
-layout(location = 0) in vec4 a_cells;  // column, row from the map's lower left, columns, rows
+layout(location = 0) in vec4 a_cell;  // column and row from the map's lower left; the same of where it was computed
 
 uniform float u_cellsAlongEdge;
 
+flat out ivec2 v_entry;
+
 void main() {
-  vec2 corner = vec2(float(gl_VertexID & 1), float(gl_VertexID >> 1));
-  gl_Position = vec4(2.0 * (a_cells.xy + corner * a_cells.zw) / u_cellsAlongEdge - 1.0, 0.0, 1.0);
+  v_entry = ivec2(a_cell.zw);
+  gl_Position = vec4(2.0 * (a_cell.xy + 0.5) / u_cellsAlongEdge - 1.0, 0.0, 1.0);
+  gl_PointSize = 1.0;
 }

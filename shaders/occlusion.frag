@@ -7,6 +7,9 @@
 // and the horizon integral is the sky visibility itself. The march goes from cell border to cell border, where the
 // walls stand, so no step is too long.
 //
+// What is computed lies side by side, without gaps, whichever cells are listed: u_detail² texels of each, a row of
+// entries as long as one of the map's cells.
+//
 // Output: share of a uniform sky, cosine-weighted, that reaches the texel, 1 = unoccluded plane; the same past the
 // walls of pockets alone; irradiance by the lamps, 1 = that of the whole sky; the same before anything was carved.
 precision highp float;
@@ -19,6 +22,11 @@ uniform int u_slices;          // pairs of half-planes through the line of sight
 uniform float u_radiusTexels;  // reach of the march
 uniform float u_reliefMm;      // depth of what is carved into u_surface itself, beside u_depth
 uniform int u_rotate;          // 1: texels of each 4×4 block take turned slices, so that a block's mean has 16 times as many
+uniform int u_detail;          // texels along a cell's edge that are computed
+uniform int u_stride;          // texels from one to the next
+uniform float u_cellsPerPixel;  // 1 / u_detail
+uniform sampler2D u_list;      // columns and rows of the listed cells
+uniform int u_listed;          // how many there are; 0: all
 
 uniform int u_lampCount;
 uniform vec4 u_lamps[2];       // unit vector to the lamp, strength
@@ -112,7 +120,8 @@ vec2 lampReaches(vec2 start, vec3 toLamp, vec3 origin, SightFrame sight, float p
   return vec2(lit, 1.0);
 }
 
-// Cosine-weighted visibility of one side of a slice: angles from the line of sight; gamma = the normal's.
+// Cosine-weighted visibility of one side of a slice, to which the angles count: from the line of sight to the horizon,
+// and gamma to the normal.
 float visibleArc(float horizon, float gamma) {
   return 0.25 * (-cos(2.0 * horizon - gamma) + cos(gamma) + 2.0 * horizon * sin(gamma));
 }
@@ -126,8 +135,24 @@ float turnOf(ivec2 inBlock) {
   return (float(4 * quarter + within) + 0.5) / 16.0;
 }
 
+// Of each block of texels one is computed; of two times two blocks these are four places of a turned grid.
+ivec2 texelOf(ivec2 block) {
+  return block * u_stride + (u_stride == 2 ? ivec2(block.y & 1, 1 - (block.x & 1)) : ivec2(u_stride >> 1));
+}
+
+// In the map, where the output's is `pixel`; negative beyond the list. (Some software renderers divide integers, too,
+// to few bits.)
+ivec2 blockOf(vec2 pixel) {
+  if (u_listed == 0) return ivec2(pixel);
+  ivec2 entry = ivec2(pixel * u_cellsPerPixel);
+  if (entry.y * textureSize(u_list, 0).x + entry.x >= u_listed) return ivec2(-1);
+  return ivec2(texelFetch(u_list, entry, 0).xy) * u_detail + (ivec2(pixel) - entry * u_detail);
+}
+
 void main() {
-  vec2 texel = gl_FragCoord.xy;
+  ivec2 block = blockOf(gl_FragCoord.xy);
+  if (block.x < 0) discard;
+  vec2 texel = vec2(texelOf(block)) + 0.5;
   vec4 surface = texelFetch(u_surface, ivec2(texel), 0);
   if (!isModel(surface)) {
     o_received = vec4(1.0, 1.0, 0.0, 0.0);
@@ -138,23 +163,18 @@ void main() {
   vec3 origin = engravedPoint(surface, depth, texel, texel);
   float pocketMm = depth + u_reliefMm;
 
-  float turn = u_rotate == 1 ? turnOf(ivec2(texel) & 3) : 0.5;
+  float turn = u_rotate == 1 ? turnOf(u_stride == 2 ? (block & 1) * ivec2(1, 2) : block & 3) : 0.5;  // of four, each quarter
   vec2 visibility = vec2(0.0);
-  for (int i = 0; i < u_slices; ++i) {
+  for (int i = 0; i < 2 * u_slices; ++i) {  // every slice has two sides
     float angle = (float(i) + turn) * kPi / float(u_slices);
     vec3 along = directionAcross(sight, angle);
     vec2 inSlice = vec2(dot(surface.xyz, along), dot(surface.xyz, sight.toEye));
     float gamma = atan(inSlice.x, inSlice.y);
     // Below the tangent plane nothing counts: that is the lowest horizon.
     float tangent = tangentCotangent(surface.xyz, along, sight.toEye);
-    float farAhead = max(tangent, horizonOfSurface(texel, angle));
-    float farBehind = max(-tangent, horizonOfSurface(texel, angle + kPi));
-    float wallAhead = horizonCotangent(texel, along, origin, sight, tangent, farAhead, pocketMm);
-    float wallBehind = horizonCotangent(texel, -along, origin, sight, -tangent, farBehind, pocketMm);
-    float share = length(inSlice);
-    visibility.x += share * (visibleArc(atan(1.0, max(wallAhead, farAhead)), gamma) +
-                             visibleArc(-atan(1.0, max(wallBehind, farBehind)), gamma));
-    visibility.y += share * (visibleArc(atan(1.0, wallAhead), gamma) + visibleArc(-atan(1.0, wallBehind), gamma));
+    float far = max(tangent, horizonOfSurface(texel, angle));
+    float wall = horizonCotangent(texel, along, origin, sight, tangent, far, pocketMm);
+    visibility += length(inSlice) * vec2(visibleArc(atan(1.0, max(wall, far)), gamma), visibleArc(atan(1.0, wall), gamma));
   }
   visibility /= float(u_slices);
   // Outside pockets what the march met is the surface itself.

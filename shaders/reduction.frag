@@ -1,16 +1,17 @@
 #version 300 es
-// Mean over the texels of each cell: one output texel a cell.
+// Mean over the computed texels of each cell: one output texel a cell.
 precision highp float;
 
+flat in ivec2 v_entry;
+
 uniform sampler2D u_map;
-uniform int u_cellTexels;
+uniform int u_detail;  // texels along a cell's edge
 
 layout(location = 0) out vec4 o_mean;
 
 void main() {
-  ivec2 first = ivec2(gl_FragCoord.xy) * u_cellTexels;
   vec4 sum = vec4(0.0);
-  for (int y = 0; y < u_cellTexels; ++y)
-    for (int x = 0; x < u_cellTexels; ++x) sum += texelFetch(u_map, first + ivec2(x, y), 0);
-  o_mean = sum / float(u_cellTexels * u_cellTexels);
+  for (int y = 0; y < u_detail; ++y)
+    for (int x = 0; x < u_detail; ++x) sum += texelFetch(u_map, v_entry * u_detail + ivec2(x, y), 0);
+  o_mean = sum / float(u_detail * u_detail);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -21,7 +22,7 @@ struct CarvingTarget {
 
 /// A search for carving depths without the rendering: it is told luminances and answers depths.
 ///
-///     while (!solver.finished()) solver.update(luminances(solver.depths()));
+///     while (!solver.finished()) solver.update(luminances(solver.depths(), solver.due()));
 class DepthSolver {
  public:
   virtual ~DepthSolver() = default;
@@ -30,6 +31,10 @@ class DepthSolver {
   /// @param luminance  mean of every submodule of symbol and quiet zone at `depths()`, linear, 1 = unoccluded;
   ///                   row-major from the quiet zone's top left, edge = 5·(modules + 8)
   virtual void update(std::span<const double> luminance) = 0;
+
+  /// Carved submodules whose luminance the next `update` looks at, indices in the mask; that of the others may be old.
+  /// None: all that are carved.
+  virtual std::span<const std::uint32_t> due() const { return {}; }
 
   virtual bool finished() const = 0;
   virtual int iterations() const = 0;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "carving/submodule_luminances.h"
 
@@ -14,8 +15,7 @@ constexpr double kFirstDepthModules = 0.25;
 constexpr double kAimShare = 0.003;  // of the threshold: so much darker is aimed at, so that G ends at 0 or below
 constexpr double kGreatestAimShare = 0.2;
 constexpr int kSweepsPerPass = 6;
-constexpr int kFreePasses = 2;      // after these, what is dark enough stays,
-constexpr int kLoweringPasses = 3;  // and after these nothing becomes less deep: that ends
+constexpr int kFreePasses = 3;  // after these nothing becomes less deep: that ends
 constexpr double kGreatestAlbedo = 0.95;
 
 /// log((1 − V)/V)
@@ -38,19 +38,22 @@ FastSearch::FastSearch(CarvingTarget target, const FastSearchOptions& options)
   const std::size_t count = sky_.carved().size();
   solvedMm_.assign(count, kFirstDepthModules * target_.symbolMm / target_.symbol->size);
   difference_.assign(count, std::log(1 - std::min(options_.albedo, kGreatestAlbedo)));
+  seenShare_.assign(count, 1);
   states_.assign(count, State::TooBright);
+  isDue_.assign(count, 1);
   solve();
 }
 
 void FastSearch::solve() {
   // The few that stay too bright are those that the plane says too little of.
-  const double lastAim = std::min(kAimShare * std::pow(3.0, std::max(0, iterations_ - kFreePasses)), kGreatestAimShare);
+  const double lastAim =
+      std::min(kAimShare * std::pow(3.0, std::max(0, iterations_ - kFreePasses + 1)), kGreatestAimShare);
   std::vector<double> shares;
   for (std::size_t k = 0; k < states_.size(); ++k) {
     const double margin = states_[k] == State::TooBright ? lastAim : kAimShare;
     shares.push_back(shareOfDarkness(darkness((1 - options_.contrast) * (1 - margin)) - difference_[k]));
   }
-  sky_.solve(shares, limitMm_, solvedMm_, kSweepsPerPass);
+  sky_.solve(shares, limitMm_, solvedMm_, isDue_, kSweepsPerPass);
   for (std::size_t k = 0; k < states_.size(); ++k) {
     double& depth = depths_.depthMm[sky_.carved()[k]];
     const double next = quantisedDepth(std::max(solvedMm_[k], kDepthQuantumMm), limitMm_[k]);
@@ -58,8 +61,39 @@ void FastSearch::solve() {
       depth = next;
     else if (states_[k] == State::TooBright)
       depth = quantisedDepth(std::max(next, depth + kDepthQuantumMm), limitMm_[k]);
-    else
-      depth = std::max(depth, next);
+    else if (next > depth && expectedShare(k, depth, solvedMm_) > 1 - options_.contrast)
+      depth = next;
+  }
+}
+
+/// LS/AL of a floor by what the plane says and what was seen to differ from it.
+double FastSearch::expectedShare(std::size_t k, double depthMm, std::span<const double> depthsMm) const {
+  return shareOfDarkness(darkness(sky_.share(k, depthMm, depthsMm)) + difference_[k]);
+}
+
+/// What has moved or touches what has, and what may be too bright for it, were the change since it was seen twice what
+/// the plane says; while all may still move, all.
+void FastSearch::chooseDue(const std::vector<double>& depthsBefore) {
+  dueInMask_.clear();
+  if (iterations_ < kFreePasses) return;
+  std::vector<double> depths;
+  for (const std::uint32_t i : sky_.carved()) depths.push_back(depths_.depthMm[i]);
+  const auto moved = [&](int row, int column) {
+    if (row < 0 || column < 0 || row >= depths_.size || column >= depths_.size) return false;
+    const auto i = static_cast<std::size_t>(row * depths_.size + column);
+    return depths_.depthMm[i] != depthsBefore[i];
+  };
+  for (std::size_t k = 0; k < isDue_.size(); ++k) {
+    const std::uint32_t i = sky_.carved()[k];
+    const int row = static_cast<int>(i) / depths_.size, column = static_cast<int>(i) % depths_.size;
+    bool due = false;
+    for (int near = 0; near < 9; ++near) due = due || moved(row - 1 + near / 3, column - 1 + near % 3);
+    if (!due && states_[k] == State::Done) {
+      const double expected = expectedShare(k, depths[k], depths);
+      due = expected + (expected - seenShare_[k]) > 1 - options_.contrast;
+    }
+    isDue_[k] = due;
+    if (due) dueInMask_.push_back(i);
   }
 }
 
@@ -71,11 +105,17 @@ void FastSearch::update(std::span<const double> luminance) {
   for (const std::uint32_t i : sky_.carved()) depths.push_back(depths_.depthMm[i]);
 
   const double aim = darkness((1 - options_.contrast) * (1 - kAimShare));
+  std::size_t module = std::numeric_limits<std::size_t>::max();
+  double around = 1;
   for (std::size_t k = 0; k < states_.size(); ++k) {
+    if (!isDue_[k]) continue;
     const int row = static_cast<int>(sky_.carved()[k]) / depths_.size;
     const int column = static_cast<int>(sky_.carved()[k]) % depths_.size;
-    const double around = neighbours_.darkestMean(static_cast<std::size_t>(row / kN * m + column / kN), modules);
+    const auto of = static_cast<std::size_t>(row / kN * m + column / kN);
+    if (of != module) around = neighbours_.darkestMean(of, modules);
+    module = of;
     const double share = seen.of(row, column) / around;
+    seenShare_[k] = share;
     difference_[k] = darkness(share) - darkness(sky_.share(k, depths[k], depths));
     if (share > 1 - options_.contrast) {
       states_[k] =
@@ -83,15 +123,23 @@ void FastSearch::update(std::span<const double> luminance) {
     } else {
       const double less = std::max(depths[k] - options_.slackMm, 0.0);
       const bool couldBeLess =
-          iterations_ < kLoweringPasses && less > 0 && darkness(sky_.share(k, less, depths)) + difference_[k] > aim;
+          iterations_ + 1 < kFreePasses && less > 0 && darkness(sky_.share(k, less, depths)) + difference_[k] > aim;
       states_[k] = couldBeLess ? State::TooDeep : State::Done;
     }
   }
   ++iterations_;
   const bool allDone = std::all_of(states_.begin(), states_.end(),
                                    [](State state) { return state == State::Done || state == State::Limited; });
-  finished_ = allDone || iterations_ >= options_.maxIterations;
-  if (!finished_) solve();
+  finished_ = (allDone && allAreDue()) || iterations_ >= options_.maxIterations;
+  if (finished_) return;
+  if (allDone) {  // as far as was looked: once more, all of it
+    dueInMask_.clear();
+    isDue_.assign(isDue_.size(), 1);
+    return;
+  }
+  const std::vector<double> depthsBefore = depths_.depthMm;
+  solve();
+  chooseDue(depthsBefore);
 }
 
 double FastSearch::doneShare() const {

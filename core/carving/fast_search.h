@@ -14,7 +14,7 @@ struct FastSearchOptions {
   double contrast = 0.3;  ///< c: a carved submodule must be darker than its surroundings by this share, 0 … 1
   double slackMm = 0.05;  ///< a submodule is no deeper than it must be by more than about this, > 0
   double albedo = 0.7;    ///< of the material, 0 … 1: what interreflection is expected to be at first
-  int maxIterations = 20;
+  int maxIterations = 24;
 };
 
 /// Reaches what the paper's search reaches (DepthSearch: no submodule with G = AL·(c − 1) + LS > 0) in fewer passes and
@@ -23,12 +23,15 @@ struct FastSearchOptions {
 /// The depths are solved for on a plane without rendering (PocketSky), neighbours and all. What a pass then shows to be
 /// brighter or darker than the plane said, by interreflection and curvature, is carried over to the next solution: as a
 /// difference in log((1 − V)/V), V = LS/AL, which depends little on the depth. At first depths rise and fall; then what
-/// is dark enough only gets deeper where deeper neighbours brighten it, so that the search ends.
+/// is dark enough only gets deeper where deeper neighbours brighten it, so that the search ends, and only what moved
+/// and what that may have brightened is measured. The last pass measures all and finds none too bright.
 class FastSearch final : public DepthSolver {
  public:
   FastSearch(CarvingTarget target, const FastSearchOptions& options);
 
   void update(std::span<const double> luminance) override;
+
+  std::span<const std::uint32_t> due() const override { return dueInMask_; }
 
   bool finished() const override { return finished_; }
   int iterations() const override { return iterations_; }
@@ -40,6 +43,9 @@ class FastSearch final : public DepthSolver {
   enum class State : std::uint8_t { TooBright, TooDeep, Done, Limited };
 
   void solve();
+  double expectedShare(std::size_t k, double depthMm, std::span<const double> depthsMm) const;
+  void chooseDue(const std::vector<double>& depthsBefore);
+  bool allAreDue() const { return dueInMask_.empty(); }
 
   CarvingTarget target_;
   FastSearchOptions options_;
@@ -49,7 +55,10 @@ class FastSearch final : public DepthSolver {
   // Per carved submodule, in the order of sky_.carved():
   std::vector<double> limitMm_, solvedMm_;
   std::vector<double> difference_;  // between what was seen and what the plane says
+  std::vector<double> seenShare_;   // LS/AL when it was last measured
   std::vector<State> states_;
+  std::vector<char> isDue_;
+  std::vector<std::uint32_t> dueInMask_;  // none: all
   int iterations_ = 0;
   bool finished_ = false;
 };

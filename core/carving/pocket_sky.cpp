@@ -8,7 +8,7 @@
 namespace qrelief {
 namespace {
 
-constexpr double kSettledMm = 2e-4;
+constexpr double kSettledMm = 1e-3;
 constexpr int kSteps = 24;
 
 }  // namespace
@@ -99,8 +99,7 @@ double PocketSky::depthFor(std::size_t k, double wanted, double limitMm, std::sp
 }
 
 void PocketSky::solve(std::span<const double> shares, std::span<const double> limitsMm, std::span<double> depthsMm,
-                      int mostSweeps) const {
-  std::vector<char> isDue(carved_.size(), 1);
+                      std::vector<char> isDue, int mostSweeps) const {
   for (int sweep = 0; sweep < mostSweeps; ++sweep) {
     bool moved = false;
     for (std::size_t i = 0; i < carved_.size(); ++i) {

@@ -33,9 +33,10 @@ class PocketSky {
   /// @param shares    per floor, above 0 and below 1
   /// @param limitsMm  per floor, ≥ 0
   /// @param depthsMm    where to begin; the answer
+  /// @param isDue       per floor: whether it is to be solved for even if no other moves
   /// @param mostSweeps  over all floors; a few bring it near, and near is enough where the shares will change again
   void solve(std::span<const double> shares, std::span<const double> limitsMm, std::span<double> depthsMm,
-             int mostSweeps) const;
+             std::vector<char> isDue, int mostSweeps) const;
 
  private:
   struct Step {

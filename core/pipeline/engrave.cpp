@@ -27,6 +27,7 @@ constexpr double kReachPerDepth = 8;  // a wall seen from eight times its height
 constexpr double kLeastReachModules = 3;
 constexpr int kMaxMapTexels = 2048;
 constexpr int kHorizonsPerModule = 2;
+constexpr LuminanceSampling kUncarvedSampling{1, 8};  // smooth, but for the model's own edges
 
 double millisecondsSince(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
@@ -149,6 +150,7 @@ struct EngraveJob::State {
 
   Symbol symbol;
   SubmoduleMask mask;
+  std::vector<std::uint32_t> allCarved;  // indices in the mask
   CellLayout layout;
   std::optional<PlacementSearch> placing;
   SurfaceMaps maps;
@@ -228,7 +230,6 @@ Status EngraveJob::State::map() {
 
   LuminanceOptions options;
   options.cellTexels = perCell;
-  options.slices = perCell == 4 ? 4 : 8;
   options.albedo = request.albedo;
   options.lights = request.lights;
   options.horizonSamples = kHorizonsPerModule * layout.cells() / kN;
@@ -241,14 +242,13 @@ Status EngraveJob::State::map() {
   if (!made) return tl::unexpected(made.error());
   light.emplace(std::move(*made));
   // The surroundings are lit once: pockets lie below the light modules and take no sky from them.
+  light->setSampling(kUncarvedSampling);
   light->run();
   means = light->readLuminance();
+  light->setSampling({});
 
-  std::vector<std::uint32_t> carvedCells;
-  for (int row = 0; row < mask.size; ++row)
-    for (int column = 0; column < mask.size; ++column)
-      if (mask.isCarved(row, column)) carvedCells.push_back(layout.ofSymbol(row, column));
-  light->selectCells(carvedCells);
+  for (std::uint32_t i = 0; i < mask.carved.size(); ++i)
+    if (mask.carved[i]) allCarved.push_back(i);
 
   auto limits = depthLimits();
   if (!limits) return tl::unexpected(limits.error());
@@ -272,8 +272,13 @@ Status EngraveJob::State::map() {
   return {};
 }
 
-/// Luminance of the engraved submodules at the depths the search asks for.
+/// Luminance of the engraved submodules that the search asks for, at its depths.
 void EngraveJob::State::measure() {
+  const std::span<const std::uint32_t> due = search->due().empty() ? allCarved : search->due();
+  std::vector<std::uint32_t> cells;
+  for (const std::uint32_t i : due)
+    cells.push_back(layout.ofSymbol(static_cast<int>(i) / mask.size, static_cast<int>(i) % mask.size));
+  light->selectCells(cells);
   std::vector<float> depths(static_cast<std::size_t>(layout.cells()) * static_cast<std::size_t>(layout.cells()), 0.0f);
   double deepest = 0;
   for (int row = 0; row < mask.size; ++row) {

@@ -47,9 +47,9 @@ Result<LuminancePass> LuminancePass::create(const SurfaceMaps& maps, const Surfa
   pass.cells_ = maps.window.texels / options.cellTexels;
   const int texels = maps.window.texels;
   for (const Status& made :
-       {makeProgram(pass.occlusion_, "occlusion", shaders::cells_vert, shaders::occlusion_frag),
+       {makeProgram(pass.occlusion_, "occlusion", shaders::fullscreen_vert, shaders::occlusion_frag),
         makeProgram(pass.lighting_, "lighting", shaders::fullscreen_vert, shaders::lighting_frag),
-        makeProgram(pass.reduction_, "reduction", shaders::fullscreen_vert, shaders::reduction_frag),
+        makeProgram(pass.reduction_, "reduction", shaders::cells_vert, shaders::reduction_frag),
         makeTarget(pass.received_, pass.receivedTarget_, texels, texels, gl::Format::RGBA32F),
         makeTarget(pass.means_, pass.meansTarget_, pass.cells_, pass.cells_, gl::Format::RGBA32F),
         makeTarget(pass.luminance_, pass.luminanceTarget_, pass.cells_, pass.cells_, gl::Format::R32F)})
@@ -70,31 +70,30 @@ void LuminancePass::setDepths(std::span<const float> depthsMm) {
   depths_.upload(depthsMm.data());
 }
 
+int LuminancePass::texelsComputed() const {
+  int texels = std::min(options_.sampling.texels, options_.cellTexels);
+  while (options_.cellTexels % texels != 0) ++texels;
+  return texels;
+}
+
 void LuminancePass::selectCells(std::span<const std::uint32_t> cells) {
-  // Neighbours in a row become one rectangle, all cells a single one: a renderer works on blocks of texels and wastes
-  // those that a rectangle's edges cut.
-  std::vector<glm::vec4> rectangles;
   const auto edge = static_cast<std::uint32_t>(cells_);
-  if (cells.size() == static_cast<std::size_t>(edge) * edge) {
-    rectangles.emplace_back(0, 0, edge, edge);
-  } else {
-    std::vector<std::uint32_t> sorted(cells.begin(), cells.end());
-    std::sort(sorted.begin(), sorted.end());
-    for (std::size_t i = 0; i < sorted.size(); ++i) {
-      const bool continues = i > 0 && sorted[i] == sorted[i - 1] + 1 && sorted[i] % edge != 0;
-      if (continues)
-        rectangles.back().z += 1;
-      else
-        rectangles.emplace_back(sorted[i] % edge, sorted[i] / edge, 1, 1);
-    }
+  assert(!cells.empty() && cells.size() <= std::size_t{edge} * edge);
+  const bool all = cells.size() == std::size_t{edge} * edge;
+  std::vector<glm::vec4> places;
+  for (std::uint32_t entry = 0; entry < cells.size(); ++entry) {
+    const std::uint32_t computed = all ? cells[entry] : entry;
+    places.emplace_back(cells[entry] % edge, cells[entry] / edge, computed % edge, computed / edge);
   }
   cellArray_.bind();
-  cellBuffer_ = gl::Buffer(GL_ARRAY_BUFFER, std::as_bytes(std::span(rectangles)));
+  cellBuffer_ = gl::Buffer(GL_ARRAY_BUFFER, std::as_bytes(std::span(places)));
   glEnableVertexAttribArray(0);
   glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, 0, nullptr);
-  glVertexAttribDivisor(0, 1);
   glBindVertexArray(0);
-  selected_ = static_cast<GLsizei>(rectangles.size());
+  selected_ = static_cast<GLsizei>(cells.size());
+  if (all) return;
+  places.resize(static_cast<std::size_t>(listRows() * cells_));
+  list_ = gl::Texture(cells_, listRows(), gl::Format::RGBA32F, places.data());
 }
 
 void LuminancePass::setMap(const gl::Program& program) const {
@@ -135,30 +134,37 @@ void LuminancePass::run() {
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);
 
+  const int texels = texelsComputed();
   std::optional<gl::TimedPass> timed(std::in_place, "occlusion");
   receivedTarget_.bind();
+  glViewport(0, 0, cells_ * texels, listRows() * texels);
   setMap(occlusion_);
   occlusion_.setTexture("u_horizon", 2, horizon_);
-  occlusion_.set("u_cellsAlongEdge", static_cast<float>(cells_));
-  occlusion_.set("u_slices", options_.slices);
+  occlusion_.set("u_slices", options_.sampling.slices);
   occlusion_.set("u_radiusTexels", static_cast<float>(options_.radiusMm / maps_->window.texelMm()));
   occlusion_.set("u_reliefMm", options_.reliefMm);
   occlusion_.set("u_rotate", options_.turnSlices ? 1 : 0);
+  occlusion_.set("u_detail", texels);
+  occlusion_.set("u_stride", options_.cellTexels / texels);
+  occlusion_.set("u_cellsPerPixel", 1 / static_cast<float>(texels));
+  occlusion_.set("u_listed", listed());
+  occlusion_.setTexture("u_list", 3, listed() ? list_ : horizon_);
   std::array<glm::vec4, kMostLights> lamps{};
   for (std::size_t i = 0; i < options_.lights.size(); ++i)
     lamps[i] = glm::vec4(Vec3f(towards(options_.lights[i])), static_cast<float>(options_.lights[i].strength));
   occlusion_.set("u_lampCount", static_cast<int>(options_.lights.size()));
   occlusion_.set("u_lamps[0]", lamps[0]);
   occlusion_.set("u_lamps[1]", lamps[1]);
-  cellArray_.bind();
-  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, selected_);
+  gl::drawFullscreen();
 
   timed.emplace("reduction");
   meansTarget_.bind();
   reduction_.use();
   reduction_.setTexture("u_map", 0, received_);
-  reduction_.set("u_cellTexels", options_.cellTexels);
-  gl::drawFullscreen();
+  reduction_.set("u_detail", texels);
+  reduction_.set("u_cellsAlongEdge", static_cast<float>(cells_));
+  cellArray_.bind();
+  glDrawArrays(GL_POINTS, 0, selected_);
 
   timed.emplace("lighting");
   luminanceTarget_.bind();

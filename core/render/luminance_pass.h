@@ -12,9 +12,15 @@
 
 namespace qrelief {
 
+/// Where the light of a cell is looked for.
+struct LuminanceSampling {
+  int texels = 2;   ///< along a cell's edge that are computed; more, up to all, where it does not divide the cell
+  int slices = 10;  ///< pairs of half-planes per texel, ≥ 1
+};
+
 struct LuminanceOptions {
-  int cellTexels = 4;        ///< texels along a cell's edge; the map's edge is a whole number of cells
-  int slices = 4;            ///< pairs of half-planes per texel, ≥ 1
+  int cellTexels = 4;  ///< texels along a cell's edge; the map's edge is a whole number of cells
+  LuminanceSampling sampling = {};
   bool turnSlices = true;    ///< texels of a 4×4 block take different slices: for cell means; false for pictures
   float radiusMm = 5;        ///< reach of the march; what lies farther counts by the surface's own horizon
   float reliefMm = 0;        ///< depth of what is carved into the maps' own surface, beside `setDepths`
@@ -34,7 +40,7 @@ struct Received {
 /// shadows, the reduction to one mean a cell, and lighting with interreflection [Papp 2022, §7]. 1 = an unoccluded
 /// surface in the QR plane. Once, when it is made: the horizon of the uncarved surface, far and near.
 ///
-/// Cost: texels of the listed cells × (2·slices + lamps) × cells up to where no rim can matter.
+/// Cost: computed texels of the listed cells × (2·slices + lamps) × cells up to where no rim can matter.
 class LuminancePass {
  public:
   /// @param maps          kept by reference: they must outlive the pass
@@ -48,8 +54,10 @@ class LuminancePass {
   void setDepths(std::span<const float> depthsMm);
   void setRadius(float radiusMm) { options_.radiusMm = radiusMm; }
 
+  void setSampling(LuminanceSampling sampling) { options_.sampling = sampling; }
+
   /// Chooses the cells that `run` computes; the others keep their luminance. All cells at first.
-  /// @param cells  indices, row-major from the lower left
+  /// @param cells  indices, row-major from the lower left; at least one
   void selectCells(std::span<const std::uint32_t> cells);
 
   void run();
@@ -61,13 +69,16 @@ class LuminancePass {
  private:
   Status findHorizon(const SurfaceMaps* surroundings);
   void setMap(const gl::Program& program) const;
+  int texelsComputed() const;  // along a cell's edge
+  int listed() const { return selected_ == cells_ * cells_ ? 0 : selected_; }
+  int listRows() const { return (selected_ + cells_ - 1) / cells_; }
 
   const SurfaceMaps* maps_ = nullptr;
   double eyeDistance_ = 250;
   LuminanceOptions options_;
   int cells_ = 0;
   gl::Program occlusion_, lighting_, reduction_;
-  gl::Texture horizon_, depths_, received_, means_, luminance_;
+  gl::Texture horizon_, list_, depths_, received_, means_, luminance_;
   gl::Framebuffer receivedTarget_, meansTarget_, luminanceTarget_;
   gl::VertexArray cellArray_;
   gl::Buffer cellBuffer_;

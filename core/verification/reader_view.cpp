@@ -102,7 +102,7 @@ Result<ReaderView> renderReaderView(const GeometryPass& pass, const GpuMesh& mes
   const auto around = pass.render(mesh, frame, surroundingsOf(maps->window, frame, mesh.box()));
   if (!around) return tl::unexpected(around.error());
   const LuminanceOptions light{.cellTexels = 1,
-                               .slices = 3,
+                               .sampling = {1, 3},
                                .turnSlices = true,
                                .radiusMm = options.radiusMm,
                                .reliefMm = options.reliefMm,

@@ -78,6 +78,28 @@ TEST_F(FastSearchTest, ReachesThePapersGoalInFewerPassesAndNoDeeper) {
   EXPECT_EQ(fast.limitedCount(), 0u);
 }
 
+TEST_F(FastSearchTest, NeedsNoLuminanceButThatOfWhatIsDueAndLooksAtAllInTheEnd) {
+  FastSearch fast(target(5), {.contrast = kContrast});
+  const int edge = 5 * (symbol_.size + 8);
+  std::vector<double> told = luminances(fast.depths());
+  std::size_t measured = 0;
+  bool all = false;
+  while (!fast.finished()) {
+    all = fast.due().empty();
+    measured += all ? sky_.carved().size() : fast.due().size();
+    const std::vector<double> now = luminances(fast.depths());
+    for (const std::uint32_t i : all ? std::span<const std::uint32_t>(sky_.carved()) : fast.due()) {
+      const auto at = static_cast<std::size_t>((static_cast<int>(i) / mask_.size + 20) * edge +
+                                               static_cast<int>(i) % mask_.size + 20);
+      told[at] = now[at];
+    }
+    fast.update(told);
+  }
+  EXPECT_TRUE(all);
+  EXPECT_EQ(tooBright(fast.depths()), 0);
+  EXPECT_LT(measured, static_cast<std::size_t>(fast.iterations()) * sky_.carved().size() * 3 / 4);
+}
+
 TEST_F(FastSearchTest, LeavesFewSubmodulesDeeperThanTheyMustBe) {
   FastSearch fast(target(5), {.contrast = kContrast, .slackMm = 0.05});
   run(fast);

@@ -51,7 +51,7 @@ class PocketSkySolve : public testing::Test {
   }
   std::vector<double> solvedFrom(double startMm) const {
     std::vector<double> depths(limits_.size(), startMm);
-    sky_.solve(shares_, limits_, depths, 1000);
+    sky_.solve(shares_, limits_, depths, std::vector<char>(shares_.size(), 1), 1000);
     return depths;
   }
   PocketSky sky_;
