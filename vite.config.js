@@ -3,6 +3,7 @@ import { existsSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
 import { offline } from './web/offline/build_plugin.js';
+import { fillTexts } from './web/text/fill.js';
 
 const root = fileURLToPath(new URL('.', import.meta.url));
 const moduleFolder = process.env.QRELIEF_WASM_DIR ?? `${root}build/wasm/wasm`;
@@ -41,6 +42,11 @@ function contentSecurityPolicy() {
   };
 }
 
+/** @returns {import('vite').Plugin} */
+function texts() {
+  return { name: 'qrelief-texts', transformIndexHtml: { order: 'pre', handler: fillTexts } };
+}
+
 export default defineConfig({
   root: `${root}web`,
   base: './',
@@ -48,8 +54,11 @@ export default defineConfig({
   resolve: {
     alias: { 'qrelief-module': `${moduleFolder}/qrelief.js`, 'qrelief-wasm': `${moduleFolder}/qrelief.wasm?url` },
   },
-  plugins: [requireModule(), contentSecurityPolicy(), offline({ site: process.env.QRELIEF_SITE })],
+  plugins: [requireModule(), texts(), contentSecurityPolicy(), offline({ site: process.env.QRELIEF_SITE })],
   worker: { format: 'es' },
-  build: { outDir: `${root}dist`, emptyOutDir: true, target: 'es2022', assetsInlineLimit: 0, modulePreload: { polyfill: false } },
+  build: {
+    outDir: `${root}dist`, emptyOutDir: true, target: 'es2022', assetsInlineLimit: 0, modulePreload: { polyfill: false },
+    rolldownOptions: { input: ['index', 'guide', 'method'].map((page) => `${root}web/${page}.html`) },
+  },
   server: { fs: { allow: [root, moduleFolder] } },
 });

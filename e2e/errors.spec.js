@@ -75,7 +75,7 @@ test('An unknown sample is named together with those there are', async ({ page }
   const app = new Engraver(page);
   await app.open('?sample=teapot');
   await expect(app.alert).toContainText('There is no sample “teapot”');
-  await expect(app.alert).toContainText('bunny, bumpy-sphere, vase, star, pyramid, saddle');
+  await expect(app.alert).toContainText('bunny, bumpy-sphere, vase, star, pyramid, saddle, plate');
 });
 
 test('A browser without WebGL 2 is told so', async ({ page }) => {

@@ -41,7 +41,7 @@ test('The page does not scroll sideways', async ({ page }) => {
   expect(overflow).toEqual([0, 0]);
 });
 
-for (const sample of ['bumpy-sphere', 'vase', 'star', 'pyramid', 'saddle']) {
+for (const sample of ['bumpy-sphere', 'vase', 'star', 'pyramid', 'saddle', 'plate']) {
   test(`The sample ${sample} finds a place of at least 20 mm for its code`, async ({ page }) => {
     const app = new Engraver(page);
     await app.open(`?sample=${sample}`);

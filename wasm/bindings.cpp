@@ -12,6 +12,7 @@
 #include "wasm/answers.h"
 #include "wasm/engine.h"
 #include "wasm/inspector.h"
+#include "wasm/job_map.h"
 #include "wasm/settings.h"
 #include "wasm/symbol_facts.h"
 
@@ -121,6 +122,20 @@ class Facade {
     answer.set("pixels", copyOut(image.pixels));
     return answer;
   }
+  /// Null where there is no such map.
+  val jobMap(const std::string& name) {
+    const std::optional<JobMap> map =
+        engine_.job() ? qrelief::jobMap(engine_.job()->inspectorMaps(), name) : std::nullopt;
+    if (!map) return val::null();
+    val answer = val::object();
+    answer.set("width", map->width);
+    answer.set("height", map->height);
+    answer.set("components", map->components);
+    answer.set(
+        "values",
+        val::global("Float32Array").new_(val(emscripten::typed_memory_view(map->values.size(), map->values.data()))));
+    return answer;
+  }
   void setReadBack(const std::string& text, const std::string& reader) { engine_.setReadBack(text, reader); }
   val exportModel(const std::string& format) { return copyOut(engine_.exportModel(format)); }
 
@@ -198,6 +213,7 @@ EMSCRIPTEN_BINDINGS(qrelief) {
       .function("useCarving", &Facade::useCarving)
       .function("report", &Facade::report)
       .function("readerImage", &Facade::readerImage)
+      .function("jobMap", &Facade::jobMap)
       .function("setReadBack", &Facade::setReadBack)
       .function("exportModel", &Facade::exportModel)
       .function("resize", &Facade::resize)

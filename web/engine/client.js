@@ -165,6 +165,9 @@ export class EngineClient {
   /** @returns {Promise<import('./types.js').GreyImage>} */
   readerImage() { return this.call_('readerImage'); }
 
+  /** @param {import('./types.js').JobMapName} name @returns {Promise<import('./types.js').JobMap | null>}  none before there is one */
+  jobMap(name) { return this.call_('jobMap', name); }
+
   /**
    * @param {string} text    what was read; empty if nothing
    * @param {string} reader  who read it

@@ -166,6 +166,8 @@ export class EngineHost {
       const { width, height, pixels } = this.engine_.readerImage();
       return { width, height, pixels: pixels.slice() };
     },
+    /** @param {import('./types.js').JobMapName} name */
+    jobMap: (name) => this.engine_.jobMap(name),
     /** @param {string} text @param {string} reader */
     setReadBack: (text, reader) => this.engine_.setReadBack(text, reader),
     /** @param {string} format */

@@ -59,6 +59,12 @@
 /** @typedef {{ stage: string, fraction: number }} EngraveProgress */
 /** @typedef {{ usedBytes: number, heapBytes: number, glObjects: number }} MemoryUse  of the module; its heap never shrinks */
 /** @typedef {{ width: number, height: number, pixels: Uint8Array }} GreyImage */
+/** @typedef {'surface' | 'luminance' | 'depths'} JobMapName */
+/**
+ * @typedef {{ width: number, height: number, components: number, values: Float32Array }} JobMap
+ *   what the last engraving worked on; row 0 at the bottom. `surface`: normal (right, up, towards the reader) and height
+ *   in mm, all zero beside the model; `luminance`: 1 = unoccluded; `depths`: mm, one value a submodule
+ */
 
 /**
  * The part of the report (see the contract) that the page shows.
@@ -101,6 +107,7 @@
  * @property {(number: number) => boolean} useCarving
  * @property {() => string} report
  * @property {() => GreyImage} readerImage
+ * @property {(name: JobMapName) => JobMap | null} jobMap
  * @property {(text: string, reader: string) => void} setReadBack
  * @property {(format: string) => Uint8Array} exportModel
  * @property {(dark: boolean) => void} setTheme

@@ -3,7 +3,7 @@
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { fileURLToPath } from 'node:url';
-import { bumpySphere, pyramid, saddle, star, vase } from './shapes.js';
+import { bumpySphere, plate, pyramid, saddle, star, vase } from './shapes.js';
 import { bounds, fillHoles, subdivide } from './solid.js';
 import { writeStl } from './stl.js';
 
@@ -44,6 +44,7 @@ export const samples = [
   { id: 'star', name: 'Star', mesh: star(), centreMm: [0, 0, 40], credit: kOwnCredit },
   { id: 'pyramid', name: 'Pyramid', mesh: pyramid(), centreMm: [0, -33, 36], credit: kOwnCredit },
   { id: 'saddle', name: 'Saddle', mesh: saddle(48), centreMm: [0, 0, 30], credit: kOwnCredit },
+  { id: 'plate', name: 'Test plate', mesh: plate(), centreMm: [0, 0, 4], credit: kOwnCredit },
 ];
 
 /** Writes every sample and `manifest.json` into `folder`. @param {string} folder */

@@ -30,7 +30,7 @@ for (const { id, mesh, centreMm, credit } of samples) {
     assert.equal(check.nonManifoldEdges, 0);
     assert.equal(check.nonManifoldVertices, 0);
     assert.equal(check.degenerateTriangles, 0);
-    assert.ok(check.volume > 100_000, `the volume is ${check.volume} mm³`);
+    assert.ok(check.volume > 7_000, `the volume is ${check.volume} mm³`);
     assert.ok(Math.abs(check.min[2]) < 3, `it stands at z = ${check.min[2]}`);
   });
 

@@ -120,6 +120,21 @@ export function star() {
 }
 
 /**
+ * Plate of 44 × 44 × 4 mm, to try a printer with.
+ * @returns {Mesh}
+ */
+export function plate() {
+  const [half, height] = [22, 4];
+  /** @type {Point[]} */
+  const positions = [0, height].flatMap((z) => /** @type {Point[]} */ ([[-half, -half, z], [half, -half, z], [half, half, z], [-half, half, z]]));
+  const sides = [0, 1, 2, 3].flatMap((k) => {
+    const next = (k + 1) % 4;
+    return /** @type {Triangle[]} */ ([[k, next, 4 + next], [k, 4 + next, 4 + k]]);
+  });
+  return { positions, triangles: [[0, 2, 1], [0, 3, 2], [4, 5, 6], [4, 6, 7], ...sides] };
+}
+
+/**
  * Pyramid of six triangles: base 120 × 120 mm, 80 mm high.
  * @returns {Mesh}
  */

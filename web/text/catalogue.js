@@ -5,7 +5,9 @@ import { code } from './parts/code.js';
 import { core } from './parts/core.js';
 import { findings } from './parts/findings.js';
 import { help } from './parts/help.js';
+import { guide } from './parts/guide.js';
 import { keep } from './parts/keep.js';
+import { method } from './parts/method.js';
 import { page } from './parts/page.js';
 import { samples } from './parts/samples.js';
 import { settings } from './parts/settings.js';
@@ -15,7 +17,7 @@ import { take } from './parts/take.js';
 /** @typedef {'en' | 'de'} Language */
 /** @typedef {string | { one: string, other: string }} Entry  chosen by the value `count`; `{name}` stands for a value */
 
-const kParts = { code, core, findings, help, keep, page, samples, settings, stages, take };
+const kParts = { code, core, findings, guide, help, keep, method, page, samples, settings, stages, take };
 
 /** @typedef {{ [P in keyof typeof kParts]: `${P}.${string & keyof (typeof kParts)[P]['en']}` }[keyof typeof kParts]} Key */
 
@@ -79,12 +81,12 @@ export function text(key, values = {}) {
 
 /**
  * Puts texts where the markup names them: `data-text="page.model"` for the content, `data-text-label` for aria-label,
- * `data-text-placeholder` and `data-text-title` for these attributes.
+ * `data-text-placeholder`, `data-text-title` and `data-text-content` for these attributes.
  * @param {ParentNode} root
  */
 export function localise(root) {
-  const attributes = { textLabel: 'aria-label', textPlaceholder: 'placeholder', textTitle: 'title' };
-  for (const element of root.querySelectorAll('[data-text],[data-text-label],[data-text-placeholder],[data-text-title]')) {
+  const attributes = { textLabel: 'aria-label', textPlaceholder: 'placeholder', textTitle: 'title', textContent: 'content' };
+  for (const element of root.querySelectorAll('[data-text],[data-text-label],[data-text-placeholder],[data-text-title],[data-text-content]')) {
     if (!(element instanceof HTMLElement || element instanceof SVGElement)) continue;
     if (element.dataset.text) element.textContent = text(/** @type {Key} */ (element.dataset.text));
     for (const [from, to] of Object.entries(attributes)) {

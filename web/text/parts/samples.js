@@ -9,6 +9,7 @@ export const samples = {
     star: 'Star',
     pyramid: 'Pyramid',
     saddle: 'Saddle',
+    plate: 'Test plate',
   },
   de: {
     bunny: 'Stanford-Hase',
@@ -17,5 +18,6 @@ export const samples = {
     star: 'Stern',
     pyramid: 'Pyramide',
     saddle: 'Sattel',
+    plate: 'Prüfplatte',
   },
 };

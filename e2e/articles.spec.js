@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { expect, test } from '@playwright/test';
+import { Engraver } from './support/engraver.js';
+
+/** @typedef {import('@playwright/test').Page} Page */
+
+/** What the page complains of. @param {Page} page */
+function listen(page) {
+  /** @type {string[]} */ const complaints = [];
+  page.on('pageerror', (error) => complaints.push(error.message));
+  page.on('console', (message) => message.type() === 'error' && complaints.push(message.text()));
+  return complaints;
+}
+
+/** @param {Page} page */
+async function expectNoSidewaysScroll(page) {
+  expect(await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth)).toBe(0);
+}
+
+test('The guide names the widths of codes, and its plate opens in the app, carved', async ({ page }) => {
+  const complaints = listen(page);
+  const app = new Engraver(page);
+  await app.open('?sample=pyramid');
+  await app.expectReady();
+  await page.getByRole('link', { name: 'How to print it' }).click();
+  await expect(page.getByRole('heading', { level: 1 })).toHaveText('How to print it');
+  const row = page.getByRole('table', { name: 'Width of the code' }).getByRole('row', { name: '42 letters' });
+  await expect(row).toContainText(/29 × 29\s*17\.4 mm\s*34\.8 mm/);
+  await expectNoSidewaysScroll(page);
+  await page.getByRole('link', { name: 'Open the plate, carved' }).click();
+  await app.expectResult();
+  await expect(app.result).toContainText('Reads as QRelief');
+  expect(complaints).toEqual([]);
+});
+
+test('The guide is there in German, in the language chosen in the app', async ({ page }) => {
+  await page.goto('./guide.html');
+  await page.getByLabel('Language').selectOption('de');
+  await expect(page.getByRole('heading', { level: 1 })).toHaveText('So wird es gedruckt');
+  await expect(page.getByRole('table').first()).toContainText('17,4 mm');
+  await page.getByRole('link', { name: 'So funktioniert es' }).click();
+  await expect(page.getByRole('heading', { level: 1 })).toHaveText('So funktioniert es');
+  await expect(page).toHaveTitle(/funktioniert/);
+});
+
+test('The method page computes its pictures, and reads the one that the phone sees', async ({ page }) => {
+  const complaints = listen(page);
+  await page.goto('./method.html');
+  await expect(page.getByRole('status')).toHaveText(/^Done in [\d.]+ seconds\.$/, { timeout: 170_000 });
+  await expect(page.getByText('Read: https://en.wikipedia.org/wiki/QR_code')).toBeVisible();
+  for (const name of [/Which way the surface faces/, /Height over the plane/, /The light that arrives/, /The depths found/, /What the phone sees/]) {
+    const colours = await page.getByRole('img', { name }).evaluate((element) => {
+      const canvas = /** @type {HTMLCanvasElement} */ (element);
+      const pixels = canvas.getContext('2d')?.getImageData(0, 0, canvas.width, canvas.height).data ?? new Uint8ClampedArray();
+      return new Set(new Uint32Array(pixels.buffer)).size;
+    });
+    expect(colours, String(name)).toBeGreaterThan(20);
+  }
+  await expect(page.getByText('closed, manifold, nothing crosses')).toBeVisible();
+  await expect(page.getByText('14,696')).toBeVisible();
+  await expectNoSidewaysScroll(page);
+  expect(complaints).toEqual([]);
+});

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "pipeline/engrave.h"
+
+namespace qrelief {
+
+/// A map that an engraving job worked on, as numbers; row 0 at the bottom.
+struct JobMap {
+  int width = 0, height = 0, components = 1;
+  std::vector<float> values;
+};
+
+/// @param name  "surface": facet normal (right, up, normal) and height over the QR plane, four components, all zero
+///              beside the model; "luminance": under a uniform sky; "depths": mm, one texel a submodule
+/// @returns nothing for another name, and before the job has that map
+std::optional<JobMap> jobMap(const InspectorMaps& maps, std::string_view name);
+
+}  // namespace qrelief

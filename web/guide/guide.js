@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { currentLanguage, onLanguage, text } from '../text/catalogue.js';
+import { byId, make } from '../ui/dom.js';
+import { openArticle } from './article.js';
+import { kSizes, widthMm } from './sizes.js';
+
+const kSmallestModuleMm = 0.6;     // printed and read with a 0.4 mm nozzle: Papp 2022, figure 11
+const kComfortableModuleMm = 1.2;  // of most of that paper's prints
+
+function showSizes() {
+  const mm = new Intl.NumberFormat(currentLanguage(), { minimumFractionDigits: 1, maximumFractionDigits: 1 });
+  byId('sizes', HTMLElement).replaceChildren(...kSizes.map(({ letters, modules }) => {
+    const head = make('th', { text: text('guide.lettersCount', { count: letters }) });
+    head.scope = 'row';
+    const cells = [`${modules} × ${modules}`, ...[kSmallestModuleMm, kComfortableModuleMm].map((module) => `${mm.format(widthMm(modules, module))} mm`)];
+    return make('tr', {}, head, ...cells.map((cell) => make('td', { text: cell })));
+  }));
+}
+
+openArticle();
+onLanguage(showSizes);
+showSizes();

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of the build: puts the English texts into the markup, for who runs no scripts and before they run.
+import { text } from './catalogue.js';
+
+/** @param {string} words */
+const escaped = (words) => words.replaceAll('&', '&amp;').replaceAll('<', '&lt;').replaceAll('"', '&quot;');
+
+/** @param {string} key */
+const textOf = (key) => escaped(text(/** @type {import('./catalogue.js').Key} */ (key)));
+
+/**
+ * Fills elements that name their text and are empty, and what a description says.
+ * @param {string} html
+ * @returns {string}
+ */
+export const fillTexts = (html) => html
+  .replace(/(<(\w+)\b[^>]*\bdata-text="([^"]+)"[^>]*>)(<\/\2>)/g, (_, open, _tag, key, close) => open + textOf(key) + close)
+  .replace(/(<meta\b[^>]*\bdata-text-content="([^"]+)"[^>]*\bcontent=")(")/g, (_, open, key, close) => open + textOf(key) + close);
