@@ -65,7 +65,7 @@ int measure(const Case& wanted) {
   const auto gl = gl::queryCapabilities();
   if (!gl) return failed(gl.error());
 
-  const std::vector<std::string> order = {"load",        "prepare", "direction", "size",
+  const std::vector<std::string> order = {"load",        "prepare", "direction", "size", "surface",
                                           "depthSearch", "embed",   "verify",    "total"};
   std::map<std::string, std::vector<double>> times;
   EngraveResult last;
@@ -95,6 +95,7 @@ int measure(const Case& wanted) {
     const StageTimings& t = result->timingsMs;
     times["direction"].push_back(t.direction);
     times["size"].push_back(t.size);
+    times["surface"].push_back(t.surface);
     times["depthSearch"].push_back(t.depthSearch);
     times["embed"].push_back(t.embed);
     times["verify"].push_back(t.verify + millisecondsSince(reading));

@@ -228,8 +228,11 @@ int engraveModel(EngraveOptions& options) {
   const auto model = EngravableModel::upload(std::move(input->prepared));
   context.prepareMs = input->prepareMs + millisecondsSince(uploading);
 
-  if (options.at.empty())
+  const auto choosing = Clock::now();
+  if (options.at.empty()) {
     if (const Status chosen = chooseSpot(model, options, input->scaleToMm); !chosen) return printError(chosen.error());
+    context.spotMs = millisecondsSince(choosing);
+  }
   auto result = runJob(model, options);
   if (!result) return printError(result.error());
   const auto reading = Clock::now();

@@ -14,7 +14,7 @@ constexpr int kN = kSubmodulesPerModule;
 constexpr double kFirstDepthModules = 0.25;
 constexpr double kAimShare = 0.003;  // of the threshold: so much darker is aimed at, so that G ends at 0 or below
 constexpr double kGreatestAimShare = 0.2;
-constexpr int kSweepsPerPass = 6;
+constexpr int kSweepsPerPass = 4;
 constexpr int kFreePasses = 3;  // after these nothing becomes less deep: that ends
 constexpr double kGreatestAlbedo = 0.95;
 

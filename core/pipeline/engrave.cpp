@@ -221,6 +221,7 @@ Result<std::vector<double>> EngraveJob::State::depthLimits() {
 }
 
 Status EngraveJob::State::map() {
+  const auto start = std::chrono::steady_clock::now();
   const Placement& placement = result.placement;
   const int perCell = std::clamp(kMaxMapTexels / layout.cells(), 1, 4);
   const double extent = placement.moduleMm * layout.cells() / kN;
@@ -268,6 +269,7 @@ Status EngraveJob::State::map() {
     searchOptions.initialDepthMm = request.layerMm;
     search = std::make_unique<DepthSearch>(std::move(target), searchOptions);
   }
+  result.timingsMs.surface = millisecondsSince(start);
   stage = Stage::Searching;
   return {};
 }

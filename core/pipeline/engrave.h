@@ -69,7 +69,7 @@ struct EngraveRequest {
 
 /// Milliseconds spent in each stage.
 struct StageTimings {
-  double direction = 0, size = 0, depthSearch = 0, embed = 0, verify = 0;
+  double direction = 0, size = 0, surface = 0, depthSearch = 0, embed = 0, verify = 0;
 };
 
 /// The carved solid and everything that is known of it.

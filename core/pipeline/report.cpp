@@ -144,9 +144,11 @@ std::string makeReport(const EngraveRequest& request, const EngravableModel& mod
   addGrades(report["verification"], request, result);
   report["verification"]["printability"] = describeAdvice(advisePrinting(features, printer, request.minWallMm));
   const StageTimings& t = result.timingsMs;
-  report["timingsMs"] = {{"load", context.loadMs}, {"prepare", context.prepareMs}, {"direction", t.direction},
-                         {"size", t.size},         {"depthSearch", t.depthSearch}, {"embed", t.embed},
-                         {"verify", t.verify},     {"write", context.writeMs},     {"total", context.totalMs}};
+  report["timingsMs"] = {{"load", context.loadMs},  {"prepare", context.prepareMs}, {"direction", t.direction},
+                         {"size", t.size},          {"surface", t.surface},         {"depthSearch", t.depthSearch},
+                         {"embed", t.embed},        {"verify", t.verify},           {"write", context.writeMs},
+                         {"total", context.totalMs}};
+  if (context.spotMs > 0) report["timingsMs"]["spot"] = context.spotMs;
   report["gl"] = {{"renderer", context.gl.renderer}, {"version", context.gl.version}};
   // Text that is no UTF-8 (a file name, say) must not lose the report.
   return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

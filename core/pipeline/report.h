@@ -18,6 +18,7 @@ struct ReportContext {
   std::string reader;    ///< which reader, "ZXing-C++ 1.4.0"
   gl::Capabilities gl;
   double loadMs = 0, prepareMs = 0, writeMs = 0, totalMs = 0;
+  double spotMs = 0;  ///< to choose the centre, if none was given
 };
 
 /// The report as JSON with the stable keys of the contract (CHANGELOG says when one changes).

@@ -316,7 +316,8 @@ TEST_F(EngraveTest, TheReportHasTheKeysOfTheContract) {
       {"depth", {"meanMm", "maxMm", "p95Mm", "iterations", "limitedSubmodules", "solver"}},
       {"mesh", {"triangles", "vertices", "keptTriangles", "closed", "manifold", "selfIntersections", "volumeMm3"}},
       {"verification", {"decoded", "text", "views"}},
-      {"timingsMs", {"load", "prepare", "direction", "size", "depthSearch", "embed", "verify", "write", "total"}},
+      {"timingsMs",
+       {"load", "prepare", "direction", "size", "surface", "depthSearch", "embed", "verify", "write", "total"}},
       {"gl", {"renderer", "version"}}};
   for (const auto& [group, names] : keys)
     for (const std::string& name : names) EXPECT_TRUE(report.at(group).contains(name)) << group << "." << name;
