@@ -87,7 +87,7 @@ test('A file of one’s own is opened, a point picked, settings changed, and the
   await app.engrave();
   const report = await app.report();
   expect(report.size.symbolMm).toBeCloseTo(25, 9);
-  await expect(app.result.getByRole('list', { name: 'Notes' })).toContainText('1.2 mm nozzle: choose a module of');
+  await expect(app.result.getByRole('list', { name: 'Verdict' })).toContainText('1.2 mm nozzle: choose a module of');
   const { name, bytes } = await app.download();
   expect(name).toBe('my saddle-qr.stl');
   expectEngravedSolid(saddleMesh, readStl(bytes), report);

@@ -114,8 +114,11 @@ class Facade {
   std::string report() {
     return guarded([&] { return engine_.report(); });
   }
-  val readerImage() {
-    const GreyImage& image = engine_.readerImage();
+  val readerImage() { return pictureOf(engine_.readerImage()); }
+  val readerImageFrom(double tiltDeg, double azimuthDeg) {
+    return pictureOf(engine_.readerImageFrom(tiltDeg, azimuthDeg));
+  }
+  static val pictureOf(const GreyImage& image) {
     val answer = val::object();
     answer.set("width", image.width);
     answer.set("height", image.height);
@@ -214,6 +217,7 @@ EMSCRIPTEN_BINDINGS(qrelief) {
       .function("report", &Facade::report)
       .function("readerImage", &Facade::readerImage)
       .function("jobMap", &Facade::jobMap)
+      .function("readerImageFrom", &Facade::readerImageFrom)
       .function("setReadBack", &Facade::setReadBack)
       .function("exportModel", &Facade::exportModel)
       .function("resize", &Facade::resize)

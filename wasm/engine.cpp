@@ -10,6 +10,7 @@
 #include "io/write_checked.h"
 #include "pipeline/carved_objects.h"
 #include "projection/size.h"
+#include "verification/baked_light.h"
 #include "wasm/answers.h"
 #include "wasm/display_mesh.h"
 #include "wasm/heat_mesh.h"
@@ -391,6 +392,13 @@ std::string Engine::report() const {
 const GreyImage& Engine::readerImage() const {
   static const GreyImage kNone;
   return result_ ? result_->readerView.picture : kNone;
+}
+
+GreyImage Engine::readerImageFrom(double tiltDeg, double azimuthDeg) const {
+  if (!result_) return {};
+  const ProjectionFrame frame = tilted(result_->placement.frame, tiltDeg, azimuthDeg);
+  auto seen = renderReaderView(*pass_, *carvedDisplay_, frame, result_->readerOptions);
+  return seen ? std::move(seen->picture) : GreyImage{};
 }
 
 void Engine::setReadBack(const std::string& text, const std::string& reader) {

@@ -75,6 +75,8 @@ class Engine {
   std::string report() const;
   /// What a phone at the reader's eye sees; empty before an engraving is done.
   const GreyImage& readerImage() const;
+  /// The same from aside, see tilted(); empty before an engraving is done, and where it cannot be drawn.
+  GreyImage readerImageFrom(double tiltDeg, double azimuthDeg) const;
   /// What a reader made of it; empty: nothing.
   void setReadBack(const std::string& text, const std::string& reader);
   /// The carved model as "stl" (binary), "obj", "ply", "3mf" or "3mf-inlay" (with the body that fills the pockets),

@@ -26,6 +26,7 @@ import { Theme, offerLanguages } from './ui/preferences.js';
 import { ResultPanel } from './ui/result_panel.js';
 import { SettingsForm } from './ui/settings_form.js';
 import { SpotsPanel } from './ui/spots_panel.js';
+import { controlName, shownValue } from './ui/verdict_lines.js';
 import { ViewToolbar } from './ui/view_toolbar.js';
 import { WorkPanel } from './ui/work_panel.js';
 import { View } from './view/view.js';
@@ -131,6 +132,14 @@ export class App {
     const panel = new ResultPanel({
       onDownload: (format) => this.guard_(() => this.carving_.download(format)),
       onSaveReport: () => this.guard_(() => this.carving_.saveReport()),
+      onRemedy: (remedy, label) => this.guard_(() => this.remedy_(remedy, label)),
+      onTryViews: async (...options) => {
+        /** @type {import('./check/view_trials.js').Trials | undefined} */ let trials;
+        await this.guard_(async () => {
+          trials = await this.carving_.tryViews(...options);
+        });
+        return trials;
+      },
     });
     return new Carving({
       client: this.client_, jobs: this.jobs_, model: this.model_, placing: this.placing_, messages: this.messages_, panel,
@@ -258,6 +267,16 @@ export class App {
     this.carving_.compare();
     await this.spots_.forget();
     await this.placing_.place();
+  }
+
+  /** @param {import('./check/remedies.js').Remedy} remedy @param {string} label */
+  async remedy_(remedy, label) {
+    if (remedy.kind === 'spot') return this.spots_.suggest();
+    this.write_({ text: this.code_.text, values: { ...this.form_.values, [remedy.control]: remedy.value } });
+    await this.changeSettings_();
+    if (!this.placing_.placement) return undefined;  // it was said why not
+    return this.messages_.say(() => text('check.done',
+      { label, control: controlName(remedy.control), value: shownValue(remedy.control, remedy.value) }));
   }
 
   /** The centre was moved: what was carved is elsewhere. */

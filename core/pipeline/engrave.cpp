@@ -403,6 +403,7 @@ Status EngraveJob::State::view() {
   auto seen = renderReaderView(pass, carved, result.placement.frame, options);
   if (!seen) return tl::unexpected(seen.error());
   result.readerView = std::move(*seen);
+  result.readerOptions = options;
   result.readerView.pixelsPerModule = static_cast<double>(options.texels) / modulesAcross;
   result.timingsMs.verify += millisecondsSince(start);
   stage = Stage::Done;

@@ -88,12 +88,13 @@ struct EngraveResult {
   std::size_t limitedSubmodules = 0;  ///< that a limit kept from being dark enough
   /// Of every submodule of symbol and quiet zone, at the depths found; row-major from the quiet zone's top left.
   std::vector<double> luminance;
-  std::vector<Received> received;  ///< the light that this luminance is made of, in the same order
-  SolidityReport solidity;         ///< after the round trip
-  std::optional<Mesh> inlay;       ///< if it was asked for; as an STL round trip gives it back, too
-  SolidityReport inlaySolidity;    ///< of the inlay
-  ReaderView readerView;           ///< what a phone would see
-  SearchRecord search;             ///< if it was asked for
+  std::vector<Received> received;   ///< the light that this luminance is made of, in the same order
+  SolidityReport solidity;          ///< after the round trip
+  std::optional<Mesh> inlay;        ///< if it was asked for; as an STL round trip gives it back, too
+  SolidityReport inlaySolidity;     ///< of the inlay
+  ReaderView readerView;            ///< what a phone would see
+  ReaderViewOptions readerOptions;  ///< with which it was drawn
+  SearchRecord search;              ///< if it was asked for
   StageTimings timingsMs;
 };
 

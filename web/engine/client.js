@@ -168,6 +168,9 @@ export class EngineClient {
   /** @param {import('./types.js').JobMapName} name @returns {Promise<import('./types.js').JobMap | null>}  none before there is one */
   jobMap(name) { return this.call_('jobMap', name); }
 
+  /** The same from aside. @param {number} tiltDeg @param {number} azimuthDeg @returns {Promise<import('./types.js').GreyImage>} */
+  readerImageFrom(tiltDeg, azimuthDeg) { return this.call_('readerImageFrom', tiltDeg, azimuthDeg); }
+
   /**
    * @param {string} text    what was read; empty if nothing
    * @param {string} reader  who read it

@@ -162,12 +162,11 @@ export class EngineHost {
     /** @param {number} number */
     useCarving: (number) => this.drawn_(this.engine_.useCarving(number)),
     report: () => parseAnswer(this.engine_.report()),
-    readerImage: () => {
-      const { width, height, pixels } = this.engine_.readerImage();
-      return { width, height, pixels: pixels.slice() };
-    },
+    readerImage: () => copyOf(this.engine_.readerImage()),
     /** @param {import('./types.js').JobMapName} name */
     jobMap: (name) => this.engine_.jobMap(name),
+    /** @param {number} tiltDeg @param {number} azimuthDeg */
+    readerImageFrom: (tiltDeg, azimuthDeg) => copyOf(this.engine_.readerImageFrom(tiltDeg, azimuthDeg)),
     /** @param {string} text @param {string} reader */
     setReadBack: (text, reader) => this.engine_.setReadBack(text, reader),
     /** @param {string} format */
@@ -314,6 +313,9 @@ export class EngineHost {
     }
   }
 }
+
+/** One that can be handed over. @param {import('./types.js').GreyImage} image */
+const copyOf = ({ width, height, pixels }) => ({ width, height, pixels: pixels.slice() });
 
 /**
  * The buffers to hand over instead of copying.

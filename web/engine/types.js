@@ -66,15 +66,19 @@
  *   in mm, all zero beside the model; `luminance`: 1 = unoccluded; `depths`: mm, one value a submodule
  */
 
+/** @typedef {{ moduleMm: number, pocketMm: number, leastDepthMm: number, leastDepthLayers: number, nozzleMm: number }} CarvedFeatures */
+/** @typedef {{ overall: number } & Record<string, any>} Grades  by parameter: `value` in its own unit, `grade` 4 (A) … 0 (F) */
+
 /**
  * The part of the report (see the contract) that the page shows.
  * @typedef {object} Report
  * @property {string} text
  * @property {{ version: number, ecc: string, modules: number }} symbol
  * @property {{ symbolMm: number, moduleMm: number, guaranteedMm: number }} size
- * @property {{ meanMm: number, maxMm: number, iterations: number, limitedSubmodules: number }} depth
+ * @property {{ meanMm: number, maxMm: number, iterations: number, limitedSubmodules: number, features: CarvedFeatures }} depth
  * @property {{ triangles: number, closed: boolean, manifold: boolean, selfIntersections: number, volumeMm3: number }} mesh
- * @property {{ printability: { problem: string, hint: string }[] }} verification
+ * @property {{ decoded: boolean, printability: { problem: string, hint: string }[], iso15415: Grades, iso29158: Grades }} verification
+ * @property {{ eyeDistanceMm: number }} projection
  * @property {{ total: number } & Record<string, number>} timingsMs
  */
 
@@ -108,6 +112,7 @@
  * @property {() => string} report
  * @property {() => GreyImage} readerImage
  * @property {(name: JobMapName) => JobMap | null} jobMap
+ * @property {(tiltDeg: number, azimuthDeg: number) => GreyImage} readerImageFrom
  * @property {(text: string, reader: string) => void} setReadBack
  * @property {(format: string) => Uint8Array} exportModel
  * @property {(dark: boolean) => void} setTheme

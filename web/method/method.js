@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Computes the page's pictures: one sample, carved by the app's own engine, looked at step by step.
+import { pixelsPerModule } from '../check/view_trials.js';
 import { EngineClient } from '../engine/client.js';
 import { describeThrown } from '../engine/engine_error.js';
 import { openArticle } from '../guide/article.js';
-import { readCode } from '../reader/reader.js';
+import { readAll } from '../reader/reader.js';
 import { fetchBytes, fetchJson } from '../session/fetch_file.js';
 import { currentLanguage, text } from '../text/catalogue.js';
 import { write } from '../text/live.js';
@@ -156,7 +157,8 @@ class Demonstration {
     const rgba = new Uint8ClampedArray(4 * photo.pixels.length);
     photo.pixels.forEach((grey, at) => rgba.set([grey, grey, grey, 255], 4 * at));
     show('photo', { width: photo.width, height: photo.height, rgba });
-    const read = await readCode(photo);
+    const { symbol } = await this.client_.report();
+    const { text: read } = await readAll(photo, pixelsPerModule(photo, symbol.modules));
     write(byId('read', HTMLElement), () => (read ? text('method.readsAs', { text: read }) : text('method.notRead')));
   }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Reads the carved code back with ZXing-C++, a reader that shares nothing with our own code. Loaded when first needed.
 import wasmUrl from 'zxing-wasm/reader/zxing_reader.wasm?url';
-import { readingVariants } from './variants.js';
+import { frontalPictures, readingVariants } from './variants.js';
 
 /** @typedef {import('../engine/types.js').GreyImage} GreyImage */
 
@@ -18,20 +18,45 @@ function loadLibrary() {
   return library;
 }
 
+/** @typedef {{ text: string, tries: number, reads: number }} Reading
+ *   `text`: what was read, '' if nothing; `reads`: in so many of the tries */
+
 /**
+ * Everything that a scanning app tries, on pictures from the front that differ in scale and focus.
  * @param {GreyImage} image
- * @returns {Promise<string>}  the text, or '' if nothing could be read
+ * @param {number} pixelsPerModule  of the code in it
+ * @returns {Promise<Reading>}
  */
-export async function readCode(image) {
+export async function readAll(image, pixelsPerModule) {
+  /** @type {Reading} */ const reading = { text: '', tries: 0, reads: 0 };
+  for (const frontal of frontalPictures(image, pixelsPerModule)) {
+    for await (const text of tries(frontal.picture, frontal.pixelsPerModule)) {
+      reading.tries += 1;
+      if (text === '') continue;
+      reading.text ||= text;
+      if (text === reading.text) reading.reads += 1;
+    }
+    await new Promise((resolve) => setTimeout(resolve));  // the page stays responsive
+  }
+  return reading;
+}
+
+/** Whether any of it succeeds on one picture. @param {GreyImage} image @param {number} pixelsPerModule @param {string} wanted */
+export async function reads(image, pixelsPerModule, wanted) {
+  for await (const text of tries(image, pixelsPerModule)) if (text === wanted) return true;
+  return false;
+}
+
+/** @param {GreyImage} image @param {number} pixelsPerModule */
+async function* tries(image, pixelsPerModule) {
   const { readBarcodes } = await loadLibrary();
-  for (const variant of readingVariants(image)) {
+  for (const variant of readingVariants(image, pixelsPerModule)) {
     const data = toImageData(variant);
     for (const binarizer of /** @type {const} */ (['LocalAverage', 'GlobalHistogram'])) {
       const [found] = await readBarcodes(data, { formats: ['QRCode'], tryHarder: true, maxNumberOfSymbols: 1, binarizer });
-      if (found?.isValid) return found.text;
+      yield found?.isValid ? found.text : '';
     }
   }
-  return '';
 }
 
 /** @param {GreyImage} image */

@@ -3,16 +3,32 @@
 
 /** @typedef {import('../engine/types.js').GreyImage} GreyImage */
 
-const kSoftnessPerWidth = 1 / 230;  // out of focus by three pixels of 700: closes the gaps between a pattern's squares
-
 /**
- * The picture as it is, contrast-stretched, out of focus, and from farther away.
+ * The picture as it is, contrast-stretched, out of focus (which closes the gaps between a pattern's squares), and from
+ * farther away.
  * @param {GreyImage} picture
+ * @param {number} pixelsPerModule  of the code in it
  * @returns {GreyImage[]}
  */
-export function readingVariants(picture) {
-  const soft = stretched(blurred(picture, picture.width * kSoftnessPerWidth));
-  return [picture, stretched(picture), soft, stretched(shrunk(picture, 2)), stretched(shrunk(picture, 3))];
+export function readingVariants(picture, pixelsPerModule) {
+  const outOfFocus = (/** @type {number} */ modules) => stretched(blurred(picture, modules * pixelsPerModule));
+  return [picture, stretched(picture), outOfFocus(0.2), outOfFocus(0.35), stretched(shrunk(picture, 2)), stretched(shrunk(picture, 3))];
+}
+
+const kScales = [1, 6.5 / 8, 5 / 8];
+const kBlursModules = [0, 0.13];
+
+/**
+ * Pictures from the front that differ in scale and focus: that one of them reads says little.
+ * @param {GreyImage} picture
+ * @param {number} pixelsPerModule
+ * @returns {{ picture: GreyImage, pixelsPerModule: number }[]}
+ */
+export function frontalPictures(picture, pixelsPerModule) {
+  return kScales.flatMap((scale) => kBlursModules.map((modules) => {
+    const focused = modules > 0 ? blurred(picture, modules * pixelsPerModule) : picture;
+    return { picture: scale < 1 ? shrunkTo(focused, Math.round(picture.width * scale)) : focused, pixelsPerModule: pixelsPerModule * scale };
+  }));
 }
 
 /** The 1st and the 99th percentile become black and white. @param {GreyImage} image @returns {GreyImage} */
@@ -71,4 +87,30 @@ function convolve(from, to, { length, stride, lines, lineStride }, kernel) {
       to[start + i * stride] = sum;
     }
   }
+}
+
+/** Means over the areas that the new pixels cover. @param {GreyImage} image  square @param {number} edge  of the new one, smaller @returns {GreyImage} */
+export function shrunkTo({ width, pixels }, edge) {
+  const weights = coverage(width, edge);
+  const out = new Uint8Array(edge * edge);
+  for (let y = 0; y < edge; y += 1) {
+    for (let x = 0; x < edge; x += 1) {
+      let sum = 0;
+      for (const [row, wy] of weights[y]) for (const [column, wx] of weights[x]) sum += wy * wx * pixels[row * width + column];
+      out[y * edge + x] = Math.round(sum);
+    }
+  }
+  return { width: edge, height: edge, pixels: out };
+}
+
+/** For each new pixel of a line the old ones in it, with their shares. @param {number} from @param {number} to @returns {[number, number][][]} */
+function coverage(from, to) {
+  const step = from / to;
+  return Array.from({ length: to }, (_, i) => {
+    /** @type {[number, number][]} */ const parts = [];
+    for (let k = Math.floor(i * step); k < Math.min(from, Math.ceil((i + 1) * step)); k += 1) {
+      parts.push([k, (Math.min(k + 1, (i + 1) * step) - Math.max(k, i * step)) / step]);
+    }
+    return parts;
+  });
 }

@@ -27,9 +27,9 @@ test('A blur keeps an even grey, borders included, and spreads a point by the Ga
   assert.equal(pixels[31], pixels[41]);
 });
 
-test('There are five variants, the picture itself first', () => {
+test('There are six variants, the picture itself first', () => {
   const picture = { width: 12, height: 12, pixels: new Uint8Array(144).fill(9) };
-  const variants = readingVariants(picture);
+  const variants = readingVariants(picture, 4);
   assert.equal(variants[0], picture);
-  assert.deepEqual(variants.map(({ width }) => width), [12, 12, 12, 6, 4]);
+  assert.deepEqual(variants.map(({ width }) => width), [12, 12, 12, 12, 6, 4]);
 });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Carves the code, reads it back, and hands out what came of it.
-import { kReaderName, readCode } from '../reader/reader.js';
+import { pixelsPerModule, tryViews } from '../check/view_trials.js';
+import { kReaderName, readAll, reads } from '../reader/reader.js';
 import { text } from '../text/catalogue.js';
 import { saveFile } from '../ui/save_file.js';
 
@@ -121,15 +122,28 @@ export class Carving {
   /** @param {number} started @param {Work} made */
   async finish_(started, made) {
     this.messages_.say(() => text('page.readingBack'));
-    const readBack = await readCode(await this.client_.readerImage());
-    await this.client_.setReadBack(readBack, kReaderName);
+    const picture = await this.client_.readerImage();
+    const { symbol } = await this.client_.report();
+    const reading = await readAll(picture, pixelsPerModule(picture, symbol.modules));
+    await this.client_.setReadBack(reading.text, kReaderName);
     const [report, number] = await Promise.all([this.client_.report(), this.client_.carving()]);
-    this.carved = { report, readBack, elapsedMs: performance.now() - started, number, life: this.life_, made };
+    this.carved = { report, reading, elapsedMs: performance.now() - started, number, life: this.life_, made };
     await this.show(true);
     this.panel_.show(this.carved);
-    this.panel_.scrollIntoView();
+    this.panel_.reveal();
     this.onDone_();
     this.messages_.say(() => text('page.engraved'));
+  }
+
+  /** @type {import('../ui/grades_panel.js').ViewTrier} */
+  tryViews(report, onTrial, signal) {
+    return tryViews({
+      pictureFrom: (tiltDeg, azimuthDeg) => this.client_.readerImageFrom(tiltDeg, azimuthDeg),
+      picture: () => this.client_.readerImage(),
+      reads: (image) => reads(image, pixelsPerModule(image, report.symbol.modules), report.text),
+      modules: report.symbol.modules,
+      onTrial, signal,
+    });
   }
 
   /** @param {string} format */

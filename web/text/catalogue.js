@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every text of the page in every language. A part of the page keeps its texts in parts/, all languages side by side.
 import { recall, remember } from '../take/remembered.js';
+import { check } from './parts/check.js';
 import { code } from './parts/code.js';
 import { core } from './parts/core.js';
 import { findings } from './parts/findings.js';
@@ -17,7 +18,7 @@ import { take } from './parts/take.js';
 /** @typedef {'en' | 'de'} Language */
 /** @typedef {string | { one: string, other: string }} Entry  chosen by the value `count`; `{name}` stands for a value */
 
-const kParts = { code, core, findings, guide, help, keep, method, page, samples, settings, stages, take };
+const kParts = { check, code, core, findings, guide, help, keep, method, page, samples, settings, stages, take };
 
 /** @typedef {{ [P in keyof typeof kParts]: `${P}.${string & keyof (typeof kParts)[P]['en']}` }[keyof typeof kParts]} Key */
 

@@ -1,25 +1,37 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What came out: numbers, whether it can be read, and the file.
+// What came out: the verdict, the file, the numbers.
+import { verdictOf } from '../check/verdict.js';
 import { onLanguage, text } from '../text/catalogue.js';
-import { coreWords } from '../text/core_words.js';
 import { byId, make } from './dom.js';
-import { formatMm, formatNumber, formatSeconds } from './format.js';
+import { formatMm, formatSeconds } from './format.js';
+import { GradesPanel } from './grades_panel.js';
 import { showFindings } from './messages.js';
 import { markStep, showStep } from './steps.js';
+import { verdictLines } from './verdict_lines.js';
 
 /** @typedef {import('../engine/types.js').Report} Report */
-/** @typedef {{ report: Report, readBack: string, elapsedMs: number }} Result
- *   `readBack`: what the page's reader read, '' if nothing; `elapsedMs`: from the click to the end */
-
-const kUnlinkedLength = 80;
+/** @typedef {import('../check/verdict.js').Verdict} Verdict */
+/** @typedef {import('../check/remedies.js').Remedy} Remedy */
+/** @typedef {import('./grades_panel.js').ViewTrier} ViewTrier */
+/** @typedef {{ report: Report, reading: import('../reader/reader.js').Reading, elapsedMs: number,
+ *   made: { values: import('./settings_form.js').Values } }} Result
+ *   `elapsedMs`: from the click to the end; `made`: from which settings */
 
 export class ResultPanel {
-  /** @param {{ onDownload: (format: string) => void, onSaveReport: () => void }} listener */
-  constructor({ onDownload, onSaveReport }) {
+  /**
+   * @param {object} listener
+   * @param {(format: string) => void} listener.onDownload
+   * @param {() => void} listener.onSaveReport
+   * @param {(remedy: Remedy, label: string) => void} listener.onRemedy
+   * @param {ViewTrier} listener.onTryViews
+   */
+  constructor({ onDownload, onSaveReport, onRemedy, onTryViews }) {
     this.region_ = byId('result', HTMLElement);
     this.verdict_ = byId('verdict', HTMLElement);
     this.numbers_ = byId('numbers', HTMLElement);
     this.notes_ = byId('result-notes', HTMLElement);
+    this.grades_ = new GradesPanel(onTryViews);
+    this.onRemedy_ = onRemedy;
     /** @type {Result | undefined} */ this.result_ = undefined;
     this.outdated_ = false;
     const format = byId('format', HTMLSelectElement);
@@ -33,6 +45,7 @@ export class ResultPanel {
   show(result) {
     this.result_ = result;
     this.outdated_ = false;
+    this.grades_.show(result.report);
     this.render_();
   }
 
@@ -45,63 +58,54 @@ export class ResultPanel {
 
   hide() {
     this.result_ = undefined;
+    this.outdated_ = false;
+    this.grades_.hide();
     this.render_();
   }
 
-  scrollIntoView() {
+  /** To what was found, for the eye and for the screen reader. */
+  reveal() {
     byId('step-check', HTMLElement).scrollIntoView({ block: 'start' });
+    const at = document.activeElement;
+    const isWaiting = at === null || at === document.body || at.closest('.actions') !== null;
+    if (isWaiting) byId('check-heading', HTMLElement).focus({ preventScroll: true });  // else something else is being done
   }
 
   render_() {
     this.region_.hidden = !this.result_;
     markStep('carve', this.result_ && !this.outdated_ ? 'done' : 'todo');
     if (!this.result_) return showStep('check', 'todo', () => text('page.checkNone'));
-    const { report, readBack, elapsedMs } = this.result_;
-    const { size, depth, mesh, symbol } = report;
-    const solid = mesh.closed && mesh.manifold && mesh.selfIntersections === 0;
-    const good = solid && readBack === report.text;
-    showStep('check', this.outdated_ ? 'todo' : good ? 'done' : 'bad', () => text(this.outdated_ ? 'page.checkOutdated' : 'page.checkDone'));
+    const { report, reading, elapsedMs, made } = this.result_;
+    const { size, depth, symbol } = report;
+    const verdict = verdictOf(report, reading);
+    if (this.outdated_) showStep('check', 'todo', () => text('page.checkOutdated'));
+    else showStep('check', kMarks[worstOf(verdict)], () => text(summaryOf(verdict)));
     this.region_.classList.toggle('outdated', this.outdated_);
-    this.showVerdict_(report.text, readBack);
+    showFindings(this.notes_, this.outdated_ ? [{ severity: 'warning', message: text('page.outdated'), hint: '' }] : []);
+    this.verdict_.replaceChildren(...verdictLines(report, reading, verdict, made.values, this.onRemedy_));
     this.numbers_.replaceChildren(
       ...row(text('page.size'), text('page.sizeValue', { width: formatMm(size.symbolMm), module: formatMm(size.moduleMm) })),
       ...row(text('page.depth'), text('page.depthValue', { mean: formatMm(depth.meanMm), max: formatMm(depth.maxMm) })),
       ...row(text('page.time'), formatSeconds(elapsedMs)),
-      ...row(text('page.code'), text('page.codeValue', symbol)),
-      ...row(text('page.solid'), text(solid ? 'page.solidYes' : 'page.solidNo', { triangles: formatNumber(mesh.triangles) })));
-    showFindings(this.notes_, notes(report, solid, this.outdated_));
+      ...row(text('page.code'), text('page.codeValue', symbol)));
   }
+}
 
-  /** @param {string} wanted @param {string} readBack */
-  showVerdict_(wanted, readBack) {
-    const right = readBack === wanted;
-    this.verdict_.classList.toggle('bad', !right);
-    if (readBack === '') {
-      this.verdict_.textContent = text('page.readsNot');
-    } else if (!right) {
-      this.verdict_.textContent = text('page.readsWrong', { text: readBack });
-    } else {
-      const link = /^https?:\/\/\S+$/.test(wanted) && wanted.length <= kUnlinkedLength;
-      const words = link ? make('a', { text: wanted }) : make('q', { text: wanted });
-      if (words instanceof HTMLAnchorElement) Object.assign(words, { href: wanted, target: '_blank', rel: 'noopener noreferrer' });
-      this.verdict_.replaceChildren(text('page.readsAs'), words);
-    }
-  }
+const kMarks = /** @type {const} */ ({ good: 'done', barely: 'warn', bad: 'bad' });
+
+/** @param {Verdict} verdict */
+function worstOf({ reads, prints, solid }) {
+  const levels = [reads, prints, solid];
+  return levels.includes('bad') ? 'bad' : levels.includes('barely') ? 'barely' : 'good';
+}
+
+/** @param {Verdict} verdict */
+function summaryOf({ reads, prints, solid }) {
+  if (reads === 'bad') return 'check.stepUnread';
+  if (solid !== 'good') return 'check.stepNotSolid';
+  if (reads === 'barely') return 'check.stepBarely';
+  return prints === 'good' ? 'check.stepGood' : 'check.stepUnprintable';
 }
 
 /** @param {string} term @param {string} value */
 const row = (term, value) => [make('dt', { text: term }), make('dd', { text: value })];
-
-/** @param {Report} report @param {boolean} solid @param {boolean} outdated */
-function notes({ depth, verification }, solid, outdated) {
-  const found = [];
-  if (outdated) found.push({ severity: 'warning', message: text('page.outdated'), hint: '' });
-  if (!solid) found.push({ severity: 'warning', message: text('page.notSolid'), hint: text('page.notSolidHint') });
-  if (depth.limitedSubmodules > 0) {
-    found.push({ severity: 'note', message: text('page.limited', { count: depth.limitedSubmodules }), hint: text('page.limitedHint') });
-  }
-  for (const { problem, hint } of verification.printability) {
-    found.push({ severity: 'warning', message: coreWords(problem), hint: coreWords(hint) });
-  }
-  return found;
-}

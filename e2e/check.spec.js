@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { expect, test } from '@playwright/test';
+import { Engraver } from './support/engraver.js';
+
+test('The verdict says in three lines that a good carving reads, prints and is solid', async ({ page }) => {
+  const app = new Engraver(page);
+  await app.open('?sample=saddle&text=verdict');
+  await app.expectReady();
+  await app.engraveButton.focus();
+  await page.keyboard.press('Enter');
+  await app.expectResult();
+  const lines = app.result.getByRole('list', { name: 'Verdict' }).getByRole('listitem');
+  await expect(lines).toHaveCount(3);
+  await expect(lines.nth(0)).toContainText(/Reads as verdict\s*\d+ of 72 tries on simulated phone pictures\. \d+% of the error correction is left\./);
+  await expect(lines.nth(1)).toContainText(/Prints with your 0\.4 mm nozzle\s*Pockets [\d.]+ mm wide, \d+ layers deep at least\./);
+  await expect(lines.nth(2)).toContainText(/Solid\s*Closed and manifold, [\d,]+ triangles\./);
+  await expect(lines.getByRole('button')).toHaveCount(0);
+  await expect(page.locator('#check-state')).toHaveText('Reads, prints, solid');
+  await expect(page.getByRole('heading', { name: 'Check and download' })).toBeFocused();
+});
+
+test('A carving too fine for the nozzle comes with remedies, of which one click sets the control and places the code anew', async ({ page }) => {
+  const app = new Engraver(page);
+  await app.open('?sample=saddle&text=fine');
+  await app.expectReady();
+  await app.openSettings();
+  await app.setting('Modules').selectOption('Full');
+  await app.setting('Nozzle (mm)').fill('1.2');
+  await app.setting('Nozzle (mm)').press('Tab');
+  await app.expectReady();
+  await app.engrave();
+  const line = app.result.getByRole('list', { name: 'Verdict' }).getByRole('listitem').nth(1);
+  await expect(line).toContainText('May not print with your 1.2 mm nozzle');
+  await expect(page.locator('#check-state')).toHaveText('Reads, but may not print');
+  const before = await app.placement.innerText();
+  await line.getByRole('button', { name: /^Allow \d+ mm$/ }).click();
+  await expect(app.status).toHaveText(/^Allow (\d+) mm: set “At most \(mm\)” to \1\. Engrave again\.$/);
+  expect(await app.placement.innerText()).not.toBe(before);
+  await expect(app.result).toContainText('Made before your last change');
+
+  await line.getByRole('button', { name: 'Use a 0.6 mm nozzle' }).click();
+  await expect(app.setting('Nozzle (mm)')).toHaveValue('0.6');
+  await app.engraveButton.click();
+  await expect(app.result).toBeHidden();
+  await app.expectResult();
+  await expect(line).toContainText('Prints with your 0.6 mm nozzle');
+});
+
+test('The grades and the views behind the verdict are there on demand, marked as simulated', async ({ page }) => {
+  const app = new Engraver(page);
+  await app.open('?sample=saddle&text=grades&engrave=1');
+  await app.expectResult();
+  const table = page.getByRole('table', { name: 'As a direct part mark, ISO/IEC 29158' });
+  await expect(table).toBeHidden();
+  await page.getByText('Grades and views').click();
+  await expect(table).toBeVisible();
+  await expect(app.result).toContainText('All of this is simulated');
+  const { verification } = await app.report();
+  const letter = 'FDCBA'[verification.iso29158.overall];
+  await expect(table.getByRole('row', { name: 'Overall' })).toContainText(letter);
+  await expect(table.getByRole('row', { name: 'Cell contrast' })).toContainText(`${Math.round(verification.iso29158.cellContrast.value * 100)}%`);
+  await expect(page.getByRole('table', { name: 'As a printed symbol, ISO/IEC 15415' }).getByRole('row')).toHaveCount(9);
+
+  await page.getByRole('button', { name: 'Try other views' }).click();
+  await expect(app.result).toContainText(/Tilted by 15°: \d of 4 directions read/, { timeout: 120_000 });
+  await expect(app.result).toContainText(/Reads from every side up to (15|30|45)°/);
+  await expect(app.result).toContainText(/Reads up to about \d+ cm away, [\d.]+ pixels a module/);
+});
