@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { expect, test } from '@playwright/test';
 import { Engraver } from './support/engraver.js';
+import { holdWorkers } from './support/workers.js';
 import { openFile, saddleFile, truncatedFile } from './support/models.js';
 
 test('A truncated file is refused with both sizes, and the model before it stays', async ({ page }) => {
@@ -88,4 +89,27 @@ test('A browser without WebGL 2 is told so', async ({ page }) => {
   await app.open();
   await expect(app.alert).toContainText('This browser offers no WebGL 2');
   await expect(app.engraveButton).toBeDisabled();
+});
+
+test('A browser without WebAssembly is told so', async ({ page }) => {
+  await page.addInitScript(() => {
+    delete /** @type {any} */ (window).WebAssembly;
+  });
+  const app = new Engraver(page);
+  await app.open();
+  await expect(app.alert).toContainText('WebAssembly');
+  await expect(app.engraveButton).toBeDisabled();
+});
+
+test('A browser that gives the work too little memory says so, and the model before stays', async ({ page }) => {
+  await page.addInitScript(holdWorkers);
+  const app = new Engraver(page);
+  await app.open('?sample=saddle&text=kept');
+  await app.expectReady();
+  await page.evaluate(() => /** @type {any} */ (window).failNext('configure', { code: 'OutOfMemory', message: 'there is not enough memory for this', hint: '' }));
+  await app.text.fill('more');
+  await expect(app.alert).toContainText('not enough memory');
+  await expect.poll(() => page.evaluate(() => /** @type {any} */ (window).workers.length)).toBe(2);
+  await app.expectReady();
+  await expect(app.text).toHaveValue('more');
 });

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A hold of the page's workers: runs in the page before its own scripts (`page.addInitScript(holdWorkers)`).
 
-/** `window.workers` are all of them; `window.unheard` names verbs that never reach a worker. */
+/**
+ * `window.workers` are all of them; `window.unheard` names verbs that never reach a worker; `window.failNext` answers the
+ * next call of a verb with an error.
+ */
 export const holdWorkers = () => {
   const page = /** @type {any} */ (window);
   page.workers = [];
   page.unheard = [];
+  /** @type {Map<string, object>} */ const failing = new Map();
+  page.failNext = (/** @type {string} */ verb, /** @type {object} */ error) => failing.set(verb, error);
   const Original = window.Worker;
   page.Worker = class extends Original {
     /** @param {string | URL} url @param {WorkerOptions} [options] */
@@ -16,7 +21,10 @@ export const holdWorkers = () => {
 
     /** @param {any} message @param {any} transfer */
     postMessage(message, transfer) {
-      if (!page.unheard.includes(message.verb)) super.postMessage(message, transfer);
+      const error = failing.get(message.verb);
+      failing.delete(message.verb);
+      if (error) this.dispatchEvent(new MessageEvent('message', { data: { id: message.id, error } }));
+      else if (!page.unheard.includes(message.verb)) super.postMessage(message, transfer);
     }
   };
 };
