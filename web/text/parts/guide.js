@@ -43,7 +43,7 @@ export const guide = {
 
     light: 'Light and reading',
     lightEven: 'Even light is best: daylight, or a lamp that is not right beside the code. The code is dark because the sky is hidden, not because a lamp casts shadows.',
-    lightPreset: 'Under Carve, “Shallow” is meant for even light from the front, “Balanced” for a lamp beside it, too, and “Robust” for more of both.',
+    lightPreset: 'Under “How deep”, “Shallow” is meant for even light from the front, “Balanced” for a lamp beside it, too, and “Robust” for more of both.',
     lightPhone: 'Hold the phone straight in front of the code, about 25 cm away. The code is carved for an eye there; another distance can be set.',
 
     coupon: 'A test plate',
@@ -109,7 +109,7 @@ export const guide = {
 
     light: 'Licht und Lesen',
     lightEven: 'Gleichmäßiges Licht ist am besten: Tageslicht oder eine Lampe, die nicht dicht neben dem Code steht. Der Code ist dunkel, weil der Himmel verdeckt ist, nicht weil eine Lampe Schatten wirft.',
-    lightPreset: 'Beim Gravieren ist „Flach“ für gleichmäßiges Licht von vorn gedacht, „Ausgewogen“ auch für eine Lampe daneben und „Robust“ für mehr von beidem.',
+    lightPreset: 'Unter „Wie tief“ ist „Flach“ für gleichmäßiges Licht von vorn gedacht, „Ausgewogen“ auch für eine Lampe daneben und „Robust“ für mehr von beidem.',
     lightPhone: 'Das Telefon gerade vor den Code halten, etwa 25 cm entfernt. Für ein Auge dort ist der Code graviert; ein anderer Abstand lässt sich einstellen.',
 
     coupon: 'Eine Prüfplatte',
