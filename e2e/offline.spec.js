@@ -28,8 +28,10 @@ test('Below any path and without a network the page opens, engraves, and reads t
   await app.engrave();
   await expect(app.result).toContainText('Reads as without a network');
   await app.sample.selectOption('Vase');
-  await expect(app.facts).toContainText('triangles');
+  await expect(app.facts).toContainText('Vase');
   await expect(app.alert).toHaveCount(0);
+  await page.goto(`${site.address}guide.html?lang=de`);
+  await expect(page.getByRole('heading', { level: 1 })).toHaveText('So wird es gedruckt');
 });
 
 test('A new version is offered, and takes over when its reader says so', async ({ page }) => {
