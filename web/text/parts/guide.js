@@ -23,7 +23,7 @@ export const guide = {
     sizeMargin: 'Around the code a light margin of four modules has to stay free. QRelief finds the room for it.',
 
     printer: 'Nozzle and layers',
-    printerTell: 'Tell QRelief your nozzle and your layer height under Settings. After carving it says what such a printer cannot make, and what would help.',
+    printerTell: 'Tell QRelief your nozzle and your layer height under “Pattern, depth, printer”. After carving it says what such a printer cannot make, and what would help.',
     printerNozzle: 'Pockets narrower than 0.9 nozzle widths do not open in print. Choose a larger code, a shorter text or a finer nozzle.',
     printerLayer: 'Pockets shallower than two layers may vanish. Print with thinner layers, or with the code on a side wall.',
     printerStrings: 'Threads across the pockets hide the code. Dry the filament, print a little cooler, and pick out what is left with a needle.',
@@ -89,7 +89,7 @@ export const guide = {
     sizeMargin: 'Um den Code muss ein heller Rand von vier Modulen frei bleiben. QRelief findet den Platz dafür.',
 
     printer: 'Düse und Schichten',
-    printerTell: 'Düse und Schichthöhe in den Einstellungen angeben. Nach dem Gravieren sagt QRelief, was so ein Drucker nicht herstellen kann und was hilft.',
+    printerTell: 'Düse und Schichthöhe unter „Muster, Tiefe, Drucker“ angeben. Nach dem Gravieren sagt QRelief, was so ein Drucker nicht herstellen kann und was hilft.',
     printerNozzle: 'Taschen, die schmaler als 0,9 Düsenbreiten sind, öffnen sich im Druck nicht. Größeren Code, kürzeren Text oder feinere Düse wählen.',
     printerLayer: 'Taschen, die flacher als zwei Schichten sind, können verschwinden. Dünnere Schichten drucken oder den Code auf eine Seitenwand setzen.',
     printerStrings: 'Fäden über den Taschen verdecken den Code. Filament trocknen, etwas kühler drucken und Reste mit einer Nadel entfernen.',
@@ -105,7 +105,7 @@ export const guide = {
     material: 'Material und Farbe',
     materialColour: 'Eine Farbe genügt. Für den Artikel wurden Codes in mehreren Farben gedruckt, und alle waren lesbar.',
     materialMatt: 'Mattes, deckendes Filament ist am besten. Glanzlichter auf glänzendem und das Leuchten von durchscheinendem Filament verdecken die Schatten.',
-    materialTwo: 'Mit zwei Farben „3MF, zwei Farben“ herunterladen: Ein zweiter Körper füllt die Taschen, und der Code liest sich wie ein gedruckter.',
+    materialTwo: 'Mit zwei Farben „3MF, zweifarbig“ herunterladen: Ein zweiter Körper füllt die Taschen, und der Code liest sich wie ein gedruckter.',
 
     light: 'Licht und Lesen',
     lightEven: 'Gleichmäßiges Licht ist am besten: Tageslicht oder eine Lampe, die nicht dicht neben dem Code steht. Der Code ist dunkel, weil der Himmel verdeckt ist, nicht weil eine Lampe Schatten wirft.',
