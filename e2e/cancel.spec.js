@@ -20,7 +20,7 @@ const cancelAt = (page, stage) => page.evaluate(([begin, cancelled]) => new Prom
   let clicked = 0;
   const look = () => {
     const words = status.textContent ?? '';
-    if (clicked === 0 && words.startsWith(begin)) {
+    if (clicked === 0 && words.startsWith(begin) && button.offsetParent !== null) {
       clicked = performance.now();
       button.click();
     } else if (clicked > 0 && new RegExp(cancelled).test(words) && button.offsetParent === null) {
