@@ -41,6 +41,7 @@ export class Carving {
     /** @type {Carved | undefined} */ this.carved = undefined;
     this.life_ = 0;
     this.running_ = false;
+    /** @type {Promise<unknown>} */ this.restoring_ = Promise.resolve();
   }
 
   async engrave() {
@@ -106,6 +107,7 @@ export class Carving {
   /** @param {AbortSignal} signal */
   async carve_(signal) {
     const started = performance.now();
+    await this.restoring_;
     const { carved: before } = this;
     await this.drop();
     this.onStart_();
@@ -114,8 +116,8 @@ export class Carving {
     if (finished) {
       await this.finish_(started, made);
     } else {
-      await this.restore(before);
       this.messages_.say(() => text('page.cancelled'));
+      this.restoring_ = this.restore(before).catch(() => false);  // once the module's step has ended: nobody waits for it
     }
   }
 
