@@ -8,7 +8,7 @@ import { Site } from './site.js';
 
 const kPages = ['', 'guide.html', 'method.html'];
 const kLeast = { performance: 90, accessibility: 95, 'best-practices': 95, seo: 95 };
-const kResults = fileURLToPath(new URL('../results/lighthouse', import.meta.url));
+const kResults = fileURLToPath(new URL('../../build/lighthouse', import.meta.url));
 
 const kPort = 9333;  // by which Lighthouse drives the browser
 
