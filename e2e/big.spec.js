@@ -14,7 +14,7 @@ test('A model of two million triangles is opened, and a code engraved into it re
   const begun = Date.now();
   await app.file.setInputFiles(file);
   await expect(app.facts).toContainText('two million.stl', { timeout: 200_000 });
-  await expect(page.getByText('2,002,224 triangles')).toBeVisible();
+  await expect(page.locator('#model-facts')).toHaveText('2,002,224 triangles');
   const opened = Date.now();
   await expect(app.status).toHaveText('Ready.', { timeout: 200_000 });
   const placed = Date.now();
