@@ -37,7 +37,7 @@ export const guide = {
     belowWhy: 'The first layer is squeezed into the pockets, and supports fill them. If it must be, block supports over the code.',
 
     material: 'Material and colour',
-    materialColour: 'One colour is enough. The paper printed codes in several colours, and all of them read.',
+    materialColour: 'One colour is enough. For the paper, codes were printed in several colours; the colour made no great difference to reading.',
     materialMatt: 'Matt, opaque filament is best. Highlights on glossy or silky ones, and the glow of translucent ones, hide the shadows.',
     materialTwo: 'With two colours, download “3MF, two colours”: a second body fills the pockets, and the code reads like a printed one.',
 
@@ -47,7 +47,7 @@ export const guide = {
     lightPhone: 'Hold the phone straight in front of the code, about 25 cm away. The code is carved for an eye there; another distance can be set.',
 
     coupon: 'A test plate',
-    couponWhat: 'Before a long print, print a small one: a plate of 44 × 44 × 4 mm with a short code. It shows within minutes what your printer, your material and your light can do.',
+    couponWhat: 'Before a long print, print a small one: a plate of 44 × 44 × 4 mm with a short code. It shows what your printer, your material and your light can do.',
     couponOpen: 'Open the plate, carved',
     couponSteps: 'What to do with it',
     couponStep1: 'Download it and print it with the settings of the real print.',
@@ -103,7 +103,7 @@ export const guide = {
     belowWhy: 'Die erste Schicht quillt in die Taschen, und Stützen füllen sie. Wenn es sein muss, Stützen am Code sperren.',
 
     material: 'Material und Farbe',
-    materialColour: 'Eine Farbe genügt. Für den Artikel wurden Codes in mehreren Farben gedruckt, und alle waren lesbar.',
+    materialColour: 'Eine Farbe genügt. Für den Artikel wurden Codes in mehreren Farben gedruckt; die Farbe machte beim Lesen keinen großen Unterschied.',
     materialMatt: 'Mattes, deckendes Filament ist am besten. Glanzlichter auf glänzendem und das Leuchten von durchscheinendem Filament verdecken die Schatten.',
     materialTwo: 'Mit zwei Farben „3MF, zweifarbig“ herunterladen: Ein zweiter Körper füllt die Taschen, und der Code liest sich wie ein gedruckter.',
 
@@ -113,7 +113,7 @@ export const guide = {
     lightPhone: 'Das Telefon gerade vor den Code halten, etwa 25 cm entfernt. Für ein Auge dort ist der Code graviert; ein anderer Abstand lässt sich einstellen.',
 
     coupon: 'Eine Prüfplatte',
-    couponWhat: 'Vor einem langen Druck einen kleinen machen: eine Platte von 44 × 44 × 4 mm mit einem kurzen Code. Sie zeigt in Minuten, was Drucker, Material und Licht hergeben.',
+    couponWhat: 'Vor einem langen Druck einen kleinen machen: eine Platte von 44 × 44 × 4 mm mit einem kurzen Code. Sie zeigt, was Drucker, Material und Licht hergeben.',
     couponOpen: 'Die gravierte Platte öffnen',
     couponSteps: 'Was damit zu tun ist',
     couponStep1: 'Herunterladen und mit den Einstellungen des richtigen Drucks drucken.',
