@@ -31,6 +31,8 @@ import { ViewToolbar } from './ui/view_toolbar.js';
 import { WorkPanel } from './ui/work_panel.js';
 import { View } from './view/view.js';
 
+const kAsked = ['sample', 'text', 'engrave'];  // in the address
+
 export class App {
   /** @param {import('./keep/notices.js').Notices} notices */
   constructor(notices) {
@@ -206,10 +208,14 @@ export class App {
   async start(address) {
     const started = this.startEngine_(address);
     this.started_ = started;
-    if (!(await started) || this.fileChosen_) return;  // who was quicker than the module has chosen a model already
+    if (!(await started)) return;
+    if (this.fileChosen_) {  // by who was quicker than the module
+      await this.kept_.begin(false);
+      return;
+    }
     await this.guard_(async () => {
       await this.model_.openSample(address.get('sample') ?? undefined);
-      await this.kept_.begin(address.size === 0);  // who asked for something in the address gets that
+      await this.kept_.begin(!kAsked.some((name) => address.has(name)));  // who asked for something gets that
       if (address.get('engrave') === '1') await this.carving_.engrave();
     });
   }

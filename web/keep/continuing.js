@@ -32,10 +32,10 @@ export class Continuing {
   async begin(offer) {
     const work = offer ? await this.last_.recall() : undefined;
     this.watching_ = true;
-    this.note();
+    this.last_.openedWith(this.current_());
     if (!work) return;
     this.notices_.show(kNotice, text('keep.continueWith', { name: work.fileName }), [
-      { label: text('keep.discard'), run: () => void this.last_.forget() },
+      { label: text('keep.discard'), run: () => void this.last_.discard() },
       { label: text('keep.continue'), run: () => void this.onContinue_(work), primary: true },
     ]);
   }

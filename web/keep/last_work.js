@@ -26,6 +26,9 @@ const kFormat = 1;      // of what is kept; another one is not offered
 const kState = 'last work';
 const kModel = 'last model';
 
+/** Everything but the file's bytes. @param {Work} work */
+const brief = (work) => JSON.stringify({ ...work, bytes: work.bytes?.length });
+
 export class LastWork {
   /**
    * @param {Store} store
@@ -41,20 +44,21 @@ export class LastWork {
     /** @type {ReturnType<typeof setTimeout> | undefined} */ this.pause_ = undefined;
     /** @type {Promise<void>} */ this.writing_ = Promise.resolve();
     this.modelId_ = 0;
+    this.replaced_ = false;  // what the last visit left
   }
 
-  /**
-   * What is there now. The first call says what the page opened with, which is not worth keeping; later ones are kept
-   * when something differs, a moment after the last change.
-   * @param {Work} work
-   */
+  /** What the page opened with is not worth keeping, as long as it stays so. @param {Work} [work] */
+  openedWith(work) {
+    this.seen_ = work && brief(work);
+    this.seenBytes_ = work?.bytes;
+  }
+
+  /** What is there now. It is kept when something has changed, a moment after the last change. @param {Work} work */
   note(work) {
-    const brief = JSON.stringify({ ...work, bytes: work.bytes?.length });
-    const isFirst = this.seen_ === undefined;
-    const isSame = this.seen_ === brief && this.seenBytes_ === work.bytes;
-    this.seen_ = brief;
+    const now = brief(work);
+    if (now === this.seen_ && work.bytes === this.seenBytes_) return;
+    this.seen_ = now;
     this.seenBytes_ = work.bytes;
-    if (isFirst || isSame) return;
     this.next_ = work;
     clearTimeout(this.pause_);
     this.pause_ = setTimeout(() => void this.flush(), kPauseMs);
@@ -82,6 +86,7 @@ export class LastWork {
       ...(text !== undefined && !this.holdsSecret_(text) && { text }),
     };
     const model = bytes && { id: this.modelId_, bytes };
+    this.replaced_ = true;
     if (await this.store_.put({ [kState]: state, ...(changed && { [kModel]: model }) })) this.keptBytes_ = bytes;
     else await this.forget();
   }
@@ -94,6 +99,11 @@ export class LastWork {
     if (work.sampleId !== undefined) return work;
     const model = await this.store_.get(kModel);
     return model && model.id === modelId ? { ...work, bytes: model.bytes } : undefined;
+  }
+
+  /** The last visit's work is not wanted; what this visit has put in its place stays. */
+  async discard() {
+    if (!this.replaced_ && !this.next_) await this.forget();
   }
 
   /** Keeps nothing, until something changes. */

@@ -38,6 +38,7 @@ const own = () => ({
 test('what the page opened with is not kept, what was changed on it is', async () => {
   const store = new MemoryStore();
   const last = new LastWork(store, noSecrets);
+  last.openedWith(opened);
   last.note(opened);
   await last.flush();
   assert.equal(await last.recall(), undefined);
@@ -46,10 +47,19 @@ test('what the page opened with is not kept, what was changed on it is', async (
   assert.deepEqual(await new LastWork(store, noSecrets).recall(), { ...opened, text: 'other' });
 });
 
+test('what was chosen before the page had opened anything is kept', async () => {
+  const store = new MemoryStore();
+  const last = new LastWork(store, noSecrets);
+  last.openedWith(undefined);
+  last.note(opened);
+  await last.flush();
+  assert.deepEqual(await last.recall(), opened);
+});
+
 test('a file comes back with its bytes, unit, axis, text, settings and centre', async () => {
   const store = new MemoryStore();
   const last = new LastWork(store, noSecrets);
-  last.note(opened);
+  last.openedWith(opened);
   const work = own();
   last.note(work);
   await last.flush();
@@ -59,7 +69,7 @@ test('a file comes back with its bytes, unit, axis, text, settings and centre', 
 test('a change of the settings does not write the file again', async () => {
   const store = new MemoryStore();
   const last = new LastWork(store, noSecrets);
-  last.note(opened);
+  last.openedWith(opened);
   const work = own();
   last.note(work);
   await last.flush();
@@ -72,7 +82,7 @@ test('a change of the settings does not write the file again', async () => {
 test('of several changes in a row only the last is written', async () => {
   const store = new MemoryStore();
   const last = new LastWork(store, noSecrets);
-  last.note(opened);
+  last.openedWith(opened);
   for (const text of ['b', 'bc', 'bcd']) last.note({ ...opened, text });
   assert.equal(store.values.size, 0);
   await last.flush();
@@ -82,7 +92,7 @@ test('of several changes in a row only the last is written', async () => {
 test('another file of the same name and size takes the place of the first', async () => {
   const store = new MemoryStore();
   const last = new LastWork(store, noSecrets);
-  last.note(opened);
+  last.openedWith(opened);
   last.note(own());
   await last.flush();
   last.note({ ...own(), bytes: Uint8Array.of(4, 5, 6) });
@@ -93,7 +103,7 @@ test('another file of the same name and size takes the place of the first', asyn
 test('a text that holds a password is never written, the rest is', async () => {
   const store = new MemoryStore();
   const last = new LastWork(store, (text) => text.startsWith('WIFI:'));
-  last.note(opened);
+  last.openedWith(opened);
   last.note({ ...opened, text: 'WIFI:T:WPA;S:net;P:secret;;', values: { preset: 'robust' } });
   await last.flush();
   assert.doesNotMatch(JSON.stringify([...store.values]), /secret/);
@@ -104,7 +114,7 @@ test('a text that holds a password is never written, the rest is', async () => {
 test('a full storage keeps nothing, rather than half of it, and what was there before is not offered', async () => {
   const store = new MemoryStore();
   const last = new LastWork(store, noSecrets);
-  last.note(opened);
+  last.openedWith(opened);
   last.note({ ...opened, text: 'before' });
   await last.flush();
   store.full = true;
@@ -117,7 +127,7 @@ test('a full storage keeps nothing, rather than half of it, and what was there b
 test('a file beyond the bound is not kept', async () => {
   const store = new MemoryStore();
   const last = new LastWork(store, noSecrets);
-  last.note(opened);
+  last.openedWith(opened);
   const bytes = /** @type {Uint8Array} */ ({ length: kMaxBytes + 1 });
   last.note({ ...own(), bytes });
   await last.flush();
@@ -127,7 +137,7 @@ test('a file beyond the bound is not kept', async () => {
 test('a file whose settings were kept by another window is not mixed with them', async () => {
   const store = new MemoryStore();
   const last = new LastWork(store, noSecrets);
-  last.note(opened);
+  last.openedWith(opened);
   last.note(own());
   await last.flush();
   store.values.get('last model').id += 1;
@@ -137,9 +147,29 @@ test('a file whose settings were kept by another window is not mixed with them',
 test('what was forgotten is not offered', async () => {
   const store = new MemoryStore();
   const last = new LastWork(store, noSecrets);
-  last.note(opened);
+  last.openedWith(opened);
   last.note(own());
   await last.flush();
   await last.forget();
   assert.equal(await last.recall(), undefined);
+});
+
+test('discarding the last visit’s work leaves what this visit has put in its place', async () => {
+  const store = new MemoryStore();
+  const before = new LastWork(store, noSecrets);
+  before.openedWith(opened);
+  before.note(own());
+  await before.flush();
+
+  const next = new LastWork(store, noSecrets);
+  next.openedWith(opened);
+  next.note({ ...opened, text: 'new' });
+  await next.flush();
+  await next.discard();
+  assert.equal((await next.recall())?.text, 'new');
+
+  const later = new LastWork(store, noSecrets);
+  later.openedWith(opened);
+  await later.discard();
+  assert.equal(await later.recall(), undefined);
 });
