@@ -1,7 +1,8 @@
 // The viewer's camera and its G-buffer. View space: origin at the camera's target, axes right, up, back, mm; the eye is
 // at (0, 0, u_distance). Positions near the target keep their digits, whatever the distance.
 
-uniform highp sampler2D u_surface;  // shading normal (length 1 + heat: front side, 1/2: back side, 0: background), z
+uniform highp sampler2D u_surface;  // shading normal and z. Its length: 1 + heat: front side, 0.7: cut, 0.5: back side,
+                                   // 0: background
 uniform vec2 u_tanHalf;             // tangents of half the field of view
 uniform vec2 u_size;                // of the G-buffer, pixels
 uniform vec2 u_jitter;              // offset of this sample in normalised device coordinates
@@ -14,6 +15,14 @@ vec3 positionView(vec2 pixel, float z) {
 
 bool isSurface(vec3 normal) {
   return dot(normal, normal) > 0.1;
+}
+
+bool isFrontSide(vec3 normal) {
+  return dot(normal, normal) > 0.8;
+}
+
+bool isCut(vec3 normal) {
+  return !isFrontSide(normal) && dot(normal, normal) > 0.36;
 }
 
 float squareOf(float x) {

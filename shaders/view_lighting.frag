@@ -1,8 +1,7 @@
 #version 300 es
-// A matte material under a soft sky, dimmed by occlusion, and one key light that moves with the camera; the code's
-// square as a print on the surface, carried there by the central projection from the reader's eye [Papp 2022, §3].
+// A matte material under a soft sky, dimmed by occlusion, and one key light that moves with the camera.
 //
-// Output: linear colour.
+// Output: linear colour; luminance of the light, for what is printed on the surface later.
 precision highp float;
 
 #include "view_camera.glsl"
@@ -14,30 +13,15 @@ uniform float u_blurUnit;              // mm
 uniform float u_blurReach;             // difference of z up to which a neighbour counts, mm
 uniform vec3 u_skyward;                // view space, unit
 uniform vec3 u_background[2];          // at the lower and upper edge
-uniform vec3 u_accent;                 // outline and marker
-uniform float u_pixelMm;               // size of a pixel at the target
-
-// The code's square: image over the QR plane, view space.
-uniform int u_overlayShown;
-uniform sampler2D u_ink;        // red: 1 = dark; row 0 = top
-uniform vec3 u_codeCentre;
-uniform vec3 u_codeRight;
-uniform vec3 u_codeUp;
-uniform vec3 u_codeNormal;
-uniform float u_codeEyeDistance;  // mm
-uniform float u_codeEdge;         // of the image on the QR plane, mm
-uniform vec2 u_codeHeights;       // lowest and highest surface that takes the print, over the QR plane, mm
-
-uniform int u_heatShown;  // 1: the front side has the colours of its heat
-uniform int u_markerShown;
-uniform vec3 u_marker;  // view space
+uniform int u_heatShown;               // 1: the front side has the colours of its heat; 2: but for a heat of 0
+uniform vec4 u_hatch;                  // direction across the stripes of a cut (view space), and the target's place along it, mm
+uniform float u_hatchMm;               // from stripe to stripe
 
 layout(location = 0) out vec4 o_colour;
 
 const vec3 kMaterial = vec3(0.56, 0.55, 0.53);
 const vec3 kBackSide = vec3(0.50, 0.16, 0.11);
-const vec3 kPaper = vec3(0.83, 0.83, 0.82);
-const vec3 kInk = vec3(0.035, 0.04, 0.055);
+const vec3 kCut = vec3(0.72, 0.30, 0.05);
 const vec3 kSky = vec3(0.66, 0.70, 0.77);
 const vec3 kGround = vec3(0.24, 0.22, 0.21);
 const vec3 kKey = vec3(0.88, 0.85, 0.79);
@@ -60,23 +44,10 @@ float skyVisibility(float z) {
   return sum / weights;
 }
 
-vec3 printed(vec3 albedo, vec3 position, vec3 normal) {
-  vec3 fromCentre = position - u_codeCentre;
-  float height = dot(fromCentre, u_codeNormal);
-  vec3 toReader = u_codeCentre + u_codeNormal * u_codeEyeDistance - position;
-  if (height < u_codeHeights.x || height > u_codeHeights.y || dot(normal, toReader) <= 0.0) return albedo;
-  vec2 onPlane = vec2(dot(fromCentre, u_codeRight), dot(fromCentre, u_codeUp)) *
-                 (u_codeEyeDistance / (u_codeEyeDistance - height));
-  float beyond = max(abs(onPlane.x), abs(onPlane.y)) - 0.5 * u_codeEdge;
-  if (beyond > 2.0 * u_pixelMm) return albedo;
-  if (beyond > 0.0) return u_accent;
-  float ink = texture(u_ink, vec2(0.5) + vec2(onPlane.x, -onPlane.y) / u_codeEdge).r;
-  return mix(kPaper, kInk, ink);
-}
-
-vec3 marked(vec3 albedo, vec3 position) {
-  float radius = length(position - u_marker) / u_pixelMm;
-  return radius < 3.0 || (radius > 7.0 && radius < 9.5) ? u_accent : albedo;
+vec3 hatched(vec3 position) {
+  float across = (dot(position, u_hatch.xyz) + u_hatch.w) / u_hatchMm;
+  float soft = max(fwidth(across), 1e-4);
+  return kCut * mix(0.72, 1.0, smoothstep(0.25 - soft, 0.25 + soft, abs(fract(across) - 0.5)));
 }
 
 // Viridis, which grows evenly brighter and is told apart by every kind of colour vision: five of its colours, linear,
@@ -91,17 +62,17 @@ vec3 heatColour(float heat) {
 
 void main() {
   vec4 surface = texelFetch(u_surface, ivec2(gl_FragCoord.xy), 0);
+  vec3 position = positionView(gl_FragCoord.xy, surface.w);
+  vec3 cut = hatched(position);
   if (!isSurface(surface.xyz)) {
     o_colour = vec4(mix(u_background[0], u_background[1], gl_FragCoord.y / u_size.y), 1.0);
     return;
   }
-  vec3 position = positionView(gl_FragCoord.xy, surface.w);
-  bool isFront = dot(surface.xyz, surface.xyz) > 0.5;
+  bool isFront = isFrontSide(surface.xyz);
+  float heat = length(surface.xyz) - 1.0;
   vec3 normal = normalize(surface.xyz);
-  vec3 albedo = isFront ? kMaterial : kBackSide;
-  if (u_heatShown == 1 && isFront) albedo = heatColour(length(surface.xyz) - 1.0);
-  if (u_overlayShown == 1 && isFront) albedo = printed(albedo, position, normal);
-  if (u_markerShown == 1) albedo = marked(albedo, position);
+  vec3 albedo = isFront ? kMaterial : isCut(surface.xyz) ? cut : kBackSide;
+  if (isFront && (u_heatShown == 1 || (u_heatShown == 2 && heat > 1e-3))) albedo = heatColour(heat);
 
   // To the power of 2.5: the eye is to see the form and the code, not the photometry.
   float open = skyVisibility(surface.w);
@@ -110,5 +81,6 @@ void main() {
   vec3 sky = mix(kGround, kSky, 0.5 + 0.5 * dot(normal, u_skyward));
   // The key light fades in pockets, too, where a soft lamp would be hidden.
   float key = max(0.0, dot(normal, normalize(kTowardsKey))) * visibility;
-  o_colour = vec4(albedo * (sky * visibility + kKey * key), 1.0);
+  vec3 received = sky * visibility + kKey * key;
+  o_colour = vec4(albedo * received, dot(received, vec3(0.2126, 0.7152, 0.0722)));
 }

@@ -88,6 +88,22 @@ class Facade {
   std::string placement() {
     return guarded([&] { return engine_.placement(); });
   }
+  std::string hover(double x, double y) {
+    return guarded([&] { return engine_.hover(x, y); });
+  }
+  void endHover() { engine_.endHover(); }
+  std::string startSettling() {
+    return guarded([&] { return engine_.startSettling(); });
+  }
+  std::string advanceSettling() {
+    return guarded([&] { return engine_.advanceSettling(); });
+  }
+  std::string moveCode(double x, double y) {
+    return guarded([&] { return engine_.moveCode(x, y); });
+  }
+  std::string adjustCode(double rotateDeg, double symbolMm) {
+    return guarded([&] { return engine_.adjustCode(rotateDeg, symbolMm); });
+  }
   std::string startPlacing() {
     return guarded([&] { return engine_.startPlacing(); });
   }
@@ -159,7 +175,24 @@ class Facade {
   void pan(double dx, double dy) { engine_.pan(dx, dy); }
   void zoom(double factor, double x, double y) { engine_.zoom(factor, x, y); }
   void fit() { engine_.fit(); }
+  void standardView(const std::string& name) { engine_.standardView(name); }
   void readerView() { engine_.readerView(); }
+  void showSection(bool shown, double offset) { engine_.showSection(shown, offset); }
+  void faceSection() { engine_.faceSection(); }
+  std::string showDepths(bool shown) {
+    return guarded([&] { return engine_.showDepths(shown); });
+  }
+  std::string viewState() {
+    return guarded([&] { return engine_.viewState(); });
+  }
+  val spotPicture(std::size_t index, int width, int height) {
+    const Engine::Picture picture = engine_.spotPicture(index, width, height);
+    val answer = val::object();
+    answer.set("width", picture.width);
+    answer.set("height", picture.height);
+    answer.set("pixels", copyOut(picture.rgba));
+    return answer;
+  }
   void faceCode() { engine_.faceCode(); }
 
   bool draw() {
@@ -203,6 +236,12 @@ EMSCRIPTEN_BINDINGS(qrelief) {
       .function("pick", &Facade::pick)
       .function("setCentre", &Facade::setCentre)
       .function("placement", &Facade::placement)
+      .function("hover", &Facade::hover)
+      .function("endHover", &Facade::endHover)
+      .function("startSettling", &Facade::startSettling)
+      .function("advanceSettling", &Facade::advanceSettling)
+      .function("moveCode", &Facade::moveCode)
+      .function("adjustCode", &Facade::adjustCode)
       .function("startPlacing", &Facade::startPlacing)
       .function("advancePlacing", &Facade::advancePlacing)
       .function("cancelPlacing", &Facade::cancelPlacing)
@@ -228,7 +267,13 @@ EMSCRIPTEN_BINDINGS(qrelief) {
       .function("pan", &Facade::pan)
       .function("zoom", &Facade::zoom)
       .function("fit", &Facade::fit)
+      .function("standardView", &Facade::standardView)
       .function("readerView", &Facade::readerView)
+      .function("showSection", &Facade::showSection)
+      .function("faceSection", &Facade::faceSection)
+      .function("showDepths", &Facade::showDepths)
+      .function("viewState", &Facade::viewState)
+      .function("spotPicture", &Facade::spotPicture)
       .function("faceCode", &Facade::faceCode)
       .function("draw", &Facade::draw)
       .function("memoryInUse", &Facade::memoryInUse)

@@ -12,6 +12,7 @@
 #include "projection/size.h"
 #include "verification/baked_light.h"
 #include "wasm/answers.h"
+#include "wasm/depth_colours.h"
 #include "wasm/display_mesh.h"
 #include "wasm/heat_mesh.h"
 #include "wasm/settings.h"
@@ -26,25 +27,20 @@ using Clock = std::chrono::steady_clock;
 constexpr double kProposedMm = 50;      // square looked for on a new model, quiet zone included,
 constexpr double kProposedShare = 0.3;  // and its greatest share of the model's diagonal
 constexpr std::size_t kSpotsTried = 6;
-constexpr double kGoodFit = 0.7;       // a spot that takes this share of it will do
-constexpr int kNormalTexels = 768;     // of the map that gives a carved surface its smooth normals
-constexpr double kLegendStepMm = 5;    // the legend of the sizes ends at a multiple of it
-constexpr double kFacingEdges = 2;     // of the square that is seen around a code that is faced, at least, and
-constexpr double kFacingShare = 0.7;   // its share of the model's diagonal
-constexpr double kReaderMargin = 1.1;  // air around symbol and quiet zone in the reader's view
+constexpr double kGoodFit = 0.7;     // a spot that takes this share of it will do
+constexpr int kNormalTexels = 768;   // of the map that gives a carved surface its smooth normals
+constexpr double kLegendStepMm = 5;  // the legend of the sizes ends at a multiple of it
 
 double millisecondsSince(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
-
-double nowMs() { return std::chrono::duration<double, std::milli>(Clock::now().time_since_epoch()).count(); }
 
 const Error kNoModel = {ErrorCode::BadUsage, "there is no model yet", "open a model file or choose a sample"};
 const Error kNoResult = {ErrorCode::BadUsage, "nothing has been engraved yet", "press Engrave first"};
 
 }  // namespace
 
-Engine::Engine(const std::string& renderer) {
+Engine::Engine(const std::string& renderer) : symbol_(encodeSymbol(request_.text, request_.symbol)) {
   const auto capabilities = gl::queryCapabilities();
   if (!capabilities) {
     problems_.push_back(capabilities.error().message + "; " + capabilities.error().hint);
@@ -155,6 +151,7 @@ std::string Engine::configure(const std::string& settings) {
   auto request = readSettings(settings);
   if (!request) return answer(request.error());
   request_ = std::move(*request);
+  symbol_ = encodeSymbol(request_.text, request_.symbol);
   return done();
 }
 
@@ -189,33 +186,39 @@ EngraveRequest Engine::completeRequest() const {
   return request;
 }
 
-Result<Symbol> Engine::placeSymbol() {
+Status Engine::placeSymbol() {
   if (!model_) return tl::unexpected(kNoModel);
   if (!centre_)
     return fail(ErrorCode::BadUsage, "no place has been chosen", "click on the model where the code should go");
   const EngravableModel& model = *model_->engravable;
-  if (const Status engravable = model.prepared.engravable(); !engravable) return tl::unexpected(engravable.error());
-  auto symbol = encodeSymbol(request_.text, request_.symbol);
-  if (!symbol) return symbol;
-  PlacementSearch search(model.prepared, model.gpu, *pass_, symbol->size, completeRequest().placement);
+  if (const Status engravable = model.prepared.engravable(); !engravable) return engravable;
+  if (!symbol_) return tl::unexpected(symbol_.error());
+  const EngraveRequest request = completeRequest();
+  PlacementSearch search(model.prepared, model.gpu, *pass_, symbol_->size, request.placement);
   for (;;) {
     const Result<bool> found = search.step();
-    if (!found) return tl::unexpected(found.error());
+    if (!found) {
+      const auto surface = closestPoint(model.prepared.mesh, *centre_);
+      if (auto about = surface ? estimatedCode(*surface) : tl::unexpected(found.error())) code_ = std::move(*about);
+      return tl::unexpected(found.error());
+    }
     if (*found) break;
   }
+  auto code = exactCode(*symbol_, request, search.placement());
+  if (!code) return tl::unexpected(code.error());
   placement_ = search.placement();
-  print_ = symbolPrint(*symbol, *placement_, request_, model_->engravable->prepared.mesh);
-  return symbol;
+  code_ = std::move(*code);
+  return {};
 }
 
 std::string Engine::placement() {
   forgetPlacement();
-  const Result<Symbol> symbol = placeSymbol();
+  const Status placed = placeSymbol();
   updateView();
-  return symbol ? describePlacement(*symbol) : answer(symbol.error());
+  return placed ? describePlacement() : answer(placed.error());
 }
 
-std::string Engine::describePlacement(const Symbol& symbol) const {
+std::string Engine::describePlacement() const {
   return textOf({{"ok", true},
                  {"placement",
                   {{"centre", jsonOf(placement_->frame.centre)},
@@ -224,20 +227,20 @@ std::string Engine::describePlacement(const Symbol& symbol) const {
                    {"symbolMm", placement_->symbolMm},
                    {"moduleMm", placement_->moduleMm},
                    {"guaranteedMm", placement_->guaranteedMm},
-                   {"version", symbol.version},
-                   {"modules", symbol.size}}}});
+                   {"rotationDeg", placement_->rotationDeg},
+                   {"version", symbol_->version},
+                   {"modules", symbol_->size}}}});
 }
 
 std::string Engine::startPlacing() {
   forgetSpots();
   updateView();
   if (!model_) return answer(kNoModel);
-  const auto symbol = encodeSymbol(request_.text, request_.symbol);
-  if (!symbol) return answer(symbol.error());
+  if (!symbol_) return answer(symbol_.error());
   placingRequest_ = {};
   placingRequest_.placement = request_.placement;
   placingRequest_.placement.upHint = camera_.skyward();
-  placingRequest_.modules = symbol->size;
+  placingRequest_.modules = symbol_->size;
   placingRequest_.minWallMm = request_.minWallMm;
   auto job = PlaceJob::create(model_->engravable, placingRequest_);
   if (!job) return answer(job.error());
@@ -331,13 +334,18 @@ void Engine::finishJob() {
   jobRuns_ = false;  // the job itself stays: the inspector shows its maps
   result_ = job_->takeResult();
   placement_ = result_->placement;
-  print_ = symbolPrint(result_->symbol, *placement_, jobRequest_, model_->engravable->prepared.mesh);
+  if (auto code = exactCode(result_->symbol, jobRequest_, *placement_)) code_ = std::move(*code);
   DisplayMesh display = splitAtCreases(result_->mesh);
-  const auto before = pass_->render(*model_->display, placement_->frame, {print_->edgeMm, kNormalTexels});
+  const double edge = symbolPrint(result_->symbol, placement_->frame, placement_->symbolMm, jobRequest_).edgeMm;
+  const auto before = pass_->render(*model_->display, placement_->frame, {edge, kNormalTexels});
   if (before)
     takeSmoothNormals(display, result_->keptTriangles, placement_->frame, before->window,
                       before->framebuffer.readRgba(1));
-  carvedDisplay_ = std::make_shared<const GpuMesh>(display.mesh, display.normals);
+  GpuMesh carved(display.mesh, display.normals);
+  DepthColours depths = depthColours(*result_, display);
+  carved.setValues(depths.values);
+  depthTopMm_ = depths.topMm;
+  carvedDisplay_ = std::make_shared<const GpuMesh>(std::move(carved));
   carving_ = ++carvings_;
   showCarved_ = true;
   updateView();
@@ -416,61 +424,10 @@ std::vector<std::uint8_t> Engine::exportModel(const std::string& format) const {
   return bytes ? *bytes : std::vector<std::uint8_t>();
 }
 
-void Engine::resize(double width, double height, double devicePixelRatio) {
-  camera_.setViewport(width, height);
-  const auto devicePixels = [=](double length) { return static_cast<int>(std::lround(length * devicePixelRatio)); };
-  if (viewer_) viewer_->resize(devicePixels(width), devicePixels(height));
-}
-
-void Engine::setTheme(bool dark) {
-  if (viewer_) viewer_->setTheme(dark);
-}
-
-void Engine::setUpAxis(const std::string& axis) {
-  camera_.setUpAxis(axis == "y" ? UpAxis::Y : UpAxis::Z);
-  camera_.fitFromDefaultSide();
-}
-
-void Engine::showCarved(bool carved) {
-  showCarved_ = carved;
-  if (carved) showSizes_ = false;
-  updateView();
-}
-
-void Engine::orbit(double dx, double dy) { camera_.orbit(dx, dy); }
-
-void Engine::pan(double dx, double dy) { camera_.pan(dx, dy); }
-
-void Engine::zoom(double factor, double x, double y) {
-  const auto surface = surfaceAt(x, y);
-  camera_.zoom(factor, surface ? surface->position : camera_.onTargetPlane(x, y));
-}
-
-void Engine::fit() { camera_.fit(); }
-
-void Engine::readerView() {
-  if (placement_ && print_) camera_.lookThrough(placement_->frame, print_->edgeMm * kReaderMargin);
-}
-
-void Engine::faceCode() {
-  if (!placement_ || !print_) return;
-  const double extent = std::max(kFacingEdges * print_->edgeMm, kFacingShare * model_->display->box().diagonal());
-  camera_.lookThrough(placement_->frame, extent);
-}
-
-bool Engine::draw(bool always) {
-  if (!viewer_) return false;
-  const double now = nowMs();
-  const bool gliding = camera_.advance(now);
-  const Result<bool> more = viewer_->draw(camera_.view(), now, nullptr, always);
-  if (more) return *more || gliding;
-  problems_.push_back(more.error().message);
-  return false;
-}
-
 void Engine::forgetPlacement() {
   placement_.reset();
-  print_.reset();
+  code_.reset();
+  endHover();
 }
 
 void Engine::forgetSpots() {
@@ -495,9 +452,11 @@ void Engine::updateView() {
   const bool carved = showCarved_ && carvedDisplay_;
   const bool sizes = !carved && showSizes_ && sizesDisplay_;
   viewer_->setMesh(carved ? carvedDisplay_ : sizes ? sizesDisplay_ : model_ ? model_->display : nullptr);
-  viewer_->showHeat(sizes);
-  viewer_->setPrint(carved ? std::nullopt : print_);
-  viewer_->setMarker(carved || print_ ? std::nullopt : centre_);
+  viewer_->showHeat(sizes ? HeatShown::All : carved && showDepths_ ? HeatShown::AboveZero : HeatShown::None);
+  viewer_->setPrint(carved || !code_ ? std::nullopt : std::optional(code_->print));
+  viewer_->setGhost(carved || !hovered_ ? std::nullopt : std::optional(hovered_->print));
+  viewer_->setMarker(carved || code_ ? std::nullopt : centre_);
+  viewer_->setCut(cut());
 }
 
 }  // namespace qrelief

@@ -11,6 +11,7 @@
 #include "mesh/ray.h"
 #include "pipeline/place.h"
 #include "pipeline/report.h"
+#include "wasm/code_estimate.h"
 #include "wasm/orbit_camera.h"
 #include "wasm/viewer.h"
 
@@ -44,8 +45,22 @@ class Engine {
   /// The same with the surface point nearest to a point in mm.
   std::string setCentre(double x, double y, double z);
 
-  /// {placement: {centre, normal, up, symbolMm, moduleMm, guaranteedMm, version, modules}}, and shows the symbol there.
+  /// {placement: {centre, normal, up, symbolMm, moduleMm, guaranteedMm, rotationDeg, version, modules}}, and shows the
+  /// symbol there. Where none fits, what of it does is shown.
   std::string placement();
+
+  /// {hit: false}, {hit: true, onCode: true} over the code that has its place, else {hit: true, onCode: false, code};
+  /// shows the code where it would about lie. `code`: {symbolMm, moduleMm, guaranteedMm, missingShare, exact}.
+  std::string hover(double x, double y);
+  void endHover();
+  /// Starts finding the true place of the code hovered over; ends with the next hover.
+  std::string startSettling();
+  /// {done} or {done: true, code}; one bounded piece of work. An error where no code fits.
+  std::string advanceSettling();
+  /// {hit, code}; shows the placed code about there instead, until pick or placement. Beside the model it stays.
+  std::string moveCode(double x, double y);
+  /// {code}; shows the code turned and of another size, until placement. BadUsage without one.
+  std::string adjustCode(double rotateDeg, double symbolMm);
 
   /// Starts looking for the best spots for the settings; ends an earlier search.
   std::string startPlacing();
@@ -93,9 +108,30 @@ class Engine {
   void pan(double dx, double dy);
   void zoom(double factor, double x, double y);
   void fit();
+  /// "front", "back", "left", "right", "top", "bottom" or "iso"; others are ignored.
+  void standardView(const std::string& name);
   void readerView();
   /// From the reader's side, with the surroundings in view.
   void faceCode();
+  /// Cuts the model open across the code, from top to bottom as its reader sees it.
+  /// @param offset  of the cut from the code's middle, in half edges of its square: -1 … 1
+  void showSection(bool shown, double offset);
+  /// Turns to where the section is seen.
+  void faceSection();
+  /// Carved depths as colours, if something has been carved: {topMm}, the depth of the last colour; 0 if nothing has.
+  std::string showDepths(bool shown);
+
+  /// {code: {corners: [[x, y]], facing, symbolMm, rotationDeg} or null, axes: [right, up, back]}: where on the screen
+  /// the square of the code and its quiet zone lies on the QR plane (upper left first, clockwise for its reader), the
+  /// cosine at which the camera looks at it; the camera's axes, z up.
+  std::string viewState() const;
+  /// A picture of a spot with the code on it.
+  struct Picture {
+    int width = 0, height = 0;
+    std::vector<std::uint8_t> rgba;  ///< row 0 at the top
+  };
+  /// Empty if there is no such spot.
+  Picture spotPicture(std::size_t index, int width, int height);
 
   /// @param always  present again even if nothing changed, as something is drawn over it
   /// @returns whether another call would improve the picture
@@ -116,13 +152,27 @@ class Engine {
     std::shared_ptr<const EngravableModel> engravable;
     std::shared_ptr<const GpuMesh> display;
   };
+  // A code as it is shown.
+  struct CodeOnSurface {
+    SurfacePrint print;
+    double symbolMm = 0, rotationDeg = 0, guaranteedMm = 0;
+    double missingShare = 0;
+    bool isExact = false;
+    std::shared_ptr<const EyeReach> reach;  // as the map knows it; the print may know better
+  };
+  Result<CodeOnSurface> estimatedCode(const SurfacePoint& at) const;
+  Result<CodeOnSurface> exactCode(const Symbol& symbol, const EngraveRequest& request,
+                                  const Placement& placement) const;
+  bool takesCode() const;
+  std::optional<CuttingPlane> cut() const;
   Result<Model> readAndPrepare(std::vector<std::uint8_t> bytes, const std::string& fileName, double scaleToMm) const;
   void proposeCentre();
   std::string describeModel() const;
-  std::string describePlacement(const Symbol& symbol) const;
+  std::string describePlacement() const;
   std::string chooseCentre(std::optional<SurfacePoint> point);
+  std::string describeCode(const CodeOnSurface& code) const;
   std::optional<SurfacePoint> surfaceAt(double x, double y) const;
-  Result<Symbol> placeSymbol();
+  Status placeSymbol();
   EngraveRequest completeRequest() const;
   void finishPlacing();
   void forgetPlacement();
@@ -135,14 +185,20 @@ class Engine {
   gl::Capabilities gl_;
   std::vector<std::string> problems_;
   std::unique_ptr<GeometryPass> pass_;
-  std::unique_ptr<Viewer> viewer_;
+  std::unique_ptr<Viewer> viewer_, spotViewer_;
   OrbitCamera camera_;
 
   std::optional<Model> model_;
   EngraveRequest request_;
   std::optional<Vec3> centre_;
+  Result<Symbol> symbol_;  // of the request
   std::optional<Placement> placement_;
-  std::optional<SurfacePrint> print_;
+  std::optional<CodeOnSurface> code_;  // that has its place, or is being moved there
+  std::optional<CodeOnSurface> hovered_;
+  std::optional<SurfacePoint> hoveredAt_;
+  std::optional<PlacementSearch> settling_;
+  bool sectionShown_ = false, dark_ = false;
+  double sectionOffset_ = 0;
 
   PlaceRequest placingRequest_;  // of the search that runs, or whose spots are known
   std::unique_ptr<PlaceJob> placing_;
@@ -159,6 +215,8 @@ class Engine {
   std::optional<EngraveResult> result_;
   std::shared_ptr<const GpuMesh> carvedDisplay_;
   bool showCarved_ = false;
+  double depthTopMm_ = 0;  // that the carved model's last colour stands for
+  bool showDepths_ = false;
   std::string readBack_, reader_;
 
   struct Carving {

@@ -2,6 +2,7 @@
 #include "wasm/orbit_camera.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -133,6 +134,28 @@ void OrbitCamera::fit() { glide_ = Glide{pose_, fitted(pose_), {}}; }
 void OrbitCamera::fitFromDefaultSide() {
   interrupt();
   pose_ = fitted(CameraPose{});
+}
+
+void OrbitCamera::lookFrom(StandardView side) {
+  struct Angles {
+    double yaw, pitch;
+  };
+  constexpr double kIsometric = 0.6154797086703873;  // atan(1/√2)
+  constexpr std::array<Angles, 7> kSides = {{
+      {-kPi / 2, 0},
+      {kPi / 2, 0},
+      {kPi, 0},
+      {0, 0},
+      {-kPi / 2, kPi / 2},
+      {-kPi / 2, -kPi / 2},
+      {-kPi / 4, kIsometric},
+  }};
+  CameraPose to = pose_;
+  to.yaw = kSides[static_cast<std::size_t>(side)].yaw;
+  to.pitch = kSides[static_cast<std::size_t>(side)].pitch;
+  to = fitted(to);
+  to.yaw = wrappedNear(to.yaw, pose_.yaw);
+  glide_ = Glide{pose_, to, {}};
 }
 
 void OrbitCamera::lookThrough(const ProjectionFrame& frame, double extentMm) {

@@ -12,6 +12,9 @@ namespace qrelief {
 /// Which axis of the model points up on the screen.
 enum class UpAxis { Y, Z };
 
+/// From which side the whole scene is looked at, upright: front is from -y of a scene whose up is z.
+enum class StandardView { Front, Back, Left, Right, Top, Bottom, Iso };
+
 /// Where the camera is: on a sphere about the target, turned about the up axis (yaw), raised over the horizon (pitch),
 /// tilted about the line of sight (roll).
 struct CameraPose {
@@ -65,6 +68,7 @@ class OrbitCamera {
   /// All of the scene, upright, from the side the camera is on; `fromDefaultSide` from the front, somewhat above.
   void fit();
   void fitFromDefaultSide();
+  void lookFrom(StandardView side);
   /// From the reader's eye: the square of `extentMm` on the frame's plane fills the view.
   void lookThrough(const ProjectionFrame& frame, double extentMm);
 
@@ -78,6 +82,8 @@ class OrbitCamera {
   /// Pixel of a point in front of the eye.
   Vec2 toScreen(Vec3 point) const;
   const CameraPose& pose() const { return pose_; }
+  /// A direction of the model in axes whose z is up.
+  Vec3 toTurntable(Vec3 v) const;
 
  private:
   struct Glide {
@@ -85,7 +91,6 @@ class OrbitCamera {
     std::optional<double> startMs;  // set by the first frame
   };
   Vec3 fromTurntable(Vec3 v) const;
-  Vec3 toTurntable(Vec3 v) const;
   CameraPose fitted(CameraPose pose) const;
   void interrupt() { glide_.reset(); }
   void keepInLimits();

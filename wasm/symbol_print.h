@@ -9,9 +9,9 @@ namespace qrelief {
 /// The symbol with its quiet zone as the viewer shows it on the surface before it is carved: ink where the patterns ask
 /// for carving.
 ///
-/// @param request  its patterns count
-/// @param mesh     the one that the placement is on
-SurfacePrint symbolPrint(const Symbol& symbol, const Placement& placement, const EngraveRequest& request,
-                         const Mesh& mesh);
+/// @param symbolMm  edge without quiet zone
+/// @param request   its patterns count
+SurfacePrint symbolPrint(const Symbol& symbol, const ProjectionFrame& frame, double symbolMm,
+                         const EngraveRequest& request);
 
 }  // namespace qrelief

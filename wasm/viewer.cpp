@@ -15,12 +15,18 @@ namespace {
 constexpr double kRadiusShare = 0.08;  // reach of the occlusion, of the model's diagonal
 constexpr double kRadiusLimit = 0.15;  // greatest reach on the screen, of the picture's height
 constexpr int kFirstShown = 4;         // averages of fewer pictures are noisier than the blurred first one
-constexpr double kSlowFrameMs = 50;    // intervals above this lower the resolution while moving
+constexpr double kSlowFrameMs = 50;    // intervals above this lower the resolution while moving,
+constexpr double kFastFrameMs = 22;    // and below this raise it again
+constexpr int kSlowFrames = 4;         // so many in a row
+constexpr int kFastFrames = 20;
 constexpr double kCoarsestScale = 0.4;
+constexpr double kGhostStrength = 0.72;
+constexpr double kHatchShare = 0.016;  // from stripe to stripe of a cut, of the model's diagonal
 
 constexpr Vec3f kLightBackground[2] = {{0.66f, 0.69f, 0.73f}, {0.87f, 0.89f, 0.92f}};
 constexpr Vec3f kDarkBackground[2] = {{0.010f, 0.012f, 0.016f}, {0.035f, 0.041f, 0.051f}};
 constexpr Vec3f kAccent = {0.01f, 0.30f, 0.85f};
+constexpr Vec3f kWarn = {0.95f, 0.22f, 0.01f};
 
 Vec3f inView(const CameraView& camera, Vec3 direction) {
   return Vec3f(
@@ -62,6 +68,7 @@ Result<Viewer> Viewer::create(const ViewQuality& quality) {
   }};
   Viewer viewer;
   viewer.quality_ = quality;
+  viewer.mostScale_ = quality.movingScale;
   for (const Source& source : sources) {
     auto program = gl::Program::create(source.name, source.vertex, source.fragment);
     if (!program) return tl::unexpected(program.error());
@@ -77,28 +84,39 @@ void Viewer::resize(int width, int height) {
 }
 
 void Viewer::setMesh(std::shared_ptr<const GpuMesh> mesh) {
+  if (mesh_ == mesh) return;
   mesh_ = std::move(mesh);
   changed_ = true;
 }
 
-void Viewer::showHeat(bool shown) {
+void Viewer::showHeat(HeatShown shown) {
+  if (heatShown_ == shown) return;
   heatShown_ = shown;
   changed_ = true;
 }
 
 void Viewer::setPrint(std::optional<SurfacePrint> print) {
-  print_ = std::move(print);
-  if (print_) {
-    std::vector<std::uint8_t> texels(4 * print_->ink.size(), 255);
-    for (std::size_t i = 0; i < print_->ink.size(); ++i) texels[4 * i] = print_->ink[i];
-    ink_ = gl::Texture(print_->size, print_->size, gl::Format::RGBA8, texels.data());
-  }
+  print_.print = std::move(print);
+  print_.isUploaded = false;
+  printsChanged_ = true;
+}
+
+void Viewer::setGhost(std::optional<SurfacePrint> ghost) {
+  if (!ghost && !ghost_.print) return;
+  ghost_.print = std::move(ghost);
+  ghost_.isUploaded = false;
+  printsChanged_ = true;
+}
+
+void Viewer::setCut(std::optional<CuttingPlane> cut) {
+  if (!cut && !cut_) return;
+  cut_ = cut;
   changed_ = true;
 }
 
 void Viewer::setMarker(std::optional<Vec3> marker) {
   marker_ = marker;
-  changed_ = true;
+  printsChanged_ = true;
 }
 
 void Viewer::setTheme(bool dark) {
@@ -173,6 +191,11 @@ void Viewer::drawSurface(const Stage& stage, const CameraView& camera, Vec2 jitt
   surface_.set("u_back", Vec3f(camera.back));
   surface_.set("u_target", Vec3f(camera.target - mesh_->origin()));
   surface_.set("u_depthRange", glm::vec2(camera.depthRange));
+  surface_.set("u_isCut", cut_ ? 1 : 0);
+  if (cut_) {
+    const double along = glm::dot(cut_->point - camera.target, cut_->normal);
+    surface_.set("u_cut", glm::vec4(inView(camera, cut_->normal), static_cast<float>(along)));
+  }
   mesh_->draw();
   glDisable(GL_DEPTH_TEST);
 }
@@ -192,40 +215,24 @@ void Viewer::drawOcclusion(const Stage& stage, const CameraView& camera, Vec2 ji
   gl::drawFullscreen();
 }
 
-void Viewer::setPrintUniforms(const CameraView& camera) const {
-  lighting_.set("u_overlayShown", print_ ? 1 : 0);
-  lighting_.set("u_markerShown", marker_ ? 1 : 0);
-  if (marker_) lighting_.set("u_marker", pointInView(camera, *marker_));
-  if (!print_) return;
-  const ProjectionFrame& frame = print_->frame;
-  lighting_.setTexture("u_ink", 2, ink_);
-  lighting_.set("u_codeCentre", pointInView(camera, frame.centre));
-  lighting_.set("u_codeRight", inView(camera, frame.right));
-  lighting_.set("u_codeUp", inView(camera, frame.up));
-  lighting_.set("u_codeNormal", inView(camera, frame.normal));
-  lighting_.set("u_codeEyeDistance", static_cast<float>(frame.eyeDistance));
-  lighting_.set("u_codeEdge", static_cast<float>(print_->edgeMm));
-  lighting_.set("u_codeHeights", glm::vec2(print_->heightsMm));
-}
-
 void Viewer::drawLighting(const Stage& stage, const Stage& into, const CameraView& camera, Vec2 jitter,
                           const Sample& sample) const {
   into.colourTarget.bind();
   const double pixelMm = 2 * camera.tanHalf.y * camera.distance / stage.height;
+  const CuttingPlane cut = cut_.value_or(CuttingPlane{});
+  const Vec3 across = glm::normalize(makeFrame({}, cut.normal, camera.skyward, 1).onPlane({1, 1}));
   setCamera(lighting_, stage, camera, jitter);
   lighting_.setTexture("u_surface", 0, stage.surface);
   lighting_.setTexture("u_visibility", 1, stage.visibility);
-  lighting_.setTexture("u_ink", 2, print_ ? ink_ : stage.visibility);
   lighting_.set("u_blur", sample.blur ? 1 : 0);
   lighting_.set("u_blurUnit", static_cast<float>(radiusMm()));
   lighting_.set("u_blurReach", static_cast<float>(8 * pixelMm));
   lighting_.set("u_skyward", inView(camera, camera.skyward));
   lighting_.set("u_background[0]", dark_ ? kDarkBackground[0] : kLightBackground[0]);
   lighting_.set("u_background[1]", dark_ ? kDarkBackground[1] : kLightBackground[1]);
-  lighting_.set("u_accent", kAccent);
-  lighting_.set("u_pixelMm", static_cast<float>(2 * camera.tanHalf.y * camera.distance / height_));
-  lighting_.set("u_heatShown", heatShown_ ? 1 : 0);
-  setPrintUniforms(camera);
+  lighting_.set("u_heatShown", static_cast<int>(heatShown_));
+  lighting_.set("u_hatch", glm::vec4(inView(camera, across), static_cast<float>(glm::dot(camera.target, across))));
+  lighting_.set("u_hatchMm", static_cast<float>(kHatchShare / kRadiusShare * radiusMm()));
   if (sample.weight < 1) {
     glEnable(GL_BLEND);
     glBlendFunc(GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_ALPHA);
@@ -235,14 +242,65 @@ void Viewer::drawLighting(const Stage& stage, const Stage& into, const CameraVie
   glDisable(GL_BLEND);
 }
 
+Vec2 Viewer::jitterOf(const Sample& sample, const Stage& stage) {
+  return {2 * sample.jitterPx.x / stage.width, 2 * sample.jitterPx.y / stage.height};
+}
+
 void Viewer::drawSample(const Stage& stage, const Stage& into, const CameraView& camera, const Sample& sample) const {
-  const Vec2 jitter(2 * sample.jitterPx.x / stage.width, 2 * sample.jitterPx.y / stage.height);
+  const Vec2 jitter = jitterOf(sample, stage);
   drawSurface(stage, camera, jitter);
   drawOcclusion(stage, camera, jitter, sample);
   drawLighting(stage, into, camera, jitter, sample);
 }
 
-void Viewer::present(const Stage& stage, const gl::Framebuffer* target) const {
+void Viewer::uploadInk() {
+  const SurfacePrint* print = print_.print ? &*print_.print : ghost_.print ? &*ghost_.print : nullptr;
+  if (!print || print->ink == inkShown_) return;
+  inkShown_ = print->ink;
+  std::vector<std::uint8_t> texels(4 * inkShown_.size(), 255);
+  for (std::size_t i = 0; i < inkShown_.size(); ++i) texels[4 * i] = inkShown_[i];
+  ink_ = gl::Texture(print->size, print->size, gl::Format::RGBA8, texels.data());
+}
+
+void Viewer::uploadPrint(Shown& shown) {
+  if (!shown.print || shown.isUploaded) return;
+  shown.isUploaded = true;
+  if (!shown.print->reach) return;
+  const int texels = shown.print->reach->window.texels;
+  const void* const data = shown.print->reach->texels.data();
+  if (shown.reach.width() == texels)
+    shown.reach.upload(data);
+  else
+    shown.reach = gl::Texture(texels, texels, gl::Format::RGBA32F, data);
+}
+
+void Viewer::setPrintUniforms(int index, const Shown& shown, double strength, const CameraView& camera) const {
+  const std::string prefix = "u_prints[" + std::to_string(index) + "].";
+  const auto set = [&](const char* name, auto value) { present_.set((prefix + name).c_str(), value); };
+  const bool hasReach = shown.print && shown.print->reach;
+  present_.setTexture(index == 0 ? "u_reach0" : "u_reach1", 3 + index, hasReach ? shown.reach : nothing_);
+  set("strength", shown.print ? static_cast<float>(strength) : 0.0f);
+  if (!shown.print) return;
+  const ProjectionFrame& frame = shown.print->frame;
+  set("centre", pointInView(camera, frame.centre));
+  set("right", inView(camera, frame.right));
+  set("up", inView(camera, frame.up));
+  set("normal", inView(camera, frame.normal));
+  set("eyeDistance", static_cast<float>(frame.eyeDistance));
+  set("edge", static_cast<float>(shown.print->edgeMm));
+  set("window", hasReach ? static_cast<float>(shown.print->reach->window.extentMm) : 0.0f);
+  if (!hasReach) return;
+  const ProjectionFrame& seen = shown.print->reach->frame;
+  set("turn", glm::vec2(glm::dot(frame.right, seen.right), glm::dot(frame.right, seen.up)));
+}
+
+void Viewer::present(const CameraView& camera, const gl::Framebuffer* target) {
+  uploadInk();
+  uploadPrint(print_);
+  uploadPrint(ghost_);
+  if (nothing_.width() == 0) nothing_ = gl::Texture(1, 1, gl::Format::RGBA32F);
+  if (ink_.width() == 0) ink_ = gl::Texture(1, 1, gl::Format::RGBA8);
+  printsChanged_ = false;
   if (target) {
     target->bind();
   } else {
@@ -251,9 +309,18 @@ void Viewer::present(const Stage& stage, const gl::Framebuffer* target) const {
   glViewport(0, 0, width_, height_);
   glDisable(GL_BLEND);
   glDisable(GL_SCISSOR_TEST);
-  present_.use();
-  present_.setTexture("u_colour", 0, stage.colour);
+  setCamera(present_, *picture_.surface, camera, picture_.jitter);
+  present_.setTexture("u_colour", 0, picture_.colours->colour);
+  present_.setTexture("u_surface", 1, picture_.surface->surface);
+  present_.setTexture("u_ink", 2, ink_);
   present_.set("u_canvas", glm::vec2(width_, height_));
+  present_.set("u_accent", kAccent);
+  present_.set("u_warn", kWarn);
+  present_.set("u_pixelMm", static_cast<float>(2 * camera.tanHalf.y * camera.distance / height_));
+  present_.set("u_markerShown", marker_ ? 1 : 0);
+  if (marker_) present_.set("u_marker", pointInView(camera, *marker_));
+  setPrintUniforms(0, print_, 1, camera);
+  setPrintUniforms(1, ghost_, kGhostStrength, camera);
   gl::drawFullscreen();
 }
 
@@ -263,9 +330,11 @@ void Viewer::adaptToInterval(double nowMs) {
   statistics_.coarseFrameMs =
       statistics_.coarseFrameMs > 0 ? 0.8 * statistics_.coarseFrameMs + 0.2 * interval : interval;
   slowFrames_ = interval > kSlowFrameMs ? slowFrames_ + 1 : 0;
-  if (slowFrames_ < 4 || quality_.movingScale <= kCoarsestScale) return;
-  quality_.movingScale = std::max(kCoarsestScale, quality_.movingScale * 0.75);
-  slowFrames_ = 0;
+  fastFrames_ = interval < kFastFrameMs ? fastFrames_ + 1 : 0;
+  if (slowFrames_ < kSlowFrames && fastFrames_ < kFastFrames) return;
+  const double wanted = quality_.movingScale * (slowFrames_ > 0 ? 0.75 : 1.15);
+  quality_.movingScale = std::clamp(wanted, std::min(kCoarsestScale, mostScale_), mostScale_);
+  slowFrames_ = fastFrames_ = 0;
 }
 
 Result<bool> Viewer::drawMoving(const CameraView& camera, double nowMs, const gl::Framebuffer* target) {
@@ -275,8 +344,8 @@ Result<bool> Viewer::drawMoving(const CameraView& camera, double nowMs, const gl
   sample.steps = quality_.movingSteps;
   sample.blur = true;
   drawSample(*moving_, *moving_, camera, sample);
-  shown_ = &*moving_;
-  present(*shown_, target);
+  picture_ = {&*moving_, &*moving_, {}};
+  present(camera, target);
   statistics_ = {statistics_.coarseFrameMs, 0, moving_->width, moving_->height};
   lastMovingMs_ = nowMs;
   return true;
@@ -296,8 +365,9 @@ Result<bool> Viewer::drawStill(const CameraView& camera, const gl::Framebuffer* 
   drawSample(*still_, *sum_, camera, sample);
   statistics_.width = still_->width;
   statistics_.height = still_->height;
-  if (statistics_.samples >= std::min(kFirstShown, quality_.stillSamples)) shown_ = &*sum_;
-  present(*shown_, target);
+  if (statistics_.samples >= std::min(kFirstShown, quality_.stillSamples))
+    picture_ = {&*sum_, &*still_, jitterOf(sample, *still_)};
+  present(camera, target);
   return statistics_.samples < quality_.stillSamples;
 }
 
@@ -312,7 +382,7 @@ Result<bool> Viewer::draw(const CameraView& camera, double nowMs, const gl::Fram
   const bool settled = nowMs - lastChangeMs_ >= quality_.settleMs;
   const bool finished = statistics_.samples >= quality_.stillSamples;
   if (settled && !finished) return drawStill(camera, target);
-  if (always) present(*shown_, target);
+  if (always || printsChanged_) present(camera, target);
   return !finished;
 }
 

@@ -9,6 +9,7 @@
 #include "gl/objects.h"
 #include "math/frame.h"
 #include "render/gpu_mesh.h"
+#include "wasm/eye_reach.h"
 #include "wasm/orbit_camera.h"
 
 namespace qrelief {
@@ -17,10 +18,21 @@ namespace qrelief {
 struct SurfacePrint {
   ProjectionFrame frame;
   double edgeMm = 0;              ///< of the picture on the QR plane
-  Vec2 heightsMm{0};              ///< lowest and highest surface over the QR plane that takes the print
   int size = 0;                   ///< texels along an edge
   std::vector<std::uint8_t> ink;  ///< size², row 0 at the top; 255 = dark
+  /// What takes the print: what of its square is not reached has a warning colour, and what is hidden none. None: all
+  /// that faces the eye takes it. Its centre and normal are the frame's.
+  std::shared_ptr<const EyeReach> reach;
 };
+
+/// What lies on the side of the plane that the normal points to is cut away.
+struct CuttingPlane {
+  Vec3 point{0};
+  Vec3 normal{0, 0, 1};  ///< unit
+};
+
+/// Which values of a mesh are shown as colours.
+enum class HeatShown { None, All, AboveZero };
 
 /// What a frame may cost. The defaults suit a software renderer; `suitedTo` knows better ones.
 struct ViewQuality {
@@ -54,8 +66,12 @@ class Viewer {
   /// @param mesh  with normals split at creases (display_mesh.h); may be null: background only
   void setMesh(std::shared_ptr<const GpuMesh> mesh);
   /// Shows the mesh in the colours of its values, 0 … 1 (GpuMesh::setValues).
-  void showHeat(bool shown);
+  void showHeat(HeatShown shown);
   void setPrint(std::optional<SurfacePrint> print);
+  /// A second, fainter one of the same symbol, at another place.
+  void setGhost(std::optional<SurfacePrint> ghost);
+  /// Closed solids show a coloured section.
+  void setCut(std::optional<CuttingPlane> cut);
   void setMarker(std::optional<Vec3> marker);
   void setTheme(bool dark);
 
@@ -76,6 +92,18 @@ class Viewer {
     gl::Texture surface, visibility, colour;
     gl::Framebuffer surfaceTarget, visibilityTarget, colourTarget;
   };
+  // A finished picture: its colours, and the G-buffer that was drawn last for it.
+  struct Picture {
+    const Stage* colours = nullptr;
+    const Stage* surface = nullptr;
+    Vec2 jitter{0};
+  };
+  // A print and what the graphics processor holds of it.
+  struct Shown {
+    std::optional<SurfacePrint> print;
+    gl::Texture reach;
+    bool isUploaded = false;
+  };
   struct Sample {
     Vec2 jitterPx{0};
     double turn = 0, shift = 0.35;
@@ -90,9 +118,12 @@ class Viewer {
   void drawOcclusion(const Stage& stage, const CameraView& camera, Vec2 jitter, const Sample& sample) const;
   void drawLighting(const Stage& stage, const Stage& into, const CameraView& camera, Vec2 jitter,
                     const Sample& sample) const;
+  static Vec2 jitterOf(const Sample& sample, const Stage& stage);
   void drawSample(const Stage& stage, const Stage& into, const CameraView& camera, const Sample& sample) const;
-  void setPrintUniforms(const CameraView& camera) const;
-  void present(const Stage& stage, const gl::Framebuffer* target) const;
+  void setPrintUniforms(int index, const Shown& shown, double strength, const CameraView& camera) const;
+  void uploadPrint(Shown& shown);
+  void uploadInk();
+  void present(const CameraView& camera, const gl::Framebuffer* target);
   Result<bool> drawMoving(const CameraView& camera, double nowMs, const gl::Framebuffer* target);
   Result<bool> drawStill(const CameraView& camera, const gl::Framebuffer* target);
   double radiusMm() const;
@@ -101,19 +132,23 @@ class Viewer {
   ViewQuality quality_;
   gl::Program surface_, occlusion_, lighting_, present_;
   std::optional<Stage> moving_, still_, sum_;
-  const Stage* shown_ = nullptr;
+  Picture picture_;
   std::shared_ptr<const GpuMesh> mesh_;
-  std::optional<SurfacePrint> print_;
+  Shown print_, ghost_;
+  gl::Texture ink_, nothing_;
+  std::vector<std::uint8_t> inkShown_;
   std::optional<Vec3> marker_;
-  gl::Texture ink_;
+  std::optional<CuttingPlane> cut_;
   bool dark_ = false;
-  bool heatShown_ = false;
+  HeatShown heatShown_ = HeatShown::None;
   int width_ = 1, height_ = 1;
   CameraView lastCamera_;
   bool changed_ = true;
+  bool printsChanged_ = false;
   double lastChangeMs_ = 0;
   std::optional<double> lastMovingMs_;
-  int slowFrames_ = 0;
+  double mostScale_ = 1;  // of movingScale: as it was at first
+  int slowFrames_ = 0, fastFrames_ = 0;
   ViewStatistics statistics_;
 };
 

@@ -104,7 +104,6 @@ TEST_F(ViewerTest, ThePrintShowsItsInkWhereTheProjectionCarriesIt) {
   SurfacePrint print;
   print.frame = makeFrame({0, 0, 10}, {0, 0, 1}, {0, 1, 0}, 250);
   print.edgeMm = 40;
-  print.heightsMm = {-1, 1};
   print.size = 2;
   print.ink = {255, 0,  // upper left, seen by the reader, is dark
                0, 0};
@@ -125,7 +124,6 @@ TEST_F(ViewerTest, ThePrintIsOnlyOnFacetsTowardsTheReader) {
   SurfacePrint print;
   print.frame = makeFrame({0, 0, 10}, {0, 0, 1}, {0, 1, 0}, 250);
   print.edgeMm = 80;  // over the edges, where the sides begin
-  print.heightsMm = {-50, 50};
   print.size = 1;
   print.ink = {255};
   const Vec2 front = camera_.toScreen({0, -30, 0});

@@ -35,11 +35,13 @@ export class EngineClient {
    * @param {object} options
    * @param {() => HTMLCanvasElement} options.makeCanvas  a fresh canvas in place of the last one
    * @param {(event: HostEvent) => void} options.onEvent  context lost, or a failure outside any verb
+   * @param {(state: import('./types.js').ViewState) => void} [options.onView]  after a frame that shows something else
    * @param {() => void} options.onReplaced               the module was replaced: it knows no model, no settings
    */
-  constructor({ makeCanvas, onEvent, onReplaced }) {
+  constructor({ makeCanvas, onEvent, onView = () => {}, onReplaced }) {
     this.makeCanvas_ = makeCanvas;
     this.onEvent_ = onEvent;
+    this.onView_ = onView;
     this.onReplaced_ = onReplaced;
     /** @type {Backend | undefined} */ this.backend_ = undefined;
     /** @type {((progress: EngraveProgress) => void) | undefined} */ this.onProgress_ = undefined;
@@ -159,6 +161,30 @@ export class EngineClient {
   /** @param {number} number  of the last carving or the one before it @returns {Promise<boolean>}  whether it is there again */
   useCarving(number) { return this.call_('useCarving', number); }
 
+  /** Shows the code where it would about lie. @param {number} x @param {number} y @returns {Promise<import('./types.js').HoverResult>} */
+  hover(x, y) { return this.call_('hover', x, y); }
+
+  /** @returns {Promise<void>} */
+  endHover() { return this.call_('endHover'); }
+
+  /** @returns {Promise<import('./types.js').HoverResult | null>}  the true place; none if the pointer moved on */
+  settle() { return this.call_('settle'); }
+
+  /** @param {number} x @param {number} y @returns {Promise<import('./types.js').HoverResult>} */
+  moveCode(x, y) { return this.call_('moveCode', x, y); }
+
+  /** @param {number} rotateDeg @param {number} symbolMm @returns {Promise<import('./types.js').CodeFacts>} */
+  adjustCode(rotateDeg, symbolMm) { return this.call_('adjustCode', rotateDeg, symbolMm); }
+
+  /** @param {number} index @param {number} width @param {number} height @returns {Promise<import('./types.js').ColourImage>} */
+  spotPicture(index, width, height) { return this.call_('spotPicture', index, width, height); }
+
+  /** @param {boolean} shown @param {number} offset  from the code's middle, -1 … 1 @returns {Promise<void>} */
+  showSection(shown, offset) { return this.call_('showSection', shown, offset); }
+
+  /** @param {boolean} shown @returns {Promise<number>}  the depth of the last colour, mm; 0 without a carved model */
+  showDepths(shown) { return this.call_('showDepths', shown); }
+
   /** @returns {Promise<import('./types.js').Report>} */
   report() { return this.call_('report'); }
 
@@ -233,6 +259,7 @@ export class EngineClient {
   /** @param {HostEvent} event */
   receive_(event) {
     if (event.event === 'progress') this.onProgress_?.(event.progress);
+    else if (event.event === 'view') this.onView_(event.state);
     else this.onEvent_(event);
   }
 }

@@ -10,7 +10,10 @@ import { EngineFailure, describeThrown } from './engine_error.js';
 /** @typedef {import('./types.js').ViewSize} ViewSize */
 /** @typedef {{ start: () => string, advance: () => string, cancel: () => void }} Job  of the module, done in steps */
 
+const kDragged = new Set(['orbit', 'pan', 'zoom']);  // what the inspector's windows take for themselves
 const kSliceMs = 40;  // between two looks at the messages: a cancel is seen within one slice and one step
+
+const kSettleSliceMs = 8;  // while the pointer may move on
 
 /** @type {WebGLContextAttributes} */
 const kContextAttributes = { antialias: false, alpha: false, depth: false, stencil: false, powerPreference: 'high-performance' };
@@ -61,6 +64,8 @@ export class EngineHost {
     this.lost_ = false;
     this.inspectorShown_ = false;
     this.inspectorTakes_ = false;
+    this.hovers_ = 0;
+    this.viewState_ = '';
   }
 
   /**
@@ -135,6 +140,21 @@ export class EngineHost {
     /** @param {number} x @param {number} y @param {number} z */
     setCentre: (x, y, z) => this.drawn_(JSON.parse(this.engine_.setCentre(x, y, z))),
 
+    /** @param {number} x @param {number} y */
+    hover: (x, y) => {
+      this.hovers_ += 1;
+      return this.inspectorTakes_ ? { hit: false } : this.drawn_(parseAnswer(this.engine_.hover(x, y)));
+    },
+    endHover: () => {
+      this.hovers_ += 1;
+      this.drawn_(this.engine_.endHover());
+    },
+    settle: () => this.settle_(),
+    /** @param {number} x @param {number} y */
+    moveCode: (x, y) => this.drawn_(parseAnswer(this.engine_.moveCode(x, y))),
+    /** @param {number} rotateDeg @param {number} symbolMm */
+    adjustCode: (rotateDeg, symbolMm) => this.drawn_(parseAnswer(this.engine_.adjustCode(rotateDeg, symbolMm)).code),
+
     placement: () => {
       try {
         return parseAnswer(this.engine_.placement()).placement;
@@ -148,6 +168,15 @@ export class EngineHost {
     chooseSpot: (index) => this.drawn_(parseAnswer(this.engine_.chooseSpot(index))),
     /** @param {boolean} shown */
     showSizes: (shown) => this.drawn_(this.engine_.showSizes(shown)),
+    /** @param {number} index @param {number} width @param {number} height */
+    spotPicture: (index, width, height) => {
+      const picture = this.engine_.spotPicture(index, width, height);
+      return { width: picture.width, height: picture.height, pixels: picture.pixels.slice() };
+    },
+    /** @param {boolean} shown @param {number} offset */
+    showSection: (shown, offset) => this.drawn_(this.engine_.showSection(shown, offset)),
+    /** @param {boolean} shown */
+    showDepths: (shown) => this.drawn_(parseAnswer(this.engine_.showDepths(shown)).topMm),
 
     engrave: () => this.engrave_(),
     cancel: () => {
@@ -201,8 +230,12 @@ export class EngineHost {
     if (action.kind === 'pointer') {
       if (!this.inspectorShown_) return;
       this.inspectorTakes_ = this.engine_.inspectorPointer(action.x, action.y, action.buttons, action.wheel);
-    } else if (this.inspectorTakes_ && action.kind !== 'fit' && action.kind !== 'readerView' && action.kind !== 'face') {
+    } else if (this.inspectorTakes_ && kDragged.has(action.kind)) {
       return;
+    } else if (action.kind === 'standard') {
+      this.engine_.standardView(action.name);
+    } else if (action.kind === 'faceSection') {
+      this.engine_.faceSection();
     } else if (action.kind === 'orbit') {
       this.engine_.orbit(action.dx, action.dy);
     } else if (action.kind === 'pan') {
@@ -231,6 +264,24 @@ export class EngineHost {
       advance: () => this.engine_.advancePlacing(),
       cancel: () => this.engine_.cancelPlacing(),
     });
+  }
+
+  /**
+   * The true place of the code that follows the pointer, unless the pointer moves on meanwhile.
+   * @returns {Promise<import('./types.js').HoverResult | null>}
+   */
+  async settle_() {
+    const { hovers_: asked } = this;
+    parseAnswer(this.engine_.startSettling());
+    for (;;) {
+      const sliceEnd = performance.now() + kSettleSliceMs;
+      do {
+        const found = parseAnswer(this.engine_.advanceSettling());
+        if (found.done) return this.drawn_(found);
+      } while (performance.now() < sliceEnd);
+      await yieldToMessages();
+      if (this.hovers_ !== asked) return null;
+    }
   }
 
   /**
@@ -299,6 +350,14 @@ export class EngineHost {
     return false;
   }
 
+  /** Where the code is on the screen now, if it has moved. */
+  tellView_() {
+    const state = this.engine_.viewState();
+    if (state === this.viewState_) return;
+    this.viewState_ = state;
+    this.notify_({ event: 'view', state: JSON.parse(state) });
+  }
+
   drawFrame_() {
     if (this.lost_) return;
     try {
@@ -306,6 +365,7 @@ export class EngineHost {
       this.gl_.deleteSync(this.fence_);
       this.fence_ = this.gl_.fenceSync(this.gl_.SYNC_GPU_COMMANDS_COMPLETE, 0);
       this.gl_.flush();
+      this.tellView_();
       if (wantsAnother && !this.job_) this.invalidate_();  // refinement waits while the job runs
     } catch (thrown) {
       this.lost_ = true;

@@ -39,8 +39,25 @@
 
 /**
  * @typedef {{ centre: [number, number, number], normal: [number, number, number], up: [number, number, number],
- *   symbolMm: number, moduleMm: number, guaranteedMm: number, version: number, modules: number }} Placement
+ *   symbolMm: number, moduleMm: number, guaranteedMm: number, version: number, modules: number, rotationDeg: number }} Placement
+ *   `rotationDeg`: of the symbol's top from upwards, anticlockwise
  */
+
+/**
+ * @typedef {{ symbolMm: number, moduleMm: number, guaranteedMm: number, missingShare: number, exact: boolean }} CodeFacts
+ *   `missingShare`: of the square that must fit, 0 … 1: overhangs, or is hidden
+ * @typedef {{ hit: boolean, onCode?: boolean, code?: CodeFacts }} HoverResult  `onCode`: over the code that has its place
+ */
+
+/**
+ * Where the code and its quiet zone lie on the screen, CSS pixels: corners of the square from the upper left on,
+ * clockwise for its reader; `facing`: cosine at which the camera looks at it.
+ * @typedef {{ corners: [number, number][], facing: number, symbolMm: number, rotationDeg: number }} CodeOnScreen
+ * @typedef {{ code: CodeOnScreen | null, axes: [number, number, number][] }} ViewState
+ *   `axes` of the camera: right, up, back, in a space whose z is up
+ */
+
+/** @typedef {'front' | 'back' | 'left' | 'right' | 'top' | 'bottom' | 'iso'} StandardView */
 
 /**
  * @typedef {{ spots: { centre: [number, number, number], sizeMm: number }[], topMm: number }} Spots
@@ -68,6 +85,7 @@
 
 /** @typedef {{ moduleMm: number, pocketMm: number, leastDepthMm: number, leastDepthLayers: number, nozzleMm: number }} CarvedFeatures */
 /** @typedef {{ overall: number } & Record<string, any>} Grades  by parameter: `value` in its own unit, `grade` 4 (A) … 0 (F) */
+/** @typedef {{ width: number, height: number, pixels: Uint8Array<ArrayBuffer> }} ColourImage  RGBA, row 0 at the top */
 
 /**
  * The part of the report (see the contract) that the page shows.
@@ -98,6 +116,12 @@
  * @property {(x: number, y: number) => string} pick
  * @property {(x: number, y: number, z: number) => string} setCentre
  * @property {() => string} placement
+ * @property {(x: number, y: number) => string} hover
+ * @property {() => void} endHover
+ * @property {() => string} startSettling
+ * @property {() => string} advanceSettling
+ * @property {(x: number, y: number) => string} moveCode
+ * @property {(rotateDeg: number, symbolMm: number) => string} adjustCode
  * @property {() => string} startPlacing
  * @property {() => string} advancePlacing
  * @property {() => void} cancelPlacing
@@ -122,7 +146,13 @@
  * @property {(dx: number, dy: number) => void} pan
  * @property {(factor: number, x: number, y: number) => void} zoom
  * @property {() => void} fit
+ * @property {(name: StandardView) => void} standardView
  * @property {() => void} readerView
+ * @property {(shown: boolean, offset: number) => void} showSection
+ * @property {() => void} faceSection
+ * @property {(shown: boolean) => string} showDepths
+ * @property {() => string} viewState
+ * @property {(index: number, width: number, height: number) => ColourImage} spotPicture
  * @property {() => void} faceCode
  * @property {() => boolean} draw
  * @property {() => number} memoryInUse            bytes of the heap
@@ -148,6 +178,7 @@
  * Everything the view may ask for; positions in CSS pixels of the canvas.
  * @typedef {{ kind: 'orbit', dx: number, dy: number } | { kind: 'pan', dx: number, dy: number }
  *   | { kind: 'zoom', factor: number, x: number, y: number } | { kind: 'fit' } | { kind: 'readerView' } | { kind: 'face' }
+ *   | { kind: 'standard', name: StandardView } | { kind: 'faceSection' }
  *   | { kind: 'pointer', x: number, y: number, buttons: number, wheel: number }} ViewAction
  */
 
@@ -155,7 +186,7 @@
 
 /**
  * What the host tells the page unasked.
- * @typedef {{ event: 'progress', progress: EngraveProgress } | { event: 'contextlost' }
+ * @typedef {{ event: 'progress', progress: EngraveProgress } | { event: 'view', state: ViewState } | { event: 'contextlost' }
  *   | { event: 'failure', error: EngineError }} HostEvent
  */
 
