@@ -226,5 +226,89 @@ TEST_F(EngineTest, ASearchForSpotsThatIsCancelledLeavesNone) {
   EXPECT_TRUE(Json::parse(engine_->spots())["spots"].empty());
 }
 
+TEST_F(EngineTest, TheCodeFollowsThePointerAndItsTruePlaceComesAfter) {
+  EXPECT_EQ(Json::parse(engine_->hover(200, 150))["hit"], false);  // no model
+  load(shapes::icosphere(30, 5));
+  engine_->configure(kSettings);
+  const Json about = Json::parse(engine_->hover(200, 150));
+  ASSERT_EQ(about["hit"], true) << about;
+  EXPECT_EQ(about["onCode"], false);
+  EXPECT_EQ(about["code"]["exact"], false);
+  ASSERT_EQ(Json::parse(engine_->startSettling())["ok"], true);
+  Json found;
+  for (bool done = false; !done; done = found["done"]) {
+    found = Json::parse(engine_->advanceSettling());
+    ASSERT_EQ(found["ok"], true) << found;
+  }
+  EXPECT_EQ(found["code"]["exact"], true);
+  const double exact = found["code"]["symbolMm"], estimated = about["code"]["symbolMm"];
+  EXPECT_NEAR(estimated / exact, 1, 0.05);
+  engine_->pick(200, 150);
+  const Json placed = Json::parse(engine_->placement());
+  EXPECT_NEAR(placed["placement"]["symbolMm"], exact, 1e-9);
+  EXPECT_EQ(Json::parse(engine_->hover(200, 150))["onCode"], true);
+  expectError(engine_->startSettling(), "BadUsage", "no code");
+}
+
+TEST_F(EngineTest, APlacedCodeIsWhereTheScreenSaysAndIsTurnedAndSized) {
+  load(shapes::box({60, 60, 20}));
+  expectError(engine_->adjustCode(0, 20), "BadUsage", "no code");
+  EXPECT_TRUE(Json::parse(engine_->viewState())["code"].is_null());
+  engine_->configure(kSettings);
+  engine_->setCentre(0, 0, 10);
+  const double mm = Json::parse(engine_->placement())["placement"]["symbolMm"];
+  engine_->standardView("top");
+  engine_->draw();
+  const Json state = Json::parse(engine_->viewState());
+  const Json& code = state["code"];
+  ASSERT_FALSE(code.is_null());
+  EXPECT_NEAR(code["symbolMm"], mm, 1e-9);
+  EXPECT_EQ(code["corners"].size(), 4u);
+  EXPECT_LT(code["corners"][0][1].get<double>(), code["corners"][3][1].get<double>());  // its top is above
+
+  const Json turned = Json::parse(engine_->adjustCode(45, mm));
+  ASSERT_EQ(turned["ok"], true) << turned;
+  EXPECT_LT(turned["code"]["missingShare"], 0.01);  // a free size fits at every rotation
+  EXPECT_EQ(Json::parse(engine_->viewState())["code"]["rotationDeg"], 45);
+  const Json larger = Json::parse(engine_->adjustCode(45, 1.3 * mm));
+  EXPECT_NEAR(larger["code"]["symbolMm"], 1.3 * mm, 1e-9);
+  EXPECT_GT(larger["code"]["missingShare"], 0.05);
+  expectError(engine_->adjustCode(0, 0), "BadUsage", "0 mm");
+
+  ASSERT_EQ(Json::parse(engine_->moveCode(200, 150))["hit"], true);
+  EXPECT_EQ(Json::parse(engine_->placement())["placement"]["rotationDeg"], 0);  // the settings count
+}
+
+TEST_F(EngineTest, ASizeThatDoesNotFitIsShownAllTheSame) {
+  load(shapes::box({60, 60, 20}));
+  engine_->configure(R"({"text": "https://example.org/qrelief-test", "size": 55})");
+  engine_->setCentre(0, 0, 10);
+  EXPECT_EQ(Json::parse(engine_->placement())["ok"], false);
+  EXPECT_EQ(Json::parse(engine_->viewState())["code"]["symbolMm"], 55);
+}
+
+TEST_F(EngineTest, SpotsHavePicturesAndCarvedModelsDepths) {
+  load(shapes::box({60, 60, 20}));
+  engine_->configure(kSettings);
+  EXPECT_EQ(engine_->spotPicture(0, 32, 32).width, 0);
+  engine_->startPlacing();
+  while (!Json::parse(engine_->advancePlacing())["done"]) {
+  }
+  const Engine::Picture picture = engine_->spotPicture(0, 96, 96);
+  ASSERT_EQ(picture.rgba.size(), 4u * 96 * 96);
+  const auto [darkest, lightest] = std::minmax_element(picture.rgba.begin(), picture.rgba.end());
+  EXPECT_GT(*lightest - *darkest, 100);  // a code
+
+  EXPECT_EQ(Json::parse(engine_->showDepths(true))["topMm"], 0);
+  engine_->setCentre(0, 0, 10);
+  engine_->startEngrave();
+  while (!Json::parse(engine_->advance())["done"]) {
+  }
+  const double top = Json::parse(engine_->showDepths(true))["topMm"];
+  const double deepest = Json::parse(engine_->report())["depth"]["maxMm"];
+  EXPECT_GE(top, deepest - 1e-6);
+  EXPECT_LT(top, deepest + 0.1);
+}
+
 }  // namespace
 }  // namespace qrelief

@@ -154,5 +154,31 @@ TEST(OrbitCamera, DraggingInterruptsAGlide) {
   EXPECT_FALSE(camera.advance(1000));
 }
 
+TEST(OrbitCamera, StandardViewsLookAlongTheAxesOfTheScene) {
+  struct Expected {
+    StandardView side;
+    Vec3 back, up;
+  };
+  for (const auto& [side, back, up] :
+       {Expected{StandardView::Front, {0, -1, 0}, {0, 0, 1}}, Expected{StandardView::Back, {0, 1, 0}, {0, 0, 1}},
+        Expected{StandardView::Left, {-1, 0, 0}, {0, 0, 1}}, Expected{StandardView::Right, {1, 0, 0}, {0, 0, 1}},
+        Expected{StandardView::Top, {0, 0, 1}, {0, 1, 0}}, Expected{StandardView::Bottom, {0, 0, -1}, {0, -1, 0}}}) {
+    OrbitCamera camera = cameraOver({100, 60, 40});
+    camera.orbit(50, 30);
+    camera.lookFrom(side);
+    camera.finishGlide();
+    expectNear(camera.view().back, back, 1e-9);
+    expectNear(camera.view().up, up, 1e-9);
+    camera.setUpAxis(UpAxis::Y);  // the same view of a scene that lies on its back
+    camera.lookFrom(side);
+    camera.finishGlide();
+    expectNear(camera.toTurntable(camera.view().back), back, 1e-9);
+  }
+  OrbitCamera camera = cameraOver({100, 60, 40});
+  camera.lookFrom(StandardView::Iso);
+  camera.finishGlide();
+  expectNear(camera.view().back, glm::normalize(Vec3(1, -1, 1)), 1e-9);
+}
+
 }  // namespace
 }  // namespace qrelief

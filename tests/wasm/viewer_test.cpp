@@ -134,6 +134,91 @@ TEST_F(ViewerTest, ThePrintIsOnlyOnFacetsTowardsTheReader) {
   EXPECT_LT(with.brightness(camera_.toScreen({0, 0, 10})), 0.35);
 }
 
+TEST_F(ViewerTest, WhatOfAPrintIsNotReachedHasTheWarningColourOnAndBesideTheModel) {
+  show(shapes::box({60, 60, 20}));
+  camera_.orbit(0, 400);  // from above
+  auto reach = std::make_shared<EyeReach>();
+  reach->frame = makeFrame({20, 0, 10}, {0, 0, 1}, {0, 1, 0}, 250);
+  reach->window = {60, 64};
+  for (int row = 0; row < 64; ++row) {
+    for (int column = 0; column < 64; ++column) {
+      const double x = 20 + reach->window.planePoint(column, row).x;
+      const bool isMet = x < 30;
+      for (const float value : {isMet ? 0.0f : EyeReach::kNothing, x < 25 ? 1.0f : 0.0f, 0.0f, 0.0f})
+        reach->texels.push_back(value);
+    }
+  }
+  SurfacePrint print;
+  print.frame = reach->frame;
+  print.edgeMm = 40;
+  print.size = 1;
+  print.ink = {255};
+  print.reach = reach;
+  viewer_->setPrint(print);
+  const Picture picture = refined();
+  EXPECT_LT(picture.brightness(camera_.toScreen({15, 5, 10})), 0.35);  // reached: ink
+  for (const Vec3 missing : {Vec3(28, 5, 10), Vec3(35, 5, 10)}) {      // on the model, and over its edge
+    const Vec3 colour = picture.at(camera_.toScreen(missing));
+    EXPECT_GT(colour.x, colour.z + 0.1) << missing.x;
+  }
+}
+
+TEST_F(ViewerTest, AGhostIsFainterThanAPrintAndLeavesTheRefinedPictureAsItIs) {
+  show(shapes::box({60, 60, 20}));
+  camera_.orbit(0, 400);
+  const Vec2 inside = camera_.toScreen({0, 0, 10}), outside = camera_.toScreen({25, 25, 10});
+  const Picture plain = refined();
+  const int samples = viewer_->statistics().samples;
+  SurfacePrint print;
+  print.frame = makeFrame({0, 0, 10}, {0, 0, 1}, {0, 1, 0}, 250);
+  print.edgeMm = 20;
+  print.size = 1;
+  print.ink = {255};
+  viewer_->setGhost(print);
+  EXPECT_FALSE(draw(clock_ + 1));
+  const Picture ghost{target_.readRgba()};
+  EXPECT_EQ(viewer_->statistics().samples, samples);
+  EXPECT_NEAR(ghost.brightness(outside), plain.brightness(outside), 1e-6);
+  viewer_->setGhost(std::nullopt);
+  viewer_->setPrint(print);
+  EXPECT_FALSE(draw(clock_ + 2));
+  const Picture printed{target_.readRgba()};
+  EXPECT_LT(printed.brightness(inside), ghost.brightness(inside) - 0.05);
+  EXPECT_LT(ghost.brightness(inside), plain.brightness(inside) - 0.1);
+}
+
+TEST_F(ViewerTest, ACutShowsASolidSectionInItsColour) {
+  show(shapes::box({60, 60, 20}));
+  viewer_->setCut(CuttingPlane{{0, 0, 0}, {0, -1, 0}});  // the half towards the front goes
+  const Picture picture = refined();
+  const Vec3 section = picture.at(camera_.toScreen({0, 0, 0}));
+  EXPECT_GT(section.x, section.z + 0.15);
+  const Vec3 beyond = picture.at(camera_.toScreen({0, 15, 10}));  // the upper side behind the cut
+  EXPECT_NEAR(beyond.x, beyond.z, 0.12);
+  const Vec2 gone = camera_.toScreen({0, -29, -9});
+  viewer_->setCut(std::nullopt);
+  EXPECT_GT(std::abs(refined().brightness(gone) - picture.brightness(gone)), 0.1);
+}
+
+TEST_F(ViewerTest, OnlyValuesAboveZeroAreColouredWhereThatIsAsked) {
+  const DisplayMesh display = splitAtCreases(shapes::box({40, 40, 40}));
+  auto mesh = std::make_shared<GpuMesh>(display.mesh, display.normals);
+  std::vector<float> values(display.normals.size(), 0);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (display.normals[i].z > 0.5f) values[i] = 1;
+  mesh->setValues(values);
+  viewer_->setMesh(mesh);
+  camera_.setScene(mesh->box());
+  camera_.fitFromDefaultSide();
+  const Picture plain = refined();
+  viewer_->showHeat(HeatShown::AboveZero);
+  const Picture heat = refined();
+  const Vec3 top = heat.at(camera_.toScreen({0, 0, 20}));
+  EXPECT_GT(top.x, top.z + 0.4);  // yellow
+  const Vec2 front = camera_.toScreen({0, -20, 0});
+  EXPECT_NEAR(heat.brightness(front), plain.brightness(front), 0.01);
+}
+
 TEST_F(ViewerTest, TheRayThroughAPixelMeetsTheSurfaceThatThePixelShows) {
   const Mesh sphere = shapes::icosphere(30, 5);
   show(sphere);
@@ -187,6 +272,21 @@ TEST_F(ViewerTest, SlowFramesInMotionLowerTheResolution) {
   }
   EXPECT_EQ(viewer_->statistics().width, static_cast<int>(std::lround(0.4 * kWidth)));
   EXPECT_NEAR(viewer_->statistics().coarseFrameMs, 100, 1);
+}
+
+TEST_F(ViewerTest, FastFramesInMotionRaiseTheResolutionAgainUpToWhereItBegan) {
+  show(shapes::box({40, 40, 40}));
+  double now = 0;
+  const auto move = [&](double intervalMs, int frames) {
+    for (int i = 0; i < frames; ++i) {
+      camera_.orbit(1, 0);
+      draw(now += intervalMs);
+    }
+  };
+  move(100, 20);
+  EXPECT_LT(viewer_->statistics().width, kWidth / 2);
+  move(10, 100);
+  EXPECT_EQ(viewer_->statistics().width, kWidth / 2);
 }
 
 TEST_F(ViewerTest, ACanvasTooLargeIsDrawnCoarserButFilled) {

@@ -10,10 +10,16 @@ const kKeyPanPx = 30;
 const kKeyZoom = 1.2;
 const kMaxPixelRatio = 2;  // finer than this costs time and shows nothing
 
+/** @type {Record<string, import('../engine/types.js').StandardView>} */
+export const kStandardViews = { 1: 'front', 2: 'back', 3: 'left', 4: 'right', 5: 'top', 6: 'bottom', 7: 'iso' };
+
 /**
  * @typedef {object} ViewListener
  * @property {(action: ViewAction) => void} onAct
  * @property {(x: number, y: number) => void} onPick
+ * @property {(x: number, y: number) => void} [onHover]  of a mouse without a button held
+ * @property {() => void} [onHoverEnd]
+ * @property {(notches: number, x: number, y: number) => void} [onTurn]  Shift with the wheel
  * @property {(size: ViewSize) => void} onResize
  */
 
@@ -39,13 +45,22 @@ export class View {
         if (type === 'pointerdown') this.canvas_.setPointerCapture(event.pointerId);
         this.tellPointer_(event, 0);
         gestures.pointer(type, event);
+        if (type === 'pointermove' && event.pointerType === 'mouse' && event.buttons === 0) {
+          listener.onHover?.(event.offsetX, event.offsetY);
+        } else {
+          listener.onHoverEnd?.();
+        }
       });
     }
+    stage.addEventListener('pointerout', (event) => {
+      if (event.target === this.canvas_) listener.onHoverEnd?.();
+    });
     stage.addEventListener('wheel', (event) => {
       if (event.target !== this.canvas_) return;
       event.preventDefault();
       this.tellPointer_(event, -event.deltaY / 100);
-      gestures.wheel(event);
+      if (event.shiftKey) listener.onTurn?.(notchesOf(event), event.offsetX, event.offsetY);
+      else gestures.wheel(event);
     }, { passive: false });
     stage.addEventListener('contextmenu', (event) => event.preventDefault());
     stage.addEventListener('keydown', (event) => this.key_(event));
@@ -64,7 +79,7 @@ export class View {
     canvas.setAttribute('aria-label', '3D view');
     canvas.setAttribute('aria-describedby', 'view-help');
     if (this.canvas_) this.canvas_.replaceWith(canvas);
-    else this.stage_.append(canvas);
+    else this.stage_.prepend(canvas);  // under what lies over the view
     this.canvas_ = canvas;
     return canvas;
   }
@@ -102,6 +117,8 @@ export class View {
       this.listener_.onAct({ kind: 'fit' });
     } else if (event.key.toLowerCase() === 'r') {
       this.listener_.onAct({ kind: 'readerView' });
+    } else if (kStandardViews[event.key]) {
+      this.listener_.onAct({ kind: 'standard', name: kStandardViews[event.key] });
     } else if (event.key === 'Enter') {
       this.listener_.onPick(x, y);
     } else {
@@ -117,5 +134,8 @@ export class View {
     }, { once: true });
   }
 }
+
+/** Upwards is positive; with Shift some systems send it sideways. @param {WheelEvent} event */
+const notchesOf = (event) => -Math.sign(event.deltaY || event.deltaX);
 
 const pixelRatio = () => Math.min(devicePixelRatio, kMaxPixelRatio);

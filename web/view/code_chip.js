@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The small sign beside the pointer, or the handle, that says how large the code would be there.
+import { make } from '../ui/dom.js';
+import { text } from '../text/catalogue.js';
+
+/** @typedef {import('../engine/types.js').CodeFacts} CodeFacts */
+
+const kOffsetPx = 20;
+const kLeastModuleMm = 0.2;  // finer ones are refused (core/pipeline/placement.cpp)
+
+export class CodeChip {
+  /** @param {HTMLElement} overlay  covers the canvas */
+  constructor(overlay) {
+    this.overlay_ = overlay;
+    this.size_ = make('strong');
+    this.module_ = make('span');
+    this.warning_ = make('span', { className: 'warning' });
+    this.element_ = make('div', { className: 'code-chip' }, this.size_, this.module_, this.warning_);
+    this.element_.hidden = true;
+    this.element_.setAttribute('aria-hidden', 'true');  // the panel says it, without a word for every pixel
+    overlay.append(this.element_);
+  }
+
+  /** @param {CodeFacts} facts @param {number} x @param {number} y  of what it stands beside */
+  show({ symbolMm, moduleMm, missingShare, exact }, x, y) {
+    const isPossible = moduleMm >= kLeastModuleMm;
+    this.size_.textContent = isPossible ? text(exact ? 'view.chipSize' : 'view.chipAbout', { mm: millimetres(symbolMm) }) : '';
+    this.module_.textContent = isPossible ? text('view.chipModules', { mm: millimetres(moduleMm, 2) }) : '';
+    const missing = Math.max(1, Math.round(missingShare * 100));
+    this.warning_.textContent = !isPossible ? text('view.chipTooSmall')
+      : missingShare > 0 ? text('view.chipMissing', { percent: missing }) : '';
+    this.element_.dataset.exact = String(exact);
+    this.place_(x, y);
+  }
+
+  /** @param {number} x @param {number} y */
+  showNoRoom(x, y) {
+    this.size_.textContent = '';
+    this.module_.textContent = '';
+    this.warning_.textContent = text('view.chipNoRoom');
+    this.place_(x, y);
+  }
+
+  hide() {
+    this.element_.hidden = true;
+  }
+
+  /** Beside the point, on the side where there is room. @param {number} x @param {number} y */
+  place_(x, y) {
+    this.element_.hidden = false;
+    const { offsetWidth, offsetHeight } = this.element_;
+    const { clientWidth, clientHeight } = this.overlay_;
+    const left = x + kOffsetPx + offsetWidth <= clientWidth ? x + kOffsetPx : x - kOffsetPx - offsetWidth;
+    const top = y + kOffsetPx + offsetHeight <= clientHeight ? y + kOffsetPx : y - kOffsetPx - offsetHeight;
+    this.element_.style.transform = `translate(${Math.max(0, Math.round(left))}px, ${Math.max(0, Math.round(top))}px)`;
+  }
+}
+
+/** @param {number} mm @param {number} [digits] */
+const millimetres = (mm, digits = 1) => Number(mm.toFixed(digits));

@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Moves, turns and sizes the placed code by its handles, the keyboard, two fingers and Shift with the wheel. While it is
+// held the module shows it at once; what comes out is handed on as a place or as settings.
+import { isReplaced } from '../engine/client.js';
+import { CodeHandles } from './code_handles.js';
+import { roundedSize, scaleBetween, snappedRotation, squareMaps, turnBetween, twistBetween } from './handle_geometry.js';
+import { NewestOnly } from './newest_only.js';
+
+/** @typedef {import('../engine/client.js').EngineClient} EngineClient */
+/** @typedef {import('../engine/types.js').CodeFacts} CodeFacts */
+/** @typedef {import('../engine/types.js').CodeOnScreen} CodeOnScreen */
+/** @typedef {import('./code_chip.js').CodeChip} CodeChip */
+/** @typedef {import('./handle_geometry.js').HandleKind} HandleKind */
+/** @typedef {import('./handle_geometry.js').Point} Point */
+
+const kLeastMm = 5;      // of the fields that take the settings
+const kMostMm = 1000;
+const kClickSlopPx = 4;
+const kKeyStepPx = 6;
+const kWheelStepDeg = 5;
+const kCommitMs = 450;   // without another key or turn of the wheel
+
+/**
+ * @typedef {object} EditListener
+ * @property {(x: number, y: number) => void} onPlace  the code is to have its place there, CSS pixels of the canvas
+ * @property {(change: { rotateDeg?: number, symbolMm?: number }) => void} onAdjust
+ * @property {() => void} onCancel  what was shown does not hold
+ */
+
+/**
+ * A handle that is held, and the code as it was.
+ * @typedef {object} Drag
+ * @property {HandleKind | 'twist'} kind
+ * @property {number} pointerId
+ * @property {Point} from            screen
+ * @property {Point} at
+ * @property {CodeOnScreen} code
+ * @property {boolean} moved
+ * @property {{ pointerId: number, from: Point, at: Point }} [second]  finger
+ */
+
+export class CodeEditor {
+  /**
+   * @param {object} options
+   * @param {() => EngineClient} options.client
+   * @param {HTMLElement} options.overlay  covers the canvas
+   * @param {CodeChip} options.chip
+   * @param {EditListener} options.listener
+   */
+  constructor({ client, overlay, chip, listener }) {
+    this.client_ = client;
+    this.overlay_ = overlay;
+    this.chip_ = chip;
+    this.listener_ = listener;
+    this.handles_ = new CodeHandles(overlay);
+    this.allowed_ = false;
+    /** @type {CodeOnScreen | null} */ this.code_ = null;
+    /** @type {Drag | undefined} */ this.drag_ = undefined;
+    /** @type {{ rotateDeg?: number, symbolMm?: number, at?: Point }} */ this.pending_ = {};
+    /** @type {ReturnType<typeof setTimeout> | undefined} */ this.commit_ = undefined;
+    this.queue_ = new NewestOnly((/** @type {() => Promise<void>} */ task) => task());
+    for (const kind of /** @type {HandleKind[]} */ (['move', 'turn', 'size'])) {
+      const element = this.handles_.handles[kind];
+      element.addEventListener('pointerdown', (event) => this.hold_(kind, event));
+      element.addEventListener('keydown', (event) => this.key_(kind, event));
+      element.addEventListener('blur', () => this.commitNow_());
+    }
+    this.handles_.upright.addEventListener('click', () => listener.onAdjust({ rotateDeg: 0 }));
+    this.follow_ = (/** @type {PointerEvent} */ event) => this.dragged_(event);
+    this.join_ = (/** @type {PointerEvent} */ event) => this.secondFinger_(event);
+    this.escape_ = (/** @type {KeyboardEvent} */ event) => {
+      if (event.key === 'Escape') this.cancel_(event);
+    };
+  }
+
+  /** @param {boolean} allowed  nothing else is going on, and a code may be placed */
+  allow(allowed) {
+    this.allowed_ = allowed;
+    this.handles_.show(allowed ? this.code_ : null);
+  }
+
+  /** @param {CodeOnScreen | null} code  as it is shown now */
+  update(code) {
+    this.code_ = code;
+    if (this.allowed_) this.handles_.show(code);
+  }
+
+  /** Shift with the wheel: so many notches. @param {number} notches @param {number} x @param {number} y */
+  turn(notches, x, y) {
+    const { code_: code } = this;
+    if (!code || !this.allowed_) return;
+    const before = this.pending_.rotateDeg ?? Math.round(code.rotationDeg);
+    this.pending_.rotateDeg = wrapped(before + notches * kWheelStepDeg);
+    this.adjust_(this.pending_.rotateDeg, code.symbolMm, [x, y]);
+    this.commitSoon_();
+  }
+
+  /** @param {HandleKind} kind @param {PointerEvent} event */
+  hold_(kind, event) {
+    const { code_: code } = this;
+    if (event.button !== 0 || !code || this.drag_) return;
+    event.preventDefault();
+    this.handles_.handles[kind].focus({ preventScroll: true });
+    const at = this.positionOf_(event);
+    this.drag_ = { kind, pointerId: event.pointerId, from: at, at, code, moved: false };
+    this.handles_.hold(kind);
+    for (const type of /** @type {const} */ (['pointermove', 'pointerup', 'pointercancel'])) {
+      addEventListener(type, this.follow_, { capture: true });
+    }
+    addEventListener('pointerdown', this.join_, { capture: true });
+    addEventListener('keydown', this.escape_, { capture: true });
+  }
+
+  /** A second finger while the grip is held turns and sizes. @param {PointerEvent} event */
+  secondFinger_(event) {
+    const { drag_: drag } = this;
+    if (!drag) return;
+    event.stopPropagation();
+    if (drag.kind !== 'move' || event.pointerType !== 'touch' || !this.code_) return;
+    event.preventDefault();
+    const at = this.positionOf_(event);
+    drag.kind = 'twist';
+    drag.code = this.code_;
+    drag.from = drag.at;
+    drag.second = { pointerId: event.pointerId, from: at, at };
+  }
+
+  /** @param {PointerEvent} event */
+  dragged_(event) {
+    const { drag_: drag } = this;
+    if (!drag) return;
+    event.stopPropagation();
+    const isFirst = event.pointerId === drag.pointerId;
+    if (!isFirst && event.pointerId !== drag.second?.pointerId) return;
+    if (event.type === 'pointercancel') {
+      this.cancel_();
+    } else if (event.type === 'pointerup') {
+      this.finish_(drag);
+    } else {
+      const at = this.positionOf_(event);
+      if (isFirst) drag.at = at;
+      else if (drag.second) drag.second.at = at;
+      if (drag.kind === 'move' && !drag.moved && distance(drag.at, drag.from) <= kClickSlopPx) return;
+      if (drag.kind !== 'twist') drag.moved = true;
+      this.showDrag_(drag);
+    }
+  }
+
+  /** @param {Drag} drag */
+  showDrag_(drag) {
+    if (drag.kind === 'move') {
+      this.move_(this.target_(drag));
+      return;
+    }
+    this.pending_ = this.adjustmentOf_(drag);
+    const { rotateDeg = drag.code.rotationDeg, symbolMm = drag.code.symbolMm } = this.pending_;
+    this.adjust_(rotateDeg, symbolMm, drag.at);
+  }
+
+  /** Where a code that is moved by its grip has its middle. @param {Drag} drag @returns {Point} */
+  target_({ at, from, code }) {
+    const [x, y] = squareMaps(code.corners).toScreen([0, 0]);
+    return [x + at[0] - from[0], y + at[1] - from[1]];
+  }
+
+  /** @param {Drag} drag @returns {{ rotateDeg?: number, symbolMm?: number }} */
+  adjustmentOf_({ kind, code, from, at, second }) {
+    if (kind === 'twist' && second) {
+      const { turnDeg, factor } = twistBetween([from, second.from], [at, second.at]);
+      return {
+        rotateDeg: snappedRotation(code.rotationDeg + turnDeg), symbolMm: roundedSize(code.symbolMm * factor, kLeastMm, kMostMm),
+      };
+    }
+    const { toSquare } = squareMaps(code.corners);
+    const [before, now] = [toSquare(from), toSquare(at)];
+    return kind === 'turn' ? { rotateDeg: snappedRotation(code.rotationDeg + turnBetween(before, now)) }
+      : { symbolMm: roundedSize(code.symbolMm * scaleBetween(before, now), kLeastMm, kMostMm) };
+  }
+
+  /** @param {Drag} drag */
+  finish_(drag) {
+    const { pending_: change } = this;
+    this.release_();
+    if (drag.kind === 'move' || (drag.kind === 'twist' && drag.moved)) {
+      this.listener_.onPlace(...(drag.moved ? this.target_(drag) : drag.at));
+    }
+    if (drag.kind !== 'move' && (change.rotateDeg !== undefined || change.symbolMm !== undefined)) {
+      this.listener_.onAdjust(change);
+    }
+  }
+
+  /** @param {Event} [event] */
+  cancel_(event) {
+    event?.stopPropagation();
+    this.release_();
+    this.listener_.onCancel();
+  }
+
+  release_() {
+    this.drag_ = undefined;
+    this.pending_ = {};
+    clearTimeout(this.commit_);
+    this.commit_ = undefined;
+    this.queue_.forget();
+    this.handles_.hold(undefined);
+    this.chip_.hide();
+    for (const type of /** @type {const} */ (['pointermove', 'pointerup', 'pointercancel'])) {
+      removeEventListener(type, this.follow_, { capture: true });
+    }
+    removeEventListener('pointerdown', this.join_, { capture: true });
+    removeEventListener('keydown', this.escape_, { capture: true });
+  }
+
+  /** @param {HandleKind} kind @param {KeyboardEvent} event */
+  key_(kind, event) {
+    const { code_: code } = this;
+    if (!code || event.ctrlKey || event.metaKey || event.altKey) return;
+    const arrow = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }[event.key];
+    const middle = squareMaps(code.corners).toScreen([0, 0]);
+    if (event.key === 'Escape' && this.commit_ !== undefined) {
+      this.cancel_();
+    } else if (event.key === 'Enter') {
+      this.commitNow_();
+    } else if (kind === 'move' && arrow) {
+      const step = kKeyStepPx * (event.shiftKey ? 5 : 1);
+      const [x, y] = this.pending_.at ?? middle;
+      this.pending_.at = [x + arrow[0] * step, y + arrow[1] * step];
+      this.move_(this.pending_.at);
+      this.commitSoon_();
+    } else if (kind !== 'move' && stepOf(event) !== undefined) {
+      this.step_(kind, /** @type {number} */ (stepOf(event)), code, middle);
+    } else {
+      return;
+    }
+    event.preventDefault();
+    event.stopPropagation();
+  }
+
+  /** @param {'turn' | 'size'} kind @param {number} steps  NaN: upright @param {CodeOnScreen} code @param {Point} beside */
+  step_(kind, steps, code, beside) {
+    const { rotateDeg = Math.round(code.rotationDeg), symbolMm = code.symbolMm } = this.pending_;
+    if (kind === 'turn') this.pending_.rotateDeg = Number.isNaN(steps) ? 0 : wrapped(rotateDeg + steps);
+    else if (!Number.isNaN(steps)) this.pending_.symbolMm = roundedSize(symbolMm + steps * 0.5, kLeastMm, kMostMm);
+    this.adjust_(this.pending_.rotateDeg ?? rotateDeg, this.pending_.symbolMm ?? symbolMm, beside);
+    this.commitSoon_();
+  }
+
+  commitSoon_() {
+    clearTimeout(this.commit_);
+    this.commit_ = setTimeout(() => this.commitNow_(), kCommitMs);
+  }
+
+  commitNow_() {
+    if (this.commit_ === undefined || this.drag_) return;
+    const { at, ...change } = this.pending_;
+    this.release_();
+    if (at) this.listener_.onPlace(...at);
+    if (change.rotateDeg !== undefined || change.symbolMm !== undefined) this.listener_.onAdjust(change);
+  }
+
+  /** @param {Point} at */
+  move_([x, y]) {
+    this.ask_(async () => (await this.client_().moveCode(x, y)).code, [x, y]);
+  }
+
+  /** @param {number} rotateDeg @param {number} symbolMm @param {Point} beside */
+  adjust_(rotateDeg, symbolMm, beside) {
+    this.handles_.tell(rotateDeg, symbolMm);
+    this.ask_(() => this.client_().adjustCode(rotateDeg, symbolMm), beside);
+  }
+
+  /** @param {() => Promise<CodeFacts | undefined>} show @param {Point} beside */
+  ask_(show, [x, y]) {
+    this.queue_.ask(async () => {
+      try {
+        const facts = await show();
+        if (facts && (this.drag_ || this.commit_ !== undefined)) this.chip_.show(facts, x, y);
+      } catch (thrown) {
+        if (!isReplaced(thrown)) this.chip_.hide();
+      }
+    });
+  }
+
+  /** @param {PointerEvent} event @returns {Point} */
+  positionOf_(event) {
+    const { left, top } = this.overlay_.getBoundingClientRect();
+    return [event.clientX - left, event.clientY - top];
+  }
+}
+
+/** @param {Point} a @param {Point} b */
+const distance = (a, b) => Math.hypot(a[0] - b[0], a[1] - b[1]);
+
+/** @param {number} deg */
+const wrapped = (deg) => deg - 360 * Math.round(deg / 360) + 0;
+
+/** Of a slider: what the key adds; NaN: back to the start. @param {KeyboardEvent} event @returns {number | undefined} */
+function stepOf(event) {
+  return {
+    ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1, PageDown: -15, PageUp: 15, Home: NaN,
+  }[event.key];
+}

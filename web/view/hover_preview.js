@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The code that follows the mouse over the model: quickly estimated while it moves, exact once it rests.
+import { isReplaced } from '../engine/client.js';
+import { NewestOnly } from './newest_only.js';
+
+/** @typedef {import('../engine/client.js').EngineClient} EngineClient */
+/** @typedef {import('./code_chip.js').CodeChip} CodeChip */
+
+const kRestMs = 250;
+
+export class HoverPreview {
+  /** @param {() => EngineClient} client @param {CodeChip} chip */
+  constructor(client, chip) {
+    this.client_ = client;
+    this.chip_ = chip;
+    this.shown_ = false;
+    this.allowed_ = false;
+    /** @type {ReturnType<typeof setTimeout> | undefined} */ this.rest_ = undefined;
+    this.queue_ = new NewestOnly((/** @type {{ x: number, y: number }} */ at) => this.update_(at));
+    this.latest_ = 0;
+  }
+
+  /** @param {boolean} allowed  there is a model that can take a code, and nothing else is going on */
+  allow(allowed) {
+    this.allowed_ = allowed;
+    if (!allowed) this.end();
+  }
+
+  /** @param {number} x @param {number} y */
+  move(x, y) {
+    if (!this.allowed_) return;
+    this.latest_ += 1;
+    this.shown_ = true;
+    clearTimeout(this.rest_);
+    this.queue_.ask({ x, y });
+  }
+
+  end() {
+    clearTimeout(this.rest_);
+    this.queue_.forget();
+    this.latest_ += 1;
+    this.chip_.hide();
+    if (!this.shown_) return;
+    this.shown_ = false;
+    this.client_().endHover().catch(() => {});  // rejected only if the module is replaced: then nothing is shown either
+  }
+
+  /** @param {{ x: number, y: number }} at */
+  async update_({ x, y }) {
+    const asked = this.latest_;
+    try {
+      const { code } = await this.client_().hover(x, y);
+      if (!this.shown_) return;
+      if (!code) {
+        this.chip_.hide();
+        return;
+      }
+      this.chip_.show(code, x, y);
+      if (asked === this.latest_) this.rest_ = setTimeout(() => void this.settle_(x, y), kRestMs);
+    } catch (thrown) {
+      if (!isReplaced(thrown)) this.chip_.hide();
+    }
+  }
+
+  /** @param {number} x @param {number} y */
+  async settle_(x, y) {
+    const asked = this.latest_;
+    const isCurrent = () => this.shown_ && asked === this.latest_;
+    try {
+      const found = await this.client_().settle();
+      if (found?.code && isCurrent()) this.chip_.show(found.code, x, y);
+    } catch (thrown) {
+      if (!isReplaced(thrown) && isCurrent()) this.chip_.showNoRoom(x, y);
+    }
+  }
+}
