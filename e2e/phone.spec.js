@@ -23,10 +23,42 @@ test('On a phone a tap places the code, a pinch does not, and the result can be 
   expect((await app.download()).bytes.length).toBeGreaterThan(84);
 });
 
+test('On a phone a finger on the grip moves the code, and a second one turns it', async ({ page }) => {
+  const app = new Engraver(page);
+  await app.open('?sample=bumpy-sphere');
+  await app.expectReady();
+  const before = await app.centre();
+  const box = /** @type {{ x: number, y: number, width: number, height: number }} */ (await app.moveHandle.boundingBox());
+  expect(box.width).toBeGreaterThanOrEqual(44);
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  const client = await page.context().newCDPSession(page);
+  const touch = (/** @type {'touchStart' | 'touchMove' | 'touchEnd'} */ type, /** @type {[number, number][]} */ ...points) =>
+    client.send('Input.dispatchTouchEvent', { type, touchPoints: points.map(([px, py], id) => ({ x: px, y: py, id })) });
+  await touch('touchStart', [x, y]);
+  await touch('touchMove', [x + 12, y + 8]);
+  await touch('touchMove', [x + 20, y + 12]);
+  await expect(app.chip).toContainText('mm wide');
+  await touch('touchEnd');
+  await expect.poll(() => app.centre()).not.toEqual(before);
+  await app.expectReady();
+
+  const moved = await app.centre();
+  const grip = /** @type {{ x: number, y: number }} */ (await app.moveHandle.boundingBox());
+  /** @type {[number, number]} */ const first = [grip.x + box.width / 2, grip.y + box.height / 2];
+  await touch('touchStart', first);
+  await touch('touchStart', first, [first[0] + 80, first[1]]);
+  await touch('touchMove', first, [first[0] + 60, first[1] - 60]);
+  await touch('touchEnd');
+  await expect.poll(() => app.rotation()).toBeGreaterThan(40);
+  expect(await app.rotation()).toBeLessThan(50);
+  expect(await app.centre()).toEqual(moved);
+});
+
 test('On a phone every button over the view is at least 44 pixels high and inside the screen', async ({ page }) => {
   const app = new Engraver(page);
   await app.open();
-  for (const name of ['Carved', 'Reader’s view', 'Fit', 'Inspector']) {
+  await app.expectReady();
+  for (const name of ['Views', 'Carved', 'Reader’s view', 'Fit', 'Inspector', 'Section']) {
     const box = await page.getByRole('button', { name }).boundingBox();
     expect(box?.height).toBeGreaterThanOrEqual(44);
     expect((box?.x ?? -1)).toBeGreaterThanOrEqual(0);

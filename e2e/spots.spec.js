@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { expect, test } from '@playwright/test';
 import { Engraver } from './support/engraver.js';
+import { shareOf } from './support/pixels.js';
 
 test('A suggested spot takes a code of the size that it promises, and is engraved', async ({ page }) => {
   const app = new Engraver(page);
@@ -12,6 +13,9 @@ test('A suggested spot takes a code of the size that it promises, and is engrave
   await expect(page.getByLabel('Colours of the model')).toContainText(/Largest code that fits\s*0\s*\d+ mm/);
 
   expect(await app.spots.count()).toBeGreaterThanOrEqual(3);
+  await expect(app.spots.locator('canvas.drawn')).toHaveCount(await app.spots.count());
+  const isDark = (/** @type {number} */ red, /** @type {number} */ green, /** @type {number} */ blue) => Math.max(red, green, blue) < 70;
+  expect(await shareOf(app.spots.first().locator('canvas'), isDark)).toBeGreaterThan(0.03);  // a code's modules
   const spot = app.spots.nth(1);
   const promised = Number(/up to ([\d.]+) mm/.exec(await spot.innerText())?.[1]);
   await spot.click();

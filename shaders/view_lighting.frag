@@ -21,7 +21,7 @@ layout(location = 0) out vec4 o_colour;
 
 const vec3 kMaterial = vec3(0.56, 0.55, 0.53);
 const vec3 kBackSide = vec3(0.50, 0.16, 0.11);
-const vec3 kCut = vec3(0.72, 0.30, 0.05);
+const vec3 kCut = vec3(0.95, 0.40, 0.06);
 const vec3 kSky = vec3(0.66, 0.70, 0.77);
 const vec3 kGround = vec3(0.24, 0.22, 0.21);
 const vec3 kKey = vec3(0.88, 0.85, 0.79);

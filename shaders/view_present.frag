@@ -31,7 +31,7 @@ uniform highp sampler2D u_reach1;  // and up
 
 layout(location = 0) out vec4 o_colour;
 
-const vec3 kPaper = vec3(0.83, 0.83, 0.82);
+const vec3 kPaper = vec3(0.78, 0.78, 0.77);
 const vec3 kInk = vec3(0.035, 0.04, 0.055);
 const float kMostHeight = 0.75;  // farthest surface from the plane that takes a print, of its edge
 // Each row and column of an 8 × 8 grid over the pixel once.
@@ -102,7 +102,8 @@ vec2 inSquare(vec2 onPlane, vec2 dx, vec2 dy, float edge) {
   float pixel = max(1e-6, max(length(dx), length(dy)));
   float beyond = (max(abs(onPlane.x), abs(onPlane.y)) - 0.5 * edge) / pixel;
   float inside = clamp(0.5 - beyond, 0.0, 1.0);
-  return vec2(inside, clamp(2.5 - beyond, 0.0, 1.0) - inside);
+  bool isGrazed = pixel > 0.02 * edge;  // a contour of the surface: its pixels reach too far to tell
+  return vec2(inside, isGrazed ? 0.0 : clamp(2.5 - beyond, 0.0, 1.0) - inside);
 }
 
 vec3 printed(vec3 colour, float light, Print print, highp sampler2D map, vec3 position, vec3 normal, bool takesPrint) {

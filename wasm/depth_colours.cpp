@@ -20,32 +20,45 @@ double depthAt(const DepthField& depths, Vec2 onPlane) {
 
 }  // namespace
 
-DepthColours depthColours(const EngraveResult& result, const DisplayMesh& display) {
+double depthColoursTopMm(const DepthField& depths) {
+  return std::max(kTopStepMm, std::ceil(summarise(depths).maxMm / kTopStepMm - 1e-6) * kTopStepMm);
+}
+
+std::vector<float> depthColours(const EngraveResult& result, const DisplayMesh& display) {
   const ProjectionFrame& frame = result.placement.frame;
   const Mesh& mesh = result.mesh;
-  DepthColours colours;
-  colours.topMm = std::max(kTopStepMm, std::ceil(summarise(result.depths).maxMm / kTopStepMm - 1e-6) * kTopStepMm);
-  colours.values.assign(display.mesh.positions.size(), 0);
-  // Per vertex of the mesh, where a floor meets it: what a wall takes there.
-  std::vector<float> ofFloors(mesh.positions.size(), 0);
-  std::vector<std::size_t> walls;
-  for (std::size_t t = result.keptTriangles; t < mesh.triangles.size(); ++t) {
+  const double topMm = depthColoursTopMm(result.depths);
+  std::vector<float> values(display.mesh.positions.size(), 0);
+  struct Floor {
+    std::size_t triangle;
+    float value;
+  };
+  std::vector<Floor> floors;
+  std::vector<std::size_t> walls, others;
+  std::vector<float> ofFloors(mesh.positions.size(), 0);  // at each vertex of the mesh: what a wall takes there
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const Vec3 middle = (mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3.0;
-    if (std::abs(glm::dot(triangleNormal(mesh, t), glm::normalize(frame.eye() - middle))) < kWallCosine) {
+    const bool isKept = t < result.keptTriangles;
+    if (!isKept && std::abs(glm::dot(triangleNormal(mesh, t), glm::normalize(frame.eye() - middle))) < kWallCosine) {
       walls.push_back(t);
       continue;
     }
-    const auto value = static_cast<float>(depthAt(result.depths, frame.project(middle)) / colours.topMm);
-    for (std::size_t k = 0; k < 3; ++k) {
-      float& shown = colours.values[display.mesh.triangles[t][k]];
-      float& floor = ofFloors[mesh.triangles[t][k]];
-      shown = std::max(shown, value);
-      floor = std::max(floor, value);
+    const auto value = isKept ? 0.0f : static_cast<float>(depthAt(result.depths, frame.project(middle)) / topMm);
+    if (value == 0) {
+      others.push_back(t);
+      continue;
     }
+    floors.push_back({t, value});
+    for (const std::uint32_t v : mesh.triangles[t]) ofFloors[v] = std::max(ofFloors[v], value);
   }
+  // The display mesh may share a vertex between a wall and the surface, or a floor: the floor wins, then the surface.
   for (const std::size_t t : walls)
-    for (std::size_t k = 0; k < 3; ++k) colours.values[display.mesh.triangles[t][k]] = ofFloors[mesh.triangles[t][k]];
-  return colours;
+    for (std::size_t k = 0; k < 3; ++k) values[display.mesh.triangles[t][k]] = ofFloors[mesh.triangles[t][k]];
+  for (const std::size_t t : others)
+    for (const std::uint32_t v : display.mesh.triangles[t]) values[v] = 0;
+  for (const Floor& floor : floors)
+    for (const std::uint32_t v : display.mesh.triangles[floor.triangle]) values[v] = std::max(values[v], floor.value);
+  return values;
 }
 
 }  // namespace qrelief

@@ -8,14 +8,12 @@
 
 namespace qrelief {
 
-/// How deep every vertex of a carved model lies, for the viewer.
-struct DepthColours {
-  std::vector<float> values;  ///< one per vertex of the display mesh, 0 … 1; 0: not carved
-  double topMm = 0;           ///< the depth that is 1: the deepest, rounded up to a tenth
-};
+/// Depth that the last colour stands for: the deepest, rounded up to a tenth of a millimetre.
+double depthColoursTopMm(const DepthField& depths);
 
-/// The floors of the pockets have the depth of their submodule, walls go from that of one side to that of the other.
+/// How deep every vertex of the display mesh lies, 0 … 1, for the viewer; 0: not carved. The floors of the pockets have
+/// the depth of their submodule, walls go from that of one side to that of the other.
 /// @param display  made of the result's mesh
-DepthColours depthColours(const EngraveResult& result, const DisplayMesh& display);
+std::vector<float> depthColours(const EngraveResult& result, const DisplayMesh& display);
 
 }  // namespace qrelief

@@ -342,9 +342,7 @@ void Engine::finishJob() {
     takeSmoothNormals(display, result_->keptTriangles, placement_->frame, before->window,
                       before->framebuffer.readRgba(1));
   GpuMesh carved(display.mesh, display.normals);
-  DepthColours depths = depthColours(*result_, display);
-  carved.setValues(depths.values);
-  depthTopMm_ = depths.topMm;
+  carved.setValues(depthColours(*result_, display));
   carvedDisplay_ = std::make_shared<const GpuMesh>(std::move(carved));
   carving_ = ++carvings_;
   showCarved_ = true;

@@ -215,7 +215,6 @@ class Engine {
   std::optional<EngraveResult> result_;
   std::shared_ptr<const GpuMesh> carvedDisplay_;
   bool showCarved_ = false;
-  double depthTopMm_ = 0;  // that the carved model's last colour stands for
   bool showDepths_ = false;
   std::string readBack_, reader_;
 

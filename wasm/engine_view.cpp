@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "wasm/answers.h"
+#include "wasm/depth_colours.h"
 #include "wasm/engine.h"
 #include "wasm/symbol_print.h"
 
@@ -114,7 +115,7 @@ void Engine::faceSection() {
 std::string Engine::showDepths(bool shown) {
   showDepths_ = shown;
   updateView();
-  return textOf({{"ok", true}, {"topMm", carvedDisplay_ ? depthTopMm_ : 0}});
+  return textOf({{"ok", true}, {"topMm", result_ ? depthColoursTopMm(result_->depths) : 0}});
 }
 
 bool Engine::draw(bool always) {

@@ -20,7 +20,8 @@ constexpr double kFastFrameMs = 22;    // and below this raise it again
 constexpr int kSlowFrames = 4;         // so many in a row
 constexpr int kFastFrames = 20;
 constexpr double kCoarsestScale = 0.4;
-constexpr double kGhostStrength = 0.72;
+constexpr double kGhostStrength = 0.8;
+constexpr double kBesideGhost = 0.45;  // strength of the other print while there is a ghost
 constexpr double kHatchShare = 0.016;  // from stripe to stripe of a cut, of the model's diagonal
 
 constexpr Vec3f kLightBackground[2] = {{0.66f, 0.69f, 0.73f}, {0.87f, 0.89f, 0.92f}};
@@ -319,7 +320,7 @@ void Viewer::present(const CameraView& camera, const gl::Framebuffer* target) {
   present_.set("u_pixelMm", static_cast<float>(2 * camera.tanHalf.y * camera.distance / height_));
   present_.set("u_markerShown", marker_ ? 1 : 0);
   if (marker_) present_.set("u_marker", pointInView(camera, *marker_));
-  setPrintUniforms(0, print_, 1, camera);
+  setPrintUniforms(0, print_, ghost_.print ? kBesideGhost : 1, camera);
   setPrintUniforms(1, ghost_, kGhostStrength, camera);
   gl::drawFullscreen();
 }
@@ -379,6 +380,7 @@ Result<bool> Viewer::draw(const CameraView& camera, double nowMs, const gl::Fram
     return drawMoving(camera, nowMs, target);
   }
   lastMovingMs_.reset();
+  if (printsChanged_) lastChangeMs_ = nowMs;  // refinement would hold up a code that is moved
   const bool settled = nowMs - lastChangeMs_ >= quality_.settleMs;
   const bool finished = statistics_.samples >= quality_.stillSamples;
   if (settled && !finished) return drawStill(camera, target);

@@ -29,7 +29,9 @@ import { SpotsPanel } from './ui/spots_panel.js';
 import { controlName, shownValue } from './ui/verdict_lines.js';
 import { ViewToolbar } from './ui/view_toolbar.js';
 import { WorkPanel } from './ui/work_panel.js';
+import { Legend } from './view/legend.js';
 import { View } from './view/view.js';
+import { ViewTools } from './view/view_tools.js';
 
 const kAsked = ['sample', 'text', 'engrave'];  // in the address
 
@@ -42,10 +44,13 @@ export class App {
     this.recovery_ = new Recovery(this.messages_, () => this.client_.replace());
     this.theme_ = new Theme((dark) => this.guard_(() => this.client_.setTheme(dark)));
     this.view_ = this.makeView_();
+    this.legend_ = new Legend();
+    this.tools_ = this.makeTools_();
     this.toolbar_ = this.makeToolbar_();
     this.client_ = new EngineClient({
       makeCanvas: () => this.view_.makeCanvas(),
       onEvent: (event) => this.guard_(() => this.recovery_.recoverFrom(event)),
+      onView: (state) => this.tools_.update(state),
       onReplaced: () => this.guard_(() => this.restore_()),
     });
     this.code_ = new CodePanel(() => this.guard_(() => this.changeSettings_('text')));
@@ -69,17 +74,45 @@ export class App {
 
   makeView_() {
     return new View(byId('view', HTMLElement), {
-      onAct: (action) => this.guard_(() => this.client_.act(action)),
-      onPick: (x, y) => this.guard_(() => this.placing_.move(() => this.client_.pick(x, y))),
+      onAct: (action) => this.tools_.act(action),
+      onPick: (x, y) => this.pick_(x, y),
+      onHover: (x, y) => this.tools_.hover(x, y),
+      onHoverEnd: () => this.tools_.endHover(),
+      onTurn: (notches, x, y) => this.tools_.turn(notches, x, y),
+      onBefore: (held) => this.toolbar_.hold(held),
       onResize: (size) => this.guard_(() => this.client_.resize(size)),
     });
+  }
+
+  makeTools_() {
+    return new ViewTools({
+      client: () => this.client_,
+      stage: byId('view', HTMLElement),
+      overlays: byId('view-overlays', HTMLElement),
+      onEdit: {
+        onPlace: (x, y) => this.pick_(x, y),
+        onAdjust: (change) => this.form_.change(settingsOf(change, this.form_.values)),
+        onCancel: () => this.guard_(() => this.placing_.place()),
+      },
+      onAct: (action) => this.guard_(() => this.client_.act(action)),
+    });
+  }
+
+  /** @param {number} x @param {number} y */
+  pick_(x, y) {
+    return this.guard_(() => this.placing_.move(() => this.client_.pick(x, y)));
   }
 
   makeToolbar_() {
     return new ViewToolbar({
       onCarved: (carved) => this.guard_(() => this.showCarved_(carved)),
-      onReaderView: () => this.guard_(() => this.client_.act({ kind: 'readerView' })),
-      onFit: () => this.guard_(() => this.client_.act({ kind: 'fit' })),
+      onBefore: (before) => this.guard_(() => this.client_.showCarved(!before)),
+      onReaderView: () => this.tools_.act({ kind: 'readerView' }),
+      onFit: () => this.tools_.act({ kind: 'fit' }),
+      onStandard: (name) => this.tools_.act({ kind: 'standard', name }),
+      onSection: (shown, offset) => this.guard_(() => this.client_.showSection(shown, offset)),
+      onFaceSection: () => this.tools_.act({ kind: 'faceSection' }),
+      onDepths: (shown) => this.guard_(() => this.showDepths_(shown)),
       onInspector: (shown) => this.guard_(() => this.showInspector_(shown)),
     });
   }
@@ -108,6 +141,7 @@ export class App {
       onMoved: () => this.guard_(() => this.leaveCarved_()),
       onPlaced: (placement) => {
         this.toolbar_.setPlaced(placement !== undefined);
+        this.tools_.set({ placed: placement !== undefined });
         this.code_.showSymbol(placement);
       },
     });
@@ -118,7 +152,7 @@ export class App {
       onSuggest: () => this.guard_(() => this.spots_.suggest()),
       onSpot: (index) => this.guard_(() => this.spots_.choose(index)),
       onSizes: (shown) => this.guard_(() => this.showSizes_(shown)),
-    });
+    }, this.legend_);
   }
 
   makeSpotFinding_() {
@@ -148,7 +182,7 @@ export class App {
       work: () => this.work_(),
       onStart: () => this.spotsPanel_.setSizesShown(false),
       onDone: () => this.undo_.record(),
-      onShown: (exists, shown) => this.toolbar_.setCarved(exists, shown),
+      onShown: (exists, shown) => this.noteCarved_(exists, shown),
     });
   }
 
@@ -305,14 +339,31 @@ export class App {
 
   /** @param {boolean} shown */
   async showSizes_(shown) {
-    if (shown) this.toolbar_.setCarved(this.carving_.carved !== undefined, false);
+    if (shown) await this.carving_.show(false);
     await this.client_.showSizes(shown);
   }
 
   /** @param {boolean} carved */
   async showCarved_(carved) {
     if (carved) this.spotsPanel_.setSizesShown(false);
-    await this.client_.showCarved(carved);
+    await this.carving_.show(carved);
+  }
+
+  /** @param {boolean} exists @param {boolean} shown  the carved model */
+  noteCarved_(exists, shown) {
+    this.toolbar_.setCarved(exists, shown);
+    this.tools_.reader.show(shown ? this.carving_.carved?.reading.text : undefined);
+    this.tools_.set({ carved: shown });
+    if (!shown) this.legend_.hide('depths');
+    else if (this.toolbar_.depthsShown) void this.guard_(() => this.showDepths_(true));
+  }
+
+  /** @param {boolean} shown  the depths of the carved model, as colours */
+  async showDepths_(shown) {
+    const topMm = await this.client_.showDepths(shown);
+    if (shown) this.legend_.show('depths', topMm);
+    else this.legend_.hide('depths');
+    if (shown && !this.carving_.shown) await this.showCarved_(true);
   }
 
   /** @param {boolean} shown */
@@ -327,6 +378,7 @@ export class App {
     this.undo_.allow();
     this.workPanel_.allowEngrave(possible);
     this.spotsPanel_.allow(possible);
+    this.tools_.set({ engravable: this.model_.engravable, busy: !allowed });
   }
 
   /** Gives a new module what the last one knew. */
@@ -347,4 +399,18 @@ export class App {
   guard_(action) {
     return this.recovery_.guard(action);
   }
+}
+
+/**
+ * The settings that make the code as its handles left it.
+ * @param {{ rotateDeg?: number, symbolMm?: number }} change
+ * @param {import('./ui/settings_form.js').Values} now
+ * @returns {import('./ui/settings_form.js').Values}
+ */
+function settingsOf({ rotateDeg, symbolMm }, now) {
+  /** @type {import('./ui/settings_form.js').Values} */ const values = {};
+  if (rotateDeg !== undefined) values.rotate = String(rotateDeg);
+  if (rotateDeg !== undefined && now.size === 'best') values.size = 'oriented';  // which else would turn it back
+  if (symbolMm !== undefined) Object.assign(values, { size: 'fixed', 'size-mm': String(symbolMm) });
+  return values;
 }

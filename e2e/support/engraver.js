@@ -22,6 +22,10 @@ export class Engraver {
     this.placement = page.locator('#placement-facts');
     this.facts = page.locator('#model-state');
     this.spots = page.getByRole('list', { name: 'Spots' }).getByRole('button');
+    this.chip = page.locator('.code-chip');  // beside the pointer, and hidden from screen readers
+    this.moveHandle = page.getByRole('button', { name: 'Move the code' });
+    this.turnHandle = page.getByRole('slider', { name: 'Turn the code' });
+    this.sizeHandle = page.getByRole('slider', { name: 'Size of the code on the model' });
   }
 
   /** @param {string} [query] */
@@ -51,6 +55,15 @@ export class Engraver {
   async centre() {
     const values = await Promise.all(['x', 'y', 'z'].map((axis) => this.page.locator(`#centre-${axis}`).inputValue()));
     return values.map(Number);
+  }
+
+  /** Of the symbol, mm, as the page says it. */
+  async width() {
+    return Number(/^([\d.]+) mm wide/.exec(await this.placement.innerText())?.[1]);
+  }
+
+  async rotation() {
+    return Number(await this.page.locator('#rotate').inputValue());
   }
 
   /** Has spots suggested and waits for them. */

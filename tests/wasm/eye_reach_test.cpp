@@ -62,7 +62,7 @@ TEST_F(EyeReachTest, NothingIsReachedFromACentreThatIsHidden) {
   const Mesh two =
       shapes::together(shapes::box({20, 20, 20}), shapes::translated(shapes::box({20, 20, 2}), {0, 0, 60}));
   const EyeReach reach = look(two, {0, 0, 10}, 40);
-  EXPECT_EQ(reach.freeMm(), 0);
+  EXPECT_LT(reach.freeMm(), reach.window.texelMm());
   EXPECT_EQ(reach.missingShare(10, 0), 1);
 }
 

@@ -39,6 +39,7 @@ export class Carving {
     this.onDone_ = onDone;
     this.onShown_ = onShown;
     /** @type {Carved | undefined} */ this.carved = undefined;
+    this.shown = false;
     this.life_ = 0;
     this.running_ = false;
     /** @type {Promise<unknown>} */ this.restoring_ = Promise.resolve();
@@ -100,8 +101,9 @@ export class Carving {
   /** @param {boolean} shown */
   async show(shown) {
     const exists = this.carved !== undefined;
-    this.onShown_(exists, shown && exists);
-    await this.client_.showCarved(shown && exists);
+    this.shown = shown && exists;
+    this.onShown_(exists, this.shown);
+    await this.client_.showCarved(this.shown);
   }
 
   /** @param {AbortSignal} signal */

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Looks for the best spots, and lets one be chosen.
+import { isReplaced } from '../engine/client.js';
 import { text } from '../text/catalogue.js';
+
+const kPicturePx = 84;  // height of a spot's picture
+const kPictureAspect = 1.5;
 
 /**
  * @typedef {object} SpotFindingOptions
@@ -26,6 +30,7 @@ export class SpotFinding {
     this.settings_ = settings;
     this.onSizes_ = onSizes;
     this.searching_ = false;
+    this.search_ = 0;
   }
 
   async suggest() {
@@ -38,10 +43,30 @@ export class SpotFinding {
       const found = await this.jobs_.run(() => text('page.lookingForSpots'), (signal) =>
         this.client_.findSpots({ signal, onProgress: (progress) => this.jobs_.showProgress(progress) }));
       this.onSizes_();
-      if (found) this.panel_.show(found);
+      if (found) this.show_(found);
       this.messages_.say(() => text(found ? 'page.chooseSpot' : 'page.searchCancelled'));
     } finally {
       this.searching_ = false;
+    }
+  }
+
+  /** @param {import('../engine/types.js').Spots} found */
+  show_(found) {
+    this.panel_.show(found);
+    this.drawPictures_(found.spots.length).catch((thrown) => {
+      if (!isReplaced(thrown)) console.warn('The spots have no pictures:', thrown);
+    });
+  }
+
+  /** One after the other, as the view is drawn in between. @param {number} count */
+  async drawPictures_(count) {
+    this.search_ += 1;
+    const { search_: search } = this;
+    const size = kPicturePx * Math.min(devicePixelRatio, 2);
+    for (let index = 0; index < count; index += 1) {
+      const picture = await this.client_.spotPicture(index, Math.round(size * kPictureAspect), Math.round(size));
+      if (search !== this.search_ || !this.panel_.known) return;
+      this.panel_.showPicture(index, picture);
     }
   }
 

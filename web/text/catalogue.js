@@ -14,11 +14,12 @@ import { samples } from './parts/samples.js';
 import { settings } from './parts/settings.js';
 import { stages } from './parts/stages.js';
 import { take } from './parts/take.js';
+import { view } from './parts/view.js';
 
 /** @typedef {'en' | 'de'} Language */
 /** @typedef {string | { one: string, other: string }} Entry  chosen by the value `count`; `{name}` stands for a value */
 
-const kParts = { check, code, core, findings, guide, help, keep, method, page, samples, settings, stages, take };
+const kParts = { check, code, core, findings, guide, help, keep, method, page, samples, settings, stages, take, view };
 
 /** @typedef {{ [P in keyof typeof kParts]: `${P}.${string & keyof (typeof kParts)[P]['en']}` }[keyof typeof kParts]} Key */
 

@@ -10,6 +10,7 @@ import { kShortcuts, listenForShortcuts } from './shortcuts.js';
 /** @type {[name: Key, keys: Key][]} */
 const kInView = [
   ['help.turn', 'help.turnKeys'], ['help.move', 'help.moveKeys'], ['help.zoom', 'help.zoomKeys'], ['help.place', 'help.placeKeys'],
+  ['help.turnCode', 'help.turnCodeKeys'], ['help.standard', 'help.standardKeys'], ['help.before', 'help.beforeKeys'],
 ];
 const kSingleKeys = 'singleKeys';
 

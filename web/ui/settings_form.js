@@ -19,6 +19,7 @@ export class SettingProblem extends RangeError {
 export class SettingsForm {
   /** @param {(id: string) => void} onChange  the control that was changed */
   constructor(onChange) {
+    this.onChange_ = onChange;
     this.controls_ = /** @type {Control[]} */ ([...document.querySelectorAll('[data-setting]')]);
     for (const control of this.controls_) {
       control.addEventListener('change', () => {
@@ -44,6 +45,12 @@ export class SettingsForm {
       else control.value = String(value);
     }
     this.nameSizeField_();
+  }
+
+  /** As if the user had typed them, at once. @param {Values} values */
+  change(values) {
+    this.values = values;
+    this.onChange_(Object.keys(values)[0]);
   }
 
   /**

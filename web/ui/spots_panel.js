@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where a code could go: suggestions to choose from, and the sizes as colours on the model.
 import { onLanguage, text } from '../text/catalogue.js';
-import { write } from '../text/live.js';
 import { byId, make } from './dom.js';
 import { formatPlain } from './format.js';
 
@@ -15,12 +14,13 @@ import { formatPlain } from './format.js';
  */
 
 export class SpotsPanel {
-  /** @param {SpotsListener} listener */
-  constructor({ onSuggest, onSpot, onSizes }) {
+  /** @param {SpotsListener} listener @param {import('../view/legend.js').Legend} legend */
+  constructor({ onSuggest, onSpot, onSizes }, legend) {
     this.suggest_ = byId('suggest', HTMLButtonElement);
     this.list_ = byId('spots', HTMLUListElement);
     this.sizes_ = byId('show-sizes', HTMLButtonElement);
-    this.legend_ = byId('legend', HTMLElement);
+    this.legend_ = legend;
+    this.topMm_ = 0;
     this.onSpot_ = onSpot;
     /** @type {Spots['spots']} */ this.spots_ = [];
     onLanguage(() => this.nameSpots_());
@@ -41,22 +41,33 @@ export class SpotsPanel {
   show({ spots, topMm }) {
     this.spots_ = spots;
     this.list_.replaceChildren(...spots.map((_, index) => {
-      const button = make('button');
+      const picture = make('canvas');
+      picture.setAttribute('aria-hidden', 'true');
+      const button = make('button', {}, picture, make('span', { className: 'name' }));
       button.type = 'button';
       button.setAttribute('aria-pressed', 'false');
       button.addEventListener('click', () => this.onSpot_(index));
       return make('li', {}, button);
     }));
     this.nameSpots_();
-    write(byId('legend-top', HTMLElement), () => `${formatPlain(topMm)} mm`);
+    this.topMm_ = topMm;
     this.sizes_.disabled = false;
     this.setSizesShown(true);
     this.list_.scrollIntoView({ block: 'nearest' });
   }
 
   nameSpots_() {
-    [...this.list_.querySelectorAll('button')].forEach((button, index) => button.replaceChildren(text('page.spot', { index: index + 1 }),
+    [...this.list_.querySelectorAll('.name')].forEach((name, index) => name.replaceChildren(text('page.spot', { index: index + 1 }),
       make('span', { text: text('page.upTo', { size: `${formatPlain(wholeMm(this.spots_[index].sizeMm))} mm` }) })));
+  }
+
+  /** The code on a spot, as its reader sees it. @param {number} index @param {import('../engine/types.js').ColourImage} picture */
+  showPicture(index, { width, height, pixels }) {
+    const canvas = this.list_.querySelectorAll('canvas')[index];
+    if (!canvas || width === 0) return;
+    Object.assign(canvas, { width, height });
+    canvas.getContext('2d')?.putImageData(new ImageData(new Uint8ClampedArray(pixels.buffer), width, height), 0, 0);
+    canvas.classList.add('drawn');
   }
 
   clear() {
@@ -77,7 +88,8 @@ export class SpotsPanel {
   /** @param {boolean} shown */
   setSizesShown(shown) {
     this.sizes_.setAttribute('aria-pressed', String(shown));
-    this.legend_.hidden = !shown;
+    if (shown) this.legend_.show('sizes', this.topMm_);
+    else this.legend_.hide('sizes');
   }
 }
 

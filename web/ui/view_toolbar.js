@@ -1,48 +1,141 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The buttons over the 3D view.
+// The buttons over the 3D view: from where it is looked at, and what of the model is seen.
 import { byId } from './dom.js';
+
+/** @typedef {import('../engine/types.js').StandardView} StandardView */
 
 /**
  * @typedef {object} ToolbarListener
  * @property {(carved: boolean) => void} onCarved
+ * @property {(before: boolean) => void} onBefore  the model as it was, as long as the button is held
  * @property {() => void} onReaderView
  * @property {() => void} onFit
+ * @property {(name: StandardView) => void} onStandard
+ * @property {(shown: boolean, offset: number) => void} onSection  offset: from the code's middle, -1 … 1
+ * @property {() => void} onFaceSection  to where it is seen
+ * @property {(shown: boolean) => void} onDepths
  * @property {(shown: boolean) => void} onInspector
  */
 
 export class ViewToolbar {
   /** @param {ToolbarListener} listener */
-  constructor({ onCarved, onReaderView, onFit, onInspector }) {
+  constructor(listener) {
+    this.listener_ = listener;
     this.carved_ = byId('show-carved', HTMLButtonElement);
+    this.before_ = byId('show-before', HTMLButtonElement);
+    this.section_ = byId('show-section', HTMLButtonElement);
+    this.position_ = byId('section-position', HTMLInputElement);
+    this.depths_ = byId('show-depths', HTMLButtonElement);
     this.reader_ = byId('reader-view', HTMLButtonElement);
     this.inspector_ = byId('inspector', HTMLButtonElement);
     this.hint_ = byId('view-hint', HTMLElement);
-    this.carved_.addEventListener('click', () => onCarved(toggle(this.carved_)));
-    this.inspector_.addEventListener('click', () => onInspector(toggle(this.inspector_)));
-    this.reader_.addEventListener('click', onReaderView);
-    byId('fit', HTMLButtonElement).addEventListener('click', onFit);
+    this.views_ = byId('views', HTMLButtonElement);
+    this.menu_ = byId('views-menu', HTMLElement);
+    this.carvedShown_ = false;
+    this.carved_.addEventListener('click', () => listener.onCarved(!isPressed(this.carved_)));
+    this.depths_.addEventListener('click', () => listener.onDepths(toggle(this.depths_)));
+    this.inspector_.addEventListener('click', () => listener.onInspector(toggle(this.inspector_)));
+    this.reader_.addEventListener('click', listener.onReaderView);
+    byId('fit', HTMLButtonElement).addEventListener('click', listener.onFit);
+    this.section_.addEventListener('click', () => this.showSection(!isPressed(this.section_)));
+    this.position_.addEventListener('input', () => listener.onSection(true, this.position_.valueAsNumber));
+    this.followMenu_();
+    this.followBefore_();
+  }
+
+  followMenu_() {
+    const open = (/** @type {boolean} */ shown) => {
+      this.menu_.hidden = !shown;
+      this.views_.setAttribute('aria-expanded', String(shown));
+    };
+    this.views_.addEventListener('click', () => open(this.menu_.hidden === true));
+    this.menu_.addEventListener('click', (event) => {
+      const button = event.target instanceof Element ? event.target.closest('button') : null;
+      if (!button) return;
+      open(false);
+      this.views_.focus();
+      this.listener_.onStandard(/** @type {StandardView} */ (button.dataset.view));
+    });
+    for (const element of [this.menu_, this.views_]) {
+      element.addEventListener('keydown', (event) => {
+        if (event.key !== 'Escape' || this.menu_.hidden) return;
+        event.stopPropagation();
+        open(false);
+        this.views_.focus();
+      });
+    }
+    document.addEventListener('pointerdown', (event) => {
+      const inside = event.target instanceof Node && (this.menu_.contains(event.target) || this.views_.contains(event.target));
+      if (!inside) open(false);
+    });
+  }
+
+  /** Held by pointer, by Space or Enter on the button, or by the key B on the view. */
+  followBefore_() {
+    const { before_: button } = this;
+    const isKey = (/** @type {KeyboardEvent} */ event) => event.key === ' ' || event.key === 'Enter';
+    button.addEventListener('pointerdown', (event) => {
+      button.setPointerCapture(event.pointerId);
+      this.hold(true);
+    });
+    for (const type of ['pointerup', 'pointercancel', 'blur']) button.addEventListener(type, () => this.hold(false));
+    button.addEventListener('keydown', (event) => {
+      if (isKey(event)) this.hold(true);
+    });
+    button.addEventListener('keyup', (event) => {
+      if (isKey(event)) this.hold(false);
+    });
+    button.addEventListener('contextmenu', (event) => event.preventDefault());  // of a long press
+  }
+
+  /** @param {boolean} held */
+  hold(held) {
+    if (this.before_.disabled || held === isPressed(this.before_)) return;
+    this.before_.setAttribute('aria-pressed', String(held));
+    this.listener_.onBefore(held);
+  }
+
+  /** @param {boolean} shown */
+  showSection(shown) {
+    if (this.section_.disabled && shown) return;
+    this.section_.setAttribute('aria-pressed', String(shown));
+    byId('section-bar', HTMLElement).hidden = !shown;
+    if (shown) this.position_.valueAsNumber = 0;
+    this.listener_.onSection(shown, 0);
+    if (shown) this.listener_.onFaceSection();
   }
 
   /** @param {boolean} exists  a carved model @param {boolean} shown */
   setCarved(exists, shown) {
     this.carved_.disabled = !exists;
     this.carved_.setAttribute('aria-pressed', String(shown));
+    this.before_.disabled = !shown;
+    this.depths_.disabled = !exists;
+    if (!exists) this.depths_.setAttribute('aria-pressed', 'false');
   }
 
   /** @param {boolean} placed  a code has its place */
   setPlaced(placed) {
     this.reader_.disabled = !placed;
+    this.section_.disabled = !placed;
     this.hint_.hidden = placed;
+    if (!placed && isPressed(this.section_)) this.showSection(false);
+  }
+
+  get depthsShown() {
+    return isPressed(this.depths_);
   }
 
   get inspectorShown() {
-    return this.inspector_.getAttribute('aria-pressed') === 'true';
+    return isPressed(this.inspector_);
   }
 }
 
+/** @param {HTMLButtonElement} button */
+const isPressed = (button) => button.getAttribute('aria-pressed') === 'true';
+
 /** @param {HTMLButtonElement} button @returns {boolean} the new state */
 function toggle(button) {
-  const pressed = button.getAttribute('aria-pressed') !== 'true';
-  button.setAttribute('aria-pressed', String(pressed));
-  return pressed;
+  button.setAttribute('aria-pressed', String(!isPressed(button)));
+  return isPressed(button);
 }

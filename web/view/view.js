@@ -19,6 +19,7 @@ export const kStandardViews = { 1: 'front', 2: 'back', 3: 'left', 4: 'right', 5:
  * @property {(x: number, y: number) => void} onPick
  * @property {(x: number, y: number) => void} [onHover]  of a mouse without a button held
  * @property {() => void} [onHoverEnd]
+ * @property {(held: boolean) => void} [onBefore]  the key for the model as it was is held
  * @property {(notches: number, x: number, y: number) => void} [onTurn]  Shift with the wheel
  * @property {(size: ViewSize) => void} onResize
  */
@@ -64,6 +65,9 @@ export class View {
     }, { passive: false });
     stage.addEventListener('contextmenu', (event) => event.preventDefault());
     stage.addEventListener('keydown', (event) => this.key_(event));
+    stage.addEventListener('keyup', (event) => {
+      if (event.key.toLowerCase() === 'b') listener.onBefore?.(false);
+    });
     new ResizeObserver(() => this.announceSize()).observe(stage);
     this.watchPixelRatio_();
   }
@@ -119,6 +123,8 @@ export class View {
       this.listener_.onAct({ kind: 'readerView' });
     } else if (kStandardViews[event.key]) {
       this.listener_.onAct({ kind: 'standard', name: kStandardViews[event.key] });
+    } else if (event.key.toLowerCase() === 'b') {
+      this.listener_.onBefore?.(true);
     } else if (event.key === 'Enter') {
       this.listener_.onPick(x, y);
     } else {

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { expect, test } from '@playwright/test';
+import { Engraver } from './support/engraver.js';
+import { isOrange, shareOf } from './support/pixels.js';
+
+/** @typedef {[number, number]} Point */
+
+/** The middle of a handle, page pixels. @param {import('@playwright/test').Locator} handle @returns {Promise<Point>} */
+async function middleOf(handle) {
+  await expect(handle).toBeVisible();
+  const box = /** @type {{ x: number, y: number, width: number, height: number }} */ (await handle.boundingBox());
+  return [box.x + box.width / 2, box.y + box.height / 2];
+}
+
+/** @param {import('@playwright/test').Page} page @param {Point} from @param {Point[]} through */
+async function drag(page, from, through) {
+  await page.mouse.move(...from);
+  await page.mouse.down();
+  for (const point of through) await page.mouse.move(...point, { steps: 3 });
+}
+
+test('The code follows the pointer with its size, exactly once it rests, and a click places it there', async ({ page }) => {
+  const app = new Engraver(page);
+  await app.open('?sample=bumpy-sphere');
+  await app.expectReady();
+  const before = await app.centre();
+  const { width, height } = /** @type {{ width: number, height: number }} */ (await app.canvas.boundingBox());
+  await page.mouse.move(0.63 * width, 0.49 * height);
+  await page.mouse.move(0.64 * width, 0.5 * height);
+  await expect(app.chip).toContainText(/mm wide\s*modules of [\d.]+ mm/);
+  await expect(app.chip).toHaveAttribute('data-exact', 'true');
+  const promised = Number(/^([\d.]+) mm wide/.exec(await app.chip.innerText())?.[1]);
+  expect(promised).toBeGreaterThan(3);
+  expect(await app.centre()).toEqual(before);
+
+  await page.mouse.down();
+  await page.mouse.up();
+  await expect.poll(() => app.centre()).not.toEqual(before);
+  await app.expectReady();
+  expect(await app.width()).toBeCloseTo(promised, 1);
+  await page.mouse.move(5, 700);  // beside the model
+  await expect(app.chip).toBeHidden();
+});
+
+test('The turning handle turns the code, near upright it snaps, and one button sets it upright', async ({ page }) => {
+  const app = new Engraver(page);
+  await app.open('?sample=saddle');
+  await app.expectReady();
+  const middle = await middleOf(app.moveHandle);
+  const handle = await middleOf(app.turnHandle);
+  const [dx, dy] = [handle[0] - middle[0], handle[1] - middle[1]];
+  await drag(page, handle, [[middle[0] + dx * 0.8 + dy * 0.6, middle[1] + dy * 0.8 - dx * 0.6]]);
+  await expect(app.chip).toContainText('mm wide');
+  await page.mouse.up();
+  await expect.poll(async () => Math.abs(await app.rotation())).toBeGreaterThan(15);
+  await app.expectReady();
+  const turned = await app.rotation();
+  await expect(app.turnHandle).toHaveAttribute('aria-valuenow', String(turned));
+  await page.getByRole('button', { name: 'Upright' }).click();
+  await expect.poll(() => app.rotation()).toBe(0);
+  await app.expectReady();
+
+  const again = await middleOf(app.turnHandle);
+  await drag(page, again, [[again[0] + 3, again[1]]]);
+  await page.mouse.up();
+  expect(await app.rotation()).toBe(0);
+});
+
+test('The corner handle makes the code smaller; drawn beyond the model it warns, and Escape leaves it as it was', async ({ page }) => {
+  const app = new Engraver(page);
+  await app.open('?sample=saddle');
+  await app.expectReady();
+  const before = await app.width();
+  const middle = await middleOf(app.moveHandle);
+  const corner = await middleOf(app.sizeHandle);
+  /** @param {number} factor @returns {Point} */
+  const at = (factor) => [middle[0] + (corner[0] - middle[0]) * factor, middle[1] + (corner[1] - middle[1]) * factor];
+  await drag(page, corner, [at(2.2)]);
+  await expect(app.chip).toContainText(/\d+ % overhangs or is hidden/);
+  expect(await shareOf(app.canvas, isOrange)).toBeGreaterThan(0.005);
+  await page.keyboard.press('Escape');
+  await page.mouse.up();
+  await app.expectReady();
+  expect(await app.width()).toBe(before);
+
+  await drag(page, await middleOf(app.sizeHandle), [at(0.6)]);
+  await page.mouse.up();
+  await expect(app.setting('Size of the code')).toHaveValue('fixed');
+  await expect.poll(() => app.width()).toBeLessThan(0.75 * before);
+  await app.expectReady();
+  expect(Number(await app.setting('Width (mm)').inputValue())).toBe(await app.width());
+});
+
+test('The grip moves the code', async ({ page }) => {
+  const app = new Engraver(page);
+  await app.open('?sample=bumpy-sphere');
+  await app.expectReady();
+  const before = await app.centre();
+  const from = await middleOf(app.moveHandle);
+  await drag(page, from, [[from[0] + 30, from[1] - 20], [from[0] + 45, from[1] - 25]]);
+  await expect(app.chip).toContainText('mm wide');
+  await page.mouse.up();
+  await expect.poll(() => app.centre()).not.toEqual(before);
+  await app.expectReady();
+  const after = await middleOf(app.moveHandle);
+  expect(Math.hypot(after[0] - from[0] - 45, after[1] - from[1] + 25)).toBeLessThan(6);
+});
+
+test('By keyboard alone the code is moved, turned and sized', async ({ page }) => {
+  const app = new Engraver(page);
+  await app.open('?sample=bumpy-sphere');
+  await app.expectReady();
+  const before = await app.centre();
+  await app.canvas.focus();
+  await page.keyboard.press('Tab');
+  await expect(app.moveHandle).toBeFocused();
+  for (const key of ['ArrowRight', 'ArrowRight', 'ArrowUp', 'Enter']) await page.keyboard.press(key);
+  await expect.poll(() => app.centre()).not.toEqual(before);
+  await app.expectReady();
+
+  await page.keyboard.press('Tab');
+  await expect(app.turnHandle).toBeFocused();
+  for (const key of ['PageUp', 'ArrowRight', 'Enter']) await page.keyboard.press(key);
+  await expect.poll(() => app.rotation()).toBe(16);
+  await app.expectReady();
+  await page.keyboard.press('Home');
+  await page.keyboard.press('Enter');
+  await expect.poll(() => app.rotation()).toBe(0);
+  await app.expectReady();
+
+  const width = await app.width();
+  await page.keyboard.press('Tab');
+  await expect(app.sizeHandle).toBeFocused();
+  for (const key of ['PageDown', 'Enter']) await page.keyboard.press(key);
+  await expect.poll(() => app.width()).toBeLessThan(width - 6);
+});
+
+test('Shift with the wheel turns the code by steps of five degrees', async ({ page }) => {
+  const app = new Engraver(page);
+  await app.open('?sample=bumpy-sphere');
+  await app.expectReady();
+  await page.mouse.move(120, 400);
+  await page.keyboard.down('Shift');
+  for (let notch = 0; notch < 3; notch += 1) await page.mouse.wheel(0, -100);
+  await page.keyboard.up('Shift');
+  await expect.poll(() => app.rotation()).toBe(15);
+});

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { expect, test } from '@playwright/test';
+import { Engraver } from './support/engraver.js';
+import { isOrange, isYellow, shareOf } from './support/pixels.js';
+
+test('The model is looked at from every side, by menu, by keys and by the cube', async ({ page }) => {
+  const app = new Engraver(page);
+  await app.open('?sample=saddle');
+  await app.expectReady();
+  const faces = page.locator('.view-cube [data-view]');
+  const views = page.getByRole('button', { name: 'Views' });
+  await views.click();
+  await page.getByRole('group', { name: 'Views' }).getByRole('button', { name: 'Top' }).click();
+  await expect(views).toHaveAttribute('aria-expanded', 'false');
+  await expect(faces).toHaveCount(1);
+  await expect(faces).toHaveAttribute('data-view', 'top');
+
+  await app.canvas.focus();
+  for (const [key, name] of [['1', 'front'], ['2', 'back'], ['3', 'left'], ['4', 'right'], ['6', 'bottom']]) {
+    await page.keyboard.press(key);
+    await expect(faces).toHaveCount(1);
+    await expect(faces).toHaveAttribute('data-view', name);
+  }
+  await page.keyboard.press('7');
+  await expect(faces).toHaveCount(3);
+  await page.locator('.view-cube [data-view="right"]').click();
+  await expect(faces).toHaveCount(1);
+  await expect(faces).toHaveAttribute('data-view', 'right');
+});
+
+test('A section opens the model across the code, and its position can be moved', async ({ page }) => {
+  const app = new Engraver(page);
+  await app.open('?sample=saddle');
+  await app.expectReady();
+  const section = page.getByRole('button', { name: 'Section' });
+  const position = page.getByRole('slider', { name: 'Position of the section' });
+  expect(await shareOf(app.canvas, isOrange)).toBeLessThan(0.001);
+  await section.click();
+  await expect(position).toBeVisible();
+  await expect.poll(() => shareOf(app.canvas, isOrange)).toBeGreaterThan(0.01);
+  await position.fill('0.9');
+  await position.press('ArrowLeft');
+  await expect.poll(() => shareOf(app.canvas, isOrange)).toBeGreaterThan(0.002);
+  await section.click();
+  await expect(position).toBeHidden();
+  await expect.poll(() => shareOf(app.canvas, isOrange)).toBeLessThan(0.001);
+});
+
+test('A carved code shows its depths in mm, the model as it was, and what a phone reads', async ({ page }) => {
+  const app = new Engraver(page);
+  await app.open('?sample=saddle&text=HELLO');
+  await app.expectReady();
+  const reader = page.getByRole('button', { name: 'Reader’s view' });
+  const view = page.getByRole('group', { name: 'Reader’s view' });
+  await reader.click();
+  await expect(view).toContainText('Not engraved yet');
+  await expect(app.moveHandle).toBeHidden();
+  await page.getByRole('button', { name: 'Fit' }).click();
+  await expect(view).toBeHidden();
+  await expect(app.moveHandle).toBeVisible();
+
+  await app.engrave();
+  await expect(app.moveHandle).toBeHidden();
+  await reader.click();
+  await expect(view).toContainText('Read by the phone: HELLO');
+
+  const legend = page.getByLabel('Colours of the model');
+  expect(await shareOf(app.canvas, isYellow)).toBeLessThan(0.001);
+  await page.getByRole('button', { name: 'Depths' }).click();
+  await expect(legend).toContainText(/Depth of the carving\s*0 mm\s*[\d.]+ mm\s*[\d.]+ mm/);
+  await expect.poll(() => shareOf(app.canvas, isYellow)).toBeGreaterThan(0.002);
+  const { depth } = await app.report();
+  const top = Number(/([\d.]+) mm$/.exec((await legend.innerText()).trim())?.[1]);
+  expect(top).toBeGreaterThanOrEqual(depth.maxMm - 1e-3);
+  expect(top).toBeLessThan(depth.maxMm + 0.1);
+
+  const before = page.getByRole('button', { name: 'Before' });
+  await before.focus();
+  await page.keyboard.down('Space');
+  await expect(before).toHaveAttribute('aria-pressed', 'true');
+  await expect.poll(() => shareOf(app.canvas, isYellow)).toBeLessThan(0.001);
+  await page.keyboard.up('Space');
+  await expect.poll(() => shareOf(app.canvas, isYellow)).toBeGreaterThan(0.002);
+  await page.getByRole('button', { name: 'Carved' }).click();
+  await expect(legend).toBeHidden();
+  await expect(before).toBeDisabled();
+});

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the colours on the model stand for, mm.
+import { text } from '../text/catalogue.js';
+import { write } from '../text/live.js';
+import { byId } from '../ui/dom.js';
+
+/** @typedef {'sizes' | 'depths'} LegendKind */
+
+export class Legend {
+  constructor() {
+    this.figure_ = byId('legend', HTMLElement);
+    this.title_ = byId('legend-title', HTMLElement);
+    this.middle_ = byId('legend-middle', HTMLElement);
+    this.top_ = byId('legend-top', HTMLElement);
+    /** @type {LegendKind | undefined} */ this.kind_ = undefined;
+  }
+
+  /** @param {LegendKind} kind @param {number} topMm  of the last colour */
+  show(kind, topMm) {
+    this.kind_ = kind;
+    write(this.title_, () => text(kind === 'sizes' ? 'view.sizesLegend' : 'view.depthsLegend'));
+    write(this.middle_, () => text('view.millimetres', { mm: Number((topMm / 2).toFixed(2)) }));
+    write(this.top_, () => text('view.millimetres', { mm: Number(topMm.toFixed(2)) }));
+    this.figure_.hidden = false;
+  }
+
+  /** @param {LegendKind} kind  another's stays */
+  hide(kind) {
+    if (this.kind_ === kind) this.figure_.hidden = true;
+  }
+}

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What lies over the 3D view: the code that follows the pointer, the handles of the one that is placed, the cube, and the
+// reader's view with its caption.
+import { make } from '../ui/dom.js';
+import { CodeChip } from './code_chip.js';
+import { CodeEditor } from './code_editor.js';
+import { HoverPreview } from './hover_preview.js';
+import { ReaderView } from './reader_view.js';
+import { ViewCube } from './view_cube.js';
+
+/** @typedef {import('../engine/client.js').EngineClient} EngineClient */
+/** @typedef {import('../engine/types.js').ViewAction} ViewAction */
+
+/**
+ * @typedef {object} ViewToolsOptions
+ * @property {() => EngineClient} client
+ * @property {HTMLElement} stage     holds the canvas
+ * @property {HTMLElement} overlays  of what is no part of the canvas
+ * @property {import('./code_editor.js').EditListener} onEdit
+ * @property {(action: ViewAction) => void} onAct
+ */
+
+export class ViewTools {
+  /** @param {ViewToolsOptions} options */
+  constructor({ client, stage, overlays, onEdit, onAct }) {
+    this.onAct_ = onAct;
+    const surface = make('div', { className: 'code-overlay' });
+    stage.append(surface);
+    const chip = new CodeChip(surface);
+    this.hover_ = new HoverPreview(client, chip);
+    this.editor_ = new CodeEditor({ client, overlay: surface, chip, listener: onEdit });
+    this.cube_ = new ViewCube(overlays, (name) => this.act({ kind: 'standard', name }));
+    this.reader = new ReaderView(overlays);
+    this.engravable_ = false;
+    this.busy_ = false;
+    this.carved_ = false;
+    this.placed_ = false;
+  }
+
+  /** Every move of the camera that is asked for comes through here. @param {ViewAction} action */
+  act(action) {
+    if (action.kind === 'readerView' && !this.placed_) return;
+    if (action.kind === 'readerView') this.reader.enter();
+    else if (action.kind !== 'pointer') this.reader.leave();
+    this.allow_();
+    this.onAct_(action);
+  }
+
+  /** @param {import('../engine/types.js').ViewState} state */
+  update({ code, axes }) {
+    this.editor_.update(code);
+    this.cube_.turn(axes);
+  }
+
+  /**
+   * @param {{ engravable?: boolean, busy?: boolean, carved?: boolean, placed?: boolean }} state  whether the model takes a
+   *   code, a job runs, the carved model is seen, and a code has its place
+   */
+  set({ engravable = this.engravable_, busy = this.busy_, carved = this.carved_, placed = this.placed_ }) {
+    this.engravable_ = engravable;
+    this.busy_ = busy;
+    this.carved_ = carved;
+    this.placed_ = placed;
+    this.allow_();
+  }
+
+  allow_() {
+    const allowed = this.engravable_ && !this.busy_ && !this.carved_;
+    this.hover_.allow(allowed);
+    this.editor_.allow(allowed && !this.reader.shown);
+  }
+
+  /** @param {number} x @param {number} y */
+  hover(x, y) {
+    this.hover_.move(x, y);
+  }
+
+  endHover() {
+    this.hover_.end();
+  }
+
+  /** @param {number} notches @param {number} x @param {number} y */
+  turn(notches, x, y) {
+    this.hover_.end();
+    this.editor_.turn(notches, x, y);
+  }
+}
