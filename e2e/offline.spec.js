@@ -39,7 +39,7 @@ test('A new version is offered, and takes over when its reader says so', async (
   await page.goto(site.address);
   await app.expectReady();
   await untilKept(page);
-  site.changes.set('index.html', (html) => html.replace(/<title>.*<\/title>/, '<title>The next version</title>'));
+  site.changes.set('index.html', (html) => html.replace(/<title\b.*<\/title>/, '<title>The next version</title>'));
   site.changes.set('service_worker.js', (code) => code
     .replace(/"version":"\w+"/, '"version":"next"').replace(/\["index.html","\w+"\]/, '["index.html","next"]'));
   await page.reload();
