@@ -51,13 +51,20 @@ std::vector<float> depthColours(const EngraveResult& result, const DisplayMesh& 
     floors.push_back({t, value});
     for (const std::uint32_t v : mesh.triangles[t]) ofFloors[v] = std::max(ofFloors[v], value);
   }
-  // The display mesh may share a vertex between a wall and the surface, or a floor: the floor wins, then the surface.
+  // The display mesh may share a vertex between a wall and the surface, or a floor: the surface wins, then the floor.
   for (const std::size_t t : walls)
     for (std::size_t k = 0; k < 3; ++k) values[display.mesh.triangles[t][k]] = ofFloors[mesh.triangles[t][k]];
+  std::vector<bool> isSurface(values.size(), false);
   for (const std::size_t t : others)
-    for (const std::uint32_t v : display.mesh.triangles[t]) values[v] = 0;
-  for (const Floor& floor : floors)
-    for (const std::uint32_t v : display.mesh.triangles[floor.triangle]) values[v] = std::max(values[v], floor.value);
+    for (const std::uint32_t v : display.mesh.triangles[t]) isSurface[v] = true;
+  for (std::size_t v = 0; v < values.size(); ++v)
+    if (isSurface[v]) values[v] = 0;
+  for (const Floor& floor : floors) {
+    const Triangle& shown = display.mesh.triangles[floor.triangle];
+    // A crease parts floors from the surface: without one it is a sliver of surface, as outlines move a little.
+    if (isSurface[shown[0]] || isSurface[shown[1]] || isSurface[shown[2]]) continue;
+    for (const std::uint32_t v : shown) values[v] = std::max(values[v], floor.value);
+  }
   return values;
 }
 
