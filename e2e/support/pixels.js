@@ -28,5 +28,5 @@ export async function shareOf(element, colour) {
 /** A section, or what of a code misses the surface. @type {Colour} */
 export const isOrange = (red, green, blue) => red > 1.35 * green && green > 1.1 * blue && red > 90;
 
-/** The deep end of the map of depths. @type {Colour} */
-export const isYellow = (red, green, blue) => red > 110 && green > 110 && blue < 0.55 * green;
+/** The middle of the map of depths; the page's own green, of buttons over the view, counts too. @type {Colour} */
+export const isTeal = (red, green, blue) => green > 1.3 * red && blue > 1.1 * red && blue < 1.15 * green && green > 60;
