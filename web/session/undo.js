@@ -35,6 +35,8 @@ export class Undo {
     this.redo_ = byId('redo', HTMLButtonElement);
     this.undo_.addEventListener('click', () => this.undo());
     this.redo_.addEventListener('click', () => this.redo());
+    byId('panel', HTMLFormElement).addEventListener('input', ({ target }) =>
+      this.record(target instanceof HTMLElement ? target.id : undefined));  // at once, while its effect waits for a pause
   }
 
   /** Something was changed. @param {string} [field]  quick edits of the same one are one change */
@@ -68,7 +70,6 @@ export class Undo {
   }
 
   undo() {
-    this.record('text');  // what was typed just now
     if (!this.undo_.disabled) this.restore_(this.history_.undo());
   }
 

@@ -54,6 +54,7 @@ export function listenForShortcuts(singleKeys) {
     const shortcut = shortcutOf(event);
     if (!shortcut || shortcut.control === 'cancel') return;  // which also works while typing, see WorkPanel
     if (!shortcut.ctrl && (!singleKeys() || event.target instanceof HTMLSelectElement || event.repeat)) return;
+    if (shortcut.ctrl) event.preventDefault();  // else the browser would undo in a field of its own choice
     const control = document.getElementById(shortcut.control);
     if (!control || (control instanceof HTMLButtonElement && control.disabled) || !control.checkVisibility()) return;
     event.preventDefault();
