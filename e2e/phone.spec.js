@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { expect, test } from '@playwright/test';
 import { Engraver } from './support/engraver.js';
+import { Inspector } from './support/inspector.js';
 
 test('On a phone a tap places the code, a pinch does not, and the result can be reached', async ({ page }) => {
   const app = new Engraver(page);
@@ -64,6 +65,30 @@ test('On a phone every button over the view is at least 44 pixels high and insid
     expect((box?.x ?? -1)).toBeGreaterThanOrEqual(0);
     expect((box?.x ?? 0) + (box?.width ?? 1000)).toBeLessThanOrEqual(360);
   }
+});
+
+test('On a phone the inspector opens beside the buttons, and its tabs can be tapped', async ({ page }) => {
+  const app = new Engraver(page);
+  await app.open('?sample=bumpy-sphere');
+  await app.expectReady();
+  const inspector = new Inspector(page);
+  await inspector.open();
+  const { window } = /** @type {import('../web/engine/types.js').InspectorState} */ (await inspector.state());
+  const canvas = /** @type {{ x: number, y: number, width: number, height: number }} */ (await app.canvas.boundingBox());
+  const tools = /** @type {{ x: number, y: number, width: number, height: number }} */ (await page.getByRole('toolbar', { name: 'View' }).boundingBox());
+  expect(canvas.y + window[1] >= tools.y + tools.height || canvas.y + window[1] + window[3] <= tools.y).toBe(true);
+  expect(window[0] + window[2]).toBeLessThanOrEqual(canvas.width);
+  expect(window[1] + window[3]).toBeLessThanOrEqual(canvas.height);
+  for (const tab of ['Settings', 'Timing']) {
+    const { x, y } = await inspector.placeOf(tab);
+    await page.touchscreen.tap(x, y);
+    await inspector.expectState((state) => state.tab, tab);
+  }
+  const before = await app.centre();
+  const { x, y } = await inspector.placeOf('Maps');
+  await page.touchscreen.tap(x, y);
+  await inspector.expectState((state) => state.tab, 'Maps');
+  expect(await app.centre()).toEqual(before);  // no tap went through to the model
 });
 
 /**

@@ -118,8 +118,10 @@ class Facade {
     return guarded([&] { return engine_.chooseSpot(index); });
   }
   void showSizes(bool shown) { engine_.showSizes(shown); }
-  std::string startEngrave() {
-    return guarded([&] { return engine_.startEngrave(); });
+  /// @param withOverrides  as the inspector's settings say, where they differ from the page's
+  std::string startEngrave(bool withOverrides) {
+    return guarded(
+        [&] { return engine_.startEngrave(withOverrides && inspector_ ? &inspector_->overrides() : nullptr); });
   }
   std::string advance() {
     return guarded([&] { return engine_.advance(); });
@@ -205,6 +207,8 @@ class Facade {
     if (shown && !inspector_) {
       inspector_ = std::make_unique<Inspector>();
       inspector_->setTheme(dark_);
+      engine_.timePasses(
+          emscripten_webgl_enable_extension(emscripten_webgl_get_current_context(), "EXT_disjoint_timer_query_webgl2"));
     }
     if (shown) inspector_->resize(size_.x, size_.y, devicePixelRatio_);
     inspectorGone_ = inspectorShown_ && !shown;
@@ -212,8 +216,32 @@ class Facade {
   }
   /// Bytes of the heap in use: what a leak makes grow.
   double memoryInUse() const { return mallinfo().uordblks; }
+  void inspectorArea(double x, double y, double width, double height) {
+    if (inspector_) inspector_->setFreeArea(x, y, width, height);
+  }
+  /// @param metrics  six numbers a glyph: code point, width, height, left, top, advance
+  void inspectorGlyphs(float lineHeight, const val& metrics, const val& alpha) {
+    if (!inspector_) return;
+    DrawnGlyphs glyphs;
+    glyphs.lineHeight = lineHeight;
+    const auto numbers = emscripten::convertJSArrayToNumberVector<float>(metrics);
+    for (std::size_t i = 0; i + 5 < numbers.size(); i += 6)
+      glyphs.glyphs.push_back({static_cast<std::uint32_t>(numbers[i]), static_cast<int>(numbers[i + 1]),
+                               static_cast<int>(numbers[i + 2]), numbers[i + 3], numbers[i + 4], numbers[i + 5]});
+    glyphs.alpha = copyIn(alpha);
+    inspector_->setGlyphs(std::move(glyphs));
+  }
   bool inspectorPointer(double x, double y, int buttons, double wheel) {
     return inspectorShown_ && inspector_ && inspector_->pointer(x, y, buttons, wheel);
+  }
+  void inspectorKey(const std::string& key, bool control, bool shift) {
+    if (inspectorShown_ && inspector_) inspector_->key(key, control, shift);
+  }
+  bool inspectorPick(double x, double y) {
+    return inspectorShown_ && inspector_ && inspector_->pickSubmodule(engine_, x, y);
+  }
+  std::string inspectorState() {
+    return guarded([&] { return inspector_ ? inspector_->state() : std::string("{}"); });
   }
 
  private:
@@ -278,7 +306,12 @@ EMSCRIPTEN_BINDINGS(qrelief) {
       .function("draw", &Facade::draw)
       .function("memoryInUse", &Facade::memoryInUse)
       .function("setInspector", &Facade::setInspector)
-      .function("inspectorPointer", &Facade::inspectorPointer);
+      .function("inspectorArea", &Facade::inspectorArea)
+      .function("inspectorGlyphs", &Facade::inspectorGlyphs)
+      .function("inspectorPointer", &Facade::inspectorPointer)
+      .function("inspectorKey", &Facade::inspectorKey)
+      .function("inspectorPick", &Facade::inspectorPick)
+      .function("inspectorState", &Facade::inspectorState);
 }
 
 }  // namespace qrelief

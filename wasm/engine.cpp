@@ -299,7 +299,7 @@ void Engine::showSizes(bool shown) {
   updateView();
 }
 
-std::string Engine::startEngrave() {
+std::string Engine::startEngrave(const RequestOverrides* overrides) {
   showSizes_ = false;
   setCarvingAside();
   forgetJob();
@@ -307,11 +307,14 @@ std::string Engine::startEngrave() {
   if (!model_) return answer(kNoModel);
   if (!centre_)
     return answer(ErrorCode::BadUsage, "no place has been chosen", "click on the model where the code should go");
-  jobRequest_ = completeRequest();
-  jobRequest_.inlay = true;  // so that the page can offer it
+  jobRequest_ = overrides ? overrides->appliedTo(completeRequest()) : completeRequest();
+  jobRequest_.inlay = true;         // so that the page can offer it
+  jobRequest_.recordSearch = true;  // so that the inspector can show it, whenever it is opened
   auto job = EngraveJob::create(model_->engravable, jobRequest_);
   if (!job) return answer(job.error());
   job_ = std::move(*job);
+  if (timerQueries_) passTimings_ = std::make_unique<gl::PassTimings>(*timerQueries_);
+  ++engravings_;
   jobRuns_ = true;
   jobMs_ = 0;
   return done();
@@ -320,7 +323,9 @@ std::string Engine::startEngrave() {
 std::string Engine::advance() {
   if (!jobRuns_) return answer(ErrorCode::BadUsage, "no engraving is running", "");
   const auto start = Clock::now();
+  if (passTimings_) passTimings_->listen();
   const Result<Progress> progress = job_->advance();
+  if (passTimings_) passTimings_->stopListening();
   if (!progress) {
     forgetJob();
     return answer(progress.error());

@@ -8,11 +8,13 @@
 #include <vector>
 
 #include "gl/objects.h"
+#include "gl/pass_timings.h"
 #include "mesh/ray.h"
 #include "pipeline/place.h"
 #include "pipeline/report.h"
 #include "wasm/code_estimate.h"
 #include "wasm/orbit_camera.h"
+#include "wasm/request_overrides.h"
 #include "wasm/viewer.h"
 
 namespace qrelief {
@@ -75,7 +77,8 @@ class Engine {
   /// The colours of the largest sizes on the model, if they are known.
   void showSizes(bool shown);
 
-  std::string startEngrave();
+  /// @param overrides  what differs from the settings this time; may be null
+  std::string startEngrave(const RequestOverrides* overrides = nullptr);
   /// {stage, fraction, done}; one bounded piece of work. When done the carved model is shown.
   std::string advance();
   void cancel();
@@ -138,6 +141,21 @@ class Engine {
   bool draw(bool always = false);
 
   // For the inspector.
+  /// Measures the passes of the engravings that start from now on.
+  void timePasses(bool withTimerQueries) { timerQueries_ = withTimerQueries; }
+  gl::PassTimings* passTimings() const { return passTimings_.get(); }
+  const EngraveRequest& settings() const { return request_; }
+  const EngraveRequest& engravedRequest() const { return jobRequest_; }
+  int engravings() const { return engravings_; }  ///< started so far
+  /// What the search of the last engraving did, and its symbol; null before it has seen anything.
+  const SearchRecord* search() const;
+  const Symbol* engravedSymbol() const;
+  /// Distances to the far side of the material, from the eye of the last engraving.
+  Result<BackDistanceMap> backDistances() const;
+  /// The place in symbol and quiet zone that is seen at a screen position, if the reader sees it, too: (0, 0) = the
+  /// quiet zone's upper left, (1, 1) = its lower right. Of the last engraving.
+  std::optional<Vec2> codePlaceAt(double x, double y) const;
+  double codeEdgeMm() const;  ///< of symbol and quiet zone of the last engraving
   const EngraveJob* job() const { return job_.get(); }
   const EngraveResult* result() const { return result_ ? &*result_ : nullptr; }
   const Placement* placed() const { return placement_ ? &*placement_ : nullptr; }
@@ -208,6 +226,9 @@ class Engine {
   bool showSizes_ = false;
   std::optional<Vec3> spotDirection_;  // that the centre needs
 
+  std::optional<bool> timerQueries_;  // none: passes are not timed
+  std::unique_ptr<gl::PassTimings> passTimings_;
+  int engravings_ = 0;
   EngraveRequest jobRequest_;
   std::unique_ptr<EngraveJob> job_;
   bool jobRuns_ = false;

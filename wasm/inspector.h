@@ -1,19 +1,38 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <memory>
+#include <array>
+#include <cstdint>
+#include <deque>
 #include <optional>
+#include <span>
+#include <string>
+#include <vector>
 
-#include "wasm/engine.h"
-#include "wasm/map_picture.h"
+#include "gl/objects.h"
+#include "wasm/colour_scale.h"
+#include "wasm/inspector_model.h"
+#include "wasm/inspector_widgets.h"
 
 struct ImGuiContext;
 
 namespace qrelief {
 
-/// A window over the canvas, drawn by Dear ImGui, that shows what the engraving works with: normals, heights,
-/// luminance, depths, and what each stage cost. Only looks, changes nothing. Made on first use; needs the engine's GL
-/// context.
+/// Letters for the inspector as the browser draws them, in device pixels.
+struct DrawnGlyphs {
+  struct Glyph {
+    std::uint32_t codePoint;
+    int width, height;
+    float left, top, advance;  ///< from the pen and from the line's upper edge
+  };
+  float lineHeight = 16;
+  std::vector<Glyph> glyphs;
+  std::vector<std::uint8_t> alpha;  ///< of one glyph after the other, row-major
+};
+
+/// A window over the canvas, drawn by Dear ImGui, for those who want to know how an engraving came about: every channel
+/// of the G-buffer, depth and luminance pass by pass, convergence, times, and what can be tuned. Made on first use;
+/// needs the engine's GL context. Lengths are CSS pixels.
 class Inspector {
  public:
   Inspector();
@@ -21,40 +40,107 @@ class Inspector {
   Inspector(const Inspector&) = delete;
   Inspector& operator=(const Inspector&) = delete;
 
-  /// @param width, height  CSS pixels
   void resize(double width, double height, double devicePixelRatio);
+  /// Where the window opens, and how large it may be then: the part of the canvas that no control of the page covers.
+  void setFreeArea(double x, double y, double width, double height);
   void setTheme(bool dark);
+  /// @param glyphs  drawn at `kFontPx` × devicePixelRatio
+  void setGlyphs(DrawnGlyphs glyphs);
+  static constexpr float kFontPx = 14;
 
   /// @param buttons  as in PointerEvent.buttons: 1 = left, 2 = right, 4 = middle
   /// @param wheel    lines, up positive
   /// @returns whether the pointer is the inspector's and must not move the camera
   bool pointer(double x, double y, int buttons, double wheel);
+  /// A key that went down. @param key  as in KeyboardEvent.key
+  void key(const std::string& key, bool control, bool shift);
+  /// A click on the model. @returns whether a submodule of the engraved code is there, and is shown now
+  bool pickSubmodule(const Engine& engine, double x, double y);
 
   /// Draws over what the canvas shows. @returns whether another frame is wanted
   bool draw(const Engine& engine);
 
- private:
-  enum class Map { Normals, Heights, Luminance, Depths };
-  void buildFont();
-  void showMap(const Engine& engine, Map map);
-  void showValueUnderPointer(Map map, double across, double down) const;
-  void showTimings(const Engine& engine) const;
-  void refresh(const Engine& engine, Map map);
+  /// JSON: {tab, channel, pass, passes, selected: null | {row, column, role, carved, LS, AL, G, depthMm, limitMm},
+  /// overridden, overrides, engraveAsked, keyboard, cursor, window: [x, y, width, height],
+  /// controls: {name: [x, y, width, height]}}; `engraveAsked` counts the presses of "Engrave again", `keyboard` says
+  /// whether keys are the inspector's.
+  std::string state() const;
+  const RequestOverrides& overrides() const { return model_.overrides(); }
 
+ private:
+  enum class Range { Whole, Cut, Own };
+  /// What the pointer did, or, if there is one, a key.
+  struct Input {
+    double x = -1e6, y = -1e6;
+    int buttons = 0;
+    double wheel = 0;
+    std::string key;
+    bool control = false, shift = false;
+  };
+  void buildFont();
+  void takeInput();
+  void beginFrame();
+  void endFrame();
+  void drawWindow(const Engine& engine);
+  void scrollBody();
+  bool tab(const char* name);
+
+  void drawMaps(const Engine& engine);
+  void chooseChannel();
+  void choosePass();
+  void chooseRange(const ValueMap& map);
+  void drawMap(const ValueMap& map);
+  void moveMap(Vec2 pointer, float edge);
+  void drawMapMarks(const ValueMap& map, ImVec2 corner, float edge);
+  void drawZoom(const ValueMap& map);
+  void drawFacts();
+  void drawChannelHistogram(const ValueMap& map);
+
+  void drawSearch(const Engine& engine);
+  void drawRuns();
+  void drawLuminances();
+  void drawTimings(const Engine& engine);
+  void drawSettings(const Engine& engine);
+  void drawTunable(std::size_t index, const EngraveRequest& page);
+
+  InspectorModel model_;
   ImGuiContext* context_ = nullptr;
+  InspectorPalette palette_ = InspectorPalette::of(false);
+  DrawnGlyphs glyphs_;
   double devicePixelRatio_ = 1;
   bool fontIsStale_ = true;
-  bool pressed_ = false;         // since the last frame, so that no short click is lost
-  bool releasePending_ = false;  // takes effect after the frame that saw the press
+  std::deque<Input> inputs_;   // not yet seen by a frame
+  Input pointer_;              // the last that was
+  bool mapIsHovered_ = false;  // the wheel zooms it then
+  bool scrolls_ = false;       // by a drag that began beside all controls
   Vec2 windowMin_{0}, windowMax_{0};
+  std::array<float, 4> freeArea_{12, 12, 380, 640};
+  bool placeWindow_ = true;
   int framesWanted_ = 0;  // ImGui lays out what has changed only in the frame after
   double lastFrameMs_ = 0;
 
-  std::optional<MapPicture> picture_;
-  Map shown_ = Map::Normals;
-  const void* source_ = nullptr;  // the texture that `picture_` was made of
-  double madeMs_ = 0;
-  bool madeOfResult_ = false;
+  std::string tab_;
+  bool openMaps_ = false;
+  int channel_ = static_cast<int>(MapChannel::Depth);
+  ColourScale scale_ = ColourScale::Viridis;
+  bool showsDirections_ = true;
+  Range rangeKind_ = Range::Whole;
+  ValueRange range_;
+  Vec2 mapCentre_{0.5};
+  double mapZoom_ = 1;
+  bool mapMoved_ = false;
+  std::optional<Vec2> mapPointer_;  // place in the map
+  std::optional<gl::Texture> picture_;
+  struct PictureKey {
+    int version;
+    ColourScale scale;
+    bool directions;
+    ValueRange range;
+    bool operator==(const PictureKey&) const = default;
+  };
+  std::optional<PictureKey> pictureKey_;
+  int engraveAsked_ = 0;
+  ControlAreas controls_;
 };
 
 }  // namespace qrelief

@@ -2,66 +2,41 @@
 #include "wasm/map_picture.h"
 
 #include <algorithm>
-#include <limits>
-
-#include "shaders.h"
+#include <array>
+#include <cmath>
 
 namespace qrelief {
 namespace {
 
-bool isOutside(const float* texel) { return texel[0] * texel[0] + texel[1] * texel[1] + texel[2] * texel[2] < 0.25f; }
+constexpr int kShades = 1024;  // finer than a screen's
+
+std::uint8_t byteOf(float component) {
+  return static_cast<std::uint8_t>(std::lround(255 * std::clamp(0.5f + 0.5f * component, 0.0f, 1.0f)));
+}
 
 }  // namespace
 
-Result<MapPicture> MapPicture::create(const gl::Texture& map, const MapReading& reading, int sizePx) {
-  MapPicture made;
-  made.reading_ = reading;
-  made.columns_ = map.width();
-  made.rows_ = map.height();
-  {
-    const gl::Texture* const colours[] = {&map};
-    const auto source = gl::Framebuffer::create(colours, false);
-    if (!source) return tl::unexpected(source.error());
-    made.texels_ = source->readRgba();
+std::vector<std::uint8_t> colouredRgba(const ValueMap& map, const MapColours& colours) {
+  std::array<Rgb8, kShades> shades{};
+  for (int i = 0; i < kShades; ++i)
+    shades[static_cast<std::size_t>(i)] = colourAt(colours.scale, static_cast<double>(i) / (kShades - 1));
+  const bool directed = colours.showsDirections && !map.directions.empty();
+  const float width = std::max(colours.range.highest - colours.range.lowest, 1e-12f);
+  std::vector<std::uint8_t> rgba(4 * map.values.size(), 0);
+  for (std::size_t i = 0; i < map.values.size(); ++i) {
+    const float value = map.values[i];
+    if (!std::isfinite(value)) continue;
+    const float share = std::clamp((value - colours.range.lowest) / width, 0.0f, 1.0f);
+    Rgb8 colour = shades[static_cast<std::size_t>(std::lround(share * (kShades - 1)))];
+    if (directed) colour = {byteOf(map.directions[i].x), byteOf(map.directions[i].y), byteOf(map.directions[i].z)};
+    std::copy(colour.begin(), colour.end(), rgba.begin() + static_cast<std::ptrdiff_t>(4 * i));
+    rgba[4 * i + 3] = 255;
   }
-  float lowest = std::numeric_limits<float>::max(), highest = std::numeric_limits<float>::lowest();
-  for (std::size_t i = 0; i < made.texels_.size(); i += 4) {
-    if (reading.hasSurface && isOutside(&made.texels_[i])) continue;
-    const float value = made.texels_[i + static_cast<std::size_t>(reading.component)];
-    lowest = std::min(lowest, value);
-    highest = std::max(highest, value);
-  }
-  if (lowest <= highest) {
-    made.lowest_ = lowest;
-    made.highest_ = highest;
-  }
-  auto program = gl::Program::create("view map", shaders::fullscreen_vert, shaders::view_map_frag);
-  if (!program) return tl::unexpected(program.error());
-  made.picture_ = gl::Texture(sizePx, sizePx, gl::Format::RGBA8);
-  const gl::Texture* const colours[] = {&made.picture_};
-  const auto target = gl::Framebuffer::create(colours, false);
-  if (!target) return tl::unexpected(target.error());
-  target->bind();
-  glDisable(GL_BLEND);
-  glDisable(GL_SCISSOR_TEST);
-  program->use();
-  program->setTexture("u_map", 0, map);
-  program->set("u_isNormal", reading.isNormal ? 1 : 0);
-  program->set("u_component", reading.component);
-  program->set("u_hasSurface", reading.hasSurface ? 1 : 0);
-  program->set("u_topFirst", reading.topFirst ? 1 : 0);
-  program->set("u_range", glm::vec2(made.lowest_, std::max(made.highest_, made.lowest_ + 1e-6f)));
-  program->set("u_size", glm::vec2(sizePx, sizePx));
-  gl::drawFullscreen();
-  return made;
+  return rgba;
 }
 
-const float* MapPicture::texelAt(double across, double down) const {
-  if (!(across >= 0 && across < 1 && down >= 0 && down < 1)) return nullptr;
-  const auto column = static_cast<std::size_t>(across * columns_);
-  auto row = static_cast<std::size_t>(down * rows_);
-  if (!reading_.topFirst) row = static_cast<std::size_t>(rows_) - 1 - row;
-  return &texels_[4 * (row * static_cast<std::size_t>(columns_) + column)];
+gl::Texture mapPicture(const ValueMap& map, const MapColours& colours) {
+  return {map.columns, map.rows, gl::Format::RGBA8, colouredRgba(map, colours).data()};
 }
 
 }  // namespace qrelief

@@ -29,6 +29,7 @@ import { SpotsPanel } from './ui/spots_panel.js';
 import { controlName, shownValue } from './ui/verdict_lines.js';
 import { ViewToolbar } from './ui/view_toolbar.js';
 import { WorkPanel } from './ui/work_panel.js';
+import { InspectorView } from './view/inspector_view.js';
 import { Legend } from './view/legend.js';
 import { View } from './view/view.js';
 import { ViewTools } from './view/view_tools.js';
@@ -44,12 +45,16 @@ export class App {
     this.recovery_ = new Recovery(this.messages_, () => this.client_.replace());
     this.theme_ = new Theme((dark) => this.guard_(() => this.client_.setTheme(dark)));
     this.view_ = this.makeView_();
+    this.inspector_ = this.makeInspector_();
     this.legend_ = new Legend();
     this.tools_ = this.makeTools_();
     this.toolbar_ = this.makeToolbar_();
     this.client_ = new EngineClient({
       makeCanvas: () => this.view_.makeCanvas(),
-      onEvent: (event) => this.guard_(() => this.recovery_.recoverFrom(event)),
+      onEvent: (event) => {
+        if (event.event === 'inspector') this.inspector_.update(event.state);
+        else void this.guard_(() => this.recovery_.recoverFrom(event));
+      },
       onView: (state) => this.tools_.update(state),
       onReplaced: () => this.guard_(() => this.restore_()),
     });
@@ -80,7 +85,14 @@ export class App {
       onHoverEnd: () => this.tools_.endHover(),
       onTurn: (notches, x, y) => this.tools_.turn(notches, x, y),
       onBefore: (held) => this.toolbar_.hold(held),
-      onResize: (size) => this.guard_(() => this.client_.resize(size)),
+      onResize: (size) => this.guard_(() => this.resize_(size)),
+    });
+  }
+
+  makeInspector_() {
+    return new InspectorView(byId('stage', HTMLElement), byId('view', HTMLElement), {
+      onAct: (action) => this.guard_(() => this.client_.act(action)),
+      onEngrave: (overrides) => this.guard_(() => this.carving_.engrave(overrides)),
     });
   }
 
@@ -366,10 +378,18 @@ export class App {
     if (shown && !this.carving_.shown) await this.showCarved_(true);
   }
 
+  /** @param {import('./engine/types.js').ViewSize} size */
+  async resize_(size) {
+    await this.client_.resize(size);
+    if (this.toolbar_.inspectorShown) await this.client_.inspectorArea(this.inspector_.area());
+  }
+
   /** @param {boolean} shown */
   async showInspector_(shown) {
     this.view_.reportsPointer = shown;
+    if (!shown) this.inspector_.update(undefined);
     await this.client_.setInspector(shown);
+    if (shown) await this.client_.inspectorArea(this.inspector_.area());
   }
 
   /** @param {boolean} allowed  if the model can be engraved */
@@ -386,7 +406,8 @@ export class App {
     await this.carving_.dropForGood();
     this.view_.announceSize();
     await this.client_.setTheme(this.theme_.dark);
-    if (this.toolbar_.inspectorShown) await this.client_.setInspector(true);
+    this.inspector_.update(undefined);
+    if (this.toolbar_.inspectorShown) await this.showInspector_(true);
     this.messages_.say(() => text('page.chooseModel'));
     await this.model_.reload();
     if (!this.model_.source) return;

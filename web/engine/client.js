@@ -87,11 +87,11 @@ export class EngineClient {
   }
 
   /**
-   * @param {JobOptions} options
+   * @param {JobOptions & { withOverrides?: boolean }} options  `withOverrides`: of the inspector
    * @returns {Promise<boolean>}  false if it was cancelled
    */
-  async engrave(options) {
-    return (await this.runJob_('engrave', options)) ?? false;
+  async engrave({ withOverrides = false, ...options }) {
+    return (await this.runJob_('engrave', options, withOverrides)) ?? false;
   }
 
   /**
@@ -105,12 +105,13 @@ export class EngineClient {
   /**
    * @param {string} verb
    * @param {JobOptions} options
+   * @param {any[]} args  of the verb
    * @returns {Promise<any>}  undefined if it was cancelled
    */
-  async runJob_(verb, { signal, onProgress }) {
+  async runJob_(verb, { signal, onProgress }, ...args) {
     if (signal.aborted) return undefined;
     this.onProgress_ = onProgress;
-    const job = this.call_(verb);
+    const job = this.call_(verb, ...args);
     /** @type {() => void} */ let stop = () => {};
     const stopped = new Promise((resolve) => {
       stop = () => {
@@ -218,6 +219,9 @@ export class EngineClient {
 
   /** @param {boolean} shown @returns {Promise<void>} */
   setInspector(shown) { return this.call_('setInspector', shown); }
+
+  /** @param {import('../view/free_area.js').Area} area  of the canvas that no control covers @returns {Promise<void>} */
+  inspectorArea(area) { return this.call_('inspectorArea', area); }
 
   /** @param {ViewSize} size @returns {Promise<void>} */
   resize(size) { return this.call_('resize', size); }

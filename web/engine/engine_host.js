@@ -3,6 +3,7 @@
 import createQRelief from 'qrelief-module';
 import wasmUrl from 'qrelief-wasm';
 import { EngineFailure, describeThrown } from './engine_error.js';
+import { drawGlyphs } from './glyphs.js';
 
 /** @typedef {import('./types.js').Engine} Engine */
 /** @typedef {import('./types.js').HostEvent} HostEvent */
@@ -11,6 +12,7 @@ import { EngineFailure, describeThrown } from './engine_error.js';
 /** @typedef {{ start: () => string, advance: () => string, cancel: () => void }} Job  of the module, done in steps */
 
 const kDragged = new Set(['orbit', 'pan', 'zoom']);  // what the inspector's windows take for themselves
+const kInspectorFontPx = 14;
 const kSliceMs = 40;  // between two looks at the messages: a cancel is seen within one slice and one step
 
 const kSettleSliceMs = 8;  // while the pointer may move on
@@ -66,6 +68,9 @@ export class EngineHost {
     this.inspectorTakes_ = false;
     this.hovers_ = 0;
     this.viewState_ = '';
+    this.inspectorState_ = '';
+    this.pixelRatio_ = 1;
+    this.glyphsPx_ = 0;  // that the inspector has
   }
 
   /**
@@ -122,6 +127,8 @@ export class EngineHost {
       this.canvas_.width = Math.max(1, Math.round(width * devicePixelRatio));
       this.canvas_.height = Math.max(1, Math.round(height * devicePixelRatio));
       this.engine_.resize(width, height, devicePixelRatio);
+      this.pixelRatio_ = devicePixelRatio;
+      this.giveGlyphs_();
       this.drawFrame_();  // at once: resizing has cleared the canvas
     },
 
@@ -135,7 +142,8 @@ export class EngineHost {
     symbol: (settings) => parseAnswer(this.engine_.symbol(JSON.stringify(settings))).symbol,
 
     /** @param {number} x @param {number} y */
-    pick: (x, y) => (this.inspectorTakes_ ? { hit: false } : this.drawn_(JSON.parse(this.engine_.pick(x, y)))),
+    pick: (x, y) => (this.inspectorTakes_ || this.drawn_(this.engine_.inspectorPick(x, y)) ? { hit: false }
+      : this.drawn_(JSON.parse(this.engine_.pick(x, y)))),
 
     /** @param {number} x @param {number} y @param {number} z */
     setCentre: (x, y, z) => this.drawn_(JSON.parse(this.engine_.setCentre(x, y, z))),
@@ -178,7 +186,8 @@ export class EngineHost {
     /** @param {boolean} shown */
     showDepths: (shown) => this.drawn_(parseAnswer(this.engine_.showDepths(shown)).topMm),
 
-    engrave: () => this.engrave_(),
+    /** @param {boolean} [withOverrides]  of the inspector */
+    engrave: (withOverrides = false) => this.engrave_(withOverrides),
     cancel: () => {
       this.job_?.cancel();
       this.job_ = undefined;
@@ -219,8 +228,12 @@ export class EngineHost {
     setInspector: (shown) => {
       this.inspectorShown_ = shown;
       this.inspectorTakes_ = false;
+      this.inspectorState_ = '';
       this.drawn_(this.engine_.setInspector(shown));
+      this.giveGlyphs_();
     },
+    /** @param {{ x: number, y: number, width: number, height: number }} area  that no control covers */
+    inspectorArea: ({ x, y, width, height }) => this.drawn_(this.engine_.inspectorArea(x, y, width, height)),
     /** @param {ViewAction} action */
     act: (action) => this.act_(action),
   };
@@ -230,6 +243,8 @@ export class EngineHost {
     if (action.kind === 'pointer') {
       if (!this.inspectorShown_) return;
       this.inspectorTakes_ = this.engine_.inspectorPointer(action.x, action.y, action.buttons, action.wheel);
+    } else if (action.kind === 'key') {
+      this.engine_.inspectorKey(action.key, action.control, action.shift);
     } else if (this.inspectorTakes_ && kDragged.has(action.kind)) {
       return;
     } else if (action.kind === 'standard') {
@@ -252,9 +267,10 @@ export class EngineHost {
     this.invalidate_();
   }
 
-  engrave_() {
+  /** @param {boolean} withOverrides */
+  engrave_(withOverrides) {
     return this.runJob_({
-      start: () => this.engine_.startEngrave(), advance: () => this.engine_.advance(), cancel: () => this.engine_.cancel(),
+      start: () => this.engine_.startEngrave(withOverrides), advance: () => this.engine_.advance(), cancel: () => this.engine_.cancel(),
     });
   }
 
@@ -301,6 +317,7 @@ export class EngineHost {
         } while (!progress.done && performance.now() < sliceEnd);
         this.notify_({ event: 'progress', progress: { stage: progress.stage, fraction: progress.fraction } });
         done = progress.done;
+        if (this.inspectorShown_) this.invalidate_();
         await yieldToMessages();
         if (this.job_ !== job) return done;  // a message has cancelled it; the next one may run already
       }
@@ -327,6 +344,23 @@ export class EngineHost {
   drawn_(value) {
     this.invalidate_();
     return value;
+  }
+
+  /** The page's letters, at the canvas's resolution. */
+  giveGlyphs_() {
+    const sizePx = kInspectorFontPx * this.pixelRatio_;
+    if (!this.inspectorShown_ || this.glyphsPx_ === sizePx) return;
+    const glyphs = drawGlyphs(sizePx);
+    if (!glyphs) return;
+    this.engine_.inspectorGlyphs(glyphs.lineHeight, glyphs.metrics, glyphs.alpha);
+    this.glyphsPx_ = sizePx;
+  }
+
+  tellInspector_() {
+    const state = this.engine_.inspectorState();
+    if (state === this.inspectorState_) return;
+    this.inspectorState_ = state;
+    this.notify_({ event: 'inspector', state: JSON.parse(state) });
   }
 
   /** Asks for one frame; many asks before it cost one frame. */
@@ -366,6 +400,7 @@ export class EngineHost {
       this.fence_ = this.gl_.fenceSync(this.gl_.SYNC_GPU_COMMANDS_COMPLETE, 0);
       this.gl_.flush();
       this.tellView_();
+      if (this.inspectorShown_) this.tellInspector_();
       if (wantsAnother && !this.job_) this.invalidate_();  // refinement waits while the job runs
     } catch (thrown) {
       this.lost_ = true;

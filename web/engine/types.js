@@ -128,7 +128,7 @@
  * @property {() => string} spots
  * @property {(index: number) => string} chooseSpot
  * @property {(shown: boolean) => void} showSizes
- * @property {() => string} startEngrave
+ * @property {(withOverrides: boolean) => string} startEngrave
  * @property {() => string} advance
  * @property {() => void} cancel
  * @property {() => number} carving
@@ -157,7 +157,12 @@
  * @property {() => boolean} draw
  * @property {() => number} memoryInUse            bytes of the heap
  * @property {(shown: boolean) => void} setInspector
+ * @property {(x: number, y: number, width: number, height: number) => void} inspectorArea
+ * @property {(lineHeight: number, metrics: Float32Array, alpha: Uint8Array) => void} inspectorGlyphs
  * @property {(x: number, y: number, buttons: number, wheel: number) => boolean} inspectorPointer
+ * @property {(key: string, control: boolean, shift: boolean) => void} inspectorKey
+ * @property {(x: number, y: number) => boolean} inspectorPick
+ * @property {() => string} inspectorState
  */
 
 /**
@@ -179,15 +184,36 @@
  * @typedef {{ kind: 'orbit', dx: number, dy: number } | { kind: 'pan', dx: number, dy: number }
  *   | { kind: 'zoom', factor: number, x: number, y: number } | { kind: 'fit' } | { kind: 'readerView' } | { kind: 'face' }
  *   | { kind: 'standard', name: StandardView } | { kind: 'faceSection' }
- *   | { kind: 'pointer', x: number, y: number, buttons: number, wheel: number }} ViewAction
+ *   | { kind: 'pointer', x: number, y: number, buttons: number, wheel: number }
+ *   | { kind: 'key', key: string, control: boolean, shift: boolean }} ViewAction  `key` is the inspector's
  */
 
 /** @typedef {{ width: number, height: number, devicePixelRatio: number }} ViewSize */
 
+/** @typedef {[number, number, number, number]} Box  x, y, width, height */
+
+/**
+ * What the inspector shows; its canvas says nothing to those who cannot see it, nor to tests.
+ * @typedef {object} InspectorState
+ * @property {string} tab
+ * @property {string} channel
+ * @property {number} pass      from 1; 0 before there is any
+ * @property {number} passes
+ * @property {{ row: number, column: number, role: string, carved: boolean, LS: number, AL: number | null,
+ *   G: number | null, depthMm: number | null, limitMm: number | null } | null} selected  submodule
+ * @property {number} overridden     how many settings differ from the page's
+ * @property {string} overrides      which, in words
+ * @property {number} engraveAsked   how often "Engrave again" was pressed
+ * @property {boolean} keyboard      whether it takes the keys
+ * @property {string} cursor         over it; empty: elsewhere
+ * @property {Box} window
+ * @property {Record<string, Box>} controls
+ */
+
 /**
  * What the host tells the page unasked.
  * @typedef {{ event: 'progress', progress: EngraveProgress } | { event: 'view', state: ViewState } | { event: 'contextlost' }
- *   | { event: 'failure', error: EngineError }} HostEvent
+ *   | { event: 'failure', error: EngineError } | { event: 'inspector', state: InspectorState }} HostEvent
  */
 
 export {};

@@ -45,14 +45,15 @@ export class Carving {
     /** @type {Promise<unknown>} */ this.restoring_ = Promise.resolve();
   }
 
-  async engrave() {
+  /** @param {string} [overrides]  in words, of the inspector's settings, which count then; else the page's own do */
+  async engrave(overrides) {
     if (this.running_ || this.jobs_.busy || !this.model_.engravable) return;
     this.running_ = true;
     try {
       this.messages_.clearError();
       this.placing_.centreIsGuess = false;  // from here on an error is worth saying
       await this.placing_.place();
-      if (this.placing_.placement) await this.jobs_.run(() => text('page.preparing'), (signal) => this.carve_(signal));
+      if (this.placing_.placement) await this.jobs_.run(() => text('page.preparing'), (signal) => this.carve_(signal, overrides));
     } finally {
       this.running_ = false;
     }
@@ -106,25 +107,27 @@ export class Carving {
     await this.client_.showCarved(this.shown);
   }
 
-  /** @param {AbortSignal} signal */
-  async carve_(signal) {
+  /** @param {AbortSignal} signal @param {string} [overrides] */
+  async carve_(signal, overrides) {
     const started = performance.now();
     await this.restoring_;
     const { carved: before } = this;
     await this.drop();
     this.onStart_();
     const made = this.work_();
-    const finished = await this.client_.engrave({ signal, onProgress: (progress) => this.jobs_.showProgress(progress) });
+    const finished = await this.client_.engrave({
+      signal, withOverrides: overrides !== undefined, onProgress: (progress) => this.jobs_.showProgress(progress),
+    });
     if (finished) {
-      await this.finish_(started, made);
+      await this.finish_(started, made, overrides);
     } else {
       this.messages_.say(() => text('page.cancelled'));
       this.restoring_ = this.restore(before).catch(() => false);  // once the module's step has ended: nobody waits for it
     }
   }
 
-  /** @param {number} started @param {Work} made */
-  async finish_(started, made) {
+  /** @param {number} started @param {Work} made @param {string} [overrides] */
+  async finish_(started, made, overrides) {
     this.messages_.say(() => text('page.readingBack'));
     const picture = await this.client_.readerImage();
     const { symbol } = await this.client_.report();
@@ -136,7 +139,7 @@ export class Carving {
     this.panel_.show(this.carved);
     this.panel_.reveal();
     this.onDone_();
-    this.messages_.say(() => text('page.engraved'));
+    this.messages_.say(() => (overrides ? text('inspector.engraved', { overrides }) : text('page.engraved')));
   }
 
   /** @type {import('../ui/grades_panel.js').ViewTrier} */

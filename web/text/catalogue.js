@@ -7,6 +7,7 @@ import { core } from './parts/core.js';
 import { findings } from './parts/findings.js';
 import { help } from './parts/help.js';
 import { guide } from './parts/guide.js';
+import { inspector } from './parts/inspector.js';
 import { keep } from './parts/keep.js';
 import { method } from './parts/method.js';
 import { page } from './parts/page.js';
@@ -19,7 +20,7 @@ import { view } from './parts/view.js';
 /** @typedef {'en' | 'de'} Language */
 /** @typedef {string | { one: string, other: string }} Entry  chosen by the value `count`; `{name}` stands for a value */
 
-const kParts = { check, code, core, findings, guide, help, keep, method, page, samples, settings, stages, take, view };
+const kParts = { check, code, core, findings, guide, help, inspector, keep, method, page, samples, settings, stages, take, view };
 
 /** @typedef {{ [P in keyof typeof kParts]: `${P}.${string & keyof (typeof kParts)[P]['en']}` }[keyof typeof kParts]} Key */
 

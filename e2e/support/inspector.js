@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The inspector, whose controls are pixels of the canvas: pressed where it says they are.
+import { expect } from '@playwright/test';
+
+/** @typedef {import('@playwright/test').Page} Page */
+/** @typedef {import('../../web/engine/types.js').InspectorState} State */
+/** @typedef {{ x: number, y: number, width: number, height: number }} Clip */
+
+export class Inspector {
+  /** @param {Page} page */
+  constructor(page) {
+    this.page = page;
+    this.button = page.getByRole('button', { name: 'Inspector' });
+    this.canvas = page.locator('canvas[aria-label="3D view"]');
+  }
+
+  async open() {
+    await this.button.click();
+    await expect.poll(() => this.state()).toBeDefined();
+  }
+
+  /** @returns {Promise<State | undefined>} */
+  async state() {
+    const told = await this.page.locator('#view').getAttribute('data-inspector');
+    return told === null ? undefined : JSON.parse(told);
+  }
+
+  /** Waits until the state is as asked. @param {(state: State) => unknown} value @param {unknown} wanted */
+  async expectState(value, wanted) {
+    await expect.poll(async () => {
+      const state = await this.state();
+      return state && value(state);
+    }).toEqual(wanted);
+  }
+
+  /**
+   * A place on the page.
+   * @param {string} control
+   * @param {{ x: number, y: number }} [share]  of its width and height; the middle if left out
+   */
+  async placeOf(control, share = { x: 0.5, y: 0.5 }) {
+    await expect.poll(async () => Object.keys((await this.state())?.controls ?? {})).toContain(control);
+    const [x, y, width, height] = /** @type {State} */ (await this.state()).controls[control];
+    const box = /** @type {{ x: number, y: number }} */ (await this.canvas.boundingBox());
+    return { x: box.x + x + width * share.x, y: box.y + y + height * share.y };
+  }
+
+  /** @param {string} control @param {{ x: number, y: number }} [share] */
+  async press(control, share) {
+    const { x, y } = await this.placeOf(control, share);
+    await this.page.mouse.click(x, y);
+  }
+
+  /** @param {string} tab */
+  async openTab(tab) {
+    await this.press(tab);
+    await this.expectState((state) => state.tab, tab);
+  }
+
+  /** Waits until a part of the page has stopped changing. @param {Clip} clip */
+  async expectStill(clip) {
+    let last = '';
+    await expect.poll(async () => {
+      const now = (await this.page.screenshot({ clip })).toString('base64');
+      const isStill = now === last;
+      last = now;
+      return isStill;
+    }, { intervals: [1000] }).toBe(true);
+  }
+
+  /**
+   * What is seen of a part of the page, as RGBA.
+   * @param {Clip} clip
+   * @returns {Promise<number[]>}
+   */
+  async pixels(clip) {
+    const png = (await this.page.screenshot({ clip })).toString('base64');
+    return this.page.evaluate(async (base64) => {
+      const image = new Image();
+      image.src = `data:image/png;base64,${base64}`;
+      await image.decode();
+      const canvas = new OffscreenCanvas(image.width, image.height);
+      const context = /** @type {OffscreenCanvasRenderingContext2D} */ (canvas.getContext('2d'));
+      context.drawImage(image, 0, 0);
+      return [...context.getImageData(0, 0, image.width, image.height).data];
+    }, png);
+  }
+}

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where a window can open over the view without meeting what the page shows there.
+
+/** @typedef {{ x: number, y: number, width: number, height: number }} Area */
+
+const kMargin = 12;
+/** More than this is not asked for: among areas that are large enough the one nearest to the upper left is taken. */
+const kEnough = { width: 400, height: 720 };
+
+/**
+ * The best rectangle that meets no obstacle, found by trying all that obstacles and edges bound.
+ * @param {{ width: number, height: number }} stage
+ * @param {readonly Area[]} obstacles
+ * @returns {Area}  without any obstacle the whole stage but its margin
+ */
+export function freeArea({ width, height }, obstacles) {
+  const grown = obstacles.map((o) => ({ left: o.x - kMargin, top: o.y - kMargin, right: o.x + o.width + kMargin, bottom: o.y + o.height + kMargin }));
+  const within = (/** @type {number[]} */ values, /** @type {number} */ end) =>
+    [...new Set(values)].filter((v) => v >= kMargin && v <= end - kMargin).sort((a, b) => a - b);
+  const xs = within([kMargin, width - kMargin, ...grown.flatMap(({ left, right }) => [left, right])], width);
+  const ys = within([kMargin, height - kMargin, ...grown.flatMap(({ top, bottom }) => [top, bottom])], height);
+  /** @type {Area} */ let best = { x: kMargin, y: kMargin, width: 0, height: 0 };
+  let bestWorth = 0;
+  for (const y of ys) {
+    for (const x of xs) {
+      for (const bottom of ys.filter((v) => v > y)) {
+        for (const right of xs.filter((v) => v > x)) {
+          const worth = Math.min(right - x, kEnough.width) * Math.min(bottom - y, kEnough.height);
+          if (worth <= bestWorth) continue;
+          if (grown.some((o) => o.left < right && o.right > x && o.top < bottom && o.bottom > y)) continue;
+          best = { x, y, width: right - x, height: bottom - y };
+          bestWorth = worth;
+        }
+      }
+    }
+  }
+  return best;
+}
+
+const kWrapperShare = 0.6;  // of the stage: what covers more only holds others
+
+/**
+ * What is shown over the view, in its coordinates; the stage may be larger.
+ * @param {HTMLElement} stage
+ * @param {HTMLElement} view  the canvas's element, which is not in the way
+ * @returns {Area[]}
+ */
+export function obstaclesOver(stage, view) {
+  const origin = view.getBoundingClientRect();
+  /** @type {Area[]} */ const found = [];
+  const collect = (/** @type {Element} */ parent) => {
+    for (const child of parent.children) {
+      if (child === view || child.classList.contains('hidden')) continue;
+      const { left, top, width, height } = child.getBoundingClientRect();
+      if (width === 0 || height === 0) continue;
+      if (width * height > kWrapperShare * origin.width * origin.height) collect(child);
+      else found.push({ x: left - origin.left, y: top - origin.top, width, height });
+    }
+  };
+  collect(stage);
+  return found;
+}

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The page's side of the inspector, which the module draws on the canvas: where it may open, which keys are its own,
+// and what it shows, in words for whoever cannot see it.
+import { freeArea, obstaclesOver } from './free_area.js';
+
+/** @typedef {import('../engine/types.js').InspectorState} InspectorState */
+/** @typedef {import('../engine/types.js').ViewAction} ViewAction */
+
+export class InspectorView {
+  /**
+   * @param {HTMLElement} stage
+   * @param {HTMLElement} view  holds the canvas
+   * @param {object} listener
+   * @param {(action: ViewAction) => void} listener.onAct
+   * @param {(overrides: string) => void} listener.onEngrave  its own Engrave was pressed; what it changes, in words
+   */
+  constructor(stage, view, { onAct, onEngrave }) {
+    this.stage_ = stage;
+    this.view_ = view;
+    this.onAct_ = onAct;
+    this.onEngrave_ = onEngrave;
+    this.takesKeys_ = false;
+    this.engraveAsked_ = 0;
+    // Before the view and the page hear of it, both of which have shortcuts.
+    view.addEventListener('keydown', (event) => this.key_(event), { capture: true });
+  }
+
+  /** The part of the view that nothing of the page covers. */
+  area() {
+    const { width, height } = this.view_.getBoundingClientRect();
+    return freeArea({ width, height }, obstaclesOver(this.stage_, this.view_));
+  }
+
+  /** @param {InspectorState | undefined} state  undefined: it was closed, or its module is gone */
+  update(state) {
+    this.takesKeys_ = state?.keyboard ?? false;
+    const canvas = this.view_.querySelector('canvas');
+    if (canvas) canvas.style.cursor = state?.cursor ?? '';
+    if (!state) {
+      this.engraveAsked_ = 0;
+      delete this.view_.dataset.inspector;
+      return;
+    }
+    this.view_.dataset.inspector = JSON.stringify(state);
+    const isAsked = state.engraveAsked > this.engraveAsked_;
+    this.engraveAsked_ = state.engraveAsked;
+    if (isAsked) this.onEngrave_(state.overrides);
+  }
+
+  /** @param {KeyboardEvent} event */
+  key_(event) {
+    if (!this.takesKeys_ || event.isComposing) return;
+    const { key, ctrlKey, metaKey, shiftKey } = event;
+    this.onAct_({ kind: 'key', key, control: ctrlKey || metaKey, shift: shiftKey });
+    event.preventDefault();
+    event.stopPropagation();
+  }
+}
