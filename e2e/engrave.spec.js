@@ -57,7 +57,7 @@ test('The bunny is engraved, reads as the text, inside and outside the page, and
   expect(report.text).toBe(kText);
   expect(report.verification.text).toBe(kText);
   const { name, bytes } = await app.download();
-  expect(name).toBe('bunny-qr.stl');
+  expect(name).toMatch(/^bunny-qr-example\.org-\d+mm\.stl$/);
   expectEngravedSolid(sample, readStl(bytes), report);
 
   await page.getByRole('button', { name: 'Reader’s view' }).click();
@@ -89,7 +89,7 @@ test('A file of one’s own is opened, a point picked, settings changed, and the
   expect(report.size.symbolMm).toBeCloseTo(25, 9);
   await expect(app.result.getByRole('list', { name: 'Verdict' })).toContainText('1.2 mm nozzle: choose a module of');
   const { name, bytes } = await app.download();
-  expect(name).toBe('my saddle-qr.stl');
+  expect(name).toBe('my-saddle-qr-en.wikipedia.org-25mm.stl');
   expectEngravedSolid(saddleMesh, readStl(bytes), report);
 });
 

@@ -91,6 +91,28 @@ test('On a phone the inspector opens beside the buttons, and its tabs can be tap
   expect(await app.centre()).toEqual(before);  // no tap went through to the model
 });
 
+test('On a phone a Wi-Fi access is filled in by touch, with nothing wider than the screen', async ({ page }) => {
+  const app = new Engraver(page);
+  await app.open('?sample=saddle');
+  await app.expectReady();
+  await page.getByRole('combobox', { name: 'Kind of content' }).selectOption('Wi-Fi access');
+  await page.getByLabel('Network name').fill('net');
+  await page.getByLabel('Password', { exact: true }).fill('long enough');
+  await page.getByRole('button', { name: 'Show the password' }).tap();
+  await expect(page.getByLabel('Password', { exact: true })).toHaveAttribute('type', 'text');
+  await expect(app.text).toHaveValue('WIFI:T:WPA;S:net;P:long enough;;');
+  await expect(page.getByRole('img', { name: 'QR code, 29 × 29 modules' })).toBeVisible();
+
+  await page.getByRole('combobox', { name: 'Kind of content' }).selectOption('Contact');
+  await page.getByLabel('First name').fill('Ada');
+  for (const control of await page.getByRole('group', { name: 'Contact', exact: true }).locator('input, select').all()) {
+    const box = await control.boundingBox();
+    expect(box?.height).toBeGreaterThanOrEqual(40);
+    expect((box?.x ?? 0) + (box?.width ?? 1000)).toBeLessThanOrEqual(360);
+  }
+  expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(360);
+});
+
 /**
  * Two fingers about (x, y), from one distance to another.
  * @param {import('@playwright/test').Page} page

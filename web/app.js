@@ -14,6 +14,10 @@ import { Placing } from './session/placing.js';
 import { Recovery } from './session/recovery.js';
 import { SpotFinding } from './session/spot_finding.js';
 import { Undo } from './session/undo.js';
+import { rememberFormat } from './take/format_choice.js';
+import { looksLikeSettings } from './take/settings_file.js';
+import { TakePanel } from './take/take_panel.js';
+import { Taking } from './take/taking.js';
 import { text } from './text/catalogue.js';
 import { CarvePanel } from './ui/carve_panel.js';
 import { CodePanel } from './ui/code_panel.js';
@@ -40,6 +44,7 @@ export class App {
   /** @param {import('./keep/notices.js').Notices} notices */
   constructor(notices) {
     offerLanguages();
+    rememberFormat(byId('format', HTMLSelectElement));
     this.messages_ = new Messages();
     this.messages_.say(() => text('page.starting'));
     this.recovery_ = new Recovery(this.messages_, () => this.client_.replace());
@@ -58,10 +63,10 @@ export class App {
       onView: (state) => this.tools_.update(state),
       onReplaced: () => this.guard_(() => this.restore_()),
     });
-    this.code_ = new CodePanel(() => this.guard_(() => this.changeSettings_('text')));
-    this.initialText_ = this.code_.text;
     this.form_ = new SettingsForm((id) => this.guard_(() => this.changeSettings_(id)));
-    this.workPanel_ = new WorkPanel({ onEngrave: () => this.guard_(() => this.carving_.engrave()), onCancel: () => this.jobs_.cancel() });
+    this.code_ = this.makeCode_();
+    this.initialText_ = this.code_.text;
+    this.workPanel_ = new WorkPanel({ onEngrave: () => this.guard_(() => this.engrave_()), onCancel: () => this.jobs_.cancel() });
     this.carvePanel_ = new CarvePanel();
     this.jobs_ = new Jobs({ panel: this.workPanel_, messages: this.messages_, onBusy: (busy) => this.allowWork_(!busy) });
     this.model_ = this.makeModel_();
@@ -69,6 +74,8 @@ export class App {
     this.spotsPanel_ = this.makeSpotsPanel_();
     this.spots_ = this.makeSpotFinding_();
     this.carving_ = this.makeCarving_();
+    this.takePanel_ = this.makeTakePanel_();
+    this.taking_ = this.makeTaking_();
     this.kept_ = this.makeContinuing_(notices);
     this.undo_ = this.makeUndo_();
     this.help_ = new HelpSheet();
@@ -129,6 +136,14 @@ export class App {
     });
   }
 
+  makeCode_() {
+    return new CodePanel({
+      onChange: () => this.guard_(() => this.changeSettings_('text')),
+      settings: (content) => this.form_.settings(content),
+      symbolOf: (settings) => this.client_.symbol(settings),
+    });
+  }
+
   makeModel_() {
     const panel = new ModelPanel({
       onSample: (id) => this.guard_(() => this.model_.openSample(id)),
@@ -154,7 +169,8 @@ export class App {
       onPlaced: (placement) => {
         this.toolbar_.setPlaced(placement !== undefined);
         this.tools_.set({ placed: placement !== undefined });
-        this.code_.showSymbol(placement);
+        this.code_.showPlaced(placement);
+        this.takePanel_.setSecret(holdsSecret(this.code_.text));
       },
     });
   }
@@ -195,6 +211,24 @@ export class App {
       onStart: () => this.spotsPanel_.setSizesShown(false),
       onDone: () => this.undo_.record(),
       onShown: (exists, shown) => this.noteCarved_(exists, shown),
+    });
+  }
+
+  makeTakePanel_() {
+    return new TakePanel({
+      onPicture: () => this.guard_(() => this.taking_.savePicture()),
+      onSettings: () => this.guard_(async () => this.taking_.saveSettings()),
+      onSymbol: (format) => this.guard_(() => this.taking_.saveSymbol(format)),
+    });
+  }
+
+  makeTaking_() {
+    return new Taking({
+      client: this.client_, model: this.model_, placing: this.placing_, messages: this.messages_,
+      settings: () => this.settings_(),
+      onSettings: (values, content) => this.write_({ text: content, values }),
+      onChanged: () => this.changeSettings_(),
+      untilIdle: () => this.becomeIdle_(),
     });
   }
 
@@ -291,7 +325,26 @@ export class App {
   /** @param {File} file */
   async openFile_(file) {
     this.fileChosen_ = true;
-    if (await this.started_) await this.model_.openFile(file);  // else it was said why not
+    if (!(await this.started_)) return;  // it was said why not
+    if (looksLikeSettings(file)) await this.useSettings_(file);
+    else await this.model_.openFile(file);
+  }
+
+  /** @param {File} file */
+  async useSettings_(file) {
+    if (!this.model_.source) await this.model_.openSample();
+    await this.undo_.asOne(() => this.taking_.useSettings(file));
+  }
+
+  /** Ends what is being carved. */
+  async becomeIdle_() {
+    this.carving_.abort();
+    await this.jobs_.untilIdle();
+  }
+
+  async engrave_() {
+    if (this.code_.incomplete) this.code_.reveal();
+    else await this.carving_.engrave();
   }
 
   /** @param {import('./engine/types.js').UpAxis} upAxis */
@@ -315,6 +368,7 @@ export class App {
   async changeSettings_(field) {
     this.kept_.note();
     this.messages_.clearError();
+    this.code_.refresh();
     this.undo_.record(field);
     this.carving_.compare();
     await this.spots_.forget();

@@ -7,6 +7,29 @@ import { prepareZXingModule, readBarcodes } from 'zxing-wasm/reader';
 const wasm = readFileSync(createRequire(import.meta.url).resolve('zxing-wasm/reader/zxing_reader.wasm'));
 prepareZXingModule({ overrides: { wasmBinary: wasm.buffer.slice(wasm.byteOffset, wasm.byteOffset + wasm.byteLength) } });
 
+/** @typedef {{ data: Uint8ClampedArray, width: number, height: number }} Picture */
+
+const kPixelsPerModule = 4;
+
+/**
+ * Reads a QR code from an SVG's path of unit-high bars, without drawing it.
+ * @param {string} path  `M4 4h7v1h-7z…`
+ * @param {number} edge  of the picture, in its units
+ * @returns {Promise<string>}  '' if there is none
+ */
+export async function decodePath(path, edge) {
+  const width = edge * kPixelsPerModule;
+  const picture = /** @type {Picture} */ ({ data: new Uint8ClampedArray(4 * width * width).fill(255), width, height: width });
+  for (const [, x, y, length] of path.matchAll(/M(\d+) (\d+)h(\d+)v1h-\3z/g)) {
+    for (let row = 0; row < kPixelsPerModule; row += 1) {
+      const begin = (Number(y) * kPixelsPerModule + row) * width + Number(x) * kPixelsPerModule;
+      for (let i = begin; i < begin + Number(length) * kPixelsPerModule; i += 1) picture.data.fill(0, 4 * i, 4 * i + 3);
+    }
+  }
+  const [found] = await readBarcodes(/** @type {ImageData} */ (/** @type {unknown} */ (picture)), { formats: ['QRCode'], tryHarder: true });
+  return found?.isValid ? found.text : '';
+}
+
 /**
  * @param {Uint8Array} png
  * @returns {Promise<string>}  '' if there is none

@@ -208,6 +208,9 @@ export class EngineClient {
   /** @param {string} format @returns {Promise<Uint8Array<ArrayBuffer>>} */
   exportModel(format) { return this.call_('exportModel', format); }
 
+  /** The view as it is now. @returns {Promise<Uint8Array<ArrayBuffer>>}  a PNG */
+  picture() { return this.call_('picture'); }
+
   /** @param {boolean} dark @returns {Promise<void>} */
   setTheme(dark) { return this.call_('setTheme', dark); }
 

@@ -13,6 +13,7 @@ import { drawGlyphs } from './glyphs.js';
 
 const kDragged = new Set(['orbit', 'pan', 'zoom']);  // what the inspector's windows take for themselves
 const kInspectorFontPx = 14;
+const kPictureMs = 1500;  // to refine a picture that is taken
 const kSliceMs = 40;  // between two looks at the messages: a cancel is seen within one slice and one step
 
 const kSettleSliceMs = 8;  // while the pointer may move on
@@ -71,6 +72,7 @@ export class EngineHost {
     this.inspectorState_ = '';
     this.pixelRatio_ = 1;
     this.glyphsPx_ = 0;  // that the inspector has
+    /** @type {ViewSize} */ this.size_ = { width: 1, height: 1, devicePixelRatio: 1 };
   }
 
   /**
@@ -124,6 +126,7 @@ export class EngineHost {
 
     /** @param {ViewSize} size */
     resize: ({ width, height, devicePixelRatio }) => {
+      this.size_ = { width, height, devicePixelRatio };
       this.canvas_.width = Math.max(1, Math.round(width * devicePixelRatio));
       this.canvas_.height = Math.max(1, Math.round(height * devicePixelRatio));
       this.engine_.resize(width, height, devicePixelRatio);
@@ -217,6 +220,8 @@ export class EngineHost {
         hint: 'Choose another format.',
       });
     },
+
+    picture: () => this.picture_(),
 
     /** @param {boolean} dark */
     setTheme: (dark) => this.drawn_(this.engine_.setTheme(dark)),
@@ -336,6 +341,16 @@ export class EngineHost {
     return { usedBytes: this.engine_.memoryInUse(), heapBytes: HEAPU8.length, glObjects };
   }
 
+  /** The view, refined for a moment, as PNG. */
+  async picture_() {
+    this.verbs.resize(this.size_);  // draws anew: what was presented before cannot be read any more
+    const until = performance.now() + kPictureMs;
+    do this.waitForFrame_();
+    while (!this.lost_ && performance.now() < until && this.engine_.draw());
+    const blob = await canvasAsPng(this.canvas_);  // begun in the same task as drawing, so the picture is still there
+    return new Uint8Array(await blob.arrayBuffer());
+  }
+
   /**
    * @template T
    * @param {T} value
@@ -375,6 +390,12 @@ export class EngineHost {
     });
   }
 
+  /** Until the last frame is drawn, by reading of it: drawing only puts it into the queue. */
+  waitForFrame_() {
+    this.gl_.bindFramebuffer(this.gl_.READ_FRAMEBUFFER, null);
+    this.gl_.readPixels(0, 0, 1, 1, this.gl_.RGBA, this.gl_.UNSIGNED_BYTE, new Uint8Array(4));
+  }
+
   /** Frames sent faster than the GPU draws them would pile up, and everything after them would wait. */
   lastFrameIsUnderWay_() {
     if (!this.fence_ || this.lost_) return false;
@@ -411,6 +432,16 @@ export class EngineHost {
 
 /** One that can be handed over. @param {import('./types.js').GreyImage} image */
 const copyOf = ({ width, height, pixels }) => ({ width, height, pixels: pixels.slice() });
+
+/** @param {HTMLCanvasElement | OffscreenCanvas} canvas @returns {Promise<Blob>} */
+function canvasAsPng(canvas) {
+  if (!('toBlob' in canvas)) return canvas.convertToBlob({ type: 'image/png' });
+  return new Promise((resolve, reject) => {
+    canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new EngineFailure({
+      code: 'NoPicture', message: 'The browser gave no picture of the view', hint: 'Make the window smaller, or close other tabs.',
+    }))), 'image/png');
+  });
+}
 
 /**
  * The buffers to hand over instead of copying.

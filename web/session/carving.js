@@ -2,6 +2,7 @@
 // Carves the code, reads it back, and hands out what came of it.
 import { pixelsPerModule, tryViews } from '../check/view_trials.js';
 import { kReaderName, readAll, reads } from '../reader/reader.js';
+import { fileNameOf } from '../take/file_names.js';
 import { text } from '../text/catalogue.js';
 import { saveFile } from '../ui/save_file.js';
 
@@ -155,14 +156,20 @@ export class Carving {
 
   /** @param {string} format */
   async download(format) {
-    const bytes = await this.client_.exportModel(format);
     const [extension, addition] = format.split('-');
-    saveFile(new Blob([bytes], { type: `model/${extension}` }),
-      `${this.model_.baseName}-qr${addition ? `-${addition}` : ''}.${extension}`);
+    const bytes = await this.client_.exportModel(format);
+    const name = this.nameOf_(await this.client_.report(), extension, addition);
+    saveFile(new Blob([bytes], { type: `model/${extension}` }), name);
   }
 
   async saveReport() {
-    const json = JSON.stringify(await this.client_.report(), null, 2);
-    saveFile(new Blob([json], { type: 'application/json' }), `${this.model_.baseName}-qr.json`);
+    const report = await this.client_.report();
+    const json = JSON.stringify(report, null, 2);
+    saveFile(new Blob([json], { type: 'application/json' }), this.nameOf_(report, 'json', 'report'));
+  }
+
+  /** @param {import('../engine/types.js').Report} report  of what is saved @param {string} extension @param {string} [addition] */
+  nameOf_({ text: content, size }, extension, addition) {
+    return fileNameOf({ modelFile: this.model_.source?.fileName ?? '', text: content, symbolMm: size.symbolMm, addition, extension });
   }
 }

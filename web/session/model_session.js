@@ -44,15 +44,15 @@ export class ModelSession {
     return this.info?.engravable ?? false;
   }
 
-  /** The file's name without its extension. */
-  get baseName() {
-    return (this.source?.fileName ?? 'model').replace(/\.[^.]*$/, '');
-  }
-
   /** @param {Sample[]} samples  at least one */
   setSamples(samples) {
     this.samples_ = samples;
     this.panel_.setSamples(samples);
+  }
+
+  /** @param {string} id */
+  hasSample(id) {
+    return this.samples_.some((known) => known.id === id);
   }
 
   /**

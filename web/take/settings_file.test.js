@@ -29,8 +29,8 @@ test('what is written is read again, with and without a model', () => {
 
 test('another file is refused, and said what it is', () => {
   const refused = [
-    ['', /x\.json is no JSON file/], ['solid bunny', /no JSON/], ['[]', /no settings of QRelief/], ['null', /no settings/],
-    ['{}', /no settings/], ['{"qrelief": "0.1.0", "text": "a"}', /x\.json is a report/],
+    ['', /x\.json” is no JSON file/], ['solid bunny', /no JSON/], ['[]', /no settings of QRelief/], ['null', /no settings/],
+    ['{}', /no settings/], ['{"qrelief": "0.1.0", "text": "a"}', /x\.json” is a report/],
     [changed({ version: 2 }), /version 2 of the settings, and this page knows version 1/], [changed({ version: undefined }), /version undefined/],
     [changed({ settings: [] }), /settings is missing/], [`"${'x'.repeat(2 ** 20)}"`, /no settings/],
   ];

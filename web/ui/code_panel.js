@@ -1,36 +1,124 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the code says.
+// What the code says: the text, the builders that write it, and the symbol it makes.
+import { ContentPanel } from '../code/content_panel.js';
+import { SymbolPanel } from '../code/symbol_panel.js';
 import { text } from '../text/catalogue.js';
 import { byId } from './dom.js';
 import { showStep } from './steps.js';
 
 /** @typedef {import('../engine/types.js').Placement} Placement */
+/** @typedef {import('../engine/types.js').SymbolFacts} SymbolFacts */
 
 const kTypingPauseMs = 250;
 
+/**
+ * @typedef {object} CodeOptions
+ * @property {() => void} onChange   the text is another, once typing pauses; not while a builder lacks something
+ * @property {(content: string) => import('../engine/types.js').Settings} settings  those chosen, with this text
+ * @property {(settings: import('../engine/types.js').Settings) => Promise<SymbolFacts>} symbolOf
+ */
+
 export class CodePanel {
-  /** @param {() => void} onChange  once typing pauses */
-  constructor(onChange) {
+  /** @param {CodeOptions} options */
+  constructor({ onChange, settings, symbolOf }) {
+    this.onChange_ = onChange;
     this.text_ = byId('text', HTMLTextAreaElement);
-    /** @type {ReturnType<typeof setTimeout> | undefined} */ let pause;
-    this.text_.addEventListener('input', () => {
-      clearTimeout(pause);
-      pause = setTimeout(onChange, kTypingPauseMs);
+    this.content_ = '';
+    this.plain_ = '';  // before a builder wrote the text
+    this.builderWrote_ = false;
+    /** @type {ReturnType<typeof setTimeout> | undefined} */ this.pause_ = undefined;
+    this.builder_ = new ContentPanel({ onPayload: (payload) => this.take_(payload), onPlain: () => this.leaveBuilder_() });
+    this.symbol_ = new SymbolPanel({
+      settings, symbolOf,
+      otherForms: () => this.otherForms_(),
+      onReplace: (content) => this.replace_(content),
     });
-    this.showSymbol(undefined);
+    this.text_.addEventListener('input', () => {
+      this.builder_.leave();
+      this.builderWrote_ = false;
+      this.changed_(withLineBreaks(this.text_.value));
+    });
+    this.text = this.text_.value;
+    this.showPlaced(undefined);
   }
 
+  /** What the code holds: the textbox, with the line breaks of its format. */
   get text() {
-    return this.text_.value;
+    return this.content_;
   }
 
   set text(value) {
-    this.text_.value = value;
+    this.builder_.leave();
+    this.builderWrote_ = false;
+    this.set_(value);
+  }
+
+  /** Whether a builder still lacks something. */
+  get incomplete() {
+    return this.builder_.incomplete;
+  }
+
+  /** Shows what the builder lacks. */
+  reveal() {
+    this.builder_.reveal();
+  }
+
+  /** The settings or the module are others. */
+  refresh() {
+    this.symbol_.show(this.content_);
   }
 
   /** @param {Placement | undefined} placement  of the symbol */
-  showSymbol(placement) {
-    if (placement) showStep('code', 'done', () => text('page.codeState', { version: placement.version, modules: placement.modules }));
+  showPlaced(placement) {
+    this.symbol_.setRoom(placement);
+    this.refresh();
+    if (this.incomplete) showStep('code', 'todo', () => text('code.incomplete'));
+    else if (placement) showStep('code', 'done', () => text('page.codeState', { version: placement.version, modules: placement.modules }));
     else showStep('code', 'todo', () => '');
   }
+
+  /** @param {string} content */
+  set_(content) {
+    this.content_ = content;
+    if (this.text_.value !== content) this.text_.value = content;
+    this.symbol_.show(content);
+  }
+
+  /** @param {string} content */
+  changed_(content) {
+    this.set_(content);
+    clearTimeout(this.pause_);
+    if (this.incomplete) showStep('code', 'todo', () => text('code.incomplete'));
+    else this.pause_ = setTimeout(this.onChange_, kTypingPauseMs);
+  }
+
+  /** @param {string} payload  of the builder */
+  take_(payload) {
+    if (!this.builderWrote_) this.plain_ = this.content_;
+    this.builderWrote_ = true;
+    this.changed_(payload);
+  }
+
+  leaveBuilder_() {
+    this.builderWrote_ = false;
+    this.changed_(this.content_ === '' ? this.plain_ : this.content_);
+  }
+
+  /** @param {string} content  the user took it over */
+  replace_(content) {
+    this.builder_.leave();
+    this.builderWrote_ = false;
+    this.changed_(content);
+  }
+
+  /** Other ways in which the builder can write the same. @returns {import('../code/symbol_panel.js').Form[]} */
+  otherForms_() {
+    /** @type {[string, import('../text/catalogue.js').Key][]} */
+    const forms = [['mecard', 'code.shorter.mecard'], ['event', 'code.shorter.event']];
+    return forms.map(([form, key]) => ({ text: this.builder_.payloadAs(form), key, use: () => this.builder_.writeAs(form) }))
+      .filter((form) => form.text !== '' && form.text !== this.content_);
+  }
 }
+
+/** Cards and calendars end their lines with CRLF, which a textbox does not keep. @param {string} typed */
+const withLineBreaks = (typed) => (/^BEGIN:V/i.test(typed) ? typed.replace(/\r?\n/g, '\r\n') : typed);

@@ -7,7 +7,6 @@ export const code = {
     needed: 'This is needed',
     optional: 'optional',
     form: 'Written as',
-    payload: 'What the code will hold; it follows the fields above',
     incomplete: 'Fill in the fields to get a code',
 
     wifi: 'Wi-Fi access',
@@ -26,8 +25,8 @@ export const code = {
     'wifi.wepKey': 'A WEP key has 5 or 13 characters, or 10 or 26 of the digits 0–9 and A–F',
     'wifi.wepIsOpen': 'WEP is broken in minutes, and many phones refuse it',
     'wifi.spaces': 'It begins or ends with a space',
-    'show': 'Show',
-    'hide': 'Hide',
+    show: 'Show',
+    showPassword: 'Show the password',
 
     contact: 'Contact',
     'contact.given': 'First name',
@@ -94,6 +93,7 @@ export const code = {
     'link.tracking': { one: '{count} character only counts visitors', other: '{count} characters only count visitors' },
     'link.dropTracking': 'Leave them out',
 
+    advice: 'Advice',
     symbol: 'The code',
     'symbol.facts': 'Version {version}-{ecc}, {size} × {size} modules',
     'symbol.bytes': { one: '{used} of {total} byte', other: '{used} of {total} bytes' },
@@ -104,8 +104,9 @@ export const code = {
     'symbol.fill': 'How full it is',
     'symbol.none': 'No code yet',
     'symbol.small': 'At {symbol} each module is {module}; a {nozzle} nozzle needs about {least} for this pattern.',
-    'symbol.smallSize': 'Make the code {needed} wide, or shorten the text to a code of {modules} × {modules} modules.',
-    'symbol.smallSizeOnly': 'Make the code {needed} wide, or choose a finer nozzle.',
+    'symbol.larger': 'Make the code {needed} wide.',
+    'symbol.otherPlace': 'It would have to be {needed} wide: choose a spot with more room, or a finer nozzle.',
+    'symbol.shorten': 'Or shorten the text until {modules} × {modules} modules hold it.',
 
     'shorter.capitals': 'The same address with its name in capitals takes version {version}, with modules {percent} % larger',
     'shorter.www': 'If the address also works without “www.”, that takes version {version}, with modules {percent} % larger',
@@ -121,7 +122,6 @@ export const code = {
     needed: 'Wird gebraucht',
     optional: 'freiwillig',
     form: 'Geschrieben als',
-    payload: 'Was der Code enthalten wird; folgt den Feldern oben',
     incomplete: 'Felder ausfüllen, dann entsteht ein Code',
 
     wifi: 'WLAN-Zugang',
@@ -140,8 +140,8 @@ export const code = {
     'wifi.wepKey': 'Ein WEP-Schlüssel hat 5 oder 13 Zeichen, oder 10 oder 26 der Ziffern 0–9 und A–F',
     'wifi.wepIsOpen': 'WEP ist in Minuten gebrochen, und viele Telefone lehnen es ab',
     'wifi.spaces': 'Am Anfang oder Ende steht ein Leerzeichen',
-    'show': 'Zeigen',
-    'hide': 'Verbergen',
+    show: 'Zeigen',
+    showPassword: 'Zeigen, wie das Passwort lautet',
 
     contact: 'Kontakt',
     'contact.given': 'Vorname',
@@ -208,6 +208,7 @@ export const code = {
     'link.tracking': { one: '{count} Zeichen zählt nur Besucher', other: '{count} Zeichen zählen nur Besucher' },
     'link.dropTracking': 'Weglassen',
 
+    advice: 'Hinweise',
     symbol: 'Der Code',
     'symbol.facts': 'Version {version}-{ecc}, {size} × {size} Module',
     'symbol.bytes': { one: '{used} von {total} Byte', other: '{used} von {total} Bytes' },
@@ -218,8 +219,9 @@ export const code = {
     'symbol.fill': 'Wie voll er ist',
     'symbol.none': 'Noch kein Code',
     'symbol.small': 'Bei {symbol} misst ein Modul {module}; eine Düse von {nozzle} braucht bei diesem Muster etwa {least}.',
-    'symbol.smallSize': 'Den Code {needed} breit machen, oder den Text kürzen, bis {modules} × {modules} Module reichen.',
-    'symbol.smallSizeOnly': 'Den Code {needed} breit machen, oder eine feinere Düse wählen.',
+    'symbol.larger': 'Den Code {needed} breit machen.',
+    'symbol.otherPlace': 'Er müsste {needed} breit sein: eine Stelle mit mehr Platz oder eine feinere Düse wählen.',
+    'symbol.shorten': 'Oder den Text kürzen, bis {modules} × {modules} Module reichen.',
 
     'shorter.capitals': 'Dieselbe Adresse mit ihrem Namen in Großbuchstaben braucht Version {version}, mit {percent} % größeren Modulen',
     'shorter.www': 'Falls die Adresse auch ohne „www.“ gilt, braucht sie Version {version}, mit {percent} % größeren Modulen',

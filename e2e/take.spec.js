@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is taken away beside the carved model, and settings that are brought back.
+import { expect, test } from '@playwright/test';
+import { decodePng } from './support/decode.js';
+import { Engraver } from './support/engraver.js';
+import { saddleFile } from './support/models.js';
+
+/** @typedef {import('@playwright/test').Page} Page */
+
+const kText = 'https://example.org/Grüße?a=1&b=<2>';
+
+/** Drops a file onto the page, as a hand would. @param {Page} page @param {{ name: string, bytes: Uint8Array | string }} file */
+async function drop(page, { name, bytes }) {
+  const transfer = await page.evaluateHandle(([fileName, content]) => {
+    const data = new DataTransfer();
+    data.items.add(new File([content], fileName, { type: 'application/json' }));
+    return data;
+  }, [name, typeof bytes === 'string' ? bytes : new TextDecoder().decode(bytes)]);
+  for (const type of ['dragenter', 'dragover', 'drop']) await page.dispatchEvent('#view', type, { dataTransfer: transfer });
+}
+
+/** A picture file shown by a page of its own. @param {Page} page @param {Uint8Array} bytes @param {string} type */
+async function screenshotOf(page, bytes, type) {
+  const other = await page.context().newPage();
+  await other.setContent(`<body style="margin:0"><img style="width:400px" src="data:${type};base64,${Buffer.from(bytes).toString('base64')}">`);
+  await expect.poll(() => other.locator('img').evaluate((img) => /** @type {HTMLImageElement} */ (img).naturalWidth)).toBeGreaterThan(0);
+  const png = await other.locator('img').screenshot();
+  await other.close();
+  return png;
+}
+
+test('The symbol as SVG and as PNG can be read, and its file says what is inside', async ({ page }) => {
+  const app = new Engraver(page);
+  await app.open('?sample=saddle');
+  await app.expectReady();
+  await app.text.fill(kText);
+  await app.expectReady();
+  const svg = await app.download('Code as SVG');
+  expect(svg.name).toBe('qr-example.org.svg');
+  expect(await decodePng(await screenshotOf(page, svg.bytes, 'image/svg+xml'))).toBe(kText);
+  const [, width] = /width="([\d.]+)mm"/.exec(new TextDecoder().decode(svg.bytes)) ?? [];
+  const [, modules] = /(\d+) × \d+ modules/.exec(await page.locator('#symbol-facts').innerText()) ?? [];
+  const symbolMm = Number(/^([\d.]+) mm wide/.exec(await app.placement.innerText())?.[1]);
+  expect(Math.abs(Number(width) - (symbolMm * (Number(modules) + 8)) / Number(modules))).toBeLessThan(0.1);
+
+  const png = await app.download('Code as PNG');
+  expect(png.name).toBe('qr-example.org.png');
+  expect(await decodePng(png.bytes)).toBe(kText);
+});
+
+test('A picture of the view shows what the view shows', async ({ page }) => {
+  const app = new Engraver(page);
+  await app.open(`?sample=saddle&text=${encodeURIComponent('PICTURE 1')}`);
+  await app.expectReady();
+  await app.openSettings();
+  await app.setting('Modules').selectOption('Full');
+  await app.setting('Corner marks').selectOption('Full');
+  await app.expectReady();
+  await page.getByRole('button', { name: 'Reader’s view' }).click();
+  await expect.poll(async () => decodePng(await app.canvas.screenshot()), { timeout: 60_000 }).toBe('PICTURE 1');
+  const picture = await app.download('Save picture');
+  expect(picture.name).toMatch(/^saddle-qr-PICTURE-1-\d+mm-view\.png$/);
+  expect(await decodePng(picture.bytes)).toBe('PICTURE 1');
+});
+
+test('Settings that were saved are used again when their file is dropped onto the page', async ({ page }) => {
+  const app = new Engraver(page);
+  await app.open('?sample=bumpy-sphere');
+  await app.expectReady();
+  await app.text.fill(kText);
+  await app.openSettings();
+  await app.setting('Size of the code').selectOption('Exactly');
+  await app.setting('Width (mm)').fill('21.5');
+  await app.setting('Modules').selectOption('Diamond');
+  await app.setting('Wall left (mm)').fill('1.25');
+  await app.setting('Wall left (mm)').blur();
+  await expect(app.placement).toContainText('21.5 mm wide');
+  await app.expectReady();
+  const centre = await app.centre();
+  const file = await app.download('Save settings');
+  expect(file.name).toBe('bumpy-sphere-qr-example.org-22mm-settings.json');
+
+  await app.open('?sample=saddle');
+  await app.expectReady();
+  await drop(page, file);
+  await expect(app.status).toHaveText(`The settings of ${file.name} are in use.`);
+  await expect(app.text).toHaveValue(kText);
+  await expect(app.sample).toHaveValue('bumpy-sphere');
+  await expect(app.placement).toContainText('21.5 mm wide');
+  expect(await app.centre()).toEqual(centre);
+  await app.openSettings();
+  await expect(app.setting('Size of the code')).toHaveValue('fixed');
+  await expect(app.setting('Modules')).toHaveValue('diamond');
+  await expect(app.setting('Wall left (mm)')).toHaveValue('1.25');
+  expect((await app.download('Save settings')).bytes).toEqual(file.bytes);
+});
+
+test('The field for the model’s file takes settings, too, and leaves a model of one’s own where it is', async ({ page }) => {
+  const app = new Engraver(page);
+  await app.open('?sample=bumpy-sphere');
+  await app.expectReady();
+  const file = await app.download('Save settings');
+  await app.file.setInputFiles(saddleFile);
+  await app.expectReady();
+  const centre = await app.centre();
+  await app.file.setInputFiles({ name: file.name, mimeType: 'application/json', buffer: Buffer.from(file.bytes) });
+  await expect(app.status).toHaveText(`The settings of ${file.name} are in use.`);
+  await expect(app.sample).toHaveValue('bumpy-sphere');
+
+  await app.file.setInputFiles(saddleFile);
+  await app.expectReady();
+  expect(await app.centre()).toEqual(centre);
+  const foreign = JSON.parse(new TextDecoder().decode(file.bytes));
+  foreign.model = { file: 'vessel.stl', scaleToMm: 1, upAxis: 'z', centreMm: [1, 2, 3] };
+  foreign.settings.text = 'for another';
+  await drop(page, { name: 'vessel.json', bytes: JSON.stringify(foreign) });
+  await expect(app.status).toHaveText('The settings of vessel.json are in use, made for vessel.stl: choose the place on this model.');
+  await expect(app.text).toHaveValue('for another');
+  expect(await app.centre()).toEqual(centre);
+});
+
+test('Settings that cannot be used change nothing, and it is said why', async ({ page }) => {
+  const app = new Engraver(page);
+  await app.open('?sample=saddle');
+  await app.expectReady();
+  const good = JSON.parse(new TextDecoder().decode((await app.download('Save settings')).bytes));
+  const text = await app.text.inputValue();
+  const wrong = [
+    ['not json', '“x.json” is no JSON file.'],
+    [JSON.stringify({ qrelief: '0.1.0' }), '“x.json” is a report, not settings.'],
+    [JSON.stringify({ ...good, version: 9 }), '“x.json” has version 9 of the settings'],
+    [JSON.stringify({ ...good, settings: { ...good.settings, text: 'other', nozzleMm: -1 } }), 'The setting nozzleMm must be a number from 0.01 to 10, not -1.'],
+  ];
+  for (const [bytes, message] of wrong) {
+    await drop(page, { name: 'x.json', bytes });
+    await expect(app.alert).toContainText(message);
+    await expect(app.text).toHaveValue(text);
+    await page.getByRole('button', { name: 'Dismiss' }).click();
+  }
+  await app.engrave();
+});
+
+test('The format that was chosen is chosen again after a reload', async ({ page }) => {
+  const app = new Engraver(page);
+  await app.open('?sample=saddle&text=HELLO&engrave=1');
+  await app.expectResult();
+  await expect(page.getByLabel('Format')).toHaveValue('stl');
+  await page.getByLabel('Format').selectOption('3MF, two colours');
+  const { name } = await app.download();
+  expect(name).toMatch(/^saddle-qr-HELLO-\d+mm-inlay\.3mf$/);
+  await page.reload();
+  await app.expectResult();
+  await expect(page.getByLabel('Format')).toHaveValue('3mf-inlay');
+});

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The kind of content, and the fields of the kind that is chosen.
+import { localise, onLanguage } from '../text/catalogue.js';
+import { byId, make } from '../ui/dom.js';
+import { buildContent, kContents } from './content/contents.js';
+import { FieldView } from './field_view.js';
+
+/** @typedef {import('./content/types.js').Content} Content */
+/** @typedef {import('./content/types.js').Values} Values */
+
+const kForm = 'form';  // the field of those kinds that can be written in several ways
+const kPlain = 'text';  // no fields: what stands in the textbox
+
+export class ContentPanel {
+  /**
+   * @param {object} listener
+   * @param {(payload: string) => void} listener.onPayload  the fields say something else; '' while they are incomplete
+   * @param {() => void} listener.onPlain                    the text itself is to be given
+   */
+  constructor({ onPayload, onPlain }) {
+    this.onPayload_ = onPayload;
+    this.onPlain_ = onPlain;
+    this.kind_ = makeKindChoice();
+    this.fields_ = make('div', { className: 'content-fields' });
+    this.fields_.hidden = true;
+    this.fields_.setAttribute('role', 'group');
+    const label = make('label');
+    label.htmlFor = this.kind_.id;
+    label.dataset.text = 'code.kind';
+    const mount = byId('content-builder', HTMLElement);
+    mount.append(make('div', { className: 'field' }, label, this.kind_), this.fields_);
+    localise(mount);
+    /** @type {Content | undefined} */ this.content_ = undefined;
+    /** @type {FieldView[]} */ this.views_ = [];
+    /** @type {Set<string>} */ this.visited_ = new Set();  // what is not yet filled in is no error
+    /** @type {Map<string, Values>} */ this.kept_ = new Map();  // of the other kinds, for as long as the page is open
+    this.kind_.addEventListener('change', () => this.choose_());
+    onLanguage(() => this.views_.forEach((view) => view.relocalise()));
+  }
+
+  /** Whether fields have to be filled in before there is a code. */
+  get incomplete() {
+    return this.content_ !== undefined && buildContent(this.content_, this.values_()).payload === '';
+  }
+
+  /** The text stands for itself from now on. */
+  leave() {
+    if (!this.content_) return;
+    this.kind_.value = kPlain;
+    this.open_(undefined);
+  }
+
+  /** Shows everything that is missing, and goes to the first of it. */
+  reveal() {
+    this.views_.forEach(({ field }) => this.visited_.add(field.id));
+    this.update_();
+    this.views_.find(({ control }) => control.getAttribute('aria-invalid') === 'true')?.control.focus();
+  }
+
+  /** What would be written in another form; '' if this kind has no such form. @param {string} form */
+  payloadAs(form) {
+    const known = this.content_?.fields.find(({ id }) => id === kForm)?.options?.some(({ value }) => value === form);
+    return this.content_ && known ? buildContent(this.content_, { ...this.values_(), [kForm]: form }).payload : '';
+  }
+
+  /** @param {string} form */
+  writeAs(form) {
+    const view = this.views_.find(({ field }) => field.id === kForm);
+    if (!view) return;
+    view.control.value = form;
+    this.update_();
+  }
+
+  choose_() {
+    this.open_(kContents.find(({ id }) => id === this.kind_.value));
+    if (this.content_) this.update_();
+    else this.onPlain_();
+  }
+
+  /** @param {Content | undefined} content */
+  open_(content) {
+    if (this.content_) this.kept_.set(this.content_.id, this.values_());
+    this.content_ = content;
+    this.visited_.clear();
+    const kept = content ? this.kept_.get(content.id) : undefined;
+    this.views_ = (content?.fields ?? []).map((field) => this.makeView_(`content-${content?.id}`, field));
+    for (const { field, control } of kept ? this.views_ : []) {
+      if (control instanceof HTMLInputElement && control.type === 'checkbox') control.checked = kept?.[field.id] === 'true';
+      else control.value = kept?.[field.id] ?? '';
+    }
+    this.fields_.replaceChildren(...this.views_.map(({ element }) => element));
+    this.fields_.hidden = content === undefined;
+    if (content) this.fields_.dataset.textLabel = content.label;
+    localise(byId('content-builder', HTMLElement));
+  }
+
+  /** @param {string} prefix @param {import('./content/types.js').Field} field */
+  makeView_(prefix, field) {
+    const view = new FieldView(prefix, field, { onInput: () => this.update_(), onLeave: () => this.visit_(view) });
+    return view;
+  }
+
+  /** @param {FieldView} view */
+  visit_(view) {
+    if (this.visited_.has(view.field.id) || !this.views_.includes(view)) return;  // one that is taken away is left, too
+    this.visited_.add(view.field.id);
+    this.showProblems_();
+  }
+
+  update_() {
+    const { payload } = this.showProblems_();
+    this.onPayload_(payload);
+  }
+
+  showProblems_() {
+    const content = /** @type {Content} */ (this.content_);
+    const values = this.values_();
+    const built = buildContent(content, values);
+    for (const view of this.views_) {
+      view.show(view.field.shownWhen?.(values) ?? true);
+      const problems = built.problems.filter(({ field }) => field === view.field.id);
+      const worst = problems.find(({ severity }) => severity === 'error') ?? problems[0];
+      view.showProblem(this.visited_.has(view.field.id) ? worst : undefined);
+    }
+    return built;
+  }
+
+  /** @returns {Values} */
+  values_() {
+    return Object.fromEntries(this.views_.map(({ field, value }) => [field.id, value]));
+  }
+}
+
+function makeKindChoice() {
+  const select = make('select');
+  select.id = 'content-kind';
+  for (const { id, label } of [{ id: kPlain, label: /** @type {const} */ ('code.kind.text') }, ...kContents]) {
+    const option = new Option('', id);
+    option.dataset.text = label;
+    select.append(option);
+  }
+  return select;
+}

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One field of a content: its label, its control, and what is said below it.
+import { localise, text } from '../text/catalogue.js';
+import { make } from '../ui/dom.js';
+
+/** @typedef {import('./content/types.js').Field} Field */
+/** @typedef {import('./content/types.js').Problem} Problem */
+/** @typedef {HTMLInputElement | HTMLSelectElement | HTMLTextAreaElement} Control */
+
+/** @type {Record<Exclude<Field['kind'], 'choice' | 'lines'>, { type: string, mode?: string }>} */
+const kInputs = {
+  text: { type: 'text' },
+  email: { type: 'text', mode: 'email' },  // the browser's own idea of an address would change what is typed
+  tel: { type: 'tel' },
+  url: { type: 'text', mode: 'url' },
+  password: { type: 'password' },
+  decimal: { type: 'text', mode: 'text' },  // a keyboard of digits may lack the minus
+  datetime: { type: 'datetime-local' },
+  check: { type: 'checkbox' },
+};
+
+/** @param {Field} field @returns {Control} */
+function makeControl({ kind, options = [] }) {
+  if (kind === 'choice') {
+    const select = make('select');
+    for (const { value, label } of options) {
+      const option = new Option('', value);
+      option.dataset.text = label;
+      select.append(option);
+    }
+    return select;
+  }
+  if (kind === 'lines') return Object.assign(make('textarea'), { rows: 2 });
+  const input = make('input');
+  const { type, mode } = kInputs[kind];
+  input.type = type;
+  if (mode) input.inputMode = mode;
+  if (kind !== 'check') Object.assign(input, { autocapitalize: kind === 'text' ? 'sentences' : 'off', spellcheck: kind === 'text' });
+  return input;
+}
+
+export class FieldView {
+  /**
+   * @param {string} prefix  of its ids
+   * @param {Field} field
+   * @param {{ onInput: () => void, onLeave: () => void }} listener
+   */
+  constructor(prefix, field, { onInput, onLeave }) {
+    this.field = field;
+    this.control = makeControl(field);
+    const id = `${prefix}-${field.id}`;
+    this.control.id = id;
+    if (field.kind !== 'choice' && field.kind !== 'check') this.control.autocomplete = /** @type {AutoFill} */ (field.autocomplete ?? 'off');
+    this.control.required = !field.optional && field.kind !== 'choice';
+    this.hint_ = make('p', { className: 'field-hint' });
+    this.hint_.id = `${id}-hint`;
+    if (field.hint) this.hint_.dataset.text = field.hint;
+    this.note_ = make('p', { className: 'field-note' });
+    this.note_.id = `${id}-note`;
+    this.note_.hidden = true;
+    /** @type {Problem | undefined} */ this.problem_ = undefined;
+    this.element = this.build_();
+    this.describe_();
+    this.control.addEventListener('input', onInput);
+    this.control.addEventListener('change', onLeave);
+    this.control.addEventListener('blur', onLeave);
+    localise(this.element);
+  }
+
+  get value() {
+    return this.control instanceof HTMLInputElement && this.control.type === 'checkbox' ? (this.control.checked ? 'true' : '') : this.control.value;
+  }
+
+  /** @param {boolean} shown */
+  show(shown) {
+    this.element.hidden = !shown;
+  }
+
+  /** @param {Problem | undefined} problem  none takes the last one away */
+  showProblem(problem) {
+    this.problem_ = problem;
+    const words = problem ? text(problem.key, problem.values) : '';
+    if (this.note_.textContent !== words) this.note_.textContent = words;
+    this.note_.hidden = !problem;
+    this.note_.classList.toggle('wrong', problem?.severity === 'error');
+    if (problem?.severity === 'error') this.control.setAttribute('aria-invalid', 'true');
+    else this.control.removeAttribute('aria-invalid');
+    this.describe_();
+  }
+
+  /** In the language chosen. */
+  relocalise() {
+    this.showProblem(this.problem_);
+  }
+
+  describe_() {
+    const ids = [...(this.note_.hidden ? [] : [this.note_.id]), ...(this.field.hint ? [this.hint_.id] : [])];
+    if (ids.length > 0) this.control.setAttribute('aria-describedby', ids.join(' '));
+    else this.control.removeAttribute('aria-describedby');
+  }
+
+  build_() {
+    const label = make('label');
+    const name = make('span');
+    name.dataset.text = this.field.label;
+    label.htmlFor = this.control.id;
+    if (this.field.kind === 'check') {
+      label.className = 'check';
+      label.append(this.control, name);
+      return make('div', { className: 'field' }, label, this.note_);
+    }
+    label.append(name);
+    const head = make('div', { className: 'field-head' }, label);
+    if (this.field.optional) {
+      const optional = make('span', { className: 'optional' });
+      optional.dataset.text = 'code.optional';
+      optional.setAttribute('aria-hidden', 'true');  // “required” says it to those who listen
+      head.append(optional);
+    }
+    const control = this.field.kind === 'password' ? make('div', { className: 'with-button' }, this.control, this.makeReveal_()) : this.control;
+    return make('div', { className: `field${this.field.half ? ' half' : ''}` }, head, control, this.note_, ...(this.field.hint ? [this.hint_] : []));
+  }
+
+  /** The button that shows a password. */
+  makeReveal_() {
+    const button = make('button', { className: 'quiet' });
+    button.type = 'button';
+    button.dataset.text = 'code.show';
+    button.dataset.textLabel = 'code.showPassword';
+    button.setAttribute('aria-pressed', 'false');
+    button.setAttribute('aria-controls', this.control.id);
+    button.addEventListener('click', () => {
+      const shown = button.getAttribute('aria-pressed') !== 'true';
+      button.setAttribute('aria-pressed', String(shown));
+      /** @type {HTMLInputElement} */ (this.control).type = shown ? 'text' : 'password';
+    });
+    return button;
+  }
+}

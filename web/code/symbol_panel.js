@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The symbol of the text as it is typed: its picture, how full it is, whether its modules print, what would make them
+// larger.
+import { isReplaced } from '../engine/client.js';
+import { describeThrown, isFatal } from '../engine/engine_error.js';
+import { onLanguage, text } from '../text/catalogue.js';
+import { byId, make } from '../ui/dom.js';
+import { formatMm, formatNumber, formatPlain } from '../ui/format.js';
+import { asSentence } from '../ui/messages.js';
+import { SettingProblem } from '../ui/settings_form.js';
+import { adviseText, isWebAddress, shorterForms } from './content/link.js';
+import { tooSmall } from './module_size.js';
+import { drawSymbol } from './symbol_drawing.js';
+
+/** @typedef {import('../engine/types.js').Settings} Settings */
+/** @typedef {import('../engine/types.js').SymbolFacts} SymbolFacts */
+/** @typedef {import('../text/catalogue.js').Key} Key */
+/** @typedef {{ text: string, key: Key, use: () => void }} Form  another way of writing the same, and how to take it */
+/** @typedef {{ symbolMm: number, guaranteedMm: number }} Room  its edge where it is placed, and what fits there at any rotation */
+/** @typedef {{ severity: 'warning' | 'note', words: string, action?: { words: string, run: () => void } }} Line */
+/** @typedef {{ content: string, settings: Settings, facts: SymbolFacts, shorter: { form: Form, facts: SymbolFacts }[] }} Shown */
+
+const kPauseMs = 60;
+const kLargestVersion = 40;
+
+/**
+ * @typedef {object} SymbolOptions
+ * @property {(content: string) => Settings} settings   those chosen, with this text; throws a SettingProblem
+ * @property {(settings: Settings) => Promise<SymbolFacts>} symbolOf
+ * @property {() => Form[]} otherForms                  of the builder
+ * @property {(content: string) => void} onReplace      another text was chosen
+ */
+
+export class SymbolPanel {
+  /** @param {SymbolOptions} options */
+  constructor({ settings, symbolOf, otherForms, onReplace }) {
+    this.settings_ = settings;
+    this.symbolOf_ = symbolOf;
+    this.otherForms_ = otherForms;
+    this.onReplace_ = onReplace;
+    this.picture_ = byId('symbol-picture', HTMLElement);
+    this.facts_ = byId('symbol-facts', HTMLElement);
+    this.lines_ = byId('symbol-advice', HTMLElement);
+    this.content_ = '';
+    /** @type {Room | undefined} */ this.room_ = undefined;
+    /** @type {Shown | undefined} */ this.shown_ = undefined;
+    this.problem_ = '';
+    this.asked_ = 0;
+    /** @type {ReturnType<typeof setTimeout> | undefined} */ this.pause_ = undefined;
+    onLanguage(() => this.render_());
+    this.render_();
+  }
+
+  /** The symbol of what was typed last, if it has one. */
+  get current() {
+    return this.shown_?.content === this.content_ ? this.shown_.facts : undefined;
+  }
+
+  /** @param {string} content */
+  show(content) {
+    this.content_ = content;
+    clearTimeout(this.pause_);
+    this.pause_ = setTimeout(() => void this.ask_(), kPauseMs);
+  }
+
+  /** @param {Room | undefined} room */
+  setRoom(room) {
+    this.room_ = room;
+    this.render_();
+  }
+
+  async ask_() {
+    this.asked_ += 1;
+    const [asked, content] = [this.asked_, this.content_];
+    const isNewest = () => asked === this.asked_;
+    try {
+      const settings = this.settings_(content);
+      const facts = content === '' ? undefined : await this.symbolOf_(settings);
+      if (!isNewest()) return;
+      this.shown_ = facts && { content, settings, facts, shorter: [] };
+      this.problem_ = '';
+      this.render_();
+      if (this.shown_) await this.findShorter_(this.shown_, isNewest);
+    } catch (thrown) {
+      if (!isNewest() || isReplaced(thrown) || isFatal(thrown)) return;  // a new module is asked anew
+      this.shown_ = undefined;
+      const { message, hint } = thrown instanceof SettingProblem ? { message: thrown.message, hint: '' } : describeThrown(thrown);
+      this.problem_ = [message, hint].filter(Boolean).map(asSentence).join(' ');
+      this.render_();
+    }
+  }
+
+  /** @param {Shown} shown @param {() => boolean} isNewest */
+  async findShorter_(shown, isNewest) {
+    const { settings, facts } = shown;
+    const ofLink = shorterForms(shown.content).map((form) => ({ ...form, use: () => this.onReplace_(form.text) }));
+    const shorter = [];
+    for (const form of [...ofLink, ...this.otherForms_()]) {
+      const found = await this.symbolOf_({ ...settings, text: form.text });
+      if (!isNewest()) return;
+      const least = Math.min(facts.size, ...shorter.map((known) => known.facts.size));
+      if (found.size < least) shorter.push({ form, facts: found });
+    }
+    this.shown_ = { ...shown, shorter };
+    if (shorter.length > 0) this.render_();
+  }
+
+  render_() {
+    const facts = this.shown_?.facts;
+    if (facts) {
+      this.picture_.replaceChildren(drawSymbol(facts.rows, text('code.symbol.picture', { size: facts.size })));
+      this.facts_.replaceChildren(...factLines(facts));
+    } else {
+      this.picture_.replaceChildren();
+      this.facts_.replaceChildren(make('p', { text: this.problem_ || text('code.symbol.none') }));
+    }
+    this.picture_.classList.toggle('empty', !facts);
+    this.facts_.classList.toggle('wrong', this.problem_ !== '');
+    this.lines_.replaceChildren(...this.advice_().map(makeLine));
+  }
+
+  /** @returns {Line[]} */
+  advice_() {
+    const ofText = adviseText(this.content_).map(({ severity, key, values, fixed, fixKey }) => ({
+      severity, words: text(key, values),
+      ...(fixed !== undefined && fixKey ? { action: { words: text(fixKey), run: () => this.onReplace_(fixed) } } : {}),
+    }));
+    const shorter = (this.shown_?.shorter ?? []).map(({ form, facts }) => this.shorterLine_(form, facts));
+    return [...ofText, ...this.sizeLines_(shorter.length > 0), ...shorter];
+  }
+
+  /** @param {Form} form @param {SymbolFacts} found @returns {Line} */
+  shorterLine_(form, found) {
+    const percent = Math.round((/** @type {Shown} */ (this.shown_).facts.size / found.size - 1) * 100);
+    return {
+      severity: 'note', words: text(form.key, { version: found.version, percent }),
+      action: { words: text('code.shorter.use'), run: form.use },
+    };
+  }
+
+  /** @param {boolean} hasShorter @returns {Line[]} */
+  sizeLines_(hasShorter) {
+    if (!this.shown_ || !this.room_) return [];
+    const { facts, settings: { nozzleMm, maxSizeMm } } = this.shown_;
+    const { symbolMm, guaranteedMm } = this.room_;
+    if (facts.leastModuleMm === null) return [];
+    const found = tooSmall(facts.size, symbolMm, facts.leastModuleMm);
+    if (!found) return [];
+    const problem = text('code.symbol.small', {
+      symbol: formatMm(symbolMm), module: formatMm(found.moduleMm), nozzle: `${formatPlain(nozzleMm)} mm`,
+      least: `${formatPlain(facts.leastModuleMm)} mm`,
+    });
+    const needed = formatMm(found.neededMm);
+    const full = symbolMm < maxSizeMm && found.neededMm > guaranteedMm;  // else it is the size asked for that is too small
+    const larger = text(full ? 'code.symbol.otherPlace' : 'code.symbol.larger', { needed });
+    const shorter = found.printable === undefined ? '' : ` ${text('code.symbol.shorten', { modules: found.printable })}`;
+    const link = !hasShorter && isWebAddress(this.content_) ? ` ${text('code.shorter.link')}.` : '';
+    return [{ severity: 'warning', words: `${problem} ${larger}${shorter}${link}` }];
+  }
+}
+
+/** @param {SymbolFacts} facts */
+function factLines({ version, ecc, size, bytes, room }) {
+  const total = bytes + room;
+  const meter = make('meter');
+  Object.assign(meter, { min: 0, max: total, value: bytes });
+  meter.setAttribute('aria-label', text('code.symbol.fill'));
+  const used = text('code.symbol.bytes', { count: total, used: formatNumber(bytes), total: formatNumber(total) });
+  const left = version === kLargestVersion ? text('code.symbol.last') : room === 0 ? text('code.symbol.full') : text('code.symbol.room', { count: room });
+  return [make('p', { className: 'symbol-name', text: text('code.symbol.facts', { version, ecc, size }) }),
+    meter, make('p', { text: used }), make('p', { text: left })];
+}
+
+/** @param {Line} line */
+function makeLine({ severity, words, action }) {
+  const item = make('li', { className: severity }, make('span', { text: asSentence(words) }));
+  if (action) {
+    const button = make('button', { className: 'quiet', text: action.words });
+    button.type = 'button';
+    button.addEventListener('click', action.run);
+    item.append(button);
+  }
+  return item;
+}

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The buttons for what can be taken away beside the carved model.
+import { localise } from '../text/catalogue.js';
+import { byId, make } from '../ui/dom.js';
+
+/** @typedef {import('../text/catalogue.js').Key} Key */
+
+export class TakePanel {
+  /** @param {{ onPicture: () => void, onSettings: () => void, onSymbol: (format: 'svg' | 'png') => void }} listener */
+  constructor({ onPicture, onSettings, onSymbol }) {
+    const mount = byId('take-away', HTMLElement);
+    this.secret_ = make('p', { className: 'field-note' });
+    this.secret_.dataset.text = 'take.secret';
+    this.secret_.id = 'take-secret';
+    this.secret_.hidden = true;
+    this.settings_ = makeButton('take.settings', 'take.settingsTitle', onSettings);
+    this.picture_ = makeButton('take.picture', 'take.pictureTitle', onPicture);
+    mount.append(make('div', { className: 'take-buttons' },
+      this.settings_, this.picture_,
+      makeButton('take.symbolSvg', 'take.symbolSvgTitle', () => onSymbol('svg')),
+      makeButton('take.symbolPng', 'take.symbolPngTitle', () => onSymbol('png'))), this.secret_);
+    localise(mount);
+  }
+
+  /** @param {boolean} secret  the text holds a password, and so would a file of settings */
+  setSecret(secret) {
+    this.secret_.hidden = !secret;
+    if (secret) this.settings_.setAttribute('aria-describedby', this.secret_.id);
+    else this.settings_.removeAttribute('aria-describedby');
+  }
+}
+
+/** @param {Key} label @param {Key} title @param {() => void} onClick */
+function makeButton(label, title, onClick) {
+  const button = make('button');
+  button.type = 'button';
+  button.dataset.text = label;
+  button.dataset.textTitle = title;
+  button.addEventListener('click', onClick);
+  return button;
+}

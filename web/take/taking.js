@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Hands out what is not the carved model: the symbol, a picture of the view, the settings; and takes settings back.
+import { text } from '../text/catalogue.js';
+import { saveFile } from '../ui/save_file.js';
+import { fileNameOf, symbolFileName } from './file_names.js';
+import { formValues } from './form_values.js';
+import { readSettingsFile, writeSettingsFile } from './settings_file.js';
+import { symbolPng, symbolSvg } from './symbol_file.js';
+
+/** @typedef {import('../engine/types.js').SymbolFacts} SymbolFacts */
+/** @typedef {import('./settings_file.js').SettingsFile} SettingsFile */
+/** @typedef {import('./settings_file.js').ModelChoice} ModelChoice */
+
+/**
+ * @typedef {object} TakingOptions
+ * @property {import('../engine/client.js').EngineClient} client
+ * @property {import('../session/model_session.js').ModelSession} model
+ * @property {import('../session/placing.js').Placing} placing
+ * @property {import('../ui/messages.js').Messages} messages
+ * @property {() => import('../engine/types.js').Settings} settings
+ * @property {(values: Record<string, string | boolean>, content: string) => void} onSettings  shows them in the controls
+ * @property {() => Promise<void>} onChanged   they decide from now on
+ * @property {() => Promise<void>} untilIdle   ends what runs
+ */
+
+export class Taking {
+  /** @param {TakingOptions} options */
+  constructor({ client, model, placing, messages, settings, onSettings, onChanged, untilIdle }) {
+    this.client_ = client;
+    this.model_ = model;
+    this.placing_ = placing;
+    this.messages_ = messages;
+    this.settings_ = settings;
+    this.onSettings_ = onSettings;
+    this.onChanged_ = onChanged;
+    this.untilIdle_ = untilIdle;
+  }
+
+  /** @param {'svg' | 'png'} format */
+  async saveSymbol(format) {
+    const settings = this.settings_();
+    const { rows } = await this.client_.symbol(settings);
+    const blob = format === 'png' ? await symbolPng(rows)
+      : new Blob([symbolSvg(rows, { title: settings.text, sizeMm: this.placing_.placement?.symbolMm })], { type: 'image/svg+xml' });
+    saveFile(blob, symbolFileName(settings.text, format));
+  }
+
+  async savePicture() {
+    const bytes = await this.client_.picture();
+    saveFile(new Blob([bytes], { type: 'image/png' }), this.nameOf_('view', 'png'));
+  }
+
+  saveSettings() {
+    const file = writeSettingsFile({ settings: this.settings_(), model: this.modelChoice_() });
+    saveFile(new Blob([file], { type: 'application/json' }), this.nameOf_('settings', 'json'));
+  }
+
+  /**
+   * Uses settings that were saved here: all of them, or none if one cannot be used.
+   * @param {File} file
+   */
+  async useSettings(file) {
+    const { settings, model } = readSettingsFile(await file.text(), file.name);
+    await this.untilIdle_();
+    this.messages_.clearError();
+    this.onSettings_(formValues(settings), settings.text);
+    const onItsModel = !model || (await this.openModelOf_(model));
+    const centre = onItsModel ? model?.centreMm : undefined;
+    await this.onChanged_();
+    if (centre) await this.placing_.move(() => this.client_.setCentre(centre));
+    const words = onItsModel ? () => text('take.settingsUsed', { file: file.name })
+      : () => text('take.settingsOtherModel', { file: file.name, model: model.file });
+    this.messages_.say(words);
+  }
+
+  /**
+   * The sample that the settings are for, or the model that is open already, in its unit and upright.
+   * @param {ModelChoice} wanted
+   * @returns {Promise<boolean>}  whether it is the model they are for
+   */
+  async openModelOf_(wanted) {
+    if (wanted.sample !== undefined && wanted.sample !== this.model_.source?.sampleId && this.model_.hasSample(wanted.sample)) {
+      const { scaleToMm, upAxis, centreMm } = wanted;
+      await this.model_.openSample(wanted.sample, { scaleToMm, upAxis, ...(centreMm ? { centreMm } : {}) });
+    }
+    const { source } = this.model_;
+    if (!source || source.fileName !== wanted.file || source.sampleId !== wanted.sample) return false;
+    if (source.upAxis !== wanted.upAxis) await this.model_.turnUp(wanted.upAxis);
+    if (source.scaleToMm !== wanted.scaleToMm) await this.model_.rescale(wanted.scaleToMm);
+    return true;
+  }
+
+  /** @returns {ModelChoice | undefined} */
+  modelChoice_() {
+    const { source } = this.model_;
+    if (!source) return undefined;
+    const { fileName, sampleId, scaleToMm, upAxis } = source;
+    const { centreMm } = this.placing_;
+    return {
+      file: fileName, ...(sampleId === undefined ? {} : { sample: sampleId }), scaleToMm, upAxis, ...(centreMm ? { centreMm } : {}),
+    };
+  }
+
+  /** @param {string} addition @param {string} extension */
+  nameOf_(addition, extension) {
+    return fileNameOf({
+      modelFile: this.model_.source?.fileName ?? '', text: this.settings_().text, symbolMm: this.placing_.placement?.symbolMm,
+      addition, extension,
+    });
+  }
+}
