@@ -30,9 +30,9 @@ export class Continuing {
    * @param {boolean} offer  the last visit's work, too
    */
   async begin(offer) {
-    const work = offer ? await this.last_.recall() : undefined;
+    this.last_.openedWith(this.current_());  // before anything is waited for: it may change meanwhile
     this.watching_ = true;
-    this.last_.openedWith(this.current_());
+    const work = offer ? await this.last_.recall() : undefined;
     if (!work) return;
     this.notices_.show(kNotice, text('keep.continueWith', { name: work.fileName }), [
       { label: text('keep.discard'), run: () => void this.last_.discard() },
