@@ -3,6 +3,7 @@
 import { AxeBuilder } from '@axe-core/playwright';
 import { expect, test } from '@playwright/test';
 import { Engraver } from './support/engraver.js';
+import { untilKept } from './support/kept.js';
 import { truncatedFile } from './support/models.js';
 
 /** @typedef {import('@playwright/test').Page} Page */
@@ -43,10 +44,9 @@ for (const colorScheme of /** @type {const} */ (['light', 'dark'])) {
       await app.sample.selectOption('Star');
       await expect(app.facts).toContainText('Star');
       await app.expectReady();
-      await expect(async () => {
-        await page.reload();
-        await expect(page.getByRole('button', { name: 'Continue' })).toBeVisible({ timeout: 5_000 });
-      }).toPass();
+      await untilKept(page, (kept) => kept?.sampleId === 'star');
+      await page.reload();
+      await expect(page.getByRole('button', { name: 'Continue' })).toBeVisible();
       await app.expectReady();
       await expectNoViolations(page, 'offer');
     });

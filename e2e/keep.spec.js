@@ -1,31 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { expect, test } from '@playwright/test';
 import { Engraver } from './support/engraver.js';
+import { untilKept } from './support/kept.js';
 import { saddleFile } from './support/models.js';
 
 /** @typedef {import('@playwright/test').Page} Page */
 
 /** @param {Page} page */
 const offer = (page) => page.getByText(/^Continue with .*\?$/);
-
-/** What was done last has been written. @param {Page} page @param {(kept: any) => boolean} holds */
-const untilKept = (page, holds) => expect.poll(async () => holds(await page.evaluate(() => new Promise((resolve) => {
-  const request = indexedDB.open('qrelief');
-  request.onerror = () => resolve(undefined);
-  request.onsuccess = () => {
-    const database = request.result;
-    if (!database.objectStoreNames.contains('kept')) {
-      database.close();
-      resolve(undefined);
-      return;
-    }
-    const get = database.transaction('kept').objectStore('kept').get('last work');
-    get.onsuccess = () => {
-      database.close();
-      resolve(get.result);
-    };
-  };
-})))).toBe(true);
 
 test('After a reload the model, its unit, the text, the settings and the centre are offered and come back', async ({ page }) => {
   const app = new Engraver(page);

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { expect } from '@playwright/test';
+
+/** @typedef {import('@playwright/test').Page} Page */
+
+/** What was done last has been written. @param {Page} page @param {(kept: any) => boolean} holds */
+export const untilKept = (page, holds) => expect.poll(async () => holds(await page.evaluate(() => new Promise((resolve) => {
+  const request = indexedDB.open('qrelief');
+  request.onerror = () => resolve(undefined);
+  request.onsuccess = () => {
+    const database = request.result;
+    if (!database.objectStoreNames.contains('kept')) {
+      database.close();
+      resolve(undefined);
+      return;
+    }
+    const get = database.transaction('kept').objectStore('kept').get('last work');
+    get.onsuccess = () => {
+      database.close();
+      resolve(get.result);
+    };
+  };
+})))).toBe(true);
