@@ -17,8 +17,8 @@ struct FastSearchOptions {
   int maxIterations = 24;
 };
 
-/// Reaches what the paper's search reaches (DepthSearch: no submodule with G = AL·(c − 1) + LS > 0) in fewer passes and
-/// no deeper.
+/// Reaches what the paper's search reaches (DepthSearch: no submodule with G = AL·(c − 1) + LS > 0) with less to render
+/// and no deeper.
 ///
 /// The depths are solved for on a plane without rendering (PocketSky), neighbours and all. What a pass then shows to be
 /// brighter or darker than the plane said, by interreflection and curvature, is carried over to the next solution: as a
