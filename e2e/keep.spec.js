@@ -28,7 +28,7 @@ test('After a reload the model, its unit, the text, the settings and the centre 
   await app.canvas.click({ position: { x: box.width / 2 + 30, y: box.height / 2 } });
   await app.expectReady();
   const centre = await app.centre();
-  await untilKept(page, (kept) => kept?.text === 'to be continued' && kept.values.rotate === '15' && kept.centreMm.every(
+  await untilKept(page, (kept) => kept?.text === 'to be continued' && kept.values.rotate === '15' && kept.centreMm?.every(
     (/** @type {number} */ v, /** @type {number} */ axis) => Math.abs(v - centre[axis]) < 0.01));
 
   await page.reload();

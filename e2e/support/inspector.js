@@ -51,10 +51,12 @@ export class Inspector {
     await this.page.mouse.click(x, y);
   }
 
-  /** @param {string} tab */
+  /** Presses it again if the window was still being laid out. @param {string} tab */
   async openTab(tab) {
-    await this.press(tab);
-    await this.expectState((state) => state.tab, tab);
+    await expect(async () => {
+      await this.press(tab);
+      await expect.poll(async () => (await this.state())?.tab, { timeout: 10_000 }).toBe(tab);
+    }).toPass({ timeout: 60_000 });
   }
 
   /** Waits until a part of the page has stopped changing. @param {Clip} clip */

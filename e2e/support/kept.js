@@ -3,8 +3,8 @@ import { expect } from '@playwright/test';
 
 /** @typedef {import('@playwright/test').Page} Page */
 
-/** What was done last has been written. @param {Page} page @param {(kept: any) => boolean} holds */
-export const untilKept = (page, holds) => expect.poll(async () => holds(await page.evaluate(() => new Promise((resolve) => {
+/** What was done last has been written. @param {Page} page @param {(kept: any) => boolean | undefined} holds */
+export const untilKept = (page, holds) => expect.poll(async () => Boolean(holds(await page.evaluate(() => new Promise((resolve) => {
   const request = indexedDB.open('qrelief');
   request.onerror = () => resolve(undefined);
   request.onsuccess = () => {
@@ -20,4 +20,4 @@ export const untilKept = (page, holds) => expect.poll(async () => holds(await pa
       resolve(get.result);
     };
   };
-})))).toBe(true);
+}))))).toBe(true);
