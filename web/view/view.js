@@ -34,6 +34,7 @@ export class View {
     this.listener_ = listener;
     /** Whether the inspector wants to know where the pointer is. */
     this.reportsPointer = false;
+    this.turned_ = 0;  // by the wheel, notches
     const gestures = new GestureReader({
       onOrbit: (dx, dy) => listener.onAct({ kind: 'orbit', dx, dy }),
       onPan: (dx, dy) => listener.onAct({ kind: 'pan', dx, dy }),
@@ -60,7 +61,7 @@ export class View {
       if (event.target !== this.canvas_) return;
       event.preventDefault();
       this.tellPointer_(event, -event.deltaY / 100);
-      if (event.shiftKey) listener.onTurn?.(notchesOf(event), event.offsetX, event.offsetY);
+      if (event.shiftKey) this.turn_(event);
       else gestures.wheel(event);
     }, { passive: false });
     stage.addEventListener('contextmenu', (event) => event.preventDefault());
@@ -96,6 +97,14 @@ export class View {
   /** The point in the middle, in CSS pixels of the canvas. */
   middle_() {
     return { x: this.stage_.clientWidth / 2, y: this.stage_.clientHeight / 2 };
+  }
+
+  /** Parts of a notch add up. @param {WheelEvent} event */
+  turn_(event) {
+    this.turned_ += notchesOf(event);
+    const whole = Math.trunc(this.turned_);
+    this.turned_ -= whole;
+    if (whole !== 0) this.listener_.onTurn?.(whole, event.offsetX, event.offsetY);
   }
 
   /** @param {MouseEvent} event @param {number} wheel */
@@ -141,7 +150,11 @@ export class View {
   }
 }
 
-/** Upwards is positive; with Shift some systems send it sideways. @param {WheelEvent} event */
-const notchesOf = (event) => -Math.sign(event.deltaY || event.deltaX);
+/**
+ * Notches of the wheel, upwards positive: browsers send several as one, and trackpads parts of one. With Shift some
+ * systems send them sideways.
+ * @param {WheelEvent} event
+ */
+const notchesOf = (event) => -(event.deltaY || event.deltaX) / [100, 3, 1][event.deltaMode];
 
 const pixelRatio = () => Math.min(devicePixelRatio, kMaxPixelRatio);
