@@ -25,7 +25,9 @@ test('After a reload the model, its unit, the text, the settings and the centre 
   await app.setting('Rotation (°)').blur();
   await app.expectReady();
   const box = /** @type {{ width: number, height: number }} */ (await app.canvas.boundingBox());
+  const proposed = await app.centre();
   await app.canvas.click({ position: { x: box.width / 2 + 30, y: box.height / 2 } });
+  await expect.poll(() => app.centre()).not.toEqual(proposed);
   await app.expectReady();
   const centre = await app.centre();
   await untilKept(page, (kept) => kept?.text === 'to be continued' && kept.values.rotate === '15' && kept.centreMm?.every(

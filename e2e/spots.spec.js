@@ -14,7 +14,7 @@ test('A suggested spot takes a code of the size that it promises, and is engrave
 
   expect(await app.spots.count()).toBeGreaterThanOrEqual(3);
   await expect(app.spots.locator('canvas.drawn')).toHaveCount(await app.spots.count());
-  const isDark = (/** @type {number} */ red, /** @type {number} */ green, /** @type {number} */ blue) => Math.max(red, green, blue) < 70;
+  const isDark = (/** @type {number} */ red, /** @type {number} */ green, /** @type {number} */ blue) => Math.max(red, green, blue) < 115;
   expect(await shareOf(app.spots.first().locator('canvas'), isDark)).toBeGreaterThan(0.03);  // a code's modules
   const spot = app.spots.nth(1);
   const promised = Number(/up to ([\d.]+) mm/.exec(await spot.innerText())?.[1]);
