@@ -72,9 +72,9 @@ export class CodePanel {
   showPlaced(placement) {
     this.symbol_.setRoom(placement);
     this.refresh();
-    if (this.incomplete) showStep('code', 'todo', () => text('code.incomplete'));
+    if (this.incomplete) showStep('code', 'open', () => text('code.incomplete'));
     else if (placement) showStep('code', 'done', () => text('page.codeState', { version: placement.version, modules: placement.modules }));
-    else showStep('code', 'todo', () => '');
+    else showStep('code', 'open', () => '');
   }
 
   /** @param {string} content */
@@ -88,7 +88,7 @@ export class CodePanel {
   changed_(content) {
     this.set_(content);
     clearTimeout(this.pause_);
-    if (this.incomplete) showStep('code', 'todo', () => text('code.incomplete'));
+    if (this.incomplete) showStep('code', 'open', () => text('code.incomplete'));
     else this.pause_ = setTimeout(this.onChange_, kTypingPauseMs);
   }
 

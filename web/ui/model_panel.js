@@ -42,7 +42,7 @@ export class ModelPanel {
     this.listenForDrops_(listener);
     /** @type {Sample[]} */ this.samples_ = [];
     /** @type {{ model: ModelInfo, source: ShownSource } | undefined} */ this.shown_ = undefined;
-    showStep('model', 'todo', () => text('page.noModel'));
+    showStep('model', 'open', () => text('page.noModel'));
     onLanguage(() => this.showTexts_());
   }
 

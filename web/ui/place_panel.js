@@ -28,7 +28,7 @@ export class PlacePanel {
 
   /** @param {Placement | undefined} placement */
   showPlacement(placement) {
-    if (!placement) return showStep('place', 'todo', () => text('page.placeNone'));
+    if (!placement) return showStep('place', 'open', () => text('page.placeNone'));
     const { symbolMm, guaranteedMm } = placement;
     return showStep('place', 'done', () => text('page.placeState', { width: formatMm(symbolMm), guaranteed: formatMm(guaranteedMm) }));
   }

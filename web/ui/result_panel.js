@@ -73,12 +73,12 @@ export class ResultPanel {
 
   render_() {
     this.region_.hidden = !this.result_;
-    markStep('carve', this.result_ && !this.outdated_ ? 'done' : 'todo');
-    if (!this.result_) return showStep('check', 'todo', () => text('page.checkNone'));
+    markStep('carve', this.result_ && !this.outdated_ ? 'done' : 'open');
+    if (!this.result_) return showStep('check', 'open', () => text('page.checkNone'));
     const { report, reading, elapsedMs, made } = this.result_;
     const { size, depth, symbol } = report;
     const verdict = verdictOf(report, reading);
-    if (this.outdated_) showStep('check', 'todo', () => text('page.checkOutdated'));
+    if (this.outdated_) showStep('check', 'open', () => text('page.checkOutdated'));
     else showStep('check', kMarks[worstOf(verdict)], () => text(summaryOf(verdict)));
     this.region_.classList.toggle('outdated', this.outdated_);
     showFindings(this.notes_, this.outdated_ ? [{ severity: 'warning', message: text('page.outdated'), hint: '' }] : []);

@@ -5,7 +5,7 @@ import { byId } from './dom.js';
 
 /** @typedef {import('../text/live.js').Words} Words */
 /** @typedef {'model' | 'code' | 'place' | 'carve' | 'check'} Step */
-/** @typedef {'todo' | 'done' | 'warn' | 'bad'} State */
+/** @typedef {'open' | 'done' | 'warn' | 'bad'} State */
 
 /** @type {Record<Step, string>} */
 const kLines = { model: 'model-state', code: 'code-state', place: 'placement-facts', carve: 'carve-state', check: 'check-state' };
