@@ -70,30 +70,47 @@ double PocketSky::share(std::size_t k, double depthMm, std::span<const double> d
   return sum / kDirections;
 }
 
-/// By steps along y = y₀ + 2·log h, y = log((1 − V)/V), the law of a pocket whose walls stand where they stand, until
-/// the depth lies between two known ones; then between these.
+/// Share of the sky at a depth, and its change per mm of it.
+PocketSky::ShareAndSlope PocketSky::shareAndSlope(std::size_t k, double depthMm,
+                                                  std::span<const double> depthsMm) const {
+  ShareAndSlope sum;
+  for (std::size_t direction = k * kDirections; direction < (k + 1) * kDirections; ++direction) {
+    double steepest = 0, perMm = 0;
+    for (std::uint32_t s = begin_[direction]; s < begin_[direction + 1]; ++s) {
+      const double top = steps_[s].floor == kLight ? 0 : depthsMm[steps_[s].floor];
+      const auto inverse = static_cast<double>(steps_[s].inverseDistanceMm);
+      const double steep = (depthMm - top) * inverse;
+      perMm = steep > steepest ? inverse : perMm;
+      steepest = std::max(steepest, steep);
+    }
+    const double seen = 1 / (1 + steepest * steepest);
+    sum.share += seen / kDirections;
+    sum.perMm -= 2 * steepest * perMm * seen * seen / kDirections;
+  }
+  return sum;
+}
+
+/// By Newton's steps in log h and y = log((1 − V)/V), in which a pocket whose walls are all of one height is a line of
+/// slope 2; between the depths that are known to be too bright and dark enough.
 double PocketSky::depthFor(std::size_t k, double wanted, double limitMm, std::span<const double> depthsMm) const {
-  double low = 0, high = limitMm, seenLow = 1, seenHigh = 0;
-  bool lowIsKnown = false, highIsKnown = false;
+  double low = 0, high = limitMm;
   double depth = std::clamp(depthsMm[k], std::min(kSettledMm, limitMm), limitMm);
   for (int i = 0; i < kSteps; ++i) {
-    const double seen = share(k, depth, depthsMm);
-    if (seen > wanted) {
+    const ShareAndSlope seen = shareAndSlope(k, depth, depthsMm);
+    if (seen.share > wanted) {
       if (depth >= limitMm) return limitMm;
-      low = depth, seenLow = seen, lowIsKnown = true;
+      low = depth;
     } else {
-      high = depth, seenHigh = seen, highIsKnown = true;
+      high = depth;
     }
-    if (highIsKnown && high - low < kSettledMm / 2) break;
-    if (lowIsKnown && highIsKnown) {
-      const double along = (seenLow - wanted) / (seenLow - seenHigh);
-      depth = low + (high - low) * std::clamp(along, 0.05, 0.95);
-      continue;
-    }
-    const double v = std::clamp(seen, 1e-6, 1 - 1e-6);
-    const double next = depth * std::sqrt((1 - wanted) / wanted * v / (1 - v));
-    // A little farther than the law says, so that the next one lies on the other side.
-    depth = std::clamp(next + 0.2 * (next - depth), kSettledMm / 4, limitMm);
+    const double v = std::clamp(seen.share, 1e-9, 1 - 1e-9);
+    const double perLogDepth = -seen.perMm * depth / (v * (1 - v));
+    const double wantedMore = std::log((1 - wanted) / wanted * v / (1 - v));
+    double next = perLogDepth > 0 ? depth * std::exp(wantedMore / perLogDepth) : high;
+    if (next > high && high >= limitMm && low == depth) next = limitMm;
+    if (!(next > low && next < high) && next != limitMm) next = (low + high) / 2;
+    if (std::abs(next - depth) < kSettledMm / 4 || high - low < kSettledMm / 4) return std::min(next, limitMm);
+    depth = next;
   }
   return high;
 }

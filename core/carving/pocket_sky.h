@@ -46,7 +46,12 @@ class PocketSky {
   static constexpr std::uint32_t kLight = 0xffffffff;
   static constexpr int kDirections = 16;
 
+  struct ShareAndSlope {
+    double share = 0, perMm = 0;
+  };
+
   void listSeenFrom();
+  ShareAndSlope shareAndSlope(std::size_t k, double depthMm, std::span<const double> depthsMm) const;
   double depthFor(std::size_t k, double share, double limitMm, std::span<const double> depthsMm) const;
 
   std::vector<std::uint32_t> carved_;
