@@ -7,7 +7,7 @@
 //
 // visibility: of the sky; pastWalls: the same if nothing but the walls of pockets hid it, ≥ visibility.
 float interreflection(float visibility, float pastWalls, float albedo) {
-  float wall = 0.423 / (1.0 - 0.72 * albedo) * sqrt(max(visibility, 0.0));
-  float surface = 0.951;
+  float wall = 0.401 / (1.0 - 0.75 * albedo) * sqrt(max(visibility, 0.0));
+  float surface = 0.910;
   return albedo * ((1.0 - pastWalls) * wall + max(pastWalls - visibility, 0.0) * surface);
 }

@@ -20,6 +20,7 @@ uniform sampler2D u_horizon;   // of the uncarved surface (horizon.frag)
 uniform float u_samples;       // places along its edge
 uniform int u_slices;          // pairs of half-planes through the line of sight
 uniform float u_radiusTexels;  // reach of the march
+uniform float u_everyBorderTexels;  // up to here the march stops at every border, beyond at growing steps
 uniform float u_reliefMm;      // depth of what is carved into u_surface itself, beside u_depth
 uniform int u_rotate;          // 1: texels of each 4×4 block take turned slices, so that a block's mean has 16 times as many
 uniform int u_detail;          // texels along a cell's edge that are computed
@@ -43,6 +44,8 @@ float horizonOfSurface(vec2 texel, float angle) {
   float second = texelFetch(u_horizon, ivec2(4 * place.x + (to >> 2), place.y), 0)[to & 3];
   return mix(first, second, fract(sector));
 }
+
+const float kGrowth = 1.15;  // of the steps: a wall narrower than a seventh of its distance may be missed
 
 // March from cell border to cell border.
 struct March {
@@ -68,6 +71,7 @@ March marchFrom(vec2 start, vec2 direction) {
 bool stepMarch(inout March march, vec3 origin, out vec3 towards) {
   float travelled = min(march.next.x, march.next.y);
   march.next += march.perBorder * vec2(lessThanEqual(march.next, vec2(travelled)));
+  if (travelled > u_everyBorderTexels) march.next = max(march.next, vec2(travelled * kGrowth));
   vec2 point = march.start + march.direction * travelled;
   vec2 owner = point + march.direction * 1e-3 + march.forward * 1e-3;
   towards = vec3(0.0);

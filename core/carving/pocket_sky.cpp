@@ -8,7 +8,7 @@
 namespace qrelief {
 namespace {
 
-constexpr double kSettledMm = 1e-3;
+constexpr double kSettledMm = 2e-3;
 constexpr int kSteps = 24;
 
 }  // namespace

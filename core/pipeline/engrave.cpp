@@ -28,7 +28,7 @@ constexpr double kReachPerDepth = 8;  // a wall seen from eight times its height
 constexpr double kLeastReachModules = 3;
 constexpr int kMaxMapTexels = 2048;
 constexpr int kHorizonsPerModule = 2;
-constexpr LuminanceSampling kUncarvedSampling{1, 8};  // smooth, but for the model's own edges
+constexpr LuminanceSampling kUncarvedSampling{1, 4};  // smooth, but for the model's own edges
 
 double millisecondsSince(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
@@ -207,6 +207,7 @@ Status EngraveJob::State::map() {
   light.emplace(std::move(*made));
   // The surroundings are lit once: pockets lie below the light modules and take no sky from them.
   light->setSampling(kUncarvedSampling);
+  light->setRadius(options.horizonStartMm);  // what lies farther is in the horizon
   light->run();
   means = light->readLuminance();
   light->setSampling({});

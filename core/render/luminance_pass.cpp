@@ -142,6 +142,7 @@ void LuminancePass::run() {
   occlusion_.setTexture("u_horizon", 2, horizon_);
   occlusion_.set("u_slices", options_.sampling.slices);
   occlusion_.set("u_radiusTexels", static_cast<float>(options_.radiusMm / maps_->window.texelMm()));
+  occlusion_.set("u_everyBorderTexels", static_cast<float>(options_.everyBorderMm / maps_->window.texelMm()));
   occlusion_.set("u_reliefMm", options_.reliefMm);
   occlusion_.set("u_rotate", options_.turnSlices ? 1 : 0);
   occlusion_.set("u_detail", texels);

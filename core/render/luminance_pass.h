@@ -23,6 +23,7 @@ struct LuminanceOptions {
   LuminanceSampling sampling = {};
   bool turnSlices = true;    ///< texels of a 4×4 block take different slices: for cell means; false for pictures
   float radiusMm = 5;        ///< reach of the march; what lies farther counts by the surface's own horizon
+  float everyBorderMm = 1e6f;  ///< up to here the march stops at every cell border; beyond, at steps that grow
   float reliefMm = 0;        ///< depth of what is carved into the maps' own surface, beside `setDepths`
   int horizonSamples = 64;   ///< places along the map's edge for which the surface's own horizon is found, ≥ 1
   float horizonStartMm = 1;  ///< surface nearer than this is left to the march

@@ -11,6 +11,7 @@ namespace qrelief {
 namespace {
 
 constexpr int kHorizonSamples = 64;
+constexpr double kEveryBorderTexels = 8;
 constexpr double kBackground = 0.35;  // luminance of what is not the model
 
 /// Of a square picture.
@@ -105,6 +106,7 @@ Result<ReaderView> renderReaderView(const GeometryPass& pass, const GpuMesh& mes
                                .sampling = {1, 3},
                                .turnSlices = true,
                                .radiusMm = options.radiusMm,
+                               .everyBorderMm = static_cast<float>(kEveryBorderTexels * maps->window.texelMm()),
                                .reliefMm = options.reliefMm,
                                .horizonSamples = kHorizonSamples,
                                .horizonStartMm = options.radiusMm,
