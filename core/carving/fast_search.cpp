@@ -41,6 +41,7 @@ FastSearch::FastSearch(CarvingTarget target, const FastSearchOptions& options)
   seenShare_.assign(count, 1);
   states_.assign(count, State::TooBright);
   isDue_.assign(count, 1);
+  isOld_.assign(count, 1);
   solve();
 }
 
@@ -109,6 +110,7 @@ void FastSearch::update(std::span<const double> luminance) {
   double around = 1;
   for (std::size_t k = 0; k < states_.size(); ++k) {
     if (!isDue_[k]) continue;
+    isOld_[k] = 0;
     const int row = static_cast<int>(sky_.carved()[k]) / depths_.size;
     const int column = static_cast<int>(sky_.carved()[k]) % depths_.size;
     const auto of = static_cast<std::size_t>(row / kN * m + column / kN);
@@ -130,16 +132,36 @@ void FastSearch::update(std::span<const double> luminance) {
   ++iterations_;
   const bool allDone = std::all_of(states_.begin(), states_.end(),
                                    [](State state) { return state == State::Done || state == State::Limited; });
-  finished_ = (allDone && allAreDue()) || iterations_ >= options_.maxIterations;
+  if (allAreDue() && (allDone || iterations_ > kFreePasses)) allSeenOnceMore_ = true;
+  finished_ = iterations_ >= options_.maxIterations;
   if (finished_) return;
-  if (allDone) {  // as far as was looked: once more, all of it
-    dueInMask_.clear();
-    isDue_.assign(isDue_.size(), 1);
+  if (allDone) {
+    lookAgain();
     return;
   }
   const std::vector<double> depthsBefore = depths_.depthMm;
   solve();
+  makeOld(depthsBefore);
   chooseDue(depthsBefore);
+}
+
+/// Chooses what is to be measured before the search may end; ends it if that is nothing.
+void FastSearch::lookAgain() {
+  if (!allSeenOnceMore_) isOld_.assign(isOld_.size(), 1);
+  isDue_ = isOld_;
+  dueInMask_.clear();
+  for (std::size_t k = 0; k < isDue_.size(); ++k)
+    if (isDue_[k]) dueInMask_.push_back(sky_.carved()[k]);
+  finished_ = dueInMask_.empty();
+  if (dueInMask_.size() == isDue_.size()) dueInMask_.clear();
+}
+
+void FastSearch::makeOld(const std::vector<double>& depthsBefore) {
+  for (std::size_t k = 0; k < isOld_.size(); ++k) {
+    if (depths_.depthMm[sky_.carved()[k]] == depthsBefore[sky_.carved()[k]]) continue;
+    isOld_[k] = 1;
+    for (const std::uint32_t other : sky_.seenFrom(k)) isOld_[other] = 1;
+  }
 }
 
 double FastSearch::doneShare() const {

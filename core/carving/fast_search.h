@@ -24,7 +24,8 @@ struct FastSearchOptions {
 /// brighter or darker than the plane said, by interreflection and curvature, is carried over to the next solution: as a
 /// difference in log((1 − V)/V), V = LS/AL, which depends little on the depth. At first depths rise and fall; then what
 /// is dark enough only gets deeper where deeper neighbours brighten it, so that the search ends, and only what moved
-/// and what that may have brightened is measured. The last pass measures all and finds none too bright.
+/// and what that may have brightened is measured. Before it ends all are measured once more, and then again those that
+/// see what had to move: none is left too bright.
 class FastSearch final : public DepthSolver {
  public:
   FastSearch(CarvingTarget target, const FastSearchOptions& options);
@@ -45,6 +46,8 @@ class FastSearch final : public DepthSolver {
   void solve();
   double expectedShare(std::size_t k, double depthMm, std::span<const double> depthsMm) const;
   void chooseDue(const std::vector<double>& depthsBefore);
+  void makeOld(const std::vector<double>& depthsBefore);
+  void lookAgain();
   bool allAreDue() const { return dueInMask_.empty(); }
 
   CarvingTarget target_;
@@ -58,8 +61,10 @@ class FastSearch final : public DepthSolver {
   std::vector<double> seenShare_;   // LS/AL when it was last measured
   std::vector<State> states_;
   std::vector<char> isDue_;
+  std::vector<char> isOld_;  // something it sees has moved since it was measured
   std::vector<std::uint32_t> dueInMask_;  // none: all
   int iterations_ = 0;
+  bool allSeenOnceMore_ = false;
   bool finished_ = false;
 };
 

@@ -128,7 +128,7 @@ void PocketSky::solve(std::span<const double> shares, std::span<const double> li
       depthsMm[k] = depth;
       if (change < kSettledMm) continue;
       moved = true;
-      for (std::uint32_t s = seenFromBegin_[k]; s < seenFromBegin_[k + 1]; ++s) isDue[seenFrom_[s]] = 1;
+      for (const std::uint32_t other : seenFrom(k)) isDue[other] = 1;
     }
     if (!moved) return;
   }

@@ -22,6 +22,11 @@ class PocketSky {
   /// Indices of the carved submodules in the mask, ascending; what follows counts in this order.
   const std::vector<std::uint32_t>& carved() const { return carved_; }
 
+  /// Floors that see where floor `k` begins: what its depth changes, were the surface plane.
+  std::span<const std::uint32_t> seenFrom(std::size_t k) const {
+    return std::span(seenFrom_).subspan(seenFromBegin_[k], seenFromBegin_[k + 1] - seenFromBegin_[k]);
+  }
+
   /// Share of the sky that floor `k` sees, 0 … 1, were its depth `depthMm` and those of the others `depthsMm`.
   double share(std::size_t k, double depthMm, std::span<const double> depthsMm) const;
 
