@@ -8,6 +8,7 @@
 
 #include "io/read_model.h"
 #include "io/write_checked.h"
+#include "pipeline/add_inlay.h"
 #include "pipeline/carved_objects.h"
 #include "projection/size.h"
 #include "verification/baked_light.h"
@@ -98,6 +99,7 @@ std::string Engine::loadModel(std::vector<std::uint8_t> bytes, const std::string
   earlier_.reset();
   forgetJob();
   forgetPlacement();
+  found_.reset();
   forgetSpots();
   spotDirection_.reset();
   model_ = std::move(*model);
@@ -194,21 +196,37 @@ Status Engine::placeSymbol() {
   if (const Status engravable = model.prepared.engravable(); !engravable) return engravable;
   if (!symbol_) return tl::unexpected(symbol_.error());
   const EngraveRequest request = completeRequest();
-  PlacementSearch search(model.prepared, model.gpu, *pass_, symbol_->size, request.placement);
-  for (;;) {
-    const Result<bool> found = search.step();
-    if (!found) {
-      const auto surface = closestPoint(model.prepared.mesh, *centre_);
-      if (auto about = surface ? estimatedCode(*surface) : tl::unexpected(found.error())) code_ = std::move(*about);
-      return tl::unexpected(found.error());
-    }
-    if (*found) break;
+  if (const Status found = findPlacement(request); !found) {
+    const auto surface = closestPoint(model.prepared.mesh, *centre_);
+    if (auto about = surface ? estimatedCode(*surface) : tl::unexpected(found.error())) code_ = std::move(*about);
+    return found;
   }
-  auto code = exactCode(*symbol_, request, search.placement());
+  auto code = exactCode(*symbol_, request, found_->search.placement());
   if (!code) return tl::unexpected(code.error());
-  placement_ = search.placement();
+  placement_ = found_->search.placement();
   code_ = std::move(*code);
   return {};
+}
+
+Status Engine::findPlacement(const EngraveRequest& request) {
+  if (foundPlacement(request)) return {};
+  found_.reset();
+  const PlacementRequest wanted = searchedPlacement(request, symbol_->size);
+  const EngravableModel& model = *model_->engravable;
+  PlacementSearch search(model.prepared, model.gpu, *pass_, symbol_->size, wanted);
+  for (bool done = false; !done;) {
+    const Result<bool> found = search.step();
+    if (!found) return tl::unexpected(found.error());
+    done = *found;
+  }
+  found_ = {wanted, symbol_->size, std::move(search)};
+  return {};
+}
+
+const PlacementSearch* Engine::foundPlacement(const EngraveRequest& request) const {
+  const bool isThat = found_ && symbol_ && found_->modules == symbol_->size &&
+                      found_->request == searchedPlacement(request, symbol_->size);
+  return isThat ? &found_->search : nullptr;
 }
 
 std::string Engine::placement() {
@@ -308,15 +326,15 @@ std::string Engine::startEngrave(const RequestOverrides* overrides) {
   if (!centre_)
     return answer(ErrorCode::BadUsage, "no place has been chosen", "click on the model where the code should go");
   jobRequest_ = overrides ? overrides->appliedTo(completeRequest()) : completeRequest();
-  jobRequest_.inlay = true;         // so that the page can offer it
   jobRequest_.recordSearch = true;  // so that the inspector can show it, whenever it is opened
-  auto job = EngraveJob::create(model_->engravable, jobRequest_);
+  const PlacementSearch* placed = overrides ? nullptr : foundPlacement(jobRequest_);
+  auto job = EngraveJob::create(model_->engravable, jobRequest_, placed);
   if (!job) return answer(job.error());
   job_ = std::move(*job);
   if (timerQueries_) passTimings_ = std::make_unique<gl::PassTimings>(*timerQueries_);
   ++engravings_;
   jobRuns_ = true;
-  jobMs_ = 0;
+  jobMs_ = placed ? placed->directionMs() + placed->sizeMs() : 0;
   return done();
 }
 
@@ -417,10 +435,14 @@ void Engine::setReadBack(const std::string& text, const std::string& reader) {
   reader_ = reader;
 }
 
-std::vector<std::uint8_t> Engine::exportModel(const std::string& format) const {
+std::vector<std::uint8_t> Engine::exportModel(const std::string& format) {
   if (!result_) return {};
   if (format == "stl") return result_->stl;
   const bool withInlay = format == "3mf-inlay";
+  if (withInlay && !result_->inlay) {
+    const Status made = addInlay(*model_->engravable, jobRequest_.surface, *result_);
+    if (!made || !result_->inlaySolidity.solid()) return {};
+  }
   const auto bytes =
       writeChecked(carvedObjects(*result_, model_->partNames, withInlay),
                    withInlay ? ModelFormat::ThreeMf : formatOfName("." + format), {.title = model_->fileName});

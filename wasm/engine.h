@@ -98,9 +98,9 @@ class Engine {
   /// What a reader made of it; empty: nothing.
   void setReadBack(const std::string& text, const std::string& reader);
   /// The carved model as "stl" (binary), "obj", "ply", "3mf" or "3mf-inlay" (with the body that fills the pockets),
-  /// read back and compared; empty before an engraving is done, for another format, and if the file would say anything
-  /// else.
-  std::vector<std::uint8_t> exportModel(const std::string& format) const;
+  /// read back and compared; empty before an engraving is done, for another format, if the file would say anything
+  /// else, and if the pockets cannot be filled by a solid body.
+  std::vector<std::uint8_t> exportModel(const std::string& format);
 
   void resize(double width, double height, double devicePixelRatio);
   void setTheme(bool dark);
@@ -191,6 +191,8 @@ class Engine {
   std::string describeCode(const CodeOnSurface& code) const;
   std::optional<SurfacePoint> surfaceAt(double x, double y) const;
   Status placeSymbol();
+  Status findPlacement(const EngraveRequest& request);  // unless it is the one that was found last
+  const PlacementSearch* foundPlacement(const EngraveRequest& request) const;  // null: not yet
   EngraveRequest completeRequest() const;
   void finishPlacing();
   void forgetPlacement();
@@ -210,6 +212,12 @@ class Engine {
   EngraveRequest request_;
   std::optional<Vec3> centre_;
   Result<Symbol> symbol_;  // of the request
+  struct FoundPlacement {
+    PlacementRequest request;
+    int modules;
+    PlacementSearch search;
+  };
+  std::optional<FoundPlacement> found_;  // last
   std::optional<Placement> placement_;
   std::optional<CodeOnSurface> code_;  // that has its place, or is being moved there
   std::optional<CodeOnSurface> hovered_;

@@ -61,7 +61,7 @@ class FastSearch final : public DepthSolver {
   std::vector<double> seenShare_;   // LS/AL when it was last measured
   std::vector<State> states_;
   std::vector<char> isDue_;
-  std::vector<char> isOld_;  // something it sees has moved since it was measured
+  std::vector<char> isOld_;               // something it sees has moved since it was measured
   std::vector<std::uint32_t> dueInMask_;  // none: all
   int iterations_ = 0;
   bool allSeenOnceMore_ = false;

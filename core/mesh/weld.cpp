@@ -57,6 +57,13 @@ Welding weldEqual(std::span<const Vec3f> points) {
   return welding;
 }
 
+Mesh welded(std::span<const Vec3f> corners, std::vector<Triangle> triangles) {
+  Welding welding = weldEqual(corners);
+  for (Triangle& triangle : triangles)
+    for (std::uint32_t& vertex : triangle) vertex = welding.indexOf[vertex];
+  return {std::move(welding.positions), std::move(triangles)};
+}
+
 void dropUnused(Mesh& mesh) {
   std::vector<std::uint32_t> newIndex(mesh.positions.size(), kFree);
   for (const Triangle& t : mesh.triangles)

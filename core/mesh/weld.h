@@ -19,6 +19,10 @@ struct Welding {
 /// @param points  finite, fewer than 2^32
 Welding weldEqual(std::span<const Vec3f> points);
 
+/// What a slicer makes of an STL: corners at one place become one vertex, every triangle stays.
+/// @param triangles  of indices into `corners`
+Mesh welded(std::span<const Vec3f> corners, std::vector<Triangle> triangles);
+
 /// Drops positions that no triangle uses, keeping the order, and renumbers the triangles.
 void dropUnused(Mesh& mesh);
 

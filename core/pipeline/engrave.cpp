@@ -15,6 +15,7 @@
 #include "io/write_stl.h"
 #include "math/tolerance.h"
 #include "mesh/weld.h"
+#include "pipeline/add_inlay.h"
 #include "pipeline/carved_parts.h"
 #include "pipeline/check_request.h"
 
@@ -49,16 +50,6 @@ struct CellLayout {
   }
 };
 
-/// What a slicer makes of an STL: corners at one place become one vertex, every triangle stays.
-Mesh welded(const PolygonSoup& soup) {
-  const std::vector<Vec3f> corners(soup.positions.begin(), soup.positions.end());
-  Welding welding = weldEqual(corners);
-  Mesh mesh{std::move(welding.positions), soup.triangles};
-  for (Triangle& triangle : mesh.triangles)
-    for (std::uint32_t& vertex : triangle) vertex = welding.indexOf[vertex];
-  return mesh;
-}
-
 /// What carving must not bring into a model. Crossings count where it had none: facets that crossed others before may
 /// have been cut.
 Status checkNewDefects(SolidityReport solidity, const PreparedModel& before) {
@@ -71,15 +62,15 @@ Status checkNewDefects(SolidityReport solidity, const PreparedModel& before) {
               "the origin");
 }
 
+}  // namespace
+
 /// The walls beside the largest code that may be asked for must be known, too (see wallLimits).
-EngraveRequest withMargin(EngraveRequest request, int modules) {
-  PlacementRequest& place = request.placement;
+PlacementRequest searchedPlacement(const EngraveRequest& request, int modules) {
+  PlacementRequest place = request.placement;
   const double largest = place.sizeMode == SizeMode::Fixed ? place.sizeMm : place.maxSizeMm;
   place.beyondMm = request.minWallMm + request.maxDepthMm.value_or(kMaxDepthModules * largest / modules);
-  return request;
+  return place;
 }
-
-}  // namespace
 
 std::shared_ptr<const EngravableModel> EngravableModel::upload(PreparedModel prepared) {
   auto model = std::make_shared<EngravableModel>();
@@ -124,6 +115,7 @@ struct EngraveJob::State {
   EngraveResult result;
 
   Status place();
+  void take(const PlacementSearch& found);
   Status map();
   Status searchOnce();
   Status embed();
@@ -133,23 +125,45 @@ struct EngraveJob::State {
   void measure();
   void startRecord(std::span<const double> limitMm);
   void recordPass(const DepthField& tried, std::span<const double> luminance, double ms);
-  Progress at(std::string_view name, double to, double share);
+  Progress progress();
 };
 
-Progress EngraveJob::State::at(std::string_view name, double to, double share) {
-  fraction = std::max(fraction, to * std::clamp(share, 0.0, 1.0));
+/// What comes next, and what share of the whole is behind it.
+Progress EngraveJob::State::progress() {
+  const auto [name, share] = [&]() -> std::pair<std::string_view, double> {
+    switch (stage) {
+      case Stage::Placing:
+        return {"Finding direction and size", 0.05};
+      case Stage::Mapping:
+        return {"Measuring the surface", 0.15};
+      case Stage::Searching:
+        return {"Finding the depth", 0.25 + 0.45 * search->doneShare()};
+      case Stage::Embedding:
+        return {"Carving the mesh", 0.7};
+      case Stage::Checking:
+        return {"Checking the solid", 0.8};
+      case Stage::Viewing:
+      case Stage::Done:
+        break;
+    }
+    return {"Looking at the result", stage == Stage::Done ? 1 : 0.9};
+  }();
+  fraction = std::max(fraction, share);
   return {name, fraction, stage == Stage::Done};
 }
 
 Status EngraveJob::State::place() {
   const Result<bool> placed = placing->step();
   if (!placed) return tl::unexpected(placed.error());
-  if (!*placed) return {};
-  result.placement = placing->placement();
-  result.timingsMs.direction = placing->directionMs();
-  result.timingsMs.size = placing->sizeMs();
-  stage = Stage::Mapping;
+  if (*placed) take(*placing);
   return {};
+}
+
+void EngraveJob::State::take(const PlacementSearch& found) {
+  result.placement = found.placement();
+  result.timingsMs.direction = found.directionMs();
+  result.timingsMs.size = found.sizeMs();
+  stage = Stage::Mapping;
 }
 
 /// Greatest depth of every submodule: --max-depth, distance to the other side of the material in any direction, and
@@ -315,7 +329,7 @@ Status EngraveJob::State::searchOnce() {
 Status EngraveJob::State::embed() {
   const auto start = std::chrono::steady_clock::now();
   auto made = embedDepthField(model->prepared.mesh, result.placement.frame, result.placement.patch.triangles,
-                              result.depths, {.surface = request.surface, .inlay = request.inlay});
+                              result.depths, {.surface = request.surface});
   if (!made) return tl::unexpected(made.error());
   embedded = std::move(*made);
   result.keptTriangles = embedded.keptTriangles;
@@ -330,7 +344,7 @@ Status EngraveJob::State::check() {
   result.stl = writeStl(embedded.mesh);
   const auto read = readModel(result.stl, "carved.stl");
   if (!read) return tl::unexpected(read.error());
-  result.mesh = welded(*read);
+  result.mesh = welded(std::vector<Vec3f>(read->positions.begin(), read->positions.end()), read->triangles);
   const auto solidity = checkSolidity(result.mesh, embedded.newTriangles);
   if (!solidity) return tl::unexpected(solidity.error());
   result.solidity = *solidity;
@@ -339,14 +353,8 @@ Status EngraveJob::State::check() {
   result.carvedPart = partOf.empty() ? 0 : partOf[result.placement.seed];
   result.partOfTriangle =
       partsAfterCarving(model->prepared.mesh, partOf, result.mesh, result.keptTriangles, result.carvedPart);
-  if (request.inlay) {
-    const auto readInlay = readModel(writeStl(embedded.inlay), "inlay.stl");
-    if (!readInlay) return tl::unexpected(readInlay.error());
-    result.inlay = welded(*readInlay);
-    const auto inlaySolidity = checkSolidity(*result.inlay);
-    if (!inlaySolidity) return tl::unexpected(inlaySolidity.error());
-    result.inlaySolidity = *inlaySolidity;
-  }
+  if (request.inlay)
+    if (const Status made = addInlay(*model, request.surface, result); !made) return made;
   result.timingsMs.verify += millisecondsSince(start);
   embedded = {};
   stage = Stage::Viewing;
@@ -378,7 +386,7 @@ EngraveJob::EngraveJob(std::unique_ptr<State> state) : state_(std::move(state)) 
 EngraveJob::~EngraveJob() = default;
 
 Result<std::unique_ptr<EngraveJob>> EngraveJob::create(std::shared_ptr<const EngravableModel> model,
-                                                       EngraveRequest request) {
+                                                       EngraveRequest request, const PlacementSearch* placed) {
   if (const Status checked = checkRequest(request); !checked) return tl::unexpected(checked.error());
   if (const Status engravable = model->prepared.engravable(); !engravable) return tl::unexpected(engravable.error());
   auto symbol = encodeSymbol(request.text, request.symbol);
@@ -388,13 +396,16 @@ Result<std::unique_ptr<EngraveJob>> EngraveJob::create(std::shared_ptr<const Eng
 
   auto state = std::make_unique<State>();
   state->model = std::move(model);
-  state->request = withMargin(std::move(request), symbol->size);
+  state->request = std::move(request);
   state->pass = std::move(*pass);
   state->symbol = std::move(*symbol);
   state->mask = submodulesToCarve(state->symbol, state->request.modulePattern, state->request.finderPattern);
   state->layout = {state->symbol.size};
-  state->placing.emplace(state->model->prepared, state->model->gpu, state->pass, state->symbol.size,
-                         state->request.placement);
+  if (placed)
+    state->take(*placed);
+  else
+    state->placing.emplace(state->model->prepared, state->model->gpu, state->pass, state->symbol.size,
+                           searchedPlacement(state->request, state->symbol.size));
   return std::unique_ptr<EngraveJob>(new EngraveJob(std::move(state)));
 }
 
@@ -402,37 +413,23 @@ Result<Progress> EngraveJob::advance() {
   using Stage = State::Stage;
   State& s = *state_;
   Status done;
-  std::string_view name;
-  double to = 1, share = 1;
   switch (s.stage) {
     case Stage::Placing:
-      name = "Finding direction and size";
-      to = 0.15;
       done = s.place();
       break;
     case Stage::Mapping:
-      name = "Measuring the surface";
-      to = 0.25;
       done = s.map();
       break;
     case Stage::Searching:
-      name = "Finding the depth";
-      to = 0.7;
       done = s.searchOnce();
-      share = 0.35 + 0.65 * s.search->doneShare();
       break;
     case Stage::Embedding:
-      name = "Carving the mesh";
-      to = 0.8;
       done = s.embed();
       break;
     case Stage::Checking:
-      name = "Checking the solid";
-      to = 0.9;
       done = s.check();
       break;
     case Stage::Viewing:
-      name = "Looking at the result";
       done = s.view();
       break;
     case Stage::Done:
@@ -440,7 +437,7 @@ Result<Progress> EngraveJob::advance() {
       break;
   }
   if (!done) return tl::unexpected(done.error());
-  return s.at(name, to, share);
+  return s.progress();
 }
 
 EngraveResult EngraveJob::takeResult() {

@@ -67,6 +67,10 @@ struct EngraveRequest {
   bool recordSearch = false;  ///< keep what every pass of the search for depths saw, in EngraveResult::search
 };
 
+/// The place that an engraving looks for.
+/// @param modules  of the symbol along its edge
+PlacementRequest searchedPlacement(const EngraveRequest& request, int modules);
+
 /// Milliseconds spent in each stage.
 struct StageTimings {
   double direction = 0, size = 0, surface = 0, depthSearch = 0, embed = 0, verify = 0;
@@ -120,11 +124,13 @@ struct InspectorMaps {
 ///     EngraveResult result = job->takeResult();
 class EngraveJob {
  public:
+  /// @param placed  the place, if it has been found before: a search of this model for searchedPlacement(request, …)
+  ///                that is done
   /// @returns BadUsage or BadInput for a request that cannot be carried out whatever the geometry; a model with
   /// blocking
   ///          findings
   static Result<std::unique_ptr<EngraveJob>> create(std::shared_ptr<const EngravableModel> model,
-                                                    EngraveRequest request);
+                                                    EngraveRequest request, const PlacementSearch* placed = nullptr);
   ~EngraveJob();
 
   /// The next piece. After an error or `done` it must not be called again.

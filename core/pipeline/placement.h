@@ -39,6 +39,8 @@ struct PlacementRequest {
   std::optional<Vec3> direction;  ///< towards the reader; overrides the method
   double eyeDistanceMm = 250;     ///< > 0
   double beyondMm = 0;  ///< the patch must be known this much farther than the largest code reaches, ≥ 0 (walls)
+
+  bool operator==(const PlacementRequest&) const = default;
 };
 
 /// The answer.

@@ -82,11 +82,7 @@ Result<Mesh> meshAsFound(const PolygonSoup& soup, double scaleToMm) {
       return fail(ErrorCode::BadInput, "The model has coordinates that are no finite numbers", "Repair it first");
     corners.push_back(p);
   }
-  Welding welding = weldEqual(corners);
-  Mesh mesh{std::move(welding.positions), soup.triangles};
-  for (Triangle& triangle : mesh.triangles)
-    for (std::uint32_t& vertex : triangle) vertex = welding.indexOf[vertex];
-  return mesh;
+  return welded(corners, soup.triangles);
 }
 
 /// The stages in their order; each `advance` does one step of the current one.

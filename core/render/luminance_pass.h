@@ -21,13 +21,13 @@ struct LuminanceSampling {
 struct LuminanceOptions {
   int cellTexels = 4;  ///< texels along a cell's edge; the map's edge is a whole number of cells
   LuminanceSampling sampling = {};
-  bool turnSlices = true;    ///< texels of a 4×4 block take different slices: for cell means; false for pictures
-  float radiusMm = 5;        ///< reach of the march; what lies farther counts by the surface's own horizon
+  bool turnSlices = true;      ///< texels of a 4×4 block take different slices: for cell means; false for pictures
+  float radiusMm = 5;          ///< reach of the march; what lies farther counts by the surface's own horizon
   float everyBorderMm = 1e6f;  ///< up to here the march stops at every cell border; beyond, at steps that grow
-  float reliefMm = 0;        ///< depth of what is carved into the maps' own surface, beside `setDepths`
-  int horizonSamples = 64;   ///< places along the map's edge for which the surface's own horizon is found, ≥ 1
-  float horizonStartMm = 1;  ///< surface nearer than this is left to the march
-  float albedo = 0.7f;       ///< of the material, 0 … 1; white plastic is about 0.7
+  float reliefMm = 0;          ///< depth of what is carved into the maps' own surface, beside `setDepths`
+  int horizonSamples = 64;     ///< places along the map's edge for which the surface's own horizon is found, ≥ 1
+  float horizonStartMm = 1;    ///< surface nearer than this is left to the march
+  float albedo = 0.7f;         ///< of the material, 0 … 1; white plastic is about 0.7
   std::vector<DirectionalLight> lights = {};  ///< at most kMostLights
 };
 
