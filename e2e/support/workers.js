@@ -2,7 +2,7 @@
 // A hold of the page's workers: runs in the page before its own scripts (`page.addInitScript(holdWorkers)`).
 
 /**
- * `window.workers` are all of them; `window.unheard` names verbs that never reach a worker; `window.failNext` answers the
+ * `window.workers` are the module's; `window.unheard` names verbs that never reach a worker; `window.failNext` answers the
  * next call of a verb with an error.
  */
 export const holdWorkers = () => {
@@ -16,7 +16,7 @@ export const holdWorkers = () => {
     /** @param {string | URL} url @param {WorkerOptions} [options] */
     constructor(url, options) {
       super(url, options);
-      page.workers.push(this);
+      if (options?.name === 'qrelief') page.workers.push(this);
     }
 
     /** @param {any} message @param {any} transfer */

@@ -1,21 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reads the carved code back with ZXing-C++, a reader that shares nothing with our own code. Loaded when first needed.
-import wasmUrl from 'zxing-wasm/reader/zxing_reader.wasm?url';
-import { frontalPictures, readingVariants } from './variants.js';
+// Reads the carved code back, beside the page: its workers are started when first needed, and stay.
+import { frontalPictures } from './variants.js';
 
 /** @typedef {import('../engine/types.js').GreyImage} GreyImage */
+/** @typedef {{ resolve: (texts: string[]) => void, reject: (reason: Error) => void }} Pending */
 
 export const kReaderName = 'ZXing-C++ (zxing-wasm)';
 
-/** @type {Promise<typeof import('zxing-wasm/reader')> | undefined} */
-let library;
+const kMostWorkers = 2;  // each holds a reader of its own
 
-function loadLibrary() {
-  library ??= import('zxing-wasm/reader').then((reader) => {
-    reader.prepareZXingModule({ overrides: { locateFile: () => wasmUrl } });
-    return reader;
-  });
-  return library;
+/** @type {ScanWorker[]} */
+let workers = [];
+
+/** Starts the workers, so that they are ready when there is something to read. */
+export function prepareReader() {
+  if (workers.length > 0) return;
+  const count = Math.min(kMostWorkers, navigator.hardwareConcurrency || 1);
+  workers = Array.from({ length: count }, () => new ScanWorker(() => {
+    workers = [];  // the next reading starts new ones
+  }));
 }
 
 /** @typedef {{ text: string, tries: number, reads: number }} Reading
@@ -28,41 +31,50 @@ function loadLibrary() {
  * @returns {Promise<Reading>}
  */
 export async function readAll(image, pixelsPerModule) {
-  /** @type {Reading} */ const reading = { text: '', tries: 0, reads: 0 };
-  for (const frontal of frontalPictures(image, pixelsPerModule)) {
-    for await (const text of tries(frontal.picture, frontal.pixelsPerModule)) {
-      reading.tries += 1;
-      if (text === '') continue;
-      reading.text ||= text;
-      if (text === reading.text) reading.reads += 1;
-    }
-    await new Promise((resolve) => setTimeout(resolve));  // the page stays responsive
-  }
-  return reading;
+  prepareReader();
+  const scans = frontalPictures(image, pixelsPerModule).map((frontal, i) =>
+    workers[i % workers.length].scan(frontal.picture, frontal.pixelsPerModule));
+  const texts = (await Promise.all(scans)).flat();
+  const text = texts.find((each) => each !== '') ?? '';
+  return { text, tries: texts.length, reads: text === '' ? 0 : texts.filter((each) => each === text).length };
 }
 
 /** Whether any of it succeeds on one picture. @param {GreyImage} image @param {number} pixelsPerModule @param {string} wanted */
 export async function reads(image, pixelsPerModule, wanted) {
-  for await (const text of tries(image, pixelsPerModule)) if (text === wanted) return true;
-  return false;
+  prepareReader();
+  return (await workers[0].scan(image, pixelsPerModule, wanted)).includes(wanted);
 }
 
-/** @param {GreyImage} image @param {number} pixelsPerModule */
-async function* tries(image, pixelsPerModule) {
-  const { readBarcodes } = await loadLibrary();
-  for (const variant of readingVariants(image, pixelsPerModule)) {
-    const data = toImageData(variant);
-    for (const binarizer of /** @type {const} */ (['LocalAverage', 'GlobalHistogram'])) {
-      const [found] = await readBarcodes(data, { formats: ['QRCode'], tryHarder: true, maxNumberOfSymbols: 1, binarizer });
-      yield found?.isValid ? found.text : '';
-    }
+class ScanWorker {
+  /** @param {() => void} onFailure  it will not answer any more */
+  constructor(onFailure) {
+    /** @type {Map<number, Pending>} */ this.pending_ = new Map();
+    this.nextId_ = 1;
+    this.worker_ = new Worker(new URL('./scan_worker.js', import.meta.url), { type: 'module', name: 'reader' });
+    this.worker_.onmessage = ({ data: { id, texts, problem } }) => {
+      const pending = this.pending_.get(id);
+      this.pending_.delete(id);
+      if (texts) pending?.resolve(texts);
+      else pending?.reject(failed(problem));
+    };
+    this.worker_.onerror = (event) => {
+      event.preventDefault();
+      this.worker_.terminate();
+      onFailure();
+      for (const { reject } of this.pending_.values()) reject(failed(event.message || 'it could not be loaded'));
+      this.pending_.clear();
+    };
+  }
+
+  /** @param {GreyImage} picture @param {number} pixelsPerModule @param {string} [wanted] @returns {Promise<string[]>} */
+  scan(picture, pixelsPerModule, wanted) {
+    return new Promise((resolve, reject) => {
+      const id = this.nextId_++;
+      this.pending_.set(id, { resolve, reject });
+      this.worker_.postMessage({ id, picture, pixelsPerModule, wanted });
+    });
   }
 }
 
-/** @param {GreyImage} image */
-function toImageData({ width, height, pixels }) {
-  const data = new ImageData(width, height);
-  const words = new Uint32Array(data.data.buffer);
-  for (let i = 0; i < words.length; i += 1) words[i] = 0xff000000 | (pixels[i] * 0x010101);
-  return data;
-}
+/** @param {string} detail */
+const failed = (detail) => new Error(`The reader stopped (${detail})`);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Carves the code, reads it back, and hands out what came of it.
 import { pixelsPerModule, tryViews } from '../check/view_trials.js';
-import { kReaderName, readAll, reads } from '../reader/reader.js';
+import { kReaderName, prepareReader, readAll, reads } from '../reader/reader.js';
 import { fileNameOf } from '../take/file_names.js';
 import { text } from '../text/catalogue.js';
 import { saveFile } from '../ui/save_file.js';
@@ -116,6 +116,7 @@ export class Carving {
     await this.drop();
     this.onStart_();
     const made = this.work_();
+    prepareReader();
     const finished = await this.client_.engrave({
       signal, withOverrides: overrides !== undefined, onProgress: (progress) => this.jobs_.showProgress(progress),
     });

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The worker's side of the reader: scans the pictures that it is given, one after the other.
+import { loadLibrary, scan } from './scans.js';
+
+/** @typedef {{ id: number, picture: import('./scans.js').GreyImage, pixelsPerModule: number, wanted?: string }} Request */
+
+const scope = /** @type {any} */ (globalThis);
+
+loadLibrary().catch(() => {});  // the first scan says it
+
+scope.onmessage = async (/** @type {MessageEvent} */ { data }) => {
+  const { id, picture, pixelsPerModule, wanted } = /** @type {Request} */ (data);
+  try {
+    scope.postMessage({ id, texts: await scan(picture, pixelsPerModule, wanted) });
+  } catch (thrown) {
+    scope.postMessage({ id, problem: thrown instanceof Error ? thrown.message : String(thrown) });
+  }
+};

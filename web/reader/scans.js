@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Reads pictures with ZXing-C++, a reader that shares nothing with our own code. Loaded when first needed.
+import wasmUrl from 'zxing-wasm/reader/zxing_reader.wasm?url';
+import { readingVariants } from './variants.js';
+
+/** @typedef {import('../engine/types.js').GreyImage} GreyImage */
+
+/** @type {Promise<typeof import('zxing-wasm/reader')> | undefined} */
+let library;
+
+/** Before it is needed: fetching and compiling takes a moment. */
+export function loadLibrary() {
+  library ??= import('zxing-wasm/reader').then(async (reader) => {
+    await reader.prepareZXingModule({ overrides: { locateFile: () => wasmUrl }, fireImmediately: true });
+    return reader;
+  });
+  return library;
+}
+
+/**
+ * What a scanning app tries on one picture.
+ * @param {GreyImage} image
+ * @param {number} pixelsPerModule  of the code in it
+ * @param {string} [wanted]         with which it ends
+ * @returns {Promise<string[]>}     what each try has read, '' if nothing
+ */
+export async function scan(image, pixelsPerModule, wanted) {
+  const { readBarcodes } = await loadLibrary();
+  /** @type {string[]} */ const texts = [];
+  for (const variant of readingVariants(image, pixelsPerModule)) {
+    const data = toImageData(variant);
+    for (const binarizer of /** @type {const} */ (['LocalAverage', 'GlobalHistogram'])) {
+      const [found] = await readBarcodes(data, { formats: ['QRCode'], tryHarder: true, maxNumberOfSymbols: 1, binarizer });
+      texts.push(found?.isValid ? found.text : '');
+      if (wanted !== undefined && texts.at(-1) === wanted) return texts;
+    }
+  }
+  return texts;
+}
+
+/** @param {GreyImage} image */
+function toImageData({ width, height, pixels }) {
+  const data = new ImageData(width, height);
+  const words = new Uint32Array(data.data.buffer);
+  for (let i = 0; i < words.length; i += 1) words[i] = 0xff000000 | (pixels[i] * 0x010101);
+  return data;
+}
