@@ -101,7 +101,7 @@ float stripes(vec2 onPlane, float edge) {
 vec2 inSquare(vec2 onPlane, vec2 dx, vec2 dy, float edge) {
   float pixel = max(1e-6, max(length(dx), length(dy)));
   float beyond = (max(abs(onPlane.x), abs(onPlane.y)) - 0.5 * edge) / pixel;
-  float inside = clamp(0.5 - beyond, 0.0, 1.0);
+  float inside = pixel > edge ? 0.0 : clamp(0.5 - beyond, 0.0, 1.0);  // not where the plane is seen from its side
   bool isGrazed = pixel > 0.02 * edge;  // a contour of the surface: its pixels reach too far to tell
   return vec2(inside, isGrazed ? 0.0 : clamp(2.5 - beyond, 0.0, 1.0) - inside);
 }

@@ -13,30 +13,32 @@ constexpr double kMuchSmaller = 0.6;  // a size below this share of the one samp
 constexpr int kRounds = 2;
 constexpr int kDirectionTexels = 48;
 constexpr int kDirectionSamples = 256;
-constexpr int kDirectionLooks = 2;
+constexpr int kDirectionLooks = 3, kQuickDirectionLooks = 1;
 constexpr int kReachTexels = 128;
 constexpr double kReachMargin = 1.05;
-constexpr int kTurns = 18;  // that are tried for the best rotation, over a quarter turn
+constexpr double kAhead = 1.25;  // room for a code that is larger than expected
+constexpr int kTurns = 18;       // that are tried for the best rotation, over a quarter turn
 
 constexpr double kDegree = std::numbers::pi / 180;
 
+/// @param mostLooks  renderings that the direction may take
 Result<Vec3> directionAt(const EngravableModel& model, const GeometryPass& pass, const SurfacePoint& centre,
-                         double sizeMm, const PlacementRequest& request) {
+                         double sizeMm, int mostLooks, const PlacementRequest& request) {
   if (request.direction) return *request.direction;
   DirectionOptions options;
   options.method =
       request.directionMethod == DirectionMethod::Optimal ? DirectionMethod::DepthBalanced : request.directionMethod;
   options.sizeMm = sizeMm;
   options.samples = kDirectionSamples;
-  options.maxIterations = kDirectionLooks;
   options.mapTexels = kDirectionTexels;
   DirectionSearch search(pass, model.gpu, centre.position, triangleNormal(model.prepared.mesh, centre.triangle),
                          request.upHint, request.eyeDistanceMm, options);
-  for (;;) {
+  for (int look = 0; look < mostLooks; ++look) {
     const Result<bool> found = search.step();
     if (!found) return tl::unexpected(found.error());
-    if (*found) return search.normal();
+    if (*found) break;
   }
+  return search.normal();
 }
 
 double bestTurn(const EyeReach& reach) {
@@ -51,20 +53,18 @@ double bestTurn(const EyeReach& reach) {
   return best;
 }
 
-}  // namespace
-
-Result<CodeEstimate> estimateCode(const EngravableModel& model, const GeometryPass& pass, const SurfacePoint& centre,
-                                  int modules, const PlacementRequest& request) {
+/// @param room   edge of the largest symbol that the map has room for at every rotation, mm
+/// @param looks  renderings that each direction may take
+Result<CodeEstimate> estimateWithin(double room, double sampled, int looks, const EngravableModel& model,
+                                    const GeometryPass& pass, const SurfacePoint& centre, int modules,
+                                    const PlacementRequest& request) {
   const bool isFixed = request.sizeMode == SizeMode::Fixed;
   const double outer = roomFactor(modules, request.quietZone);
-  const double diagonal = model.gpu.box().diagonal();
   const double most = isFixed ? request.sizeMm : request.maxSizeMm;
-  const MapWindow window{kReachMargin * std::numbers::sqrt2 * outer * std::min(most, isFixed ? most : diagonal),
-                         kReachTexels};
+  const MapWindow window{kReachMargin * std::numbers::sqrt2 * outer * room, kReachTexels};
   CodeEstimate estimate;
-  double sampled = isFixed ? most : std::min(most, kFirstShare * diagonal);
   for (int round = 0; round < kRounds; ++round) {
-    const auto normal = directionAt(model, pass, centre, sampled, request);
+    const auto normal = directionAt(model, pass, centre, sampled, looks, request);
     if (!normal) return tl::unexpected(normal.error());
     const ProjectionFrame upright = makeFrame(centre.position, *normal, request.upHint, request.eyeDistanceMm);
     auto reach = lookAround(pass, model.gpu, upright, window);
@@ -84,6 +84,24 @@ Result<CodeEstimate> estimateCode(const EngravableModel& model, const GeometryPa
     sampled = estimate.symbolMm;
   }
   return estimate;
+}
+
+}  // namespace
+
+Result<CodeEstimate> estimateCode(const EngravableModel& model, const GeometryPass& pass, const SurfacePoint& centre,
+                                  int modules, const PlacementRequest& request, std::optional<double> expectedMm) {
+  if (request.sizeMode == SizeMode::Fixed)
+    return estimateWithin(request.sizeMm, request.sizeMm, expectedMm ? kQuickDirectionLooks : kDirectionLooks, model,
+                          pass, centre, modules, request);
+  const double diagonal = model.gpu.box().diagonal();
+  const double most = std::min(request.maxSizeMm, diagonal);
+  if (expectedMm && kAhead * *expectedMm < most) {
+    auto near =
+        estimateWithin(kAhead * *expectedMm, *expectedMm, kQuickDirectionLooks, model, pass, centre, modules, request);
+    if (!near || std::max(near->guaranteedMm, near->symbolMm) < kAhead * *expectedMm) return near;
+  }
+  return estimateWithin(most, std::min(request.maxSizeMm, kFirstShare * diagonal), kDirectionLooks, model, pass, centre,
+                        modules, request);
 }
 
 }  // namespace qrelief

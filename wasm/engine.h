@@ -178,7 +178,7 @@ class Engine {
     bool isExact = false;
     std::shared_ptr<const EyeReach> reach;  // as the map knows it; the print may know better
   };
-  Result<CodeOnSurface> estimatedCode(const SurfacePoint& at) const;
+  Result<CodeOnSurface> estimatedCode(const SurfacePoint& at, std::optional<double> expectedMm = {}) const;
   Result<CodeOnSurface> exactCode(const Symbol& symbol, const EngraveRequest& request,
                                   const Placement& placement) const;
   bool takesCode() const;

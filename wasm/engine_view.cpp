@@ -130,10 +130,10 @@ bool Engine::draw(bool always) {
 
 bool Engine::takesCode() const { return model_ && !jobRuns_ && symbol_ && model_->engravable->prepared.engravable(); }
 
-Result<Engine::CodeOnSurface> Engine::estimatedCode(const SurfacePoint& at) const {
+Result<Engine::CodeOnSurface> Engine::estimatedCode(const SurfacePoint& at, std::optional<double> expectedMm) const {
   PlacementRequest request = request_.placement;
   request.upHint = camera_.skyward();
-  auto estimate = estimateCode(*model_->engravable, *pass_, at, symbol_->size, request);
+  auto estimate = estimateCode(*model_->engravable, *pass_, at, symbol_->size, request, expectedMm);
   if (!estimate) return tl::unexpected(estimate.error());
   CodeOnSurface code;
   code.symbolMm = estimate->symbolMm;
@@ -194,7 +194,7 @@ std::string Engine::hover(double x, double y) {
       return textOf({{"ok", true}, {"hit", true}, {"onCode", true}});
     }
   }
-  auto code = estimatedCode(*at);
+  auto code = estimatedCode(*at, hovered_ ? std::optional(hovered_->symbolMm) : std::nullopt);
   if (!code) return answer(code.error());
   hoveredAt_ = at;
   hovered_ = std::move(*code);

@@ -8,6 +8,7 @@
 
 #include "base/halton.h"
 #include "shaders.h"
+#include "wasm/print_bounds.h"
 
 namespace qrelief {
 namespace {
@@ -61,11 +62,12 @@ Result<Viewer> Viewer::create(const ViewQuality& quality) {
     const char* vertex;
     const char* fragment;
   };
-  const std::array<Source, 4> sources = {{
+  const std::array<Source, 5> sources = {{
       {&Viewer::surface_, "view surface", shaders::view_surface_vert, shaders::view_surface_frag},
       {&Viewer::occlusion_, "view occlusion", shaders::fullscreen_vert, shaders::view_occlusion_frag},
       {&Viewer::lighting_, "view lighting", shaders::fullscreen_vert, shaders::view_lighting_frag},
       {&Viewer::present_, "view present", shaders::fullscreen_vert, shaders::view_present_frag},
+      {&Viewer::copy_, "view copy", shaders::fullscreen_vert, shaders::view_copy_frag},
   }};
   Viewer viewer;
   viewer.quality_ = quality;
@@ -100,6 +102,7 @@ void Viewer::setPrint(std::optional<SurfacePrint> print) {
   print_.print = std::move(print);
   print_.isUploaded = false;
   printsChanged_ = true;
+  if (plainHasPrint_) plainIsCurrent_ = false;
 }
 
 void Viewer::setGhost(std::optional<SurfacePrint> ghost) {
@@ -118,6 +121,7 @@ void Viewer::setCut(std::optional<CuttingPlane> cut) {
 void Viewer::setMarker(std::optional<Vec3> marker) {
   marker_ = marker;
   printsChanged_ = true;
+  plainIsCurrent_ = false;
 }
 
 void Viewer::setTheme(bool dark) {
@@ -295,13 +299,7 @@ void Viewer::setPrintUniforms(int index, const Shown& shown, double strength, co
   set("turn", glm::vec2(glm::dot(frame.right, seen.right), glm::dot(frame.right, seen.up)));
 }
 
-void Viewer::present(const CameraView& camera, const gl::Framebuffer* target) {
-  uploadInk();
-  uploadPrint(print_);
-  uploadPrint(ghost_);
-  if (nothing_.width() == 0) nothing_ = gl::Texture(1, 1, gl::Format::RGBA32F);
-  if (ink_.width() == 0) ink_ = gl::Texture(1, 1, gl::Format::RGBA8);
-  printsChanged_ = false;
+void Viewer::bindCanvas(const gl::Framebuffer* target) const {
   if (target) {
     target->bind();
   } else {
@@ -310,6 +308,15 @@ void Viewer::present(const CameraView& camera, const gl::Framebuffer* target) {
   glViewport(0, 0, width_, height_);
   glDisable(GL_BLEND);
   glDisable(GL_SCISSOR_TEST);
+}
+
+/// All of its program but the prints.
+void Viewer::setPresent(const CameraView& camera) {
+  uploadInk();
+  uploadPrint(print_);
+  uploadPrint(ghost_);
+  if (nothing_.width() == 0) nothing_ = gl::Texture(1, 1, gl::Format::RGBA32F);
+  if (ink_.width() == 0) ink_ = gl::Texture(1, 1, gl::Format::RGBA8);
   setCamera(present_, *picture_.surface, camera, picture_.jitter);
   present_.setTexture("u_colour", 0, picture_.colours->colour);
   present_.setTexture("u_surface", 1, picture_.surface->surface);
@@ -320,9 +327,55 @@ void Viewer::present(const CameraView& camera, const gl::Framebuffer* target) {
   present_.set("u_pixelMm", static_cast<float>(2 * camera.tanHalf.y * camera.distance / height_));
   present_.set("u_markerShown", marker_ ? 1 : 0);
   if (marker_) present_.set("u_marker", pointInView(camera, *marker_));
+}
+
+void Viewer::present(const CameraView& camera, const gl::Framebuffer* target) {
+  bindCanvas(target);
+  setPresent(camera);
   setPrintUniforms(0, print_, ghost_.print ? kBesideGhost : 1, camera);
   setPrintUniforms(1, ghost_, kGhostStrength, camera);
   gl::drawFullscreen();
+  printsChanged_ = false;
+}
+
+Status Viewer::makePlain(const CameraView& camera) {
+  const bool withPrint = ghost_.print.has_value();
+  if (plainIsCurrent_ && plainHasPrint_ == withPrint) return {};
+  if (plain_.width() != width_ || plain_.height() != height_) {
+    plain_ = gl::Texture(width_, height_, gl::Format::RGBA8);
+    const gl::Texture* const colours[] = {&plain_};
+    auto made = gl::Framebuffer::create(colours, false);
+    if (!made) return tl::unexpected(made.error());
+    plainTarget_ = std::move(*made);
+  }
+  bindCanvas(&plainTarget_);
+  setPresent(camera);
+  setPrintUniforms(0, print_, withPrint ? kBesideGhost : 0, camera);
+  setPrintUniforms(1, ghost_, 0, camera);
+  gl::drawFullscreen();
+  plainIsCurrent_ = true;
+  plainHasPrint_ = withPrint;
+  return {};
+}
+
+/// The same as `present`, for less where nothing but prints has changed.
+Status Viewer::presentPrints(const CameraView& camera, const gl::Framebuffer* target) {
+  if (const Status made = makePlain(camera); !made) return made;
+  bindCanvas(target);
+  copy_.use();
+  copy_.setTexture("u_picture", 0, plain_);
+  gl::drawFullscreen();
+  const Shown& moves = ghost_.print ? ghost_ : print_;
+  const PixelBox box = moves.print ? printBounds(*moves.print, camera, width_, height_) : PixelBox{};
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(box.x, box.y, box.width, box.height);
+  setPresent(camera);
+  setPrintUniforms(0, print_, ghost_.print ? kBesideGhost : 1, camera);
+  setPrintUniforms(1, ghost_, kGhostStrength, camera);
+  gl::drawFullscreen();
+  glDisable(GL_SCISSOR_TEST);
+  printsChanged_ = false;
+  return {};
 }
 
 void Viewer::adaptToInterval(double nowMs) {
@@ -346,6 +399,7 @@ Result<bool> Viewer::drawMoving(const CameraView& camera, double nowMs, const gl
   sample.blur = true;
   drawSample(*moving_, *moving_, camera, sample);
   picture_ = {&*moving_, &*moving_, {}};
+  plainIsCurrent_ = false;
   present(camera, target);
   statistics_ = {statistics_.coarseFrameMs, 0, moving_->width, moving_->height};
   lastMovingMs_ = nowMs;
@@ -368,6 +422,7 @@ Result<bool> Viewer::drawStill(const CameraView& camera, const gl::Framebuffer* 
   statistics_.height = still_->height;
   if (statistics_.samples >= std::min(kFirstShown, quality_.stillSamples))
     picture_ = {&*sum_, &*still_, jitterOf(sample, *still_)};
+  plainIsCurrent_ = false;
   present(camera, target);
   return statistics_.samples < quality_.stillSamples;
 }
@@ -384,7 +439,11 @@ Result<bool> Viewer::draw(const CameraView& camera, double nowMs, const gl::Fram
   const bool settled = nowMs - lastChangeMs_ >= quality_.settleMs;
   const bool finished = statistics_.samples >= quality_.stillSamples;
   if (settled && !finished) return drawStill(camera, target);
-  if (always || printsChanged_) present(camera, target);
+  if (printsChanged_) {
+    if (const Status drawn = presentPrints(camera, target); !drawn) return tl::unexpected(drawn.error());
+  } else if (always) {
+    present(camera, target);
+  }
   return !finished;
 }
 

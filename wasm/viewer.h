@@ -123,16 +123,24 @@ class Viewer {
   void setPrintUniforms(int index, const Shown& shown, double strength, const CameraView& camera) const;
   void uploadPrint(Shown& shown);
   void uploadInk();
+  void setPresent(const CameraView& camera);
   void present(const CameraView& camera, const gl::Framebuffer* target);
+  Status presentPrints(const CameraView& camera, const gl::Framebuffer* target);
+  Status makePlain(const CameraView& camera);
+  void bindCanvas(const gl::Framebuffer* target) const;
   Result<bool> drawMoving(const CameraView& camera, double nowMs, const gl::Framebuffer* target);
   Result<bool> drawStill(const CameraView& camera, const gl::Framebuffer* target);
   double radiusMm() const;
   void adaptToInterval(double nowMs);
 
   ViewQuality quality_;
-  gl::Program surface_, occlusion_, lighting_, present_;
+  gl::Program surface_, occlusion_, lighting_, present_, copy_;
   std::optional<Stage> moving_, still_, sum_;
   Picture picture_;
+  // What is presented without the print that moves (the ghost, if there is one), while the picture stays as it is.
+  gl::Texture plain_;
+  gl::Framebuffer plainTarget_;
+  bool plainIsCurrent_ = false, plainHasPrint_ = false;
   std::shared_ptr<const GpuMesh> mesh_;
   Shown print_, ghost_;
   gl::Texture ink_, nothing_;

@@ -190,8 +190,14 @@ Result<MapSample> lookFrom(const GeometryPass& pass, const GpuMesh& mesh, const 
   // Facet normals where the paper interpolates vertex normals: over a sampled square both average to the same, but
   // beside a crease interpolation leans away from the face by up to half the angle.
   std::vector<float> map = maps->framebuffer.readRgba(0);
-  const std::vector<float> smooth = maps->framebuffer.readRgba(1);
-  for (std::size_t i = 3; i < map.size(); i += 4) map[i] = smooth[i];
+  for (int row = 0; row < options.mapTexels; ++row) {
+    for (int column = 0; column < options.mapTexels; ++column) {
+      const auto i = 4 * static_cast<std::size_t>(row * options.mapTexels + column);
+      const bool isMet = map[i] != 0 || map[i + 1] != 0 || map[i + 2] != 0;
+      const double onPlane = glm::length(Vec3(maps->window.planePoint(column, row), frame.eyeDistance));
+      map[i + 3] = isMet ? static_cast<float>(onPlane * (1 - static_cast<double>(map[i + 3]) / frame.eyeDistance)) : 0;
+    }
+  }
   DirectionOptions fromFrame = options;
   fromFrame.eyeDistanceMm = frame.eyeDistance;
   return sampleMap(map, options.mapTexels, fromFrame);

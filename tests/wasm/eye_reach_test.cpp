@@ -85,6 +85,24 @@ TEST_F(EyeReachTest, AnEstimateOnABoxesTopAgreesWithTheExactPlacement) {
   EXPECT_EQ(estimate->missingShare, 0);
 }
 
+TEST_F(EyeReachTest, AWrongExpectationDoesNotChangeAnEstimate) {
+  const auto model = upload(shapes::box({60, 60, 20}));
+  for (const SizeMode mode : {SizeMode::Free, SizeMode::Oriented}) {
+    PlacementRequest request;
+    request.sizeMode = mode;
+    request.upHint = {0, 1, 0};
+    const SurfacePoint centre = *closestPoint(model->prepared.mesh, {3, 2, 10});
+    const auto estimate = estimateCode(*model, *pass_, centre, 29, request);
+    ASSERT_TRUE(estimate.has_value()) << estimate.error().message;
+    for (const double expectedMm : {0.3, 5.0, 0.9 * estimate->symbolMm, 1.2 * estimate->symbolMm, 500.0}) {
+      const auto expecting = estimateCode(*model, *pass_, centre, 29, request, expectedMm);
+      ASSERT_TRUE(expecting.has_value()) << expecting.error().message;
+      EXPECT_NEAR(expecting->symbolMm, estimate->symbolMm, 0.03 * estimate->symbolMm) << expectedMm;
+      EXPECT_NEAR(expecting->guaranteedMm, estimate->guaranteedMm, 0.03 * estimate->guaranteedMm) << expectedMm;
+    }
+  }
+}
+
 TEST_F(EyeReachTest, AFixedSizeThatOverhangsIsEstimatedWithItsShare) {
   const auto model = upload(shapes::box({60, 60, 20}));
   PlacementRequest request;

@@ -7,6 +7,7 @@
 #include "support/gl_test.h"
 #include "support/shapes.h"
 #include "wasm/display_mesh.h"
+#include "wasm/print_bounds.h"
 
 namespace qrelief {
 namespace {
@@ -98,6 +99,78 @@ TEST_F(ViewerTest, OcclusionDarkensAConcaveCornerAndLeavesTheOpenPlateAlone) {
   EXPECT_NEAR(picture.brightness(camera_.toScreen({30, 20, 0})), open, 0.02);
 }
 
+/// A print that moves over a finished picture is drawn in its own box alone.
+TEST_F(ViewerTest, PrintsThatMoveLookTheSameAsIfTheWholePictureWereDrawnWithThem) {
+  const Mesh mesh = shapes::bumpySphere(30, 2, 4, 5);
+  show(mesh);
+  const GpuMesh seen(mesh, vertexNormals(mesh));
+  auto pass = GeometryPass::create();
+  ASSERT_TRUE(pass.has_value());
+  const auto printAt = [&](Vec3 direction, bool withReach) {
+    SurfacePrint print;
+    const auto hit = firstHit(mesh, direction * 100.0, -direction);
+    EXPECT_TRUE(hit.has_value());
+    print.frame = makeFrame(hit->position, direction, {0, 0, 1}, 250);
+    print.edgeMm = 24;
+    print.size = 2;
+    print.ink = {255, 0, 0, 255};
+    if (!withReach) return print;
+    auto reach = lookAround(*pass, seen, print.frame, {50, 96});
+    EXPECT_TRUE(reach.has_value());
+    print.reach = std::make_shared<const EyeReach>(std::move(*reach));
+    return print;
+  };
+  for (int k = 0; k < 6; ++k) {
+    const double angle = k * 1.1;
+    const Vec3 towards = glm::normalize(Vec3(std::cos(angle), std::sin(angle), 0.3 * k - 0.7));
+    const Vec3 beside = glm::normalize(towards + Vec3(0, 0.3, 0.4));
+    camera_.orbit(60.0 * k, 25);
+    viewer_->setPrint(printAt(towards, k % 2 == 0));
+    viewer_->setGhost(std::nullopt);
+    refined();
+    viewer_->setGhost(printAt(beside, k % 3 != 0));
+    draw(clock_ += 1);
+    if (k % 2 == 1) {  // the other print moves
+      viewer_->setGhost(std::nullopt);
+      draw(clock_ += 1);
+      viewer_->setPrint(printAt(beside, true));
+      draw(clock_ += 1);
+    }
+    const Picture moved{target_.readRgba()};
+    ASSERT_TRUE(viewer_->draw(camera_.view(), clock_ += 1, &target_, true).has_value());
+    const Picture whole{target_.readRgba()};
+    double different = 0;
+    for (std::size_t i = 0; i < whole.rgba.size(); ++i)
+      different = std::max<double>(different, std::abs(moved.rgba[i] - whole.rgba[i]));
+    EXPECT_LT(different, 1.0 / 255) << k;  // the picture without prints is kept in bytes
+  }
+}
+
+TEST_F(ViewerTest, APrintsBoxIsNoLargerThanItMustBe) {
+  show(shapes::box({60, 60, 20}));
+  camera_.orbit(0, 400);  // from above
+  SurfacePrint print;
+  print.frame = makeFrame({0, 0, 10}, {0, 0, 1}, {0, 1, 0}, 250);
+  print.edgeMm = 20;
+  auto reach = std::make_shared<EyeReach>();
+  reach->frame = print.frame;
+  reach->window = {40, 64};
+  reach->texels.assign(4 * 64 * 64, 0.0f);
+  print.reach = reach;
+  const PixelBox box = printBounds(print, camera_.view(), kWidth, kHeight);
+  Vec2 low(1e9), high(-1e9);
+  for (const Vec3 corner : {Vec3(10, 10, 10), Vec3(-10, 10, 10), Vec3(-10, -10, 10), Vec3(10, -10, 10)}) {
+    low = glm::min(low, camera_.toScreen(corner));
+    high = glm::max(high, camera_.toScreen(corner));
+  }
+  EXPECT_GE(box.width, high.x - low.x);
+  EXPECT_LE(box.width, high.x - low.x + 24);
+  EXPECT_GE(box.height, high.y - low.y);
+  EXPECT_LE(box.height, high.y - low.y + 24);
+  print.frame = makeFrame({0, 0, 1000}, {0, 0, 1}, {0, 1, 0}, 250);  // behind the camera
+  EXPECT_EQ(printBounds(print, camera_.view(), kWidth, kHeight), (PixelBox{0, 0, kWidth, kHeight}));
+}
+
 TEST_F(ViewerTest, ThePrintShowsItsInkWhereTheProjectionCarriesIt) {
   show(shapes::box({60, 60, 20}));
   camera_.orbit(0, 400);  // from above
@@ -178,7 +251,7 @@ TEST_F(ViewerTest, AGhostIsFainterThanAPrintAndLeavesTheRefinedPictureAsItIs) {
   EXPECT_FALSE(draw(clock_ + 1));
   const Picture ghost{target_.readRgba()};
   EXPECT_EQ(viewer_->statistics().samples, samples);
-  EXPECT_NEAR(ghost.brightness(outside), plain.brightness(outside), 1e-6);
+  EXPECT_NEAR(ghost.brightness(outside), plain.brightness(outside), 1.0 / 255);
   viewer_->setGhost(std::nullopt);
   viewer_->setPrint(print);
   EXPECT_FALSE(draw(clock_ + 2));

@@ -1,0 +1,11 @@
+#version 300 es
+// A finished picture, as it is.
+precision highp float;
+
+uniform sampler2D u_picture;
+
+layout(location = 0) out vec4 o_colour;
+
+void main() {
+  o_colour = texelFetch(u_picture, ivec2(gl_FragCoord.xy), 0);
+}
