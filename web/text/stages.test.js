@@ -5,11 +5,11 @@ import { test } from 'node:test';
 import { setLanguage } from './catalogue.js';
 import { stageText } from './stages.js';
 
-/** The names of stages in a source: `Progress{"…"` and `name = "…"` in an advance(). @param {string} path */
+/** The names of stages in a source: of `Progress{"…"`, and of `return {"…"` in a progress(). @param {string} path */
 function stagesIn(path) {
   const source = readFileSync(new URL(`../../${path}`, import.meta.url), 'utf8');
-  const advance = source.slice(source.indexOf('Job::advance()'));
-  return [...advance.matchAll(/(?:Progress\{|name = )"([^"]+)"/g)].map(([, name]) => name);
+  const from = source.search(/::progress\(\)|Job::advance\(\)/);
+  return [...source.slice(from).matchAll(/(?:Progress\{|return \{|name = )"([^"]+)"/g)].map(([, name]) => name);
 }
 
 // The jobs that the module runs for the page.
