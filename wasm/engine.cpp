@@ -358,18 +358,22 @@ void Engine::finishJob() {
   result_ = job_->takeResult();
   placement_ = result_->placement;
   if (auto code = exactCode(result_->symbol, jobRequest_, *placement_)) code_ = std::move(*code);
+  carving_ = ++carvings_;
+  updateView();
+}
+
+void Engine::makeCarvedDisplay() {
+  if (carvedDisplay_ || !result_) return;
+  const Placement& placement = result_->placement;
   DisplayMesh display = splitAtCreases(result_->mesh);
-  const double edge = symbolPrint(result_->symbol, placement_->frame, placement_->symbolMm, jobRequest_).edgeMm;
-  const auto before = pass_->render(*model_->display, placement_->frame, {edge, kNormalTexels});
+  const double edge = symbolPrint(result_->symbol, placement.frame, placement.symbolMm, jobRequest_).edgeMm;
+  const auto before = pass_->render(*model_->display, placement.frame, {edge, kNormalTexels});
   if (before)
-    takeSmoothNormals(display, result_->keptTriangles, placement_->frame, before->window,
+    takeSmoothNormals(display, result_->keptTriangles, placement.frame, before->window,
                       before->framebuffer.readRgba(1));
   GpuMesh carved(display.mesh, display.normals);
   carved.setValues(depthColours(*result_, display));
   carvedDisplay_ = std::make_shared<const GpuMesh>(std::move(carved));
-  carving_ = ++carvings_;
-  showCarved_ = true;
-  updateView();
 }
 
 void Engine::cancel() {
@@ -423,8 +427,9 @@ const GreyImage& Engine::readerImage() const {
   return result_ ? result_->readerView.picture : kNone;
 }
 
-GreyImage Engine::readerImageFrom(double tiltDeg, double azimuthDeg) const {
+GreyImage Engine::readerImageFrom(double tiltDeg, double azimuthDeg) {
   if (!result_) return {};
+  makeCarvedDisplay();
   const ProjectionFrame frame = tilted(result_->placement.frame, tiltDeg, azimuthDeg);
   auto seen = renderReaderView(*pass_, *carvedDisplay_, frame, result_->readerOptions);
   return seen ? std::move(seen->picture) : GreyImage{};

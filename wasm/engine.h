@@ -79,7 +79,7 @@ class Engine {
 
   /// @param overrides  what differs from the settings this time; may be null
   std::string startEngrave(const RequestOverrides* overrides = nullptr);
-  /// {stage, fraction, done}; one bounded piece of work. When done the carved model is shown.
+  /// {stage, fraction, done}; one bounded piece of work. When done there is a carved model to be shown (showCarved).
   std::string advance();
   void cancel();
 
@@ -94,7 +94,7 @@ class Engine {
   /// What a phone at the reader's eye sees; empty before an engraving is done.
   const GreyImage& readerImage() const;
   /// The same from aside, see tilted(); empty before an engraving is done, and where it cannot be drawn.
-  GreyImage readerImageFrom(double tiltDeg, double azimuthDeg) const;
+  GreyImage readerImageFrom(double tiltDeg, double azimuthDeg);
   /// What a reader made of it; empty: nothing.
   void setReadBack(const std::string& text, const std::string& reader);
   /// The carved model as "stl" (binary), "obj", "ply", "3mf" or "3mf-inlay" (with the body that fills the pockets),
@@ -200,6 +200,7 @@ class Engine {
   void forgetJob();
   void setCarvingAside();
   void finishJob();
+  void makeCarvedDisplay();
   void updateView();
 
   gl::Capabilities gl_;
@@ -242,7 +243,7 @@ class Engine {
   bool jobRuns_ = false;
   double jobMs_ = 0;
   std::optional<EngraveResult> result_;
-  std::shared_ptr<const GpuMesh> carvedDisplay_;
+  std::shared_ptr<const GpuMesh> carvedDisplay_;  // once it has been shown
   bool showCarved_ = false;
   bool showDepths_ = false;
   std::string readBack_, reader_;

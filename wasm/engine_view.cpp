@@ -61,6 +61,7 @@ void Engine::setUpAxis(const std::string& axis) {
 
 void Engine::showCarved(bool carved) {
   showCarved_ = carved;
+  if (carved) makeCarvedDisplay();
   if (carved) showSizes_ = false;
   endHover();
   updateView();

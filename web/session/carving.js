@@ -133,7 +133,8 @@ export class Carving {
     this.messages_.say(() => text('page.readingBack'));
     const picture = await this.client_.readerImage();
     const { symbol } = await this.client_.report();
-    const reading = await readAll(picture, pixelsPerModule(picture, symbol.modules));
+    const scanned = readAll(picture, pixelsPerModule(picture, symbol.modules));
+    const [reading] = await Promise.all([scanned, this.client_.showCarved(true)]);  // which has to be made first
     await this.client_.setReadBack(reading.text, kReaderName);
     const [report, number] = await Promise.all([this.client_.report(), this.client_.carving()]);
     this.carved = { report, reading, elapsedMs: performance.now() - started, number, life: this.life_, made };
