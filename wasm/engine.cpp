@@ -328,7 +328,12 @@ std::string Engine::startEngrave(const RequestOverrides* overrides) {
   jobRequest_ = overrides ? overrides->appliedTo(completeRequest()) : completeRequest();
   jobRequest_.recordSearch = true;  // so that the inspector can show it, whenever it is opened
   const PlacementSearch* placed = overrides ? nullptr : foundPlacement(jobRequest_);
-  auto job = EngraveJob::create(model_->engravable, jobRequest_, placed);
+  if (!luminancePrograms_) {
+    auto compiled = LuminancePrograms::create();
+    if (!compiled) return answer(compiled.error());
+    luminancePrograms_ = std::move(*compiled);
+  }
+  auto job = EngraveJob::create(model_->engravable, jobRequest_, {placed, luminancePrograms_});
   if (!job) return answer(job.error());
   job_ = std::move(*job);
   if (timerQueries_) passTimings_ = std::make_unique<gl::PassTimings>(*timerQueries_);
@@ -431,7 +436,7 @@ GreyImage Engine::readerImageFrom(double tiltDeg, double azimuthDeg) {
   if (!result_) return {};
   makeCarvedDisplay();
   const ProjectionFrame frame = tilted(result_->placement.frame, tiltDeg, azimuthDeg);
-  auto seen = renderReaderView(*pass_, *carvedDisplay_, frame, result_->readerOptions);
+  auto seen = renderReaderView(*pass_, *carvedDisplay_, frame, result_->readerOptions, luminancePrograms_);
   return seen ? std::move(seen->picture) : GreyImage{};
 }
 

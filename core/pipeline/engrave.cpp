@@ -99,6 +99,7 @@ struct EngraveJob::State {
   std::shared_ptr<const EngravableModel> model;
   EngraveRequest request;
   GeometryPass pass;
+  std::shared_ptr<const LuminancePrograms> programs;
   Stage stage = Stage::Placing;
   double fraction = 0;
 
@@ -216,7 +217,7 @@ Status EngraveJob::State::map() {
   const auto around =
       pass.render(model->gpu, placement.frame, surroundingsOf(maps.window, placement.frame, model->gpu.box()));
   if (!around) return tl::unexpected(around.error());
-  auto made = LuminancePass::create(maps, &*around, placement.frame.eyeDistance, options);
+  auto made = LuminancePass::create(maps, &*around, placement.frame.eyeDistance, options, programs);
   if (!made) return tl::unexpected(made.error());
   light.emplace(std::move(*made));
   // The surroundings are lit once: pockets lie below the light modules and take no sky from them.
@@ -372,7 +373,7 @@ Status EngraveJob::State::view() {
   options.radiusMm = static_cast<float>(kReachPerDepth / 2) * options.reliefMm;
   options.albedo = request.albedo;
   options.lights = request.lights;
-  auto seen = renderReaderView(pass, carved, result.placement.frame, options);
+  auto seen = renderReaderView(pass, carved, result.placement.frame, options, programs);
   if (!seen) return tl::unexpected(seen.error());
   result.readerView = std::move(*seen);
   result.readerOptions = options;
@@ -386,23 +387,35 @@ EngraveJob::EngraveJob(std::unique_ptr<State> state) : state_(std::move(state)) 
 EngraveJob::~EngraveJob() = default;
 
 Result<std::unique_ptr<EngraveJob>> EngraveJob::create(std::shared_ptr<const EngravableModel> model,
-                                                       EngraveRequest request, const PlacementSearch* placed) {
+                                                       EngraveRequest request) {
+  return create(std::move(model), std::move(request), {});
+}
+
+Result<std::unique_ptr<EngraveJob>> EngraveJob::create(std::shared_ptr<const EngravableModel> model,
+                                                       EngraveRequest request, const Known& known) {
   if (const Status checked = checkRequest(request); !checked) return tl::unexpected(checked.error());
   if (const Status engravable = model->prepared.engravable(); !engravable) return tl::unexpected(engravable.error());
   auto symbol = encodeSymbol(request.text, request.symbol);
   if (!symbol) return tl::unexpected(symbol.error());
   auto pass = GeometryPass::create();
   if (!pass) return tl::unexpected(pass.error());
+  std::shared_ptr<const LuminancePrograms> programs = known.programs;
+  if (!programs) {
+    auto compiled = LuminancePrograms::create();
+    if (!compiled) return tl::unexpected(compiled.error());
+    programs = std::move(*compiled);
+  }
 
   auto state = std::make_unique<State>();
   state->model = std::move(model);
   state->request = std::move(request);
   state->pass = std::move(*pass);
+  state->programs = std::move(programs);
   state->symbol = std::move(*symbol);
   state->mask = submodulesToCarve(state->symbol, state->request.modulePattern, state->request.finderPattern);
   state->layout = {state->symbol.size};
-  if (placed)
-    state->take(*placed);
+  if (known.placed)
+    state->take(*known.placed);
   else
     state->placing.emplace(state->model->prepared, state->model->gpu, state->pass, state->symbol.size,
                            searchedPlacement(state->request, state->symbol.size));

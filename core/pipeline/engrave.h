@@ -124,13 +124,19 @@ struct InspectorMaps {
 ///     EngraveResult result = job->takeResult();
 class EngraveJob {
  public:
-  /// @param placed  the place, if it has been found before: a search of this model for searchedPlacement(request, …)
-  ///                that is done
+  /// What has been made before.
+  struct Known {
+    /// The place: a search of this model for searchedPlacement(request, …) that is done.
+    const PlacementSearch* placed = nullptr;
+    std::shared_ptr<const LuminancePrograms> programs;
+  };
   /// @returns BadUsage or BadInput for a request that cannot be carried out whatever the geometry; a model with
   /// blocking
   ///          findings
   static Result<std::unique_ptr<EngraveJob>> create(std::shared_ptr<const EngravableModel> model,
-                                                    EngraveRequest request, const PlacementSearch* placed = nullptr);
+                                                    EngraveRequest request, const Known& known);
+  static Result<std::unique_ptr<EngraveJob>> create(std::shared_ptr<const EngravableModel> model,
+                                                    EngraveRequest request);
   ~EngraveJob();
 
   /// The next piece. After an error or `done` it must not be called again.

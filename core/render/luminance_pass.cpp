@@ -36,8 +36,20 @@ Status makeProgram(gl::Program& program, const char* name, const char* vertex, c
 
 }  // namespace
 
+Result<std::shared_ptr<const LuminancePrograms>> LuminancePrograms::create() {
+  auto programs = std::make_shared<LuminancePrograms>();
+  for (const Status& made :
+       {makeProgram(programs->horizon, "horizon", shaders::fullscreen_vert, shaders::horizon_frag),
+        makeProgram(programs->occlusion, "occlusion", shaders::fullscreen_vert, shaders::occlusion_frag),
+        makeProgram(programs->reduction, "reduction", shaders::cells_vert, shaders::reduction_frag),
+        makeProgram(programs->lighting, "lighting", shaders::fullscreen_vert, shaders::lighting_frag)})
+    if (!made) return tl::unexpected(made.error());
+  return std::shared_ptr<const LuminancePrograms>(std::move(programs));
+}
+
 Result<LuminancePass> LuminancePass::create(const SurfaceMaps& maps, const SurfaceMaps* surroundings,
-                                            double eyeDistance, const LuminanceOptions& options) {
+                                            double eyeDistance, const LuminanceOptions& options,
+                                            std::shared_ptr<const LuminancePrograms> programs) {
   assert(maps.window.texels % options.cellTexels == 0);
   assert(options.lights.size() <= kMostLights);
   LuminancePass pass;
@@ -45,12 +57,15 @@ Result<LuminancePass> LuminancePass::create(const SurfaceMaps& maps, const Surfa
   pass.eyeDistance_ = eyeDistance;
   pass.options_ = options;
   pass.cells_ = maps.window.texels / options.cellTexels;
+  pass.programs_ = std::move(programs);
+  if (!pass.programs_) {
+    auto compiled = LuminancePrograms::create();
+    if (!compiled) return tl::unexpected(compiled.error());
+    pass.programs_ = std::move(*compiled);
+  }
   const int texels = maps.window.texels;
   for (const Status& made :
-       {makeProgram(pass.occlusion_, "occlusion", shaders::fullscreen_vert, shaders::occlusion_frag),
-        makeProgram(pass.lighting_, "lighting", shaders::fullscreen_vert, shaders::lighting_frag),
-        makeProgram(pass.reduction_, "reduction", shaders::cells_vert, shaders::reduction_frag),
-        makeTarget(pass.received_, pass.receivedTarget_, texels, texels, gl::Format::RGBA32F),
+       {makeTarget(pass.received_, pass.receivedTarget_, texels, texels, gl::Format::RGBA32F),
         makeTarget(pass.means_, pass.meansTarget_, pass.cells_, pass.cells_, gl::Format::RGBA32F),
         makeTarget(pass.luminance_, pass.luminanceTarget_, pass.cells_, pass.cells_, gl::Format::R32F)})
     if (!made) return tl::unexpected(made.error());
@@ -109,9 +124,7 @@ void LuminancePass::setMap(const gl::Program& program) const {
 
 Status LuminancePass::findHorizon(const SurfaceMaps* surroundings) {
   const gl::TimedPass timed("horizon");
-  gl::Program program;
-  if (const Status made = makeProgram(program, "horizon", shaders::fullscreen_vert, shaders::horizon_frag); !made)
-    return made;
+  const gl::Program& program = programs_->horizon;
   gl::Framebuffer target;
   if (const Status made = makeTarget(horizon_, target, kHorizonDirections / 4 * options_.horizonSamples,
                                      options_.horizonSamples, gl::Format::RGBA32F);
@@ -138,41 +151,42 @@ void LuminancePass::run() {
   std::optional<gl::TimedPass> timed(std::in_place, "occlusion");
   receivedTarget_.bind();
   glViewport(0, 0, cells_ * texels, listRows() * texels);
-  setMap(occlusion_);
-  occlusion_.setTexture("u_horizon", 2, horizon_);
-  occlusion_.set("u_slices", options_.sampling.slices);
-  occlusion_.set("u_radiusTexels", static_cast<float>(options_.radiusMm / maps_->window.texelMm()));
-  occlusion_.set("u_everyBorderTexels", static_cast<float>(options_.everyBorderMm / maps_->window.texelMm()));
-  occlusion_.set("u_reliefMm", options_.reliefMm);
-  occlusion_.set("u_rotate", options_.turnSlices ? 1 : 0);
-  occlusion_.set("u_detail", texels);
-  occlusion_.set("u_stride", options_.cellTexels / texels);
-  occlusion_.set("u_cellsPerPixel", 1 / static_cast<float>(texels));
-  occlusion_.set("u_listed", listed());
-  occlusion_.setTexture("u_list", 3, listed() ? list_ : horizon_);
+  const auto& [horizon, occlusion, reduction, lighting] = *programs_;
+  setMap(occlusion);
+  occlusion.setTexture("u_horizon", 2, horizon_);
+  occlusion.set("u_slices", options_.sampling.slices);
+  occlusion.set("u_radiusTexels", static_cast<float>(options_.radiusMm / maps_->window.texelMm()));
+  occlusion.set("u_everyBorderTexels", static_cast<float>(options_.everyBorderMm / maps_->window.texelMm()));
+  occlusion.set("u_reliefMm", options_.reliefMm);
+  occlusion.set("u_rotate", options_.turnSlices ? 1 : 0);
+  occlusion.set("u_detail", texels);
+  occlusion.set("u_stride", options_.cellTexels / texels);
+  occlusion.set("u_cellsPerPixel", 1 / static_cast<float>(texels));
+  occlusion.set("u_listed", listed());
+  occlusion.setTexture("u_list", 3, listed() ? list_ : horizon_);
   std::array<glm::vec4, kMostLights> lamps{};
   for (std::size_t i = 0; i < options_.lights.size(); ++i)
     lamps[i] = glm::vec4(Vec3f(towards(options_.lights[i])), static_cast<float>(options_.lights[i].strength));
-  occlusion_.set("u_lampCount", static_cast<int>(options_.lights.size()));
-  occlusion_.set("u_lamps[0]", lamps[0]);
-  occlusion_.set("u_lamps[1]", lamps[1]);
+  occlusion.set("u_lampCount", static_cast<int>(options_.lights.size()));
+  occlusion.set("u_lamps[0]", lamps[0]);
+  occlusion.set("u_lamps[1]", lamps[1]);
   gl::drawFullscreen();
 
   timed.emplace("reduction");
   meansTarget_.bind();
-  reduction_.use();
-  reduction_.setTexture("u_map", 0, received_);
-  reduction_.set("u_detail", texels);
-  reduction_.set("u_cellsAlongEdge", static_cast<float>(cells_));
+  reduction.use();
+  reduction.setTexture("u_map", 0, received_);
+  reduction.set("u_detail", texels);
+  reduction.set("u_cellsAlongEdge", static_cast<float>(cells_));
   cellArray_.bind();
   glDrawArrays(GL_POINTS, 0, selected_);
 
   timed.emplace("lighting");
   luminanceTarget_.bind();
-  lighting_.use();
-  lighting_.setTexture("u_received", 0, means_);
-  lighting_.set("u_albedo", options_.albedo);
-  lighting_.set("u_openIrradiance", static_cast<float>(openIrradiance(options_.lights)));
+  lighting.use();
+  lighting.setTexture("u_received", 0, means_);
+  lighting.set("u_albedo", options_.albedo);
+  lighting.set("u_openIrradiance", static_cast<float>(openIrradiance(options_.lights)));
   gl::drawFullscreen();
 }
 

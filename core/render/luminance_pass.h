@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -37,6 +38,13 @@ struct Received {
   float lamps = 0, lampsUncarved = 0;  ///< by the lamps alone, without what is reflected
 };
 
+/// What every LuminancePass of a GL context may share: a driver takes some 0.1 s to make machine code of them.
+struct LuminancePrograms {
+  gl::Program horizon, occlusion, reduction, lighting;
+
+  static Result<std::shared_ptr<const LuminancePrograms>> create();
+};
+
 /// Luminance of an engraved distance map under a uniform sky and lamps, in three passes: horizon-based occlusion and
 /// shadows, the reduction to one mean a cell, and lighting with interreflection [Papp 2022, §7]. 1 = an unoccluded
 /// surface in the QR plane. Once, when it is made: the horizon of the uncarved surface, far and near.
@@ -46,8 +54,10 @@ class LuminancePass {
  public:
   /// @param maps          kept by reference: they must outlive the pass
   /// @param surroundings  the model's further surface from the same eye, in a wider window; may be null
+  /// @param programs      null: of its own
   static Result<LuminancePass> create(const SurfaceMaps& maps, const SurfaceMaps* surroundings, double eyeDistance,
-                                      const LuminanceOptions& options);
+                                      const LuminanceOptions& options,
+                                      std::shared_ptr<const LuminancePrograms> programs = nullptr);
 
   int cellsAlongEdge() const { return cells_; }
 
@@ -78,7 +88,7 @@ class LuminancePass {
   double eyeDistance_ = 250;
   LuminanceOptions options_;
   int cells_ = 0;
-  gl::Program occlusion_, lighting_, reduction_;
+  std::shared_ptr<const LuminancePrograms> programs_;
   gl::Texture horizon_, list_, depths_, received_, means_, luminance_;
   gl::Framebuffer receivedTarget_, meansTarget_, luminanceTarget_;
   gl::VertexArray cellArray_;

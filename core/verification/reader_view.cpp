@@ -97,7 +97,8 @@ GreyImage blurred(const GreyImage& image, double sigmaPx) {
 }
 
 Result<ReaderView> renderReaderView(const GeometryPass& pass, const GpuMesh& mesh, const ProjectionFrame& frame,
-                                    const ReaderViewOptions& options) {
+                                    const ReaderViewOptions& options,
+                                    std::shared_ptr<const LuminancePrograms> programs) {
   auto maps = pass.render(mesh, frame, {options.extentMm, options.texels});
   if (!maps) return tl::unexpected(maps.error());
   const auto around = pass.render(mesh, frame, surroundingsOf(maps->window, frame, mesh.box()));
@@ -112,7 +113,7 @@ Result<ReaderView> renderReaderView(const GeometryPass& pass, const GpuMesh& mes
                                .horizonStartMm = options.radiusMm,
                                .albedo = options.albedo,
                                .lights = options.lights};
-  auto luminancePass = LuminancePass::create(*maps, &*around, frame.eyeDistance, light);
+  auto luminancePass = LuminancePass::create(*maps, &*around, frame.eyeDistance, light, std::move(programs));
   if (!luminancePass) return tl::unexpected(luminancePass.error());
   luminancePass->run();
   std::vector<float> luminance = luminancePass->readLuminance();

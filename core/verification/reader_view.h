@@ -2,12 +2,14 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "base/result.h"
 #include "math/frame.h"
 #include "render/directional_light.h"
 #include "render/geometry_pass.h"
+#include "render/luminance_pass.h"
 
 namespace qrelief {
 
@@ -40,7 +42,8 @@ struct ReaderViewOptions {
 /// Renders the mesh itself (not the map that the depth search worked on), so that what the embedding made is what is
 /// judged.
 Result<ReaderView> renderReaderView(const GeometryPass& pass, const GpuMesh& mesh, const ProjectionFrame& frame,
-                                    const ReaderViewOptions& options);
+                                    const ReaderViewOptions& options,
+                                    std::shared_ptr<const LuminancePrograms> programs = nullptr);
 
 struct CameraOptions {
   double blurPx = 0;       ///< standard deviation, ≥ 0
