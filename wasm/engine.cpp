@@ -54,7 +54,7 @@ Engine::Engine(const std::string& renderer) : symbol_(encodeSymbol(request_.text
   for (const Error* error : {pass ? nullptr : &pass.error(), viewer ? nullptr : &viewer.error()})
     if (error) problems_.push_back(error->message + "; " + error->hint);
   if (!problems_.empty()) return;
-  pass_ = std::make_unique<GeometryPass>(std::move(*pass));
+  pass_ = std::make_shared<const GeometryPass>(std::move(*pass));
   viewer_ = std::make_unique<Viewer>(std::move(*viewer));
 }
 
@@ -333,7 +333,7 @@ std::string Engine::startEngrave(const RequestOverrides* overrides) {
     if (!compiled) return answer(compiled.error());
     luminancePrograms_ = std::move(*compiled);
   }
-  auto job = EngraveJob::create(model_->engravable, jobRequest_, {placed, luminancePrograms_});
+  auto job = EngraveJob::create(model_->engravable, jobRequest_, {placed, pass_, luminancePrograms_});
   if (!job) return answer(job.error());
   job_ = std::move(*job);
   if (timerQueries_) passTimings_ = std::make_unique<gl::PassTimings>(*timerQueries_);

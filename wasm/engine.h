@@ -205,7 +205,7 @@ class Engine {
 
   gl::Capabilities gl_;
   std::vector<std::string> problems_;
-  std::unique_ptr<GeometryPass> pass_;
+  std::shared_ptr<const GeometryPass> pass_;
   std::shared_ptr<const LuminancePrograms> luminancePrograms_;  // once there was an engraving
   std::unique_ptr<Viewer> viewer_, spotViewer_;
   OrbitCamera camera_;

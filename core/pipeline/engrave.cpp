@@ -98,7 +98,7 @@ struct EngraveJob::State {
 
   std::shared_ptr<const EngravableModel> model;
   EngraveRequest request;
-  GeometryPass pass;
+  std::shared_ptr<const GeometryPass> pass;
   std::shared_ptr<const LuminancePrograms> programs;
   Stage stage = Stage::Placing;
   double fraction = 0;
@@ -171,7 +171,7 @@ void EngraveJob::State::take(const PlacementSearch& found) {
 /// thickness along every texel's ray, which meets what is too fine for the former's samples.
 Result<std::vector<double>> EngraveJob::State::depthLimits() {
   const Placement& placement = result.placement;
-  auto back = pass.renderBack(model->gpu, placement.frame, maps.window);
+  auto back = pass->renderBack(model->gpu, placement.frame, maps.window);
   if (!back) return tl::unexpected(back.error());
   const std::vector<float> behind = back->framebuffer.readRed();
   const std::vector<float> ahead = maps.framebuffer.readRgba(1);
@@ -203,7 +203,7 @@ Status EngraveJob::State::map() {
   const Placement& placement = result.placement;
   const int perCell = std::clamp(kMaxMapTexels / layout.cells(), 1, 4);
   const double extent = placement.moduleMm * layout.cells() / kN;
-  auto rendered = pass.render(model->gpu, placement.frame, {extent, perCell * layout.cells()});
+  auto rendered = pass->render(model->gpu, placement.frame, {extent, perCell * layout.cells()});
   if (!rendered) return tl::unexpected(rendered.error());
   maps = std::move(*rendered);
 
@@ -215,7 +215,7 @@ Status EngraveJob::State::map() {
   options.horizonStartMm = static_cast<float>(placement.moduleMm);
   options.radiusMm = static_cast<float>(kLeastReachModules * placement.moduleMm);
   const auto around =
-      pass.render(model->gpu, placement.frame, surroundingsOf(maps.window, placement.frame, model->gpu.box()));
+      pass->render(model->gpu, placement.frame, surroundingsOf(maps.window, placement.frame, model->gpu.box()));
   if (!around) return tl::unexpected(around.error());
   auto made = LuminancePass::create(maps, &*around, placement.frame.eyeDistance, options, programs);
   if (!made) return tl::unexpected(made.error());
@@ -373,7 +373,7 @@ Status EngraveJob::State::view() {
   options.radiusMm = static_cast<float>(kReachPerDepth / 2) * options.reliefMm;
   options.albedo = request.albedo;
   options.lights = request.lights;
-  auto seen = renderReaderView(pass, carved, result.placement.frame, options, programs);
+  auto seen = renderReaderView(*pass, carved, result.placement.frame, options, programs);
   if (!seen) return tl::unexpected(seen.error());
   result.readerView = std::move(*seen);
   result.readerOptions = options;
@@ -397,8 +397,12 @@ Result<std::unique_ptr<EngraveJob>> EngraveJob::create(std::shared_ptr<const Eng
   if (const Status engravable = model->prepared.engravable(); !engravable) return tl::unexpected(engravable.error());
   auto symbol = encodeSymbol(request.text, request.symbol);
   if (!symbol) return tl::unexpected(symbol.error());
-  auto pass = GeometryPass::create();
-  if (!pass) return tl::unexpected(pass.error());
+  std::shared_ptr<const GeometryPass> pass = known.pass;
+  if (!pass) {
+    auto made = GeometryPass::create();
+    if (!made) return tl::unexpected(made.error());
+    pass = std::make_shared<const GeometryPass>(std::move(*made));
+  }
   std::shared_ptr<const LuminancePrograms> programs = known.programs;
   if (!programs) {
     auto compiled = LuminancePrograms::create();
@@ -409,7 +413,7 @@ Result<std::unique_ptr<EngraveJob>> EngraveJob::create(std::shared_ptr<const Eng
   auto state = std::make_unique<State>();
   state->model = std::move(model);
   state->request = std::move(request);
-  state->pass = std::move(*pass);
+  state->pass = std::move(pass);
   state->programs = std::move(programs);
   state->symbol = std::move(*symbol);
   state->mask = submodulesToCarve(state->symbol, state->request.modulePattern, state->request.finderPattern);
@@ -417,7 +421,7 @@ Result<std::unique_ptr<EngraveJob>> EngraveJob::create(std::shared_ptr<const Eng
   if (known.placed)
     state->take(*known.placed);
   else
-    state->placing.emplace(state->model->prepared, state->model->gpu, state->pass, state->symbol.size,
+    state->placing.emplace(state->model->prepared, state->model->gpu, *state->pass, state->symbol.size,
                            searchedPlacement(state->request, state->symbol.size));
   return std::unique_ptr<EngraveJob>(new EngraveJob(std::move(state)));
 }

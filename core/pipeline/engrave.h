@@ -128,6 +128,7 @@ class EngraveJob {
   struct Known {
     /// The place: a search of this model for searchedPlacement(request, …) that is done.
     const PlacementSearch* placed = nullptr;
+    std::shared_ptr<const GeometryPass> pass;
     std::shared_ptr<const LuminancePrograms> programs;
   };
   /// @returns BadUsage or BadInput for a request that cannot be carried out whatever the geometry; a model with
