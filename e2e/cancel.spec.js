@@ -33,7 +33,7 @@ const cancelAt = (page, stage) => page.evaluate(([begin, cancelled]) => new Prom
   look();
 }), [stage, kCancelled.source]);
 
-const kStages = ['Preparing', 'Finding direction and size', 'Measuring the surface', 'Finding the depth', 'Carving the mesh',
+const kStages = ['Preparing', 'Measuring the surface', 'Finding the depth', 'Carving the mesh',
   'Checking the solid', 'Looking at the result'];
 
 test('Cancel is obeyed within 250 ms at every stage, and nothing is lost', async ({ page }) => {

@@ -33,6 +33,10 @@ std::string answer(ErrorCode code, std::string message, std::string hint) {
   return answer(Error{code, std::move(message), std::move(hint)});
 }
 
+std::string answer(const Progress& progress) {
+  return textOf({{"ok", true}, {"stage", progress.stage}, {"fraction", progress.fraction}, {"done", progress.done}});
+}
+
 Json jsonOf(Vec3 v) { return Json::array({v.x, v.y, v.z}); }
 
 Json jsonOf(std::span<const std::string> warnings, std::span<const Finding> findings) {

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 
+#include "base/progress.h"
 #include "base/result.h"
 #include "math/vec.h"
 #include "mesh/prepare.h"
@@ -24,7 +25,12 @@ std::string done();
 std::string answer(const Error& error);
 std::string answer(ErrorCode code, std::string message, std::string hint);
 
+/// {"ok": true, stage, fraction, done}
+std::string answer(const Progress& progress);
+
 Json jsonOf(Vec3 v);
+
+inline const Error kNoModel = {ErrorCode::BadUsage, "there is no model yet", "open a model file or choose a sample"};
 
 /// The reader's warnings, then what was found out about the model.
 Json jsonOf(std::span<const std::string> warnings, std::span<const Finding> findings);

@@ -77,6 +77,7 @@ class Engine {
   /// The colours of the largest sizes on the model, if they are known.
   void showSizes(bool shown);
 
+  /// {stage, fraction, done} of the first piece of work.
   /// @param overrides  what differs from the settings this time; may be null
   std::string startEngrave(const RequestOverrides* overrides = nullptr);
   /// {stage, fraction, done}; one bounded piece of work. When done there is a carved model to be shown (showCarved).

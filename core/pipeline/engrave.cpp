@@ -129,7 +129,6 @@ struct EngraveJob::State {
   Progress progress();
 };
 
-/// What comes next, and what share of the whole is behind it.
 Progress EngraveJob::State::progress() {
   const auto [name, share] = [&]() -> std::pair<std::string_view, double> {
     switch (stage) {
@@ -425,6 +424,8 @@ Result<std::unique_ptr<EngraveJob>> EngraveJob::create(std::shared_ptr<const Eng
                            searchedPlacement(state->request, state->symbol.size));
   return std::unique_ptr<EngraveJob>(new EngraveJob(std::move(state)));
 }
+
+Progress EngraveJob::progress() const { return state_->progress(); }
 
 Result<Progress> EngraveJob::advance() {
   using Stage = State::Stage;

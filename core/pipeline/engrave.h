@@ -140,6 +140,9 @@ class EngraveJob {
                                                     EngraveRequest request);
   ~EngraveJob();
 
+  /// What comes next, and what share of the whole is behind it.
+  Progress progress() const;
+
   /// The next piece. After an error or `done` it must not be called again.
   Result<Progress> advance();
 

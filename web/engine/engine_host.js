@@ -313,7 +313,8 @@ export class EngineHost {
     if (this.job_) throw new EngineFailure({ code: 'Busy', message: 'Another job is already running', hint: '' });
     this.job_ = job;
     try {
-      parseAnswer(job.start());
+      const { stage, fraction } = parseAnswer(job.start());
+      if (stage) this.notify_({ event: 'progress', progress: { stage, fraction } });
       for (let done = false; !done;) {
         const sliceEnd = performance.now() + kSliceMs;
         let progress;
