@@ -60,6 +60,8 @@ test('The turning handle turns the code, near upright it snaps, and one button s
   await expect.poll(() => app.rotation()).toBe(0);
   await app.expectReady();
 
+  const awayFromUpright = async () => Math.abs((await middleOf(app.turnHandle))[0] - handle[0]);
+  await expect.poll(awayFromUpright).toBeLessThan(2);  // the handles follow with the next frame
   const again = await middleOf(app.turnHandle);
   await drag(page, again, [[again[0] + 3, again[1]]]);
   await page.mouse.up();
