@@ -15,10 +15,12 @@ namespace {
 
 constexpr double kRadiusShare = 0.08;  // reach of the occlusion, of the model's diagonal
 constexpr double kRadiusLimit = 0.15;  // greatest reach on the screen, of the picture's height
-constexpr int kFirstShown = 4;         // averages of fewer pictures are noisier than the blurred first one
-constexpr double kSlowFrameMs = 50;    // intervals above this lower the resolution while moving,
-constexpr double kFastFrameMs = 22;    // and below this raise it again
-constexpr int kSlowFrames = 4;         // so many in a row
+// Sixteenths of a turn, far from those before: few pictures already average to little of a pattern.
+constexpr std::array<int, 16> kTurns = {0, 8, 4, 12, 2, 10, 6, 14, 1, 9, 5, 13, 3, 11, 7, 15};
+constexpr int kFirstShown = 4;       // averages of fewer pictures are noisier than the blurred first one
+constexpr double kSlowFrameMs = 50;  // intervals above this lower the resolution while moving,
+constexpr double kFastFrameMs = 22;  // and below this raise it again
+constexpr int kSlowFrames = 4;       // so many in a row
 constexpr int kFastFrames = 20;
 constexpr double kCoarsestScale = 0.4;
 constexpr double kGhostStrength = 0.8;
@@ -413,7 +415,7 @@ Result<bool> Viewer::drawStill(const CameraView& camera, const gl::Framebuffer* 
   const auto [x, y] = halton23(index);
   Sample sample;
   sample.jitterPx = {x - 0.5, y - 0.5};
-  sample.turn = (index % 16) / 16.0;
+  sample.turn = kTurns[index % 16] / 16.0;
   sample.shift = 0.35 + 0.5 * (index / 16);
   sample.steps = quality_.stillSteps;
   sample.weight = 1.0 / index;
