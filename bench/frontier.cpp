@@ -6,8 +6,7 @@
 //
 // Depth: mean over the carved submodules, mm. Read: share of the tries on simulated pictures from the front that give
 // the text (verification/reading_sweep.h: ZXing-C++ with two binarisers). Version 3, symbols 35 mm wide.
-#include <array>
-#include <cmath>
+#include <algorithm>
 #include <fmt/format.h>
 #include <functional>
 #include <string>
@@ -117,7 +116,7 @@ int failed(const std::string& what, const Error& error) {
 
 int run(const std::vector<std::string>& names) {
   const std::vector<Shape> chosen = shapesAskedFor(names);
-  if (chosen.empty()) {
+  if (chosen.empty() || chosen.size() < names.size()) {
     fmt::print(stderr, "shapes are plate, ball, bumps, saddle\n");
     return 2;
   }
