@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <optional>
-
 #include "wasm/orbit_camera.h"
 #include "wasm/viewer.h"
 

@@ -25,7 +25,7 @@ struct FastSearchOptions {
 /// difference in log((1 − V)/V), V = LS/AL, which depends little on the depth. At first depths rise and fall; then what
 /// is dark enough only gets deeper where deeper neighbours brighten it, so that the search ends, and only what moved
 /// and what that may have brightened is measured. Before it ends all are measured once more, and then again those that
-/// see what had to move: none is left too bright.
+/// see what had to move, as far as the plane tells.
 class FastSearch final : public DepthSolver {
  public:
   FastSearch(CarvingTarget target, const FastSearchOptions& options);

@@ -38,7 +38,7 @@ struct Received {
   float lamps = 0, lampsUncarved = 0;  ///< by the lamps alone, without what is reflected
 };
 
-/// What every LuminancePass of a GL context may share: a driver takes some 0.1 s to make machine code of them.
+/// What every LuminancePass of a GL context may share: software renderers make machine code of each anew.
 struct LuminancePrograms {
   gl::Program horizon, occlusion, reduction, lighting;
 
