@@ -32,9 +32,19 @@ struct EngraveOptions {
               surface = "preserved";
   std::optional<double> contrast;
   std::vector<std::string> lights;
-  bool noQuietZone = false, ascii = false, quiet = false;
+  bool noQuietZone = false, ascii = false, quiet = false, keepPreset = false;
   EngraveRequest request;
 };
+
+/// Contrast and patterns: those of the preset, but for what was asked for by itself.
+void choosePreset(EngraveOptions& options, Preset preset) {
+  EngraveRequest& request = options.request;
+  options.preset = presetName(preset);
+  applyPreset(request, preset);
+  if (options.contrast) request.contrast = *options.contrast;
+  if (!options.pattern.empty()) request.modulePattern = *modulePatternByName(options.pattern);
+  if (!options.finderPattern.empty()) request.finderPattern = *finderPatternByName(options.finderPattern);
+}
 
 double millisecondsSince(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
@@ -124,13 +134,10 @@ Status completeRequest(EngraveOptions& options) {
     return fail(ErrorCode::BadUsage,
                 fmt::format("--inlay needs two bodies in a file, and the output is {}", options.output),
                 "Name the output .3mf, or leave it out");
-  applyPreset(request, *presetByName(options.preset));
-  if (options.contrast) request.contrast = *options.contrast;
-  if (!options.pattern.empty()) request.modulePattern = *modulePatternByName(options.pattern);
+  choosePreset(options, *presetByName(options.preset));
   request.surface = *surfaceModeByName(options.surface);
   request.objective = options.objective == "reading" ? DepthObjective::Reading : DepthObjective::Contrast;
   request.solver = options.solver == "fast" ? ContrastSolver::Fast : ContrastSolver::PaperSteps;
-  if (!options.finderPattern.empty()) request.finderPattern = *finderPatternByName(options.finderPattern);
   request.symbol = symbolOptionsFrom(options.symbol);
   for (const std::string& text : options.lights) {
     const Result<DirectionalLight> light = readLight(text);
@@ -146,7 +153,7 @@ Status chooseSpot(std::shared_ptr<const EngravableModel> model, EngraveOptions& 
   EngraveRequest& request = options.request;
   const auto symbol = encodeSymbol(request.text, request.symbol);
   if (!symbol) return tl::unexpected(symbol.error());
-  auto job = PlaceJob::create(std::move(model), {.placement = request.placement,
+  auto job = PlaceJob::create(std::move(model), {.placement = searchedPlacement(request, symbol->size),
                                                  .modules = symbol->size,
                                                  .minWallMm = request.minWallMm,
                                                  .count = 3,
@@ -167,6 +174,41 @@ Result<EngraveResult> runJob(std::shared_ptr<const EngravableModel> model, const
   if (!job) return tl::unexpected(job.error());
   if (const Status done = runWithProgress(**job, options.quiet); !done) return tl::unexpected(done.error());
   return (*job)->takeResult();
+}
+
+struct Carved {
+  EngraveResult result;
+  std::string readBack;  // empty: no reader found the code
+};
+
+Result<Carved> carve(std::shared_ptr<const EngravableModel> model, const EngraveOptions& options) {
+  auto result = runJob(std::move(model), options);
+  if (!result) return tl::unexpected(result.error());
+  const auto reading = Clock::now();
+  std::string readBack = readWithZxing(result->readerView);
+  result->timingsMs.verify += millisecondsSince(reading);
+  return Carved{std::move(*result), std::move(readBack)};
+}
+
+/// With the preset asked for, or the next deeper ones where the code does not read with it; `options` then name that.
+/// Where it reads with none of them, as asked for.
+Result<Carved> carveToRead(std::shared_ptr<const EngravableModel> model, EngraveOptions& options) {
+  auto asked = carve(model, options);
+  const bool mayGoDeeper =
+      !options.contrast && !options.keepPreset && options.request.objective == DepthObjective::Contrast;
+  if (!asked || !asked->readBack.empty() || !mayGoDeeper) return asked;
+  EngraveOptions deeper = options;
+  for (auto next = deeperPreset(*presetByName(options.preset)); next; next = deeperPreset(*next)) {
+    choosePreset(deeper, *next);
+    auto carved = carve(model, deeper);
+    if (!carved) break;  // what is asked for can be carved: better than nothing
+    if (carved->readBack.empty()) continue;
+    fmt::print("carved as {}: as {} no reader found the code in the simulated picture\n", deeper.preset,
+               options.preset);
+    options = std::move(deeper);
+    return carved;
+  }
+  return asked;
 }
 
 /// The carved model in the format that the output's name asks for.
@@ -233,17 +275,18 @@ int engraveModel(EngraveOptions& options) {
     if (const Status chosen = chooseSpot(model, options, input->scaleToMm); !chosen) return printError(chosen.error());
     context.spotMs = millisecondsSince(choosing);
   }
-  auto result = runJob(model, options);
-  if (!result) return printError(result.error());
-  const auto reading = Clock::now();
-  context.readBack = readWithZxing(result->readerView);
+  const std::string askedPreset = options.preset;
+  auto carved = carveToRead(model, options);
+  if (!carved) return printError(carved.error());
+  const EngraveResult& result = carved->result;
+  context.readBack = carved->readBack;
   context.reader = zxingName();
-  result->timingsMs.verify += millisecondsSince(reading);
+  if (!options.contrast) context.presets = {askedPreset, options.preset};
 
-  if (const Status written = writeOutputs(options, *model, *result, input->partNames, context, start); !written)
+  if (const Status written = writeOutputs(options, *model, result, input->partNames, context, start); !written)
     return printError(written.error());
-  printSummary(options, *result, context);
-  const std::vector<std::string> failed = failedChecks(options.request, *result, context.readBack);
+  printSummary(options, result, context);
+  const std::vector<std::string> failed = failedChecks(options.request, result, context.readBack);
   for (const std::string& check : failed) fmt::print(stderr, "qrelief: check not passed: {}\n", check);
   return failed.empty() ? kEngraved : kCheckFailed;
 }
@@ -272,8 +315,11 @@ std::function<int()> addEngraveCommand(CLI::App& app) {
   c->add_option("--eye-distance", request.placement.eyeDistanceMm, "mm [250]");
   addSymbolFlags(*c, o->symbol);
   c->add_flag("--no-quiet-zone", o->noQuietZone, "the light margin need not fit");
-  c->add_option("--preset", o->preset, "shallow, balanced or robust: --contrast 0.2, 0.3 or 0.4 [balanced]")
+  c->add_option("--preset", o->preset,
+                "shallow, balanced or robust: --contrast 0.2, 0.3 or 0.4; the next deeper one where the code does not "
+                "read so [balanced]")
       ->check(CLI::IsMember({"shallow", "balanced", "robust"}));
+  c->add_flag("--keep-preset", o->keepPreset, "carve no deeper than --preset says, whether the code reads or not");
   c->add_option("--pattern", o->pattern, "carved part of a dark module [thick-plus]")
       ->check(CLI::IsMember({"none", "square", "thin-plus", "diamond", "thick-plus"}));
   c->add_option("--finder-pattern", o->finderPattern,

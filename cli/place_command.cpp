@@ -54,6 +54,10 @@ Status completeRequest(PlaceOptions& options) {
   } else {
     request.modules = 17 + 4 * std::max(1, options.symbol.version);
   }
+  EngraveRequest engraving;  // with the contrast that it has by default
+  engraving.placement = placement;
+  engraving.minWallMm = request.minWallMm;
+  placement = searchedPlacement(engraving, request.modules);
   return {};
 }
 

@@ -82,7 +82,7 @@ std::string Engine::startPlacing() {
   if (!model_) return answer(kNoModel);
   if (!symbol_) return answer(symbol_.error());
   placingRequest_ = {};
-  placingRequest_.placement = request_.placement;
+  placingRequest_.placement = searchedPlacement(request_, symbol_->size);
   placingRequest_.placement.upHint = camera_.skyward();
   placingRequest_.modules = symbol_->size;
   placingRequest_.minWallMm = request_.minWallMm;
@@ -125,7 +125,7 @@ std::string Engine::spots() const {
   for (const OfferedSpot& spot : spots_)
     spots.push_back(
         {{"centre", jsonOf(spot.centreMm)},
-         {"sizeMm", placingRequest_.placement.sizeMode == SizeMode::Free ? spot.guaranteedMm : spot.largestMm}});
+         {"sizeMm", placingRequest_.placement.sizeMode == SizeMode::Free ? spot.symbolMm : spot.largestMm}});
   return textOf({{"ok", true}, {"spots", spots}, {"topMm", topMm_}});
 }
 

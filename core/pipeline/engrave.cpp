@@ -69,6 +69,8 @@ PlacementRequest searchedPlacement(const EngraveRequest& request, int modules) {
   PlacementRequest place = request.placement;
   const double largest = place.sizeMode == SizeMode::Fixed ? place.sizeMm : place.maxSizeMm;
   place.beyondMm = request.minWallMm + request.maxDepthMm.value_or(kMaxDepthModules * largest / modules);
+  const bool isReading = request.objective == DepthObjective::Reading;
+  place.pockets = {request.minWallMm, pitDepth(isReading ? request.reading.dataContrast : request.contrast)};
   return place;
 }
 

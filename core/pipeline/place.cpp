@@ -9,7 +9,6 @@
 #include <limits>
 #include <numbers>
 
-#include "carving/wall_limit.h"
 #include "projection/size.h"
 
 namespace qrelief {
@@ -26,7 +25,6 @@ constexpr double kTrustedSizeShare = 1.001;  // what fits is to be larger than w
 constexpr std::size_t kTriesPerSpot = 4;
 constexpr std::size_t kLeastTries = 8;
 constexpr std::size_t kLargestTried = 3;  // spots tried for the largest size where the size asked for fits nowhere
-constexpr double kTakenShare = 0.98;      // of the modules must take pockets of the least depth
 constexpr double kAcrossShare = 0.95;
 constexpr double kUnaskedShare = 0.1;  // of the model's diagonal: how fine the map is without a size
 constexpr double kPerDirectionUnit = 1e4;
@@ -67,35 +65,15 @@ struct Wall {
 /// The wall under nearly all modules, by the limits that engraving will keep to.
 Result<Wall> measureWall(const EngravableModel& model, const GeometryPass& pass, const Placement& placement,
                          int modules, double depthMm, double minWallMm) {
-  const MapWindow window{placement.symbolMm, modules};
-  const auto front = pass.render(model.gpu, placement.frame, window);
-  if (!front) return tl::unexpected(front.error());
-  const auto back = pass.renderBack(model.gpu, placement.frame, window);
-  if (!back) return tl::unexpected(back.error());
-  const std::vector<float> ahead = front->framebuffer.readRgba(1);
-  const std::vector<float> behind = back->framebuffer.readRed();
-
-  const auto cells = static_cast<std::size_t>(modules) * static_cast<std::size_t>(modules);
-  SubmoduleMask all;
-  all.size = modules;
-  all.carved.assign(cells, 1);
-  std::vector<double> thickness(cells, std::numeric_limits<double>::infinity());
-  for (int row = 0; row < modules; ++row) {
-    for (int column = 0; column < modules; ++column) {
-      const auto texel = static_cast<std::size_t>((modules - 1 - row) * modules + column);  // row 0 at the bottom
-      const float nearest = ahead[4 * texel + 3];
-      if (nearest > 0 && behind[texel] > 0)
-        thickness[static_cast<std::size_t>(row * modules + column)] = static_cast<double>(behind[texel] - nearest);
-    }
-  }
-  const std::vector<double> limits =
-      wallLimits(model.prepared.mesh, placement.patch, placement.frame, all, {placement.symbolMm, depthMm, minWallMm});
-  std::size_t taking = 0;
-  for (std::size_t i = 0; i < cells; ++i)
-    if (std::min(limits[i], thickness[i] - minWallMm) >= depthMm) ++taking;
-  const auto thin = static_cast<std::size_t>((1 - kTakenShare) * static_cast<double>(cells));
+  auto walls = measureModuleWalls(model.prepared.mesh, model.gpu, pass, placement.frame, placement.patch,
+                                  {placement.symbolMm, modules}, depthMm, minWallMm);
+  if (!walls) return tl::unexpected(walls.error());
+  std::vector<double>& thickness = walls->thicknessMm;
+  const auto taking = static_cast<std::size_t>(
+      std::count_if(walls->limitMm.begin(), walls->limitMm.end(), [&](double limit) { return limit >= depthMm; }));
+  const auto thin = static_cast<std::size_t>((1 - kTakenShare) * static_cast<double>(thickness.size()));
   std::nth_element(thickness.begin(), thickness.begin() + static_cast<std::ptrdiff_t>(thin), thickness.end());
-  return Wall{taking + thin >= cells, thickness[thin]};
+  return Wall{taking + thin >= thickness.size(), thickness[thin]};
 }
 
 }  // namespace
@@ -190,7 +168,8 @@ void PlaceJob::State::beginTest() {
   placement.centreMm = offered.centreMm;
   if (withDirection) placement.direction = roundedTo(spot.direction, kPerDirectionUnit);
   direction = placement.direction;
-  placement.beyondMm = request.minWallMm + request.leastDepthMm;
+  const double pocketMm = placement.pockets.depthModules * wantedMm() / request.modules;
+  placement.beyondMm = request.minWallMm + std::max(request.leastDepthMm, pocketMm);
   if (stage == Stage::FindingLargest) placement.sizeMode = SizeMode::Free;
   search.emplace(model->prepared, model->gpu, pass, request.modules, placement);
   ++result.tried;

@@ -263,7 +263,31 @@ Result<bool> PlacementSearch::refine() {
   return true;
 }
 
+/// A found size becomes smaller where walls are too thin for its pockets. Where they take no code at all, it stays:
+/// what is carved then, or that nothing is, is for the search for depths to say.
+Status PlacementSearch::leaveWalls() {
+  const PocketDemand& pockets = request_.pockets;
+  if (request_.sizeMode == SizeMode::Fixed || !(pockets.depthModules > 0)) return {};
+  const Stopwatch stopwatch(sizeMs_);
+  const CellSquare square{placement_.symbolMm, modules_};
+  const auto walls = measureModuleWalls(model_->mesh, *gpu_, *pass_, placement_.frame, placement_.patch, square,
+                                        pockets.depthModules * placement_.moduleMm, pockets.minWallMm);
+  if (!walls) return tl::unexpected(walls.error());
+  const double taken = sizeThatWallsTake(*walls, square, modules_, pockets.depthModules);
+  if (taken < kLeastModuleMm * modules_) return {};
+  placement_.symbolMm = taken;
+  placement_.moduleMm = taken / modules_;
+  return {};
+}
+
 Result<bool> PlacementSearch::step() {
+  const Result<bool> done = searchOnce();
+  if (!done || !*done) return done;
+  if (const Status left = leaveWalls(); !left) return tl::unexpected(left.error());
+  return true;
+}
+
+Result<bool> PlacementSearch::searchOnce() {
   if (!started_) {
     started_ = true;
     if (const Status begun = start(); !begun) return tl::unexpected(begun.error());

@@ -6,6 +6,7 @@
 
 #include "base/result.h"
 #include "mesh/prepare.h"
+#include "pipeline/module_walls.h"
 #include "projection/direction.h"
 #include "projection/optimal_direction.h"
 #include "projection/visible_patch.h"
@@ -38,7 +39,8 @@ struct PlacementRequest {
   DirectionMethod directionMethod = DirectionMethod::DepthBalanced;
   std::optional<Vec3> direction;  ///< towards the reader; overrides the method
   double eyeDistanceMm = 250;     ///< > 0
-  double beyondMm = 0;  ///< the patch must be known this much farther than the largest code reaches, ≥ 0 (walls)
+  double beyondMm = 0;   ///< the patch must be known this much farther than the largest code reaches, ≥ 0 (walls)
+  PocketDemand pockets;  ///< of a size that is found; one that is asked for is carved as deep as its walls allow
 
   bool operator==(const PlacementRequest&) const = default;
 };
@@ -49,7 +51,7 @@ struct Placement {
   std::uint32_t seed = 0;  ///< triangle under the centre
   double symbolMm = 0;     ///< edge of the symbol without quiet zone, on the QR plane
   double moduleMm = 0;
-  double guaranteedMm = 0;  ///< largest symbol that fits at every rotation, not cut by maxSizeMm
+  double guaranteedMm = 0;  ///< largest symbol that fits at every rotation, not cut by maxSizeMm, whatever its walls
   double rotationDeg = 0;   ///< of the symbol's top from where upHint points, anticlockwise as the reader sees it
   VisiblePatch patch;       ///< covers symbol and quiet zone, and beyondMm more
   std::vector<DirectionIteration> iterations;
@@ -78,7 +80,9 @@ class PlacementSearch {
   double sizeMs() const { return sizeMs_; }
 
  private:
+  Result<bool> searchOnce();
   Status start();
+  Status leaveWalls();
   Status measure(Vec3 normal);
   Status measureFirstFitting(std::span<const Vec3> normals);
   std::vector<Vec3> roundCandidates() const;

@@ -20,6 +20,11 @@ void applyPreset(EngraveRequest& request, Preset preset) {
   request.contrast = kPresets[static_cast<std::size_t>(preset)].contrast;
 }
 
+std::optional<Preset> deeperPreset(Preset preset) {
+  if (preset == Preset::Robust) return {};
+  return preset == Preset::Shallow ? Preset::Balanced : Preset::Robust;
+}
+
 const char* presetName(Preset preset) { return kPresets[static_cast<std::size_t>(preset)].name; }
 
 std::optional<Preset> presetByName(std::string_view name) {

@@ -129,6 +129,11 @@ std::string makeReport(const EngraveRequest& request, const EngravableModel& mod
                      {"objective", request.objective == DepthObjective::Reading ? "reading" : "contrast"},
                      {"lights", describeLights(request.lights)},
                      {"solver", solverName(request)}};
+  if (request.objective == DepthObjective::Contrast) report["depth"]["contrast"] = request.contrast;
+  if (context.presets) {
+    report["depth"]["preset"] = context.presets->used;
+    report["depth"]["askedPreset"] = context.presets->asked;
+  }
   report["mesh"] = {
       {"surface", surfaceModeName(request.surface)},  {"triangles", solid.triangles}, {"vertices", solid.vertices},
       {"keptTriangles", result.keptTriangles},        {"closed", solid.closed()},     {"manifold", solid.manifold()},

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 
 #include "gl/objects.h"
@@ -16,6 +17,10 @@ struct ReportContext {
   double scaleToMm = 1;
   std::string readBack;  ///< text that a reader found in the simulated picture; empty if none
   std::string reader;    ///< which reader, "ZXing-C++ 1.4.0"
+  struct Presets {
+    std::string asked, used;
+  };
+  std::optional<Presets> presets;  ///< none where the contrast was asked for by itself
   gl::Capabilities gl;
   double loadMs = 0, prepareMs = 0, writeMs = 0, totalMs = 0;
   double spotMs = 0;  ///< to choose the centre, if none was given

@@ -8,8 +8,6 @@
 namespace qrelief {
 namespace {
 
-constexpr int kFinderModules = 7;
-
 /// A pattern's picture as in the header; '#' is carved.
 using Picture = std::array<std::string_view, kSubmodulesPerModule>;
 

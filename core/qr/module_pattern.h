@@ -23,6 +23,9 @@ inline constexpr int kSubmodulesPerModule = 5;
 ///     #####    .....    .....    ..#..    .###.
 enum class ModulePattern : std::uint8_t { None, Square, ThinPlus, Diamond, ThickPlus };
 
+/// Edge of a finder pattern, in modules.
+inline constexpr int kFinderModules = 7;
+
 /// The same for the 7×7 finder patterns [figure 9]. With Diamond and ThickPlus the four corner modules of the ring
 /// take a Square shifted by one submodule towards the finder's centre along both axes, so that it touches its
 /// neighbours. ThickPlusSharp has none of that: with its corners whole, more readers found it in simulated pictures.

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <sys/wait.h>
 
 #include "io/read_model.h"
@@ -401,6 +402,33 @@ TEST_F(CommandTest, PresetsDifferInDepthAndGiveWayToWhatIsSaid) {
   EXPECT_GT(meanDepth({"--preset", "robust"}), balanced);
   EXPECT_EQ(meanDepth({"--preset", "robust", "--contrast", "0.3"}), balanced);
   EXPECT_EQ(run({"engrave", model, "--text", "HELLO", "--preset", "deep", "-o", path("out.stl")}).status, 2);
+}
+
+TEST_F(CommandTest, WhatDoesNotReadAsShallowAsAskedForIsCarvedDeeper) {
+  const double slope = std::tan(55 * std::numbers::pi / 180);  // its own shade runs through the code
+  const Mesh valley = shapes::plate({60, 60}, 60, 2, 2, [&](double x, double) { return slope * std::abs(x); });
+  const std::string model = writeModel("valley.stl", valley);
+  const auto engrave = [&](std::vector<std::string> options) {
+    std::vector<std::string> words = {"engrave",     model,           "--text",   "HELLO",          "--at",   "0,0,0",
+                                      "--direction", "0,0,1",         "--up",     "0,1,0",          "--size", "30",
+                                      "-o",          path("out.stl"), "--report", path("out.json"), "--quiet"};
+    words.insert(words.end(), options.begin(), options.end());
+    return run(words);
+  };
+  const auto depth = [&] { return nlohmann::json::parse(contentOf(path("out.json")))["depth"]; };
+  const Outcome kept = engrave({"--preset", "shallow", "--keep-preset"});
+  EXPECT_EQ(kept.status, 1);
+  EXPECT_NE(kept.err.find("No reader found the code"), std::string::npos) << kept.err;
+  EXPECT_EQ(depth()["preset"], "shallow");
+  EXPECT_EQ(engrave({"--contrast", "0.2"}).status, 1) << "what is said by itself is kept, too";
+  EXPECT_FALSE(depth().contains("preset"));
+
+  const Outcome deeper = engrave({"--preset", "shallow"});
+  EXPECT_EQ(deeper.status, 0) << deeper.err;
+  EXPECT_NE(deeper.out.find("carved as balanced: as shallow no reader"), std::string::npos) << deeper.out;
+  EXPECT_EQ(depth()["askedPreset"], "shallow");
+  EXPECT_EQ(depth()["preset"], "balanced");
+  EXPECT_EQ(depth()["contrast"], 0.3);
 }
 
 TEST_F(CommandTest, EngravesTheBestSpotWhereNoCentreIsGiven) {

@@ -110,6 +110,37 @@ TEST_F(PlacementTest, ASizeThatDoesNotFitNamesTheLargestHereAndAtTheBestRotation
   EXPECT_TRUE(place(request).has_value());
 }
 
+TEST_F(PlacementTest, AFoundSizeLeavesRoomForItsPocketsInAWallThatGrowsThin) {
+  // 5 mm thick on the left, 0.5 mm on the right.
+  const auto thickness = [](double x) { return 2.75 - 0.1125 * x; };
+  Mesh wedge = shapes::plate({40, 40}, 5, 4, 4);
+  for (Vec3f& p : wedge.positions)
+    if (p.z < -1) p.z = static_cast<float>(-thickness(static_cast<double>(p.x)));
+  load(wedge);
+  PlacementRequest request;
+  request.upHint = {0, 1, 0};
+  request.direction = Vec3(0, 0, 1);
+  request.beyondMm = 3;
+  request.pockets = {1.5, 0.33};
+  const double free = 40 / std::numbers::sqrt2 / kOuter;
+  const auto placed = place(request);
+  ASSERT_TRUE(placed.has_value()) << placed.error().message;
+  // At the right finder patterns' edge: thickness(size / 2) = 1.5 + 0.33 · size / 29.
+  EXPECT_NEAR(placed->symbolMm, (2.75 - 1.5) / (0.1125 / 2 + 0.33 / kModules), 0.04 * free);
+  EXPECT_LT(placed->symbolMm, 0.9 * free);
+  EXPECT_DOUBLE_EQ(placed->moduleMm, placed->symbolMm / kModules);
+  EXPECT_NEAR(placed->guaranteedMm, free, 1e-3) << "what the silhouette allows";
+
+  request.pockets.minWallMm = 0.8;
+  EXPECT_NEAR(place(request)->symbolMm, free, 1e-3) << "thick enough all over";
+  request.pockets.minWallMm = 6;
+  EXPECT_NEAR(place(request)->symbolMm, free, 1e-3) << "no size helps: that nothing can be carved is said later";
+  request.pockets.minWallMm = 1.5;
+  request.sizeMode = SizeMode::Fixed;
+  request.sizeMm = 22;
+  EXPECT_DOUBLE_EQ(place(request)->symbolMm, 22) << "asked for";
+}
+
 TEST_F(PlacementTest, ThePatchIsKnownBeyondTheCodeAsFarAsItsWallsReach) {
   load(shapes::icosphere(60, 5));
   PlacementRequest request;

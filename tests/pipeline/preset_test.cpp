@@ -25,6 +25,12 @@ TEST(Preset, EachAsksForMoreContrastThanTheOneBefore) {
   }
 }
 
+TEST(Preset, EachButTheLastHasADeeperOne) {
+  EXPECT_EQ(deeperPreset(Preset::Shallow), Preset::Balanced);
+  EXPECT_EQ(deeperPreset(Preset::Balanced), Preset::Robust);
+  EXPECT_EQ(deeperPreset(Preset::Robust), std::nullopt);
+}
+
 TEST(Preset, ARequestThatSaysNothingHasTheContrastAndThePatternsOfTheBalancedOne) {
   EngraveRequest balanced;
   applyPreset(balanced, Preset::Balanced);

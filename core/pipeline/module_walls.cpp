@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/module_walls.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+#include "carving/wall_limit.h"
+#include "qr/module_pattern.h"
+
+namespace qrelief {
+namespace {
+
+constexpr double kShrink = 0.98;      // from one size tried to the next
+constexpr double kLeastShare = 0.25;  // of the square
+
+/// @param module  in modules from the symbol's top left, to the right and down
+bool isInFinder(Vec2 module, int modules) {
+  const bool left = module.x<kFinderModules, right = module.x> modules - kFinderModules;
+  const bool top = module.y<kFinderModules, bottom = module.y> modules - kFinderModules;
+  return (top && (left || right)) || (bottom && left);
+}
+
+}  // namespace
+
+Result<ModuleWalls> measureModuleWalls(const Mesh& mesh, const GpuMesh& gpu, const GeometryPass& pass,
+                                       const ProjectionFrame& frame, const VisiblePatch& patch, CellSquare square,
+                                       double depthMm, double minWallMm) {
+  const int cells = square.cells;
+  const MapWindow window{square.edgeMm, cells};
+  const auto front = pass.render(gpu, frame, window);
+  if (!front) return tl::unexpected(front.error());
+  const auto back = pass.renderBack(gpu, frame, window);
+  if (!back) return tl::unexpected(back.error());
+  const std::vector<float> ahead = front->framebuffer.readRgba(1);
+  const std::vector<float> behind = back->framebuffer.readRed();
+
+  SubmoduleMask all;
+  all.size = cells;
+  all.carved.assign(static_cast<std::size_t>(cells) * static_cast<std::size_t>(cells), 1);
+  ModuleWalls walls;
+  walls.limitMm = wallLimits(mesh, patch, frame, all, {square.edgeMm, depthMm, minWallMm});
+  walls.thicknessMm.assign(all.carved.size(), std::numeric_limits<double>::infinity());
+  for (int row = 0; row < cells; ++row) {
+    for (int column = 0; column < cells; ++column) {
+      const auto texel = static_cast<std::size_t>((cells - 1 - row) * cells + column);  // row 0 at the bottom
+      const float nearest = ahead[4 * texel + 3];
+      if (!(nearest > 0 && behind[texel] > 0)) continue;
+      const auto i = static_cast<std::size_t>(row * cells + column);
+      walls.thicknessMm[i] = static_cast<double>(behind[texel] - nearest);
+      walls.limitMm[i] = std::clamp(walls.thicknessMm[i] - minWallMm, 0.0, walls.limitMm[i]);
+    }
+  }
+  return walls;
+}
+
+double pitDepth(double contrast) { return 0.5 * std::sqrt(contrast / (1 - contrast)); }
+
+double sizeThatWallsTake(const ModuleWalls& walls, CellSquare square, int modules, double depthModules) {
+  assert(modules > 0 && depthModules > 0);
+  const double cell = square.edgeMm / square.cells;
+  const auto takes = [&](double sizeMm) {
+    const double depth = depthModules * sizeMm / modules;
+    int inside = 0, thin = 0;
+    for (int row = 0; row < square.cells; ++row) {
+      for (int column = 0; column < square.cells; ++column) {
+        const Vec2 offset = cell * (Vec2(column, row) + 0.5 - square.cells / 2.0);  // from the centre, down
+        const Vec2 module = (offset / sizeMm + 0.5) * static_cast<double>(modules);
+        if (std::min(module.x, module.y) < 0 || std::max(module.x, module.y) > modules) continue;
+        ++inside;
+        if (walls.limitMm[static_cast<std::size_t>(row * square.cells + column)] >= depth) continue;
+        if (isInFinder(module, modules)) return false;
+        ++thin;
+      }
+    }
+    return thin <= (1 - kTakenShare) * inside;
+  };
+  for (double size = square.edgeMm; size >= kLeastShare * square.edgeMm; size *= kShrink)
+    if (takes(size)) return size;
+  return 0;
+}
+
+}  // namespace qrelief
