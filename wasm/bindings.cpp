@@ -118,6 +118,9 @@ class Facade {
     return guarded([&] { return engine_.chooseSpot(index); });
   }
   void showSizes(bool shown) { engine_.showSizes(shown); }
+  std::string prepareEngrave() {
+    return guarded([&] { return engine_.prepareEngrave(); });
+  }
   /// @param withOverrides  as the inspector's settings say, where they differ from the page's
   std::string startEngrave(bool withOverrides) {
     return guarded(
@@ -276,6 +279,7 @@ EMSCRIPTEN_BINDINGS(qrelief) {
       .function("spots", &Facade::spots)
       .function("chooseSpot", &Facade::chooseSpot)
       .function("showSizes", &Facade::showSizes)
+      .function("prepareEngrave", &Facade::prepareEngrave)
       .function("startEngrave", &Facade::startEngrave)
       .function("advance", &Facade::advance)
       .function("cancel", &Facade::cancel)

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <fmt/format.h>
+#include <utility>
 
 #include "io/read_model.h"
 #include "io/write_checked.h"
@@ -29,6 +30,7 @@ constexpr double kProposedShare = 0.3;  // and its greatest share of the model's
 constexpr std::size_t kSpotsTried = 6;
 constexpr double kGoodFit = 0.7;    // a spot that takes this share of it will do
 constexpr int kNormalTexels = 768;  // of the map that gives a carved surface its smooth normals
+constexpr int kPreparedSteps = 2;   // of an engraving: the surface, and the search's first pass, which is the longest
 
 double millisecondsSince(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
@@ -97,6 +99,7 @@ std::string Engine::loadModel(std::vector<std::uint8_t> bytes, const std::string
   forgetJob();
   forgetPlacement();
   found_.reset();
+  prepared_.reset();
   forgetSpots();
   spotDirection_.reset();
   model_ = std::move(*model);
@@ -185,6 +188,38 @@ EngraveRequest Engine::completeRequest() const {
   return request;
 }
 
+Result<std::unique_ptr<EngraveJob>> Engine::makeJob(const EngraveRequest& request, const PlacementSearch* placed) {
+  if (!luminancePrograms_) {
+    auto compiled = LuminancePrograms::create();
+    if (!compiled) return tl::unexpected(compiled.error());
+    luminancePrograms_ = std::move(*compiled);
+  }
+  return EngraveJob::create(model_->engravable, request, {placed, pass_, luminancePrograms_});
+}
+
+std::string Engine::prepareEngrave() {
+  const auto report = [](bool done) { return textOf({{"ok", true}, {"done", done}}); };
+  if (!model_ || !centre_ || !symbol_ || jobRuns_ || placing_ || timerQueries_) return report(true);
+  EngraveRequest request = completeRequest();
+  request.recordSearch = true;
+  const PlacementSearch* placed = foundPlacement(request);
+  if (prepared_ && !(placed && prepared_->request == request)) prepared_.reset();
+  if (!placed || (prepared_ && prepared_->steps == kPreparedSteps)) return report(true);
+  const auto start = Clock::now();
+  if (!prepared_) {
+    auto job = makeJob(request, placed);
+    if (!job) return report(true);  // engraving says why
+    prepared_ = {std::move(request), std::move(*job)};
+  } else if (prepared_->job->advance()) {
+    ++prepared_->steps;
+  } else {
+    prepared_.reset();
+    return report(true);
+  }
+  prepared_->ms += millisecondsSince(start);
+  return report(prepared_->steps == kPreparedSteps);
+}
+
 std::string Engine::startEngrave(const RequestOverrides* overrides) {
   showSizes_ = false;
   setCarvingAside();
@@ -196,18 +231,19 @@ std::string Engine::startEngrave(const RequestOverrides* overrides) {
   jobRequest_ = overrides ? overrides->appliedTo(completeRequest()) : completeRequest();
   jobRequest_.recordSearch = true;  // so that the inspector can show it, whenever it is opened
   const PlacementSearch* placed = overrides ? nullptr : foundPlacement(jobRequest_);
-  if (!luminancePrograms_) {
-    auto compiled = LuminancePrograms::create();
-    if (!compiled) return answer(compiled.error());
-    luminancePrograms_ = std::move(*compiled);
+  jobMs_ = placed ? placed->directionMs() + placed->sizeMs() : 0;
+  std::optional<Prepared> prepared = std::exchange(prepared_, std::nullopt);
+  if (prepared && placed && !timerQueries_ && prepared->request == jobRequest_) {
+    job_ = std::move(prepared->job);
+    jobMs_ += prepared->ms;
+  } else {
+    auto job = makeJob(jobRequest_, placed);
+    if (!job) return answer(job.error());
+    job_ = std::move(*job);
   }
-  auto job = EngraveJob::create(model_->engravable, jobRequest_, {placed, pass_, luminancePrograms_});
-  if (!job) return answer(job.error());
-  job_ = std::move(*job);
   if (timerQueries_) passTimings_ = std::make_unique<gl::PassTimings>(*timerQueries_);
   ++engravings_;
   jobRuns_ = true;
-  jobMs_ = placed ? placed->directionMs() + placed->sizeMs() : 0;
   return answer(job_->progress());
 }
 

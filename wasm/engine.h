@@ -77,6 +77,9 @@ class Engine {
   /// The colours of the largest sizes on the model, if they are known.
   void showSizes(bool shown);
 
+  /// {done}; one bounded piece of what the next engraving begins with, so that it has less to do. Nothing is left to do
+  /// (done) while something else is at work, and where no code is placed.
+  std::string prepareEngrave();
   /// {stage, fraction, done} of the first piece of work.
   /// @param overrides  what differs from the settings this time; may be null
   std::string startEngrave(const RequestOverrides* overrides = nullptr);
@@ -199,6 +202,7 @@ class Engine {
   void forgetPlacement();
   void forgetSpots();
   void forgetJob();
+  Result<std::unique_ptr<EngraveJob>> makeJob(const EngraveRequest& request, const PlacementSearch* placed);
   void setCarvingAside();
   void finishJob();
   void makeCarvedDisplay();
@@ -240,6 +244,13 @@ class Engine {
   std::optional<bool> timerQueries_;  // none: passes are not timed
   std::unique_ptr<gl::PassTimings> passTimings_;
   int engravings_ = 0;
+  struct Prepared {
+    EngraveRequest request;
+    std::unique_ptr<EngraveJob> job;
+    int steps = 0;  // that it has done
+    double ms = 0;
+  };
+  std::optional<Prepared> prepared_;  // of the next engraving, if that is asked for as it is now
   EngraveRequest jobRequest_;
   std::unique_ptr<EngraveJob> job_;
   bool jobRuns_ = false;

@@ -37,6 +37,7 @@ Status Engine::placeSymbol() {
 Status Engine::findPlacement(const EngraveRequest& request) {
   if (foundPlacement(request)) return {};
   found_.reset();
+  prepared_.reset();
   const PlacementRequest wanted = searchedPlacement(request, symbol_->size);
   const EngravableModel& model = *model_->engravable;
   PlacementSearch search(model.prepared, model.gpu, *pass_, symbol_->size, wanted);

@@ -6,11 +6,13 @@ import { holdsSecret } from './code/secrets.js';
 import { Continuing } from './keep/continuing.js';
 import { Database } from './keep/database.js';
 import { LastWork } from './keep/last_work.js';
+import { prepareReader } from './reader/reader.js';
 import { Carving } from './session/carving.js';
 import { fetchJson } from './session/fetch_file.js';
 import { Jobs } from './session/jobs.js';
 import { ModelSession } from './session/model_session.js';
 import { Placing } from './session/placing.js';
+import { Preparing } from './session/preparing.js';
 import { Recovery } from './session/recovery.js';
 import { SpotFinding } from './session/spot_finding.js';
 import { Undo } from './session/undo.js';
@@ -70,6 +72,7 @@ export class App {
     this.carvePanel_ = new CarvePanel();
     this.jobs_ = new Jobs({ panel: this.workPanel_, messages: this.messages_, onBusy: (busy) => this.allowWork_(!busy) });
     this.model_ = this.makeModel_();
+    this.preparing_ = new Preparing({ client: this.client_, prepareReader, isBusy: () => this.jobs_.busy, user: window });
     this.placing_ = this.makePlacing_();
     this.spotsPanel_ = this.makeSpotsPanel_();
     this.spots_ = this.makeSpotFinding_();
@@ -170,6 +173,7 @@ export class App {
         this.toolbar_.setPlaced(placement !== undefined);
         this.tools_.set({ placed: placement !== undefined });
         this.code_.showPlaced(placement);
+        this.preparing_.note(placement !== undefined);
         this.takePanel_.setSecret(holdsSecret(this.code_.text));
       },
     });

@@ -15,6 +15,8 @@ struct ReadingOptions {
   double blurModules = 0.4;      ///< standard deviation of what a phone's lens and sensor blur, in module widths
   double tolerance = 0.005;      ///< of the contrast: what is at most this much darker than it must be is done
   int maxPasses = 12;
+
+  bool operator==(const ReadingOptions&) const = default;
 };
 
 /// The search for what a reader needs: the least depth at which every dark module *as a whole*, as a blurred picture

@@ -65,6 +65,8 @@ struct EngraveRequest {
   SurfaceMode surface = SurfaceMode::Preserved;
   bool inlay = false;         ///< make the body that fills the pockets as well, for printing in two colours
   bool recordSearch = false;  ///< keep what every pass of the search for depths saw, in EngraveResult::search
+
+  bool operator==(const EngraveRequest&) const = default;
 };
 
 /// The place that an engraving looks for.

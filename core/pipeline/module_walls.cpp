@@ -13,6 +13,7 @@ namespace qrelief {
 namespace {
 
 constexpr double kShrink = 0.98;      // from one size tried to the next
+constexpr double kRounding = 1e-9;    // what walls were asked for and what is needed are computed apart
 constexpr double kLeastShare = 0.25;  // of the square
 
 /// @param module  in modules from the symbol's top left, to the right and down
@@ -61,7 +62,7 @@ double sizeThatWallsTake(const ModuleWalls& walls, CellSquare square, int module
   assert(modules > 0 && depthModules > 0);
   const double cell = square.edgeMm / square.cells;
   const auto takes = [&](double sizeMm) {
-    const double depth = depthModules * sizeMm / modules;
+    const double depth = (1 - kRounding) * depthModules * sizeMm / modules;
     int inside = 0, thin = 0;
     for (int row = 0; row < square.cells; ++row) {
       for (int column = 0; column < square.cells; ++column) {

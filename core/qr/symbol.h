@@ -34,6 +34,8 @@ struct SymbolOptions {
   MaskRule maskRule = MaskRule::Standard;
   int mask = 0;                   ///< Fixed: 0 … 7
   bool breakUpDarkAreas = false;  ///< spend error correction on smaller dark areas (qr/symbol_shaping.h)
+
+  bool operator==(const SymbolOptions&) const = default;
 };
 
 /// A QR Code symbol without quiet zone: `size × size` modules, row-major from the top left.

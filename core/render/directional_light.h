@@ -16,6 +16,8 @@ struct DirectionalLight {
   double azimuthDeg = 0;     ///< where it stands round the code: 0 = right, 90 = at the top, as the reader sees it
   double elevationDeg = 45;  ///< over the QR plane, 0 < e ≤ 90; 90 = at the reader
   double strength = 1;       ///< irradiance of a surface that faces it, 1 = that of the whole sky; ≥ 0
+
+  bool operator==(const DirectionalLight&) const = default;
 };
 
 /// Unit vector to the lamp in the frame's axes (right, up, normal).

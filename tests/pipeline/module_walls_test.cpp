@@ -31,6 +31,15 @@ TEST(ModuleWalls, ThickWallsTakeTheWholeSize) {
   EXPECT_EQ(sizeThatWallsTake(wallsOf(1), kSquare, kModules, kDepth), 42);
 }
 
+TEST(ModuleWalls, WallsThatWereAskedAboutJustThatDepthTakeIt) {
+  // As the caller computes it, which may differ in the last bit.
+  for (int i = 1; i < 100; ++i) {
+    const CellSquare square{10 + 0.137 * i, kModules};
+    const double moduleMm = square.edgeMm / kModules;
+    EXPECT_EQ(sizeThatWallsTake(wallsOf(0.327 * moduleMm), square, kModules, 0.327), square.edgeMm);
+  }
+}
+
 TEST(ModuleWalls, AnEvenlyThinWallTakesPocketsAsMuchShallower) {
   const double size = sizeThatWallsTake(wallsOf(0.6), kSquare, kModules, kDepth);
   EXPECT_LE(size, 0.6 * 42);

@@ -166,6 +166,45 @@ TEST_F(EngineTest, EngravesStepByStepAndReportsWhatCameOut) {
   EXPECT_TRUE(engine_->exportModel("stl").empty());
 }
 
+TEST_F(EngineTest, APreparedEngravingHasLessToDoAndGivesTheSame) {
+  const auto prepare = [&] {
+    int steps = 1;
+    while (!Json::parse(engine_->prepareEngrave())["done"].get<bool>()) ++steps;
+    return steps;
+  };
+  const auto start = [&] { return Json::parse(engine_->startEngrave())["stage"].get<std::string>(); };
+  const auto finish = [&] {
+    while (!Json::parse(engine_->advance())["done"].get<bool>()) {
+    }
+    return engine_->exportModel("stl");
+  };
+  EXPECT_EQ(prepare(), 1) << "no model";
+  load(shapes::box({60, 60, 20}));
+  engine_->configure(kSettings);
+  engine_->setCentre(0, 0, 10);
+  EXPECT_EQ(prepare(), 1) << "not placed yet";
+  engine_->placement();
+  EXPECT_EQ(start(), "Measuring the surface");
+  EXPECT_EQ(prepare(), 1) << "one is running";
+  const auto carved = finish();
+  ASSERT_FALSE(carved.empty());
+
+  EXPECT_GT(prepare(), 1);
+  EXPECT_EQ(prepare(), 1) << "done already";
+  EXPECT_EQ(engine_->exportModel("stl"), carved) << "what was carved is still there";
+  EXPECT_EQ(start(), "Finding the depth");
+  EXPECT_EQ(finish(), carved);
+  EXPECT_GT(Json::parse(engine_->report())["timingsMs"]["surface"].get<double>(), 0);
+
+  EXPECT_GT(prepare(), 1);
+  Json deeper = Json::parse(kSettings);
+  deeper["contrast"] = 0.4;
+  engine_->configure(deeper.dump());
+  engine_->placement();
+  EXPECT_EQ(start(), "Measuring the surface") << "what was prepared is another engraving";
+  EXPECT_NE(finish(), carved);
+}
+
 TEST_F(EngineTest, AfterACancelNothingIsRunningAndAllCanStartAgain) {
   load(shapes::box({60, 60, 20}));
   engine_->configure(kSettings);
@@ -210,7 +249,8 @@ TEST_F(EngineTest, FindsSpotsThatTakeTheSizeTheyPromise) {
     for (int k = 0; k < 3; ++k) EXPECT_NEAR(chosen["centre"][k], found["spots"][i]["centre"][k], 1e-9);
     const Json placement = Json::parse(engine_->placement());
     ASSERT_EQ(placement["ok"], true) << placement;
-    EXPECT_NEAR(placement["placement"]["guaranteedMm"], found["spots"][i]["sizeMm"], 1e-6);
+    EXPECT_NEAR(placement["placement"]["symbolMm"], found["spots"][i]["sizeMm"], 1e-6);
+    EXPECT_NEAR(placement["placement"]["guaranteedMm"], found["spots"][i]["sizeMm"], 1e-6) << "its walls are thick";
   }
   expectError(engine_->chooseSpot(100), "BadUsage", "no such spot");
 }

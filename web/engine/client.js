@@ -156,6 +156,11 @@ export class EngineClient {
   /** @returns {Promise<import('./types.js').Placement>} */
   placement() { return this.call_('placement'); }
 
+  /** Begins what the next carving begins with, unless there is something else to do. @returns {Promise<void>} */
+  async prepareEngrave() {
+    if (this.backend_ instanceof WorkerBackend) await this.call_('prepareEngrave');  // the page itself must not stand still
+  }
+
   /** @returns {Promise<number>}  which finished carving can be reported and exported; 0: none */
   carving() { return this.call_('carving'); }
 

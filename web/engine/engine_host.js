@@ -189,6 +189,9 @@ export class EngineHost {
     /** @param {boolean} shown */
     showDepths: (shown) => this.drawn_(parseAnswer(this.engine_.showDepths(shown)).topMm),
 
+    prepareEngrave: async () => {
+      while (!this.job_ && !parseAnswer(this.engine_.prepareEngrave()).done) await yieldToMessages();
+    },
     /** @param {boolean} [withOverrides]  of the inspector */
     engrave: (withOverrides = false) => this.engrave_(withOverrides),
     cancel: () => {

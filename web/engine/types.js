@@ -128,6 +128,7 @@
  * @property {() => string} spots
  * @property {(index: number) => string} chooseSpot
  * @property {(shown: boolean) => void} showSizes
+ * @property {() => string} prepareEngrave
  * @property {(withOverrides: boolean) => string} startEngrave
  * @property {() => string} advance
  * @property {() => void} cancel
