@@ -11,7 +11,7 @@ const kFolder = fileURLToPath(new URL('../../dist', import.meta.url));
 /** @type {Record<string, string>} */
 const kTypes = {
   '.html': 'text/html; charset=utf-8', '.js': 'text/javascript', '.css': 'text/css', '.json': 'application/json',
-  '.wasm': 'application/wasm', '.svg': 'image/svg+xml', '.png': 'image/png', '.webmanifest': 'application/manifest+json',
+  '.wasm': 'application/wasm', '.svg': 'image/svg+xml', '.png': 'image/png', '.jpg': 'image/jpeg', '.webmanifest': 'application/manifest+json',
   '.stl': 'model/stl', '.txt': 'text/plain', '.xml': 'application/xml',
 };
 

@@ -11,6 +11,11 @@ export const guide = {
     toMethod: 'How it works',
     toGuide: 'How to print it',
 
+    steps: 'From the model to the print',
+    stepPlace: 'Open a model, type the text, and click where the code should go. It shows as it will lie there, with the light margin it needs; turn it, size it, move it.',
+    stepCarve: 'Engrave. Each dark module becomes a pocket, as deep as its own shadow needs to be dark.',
+    stepRead: 'Check. This is what a phone at the reader’s eye sees, and what is read. Then download the file and print it.',
+
     size: 'Size',
     sizeWhat: 'What counts is the width of a module, the smallest square of the code. The paper behind QRelief printed the default pattern with a 0.4 mm nozzle and read it from modules of 0.6 mm; its other prints have 1.2 mm, which leaves room for error. With another nozzle, scale both.',
     sizeShort: 'Short texts need fewer modules, so each can be larger: shorten a link before you enlarge the code.',
@@ -76,6 +81,11 @@ export const guide = {
     toApp: 'Zur App',
     toMethod: 'So funktioniert es',
     toGuide: 'So wird es gedruckt',
+
+    steps: 'Vom Modell zum Druck',
+    stepPlace: 'Modell öffnen, Text eingeben und dorthin klicken, wo der Code hin soll. Er zeigt sich, wie er dort liegen wird, mit dem hellen Rand, den er braucht; er lässt sich drehen, vergrößern, verschieben.',
+    stepCarve: 'Gravieren. Jedes dunkle Modul wird eine Tasche, so tief, wie es für ihren eigenen Schatten sein muss.',
+    stepRead: 'Prüfen. Das sieht ein Telefon am Auge des Lesers, und das wird gelesen. Dann die Datei herunterladen und drucken.',
 
     size: 'Größe',
     sizeWhat: 'Es zählt die Breite eines Moduls, des kleinsten Quadrats im Code. Im Artikel hinter QRelief wurde das voreingestellte Muster mit einer 0,4-mm-Düse gedruckt und ab Modulen von 0,6 mm gelesen; die übrigen Drucke haben 1,2 mm, das lässt Spielraum. Bei einer anderen Düse beides entsprechend umrechnen.',

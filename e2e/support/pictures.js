@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Takes a picture of every state of the built page, to be looked at, and those that README and guide show:
+// `script/pictures`.
+import { mkdirSync } from 'node:fs';
+import { dirname } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { chromium, expect as expectFrom } from '@playwright/test';
+import { Engraver } from './engraver.js';
+import { openFile, truncatedFile } from './models.js';
+import { Site } from './site.js';
+
+/** @typedef {import('@playwright/test').Page} Page */
+/** @typedef {(app: Engraver, page: Page) => Promise<void>} Walk */
+
+const kRoot = fileURLToPath(new URL('../../', import.meta.url));
+const kSettleMs = 2500;  // the view refines its picture
+
+/** @type {Record<string, import('@playwright/test').BrowserContextOptions>} */
+const kLooks = {
+  'desktop-light': { viewport: { width: 1280, height: 800 }, colorScheme: 'light' },
+  'desktop-dark': { viewport: { width: 1280, height: 800 }, colorScheme: 'dark' },
+  'phone-light': { viewport: { width: 360, height: 740 }, hasTouch: true, isMobile: true, deviceScaleFactor: 2, colorScheme: 'light' },
+  'phone-dark': { viewport: { width: 360, height: 740 }, hasTouch: true, isMobile: true, deviceScaleFactor: 2, colorScheme: 'dark' },
+  view: { viewport: { width: 1060, height: 560 }, colorScheme: 'light', bypassCSP: true },
+};
+
+const expect = expectFrom.configure({ timeout: 60_000 });
+
+/** @param {Page} page @param {string} name */
+const press = (page, name) => page.getByRole('button', { name, exact: true }).click();
+
+/**
+ * Each begins with the page freshly opened, and ends with what is to be seen.
+ * @type {Record<string, { query?: string, walk: Walk, wholePage?: boolean }>}
+ */
+const kStates = {
+  ready: { walk: async () => {} },
+  settings: { walk: async (app) => app.openSettings(), wholePage: true },
+  hover: {
+    walk: async (app, page) => {
+      const box = await app.canvas.boundingBox();
+      if (!box) throw new Error('there is no view');
+      await page.mouse.move(box.x + 0.4 * box.width, box.y + 0.4 * box.height, { steps: 4 });
+      await expect(app.chip).toBeVisible();
+    },
+  },
+  spots: { walk: async (app) => app.suggest() },
+  wifi: {
+    walk: async ({ page }) => {
+      await page.getByRole('combobox', { name: 'Kind of content' }).selectOption('Wi-Fi access');
+      await page.getByLabel('Network name').fill('workshop');
+    },
+  },
+  carving: {
+    walk: async (app) => {
+      await app.engraveButton.click();
+      await expect(app.status).toContainText('Finding the depth');
+    },
+  },
+  result: { walk: async (app) => app.engrave() },
+  'result-page': { walk: async (app) => app.engrave(), wholePage: true },
+  depths: {
+    walk: async (app, page) => {
+      await app.engrave();
+      await press(page, 'Depths');
+    },
+  },
+  section: {
+    walk: async (app, page) => {
+      await app.engrave();
+      await press(page, 'Section');
+    },
+  },
+  reader: {
+    walk: async (app, page) => {
+      await app.engrave();
+      await press(page, 'Reader’s view');
+    },
+  },
+  unread: {
+    query: '?sample=bunny&text=too%20small',
+    walk: async (app) => {
+      await app.openSettings();
+      await app.setting('Contrast').fill('0.05');
+      await app.setting('Contrast').press('Tab');
+      await app.engrave();
+    },
+    wholePage: true,
+  },
+  broken: { walk: async (app) => app.file.setInputFiles(truncatedFile) },
+  open: { walk: async (app) => app.file.setInputFiles(openFile) },
+  help: { walk: async ({ page }) => press(page, 'Help') },
+  inspector: {
+    walk: async (app, page) => {
+      await app.engrave();
+      await press(page, 'Inspector');
+    },
+  },
+};
+
+/** Those that README and guide show: of the page, or of the view alone, without the buttons over it. */
+const kShown = [
+  { file: 'docs/engraved_bunny.png', state: 'result', look: 'desktop-light' },
+  { file: 'docs/suggested_spots.jpg', state: 'spots', look: 'desktop-dark' },
+  { file: 'docs/phone.jpg', state: 'reader', look: 'phone-light' },
+  { file: 'web/guide/pictures/place.jpg', state: 'ready', look: 'view' },
+  { file: 'web/guide/pictures/carved.jpg', state: 'result', look: 'view' },
+  { file: 'web/guide/pictures/read.jpg', state: 'reader', look: 'view' },
+];
+
+/** @param {Page} page @param {string} file */
+async function takeView(page, file) {
+  await page.addStyleTag({ content: '.tools, .view-cube, .reader-view p { visibility: hidden; }' });
+  const clip = await page.getByRole('main').boundingBox();
+  if (!clip) throw new Error('there is no view');
+  await page.screenshot({ path: file, clip, type: 'jpeg', quality: 82 });
+}
+
+/**
+ * @param {import('@playwright/test').Browser} browser
+ * @param {Site} site
+ * @param {{ state: string, look: string, file: string }} picture
+ */
+async function take(browser, site, { state, look, file }) {
+  const { query = '?sample=bunny', walk, wholePage = false } = kStates[state];
+  const context = await browser.newContext({ ...kLooks[look], baseURL: site.address, locale: 'en', serviceWorkers: 'block' });
+  try {
+    const page = await context.newPage();
+    const app = new Engraver(page);
+    await app.open(query);
+    await expect(app.status).toHaveText('Ready.');
+    await walk(app, page);
+    if (state !== 'carving') await page.waitForTimeout(kSettleMs);
+    const path = kRoot + file;
+    mkdirSync(dirname(path), { recursive: true });
+    if (look === 'view') await takeView(page, path);
+    else await page.screenshot({ path, fullPage: wholePage });
+  } finally {
+    await context.close();
+  }
+}
+
+/** @param {string | undefined} wantedState @param {string} [wantedLook] */
+const chosen = (wantedState, wantedLook = '') => (wantedState === 'shown' ? kShown
+  : Object.keys(kStates).filter((name) => !wantedState || name === wantedState).flatMap((state) =>
+    Object.keys(kLooks).filter((name) => name !== 'view' && name.startsWith(wantedLook)).map((look) =>
+      ({ file: `build/pictures/${state}-${look}.png`, state, look }))));
+
+const site = await new Site('/').open();
+let failed = false;
+try {
+  for (const picture of chosen(...(/** @type {[string | undefined, string?]} */ (process.argv.slice(2))))) {
+    const browser = await chromium.launch({  // a new one for each: what software draws stays in its memory
+      executablePath: process.env.QRELIEF_CHROMIUM ?? '/usr/bin/chromium',
+      args: ['--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--no-sandbox', '--disable-background-networking'],
+    });
+    try {
+      await take(browser, site, picture);
+      console.log(picture.file);
+    } catch (thrown) {
+      failed = true;
+      console.error(`${picture.file}: ${thrown instanceof Error ? thrown.message.split('\n')[0] : thrown}`);
+    } finally {
+      await browser.close();
+    }
+  }
+} finally {
+  await site.close();
+}
+process.exitCode = failed ? 1 : 0;
