@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { expect, test } from '@playwright/test';
 import { Engraver } from './support/engraver.js';
+import { blindReaders } from './support/workers.js';
 
 test('The verdict says in three lines that a good carving reads, prints and is solid', async ({ page }) => {
   const app = new Engraver(page);
@@ -65,4 +66,50 @@ test('The grades and the views behind the verdict are there on demand, marked as
   await expect(app.result).toContainText(/Tilted by 15°: \d of 4 directions read/, { timeout: 120_000 });
   await expect(app.result).toContainText(/Reads from every side up to (15|30|45)°/);
   await expect(app.result).toContainText(/Reads up to about \d+ cm away, [\d.]+ pixels a module/);
+});
+
+test('A code that no reader finds is carved by the next deeper preset, and undone in one', async ({ page }) => {
+  await page.addInitScript(blindReaders, ['shallow']);
+  const app = new Engraver(page);
+  await app.open('?sample=saddle&text=deeper');
+  await app.expectReady();
+  await app.setting('How deep').selectOption('shallow');
+  await app.expectReady();
+  await app.engrave();
+  await expect(app.status).toHaveText('Engraved, deeper than asked for: less deep, no reader found the code.');
+  await expect(app.setting('How deep')).toHaveValue('balanced');
+  await expect(app.result).toContainText('Reads as deeper');
+  expect((await app.report()).depth.contrast).toBe(0.3);
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await expect(app.setting('How deep')).toHaveValue('shallow');
+  await expect(app.result).toBeHidden();
+});
+
+test('What no preset makes readable is carved by the deepest, and the page says that it does not read', async ({ page }) => {
+  await page.addInitScript(blindReaders, ['shallow', 'balanced', 'robust']);
+  const app = new Engraver(page);
+  await app.open('?sample=saddle&text=deeper');
+  await app.expectReady();
+  await app.engrave();
+  await expect(app.setting('How deep')).toHaveValue('robust');
+  await expect(app.result).toContainText('Does not read');
+});
+
+test('Cancelled while it is carved deeper, what was asked for stays', async ({ page }) => {
+  await page.addInitScript(blindReaders, ['shallow']);
+  const app = new Engraver(page);
+  await app.open('?sample=saddle&text=deeper');
+  await app.expectReady();
+  await app.setting('How deep').selectOption('shallow');
+  await app.expectReady();
+  await app.engraveButton.click();
+  await expect(app.setting('How deep')).toHaveValue('balanced');
+  await app.cancelButton.click();
+  await expect(app.result).toContainText('Does not read');
+  await expect(app.setting('How deep')).toHaveValue('shallow');
+  expect((await app.report()).depth.contrast).toBe(0.2);
+  await app.setting('How deep').selectOption('balanced');
+  await app.expectReady();
+  await app.engrave();
+  await expect(app.result).toContainText('Reads as deeper');
 });

@@ -212,6 +212,8 @@ export class App {
     return new Carving({
       client: this.client_, jobs: this.jobs_, model: this.model_, placing: this.placing_, messages: this.messages_, panel,
       work: () => this.work_(),
+      settings: () => this.settings_(),
+      write: (values) => this.write_({ text: this.code_.text, values }),
       onStart: () => this.spotsPanel_.setSizesShown(false),
       onDone: () => this.undo_.record(),
       onShown: (exists, shown) => this.noteCarved_(exists, shown),

@@ -46,3 +46,25 @@ export const askWorker = (page, verb) => page.evaluate((asked) => new Promise((r
   worker.addEventListener('message', listen);
   worker.postMessage({ id, verb: asked, args: [] });
 }), verb);
+
+/**
+ * Readers that find nothing in what was carved by some of the presets (`page.addInitScript(blindReaders, presets)`).
+ * @param {string[]} presets
+ */
+export const blindReaders = (presets) => {
+  const Original = window.Worker;
+  window.Worker = class extends Original {
+    /** @param {string | URL} url @param {WorkerOptions} [options] */
+    constructor(url, options) {
+      super(url, options);
+      this.isReader = options?.name === 'reader';
+    }
+
+    /** @param {any} message @param {any} transfer */
+    postMessage(message, transfer) {
+      const { value } = /** @type {HTMLSelectElement} */ (document.getElementById('preset'));
+      if (!this.isReader || !presets.includes(value)) super.postMessage(message, transfer);
+      else setTimeout(() => this.dispatchEvent(new MessageEvent('message', { data: { id: message.id, texts: [''] } })));
+    }
+  };
+};

@@ -26,11 +26,17 @@ export function sizeRemedies({ size, symbol }, values, leastModuleMm = 0) {
   return values.size === 'best' ? [] : [{ kind: 'turned', control: 'size', value: 'best' }];
 }
 
+/** The next deeper one, if presets count and there is one. @param {Values} values @returns {'balanced' | 'robust' | undefined} */
+export function deeperPreset({ preset, contrast }) {
+  if (contrast !== '' || preset === 'robust') return undefined;
+  return preset === 'shallow' ? 'balanced' : 'robust';
+}
+
 /** Darker modules. @param {Values} values @returns {Remedy[]} */
 export function depthRemedies(values) {
   if (values.contrast !== '') return [{ kind: 'autoContrast', control: 'contrast', value: '' }];
-  if (values.preset === 'shallow') return [{ kind: 'balanced', control: 'preset', value: 'balanced' }];
-  return values.preset === 'balanced' ? [{ kind: 'robust', control: 'preset', value: 'robust' }] : [];
+  const deeper = deeperPreset(values);
+  return deeper ? [{ kind: deeper, control: 'preset', value: deeper }] : [];
 }
 
 /** Against a code that does not read, or barely. @param {Report} report @param {Values} values @returns {Remedy[]} */

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { depthRemedies, printingRemedies, readingRemedies, sizeRemedies } from './remedies.js';
+import { deeperPreset, depthRemedies, printingRemedies, readingRemedies, sizeRemedies } from './remedies.js';
 import { verdictOf } from './verdict.js';
 
 /** @typedef {import('../engine/types.js').Report} Report */
@@ -53,6 +53,13 @@ test('A code that the spot keeps small may be turned, one of exact size may grow
   const exact = { ...values, size: 'fixed', 'size-mm': '20' };
   assert.deepEqual(sizeRemedies(makeReport({ size: { symbolMm: 20, guaranteedMm: 31 } }), exact), [{ kind: 'largest', control: 'size', value: 'free' }]);
   assert.deepEqual(sizeRemedies(makeReport({ size: { symbolMm: 20, guaranteedMm: 20 } }), exact), []);
+});
+
+test('A preset is followed by the next deeper one, unless a contrast was chosen by itself', () => {
+  assert.equal(deeperPreset({ ...values, preset: 'shallow' }), 'balanced');
+  assert.equal(deeperPreset(values), 'robust');
+  assert.equal(deeperPreset({ ...values, preset: 'robust' }), undefined);
+  assert.equal(deeperPreset({ ...values, contrast: '0.2' }), undefined);
 });
 
 test('The next deeper preset helps, but first the contrast that overrides it goes', () => {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Carves the code, reads it back, and hands out what came of it.
+import { deeperPreset } from '../check/remedies.js';
 import { pixelsPerModule, tryViews } from '../check/view_trials.js';
 import { kReaderName, prepareReader, readAll, reads } from '../reader/reader.js';
 import { fileNameOf } from '../take/file_names.js';
@@ -21,6 +22,8 @@ import { sameWork } from './work.js';
  * @property {import('../ui/messages.js').Messages} messages
  * @property {import('../ui/result_panel.js').ResultPanel} panel
  * @property {() => Work} work
+ * @property {() => import('../engine/types.js').Settings} settings  of the work
+ * @property {(values: Work['values']) => void} write  into the controls
  * @property {() => void} onStart
  * @property {() => void} onDone
  * @property {(exists: boolean, shown: boolean) => void} onShown  whether there is a carved model, and whether it is seen
@@ -28,7 +31,7 @@ import { sameWork } from './work.js';
 
 export class Carving {
   /** @param {CarvingOptions} options */
-  constructor({ client, jobs, model, placing, messages, panel, work, onStart, onDone, onShown }) {
+  constructor({ client, jobs, model, placing, messages, panel, work, settings, write, onStart, onDone, onShown }) {
     this.client_ = client;
     this.jobs_ = jobs;
     this.model_ = model;
@@ -36,6 +39,8 @@ export class Carving {
     this.messages_ = messages;
     this.panel_ = panel;
     this.work_ = work;
+    this.settings_ = settings;
+    this.write_ = write;
     this.onStart_ = onStart;
     this.onDone_ = onDone;
     this.onShown_ = onShown;
@@ -108,41 +113,85 @@ export class Carving {
     await this.client_.showCarved(this.shown);
   }
 
-  /** @param {AbortSignal} signal @param {string} [overrides] */
+  /**
+   * Carves as asked for; what does not read then, with the next deeper presets.
+   * @param {AbortSignal} signal
+   * @param {string} [overrides]
+   */
   async carve_(signal, overrides) {
     const started = performance.now();
     await this.restoring_;
     const { carved: before } = this;
     await this.drop();
     this.onStart_();
-    const made = this.work_();
+    const asked = this.work_();
+    let made = asked;
+    /** @type {{ reading: import('../reader/reader.js').Reading, made: Work, number: number } | undefined} */ let unread;
     prepareReader();
-    const finished = await this.client_.engrave({
-      signal, withOverrides: overrides !== undefined, onProgress: (progress) => this.jobs_.showProgress(progress),
-    });
-    if (finished) {
-      await this.finish_(started, made, overrides);
-    } else {
-      this.messages_.say(() => text('page.cancelled'));
-      this.restoring_ = this.restore(before).catch(() => false);  // once the module's step has ended: nobody waits for it
+    for (;;) {
+      const reading = await this.carveOnce_(signal, overrides !== undefined);
+      if (!reading) {
+        this.messages_.say(() => text('page.cancelled'));
+        // Once the module's step has ended: nobody waits for it.
+        this.restoring_ = (unread ? this.keep_(unread, started) : this.restore(before)).catch(() => false);
+        return;
+      }
+      const mayChange = overrides === undefined && sameWork(made, this.work_());
+      const deeper = mayChange && reading.text === '' ? deeperPreset(made.values) : undefined;
+      if (!deeper) {
+        await this.finish_(reading, performance.now() - started, made);
+        this.messages_.say(() => (overrides ? text('inspector.engraved', { overrides })
+          : text(made === asked ? 'page.engraved' : 'page.engravedDeeper')));
+        return;
+      }
+      unread = { reading, made, number: await this.client_.carving() };
+      this.write_({ ...made.values, preset: deeper });
+      made = this.work_();
+      await this.client_.configure(this.settings_());
     }
   }
 
-  /** @param {number} started @param {Work} made @param {string} [overrides] */
-  async finish_(started, made, overrides) {
+  /**
+   * What is there when the carving that goes deeper is cancelled.
+   * @param {{ reading: import('../reader/reader.js').Reading, made: Work, number: number }} unread
+   * @param {number} started
+   */
+  async keep_({ reading, made, number }, started) {
+    const elapsedMs = performance.now() - started;
+    this.write_(made.values);
+    if (!(await this.client_.useCarving(number))) return false;
+    await this.client_.configure(this.settings_());
+    await this.finish_(reading, elapsedMs, made);
+    return true;
+  }
+
+  /**
+   * @param {AbortSignal} signal
+   * @param {boolean} withOverrides
+   * @returns {Promise<import('../reader/reader.js').Reading | undefined>}  none: cancelled
+   */
+  async carveOnce_(signal, withOverrides) {
+    const finished = await this.client_.engrave({
+      signal, withOverrides, onProgress: (progress) => this.jobs_.showProgress(progress),
+    });
+    if (!finished) return undefined;
     this.messages_.say(() => text('page.readingBack'));
     const picture = await this.client_.readerImage();
     const { symbol } = await this.client_.report();
     const scanned = readAll(picture, pixelsPerModule(picture, symbol.modules));
     const [reading] = await Promise.all([scanned, this.client_.showCarved(true)]);  // which has to be made first
+    return reading;
+  }
+
+  /** @param {import('../reader/reader.js').Reading} reading @param {number} elapsedMs @param {Work} made */
+  async finish_(reading, elapsedMs, made) {
     await this.client_.setReadBack(reading.text, kReaderName);
     const [report, number] = await Promise.all([this.client_.report(), this.client_.carving()]);
-    this.carved = { report, reading, elapsedMs: performance.now() - started, number, life: this.life_, made };
+    this.carved = { report, reading, elapsedMs, number, life: this.life_, made };
     await this.show(true);
     this.panel_.show(this.carved);
     this.panel_.reveal();
     this.onDone_();
-    this.messages_.say(() => (overrides ? text('inspector.engraved', { overrides }) : text('page.engraved')));
   }
 
   /** @type {import('../ui/grades_panel.js').ViewTrier} */
