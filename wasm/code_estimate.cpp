@@ -21,8 +21,8 @@ constexpr int kTurns = 18;       // that are tried for the best rotation, over a
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-/// @param mostLooks  renderings that the direction may take
-Result<Vec3> directionAt(const EngravableModel& model, const GeometryPass& pass, const SurfacePoint& centre,
+/// @param mostLooks  that the direction may take
+Result<Vec3> directionAt(const EngravableModel& model, const SurfaceLook& look, const SurfacePoint& centre,
                          double sizeMm, int mostLooks, const PlacementRequest& request) {
   if (request.direction) return *request.direction;
   DirectionOptions options;
@@ -31,9 +31,9 @@ Result<Vec3> directionAt(const EngravableModel& model, const GeometryPass& pass,
   options.sizeMm = sizeMm;
   options.samples = kDirectionSamples;
   options.mapTexels = kDirectionTexels;
-  DirectionSearch search(pass, model.gpu, centre.position, triangleNormal(model.prepared.mesh, centre.triangle),
-                         request.upHint, request.eyeDistanceMm, options);
-  for (int look = 0; look < mostLooks; ++look) {
+  DirectionSearch search(look, centre.position, triangleNormal(model.prepared.mesh, centre.triangle), request.upHint,
+                         request.eyeDistanceMm, options);
+  for (int i = 0; i < mostLooks; ++i) {
     const Result<bool> found = search.step();
     if (!found) return tl::unexpected(found.error());
     if (*found) break;
@@ -56,7 +56,7 @@ double bestTurn(const EyeReach& reach) {
 /// @param room   edge of the largest symbol that the map has room for at every rotation, mm
 /// @param looks  renderings that each direction may take
 Result<CodeEstimate> estimateWithin(double room, double sampled, int looks, const EngravableModel& model,
-                                    const GeometryPass& pass, const SurfacePoint& centre, int modules,
+                                    const SurfaceLook& look, const SurfacePoint& centre, int modules,
                                     const PlacementRequest& request) {
   const bool isFixed = request.sizeMode == SizeMode::Fixed;
   const double outer = roomFactor(modules, request.quietZone);
@@ -64,10 +64,10 @@ Result<CodeEstimate> estimateWithin(double room, double sampled, int looks, cons
   const MapWindow window{kReachMargin * std::numbers::sqrt2 * outer * room, kReachTexels};
   CodeEstimate estimate;
   for (int round = 0; round < kRounds; ++round) {
-    const auto normal = directionAt(model, pass, centre, sampled, looks, request);
+    const auto normal = directionAt(model, look, centre, sampled, looks, request);
     if (!normal) return tl::unexpected(normal.error());
     const ProjectionFrame upright = makeFrame(centre.position, *normal, request.upHint, request.eyeDistanceMm);
-    auto reach = lookAround(pass, model.gpu, upright, window);
+    auto reach = lookAround(look, upright, window);
     if (!reach) return tl::unexpected(reach.error());
     double turn = request.rotateDeg * kDegree;
     if (request.sizeMode == SizeMode::Best) turn += bestTurn(*reach);
@@ -88,19 +88,19 @@ Result<CodeEstimate> estimateWithin(double room, double sampled, int looks, cons
 
 }  // namespace
 
-Result<CodeEstimate> estimateCode(const EngravableModel& model, const GeometryPass& pass, const SurfacePoint& centre,
+Result<CodeEstimate> estimateCode(const EngravableModel& model, const SurfaceLook& look, const SurfacePoint& centre,
                                   int modules, const PlacementRequest& request, std::optional<double> expectedMm) {
   if (request.sizeMode == SizeMode::Fixed)
     return estimateWithin(request.sizeMm, request.sizeMm, expectedMm ? kQuickDirectionLooks : kDirectionLooks, model,
-                          pass, centre, modules, request);
+                          look, centre, modules, request);
   const double diagonal = model.gpu.box().diagonal();
   const double most = std::min(request.maxSizeMm, diagonal);
   if (expectedMm && kAhead * *expectedMm < most) {
     auto near =
-        estimateWithin(kAhead * *expectedMm, *expectedMm, kQuickDirectionLooks, model, pass, centre, modules, request);
+        estimateWithin(kAhead * *expectedMm, *expectedMm, kQuickDirectionLooks, model, look, centre, modules, request);
     if (!near || std::max(near->guaranteedMm, near->symbolMm) < kAhead * *expectedMm) return near;
   }
-  return estimateWithin(most, std::min(request.maxSizeMm, kFirstShare * diagonal), kDirectionLooks, model, pass, centre,
+  return estimateWithin(most, std::min(request.maxSizeMm, kFirstShare * diagonal), kDirectionLooks, model, look, centre,
                         modules, request);
 }
 

@@ -23,12 +23,12 @@ struct CodeEstimate {
 
 /// What PlacementSearch would find, quickly enough for a code that follows the pointer: the same direction method with
 /// few and small maps, the size from one map (eye_reach.h) instead of the exact silhouette.
-/// Cost: 3 to 6 small renderings, each read back; 3 of a part of the model if the size is about the one expected.
+/// Cost: 3 to 6 small looks; 2 of a part of the model if the size is about the one expected.
 /// @param centre   on the model
 /// @param modules  of the symbol along its edge
 /// @param request  its centre does not count
 /// @param expectedMm  a size that will about be found, as where the pointer has just been: less is then looked at
-Result<CodeEstimate> estimateCode(const EngravableModel& model, const GeometryPass& pass, const SurfacePoint& centre,
+Result<CodeEstimate> estimateCode(const EngravableModel& model, const SurfaceLook& look, const SurfacePoint& centre,
                                   int modules, const PlacementRequest& request, std::optional<double> expectedMm = {});
 
 }  // namespace qrelief

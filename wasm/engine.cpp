@@ -12,6 +12,7 @@
 #include "pipeline/add_inlay.h"
 #include "pipeline/carved_objects.h"
 #include "projection/size.h"
+#include "projection/surface_raster.h"
 #include "verification/baked_light.h"
 #include "wasm/answers.h"
 #include "wasm/depth_colours.h"
@@ -84,6 +85,10 @@ Result<Engine::Model> Engine::readAndPrepare(std::vector<std::uint8_t> bytes, co
     model.display = std::make_shared<const GpuMesh>(display.mesh, display.normals);
   }
   model.engravable = EngravableModel::upload(std::move(*prepared));
+  model.look = [raster = std::make_shared<const SurfaceRaster>(model.engravable->prepared.mesh)](
+                   const ProjectionFrame& frame, const MapWindow& window) -> Result<std::vector<float>> {
+    return raster->draw(frame, window);
+  };
   model.prepareMs = millisecondsSince(preparing);
   return model;
 }

@@ -172,6 +172,7 @@ class Engine {
     double scaleToMm = 1, loadMs = 0, prepareMs = 0;
     std::vector<std::string> warnings, partNames;
     std::shared_ptr<const EngravableModel> engravable;
+    SurfaceLook look;  // by the processor: what follows the pointer does not wait for pictures
     std::shared_ptr<const GpuMesh> display;
   };
   // A code as it is shown.

@@ -134,7 +134,7 @@ bool Engine::takesCode() const { return model_ && !jobRuns_ && symbol_ && model_
 Result<Engine::CodeOnSurface> Engine::estimatedCode(const SurfacePoint& at, std::optional<double> expectedMm) const {
   PlacementRequest request = request_.placement;
   request.upHint = camera_.skyward();
-  auto estimate = estimateCode(*model_->engravable, *pass_, at, symbol_->size, request, expectedMm);
+  auto estimate = estimateCode(*model_->engravable, model_->look, at, symbol_->size, request, expectedMm);
   if (!estimate) return tl::unexpected(estimate.error());
   CodeOnSurface code;
   code.symbolMm = estimate->symbolMm;
@@ -155,8 +155,7 @@ Result<Engine::CodeOnSurface> Engine::exactCode(const Symbol& symbol, const Engr
   code.rotationDeg = placement.rotationDeg;
   code.guaranteedMm = placement.guaranteedMm;
   code.isExact = true;
-  auto reach =
-      lookAround(*pass_, model_->engravable->gpu, placement.frame, {kReachEdges * code.print.edgeMm, kReachTexels});
+  auto reach = lookAround(model_->look, placement.frame, {kReachEdges * code.print.edgeMm, kReachTexels});
   if (!reach) return tl::unexpected(reach.error());
   auto trusted = std::make_shared<EyeReach>(*reach);
   trusted->trust();
@@ -303,7 +302,7 @@ Engine::Picture Engine::spotPicture(std::size_t index, int width, int height) {
   const ProjectionFrame upright = makeFrame(spot.centreMm, spot.direction, camera_.skyward(), request.eyeDistanceMm);
   const ProjectionFrame frame = turned(upright, request.rotateDeg * kDegree);
   SurfacePrint print = symbolPrint(*symbol_, frame, spot.symbolMm, request_);
-  auto reach = lookAround(*pass_, model_->engravable->gpu, frame, {kReachEdges * print.edgeMm, kReachTexels});
+  auto reach = lookAround(model_->look, frame, {kReachEdges * print.edgeMm, kReachTexels});
   if (!reach) return {};
   reach->trust();
   print.reach = std::make_shared<const EyeReach>(std::move(*reach));

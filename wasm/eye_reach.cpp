@@ -95,11 +95,10 @@ void EyeReach::trust() {
   for (std::size_t i = 0; i < texels.size(); i += 4) texels[i + 1] = 1;
 }
 
-Result<EyeReach> lookAround(const GeometryPass& pass, const GpuMesh& mesh, const ProjectionFrame& frame,
-                            const MapWindow& window) {
-  const auto maps = pass.render(mesh, frame, window);
-  if (!maps) return tl::unexpected(maps.error());
-  const std::vector<float> surface = maps->framebuffer.readRgba(0);
+Result<EyeReach> lookAround(const SurfaceLook& look, const ProjectionFrame& frame, const MapWindow& window) {
+  const auto looked = look(frame, window);
+  if (!looked) return tl::unexpected(looked.error());
+  const std::vector<float>& surface = *looked;
   EyeReach reach{frame, window, std::vector<float>(surface.size())};
   for (std::size_t i = 0; i < surface.size(); i += 4) {
     const float facing = std::max(surface[i + 2], kSteepest);

@@ -5,7 +5,7 @@
 
 #include "base/result.h"
 #include "math/frame.h"
-#include "render/geometry_pass.h"
+#include "projection/direction.h"
 
 namespace qrelief {
 
@@ -34,10 +34,9 @@ struct EyeReach {
   void trust();
 };
 
-/// Renders the map of a window and floods it from the centre: from texel to texel where the surface is seen at less
-/// than kSteepest and does not jump. Cost: one rendering, read back at once.
-Result<EyeReach> lookAround(const GeometryPass& pass, const GpuMesh& mesh, const ProjectionFrame& frame,
-                            const MapWindow& window);
+/// Looks at a window and floods it from the centre: from texel to texel where the surface is seen at less
+/// than kSteepest and does not jump. Cost: one look.
+Result<EyeReach> lookAround(const SurfaceLook& look, const ProjectionFrame& frame, const MapWindow& window);
 
 /// Anticlockwise, as the reader sees it.
 ProjectionFrame turned(const ProjectionFrame& frame, double radians);

@@ -183,18 +183,31 @@ MapSample sampleMap(std::span<const float> normals, int texels, const DirectionO
   return sample;
 }
 
+SurfaceLook lookByRendering(const GeometryPass& pass, const GpuMesh& mesh) {
+  return [&pass, &mesh](const ProjectionFrame& frame, const MapWindow& window) -> Result<std::vector<float>> {
+    const auto maps = pass.render(mesh, frame, window);
+    if (!maps) return tl::unexpected(maps.error());
+    return maps->framebuffer.readRgba(0);
+  };
+}
+
 Result<MapSample> lookFrom(const GeometryPass& pass, const GpuMesh& mesh, const ProjectionFrame& frame,
                            const DirectionOptions& options) {
-  const auto maps = pass.render(mesh, frame, {options.sizeMm, options.mapTexels});
-  if (!maps) return tl::unexpected(maps.error());
+  return lookFrom(lookByRendering(pass, mesh), frame, options);
+}
+
+Result<MapSample> lookFrom(const SurfaceLook& look, const ProjectionFrame& frame, const DirectionOptions& options) {
+  const MapWindow window{options.sizeMm, options.mapTexels};
+  auto looked = look(frame, window);
+  if (!looked) return tl::unexpected(looked.error());
   // Facet normals where the paper interpolates vertex normals: over a sampled square both average to the same, but
   // beside a crease interpolation leans away from the face by up to half the angle.
-  std::vector<float> map = maps->framebuffer.readRgba(0);
+  std::vector<float> map = std::move(*looked);
   for (int row = 0; row < options.mapTexels; ++row) {
     for (int column = 0; column < options.mapTexels; ++column) {
       const auto i = 4 * static_cast<std::size_t>(row * options.mapTexels + column);
       const bool isMet = map[i] != 0 || map[i + 1] != 0 || map[i + 2] != 0;
-      const double onPlane = glm::length(Vec3(maps->window.planePoint(column, row), frame.eyeDistance));
+      const double onPlane = glm::length(Vec3(window.planePoint(column, row), frame.eyeDistance));
       map[i + 3] = isMet ? static_cast<float>(onPlane * (1 - static_cast<double>(map[i + 3]) / frame.eyeDistance)) : 0;
     }
   }
@@ -205,8 +218,11 @@ Result<MapSample> lookFrom(const GeometryPass& pass, const GpuMesh& mesh, const 
 
 DirectionSearch::DirectionSearch(const GeometryPass& pass, const GpuMesh& mesh, Vec3 centre, Vec3 surfaceNormal,
                                  Vec3 upHint, double eyeDistance, const DirectionOptions& options)
-    : pass_(&pass),
-      mesh_(&mesh),
+    : DirectionSearch(lookByRendering(pass, mesh), centre, surfaceNormal, upHint, eyeDistance, options) {}
+
+DirectionSearch::DirectionSearch(SurfaceLook look, Vec3 centre, Vec3 surfaceNormal, Vec3 upHint, double eyeDistance,
+                                 const DirectionOptions& options)
+    : look_(std::move(look)),
       centre_(centre),
       upHint_(upHint),
       current_(glm::normalize(surfaceNormal)),
@@ -216,7 +232,7 @@ DirectionSearch::DirectionSearch(const GeometryPass& pass, const GpuMesh& mesh, 
 
 Result<bool> DirectionSearch::step() {
   const ProjectionFrame frame = makeFrame(centre_, current_, upHint_, eyeDistance_);
-  const Result<MapSample> looked = lookFrom(*pass_, *mesh_, frame, options_);
+  const Result<MapSample> looked = lookFrom(look_, frame, options_);
   if (!looked) return tl::unexpected(looked.error());
   const MapSample& sample = *looked;
   iterations_.push_back({current_, sample.varianceMm2, sample.outsideShare, sample.worstAngle, sample.measure});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -72,7 +73,15 @@ inline constexpr double kObliqueWeight = 0.02;
 /// @param normals  texels² of (unit normal, distance in mm), row 0 at the bottom; distance 0 = outside
 MapSample sampleMap(std::span<const float> normals, int texels, const DirectionOptions& options);
 
-/// Renders the square that a frame defines and samples it, with the frame's eye distance.
+/// How a surface map (SurfaceMaps::surface, texels² of it) of a window is had.
+using SurfaceLook = std::function<Result<std::vector<float>>(const ProjectionFrame& frame, const MapWindow& window)>;
+
+/// Rendered by the GPU and read back.
+/// @param pass, mesh  kept by reference
+SurfaceLook lookByRendering(const GeometryPass& pass, const GpuMesh& mesh);
+
+/// Looks at the square that a frame defines and samples it, with the frame's eye distance.
+Result<MapSample> lookFrom(const SurfaceLook& look, const ProjectionFrame& frame, const DirectionOptions& options);
 Result<MapSample> lookFrom(const GeometryPass& pass, const GpuMesh& mesh, const ProjectionFrame& frame,
                            const DirectionOptions& options);
 
@@ -84,9 +93,11 @@ Result<MapSample> lookFrom(const GeometryPass& pass, const GpuMesh& mesh, const 
 /// it varied least from.
 class DirectionSearch {
  public:
-  /// @param pass, mesh     kept by reference
   /// @param surfaceNormal  at the centre, any length > 0
   /// @param eyeDistance    instead of the options'
+  DirectionSearch(SurfaceLook look, Vec3 centre, Vec3 surfaceNormal, Vec3 upHint, double eyeDistance,
+                  const DirectionOptions& options);
+  /// @param pass, mesh     kept by reference
   DirectionSearch(const GeometryPass& pass, const GpuMesh& mesh, Vec3 centre, Vec3 surfaceNormal, Vec3 upHint,
                   double eyeDistance, const DirectionOptions& options);
 
@@ -97,8 +108,7 @@ class DirectionSearch {
   const std::vector<DirectionIteration>& iterations() const { return iterations_; }
 
  private:
-  const GeometryPass* pass_;
-  const GpuMesh* mesh_;
+  SurfaceLook look_;
   Vec3 centre_, upHint_, current_, best_;
   double eyeDistance_;
   DirectionOptions options_;

@@ -25,7 +25,8 @@ class EyeReachTest : public GlTest {
   }
   EyeReach look(const Mesh& mesh, Vec3 centre, double extentMm) {
     const auto model = upload(mesh);
-    auto reach = lookAround(*pass_, model->gpu, makeFrame(centre, {0, 0, 1}, {0, 1, 0}, 250), {extentMm, 128});
+    auto reach =
+        lookAround(lookByRendering(*pass_, model->gpu), makeFrame(centre, {0, 0, 1}, {0, 1, 0}, 250), {extentMm, 128});
     EXPECT_TRUE(reach.has_value());
     return *reach;
   }
@@ -72,7 +73,7 @@ TEST_F(EyeReachTest, AnEstimateOnABoxesTopAgreesWithTheExactPlacement) {
   request.centreMm = {0, 0, 10};
   request.upHint = {0, 1, 0};
   const SurfacePoint centre = *closestPoint(model->prepared.mesh, request.centreMm);
-  const auto estimate = estimateCode(*model, *pass_, centre, 29, request);
+  const auto estimate = estimateCode(*model, lookByRendering(*pass_, model->gpu), centre, 29, request);
   ASSERT_TRUE(estimate.has_value()) << estimate.error().message;
   PlacementSearch search(model->prepared, model->gpu, *pass_, 29, request);
   for (bool done = false; !done;) {
@@ -92,10 +93,10 @@ TEST_F(EyeReachTest, AWrongExpectationDoesNotChangeAnEstimate) {
     request.sizeMode = mode;
     request.upHint = {0, 1, 0};
     const SurfacePoint centre = *closestPoint(model->prepared.mesh, {3, 2, 10});
-    const auto estimate = estimateCode(*model, *pass_, centre, 29, request);
+    const auto estimate = estimateCode(*model, lookByRendering(*pass_, model->gpu), centre, 29, request);
     ASSERT_TRUE(estimate.has_value()) << estimate.error().message;
     for (const double expectedMm : {0.3, 5.0, 0.9 * estimate->symbolMm, 1.2 * estimate->symbolMm, 500.0}) {
-      const auto expecting = estimateCode(*model, *pass_, centre, 29, request, expectedMm);
+      const auto expecting = estimateCode(*model, lookByRendering(*pass_, model->gpu), centre, 29, request, expectedMm);
       ASSERT_TRUE(expecting.has_value()) << expecting.error().message;
       EXPECT_NEAR(expecting->symbolMm, estimate->symbolMm, 0.03 * estimate->symbolMm) << expectedMm;
       EXPECT_NEAR(expecting->guaranteedMm, estimate->guaranteedMm, 0.03 * estimate->guaranteedMm) << expectedMm;
@@ -111,7 +112,7 @@ TEST_F(EyeReachTest, AFixedSizeThatOverhangsIsEstimatedWithItsShare) {
   request.quietZone = false;
   request.direction = Vec3(0, 0, 1);
   const SurfacePoint centre = *closestPoint(model->prepared.mesh, {20, 0, 10});
-  const auto estimate = estimateCode(*model, *pass_, centre, 29, request);
+  const auto estimate = estimateCode(*model, lookByRendering(*pass_, model->gpu), centre, 29, request);
   ASSERT_TRUE(estimate.has_value()) << estimate.error().message;
   EXPECT_EQ(estimate->symbolMm, 40);
   EXPECT_NEAR(estimate->missingShare, 0.25, 0.03);

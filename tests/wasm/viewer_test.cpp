@@ -115,7 +115,7 @@ TEST_F(ViewerTest, PrintsThatMoveLookTheSameAsIfTheWholePictureWereDrawnWithThem
     print.size = 2;
     print.ink = {255, 0, 0, 255};
     if (!withReach) return print;
-    auto reach = lookAround(*pass, seen, print.frame, {50, 96});
+    auto reach = lookAround(lookByRendering(*pass, seen), print.frame, {50, 96});
     EXPECT_TRUE(reach.has_value());
     print.reach = std::make_shared<const EyeReach>(std::move(*reach));
     return print;
