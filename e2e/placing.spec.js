@@ -79,7 +79,7 @@ test('The corner handle makes the code smaller; drawn beyond the model it warns,
   const at = (factor) => [middle[0] + (corner[0] - middle[0]) * factor, middle[1] + (corner[1] - middle[1]) * factor];
   await drag(page, corner, [at(2.2)]);
   await expect(app.chip).toContainText(/\d+ % overhangs or is hidden/);
-  expect(await shareOf(app.canvas, isOrange)).toBeGreaterThan(0.005);
+  await expect.poll(() => shareOf(app.canvas, isOrange)).toBeGreaterThan(0.005);
   await page.keyboard.press('Escape');
   await page.mouse.up();
   await app.expectReady();

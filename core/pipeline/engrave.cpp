@@ -70,7 +70,8 @@ PlacementRequest searchedPlacement(const EngraveRequest& request, int modules) {
   const double largest = place.sizeMode == SizeMode::Fixed ? place.sizeMm : place.maxSizeMm;
   place.beyondMm = request.minWallMm + request.maxDepthMm.value_or(kMaxDepthModules * largest / modules);
   const bool isReading = request.objective == DepthObjective::Reading;
-  place.pockets = {request.minWallMm, pitDepth(isReading ? request.reading.dataContrast : request.contrast)};
+  const double contrast = isReading ? request.reading.dataContrast : request.contrast;
+  if (contrast > 0 && contrast < 1) place.pockets = {request.minWallMm, pitDepth(contrast)};  // else refused later
   return place;
 }
 

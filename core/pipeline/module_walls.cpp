@@ -18,9 +18,9 @@ constexpr double kLeastShare = 0.25;  // of the square
 
 /// @param module  in modules from the symbol's top left, to the right and down
 bool isInFinder(Vec2 module, int modules) {
-  const bool left = module.x<kFinderModules, right = module.x> modules - kFinderModules;
-  const bool top = module.y<kFinderModules, bottom = module.y> modules - kFinderModules;
-  return (top && (left || right)) || (bottom && left);
+  const auto isFirst = [](double position) { return position < kFinderModules; };
+  const auto isLast = [&](double position) { return position > modules - kFinderModules; };
+  return (isFirst(module.y) && (isFirst(module.x) || isLast(module.x))) || (isLast(module.y) && isFirst(module.x));
 }
 
 }  // namespace

@@ -35,6 +35,7 @@ Result<ModuleWalls> measureModuleWalls(const Mesh& mesh, const GpuMesh& gpu, con
 
 /// Depth, in widths of it, at which a round pit's floor is darker than the open surface by `contrast`: visibility of
 /// the sky there is r²/(r² + d²). What a lone module needs, about; modules among others need more.
+/// @param contrast  0 < c < 1
 double pitDepth(double contrast);
 
 /// What found sizes must leave room for behind the surface.

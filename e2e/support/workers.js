@@ -2,13 +2,15 @@
 // A hold of the page's workers: runs in the page before its own scripts (`page.addInitScript(holdWorkers)`).
 
 /**
- * `window.workers` are the module's; `window.unheard` names verbs that never reach a worker; `window.failNext` answers the
+ * `window.workers` are the module's; `window.unheard` names verbs that never reach a worker; `window.skipped` verbs that are
+ * answered at once, with nothing done; `window.failNext` answers the
  * next call of a verb with an error.
  */
 export const holdWorkers = () => {
   const page = /** @type {any} */ (window);
   page.workers = [];
   page.unheard = [];
+  page.skipped = [];
   /** @type {Map<string, object>} */ const failing = new Map();
   page.failNext = (/** @type {string} */ verb, /** @type {object} */ error) => failing.set(verb, error);
   const Original = window.Worker;
@@ -24,6 +26,7 @@ export const holdWorkers = () => {
       const error = failing.get(message.verb);
       failing.delete(message.verb);
       if (error) this.dispatchEvent(new MessageEvent('message', { data: { id: message.id, error } }));
+      else if (page.skipped.includes(message.verb)) setTimeout(() => this.dispatchEvent(new MessageEvent('message', { data: { id: message.id } })));
       else if (!page.unheard.includes(message.verb)) super.postMessage(message, transfer);
     }
   };

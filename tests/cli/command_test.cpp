@@ -259,6 +259,8 @@ TEST_F(CommandTest, BadUsageIsStatusTwo) {
             2);
   EXPECT_EQ(run({"engrave", model, "--text", "x", "--at", "0,0,40", "-o", path("out.stl"), "--contrast", "7"}).status,
             2);
+  EXPECT_EQ(run({"engrave", model, "--text", "x", "-o", path("out.stl"), "--contrast", "1"}).status, 2)
+      << "a spot first";
   EXPECT_EQ(run({"engrave", model, "--text", "x", "--at", "0,0,40", "-o", path("out.stl"), "--pattern", "dots"}).status,
             2);
   for (const char* direction : {"upwards", "1,2", "1,2,x", "0,0,0", "1,2,3,4"})

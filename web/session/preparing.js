@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Uses the moments in which nothing is asked for: what the next carving begins with is begun, and its reader is loaded.
-const kQuietMs = 400;  // with nothing new: who turns or types goes on within that time, as a rule
+const kQuietMs = 600;  // with nothing new: who turns or types goes on within that time, as a rule
 const kSignsOfUse = ['pointermove', 'pointerdown', 'keydown', 'focusin'];  // without one, the page may be open for nobody
 
 export class Preparing {
@@ -39,7 +39,8 @@ export class Preparing {
 
   prepare_() {
     if (this.isBusy_()) return;
-    this.prepareReader_();
-    this.client_.prepareEngrave().catch(() => {});  // what went wrong, carving meets again, or the client tells
+    this.client_.prepareEngrave()
+      .catch(() => {})  // what went wrong, carving meets again, or the client tells
+      .finally(() => this.prepareReader_());  // after it: together they would keep the page from answering
   }
 }

@@ -21,6 +21,7 @@ const wait = (/** @type {number} */ ms) => {
   const due = timers.filter(({ at }) => at <= now);
   timers = timers.filter(({ at }) => at > now);
   for (const { act } of due) act();
+  return new Promise((resolve) => { setImmediate(resolve); });
 };
 const use = () => user.dispatchEvent(new Event('pointermove'));
 
@@ -42,43 +43,43 @@ afterEach(() => {
   Object.assign(globalThis, { setTimeout: realSetTimeout, clearTimeout: realClearTimeout });
 });
 
-test('A placed code is prepared once the page is used and quiet, whichever comes last', () => {
+test('A placed code is prepared once the page is used and quiet, whichever comes last', async () => {
   make().note(true);
-  wait(5000);
+  await wait(5000);
   assert.deepEqual(done, [], 'nobody is there');
   use();
-  wait(300);
+  await wait(500);
   assert.deepEqual(done, []);
-  wait(200);
-  assert.deepEqual(done, ['reader', 'carving']);
+  await wait(200);
+  assert.deepEqual(done, ['carving', 'reader']);
   use();
-  wait(5000);
-  assert.deepEqual(done, ['reader', 'carving'], 'once');
+  await wait(5000);
+  assert.deepEqual(done, ['carving', 'reader'], 'once');
 });
 
-test('Each new place is prepared, but not while they follow each other', () => {
+test('Each new place is prepared, but not while they follow each other', async () => {
   const preparing = make();
   use();
   for (let i = 0; i < 5; i += 1) {
     preparing.note(true);
-    wait(300);
+    await wait(500);
   }
   assert.deepEqual(done, []);
-  wait(200);
+  await wait(200);
   preparing.note(true);
-  wait(500);
-  assert.deepEqual(done, ['reader', 'carving', 'reader', 'carving']);
+  await wait(700);
+  assert.deepEqual(done, ['carving', 'reader', 'carving', 'reader']);
 });
 
-test('Nothing is prepared without a place, or beside other work', () => {
+test('Nothing is prepared without a place, or beside other work', async () => {
   const preparing = make();
   use();
   preparing.note(true);
   preparing.note(false);
-  wait(5000);
+  await wait(5000);
   preparing.note(true);
   busy = true;
-  wait(5000);
+  await wait(5000);
   assert.deepEqual(done, []);
 });
 
@@ -88,6 +89,5 @@ test('What goes wrong is for the carving to say', async () => {
   });
   use();
   preparing.note(true);
-  wait(500);
-  await new Promise((resolve) => { setImmediate(resolve); });  // an unhandled rejection would fail the test
+  await wait(700);  // an unhandled rejection would fail the test
 });

@@ -57,6 +57,7 @@ export class CodeEditor {
     /** @type {CodeOnScreen | null} */ this.code_ = null;
     /** @type {Drag | undefined} */ this.drag_ = undefined;
     /** @type {{ rotateDeg?: number, symbolMm?: number, at?: Point }} */ this.pending_ = {};
+    /** @type {{ rotateDeg?: number, symbolMm?: number }} */ this.committed_ = {};  // and not seen yet
     /** @type {ReturnType<typeof setTimeout> | undefined} */ this.commit_ = undefined;
     this.queue_ = new NewestOnly((/** @type {() => Promise<void>} */ task) => task());
     for (const kind of /** @type {HandleKind[]} */ (['move', 'turn', 'size'])) {
@@ -81,6 +82,8 @@ export class CodeEditor {
 
   /** @param {CodeOnScreen | null} code  as it is shown now */
   update(code) {
+    const { code_: before } = this;
+    if (code?.rotationDeg !== before?.rotationDeg || code?.symbolMm !== before?.symbolMm) this.committed_ = {};
     this.code_ = code;
     if (this.allowed_) this.handles_.show(code);
   }
@@ -89,9 +92,9 @@ export class CodeEditor {
   turn(notches, x, y) {
     const { code_: code } = this;
     if (!code || !this.allowed_) return;
-    const before = this.pending_.rotateDeg ?? Math.round(code.rotationDeg);
-    this.pending_.rotateDeg = wrapped(before + notches * kWheelStepDeg);
-    this.adjust_(this.pending_.rotateDeg, code.symbolMm, [x, y]);
+    const { rotateDeg, symbolMm } = this.soFar_(code);
+    this.pending_.rotateDeg = wrapped(rotateDeg + notches * kWheelStepDeg);
+    this.adjust_(this.pending_.rotateDeg, symbolMm, [x, y]);
     this.commitSoon_();
   }
 
@@ -238,11 +241,16 @@ export class CodeEditor {
 
   /** @param {'turn' | 'size'} kind @param {number} steps  NaN: upright @param {CodeOnScreen} code @param {Point} beside */
   step_(kind, steps, code, beside) {
-    const { rotateDeg = Math.round(code.rotationDeg), symbolMm = code.symbolMm } = this.pending_;
+    const { rotateDeg, symbolMm } = this.soFar_(code);
     if (kind === 'turn') this.pending_.rotateDeg = Number.isNaN(steps) ? 0 : wrapped(rotateDeg + steps);
     else if (!Number.isNaN(steps)) this.pending_.symbolMm = roundedSize(symbolMm + steps * 0.5, kLeastMm, kMostMm);
     this.adjust_(this.pending_.rotateDeg ?? rotateDeg, this.pending_.symbolMm ?? symbolMm, beside);
     this.commitSoon_();
+  }
+
+  /** What the next step starts from. @param {CodeOnScreen} code */
+  soFar_({ rotationDeg, symbolMm }) {
+    return { rotateDeg: Math.round(rotationDeg), symbolMm, ...this.committed_, ...this.pending_ };
   }
 
   commitSoon_() {
@@ -255,6 +263,7 @@ export class CodeEditor {
     const { at, ...change } = this.pending_;
     this.release_();
     if (at) this.listener_.onPlace(...at);
+    this.committed_ = change;
     if (change.rotateDeg !== undefined || change.symbolMm !== undefined) this.listener_.onAdjust(change);
   }
 
