@@ -85,7 +85,9 @@ test('The corner handle makes the code smaller; drawn beyond the model it warns,
   await app.expectReady();
   expect(await app.width()).toBe(before);
 
-  await drag(page, await middleOf(app.sizeHandle), [at(0.6)]);
+  const fromCorner = async () => Math.abs((await middleOf(app.sizeHandle))[0] - corner[0]);
+  await expect.poll(fromCorner).toBeLessThan(2);  // the handles follow with the next frame
+  await drag(page, corner, [at(0.6)]);
   await page.mouse.up();
   await expect(app.setting('Size of the code')).toHaveValue('fixed');
   await expect.poll(() => app.width()).toBeLessThan(0.75 * before);

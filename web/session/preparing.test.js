@@ -50,6 +50,9 @@ test('A placed code is prepared once the page is used and quiet, whichever comes
   use();
   await wait(500);
   assert.deepEqual(done, []);
+  use();
+  await wait(500);
+  assert.deepEqual(done, [], 'it is being used');
   await wait(200);
   assert.deepEqual(done, ['carving', 'reader']);
   use();
