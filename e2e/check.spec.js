@@ -68,13 +68,19 @@ test('The grades and the views behind the verdict are there on demand, marked as
   await expect(app.result).toContainText(/Reads up to about \d+ cm away, [\d.]+ pixels a module/);
 });
 
-test('A code that no reader finds is carved by the next deeper preset, and undone in one', async ({ page }) => {
+/** A code that is to be carved shallow, which readers will not find then. @param {import('@playwright/test').Page} page */
+async function openShallowUnread(page) {
   await page.addInitScript(blindReaders, ['shallow']);
   const app = new Engraver(page);
   await app.open('?sample=saddle&text=deeper');
   await app.expectReady();
   await app.setting('How deep').selectOption('shallow');
   await app.expectReady();
+  return app;
+}
+
+test('A code that no reader finds is carved by the next deeper preset, and undone in one', async ({ page }) => {
+  const app = await openShallowUnread(page);
   await app.engrave();
   await expect(app.status).toHaveText('Engraved, deeper than asked for: less deep, no reader found the code.');
   await expect(app.setting('How deep')).toHaveValue('balanced');
@@ -96,12 +102,7 @@ test('What no preset makes readable is carved by the deepest, and the page says 
 });
 
 test('Cancelled while it is carved deeper, what was asked for stays', async ({ page }) => {
-  await page.addInitScript(blindReaders, ['shallow']);
-  const app = new Engraver(page);
-  await app.open('?sample=saddle&text=deeper');
-  await app.expectReady();
-  await app.setting('How deep').selectOption('shallow');
-  await app.expectReady();
+  const app = await openShallowUnread(page);
   await app.engraveButton.click();
   await expect(app.setting('How deep')).toHaveValue('balanced');
   await app.cancelButton.click();

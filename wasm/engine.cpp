@@ -31,7 +31,7 @@ constexpr double kProposedShare = 0.3;  // and its greatest share of the model's
 constexpr std::size_t kSpotsTried = 6;
 constexpr double kGoodFit = 0.7;    // a spot that takes this share of it will do
 constexpr int kNormalTexels = 768;  // of the map that gives a carved surface its smooth normals
-constexpr int kPreparedSteps = 2;   // of an engraving: the surface, and the search's first pass, which is the longest
+constexpr int kPreparedSteps = 2;   // of an engraving: the surface, and the search's first pass, which looks everywhere
 
 double millisecondsSince(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
