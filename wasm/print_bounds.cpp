@@ -9,7 +9,7 @@
 namespace qrelief {
 namespace {
 
-constexpr double kMostHeight = 0.75;    // as in view_present.frag
+constexpr double kMostHeight = 0.75;    // as in view_print.frag
 constexpr double kOutlineShare = 0.1;   // at most, of the edge: two and a half pixels of at most 0.02 on either side
 constexpr double kMarginPx = 4;         // for pixels at a contour, which reach farther
 constexpr double kToleranceTexels = 2;  // of the reach: what is a little lower counts as seen, too

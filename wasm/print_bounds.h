@@ -13,7 +13,7 @@ struct PixelBox {
   bool operator==(const PixelBox&) const = default;
 };
 
-/// Where on the canvas view_present.frag may draw something of a print: its square over the heights that its reach
+/// Where on the canvas view_print.frag may draw something of a print: its square over the heights that its reach
 /// knows there, or, without one, over all that take a print; and its outline. Never too small.
 /// @param width, height  of the canvas, pixels
 /// @returns within the canvas; empty beside it

@@ -64,11 +64,12 @@ Result<Viewer> Viewer::create(const ViewQuality& quality) {
     const char* vertex;
     const char* fragment;
   };
-  const std::array<Source, 5> sources = {{
+  const std::array<Source, 6> sources = {{
       {&Viewer::surface_, "view surface", shaders::view_surface_vert, shaders::view_surface_frag},
       {&Viewer::occlusion_, "view occlusion", shaders::fullscreen_vert, shaders::view_occlusion_frag},
       {&Viewer::lighting_, "view lighting", shaders::fullscreen_vert, shaders::view_lighting_frag},
       {&Viewer::present_, "view present", shaders::fullscreen_vert, shaders::view_present_frag},
+      {&Viewer::printing_, "view print", shaders::fullscreen_vert, shaders::view_print_frag},
       {&Viewer::copy_, "view copy", shaders::fullscreen_vert, shaders::view_copy_frag},
   }};
   Viewer viewer;
@@ -281,26 +282,6 @@ void Viewer::uploadPrint(Shown& shown) {
     shown.reach = gl::Texture(texels, texels, gl::Format::RGBA32F, data);
 }
 
-void Viewer::setPrintUniforms(int index, const Shown& shown, double strength, const CameraView& camera) const {
-  const std::string prefix = "u_prints[" + std::to_string(index) + "].";
-  const auto set = [&](const char* name, auto value) { present_.set((prefix + name).c_str(), value); };
-  const bool hasReach = shown.print && shown.print->reach;
-  present_.setTexture(index == 0 ? "u_reach0" : "u_reach1", 3 + index, hasReach ? shown.reach : nothing_);
-  set("strength", shown.print ? static_cast<float>(strength) : 0.0f);
-  if (!shown.print) return;
-  const ProjectionFrame& frame = shown.print->frame;
-  set("centre", pointInView(camera, frame.centre));
-  set("right", inView(camera, frame.right));
-  set("up", inView(camera, frame.up));
-  set("normal", inView(camera, frame.normal));
-  set("eyeDistance", static_cast<float>(frame.eyeDistance));
-  set("edge", static_cast<float>(shown.print->edgeMm));
-  set("window", hasReach ? static_cast<float>(shown.print->reach->window.extentMm) : 0.0f);
-  if (!hasReach) return;
-  const ProjectionFrame& seen = shown.print->reach->frame;
-  set("turn", glm::vec2(glm::dot(frame.right, seen.right), glm::dot(frame.right, seen.up)));
-}
-
 void Viewer::bindCanvas(const gl::Framebuffer* target) const {
   if (target) {
     target->bind();
@@ -312,32 +293,69 @@ void Viewer::bindCanvas(const gl::Framebuffer* target) const {
   glDisable(GL_SCISSOR_TEST);
 }
 
-/// All of its program but the prints.
-void Viewer::setPresent(const CameraView& camera) {
+void Viewer::setPicture(const gl::Program& program, const CameraView& camera) const {
+  setCamera(program, *picture_.surface, camera, picture_.jitter);
+  program.setTexture("u_colour", 0, picture_.colours->colour);
+  program.setTexture("u_surface", 1, picture_.surface->surface);
+  program.set("u_canvas", glm::vec2(width_, height_));
+  program.set("u_pixelMm", static_cast<float>(2 * camera.tanHalf.y * camera.distance / height_));
+  program.set("u_accent", kAccent);
+}
+
+/// All but the prints.
+void Viewer::presentPicture(const CameraView& camera, const gl::Framebuffer* target) {
+  bindCanvas(target);
+  setPicture(present_, camera);
+  present_.set("u_markerShown", marker_ ? 1 : 0);
+  if (marker_) present_.set("u_marker", pointInView(camera, *marker_));
+  gl::drawFullscreen();
+}
+
+void Viewer::drawPrint(const Shown& shown, double strength, const CameraView& camera, const gl::Framebuffer* target) {
+  if (!shown.print) return;
+  const SurfacePrint& print = *shown.print;
+  bindCanvas(target);
+  const PixelBox box = printBounds(print, camera, width_, height_);
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(box.x, box.y, box.width, box.height);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  setPicture(printing_, camera);
+  printing_.set("u_warn", kWarn);
+  printing_.setTexture("u_ink", 2, ink_);
+  printing_.setTexture("u_reach", 3, print.reach ? shown.reach : nothing_);
+  printing_.set("u_strength", static_cast<float>(strength));
+  printing_.set("u_centre", pointInView(camera, print.frame.centre));
+  printing_.set("u_right", inView(camera, print.frame.right));
+  printing_.set("u_up", inView(camera, print.frame.up));
+  printing_.set("u_normal", inView(camera, print.frame.normal));
+  printing_.set("u_eyeDistance", static_cast<float>(print.frame.eyeDistance));
+  printing_.set("u_edge", static_cast<float>(print.edgeMm));
+  printing_.set("u_window", print.reach ? static_cast<float>(print.reach->window.extentMm) : 0.0f);
+  const ProjectionFrame& seen = print.reach ? print.reach->frame : print.frame;
+  printing_.set("u_turn", glm::vec2(glm::dot(print.frame.right, seen.right), glm::dot(print.frame.right, seen.up)));
+  gl::drawFullscreen();
+  glDisable(GL_BLEND);
+  glDisable(GL_SCISSOR_TEST);
+}
+
+void Viewer::drawPrints(const CameraView& camera, const gl::Framebuffer* target) {
+  drawPrint(print_, ghost_.print ? kBesideGhost : 1, camera, target);
+  drawPrint(ghost_, kGhostStrength, camera, target);
+  printsChanged_ = false;
+}
+
+void Viewer::uploadPrints() {
   uploadInk();
   uploadPrint(print_);
   uploadPrint(ghost_);
   if (nothing_.width() == 0) nothing_ = gl::Texture(1, 1, gl::Format::RGBA32F);
-  if (ink_.width() == 0) ink_ = gl::Texture(1, 1, gl::Format::RGBA8);
-  setCamera(present_, *picture_.surface, camera, picture_.jitter);
-  present_.setTexture("u_colour", 0, picture_.colours->colour);
-  present_.setTexture("u_surface", 1, picture_.surface->surface);
-  present_.setTexture("u_ink", 2, ink_);
-  present_.set("u_canvas", glm::vec2(width_, height_));
-  present_.set("u_accent", kAccent);
-  present_.set("u_warn", kWarn);
-  present_.set("u_pixelMm", static_cast<float>(2 * camera.tanHalf.y * camera.distance / height_));
-  present_.set("u_markerShown", marker_ ? 1 : 0);
-  if (marker_) present_.set("u_marker", pointInView(camera, *marker_));
 }
 
 void Viewer::present(const CameraView& camera, const gl::Framebuffer* target) {
-  bindCanvas(target);
-  setPresent(camera);
-  setPrintUniforms(0, print_, ghost_.print ? kBesideGhost : 1, camera);
-  setPrintUniforms(1, ghost_, kGhostStrength, camera);
-  gl::drawFullscreen();
-  printsChanged_ = false;
+  uploadPrints();
+  presentPicture(camera, target);
+  drawPrints(camera, target);
 }
 
 Status Viewer::makePlain(const CameraView& camera) {
@@ -350,11 +368,8 @@ Status Viewer::makePlain(const CameraView& camera) {
     if (!made) return tl::unexpected(made.error());
     plainTarget_ = std::move(*made);
   }
-  bindCanvas(&plainTarget_);
-  setPresent(camera);
-  setPrintUniforms(0, print_, withPrint ? kBesideGhost : 0, camera);
-  setPrintUniforms(1, ghost_, 0, camera);
-  gl::drawFullscreen();
+  presentPicture(camera, &plainTarget_);
+  if (withPrint) drawPrint(print_, kBesideGhost, camera, &plainTarget_);
   plainIsCurrent_ = true;
   plainHasPrint_ = withPrint;
   return {};
@@ -362,20 +377,17 @@ Status Viewer::makePlain(const CameraView& camera) {
 
 /// The same as `present`, for less where nothing but prints has changed.
 Status Viewer::presentPrints(const CameraView& camera, const gl::Framebuffer* target) {
+  uploadPrints();
   if (const Status made = makePlain(camera); !made) return made;
   bindCanvas(target);
   copy_.use();
   copy_.setTexture("u_picture", 0, plain_);
   gl::drawFullscreen();
-  const Shown& moves = ghost_.print ? ghost_ : print_;
-  const PixelBox box = moves.print ? printBounds(*moves.print, camera, width_, height_) : PixelBox{};
-  glEnable(GL_SCISSOR_TEST);
-  glScissor(box.x, box.y, box.width, box.height);
-  setPresent(camera);
-  setPrintUniforms(0, print_, ghost_.print ? kBesideGhost : 1, camera);
-  setPrintUniforms(1, ghost_, kGhostStrength, camera);
-  gl::drawFullscreen();
-  glDisable(GL_SCISSOR_TEST);
+  if (ghost_.print) {
+    drawPrint(ghost_, kGhostStrength, camera, target);
+  } else {
+    drawPrint(print_, 1, camera, target);
+  }
   printsChanged_ = false;
   return {};
 }

@@ -120,10 +120,13 @@ class Viewer {
                     const Sample& sample) const;
   static Vec2 jitterOf(const Sample& sample, const Stage& stage);
   void drawSample(const Stage& stage, const Stage& into, const CameraView& camera, const Sample& sample) const;
-  void setPrintUniforms(int index, const Shown& shown, double strength, const CameraView& camera) const;
+  void drawPrint(const Shown& shown, double strength, const CameraView& camera, const gl::Framebuffer* target);
+  void drawPrints(const CameraView& camera, const gl::Framebuffer* target);
   void uploadPrint(Shown& shown);
   void uploadInk();
-  void setPresent(const CameraView& camera);
+  void uploadPrints();
+  void setPicture(const gl::Program& program, const CameraView& camera) const;
+  void presentPicture(const CameraView& camera, const gl::Framebuffer* target);
   void present(const CameraView& camera, const gl::Framebuffer* target);
   Status presentPrints(const CameraView& camera, const gl::Framebuffer* target);
   Status makePlain(const CameraView& camera);
@@ -134,7 +137,7 @@ class Viewer {
   void adaptToInterval(double nowMs);
 
   ViewQuality quality_;
-  gl::Program surface_, occlusion_, lighting_, present_, copy_;
+  gl::Program surface_, occlusion_, lighting_, present_, printing_, copy_;
   std::optional<Stage> moving_, still_, sum_;
   Picture picture_;
   // What is presented without the print that moves (the ghost, if there is one), while the picture stays as it is.

@@ -142,7 +142,7 @@ TEST_F(ViewerTest, PrintsThatMoveLookTheSameAsIfTheWholePictureWereDrawnWithThem
     double different = 0;
     for (std::size_t i = 0; i < whole.rgba.size(); ++i)
       different = std::max<double>(different, std::abs(moved.rgba[i] - whole.rgba[i]));
-    EXPECT_LT(different, 1.0 / 255) << k;  // the picture without prints is kept in bytes
+    EXPECT_LT(different, 2.0 / 255) << k;  // the picture is kept in bytes, with and without the other print
   }
 }
 

@@ -47,6 +47,15 @@ function yieldToMessages() {
   });
 }
 
+/** @returns {Promise<void>} */
+const nextFrame = () => new Promise((resolve) => onNextFrame(() => resolve()));
+
+/** @param {() => void} run */
+function onNextFrame(run) {
+  if (typeof requestAnimationFrame === 'function') requestAnimationFrame(run);
+  else setTimeout(run, 16);
+}
+
 /** Turns verbs into calls of the module, draws on demand, and runs the jobs in slices. */
 export class EngineHost {
   /**
@@ -152,9 +161,13 @@ export class EngineHost {
     setCentre: (x, y, z) => this.drawn_(JSON.parse(this.engine_.setCentre(x, y, z))),
 
     /** @param {number} x @param {number} y */
-    hover: (x, y) => {
-      this.hovers_ += 1;
-      return this.inspectorTakes_ ? { hit: false } : this.drawn_(parseAnswer(this.engine_.hover(x, y)));
+    hover: async (x, y) => {
+      const asked = (this.hovers_ += 1);
+      while (this.lastFrameIsUnderWay_()) await nextFrame();  // more estimates than frames would only slow these
+      if (this.inspectorTakes_ || this.hovers_ !== asked) return { hit: false };
+      const found = parseAnswer(this.engine_.hover(x, y));
+      this.drawFrame_();
+      return found;
     },
     endHover: () => {
       this.hovers_ += 1;
@@ -386,8 +399,7 @@ export class EngineHost {
   invalidate_() {
     if (this.frameRequested_ || this.lost_) return;
     this.frameRequested_ = true;
-    const request = typeof requestAnimationFrame === 'function' ? requestAnimationFrame : (/** @type {() => void} */ f) => setTimeout(f, 16);
-    request(() => {
+    onNextFrame(() => {
       this.frameRequested_ = false;
       if (this.lastFrameIsUnderWay_()) this.invalidate_();
       else this.drawFrame_();
