@@ -14,7 +14,9 @@ constexpr int kN = kSubmodulesPerModule;
 constexpr double kFirstDepthModules = 0.25;
 constexpr double kAimShare = 0.003;  // of the threshold: so much darker is aimed at, so that G ends at 0 or below
 constexpr double kGreatestAimShare = 0.2;
-constexpr int kSweepsPerPass = 4;
+constexpr double kSurpriseShare = 0.4;     // of the last surprise: so much more darkness is aimed at
+constexpr double kGreatestSurprise = 0.3;  // that counts
+constexpr int kSweepsPerPass = 3;
 constexpr int kFreePasses = 3;  // after these nothing becomes less deep: that ends
 constexpr double kGreatestAlbedo = 0.95;
 
@@ -38,6 +40,7 @@ FastSearch::FastSearch(CarvingTarget target, const FastSearchOptions& options)
   const std::size_t count = sky_.carved().size();
   solvedMm_.assign(count, kFirstDepthModules * target_.symbolMm / target_.symbol->size);
   difference_.assign(count, std::log(1 - std::min(options_.albedo, kGreatestAlbedo)));
+  surprise_.assign(count, 0);
   seenShare_.assign(count, 1);
   states_.assign(count, State::TooBright);
   isDue_.assign(count, 1);
@@ -52,7 +55,8 @@ void FastSearch::solve() {
   std::vector<double> shares;
   for (std::size_t k = 0; k < states_.size(); ++k) {
     const double margin = states_[k] == State::TooBright ? lastAim : kAimShare;
-    shares.push_back(shareOfDarkness(darkness((1 - options_.contrast) * (1 - margin)) - difference_[k]));
+    const double unsure = kSurpriseShare * std::min(surprise_[k], kGreatestSurprise);
+    shares.push_back(shareOfDarkness(darkness((1 - options_.contrast) * (1 - margin)) + unsure - difference_[k]));
   }
   sky_.solve(shares, limitMm_, solvedMm_, isDue_, kSweepsPerPass);
   for (std::size_t k = 0; k < states_.size(); ++k) {
@@ -118,7 +122,9 @@ void FastSearch::update(std::span<const double> luminance) {
     module = of;
     const double share = seen.of(row, column) / around;
     seenShare_[k] = share;
-    difference_[k] = darkness(share) - darkness(sky_.share(k, depths[k], depths));
+    const double difference = darkness(share) - darkness(sky_.share(k, depths[k], depths));
+    if (iterations_ > 0) surprise_[k] = std::abs(difference - difference_[k]);
+    difference_[k] = difference;
     if (share > 1 - options_.contrast) {
       states_[k] =
           quantisedDepth(depths[k] + kDepthQuantumMm, limitMm_[k]) > depths[k] ? State::TooBright : State::Limited;

@@ -22,10 +22,10 @@ struct FastSearchOptions {
 ///
 /// The depths are solved for on a plane without rendering (PocketSky), neighbours and all. What a pass then shows to be
 /// brighter or darker than the plane said, by interreflection and curvature, is carried over to the next solution: as a
-/// difference in log((1 − V)/V), V = LS/AL, which depends little on the depth. At first depths rise and fall; then what
-/// is dark enough only gets deeper where deeper neighbours brighten it, so that the search ends, and only what moved
-/// and what that may have brightened is measured. Before it ends all are measured once more, and then again those that
-/// see what had to move, as far as the plane tells.
+/// difference in log((1 − V)/V), V = LS/AL, which depends little on the depth; where it did change, more darkness is
+/// aimed at. At first depths rise and fall; then what is dark enough only gets deeper where deeper neighbours brighten
+/// it, so that the search ends, and only what moved and what that may have brightened is measured. Before it ends all
+/// are measured once more, and then again those that see what had to move, as far as the plane tells.
 class FastSearch final : public DepthSolver {
  public:
   FastSearch(CarvingTarget target, const FastSearchOptions& options);
@@ -58,6 +58,7 @@ class FastSearch final : public DepthSolver {
   // Per carved submodule, in the order of sky_.carved():
   std::vector<double> limitMm_, solvedMm_;
   std::vector<double> difference_;  // between what was seen and what the plane says
+  std::vector<double> surprise_;    // how much that changed when it was last measured
   std::vector<double> seenShare_;   // LS/AL when it was last measured
   std::vector<State> states_;
   std::vector<char> isDue_;

@@ -12,8 +12,9 @@ namespace qrelief {
 /// How much of a uniform sky the floors of a carved symbol see, were the surface plane: what each submodule's depth
 /// does to itself and to its neighbours, without rendering.
 ///
-/// From the middle of a floor, in each of 16 directions, the highest of the steps passed, of height Δ at distance d,
-/// leaves d²/(d² + Δ²), cosine-weighted; the first light submodule ends the search, as nothing behind it is higher.
+/// From a floor, in each of 16 directions, the highest of the steps passed, of height Δ at distance d, leaves
+/// d²/(d² + Δ²), cosine-weighted; the first light submodule ends the search, as nothing behind it is higher. The
+/// directions begin at four places of the floor in turn, whose mean is near that of the whole floor.
 class PocketSky {
  public:
   /// Cost: O(carved submodules · width of the dark areas).

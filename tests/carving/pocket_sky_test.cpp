@@ -18,17 +18,21 @@ SubmoduleMask maskOf(int size, const std::function<bool(int, int)>& isCarved) {
 }
 
 TEST(PocketSky, SeesOfASquarePitWhatTheFormFactorSays) {
-  // A floor of edge 1 at depth 1/2: 4 corners of (1/π)(1/√2)·atan(1/√2), the form factor of a square at half its edge.
+  // Between two parallel squares of edge 1 at a distance of 1/2, with x = 1/(1/2): floor and opening.
+  const double x = 2, root = std::sqrt(1 + x * x);
+  const double factor =
+      2 / (std::numbers::pi * x * x) *
+      (std::log(root * root / std::sqrt(1 + 2 * x * x)) + 2 * x * root * std::atan(x / root) - 2 * x * std::atan(x));
   const PocketSky sky(maskOf(5, [](int row, int column) { return row == 2 && column == 2; }), 1);
   const double depth[] = {0.5};
-  EXPECT_NEAR(sky.share(0, 0.5, depth), 4 / std::numbers::pi * std::sqrt(0.5) * std::atan(std::sqrt(0.5)), 0.005);
+  EXPECT_NEAR(sky.share(0, 0.5, depth), factor, 0.005);
 }
 
 TEST(PocketSky, SeesOfALongTrenchWhatItsClosedFormSays) {
-  // Middle of the floor of an infinite trench of width w and depth h: sin of the wall's angle, (w/2)/√(w²/4 + h²).
+  // Floor of an infinite trench of width w and depth h: √(1 + (h/w)²) − h/w.
   const PocketSky sky(maskOf(101, [](int, int column) { return column == 50; }), 0.4);
   const std::vector<double> depths(101, 0.3);
-  EXPECT_NEAR(sky.share(50, 0.3, depths), 0.2 / std::hypot(0.2, 0.3), 0.01);
+  EXPECT_NEAR(sky.share(50, 0.3, depths), std::hypot(1, 0.75) - 0.75, 0.01);
 }
 
 TEST(PocketSky, StepsBetweenFloorsCountByTheirHeight) {
