@@ -62,6 +62,22 @@ test('Cancel is obeyed within 250 ms at every stage, and nothing is lost', async
   await expect(app.result).toContainText('Reads as cancelled often');
 });
 
+test('Cancel is obeyed while the code still looks for its place', async ({ page }) => {
+  const app = new Engraver(page);
+  await page.addInitScript(holdWorkers);
+  await app.open('?sample=saddle');
+  await app.expectReady();
+  await page.evaluate(() => {
+    /** @type {any} */ (window).unheard = ['placement'];  // it takes as long as one likes
+  });
+  await app.text.fill('another text');
+  const time = cancelAt(page, 'Preparing');
+  await app.engraveButton.click();
+  expect(await time).toBeLessThan(250);
+  await expect(app.result).toBeHidden();
+  await expect(app.engraveButton).toBeEnabled();
+});
+
 test('Cancel stops the search for spots within 250 ms', async ({ page }) => {
   const app = new Engraver(page);
   await app.open('?sample=saddle');

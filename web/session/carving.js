@@ -58,11 +58,24 @@ export class Carving {
     try {
       this.messages_.clearError();
       this.placing_.centreIsGuess = false;  // from here on an error is worth saying
-      await this.placing_.place();
-      if (this.placing_.placement) await this.jobs_.run(() => text('page.preparing'), (signal) => this.carve_(signal, overrides));
+      await this.jobs_.run(() => text('page.preparing'), async (signal) => {
+        if (await this.place_(signal)) await this.carve_(signal, overrides);
+      });
     } finally {
       this.running_ = false;
     }
+  }
+
+  /**
+   * Where the code goes, with the newest settings; cancelled, nobody waits for it.
+   * @param {AbortSignal} signal
+   * @returns {Promise<boolean>}  whether it has a place; if not, it was said why
+   */
+  async place_(signal) {
+    /** @type {Promise<void>} */ const aborted = new Promise((resolve) => signal.addEventListener('abort', () => resolve(), { once: true }));
+    await Promise.race([this.placing_.place(), aborted]);
+    if (signal.aborted) this.messages_.say(() => text('page.cancelled'));
+    return !signal.aborted && this.placing_.placement !== undefined;
   }
 
   /** If it runs. */
