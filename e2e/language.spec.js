@@ -68,4 +68,10 @@ test('A chosen appearance overrides the device’s, in the 3D view too, and is k
   await page.reload();
   await expect(page.getByRole('combobox', { name: 'Appearance' })).toHaveValue('dark');
   expect(await ground()).toBe('rgb(30, 33, 37)');
+
+  // At the first paint already: before any of the page's modules has come.
+  await page.route(/\/assets\/.*\.js$/, (route) => route.abort());
+  await page.goto('about:blank');
+  await app.open('');
+  expect(await ground()).toBe('rgb(30, 33, 37)');
 });

@@ -68,6 +68,43 @@ test('The turning handle turns the code, near upright it snaps, and one button s
   expect(await app.rotation()).toBe(0);
 });
 
+test('What the handles did is undone and redone one by one', async ({ page }) => {
+  const app = new Engraver(page);
+  const undo = page.getByRole('button', { name: 'Undo' });
+  const redo = page.getByRole('button', { name: 'Redo' });
+  await app.open('?sample=saddle');
+  await app.expectReady();
+  const state = async () => ({ width: await app.width(), rotation: await app.rotation(), centre: await app.centre() });
+  const states = [await state()];
+  const middle = await middleOf(app.moveHandle);
+  const drags = [
+    { handle: app.sizeHandle, by: (/** @type {Point} */ [x, y]) => /** @type {Point} */ ([x + (middle[0] - x) * 0.3, y + (middle[1] - y) * 0.3]) },
+    { handle: app.turnHandle, by: (/** @type {Point} */ [x, y]) => /** @type {Point} */ ([x + 60, y + 30]) },
+    { handle: app.moveHandle, by: (/** @type {Point} */ [x, y]) => /** @type {Point} */ ([x + 25, y + 15]) },
+  ];
+  for (const { handle, by } of drags) {
+    const from = await middleOf(handle);
+    await drag(page, from, [by(from)]);
+    await page.mouse.up();
+    await expect.poll(state).not.toEqual(states.at(-1));
+    await app.expectReady();
+    states.push(await state());
+  }
+  for (let i = states.length - 2; i >= 0; i -= 1) {
+    await undo.click();
+    await expect.poll(state).toEqual(states[i]);
+    await app.expectReady();
+  }
+  await expect(undo).toBeDisabled();
+  for (const after of states.slice(1)) {
+    await expect(redo).toBeEnabled();
+    await redo.click();
+    await expect.poll(state).toEqual(after);
+    await app.expectReady();
+  }
+  await expect(redo).toBeDisabled();
+});
+
 test('The corner handle makes the code smaller; drawn beyond the model it warns, and Escape leaves it as it was', async ({ page }) => {
   const app = new Engraver(page);
   await app.open('?sample=saddle');
