@@ -16,6 +16,7 @@ import { Preparing } from './session/preparing.js';
 import { Recovery } from './session/recovery.js';
 import { SpotFinding } from './session/spot_finding.js';
 import { Undo } from './session/undo.js';
+import { settingsByHandles } from './session/work.js';
 import { rememberFormat } from './take/format_choice.js';
 import { looksLikeSettings } from './take/settings_file.js';
 import { TakePanel } from './take/take_panel.js';
@@ -72,7 +73,10 @@ export class App {
     this.carvePanel_ = new CarvePanel();
     this.jobs_ = new Jobs({ panel: this.workPanel_, messages: this.messages_, onBusy: (busy) => this.allowWork_(!busy) });
     this.model_ = this.makeModel_();
-    this.preparing_ = new Preparing({ client: this.client_, prepareReader, isBusy: () => this.jobs_.busy, user: window });
+    this.preparing_ = new Preparing({
+      client: this.client_, prepareReader, isBusy: () => this.jobs_.busy, user: window,
+      isOverModel: ({ target }) => target instanceof HTMLCanvasElement,
+    });
     this.placing_ = this.makePlacing_();
     this.spotsPanel_ = this.makeSpotsPanel_();
     this.spots_ = this.makeSpotFinding_();
@@ -113,7 +117,7 @@ export class App {
       overlays: byId('view-overlays', HTMLElement),
       onEdit: {
         onPlace: (x, y) => this.pick_(x, y),
-        onAdjust: (change) => this.form_.change(settingsOf(change, this.form_.values)),
+        onAdjust: (change) => this.form_.change(settingsByHandles(change, this.form_.values)),
         onCancel: () => this.guard_(() => this.placing_.place()),
       },
       onAct: (action) => this.guard_(() => this.client_.act(action)),
@@ -480,18 +484,4 @@ export class App {
   guard_(action) {
     return this.recovery_.guard(action);
   }
-}
-
-/**
- * The settings that make the code as its handles left it.
- * @param {{ rotateDeg?: number, symbolMm?: number }} change
- * @param {import('./ui/settings_form.js').Values} now
- * @returns {import('./ui/settings_form.js').Values}
- */
-function settingsOf({ rotateDeg, symbolMm }, now) {
-  /** @type {import('./ui/settings_form.js').Values} */ const values = {};
-  if (rotateDeg !== undefined) values.rotate = String(rotateDeg);
-  if (rotateDeg !== undefined && now.size === 'best') values.size = 'oriented';  // which else would turn it back
-  if (symbolMm !== undefined) Object.assign(values, { size: 'fixed', 'size-mm': String(symbolMm) });
-  return values;
 }

@@ -104,7 +104,7 @@ export class Placing {
         }
         this.messages_.say(() => text('page.placing'));
         this.show_(await this.client_.placement());
-        this.messages_.say(() => text('page.ready'));
+        if (this.mayMove_()) this.messages_.say(() => text('page.ready'));  // else it was asked for by what goes on
       } catch (thrown) {
         if (isReplaced(thrown) || isFatal(thrown)) throw thrown;
         this.show_(undefined);

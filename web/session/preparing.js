@@ -10,17 +10,19 @@ export class Preparing {
    * @param {() => void} options.prepareReader
    * @param {() => boolean} options.isBusy
    * @param {Pick<EventTarget, 'addEventListener'>} options.user  where its signs are seen
+   * @param {(event: Event) => boolean} options.isOverModel  where the module has to answer every move
    */
-  constructor({ client, prepareReader, isBusy, user }) {
+  constructor({ client, prepareReader, isBusy, user, isOverModel }) {
     this.client_ = client;
     this.prepareReader_ = prepareReader;
     this.isBusy_ = isBusy;
     this.isUsed_ = false;
     this.isDue_ = false;  // a code has its place, and nothing is prepared for it
     /** @type {ReturnType<typeof setTimeout> | undefined} */ this.timer_ = undefined;
-    const use = () => {
+    const use = (/** @type {Event} */ event) => {
+      const isFirst = !this.isUsed_;
       this.isUsed_ = true;
-      this.plan_();
+      if (isFirst || event.type !== 'pointermove' || isOverModel(event)) this.plan_();  // on its way to Engrave it asks for nothing
     };
     for (const sign of kSignsOfUse) user.addEventListener(sign, use, { capture: true, passive: true });
   }

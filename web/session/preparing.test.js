@@ -6,6 +6,7 @@ import { Preparing } from './preparing.js';
 const { setTimeout: realSetTimeout, clearTimeout: realClearTimeout } = globalThis;
 /** @type {string[]} */ let done = [];
 let busy = false;
+let overModel = true;
 /** @type {EventTarget} */ let user;
 
 const make = () => new Preparing({
@@ -13,6 +14,7 @@ const make = () => new Preparing({
   prepareReader: () => void done.push('reader'),
   isBusy: () => busy,
   user,
+  isOverModel: () => overModel,
 });
 /** @type {{ at: number, act: () => void }[]} */ let timers = [];
 let now = 0;
@@ -37,6 +39,7 @@ beforeEach(() => {
   });
   done = [];
   busy = false;
+  overModel = true;
   user = new EventTarget();
 });
 afterEach(() => {
@@ -58,6 +61,17 @@ test('A placed code is prepared once the page is used and quiet, whichever comes
   use();
   await wait(5000);
   assert.deepEqual(done, ['carving', 'reader'], 'once');
+});
+
+test('A pointer beside the model does not hold it up', async () => {
+  make().note(true);
+  use();
+  overModel = false;
+  for (let i = 0; i < 5; i += 1) {
+    await wait(200);
+    use();
+  }
+  assert.deepEqual(done, ['carving', 'reader']);
 });
 
 test('Each new place is prepared, but not while they follow each other', async () => {
@@ -88,7 +102,7 @@ test('Nothing is prepared without a place, or beside other work', async () => {
 
 test('What goes wrong is for the carving to say', async () => {
   const preparing = new Preparing({
-    client: { prepareEngrave: () => Promise.reject(new Error('no memory')) }, prepareReader: () => {}, isBusy: () => false, user,
+    client: { prepareEngrave: () => Promise.reject(new Error('no memory')) }, prepareReader: () => {}, isBusy: () => false, user, isOverModel: () => true,
   });
   use();
   preparing.note(true);

@@ -15,3 +15,17 @@ export const sameCentre = (a, b) => a?.join() === b?.join();
 /** @param {Work} a @param {Work} b */
 export const sameWork = (a, b) => sameModel(a.source, b.source) && a.source?.upAxis === b.source?.upAxis && a.text === b.text &&
   sameCentre(a.centreMm, b.centreMm) && Object.entries(a.values).every(([id, value]) => b.values[id] === value);
+
+/**
+ * The settings that make the code as its handles left it.
+ * @param {{ rotateDeg?: number, symbolMm?: number }} change
+ * @param {import('../ui/settings_form.js').Values} now
+ * @returns {import('../ui/settings_form.js').Values}
+ */
+export function settingsByHandles({ rotateDeg, symbolMm }, now) {
+  /** @type {import('../ui/settings_form.js').Values} */ const values = {};
+  if (rotateDeg !== undefined) values.rotate = String(rotateDeg);
+  if (rotateDeg !== undefined && now.size === 'best') values.size = 'oriented';  // which else would turn it back
+  if (symbolMm !== undefined) Object.assign(values, { size: 'fixed', 'size-mm': String(symbolMm) });
+  return values;
+}
