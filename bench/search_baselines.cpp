@@ -9,7 +9,8 @@
 // redraw        the same rule and steps as paper-steps, but every iteration carves the mesh, uploads and redraws it
 //               [Papp 2022, §7]
 // ray tracing   every iteration carves the mesh and traces RAYS paths from each dark submodule (their code: 50,000, in
-//               previews 5,000); what is too bright gets a layer deeper [in the manner of Peng 2019]. RAYS is 50
+//               previews 5,000); what is too bright gets a layer deeper [in the manner of Peng 2019]. RAYS is 50, whose
+//               standard error, of a submodule's luminance, stands beside it; how far off maps are: script/bench light
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -131,6 +132,7 @@ Result<Row> runTracing(const Spot& spot, int rays) {
     cells.push_back({{corner.x, corner.y - h}, {corner.x + h, corner.y}});
   }
   int iterations = 0;
+  double noise = 0;
   for (bool deepened = true; deepened; ++iterations) {
     const auto mesh = carved(spot, depths);
     if (!mesh) return tl::unexpected(mesh.error());
@@ -138,6 +140,8 @@ Result<Row> runTracing(const Spot& spot, int rays) {
     const auto light = traceCells(tree, spot.placement.frame, cells,
                                   {.paths = rays, .albedo = static_cast<double>(spot.request.albedo)});
     deepened = false;
+    noise = 0;
+    for (const CellLight& cell : light) noise += cell.luminance.standardError / static_cast<double>(light.size());
     for (std::size_t k = 0; k < dark.size(); ++k) {
       if (light[k].luminance.mean <= 1 - spot.request.contrast) continue;
       double& depth = depths.depthMm[dark[k]];
@@ -146,7 +150,8 @@ Result<Row> runTracing(const Spot& spot, int rays) {
       depth = std::max(depth, deeper);
     }
   }
-  return Row{fmt::format("ray tracing, {} rays", rays), iterations, summarise(depths).meanMm, millisecondsSince(start)};
+  return Row{fmt::format("ray tracing, {} rays ±{:.3f}", rays, noise), iterations, summarise(depths).meanMm,
+             millisecondsSince(start)};
 }
 
 Result<Spot> placedSpot(const std::vector<std::uint8_t>& bytes, const std::string& name, double scale, Vec3 centre,
@@ -213,7 +218,7 @@ int run(int argc, char** argv) {
     const Result<Row> row = scheme();
     if (!row) return failed(row.error());
     if (fastMs == 0) fastMs = row->milliseconds;
-    fmt::print("{:<24} {:3} iterations  mean depth {:.3f} mm  {:10.0f} ms  {:8.1f} times\n", row->name, row->iterations,
+    fmt::print("{:<32} {:3} iterations  mean depth {:.3f} mm  {:10.0f} ms  {:8.1f} times\n", row->name, row->iterations,
                row->meanMm, row->milliseconds, row->milliseconds / fastMs);
     std::fflush(stdout);
   }
