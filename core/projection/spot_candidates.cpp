@@ -11,12 +11,19 @@ namespace {
 
 constexpr double kSizeClass = 1.1;
 constexpr double kSteeperShare = 0.01;
+constexpr double kSteepDeg = 50;
+
+double cosineOf(double deg) { return std::cos(deg * std::numbers::pi / 180); }
+
+int sizeClassOf(double sizeMm) {
+  return static_cast<int>(std::floor(std::log(std::max(sizeMm, 1e-6)) / std::log(kSizeClass)));
+}
 
 }  // namespace
 
 SpotRank::SpotRank(double sizeMm, const SquareQuality& quality, double edgeMm)
-    : sizeClass(static_cast<int>(std::floor(std::log(std::max(sizeMm, 1e-6)) / std::log(kSizeClass)))),
-      badness(std::sqrt(quality.varianceMm2) / edgeMm + 1 - std::cos(quality.worstAngleDeg * std::numbers::pi / 180)) {}
+    : sizeClass(sizeClassOf(sizeMm * std::min(1.0, cosineOf(quality.worstAngleDeg) / cosineOf(kSteepDeg)))),
+      badness(std::sqrt(quality.varianceMm2) / edgeMm + 1 - cosineOf(quality.worstAngleDeg)) {}
 
 bool SpotRank::operator<(const SpotRank& other) const {
   return sizeClass != other.sizeClass ? sizeClass > other.sizeClass : badness < other.badness;

@@ -40,7 +40,9 @@ struct CandidateOptions {
 /// Cost: O(V log V + most · (V + T)).
 std::vector<SpotCandidate> spotCandidates(const PlacementMap& map, const CandidateOptions& options);
 
-/// The order of spots by size and quality; smaller is better. @param edgeMm  of the square that `quality` is of
+/// The order of spots by size and quality; smaller is better. A surface steeper than 50° makes a spot count as less
+/// large, in proportion to the cosine: a phone held 30° aside hardly sees it.
+/// @param edgeMm  of the square that `quality` is of
 struct SpotRank {
   SpotRank(double sizeMm, const SquareQuality& quality, double edgeMm);
   bool operator<(const SpotRank& other) const;

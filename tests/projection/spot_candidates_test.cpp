@@ -62,6 +62,14 @@ TEST(SpotRank, PrefersTheFlatterOfTwoSpotsOfAboutOneSize) {
   EXPECT_LT(SpotRank(50, curved, 30), SpotRank(36, flat, 30));
 }
 
+TEST(SpotRank, CountsASteepSpotAsLessLarge) {
+  // The cosine of 60° is 0.78 of that of 50°: two classes of 10 %.
+  const SquareQuality steep{.varianceMm2 = 1, .worstAngleDeg = 60}, gentle{.varianceMm2 = 1, .worstAngleDeg = 50};
+  EXPECT_LT(SpotRank(30, gentle, 30), SpotRank(33, steep, 30));
+  EXPECT_LT(SpotRank(45, steep, 30), SpotRank(30, gentle, 30));
+  EXPECT_LT(SpotRank(36, gentle, 30), SpotRank(30, SquareQuality{}, 30)) << "at 50° nothing is taken off yet";
+}
+
 TEST(QualityOf, AnInclinedPlaneIsThatOfItsAngle) {
   const PlacementMap map = mapOf(shapes::box({200, 200, 200}), 60);
   const double angle = 25 * std::numbers::pi / 180;
