@@ -39,10 +39,10 @@ async function pressDark(inspector) {
 /** c in G = AL·(c − 1) + LS. @param {Selected} submodule */
 const contrastOf = ({ LS, AL, G }) => 1 - (LS - Number(G)) / Number(AL);
 
-/** The map's area on the page. @param {Inspector} inspector */
-async function mapClip(inspector) {
-  const from = await inspector.placeOf('Map', { x: 0, y: 0 });
-  const to = await inspector.placeOf('Map', { x: 1, y: 1 });
+/** A control's area on the page. @param {Inspector} inspector */
+async function clipOf(inspector, control = 'Map') {
+  const from = await inspector.placeOf(control, { x: 0, y: 0 });
+  const to = await inspector.placeOf(control, { x: 1, y: 1 });
   return { x: from.x, y: from.y, width: to.x - from.x, height: to.y - from.y };
 }
 
@@ -59,7 +59,7 @@ test('The inspector is drawn over the view alone, shows an engraving and goes wi
 
   await app.engrave();
   await inspector.expectState((state) => state.passes > 1 && state.pass === state.passes, true);
-  const clip = await mapClip(inspector);
+  const clip = await clipOf(inspector);
   await expect.poll(async () => colourful(await inspector.pixels(clip))).toBeGreaterThan(5000);
 
   await inspector.button.click();
@@ -95,7 +95,7 @@ test('Passes are scrubbed, and each shows its own depths', async ({ page }) => {
   const { app, inspector } = await openBoth(page);
   await app.engrave();
   const passes = /** @type {State} */ (await inspector.state()).passes;
-  const clip = await mapClip(inspector);
+  const clip = await clipOf(inspector);
   const last = await inspector.pixels(clip);
   await inspector.press('Earlier pass');
   await inspector.expectState((state) => state.pass, passes - 1);
@@ -140,4 +140,21 @@ test('With the inspector open a click beside it still places the code', async ({
   const box = /** @type {{ x: number, y: number, width: number, height: number }} */ (await app.canvas.boundingBox());
   await page.mouse.click(box.x + box.width * 0.6, box.y + box.height * 0.4);
   await expect.poll(() => app.centre()).not.toEqual(before);
+});
+
+test('The inspector speaks the page’s language, and follows when that is changed', async ({ page }) => {
+  const app = new Engraver(page);
+  await app.open('?sample=bumpy-sphere&lang=de');
+  await expect(page.getByRole('status')).toHaveText('Bereit.');
+  const inspector = new Inspector(page);
+  await page.getByRole('button', { name: 'Inspektor' }).click();
+  await inspector.openTab('Settings');
+  await inspector.press('contrast', { x: 0.97, y: 0.5 });
+  await inspector.expectState((state) => state.overrides.startsWith('Kontrast 0.'), true);
+  const clip = await clipOf(inspector, 'Engrave again');
+  const german = await inspector.pixels(clip);
+
+  await page.getByRole('combobox', { name: 'Sprache' }).selectOption('en');
+  await inspector.expectState((state) => state.overrides.startsWith('contrast 0.'), true);
+  await expect.poll(async () => (await inspector.pixels(clip)).join() === german.join()).toBe(false);
 });

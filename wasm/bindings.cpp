@@ -219,6 +219,8 @@ class Facade {
   }
   /// Bytes of the heap in use: what a leak makes grow.
   double memoryInUse() const { return mallinfo().uordblks; }
+  /// @param texts  of the page's language, by the English ones, as a JSON object
+  void inspectorTexts(const std::string& texts) { setTranslation(nlohmann::json::parse(texts).get<Translation>()); }
   void inspectorArea(double x, double y, double width, double height) {
     if (inspector_) inspector_->setFreeArea(x, y, width, height);
   }
@@ -310,6 +312,7 @@ EMSCRIPTEN_BINDINGS(qrelief) {
       .function("draw", &Facade::draw)
       .function("memoryInUse", &Facade::memoryInUse)
       .function("setInspector", &Facade::setInspector)
+      .function("inspectorTexts", &Facade::inspectorTexts)
       .function("inspectorArea", &Facade::inspectorArea)
       .function("inspectorGlyphs", &Facade::inspectorGlyphs)
       .function("inspectorPointer", &Facade::inspectorPointer)

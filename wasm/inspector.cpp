@@ -241,7 +241,7 @@ void Inspector::endFrame() {
 
 bool Inspector::tab(const char* name) {
   const bool wanted = openMaps_ && std::string_view(name) == "Maps";
-  const bool open = ImGui::BeginTabItem(name, nullptr, wanted ? ImGuiTabItemFlags_SetSelected : 0);
+  const bool open = ImGui::BeginTabItem(label(name).c_str(), nullptr, wanted ? ImGuiTabItemFlags_SetSelected : 0);
   noteControl(controls_, name);
   if (wanted) openMaps_ = false;
   if (open) tab_ = name;
@@ -267,7 +267,7 @@ void Inspector::drawWindow(const Engine& engine) {
   ImGui::SetNextWindowSizeConstraints(ImVec2(220, 120), ImGui::GetIO().DisplaySize);
   placeWindow_ = false;
   constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoScrollbar;
-  const bool open = ImGui::Begin("Inspector", nullptr, kFlags);
+  const bool open = ImGui::Begin(label("Inspector").c_str(), nullptr, kFlags);
   const ImVec2 at = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
   windowMin_ = {at.x, at.y};
   windowMax_ = {at.x + size.x, at.y + size.y};

@@ -23,7 +23,7 @@ ImTextureID textureId(const gl::Texture& texture) {
 
 void fact(const char* name, const std::string& value) {
   ImGui::TableNextColumn();
-  ImGui::TextDisabled("%s", name);
+  ImGui::TextDisabled("%s", translated(name));
   ImGui::TableNextColumn();
   ImGui::TextUnformatted(value.c_str());
 }
@@ -37,13 +37,13 @@ std::string known(const std::optional<float>& value, const char* unit = "") {
 void Inspector::chooseChannel() {
   const float width = ImGui::GetContentRegionAvail().x;
   ImGui::SetNextItemWidth(width * 0.62f);
-  const bool open =
-      ImGui::BeginCombo("##channel", kChannels[static_cast<std::size_t>(channel_)].name, ImGuiComboFlags_HeightLargest);
+  const bool open = ImGui::BeginCombo("##channel", translated(infoOf(static_cast<MapChannel>(channel_)).name),
+                                      ImGuiComboFlags_HeightLargest);
   noteControl(controls_, "Channel");
   if (open) {
     for (int i = 0; i < static_cast<int>(kChannels.size()); ++i) {
       if (i == static_cast<int>(MapChannel::Limit)) ImGui::Separator();
-      if (ImGui::Selectable(kChannels[static_cast<std::size_t>(i)].name, i == channel_)) {
+      if (ImGui::Selectable(translated(kChannels[static_cast<std::size_t>(i)].name), i == channel_)) {
         channel_ = i;
         rangeKind_ = Range::Whole;
         scale_ = kChannels[static_cast<std::size_t>(i)].isSigned ? ColourScale::BlueRed : ColourScale::Viridis;
@@ -55,10 +55,11 @@ void Inspector::chooseChannel() {
   ImGui::SameLine();
   int scale = static_cast<int>(scale_);
   ImGui::SetNextItemWidth(-1);
-  if (ImGui::Combo("##scale", &scale, kColourScaleNames.data(), static_cast<int>(kColourScaleNames.size())))
+  const auto scales = translated(kColourScaleNames);
+  if (ImGui::Combo("##scale", &scale, scales.data(), static_cast<int>(scales.size())))
     scale_ = static_cast<ColourScale>(scale);
   noteControl(controls_, "Colours");
-  writeSoftly(infoOf(static_cast<MapChannel>(channel_)).what);
+  writeSoftly("{}", translated(infoOf(static_cast<MapChannel>(channel_)).what));
 }
 
 void Inspector::choosePass() {
@@ -68,7 +69,7 @@ void Inspector::choosePass() {
   ImGui::SameLine();
   int pass = model_.pass() + 1;
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - ImGui::GetFrameHeight() - 8);
-  const std::string format = "pass %d of " + std::to_string(model_.passes());
+  const std::string format = phrase("pass %d of {}", model_.passes());
   if (ImGui::SliderInt("##pass", &pass, 1, model_.passes(), format.c_str(), ImGuiSliderFlags_NoInput))
     model_.setPass(pass - 1);
   noteControl(controls_, "Pass");
@@ -85,10 +86,11 @@ void Inspector::chooseRange(const ValueMap& map) {
       range_ = {-reach, reach};
     }
   }
-  constexpr std::array<const char*, 3> kKinds = {"whole range", "without 1 % at either end", "range by hand"};
+  const std::array<const char*, 3> kinds = {translated("whole range"), translated("without 1 % at either end"),
+                                            translated("range by hand")};
   int kind = static_cast<int>(rangeKind_);
   ImGui::SetNextItemWidth(-1);
-  if (ImGui::Combo("##range", &kind, kKinds.data(), static_cast<int>(kKinds.size())))
+  if (ImGui::Combo("##range", &kind, kinds.data(), static_cast<int>(kinds.size())))
     rangeKind_ = static_cast<Range>(kind);
   noteControl(controls_, "Range");
   if (rangeKind_ == Range::Own) {
@@ -142,21 +144,21 @@ void Inspector::drawMapMarks(const ValueMap& map, ImVec2 corner, float edge) {
     frame(selected->place, IM_COL32(255, 255, 255, 255), 2);
   }
   ImGui::PopClipRect();
-  std::string text = "point at the map to read a value";
+  std::string text = translated("point at the map to read a value");
   if (mapPointer_) {
     const auto index = map.indexAt(*mapPointer_);
     const auto place = search->placeAt(*mapPointer_);
     if (index && place) {
       const ChannelInfo& info = infoOf(static_cast<MapChannel>(channel_));
-      text = fmt::format("row {}, column {}: {}", place->row, place->column,
-                         numberText(static_cast<double>(map.values[*index]), info.unit));
+      text = phrase("row {}, column {}: {}", place->row, place->column,
+                    numberText(static_cast<double>(map.values[*index]), info.unit));
       if (!map.directions.empty() && std::isfinite(map.values[*index])) {
         const Vec3f n = map.directions[*index];
         text += fmt::format(" ({:.3f}, {:.3f}, {:.3f})", n.x, n.y, n.z);
       }
     }
   }
-  writeSoftly(text);
+  writeSoftly("{}", text);
 }
 
 void Inspector::drawZoom(const ValueMap& map) {
@@ -167,14 +169,14 @@ void Inspector::drawZoom(const ValueMap& map) {
   if (ImGui::Button("+", ImVec2(32, 0))) zoomTo(mapZoom_ * kButtonZoom);
   noteControl(controls_, "Zoom in");
   ImGui::SameLine();
-  if (ImGui::Button("All")) zoomTo(1);
+  if (ImGui::Button(label("All").c_str())) zoomTo(1);
   noteControl(controls_, "Whole map");
   ImGui::SameLine();
   ImGui::AlignTextToFramePadding();
   ImGui::TextDisabled("%.1f×", mapZoom_);
   if (!map.directions.empty()) {
     ImGui::SameLine();
-    ImGui::Checkbox("x, y, z as colours", &showsDirections_);
+    ImGui::Checkbox(label("x, y, z as colours").c_str(), &showsDirections_);
     noteControl(controls_, "Directions as colours");
   }
 }
@@ -213,10 +215,10 @@ void Inspector::drawFacts() {
   }
   ImGui::Separator();
   write("Submodule row {}, column {}: {}{}", facts->place.row, facts->place.column,
-        facts->inSymbol ? moduleRoleName(facts->role) : "quiet zone",
-        facts->carved ? ", carved"
-        : facts->dark ? ", of a dark module, left standing"
-                      : ", light");
+        translated(facts->inSymbol ? moduleRoleName(facts->role) : "quiet zone"),
+        translated(facts->carved ? ", carved"
+                   : facts->dark ? ", of a dark module, left standing"
+                                 : ", light"));
   if (!ImGui::BeginTable("facts", 4)) return;
   fact("LS", numberText(static_cast<double>(facts->luminance)));
   fact("depth", known(facts->depthMm, "mm"));
@@ -224,7 +226,8 @@ void Inspector::drawFacts() {
   fact("limit", known(facts->limitMm, "mm"));
   fact("G", known(facts->excess));
   const bool atLimit = facts->depthMm && *facts->limitMm - *facts->depthMm < 0.002f;
-  fact("", !facts->carved ? "" : *facts->excess <= 0 ? "dark enough" : atLimit ? "too bright, limited" : "too bright");
+  const char* const end = *facts->excess <= 0 ? "dark enough" : atLimit ? "too bright, limited" : "too bright";
+  fact("", facts->carved ? translated(end) : "");
   ImGui::EndTable();
 }
 
@@ -240,8 +243,10 @@ void Inspector::drawMaps(const Engine& engine) {
   const ValueMap* map = model_.channel(engine, static_cast<MapChannel>(channel_));
   if (!map) {
     ImGui::Separator();
-    write("{}",
-          model_.search() ? "This map is there when the engraving is done." : "Nothing to see yet: press Engrave.");
+    if (model_.search())
+      write("This map is there when the engraving is done.");
+    else
+      write("Nothing to see yet: press Engrave.");
     return;
   }
   drawMap(*map);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include "wasm/translation.h"
+
 namespace qrelief {
 namespace {
 
@@ -41,7 +43,7 @@ void InspectorModel::follow(const Engine& engine) {
 void InspectorModel::rememberRun(const Engine& engine) {
   const EngraveRequest& request = engine.engravedRequest();
   const auto solver = static_cast<std::size_t>(solverOf(request));
-  runs_[solver] = Run{fmt::format("{}, c = {:g}, {:.1f} mm", kSolverNames[solver], request.contrast,
+  runs_[solver] = Run{fmt::format("{}, c = {:g}, {:.1f} mm", translated(kSolverNames[solver]), request.contrast,
                                   engine.result()->placement.symbolMm),
                       search_->summaries()};
 }

@@ -62,10 +62,10 @@ void Inspector::drawLuminances() {
   const ValueRange range = rangeOf(all).value_or(ValueRange{});
   write("Luminance at pass {}", model_.pass() + 1);
   swatch(palette_.curves[0]);
-  ImGui::TextUnformatted("light modules");
+  ImGui::TextUnformatted(translated("light modules"));
   ImGui::SameLine();
   swatch(palette_.curves[1]);
-  ImGui::TextUnformatted("carved submodules");
+  ImGui::TextUnformatted(translated("carved submodules"));
   const std::array<Bars, 2> luminances = {{{histogramOf(search.lightLuminance(), range, kBars), palette_.curves[0]},
                                            {histogramOf(carved, range, kBars), palette_.curves[1]}}};
   plotBars("##luminances", luminances, range, "", palette_);
@@ -86,7 +86,7 @@ void Inspector::drawSearch(const Engine&) {
   ImGui::Separator();
   int pass = model_.pass() + 1;
   ImGui::SetNextItemWidth(-1);
-  const std::string format = fmt::format("pass %d of {}", search->passes());
+  const std::string format = phrase("pass %d of {}", search->passes());
   if (ImGui::SliderInt("##pass", &pass, 1, search->passes(), format.c_str(), ImGuiSliderFlags_NoInput))
     model_.setPass(pass - 1);
   noteControl(controls_, "Pass");
@@ -101,12 +101,12 @@ void Inspector::drawTimings(const Engine& engine) {
   write("{}", engine.gl().renderer);
   if (const Viewer* viewer = engine.viewer()) {
     const ViewStatistics& view = viewer->statistics();
-    writeSoftly(fmt::format("View: {} × {}, {} pictures averaged, {:.0f} ms a frame in motion", view.width, view.height,
-                            view.samples, view.coarseFrameMs));
+    writeSoftly("View: {} × {}, {} pictures averaged, {:.0f} ms a frame in motion", view.width, view.height,
+                view.samples, view.coarseFrameMs);
   }
   if (const Placement* placed = engine.placed()) {
-    writeSoftly(fmt::format("Code: {:.2f} mm, modules {:.3f} mm, {} directions tried", placed->symbolMm,
-                            placed->moduleMm, placed->iterations.size()));
+    writeSoftly("Code: {:.2f} mm, modules {:.3f} mm, {} directions tried", placed->symbolMm, placed->moduleMm,
+                placed->iterations.size());
   }
   const EngraveResult* result = engine.result();
   if (!result) {
@@ -123,22 +123,24 @@ void Inspector::drawTimings(const Engine& engine) {
                                                                  {"checks", t.verify}}};
   double longest = 1;
   for (const auto& stage : stages) longest = std::max(longest, stage.second);
-  ImGui::TextUnformatted("Stages, by the clock");
+  ImGui::TextUnformatted(translated("Stages, by the clock"));
   for (const auto& [name, ms] : stages)
-    ImGui::ProgressBar(static_cast<float>(ms / longest), ImVec2(-1, 0), fmt::format("{} {:.1f} ms", name, ms).c_str());
+    ImGui::ProgressBar(static_cast<float>(ms / longest), ImVec2(-1, 0),
+                       fmt::format("{} {:.1f} ms", translated(name), ms).c_str());
   ImGui::Separator();
   const gl::PassTimings* timings = engine.passTimings();
   if (!timings || timings->times().empty()) {
     write("Passes are timed from the next engraving on, as the inspector was closed during the last.");
     return;
   }
-  ImGui::TextUnformatted(timings->hasGpuTimes() ? "Passes, GPU time by timer queries" : "Passes, CPU time only");
+  ImGui::TextUnformatted(
+      translated(timings->hasGpuTimes() ? "Passes, GPU time by timer queries" : "Passes, CPU time only"));
   if (!timings->hasGpuTimes())
     writeSoftly(
         "This browser has no timer queries. CPU time ends when the calls return; what the graphics processor "
         "still has to do then counts as reading back.");
   if (!ImGui::BeginTable("passes", 4, ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerH)) return;
-  for (const char* name : {"pass", "runs", "CPU ms", "GPU ms"}) ImGui::TableSetupColumn(name);
+  for (const char* name : {"pass", "runs", "CPU ms", "GPU ms"}) ImGui::TableSetupColumn(translated(name));
   ImGui::TableHeadersRow();
   for (const gl::PassTime& pass : timings->times()) {
     cell(std::string(pass.name));

@@ -9,8 +9,8 @@ namespace qrelief {
 namespace {
 
 std::string valueText(const Tunable& tunable, double value) {
-  if (tunable.isSwitch) return value != 0 ? "on" : "off";
-  if (!tunable.choices.empty()) return tunable.choices[static_cast<std::size_t>(value)];
+  if (tunable.isSwitch) return translated(value != 0 ? "on" : "off");
+  if (!tunable.choices.empty()) return translated(tunable.choices[static_cast<std::size_t>(value)]);
   return fmt::format("{:g}", value);
 }
 
@@ -25,8 +25,8 @@ bool edit(const Tunable& tunable, double& value) {
   }
   if (!tunable.choices.empty()) {
     int chosen = static_cast<int>(value);
-    const bool changed =
-        ImGui::Combo("##value", &chosen, tunable.choices.data(), static_cast<int>(tunable.choices.size()));
+    const auto choices = translated(tunable.choices);
+    const bool changed = ImGui::Combo("##value", &chosen, choices.data(), static_cast<int>(choices.size()));
     value = chosen;
     return changed;
   }
@@ -45,7 +45,8 @@ void Inspector::drawTunable(std::size_t index, const EngraveRequest& page) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   ImGui::AlignTextToFramePadding();
-  const std::string name = *tunable.unit ? fmt::format("{}, {}", tunable.name, tunable.unit) : tunable.name;
+  std::string name = translated(tunable.name);
+  if (*tunable.unit) name += fmt::format(", {}", translated(tunable.unit));
   if (isSet) ImGui::PushStyleColor(ImGuiCol_Text, palette_.accent);
   ImGui::TextUnformatted(name.c_str());
   if (isSet) ImGui::PopStyleColor();
@@ -55,10 +56,10 @@ void Inspector::drawTunable(std::size_t index, const EngraveRequest& page) {
   noteControl(controls_, tunable.name);
   if (changed) overrides.set(index, value, page);
   if (isSet) {
-    if (ImGui::SmallButton("reset")) overrides.reset(index);
+    if (ImGui::SmallButton(label("reset").c_str())) overrides.reset(index);
     noteControl(controls_, fmt::format("Reset {}", tunable.name));
     ImGui::SameLine();
-    ImGui::TextDisabled("page: %s", valueText(tunable, tunable.read(page)).c_str());
+    ImGui::TextDisabled("%s", phrase("page: {}", valueText(tunable, tunable.read(page))).c_str());
   }
   ImGui::PopID();
 }
@@ -66,18 +67,20 @@ void Inspector::drawTunable(std::size_t index, const EngraveRequest& page) {
 void Inspector::drawSettings(const Engine& engine) {
   RequestOverrides& overrides = model_.overrides();
   const std::size_t count = overrides.count();
-  if (ImGui::Button("Engrave again", ImVec2(ImGui::GetContentRegionAvail().x * 0.6f, 0))) ++engraveAsked_;
+  if (ImGui::Button(label("Engrave again").c_str(), ImVec2(ImGui::GetContentRegionAvail().x * 0.53f, 0)))
+    ++engraveAsked_;
   noteControl(controls_, "Engrave again");
   ImGui::SameLine();
   ImGui::BeginDisabled(count == 0);
-  if (ImGui::Button("Reset all", ImVec2(-1, 0))) overrides.resetAll();
+  if (ImGui::Button(label("Reset all").c_str(), ImVec2(-1, 0))) overrides.resetAll();
   noteControl(controls_, "Reset all");
   ImGui::EndDisabled();
   if (count == 0)
     writeSoftly("Everything is as the page says. What is changed here counts for Engrave again alone.");
+  else if (count == 1)
+    write("One is changed here, for Engrave again alone: the page's own Engrave leaves it out.");
   else
-    write("{} changed here, for Engrave again alone: the page's own Engrave leaves {} out.", count,
-          count == 1 ? "it" : "them");
+    write("{} are changed here, for Engrave again alone: the page's own Engrave leaves them out.", count);
   ImGui::BeginChild("tunables", ImVec2(0, 0), false, ImGuiWindowFlags_NoScrollWithMouse);
   std::string_view group;
   const std::span<const Tunable> all = tunables();
@@ -87,7 +90,7 @@ void Inspector::drawSettings(const Engine& engine) {
       if (open) ImGui::EndTable();
       group = all[i].group;
       ImGui::Spacing();
-      ImGui::TextDisabled("%s", all[i].group);
+      ImGui::TextDisabled("%s", translated(all[i].group));
       open = ImGui::BeginTable(all[i].group, 2, ImGuiTableFlags_SizingStretchProp);
       if (open) {
         ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch, 0.48f);

@@ -101,14 +101,10 @@ void noteControl(ControlAreas& areas, std::string_view name) {
   areas[std::string(name)] = {min.x, min.y, max.x - min.x, max.y - min.y};
 }
 
-void writeSoftly(const std::string& text) {
-  ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
-  write("{}", text);
-  ImGui::PopStyleColor();
-}
+std::string label(const char* english) { return fmt::format("{}###{}", translated(english), english); }
 
 std::string numberText(double value, const char* unit) {
-  if (!std::isfinite(value)) return "nothing";
+  if (!std::isfinite(value)) return translated("nothing");
   std::string text = std::abs(value) < 0.00005    ? "0"
                      : value == std::round(value) ? fmt::format("{:.0f}", value)
                      : std::abs(value) < 10       ? fmt::format("{:.4f}", value)
@@ -126,8 +122,8 @@ int plotCurves(const char* name, std::span<const Curve> curves, const char* unit
     longest = std::max(longest, curve.values.size());
     for (const double value : curve.values) highest = std::max(highest, value);
   }
-  ImGui::TextUnformatted(name);
-  const std::string top = numberText(highest, unit);
+  ImGui::TextUnformatted(translated(name));
+  const std::string top = phrase("up to {}", numberText(highest, unit));
   ImGui::SameLine(ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(top.c_str()).x);
   ImGui::TextDisabled("%s", top.c_str());
   const Box box = plotArea(name, kPlotHeight, palette);
@@ -151,7 +147,7 @@ int plotCurves(const char* name, std::span<const Curve> curves, const char* unit
   if (!ImGui::IsItemHovered()) return -1;
   const float along = (ImGui::GetIO().MousePos.x - box.min.x - pad) / step;
   const int index = std::clamp(static_cast<int>(std::lround(along)), 0, static_cast<int>(longest) - 1);
-  std::string text = fmt::format("pass {}", index + 1);
+  std::string text = phrase("pass {}", index + 1);
   for (const Curve& curve : curves)
     if (static_cast<std::size_t>(index) < curve.values.size())
       text += "\n" + numberText(curve.values[static_cast<std::size_t>(index)], unit);
@@ -179,8 +175,8 @@ void plotBars(const char* id, std::span<const Bars> bars, ValueRange range, cons
     const float share = std::clamp((ImGui::GetIO().MousePos.x - box.min.x) / box.width(), 0.0f, 0.999f);
     std::string text = numberText(range.lowest + share * (range.highest - range.lowest), unit);
     for (const Bars& series : bars)
-      text += fmt::format("\n{} values",
-                          series.counts[static_cast<std::size_t>(share * static_cast<float>(series.counts.size()))]);
+      text += "\n" + phrase("{} values",
+                            series.counts[static_cast<std::size_t>(share * static_cast<float>(series.counts.size()))]);
     ImGui::SetTooltip("%s", text.c_str());
   }
   writeEnds(numberText(range.lowest, unit), numberText(range.highest, unit), palette);

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "wasm/colour_scale.h"
+#include "wasm/translation.h"
 #include "wasm/value_map.h"
 
 namespace qrelief {
@@ -26,22 +27,30 @@ struct InspectorPalette {
 /// Sets ImGui's colours and measures to those of the page.
 void styleInspector(bool dark);
 
-/// Where the controls of a frame are, by the names they show: for whoever cannot see the canvas.
+/// Where the controls of a frame are, by the English names they show: for whoever cannot see the canvas.
 using ControlAreas = std::map<std::string, std::array<float, 4>>;
 
 /// Notes the last item.
 void noteControl(ControlAreas& areas, std::string_view name);
 
-/// Wraps at the window's edge. ImGui takes printf formats; these are checked when they are compiled.
+/// Translated; wraps at the window's edge. ImGui takes printf formats; these are checked when they are compiled.
 template <class... Args>
 void write(fmt::format_string<Args...> format, Args&&... args) {
   ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted(fmt::format(format, std::forward<Args>(args)...).c_str());
+  ImGui::TextUnformatted(phrase(format, std::forward<Args>(args)...).c_str());
   ImGui::PopTextWrapPos();
 }
 
 /// The same in the soft ink.
-void writeSoftly(const std::string& text);
+template <class... Args>
+void writeSoftly(fmt::format_string<Args...> format, Args&&... args) {
+  ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+  write(format, std::forward<Args>(args)...);
+  ImGui::PopStyleColor();
+}
+
+/// A label that ImGui knows by its English text in every language.
+std::string label(const char* english);
 
 struct Curve {
   std::vector<double> values;  ///< at 1, 2, 3 …

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "wasm/translation.h"
+
 namespace qrelief {
 namespace {
 
@@ -192,12 +194,13 @@ std::string RequestOverrides::describe() const {
     const double value = *values_[i];
     text += text.empty() ? "" : ", ";
     if (tunable.isSwitch)
-      text += fmt::format("{} {}", tunable.name, value != 0 ? "on" : "off");
+      text += fmt::format("{} {}", translated(tunable.name), translated(value != 0 ? "on" : "off"));
     else if (!tunable.choices.empty())
-      text += fmt::format("{} {}", tunable.name, tunable.choices[static_cast<std::size_t>(value)]);
+      text +=
+          fmt::format("{} {}", translated(tunable.name), translated(tunable.choices[static_cast<std::size_t>(value)]));
     else
-      text += fmt::format("{} {:g}{}{}", tunable.name, value, *tunable.unit && *tunable.unit != '\xc2' ? " " : "",
-                          tunable.unit);
+      text += fmt::format("{} {:g}{}{}", translated(tunable.name), value,
+                          *tunable.unit && *tunable.unit != '\xc2' ? " " : "", translated(tunable.unit));
   }
   return text;
 }

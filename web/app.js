@@ -21,7 +21,7 @@ import { rememberFormat } from './take/format_choice.js';
 import { looksLikeSettings } from './take/settings_file.js';
 import { TakePanel } from './take/take_panel.js';
 import { Taking } from './take/taking.js';
-import { text } from './text/catalogue.js';
+import { onLanguage, text } from './text/catalogue.js';
 import { CarvePanel } from './ui/carve_panel.js';
 import { CodePanel } from './ui/code_panel.js';
 import { byId } from './ui/dom.js';
@@ -47,6 +47,9 @@ export class App {
   /** @param {import('./keep/notices.js').Notices} notices */
   constructor(notices) {
     offerLanguages();
+    onLanguage(() => {
+      if (this.toolbar_.inspectorShown) void this.guard_(() => this.translateInspector_());
+    });
     rememberFormat(byId('format', HTMLSelectElement));
     this.messages_ = new Messages();
     this.messages_.say(() => text('page.starting'));
@@ -453,7 +456,14 @@ export class App {
     this.view_.reportsPointer = shown;
     if (!shown) this.inspector_.update(undefined);
     await this.client_.setInspector(shown);
-    if (shown) await this.client_.inspectorArea(this.inspector_.area());
+    if (!shown) return;
+    await this.translateInspector_();
+    await this.client_.inspectorArea(this.inspector_.area());
+  }
+
+  async translateInspector_() {
+    const { inspectorTexts } = await import('./text/inspector_texts.js');
+    await this.client_.inspectorTexts(inspectorTexts());
   }
 
   /** @param {boolean} allowed  if the model can be engraved */

@@ -228,6 +228,9 @@ export class EngineClient {
   /** @param {boolean} shown @returns {Promise<void>} */
   setInspector(shown) { return this.call_('setInspector', shown); }
 
+  /** @param {Record<string, string>} texts  of the page's language, by the English ones @returns {Promise<void>} */
+  inspectorTexts(texts) { return this.call_('inspectorTexts', texts); }
+
   /** @param {import('../view/free_area.js').Area} area  of the canvas that no control covers @returns {Promise<void>} */
   inspectorArea(area) { return this.call_('inspectorArea', area); }
 

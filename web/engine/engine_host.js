@@ -253,6 +253,8 @@ export class EngineHost {
       this.drawn_(this.engine_.setInspector(shown));
       this.giveGlyphs_();
     },
+    /** @param {Record<string, string>} texts  of the page's language, by the English ones */
+    inspectorTexts: (texts) => this.drawn_(this.engine_.inspectorTexts(JSON.stringify(texts))),
     /** @param {{ x: number, y: number, width: number, height: number }} area  that no control covers */
     inspectorArea: ({ x, y, width, height }) => this.drawn_(this.engine_.inspectorArea(x, y, width, height)),
     /** @param {ViewAction} action */

@@ -8,8 +8,8 @@ const kLineHeight = 1.3;  // of the letters' size
 const range = (/** @type {number} */ from, /** @type {number} */ to) =>
   Array.from({ length: to - from + 1 }, (_, i) => String.fromCodePoint(from + i)).join('');
 
-/** Printable ASCII and Latin-1, which ImGui's default range covers. */
-const kLetters = range(0x20, 0x7e) + range(0xa1, 0xff);
+/** Printable ASCII, Latin-1 and what else the inspector's texts have. */
+export const kLetters = range(0x20, 0x7e) + range(0xa1, 0xff) + '„“';
 
 /**
  * @typedef {object} Glyphs

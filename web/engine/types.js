@@ -158,6 +158,7 @@
  * @property {() => boolean} draw
  * @property {() => number} memoryInUse            bytes of the heap
  * @property {(shown: boolean) => void} setInspector
+ * @property {(texts: string) => void} inspectorTexts
  * @property {(x: number, y: number, width: number, height: number) => void} inspectorArea
  * @property {(lineHeight: number, metrics: Float32Array, alpha: Uint8Array) => void} inspectorGlyphs
  * @property {(x: number, y: number, buttons: number, wheel: number) => boolean} inspectorPointer
