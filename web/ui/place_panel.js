@@ -12,10 +12,18 @@ export class PlacePanel {
   /** @param {(centreMm: Point) => void} onCentre */
   constructor(onCentre) {
     this.centre_ = ['centre-x', 'centre-y', 'centre-z'].map((id) => byId(id, HTMLInputElement));
-    byId('place-here', HTMLButtonElement).addEventListener('click', () => {
+    const place = () => {
       const centre = this.centre_.map((input) => input.valueAsNumber);
       if (centre.every(Number.isFinite)) onCentre(/** @type {Point} */ (centre));
-    });
+    };
+    byId('place-here', HTMLButtonElement).addEventListener('click', place);
+    for (const input of this.centre_) {
+      input.addEventListener('keydown', (event) => {
+        if (event.key !== 'Enter') return;
+        event.preventDefault();  // else it would engrave, where the code still is
+        place();
+      });
+    }
     this.showPlacement(undefined);
   }
 

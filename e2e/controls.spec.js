@@ -1,0 +1,333 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every control of the page has an effect, pressed with the mouse on a desktop and with a finger on a phone. What each
+// does in full is for the other specs; here none is left out.
+import { expect, test } from '@playwright/test';
+import { Engraver } from './support/engraver.js';
+import { Inspector } from './support/inspector.js';
+import { saddleFile, truncatedFile } from './support/models.js';
+import { isOrange, isTeal, shareOf } from './support/pixels.js';
+
+/** @typedef {import('@playwright/test').Page} Page */
+/** @typedef {{ app: Engraver, page: Page, at: (id: string) => import('@playwright/test').Locator, press: (id: string) => Promise<void> }} Hands */
+/** @typedef {Record<string, (hands: Hands) => Promise<void>>} Effects  by what `nameOf` calls the control; in this order */
+
+/** Of each setting: what is chosen, its name in the settings file, and what the report says of the carving then. */
+const kSettings = /** @type {Record<string, { value: string | boolean, saved: Record<string, unknown>, reported?: (report: any) => unknown }>} */ ({
+  ecc: { value: 'Q', saved: { ecc: 'Q' }, reported: ({ symbol }) => symbol.ecc },
+  'quiet-zone': { value: false, saved: { quietZone: false } },
+  rotate: { value: '10', saved: { rotateDeg: 10 }, reported: ({ size }) => size.rotationDeg },
+  size: { value: 'fixed', saved: { size: 40 } },
+  'size-mm': { value: '31', saved: { size: 31 }, reported: ({ size }) => size.symbolMm },
+  direction: { value: 'mean-normal', saved: { direction: 'mean-normal' }, reported: ({ projection }) => projection.method },
+  'eye-distance': { value: '300', saved: { eyeDistanceMm: 300 }, reported: ({ projection }) => projection.eyeDistanceMm },
+  preset: { value: 'shallow', saved: { preset: 'shallow' } },
+  pattern: { value: 'square', saved: { pattern: 'square' }, reported: ({ depth }) => depth.features.pattern },
+  'finder-pattern': { value: 'diamond', saved: { finderPattern: 'diamond' } },
+  contrast: { value: '0.28', saved: { contrast: 0.28 }, reported: ({ depth }) => depth.contrast },
+  'min-wall': { value: '1.5', saved: { minWallMm: 1.5 } },
+  'max-depth': { value: '1.4', saved: { maxDepthMm: 1.4 } },
+  nozzle: { value: '0.3', saved: { nozzleMm: 0.3 }, reported: ({ depth }) => depth.features.nozzleMm },
+  layer: { value: '0.08', saved: { layerMm: 0.08 }, reported: ({ depth }) => depth.features.layerMm },
+});
+
+/** What Save settings saves. @param {Engraver} app */
+const settingsFile = async (app) => JSON.parse(new TextDecoder().decode((await app.download('Save settings')).bytes));
+
+/** @type {Effects} */
+const kOfTheModel = {
+  sample: async ({ app, at }) => {
+    await at('sample').selectOption('saddle');
+    await expect(app.facts).toContainText('Saddle');
+    await app.expectReady();
+  },
+  file: async ({ app, at }) => {
+    await at('file').setInputFiles(saddleFile);
+    await expect(app.facts).toContainText('my saddle.stl');
+    await app.expectReady();
+  },
+  unit: async ({ app, at }) => {
+    const before = await app.facts.innerText();
+    await at('unit').selectOption('cm');
+    await expect(app.facts).not.toHaveText(before);
+    await at('unit').selectOption('mm');
+    await expect(app.facts).toHaveText(before);
+    await app.expectReady();
+  },
+  'up-axis': async ({ app, at }) => {
+    await at('up-axis').selectOption('y');
+    await app.expectReady();
+    expect((await settingsFile(app)).model.upAxis).toBe('y');
+  },
+  'alert-dismiss': async ({ app, at, press }) => {
+    await at('file').setInputFiles(truncatedFile);
+    await expect(app.alert).toContainText('is cut off');
+    await press('alert-dismiss');
+    await expect(app.alert).toBeHidden();
+  },
+};
+
+/** @param {Engraver} app @param {import('@playwright/test').Locator} field @param {string} value @param {() => Promise<void>} confirm */
+async function placeAt(app, field, value, confirm) {
+  const before = await app.centre();
+  await field.fill(value);
+  await confirm();
+  await app.expectReady();
+  const after = await app.centre();
+  expect(after).not.toEqual(before);
+}
+
+/** @type {Effects} */
+const kOfThePlace = {
+  'content-kind': async ({ app, at }) => {
+    await at('content-kind').selectOption('Wi-Fi access');
+    await expect(app.setting('Network name')).toBeVisible();
+  },
+  text: async ({ app, at }) => {
+    const before = await at('symbol-facts').innerText();
+    await at('text').fill('https://example.org/a-text-that-takes-more-modules-than-the-one-before');
+    await expect(at('symbol-facts')).not.toHaveText(before);
+    await app.expectReady();
+  },
+  'centre-x': ({ app, at, press }) => placeAt(app, at('centre-x'), '12', () => press('place-here')),
+  'centre-y': ({ app, at }) => placeAt(app, at('centre-y'), '-7', () => at('centre-y').press('Enter')),
+  'centre-z': ({ app, at, press }) => placeAt(app, at('centre-z'), '30', () => press('place-here')),
+  'place-here': ({ app, at, press }) => placeAt(app, at('centre-x'), '0', () => press('place-here')),
+  undo: async ({ app, press }) => {
+    const before = await app.centre();
+    await press('undo');
+    await expect.poll(() => app.centre()).not.toEqual(before);
+    await app.expectReady();
+  },
+  redo: async ({ app, press }) => {
+    const before = await app.centre();
+    await press('redo');
+    await expect.poll(() => app.centre()).not.toEqual(before);
+    await app.expectReady();
+  },
+  suggest: async ({ app, press }) => {
+    await press('suggest');
+    await expect(app.status).toHaveText('Choose a spot, or click the model.');
+    await expect(app.spots).not.toHaveCount(0);
+  },
+  'show-sizes': async ({ page, press }) => {
+    const legend = page.getByLabel('Colours of the model');
+    await expect(legend).toContainText('Largest code that fits');
+    await press('show-sizes');
+    await expect(legend).toBeHidden();
+  },
+  'start-over': async ({ app, at, press }) => {
+    await press('start-over');
+    await expect(at('text')).toHaveValue('https://en.wikipedia.org/wiki/QR_code');
+    await app.expectReady();
+  },
+};
+
+/** Which sides of the cube are seen. @param {Page} page */
+const sidesOf = (page) => page.locator('.view-cube [data-view]').evaluateAll((all) => all.map((face) => face.getAttribute('data-view')).sort());
+
+/** @type {Effects} */
+const kOfTheView = {
+  ...Object.fromEntries(['front', 'back', 'left', 'right', 'top', 'bottom'].map((side) => [side, async (/** @type {Hands} */ { page, press }) => {
+    await press('views');
+    await press(side);
+    await expect.poll(() => sidesOf(page)).toEqual([side]);
+  }])),
+  iso: async ({ page, press }) => {
+    await press('views');
+    await press('iso');
+    await expect.poll(async () => (await sidesOf(page)).length).toBe(3);
+  },
+  views: async ({ at, press }) => {
+    await press('views');
+    await expect(at('views-menu')).toBeVisible();
+    await press('views');
+    await expect(at('views-menu')).toBeHidden();
+  },
+};
+
+/** @type {Effects} */
+const kOfTheCarving = {
+  fit: async ({ app, page, press }) => {
+    const place = async () => (await app.moveHandle.boundingBox())?.x;
+    const before = await place();
+    await app.canvas.focus();
+    for (let i = 0; i < 4; i += 1) await page.keyboard.press('Shift+ArrowRight');
+    await expect.poll(place).not.toBe(before);
+    await press('fit');
+    await expect.poll(place).toBe(before);
+  },
+  'show-section': async ({ at, press }) => {
+    await press('show-section');
+    await expect(at('section-position')).toBeVisible();
+  },
+  'section-position': async ({ app, at, press }) => {
+    await expect.poll(() => shareOf(app.canvas, isOrange)).toBeGreaterThan(0.005);
+    const before = await shareOf(app.canvas, isOrange);
+    await at('section-position').fill('0.8');
+    await expect.poll(() => shareOf(app.canvas, isOrange)).not.toBe(before);
+    await press('show-section');
+    await expect(at('section-position')).toBeHidden();
+  },
+  engrave: async ({ app, press }) => {
+    await press('engrave');
+    await app.expectResult();
+  },
+  'show-carved': async ({ app, at, press }) => {
+    await expect(at('show-carved')).toHaveAttribute('aria-pressed', 'true');
+    await press('show-carved');
+    await expect(app.moveHandle).toBeVisible();
+    await press('show-carved');
+    await expect(app.moveHandle).toBeHidden();
+  },
+  'show-depths': async ({ page, press }) => {
+    await press('show-depths');
+    await expect(page.getByLabel('Colours of the model')).toContainText('Depth of the carving');
+  },
+  'show-before': async ({ app, at, page }) => {
+    const hide = (/** @type {string} */ opacity) => page.locator('.tools, .legend').evaluateAll((all, to) => {
+      for (const one of all) /** @type {HTMLElement} */ (one).style.opacity = to;
+    }, opacity);  // they have the colours of depths, too
+    await hide('0');
+    await expect.poll(() => shareOf(app.canvas, isTeal)).toBeGreaterThan(0.005);
+    await hold(at('show-before'), async () => {
+      await expect(at('show-before')).toHaveAttribute('aria-pressed', 'true');
+      await expect.poll(() => shareOf(app.canvas, isTeal)).toBeLessThan(0.001);
+    });
+    await expect.poll(() => shareOf(app.canvas, isTeal)).toBeGreaterThan(0.005);
+    await hide('1');
+  },
+  'reader-view': async ({ page, press }) => {
+    await press('reader-view');
+    await expect(page.getByRole('group', { name: 'Reader’s view' })).toContainText('Read by the phone');
+  },
+  inspector: async ({ page, press }) => {
+    await press('inspector');
+    await expect.poll(() => new Inspector(page).state()).toBeDefined();
+    await press('inspector');
+    await expect.poll(() => new Inspector(page).state()).toBeUndefined();
+  },
+  format: async ({ app, at }) => {
+    await at('format').selectOption('PLY');
+    expect((await app.download()).name).toMatch(/\.ply$/);
+  },
+  download: async ({ page, press }) => {
+    const [download] = await Promise.all([page.waitForEvent('download'), press('download')]);
+    expect(download.suggestedFilename()).toMatch(/\.ply$/);
+  },
+  'save-report': async ({ page, press }) => {
+    const [download] = await Promise.all([page.waitForEvent('download'), press('save-report')]);
+    expect(download.suggestedFilename()).toMatch(/\.json$/);
+  },
+  cancel: async ({ app, at, press }) => {
+    await at('text').fill('carved anew');
+    await press('engrave');
+    await press('cancel');
+    await expect(app.cancelButton).toBeHidden();
+    await expect(app.status).toHaveText(/^(Cancelled|Ready)\.$/);  // if it was still placing the code, that ends
+  },
+};
+
+/** @type {Effects} */
+const kOfThePage = {
+  help: async ({ at, press }) => {
+    await press('help');
+    await expect(at('help-sheet')).toBeVisible();
+  },
+  'single-keys': async ({ at, page, press }) => {
+    await press('single-keys');
+    await press('help-close');
+    await page.keyboard.press('?');
+    await expect(at('help-sheet')).toBeHidden();
+    await press('help');
+    await press('single-keys');
+    await press('help-close');
+    await page.keyboard.press('?');
+    await expect(at('help-sheet')).toBeVisible();
+  },
+  'help-close': async ({ at, press }) => {
+    await press('help-close');
+    await expect(at('help-sheet')).toBeHidden();
+  },
+  theme: async ({ at }) => {
+    const ground = () => at('panel').evaluate((panel) => getComputedStyle(panel).backgroundColor);
+    const before = await ground();
+    await at('theme').selectOption('dark');
+    await expect.poll(ground).not.toBe(before);
+  },
+  language: async ({ at, page }) => {
+    await at('language').selectOption('de');
+    await expect(page.getByRole('button', { name: 'Gravieren' })).toBeEnabled();
+  },
+};
+
+/** @param {Page} page @returns {Promise<Hands>} */
+async function open(page, query = '?sample=bumpy-sphere') {
+  const app = new Engraver(page);
+  await app.open(query);
+  await app.expectReady();
+  await app.openSettings();
+  const at = (/** @type {string} */ id) => page.locator(`#${id}, .views-menu [data-view="${id}"]`);
+  const isTouched = await page.evaluate(() => navigator.maxTouchPoints > 0);
+  return { app, page, at, press: (id) => (isTouched ? at(id).tap() : at(id).click()) };
+}
+
+/** @param {import('@playwright/test').Locator} button @param {() => Promise<void>} meanwhile */
+async function hold(button, meanwhile) {
+  await button.scrollIntoViewIfNeeded();
+  const { x, y, width, height } = /** @type {{ x: number, y: number, width: number, height: number }} */ (await button.boundingBox());
+  const page = button.page();
+  const point = { x: x + width / 2, y: y + height / 2 };
+  if (await page.evaluate(() => navigator.maxTouchPoints > 0)) {
+    const client = await page.context().newCDPSession(page);
+    await client.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints: [point] });
+    await meanwhile();
+    await client.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] });
+  } else {
+    await page.mouse.move(point.x, point.y);
+    await page.mouse.down();
+    await meanwhile();
+    await page.mouse.up();
+  }
+}
+
+for (const [where, effects] of /** @type {[string, Effects][]} */ ([
+  ['the model', kOfTheModel], ['the place', kOfThePlace], ['the view', kOfTheView], ['the carving', kOfTheCarving], ['the page', kOfThePage],
+])) {
+  test(`Every control of ${where} has its effect`, async ({ page }) => {
+    const hands = await open(page);
+    for (const [id, effect] of Object.entries(effects)) await test.step(id, () => effect(hands));
+  });
+}
+
+test('Every setting is saved, and is the one that is carved with', async ({ page }) => {
+  const { app, at, press } = await open(page);
+  let before = (await settingsFile(app)).settings;
+  for (const [id, setting] of Object.entries(kSettings)) {
+    await test.step(id, async () => {
+      const control = at(id);
+      if (typeof setting.value === 'boolean') await press(id);
+      else if (await control.evaluate((element) => element.tagName === 'SELECT')) await control.selectOption(setting.value);
+      else await control.fill(setting.value);
+      await control.blur();
+      const after = (await settingsFile(app)).settings;
+      expect(after).not.toEqual(before);
+      expect(after).toMatchObject(setting.saved);
+      before = after;
+    });
+  }
+  await app.expectReady();
+  await app.engrave();
+  const report = await app.report();
+  for (const [id, { saved: wanted, reported }] of Object.entries(kSettings))
+    if (reported) expect(reported(report), id).toBe(Object.values(wanted)[0]);
+});
+
+test('None of the controls of the page is left out', async ({ page }) => {
+  await open(page);
+  const all = await page.evaluate(() => [...document.querySelectorAll('button, input, select, textarea')]
+    .filter((control) => control.id || control.closest('.views-menu'))
+    .map((control) => control.id || String(control.getAttribute('data-view'))));
+  const tested = [kOfTheModel, kOfThePlace, kOfTheView, kOfTheCarving, kOfThePage, kSettings].flatMap((part) => Object.keys(part));
+  expect(all.filter((id) => !tested.includes(id))).toEqual([]);
+  expect(tested.filter((id) => !all.includes(id))).toEqual([]);
+});
