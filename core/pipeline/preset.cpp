@@ -10,7 +10,7 @@ struct Settings {
   const char* name;
   double contrast;
 };
-constexpr std::array<Settings, 3> kPresets = {{{"shallow", 0.2}, {"balanced", 0.3}, {"robust", 0.4}}};
+constexpr std::array<Settings, 3> kPresets = {{{"shallow", 0.2}, {"balanced", 0.3}, {"robust", 0.38}}};
 
 }  // namespace
 
