@@ -51,6 +51,41 @@ for (const colorScheme of /** @type {const} */ (['light', 'dark'])) {
       await expectNoViolations(page, 'offer');
     });
 
+    test('The app has no violations with any form of content, with spots, and with what lies over the view', async ({ page }) => {
+      const app = new Engraver(page);
+      const press = (/** @type {string} */ name) => page.getByRole('button', { name, exact: true }).click();
+      await app.open('?sample=plate&text=A');
+      await app.expectReady();
+      const kinds = page.getByRole('combobox', { name: 'Kind of content' });
+      const names = await kinds.getByRole('option').allInnerTexts();
+      expect(names.length).toBeGreaterThan(5);
+      for (const name of names.slice(1)) {
+        await kinds.selectOption(name);
+        await expectNoViolations(page, name);
+      }
+      await app.engraveButton.click();
+      await expect(page.locator('[aria-invalid="true"]')).not.toHaveCount(0);
+      await expectNoViolations(page, 'missing');
+      await kinds.selectOption(names[0]);
+      await app.text.fill('A');
+      await app.suggest();
+      await expectNoViolations(page, 'spots');
+      await press('Views');
+      await expectNoViolations(page, 'views');
+      await press('Section');
+      await expectNoViolations(page, 'section');
+      await app.engrave();
+      await page.getByText('Grades and views').click();
+      await press('Depths');
+      await expectNoViolations(page, 'grades and depths');
+      await press('Reader’s view');
+      await expectNoViolations(page, 'reader’s view');
+      await press('Inspector');
+      await expectNoViolations(page, 'inspector');
+      await app.text.fill('B');
+      await expectNoViolations(page, 'older than the settings');
+    });
+
     test('The guide and the method page have no violations', async ({ page }) => {
       await page.goto('./guide.html');
       await expectNoViolations(page, 'guide');

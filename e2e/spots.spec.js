@@ -50,6 +50,16 @@ test('The sizes can be hidden and shown again, and other settings forget them', 
   await expect(legend).toBeHidden();
 });
 
+test('Spots asked for while the text is still being typed are looked for with it', async ({ page }) => {
+  const app = new Engraver(page);
+  await app.open('?sample=plate&text=A');
+  await app.expectReady();
+  await app.text.fill('Another text, for which a larger symbol is needed than for the one before');
+  await app.suggest();
+  await expect(app.spots).not.toHaveCount(0);
+  await expect(page.locator('#symbol-facts')).toContainText('37 × 37 modules');
+});
+
 test('A search for spots can be cancelled, and says when there is none', async ({ page }) => {
   const app = new Engraver(page);
   await app.open();

@@ -188,7 +188,10 @@ export class App {
 
   makeSpotsPanel_() {
     return new SpotsPanel({
-      onSuggest: () => this.guard_(() => this.spots_.suggest()),
+      onSuggest: () => this.guard_(async () => {
+        await this.code_.settle();  // it would end the search
+        await this.spots_.suggest();
+      }),
       onSpot: (index) => this.guard_(() => this.spots_.choose(index)),
       onSizes: (shown) => this.guard_(() => this.showSizes_(shown)),
     }, this.legend_);

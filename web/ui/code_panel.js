@@ -13,7 +13,7 @@ const kTypingPauseMs = 250;
 
 /**
  * @typedef {object} CodeOptions
- * @property {() => void} onChange   the text is another, once typing pauses; not while a builder lacks something
+ * @property {() => Promise<unknown>} onChange   the text is another, once typing pauses; not while a builder lacks something
  * @property {(content: string) => import('../engine/types.js').Settings} settings  those chosen, with this text
  * @property {(settings: import('../engine/types.js').Settings) => Promise<SymbolFacts>} symbolOf
  */
@@ -88,8 +88,17 @@ export class CodePanel {
   changed_(content) {
     this.set_(content);
     clearTimeout(this.pause_);
+    this.pause_ = undefined;
     if (this.incomplete) showStep('code', 'open', () => text('code.incomplete'));
-    else this.pause_ = setTimeout(this.onChange_, kTypingPauseMs);
+    else this.pause_ = setTimeout(() => void this.settle(), kTypingPauseMs);
+  }
+
+  /** What was typed counts now, not only after a pause. */
+  async settle() {
+    if (this.pause_ === undefined) return;
+    clearTimeout(this.pause_);
+    this.pause_ = undefined;
+    await this.onChange_();
   }
 
   /** @param {string} payload  of the builder */
