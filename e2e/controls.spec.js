@@ -9,7 +9,7 @@ import { isOrange, isTeal, shareOf } from './support/pixels.js';
 
 /** @typedef {import('@playwright/test').Page} Page */
 /** @typedef {{ app: Engraver, page: Page, at: (id: string) => import('@playwright/test').Locator, press: (id: string) => Promise<void> }} Hands */
-/** @typedef {Record<string, (hands: Hands) => Promise<void>>} Effects  by what `nameOf` calls the control; in this order */
+/** @typedef {Record<string, (hands: Hands) => Promise<void>>} Effects  by the id of the control, or the side it shows; in this order */
 
 /** Of each setting: what is chosen, its name in the settings file, and what the report says of the carving then. */
 const kSettings = /** @type {Record<string, { value: string | boolean, saved: Record<string, unknown>, reported?: (report: any) => unknown }>} */ ({
