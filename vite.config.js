@@ -19,7 +19,7 @@ function requireModule() {
   return {
     name: 'qrelief-require-module',
     buildStart() {
-      for (const file of ['qrelief.js', 'qrelief.wasm']) {
+      for (const file of ['qrelief.js', 'qrelief.wasm', 'qrelief_inspector.wasm']) {
         if (!existsSync(`${moduleFolder}/${file}`)) {
           this.error(`${moduleFolder}/${file} is not there: build the module first (cmake --preset wasm && cmake --build --preset wasm)`);
         }
@@ -52,7 +52,11 @@ export default defineConfig({
   base: './',
   publicDir: `${root}public`,
   resolve: {
-    alias: { 'qrelief-module': `${moduleFolder}/qrelief.js`, 'qrelief-wasm': `${moduleFolder}/qrelief.wasm?url` },
+    alias: {
+      'qrelief-module': `${moduleFolder}/qrelief.js`,
+      'qrelief-wasm': `${moduleFolder}/qrelief.wasm?url`,
+      'qrelief-inspector-wasm': `${moduleFolder}/qrelief_inspector.wasm?url`,
+    },
   },
   plugins: [requireModule(), texts(), contentSecurityPolicy(), offline({ site: process.env.QRELIEF_SITE })],
   worker: { format: 'es' },

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { expect, test } from '@playwright/test';
 import { Engraver } from './support/engraver.js';
+import { Inspector } from './support/inspector.js';
 import { Site } from './support/site.js';
 
-test('Until it can be used the page needs 1.5 MB at most; the reader of codes comes later', async ({ page }) => {
+test('Until it can be used the page needs 1.5 MB at most; the reader of codes and the inspector come later', async ({ page }) => {
   const site = await new Site('/').open();
   try {
     const app = new Engraver(page);
@@ -12,8 +13,34 @@ test('Until it can be used the page needs 1.5 MB at most; the reader of codes co
     const bytes = site.sent.reduce((sum, file) => sum + file.bytes, 0);
     console.log(`first load: ${(bytes / 1e6).toFixed(2)} MB by gzip in ${site.sent.length} files`);
     expect(site.sent.map(({ path }) => path)).toContain('samples/bunny.stl');
-    expect(site.sent.filter(({ path }) => path.includes('reader'))).toEqual([]);
+    expect(site.sent.filter(({ path }) => /reader|inspector/.test(path))).toEqual([]);
     expect(bytes).toBeLessThan(1.5e6);
+  } finally {
+    await site.close();
+  }
+});
+
+test('The inspector is loaded when it is opened; if it cannot be, that is said, and pressing again tries again', async ({ page }) => {
+  const site = await new Site('/').open();
+  try {
+    const app = new Engraver(page);
+    const inspector = new Inspector(page);
+    await page.goto(site.address);
+    await app.expectReady();
+    site.lacks = (path) => /inspector.*\.wasm$/.test(path);
+    await inspector.button.click();
+    await expect(app.alert).toContainText('The inspector could not be loaded (404');
+    await expect(inspector.button).toHaveAttribute('aria-pressed', 'false');
+    expect(await inspector.state()).toBeUndefined();
+    await page.getByRole('button', { name: 'Dismiss' }).click();
+    await app.engrave();  // nothing else is amiss
+
+    site.lacks = () => false;
+    await inspector.open();
+    await inspector.expectState((state) => state.passes > 1, true);
+    const loaded = site.sent.filter(({ path }) => /inspector.*\.wasm$/.test(path));
+    expect(loaded.length).toBe(1);
+    console.log(`the inspector: ${(loaded[0].bytes / 1e6).toFixed(2)} MB by gzip`);
   } finally {
     await site.close();
   }

@@ -11,10 +11,11 @@
 
 #include "wasm/answers.h"
 #include "wasm/engine.h"
-#include "wasm/inspector.h"
+#include "wasm/inspector_window.h"
 #include "wasm/job_map.h"
 #include "wasm/settings.h"
 #include "wasm/symbol_facts.h"
+#include "wasm/translation.h"
 
 namespace qrelief {
 namespace {
@@ -206,14 +207,16 @@ class Facade {
     inspectorGone_ = false;
     return hasInspector ? inspector_->draw(engine_) || more : more;
   }
-  void setInspector(bool shown) {
-    if (shown && !inspector_) {
-      inspector_ = std::make_unique<Inspector>();
-      inspector_->setTheme(dark_);
-      engine_.timePasses(
-          emscripten_webgl_enable_extension(emscripten_webgl_get_current_context(), "EXT_disjoint_timer_query_webgl2"));
-    }
-    if (shown) inspector_->resize(size_.x, size_.y, devicePixelRatio_);
+  /// Before it is shown for the first time: after its part of the module was loaded.
+  void openInspector() {
+    if (inspector_) return;
+    inspector_ = makeInspector();
+    inspector_->setTheme(dark_);
+    engine_.timePasses(
+        emscripten_webgl_enable_extension(emscripten_webgl_get_current_context(), "EXT_disjoint_timer_query_webgl2"));
+  }
+  void showInspector(bool shown) {
+    if (shown && inspector_) inspector_->resize(size_.x, size_.y, devicePixelRatio_);
     inspectorGone_ = inspectorShown_ && !shown;
     inspectorShown_ = shown;
   }
@@ -251,7 +254,7 @@ class Facade {
 
  private:
   Engine engine_;
-  std::unique_ptr<Inspector> inspector_;
+  std::unique_ptr<InspectorWindow> inspector_;
   bool inspectorShown_ = false, inspectorGone_ = false, dark_ = false;
   Vec2 size_{1};
   double devicePixelRatio_ = 1;
@@ -311,7 +314,8 @@ EMSCRIPTEN_BINDINGS(qrelief) {
       .function("faceCode", &Facade::faceCode)
       .function("draw", &Facade::draw)
       .function("memoryInUse", &Facade::memoryInUse)
-      .function("setInspector", &Facade::setInspector)
+      .function("openInspector", &Facade::openInspector)
+      .function("showInspector", &Facade::showInspector)
       .function("inspectorTexts", &Facade::inspectorTexts)
       .function("inspectorArea", &Facade::inspectorArea)
       .function("inspectorGlyphs", &Facade::inspectorGlyphs)

@@ -77,6 +77,8 @@ Json jsonOf(const std::optional<SubmoduleFacts>& facts) {
 
 }  // namespace
 
+std::unique_ptr<InspectorWindow> makeInspector() { return std::make_unique<Inspector>(); }
+
 Inspector::Inspector() {
   IMGUI_CHECKVERSION();
   context_ = ImGui::CreateContext();

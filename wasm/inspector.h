@@ -13,59 +13,30 @@
 #include "wasm/colour_scale.h"
 #include "wasm/inspector_model.h"
 #include "wasm/inspector_widgets.h"
+#include "wasm/inspector_window.h"
 
 struct ImGuiContext;
 
 namespace qrelief {
 
-/// Letters for the inspector as the browser draws them, in device pixels.
-struct DrawnGlyphs {
-  struct Glyph {
-    std::uint32_t codePoint;
-    int width, height;
-    float left, top, advance;  ///< from the pen and from the line's upper edge
-  };
-  float lineHeight = 16;
-  std::vector<Glyph> glyphs;
-  std::vector<std::uint8_t> alpha;  ///< of one glyph after the other, row-major
-};
-
-/// A window over the canvas, drawn by Dear ImGui, for those who want to know how an engraving came about: every channel
-/// of the G-buffer, depth and luminance pass by pass, convergence, times, and what can be tuned. Made on first use;
-/// needs the engine's GL context. Lengths are CSS pixels.
-class Inspector {
+/// The inspector as Dear ImGui draws it.
+class Inspector : public InspectorWindow {
  public:
   Inspector();
-  ~Inspector();
+  ~Inspector() override;
   Inspector(const Inspector&) = delete;
   Inspector& operator=(const Inspector&) = delete;
 
-  void resize(double width, double height, double devicePixelRatio);
-  /// Where the window opens, and how large it may be then: the part of the canvas that no control of the page covers.
-  void setFreeArea(double x, double y, double width, double height);
-  void setTheme(bool dark);
-  /// @param glyphs  drawn at `kFontPx` × devicePixelRatio
-  void setGlyphs(DrawnGlyphs glyphs);
-  static constexpr float kFontPx = 14;
-
-  /// @param buttons  as in PointerEvent.buttons: 1 = left, 2 = right, 4 = middle
-  /// @param wheel    lines, up positive
-  /// @returns whether the pointer is the inspector's and must not move the camera
-  bool pointer(double x, double y, int buttons, double wheel);
-  /// A key that went down. @param key  as in KeyboardEvent.key
-  void key(const std::string& key, bool control, bool shift);
-  /// A click on the model. @returns whether a submodule of the engraved code is there, and is shown now
-  bool pickSubmodule(const Engine& engine, double x, double y);
-
-  /// Draws over what the canvas shows. @returns whether another frame is wanted
-  bool draw(const Engine& engine);
-
-  /// JSON: {tab, channel, pass, passes, selected: null | {row, column, role, carved, LS, AL, G, depthMm, limitMm},
-  /// overridden, overrides, engraveAsked, keyboard, cursor, window: [x, y, width, height],
-  /// controls: {name: [x, y, width, height]}}; `engraveAsked` counts the presses of "Engrave again", `keyboard` says
-  /// whether keys are the inspector's.
-  std::string state() const;
-  const RequestOverrides& overrides() const { return model_.overrides(); }
+  void resize(double width, double height, double devicePixelRatio) override;
+  void setFreeArea(double x, double y, double width, double height) override;
+  void setTheme(bool dark) override;
+  void setGlyphs(DrawnGlyphs glyphs) override;
+  bool pointer(double x, double y, int buttons, double wheel) override;
+  void key(const std::string& key, bool control, bool shift) override;
+  bool pickSubmodule(const Engine& engine, double x, double y) override;
+  bool draw(const Engine& engine) override;
+  std::string state() const override;
+  const RequestOverrides& overrides() const override { return model_.overrides(); }
 
  private:
   enum class Range { Whole, Cut, Own };

@@ -9,6 +9,7 @@ import { LastWork } from './keep/last_work.js';
 import { prepareReader } from './reader/reader.js';
 import { Carving } from './session/carving.js';
 import { fetchJson } from './session/fetch_file.js';
+import { Inspecting } from './session/inspecting.js';
 import { Jobs } from './session/jobs.js';
 import { ModelSession } from './session/model_session.js';
 import { Placing } from './session/placing.js';
@@ -21,7 +22,7 @@ import { rememberFormat } from './take/format_choice.js';
 import { looksLikeSettings } from './take/settings_file.js';
 import { TakePanel } from './take/take_panel.js';
 import { Taking } from './take/taking.js';
-import { onLanguage, text } from './text/catalogue.js';
+import { text } from './text/catalogue.js';
 import { CarvePanel } from './ui/carve_panel.js';
 import { CodePanel } from './ui/code_panel.js';
 import { byId } from './ui/dom.js';
@@ -47,9 +48,6 @@ export class App {
   /** @param {import('./keep/notices.js').Notices} notices */
   constructor(notices) {
     offerLanguages();
-    onLanguage(() => {
-      if (this.toolbar_.inspectorShown) void this.guard_(() => this.translateInspector_());
-    });
     rememberFormat(byId('format', HTMLSelectElement));
     this.messages_ = new Messages();
     this.messages_.say(() => text('page.starting'));
@@ -60,6 +58,10 @@ export class App {
     this.legend_ = new Legend();
     this.tools_ = this.makeTools_();
     this.toolbar_ = this.makeToolbar_();
+    this.inspecting_ = new Inspecting({
+      client: () => this.client_, view: this.view_, window: this.inspector_, toolbar: this.toolbar_,
+      guard: (action) => this.guard_(action),
+    });
     this.client_ = new EngineClient({
       makeCanvas: () => this.view_.makeCanvas(),
       onEvent: (event) => {
@@ -142,7 +144,7 @@ export class App {
       onSection: (shown, offset) => this.guard_(() => this.client_.showSection(shown, offset)),
       onFaceSection: () => this.tools_.act({ kind: 'faceSection' }),
       onDepths: (shown) => this.guard_(() => this.showDepths_(shown)),
-      onInspector: (shown) => this.guard_(() => this.showInspector_(shown)),
+      onInspector: (shown) => this.guard_(() => this.inspecting_.show(shown)),
     });
   }
 
@@ -451,22 +453,7 @@ export class App {
   /** @param {import('./engine/types.js').ViewSize} size */
   async resize_(size) {
     await this.client_.resize(size);
-    if (this.toolbar_.inspectorShown) await this.client_.inspectorArea(this.inspector_.area());
-  }
-
-  /** @param {boolean} shown */
-  async showInspector_(shown) {
-    this.view_.reportsPointer = shown;
-    if (!shown) this.inspector_.update(undefined);
-    await this.client_.setInspector(shown);
-    if (!shown) return;
-    await this.translateInspector_();
-    await this.client_.inspectorArea(this.inspector_.area());
-  }
-
-  async translateInspector_() {
-    const { inspectorTexts } = await import('./text/inspector_texts.js');
-    await this.client_.inspectorTexts(inspectorTexts());
+    await this.inspecting_.makeRoom();
   }
 
   /** @param {boolean} allowed  if the model can be engraved */
@@ -483,8 +470,7 @@ export class App {
     await this.carving_.dropForGood();
     this.view_.announceSize();
     await this.client_.setTheme(this.theme_.dark);
-    this.inspector_.update(undefined);
-    if (this.toolbar_.inspectorShown) await this.showInspector_(true);
+    await this.inspecting_.restore();
     this.messages_.say(() => text('page.chooseModel'));
     await this.model_.reload();
     if (!this.model_.source) return;

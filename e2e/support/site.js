@@ -24,6 +24,7 @@ export class Site {
     this.origin = '';
     /** @type {Map<string, (content: string) => string>} */ this.changes = new Map();  // by file, for another version
     /** @type {{ path: string, bytes: number }[]} */ this.sent = [];
+    /** @type {(path: string) => boolean} */ this.lacks = () => false;
     this.server_ = createServer((request, response) => this.answer_(request, response));
   }
 
@@ -47,7 +48,7 @@ export class Site {
     const { pathname } = new URL(request.url ?? '/', 'http://localhost');
     const path = pathname.startsWith(this.base) ? decodeURI(pathname.slice(this.base.length)) || 'index.html' : '..';
     const file = `${kFolder}/${path}`;
-    if (path.includes('..') || !statSync(file, { throwIfNoEntry: false })?.isFile()) {
+    if (path.includes('..') || this.lacks(path) || !statSync(file, { throwIfNoEntry: false })?.isFile()) {
       response.writeHead(404).end();
       return;
     }

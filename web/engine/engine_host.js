@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Owns the module and its canvas, in the worker or, where there is no OffscreenCanvas, in the page.
-import createQRelief from 'qrelief-module';
-import wasmUrl from 'qrelief-wasm';
 import { EngineFailure, describeThrown } from './engine_error.js';
 import { drawGlyphs } from './glyphs.js';
+import { loadModule } from './module.js';
 
 /** @typedef {import('./types.js').Engine} Engine */
 /** @typedef {import('./types.js').HostEvent} HostEvent */
@@ -59,13 +58,16 @@ function onNextFrame(run) {
 /** Turns verbs into calls of the module, draws on demand, and runs the jobs in slices. */
 export class EngineHost {
   /**
-   * @param {import('./types.js').QReliefModule} module
-   * @param {HTMLCanvasElement | OffscreenCanvas} canvas
-   * @param {WebGL2RenderingContext} gl  of the canvas
-   * @param {(event: HostEvent) => void} notify
+   * @param {object} options
+   * @param {import('./types.js').QReliefModule} options.module
+   * @param {() => Promise<void>} options.loadInspector
+   * @param {HTMLCanvasElement | OffscreenCanvas} options.canvas
+   * @param {WebGL2RenderingContext} options.gl  of the canvas
+   * @param {(event: HostEvent) => void} options.notify
    */
-  constructor(module, canvas, gl, notify) {
+  constructor({ module, loadInspector, canvas, gl, notify }) {
     this.module_ = module;
+    this.loadInspector_ = loadInspector;
     /** @type {Engine} */ this.engine_ = new module.Engine();
     this.canvas_ = canvas;
     this.gl_ = gl;
@@ -74,7 +76,7 @@ export class EngineHost {
     this.frameRequested_ = false;
     /** @type {Job | undefined} */ this.job_ = undefined;
     this.lost_ = false;
-    this.inspectorShown_ = false;
+    this.inspectorWanted_ = this.inspectorShown_ = false;
     this.inspectorTakes_ = false;
     this.hovers_ = 0;
     this.viewState_ = '';
@@ -98,28 +100,15 @@ export class EngineHost {
       });
     }
     gl.getExtension('EXT_color_buffer_float');
-    const module = await EngineHost.loadModule_();
+    const { module, loadInspector } = await loadModule();
     module.GL.makeContextCurrent(module.GL.registerContext(gl, { majorVersion: 2 }));
-    const host = new EngineHost(module, canvas, gl, notify);
+    const host = new EngineHost({ module, loadInspector, canvas, gl, notify });
     canvas.addEventListener('webglcontextlost', (event) => {
       event.preventDefault();
       host.lost_ = true;
       notify({ event: 'contextlost' });
     });
     return host;
-  }
-
-  static async loadModule_() {
-    try {
-      return await createQRelief({ locateFile: () => wasmUrl });
-    } catch (thrown) {
-      const detail = thrown instanceof Error ? thrown.message : String(thrown);
-      throw new EngineFailure({
-        code: 'NoModule',
-        message: `The engraving module could not be started (${detail})`,
-        hint: 'Reload the page. If that does not help, the browser is too old for WebAssembly with exceptions: use a current one.',
-      });
-    }
   }
 
   /** Every verb the page may call by name. */
@@ -246,11 +235,15 @@ export class EngineHost {
     /** @param {boolean} carved */
     showCarved: (carved) => this.drawn_(this.engine_.showCarved(carved)),
     /** @param {boolean} shown */
-    setInspector: (shown) => {
+    setInspector: async (shown) => {
+      this.inspectorWanted_ = shown;
+      if (shown) await this.loadInspector_();
+      if (this.inspectorWanted_ !== shown) return;  // pressed again meanwhile
+      if (shown) this.engine_.openInspector();
       this.inspectorShown_ = shown;
       this.inspectorTakes_ = false;
       this.inspectorState_ = '';
-      this.drawn_(this.engine_.setInspector(shown));
+      this.drawn_(this.engine_.showInspector(shown));
       this.giveGlyphs_();
     },
     /** @param {Record<string, string>} texts  of the page's language, by the English ones */

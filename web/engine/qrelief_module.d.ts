@@ -2,11 +2,18 @@
 // The module as Emscripten writes it; vite.config.js says where it lies.
 
 declare module 'qrelief-module' {
-  const createQRelief: (options: { locateFile: (path: string) => string }) => Promise<import('./types.js').QReliefModule>;
+  type Receive = (instance: WebAssembly.Instance) => void;
+  const createQRelief: (options: { instantiateWasm: (imports: WebAssembly.Imports, receive: Receive) => object }) =>
+    Promise<import('./types.js').QReliefModule>;
   export default createQRelief;
 }
 
 declare module 'qrelief-wasm' {
+  const url: string;
+  export default url;
+}
+
+declare module 'qrelief-inspector-wasm' {
   const url: string;
   export default url;
 }

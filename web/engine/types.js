@@ -157,7 +157,8 @@
  * @property {() => void} faceCode
  * @property {() => boolean} draw
  * @property {() => number} memoryInUse            bytes of the heap
- * @property {(shown: boolean) => void} setInspector
+ * @property {() => void} openInspector
+ * @property {(shown: boolean) => void} showInspector
  * @property {(texts: string) => void} inspectorTexts
  * @property {(x: number, y: number, width: number, height: number) => void} inspectorArea
  * @property {(lineHeight: number, metrics: Float32Array, alpha: Uint8Array) => void} inspectorGlyphs

@@ -126,6 +126,11 @@ export class ViewToolbar {
     return isPressed(this.depths_);
   }
 
+  /** It could not be shown. */
+  releaseInspector() {
+    this.inspector_.setAttribute('aria-pressed', 'false');
+  }
+
   get inspectorShown() {
     return isPressed(this.inspector_);
   }

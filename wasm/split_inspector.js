@@ -1,0 +1,83 @@
+#!/usr/bin/env node
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Takes what only the inspector needs, Dear ImGui above all, out of a linked module, into one of its own that is loaded
+// when the inspector is wanted:
+//   split_inspector.js MODULE.wasm INSPECTOR.wasm
+// Both then share one memory and one table of functions (wasm-split of Binaryen). A call of what is not there yet would
+// arrive in the import namespace "inspector"; none does, as only the inspector's own functions lead to what is taken out.
+import { execFileSync } from 'node:child_process';
+import { renameSync, rmSync, writeFileSync } from 'node:fs';
+import { pathToFileURL } from 'node:url';
+
+/** Functions called through the table, and only once the inspector is loaded. */
+const kEntrance = /^(qrelief::Inspector::|ImGui|Im[A-Z]|qrelief::\\28anonymous\\20namespace\\29::Facade::openInspector)/;
+
+/**
+ * @typedef {object} CallGraph
+ * @property {Map<string, string[]>} callees  by caller: direct calls
+ * @property {string[]} entrances  exported, or in the table of functions
+ * @property {Set<string>} imports
+ */
+
+/**
+ * @param {string} dot  what `wasm-opt --print-call-graph` writes
+ * @returns {CallGraph}
+ */
+export function readCallGraph(dot) {
+  /** @type {CallGraph} */ const graph = { callees: new Map(), entrances: [], imports: new Set() };
+  for (const line of dot.split('\n')) {
+    const call = /^ {2}"(.+)" -> "(.+)"; \/\/ call$/.exec(line);
+    const node = /^ {2}"(.+)" \[style="filled(, rounded)?"(?:, fillcolor="(\w+)")?\];/.exec(line);
+    if (call) graph.callees.set(call[1], [...(graph.callees.get(call[1]) ?? []), call[2]]);
+    else if (node?.[3] === 'turquoise') graph.imports.add(node[1]);
+    else if (node && (node[2] || node[3] === 'gray')) graph.entrances.push(node[1]);
+  }
+  return graph;
+}
+
+/**
+ * All that is called, directly or not.
+ * @param {CallGraph} graph
+ * @param {string[]} from
+ * @param {Set<string>} without  where it does not go on
+ */
+function reached({ callees }, from, without) {
+  const found = new Set(from);
+  const open = [...from];
+  for (let name = open.pop(); name !== undefined; name = open.pop()) {
+    for (const callee of callees.get(name) ?? []) {
+      if (found.has(callee) || without.has(callee)) continue;
+      found.add(callee);
+      open.push(callee);
+    }
+  }
+  return found;
+}
+
+/**
+ * What can be reached through the inspector's entrances alone.
+ * @param {CallGraph} graph
+ */
+export function onlyForInspector(graph) {
+  const inspectors = new Set(graph.entrances.filter((name) => kEntrance.test(name)));
+  const others = reached(graph, graph.entrances.filter((name) => !inspectors.has(name)), new Set());
+  const own = [...inspectors].filter((name) => !others.has(name));
+  return [...reached(graph, own, others)].filter((name) => !graph.imports.has(name));
+}
+
+/** @param {string[]} argv */
+function main([module, inspector]) {
+  const dot = execFileSync('wasm-opt', ['--all-features', '--print-call-graph', module, '-o', '/dev/null'],
+    { encoding: 'utf8', maxBuffer: 1 << 28 });
+  const later = onlyForInspector(readCallGraph(dot));
+  if (later.length < 100) throw new Error(`only ${later.length} functions are the inspector's alone: are there names in ${module}?`);
+  const list = `${module}.later`;
+  const first = `${module}.first`;
+  writeFileSync(list, later.join('\n'));
+  execFileSync('wasm-split', ['--all-features', module, `--split-funcs=@${list}`, '--export-prefix=%',
+    '--placeholder-namespace=inspector', `--primary-output=${first}`, `--secondary-output=${inspector}`], { stdio: 'inherit' });
+  renameSync(first, module);
+  rmSync(list);
+}
+
+if (import.meta.url === pathToFileURL(process.argv[1]).href) main(process.argv.slice(2));

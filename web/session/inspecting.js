@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Opens and closes the inspector. What it consists of, its part of the module and its texts, is loaded only then.
+import { onLanguage } from '../text/catalogue.js';
+
+/**
+ * @typedef {object} InspectingOptions
+ * @property {() => import('../engine/client.js').EngineClient} client
+ * @property {import('../view/view.js').View} view
+ * @property {import('../view/inspector_view.js').InspectorView} window
+ * @property {import('../ui/view_toolbar.js').ViewToolbar} toolbar
+ * @property {(action: () => Promise<void>) => Promise<void>} guard
+ */
+
+export class Inspecting {
+  /** @param {InspectingOptions} options */
+  constructor({ client, view, window, toolbar, guard }) {
+    this.client_ = client;
+    this.view_ = view;
+    this.window_ = window;
+    this.toolbar_ = toolbar;
+    onLanguage(() => {
+      if (toolbar.inspectorShown) void guard(() => this.translate_());
+    });
+  }
+
+  /** @param {boolean} shown */
+  async show(shown) {
+    if (!shown) return this.close_();
+    try {
+      await this.client_().setInspector(true);
+      await this.translate_();
+      await this.makeRoom();
+      this.view_.reportsPointer = this.toolbar_.inspectorShown;  // it may have been closed again meanwhile
+    } catch (thrown) {
+      this.toolbar_.releaseInspector();
+      await this.close_();
+      throw thrown;
+    }
+  }
+
+  /** Keeps it where no control covers it. */
+  async makeRoom() {
+    if (this.toolbar_.inspectorShown) await this.client_().inspectorArea(this.window_.area());
+  }
+
+  /** The module was replaced. */
+  async restore() {
+    this.window_.update(undefined);
+    if (this.toolbar_.inspectorShown) await this.show(true);
+  }
+
+  async close_() {
+    this.view_.reportsPointer = false;
+    this.window_.update(undefined);
+    await this.client_().setInspector(false);
+  }
+
+  async translate_() {
+    const { inspectorTexts } = await import('../text/inspector_texts.js');
+    await this.client_().inspectorTexts(inspectorTexts());
+  }
+}
