@@ -3,8 +3,7 @@
 //
 //     qrelief_luminance_table FOLDER CENTRES.json [CELLS] [PATHS]
 //
-//     CENTRES.json: {"model.stl": {"scaleToMm": 1, "picks": {"KIND": {"pointFileUnits": [x, y, z],
-//                                                                     "widthWithQuietZoneMm": 35}}}}
+//     CENTRES.json: see bench/centres.h
 //
 // Each flat and each curved centre is engraved with the next of the five patterns, by either objective in turn. The
 // pass works on the map of the model with the depths found; the path tracer on the engraved mesh, as written to a file
@@ -18,9 +17,9 @@
 #include <fmt/format.h>
 #include <fstream>
 #include <limits>
-#include <nlohmann/json.hpp>
 
 #include "base/random.h"
+#include "bench/centres.h"
 #include "io/read_model.h"
 #include "native/egl_context.h"
 #include "pipeline/engrave.h"
@@ -29,7 +28,6 @@
 namespace qrelief {
 namespace {
 
-using Json = nlohmann::json;
 constexpr int kN = kSubmodulesPerModule;
 constexpr double kAlbedo = 0.7;
 constexpr std::array<const char*, 5> kPatternNames = {"none", "square", "thin-plus", "diamond", "thick-plus"};
@@ -46,25 +44,13 @@ struct Cell {
   const CellLight& reference() const { return traced[1]; }
 };
 
-Result<std::shared_ptr<const EngravableModel>> load(const std::string& path, double scaleToMm) {
-  std::ifstream stream(path, std::ios::binary);
-  const std::vector<std::uint8_t> bytes(std::istreambuf_iterator<char>(stream), {});
-  const auto soup = readModel(bytes, path);
-  if (!soup) return tl::unexpected(soup.error());
-  auto prepared = prepareModel(*soup, {.scaleToMm = scaleToMm});
-  if (!prepared) return tl::unexpected(prepared.error());
-  if (const Status engravable = prepared->engravable(); !engravable) return tl::unexpected(engravable.error());
-  return EngravableModel::upload(std::move(*prepared));
-}
-
-EngraveRequest requestFor(const Json& pick, double scale, int number) {
-  const auto point = pick["pointFileUnits"].get<std::array<double, 3>>();
+EngraveRequest requestFor(const bench::Centre& centre, int number) {
   EngraveRequest request;
   request.text = "https://example.com/qrelief";
   request.symbol.version = 3;
-  request.placement.centreMm = Vec3(point[0], point[1], point[2]) * scale;
+  request.placement.centreMm = centre.positionMm;
   request.placement.sizeMode = SizeMode::Fixed;
-  request.placement.sizeMm = pick["widthWithQuietZoneMm"].get<double>() * 29 / 37;
+  request.placement.sizeMm = centre.widthWithQuietZoneMm.value_or(35) * 29 / 37;
   request.modulePattern = static_cast<ModulePattern>(number % 5);
   request.finderPattern = number % 2 ? FinderPattern::Diamond : FinderPattern::ThickPlus;
   request.objective = number % 4 < 2 ? DepthObjective::Reading : DepthObjective::Contrast;
@@ -219,49 +205,27 @@ void printFit(const std::vector<Cell>& cells) {
   }
 }
 
-int failed(const std::string& what, const Error& error) {
-  fmt::print(stderr, "{}: {} ({})\n", what, error.message, error.hint);
-  return 1;
-}
-
 int run(const std::string& folder, const std::string& centres, int cellCount, int paths) {
   const auto context = EglContext::create();
-  if (!context) return failed("EGL", context.error());
-  std::ifstream stream(centres);
-  const Json models = Json::parse(stream, nullptr, false);
-  if (!models.is_object()) return failed(centres, {ErrorCode::BadInput, "not a JSON object", ""});
-
+  if (!context) return bench::failed("EGL", context.error());
   fmt::print("Error per submodule, mean / 99th percentile; {} submodules a row, half of them carved; {} paths each\n\n",
              cellCount, paths);
   fmt::print(
       "| engraved | visibility | luminance | visibility, carved | luminance, carved "
       "| tracer's standard error: visibility | luminance |\n|---|---|---|---|---|---|---|\n");
   std::vector<Cell> all;
-  int number = 0, modelNumber = 0, status = 0;
-  for (const auto& [file, entry] : models.items()) {
-    const double scale = entry["scaleToMm"].get<double>();
-    const auto model = load(folder + "/" + file, scale);
-    if (!model) {
-      status = failed(file, model.error());
-      continue;
-    }
-    for (const char* kind : {"flat", "curved"}) {
-      if (!entry["picks"].contains(kind)) continue;
-      const EngraveRequest request = requestFor(entry["picks"][kind], scale, number++);
-      const std::string name = fmt::format("{} {}, {}", file.substr(0, file.find('.')), kind,
-                                           kPatternNames[static_cast<std::size_t>(request.modulePattern)]);
-      const auto engraved = engraveAt(*model, request);
-      if (!engraved) {
-        status = failed(name, engraved.error());
-        continue;
-      }
-      std::vector<Cell> cells = drawCells(*engraved, cellCount, modelNumber);
-      trace(*engraved, paths, cells);
-      printRow(name, cells);
-      all.insert(all.end(), cells.begin(), cells.end());
-    }
-    ++modelNumber;
-  }
+  int number = 0;
+  const auto visit = [&](const std::shared_ptr<const EngravableModel>& model, const bench::Centre& centre) -> Status {
+    const EngraveRequest request = requestFor(centre, number++);
+    const auto engraved = engraveAt(model, request);
+    if (!engraved) return tl::unexpected(engraved.error());
+    std::vector<Cell> cells = drawCells(*engraved, cellCount, centre.modelNumber);
+    trace(*engraved, paths, cells);
+    printRow(fmt::format("{}, {}", centre.name, kPatternNames[static_cast<std::size_t>(request.modulePattern)]), cells);
+    all.insert(all.end(), cells.begin(), cells.end());
+    return {};
+  };
+  const int status = bench::forEachCentre(folder, centres, {"flat", "curved"}, visit);
   printRow("all", all);
   printFit(all);
   return status;

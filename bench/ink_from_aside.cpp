@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From how far aside a code on a curved surface can be read at all, however it is made: painted with black ink on the
+// uncarved model, by the same projection. What does not read so, no carving can make readable.
+//
+//     qrelief_ink_bench FOLDER CENTRES.json [KIND...]       CENTRES.json: see bench/centres.h
+//
+// Version 3, as wide as a centre's width says or as fits, whichever is less; the phone at the reader's distance, from
+// eight sides; blur and noise as in the verification; ZXing-C++ in all its reading variants. What is hidden from in
+// front counts as painted, too, so the counts are, if anything, too high.
+#include <array>
+#include <cmath>
+#include <fmt/format.h>
+
+#include "bench/centres.h"
+#include "native/egl_context.h"
+#include "native/zxing_reader.h"
+#include "verification/baked_light.h"
+
+namespace qrelief {
+namespace {
+
+constexpr int kModules = 29;
+constexpr int kModulesAcross = kModules + 12;
+constexpr int kPixelsPerModule = 14;
+constexpr float kInk = 0.05f, kPaper = 1, kBackground = 0.35f;  // linear luminance
+constexpr std::array<double, 3> kTiltsDeg = {0, 15, 30};
+constexpr int kSides = 8;
+
+bool isDark(const Symbol& symbol, const Placement& placement, Vec3 point) {
+  const Vec2 modules = placement.frame.project(point) / placement.moduleMm;
+  const int column = static_cast<int>(std::floor(modules.x + kModules / 2.0));
+  const int row = static_cast<int>(std::floor(kModules / 2.0 - modules.y));
+  return row >= 0 && column >= 0 && row < kModules && column < kModules && symbol.isDark(row, column);
+}
+
+Result<bool> reads(const GeometryPass& pass, const EngravableModel& model, const Symbol& symbol,
+                   const Placement& placement, const std::string& text, double tiltDeg, double azimuthDeg) {
+  const ProjectionFrame camera = tilted(placement.frame, tiltDeg, azimuthDeg);
+  const int texels = kModulesAcross * kPixelsPerModule;
+  const auto maps = pass.render(model.gpu, camera, {kModulesAcross * placement.moduleMm, texels});
+  if (!maps) return tl::unexpected(maps.error());
+  const std::vector<float> smooth = maps->framebuffer.readRgba(1);
+  std::vector<float> luminance;
+  for (int row = 0; row < texels; ++row)
+    for (int column = 0; column < texels; ++column) {
+      const double distance = static_cast<double>(smooth[4 * static_cast<std::size_t>(row * texels + column) + 3]);
+      const Vec3 point = camera.eye() + camera.rayDirection(maps->window.planePoint(column, row)) * distance;
+      luminance.push_back(distance <= 0 ? kBackground : isDark(symbol, placement, point) ? kInk : kPaper);
+    }
+  ReaderView view;
+  const ReaderViewOptions phone;
+  view.picture = photograph(
+      luminance, texels, {.blurPx = phone.blurPx * texels / 700, .noise = phone.noise, .strayLight = phone.strayLight});
+  view.pixelsPerModule = kPixelsPerModule;
+  return readWithZxing(view) == text;
+}
+
+/// By tilt: from how many sides it reads; in front there is one.
+using Counts = std::array<int, kTiltsDeg.size()>;
+
+Result<Counts> countSides(const GeometryPass& pass, const EngravableModel& model, const Placement& placement) {
+  const std::string text = "https://example.com/qrelief";
+  const auto symbol = encodeSymbol(text, {.version = 3});
+  if (!symbol) return tl::unexpected(symbol.error());
+  Counts counts{};
+  for (std::size_t t = 0; t < kTiltsDeg.size(); ++t)
+    for (int side = 0; side < (kTiltsDeg[t] > 0 ? kSides : 1); ++side) {
+      const auto read = reads(pass, model, *symbol, placement, text, kTiltsDeg[t], side * 360.0 / kSides);
+      if (!read) return tl::unexpected(read.error());
+      counts[t] += *read;
+    }
+  return counts;
+}
+
+int run(const std::string& folder, const std::string& centres, const std::vector<std::string>& kinds) {
+  const auto context = EglContext::create();
+  if (!context) return bench::failed("EGL", context.error());
+  const auto pass = GeometryPass::create();
+  if (!pass) return bench::failed("shaders", pass.error());
+  fmt::print("| centre | width (mm) | reads in front | sides at 15° | at 30° |\n|---|---|---|---|---|\n");
+  int visited = 0;
+  Counts readFromSomewhere{}, readFromMost{};
+  const auto visit = [&](const std::shared_ptr<const EngravableModel>& model, const bench::Centre& centre) -> Status {
+    PlacementRequest request;
+    request.centreMm = centre.positionMm;
+    if (centre.widthWithQuietZoneMm)
+      request.maxSizeMm = *centre.widthWithQuietZoneMm * kModules / (kModules + 2 * kQuietZoneModules);
+    const auto placement = bench::place(*model, *pass, kModules, request);
+    if (!placement) return tl::unexpected(placement.error());
+    const auto counts = countSides(*pass, *model, *placement);
+    if (!counts) return tl::unexpected(counts.error());
+    fmt::print("| {} | {:.1f} | {} | {} of {} | {} of {} |\n", centre.name, placement->symbolMm,
+               (*counts)[0] ? "yes" : "no", (*counts)[1], kSides, (*counts)[2], kSides);
+    std::fflush(stdout);
+    ++visited;
+    for (std::size_t t = 0; t < kTiltsDeg.size(); ++t) {
+      readFromSomewhere[t] += (*counts)[t] > 0;
+      readFromMost[t] += (*counts)[t] > (t == 0 ? 0 : kSides / 2);
+    }
+    return {};
+  };
+  const int status = bench::forEachCentre(folder, centres, kinds, visit);
+  fmt::print("| of {}, from any side | | {} | {} | {} |\n| from more than half | | {} | {} | {} |\n", visited,
+             readFromSomewhere[0], readFromSomewhere[1], readFromSomewhere[2], readFromMost[0], readFromMost[1],
+             readFromMost[2]);
+  return status;
+}
+
+}  // namespace
+}  // namespace qrelief
+
+int main(int argc, char** argv) {
+  if (argc < 3) {
+    fmt::print(stderr, "usage: {} FOLDER CENTRES.json [KIND...]\n", argv[0]);
+    return 2;
+  }
+  return qrelief::run(argv[1], argv[2], std::vector<std::string>(argv + 3, argv + argc));
+}
