@@ -315,9 +315,11 @@ std::function<int()> addEngraveCommand(CLI::App& app) {
   c->add_option("--eye-distance", request.placement.eyeDistanceMm, "mm [250]");
   addSymbolFlags(*c, o->symbol);
   c->add_flag("--no-quiet-zone", o->noQuietZone, "the light margin need not fit");
-  c->add_option("--preset", o->preset,
-                "shallow, balanced or robust: --contrast 0.2, 0.3 or 0.4; the next deeper one where the code does not "
-                "read so [balanced]")
+  c->add_option(
+       "--preset", o->preset,
+       fmt::format("shallow, balanced or robust: --contrast {:g}, {:g} or {:g}; the next deeper one where the code "
+                   "does not read so [balanced]",
+                   presetContrast(Preset::Shallow), presetContrast(Preset::Balanced), presetContrast(Preset::Robust)))
       ->check(CLI::IsMember({"shallow", "balanced", "robust"}));
   c->add_flag("--keep-preset", o->keepPreset, "carve no deeper than --preset says, whether the code reads or not");
   c->add_option("--pattern", o->pattern, "carved part of a dark module [thick-plus]")

@@ -19,6 +19,9 @@ enum class Preset : std::uint8_t {
 /// Sets contrast and patterns of a request.
 void applyPreset(EngraveRequest& request, Preset preset);
 
+/// How much darker carved submodules must be.
+double presetContrast(Preset preset);
+
 /// The next deeper one, if there is one.
 std::optional<Preset> deeperPreset(Preset preset);
 
