@@ -56,8 +56,9 @@ Result<VerifyRequest> requestFrom(const VerifyOptions& options) {
 std::string rangeOf(const ReadingSummary& reading) {
   std::string words;
   const auto add = [&](std::string part) { words += (words.empty() ? "" : ", ") + std::move(part); };
-  if (reading.tiltDeg) add(fmt::format("tilted up to {:g}°", *reading.tiltDeg));
-  if (reading.tiltDegLamp) add(fmt::format("with a lamp up to {:g}°", *reading.tiltDegLamp));
+  const auto tilt = [](double deg) { return deg > 0 ? fmt::format("tilted up to {:g}°", deg) : "straight ahead only"; };
+  if (reading.tiltDeg) add(tilt(*reading.tiltDeg));
+  if (reading.tiltDegLamp) add("with a lamp " + tilt(*reading.tiltDegLamp));
   if (reading.pixelsPerModule) add(fmt::format("from as far as {:g} pixels a module", *reading.pixelsPerModule));
   if (reading.blurModules) add(fmt::format("blurred by up to {:g} modules", *reading.blurModules));
   return words;

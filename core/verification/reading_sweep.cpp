@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kStrayLight = 0.05;
 constexpr double kPhoneBlurPx = 0.6;
-constexpr std::array kTilts = {15.0, 30.0, 45.0};
+constexpr std::array kTilts = {5.0, 10.0, 15.0, 30.0, 45.0};
 constexpr std::array kAzimuths = {0.0, 90.0, 180.0, 270.0};
 
 /// From the nearest to the farthest.

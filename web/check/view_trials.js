@@ -5,9 +5,9 @@ import { shrunkTo } from '../reader/variants.js';
 /** @typedef {import('../engine/types.js').GreyImage} GreyImage */
 /** @typedef {{ tiltDeg: number, reads: number, all: number }} TiltTrial */
 /** @typedef {{ tilts: TiltTrial[], leastPixels: number | undefined }} Trials
- *   `leastPixels`: a module's least width in pixels at which it reads, without a gap from the nearest */
+ *   `tilts`: up to the first from which nothing is read; `leastPixels`: a module's least width in pixels at which it reads, without a gap from the nearest */
 
-const kTiltsDeg = [15, 30, 45];
+const kTiltsDeg = [5, 10, 15, 30, 45];
 const kAzimuthsDeg = [0, 90, 180, 270];
 const kPixelsPerModule = [6.5, 5, 4, 3.3, 2.6, 2];
 const kMarginModules = 12;  // beside the symbol in the picture, as core/pipeline/engrave.cpp draws it
@@ -54,7 +54,9 @@ export async function tryViews({ pictureFrom, picture, reads, modules, onTrial, 
       if (await trial(await pictureFrom(tiltDeg, azimuthDeg))) one.reads += 1;
     }
     tilts.push(one);
+    if (one.reads === 0) break;  // farther aside nothing is read, either
   }
+  done = kTiltsDeg.length * kAzimuthsDeg.length;
   const whole = await picture();
   /** @type {number | undefined} */ let leastPixels;
   let gap = false;

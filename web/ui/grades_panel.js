@@ -11,6 +11,7 @@ import { formatNumber, formatPercent, formatPlain } from './format.js';
 /** @typedef {(report: Report, onTrial: (done: number) => void, signal: AbortSignal) => Promise<Trials | undefined>} ViewTrier */
 
 const kLetters = ['F', 'D', 'C', 'B', 'A'];
+const kForgivingDeg = 15;  // a phone is held straighter than this without taking care
 const kCounts = ['fixedPatternDamage', 'formatInformation'];  // the others are shares
 const kParameters = /** @type {const} */ ({
   iso15415: ['decode', 'unusedErrorCorrection', 'fixedPatternDamage', 'formatInformation', 'symbolContrast', 'modulation', 'reflectanceMargin'],
@@ -91,6 +92,7 @@ function trialList({ tilts, leastPixels }, { size }) {
   return make('ul', { className: 'trials' },
     ...tilts.map(({ tiltDeg, reads, all }) => make('li', { text: `${text('check.tilt', { tilt: tiltDeg })}: ${text('check.tiltReads', { reads, all })}` })),
     make('li', {}, make('strong', { text: safe > 0 ? text('check.tiltUpTo', { tilt: safe }) : text('check.tiltNone') })),
+    ...(safe < kForgivingDeg ? [make('li', { text: text('check.bends') })] : []),
     make('li', {}, make('strong', {
       text: leastPixels === undefined ? text('check.distanceNone')
         : text('check.distanceUpTo', { distance: centimetres(distanceMm(size.moduleMm, leastPixels)), pixels: formatPlain(leastPixels) }),

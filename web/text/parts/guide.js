@@ -49,7 +49,7 @@ export const guide = {
     light: 'Light and reading',
     lightEven: 'Even light is best: daylight, or a lamp that is not right beside the code. The code is dark because the sky is hidden, not because a lamp casts shadows.',
     lightPreset: 'Under “How deep”, “Shallow” is meant for even light from the front, “Balanced” for a lamp beside it, too, and “Robust” for more of both.',
-    lightPhone: 'Hold the phone straight in front of the code, about 25 cm away. The code is carved for an eye there; another distance can be set.',
+    lightPhone: 'Hold the phone straight in front of the code, about 25 cm away. The code is carved for an eye there; another distance can be set. From aside a code on a curved surface is bent, however deep it is: a smaller one, or a flatter place, forgives more.',
 
     coupon: 'A test plate',
     couponWhat: 'Before a long print, print a small one: a plate of 44 × 44 × 4 mm with a short code. It shows what your printer, your material and your light can do.',
@@ -120,7 +120,7 @@ export const guide = {
     light: 'Licht und Lesen',
     lightEven: 'Gleichmäßiges Licht ist am besten: Tageslicht oder eine Lampe, die nicht dicht neben dem Code steht. Der Code ist dunkel, weil der Himmel verdeckt ist, nicht weil eine Lampe Schatten wirft.',
     lightPreset: 'Unter „Wie tief“ ist „Flach“ für gleichmäßiges Licht von vorn gedacht, „Ausgewogen“ auch für eine Lampe daneben und „Robust“ für mehr von beidem.',
-    lightPhone: 'Das Telefon gerade vor den Code halten, etwa 25 cm entfernt. Für ein Auge dort ist der Code graviert; ein anderer Abstand lässt sich einstellen.',
+    lightPhone: 'Das Telefon gerade vor den Code halten, etwa 25 cm entfernt. Für ein Auge dort ist der Code graviert; ein anderer Abstand lässt sich einstellen. Von der Seite gesehen verzieht sich ein Code auf gewölbter Oberfläche, wie tief er auch ist: Ein kleinerer oder eine flachere Stelle verzeiht mehr.',
 
     coupon: 'Eine Prüfplatte',
     couponWhat: 'Vor einem langen Druck einen kleinen machen: eine Platte von 44 × 44 × 4 mm mit einem kurzen Code. Sie zeigt, was Drucker, Material und Licht hergeben.',
