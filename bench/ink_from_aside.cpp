@@ -23,7 +23,7 @@ constexpr int kModules = 29;
 constexpr int kModulesAcross = kModules + 12;
 constexpr int kPixelsPerModule = 14;
 constexpr float kInk = 0.05f, kPaper = 1, kBackground = 0.35f;  // linear luminance
-constexpr std::array<double, 3> kTiltsDeg = {0, 15, 30};
+constexpr std::array<double, 8> kTiltsDeg = {0, 3, 6, 10, 15, 20, 25, 30};
 constexpr int kSides = 8;
 
 bool isDark(const Symbol& symbol, const Placement& placement, Vec3 point) {
@@ -55,7 +55,31 @@ Result<bool> reads(const GeometryPass& pass, const EngravableModel& model, const
   return readWithZxing(view) == text;
 }
 
-/// By tilt: from how many sides it reads; in front there is one.
+/// Root mean square of the heights over the QR plane, about the plane that fits them best, in modules: what moves the
+/// modules against each other when they are seen from aside.
+Result<double> bendModules(const GeometryPass& pass, const EngravableModel& model, const Placement& placement) {
+  const auto maps = pass.render(model.gpu, placement.frame, {placement.symbolMm, 4 * kModules});
+  if (!maps) return tl::unexpected(maps.error());
+  const std::vector<float> surface = maps->framebuffer.readRgba(0);
+  // The places are the same distances apart and symmetrical, so that the three coefficients are independent.
+  double count = 0, mean = 0, squares = 0, alongX = 0, alongY = 0, places = 0;
+  for (int row = 0; row < 4 * kModules; ++row)
+    for (int column = 0; column < 4 * kModules; ++column) {
+      const Vec2 at = maps->window.planePoint(column, row);
+      const double height = static_cast<double>(surface[4 * static_cast<std::size_t>(row * 4 * kModules + column) + 3]);
+      count += 1;
+      mean += height;
+      squares += height * height;
+      alongX += height * at.x;
+      alongY += height * at.y;
+      places += at.x * at.x;
+    }
+  mean /= count;
+  const double rest = squares / count - mean * mean - (alongX * alongX + alongY * alongY) / places / count;
+  return std::sqrt(std::max(0.0, rest)) / placement.moduleMm;
+}
+
+/// From how many of the sides it reads, by tilt.
 using Counts = std::array<int, kTiltsDeg.size()>;
 
 Result<Counts> countSides(const GeometryPass& pass, const EngravableModel& model, const Placement& placement) {
@@ -63,12 +87,14 @@ Result<Counts> countSides(const GeometryPass& pass, const EngravableModel& model
   const auto symbol = encodeSymbol(text, {.version = 3});
   if (!symbol) return tl::unexpected(symbol.error());
   Counts counts{};
-  for (std::size_t t = 0; t < kTiltsDeg.size(); ++t)
-    for (int side = 0; side < (kTiltsDeg[t] > 0 ? kSides : 1); ++side) {
+  for (std::size_t t = 0; t < kTiltsDeg.size(); ++t) {
+    for (int side = 0; side < kSides; ++side) {
       const auto read = reads(pass, model, *symbol, placement, text, kTiltsDeg[t], side * 360.0 / kSides);
       if (!read) return tl::unexpected(read.error());
       counts[t] += *read;
     }
+    if (counts[t] == 0) break;  // farther aside nothing is read, either
+  }
   return counts;
 }
 
@@ -77,9 +103,10 @@ int run(const std::string& folder, const std::string& centres, const std::vector
   if (!context) return bench::failed("EGL", context.error());
   const auto pass = GeometryPass::create();
   if (!pass) return bench::failed("shaders", pass.error());
-  fmt::print("| centre | width (mm) | reads in front | sides at 15° | at 30° |\n|---|---|---|---|---|\n");
+  fmt::print("| centre | width (mm) | bend (modules) | sides of {} at {}° |\n|---|---|---|{}\n", kSides,
+             fmt::join(kTiltsDeg, "° | "), "---|---|---|---|---|---|---|---|");
   int visited = 0;
-  Counts readFromSomewhere{}, readFromMost{};
+  Counts anySide{}, everySide{};
   const auto visit = [&](const std::shared_ptr<const EngravableModel>& model, const bench::Centre& centre) -> Status {
     PlacementRequest request;
     request.centreMm = centre.positionMm;
@@ -87,22 +114,21 @@ int run(const std::string& folder, const std::string& centres, const std::vector
       request.maxSizeMm = *centre.widthWithQuietZoneMm * kModules / (kModules + 2 * kQuietZoneModules);
     const auto placement = bench::place(*model, *pass, kModules, request);
     if (!placement) return tl::unexpected(placement.error());
+    const auto bend = bendModules(*pass, *model, *placement);
     const auto counts = countSides(*pass, *model, *placement);
-    if (!counts) return tl::unexpected(counts.error());
-    fmt::print("| {} | {:.1f} | {} | {} of {} | {} of {} |\n", centre.name, placement->symbolMm,
-               (*counts)[0] ? "yes" : "no", (*counts)[1], kSides, (*counts)[2], kSides);
+    if (!bend || !counts) return tl::unexpected(bend ? counts.error() : bend.error());
+    fmt::print("| {} | {:.1f} | {:.2f} | {} |\n", centre.name, placement->symbolMm, *bend, fmt::join(*counts, " | "));
     std::fflush(stdout);
     ++visited;
     for (std::size_t t = 0; t < kTiltsDeg.size(); ++t) {
-      readFromSomewhere[t] += (*counts)[t] > 0;
-      readFromMost[t] += (*counts)[t] > (t == 0 ? 0 : kSides / 2);
+      anySide[t] += (*counts)[t] > 0;
+      everySide[t] += (*counts)[t] == kSides;
     }
     return {};
   };
   const int status = bench::forEachCentre(folder, centres, kinds, visit);
-  fmt::print("| of {}, from any side | | {} | {} | {} |\n| from more than half | | {} | {} | {} |\n", visited,
-             readFromSomewhere[0], readFromSomewhere[1], readFromSomewhere[2], readFromMost[0], readFromMost[1],
-             readFromMost[2]);
+  fmt::print("| of {}, from any side | | | {} |\n| from every side | | | {} |\n", visited, fmt::join(anySide, " | "),
+             fmt::join(everySide, " | "));
   return status;
 }
 
