@@ -14,6 +14,7 @@
 #include "bench/centres.h"
 #include "native/egl_context.h"
 #include "native/zxing_reader.h"
+#include "projection/bend.h"
 #include "verification/baked_light.h"
 
 namespace qrelief {
@@ -55,30 +56,6 @@ Result<bool> reads(const GeometryPass& pass, const EngravableModel& model, const
   return readWithZxing(view) == text;
 }
 
-/// Root mean square of the heights over the QR plane, about the plane that fits them best, in modules: what moves the
-/// modules against each other when they are seen from aside.
-Result<double> bendModules(const GeometryPass& pass, const EngravableModel& model, const Placement& placement) {
-  const auto maps = pass.render(model.gpu, placement.frame, {placement.symbolMm, 4 * kModules});
-  if (!maps) return tl::unexpected(maps.error());
-  const std::vector<float> surface = maps->framebuffer.readRgba(0);
-  // The places are the same distances apart and symmetrical, so that the three coefficients are independent.
-  double count = 0, mean = 0, squares = 0, alongX = 0, alongY = 0, places = 0;
-  for (int row = 0; row < 4 * kModules; ++row)
-    for (int column = 0; column < 4 * kModules; ++column) {
-      const Vec2 at = maps->window.planePoint(column, row);
-      const double height = static_cast<double>(surface[4 * static_cast<std::size_t>(row * 4 * kModules + column) + 3]);
-      count += 1;
-      mean += height;
-      squares += height * height;
-      alongX += height * at.x;
-      alongY += height * at.y;
-      places += at.x * at.x;
-    }
-  mean /= count;
-  const double rest = squares / count - mean * mean - (alongX * alongX + alongY * alongY) / places / count;
-  return std::sqrt(std::max(0.0, rest)) / placement.moduleMm;
-}
-
 /// From how many of the sides it reads, by tilt.
 using Counts = std::array<int, kTiltsDeg.size()>;
 
@@ -103,8 +80,8 @@ int run(const std::string& folder, const std::string& centres, const std::vector
   if (!context) return bench::failed("EGL", context.error());
   const auto pass = GeometryPass::create();
   if (!pass) return bench::failed("shaders", pass.error());
-  fmt::print("| centre | width (mm) | bend (modules) | sides of {} at {}° |\n|---|---|---|{}\n", kSides,
-             fmt::join(kTiltsDeg, "° | "), "---|---|---|---|---|---|---|---|");
+  fmt::print("| centre | width (mm) | bend (modules) | foretold (°) | sides of {} at {}° |\n|---|---|---|---|{}\n",
+             kSides, fmt::join(kTiltsDeg, "° | "), "---|---|---|---|---|---|---|---|");
   int visited = 0;
   Counts anySide{}, everySide{};
   const auto visit = [&](const std::shared_ptr<const EngravableModel>& model, const bench::Centre& centre) -> Status {
@@ -114,10 +91,11 @@ int run(const std::string& folder, const std::string& centres, const std::vector
       request.maxSizeMm = *centre.widthWithQuietZoneMm * kModules / (kModules + 2 * kQuietZoneModules);
     const auto placement = bench::place(*model, *pass, kModules, request);
     if (!placement) return tl::unexpected(placement.error());
-    const auto bend = bendModules(*pass, *model, *placement);
     const auto counts = countSides(*pass, *model, *placement);
-    if (!bend || !counts) return tl::unexpected(bend ? counts.error() : bend.error());
-    fmt::print("| {} | {:.1f} | {:.2f} | {} |\n", centre.name, placement->symbolMm, *bend, fmt::join(*counts, " | "));
+    if (!counts) return tl::unexpected(counts.error());
+    fmt::print("| {} | {:.1f} | {:.2f} | {:.0f} | {} |\n", centre.name, placement->symbolMm,
+               placement->bendMm / placement->moduleMm,
+               std::floor(aimToleranceDeg(placement->bendMm, placement->moduleMm)), fmt::join(*counts, " | "));
     std::fflush(stdout);
     ++visited;
     for (std::size_t t = 0; t < kTiltsDeg.size(); ++t) {
@@ -127,8 +105,8 @@ int run(const std::string& folder, const std::string& centres, const std::vector
     return {};
   };
   const int status = bench::forEachCentre(folder, centres, kinds, visit);
-  fmt::print("| of {}, from any side | | | {} |\n| from every side | | | {} |\n", visited, fmt::join(anySide, " | "),
-             fmt::join(everySide, " | "));
+  fmt::print("| of {}, from any side | | | | {} |\n| from every side | | | | {} |\n", visited,
+             fmt::join(anySide, " | "), fmt::join(everySide, " | "));
   return status;
 }
 

@@ -94,6 +94,7 @@ Json describe(const PlaceOptions& options, const ModelInput& input, std::size_t 
                              {"symbolMm", spot.symbolMm},
                              {"largestMm", spot.largestMm},
                              {"guaranteedMm", spot.guaranteedMm},
+                             {"aimToleranceDeg", spot.aimToleranceDeg},
                              {"distanceVarianceMm2", spot.quality.varianceMm2},
                              {"worstAngleDeg", spot.quality.worstAngleDeg}});
   return json;
@@ -102,11 +103,13 @@ Json describe(const PlaceOptions& options, const ModelInput& input, std::size_t 
 void printSpots(const PlaceResult& result, double scaleToMm) {
   for (std::size_t i = 0; i < result.spots.size(); ++i) {
     const OfferedSpot& spot = result.spots[i];
-    fmt::print("{}: --at {}{} {}  up to {:.4g} mm ({:.4g} mm at any rotation), worst angle {:.0f}°\n", i + 1,
-               joined(spot.centreFileUnits, centreDecimals(scaleToMm)),
-               spot.needsDirection ? " --direction" : "  direction", joined(spot.direction, kDirectionDecimals),
-               std::floor(spot.largestMm * 100) / 100, std::floor(spot.guaranteedMm * 100) / 100,
-               spot.quality.worstAngleDeg);
+    fmt::print(
+        "{}: --at {}{} {}  up to {:.4g} mm ({:.4g} mm at any rotation), worst angle {:.0f}°, read from up to {:.0f}° "
+        "aside\n",
+        i + 1, joined(spot.centreFileUnits, centreDecimals(scaleToMm)),
+        spot.needsDirection ? " --direction" : "  direction", joined(spot.direction, kDirectionDecimals),
+        std::floor(spot.largestMm * 100) / 100, std::floor(spot.guaranteedMm * 100) / 100, spot.quality.worstAngleDeg,
+        std::floor(spot.aimToleranceDeg));
   }
 }
 

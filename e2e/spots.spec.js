@@ -17,7 +17,7 @@ test('A suggested spot takes a code of the size that it promises, and is engrave
   const isDark = (/** @type {number} */ red, /** @type {number} */ green, /** @type {number} */ blue) => Math.max(red, green, blue) < 115;
   expect(await shareOf(app.spots.first().locator('canvas'), isDark)).toBeGreaterThan(0.03);  // a code's modules
   const spot = app.spots.nth(1);
-  const promised = Number(/up to ([\d.]+) mm/.exec(await spot.innerText())?.[1]);
+  const [, promised, aside] = (/up to ([\d.]+) mm, (\d+)°/.exec(await spot.innerText()) ?? []).map(Number);
   await spot.click();
   await expect(spot).toHaveAttribute('aria-pressed', 'true');
   await expect.poll(() => app.centre()).not.toEqual(proposed);
@@ -25,10 +25,29 @@ test('A suggested spot takes a code of the size that it promises, and is engrave
   const width = Number(/^([\d.]+) mm wide/.exec(await app.placement.innerText())?.[1]);
   expect(width).toBeGreaterThanOrEqual(promised);
   expect(width).toBeLessThan(promised + 1.1);
+  const aim = Number(/from (\d+)° aside at most/.exec(await page.locator('#placement-aim').innerText())?.[1]);
+  expect(Math.abs(aim - aside)).toBeLessThanOrEqual(1);
 
   await app.engrave();
   await expect(app.result).toContainText('Reads as');
   await expect(page.getByLabel('Colours of the model')).toBeHidden();
+});
+
+test('A place says how straight a phone must be held, and what would forgive more', async ({ page }) => {
+  const app = new Engraver(page);
+  const aim = page.locator('#placement-aim');
+  await app.open('?sample=plate');
+  await app.expectReady();
+  await expect(aim).toHaveText('Here a phone reads it from 45° aside at most.');
+  await app.open();  // on the bunny's flank
+  await app.expectReady();
+  await expect(aim).toHaveText(/must be held straight: it reads from \d° aside at most. A smaller code or a flatter place forgives more/);
+  const degrees = async () => Number(/from (\d+)°/.exec(await aim.innerText())?.[1]);
+  const before = await degrees();
+  await app.openSettings();
+  await app.setting('At most (mm)').fill('15');
+  await app.setting('At most (mm)').press('Tab');
+  await expect.poll(degrees).toBeGreaterThan(before + 2);
 });
 
 test('The sizes can be hidden and shown again, and other settings forget them', async ({ page }) => {

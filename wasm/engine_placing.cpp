@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "projection/bend.h"
 #include "wasm/answers.h"
 #include "wasm/engine.h"
 #include "wasm/heat_mesh.h"
@@ -72,6 +73,7 @@ std::string Engine::describePlacement() const {
                    {"symbolMm", placement_->symbolMm},
                    {"moduleMm", placement_->moduleMm},
                    {"guaranteedMm", placement_->guaranteedMm},
+                   {"aimToleranceDeg", aimToleranceDeg(placement_->bendMm, placement_->moduleMm)},
                    {"rotationDeg", placement_->rotationDeg},
                    {"version", symbol_->version},
                    {"modules", symbol_->size}}}});
@@ -126,6 +128,7 @@ std::string Engine::spots() const {
   for (const OfferedSpot& spot : spots_)
     spots.push_back(
         {{"centre", jsonOf(spot.centreMm)},
+         {"aimToleranceDeg", spot.aimToleranceDeg},
          {"sizeMm", placingRequest_.placement.sizeMode == SizeMode::Free ? spot.symbolMm : spot.largestMm}});
   return textOf({{"ok", true}, {"spots", spots}, {"topMm", topMm_}});
 }

@@ -9,6 +9,7 @@
 #include <limits>
 #include <numbers>
 
+#include "projection/bend.h"
 #include "projection/size.h"
 
 namespace qrelief {
@@ -188,6 +189,7 @@ Status PlaceJob::State::take(const Placement& placement) {
   offered.needsDirection = withDirection;
   offered.symbolMm = placement.symbolMm;
   offered.guaranteedMm = placement.guaranteedMm;
+  offered.aimToleranceDeg = aimToleranceDeg(placement.bendMm, placement.moduleMm);
   offered.largestMm =
       std::min(std::max(wantedMm(), request.placement.maxSizeMm), orientedSize(placement.patch.silhouette) / outer);
   offered.quality = qualityOf(result.map, placement.frame, placement.symbolMm * outer);
@@ -236,7 +238,7 @@ Status PlaceJob::State::finishTests() {
     return {};
   }
   const auto rank = [&](const OfferedSpot& spot) {
-    return SpotRank(spot.guaranteedMm, spot.quality, spot.symbolMm * outer);
+    return SpotRank(spot.guaranteedMm, spot.quality, spot.symbolMm * outer, spot.aimToleranceDeg);
   };
   std::stable_sort(result.spots.begin(), result.spots.end(), [&](const OfferedSpot& a, const OfferedSpot& b) {
     return a.needsDirection != b.needsDirection ? b.needsDirection : rank(a) < rank(b);

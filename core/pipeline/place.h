@@ -41,6 +41,7 @@ struct OfferedSpot {
   double symbolMm = 0;          ///< the size asked for, or the one found
   double largestMm = 0;         ///< that fits there, from that direction, at the rotation asked for
   double guaranteedMm = 0;      ///< at every rotation
+  double aimToleranceDeg = 0;   ///< of the symbol, see projection/bend.h
   SquareQuality quality;        ///< of the symbol with its quiet zone, if that must fit
 };
 

@@ -52,6 +52,7 @@ struct Placement {
   double symbolMm = 0;     ///< edge of the symbol without quiet zone, on the QR plane
   double moduleMm = 0;
   double guaranteedMm = 0;  ///< largest symbol that fits at every rotation, not cut by maxSizeMm, whatever its walls
+  double bendMm = 0;        ///< of the surface under the symbol, see projection/bend.h
   double rotationDeg = 0;   ///< of the symbol's top from where upHint points, anticlockwise as the reader sees it
   VisiblePatch patch;       ///< covers symbol and quiet zone, and beyondMm more
   std::vector<DirectionIteration> iterations;
@@ -83,6 +84,7 @@ class PlacementSearch {
   Result<bool> searchOnce();
   Status start();
   Status leaveWalls();
+  Status measureBend();
   Status measure(Vec3 normal);
   Status measureFirstFitting(std::span<const Vec3> normals);
   std::vector<Vec3> roundCandidates() const;

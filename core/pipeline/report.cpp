@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "pipeline/json_parts.h"
+#include "projection/bend.h"
 #include "qr/symbol_shaping.h"
 #include "verification/grades.h"
 
@@ -63,6 +64,8 @@ Json describeProjection(const EngraveRequest& request, const Placement& placemen
           {"normal", triple(placement.frame.normal)},
           {"up", triple(placement.frame.up)},
           {"eyeDistanceMm", placement.frame.eyeDistance},
+          {"bendMm", placement.bendMm},
+          {"aimToleranceDeg", aimToleranceDeg(placement.bendMm, placement.moduleMm)},
           {"iterations", iterations}};
 }
 

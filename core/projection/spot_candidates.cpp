@@ -6,12 +6,18 @@
 #include <numbers>
 #include <numeric>
 
+#include "projection/bend.h"
+
 namespace qrelief {
 namespace {
 
 constexpr double kSizeClass = 1.1;
 constexpr double kSteeperShare = 0.01;
 constexpr double kSteepDeg = 50;
+constexpr double kForgivingDeg = 10;
+// Of version 3, across a square that bends as much as the symbol in it: with the quiet zone of the square's size it has
+// 37 modules, and what bends over the symbol alone is less as the square of the edge.
+constexpr double kUsualModules = 29.0 * 29 / 37;
 
 double cosineOf(double deg) { return std::cos(deg * std::numbers::pi / 180); }
 
@@ -21,8 +27,9 @@ int sizeClassOf(double sizeMm) {
 
 }  // namespace
 
-SpotRank::SpotRank(double sizeMm, const SquareQuality& quality, double edgeMm)
-    : sizeClass(sizeClassOf(sizeMm * std::min(1.0, cosineOf(quality.worstAngleDeg) / cosineOf(kSteepDeg)))),
+SpotRank::SpotRank(double sizeMm, const SquareQuality& quality, double edgeMm, double aimDeg)
+    : sizeClass(sizeClassOf(sizeMm * std::min(1.0, cosineOf(quality.worstAngleDeg) / cosineOf(kSteepDeg)) *
+                            std::min(1.0, aimDeg / kForgivingDeg))),
       badness(std::sqrt(quality.varianceMm2) / edgeMm + 1 - cosineOf(quality.worstAngleDeg)) {}
 
 bool SpotRank::operator<(const SpotRank& other) const {
@@ -34,6 +41,7 @@ SquareQuality qualityOf(const PlacementMap& map, const ProjectionFrame& frame, d
     double cosine, area;
   };
   std::vector<Slope> slopes;
+  PlaneFit fit;
   double area = 0, sum = 0, sumSquares = 0;
   for (std::size_t t = 0; t < map.mesh.triangles.size(); ++t) {
     const Vec3 a = map.mesh.corner(t, 0), b = map.mesh.corner(t, 1), c = map.mesh.corner(t, 2);
@@ -45,6 +53,7 @@ SquareQuality qualityOf(const PlacementMap& map, const ProjectionFrame& frame, d
     const double seen = glm::dot(across, frame.normal);
     if (!(seen > 0)) continue;
     slopes.push_back({seen / glm::length(across), seen});
+    fit.add(at, height, seen);
     area += seen;
     sum += seen * height;
     sumSquares += seen * height * height;
@@ -52,6 +61,7 @@ SquareQuality qualityOf(const PlacementMap& map, const ProjectionFrame& frame, d
   SquareQuality quality;
   if (slopes.empty()) return quality;
   quality.varianceMm2 = std::max(0.0, sumSquares / area - (sum / area) * (sum / area));
+  quality.bendMm = fit.rms();
   std::stable_sort(slopes.begin(), slopes.end(), [](const Slope& a, const Slope& b) { return a.cosine < b.cosine; });
   double steeper = 0;
   for (const Slope& slope : slopes) {
@@ -83,7 +93,9 @@ std::vector<SpotCandidate> spotCandidates(const PlacementMap& map, const Candida
     spots.push_back(spot);
   }
   const auto rank = [&](const SpotCandidate& spot) {
-    return SpotRank(std::min(spot.sizeMm, options.enoughMm), spot.quality, std::min(spot.sizeMm, options.edgeMm));
+    const double edgeMm = std::min(spot.sizeMm, options.edgeMm);
+    return SpotRank(std::min(spot.sizeMm, options.enoughMm), spot.quality, edgeMm,
+                    aimToleranceDeg(spot.quality.bendMm, edgeMm / kUsualModules));
   };
   std::stable_sort(spots.begin(), spots.end(),
                    [&](const SpotCandidate& a, const SpotCandidate& b) { return rank(a) < rank(b); });

@@ -11,6 +11,7 @@ namespace qrelief {
 /// How a square lies on a surface, seen along its frame's normal.
 struct SquareQuality {
   double varianceMm2 = 0;    ///< of the heights over the QR plane
+  double bendMm = 0;         ///< see bend.h; of the facets' middles
   double worstAngleDeg = 0;  ///< between the surface and the QR plane; a hundredth of the area is steeper
 };
 
@@ -40,11 +41,13 @@ struct CandidateOptions {
 /// Cost: O(V log V + most · (V + T)).
 std::vector<SpotCandidate> spotCandidates(const PlacementMap& map, const CandidateOptions& options);
 
-/// The order of spots by size and quality; smaller is better. A surface steeper than 50° makes a spot count as less
-/// large, in proportion to the cosine: a phone held 30° aside hardly sees it.
+/// The order of spots by size and quality; smaller is better. A spot counts as less large, in proportion, where it has
+/// to be looked at more straight than hands hold a phone without care (10°; the more a surface bends under a code, the
+/// smaller the code must be to forgive so much), and where it is steeper than 50°: a phone 30° aside hardly sees that.
 /// @param edgeMm  of the square that `quality` is of
+/// @param aimDeg  see aimToleranceDeg()
 struct SpotRank {
-  SpotRank(double sizeMm, const SquareQuality& quality, double edgeMm);
+  SpotRank(double sizeMm, const SquareQuality& quality, double edgeMm, double aimDeg);
   bool operator<(const SpotRank& other) const;
 
   int sizeClass = 0;  ///< classes of 10 %, larger is better

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "projection/bend.h"
 #include "support/gl_test.h"
 #include "support/shapes.h"
 
@@ -50,19 +51,39 @@ TEST_F(PlaceTest, EveryOfferedSpotTakesTheCode) {
 TEST_F(PlaceTest, ACubeIsOfferedItsFacesInFullSize) {
   const auto model = upload(shapes::box({60, 60, 60}));
   PlaceRequest wanted = request(0);
-  wanted.placement.quietZone = false;
   wanted.placement.sizeMode = SizeMode::Oriented;
   wanted.count = 6;
   const auto found = place(model, wanted);
   ASSERT_TRUE(found.has_value()) << found.error().message;
+  ASSERT_EQ(found->spots.size(), 6u);
+  const double most = 60.0 * 21 / 29;  // without the quiet zone
   for (const OfferedSpot& spot : found->spots) {
     const Vec3 p = glm::abs(spot.centreMm);
     EXPECT_EQ((p.x == 30) + (p.y == 30) + (p.z == 30), 1);
-    EXPECT_NEAR(spot.guaranteedMm, 60 / std::sqrt(2), 4);
+    EXPECT_NEAR(spot.guaranteedMm, most / std::sqrt(2), 3);
+    EXPECT_EQ(spot.aimToleranceDeg, kMostAimDeg);
   }
   // The map's vertices are up to 3.5 mm apart, and a centre beside the middle loses twice the distance.
-  EXPECT_GT(found->spots.front().symbolMm, 60 - 2 * 3.5);
-  EXPECT_LT(found->spots.front().symbolMm, 60 + 1e-3);
+  EXPECT_GT(found->spots.front().symbolMm, most - 2 * 3.5);
+  EXPECT_LT(found->spots.front().symbolMm, most + 1e-3);
+}
+
+TEST_F(PlaceTest, OfTwoSpotsTheOneThatIsReadFromFartherAsideComesFirst) {
+  // A ball, on which a code bends, and a plate with a little less room, on which it does not.
+  const auto model =
+      upload(shapes::together(shapes::icosphere(18, 4), shapes::translated(shapes::box({32, 32, 8}), {60, 0, 0})));
+  PlaceRequest wanted = request(0);
+  wanted.modules = 29;
+  wanted.placement.maxSizeMm = 20;
+  wanted.count = 3;
+  const auto found = place(model, wanted);
+  ASSERT_TRUE(found.has_value()) << found.error().message;
+  ASSERT_EQ(found->spots.size(), 3u);
+  EXPECT_GT(found->spots[0].centreMm.x, 40);
+  EXPECT_EQ(found->spots[0].aimToleranceDeg, kMostAimDeg);
+  EXPECT_LT(found->spots[2].centreMm.x, 20);
+  EXPECT_LT(found->spots[2].aimToleranceDeg, 10);
+  EXPECT_GT(found->spots[2].symbolMm, found->spots[0].symbolMm);
 }
 
 TEST_F(PlaceTest, ACentreIsRoundedToWhatIsPrinted) {

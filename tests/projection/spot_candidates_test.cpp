@@ -58,16 +58,23 @@ TEST(SpotCandidates, RankBySizeFirst) {
 
 TEST(SpotRank, PrefersTheFlatterOfTwoSpotsOfAboutOneSize) {
   const SquareQuality flat{.varianceMm2 = 0.1, .worstAngleDeg = 5}, curved{.varianceMm2 = 4, .worstAngleDeg = 40};
-  EXPECT_LT(SpotRank(36, flat, 30), SpotRank(37, curved, 30));
-  EXPECT_LT(SpotRank(50, curved, 30), SpotRank(36, flat, 30));
+  EXPECT_LT(SpotRank(36, flat, 30, 20), SpotRank(37, curved, 30, 20));
+  EXPECT_LT(SpotRank(50, curved, 30, 20), SpotRank(36, flat, 30, 20));
 }
 
 TEST(SpotRank, CountsASteepSpotAsLessLarge) {
   // The cosine of 60° is 0.78 of that of 50°: two classes of 10 %.
   const SquareQuality steep{.varianceMm2 = 1, .worstAngleDeg = 60}, gentle{.varianceMm2 = 1, .worstAngleDeg = 50};
-  EXPECT_LT(SpotRank(30, gentle, 30), SpotRank(33, steep, 30));
-  EXPECT_LT(SpotRank(45, steep, 30), SpotRank(30, gentle, 30));
-  EXPECT_LT(SpotRank(36, gentle, 30), SpotRank(30, SquareQuality{}, 30)) << "at 50° nothing is taken off yet";
+  EXPECT_LT(SpotRank(30, gentle, 30, 20), SpotRank(33, steep, 30, 20));
+  EXPECT_LT(SpotRank(45, steep, 30, 20), SpotRank(30, gentle, 30, 20));
+  EXPECT_LT(SpotRank(36, gentle, 30, 20), SpotRank(30, SquareQuality{}, 30, 20)) << "at 50° nothing is taken off yet";
+}
+
+TEST(SpotRank, CountsASpotAsLessLargeThatMustBeLookedAtStraight) {
+  const SquareQuality quality{.varianceMm2 = 1, .worstAngleDeg = 30};
+  EXPECT_LT(SpotRank(28, quality, 30, 20), SpotRank(33, quality, 30, 6));
+  EXPECT_LT(SpotRank(48, quality, 30, 6), SpotRank(22, quality, 30, 20));
+  EXPECT_LT(SpotRank(36, quality, 30, 10), SpotRank(30, quality, 30, 45)) << "10° forgive enough";
 }
 
 TEST(QualityOf, AnInclinedPlaneIsThatOfItsAngle) {
@@ -79,6 +86,7 @@ TEST(QualityOf, AnInclinedPlaneIsThatOfItsAngle) {
   const double spread = 80 * std::tan(angle);
   EXPECT_NEAR(quality.varianceMm2, spread * spread / 12, 0.04 * spread * spread / 12);
   EXPECT_NEAR(quality.worstAngleDeg, 25, 1e-3);
+  EXPECT_NEAR(quality.bendMm, 0, 1e-6) << "a plane, however inclined";
 }
 
 TEST(QualityOf, ACodeOnNothingIsZero) {

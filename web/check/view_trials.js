@@ -16,6 +16,9 @@ export const kTrials = kTiltsDeg.length * kAzimuthsDeg.length + kPixelsPerModule
 /** @param {GreyImage} picture  of the code @param {number} modules  along the symbol's edge */
 export const pixelsPerModule = (picture, modules) => picture.width / (modules + kMarginModules);
 
+/** Hands hold a phone as straight as this without taking care. */
+export const kForgivingDeg = 10;
+
 const kVideoPixels = 1920;  // across a phone's video,
 const kVideoDeg = 65;       // which sees so much
 

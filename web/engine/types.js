@@ -39,7 +39,8 @@
 
 /**
  * @typedef {{ centre: [number, number, number], normal: [number, number, number], up: [number, number, number],
- *   symbolMm: number, moduleMm: number, guaranteedMm: number, version: number, modules: number, rotationDeg: number }} Placement
+ *   symbolMm: number, moduleMm: number, guaranteedMm: number, version: number, modules: number, rotationDeg: number,
+ *   aimToleranceDeg: number }} Placement  `aimToleranceDeg`: from how far aside, to every side, it can be read at most
  *   `rotationDeg`: of the symbol's top from upwards, anticlockwise
  */
 
@@ -60,7 +61,7 @@
 /** @typedef {'front' | 'back' | 'left' | 'right' | 'top' | 'bottom' | 'iso'} StandardView */
 
 /**
- * @typedef {{ spots: { centre: [number, number, number], sizeMm: number }[], topMm: number }} Spots
+ * @typedef {{ spots: { centre: [number, number, number], sizeMm: number, aimToleranceDeg: number }[], topMm: number }} Spots
  *   best first, with the largest size there; `topMm`: the size of the map's last colour
  */
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The measurements behind the verdict, and from where else the code reads, on demand.
-import { distanceMm, kTrials, safeTiltDeg } from '../check/view_trials.js';
+import { distanceMm, kForgivingDeg, kTrials, safeTiltDeg } from '../check/view_trials.js';
 import { onLanguage, text } from '../text/catalogue.js';
 import { byId, make } from './dom.js';
 import { formatNumber, formatPercent, formatPlain } from './format.js';
@@ -11,7 +11,6 @@ import { formatNumber, formatPercent, formatPlain } from './format.js';
 /** @typedef {(report: Report, onTrial: (done: number) => void, signal: AbortSignal) => Promise<Trials | undefined>} ViewTrier */
 
 const kLetters = ['F', 'D', 'C', 'B', 'A'];
-const kForgivingDeg = 15;  // a phone is held straighter than this without taking care
 const kCounts = ['fixedPatternDamage', 'formatInformation'];  // the others are shares
 const kParameters = /** @type {const} */ ({
   iso15415: ['decode', 'unusedErrorCorrection', 'fixedPatternDamage', 'formatInformation', 'symbolContrast', 'modulation', 'reflectanceMargin'],

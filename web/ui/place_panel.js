@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where the code is: its width there, and the exact centre.
+import { kForgivingDeg } from '../check/view_trials.js';
 import { text } from '../text/catalogue.js';
+import { write } from '../text/live.js';
 import { byId } from './dom.js';
 import { formatMm } from './format.js';
 import { showStep } from './steps.js';
@@ -36,8 +38,11 @@ export class PlacePanel {
 
   /** @param {Placement | undefined} placement */
   showPlacement(placement) {
+    const aim = byId('placement-aim', HTMLElement);
+    aim.hidden = !placement;
     if (!placement) return showStep('place', 'open', () => text('page.placeNone'));
-    const { symbolMm, guaranteedMm } = placement;
+    const { symbolMm, guaranteedMm, aimToleranceDeg } = placement;
+    write(aim, () => text(aimToleranceDeg < kForgivingDeg ? 'page.aimLittle' : 'page.aim', { deg: Math.floor(aimToleranceDeg) }));
     return showStep('place', 'done', () => text('page.placeState', { width: formatMm(symbolMm), guaranteed: formatMm(guaranteedMm) }));
   }
 }

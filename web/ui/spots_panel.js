@@ -58,7 +58,7 @@ export class SpotsPanel {
 
   nameSpots_() {
     [...this.list_.querySelectorAll('.name')].forEach((name, index) => name.replaceChildren(text('page.spot', { index: index + 1 }),
-      make('span', { text: text('page.upTo', { size: `${formatPlain(wholeMm(this.spots_[index].sizeMm))} mm` }) })));
+      make('span', { text: factsOf(this.spots_[index]) })));
   }
 
   /** The code on a spot, as its reader sees it. @param {number} index @param {import('../engine/types.js').ColourImage} picture */
@@ -92,6 +92,9 @@ export class SpotsPanel {
     else this.legend_.hide('sizes');
   }
 }
+
+/** @param {Spots['spots'][number]} spot */
+const factsOf = ({ sizeMm, aimToleranceDeg }) => text('page.upTo', { size: `${formatPlain(wholeMm(sizeMm))} mm`, deg: Math.floor(aimToleranceDeg) });
 
 /** Rounded down: so much does fit. @param {number} mm */
 const wholeMm = (mm) => (mm < 10 ? Math.floor(mm * 10) / 10 : Math.floor(mm));

@@ -49,8 +49,10 @@ export const page = {
     spots: 'Spots',
     placeNone: 'No place yet',
     placeState: '{width} wide, up to {guaranteed} fits',
+    aim: 'Here a phone reads it from {deg}° aside at most.',
+    aimLittle: 'Here a phone must be held straight: it reads from {deg}° aside at most. A smaller code or a flatter place forgives more.',
     spot: 'Spot {index}',
-    upTo: 'up to {size}',
+    upTo: 'up to {size}, {deg}°\u00a0aside',
 
     carve: 'Carve',
     carveState: '{preset}, {nozzle} mm nozzle',
@@ -163,8 +165,10 @@ export const page = {
     spots: 'Stellen',
     placeNone: 'Noch keine Stelle',
     placeState: '{width} breit, bis {guaranteed} passt',
+    aim: 'Hier liest ein Telefon ihn höchstens {deg}° von der Seite.',
+    aimLittle: 'Hier muss ein Telefon gerade davor sein: Es liest ihn höchstens {deg}° von der Seite. Ein kleinerer Code oder eine flachere Stelle verzeiht mehr.',
     spot: 'Stelle {index}',
-    upTo: 'bis {size}',
+    upTo: 'bis {size}, {deg}°\u00a0seitlich',
 
     carve: 'Gravur',
     carveState: '{preset}, Düse {nozzle} mm',

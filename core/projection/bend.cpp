@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "projection/bend.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/matrix.hpp>
+#include <numbers>
+
+namespace qrelief {
+namespace {
+
+constexpr double kMovedModules = 0.24;  // that a reader puts up with, root mean square
+
+}  // namespace
+
+void PlaneFit::add(Vec2 at, double height, double weight) {
+  const Vec3 terms(1, at.x, at.y);
+  moments_ += weight * glm::outerProduct(terms, terms);
+  products_ += weight * height * terms;
+  squares_ += weight * height * height;
+  weights_ += weight;
+}
+
+double PlaneFit::rms() const {
+  // Lengths have any unit: the determinant is compared with that of the same spread in all directions.
+  const double spread = moments_[1][1] + moments_[2][2];
+  if (!(glm::determinant(moments_) > 1e-9 * weights_ * spread * spread)) return 0;
+  const Vec3 plane = glm::inverse(moments_) * products_;
+  return std::sqrt(std::max(0.0, squares_ - glm::dot(plane, products_)) / weights_);
+}
+
+double bendMm(std::span<const float> surface, const MapWindow& window) {
+  PlaneFit fit;
+  for (int row = 0; row < window.texels; ++row) {
+    for (int column = 0; column < window.texels; ++column) {
+      const float* texel = &surface[4 * static_cast<std::size_t>(row * window.texels + column)];
+      if (texel[2] > 0) fit.add(window.planePoint(column, row), static_cast<double>(texel[3]));
+    }
+  }
+  return fit.rms();
+}
+
+double aimToleranceDeg(double bendMm, double moduleMm) {
+  return std::min(kMostAimDeg, std::atan2(kMovedModules * moduleMm, bendMm) * 180 / std::numbers::pi);
+}
+
+}  // namespace qrelief
