@@ -19,7 +19,6 @@ namespace {
 
 constexpr int kMaxRounds = 5;
 constexpr double kSettledShare = 0.01;
-constexpr int kBendTexels = 64;
 constexpr double kFirstShare = 0.15;  // of the model's diagonal: least square that is sampled first
 constexpr double kFirstReach = 1.25;  // of the expected size's half diagonal: how far is looked first,
 constexpr double kNextReach = 1.5;    // and how much farther each next time
@@ -286,15 +285,8 @@ Result<bool> PlacementSearch::step() {
   const Result<bool> done = searchOnce();
   if (!done || !*done) return done;
   if (const Status left = leaveWalls(); !left) return tl::unexpected(left.error());
-  if (const Status measured = measureBend(); !measured) return tl::unexpected(measured.error());
+  placement_.bendMm = bendMm(model_->mesh, placement_.patch.triangles, placement_.frame, placement_.symbolMm);
   return true;
-}
-
-Status PlacementSearch::measureBend() {
-  const auto maps = pass_->render(*gpu_, placement_.frame, {placement_.symbolMm, kBendTexels});
-  if (!maps) return tl::unexpected(maps.error());
-  placement_.bendMm = bendMm(maps->framebuffer.readRgba(0), maps->window);
-  return {};
 }
 
 Result<bool> PlacementSearch::searchOnce() {

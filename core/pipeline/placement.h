@@ -84,7 +84,6 @@ class PlacementSearch {
   Result<bool> searchOnce();
   Status start();
   Status leaveWalls();
-  Status measureBend();
   Status measure(Vec3 normal);
   Status measureFirstFitting(std::span<const Vec3> normals);
   std::vector<Vec3> roundCandidates() const;

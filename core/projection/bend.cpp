@@ -5,10 +5,14 @@
 #include <cmath>
 #include <glm/matrix.hpp>
 #include <numbers>
+#include <unordered_map>
+
+#include "projection/surface_raster.h"
 
 namespace qrelief {
 namespace {
 
+constexpr int kTexels = 64;
 constexpr double kMovedModules = 0.24;  // that a reader puts up with, root mean square
 
 }  // namespace
@@ -38,6 +42,22 @@ double bendMm(std::span<const float> surface, const MapWindow& window) {
     }
   }
   return fit.rms();
+}
+
+double bendMm(const Mesh& mesh, std::span<const std::uint32_t> triangles, const ProjectionFrame& frame, double edgeMm) {
+  Mesh part;
+  std::unordered_map<std::uint32_t, std::uint32_t> vertexOf;
+  for (const std::uint32_t t : triangles) {
+    Triangle corners = mesh.triangles[t];
+    for (std::uint32_t& vertex : corners) {
+      const auto [known, isNew] = vertexOf.try_emplace(vertex, static_cast<std::uint32_t>(part.positions.size()));
+      if (isNew) part.positions.push_back(mesh.positions[vertex]);
+      vertex = known->second;
+    }
+    part.triangles.push_back(corners);
+  }
+  const MapWindow window{edgeMm, kTexels};
+  return bendMm(SurfaceRaster(part).draw(frame, window), window);
 }
 
 double aimToleranceDeg(double bendMm, double moduleMm) {

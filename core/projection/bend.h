@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <glm/mat3x3.hpp>
 #include <span>
 
+#include "mesh/mesh.h"
 #include "render/geometry_pass.h"
 
 namespace qrelief {
@@ -26,6 +28,9 @@ class PlaneFit {
 /// @param surface  SurfaceMaps::surface of the window, texels² of it; what is no model does not count
 /// @returns 0 if there are not three texels of the model
 double bendMm(std::span<const float> surface, const MapWindow& window);
+
+/// The same of some of a mesh's facets, as a frame's eye sees them over a square of the QR plane about the centre.
+double bendMm(const Mesh& mesh, std::span<const std::uint32_t> triangles, const ProjectionFrame& frame, double edgeMm);
 
 /// From how far aside of the eye that it is projected for, to every side, a code on such a surface can be read,
 /// degrees, at most `kMostAimDeg`: as a reader takes the code for flat, it puts up with modules that are moved by a

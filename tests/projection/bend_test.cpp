@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "projection/bend.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
+
+#include "support/shapes.h"
 
 namespace qrelief {
 namespace {
@@ -39,6 +42,21 @@ TEST(Bend, WhatIsNoModelDoesNotCount) {
         surface[4 * static_cast<std::size_t>(row * kWindow.texels + column) + 2] = 0;
   EXPECT_NEAR(bendMm(surface, kWindow), 0, 1e-5);
   EXPECT_EQ(bendMm(std::vector<float>(surface.size(), 0.0f), kWindow), 0);
+}
+
+TEST(Bend, OfAMeshIsThatOfTheFacetsNamed) {
+  // A step between two plates: together they bend, each alone does not.
+  const Mesh mesh = shapes::together(shapes::translated(shapes::box({40, 40, 4}), {0, 0, -2}),
+                                     shapes::translated(shapes::box({20, 40, 2}), {-10, 0, 1}));
+  const ProjectionFrame frame = makeFrame({0, 0, 0}, {0, 0, 1}, {0, 1, 0}, 250);
+  std::vector<std::uint32_t> all, lower;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    all.push_back(t);
+    if (std::max({mesh.corner(t, 0).z, mesh.corner(t, 1).z, mesh.corner(t, 2).z}) < 1) lower.push_back(t);
+  }
+  EXPECT_NEAR(bendMm(mesh, lower, frame, 30), 0, 1e-5);
+  // A step of 2 in the middle has a variance of 1, of which the inclined plane takes three quarters.
+  EXPECT_NEAR(bendMm(mesh, all, frame, 30), 0.5, 0.02);
 }
 
 TEST(Bend, TheAimForgivesTheLessTheMoreModulesAreMoved) {
