@@ -45,3 +45,17 @@ test('The inspector is loaded when it is opened; if it cannot be, that is said, 
     await site.close();
   }
 });
+
+test('A host that does not know the type of WebAssembly serves the page, too', async ({ page }) => {
+  const site = await new Site('/').open();
+  try {
+    site.types['.wasm'] = 'application/octet-stream';
+    const app = new Engraver(page);
+    await page.goto(site.address);
+    await app.expectReady();
+    await new Inspector(page).open();
+    await expect(app.alert).toHaveCount(0);
+  } finally {
+    await site.close();
+  }
+});

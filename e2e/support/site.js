@@ -25,6 +25,7 @@ export class Site {
     /** @type {Map<string, (content: string) => string>} */ this.changes = new Map();  // by file, for another version
     /** @type {{ path: string, bytes: number }[]} */ this.sent = [];
     /** @type {(path: string) => boolean} */ this.lacks = () => false;
+    this.types = { ...kTypes };
     this.server_ = createServer((request, response) => this.answer_(request, response));
   }
 
@@ -57,7 +58,7 @@ export class Site {
     if (!change) packed.set(path, content);
     this.sent.push({ path, bytes: content.length });
     response.writeHead(200, {
-      'Content-Type': kTypes[extname(path)] ?? 'application/octet-stream', 'Content-Encoding': 'gzip',
+      'Content-Type': this.types[extname(path)] ?? 'application/octet-stream', 'Content-Encoding': 'gzip',
       'Content-Length': content.length, 'Cache-Control': 'max-age=600',
     }).end(content);
   }

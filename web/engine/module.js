@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Loads the module in its two parts: all that the page needs at first, and the inspector once it is wanted. Both share
-// one memory and one table of functions (wasm/split_inspector.sh).
+// one memory and one table of functions (wasm/split_inspector.js).
 import inspectorUrl from 'qrelief-inspector-wasm';
 import createQRelief from 'qrelief-module';
 import wasmUrl from 'qrelief-wasm';
@@ -19,7 +19,7 @@ const kPlaceholders = new Proxy({}, {
 async function compile(url) {
   const response = await fetch(url, { credentials: 'same-origin' });
   if (!response.ok) throw new Error(`${response.status} ${response.statusText}`.trim());
-  const isTyped = response.headers.get('Content-Type')?.startsWith('application/wasm') ?? false;  // else no streaming
+  const isTyped = response.headers.get('Content-Type') === 'application/wasm';  // else it cannot be compiled on the way
   return isTyped ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer());
 }
 
