@@ -225,6 +225,9 @@ export class EngineClient {
   /** @param {boolean} carved @returns {Promise<void>} */
   showCarved(carved) { return this.call_('showCarved', carved); }
 
+  /** Loads and makes the inspector, not shown yet. @returns {Promise<void>} */
+  openInspector() { return this.call_('openInspector'); }
+
   /** @param {boolean} shown @returns {Promise<void>} */
   setInspector(shown) { return this.call_('setInspector', shown); }
 

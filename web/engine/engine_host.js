@@ -76,7 +76,8 @@ export class EngineHost {
     this.frameRequested_ = false;
     /** @type {Job | undefined} */ this.job_ = undefined;
     this.lost_ = false;
-    this.inspectorWanted_ = this.inspectorShown_ = false;
+    this.inspectorShown_ = false;
+    this.inspectorFrames_ = 0;  // since it was opened
     this.inspectorTakes_ = false;
     this.hovers_ = 0;
     this.viewState_ = '';
@@ -234,13 +235,15 @@ export class EngineHost {
     setUpAxis: (axis) => this.drawn_(this.engine_.setUpAxis(axis)),
     /** @param {boolean} carved */
     showCarved: (carved) => this.drawn_(this.engine_.showCarved(carved)),
+    /** Makes the inspector, not shown yet; to be called before all that concerns it. */
+    openInspector: async () => {
+      await this.loadInspector_();
+      this.engine_.openInspector();
+    },
     /** @param {boolean} shown */
-    setInspector: async (shown) => {
-      this.inspectorWanted_ = shown;
-      if (shown) await this.loadInspector_();
-      if (this.inspectorWanted_ !== shown) return;  // pressed again meanwhile
-      if (shown) this.engine_.openInspector();
+    setInspector: (shown) => {
       this.inspectorShown_ = shown;
+      this.inspectorFrames_ = 0;
       this.inspectorTakes_ = false;
       this.inspectorState_ = '';
       this.drawn_(this.engine_.showInspector(shown));
@@ -432,7 +435,7 @@ export class EngineHost {
       this.fence_ = this.gl_.fenceSync(this.gl_.SYNC_GPU_COMMANDS_COMPLETE, 0);
       this.gl_.flush();
       this.tellView_();
-      if (this.inspectorShown_) this.tellInspector_();
+      if (this.inspectorShown_ && ++this.inspectorFrames_ > 1) this.tellInspector_();  // the first lays its window out
       if (wantsAnother && !this.job_) this.invalidate_();  // refinement waits while the job runs
     } catch (thrown) {
       this.lost_ = true;

@@ -27,10 +27,12 @@ export class Inspecting {
   async show(shown) {
     if (!shown) return this.close_();
     try {
-      await this.client_().setInspector(true);
+      await this.client_().openInspector();
       await this.translate_();
       await this.makeRoom();
-      this.view_.reportsPointer = this.toolbar_.inspectorShown;  // it may have been closed again meanwhile
+      if (!this.toolbar_.inspectorShown) return;  // closed again meanwhile
+      this.view_.reportsPointer = true;
+      await this.client_().setInspector(true);
     } catch (thrown) {
       this.toolbar_.releaseInspector();
       await this.close_();
