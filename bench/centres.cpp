@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/read_model.h"
+#include "native/egl_context.h"
 
 namespace qrelief::bench {
 namespace {
@@ -38,6 +39,18 @@ std::vector<std::string> kindsOf(const Json& picks, const std::vector<std::strin
 int failed(const std::string& what, const Error& error) {
   fmt::print(stderr, "{}: {} ({})\n", what, error.message, error.hint);
   return 1;
+}
+
+int runTable(int argc, char** argv, const std::function<int(const GeometryPass&, const TableArguments&)>& run) {
+  if (argc < 3) {
+    fmt::print(stderr, "usage: {} FOLDER CENTRES.json [KIND...]\n", argv[0]);
+    return 2;
+  }
+  const auto context = EglContext::create();
+  if (!context) return failed("EGL", context.error());
+  const auto pass = GeometryPass::create();
+  if (!pass) return failed("shaders", pass.error());
+  return run(*pass, {argv[1], argv[2], std::vector<std::string>(argv + 3, argv + argc)});
 }
 
 int forEachCentre(const std::string& folder, const std::string& centresFile, const std::vector<std::string>& kinds,

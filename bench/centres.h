@@ -30,6 +30,15 @@ using AtCentre = std::function<Status(const std::shared_ptr<const EngravableMode
 int forEachCentre(const std::string& folder, const std::string& centresFile, const std::vector<std::string>& kinds,
                   const AtCentre& visit);
 
+/// What follows the name of a table's program.
+struct TableArguments {
+  std::string folder, centresFile;
+  std::vector<std::string> kinds;
+};
+
+/// The main() of a table: reads `FOLDER CENTRES.json [KIND...]` and makes a GL context for it.
+int runTable(int argc, char** argv, const std::function<int(const GeometryPass&, const TableArguments&)>& run);
+
 /// Prints it. @returns 1
 int failed(const std::string& what, const Error& error);
 

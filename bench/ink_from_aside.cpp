@@ -12,7 +12,6 @@
 #include <fmt/format.h>
 
 #include "bench/centres.h"
-#include "native/egl_context.h"
 #include "native/zxing_reader.h"
 #include "projection/bend.h"
 #include "verification/baked_light.h"
@@ -75,11 +74,7 @@ Result<Counts> countSides(const GeometryPass& pass, const EngravableModel& model
   return counts;
 }
 
-int run(const std::string& folder, const std::string& centres, const std::vector<std::string>& kinds) {
-  const auto context = EglContext::create();
-  if (!context) return bench::failed("EGL", context.error());
-  const auto pass = GeometryPass::create();
-  if (!pass) return bench::failed("shaders", pass.error());
+int run(const GeometryPass& pass, const bench::TableArguments& arguments) {
   fmt::print("| centre | width (mm) | bend (modules) | foretold (°) | sides of {} at {}° |\n|---|---|---|---|{}\n",
              kSides, fmt::join(kTiltsDeg, "° | "), "---|---|---|---|---|---|---|---|");
   int visited = 0;
@@ -89,9 +84,9 @@ int run(const std::string& folder, const std::string& centres, const std::vector
     request.centreMm = centre.positionMm;
     if (centre.widthWithQuietZoneMm)
       request.maxSizeMm = *centre.widthWithQuietZoneMm * kModules / (kModules + 2 * kQuietZoneModules);
-    const auto placement = bench::place(*model, *pass, kModules, request);
+    const auto placement = bench::place(*model, pass, kModules, request);
     if (!placement) return tl::unexpected(placement.error());
-    const auto counts = countSides(*pass, *model, *placement);
+    const auto counts = countSides(pass, *model, *placement);
     if (!counts) return tl::unexpected(counts.error());
     fmt::print("| {} | {:.1f} | {:.2f} | {:.0f} | {} |\n", centre.name, placement->symbolMm,
                placement->bendMm / placement->moduleMm,
@@ -104,7 +99,7 @@ int run(const std::string& folder, const std::string& centres, const std::vector
     }
     return {};
   };
-  const int status = bench::forEachCentre(folder, centres, kinds, visit);
+  const int status = bench::forEachCentre(arguments.folder, arguments.centresFile, arguments.kinds, visit);
   fmt::print("| of {}, from any side | | | | {} |\n| from every side | | | | {} |\n", visited,
              fmt::join(anySide, " | "), fmt::join(everySide, " | "));
   return status;
@@ -113,10 +108,4 @@ int run(const std::string& folder, const std::string& centres, const std::vector
 }  // namespace
 }  // namespace qrelief
 
-int main(int argc, char** argv) {
-  if (argc < 3) {
-    fmt::print(stderr, "usage: {} FOLDER CENTRES.json [KIND...]\n", argv[0]);
-    return 2;
-  }
-  return qrelief::run(argv[1], argv[2], std::vector<std::string>(argv + 3, argv + argc));
-}
+int main(int argc, char** argv) { return qrelief::bench::runTable(argc, argv, qrelief::run); }

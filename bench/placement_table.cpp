@@ -11,7 +11,6 @@
 #include <numbers>
 
 #include "bench/centres.h"
-#include "native/egl_context.h"
 
 namespace qrelief {
 namespace {
@@ -67,29 +66,19 @@ Status printRow(const EngravableModel& model, const GeometryPass& pass, const be
   return {};
 }
 
-int run(const std::string& folder, const std::string& centres, const std::vector<std::string>& kinds) {
-  const auto context = EglContext::create();
-  if (!context) return bench::failed("EGL", context.error());
-  const auto pass = GeometryPass::create();
-  if (!pass) return bench::failed("shaders", pass.error());
+int run(const GeometryPass& pass, const bench::TableArguments& arguments) {
   fmt::print(
       "| centre | measure·1000 of mean-normal | depth-balanced | pca | optimal "
       "| worst angle (°) of mean-normal | depth-balanced | pca | optimal "
       "| guaranteed (mm) with mean-normal | depth-balanced | pca | optimal "
       "| free | oriented | best | at (°) |\n|---|{}\n",
       "---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|");
-  return bench::forEachCentre(folder, centres, kinds, [&](const auto& model, const bench::Centre& centre) {
-    return printRow(*model, *pass, centre);
-  });
+  return bench::forEachCentre(
+      arguments.folder, arguments.centresFile, arguments.kinds,
+      [&](const auto& model, const bench::Centre& centre) { return printRow(*model, pass, centre); });
 }
 
 }  // namespace
 }  // namespace qrelief
 
-int main(int argc, char** argv) {
-  if (argc < 3) {
-    fmt::print(stderr, "usage: {} FOLDER CENTRES.json [KIND...]\n", argv[0]);
-    return 2;
-  }
-  return qrelief::run(argv[1], argv[2], std::vector<std::string>(argv + 3, argv + argc));
-}
+int main(int argc, char** argv) { return qrelief::bench::runTable(argc, argv, qrelief::run); }
