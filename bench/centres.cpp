@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/read_model.h"
+#include "messages/sentences.h"
 #include "native/egl_context.h"
 
 namespace qrelief::bench {
@@ -37,7 +38,7 @@ std::vector<std::string> kindsOf(const Json& picks, const std::vector<std::strin
 }  // namespace
 
 int failed(const std::string& what, const Error& error) {
-  fmt::print(stderr, "{}: {} ({})\n", what, error.message, error.hint);
+  fmt::print(stderr, "{}: {}\n", what, sentenceAndHint(error.message));
   return 1;
 }
 
@@ -57,7 +58,7 @@ int forEachCentre(const std::string& folder, const std::string& centresFile, con
                   const AtCentre& visit) {
   std::ifstream stream(centresFile);
   const Json models = Json::parse(stream, nullptr, false);
-  if (!models.is_object()) return failed(centresFile, {ErrorCode::BadInput, "not a JSON object", ""});
+  if (!models.is_object()) return failed(centresFile, {ErrorKind::BadInput, "not a JSON object", ""});
   int status = 0, number = 0;
   for (const auto& [file, entry] : models.items()) {
     const double scale = entry["scaleToMm"].get<double>();

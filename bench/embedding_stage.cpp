@@ -17,6 +17,7 @@
 #include "embedding/embed.h"
 #include "embedding_spot.h"
 #include "io/read_model.h"
+#include "messages/sentences.h"
 
 namespace qrelief {
 namespace {
@@ -83,7 +84,7 @@ Result<nlohmann::ordered_json> measure(const PreparedModel& model, const bench::
 }
 
 int failed(const std::string& model, const Error& error) {
-  fmt::print(stderr, "qrelief_embedding_bench: {}: {} ({})\n", model, error.message, error.hint);
+  fmt::print(stderr, "qrelief_embedding_bench: {}: {}\n", model, sentenceAndHint(error.message));
   return 1;
 }
 

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <map>
 
+#include "messages/sentences.h"
 #include "native/egl_context.h"
 #include "support/engrave_oracle.h"
 
@@ -22,7 +23,7 @@ int run(std::uint64_t cases, std::uint64_t first, bool carvingOnly) {
   if (!carvingOnly) {
     auto made = EglContext::create();
     if (!made) {
-      fmt::print(stderr, "qrelief_property_bench: {}\n", made.error().message);
+      fmt::print(stderr, "qrelief_property_bench: {}\n", sentence(made.error().message));
       return 2;
     }
     context = std::move(*made);

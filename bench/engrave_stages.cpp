@@ -15,6 +15,7 @@
 
 #include "io/read_model.h"
 #include "io/write_stl.h"
+#include "messages/sentences.h"
 #include "native/egl_context.h"
 #include "native/zxing_reader.h"
 #include "pipeline/engrave.h"
@@ -55,7 +56,7 @@ Case caseFrom(int argc, char** argv) {
 }
 
 int failed(const Error& error) {
-  fmt::print(stderr, "qrelief_bench: {} ({})\n", error.message, error.hint);
+  fmt::print(stderr, "qrelief_bench: {}\n", sentenceAndHint(error.message));
   return 1;
 }
 

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "messages/sentences.h"
 #include "native/egl_context.h"
 #include "native/zxing_reader.h"
 #include "pipeline/engrave.h"
@@ -110,7 +111,7 @@ Status printRows(const Shape& shape) {
 }
 
 int failed(const std::string& what, const Error& error) {
-  fmt::print(stderr, "{}: {} ({})\n", what, error.message, error.hint);
+  fmt::print(stderr, "{}: {}\n", what, sentenceAndHint(error.message));
   return 1;
 }
 

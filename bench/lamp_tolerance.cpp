@@ -11,6 +11,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "messages/sentences.h"
 #include "native/egl_context.h"
 #include "native/zxing_reader.h"
 #include "pipeline/engrave.h"
@@ -23,7 +24,7 @@ constexpr double kAzimuthDeg = 90;  // at the symbol's top
 constexpr std::array<double, 10> kReadingElevationsDeg = {4, 8, 15, 23, 33, 38, 48, 63, 78, 88};
 
 int failed(const std::string& what, const Error& error) {
-  fmt::print(stderr, "{}: {} ({})\n", what, error.message, error.hint);
+  fmt::print(stderr, "{}: {}\n", what, sentenceAndHint(error.message));
   return 1;
 }
 

@@ -13,6 +13,7 @@
 
 #include "io/read_model.h"
 #include "mesh/prepare.h"
+#include "messages/sentences.h"
 
 #ifdef QRELIEF_ASSIMP
 #include <assimp/Importer.hpp>
@@ -48,7 +49,7 @@ int measure(const std::string& path, double scale, int runs) {
     preparing.push_back(millisecondsSince(read));
     both.push_back(millisecondsSince(start));
     if (!model) {
-      fmt::print(stderr, "qrelief_load_bench: {} ({})\n", model.error().message, model.error().hint);
+      fmt::print(stderr, "qrelief_load_bench: {}\n", sentenceAndHint(model.error().message));
       return 1;
     }
     triangles = model->mesh.triangles.size();

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "mesh/prepare.h"
+#include "messages/sentences.h"
 #include "native/egl_context.h"
 #include "pipeline/place.h"
 #include "projection/view_raster.h"
@@ -99,7 +100,7 @@ Status compareWithGpu() {
 int run() {
   const auto context = EglContext::create();
   if (!context) {
-    fmt::print(stderr, "qrelief_place_bench: {}\n", context.error().message);
+    fmt::print(stderr, "qrelief_place_bench: {}\n", sentence(context.error().message));
     return 1;
   }
   const auto gl = gl::queryCapabilities();

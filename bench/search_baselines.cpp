@@ -26,6 +26,7 @@
 #include "embedding/embed.h"
 #include "io/read_model.h"
 #include "io/write_stl.h"
+#include "messages/sentences.h"
 #include "native/egl_context.h"
 #include "pipeline/engrave.h"
 #include "render/luminance_pass.h"
@@ -179,7 +180,7 @@ Result<Spot> placedSpot(const std::vector<std::uint8_t>& bytes, const std::strin
 }
 
 int failed(const Error& error) {
-  fmt::print(stderr, "qrelief_search_bench: {} ({})\n", error.message, error.hint);
+  fmt::print(stderr, "qrelief_search_bench: {}\n", sentenceAndHint(error.message));
   return 1;
 }
 

@@ -12,7 +12,7 @@ namespace qrelief {
 /// Exit statuses, fixed by the contract.
 enum ExitStatus { kEngraved = 0, kCheckFailed = 1, kBadUsage = 2, kBadInput = 3, kNoSolution = 4, kInternalError = 5 };
 
-int exitStatusOf(ErrorCode code);
+int exitStatusOf(ErrorKind code);
 
 /// "qrelief: MESSAGE" and the hint on stderr. @returns the error's exit status
 int printError(const Error& error);

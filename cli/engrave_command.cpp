@@ -57,7 +57,7 @@ Result<double> numberFrom(const std::string& text, const char* what) {
     if (used == text.size()) return value;
   } catch (const std::exception&) {
   }
-  return fail(ErrorCode::BadUsage, fmt::format("{} is \"{}\"", what, text), "See qrelief engrave --help");
+  return fail(ErrorKind::BadUsage, fmt::format("{} is \"{}\"", what, text), "See qrelief engrave --help");
 }
 
 Status readSize(const std::string& text, PlacementRequest& placement) {
@@ -66,7 +66,7 @@ Status readSize(const std::string& text, PlacementRequest& placement) {
     return {};
   }
   const Result<double> size = numberFrom(text, "The size");
-  if (!size) return fail(ErrorCode::BadUsage, size.error().message, "Give mm, or free, oriented or best");
+  if (!size) return fail(ErrorKind::BadUsage, toldText(size.error().message), "Give mm, or free, oriented or best");
   placement.sizeMode = SizeMode::Fixed;
   placement.sizeMm = *size;
   return {};
@@ -82,10 +82,10 @@ Status readDirection(const std::string& text, PlacementRequest& placement) {
   for (int k = 0; k < 3; ++k) {
     const std::size_t end = k < 2 ? text.find(',', begin) : text.size();
     const Result<double> value = end == std::string::npos
-                                     ? fail(ErrorCode::BadUsage, fmt::format("The direction is \"{}\"", text))
+                                     ? fail(ErrorKind::BadUsage, fmt::format("The direction is \"{}\"", text))
                                      : numberFrom(text.substr(begin, end - begin), "A number of the direction");
     if (!value)
-      return fail(ErrorCode::BadUsage, value.error().message,
+      return fail(ErrorKind::BadUsage, toldText(value.error().message),
                   "Give mean-normal, depth-balanced, pca, optimal, or a vector X,Y,Z");
     vector[k] = *value;
     begin = end + 1;
@@ -100,12 +100,13 @@ Result<DirectionalLight> readLight(const std::string& text) {
   for (std::size_t begin = 0; begin <= text.size();) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
     const Result<double> value = numberFrom(text.substr(begin, end - begin), "A number of the light");
-    if (!value) return fail(ErrorCode::BadUsage, value.error().message, "Give AZIMUTH,ELEVATION,STRENGTH: 90,45,1");
+    if (!value)
+      return fail(ErrorKind::BadUsage, toldText(value.error().message), "Give AZIMUTH,ELEVATION,STRENGTH: 90,45,1");
     numbers.push_back(*value);
     begin = end + 1;
   }
   if (numbers.size() != 2 && numbers.size() != 3)
-    return fail(ErrorCode::BadUsage, fmt::format("The light \"{}\" has {} numbers", text, numbers.size()),
+    return fail(ErrorKind::BadUsage, fmt::format("The light \"{}\" has {} numbers", text, numbers.size()),
                 "Give AZIMUTH,ELEVATION,STRENGTH: 90,45,1");
   DirectionalLight light{.azimuthDeg = numbers[0], .elevationDeg = numbers[1]};
   if (numbers.size() == 3) light.strength = numbers[2];
@@ -128,10 +129,10 @@ Status completeRequest(EngraveOptions& options) {
   if (!options.up.empty()) placement.upHint = {options.up[0], options.up[1], options.up[2]};
   placement.quietZone = !options.noQuietZone;
   if (options.ascii && formatOfName(options.output) != ModelFormat::Stl)
-    return fail(ErrorCode::BadUsage, fmt::format("--ascii is for STL, and the output is {}", options.output),
+    return fail(ErrorKind::BadUsage, fmt::format("--ascii is for STL, and the output is {}", options.output),
                 "Leave it out, or name the output .stl");
   if (request.inlay && formatOfName(options.output) != ModelFormat::ThreeMf)
-    return fail(ErrorCode::BadUsage,
+    return fail(ErrorKind::BadUsage,
                 fmt::format("--inlay needs two bodies in a file, and the output is {}", options.output),
                 "Name the output .3mf, or leave it out");
   choosePreset(options, *presetByName(options.preset));

@@ -35,24 +35,24 @@ class TemporaryFile {
 Result<std::vector<std::uint8_t>> readFile(const std::string& path) {
   std::error_code error;
   if (std::filesystem::is_directory(path, error))
-    return fail(ErrorCode::BadInput, fmt::format("{} is a folder", path), "Name a model file");
+    return fail(ErrorKind::BadInput, fmt::format("{} is a folder", path), "Name a model file");
   std::ifstream stream(path, std::ios::binary);
-  if (!stream) return fail(ErrorCode::BadInput, fmt::format("{} cannot be opened: {}", path, std::strerror(errno)));
+  if (!stream) return fail(ErrorKind::BadInput, fmt::format("{} cannot be opened: {}", path, std::strerror(errno)));
   const auto size = std::filesystem::file_size(path, error);
   if (!error && size > ReadLimits{}.maxBytes)
-    return fail(ErrorCode::BadInput,
+    return fail(ErrorKind::BadInput,
                 fmt::format("{} has {} MB; the limit is {} MB", path, size >> 20, ReadLimits{}.maxBytes >> 20),
                 "Reduce the model's triangle count first");
   std::vector<std::uint8_t> bytes(error ? 0 : static_cast<std::size_t>(size));
   stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
   if (static_cast<std::size_t>(stream.gcount()) != bytes.size())
-    return fail(ErrorCode::BadInput, fmt::format("{} ended after {} of {} bytes", path, stream.gcount(), bytes.size()));
+    return fail(ErrorKind::BadInput, fmt::format("{} ended after {} of {} bytes", path, stream.gcount(), bytes.size()));
   return bytes;
 }
 
 Status writeFileAtomically(const std::string& path, std::span<const std::uint8_t> bytes) {
   const auto failed = [&](const char* what) {
-    return fail(ErrorCode::BadInput, fmt::format("{} cannot be {}: {}", path, what, std::strerror(errno)),
+    return fail(ErrorKind::BadInput, fmt::format("{} cannot be {}: {}", path, what, std::strerror(errno)),
                 "Check the folder, its permissions and the free space");
   };
   TemporaryFile temporary(fmt::format("{}.{}.part", path, ::getpid()));

@@ -6,33 +6,34 @@
 #include <new>
 
 #include "cli/commands.h"
+#include "messages/sentences.h"
 
 namespace qrelief {
 
-int exitStatusOf(ErrorCode code) {
+int exitStatusOf(ErrorKind code) {
   switch (code) {
-    case ErrorCode::BadUsage:
+    case ErrorKind::BadUsage:
       return kBadUsage;
-    case ErrorCode::BadInput:
+    case ErrorKind::BadInput:
       return kBadInput;
-    case ErrorCode::NoSolution:
+    case ErrorKind::NoSolution:
       return kNoSolution;
-    case ErrorCode::Internal:
+    case ErrorKind::Internal:
       break;
   }
   return kInternalError;
 }
 
 int printError(const Error& error) {
-  fmt::print(stderr, "qrelief: {}\n", error.message);
-  if (!error.hint.empty()) fmt::print(stderr, "  what helps: {}\n", error.hint);
-  return exitStatusOf(error.code);
+  fmt::print(stderr, "qrelief: {}\n", sentence(error.message));
+  if (const std::string helps = hint(error.message); !helps.empty()) fmt::print(stderr, "  what helps: {}\n", helps);
+  return exitStatusOf(error.kind);
 }
 
 Result<std::optional<double>> scaleFrom(std::optional<double> scale, const std::string& units) {
   if (!units.empty()) return units == "mm" ? 1.0 : units == "cm" ? 10.0 : units == "m" ? 1000.0 : 25.4;
   if (scale && !(*scale > 0 && *scale < 1e12))
-    return fail(ErrorCode::BadUsage, fmt::format("The scale is {:g}", *scale),
+    return fail(ErrorKind::BadUsage, fmt::format("The scale is {:g}", *scale),
                 "Give file units → mm, such as 1000 for metres");
   return scale;
 }

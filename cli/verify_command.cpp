@@ -32,7 +32,7 @@ Vec3 vectorOf(const std::vector<double>& numbers) { return {numbers[0], numbers[
 /// Place, size and text from the command line.
 Result<VerifyRequest> requestFromFlags(const VerifyOptions& options) {
   if (options.text.empty() || options.at.empty() || options.direction.empty() || !(options.size > 0))
-    return fail(ErrorCode::BadUsage, "Without --report the place of the code is not known",
+    return fail(ErrorKind::BadUsage, "Without --report the place of the code is not known",
                 "Give --report FILE, or --text, --at, --direction and --size");
   VerifyRequest request;
   request.text = options.text;

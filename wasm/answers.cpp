@@ -4,15 +4,15 @@
 namespace qrelief {
 namespace {
 
-const char* nameOf(ErrorCode code) {
+const char* nameOf(ErrorKind code) {
   switch (code) {
-    case ErrorCode::BadUsage:
+    case ErrorKind::BadUsage:
       return "BadUsage";
-    case ErrorCode::BadInput:
+    case ErrorKind::BadInput:
       return "BadInput";
-    case ErrorCode::NoSolution:
+    case ErrorKind::NoSolution:
       return "NoSolution";
-    case ErrorCode::Internal:
+    case ErrorKind::Internal:
       break;
   }
   return "Internal";
@@ -26,11 +26,13 @@ std::string done() { return textOf({{"ok", true}}); }
 
 std::string answer(const Error& error) {
   return textOf(
-      {{"ok", false}, {"error", {{"code", nameOf(error.code)}, {"message", error.message}, {"hint", error.hint}}}});
+      {{"ok", false},
+       {"error",
+        {{"code", nameOf(error.kind)}, {"message", toldText(error.message)}, {"hint", toldHint(error.message)}}}});
 }
 
-std::string answer(ErrorCode code, std::string message, std::string hint) {
-  return answer(Error{code, std::move(message), std::move(hint)});
+std::string answer(ErrorKind code, std::string message, std::string hint) {
+  return answer(Error{code, untold(std::move(message), std::move(hint))});
 }
 
 std::string answer(const Progress& progress) {

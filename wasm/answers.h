@@ -23,14 +23,15 @@ std::string textOf(const Json& json);
 std::string done();
 
 std::string answer(const Error& error);
-std::string answer(ErrorCode code, std::string message, std::string hint);
+std::string answer(ErrorKind code, std::string message, std::string hint);
 
 /// {"ok": true, stage, fraction, done}
 std::string answer(const Progress& progress);
 
 Json jsonOf(Vec3 v);
 
-inline const Error kNoModel = {ErrorCode::BadUsage, "there is no model yet", "open a model file or choose a sample"};
+inline const Error kNoModel = {ErrorKind::BadUsage,
+                               untold("there is no model yet", "open a model file or choose a sample")};
 
 /// The reader's warnings, then what was found out about the model.
 Json jsonOf(std::span<const std::string> warnings, std::span<const Finding> findings);

@@ -37,14 +37,14 @@ double millisecondsSince(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-const Error kNoResult = {ErrorCode::BadUsage, "nothing has been engraved yet", "press Engrave first"};
+const Error kNoResult = {ErrorKind::BadUsage, untold("nothing has been engraved yet", "press Engrave first")};
 
 }  // namespace
 
 Engine::Engine(const std::string& renderer) : symbol_(encodeSymbol(request_.text, request_.symbol)) {
   const auto capabilities = gl::queryCapabilities();
   if (!capabilities) {
-    problems_.push_back(capabilities.error().message + "; " + capabilities.error().hint);
+    problems_.push_back(toldText(capabilities.error().message) + "; " + toldHint(capabilities.error().message));
     return;
   }
   gl_ = *capabilities;
@@ -52,7 +52,7 @@ Engine::Engine(const std::string& renderer) : symbol_(encodeSymbol(request_.text
   auto pass = GeometryPass::create();
   auto viewer = Viewer::create(ViewQuality::suitedTo(gl_));
   for (const Error* error : {pass ? nullptr : &pass.error(), viewer ? nullptr : &viewer.error()})
-    if (error) problems_.push_back(error->message + "; " + error->hint);
+    if (error) problems_.push_back(toldText(error->message) + "; " + toldHint(error->message));
   if (!problems_.empty()) return;
   pass_ = std::make_shared<const GeometryPass>(std::move(*pass));
   viewer_ = std::make_unique<Viewer>(std::move(*viewer));
@@ -94,9 +94,9 @@ Result<Engine::Model> Engine::readAndPrepare(std::vector<std::uint8_t> bytes, co
 }
 
 std::string Engine::loadModel(std::vector<std::uint8_t> bytes, const std::string& fileName, double scaleToMm) {
-  if (!viewer_) return answer(ErrorCode::Internal, problems_.front(), "use a browser with WebGL 2 and float targets");
+  if (!viewer_) return answer(ErrorKind::Internal, problems_.front(), "use a browser with WebGL 2 and float targets");
   if (!(scaleToMm >= 0) || !std::isfinite(scaleToMm))
-    return answer(ErrorCode::BadUsage, fmt::format("the scale is {:g}", scaleToMm),
+    return answer(ErrorKind::BadUsage, fmt::format("the scale is {:g}", scaleToMm),
                   "Choose how many mm one unit of the file is");
   auto model = readAndPrepare(std::move(bytes), fileName, scaleToMm);
   if (!model) return answer(model.error());
@@ -232,7 +232,7 @@ std::string Engine::startEngrave(const RequestOverrides* overrides) {
   updateView();
   if (!model_) return answer(kNoModel);
   if (!centre_)
-    return answer(ErrorCode::BadUsage, "no place has been chosen", "click on the model where the code should go");
+    return answer(ErrorKind::BadUsage, "no place has been chosen", "click on the model where the code should go");
   jobRequest_ = overrides ? overrides->appliedTo(completeRequest()) : completeRequest();
   jobRequest_.recordSearch = true;  // so that the inspector can show it, whenever it is opened
   const PlacementSearch* placed = overrides ? nullptr : foundPlacement(jobRequest_);
@@ -253,7 +253,7 @@ std::string Engine::startEngrave(const RequestOverrides* overrides) {
 }
 
 std::string Engine::advance() {
-  if (!jobRuns_) return answer(ErrorCode::BadUsage, "no engraving is running", "");
+  if (!jobRuns_) return answer(ErrorKind::BadUsage, "no engraving is running", "");
   const auto start = Clock::now();
   if (passTimings_) passTimings_->listen();
   const Result<Progress> progress = job_->advance();

@@ -24,7 +24,7 @@ double Engine::codeEdgeMm() const {
 
 Result<BackDistanceMap> Engine::backDistances() const {
   const SurfaceMaps* maps = job_ ? job_->inspectorMaps().surface : nullptr;
-  if (!result_ || !maps) return fail(ErrorCode::BadUsage, "nothing has been engraved yet", "press Engrave first");
+  if (!result_ || !maps) return fail(ErrorKind::BadUsage, "nothing has been engraved yet", "press Engrave first");
   return pass_->renderBack(model_->engravable->gpu, result_->placement.frame, maps->window);
 }
 

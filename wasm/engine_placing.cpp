@@ -18,7 +18,7 @@ constexpr double kLegendStepMm = 5;  // the legend of the sizes ends at a multip
 Status Engine::placeSymbol() {
   if (!model_) return tl::unexpected(kNoModel);
   if (!centre_)
-    return fail(ErrorCode::BadUsage, "no place has been chosen", "click on the model where the code should go");
+    return fail(ErrorKind::BadUsage, "no place has been chosen", "click on the model where the code should go");
   const EngravableModel& model = *model_->engravable;
   if (const Status engravable = model.prepared.engravable(); !engravable) return engravable;
   if (!symbol_) return tl::unexpected(symbol_.error());
@@ -96,7 +96,7 @@ std::string Engine::startPlacing() {
 }
 
 std::string Engine::advancePlacing() {
-  if (!placing_) return answer(ErrorCode::BadUsage, "no search for spots is running", "");
+  if (!placing_) return answer(ErrorKind::BadUsage, "no search for spots is running", "");
   const Result<Progress> progress = placing_->advance();
   if (!progress) {
     forgetSpots();
@@ -134,7 +134,7 @@ std::string Engine::spots() const {
 }
 
 std::string Engine::chooseSpot(std::size_t index) {
-  if (index >= spots_.size()) return answer(ErrorCode::BadUsage, "there is no such spot", "");
+  if (index >= spots_.size()) return answer(ErrorKind::BadUsage, "there is no such spot", "");
   const OfferedSpot& spot = spots_[index];
   const std::string chosen = setCentre(spot.centreMm.x, spot.centreMm.y, spot.centreMm.z);
   if (spot.needsDirection) spotDirection_ = spot.direction;

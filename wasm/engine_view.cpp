@@ -32,7 +32,8 @@ double nowMs() {
 
 Json jsonOf(Vec2 v) { return {v.x, v.y}; }
 
-const Error kNoCode = {ErrorCode::BadUsage, "no code has a place", "click on the model where the code should go"};
+const Error kNoCode = {ErrorKind::BadUsage,
+                       untold("no code has a place", "click on the model where the code should go")};
 
 std::optional<StandardView> standardViewByName(std::string_view name) {
   constexpr std::array<const char*, 7> kNames = {"front", "back", "left", "right", "top", "bottom", "iso"};
@@ -125,7 +126,7 @@ bool Engine::draw(bool always) {
   const bool gliding = camera_.advance(now);
   const Result<bool> more = viewer_->draw(camera_.view(), now, nullptr, always);
   if (more) return *more || gliding;
-  problems_.push_back(more.error().message);
+  problems_.push_back(toldText(more.error().message));
   return false;
 }
 
@@ -245,7 +246,7 @@ std::string Engine::moveCode(double x, double y) {
 std::string Engine::adjustCode(double rotateDeg, double symbolMm) {
   if (!code_ || !takesCode()) return answer(kNoCode);
   if (!std::isfinite(rotateDeg) || !(symbolMm > 0))
-    return answer(ErrorCode::BadUsage, fmt::format("a code of {:g} mm at {:g}° is asked for", symbolMm, rotateDeg),
+    return answer(ErrorKind::BadUsage, fmt::format("a code of {:g} mm at {:g}° is asked for", symbolMm, rotateDeg),
                   "Give a size above 0");
   const double outer = roomFactor(symbol_->size, request_.placement.quietZone);
   code_->print.frame = turned(code_->print.frame, (rotateDeg - code_->rotationDeg) * kDegree);

@@ -69,7 +69,8 @@ class SettingsReader {
   }
   void refuse(const char* name, const char* hint) {
     if (!error_)
-      error_ = Error{ErrorCode::BadUsage, fmt::format("the setting {} is {}", name, settings_.at(name).dump()), hint};
+      error_ = Error{ErrorKind::BadUsage,
+                     untold(fmt::format("the setting {} is {}", name, settings_.at(name).dump()), hint)};
   }
 
   const Json& settings_;
@@ -80,7 +81,7 @@ class SettingsReader {
 
 Result<EngraveRequest> readSettings(std::string_view json) {
   const Json settings = Json::parse(json, nullptr, false);
-  if (!settings.is_object()) return fail(ErrorCode::BadUsage, "the settings are no JSON object");
+  if (!settings.is_object()) return fail(ErrorKind::BadUsage, "the settings are no JSON object");
   EngraveRequest request;
   SettingsReader read(settings);
   read.text("text", request.text);

@@ -5,30 +5,45 @@
 #include <tl/expected.hpp>
 #include <utility>
 
+#include "base/message.h"
+
 namespace qrelief {
 
 /// Why something could not be done; the command's exit status follows from it.
-enum class ErrorCode {
+enum class ErrorKind {
   BadUsage,    ///< the request itself makes no sense (exit status 2)
   BadInput,    ///< the file or the text cannot be used (3)
   NoSolution,  ///< good input, but nothing fits it (4)
   Internal,    ///< a fault of ours (5)
 };
 
-/// What was found, and what would help: both are shown to the user as they are.
+/// What was found; the sentence, and what would help, follow from the message's code (messages/).
 struct Error {
-  ErrorCode code = ErrorCode::Internal;
-  std::string message;  ///< what was found and where (line, facet, byte); a sentence without full stop
-  std::string hint;     ///< what would help; may be empty
+  ErrorKind kind = ErrorKind::Internal;
+  Message message;
 };
 
 template <class T>
 using Result = tl::expected<T, Error>;
 using Status = Result<void>;
 
-/// `return fail(ErrorCode::BadInput, "...", "...");` from any function returning Result.
-inline tl::unexpected<Error> fail(ErrorCode code, std::string message, std::string hint = {}) {
-  return tl::unexpected<Error>(Error{code, std::move(message), std::move(hint)});
+/// `return fail(ErrorKind::BadInput, message("stl-empty"));` from any function returning Result.
+inline tl::unexpected<Error> fail(ErrorKind kind, Message message) {
+  return tl::unexpected<Error>(Error{kind, std::move(message)});
 }
+
+/// Until every error has its code: words in place of it.
+inline Message untold(std::string text, std::string hint = {}) {
+  Message made{"untold", {with::term("text", text)}};
+  if (!hint.empty()) made = {"untold-hint", {with::term("text", text), with::term("hint", hint)}};
+  return made;
+}
+inline tl::unexpected<Error> fail(ErrorKind kind, std::string text, std::string hint = {}) {
+  return fail(kind, untold(std::move(text), std::move(hint)));
+}
+inline std::string toldText(const Message& untold) {
+  return untold.values.empty() ? untold.code : untold.values[0].text;
+}
+inline std::string toldHint(const Message& untold) { return untold.values.size() < 2 ? "" : untold.values[1].text; }
 
 }  // namespace qrelief

@@ -133,7 +133,7 @@ Result<Carving> carve(const Mesh& mesh, const ProjectionFrame& frame, const Foot
   for (int attempt = 1;; ++attempt) {
     Result<Arrangement> arrangement = arrange(footprint, edges, graph);
     if (!arrangement) {
-      if (arrangement.error().code != ErrorCode::Internal || ++refusals == kRefusals)
+      if (arrangement.error().kind != ErrorKind::Internal || ++refusals == kRefusals)
         return tl::unexpected(arrangement.error());
       clearance.placeAgain(allNodes(graph));
       continue;
@@ -147,7 +147,7 @@ Result<Carving> carve(const Mesh& mesh, const ProjectionFrame& frame, const Foot
       // Low triangles are a risk; whether they do harm is for the final check to say. Collinear ones always do.
       if (low.collinear == 0) return carving;
       return fail(
-          ErrorCode::NoSolution,
+          ErrorKind::NoSolution,
           fmt::format("The model's facets under the code are too fine: {} carved triangles would be thinner than "
                       "32-bit floats can hold",
                       low.collinear),
@@ -227,7 +227,7 @@ Result<EmbedResult> embedDepthField(const Mesh& mesh, const ProjectionFrame& fra
       findFootprint(mesh, frame, patch, concerned(levels, options.surface), levels.submoduleMm() / 4);
   if (!footprint) return tl::unexpected(footprint.error());
   if (footprint->facets.empty())
-    return fail(ErrorCode::NoSolution, "No part of the visible surface lies under the code",
+    return fail(ErrorKind::NoSolution, "No part of the visible surface lies under the code",
                 "choose another centre or direction");
   OutlineGraph graph = options.surface == SurfaceMode::Resampled
                            ? buildGridOutlines(levels, chamferMm)

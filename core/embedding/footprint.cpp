@@ -90,7 +90,7 @@ Result<Footprint> findFootprint(const Mesh& mesh, const ProjectionFrame& frame, 
     if (inFront && cross2(t[1] - t[0], t[2] - t[0]) > 0) {
       if (touchesCarving(t, levels, marginMm)) footprint.facets.push_back(facet);
     } else if (inFront && touchesCarving({t[0], t[2], t[1]}, levels, marginMm)) {
-      return fail(ErrorCode::NoSolution,
+      return fail(ErrorKind::NoSolution,
                   fmt::format("Facet {} under the code near ({:.2f}, {:.2f}) mm is seen from behind or edge-on", facet,
                               t[0].x, t[0].y),
                   "choose a smaller size, or another direction");

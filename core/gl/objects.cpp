@@ -40,7 +40,7 @@ Result<GLuint> compile(const char* name, GLenum kind, const char* source) {
   std::array<char, 2048> log{};
   glGetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), nullptr, log.data());
   glDeleteShader(shader);
-  return fail(ErrorCode::Internal, fmt::format("The graphics driver refuses the shader {}: {}", name, log.data()),
+  return fail(ErrorKind::Internal, fmt::format("The graphics driver refuses the shader {}: {}", name, log.data()),
               "Update the graphics driver or the browser");
 }
 
@@ -106,7 +106,7 @@ Result<Framebuffer> Framebuffer::create(std::span<const Texture* const> colours,
   }
   const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
   if (status != GL_FRAMEBUFFER_COMPLETE)
-    return fail(ErrorCode::Internal,
+    return fail(ErrorKind::Internal,
                 fmt::format("The graphics driver cannot render to a {} × {} float texture (status 0x{:x})", made.width_,
                             made.height_, status),
                 "Use a device whose graphics support EXT_color_buffer_float");
@@ -189,7 +189,7 @@ Result<Program> Program::create(const char* name, const char* vertexSource, cons
   if (linked) return made;
   std::array<char, 2048> log{};
   glGetProgramInfoLog(made.id_, static_cast<GLsizei>(log.size()), nullptr, log.data());
-  return fail(ErrorCode::Internal, fmt::format("The graphics driver cannot link the shader {}: {}", name, log.data()),
+  return fail(ErrorKind::Internal, fmt::format("The graphics driver cannot link the shader {}: {}", name, log.data()),
               "Update the graphics driver or the browser");
 }
 

@@ -65,7 +65,7 @@ class HeaderReader {
 
  private:
   tl::unexpected<Error> failHere(const std::string& what) const {
-    return fail(ErrorCode::BadInput, fmt::format("Line {} of the PLY header: {}", line_, what),
+    return fail(ErrorKind::BadInput, fmt::format("Line {} of the PLY header: {}", line_, what),
                 "The file is cut off or damaged; export it again");
   }
 

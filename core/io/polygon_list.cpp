@@ -13,7 +13,7 @@ Status checkPositions(const std::vector<Vec3>& positions, const std::string& for
   for (std::size_t i = 0; i < positions.size(); ++i) {
     const Vec3& p = positions[i];
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
-      return fail(ErrorCode::BadInput,
+      return fail(ErrorKind::BadInput,
                   fmt::format("Vertex {} of {} of the {} file is at ({}, {}, {}), which is not finite", i + 1,
                               positions.size(), format, p.x, p.y, p.z),
                   "Export the model again; something went wrong when it was made");
@@ -26,13 +26,13 @@ Status checkPolygons(const PolygonList& list, const std::string& format) {
   for (std::size_t f = 0; f < list.sizes.size(); ++f) {
     for (std::uint32_t k = 0; k < list.sizes[f]; ++k, ++corner)
       if (list.corners[corner] >= list.positions.size())
-        return fail(ErrorCode::BadInput,
+        return fail(ErrorKind::BadInput,
                     fmt::format("Face {} of {} of the {} file asks for vertex {} (counted from 0), but there are {}",
                                 f + 1, list.sizes.size(), format, list.corners[corner], list.positions.size()),
                     "The file is damaged; export the model again");
   }
   if (list.triangles == 0)
-    return fail(ErrorCode::BadInput,
+    return fail(ErrorKind::BadInput,
                 fmt::format("The {} file holds {} vertices, but no face", format, list.positions.size()),
                 "Export the model as a surface mesh, with faces");
   return {};
@@ -50,7 +50,7 @@ void triangulateFace(const PolygonList& list, std::span<const std::uint32_t> fac
 }  // namespace
 
 tl::unexpected<Error> tooManyTriangles(std::size_t limit) {
-  return fail(ErrorCode::BadInput, fmt::format("The model has more than the {} triangles that are accepted", limit),
+  return fail(ErrorKind::BadInput, fmt::format("The model has more than the {} triangles that are accepted", limit),
               "Reduce (decimate) the model first");
 }
 

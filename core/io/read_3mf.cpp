@@ -23,7 +23,7 @@ constexpr std::size_t kMaxInstances = 100'000;  // objects after components are 
 constexpr std::string_view kExportAgain = "The file is damaged; export it again";
 
 tl::unexpected<Error> bad(std::string what, std::string_view hint = kExportAgain) {
-  return fail(ErrorCode::BadInput, std::move(what), std::string(hint));
+  return fail(ErrorKind::BadInput, std::move(what), std::string(hint));
 }
 
 /// The targets of relationships of one type.

@@ -28,12 +28,12 @@ Result<PolygonSoup> readAs(ModelFormat format, std::span<const std::uint8_t> byt
     case ModelFormat::ThreeMf:
       return read3mf(bytes, limits);
     case ModelFormat::Gltf:
-      return fail(ErrorCode::BadInput, fmt::format("{} files cannot be read yet", nameOf(format)),
+      return fail(ErrorKind::BadInput, fmt::format("{} files cannot be read yet", nameOf(format)),
                   fmt::format("{}; export the model as one of these", kSupported));
     case ModelFormat::Unknown:
       break;
   }
-  return fail(ErrorCode::BadInput, "The file's format is not known, neither by its name nor by its content",
+  return fail(ErrorKind::BadInput, "The file's format is not known, neither by its name nor by its content",
               std::string(kSupported));
 }
 
@@ -41,9 +41,9 @@ Result<PolygonSoup> readAs(ModelFormat format, std::span<const std::uint8_t> byt
 
 Result<PolygonSoup> readModel(std::span<const std::uint8_t> bytes, std::string_view fileName,
                               const ReadLimits& limits) {
-  if (bytes.empty()) return fail(ErrorCode::BadInput, "The file is empty (0 bytes)", "Copy or export it again");
+  if (bytes.empty()) return fail(ErrorKind::BadInput, "The file is empty (0 bytes)", "Copy or export it again");
   if (bytes.size() > limits.maxBytes)
-    return fail(ErrorCode::BadInput,
+    return fail(ErrorKind::BadInput,
                 fmt::format("The file has {} bytes; at most {} are accepted", bytes.size(), limits.maxBytes),
                 "Reduce (decimate) the model first, or save it in a binary format");
   const ModelFormat named = formatOfName(fileName);

@@ -71,7 +71,7 @@ class VettedStatements : public std::streambuf {
   }
 
   Status failHere(const std::string& what, std::string hint = "The file is damaged; export it again") const {
-    return fail(ErrorCode::BadInput, fmt::format("Line {} of the OBJ file: {}", line_, what), std::move(hint));
+    return fail(ErrorKind::BadInput, fmt::format("Line {} of the OBJ file: {}", line_, what), std::move(hint));
   }
 
   Status vetVertex() {
@@ -142,7 +142,7 @@ void takeFace(void* user, tinyobj::index_t* indices, int count) {
 Result<PolygonSoup> readObj(std::span<const std::uint8_t> bytes, const ReadLimits& limits) {
   VettedStatements statements(textOf(bytes));
   if (statements.vertices() == 0)
-    return fail(ErrorCode::BadInput, "The OBJ file holds no vertex (no line that begins with \"v \")",
+    return fail(ErrorKind::BadInput, "The OBJ file holds no vertex (no line that begins with \"v \")",
                 "Check that the file is complete and that its extension is right");
   Collector collector{statements, {}, {}};
   collector.list.maxTriangles = limits.maxTriangles;
@@ -154,7 +154,7 @@ Result<PolygonSoup> readObj(std::span<const std::uint8_t> bytes, const ReadLimit
   std::istream stream(&statements);
   const bool parsed = tinyobj::LoadObjWithCallback(stream, callbacks, &collector);
   if (!statements.status()) return tl::unexpected(statements.status().error());
-  if (!parsed) return fail(ErrorCode::BadInput, "The OBJ file could not be parsed", "Export it again");
+  if (!parsed) return fail(ErrorKind::BadInput, "The OBJ file could not be parsed", "Export it again");
   return triangulated(std::move(collector.list), "OBJ");
 }
 

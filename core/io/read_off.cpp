@@ -37,7 +37,7 @@ class OffReader {
 
  private:
   tl::unexpected<Error> failHere(const std::string& what) const {
-    return fail(ErrorCode::BadInput, fmt::format("Line {} of the OFF file: {}", scanner_.line(), what),
+    return fail(ErrorKind::BadInput, fmt::format("Line {} of the OFF file: {}", scanner_.line(), what),
                 "The file is cut off or damaged; export it again");
   }
 
@@ -45,12 +45,12 @@ class OffReader {
     const std::string_view keyword = scanner_.word();
     if (!isOffKeyword(keyword)) return failHere(fmt::format("{} where \"OFF\" should stand", quoted(keyword)));
     if (keyword.find('4') != std::string_view::npos || keyword.find('n') != std::string_view::npos)
-      return fail(ErrorCode::BadInput,
+      return fail(ErrorKind::BadInput,
                   fmt::format("The OFF file is of kind {}, which has no three-dimensional points", keyword),
                   "Export the model as plain OFF, STL, OBJ or PLY");
     const TextScanner before = scanner_;
     if (scanner_.wordOnLine() == "BINARY")
-      return fail(ErrorCode::BadInput, "The OFF file is binary; only OFF as text is read",
+      return fail(ErrorKind::BadInput, "The OFF file is binary; only OFF as text is read",
                   "Export the model as OFF text, or as STL, OBJ or PLY");
     scanner_ = before;
     return {};
@@ -68,7 +68,7 @@ class OffReader {
   Status checkRoom(std::uint64_t vertices, std::uint64_t faces) const {
     const std::size_t room = text_.size() + 1 - scanner_.position();
     if (vertices <= room / 6 && faces <= room / 2) return {};
-    return fail(ErrorCode::BadInput,
+    return fail(ErrorKind::BadInput,
                 fmt::format("The OFF file announces {} vertices and {} faces, but only {} bytes follow", vertices,
                             faces, text_.size() - scanner_.position()),
                 "The file is cut off or damaged; export it again");

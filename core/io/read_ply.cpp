@@ -25,7 +25,7 @@ class TextValues {
   Result<double> next(PlyType) {
     const std::string_view word = scanner_.word();
     if (const std::optional<double> value = parseNumber(word)) return *value;
-    return fail(ErrorCode::BadInput, fmt::format("line {}: {}", headerLines_ + scanner_.line(), notANumber(word)));
+    return fail(ErrorKind::BadInput, fmt::format("line {}: {}", headerLines_ + scanner_.line(), notANumber(word)));
   }
 
   Status skip(PlyType type, std::uint64_t count) {
@@ -85,7 +85,7 @@ class BinaryValues {
 
  private:
   tl::unexpected<Error> cutOff() const {
-    return fail(ErrorCode::BadInput, fmt::format("byte {}: the file is cut off", bytes_.size()));
+    return fail(ErrorKind::BadInput, fmt::format("byte {}: the file is cut off", bytes_.size()));
   }
 
   std::span<const std::uint8_t> bytes_;
@@ -124,10 +124,10 @@ class PlyReader {
     }
     if (vertexElements == 1 && faceElements == 1) return {};
     if (faceElements == 0 && strips)
-      return fail(ErrorCode::BadInput, "The PLY file has no element \"face\": its surface is stored as \"tristrips\"",
+      return fail(ErrorKind::BadInput, "The PLY file has no element \"face\": its surface is stored as \"tristrips\"",
                   "Open it in a mesh program and export it with faces, or as STL or OBJ");
     return fail(
-        ErrorCode::BadInput,
+        ErrorKind::BadInput,
         fmt::format("The PLY header names {} elements \"vertex\" and {} elements \"face\"; one of each is needed",
                     vertexElements, faceElements),
         "Export the model as a surface mesh, with faces; a point cloud has no surface to engrave");
@@ -140,7 +140,7 @@ class PlyReader {
       smallest += Values::shortest(property.countType ? *property.countType : property.type);
     if (smallest == 0 || element.count <= values_.room() / smallest) return {};
     return fail(
-        ErrorCode::BadInput,
+        ErrorKind::BadInput,
         fmt::format("The PLY file announces {} elements {}, each of at least {} bytes, but only {} bytes are left",
                     element.count, quoted(element.name), smallest, values_.room()),
         "The file is cut off or damaged; copy or export it again");
@@ -148,7 +148,7 @@ class PlyReader {
 
   static tl::unexpected<Error> failAt(const PlyElement& element, std::uint64_t number, const std::string& what) {
     return fail(
-        ErrorCode::BadInput,
+        ErrorKind::BadInput,
         fmt::format("Element {} {} of {} of the PLY file, {}", quoted(element.name), number + 1, element.count, what),
         "The file is cut off or damaged; copy or export it again");
   }
@@ -157,7 +157,7 @@ class PlyReader {
     const Result<double> length = values_.next(type);
     if (!length) return tl::unexpected(length.error());
     if (!(*length >= 0) || *length != std::floor(*length) || *length > 4294967295.0)
-      return fail(ErrorCode::BadInput, fmt::format("a list's length is {}", *length));
+      return fail(ErrorKind::BadInput, fmt::format("a list's length is {}", *length));
     return static_cast<std::uint64_t>(*length);
   }
 
@@ -172,7 +172,7 @@ class PlyReader {
     if (element.properties.empty()) return {};
     for (std::uint64_t i = 0; i < element.count; ++i)
       for (const PlyProperty& property : element.properties)
-        if (const Status s = skipProperty(property); !s) return failAt(element, i, s.error().message);
+        if (const Status s = skipProperty(property); !s) return failAt(element, i, toldText(s.error().message));
     return {};
   }
 
@@ -182,7 +182,7 @@ class PlyReader {
       const std::string name(1, static_cast<char>('x' + axis));
       const std::optional<std::size_t> at = element.find(name);
       if (!at || element.properties[*at].countType)
-        return fail(ErrorCode::BadInput, fmt::format("The PLY file's vertices have no coordinate \"{}\"", name),
+        return fail(ErrorKind::BadInput, fmt::format("The PLY file's vertices have no coordinate \"{}\"", name),
                     "Export the model again");
       axisOf[*at] = axis;
     }
@@ -191,11 +191,12 @@ class PlyReader {
       Vec3 p(0);
       for (std::size_t k = 0; k < axisOf.size(); ++k) {
         if (axisOf[k] < 0) {
-          if (const Status s = skipProperty(element.properties[k]); !s) return failAt(element, i, s.error().message);
+          if (const Status s = skipProperty(element.properties[k]); !s)
+            return failAt(element, i, toldText(s.error().message));
           continue;
         }
         const Result<double> value = values_.next(element.properties[k].type);
-        if (!value) return failAt(element, i, value.error().message);
+        if (!value) return failAt(element, i, toldText(value.error().message));
         p[axisOf[k]] = *value;
       }
       list_.positions.push_back(p);
@@ -207,7 +208,7 @@ class PlyReader {
     const std::optional<std::size_t> plural = element.find("vertex_indices");
     const std::optional<std::size_t> at = plural ? plural : element.find("vertex_index");
     if (!at || !element.properties[*at].countType || isFloating(element.properties[*at].type))
-      return fail(ErrorCode::BadInput,
+      return fail(ErrorKind::BadInput,
                   "The PLY file's faces have no integer list \"vertex_indices\" or \"vertex_index\"",
                   "Export the model again");
     if (Status s = list_.reserve(0, element.count); !s) return s;
@@ -215,7 +216,7 @@ class PlyReader {
       for (std::size_t k = 0; k < element.properties.size(); ++k) {
         const PlyProperty& property = element.properties[k];
         const Status s = k == *at ? readPolygon(property) : skipProperty(property);
-        if (!s) return failAt(element, i, s.error().message);
+        if (!s) return failAt(element, i, toldText(s.error().message));
       }
     return {};
   }
@@ -228,7 +229,7 @@ class PlyReader {
       const Result<double> index = values_.next(property.type);
       if (!index) return tl::unexpected(index.error());
       if (!(*index >= 0) || *index != std::floor(*index) || *index > 4294967295.0)
-        return fail(ErrorCode::BadInput, fmt::format("the index of corner {} is {}", k + 1, *index));
+        return fail(ErrorKind::BadInput, fmt::format("the index of corner {} is {}", k + 1, *index));
       polygon_.push_back(static_cast<std::uint32_t>(*index));
     }
     return list_.add(polygon_);

@@ -27,7 +27,7 @@ bool equalsIgnoringCase(std::string_view word, std::string_view lower) {
 Status checkFinite(Vec3 p, std::size_t facet, const std::string& where) {
   if (std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)) return {};
   return fail(
-      ErrorCode::BadInput,
+      ErrorKind::BadInput,
       fmt::format("Facet {} ({}) has a corner at ({}, {}, {}), which is not finite", facet, where, p.x, p.y, p.z),
       "Export the model again; something went wrong when it was made");
 }
@@ -41,17 +41,17 @@ void addFacet(PolygonSoup& soup, const std::array<Vec3, 3>& corners) {
 Status checkBinarySize(std::span<const std::uint8_t> bytes) {
   if (bytes.size() < kHeaderBytes)
     return fail(
-        ErrorCode::BadInput,
+        ErrorKind::BadInput,
         fmt::format("This is no STL file: {} bytes are fewer than the {} of a binary STL's header, and it does not "
                     "begin with \"solid\"",
                     bytes.size(), kHeaderBytes),
         "Check that the file is complete and that its extension is right");
   const std::uint64_t count = announcedFacets(bytes);
   const std::uint64_t expected = kHeaderBytes + kFacetBytes * count;
-  if (count == 0) return fail(ErrorCode::BadInput, "The binary STL file announces 0 facets", "Export the model again");
+  if (count == 0) return fail(ErrorKind::BadInput, "The binary STL file announces 0 facets", "Export the model again");
   if (bytes.size() < expected)
     return fail(
-        ErrorCode::BadInput,
+        ErrorKind::BadInput,
         fmt::format("The binary STL file is cut off or its facet count is wrong: it announces {} facets, which take "
                     "{} bytes, but has {} bytes, room for {} facets",
                     count, expected, bytes.size(), (bytes.size() - kHeaderBytes) / kFacetBytes),
@@ -105,14 +105,14 @@ class AsciiReader {
       }
     }
     if (soup_.triangles.empty())
-      return fail(ErrorCode::BadInput, "The ASCII STL file holds no facet", "Export the model again");
+      return fail(ErrorKind::BadInput, "The ASCII STL file holds no facet", "Export the model again");
     if (insideSolid) soup_.warnings.push_back("The file ends without \"endsolid\"; it may be cut off");
     return std::move(soup_);
   }
 
  private:
   tl::unexpected<Error> unexpected(std::string_view word, std::string_view wanted) const {
-    return fail(ErrorCode::BadInput,
+    return fail(ErrorKind::BadInput,
                 word.empty()
                     ? fmt::format("The ASCII STL file ends in line {}, inside facet {}, where {} should follow",
                                   scanner_.line(), soup_.triangles.size() + 1, wanted)

@@ -27,7 +27,7 @@ constexpr std::array<Unit, 6> kUnits = {
     {{"micron", 0.001}, {"millimeter", 1}, {"centimeter", 10}, {"inch", 25.4}, {"foot", 304.8}, {"meter", 1000}}};
 
 tl::unexpected<Error> bad(std::string what, std::string hint = {}) {
-  return fail(ErrorCode::BadInput, std::move(what), std::move(hint));
+  return fail(ErrorKind::BadInput, std::move(what), std::move(hint));
 }
 
 class ModelHandler : public XmlHandler {

@@ -38,11 +38,12 @@ Result<std::vector<std::uint8_t>> writeChecked(std::span<const ModelObject> obje
   const std::string_view name = nameOf(format);
   const auto soup = readModel(*bytes, fmt::format("written.{}", name));
   if (!soup)
-    return fail(ErrorCode::Internal, fmt::format("The {} file could not be read back: {}", name, soup.error().message),
+    return fail(ErrorKind::Internal,
+                fmt::format("The {} file could not be read back: {}", name, toldText(soup.error().message)),
                 "Choose another format, and report this");
   const std::size_t expected = countTriangles(objects), equal = countEqual(*soup, objects);
   if (equal != expected || soup->triangles.size() != expected || soup->unitMm.value_or(1) != 1)
-    return fail(ErrorCode::Internal,
+    return fail(ErrorKind::Internal,
                 fmt::format("Of {} triangles in the {} file, {} were read back as they are", expected, name, equal),
                 "Choose another format, and report this");
   return bytes;

@@ -26,13 +26,13 @@ Mesh joined(std::span<const ModelObject> objects) {
 
 Status checkRequest(std::span<const ModelObject> objects, ModelFormat format, const WriteOptions& options) {
   if (options.ascii && format != ModelFormat::Stl)
-    return fail(ErrorCode::BadUsage, fmt::format("{} is not written as text by choice; only STL is", nameOf(format)),
+    return fail(ErrorKind::BadUsage, fmt::format("{} is not written as text by choice; only STL is", nameOf(format)),
                 "Leave the choice out, or write an STL file");
   const bool several =
       std::any_of(objects.begin(), objects.end(), [](const ModelObject& o) { return o.bodies.size() > 1; });
   if (several && format != ModelFormat::ThreeMf)
     return fail(
-        ErrorCode::BadUsage,
+        ErrorKind::BadUsage,
         fmt::format("An object of several bodies cannot be written as {}, which holds one only", nameOf(format)),
         "Write a 3MF file");
   return {};
@@ -57,7 +57,7 @@ Result<std::vector<std::uint8_t>> writeModel(std::span<const ModelObject> object
     case ModelFormat::Unknown:
       break;
   }
-  return fail(ErrorCode::BadUsage,
+  return fail(ErrorKind::BadUsage,
               format == ModelFormat::Unknown ? std::string("The output's format is not known")
                                              : fmt::format("{} files cannot be written", nameOf(format)),
               "Name the output .stl, .obj, .ply or .3mf");

@@ -40,7 +40,7 @@ void XMLCALL onStart(void* user, const XML_Char* name, const XML_Char** attribut
   auto& session = *static_cast<Session*>(user);
   session.guarded([&]() -> Status {
     if (++session.depth > kMaxDepth)
-      return fail(ErrorCode::BadInput, fmt::format("more than {} elements are nested", kMaxDepth));
+      return fail(ErrorKind::BadInput, fmt::format("more than {} elements are nested", kMaxDepth));
     return session.handler.startElement(XmlElement(name, attributes));
   });
 }
@@ -63,7 +63,7 @@ void XMLCALL onSpace(void* user, const XML_Char* prefix, const XML_Char* uri) {
 
 void XMLCALL onDoctype(void* user, const XML_Char*, const XML_Char*, const XML_Char*, int) {
   static_cast<Session*>(user)->guarded([]() -> Status {
-    return fail(ErrorCode::BadInput, "there is a document type definition (DTD), which 3MF forbids",
+    return fail(ErrorKind::BadInput, "there is a document type definition (DTD), which 3MF forbids",
                 "Export the model again, without it");
   });
 }
@@ -104,7 +104,7 @@ Status readXml(ZipStream& stream, const std::string& part, XmlHandler& handler) 
   XML_SetStartDoctypeDeclHandler(parser.get(), onDoctype);
   const auto failHere = [&](std::string what, std::string hint) {
     return fail(
-        ErrorCode::BadInput,
+        ErrorKind::BadInput,
         fmt::format("Part {} of the 3MF file, line {}: {}", quoted(part), XML_GetCurrentLineNumber(parser.get()), what),
         hint.empty() ? "The file is damaged; export it again" : std::move(hint));
   };
@@ -117,7 +117,8 @@ Status readXml(ZipStream& stream, const std::string& part, XmlHandler& handler) 
     const XML_Status parsed = XML_Parse(parser.get(), reinterpret_cast<const char*>(piece->data()),
                                         static_cast<int>(piece->size()), more ? XML_FALSE : XML_TRUE);
     if (session.thrown) std::rethrow_exception(session.thrown);
-    if (!session.status) return failHere(session.status.error().message, session.status.error().hint);
+    if (!session.status)
+      return failHere(toldText(session.status.error().message), toldHint(session.status.error().message));
     if (parsed != XML_STATUS_OK) {
       if (XML_GetErrorCode(parser.get()) == XML_ERROR_NO_MEMORY) throw std::bad_alloc();
       return failHere(XML_ErrorString(XML_GetErrorCode(parser.get())), {});

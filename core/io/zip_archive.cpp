@@ -34,7 +34,7 @@ constexpr std::size_t kPieceBytes = 64 * 1024;
 using Bytes = std::span<const std::uint8_t>;
 
 tl::unexpected<Error> damaged(std::string what) {
-  return fail(ErrorCode::BadInput, "The ZIP archive is damaged: " + std::move(what), "Copy or export the file again");
+  return fail(ErrorKind::BadInput, "The ZIP archive is damaged: " + std::move(what), "Copy or export the file again");
 }
 
 /// Numbers of a record one after the other; whoever makes one has checked that the record is all there.
@@ -334,15 +334,15 @@ ZipStream::~ZipStream() = default;
 
 Result<ZipStream> ZipStream::open(const ZipEntry& entry, std::uint64_t maxBytes) {
   if (entry.flags & kEncrypted)
-    return fail(ErrorCode::BadInput, fmt::format("The file {} in the archive is encrypted", quoted(entry.name)),
+    return fail(ErrorKind::BadInput, fmt::format("The file {} in the archive is encrypted", quoted(entry.name)),
                 "Save the model without a password");
   if (entry.method != kStored && entry.method != kDeflated)
-    return fail(ErrorCode::BadInput,
+    return fail(ErrorKind::BadInput,
                 fmt::format("The file {} in the archive is packed by method {}, which cannot be read",
                             quoted(entry.name), entry.method),
                 "Pack it with deflate, as every 3MF program does");
   if (entry.size > maxBytes || (entry.size > kFreeBytes && entry.size / kMaxRatio > entry.packed.size()))
-    return fail(ErrorCode::BadInput,
+    return fail(ErrorKind::BadInput,
                 fmt::format("The file {} in the archive would expand from {} to {} bytes; at most {} bytes and {}-fold "
                             "are accepted",
                             quoted(entry.name), entry.packed.size(), entry.size, maxBytes, kMaxRatio),

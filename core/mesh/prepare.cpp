@@ -21,21 +21,21 @@ constexpr std::size_t kMaxTriangles = std::size_t{1} << 30;  // half-edges are n
 
 Status checkSoup(const PolygonSoup& soup, const PrepareOptions& options) {
   if (!(options.scaleToMm > 0) || !std::isfinite(options.scaleToMm))
-    return fail(ErrorCode::BadUsage, fmt::format("The scale is {}; it has to be a positive number", options.scaleToMm));
+    return fail(ErrorKind::BadUsage, fmt::format("The scale is {}; it has to be a positive number", options.scaleToMm));
   for (const std::optional<double>& mm : {options.repair.weldToleranceMm, options.repair.maxHoleMm})
     if (mm && !(*mm >= 0 && std::isfinite(*mm)))
-      return fail(ErrorCode::BadUsage, fmt::format("A tolerance of {} mm for repairs makes no sense", *mm),
+      return fail(ErrorKind::BadUsage, fmt::format("A tolerance of {} mm for repairs makes no sense", *mm),
                   "Give 0 or more, in mm");
-  if (soup.triangles.empty()) return fail(ErrorCode::BadInput, "The model has no triangle");
+  if (soup.triangles.empty()) return fail(ErrorKind::BadInput, "The model has no triangle");
   if (soup.triangles.size() > kMaxTriangles || soup.positions.size() > 3 * kMaxTriangles)
     return fail(
-        ErrorCode::BadInput,
+        ErrorKind::BadInput,
         fmt::format("The model has {} triangles; at most {} can be handled", soup.triangles.size(), kMaxTriangles),
         "Reduce (decimate) the model first");
   for (std::size_t i = 0; i < soup.positions.size(); ++i) {
     const Vec3 p = soup.positions[i];
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
-      return fail(ErrorCode::BadInput,
+      return fail(ErrorKind::BadInput,
                   fmt::format("Vertex {} is at ({}, {}, {}), which is not finite", i + 1, p.x, p.y, p.z),
                   "Export the model again; something went wrong when it was made");
   }
@@ -55,14 +55,14 @@ Status checkExtent(const Box3& boxMm, double scaleToMm) {
   const double largest = std::max({size.x, size.y, size.z});
   const Vec3 far = glm::max(glm::abs(boxMm.min), glm::abs(boxMm.max));
   if (largest > kImplausibleMm)
-    return fail(ErrorCode::BadInput,
+    return fail(ErrorKind::BadInput,
                 fmt::format("The model is {:.4g} mm across ({:.4g} in file units), which is implausible", largest,
                             largest / scaleToMm),
                 "Say how many millimetres a file unit is, with --scale or --units");
   if (const double farthest = std::max({far.x, far.y, far.z}); farthest > kImplausibleMm)
-    return fail(ErrorCode::BadInput, fmt::format("The model lies {:.4g} mm away from the origin", farthest),
+    return fail(ErrorKind::BadInput, fmt::format("The model lies {:.4g} mm away from the origin", farthest),
                 "Move it to the origin, or say how many millimetres a file unit is with --scale");
-  if (largest == 0) return fail(ErrorCode::BadInput, "The model has no extent: all its vertices are in one place");
+  if (largest == 0) return fail(ErrorKind::BadInput, "The model has no extent: all its vertices are in one place");
   return {};
 }
 
@@ -164,7 +164,7 @@ const char* severityName(Finding::Severity severity) {
 Status PreparedModel::engravable() const {
   for (const Finding& finding : findings)
     if (finding.severity == Finding::Severity::Blocking)
-      return fail(ErrorCode::BadInput, finding.message, finding.hint);
+      return fail(ErrorKind::BadInput, finding.message, finding.hint);
   return {};
 }
 
@@ -178,7 +178,7 @@ Result<PreparedModel> prepareModel(const PolygonSoup& soup, const PrepareOptions
   Result<Repaired> repaired = repairMesh(std::move(*welded), parts, options.repair);
   if (!repaired) return tl::unexpected(repaired.error());
   if (repaired->mesh.triangles.empty())
-    return fail(ErrorCode::BadInput, fmt::format("None of the model's {} triangles has an area", soup.triangles.size()),
+    return fail(ErrorKind::BadInput, fmt::format("None of the model's {} triangles has an area", soup.triangles.size()),
                 "Check the scale: as 32-bit floats in mm its vertices coincide");
 
   PreparedModel model;

@@ -8,7 +8,7 @@ namespace qrelief {
 
 Status checkRequest(const EngraveRequest& request) {
   const auto bad = [](std::string message, std::string hint) {
-    return fail(ErrorCode::BadUsage, std::move(message), std::move(hint));
+    return fail(ErrorKind::BadUsage, std::move(message), std::move(hint));
   };
   if (!(request.contrast > 0 && request.contrast < 1))
     return bad(fmt::format("The contrast is {:g}", request.contrast), "Choose a value between 0 and 1, such as 0.3");

@@ -55,7 +55,7 @@ struct CellLayout {
 Status checkNewDefects(SolidityReport solidity, const PreparedModel& before) {
   if (before.crossesItself) solidity.selfIntersections = 0;
   if (solidity.solid()) return {};
-  return fail(ErrorCode::NoSolution,
+  return fail(ErrorKind::NoSolution,
               fmt::format("The model's facets under the code are too fine: carved, it would be no solid ({})",
                           solidity.problems().front()),
               "Choose a slightly different centre or size, merge vertices that nearly coincide, or move the model to "
@@ -322,7 +322,7 @@ Status EngraveJob::State::searchOnce() {
     for (int column = 0; column < edge; ++column) result.received.push_back(received[layout.ofQuietZone(row, column)]);
   if (summarise(result.depths).maxMm == 0)
     return fail(
-        ErrorCode::NoSolution,
+        ErrorKind::NoSolution,
         fmt::format("Nothing can be carved here without leaving less than {:g} mm of material", request.minWallMm),
         "Choose a thicker spot or a smaller minimum wall");
   stage = Stage::Embedding;

@@ -43,7 +43,7 @@ Vec3 roundedTo(Vec3 v, double perUnit) {
 Status checkRequest(const PlaceRequest& request) {
   const PlacementRequest& place = request.placement;
   const auto bad = [](std::string message, std::string hint) {
-    return fail(ErrorCode::BadUsage, std::move(message), std::move(hint));
+    return fail(ErrorKind::BadUsage, std::move(message), std::move(hint));
   };
   if (!(place.eyeDistanceMm >= 20 && place.eyeDistanceMm <= 1e5))
     return bad(fmt::format("The eye distance is {:g} mm", place.eyeDistanceMm),
@@ -222,7 +222,7 @@ Status PlaceJob::State::testOnce() {
   if (!search) beginTest();
   const Result<bool> found = search->step();
   if (found) return *found ? take(search->placement()) : Status();
-  if (found.error().code != ErrorCode::NoSolution) return tl::unexpected(found.error());
+  if (found.error().kind != ErrorKind::NoSolution) return tl::unexpected(found.error());
   nextTry();
   return {};
 }
@@ -248,31 +248,31 @@ Status PlaceJob::State::finishTests() {
 }
 
 Error PlaceJob::State::nothingFound() const {
-  Error error{ErrorCode::NoSolution, "", ""};
+  std::string text;
   const std::string wanted = fixed() ? fmt::format("a code of {:.4g} mm{}", request.placement.sizeMm,
                                                    request.placement.quietZone ? " with its quiet zone" : "")
                                      : std::string("a code");
-  error.message = fmt::format("No spot of the model takes {}", wanted);
+  text = fmt::format("No spot of the model takes {}", wanted);
   if (tooThin > 0)
-    error.message += fmt::format(
+    text += fmt::format(
         "; {} {} large enough, but the wall is {:.2g} mm at most, too thin for pockets of {:g} mm if {:g} mm must "
         "remain",
         tooThin, tooThin == 1 ? "is" : "are", thickestMm, request.leastDepthMm, request.minWallMm);
   if (largest) {
     const Vec3 at = largest->centreFileUnits;
     const int digits = centreDecimals(request.scaleToMm);
-    error.message += fmt::format("; the largest found is {:.4g} mm at {:.{}f},{:.{}f},{:.{}f}",
-                                 std::floor(largest->symbolMm * 100) / 100, at.x, digits, at.y, digits, at.z, digits);
+    text += fmt::format("; the largest found is {:.4g} mm at {:.{}f},{:.{}f},{:.{}f}",
+                        std::floor(largest->symbolMm * 100) / 100, at.x, digits, at.y, digits, at.z, digits);
   }
   // Walls are measured along the rays; across they may be a little thinner.
   const double spare = std::floor(10 * (kAcrossShare * thickestMm - request.leastDepthMm)) / 10;
-  error.hint =
+  std::string hint =
       tooThin > 0 && spare > 0 && spare < request.minWallMm
           ? fmt::format("Let {:g} mm remain behind the pockets (--min-wall {:g}), or scale the model", spare, spare)
       : tooThin > 0 ? "Scale the model up, or thicken its wall"
       : largest     ? "Ask for a smaller size, or scale the model"
                     : "Check the model's unit: it may be too small for any code";
-  return error;
+  return {ErrorKind::NoSolution, untold(text, hint)};
 }
 
 double PlaceJob::State::testedShare() const {
@@ -321,7 +321,7 @@ Result<Progress> PlaceJob::advance() {
     case State::Stage::Done:
       break;
   }
-  return fail(ErrorCode::Internal, "advance() after done");
+  return fail(ErrorKind::Internal, "advance() after done");
 }
 
 const PlacementMap& PlaceJob::map() const { return state_->map(); }

@@ -87,7 +87,7 @@ ProjectionFrame PlacementSearch::frameFor(Vec3 normal) const {
 
 Status PlacementSearch::start() {
   const auto surface = closestPoint(model_->mesh, request_.centreMm);
-  if (!surface) return fail(ErrorCode::BadInput, "The model has no surface");
+  if (!surface) return fail(ErrorKind::BadInput, "The model has no surface");
   placement_.seed = surface->triangle;
   placement_.frame.centre = surface->position;
   surfaceNormal_ = surfaceNormalAt(model_->mesh, *surface);
@@ -175,14 +175,14 @@ Status PlacementSearch::measure(Vec3 normal) {
   if (isFixed && fitMm_ < request_.sizeMm) return tl::unexpected(doesNotFit());
   if (placement_.moduleMm < kLeastModuleMm && (isFixed || fitMm_ >= request_.maxSizeMm)) {
     return fail(
-        ErrorCode::NoSolution,
+        ErrorKind::NoSolution,
         fmt::format("A code of {:.4g} mm is asked for: its modules would be {:.2g} mm wide", placement_.symbolMm,
                     placement_.moduleMm),
         fmt::format("Allow a larger size (at least {:.3g} mm), or shorten the text", kLeastModuleMm * modules_));
   }
   if (placement_.moduleMm < kLeastModuleMm) {
     return fail(
-        ErrorCode::NoSolution,
+        ErrorKind::NoSolution,
         fmt::format("Only a code of {:.3g} mm fits here: its modules would be {:.2g} mm wide", placement_.symbolMm,
                     placement_.moduleMm),
         "Choose a spot farther from edges and overhangs, or shorten the text; if the whole model is that small, "
@@ -201,14 +201,16 @@ Error PlacementSearch::doesNotFit() const {
   const bool turningHelps = downToHundredths(bestMm) > downToHundredths(fitMm_);
   const std::string atBest =
       turningHelps ? fmt::format(", at a rotation of {:g}° {:.4g} mm", bestDeg, downToHundredths(bestMm)) : "";
-  return {ErrorCode::NoSolution,
+  return {
+      ErrorKind::NoSolution,
+      untold(
           fmt::format("A code of {:.4g} mm{} does not fit here; the largest that does is {:.4g} mm at {} rotation{}, "
                       "and {:.4g} mm at every rotation",
                       request_.sizeMm, request_.quietZone ? " with its quiet zone" : "", downToHundredths(fitMm_),
                       turningHelps ? "this" : "the best", atBest, downToHundredths(placement_.guaranteedMm)),
           bestMm >= request_.sizeMm
               ? fmt::format("Turn the code (--rotate {:g}), ask for a smaller size, or choose another spot", bestDeg)
-              : "Ask for a smaller size, or choose a spot farther from edges and overhangs"};
+              : "Ask for a smaller size, or choose a spot farther from edges and overhangs")};
 }
 
 double PlacementSearch::sampledMm() const { return request_.sizeMode == SizeMode::Fixed ? request_.sizeMm : fitMm_; }

@@ -73,13 +73,13 @@ double leastWall(const RayTree& tree, const ProjectionFrame& frame, const Carvin
 }  // namespace
 
 Result<Mesh> meshAsFound(const PolygonSoup& soup, double scaleToMm) {
-  if (soup.triangles.empty()) return fail(ErrorCode::BadInput, "The model has no triangle", "Choose another file");
+  if (soup.triangles.empty()) return fail(ErrorKind::BadInput, "The model has no triangle", "Choose another file");
   std::vector<Vec3f> corners;
   corners.reserve(soup.positions.size());
   for (const Vec3 position : soup.positions) {
     const Vec3f p(position * scaleToMm);
     if (!(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)))
-      return fail(ErrorCode::BadInput, "The model has coordinates that are no finite numbers", "Repair it first");
+      return fail(ErrorKind::BadInput, "The model has coordinates that are no finite numbers", "Repair it first");
     corners.push_back(p);
   }
   return welded(corners, soup.triangles);
@@ -246,7 +246,7 @@ VerifyJob::~VerifyJob() = default;
 Result<std::unique_ptr<VerifyJob>> VerifyJob::create(Mesh mesh, VerifyRequest request,
                                                      std::vector<SymbolReader> readers) {
   const auto bad = [](std::string message, std::string hint) {
-    return qrelief::fail(ErrorCode::BadUsage, std::move(message), std::move(hint));
+    return qrelief::fail(ErrorKind::BadUsage, std::move(message), std::move(hint));
   };
   if (request.text.empty()) return bad("There is no text to compare with", "Say what the code should read as");
   if (!(request.symbolMm > 0 && request.symbolMm <= 1e4))

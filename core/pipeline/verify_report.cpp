@@ -12,7 +12,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 tl::unexpected<Error> badReport(std::string message) {
-  return fail(ErrorCode::BadInput, std::move(message), "Give the report that engrave wrote with --report");
+  return fail(ErrorKind::BadInput, std::move(message), "Give the report that engrave wrote with --report");
 }
 
 Vec3 vectorFrom(const Json& json) {

@@ -71,7 +71,7 @@ Status addCrossings(const Mesh& mesh, const ProjectionFrame& frame, VisiblePatch
   const auto pairs = findSelfIntersections(mesh, patch.triangles, kMaxPairs);
   if (!pairs) return tl::unexpected(pairs.error());
   if (pairs->size() >= kMaxPairs)
-    return fail(ErrorCode::NoSolution,
+    return fail(ErrorKind::NoSolution,
                 fmt::format("More than {} pairs of triangles cross each other around the centre", kMaxPairs),
                 "Unite the model's parts in a CAD program first");
   for (const auto& [s, t] : *pairs) {

@@ -303,17 +303,17 @@ class Flood {
 /// Why nothing can be put at the centre, if so.
 Status checkCentre(const Mesh& mesh, const ProjectionFrame& frame, const EyeView& view, std::uint32_t seed) {
   if (view.facing[seed] == Facing::Away)
-    return fail(ErrorCode::NoSolution,
+    return fail(ErrorKind::NoSolution,
                 fmt::format("The surface at the chosen point (triangle {}) faces away from the reader", seed),
                 "Choose another direction or another point");
   if (view.facing[seed] == Facing::FrontOutOfReach)
-    return fail(ErrorCode::NoSolution,
+    return fail(ErrorKind::NoSolution,
                 fmt::format("The triangle at the chosen point ({}) reaches behind the eye, which is {:.4g} mm away",
                             seed, frame.eyeDistance),
                 "Increase the eye distance (--eye-distance)");
   if (const std::optional<CentreObstruction> obstruction = whatHidesCentre(mesh, frame, view))
     return fail(
-        ErrorCode::NoSolution,
+        ErrorKind::NoSolution,
         fmt::format("Another part of the model hides the chosen point: triangle {} is in the way, {:.4g} mm from "
                     "the eye and {:.4g} mm before the point",
                     obstruction->triangle, obstruction->fromEyeMm, frame.eyeDistance - obstruction->fromEyeMm),

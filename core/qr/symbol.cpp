@@ -46,15 +46,15 @@ std::size_t utf8SequenceLength(std::string_view bytes) {
 }
 
 Status checkCharacters(std::string_view text) {
-  if (text.empty()) return fail(ErrorCode::BadInput, "The text is empty", "Give the text or link to be engraved");
+  if (text.empty()) return fail(ErrorKind::BadInput, "The text is empty", "Give the text or link to be engraved");
   for (std::size_t i = 0; i < text.size();) {
     if (text[i] == '\0') {
-      return fail(ErrorCode::BadInput, fmt::format("The text holds a NUL character at byte {}", i + 1),
+      return fail(ErrorKind::BadInput, fmt::format("The text holds a NUL character at byte {}", i + 1),
                   "Remove it; readers end the text there");
     }
     const std::size_t length = utf8SequenceLength(text.substr(i));
     if (length == 0) {
-      return fail(ErrorCode::BadInput, fmt::format("The text is not valid UTF-8 at byte {}", i + 1),
+      return fail(ErrorKind::BadInput, fmt::format("The text is not valid UTF-8 at byte {}", i + 1),
                   "Save or paste it as UTF-8");
     }
     i += length;
@@ -131,8 +131,8 @@ tl::unexpected<Error> tooLong(std::string_view text, const SymbolOptions& option
   const std::string message = fmt::format("The text is {} long, too long for {} with error correction {}", size, symbol,
                                           errorCorrectionName(options.errorCorrection));
   const std::string held = text.size() > kMostCharacters ? std::string() : whatWouldHold(text, options);
-  if (!held.empty()) return fail(ErrorCode::BadInput, message, fmt::format("It fits {}; or shorten the text", held));
-  return fail(ErrorCode::BadInput, message,
+  if (!held.empty()) return fail(ErrorKind::BadInput, message, fmt::format("It fits {}; or shorten the text", held));
+  return fail(ErrorKind::BadInput, message,
               "Shorten the text: the largest symbol holds 2953 bytes with error correction L, 2331 with M, 1663 with Q "
               "and 1273 with H");
 }
@@ -200,18 +200,18 @@ std::optional<ErrorCorrection> errorCorrectionByName(std::string_view name) {
 
 Result<Symbol> encodeSymbol(std::string_view text, const SymbolOptions& options) {
   if (options.version && (*options.version < 1 || *options.version > kLargestVersion)) {
-    return fail(ErrorCode::BadUsage, fmt::format("There is no QR Code version {}", *options.version),
+    return fail(ErrorKind::BadUsage, fmt::format("There is no QR Code version {}", *options.version),
                 "Versions run from 1 to 40");
   }
   if (options.maskRule == MaskRule::Fixed && (options.mask < 0 || options.mask > 7))
-    return fail(ErrorCode::BadUsage, fmt::format("There is no mask {}", options.mask), "Masks run from 0 to 7");
+    return fail(ErrorKind::BadUsage, fmt::format("There is no mask {}", options.mask), "Masks run from 0 to 7");
   if (Status good = checkCharacters(text); !good) return tl::unexpected(good.error());
   if (text.size() > kMostCharacters) return tooLong(text, options);
 
   const CodeHandle code = options.version ? encodeFrom(text, *options.version, options.errorCorrection)
                                           : encodeSmallest(text, 1, options.errorCorrection);
   if (!code && errno != ERANGE) {
-    return fail(ErrorCode::Internal, fmt::format("libqrencode could not encode the text (errno {})", errno));
+    return fail(ErrorKind::Internal, fmt::format("libqrencode could not encode the text (errno {})", errno));
   }
   if (!code || (options.version && code->version > *options.version)) return tooLong(text, options);
   Symbol symbol = toSymbol(*code, options.errorCorrection);

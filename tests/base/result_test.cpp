@@ -3,11 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include "messages/sentences.h"
+
 namespace qrelief {
 namespace {
 
 Result<int> half(int n) {
-  if (n % 2 != 0) return fail(ErrorCode::BadInput, "odd", "double it");
+  if (n % 2 != 0) return fail(ErrorKind::BadInput, "odd", "double it");
   return n / 2;
 }
 
@@ -15,14 +17,14 @@ TEST(Result, CarriesTheValueOrTheWholeError) {
   EXPECT_EQ(*half(8), 4);
   const auto failed = half(7);
   ASSERT_FALSE(failed);
-  EXPECT_EQ(failed.error().code, ErrorCode::BadInput);
-  EXPECT_EQ(failed.error().message, "odd");
-  EXPECT_EQ(failed.error().hint, "double it");
+  EXPECT_EQ(failed.error().kind, ErrorKind::BadInput);
+  EXPECT_EQ(sentence(failed.error().message), "odd");
+  EXPECT_EQ(hint(failed.error().message), "double it");
 }
 
 TEST(Status, IsSuccessUnlessFailed) {
   EXPECT_TRUE(Status());
-  EXPECT_FALSE(Status(fail(ErrorCode::NoSolution, "nothing fits")));
+  EXPECT_FALSE(Status(fail(ErrorKind::NoSolution, "nothing fits")));
 }
 
 }  // namespace

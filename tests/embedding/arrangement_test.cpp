@@ -93,7 +93,7 @@ TEST(Arrangement, CutsOutlinesIntoPiecesThatAddUp) {
 TEST(Arrangement, NoticesAnOutlineThatLeavesTheFootprint) {
   const Case c = arrangeOnPlate(patternLevels(), {17, 11}, 3);
   ASSERT_FALSE(c.arrangement);
-  EXPECT_EQ(c.arrangement.error().code, ErrorCode::NoSolution);
+  EXPECT_EQ(c.arrangement.error().kind, ErrorKind::NoSolution);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 
 #include "math/tolerance.h"
 #include "mesh/topology.h"
+#include "messages/sentences.h"
 #include "verification/solidity.h"
 
 namespace qrelief::oracle {
@@ -144,7 +145,7 @@ Mesh welded(const Mesh& mesh) {
 
 std::string solidProblems(const EmbedResult& result) {
   const auto report = checkSolidity(welded(result.mesh), result.newTriangles);
-  if (!report) return report.error().message;
+  if (!report) return sentence(report.error().message);
   std::string all = report->vertices == result.mesh.positions.size() ? "" : "vertices coincide; ";
   for (const std::string& problem : report->problems()) all += problem + "; ";
   return all;

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "messages/sentences.h"
+
 namespace qrelief {
 namespace {
 
@@ -46,14 +48,14 @@ TEST(ConstrainedDelaunay, RefusesCrossingConstraints) {
   const std::vector<Vec2> points{{-1, -1}, {1, 1}, {-1, 1}, {1, -1}};
   const auto result = triangulateConstrained(points, Pairs{{0, 1}, {2, 3}});
   ASSERT_FALSE(result);
-  EXPECT_EQ(result.error().code, ErrorCode::Internal);
+  EXPECT_EQ(result.error().kind, ErrorKind::Internal);
 }
 
 TEST(ConstrainedDelaunay, RefusesCoincidingPoints) {
   const std::vector<Vec2> points{{0, 0}, {1, 0}, {0, 1}, {1, 0}};
   const auto result = triangulateConstrained(points, {});
   ASSERT_FALSE(result);
-  EXPECT_EQ(result.error().message, "1 points of the arrangement coincide");
+  EXPECT_EQ(sentence(result.error().message), "1 points of the arrangement coincide");
 }
 
 }  // namespace

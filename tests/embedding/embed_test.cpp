@@ -11,6 +11,7 @@
 #include "embedding/carving_oracle.h"
 #include "math/tolerance.h"
 #include "mesh/topology.h"
+#include "messages/sentences.h"
 #include "support/shapes.h"
 #include "verification/solidity.h"
 
@@ -278,18 +279,18 @@ TEST(Embed, SaysThatFacetsAreTooFineWhereFloatsCannotHoldPiecesOfThem) {
   const auto result = carve(mesh, makeFrame(away, {0.1, 0.2, 1}, {0, 1, 0}, 250),
                             fieldOf(105, 21, [](int r, int c) { return 0.1 * (1 + (r + c) % 3); }));
   ASSERT_FALSE(result);
-  EXPECT_EQ(result.error().code, ErrorCode::NoSolution);
-  EXPECT_THAT(result.error().message, testing::HasSubstr("too fine"));
-  EXPECT_THAT(result.error().hint, testing::HasSubstr("erge vertices"));
+  EXPECT_EQ(result.error().kind, ErrorKind::NoSolution);
+  EXPECT_THAT(sentence(result.error().message), testing::HasSubstr("too fine"));
+  EXPECT_THAT(hint(result.error().message), testing::HasSubstr("erge vertices"));
 }
 
 TEST(Embed, SaysThatACodeBeyondTheRimLeavesTheSurface) {
   const auto result = carve(coarsePlate(), makeFrame({20, 0, 0}, kTowardsZ, {0, 1, 0}, 250),
                             fieldOf(5, 10, [](int, int) { return 0.3; }));
   ASSERT_FALSE(result);
-  EXPECT_EQ(result.error().code, ErrorCode::NoSolution);
-  EXPECT_THAT(result.error().message, testing::HasSubstr("leaves the visible surface"));
-  EXPECT_THAT(result.error().hint, testing::HasSubstr("smaller size"));
+  EXPECT_EQ(result.error().kind, ErrorKind::NoSolution);
+  EXPECT_THAT(sentence(result.error().message), testing::HasSubstr("leaves the visible surface"));
+  EXPECT_THAT(hint(result.error().message), testing::HasSubstr("smaller size"));
 }
 
 TEST(Embed, SaysThatACodeOverAHoleOfThePatchLeavesTheSurface) {
@@ -303,14 +304,14 @@ TEST(Embed, SaysThatACodeOverAHoleOfThePatchLeavesTheSurface) {
   patch.erase(inside);
   const auto result = embedDepthField(mesh, aboveOrigin(), patch, fieldOf(1, 6, [](int, int) { return 0.3; }));
   ASSERT_FALSE(result);
-  EXPECT_EQ(result.error().code, ErrorCode::NoSolution);
+  EXPECT_EQ(result.error().kind, ErrorKind::NoSolution);
 }
 
 TEST(Embed, SaysThatNothingLiesUnderTheCode) {
   const Mesh mesh = coarsePlate();
   const auto result = embedDepthField(mesh, aboveOrigin(), {}, fieldOf(1, 6, [](int, int) { return 0.3; }));
   ASSERT_FALSE(result);
-  EXPECT_EQ(result.error().code, ErrorCode::NoSolution);
+  EXPECT_EQ(result.error().kind, ErrorKind::NoSolution);
 }
 
 TEST(Embed, RefusesAFacetSeenFromBehind) {
@@ -318,8 +319,8 @@ TEST(Embed, RefusesAFacetSeenFromBehind) {
   const std::vector<std::uint32_t> patch{0, 1, 2, 3};
   const auto result = embedDepthField(mesh, aboveOrigin(), patch, fieldOf(1, 30, [](int, int) { return 0.3; }));
   ASSERT_FALSE(result);
-  EXPECT_EQ(result.error().code, ErrorCode::NoSolution);
-  EXPECT_THAT(result.error().message, testing::HasSubstr("seen from behind"));
+  EXPECT_EQ(result.error().kind, ErrorKind::NoSolution);
+  EXPECT_THAT(sentence(result.error().message), testing::HasSubstr("seen from behind"));
 }
 
 /// A hundred random codes on random shapes in random places.

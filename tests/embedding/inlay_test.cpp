@@ -9,6 +9,7 @@
 
 #include "embedding/carving_oracle.h"
 #include "math/tolerance.h"
+#include "messages/sentences.h"
 #include "support/shapes.h"
 #include "verification/solidity.h"
 
@@ -23,7 +24,7 @@ ProjectionFrame obliquelyAbove(Vec3 centre) { return makeFrame(centre, {0.1, -0.
 
 std::string problemsOf(const Mesh& mesh) {
   const auto report = checkSolidity(oracle::welded(mesh));
-  if (!report) return report.error().message;
+  if (!report) return sentence(report.error().message);
   std::string all = report->vertices == mesh.positions.size() ? "" : "vertices coincide; ";
   for (const std::string& problem : report->problems()) all += problem + "; ";
   return all;

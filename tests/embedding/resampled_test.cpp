@@ -10,6 +10,7 @@
 #include "embedding/carving_oracle.h"
 #include "embedding/embed.h"
 #include "math/tolerance.h"
+#include "messages/sentences.h"
 #include "support/brute_force.h"
 #include "support/shapes.h"
 #include "verification/solidity.h"
@@ -128,8 +129,8 @@ TEST(Resampled, RefusesAHoleOfThePatchUnderAnUncarvedPartOfTheSquare) {
   EXPECT_TRUE(embedDepthField(mesh, aboveOrigin(), patch, corner));
   const auto result = embedDepthField(mesh, aboveOrigin(), patch, corner, kResampled);
   ASSERT_FALSE(result);
-  EXPECT_EQ(result.error().code, ErrorCode::NoSolution);
-  EXPECT_THAT(result.error().message, testing::HasSubstr("leaves the visible surface"));
+  EXPECT_EQ(result.error().kind, ErrorKind::NoSolution);
+  EXPECT_THAT(sentence(result.error().message), testing::HasSubstr("leaves the visible surface"));
 }
 
 TEST(Resampled, RefusesASquareThatLeavesThePlateThoughNoPocketDoes) {
@@ -139,7 +140,7 @@ TEST(Resampled, RefusesASquareThatLeavesThePlateThoughNoPocketDoes) {
   EXPECT_TRUE(oracle::carve(mesh, frame, middle));
   const auto result = oracle::carve(mesh, frame, middle, kResampled);
   ASSERT_FALSE(result);
-  EXPECT_EQ(result.error().code, ErrorCode::NoSolution);
+  EXPECT_EQ(result.error().kind, ErrorKind::NoSolution);
 }
 
 TEST(Resampled, CopesWithAPlateWhoseMeshIsTheSubmoduleGridItself) {

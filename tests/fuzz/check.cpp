@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 #include <map>
 
+#include "messages/sentences.h"
+
 namespace qrelief::fuzz {
 namespace {
 
@@ -43,14 +45,15 @@ void require(bool holds, std::string_view promise) {
 }
 
 void checkError(const Error& error) {
-  require(error.code == ErrorCode::BadInput || error.code == ErrorCode::NoSolution, "refusals are typed");
-  require(!error.message.empty() && error.message.back() != '.', "a refusal has a message without full stop");
-  require(printable(error.message) && printable(error.hint), "messages hold no control characters");
+  require(error.kind == ErrorKind::BadInput || error.kind == ErrorKind::NoSolution, "refusals are typed");
+  require(!sentence(error.message).empty() && sentence(error.message).back() != '.',
+          "a refusal has a message without full stop");
+  require(printable(sentence(error.message)) && printable(hint(error.message)), "messages hold no control characters");
 }
 
 void checkSoup(const Result<PolygonSoup>& soup) {
   if (!soup) {
-    require(soup.error().code == ErrorCode::BadInput, "what cannot be read is bad input");
+    require(soup.error().kind == ErrorKind::BadInput, "what cannot be read is bad input");
     return checkError(soup.error());
   }
   require(!soup->triangles.empty() && soup->triangles.size() <= kLimits.maxTriangles, "1 to maxTriangles triangles");
@@ -67,7 +70,7 @@ void checkSoup(const Result<PolygonSoup>& soup) {
 
 void checkPrepared(const Result<PreparedModel>& prepared) {
   if (!prepared) {
-    require(prepared.error().code == ErrorCode::BadInput, "what cannot be represented is bad input");
+    require(prepared.error().kind == ErrorKind::BadInput, "what cannot be represented is bad input");
     return checkError(prepared.error());
   }
   const Mesh& mesh = prepared->mesh;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gl/objects.h"
 
+#include "messages/sentences.h"
 #include "shaders.h"
 #include "support/gl_test.h"
 
@@ -29,8 +30,8 @@ TEST_F(GlObjects, AShaderThatDoesNotCompileIsAnErrorThatNamesIt) {
   const auto program =
       Program::create("broken pass", shaders::fullscreen_vert, "#version 300 es\nvoid main() { nonsense }");
   ASSERT_FALSE(program.has_value());
-  EXPECT_EQ(program.error().code, ErrorCode::Internal);
-  EXPECT_NE(program.error().message.find("broken pass"), std::string::npos);
+  EXPECT_EQ(program.error().kind, ErrorKind::Internal);
+  EXPECT_NE(sentence(program.error().message).find("broken pass"), std::string::npos);
 }
 
 TEST_F(GlObjects, ShadersThatDoNotFitTogetherAreAnErrorThatNamesThem) {
@@ -39,7 +40,7 @@ TEST_F(GlObjects, ShadersThatDoNotFitTogetherAreAnErrorThatNamesThem) {
       "v_missing; }";
   const auto program = Program::create("unlinked pass", shaders::fullscreen_vert, fragment);
   ASSERT_FALSE(program.has_value());
-  EXPECT_NE(program.error().message.find("unlinked pass"), std::string::npos);
+  EXPECT_NE(sentence(program.error().message).find("unlinked pass"), std::string::npos);
 }
 
 TEST_F(GlObjects, AMovedTextureLeavesNothingBehind) {

@@ -8,6 +8,7 @@
 
 #include "io/three_mf_model.h"
 #include "math/box.h"
+#include "messages/sentences.h"
 #include "support/zip_file.h"
 
 namespace qrelief {
@@ -24,9 +25,9 @@ constexpr const char* kProduction =
 std::string errorOf(const std::string& model, const ReadLimits& limits = {}) {
   const auto soup = read3mf(threeMf(model), limits);
   if (soup) return "no error";
-  EXPECT_EQ(soup.error().code, ErrorCode::BadInput);
-  EXPECT_FALSE(soup.error().hint.empty());
-  return soup.error().message;
+  EXPECT_EQ(soup.error().kind, ErrorKind::BadInput);
+  EXPECT_FALSE(hint(soup.error().message).empty());
+  return sentence(soup.error().message);
 }
 
 Box3 boxOf(const PolygonSoup& soup) {
@@ -170,7 +171,7 @@ TEST(ThreeMfReader, RefusesABuildWithoutItems) {
 
 TEST(ThreeMfReader, RefusesAPackageWithoutTheModelItNames) {
   const auto messageOf = [](const std::vector<zip_file::File>& files) {
-    return read3mf(zip_file::zip(files), {}).error().message;
+    return sentence(read3mf(zip_file::zip(files), {}).error().message);
   };
   EXPECT_THAT(messageOf({{"3D/3dmodel.model", "x"}}), HasSubstr("no part '_rels/.rels'"));
   const auto rels = [](const std::string& relationships) {
@@ -290,7 +291,7 @@ TEST(ThreeMfReader, LimitsTrianglesVerticesAndEntries) {
 TEST(ThreeMfReader, LimitsWhatTheArchiveExpandsTo) {
   const auto bytes = threeMf(modelPart(boxObject(1, 1, 1, 1), "<item objectid=\"1\"/>"));
   EXPECT_TRUE(read3mf(bytes, {.maxExpandedBytes = bytes.size()}));
-  EXPECT_THAT(read3mf(bytes, {.maxExpandedBytes = 1000}).error().message, HasSubstr("would expand"));
+  EXPECT_THAT(sentence(read3mf(bytes, {.maxExpandedBytes = 1000}).error().message), HasSubstr("would expand"));
 }
 
 TEST(ThreeMfReader, SurvivesEveryByteOfTheModelChanged) {
@@ -304,8 +305,8 @@ TEST(ThreeMfReader, SurvivesEveryByteOfTheModelChanged) {
       text[at] = change;
       const auto soup = read3mf(threeMf(text), {});
       if (!soup) {
-        ASSERT_EQ(soup.error().code, ErrorCode::BadInput);
-        ASSERT_FALSE(soup.error().message.empty());
+        ASSERT_EQ(soup.error().kind, ErrorKind::BadInput);
+        ASSERT_FALSE(sentence(soup.error().message).empty());
         continue;
       }
       for (const Triangle& t : soup->triangles)
@@ -319,7 +320,7 @@ TEST(ThreeMfReader, SurvivesEveryTruncationOfTheModel) {
   for (std::size_t size = 0; size + 2 < model.size(); ++size) {
     const auto soup = read3mf(threeMf(model.substr(0, size)), {});
     ASSERT_FALSE(soup) << size;
-    ASSERT_EQ(soup.error().code, ErrorCode::BadInput);
+    ASSERT_EQ(soup.error().kind, ErrorKind::BadInput);
   }
 }
 

@@ -9,6 +9,7 @@
 #include "io/write_model.h"
 #include "io/write_stl.h"
 #include "mesh/prepare.h"
+#include "messages/sentences.h"
 #include "support/model_files.h"
 #include "support/shapes.h"
 
@@ -40,8 +41,8 @@ std::vector<Sample> samples(const Mesh& mesh) {
 void expectErrorOrValid(const Bytes& bytes, const std::string& name) {
   const auto soup = readModel(bytes, name);
   if (!soup) {
-    ASSERT_FALSE(soup.error().message.empty());
-    ASSERT_EQ(soup.error().code, ErrorCode::BadInput);
+    ASSERT_FALSE(sentence(soup.error().message).empty());
+    ASSERT_EQ(soup.error().kind, ErrorKind::BadInput);
     return;
   }
   ASSERT_FALSE(soup->triangles.empty());
@@ -50,7 +51,7 @@ void expectErrorOrValid(const Bytes& bytes, const std::string& name) {
   for (const Vec3& p : soup->positions) ASSERT_TRUE(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z));
   const auto model = prepareModel(*soup, {});
   if (!model) {
-    ASSERT_FALSE(model.error().message.empty());
+    ASSERT_FALSE(sentence(model.error().message).empty());
     return;
   }
   for (const Triangle& t : model->mesh.triangles)
@@ -95,18 +96,20 @@ TEST(ReadModel, ReadsTheContentWithAWarningWhereTheNameIsWrong) {
   EXPECT_EQ(readModel(writeStl(shapes::tetrahedron(10)), "model.obj")->format, "STL (binary)");
 }
 
-TEST(ReadModel, RefusesAnEmptyFile) { EXPECT_THAT(readModel({}, "a.stl").error().message, HasSubstr("empty")); }
+TEST(ReadModel, RefusesAnEmptyFile) {
+  EXPECT_THAT(sentence(readModel({}, "a.stl").error().message), HasSubstr("empty"));
+}
 
 TEST(ReadModel, RefusesAFileOverTheLimit) {
-  EXPECT_THAT(readModel(writeStl(shapes::tetrahedron(1)), "a.stl", {.maxBytes = 100}).error().message,
+  EXPECT_THAT(sentence(readModel(writeStl(shapes::tetrahedron(1)), "a.stl", {.maxBytes = 100}).error().message),
               HasSubstr("284 bytes"));
 }
 
 TEST(ReadModel, NamesFormatsItCannotRead) {
-  EXPECT_THAT(readModel(bytesOf("glTF...."), "a.glb").error().message, HasSubstr("glTF"));
+  EXPECT_THAT(sentence(readModel(bytesOf("glTF...."), "a.glb").error().message), HasSubstr("glTF"));
   const auto unknown = readModel(bytesOf("what is this"), "a.txt");
-  EXPECT_THAT(unknown.error().message, HasSubstr("not known"));
-  EXPECT_THAT(unknown.error().hint, HasSubstr("PLY"));
+  EXPECT_THAT(sentence(unknown.error().message), HasSubstr("not known"));
+  EXPECT_THAT(hint(unknown.error().message), HasSubstr("PLY"));
 }
 
 TEST(ReadModel, RefusesTextThatIsNoModelUnderEveryName) {

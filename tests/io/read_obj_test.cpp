@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "messages/sentences.h"
 #include "support/model_files.h"
 #include "support/shapes.h"
 
@@ -21,7 +22,7 @@ Result<PolygonSoup> read(std::string_view text) { return readObj(bytesOf(text), 
 
 std::string errorOf(std::string_view text) {
   const auto soup = read(text);
-  return soup ? "no error" : soup.error().message;
+  return soup ? "no error" : sentence(soup.error().message);
 }
 
 TEST(ObjReader, ReadsVerticesAndTriangles) {

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "messages/sentences.h"
 #include "support/model_files.h"
 #include "support/shapes.h"
 
@@ -15,7 +16,7 @@ using ::testing::HasSubstr;
 
 std::string errorOf(std::string_view text) {
   const auto soup = readOff(bytesOf(text), {});
-  return soup ? "no error" : soup.error().message;
+  return soup ? "no error" : sentence(soup.error().message);
 }
 
 TEST(OffReader, ReadsVerticesAndTriangles) {

@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "messages/sentences.h"
 #include "support/model_files.h"
 #include "support/shapes.h"
 
@@ -19,7 +20,7 @@ using ::testing::HasSubstr;
 
 std::string errorOf(const Bytes& bytes) {
   const auto soup = readPly(bytes, {});
-  return soup ? "no error" : soup.error().message;
+  return soup ? "no error" : sentence(soup.error().message);
 }
 
 std::string header(std::string_view elements, std::string_view format = "ascii") {

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "io/write_stl.h"
+#include "messages/sentences.h"
 #include "support/model_files.h"
 #include "support/shapes.h"
 
@@ -30,7 +31,7 @@ void expectSameFacets(const PolygonSoup& soup, const Mesh& mesh) {
 
 std::string errorOf(const Bytes& bytes) {
   const auto soup = readStl(bytes, {});
-  return soup ? "no error" : soup.error().message;
+  return soup ? "no error" : sentence(soup.error().message);
 }
 
 TEST(StlReader, ReadsBinaryFacetsBitForBit) {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 
+#include "messages/sentences.h"
 #include "support/shapes.h"
 
 namespace qrelief {
@@ -24,7 +25,7 @@ TEST(WriteChecked, GivesWhatWriteModelGives) {
 }
 
 TEST(WriteChecked, HandsOnWhatCannotBeWritten) {
-  EXPECT_EQ(writeChecked(objectOf(shapes::box({1, 1, 1})), ModelFormat::Off).error().code, ErrorCode::BadUsage);
+  EXPECT_EQ(writeChecked(objectOf(shapes::box({1, 1, 1})), ModelFormat::Off).error().kind, ErrorKind::BadUsage);
 }
 
 TEST(WriteChecked, RefusesAFileThatCannotBeReadBack) {
@@ -33,8 +34,8 @@ TEST(WriteChecked, RefusesAFileThatCannotBeReadBack) {
   for (const ModelFormat format : {ModelFormat::Stl, ModelFormat::Obj, ModelFormat::Ply, ModelFormat::ThreeMf}) {
     const auto bytes = writeChecked(objectOf(mesh), format);
     ASSERT_FALSE(bytes);
-    EXPECT_EQ(bytes.error().code, ErrorCode::Internal);
-    EXPECT_THAT(bytes.error().message, HasSubstr("could not be read back"));
+    EXPECT_EQ(bytes.error().kind, ErrorKind::Internal);
+    EXPECT_THAT(sentence(bytes.error().message), HasSubstr("could not be read back"));
   }
 }
 

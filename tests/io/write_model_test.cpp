@@ -10,6 +10,7 @@
 #include "base/random.h"
 #include "io/read_model.h"
 #include "mesh/prepare.h"
+#include "messages/sentences.h"
 #include "support/shapes.h"
 
 namespace qrelief {
@@ -104,14 +105,14 @@ TEST(WriteModel, RefusesFormatsItCannotWrite) {
   for (const ModelFormat format : {ModelFormat::Off, ModelFormat::Gltf, ModelFormat::Unknown}) {
     const auto bytes = writeModel(shapes::box({1, 2, 3}), format);
     ASSERT_FALSE(bytes);
-    EXPECT_EQ(bytes.error().code, ErrorCode::BadUsage);
-    EXPECT_THAT(bytes.error().hint, HasSubstr(".3mf"));
+    EXPECT_EQ(bytes.error().kind, ErrorKind::BadUsage);
+    EXPECT_THAT(hint(bytes.error().message), HasSubstr(".3mf"));
   }
 }
 
 TEST(WriteModel, RefusesTextWhereThereIsNoChoice) {
   for (const ModelFormat format : {ModelFormat::Obj, ModelFormat::Ply, ModelFormat::ThreeMf})
-    EXPECT_EQ(writeModel(shapes::box({1, 2, 3}), format, {.ascii = true}).error().code, ErrorCode::BadUsage);
+    EXPECT_EQ(writeModel(shapes::box({1, 2, 3}), format, {.ascii = true}).error().kind, ErrorKind::BadUsage);
 }
 
 TEST(WriteModel, RefusesSeveralBodiesOutsideOf3mf) {
@@ -120,8 +121,8 @@ TEST(WriteModel, RefusesSeveralBodiesOutsideOf3mf) {
   for (const ModelFormat format : {ModelFormat::Stl, ModelFormat::Obj, ModelFormat::Ply}) {
     const auto bytes = writeModel(objects, format);
     ASSERT_FALSE(bytes);
-    EXPECT_EQ(bytes.error().code, ErrorCode::BadUsage);
-    EXPECT_THAT(bytes.error().hint, HasSubstr("3MF"));
+    EXPECT_EQ(bytes.error().kind, ErrorKind::BadUsage);
+    EXPECT_THAT(hint(bytes.error().message), HasSubstr("3MF"));
   }
   EXPECT_TRUE(writeModel(objects, ModelFormat::ThreeMf));
 }

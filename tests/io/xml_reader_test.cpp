@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "io/zip_writer.h"
+#include "messages/sentences.h"
 #include "support/zip_file.h"
 
 namespace qrelief {
@@ -27,7 +28,7 @@ class Recorder : public XmlHandler {
     events.push_back("<" + std::string(element.space) + "|" + std::string(element.name) + " " +
                      std::string(element.attribute("a").value_or("-")) + " " +
                      std::string(element.attribute("urn:p", "a").value_or("-")));
-    if (element.name == refuse) return fail(ErrorCode::BadInput, "no such thing", "leave it out");
+    if (element.name == refuse) return fail(ErrorKind::BadInput, "no such thing", "leave it out");
     if (element.name == throwAt) throw std::runtime_error("thrown");
     return {};
   }
@@ -50,7 +51,7 @@ Status read(const std::string& text, XmlHandler& handler) {
 std::string errorOf(const std::string& text) {
   Recorder recorder;
   const Status status = read(text, recorder);
-  return status ? "" : status.error().message;
+  return status ? "" : sentence(status.error().message);
 }
 
 TEST(XmlReader, TellsElementsAndAttributesWithTheirNamespaces) {
@@ -78,8 +79,8 @@ TEST(XmlReader, EndsWithTheHandlersErrorAndItsLine) {
   recorder.refuse = "b";
   const Status status = read("<r>\n<b/><c/></r>", recorder);
   ASSERT_FALSE(status);
-  EXPECT_EQ(status.error().message, "Part 'part.xml' of the 3MF file, line 2: no such thing");
-  EXPECT_EQ(status.error().hint, "leave it out");
+  EXPECT_EQ(sentence(status.error().message), "Part 'part.xml' of the 3MF file, line 2: no such thing");
+  EXPECT_EQ(hint(status.error().message), "leave it out");
   EXPECT_THAT(recorder.events, ElementsAre("<|r - -", "<|b - -"));
 }
 

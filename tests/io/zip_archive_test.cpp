@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "io/zip_writer.h"
+#include "messages/sentences.h"
 #include "support/zip_file.h"
 
 namespace qrelief {
@@ -36,7 +37,7 @@ Result<std::string> contentOf(const Bytes& bytes, const std::string& name, std::
 
 std::string errorOf(const Bytes& bytes) {
   const auto archive = ZipArchive::open(bytes);
-  return archive ? "" : archive.error().message;
+  return archive ? "" : sentence(archive.error().message);
 }
 
 /// Text that deflate cannot shrink to nothing, longer than several pieces.
@@ -169,18 +170,18 @@ TEST(ZipArchive, RefusesOtherNumbersInTheFilesOwnHeader) {
 TEST(ZipStream, RefusesWhatDoesNotMatchItsCheckSum) {
   File file{"a.txt", "first"};
   file.crc = 1;
-  EXPECT_THAT(contentOf(zip_file::zip({file}), "a.txt").error().message, HasSubstr("check sum"));
+  EXPECT_THAT(sentence(contentOf(zip_file::zip({file}), "a.txt").error().message), HasSubstr("check sum"));
 }
 
 TEST(ZipStream, RefusesTwoSizesOfAStoredFile) {
   File file{"a.txt", "first"};
   file.size = 4;
-  EXPECT_THAT(contentOf(zip_file::zip({file}), "a.txt").error().message, HasSubstr("two different sizes"));
+  EXPECT_THAT(sentence(contentOf(zip_file::zip({file}), "a.txt").error().message), HasSubstr("two different sizes"));
 }
 
 TEST(ZipStream, RefusesEncryptionAndUnknownMethods) {
-  EXPECT_THAT(contentOf(zip_file::zip({{"a", "x", 1, 0}}), "a").error().message, HasSubstr("encrypted"));
-  EXPECT_THAT(contentOf(zip_file::zip({{"a", "x", 0, 12}}), "a").error().message, HasSubstr("method 12"));
+  EXPECT_THAT(sentence(contentOf(zip_file::zip({{"a", "x", 1, 0}}), "a").error().message), HasSubstr("encrypted"));
+  EXPECT_THAT(sentence(contentOf(zip_file::zip({{"a", "x", 0, 12}}), "a").error().message), HasSubstr("method 12"));
 }
 
 TEST(ZipStream, RefusesDamagedDeflateData) {
@@ -191,7 +192,7 @@ TEST(ZipStream, RefusesDamagedDeflateData) {
       8);
   File file{"a", block, 0, 8};
   file.size = 3;
-  EXPECT_THAT(contentOf(zip_file::zip({file}), "a").error().message, HasSubstr("cannot be unpacked"));
+  EXPECT_THAT(sentence(contentOf(zip_file::zip({file}), "a").error().message), HasSubstr("cannot be unpacked"));
 }
 
 TEST(ZipStream, RefusesMoreAndFewerBytesThanAnnounced) {
@@ -204,16 +205,17 @@ TEST(ZipStream, RefusesMoreAndFewerBytesThanAnnounced) {
   file.size = 3;
   EXPECT_EQ(contentOf(zip_file::zip({file}), "a").value(), "abc");
   file.size = 2;
-  EXPECT_THAT(contentOf(zip_file::zip({file}), "a").error().message, HasSubstr("more bytes"));
+  EXPECT_THAT(sentence(contentOf(zip_file::zip({file}), "a").error().message), HasSubstr("more bytes"));
   file.size = 4;
-  EXPECT_THAT(contentOf(zip_file::zip({file}), "a").error().message, HasSubstr("holds 3 bytes, not the 4"));
+  EXPECT_THAT(sentence(contentOf(zip_file::zip({file}), "a").error().message), HasSubstr("holds 3 bytes, not the 4"));
   file.size = 3;
   file.content += "!";
-  EXPECT_THAT(contentOf(zip_file::zip({file}), "a").error().message, HasSubstr("belong to nothing"));
+  EXPECT_THAT(sentence(contentOf(zip_file::zip({file}), "a").error().message), HasSubstr("belong to nothing"));
 }
 
 TEST(ZipStream, RefusesAFileOverTheLimitBeforeUnpackingIt) {
-  EXPECT_THAT(contentOf(zip_file::zip({{"a", "12345678"}}), "a", 7).error().message, HasSubstr("at most 7 bytes"));
+  EXPECT_THAT(sentence(contentOf(zip_file::zip({{"a", "12345678"}}), "a", 7).error().message),
+              HasSubstr("at most 7 bytes"));
   EXPECT_EQ(contentOf(zip_file::zip({{"a", "12345678"}}), "a", 8).value(), "12345678");
 }
 
@@ -225,7 +227,8 @@ TEST(ZipStream, RefusesAFileThatExpandsTooManyTimes) {
     return *writer.finish();
   };
   EXPECT_EQ(contentOf(zipOfBlanks(ZipStream::kFreeBytes), "blanks").value().size(), ZipStream::kFreeBytes);
-  EXPECT_THAT(contentOf(zipOfBlanks(ZipStream::kFreeBytes + 1), "blanks").error().message, HasSubstr("200-fold"));
+  EXPECT_THAT(sentence(contentOf(zipOfBlanks(ZipStream::kFreeBytes + 1), "blanks").error().message),
+              HasSubstr("200-fold"));
 }
 
 TEST(ZipArchive, SurvivesEveryTruncationAndEveryByteChanged) {
@@ -238,13 +241,13 @@ TEST(ZipArchive, SurvivesEveryTruncationAndEveryByteChanged) {
   const auto expectErrorOrContent = [](const Bytes& bytes) {
     const auto archive = ZipArchive::open(bytes);
     if (!archive) {
-      EXPECT_EQ(archive.error().code, ErrorCode::BadInput);
+      EXPECT_EQ(archive.error().kind, ErrorKind::BadInput);
       return;
     }
     for (const char* name : {"a/b.txt", "c.txt"}) {
       if (!archive->find(name)) continue;
       const auto text = contentOf(*archive, name, 1000);
-      EXPECT_TRUE(text ? text->size() <= 1000 : !text.error().message.empty());
+      EXPECT_TRUE(text ? text->size() <= 1000 : !sentence(text.error().message).empty());
     }
   };
   for (std::size_t size = 0; size < good.size(); ++size) {

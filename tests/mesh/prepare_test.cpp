@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "mesh/self_intersection.h"
+#include "messages/sentences.h"
 #include "support/shapes.h"
 
 namespace qrelief {
@@ -82,8 +83,8 @@ TEST(PrepareModel, BlocksAnOpenSurfaceAndNamesAPlaceInFileUnits) {
   expectFinding(model, "open-edges", Severity::Blocking, 3);
   EXPECT_THAT(find(model, "open-edges")->message, HasSubstr("3 open edges around 1 hole or gap, one at (1, "));
   EXPECT_THAT(find(model, "open-edges")->message, HasSubstr("of facet "));
-  EXPECT_EQ(model.engravable().error().code, ErrorCode::BadInput);
-  EXPECT_EQ(model.engravable().error().message, model.findings.front().message);
+  EXPECT_EQ(model.engravable().error().kind, ErrorKind::BadInput);
+  EXPECT_EQ(sentence(model.engravable().error().message), model.findings.front().message);
 }
 
 TEST(PrepareModel, BlocksASurfaceThatIsNotWeldable) {
@@ -124,7 +125,7 @@ TEST(PrepareModel, RefusesALargeOpeningAndSaysHowLarge) {
   const PreparedModel model = prepared(mesh);
   expectFinding(model, "large-openings", Severity::Blocking, 1);
   EXPECT_THAT(find(model, "large-openings")->message, HasSubstr("the largest is 14.1 mm across, has 4 edges"));
-  EXPECT_EQ(model.engravable().error().message, find(model, "large-openings")->message);
+  EXPECT_EQ(sentence(model.engravable().error().message), find(model, "large-openings")->message);
   const auto filled = prepareModel(shapes::soupOf(mesh), {.repair = {.maxHoleMm = 15}});
   EXPECT_TRUE(filled->engravable());
   EXPECT_NEAR(signedVolume(filled->mesh), 1000, 1e-9);
@@ -179,8 +180,8 @@ TEST(PrepareModel, NamesPartsThatTouchAlongAnEdge) {
 
 TEST(PrepareModel, RefusesAToleranceThatMakesNoSense) {
   for (const double mm : {-1.0, static_cast<double>(NAN)})
-    EXPECT_EQ(prepareModel(shapes::soupOf(shapes::box({1, 1, 1})), {.repair = {.weldToleranceMm = mm}}).error().code,
-              ErrorCode::BadUsage);
+    EXPECT_EQ(prepareModel(shapes::soupOf(shapes::box({1, 1, 1})), {.repair = {.weldToleranceMm = mm}}).error().kind,
+              ErrorKind::BadUsage);
 }
 
 TEST(PrepareModel, BlocksEdgesOfThreeTriangles) {
@@ -324,22 +325,23 @@ TEST(PrepareModel, PutsWhatBlocksFirst) {
 TEST(PrepareModel, RefusesAnImplausibleSize) {
   const auto model = prepareModel(shapes::soupOf(shapes::box({1e30, 1, 1})), {});
   ASSERT_FALSE(model);
-  EXPECT_EQ(model.error().code, ErrorCode::BadInput);
-  EXPECT_THAT(model.error().message, HasSubstr("implausible"));
-  EXPECT_THAT(model.error().hint, HasSubstr("--scale"));
+  EXPECT_EQ(model.error().kind, ErrorKind::BadInput);
+  EXPECT_THAT(sentence(model.error().message), HasSubstr("implausible"));
+  EXPECT_THAT(hint(model.error().message), HasSubstr("--scale"));
   EXPECT_FALSE(prepareModel(shapes::soupOf(shapes::box({10, 10, 10})), {.scaleToMm = 1e300}));
 }
 
 TEST(PrepareModel, RefusesAModelFarFromTheOrigin) {
   EXPECT_THAT(
-      prepareModel(shapes::soupOf(shapes::translated(shapes::box({10, 10, 10}), {1e8, 0, 0})), {}).error().message,
+      sentence(
+          prepareModel(shapes::soupOf(shapes::translated(shapes::box({10, 10, 10}), {1e8, 0, 0})), {}).error().message),
       HasSubstr("away from the origin"));
 }
 
 TEST(PrepareModel, RefusesCoordinatesThatAreNotFinite) {
   PolygonSoup soup = shapes::soupOf(shapes::box({10, 10, 10}));
   soup.positions[2].y = NAN;
-  EXPECT_THAT(prepareModel(soup, {}).error().message, HasSubstr("Vertex 3"));
+  EXPECT_THAT(sentence(prepareModel(soup, {}).error().message), HasSubstr("Vertex 3"));
 }
 
 TEST(PrepareModel, RefusesModelsWithoutArea) {
@@ -347,16 +349,16 @@ TEST(PrepareModel, RefusesModelsWithoutArea) {
   Mesh line;
   line.positions = {{0, 0, 0}, {5, 0, 0}, {10, 0, 0}};
   line.triangles = {{0, 1, 2}};
-  EXPECT_THAT(prepareModel(shapes::soupOf(line), {}).error().message,
+  EXPECT_THAT(sentence(prepareModel(shapes::soupOf(line), {}).error().message),
               HasSubstr("None of the model's 1 triangles has an area"));
   line.triangles = {{1, 1, 1}};
-  EXPECT_THAT(prepareModel(shapes::soupOf(line), {}).error().message, HasSubstr("no extent"));
+  EXPECT_THAT(sentence(prepareModel(shapes::soupOf(line), {}).error().message), HasSubstr("no extent"));
 }
 
 TEST(PrepareModel, RefusesAScaleThatIsNotPositive) {
   for (const double scale : {0.0, -1.0, static_cast<double>(NAN), static_cast<double>(INFINITY)})
-    EXPECT_EQ(prepareModel(shapes::soupOf(shapes::box({1, 1, 1})), {.scaleToMm = scale}).error().code,
-              ErrorCode::BadUsage);
+    EXPECT_EQ(prepareModel(shapes::soupOf(shapes::box({1, 1, 1})), {.scaleToMm = scale}).error().kind,
+              ErrorKind::BadUsage);
 }
 
 }  // namespace

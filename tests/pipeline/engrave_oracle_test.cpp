@@ -88,18 +88,18 @@ TEST_F(EngraveOracle, SeesWhatIsFalseAboutASolid) {
 }
 
 TEST_F(EngraveOracle, SeesReasonsThatAreNotTrue) {
-  const auto refused = [&](ErrorCode code, const char* message) {
-    return faultOf(tl::unexpected(Error{code, message, "a hint"}));
+  const auto refused = [&](ErrorKind code, const char* message) {
+    return faultOf(tl::unexpected(Error{code, untold(message, "a hint")}));
   };
-  EXPECT_THAT(refused(ErrorCode::NoSolution, "A code of 20 mm does not fit here"), HasSubstr("no ray contradicts it"));
-  EXPECT_THAT(refused(ErrorCode::NoSolution, "Only a code of 3 mm fits"), HasSubstr("no ray contradicts it"));
-  EXPECT_THAT(refused(ErrorCode::NoSolution, "Another part hides the chosen point"), HasSubstr("before the centre"));
-  EXPECT_THAT(refused(ErrorCode::NoSolution, "It faces away"), HasSubstr("from no direction"));
-  EXPECT_THAT(refused(ErrorCode::NoSolution, "Nothing can be carved here"), HasSubstr("to spare"));
-  EXPECT_THAT(refused(ErrorCode::NoSolution, "The facets under the code are too fine"), HasSubstr("no facet there"));
-  EXPECT_THAT(refused(ErrorCode::NoSolution, "I do not want to"), HasSubstr("nobody checks"));
-  EXPECT_THAT(refused(ErrorCode::BadInput, "The surface is not closed"), HasSubstr("nobody checks"));
-  EXPECT_THAT(refused(ErrorCode::Internal, "Oops"), HasSubstr("no typed refusal"));
+  EXPECT_THAT(refused(ErrorKind::NoSolution, "A code of 20 mm does not fit here"), HasSubstr("no ray contradicts it"));
+  EXPECT_THAT(refused(ErrorKind::NoSolution, "Only a code of 3 mm fits"), HasSubstr("no ray contradicts it"));
+  EXPECT_THAT(refused(ErrorKind::NoSolution, "Another part hides the chosen point"), HasSubstr("before the centre"));
+  EXPECT_THAT(refused(ErrorKind::NoSolution, "It faces away"), HasSubstr("from no direction"));
+  EXPECT_THAT(refused(ErrorKind::NoSolution, "Nothing can be carved here"), HasSubstr("to spare"));
+  EXPECT_THAT(refused(ErrorKind::NoSolution, "The facets under the code are too fine"), HasSubstr("no facet there"));
+  EXPECT_THAT(refused(ErrorKind::NoSolution, "I do not want to"), HasSubstr("nobody checks"));
+  EXPECT_THAT(refused(ErrorKind::BadInput, "The surface is not closed"), HasSubstr("nobody checks"));
+  EXPECT_THAT(refused(ErrorKind::Internal, "Oops"), HasSubstr("no typed refusal"));
 }
 
 TEST(CarvingCase, TakesFacetsThatOneBesideTheCodeHidesInPart) {

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <set>
 
+#include "messages/sentences.h"
 #include "native/zxing_reader.h"
 #include "pipeline/report.h"
 #include "support/brute_force.h"
@@ -153,17 +154,17 @@ TEST_F(EngraveTest, AWallWithNothingToSpareIsRefusedWithTheReason) {
   wanted.minWallMm = 2;
   const auto result = engrave(upload(shapes::plate({60, 60}, 1.3, 6, 6)), wanted);
   ASSERT_FALSE(result.has_value());
-  EXPECT_EQ(result.error().code, ErrorCode::NoSolution);
-  EXPECT_NE(result.error().message.find("2 mm"), std::string::npos) << result.error().message;
+  EXPECT_EQ(result.error().kind, ErrorKind::NoSolution);
+  EXPECT_NE(sentence(result.error().message).find("2 mm"), std::string::npos) << result.error().message;
 }
 
 TEST_F(EngraveTest, ASizeThatDoesNotFitIsRefusedWithTheLargestThatDoes) {
   const Mesh plate = shapes::plate({40, 40}, 5, 4, 4);
   const auto result = engrave(upload(plate), request({0, 0, 0}, 35));
   ASSERT_FALSE(result.has_value());
-  EXPECT_EQ(result.error().code, ErrorCode::NoSolution);
+  EXPECT_EQ(result.error().kind, ErrorKind::NoSolution);
   // Version 2 has 25 modules, 33 with the quiet zone: 40 mm · 25/33 = 30.30 mm fit.
-  EXPECT_NE(result.error().message.find("30.3 mm"), std::string::npos) << result.error().message;
+  EXPECT_NE(sentence(result.error().message).find("30.3 mm"), std::string::npos) << result.error().message;
 
   // What is named as fitting does fit.
   EXPECT_TRUE(engrave(upload(plate), request({0, 0, 0}, 30.29)).has_value());
@@ -232,36 +233,36 @@ TEST_F(EngraveTest, AnOpenModelIsRefusedBeforeAnythingIsDone) {
   open.triangles.pop_back();
   const auto job = EngraveJob::create(upload(open), request({0, 0, 20}, 20));
   ASSERT_FALSE(job.has_value());
-  EXPECT_EQ(job.error().code, ErrorCode::BadInput);
+  EXPECT_EQ(job.error().kind, ErrorKind::BadInput);
 }
 
 TEST_F(EngraveTest, RequestsThatMakeNoSenseAreBadUsage) {
   const auto model = upload(shapes::icosphere(40, 3));
   const auto codeOf = [&](const EngraveRequest& wanted) {
     const auto job = EngraveJob::create(model, wanted);
-    return job ? std::optional<ErrorCode>() : job.error().code;
+    return job ? std::optional<ErrorKind>() : job.error().kind;
   };
   EngraveRequest wanted = request({0, 0, 40}, 20);
   wanted.contrast = 1.5;
-  EXPECT_EQ(codeOf(wanted), ErrorCode::BadUsage);
+  EXPECT_EQ(codeOf(wanted), ErrorKind::BadUsage);
   wanted = request({0, 0, 40}, -3);
-  EXPECT_EQ(codeOf(wanted), ErrorCode::BadUsage);
+  EXPECT_EQ(codeOf(wanted), ErrorKind::BadUsage);
   wanted = request({0, 0, 40}, 20);
   wanted.placement.eyeDistanceMm = 0;
-  EXPECT_EQ(codeOf(wanted), ErrorCode::BadUsage);
+  EXPECT_EQ(codeOf(wanted), ErrorKind::BadUsage);
   wanted = request({0, 0, 40}, 20);
   wanted.text = "";
-  EXPECT_EQ(codeOf(wanted), ErrorCode::BadInput);
+  EXPECT_EQ(codeOf(wanted), ErrorKind::BadInput);
   wanted = request({0, 0, 40}, 20);
   wanted.nozzleMm = 0;
-  EXPECT_EQ(codeOf(wanted), ErrorCode::BadUsage);
+  EXPECT_EQ(codeOf(wanted), ErrorKind::BadUsage);
   wanted = request({0, 0, 40}, 20);
   wanted.lights = {{.elevationDeg = 0}};
-  EXPECT_EQ(codeOf(wanted), ErrorCode::BadUsage);
+  EXPECT_EQ(codeOf(wanted), ErrorKind::BadUsage);
   wanted.lights = {{.strength = -1}};
-  EXPECT_EQ(codeOf(wanted), ErrorCode::BadUsage);
+  EXPECT_EQ(codeOf(wanted), ErrorKind::BadUsage);
   wanted.lights = std::vector<DirectionalLight>(3);
-  EXPECT_EQ(codeOf(wanted), ErrorCode::BadUsage);
+  EXPECT_EQ(codeOf(wanted), ErrorKind::BadUsage);
 }
 
 TEST_F(EngraveTest, ALampThatShinesIntoThePocketsMakesThemDeeper) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "messages/sentences.h"
 #include "projection/bend.h"
 #include "support/gl_test.h"
 #include "support/shapes.h"
@@ -102,10 +103,10 @@ TEST_F(PlaceTest, ACentreIsRoundedToWhatIsPrinted) {
 TEST_F(PlaceTest, NamesTheLargestSizeWhereTheOneAskedForFitsNowhere) {
   const auto found = place(upload(shapes::icosphere(20, 4)), request(60));
   ASSERT_FALSE(found.has_value());
-  EXPECT_EQ(found.error().code, ErrorCode::NoSolution);
-  const std::size_t at = found.error().message.find("the largest found is ");
+  EXPECT_EQ(found.error().kind, ErrorKind::NoSolution);
+  const std::size_t at = sentence(found.error().message).find("the largest found is ");
   ASSERT_NE(at, std::string::npos) << found.error().message;
-  const double largest = std::stod(found.error().message.substr(at + 21));
+  const double largest = std::stod(sentence(found.error().message).substr(at + 21));
   // The visible cap from 250 mm: half angle acos(20/270) about the point; on the plane 250·tan φ from its middle.
   const double rim = 250 * std::tan(std::asin(20.0 / 270));
   EXPECT_NEAR(largest, std::sqrt(2) * rim * 21 / 29, 1);
@@ -116,9 +117,9 @@ TEST_F(PlaceTest, RefusesAThinShellAndSaysHowThickItIs) {
   const auto model = upload(shell);
   const auto refused = place(model, request(20));
   ASSERT_FALSE(refused.has_value());
-  EXPECT_EQ(refused.error().code, ErrorCode::NoSolution);
-  EXPECT_NE(refused.error().message.find("the wall is 0."), std::string::npos) << refused.error().message;
-  EXPECT_NE(refused.error().hint.find("--min-wall 0.4"), std::string::npos) << refused.error().hint;
+  EXPECT_EQ(refused.error().kind, ErrorKind::NoSolution);
+  EXPECT_NE(sentence(refused.error().message).find("the wall is 0."), std::string::npos) << refused.error().message;
+  EXPECT_NE(hint(refused.error().message).find("--min-wall 0.4"), std::string::npos) << hint(refused.error().message);
   PlaceRequest thinner = request(20);
   thinner.minWallMm = 0.4;
   EXPECT_TRUE(place(model, thinner).has_value());
@@ -178,7 +179,7 @@ TEST_F(PlaceTest, RefusesRequestsThatMakeNoSense) {
   for (const PlaceRequest& wrong : {none, negative, near, wall}) {
     const auto job = PlaceJob::create(model, wrong);
     ASSERT_FALSE(job.has_value());
-    EXPECT_EQ(job.error().code, ErrorCode::BadUsage);
+    EXPECT_EQ(job.error().kind, ErrorKind::BadUsage);
   }
 }
 

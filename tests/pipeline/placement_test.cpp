@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "messages/sentences.h"
 #include "projection/size.h"
 #include "support/gl_test.h"
 #include "support/shapes.h"
@@ -89,8 +90,8 @@ TEST_F(PlacementTest, ASizeThatDoesNotFitNamesTheLargestHereAndAtTheBestRotation
   request.sizeMm = 36;
   const auto refused = place(request);
   ASSERT_FALSE(refused.has_value());
-  EXPECT_EQ(refused.error().code, ErrorCode::NoSolution);
-  const std::string& message = refused.error().message;
+  EXPECT_EQ(refused.error().kind, ErrorKind::NoSolution);
+  const std::string& message = sentence(refused.error().message);
   EXPECT_NE(message.find("the largest that does is 24.4"), std::string::npos) << message;
   EXPECT_NE(message.find("and 22.16 mm at every rotation"), std::string::npos) << message;
   const std::string best = "at a rotation of 20° ";
@@ -105,7 +106,7 @@ TEST_F(PlacementTest, ASizeThatDoesNotFitNamesTheLargestHereAndAtTheBestRotation
   request.sizeMm = bestMm;
   const auto turnable = place(request);
   ASSERT_FALSE(turnable.has_value());
-  EXPECT_NE(turnable.error().hint.find("--rotate 20"), std::string::npos) << turnable.error().hint;
+  EXPECT_NE(hint(turnable.error().message).find("--rotate 20"), std::string::npos) << hint(turnable.error().message);
   request.rotateDeg = 20;
   EXPECT_TRUE(place(request).has_value());
 }
@@ -201,8 +202,8 @@ TEST_F(PlacementTest, ADirectionFromBehindIsRefusedWithTheReason) {
   request.direction = Vec3(0.1, 0, -1);
   const auto refused = place(request);
   ASSERT_FALSE(refused.has_value());
-  EXPECT_EQ(refused.error().code, ErrorCode::NoSolution);
-  EXPECT_NE(refused.error().message.find("faces away"), std::string::npos) << refused.error().message;
+  EXPECT_EQ(refused.error().kind, ErrorKind::NoSolution);
+  EXPECT_NE(sentence(refused.error().message).find("faces away"), std::string::npos) << refused.error().message;
 }
 
 TEST_F(PlacementTest, ACentreOnASmallSteepFacetIsLookedAtFromWhereTheCodeFits) {

@@ -7,6 +7,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "messages/sentences.h"
 #include "native/zxing_reader.h"
 #include "pipeline/report.h"
 #include "pipeline/verify_report.h"
@@ -203,15 +204,15 @@ TEST_F(VerifyTest, AReportWithoutAPlaceIsRefusedWithTheMissingKey) {
   report["projection"].erase("centre");
   const auto request = requestFromReport(report.dump());
   ASSERT_FALSE(request.has_value());
-  EXPECT_EQ(request.error().code, ErrorCode::BadInput);
-  EXPECT_THAT(request.error().message, HasSubstr("centre"));
+  EXPECT_EQ(request.error().kind, ErrorKind::BadInput);
+  EXPECT_THAT(sentence(request.error().message), HasSubstr("centre"));
   EXPECT_FALSE(requestFromReport("no JSON").has_value());
   EXPECT_FALSE(requestFromReport("[1, 2]").has_value());
   report = nlohmann::json::parse(good().report);
   report["symbol"]["rows"][3] = "0102";
-  EXPECT_THAT(requestFromReport(report.dump()).error().message, HasSubstr("Row 4"));
+  EXPECT_THAT(sentence(requestFromReport(report.dump()).error().message), HasSubstr("Row 4"));
   report["symbol"]["rows"].erase(0);
-  EXPECT_THAT(requestFromReport(report.dump()).error().message, HasSubstr("20 rows"));
+  EXPECT_THAT(sentence(requestFromReport(report.dump()).error().message), HasSubstr("20 rows"));
 }
 
 TEST_F(VerifyTest, RequestsThatMakeNoSenseAreRefused) {
@@ -220,16 +221,16 @@ TEST_F(VerifyTest, RequestsThatMakeNoSenseAreRefused) {
     VerifyRequest request = fine;
     change(request);
     const auto job = VerifyJob::create(good().mesh, request, zxingReaders());
-    return job ? std::optional<ErrorCode>() : job.error().code;
+    return job ? std::optional<ErrorKind>() : job.error().kind;
   };
-  EXPECT_EQ(codeOf([](VerifyRequest& r) { r.text.clear(); }), ErrorCode::BadUsage);
-  EXPECT_EQ(codeOf([](VerifyRequest& r) { r.symbolMm = 0; }), ErrorCode::BadUsage);
-  EXPECT_EQ(codeOf([](VerifyRequest& r) { r.frame.eyeDistance = 1; }), ErrorCode::BadUsage);
+  EXPECT_EQ(codeOf([](VerifyRequest& r) { r.text.clear(); }), ErrorKind::BadUsage);
+  EXPECT_EQ(codeOf([](VerifyRequest& r) { r.symbolMm = 0; }), ErrorKind::BadUsage);
+  EXPECT_EQ(codeOf([](VerifyRequest& r) { r.frame.eyeDistance = 1; }), ErrorKind::BadUsage);
   EXPECT_EQ(codeOf([](VerifyRequest& r) {
               r.frame = makeFrame({0, 0, 0}, {0, 0, 0}, {0, 1, 0}, 250);
             }),
-            ErrorCode::BadUsage);
-  EXPECT_EQ(codeOf([](VerifyRequest& r) { r.printer.layerMm = 0; }), ErrorCode::BadUsage);
+            ErrorKind::BadUsage);
+  EXPECT_EQ(codeOf([](VerifyRequest& r) { r.printer.layerMm = 0; }), ErrorKind::BadUsage);
   EXPECT_EQ(codeOf([](VerifyRequest&) {}), std::nullopt);
 }
 
@@ -242,8 +243,8 @@ TEST(MeshAsFound, WeldsAndScalesButMendsNothing) {
   EXPECT_EQ(mesh->positions.size(), 8u);
   EXPECT_EQ(boundingBox(*mesh).size(), Vec3(20, 30, 50));
   soup.positions[0].x = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(meshAsFound(soup, 1).error().code, ErrorCode::BadInput);
-  EXPECT_EQ(meshAsFound({}, 1).error().code, ErrorCode::BadInput);
+  EXPECT_EQ(meshAsFound(soup, 1).error().kind, ErrorKind::BadInput);
+  EXPECT_EQ(meshAsFound({}, 1).error().kind, ErrorKind::BadInput);
 }
 
 }  // namespace

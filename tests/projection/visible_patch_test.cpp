@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "base/random.h"
+#include "messages/sentences.h"
 #include "projection/size.h"
 #include "support/brute_force.h"
 #include "support/shapes.h"
@@ -321,10 +322,10 @@ TEST(VisiblePatch, RefusesACentreThatSomethingHidesAndSaysHowNearTheEyeMustCome)
   const brute_force::Spot below = brute_force::spotSeen(mesh, {1, 2, 5}, {0, 0, -1}, {0, 0, 1}, {0, 1, 0});
   const Result<VisiblePatch> patch = patchAt(mesh, below);
   ASSERT_FALSE(patch);
-  EXPECT_EQ(patch.error().code, ErrorCode::NoSolution);
-  EXPECT_THAT(patch.error().message, HasSubstr("230 mm from the eye"));
-  EXPECT_THAT(patch.error().message, HasSubstr("20 mm before the point"));
-  EXPECT_THAT(patch.error().hint, HasSubstr("below 10 mm"));
+  EXPECT_EQ(patch.error().kind, ErrorKind::NoSolution);
+  EXPECT_THAT(sentence(patch.error().message), HasSubstr("230 mm from the eye"));
+  EXPECT_THAT(sentence(patch.error().message), HasSubstr("20 mm before the point"));
+  EXPECT_THAT(hint(patch.error().message), HasSubstr("below 10 mm"));
 }
 
 TEST(VisiblePatch, RefusesASeedThatFacesAway) {
@@ -332,8 +333,8 @@ TEST(VisiblePatch, RefusesASeedThatFacesAway) {
   const brute_force::Spot bottom = brute_force::spotSeen(mesh, {1, 2, -90}, {0, 0, 1}, {0, 0, 1}, {0, 1, 0});
   const Result<VisiblePatch> patch = patchAt(mesh, bottom);
   ASSERT_FALSE(patch);
-  EXPECT_EQ(patch.error().code, ErrorCode::NoSolution);
-  EXPECT_THAT(patch.error().message, HasSubstr("faces away"));
+  EXPECT_EQ(patch.error().kind, ErrorKind::NoSolution);
+  EXPECT_THAT(sentence(patch.error().message), HasSubstr("faces away"));
 }
 
 TEST(VisiblePatch, RefusesASeedThatFacesTheEyeEdgeOn) {
@@ -341,7 +342,7 @@ TEST(VisiblePatch, RefusesASeedThatFacesTheEyeEdgeOn) {
   const brute_force::Spot side = brute_force::spotSeen(mesh, {90, 2, 1}, {-1, 0, 0}, {0, 0, 1}, {0, 1, 0});
   const Result<VisiblePatch> patch = patchAt(mesh, side);
   ASSERT_FALSE(patch);
-  EXPECT_THAT(patch.error().message, HasSubstr("faces away"));
+  EXPECT_THAT(sentence(patch.error().message), HasSubstr("faces away"));
 }
 
 TEST(VisiblePatch, OfAHollowBallSaysWhenTheEyeSitsInOrBehindTheOppositeWall) {
@@ -359,8 +360,8 @@ TEST(VisiblePatch, OfAHollowBallSaysWhenTheEyeSitsInOrBehindTheOppositeWall) {
   for (const double eyeDistance : {85.0, 250.0}) {
     const Result<VisiblePatch> hidden = patchAt(mesh, onInnerWall(eyeDistance), 60);
     ASSERT_FALSE(hidden);
-    EXPECT_THAT(hidden.error().message, HasSubstr("hides the chosen point"));
-    EXPECT_THAT(hidden.error().hint, HasSubstr("below 79.9"));
+    EXPECT_THAT(sentence(hidden.error().message), HasSubstr("hides the chosen point"));
+    EXPECT_THAT(hint(hidden.error().message), HasSubstr("below 79.9"));
   }
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "messages/sentences.h"
 #include "qr/symbol.h"
 
 namespace qrelief {
@@ -27,7 +28,7 @@ ZXing::Result read(const Symbol& symbol) {
 
 std::string readText(const std::string& text, const SymbolOptions& options = {}) {
   const Result<Symbol> symbol = encodeSymbol(text, options);
-  return symbol ? read(*symbol).text() : symbol.error().message;
+  return symbol ? read(*symbol).text() : sentence(symbol.error().message);
 }
 
 class EveryLevel : public testing::TestWithParam<ErrorCorrection> {};

@@ -50,7 +50,7 @@ TEST(SymbolMask, LeavesTheCodewordsAsTheyAre) {
 TEST(SymbolMask, ThatDoesNotExistIsRefused) {
   const auto symbol = encodeSymbol("a", {.maskRule = MaskRule::Fixed, .mask = 8});
   ASSERT_FALSE(symbol);
-  EXPECT_EQ(symbol.error().code, ErrorCode::BadUsage);
+  EXPECT_EQ(symbol.error().kind, ErrorKind::BadUsage);
 }
 
 TEST(ShadiestMask, SeesNoMoreSkyThanAnyOther) {

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "messages/sentences.h"
+
 namespace qrelief {
 namespace {
 
@@ -271,38 +273,39 @@ TEST(Symbol, IsTheSameOnEveryRun) {
 
 TEST(Symbol, RefusesATextTooLongForTheVersionAndNamesWhatWouldHoldIt) {
   const Error error = refused(std::string(100, 'x'), {.errorCorrection = ErrorCorrection::M, .version = 5});
-  EXPECT_EQ(error.code, ErrorCode::BadInput);
-  EXPECT_EQ(error.message, "The text is 100 bytes long, too long for a version 5 QR Code with error correction M");
-  EXPECT_EQ(error.hint, "It fits version 6, or version 5 with error correction L; or shorten the text");
+  EXPECT_EQ(error.kind, ErrorKind::BadInput);
+  EXPECT_EQ(sentence(error.message),
+            "The text is 100 bytes long, too long for a version 5 QR Code with error correction M");
+  EXPECT_EQ(hint(error.message), "It fits version 6, or version 5 with error correction L; or shorten the text");
 }
 
 TEST(Symbol, NamesTheVersionAloneWhenNoWeakerLevelHelps) {
   const Error error = refused(std::string(100, 'x'), {.errorCorrection = ErrorCorrection::L, .version = 2});
-  EXPECT_EQ(error.hint, "It fits version 5; or shorten the text");
+  EXPECT_EQ(hint(error.message), "It fits version 5; or shorten the text");
 }
 
 TEST(Symbol, OffersAWeakerLevelWhenNoVersionHoldsTheText) {
   const Error error = refused(std::string(2400, 'x'), {.errorCorrection = ErrorCorrection::M});
-  EXPECT_EQ(error.message, "The text is 2400 bytes long, too long for any QR Code with error correction M");
-  EXPECT_EQ(error.hint, "It fits version 36 with error correction L; or shorten the text");
+  EXPECT_EQ(sentence(error.message), "The text is 2400 bytes long, too long for any QR Code with error correction M");
+  EXPECT_EQ(hint(error.message), "It fits version 36 with error correction L; or shorten the text");
 }
 
 TEST(Symbol, RefusesATextThatNoSymbolHolds) {
   for (const std::size_t length : {2954u, 7090u, 100'000'000u}) {
     const Error error = refused(std::string(length, 'x'));
-    EXPECT_EQ(error.code, ErrorCode::BadInput);
-    EXPECT_THAT(error.message, HasSubstr(std::to_string(length) + " bytes long, too long for any QR Code"));
-    EXPECT_THAT(error.hint, HasSubstr("2953 bytes"));
+    EXPECT_EQ(error.kind, ErrorKind::BadInput);
+    EXPECT_THAT(sentence(error.message), HasSubstr(std::to_string(length) + " bytes long, too long for any QR Code"));
+    EXPECT_THAT(hint(error.message), HasSubstr("2953 bytes"));
   }
 }
 
 TEST(Symbol, RefusesAnEmptyText) {
-  EXPECT_EQ(refused("").code, ErrorCode::BadInput);
-  EXPECT_EQ(refused("").message, "The text is empty");
+  EXPECT_EQ(refused("").kind, ErrorKind::BadInput);
+  EXPECT_EQ(sentence(refused("").message), "The text is empty");
 }
 
 TEST(Symbol, RefusesNulAndSaysWhere) {
-  EXPECT_EQ(refused(std::string("ab\0c", 4)).message, "The text holds a NUL character at byte 3");
+  EXPECT_EQ(sentence(refused(std::string("ab\0c", 4)).message), "The text holds a NUL character at byte 3");
 }
 
 TEST(Symbol, RefusesWhatIsNotUtf8AndSaysWhere) {
@@ -319,16 +322,16 @@ TEST(Symbol, RefusesWhatIsNotUtf8AndSaysWhere) {
                                                 {"caf\xe9 latin-1", 4}};
   for (const auto& [text, byte] : broken) {
     const Error error = refused(text);
-    EXPECT_EQ(error.code, ErrorCode::BadInput);
-    EXPECT_EQ(error.message, "The text is not valid UTF-8 at byte " + std::to_string(byte));
+    EXPECT_EQ(error.kind, ErrorKind::BadInput);
+    EXPECT_EQ(sentence(error.message), "The text is not valid UTF-8 at byte " + std::to_string(byte));
   }
 }
 
 TEST(Symbol, RefusesVersionsThatDoNotExist) {
   for (const int version : {0, -1, 41}) {
     const Error error = refused("x", {.version = version});
-    EXPECT_EQ(error.code, ErrorCode::BadUsage);
-    EXPECT_THAT(error.message, HasSubstr(std::to_string(version)));
+    EXPECT_EQ(error.kind, ErrorKind::BadUsage);
+    EXPECT_THAT(sentence(error.message), HasSubstr(std::to_string(version)));
   }
 }
 

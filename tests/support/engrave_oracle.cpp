@@ -13,6 +13,7 @@
 #include "io/write_stl.h"
 #include "math/tolerance.h"
 #include "mesh/ray.h"
+#include "messages/sentences.h"
 #include "projection/occlusion.h"
 #include "support/brute_force.h"
 #include "support/plane_caster.h"
@@ -355,9 +356,9 @@ std::string fineFault(const EngravableModel& model, const Search& search) {
 }
 
 Verdict judgeNoSolution(const EngraveCase& made, const EngravableModel& model, const Error& error) {
-  const auto says = [&](std::string_view words) { return error.message.find(words) != std::string::npos; };
+  const auto says = [&](std::string_view words) { return sentence(error.message).find(words) != std::string::npos; };
   const auto symbol = encodeSymbol(made.request.text, made.request.symbol);
-  if (!symbol) return {"no solution", "the text cannot be encoded, and nothing said so: " + error.message};
+  if (!symbol) return {"no solution", "the text cannot be encoded, and nothing said so: " + sentence(error.message)};
   const Search search = repeatSearch(made, model, symbol->size);
   if (says("does not fit here"))
     return {"does not fit", fitFault(made, model, search, symbol->size, made.request.placement.sizeMm)};
@@ -375,7 +376,7 @@ Verdict judgeNoSolution(const EngraveCase& made, const EngravableModel& model, c
     return {"behind the eye", reasonFault(model, search, "the facet reaches behind the eye", reachesBehindEye)};
   if (says("Nothing can be carved")) return {"wall too thin", thinFault(made, model, search, *symbol)};
   if (says("facets under the code are too fine")) return {"facets too fine", fineFault(model, search)};
-  return {"no solution", "a reason that nobody checks: " + error.message};
+  return {"no solution", "a reason that nobody checks: " + sentence(error.message)};
 }
 
 /// Bytes that a symbol of version 1 to 5 holds in byte mode [ISO/IEC 18004, table 7].
@@ -385,13 +386,13 @@ constexpr std::array<std::array<std::size_t, 4>, 5> kByteCapacity = {
 Verdict judgeBadInput(const EngraveCase& made, const EngravableModel& model, const Error& error) {
   if (!model.prepared.engravable()) {
     const bool torn = !surfaceProblems(made.mesh).empty();
-    return {"no solid", torn ? "" : "the model is a solid, but: " + error.message};
+    return {"no solid", torn ? "" : "the model is a solid, but: " + sentence(error.message)};
   }
   const std::optional<int> version = made.request.symbol.version;
   const auto level = static_cast<std::size_t>(made.request.symbol.errorCorrection);
-  if (!version) return {"bad input", "a reason that nobody checks: " + error.message};
+  if (!version) return {"bad input", "a reason that nobody checks: " + sentence(error.message)};
   const bool tooLong = made.request.text.size() > kByteCapacity[static_cast<std::size_t>(*version - 1)][level];
-  return {"text too long", tooLong ? "" : "the text fits: " + error.message};
+  return {"text too long", tooLong ? "" : "the text fits: " + sentence(error.message)};
 }
 
 /// Uneven depths for the submodules of a mask: a level a module, or one a submodule, or all the same.
@@ -425,7 +426,7 @@ Result<EngraveResult> carve(const EngraveCase& made, const EngravableModel& mode
                                                 {placement.symbolMm, kDeepestMm, made.request.minWallMm});
   result.depths.depthMm = madeUpDepths(mask, limits, choices);
   if (std::none_of(result.depths.depthMm.begin(), result.depths.depthMm.end(), [](double depth) { return depth > 0; }))
-    return fail(ErrorCode::NoSolution, "Nothing can be carved here", "as EngraveJob says");
+    return fail(ErrorKind::NoSolution, "Nothing can be carved here", "as EngraveJob says");
   const auto embedded = embedDepthField(mesh, placement.frame, placement.patch.triangles, result.depths,
                                         {.surface = made.request.surface});
   if (!embedded) return tl::unexpected(embedded.error());
@@ -445,22 +446,23 @@ Result<EngraveResult> carve(const EngraveCase& made, const EngravableModel& mode
 Verdict judge(const EngraveCase& made, const EngravableModel& model, const Result<EngraveResult>& result) {
   if (result) return judgeSolid(made, model, *result);
   const Error& error = result.error();
-  if (error.message.empty() || error.hint.empty()) return {"refused", "without a message or a hint: " + error.message};
-  if (error.code == ErrorCode::NoSolution) return judgeNoSolution(made, model, error);
-  if (error.code == ErrorCode::BadInput) return judgeBadInput(made, model, error);
-  return {"error", "no typed refusal: " + error.message};
+  if (sentence(error.message).empty() || hint(error.message).empty())
+    return {"refused", "without a message or a hint: " + sentence(error.message)};
+  if (error.kind == ErrorKind::NoSolution) return judgeNoSolution(made, model, error);
+  if (error.kind == ErrorKind::BadInput) return judgeBadInput(made, model, error);
+  return {"error", "no typed refusal: " + sentence(error.message)};
 }
 
 Verdict runEngraveCase(const EngraveCase& made) {
   auto prepared = prepareModel(shapes::soupOf(made.mesh), {});
-  if (!prepared) return {"not prepared", prepared.error().message};
+  if (!prepared) return {"not prepared", sentence(prepared.error().message)};
   const auto model = EngravableModel::upload(std::move(*prepared));
   return judge(made, *model, engrave(model, made.request));
 }
 
 Verdict runCarvingCase(const EngraveCase& made, Choices& choices) {
   auto prepared = prepareModel(shapes::soupOf(made.mesh), {});
-  if (!prepared) return {"not prepared", prepared.error().message};
+  if (!prepared) return {"not prepared", sentence(prepared.error().message)};
   EngravableModel model;  // nothing is rendered, so nothing is uploaded
   model.prepared = std::move(*prepared);
   if (const Status engravable = model.prepared.engravable(); !engravable)

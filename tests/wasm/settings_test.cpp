@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "messages/sentences.h"
+
 namespace qrelief {
 namespace {
 
@@ -42,7 +44,7 @@ TEST(Settings, APresetGivesWhatIsNotSaidItself) {
   EXPECT_FALSE(own->symbol.raiseErrorCorrection);
   const auto unknown = readSettings(R"({"text": "x", "preset": "deep"})");
   ASSERT_FALSE(unknown.has_value());
-  EXPECT_EQ(unknown.error().code, ErrorCode::BadUsage);
+  EXPECT_EQ(unknown.error().kind, ErrorKind::BadUsage);
 }
 
 TEST(Settings, WhatIsMissingOrNullHasItsDefault) {
@@ -67,8 +69,8 @@ TEST(Settings, ASettingOfTheWrongKindIsNamed) {
   for (const auto& [json, name] : cases) {
     const auto request = readSettings(json);
     ASSERT_FALSE(request.has_value()) << json;
-    EXPECT_EQ(request.error().code, ErrorCode::BadUsage);
-    EXPECT_NE(request.error().message.find(std::string("setting ") + name), std::string::npos)
+    EXPECT_EQ(request.error().kind, ErrorKind::BadUsage);
+    EXPECT_NE(sentence(request.error().message).find(std::string("setting ") + name), std::string::npos)
         << request.error().message;
   }
 }

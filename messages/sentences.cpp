@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "messages/sentences.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "messages/catalogues.h"
+
+namespace qrelief {
+namespace {
+
+using Json = nlohmann::json;
+
+const Json& catalogue() {
+  static const Json kAll = [] {
+    Json all = Json::object();
+    for (const char* file : catalogues()) all.update(Json::parse(file));
+    return all;
+  }();
+  return kAll;
+}
+
+/// Three digits, but never fewer than those before the decimal point.
+std::string digits(double value) {
+  return std::abs(value) < 1000 ? fmt::format("{:.3g}", value) : fmt::format("{:.0f}", value);
+}
+
+/// As coordinates and unitless numbers of any size are read.
+std::string general(double value) { return fmt::format("{:.6g}", value); }
+
+std::string listed(const std::vector<double>& indices) {
+  constexpr std::size_t kMostNamed = 6;
+  std::string names;
+  for (std::size_t i = 0; i < std::min(kMostNamed, indices.size()); ++i)
+    names += fmt::format("{}{:.0f}", i == 0 ? "" : i + 1 == indices.size() ? " and " : ", ", indices[i]);
+  return indices.size() > kMostNamed ? names + ", …" : names;
+}
+
+std::string written(const MessageValue& value) {
+  using Kind = MessageValue::Kind;
+  const std::vector<double>& n = value.numbers;
+  switch (value.kind) {
+    case Kind::Count:
+      return fmt::format("{:.0f}", n[0]);
+    case Kind::Number:
+      return general(n[0]);
+    case Kind::LengthMm:
+      return digits(n[0]) + " mm";
+    case Kind::AngleDeg:
+      return digits(n[0]) + "°";
+    case Kind::Fraction:
+      return fmt::format("{:.0f} %", 100 * n[0]);
+    case Kind::Place:
+      return fmt::format("({}, {}, {})", general(n[0]), general(n[1]), general(n[2]));
+    case Kind::ExtentMm:
+      return fmt::format("{} × {} × {} mm", digits(n[0]), digits(n[1]), digits(n[2]));
+    case Kind::Quoted:
+      return fmt::format("\"{}\"", value.text);
+    case Kind::Term:
+    case Kind::Choice:
+      return value.text;
+    case Kind::Setting:
+      return flagOf(value.text);
+    case Kind::Indices:
+      return listed(n);
+    case Kind::Cause:
+      break;
+  }
+  return sentence(value.cause.front());
+}
+
+const MessageValue* find(const Message& message, std::string_view name) {
+  const auto found =
+      std::find_if(message.values.begin(), message.values.end(), [&](const MessageValue& v) { return v.name == name; });
+  return found == message.values.end() ? nullptr : &*found;
+}
+
+/// The text of an entry in which `en` may be a text or one of { one, other }.
+std::string templateOf(const Json& entry, const Message& message) {
+  const Json& words = entry.contains("command") ? entry.at("command") : entry.at("en");
+  if (words.is_string()) return words.get<std::string>();
+  const MessageValue* count = find(message, "count");
+  return words.at(count && count->numbers[0] == 1 ? "one" : "other").get<std::string>();
+}
+
+/// @param words  with `{name}` for values and `{@key}` for settings
+std::string filled(const std::string& words, const Message& message) {
+  std::string text;
+  for (std::size_t begin = 0; begin < words.size();) {
+    const std::size_t open = std::min(words.find('{', begin), words.size());
+    text.append(words, begin, open - begin);
+    if (open == words.size()) break;
+    const std::size_t close = std::min(words.find('}', open), words.size() - 1);
+    const std::string name = words.substr(open + 1, close - open - 1);
+    const MessageValue* value = find(message, name);
+    text += name.starts_with('@') ? flagOf(std::string_view(name).substr(1))
+            : value               ? written(*value)
+                                  : "{" + name + "}";
+    begin = close + 1;
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string sentence(const Message& message) {
+  const auto entry = catalogue().find(message.code);
+  if (entry != catalogue().end()) return filled(templateOf(*entry, message), message);
+  std::ostringstream unworded;
+  unworded << message;
+  return unworded.str();
+}
+
+std::string hint(const Message& message) {
+  const auto entry = catalogue().find(message.code);
+  if (entry != catalogue().end() && entry->contains("hint"))
+    return filled(templateOf(entry->at("hint"), message), message);
+  for (const MessageValue& value : message.values)
+    if (value.kind == MessageValue::Kind::Cause) return hint(value.cause.front());
+  return {};
+}
+
+std::string sentenceAndHint(const Message& message) {
+  const std::string helps = hint(message);
+  return helps.empty() ? sentence(message) : fmt::format("{} ({})", sentence(message), helps);
+}
+
+std::string flagOf(std::string_view key) {
+  for (const std::string_view unit : {"Mm", "Deg"})
+    if (key.ends_with(unit)) key.remove_suffix(unit.size());
+  std::string flag = "--";
+  for (const char c : key) {
+    if (std::isupper(static_cast<unsigned char>(c))) flag += '-';
+    flag += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  }
+  return flag;
+}
+
+}  // namespace qrelief
