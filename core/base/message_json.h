@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "base/message.h"
+
+namespace qrelief {
+
+/// A message for reports and for the page, which words it itself:
+///
+///     {"code": "pocket-too-narrow", "values": {"pocket": {"lengthMm": 0.24}, "at": {"place": [1, 2, 3]}}}
+///
+/// The key of each value is its kind: count, number, lengthMm, angleDeg, fraction, place, extentMm, quoted, term,
+/// setting, choice ({"key", "value"}), indices, cause (a message).
+inline nlohmann::ordered_json jsonOf(const Message& message);
+
+inline nlohmann::ordered_json jsonOf(const MessageValue& value) {
+  using Json = nlohmann::ordered_json;
+  using Kind = MessageValue::Kind;
+  const auto single = [&](const char* kind) { return Json{{kind, value.numbers[0]}}; };
+  switch (value.kind) {
+    case Kind::Count:
+      return {{"count", static_cast<std::int64_t>(value.numbers[0])}};
+    case Kind::Number:
+      return single("number");
+    case Kind::LengthMm:
+      return single("lengthMm");
+    case Kind::AngleDeg:
+      return single("angleDeg");
+    case Kind::Fraction:
+      return single("fraction");
+    case Kind::Place:
+      return {{"place", value.numbers}};
+    case Kind::ExtentMm:
+      return {{"extentMm", value.numbers}};
+    case Kind::Quoted:
+      return {{"quoted", value.text}};
+    case Kind::Term:
+      return {{"term", value.text}};
+    case Kind::Setting:
+      return {{"setting", value.text}};
+    case Kind::Choice:
+      return {{"choice", {{"key", value.key}, {"value", value.text}}}};
+    case Kind::Indices:
+      return {{"indices", value.numbers}};
+    case Kind::Cause:
+      break;
+  }
+  return {{"cause", jsonOf(value.cause.front())}};
+}
+
+inline nlohmann::ordered_json jsonOf(const Message& message) {
+  nlohmann::ordered_json values = nlohmann::ordered_json::object();
+  for (const MessageValue& value : message.values) values[value.name] = jsonOf(value);
+  return {{"code", message.code}, {"values", std::move(values)}};
+}
+
+}  // namespace qrelief
