@@ -9,13 +9,13 @@
 #include <new>
 #include <nlohmann/json.hpp>
 
-#include "wasm/answers.h"
-#include "wasm/engine.h"
-#include "wasm/inspector_window.h"
-#include "wasm/job_map.h"
-#include "wasm/settings.h"
-#include "wasm/symbol_facts.h"
-#include "wasm/translation.h"
+#include "engine/answers.h"
+#include "engine/engine.h"
+#include "engine/job_map.h"
+#include "engine/settings.h"
+#include "engine/symbol_facts.h"
+#include "inspector/inspector_window.h"
+#include "inspector/translation.h"
 
 namespace qrelief {
 namespace {
@@ -124,8 +124,10 @@ class Facade {
   }
   /// @param withOverrides  as the inspector's settings say, where they differ from the page's
   std::string startEngrave(bool withOverrides) {
-    return guarded(
-        [&] { return engine_.startEngrave(withOverrides && inspector_ ? &inspector_->overrides() : nullptr); });
+    return guarded([&] {
+      if (!withOverrides || !inspector_) return engine_.startEngrave();
+      return engine_.startEngrave([&](EngraveRequest page) { return inspector_->overrides().appliedTo(page); });
+    });
   }
   std::string advance() {
     return guarded([&] { return engine_.advance(); });

@@ -32,7 +32,9 @@ std::ptrdiff_t layerOf(const std::string& folder) {
 
 /// Why a file of core/`folder` must not include `path`; empty if it may.
 std::optional<std::string> whyForbidden(const std::string& folder, const std::string& path, bool quoted) {
-  static const std::regex kOutside("(EGL/|emscripten|imgui|backends/imgui|GLFW/|SDL|X11/|CLI/|wasm/|cli/|native/).*");
+  static const std::regex kOutside(
+      "(EGL/|emscripten|imgui|backends/imgui|GLFW/|SDL|X11/|CLI/|viewer/|engine/|inspector/|wasm/|cli/|native/"
+      "|messages/).*");
   if (std::regex_match(path, kOutside)) return "core knows no window, browser, command line or GL context";
   if (!quoted || path == kGeneratedHeader) return std::nullopt;
   const std::string target = path.substr(0, path.find('/'));
@@ -94,6 +96,7 @@ TEST(Layers, SeeWhatIsForbidden) {
   EXPECT_THAT(only("gl", "#include <EGL/egl.h>"), HasSubstr("GL context"));
   EXPECT_THAT(only("render", "#include \"native/egl_context.h\""), HasSubstr("GL context"));
   EXPECT_THAT(only("pipeline", "#include <imgui.h>"), HasSubstr("window"));
+  EXPECT_THAT(only("pipeline", "#include \"engine/engine.h\""), HasSubstr("window"));
   EXPECT_THAT(only("base", "#include \"result.h\""), HasSubstr("no folder of core"));
   EXPECT_THAT(only("carving", "#include \"render/luminance_pass.h\""), "0 violations");
   EXPECT_THAT(only("render", "#include \"shaders.h\""), "0 violations");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The inspector's texts, which the module draws, by their English ones as wasm/*.cpp write them. A file of its own: it
+// The inspector's texts, which the module draws, by their English ones as inspector/*.cpp write them. A file of its own: it
 // comes with the inspector, not with the page.
 import { currentLanguage } from './catalogue.js';
 

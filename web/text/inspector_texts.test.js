@@ -6,8 +6,8 @@ import { kLetters } from '../engine/glyphs.js';
 import { setLanguage } from './catalogue.js';
 import { inspectorTexts } from './inspector_texts.js';
 
-const folder = new URL('../../wasm/', import.meta.url);
-const kSources = readdirSync(folder).filter((name) => /^(inspector|request_overrides|map_channels|search_view|colour_scale).*\.(cpp|h)$/.test(name));
+const folder = new URL('../../inspector/', import.meta.url);
+const kSources = [...readdirSync(folder), '../viewer/colour_scale.cpp'].filter((name) => /\.(cpp|h)$/.test(name));
 /** The C++ with neighbouring literals joined, as the compiler does. */
 const source = kSources.map((name) => readFileSync(new URL(name, folder), 'utf8')).join('\n').replace(/"\s*\n\s*"/g, '');
 const literals = new Set([...source.matchAll(/"((?:[^"\\]|\\.)*)"/g)].map(([, literal]) => literal));

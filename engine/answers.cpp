@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/answers.h"
+
+namespace qrelief {
+namespace {
+
+const char* nameOf(ErrorKind code) {
+  switch (code) {
+    case ErrorKind::BadUsage:
+      return "BadUsage";
+    case ErrorKind::BadInput:
+      return "BadInput";
+    case ErrorKind::NoSolution:
+      return "NoSolution";
+    case ErrorKind::Internal:
+      break;
+  }
+  return "Internal";
+}
+
+}  // namespace
+
+std::string textOf(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+std::string done() { return textOf({{"ok", true}}); }
+
+std::string answer(const Error& error) {
+  return textOf(
+      {{"ok", false},
+       {"error",
+        {{"code", nameOf(error.kind)}, {"message", toldText(error.message)}, {"hint", toldHint(error.message)}}}});
+}
+
+std::string answer(ErrorKind code, std::string message, std::string hint) {
+  return answer(Error{code, untold(std::move(message), std::move(hint))});
+}
+
+std::string answer(const Progress& progress) {
+  return textOf({{"ok", true}, {"stage", progress.stage}, {"fraction", progress.fraction}, {"done", progress.done}});
+}
+
+Json jsonOf(Vec3 v) { return Json::array({v.x, v.y, v.z}); }
+
+Json jsonOf(std::span<const std::string> warnings, std::span<const Finding> findings) {
+  Json list = Json::array();
+  for (const std::string& warning : warnings)
+    list.push_back({{"severity", "warning"}, {"code", "reader"}, {"count", 1}, {"message", warning}, {"hint", ""}});
+  for (const Finding& finding : findings)
+    list.push_back({{"severity", severityName(finding.severity)},
+                    {"code", finding.code},
+                    {"count", finding.count},
+                    {"message", finding.message},
+                    {"hint", finding.hint}});
+  return list;
+}
+
+}  // namespace qrelief

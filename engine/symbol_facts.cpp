@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/symbol_facts.h"
+
+#include <cmath>
+
+#include "engine/answers.h"
+#include "qr/codewords.h"
+#include "qr/segmentation.h"
+#include "verification/printability.h"
+
+namespace qrelief {
+namespace {
+
+/// Deep enough for any printer, for what depends on the depth is not known before carving; no overflow when summed.
+constexpr double kAnyDepthMm = 1e6;
+constexpr double kModuleStepMm = 0.01;
+constexpr int kMostNozzles = 100;  // any pattern's pockets are open with modules of so many nozzle widths
+
+Json rowsOf(const Symbol& symbol) {
+  Json rows = Json::array();
+  for (int row = 0; row < symbol.size; ++row) {
+    std::string text;
+    for (int column = 0; column < symbol.size; ++column) text += symbol.isDark(row, column) ? '1' : '0';
+    rows.push_back(text);
+  }
+  return rows;
+}
+
+/// Of text in any mode, with its headers.
+int dataBits(int version, ErrorCorrection level) {
+  const BlockStructure structure = blockStructure(version, level);
+  return 8 * (structure.codewords - structure.blocks * structure.checkCodewords);
+}
+
+/// Bytes that can be added, by bisection: more bytes take more bits.
+int roomIn(int version, ErrorCorrection level, const std::string& text) {
+  const int most = dataBits(version, level);
+  const auto fits = [&](int count) {
+    const std::string longer = text + std::string(static_cast<std::size_t>(count), 'a');
+    return segmentBits(segmentText(longer, version), version) <= most;
+  };
+  int room = 0, tooMany = most / 8 + 1;
+  while (tooMany - room > 1) {
+    const int middle = (room + tooMany) / 2;
+    (fits(middle) ? room : tooMany) = middle;
+  }
+  return room;
+}
+
+CarvedFeatures withModulesOf(CarvedFeatures features, double moduleMm) {
+  const double factor = moduleMm / features.moduleMm;
+  features.moduleMm *= factor;
+  features.pocketMm *= factor;
+  features.gapMm *= factor;
+  return features;
+}
+
+/// By bisection: what is advised against at one size is advised against at any smaller one.
+double leastModuleMm(const Symbol& symbol, const EngraveRequest& request) {
+  const SubmoduleMask mask = submodulesToCarve(symbol, request.modulePattern, request.finderPattern);
+  const std::vector<double> depths(mask.carved.size(), kAnyDepthMm);
+  const CarvedFeatures features = measureFeatures(symbol, mask.carved, depths, 1);
+  const Printer printer = {.nozzleMm = request.nozzleMm, .layerMm = request.layerMm};
+  int tooSmall = 0, enough = static_cast<int>(std::ceil(kMostNozzles * request.nozzleMm / kModuleStepMm));
+  while (enough - tooSmall > 1) {
+    const int middle = tooSmall + (enough - tooSmall) / 2;
+    const bool printable = advisePrinting(withModulesOf(features, middle * kModuleStepMm), printer).empty();
+    (printable ? enough : tooSmall) = middle;
+  }
+  return enough * kModuleStepMm;
+}
+
+bool isSize(double mm) { return mm > 0 && mm < 1000; }
+
+}  // namespace
+
+std::string describeSymbol(const EngraveRequest& request) {
+  const Result<Symbol> symbol = encodeSymbol(request.text, request.symbol);
+  if (!symbol) return answer(symbol.error());
+  const bool isPrinter = isSize(request.nozzleMm) && isSize(request.layerMm);
+  return textOf({{"ok", true},
+                 {"symbol",
+                  {{"version", symbol->version},
+                   {"ecc", errorCorrectionName(symbol->errorCorrection)},
+                   {"mask", symbol->mask},
+                   {"size", symbol->size},
+                   {"rows", rowsOf(*symbol)},
+                   {"bytes", request.text.size()},
+                   {"room", roomIn(symbol->version, request.symbol.errorCorrection, request.text)},
+                   {"leastModuleMm", isPrinter ? Json(leastModuleMm(*symbol, request)) : Json()}}}});
+}
+
+}  // namespace qrelief

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "pipeline/engrave.h"
+#include "viewer/viewer.h"
+
+namespace qrelief {
+
+/// The symbol with its quiet zone as the viewer shows it on the surface before it is carved: ink where the patterns ask
+/// for carving.
+///
+/// @param symbolMm  edge without quiet zone
+/// @param request   its patterns count
+SurfacePrint symbolPrint(const Symbol& symbol, const ProjectionFrame& frame, double symbolMm,
+                         const EngraveRequest& request);
+
+}  // namespace qrelief

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The inspector's view of the search for depths (how it converged, by solver; what became how dark) and of time.
+#include <algorithm>
+
+#include "inspector/inspector.h"
+
+namespace qrelief {
+namespace {
+
+constexpr int kBars = 64;
+
+template <class Value>
+std::vector<double> valuesOf(const std::vector<PassSummary>& passes, Value value) {
+  std::vector<double> values;
+  for (const PassSummary& pass : passes) values.push_back(static_cast<double>(value(pass)));
+  return values;
+}
+
+void swatch(ImU32 colour) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float size = ImGui::GetTextLineHeight() * 0.7f;
+  ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(at.x, at.y + size * 0.2f), ImVec2(at.x + size, at.y + size * 1.2f),
+                                            colour, 2);
+  ImGui::Dummy(ImVec2(size, size));
+  ImGui::SameLine();
+}
+
+void cell(const std::string& text) {
+  ImGui::TableNextColumn();
+  ImGui::TextUnformatted(text.c_str());
+}
+
+}  // namespace
+
+void Inspector::drawRuns() {
+  const auto& runs = model_.runs();
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (!runs[i]) continue;
+    swatch(palette_.curves[i]);
+    write("{}: {} passes", runs[i]->name, runs[i]->passes.size());
+  }
+  if (std::count_if(runs.begin(), runs.end(), [](const auto& run) { return run.has_value(); }) < 2)
+    writeSoftly("Engrave with another solver (Settings) to compare them here.");
+  const auto plot = [&](const char* name, const char* unit, auto value) {
+    std::vector<Curve> curves;
+    for (std::size_t i = 0; i < runs.size(); ++i)
+      if (runs[i]) curves.push_back({valuesOf(runs[i]->passes, value), palette_.curves[i]});
+    const int pointed = plotCurves(name, curves, unit, model_.pass(), palette_);
+    noteControl(controls_, name);
+    if (pointed >= 0 && ImGui::IsMouseClicked(0)) model_.setPass(pointed);
+  };
+  plot("Mean depth", "mm", [](const PassSummary& pass) { return pass.meanDepthMm; });
+  plot("Too bright (G > 0)", "", [](const PassSummary& pass) { return pass.unmet; });
+  plot("Greatest change of a depth", "mm", [](const PassSummary& pass) { return pass.changeMm; });
+}
+
+void Inspector::drawLuminances() {
+  const SearchView& search = *model_.search();
+  const auto& carved = search.carvedLuminance(model_.pass());
+  std::vector<float> all = search.lightLuminance();
+  all.insert(all.end(), carved.begin(), carved.end());
+  const ValueRange range = rangeOf(all).value_or(ValueRange{});
+  write("Luminance at pass {}", model_.pass() + 1);
+  swatch(palette_.curves[0]);
+  ImGui::TextUnformatted(translated("light modules"));
+  ImGui::SameLine();
+  swatch(palette_.curves[1]);
+  ImGui::TextUnformatted(translated("carved submodules"));
+  const std::array<Bars, 2> luminances = {{{histogramOf(search.lightLuminance(), range, kBars), palette_.curves[0]},
+                                           {histogramOf(carved, range, kBars), palette_.curves[1]}}};
+  plotBars("##luminances", luminances, range, "", palette_);
+  write("Depth at pass {}", model_.pass() + 1);
+  const auto& depths = search.carvedDepths(model_.pass());
+  const ValueRange depthRange = rangeOf(depths).value_or(ValueRange{});
+  const Bars bars{histogramOf(depths, depthRange, kBars), palette_.curves[1]};
+  plotBars("##depths", std::span(&bars, 1), depthRange, "mm", palette_);
+}
+
+void Inspector::drawSearch(const Engine&) {
+  const SearchView* search = model_.search();
+  if (!search) {
+    write("Nothing to see yet: press Engrave.");
+    return;
+  }
+  drawRuns();
+  ImGui::Separator();
+  int pass = model_.pass() + 1;
+  ImGui::SetNextItemWidth(-1);
+  const std::string format = phrase("pass %d of {}", search->passes());
+  if (ImGui::SliderInt("##pass", &pass, 1, search->passes(), format.c_str(), ImGuiSliderFlags_NoInput))
+    model_.setPass(pass - 1);
+  noteControl(controls_, "Pass");
+  const PassSummary& summary = search->summaries()[static_cast<std::size_t>(model_.pass())];
+  write("{} of {} carved submodules too bright, by {} at most; deepest {}; took {:.0f} ms", summary.unmet,
+        search->carvedCount(), numberText(static_cast<double>(summary.greatestExcess)),
+        numberText(static_cast<double>(summary.maxDepthMm), "mm"), summary.ms);
+  drawLuminances();
+}
+
+void Inspector::drawTimings(const Engine& engine) {
+  write("{}", engine.gl().renderer);
+  if (const Viewer* viewer = engine.viewer()) {
+    const ViewStatistics& view = viewer->statistics();
+    writeSoftly("View: {} × {}, {} pictures averaged, {:.0f} ms a frame in motion", view.width, view.height,
+                view.samples, view.coarseFrameMs);
+  }
+  if (const Placement* placed = engine.placed()) {
+    writeSoftly("Code: {:.2f} mm, modules {:.3f} mm, {} directions tried", placed->symbolMm, placed->moduleMm,
+                placed->iterations.size());
+  }
+  const EngraveResult* result = engine.result();
+  if (!result) {
+    ImGui::Separator();
+    write("Times of the stages and passes are here after an engraving.");
+    return;
+  }
+  ImGui::Separator();
+  const StageTimings& t = result->timingsMs;
+  const std::array<std::pair<const char*, double>, 5> stages = {{{"direction", t.direction},
+                                                                 {"size", t.size},
+                                                                 {"depth search", t.depthSearch},
+                                                                 {"embedding", t.embed},
+                                                                 {"checks", t.verify}}};
+  double longest = 1;
+  for (const auto& stage : stages) longest = std::max(longest, stage.second);
+  ImGui::TextUnformatted(translated("Stages, by the clock"));
+  for (const auto& [name, ms] : stages)
+    ImGui::ProgressBar(static_cast<float>(ms / longest), ImVec2(-1, 0),
+                       fmt::format("{} {:.1f} ms", translated(name), ms).c_str());
+  ImGui::Separator();
+  const gl::PassTimings* timings = engine.passTimings();
+  if (!timings || timings->times().empty()) {
+    write("Passes are timed from the next engraving on, as the inspector was closed during the last.");
+    return;
+  }
+  ImGui::TextUnformatted(
+      translated(timings->hasGpuTimes() ? "Passes, GPU time by timer queries" : "Passes, CPU time only"));
+  if (!timings->hasGpuTimes())
+    writeSoftly(
+        "This browser has no timer queries. CPU time ends when the calls return; what the graphics processor "
+        "still has to do then counts as reading back.");
+  if (!ImGui::BeginTable("passes", 4, ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerH)) return;
+  for (const char* name : {"pass", "runs", "CPU ms", "GPU ms"}) ImGui::TableSetupColumn(translated(name));
+  ImGui::TableHeadersRow();
+  for (const gl::PassTime& pass : timings->times()) {
+    cell(std::string(pass.name));
+    cell(std::to_string(pass.count));
+    cell(fmt::format("{:.1f}", pass.cpuMs));
+    cell(pass.gpuCount ? fmt::format("{:.1f}", pass.gpuMs) : "-");
+  }
+  ImGui::EndTable();
+}
+
+}  // namespace qrelief

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The inspector's settings: everything of a request, over what the page's own controls say.
+#include <cmath>
+#include <string_view>
+
+#include "inspector/inspector.h"
+
+namespace qrelief {
+namespace {
+
+std::string valueText(const Tunable& tunable, double value) {
+  if (tunable.isSwitch) return translated(value != 0 ? "on" : "off");
+  if (!tunable.choices.empty()) return translated(tunable.choices[static_cast<std::size_t>(value)]);
+  return fmt::format("{:g}", value);
+}
+
+/// @returns whether it was changed
+bool edit(const Tunable& tunable, double& value) {
+  ImGui::SetNextItemWidth(-1);
+  if (tunable.isSwitch) {
+    bool on = value != 0;
+    const bool changed = ImGui::Checkbox("##value", &on);
+    value = on ? 1 : 0;
+    return changed;
+  }
+  if (!tunable.choices.empty()) {
+    int chosen = static_cast<int>(value);
+    const auto choices = translated(tunable.choices);
+    const bool changed = ImGui::Combo("##value", &chosen, choices.data(), static_cast<int>(choices.size()));
+    value = chosen;
+    return changed;
+  }
+  // Buttons beside the field, as fingers have no keys.
+  ImGui::InputDouble("##value", &value, tunable.step, 0, "%.6g");
+  return ImGui::IsItemDeactivatedAfterEdit();
+}
+
+}  // namespace
+
+void Inspector::drawTunable(std::size_t index, const EngraveRequest& page) {
+  const Tunable& tunable = tunables()[index];
+  RequestOverrides& overrides = model_.overrides();
+  const bool isSet = overrides.isSet(index);
+  ImGui::PushID(static_cast<int>(index));
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  ImGui::AlignTextToFramePadding();
+  std::string name = translated(tunable.name);
+  if (*tunable.unit) name += fmt::format(", {}", translated(tunable.unit));
+  if (isSet) ImGui::PushStyleColor(ImGuiCol_Text, palette_.accent);
+  ImGui::TextUnformatted(name.c_str());
+  if (isSet) ImGui::PopStyleColor();
+  ImGui::TableNextColumn();
+  double value = overrides.valueOf(index, page);
+  const bool changed = edit(tunable, value);
+  noteControl(controls_, tunable.name);
+  if (changed) overrides.set(index, value, page);
+  if (isSet) {
+    if (ImGui::SmallButton(label("reset").c_str())) overrides.reset(index);
+    noteControl(controls_, fmt::format("Reset {}", tunable.name));
+    ImGui::SameLine();
+    ImGui::TextDisabled("%s", phrase("page: {}", valueText(tunable, tunable.read(page))).c_str());
+  }
+  ImGui::PopID();
+}
+
+void Inspector::drawSettings(const Engine& engine) {
+  RequestOverrides& overrides = model_.overrides();
+  const std::size_t count = overrides.count();
+  if (ImGui::Button(label("Engrave again").c_str(), ImVec2(ImGui::GetContentRegionAvail().x * 0.53f, 0)))
+    ++engraveAsked_;
+  noteControl(controls_, "Engrave again");
+  ImGui::SameLine();
+  ImGui::BeginDisabled(count == 0);
+  if (ImGui::Button(label("Reset all").c_str(), ImVec2(-1, 0))) overrides.resetAll();
+  noteControl(controls_, "Reset all");
+  ImGui::EndDisabled();
+  if (count == 0)
+    writeSoftly("Everything is as the page says. What is changed here counts for Engrave again alone.");
+  else if (count == 1)
+    write("One is changed here, for Engrave again alone: the page's own Engrave leaves it out.");
+  else
+    write("{} are changed here, for Engrave again alone: the page's own Engrave leaves them out.", count);
+  ImGui::BeginChild("tunables", ImVec2(0, 0), false, ImGuiWindowFlags_NoScrollWithMouse);
+  std::string_view group;
+  const std::span<const Tunable> all = tunables();
+  bool open = false;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all[i].group != group) {
+      if (open) ImGui::EndTable();
+      group = all[i].group;
+      ImGui::Spacing();
+      ImGui::TextDisabled("%s", translated(all[i].group));
+      open = ImGui::BeginTable(all[i].group, 2, ImGuiTableFlags_SizingStretchProp);
+      if (open) {
+        ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch, 0.48f);
+        ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch, 0.52f);
+      }
+    }
+    if (open) drawTunable(i, engine.settings());
+  }
+  if (open) ImGui::EndTable();
+  scrollBody();
+  ImGui::EndChild();
+}
+
+}  // namespace qrelief

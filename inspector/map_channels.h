@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "inspector/value_map.h"
+#include "render/geometry_pass.h"
+#include "render/luminance_pass.h"
+
+namespace qrelief {
+
+/// What can be looked at, over symbol and quiet zone: the first six of the reader's G-buffer, the others one value a
+/// submodule.
+enum class MapChannel : std::uint8_t {
+  FacetNormal,
+  SmoothNormal,
+  Height,
+  Distance,
+  BackDistance,
+  Thickness,
+  Limit,
+  Depth,
+  Luminance,
+  Excess,
+  Sky,
+  PastWalls,
+  Lamps
+};
+
+struct ChannelInfo {
+  const char* name;
+  const char* what;
+  const char* unit;            ///< "" if it has none
+  bool changesByPass = false;  ///< of the search
+  bool isSigned = false;       ///< zero is worth seeing
+};
+
+inline constexpr std::array<ChannelInfo, 13> kChannels = {{
+    {"Facet normal", "angle between facet and line to the reader", "°"},
+    {"Smooth normal", "the same, of the interpolated normals", "°"},
+    {"Height", "over the QR plane, towards the reader", "mm", false, true},
+    {"Distance", "from the reader's eye, along the ray", "mm"},
+    {"Back distance", "from the eye to where the ray leaves", "mm"},
+    {"Thickness", "of the material along the ray", "mm"},
+    {"Wall limit", "deepest a submodule may become", "mm"},
+    {"Depth", "carved, along the ray", "mm", true},
+    {"Luminance", "LS, 1 = unoccluded", "", true},
+    {"Excess G", "AL·(c - 1) + LS: above 0 is too bright", "", true, true},
+    {"Sky", "share of the sky that is seen", ""},
+    {"Sky past walls", "the same past the pockets' walls alone", ""},
+    {"Lamps", "direct light of the lamps", ""},
+}};
+
+inline const ChannelInfo& infoOf(MapChannel channel) { return kChannels[static_cast<std::size_t>(channel)]; }
+inline bool isOfSurface(MapChannel channel) { return channel <= MapChannel::Thickness; }
+inline bool isOfLight(MapChannel channel) { return channel >= MapChannel::Sky; }
+
+/// A channel of the G-buffer.
+/// @param edgeMm  of symbol and quiet zone; the maps' margin is left out
+/// @param back    for BackDistance and Thickness; may be null for the others
+ValueMap surfaceMap(const SurfaceMaps& maps, const BackDistanceMap* back, double edgeMm, MapChannel channel);
+
+/// A channel of the light that was received.
+/// @param received  of symbol and quiet zone, row-major from the upper left
+ValueMap lightMap(std::span<const Received> received, MapChannel channel);
+
+}  // namespace qrelief

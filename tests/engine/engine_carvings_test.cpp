@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cstdlib>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "engine/engine.h"
+#include "io/write_stl.h"
+#include "support/gl_test.h"
+#include "support/shapes.h"
+
+namespace qrelief {
+namespace {
+
+using Json = nlohmann::json;
+
+class EngineCarvingsTest : public GlTest {
+ protected:
+  void SetUp() override {
+    engine_ = std::make_unique<Engine>();
+    engine_->resize(400, 300, 1);
+    load();
+  }
+  void load() {
+    engine_->loadModel(writeStl(shapes::box({60, 50, 20})), "box.stl", 1);
+    engine_->setCentre(0, 0, 10);
+  }
+  /// @returns the carving's number
+  int carve(const std::string& text) {
+    engine_->configure(R"({"text": ")" + text + R"(", "size": 30})");
+    EXPECT_EQ(Json::parse(engine_->startEngrave())["ok"], true);
+    for (;;) {
+      const Json progress = Json::parse(engine_->advance());
+      if (progress["ok"] != true) ADD_FAILURE() << progress;
+      if (progress["ok"] != true || progress["done"] == true) return engine_->carving();
+    }
+  }
+  std::string reportedText() const { return Json::parse(engine_->report())["text"]; }
+
+  std::unique_ptr<Engine> engine_;
+};
+
+TEST_F(EngineCarvingsTest, ThereIsNoneBeforeTheFirst) {
+  EXPECT_EQ(engine_->carving(), 0);
+  EXPECT_FALSE(engine_->useCarving(1));
+}
+
+TEST_F(EngineCarvingsTest, TheOneBeforeTheLastComesBackBitForBitAndWithWhatWasRead) {
+  const int first = carve("first");
+  engine_->setReadBack("first", "a reader");
+  const auto firstFile = engine_->exportModel("stl");
+  const int second = carve("second");
+  const auto secondFile = engine_->exportModel("stl");
+  ASSERT_NE(first, second);
+  ASSERT_NE(firstFile, secondFile);
+
+  ASSERT_TRUE(engine_->useCarving(first));
+  EXPECT_EQ(engine_->carving(), first);
+  EXPECT_EQ(reportedText(), "first");
+  EXPECT_EQ(Json::parse(engine_->report())["verification"]["decoded"], true);
+  EXPECT_EQ(engine_->exportModel("stl"), firstFile);
+  ASSERT_TRUE(engine_->useCarving(second));
+  EXPECT_EQ(reportedText(), "second");
+  EXPECT_EQ(engine_->exportModel("stl"), secondFile);
+}
+
+TEST_F(EngineCarvingsTest, OlderOnesAreForgotten) {
+  const int first = carve("a");
+  const int second = carve("b");
+  carve("c");
+  EXPECT_FALSE(engine_->useCarving(first));
+  EXPECT_EQ(reportedText(), "c");
+  EXPECT_TRUE(engine_->useCarving(second));
+}
+
+TEST_F(EngineCarvingsTest, ACarvingThatIsCancelledLeavesTheOneBeforeIt) {
+  const int first = carve("kept");
+  engine_->configure(R"({"text": "cancelled", "size": 30})");
+  engine_->startEngrave();
+  engine_->advance();
+  EXPECT_FALSE(engine_->useCarving(first));  // not while another one runs
+  engine_->cancel();
+  EXPECT_EQ(engine_->carving(), 0);
+  ASSERT_TRUE(engine_->useCarving(first));
+  EXPECT_EQ(reportedText(), "kept");
+}
+
+TEST_F(EngineCarvingsTest, AnotherModelForgetsThemAll) {
+  const int first = carve("a");
+  const int second = carve("b");
+  load();
+  EXPECT_FALSE(engine_->useCarving(first));
+  EXPECT_FALSE(engine_->useCarving(second));
+  EXPECT_EQ(engine_->carving(), 0);
+}
+
+TEST_F(EngineCarvingsTest, FromStraightAheadThePictureFromAsideIsThatOfTheReader) {
+  EXPECT_TRUE(engine_->readerImageFrom(0, 0).pixels.empty());
+  carve("picture");
+  const GreyImage& straight = engine_->readerImage();
+  const GreyImage same = engine_->readerImageFrom(0, 0);
+  ASSERT_EQ(same.width, straight.width);
+  double difference = 0;
+  for (std::size_t i = 0; i < same.pixels.size(); ++i)
+    difference += std::abs(int{same.pixels[i]} - int{straight.pixels[i]});
+  EXPECT_LT(difference / static_cast<double>(same.pixels.size()),
+            2);  // the shown mesh has other normals at its creases
+
+  const GreyImage aside = engine_->readerImageFrom(45, 0);
+  ASSERT_EQ(aside.pixels.size(), same.pixels.size());
+  double moved = 0;
+  for (std::size_t i = 0; i < same.pixels.size(); ++i) moved += std::abs(int{same.pixels[i]} - int{aside.pixels[i]});
+  EXPECT_GT(moved, 3 * difference);
+}
+
+}  // namespace
+}  // namespace qrelief

@@ -1,0 +1,354 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/engine.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "io/read_model.h"
+#include "io/write_stl.h"
+#include "support/gl_test.h"
+#include "support/shapes.h"
+#include "support/zip_file.h"
+
+namespace qrelief {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr const char* kSettings = R"({"text": "https://example.org/qrelief-test", "size": "free"})";
+
+class EngineTest : public GlTest {
+ protected:
+  void SetUp() override {
+    engine_ = std::make_unique<Engine>();
+    engine_->resize(400, 300, 1);
+  }
+  Json load(const Mesh& mesh, const std::string& name = "model.stl") {
+    return Json::parse(engine_->loadModel(writeStl(mesh), name, 1));
+  }
+  static void expectError(const std::string& answer, const std::string& code, const std::string& part) {
+    const Json json = Json::parse(answer);
+    EXPECT_EQ(json["ok"], false) << answer;
+    EXPECT_EQ(json["error"]["code"], code) << answer;
+    EXPECT_NE(json["error"]["message"].get<std::string>().find(part), std::string::npos) << answer;
+  }
+  std::unique_ptr<Engine> engine_;
+};
+
+TEST_F(EngineTest, SaysWhatDrawsAndThatNothingIsWrong) {
+  const Json capabilities = Json::parse(engine_->capabilities());
+  EXPECT_FALSE(capabilities["renderer"].get<std::string>().empty());
+  EXPECT_TRUE(capabilities["problems"].empty());
+  EXPECT_EQ(Engine("My GPU").gl().renderer, "My GPU");
+}
+
+TEST_F(EngineTest, DescribesTheModelThatItLoaded) {
+  const Json answer = load(shapes::box({60, 50, 20}));
+  ASSERT_EQ(answer["ok"], true);
+  const Json& model = answer["model"];
+  EXPECT_EQ(model["triangles"], 12);
+  EXPECT_EQ(model["vertices"], 8);
+  EXPECT_EQ(model["shells"], 1);
+  EXPECT_EQ(model["engravable"], true);
+  EXPECT_EQ(model["sizeMm"], Json({60, 50, 20}));
+  // The proposed centre lies on the box's surface.
+  const Vec3 centre(model["centre"][0], model["centre"][1], model["centre"][2]);
+  const Vec3 inBox = glm::abs(centre) / Vec3(30, 25, 10);
+  EXPECT_NEAR(std::max({inBox.x, inBox.y, inBox.z}), 1, 1e-6);
+}
+
+TEST_F(EngineTest, ABadFileIsRefusedAndTheOldModelStays) {
+  load(shapes::box({60, 50, 20}));
+  const Json refused = Json::parse(engine_->loadModel({1, 2, 3}, "broken.stl", 1));
+  EXPECT_EQ(refused["ok"], false);
+  EXPECT_EQ(refused["error"]["code"], "BadInput");
+  expectError(engine_->loadModel(writeStl(shapes::box({1, 1, 1})), "model.stl", std::nan("")), "BadUsage", "scale");
+  EXPECT_EQ(Json::parse(engine_->setCentre(0, 0, 100))["centre"], Json({0, 0, 10}));
+}
+
+TEST_F(EngineTest, AnOpenModelIsShownButNotEngraved) {
+  Mesh open = shapes::box({60, 50, 20});
+  open.triangles.pop_back();
+  const Json answer = load(open);
+  ASSERT_EQ(answer["ok"], true);
+  EXPECT_EQ(answer["model"]["engravable"], false);
+  const Json& findings = answer["model"]["findings"];
+  EXPECT_TRUE(std::any_of(findings.begin(), findings.end(), [](const Json& f) { return f["severity"] == "blocking"; }));
+  engine_->configure(kSettings);
+  EXPECT_EQ(Json::parse(engine_->placement())["ok"], false);
+  EXPECT_EQ(Json::parse(engine_->startEngrave())["ok"], false);
+}
+
+TEST_F(EngineTest, ClickingTheModelHitsItAndBesideItMisses) {
+  load(shapes::icosphere(30, 5));
+  const Json hit = Json::parse(engine_->pick(200, 150));
+  ASSERT_EQ(hit["hit"], true);
+  const Vec3 centre(hit["centre"][0], hit["centre"][1], hit["centre"][2]);
+  EXPECT_NEAR(glm::length(centre), 30, 0.05);
+  EXPECT_EQ(Json::parse(engine_->pick(2, 2)), Json({{"hit", false}}));
+  EXPECT_EQ(Json::parse(engine_->setCentre(std::nan(""), 0, 0)), Json({{"hit", false}}));
+}
+
+TEST_F(EngineTest, TheFreeSizeOnABoxesTopIsTheClosedForm) {
+  load(shapes::box({60, 60, 20}));
+  engine_->configure(kSettings);
+  engine_->setCentre(0, 0, 10);
+  const Json answer = Json::parse(engine_->placement());
+  ASSERT_EQ(answer["ok"], true) << answer;
+  const Json& placement = answer["placement"];
+  EXPECT_EQ(placement["modules"], 29);
+  EXPECT_EQ(placement["version"], 3);
+  // Symbol and quiet zone, 37 modules, fit a circle of 30 mm about the centre.
+  EXPECT_NEAR(placement["symbolMm"].get<double>(), std::sqrt(2.0) * 30 * 29 / 37, 0.01);
+  EXPECT_NEAR(placement["normal"][2].get<double>(), 1, 1e-6);
+  EXPECT_NEAR(placement["moduleMm"].get<double>() * 29, placement["symbolMm"].get<double>(), 1e-9);
+}
+
+TEST_F(EngineTest, AScaleOfZeroLeavesTheUnitToTheFile) {
+  const auto inches = zip_file::threeMf(
+      zip_file::modelPart(zip_file::boxObject(1, 2, 3, 1), "<item objectid=\"1\"/>", "unit=\"inch\""));
+  EXPECT_EQ(Json::parse(engine_->loadModel(inches, "a.3mf", 0))["model"]["scaleToMm"], 25.4);
+  EXPECT_EQ(Json::parse(engine_->loadModel(inches, "a.3mf", 10))["model"]["scaleToMm"], 10);
+  EXPECT_EQ(Json::parse(engine_->loadModel(writeStl(shapes::box({9, 9, 9})), "a.stl", 0))["model"]["scaleToMm"], 1);
+}
+
+TEST_F(EngineTest, WhatIsMissingIsNamed) {
+  expectError(engine_->placement(), "BadUsage", "no model");
+  expectError(engine_->startEngrave(), "BadUsage", "no model");
+  expectError(engine_->advance(), "BadUsage", "no engraving");
+  expectError(engine_->report(), "BadUsage", "nothing has been engraved");
+  EXPECT_TRUE(engine_->exportModel("stl").empty());
+  EXPECT_EQ(engine_->readerImage().width, 0);
+  expectError(engine_->configure("{"), "BadUsage", "settings");
+  load(shapes::box({60, 60, 20}));
+  EXPECT_EQ(Json::parse(engine_->placement())["error"]["code"], "BadInput");  // no text
+}
+
+TEST_F(EngineTest, EngravesStepByStepAndReportsWhatCameOut) {
+  load(shapes::box({60, 60, 20}));
+  engine_->configure(kSettings);
+  engine_->setCentre(0, 0, 10);
+  ASSERT_EQ(Json::parse(engine_->startEngrave())["ok"], true);
+  std::set<std::string> stages;
+  double fraction = 0;
+  for (bool done = false; !done;) {
+    const Json progress = Json::parse(engine_->advance());
+    ASSERT_EQ(progress["ok"], true) << progress;
+    EXPECT_GE(progress["fraction"].get<double>(), fraction);
+    fraction = progress["fraction"];
+    stages.insert(progress["stage"].get<std::string>());
+    done = progress["done"];
+  }
+  EXPECT_GE(stages.size(), 4u);
+  engine_->setReadBack("https://example.org/qrelief-test", "a reader");
+  const Json report = Json::parse(engine_->report());
+  EXPECT_EQ(report["input"]["file"], "model.stl");
+  EXPECT_EQ(report["mesh"]["closed"], true);
+  EXPECT_EQ(report["verification"]["decoded"], true);
+  EXPECT_EQ(report["verification"]["reader"], "a reader");
+  EXPECT_EQ(engine_->readerImage().pixels.size(),
+            static_cast<std::size_t>(engine_->readerImage().width) * engine_->readerImage().height);
+  const auto stl = engine_->exportModel("stl");
+  const auto carved = readModel(stl, "carved.stl");
+  ASSERT_TRUE(carved.has_value());
+  EXPECT_EQ(carved->triangles.size(), report["mesh"]["triangles"].get<std::size_t>());
+  EXPECT_TRUE(engine_->exportModel("gif").empty());
+  for (const char* format : {"obj", "ply", "3mf"}) {
+    const auto same = readModel(engine_->exportModel(format), std::string("carved.") + format);
+    ASSERT_TRUE(same.has_value()) << format << ": " << same.error().message;
+    EXPECT_EQ(same->triangles.size(), carved->triangles.size()) << format;
+  }
+
+  engine_->pick(200, 150);  // a new place: the result can still be had
+  EXPECT_FALSE(engine_->exportModel("stl").empty());
+  ASSERT_EQ(Json::parse(engine_->startEngrave())["ok"], true);  // a new engraving: it is gone
+  EXPECT_TRUE(engine_->exportModel("stl").empty());
+}
+
+TEST_F(EngineTest, APreparedEngravingHasLessToDoAndGivesTheSame) {
+  const auto prepare = [&] {
+    int steps = 1;
+    while (!Json::parse(engine_->prepareEngrave())["done"].get<bool>()) ++steps;
+    return steps;
+  };
+  const auto start = [&] { return Json::parse(engine_->startEngrave())["stage"].get<std::string>(); };
+  const auto finish = [&] {
+    while (!Json::parse(engine_->advance())["done"].get<bool>()) {
+    }
+    return engine_->exportModel("stl");
+  };
+  EXPECT_EQ(prepare(), 1) << "no model";
+  load(shapes::box({60, 60, 20}));
+  engine_->configure(kSettings);
+  engine_->setCentre(0, 0, 10);
+  EXPECT_EQ(prepare(), 1) << "not placed yet";
+  engine_->placement();
+  EXPECT_EQ(start(), "Measuring the surface");
+  EXPECT_EQ(prepare(), 1) << "one is running";
+  const auto carved = finish();
+  ASSERT_FALSE(carved.empty());
+
+  EXPECT_GT(prepare(), 1);
+  EXPECT_EQ(prepare(), 1) << "done already";
+  EXPECT_EQ(engine_->exportModel("stl"), carved) << "what was carved is still there";
+  EXPECT_EQ(start(), "Finding the depth");
+  EXPECT_EQ(finish(), carved);
+  EXPECT_GT(Json::parse(engine_->report())["timingsMs"]["surface"].get<double>(), 0);
+
+  EXPECT_GT(prepare(), 1);
+  Json deeper = Json::parse(kSettings);
+  deeper["contrast"] = 0.4;
+  engine_->configure(deeper.dump());
+  engine_->placement();
+  EXPECT_EQ(start(), "Measuring the surface") << "what was prepared is another engraving";
+  EXPECT_NE(finish(), carved);
+}
+
+TEST_F(EngineTest, AfterACancelNothingIsRunningAndAllCanStartAgain) {
+  load(shapes::box({60, 60, 20}));
+  engine_->configure(kSettings);
+  engine_->setCentre(0, 0, 10);
+  engine_->startEngrave();
+  engine_->advance();
+  engine_->cancel();
+  expectError(engine_->advance(), "BadUsage", "no engraving");
+  EXPECT_EQ(Json::parse(engine_->startEngrave())["ok"], true);
+}
+
+TEST_F(EngineTest, TextsThatAreNoUtf8DoNotBreakTheAnswer) {
+  const Json answer = Json::parse(engine_->loadModel({'x'}, "broken\xff.stl", 1));
+  EXPECT_EQ(answer["ok"], false);
+}
+
+TEST_F(EngineTest, TheUpAxisIsWhereTheCodesTopPoints) {
+  load(shapes::box({60, 60, 20}));
+  engine_->setUpAxis("y");
+  engine_->configure(kSettings);
+  engine_->setCentre(0, 0, 10);
+  const Json answer = Json::parse(engine_->placement());
+  ASSERT_EQ(answer["ok"], true) << answer;
+  EXPECT_NEAR(answer["placement"]["up"][1].get<double>(), 1, 1e-6);
+}
+
+TEST_F(EngineTest, FindsSpotsThatTakeTheSizeTheyPromise) {
+  ASSERT_EQ(load(shapes::box({60, 50, 20}))["ok"], true);
+  ASSERT_EQ(Json::parse(engine_->configure(kSettings))["ok"], true);
+  EXPECT_TRUE(Json::parse(engine_->spots())["spots"].empty());
+  ASSERT_EQ(Json::parse(engine_->startPlacing())["ok"], true);
+  for (bool done = false; !done;) {
+    const Json progress = Json::parse(engine_->advancePlacing());
+    ASSERT_EQ(progress["ok"], true) << progress;
+    done = progress["done"];
+  }
+  const Json found = Json::parse(engine_->spots());
+  ASSERT_FALSE(found["spots"].empty());
+  EXPECT_EQ(std::fmod(found["topMm"].get<double>(), 5), 0);
+  for (std::size_t i = 0; i < found["spots"].size(); ++i) {
+    const Json chosen = Json::parse(engine_->chooseSpot(i));
+    for (int k = 0; k < 3; ++k) EXPECT_NEAR(chosen["centre"][k], found["spots"][i]["centre"][k], 1e-9);
+    const Json placement = Json::parse(engine_->placement());
+    ASSERT_EQ(placement["ok"], true) << placement;
+    EXPECT_NEAR(placement["placement"]["symbolMm"], found["spots"][i]["sizeMm"], 1e-6);
+    EXPECT_NEAR(placement["placement"]["guaranteedMm"], found["spots"][i]["sizeMm"], 1e-6) << "its walls are thick";
+  }
+  expectError(engine_->chooseSpot(100), "BadUsage", "no such spot");
+}
+
+TEST_F(EngineTest, ASearchForSpotsThatIsCancelledLeavesNone) {
+  expectError(engine_->startPlacing(), "BadUsage", "no model");
+  ASSERT_EQ(load(shapes::icosphere(40, 4))["ok"], true);
+  ASSERT_EQ(Json::parse(engine_->configure(kSettings))["ok"], true);
+  ASSERT_EQ(Json::parse(engine_->startPlacing())["ok"], true);
+  ASSERT_EQ(Json::parse(engine_->advancePlacing())["ok"], true);
+  engine_->cancelPlacing();
+  expectError(engine_->advancePlacing(), "BadUsage", "no search");
+  EXPECT_TRUE(Json::parse(engine_->spots())["spots"].empty());
+}
+
+TEST_F(EngineTest, TheCodeFollowsThePointerAndItsTruePlaceComesAfter) {
+  EXPECT_EQ(Json::parse(engine_->hover(200, 150))["hit"], false);  // no model
+  load(shapes::icosphere(30, 5));
+  engine_->configure(kSettings);
+  const Json about = Json::parse(engine_->hover(200, 150));
+  ASSERT_EQ(about["hit"], true) << about;
+  EXPECT_EQ(about["onCode"], false);
+  EXPECT_EQ(about["code"]["exact"], false);
+  ASSERT_EQ(Json::parse(engine_->startSettling())["ok"], true);
+  Json found;
+  for (bool done = false; !done; done = found["done"]) {
+    found = Json::parse(engine_->advanceSettling());
+    ASSERT_EQ(found["ok"], true) << found;
+  }
+  EXPECT_EQ(found["code"]["exact"], true);
+  const double exact = found["code"]["symbolMm"], estimated = about["code"]["symbolMm"];
+  EXPECT_NEAR(estimated / exact, 1, 0.1);  // a texel of the map is 3 % of the sphere's radius
+  engine_->pick(200, 150);
+  const Json placed = Json::parse(engine_->placement());
+  EXPECT_NEAR(placed["placement"]["symbolMm"], exact, 1e-9);
+  EXPECT_EQ(Json::parse(engine_->hover(200, 150))["onCode"], true);
+  expectError(engine_->startSettling(), "BadUsage", "no code");
+}
+
+TEST_F(EngineTest, APlacedCodeIsWhereTheScreenSaysAndIsTurnedAndSized) {
+  load(shapes::box({60, 60, 20}));
+  expectError(engine_->adjustCode(0, 20), "BadUsage", "no code");
+  EXPECT_TRUE(Json::parse(engine_->viewState())["code"].is_null());
+  engine_->configure(kSettings);
+  engine_->setCentre(0, 0, 10);
+  const double mm = Json::parse(engine_->placement())["placement"]["symbolMm"];
+  engine_->standardView("top");
+  engine_->draw();
+  const Json state = Json::parse(engine_->viewState());
+  const Json& code = state["code"];
+  ASSERT_FALSE(code.is_null());
+  EXPECT_NEAR(code["symbolMm"], mm, 1e-9);
+  EXPECT_EQ(code["corners"].size(), 4u);
+  EXPECT_LT(code["corners"][0][1].get<double>(), code["corners"][3][1].get<double>());  // its top is above
+
+  const Json turned = Json::parse(engine_->adjustCode(45, mm));
+  ASSERT_EQ(turned["ok"], true) << turned;
+  EXPECT_LT(turned["code"]["missingShare"], 0.01);  // a free size fits at every rotation
+  EXPECT_EQ(Json::parse(engine_->viewState())["code"]["rotationDeg"], 45);
+  const Json larger = Json::parse(engine_->adjustCode(45, 1.3 * mm));
+  EXPECT_NEAR(larger["code"]["symbolMm"], 1.3 * mm, 1e-9);
+  EXPECT_GT(larger["code"]["missingShare"], 0.05);
+  expectError(engine_->adjustCode(0, 0), "BadUsage", "0 mm");
+
+  ASSERT_EQ(Json::parse(engine_->moveCode(200, 150))["hit"], true);
+  EXPECT_EQ(Json::parse(engine_->placement())["placement"]["rotationDeg"], 0);  // the settings count
+}
+
+TEST_F(EngineTest, ASizeThatDoesNotFitIsShownAllTheSame) {
+  load(shapes::box({60, 60, 20}));
+  engine_->configure(R"({"text": "https://example.org/qrelief-test", "size": 55})");
+  engine_->setCentre(0, 0, 10);
+  EXPECT_EQ(Json::parse(engine_->placement())["ok"], false);
+  EXPECT_EQ(Json::parse(engine_->viewState())["code"]["symbolMm"], 55);
+}
+
+TEST_F(EngineTest, SpotsHavePicturesAndCarvedModelsDepths) {
+  load(shapes::box({60, 60, 20}));
+  engine_->configure(kSettings);
+  EXPECT_EQ(engine_->spotPicture(0, 32, 32).width, 0);
+  engine_->startPlacing();
+  while (!Json::parse(engine_->advancePlacing())["done"]) {
+  }
+  const Engine::Picture picture = engine_->spotPicture(0, 96, 96);
+  ASSERT_EQ(picture.rgba.size(), 4u * 96 * 96);
+  const auto [darkest, lightest] = std::minmax_element(picture.rgba.begin(), picture.rgba.end());
+  EXPECT_GT(*lightest - *darkest, 100);  // a code
+
+  EXPECT_EQ(Json::parse(engine_->showDepths(true))["topMm"], 0);
+  engine_->setCentre(0, 0, 10);
+  engine_->startEngrave();
+  while (!Json::parse(engine_->advance())["done"]) {
+  }
+  const double top = Json::parse(engine_->showDepths(true))["topMm"];
+  const double deepest = Json::parse(engine_->report())["depth"]["maxMm"];
+  EXPECT_GE(top, deepest - 1e-6);
+  EXPECT_LT(top, deepest + 0.1);
+}
+
+}  // namespace
+}  // namespace qrelief

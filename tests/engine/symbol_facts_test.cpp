@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/symbol_facts.h"
+
+#include <gtest/gtest.h>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "qr/symbol.h"
+#include "verification/printability.h"
+
+namespace qrelief {
+namespace {
+
+using Json = nlohmann::json;
+
+EngraveRequest requestFor(const std::string& text) {
+  EngraveRequest request;
+  request.text = text;
+  request.symbol.raiseErrorCorrection = true;
+  return request;
+}
+
+Json facts(const EngraveRequest& request) { return Json::parse(describeSymbol(request))["symbol"]; }
+
+TEST(SymbolFacts, AreThoseOfTheSymbolThatIsEngraved) {
+  const EngraveRequest request = requestFor("https://example.org/a/longer/text/x");
+  const auto symbol = encodeSymbol(request.text, request.symbol);
+  ASSERT_TRUE(symbol.has_value());
+  const Json described = facts(request);
+  EXPECT_EQ(described["version"], symbol->version);
+  EXPECT_EQ(described["ecc"], errorCorrectionName(symbol->errorCorrection));
+  EXPECT_EQ(described["mask"], symbol->mask);
+  EXPECT_EQ(described["size"], symbol->size);
+  EXPECT_EQ(described["bytes"], 35);
+  ASSERT_EQ(described["rows"].size(), static_cast<std::size_t>(symbol->size));
+  for (int row = 0; row < symbol->size; ++row) {
+    const auto text = described["rows"][static_cast<std::size_t>(row)].get<std::string>();
+    ASSERT_EQ(text.size(), static_cast<std::size_t>(symbol->size));
+    for (int column = 0; column < symbol->size; ++column)
+      EXPECT_EQ(text[static_cast<std::size_t>(column)] == '1', symbol->isDark(row, column));
+  }
+}
+
+TEST(SymbolFacts, TheRoomIsWhatTheVersionStillHolds) {
+  // Digits, capitals and bytes; versions on both sides of 9|10, where length fields grow; the last version.
+  for (const std::string& text :
+       {std::string("a"), std::string("12345678901234567890"), std::string("HTTPS://QR.ORG/x"), std::string(150, 'b'),
+        std::string(190, 'C'), std::string(1200, 'd')}) {
+    const EngraveRequest request = requestFor(text);
+    const Json described = facts(request);
+    const int version = described["version"], room = described["room"];
+    const auto versionWith = [&](int more) {
+      const auto symbol = encodeSymbol(text + std::string(static_cast<std::size_t>(more), 'a'), request.symbol);
+      return symbol ? symbol->version : 99;
+    };
+    EXPECT_EQ(versionWith(room), version) << text;
+    EXPECT_GT(versionWith(room + 1), version) << text;
+  }
+}
+
+TEST(SymbolFacts, TheRoomIsThatOfTheStandardsTable) {
+  // 14 bytes in 1-M, 26 in 2-M, 17 in 1-L, 2331 in 40-M [ISO/IEC 18004, table 7].
+  EXPECT_EQ(facts(requestFor("abcde"))["room"], 14 - 5);
+  EXPECT_EQ(facts(requestFor(std::string(15, 'a')))["room"], 26 - 15);
+  EXPECT_EQ(facts(requestFor(std::string(2331, 'a')))["room"], 0);
+  EngraveRequest weak = requestFor("abcde");
+  weak.symbol.errorCorrection = ErrorCorrection::L;
+  weak.symbol.raiseErrorCorrection = false;
+  EXPECT_EQ(facts(weak)["room"], 17 - 5);
+}
+
+TEST(SymbolFacts, TheLeastModuleIsThatOfThePrintedPatternsInNozzleWidths) {
+  const std::pair<ModulePattern, double> published[] = {{ModulePattern::Square, 0.9},
+                                                        {ModulePattern::Diamond, 0.9},
+                                                        {ModulePattern::ThickPlus, 0.6},
+                                                        {ModulePattern::None, 1.2},
+                                                        // pockets of a fifth of the module, 0.9 nozzles at least
+                                                        {ModulePattern::ThinPlus, 1.8}};
+  for (const auto& [pattern, moduleMm] : published)
+    for (const double factor : {1.0, 2.0}) {
+      EngraveRequest request = requestFor("https://example.org/");
+      request.modulePattern = pattern;
+      request.nozzleMm = 0.4 * factor;
+      EXPECT_NEAR(facts(request)["leastModuleMm"], moduleMm * factor, 1e-9) << modulePatternName(pattern);
+    }
+}
+
+TEST(SymbolFacts, ANozzleThatIsNoSizeLeavesTheLeastModuleOut) {
+  for (const double nozzle : {0.0, -1.0, 1e9, std::numeric_limits<double>::quiet_NaN()}) {
+    EngraveRequest request = requestFor("x");
+    request.nozzleMm = nozzle;
+    EXPECT_TRUE(facts(request)["leastModuleMm"].is_null()) << nozzle;
+  }
+}
+
+TEST(SymbolFacts, ATextThatNoSymbolHoldsIsAnError) {
+  const Json tooLong = Json::parse(describeSymbol(requestFor(std::string(3000, 'a'))));
+  EXPECT_EQ(tooLong["ok"], false);
+  EXPECT_EQ(tooLong["error"]["code"], "BadInput");
+  const Json empty = Json::parse(describeSymbol(requestFor("")));
+  EXPECT_EQ(empty["ok"], false);
+  EXPECT_EQ(empty["error"]["message"], "The text is empty");
+}
+
+}  // namespace
+}  // namespace qrelief

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "viewer/spot_search.h"
+
+#include <cmath>
+#include <optional>
+
+#include "support/gl_test.h"
+#include "support/shapes.h"
+
+namespace qrelief {
+namespace {
+
+class SpotSearch : public GlTest {
+ protected:
+  void SetUp() override {
+    auto made = GeometryPass::create();
+    ASSERT_TRUE(made.has_value()) << made.error().message;
+    pass_ = std::move(*made);
+  }
+  /// From above.
+  std::optional<Vec3> spotOn(const Mesh& mesh, double sizeMm) {
+    OrbitCamera camera;
+    camera.setViewport(600, 600);
+    camera.setScene(boundingBox(mesh));
+    camera.orbit(0, 1e6);
+    camera.fit();
+    camera.finishGlide();
+    const auto spots = proposeSpots(pass_, {mesh, vertexNormals(mesh)}, camera.view(), sizeMm, 5);
+    EXPECT_TRUE(spots.has_value());
+    if (!spots || spots->empty()) return {};
+    for (std::size_t i = 0; i < spots->size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        EXPECT_GE(glm::length((*spots)[i].position - (*spots)[j].position), 0.3 * sizeMm);
+    return spots->front().position;
+  }
+  GeometryPass pass_;
+};
+
+TEST_F(SpotSearch, OnAPlateTheSquareFitsWithinTheEdges) {
+  const auto spot = spotOn(shapes::box({100, 40, 10}), 30);
+  ASSERT_TRUE(spot.has_value());
+  EXPECT_NEAR(spot->z, 5, 0.1);
+  EXPECT_LE(std::abs(spot->x), 100 / 2 - 30 / 2 + 4);
+  EXPECT_LE(std::abs(spot->y), 40 / 2 - 30 / 2 + 4);
+}
+
+TEST_F(SpotSearch, AFlatPartIsPreferredToAWavyOne) {
+  const Mesh mesh = shapes::plate(
+      {120, 60}, 10, 240, 120, [](double x, double y) { return x > 0 ? 0.0 : 3 * std::sin(x / 3) * std::cos(y / 3); });
+  const auto spot = spotOn(mesh, 40);
+  ASSERT_TRUE(spot.has_value());
+  EXPECT_GE(spot->x, 40 / 2 - 4);
+}
+
+TEST_F(SpotSearch, OnASphereItIsThePointTowardsTheCamera) {
+  const auto spot = spotOn(shapes::icosphere(50, 5), 30);
+  ASSERT_TRUE(spot.has_value());
+  EXPECT_GT(spot->z, 50 * std::cos(0.2));
+}
+
+}  // namespace
+}  // namespace qrelief

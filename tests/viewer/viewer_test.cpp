@@ -1,0 +1,381 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "viewer/viewer.h"
+
+#include <cmath>
+
+#include "mesh/ray.h"
+#include "support/gl_test.h"
+#include "support/shapes.h"
+#include "viewer/display_mesh.h"
+#include "viewer/print_bounds.h"
+
+namespace qrelief {
+namespace {
+
+constexpr int kWidth = 240, kHeight = 180;
+
+/// Pixels of a picture, 0 … 1, by screen position as the camera counts (from the upper left).
+struct Picture {
+  std::vector<float> rgba;  // row 0 at the bottom
+
+  Vec3 at(Vec2 pixel) const {
+    const int x = static_cast<int>(pixel.x), y = kHeight - 1 - static_cast<int>(pixel.y);
+    const auto i = 4 * static_cast<std::size_t>(y * kWidth + x);
+    return {rgba[i], rgba[i + 1], rgba[i + 2]};
+  }
+  double brightness(Vec2 pixel) const { return (at(pixel).x + at(pixel).y + at(pixel).z) / 3; }
+};
+
+class ViewerTest : public GlTest {
+ protected:
+  void SetUp() override {
+    auto made = Viewer::create();
+    ASSERT_TRUE(made.has_value()) << made.error().message;
+    viewer_ = std::make_unique<Viewer>(std::move(*made));
+    viewer_->resize(kWidth, kHeight);
+    camera_.setViewport(kWidth, kHeight);
+    canvas_ = gl::Texture(kWidth, kHeight, gl::Format::RGBA32F);
+    const gl::Texture* const colours[] = {&canvas_};
+    auto target = gl::Framebuffer::create(colours, false);
+    ASSERT_TRUE(target.has_value());
+    target_ = std::move(*target);
+  }
+  void show(const Mesh& mesh) {
+    const DisplayMesh display = splitAtCreases(mesh);
+    viewer_->setMesh(std::make_shared<GpuMesh>(display.mesh, display.normals));
+    camera_.setScene(boundingBox(mesh));
+    camera_.fitFromDefaultSide();
+  }
+  bool draw(double nowMs) {
+    const auto more = viewer_->draw(camera_.view(), nowMs, &target_);
+    EXPECT_TRUE(more.has_value());
+    return more.value_or(false);
+  }
+  /// The refined picture.
+  Picture refined() {
+    double now = clock_;
+    int frames = 0;
+    while (draw(now += 200) && frames < 100) ++frames;
+    EXPECT_LT(frames, 100);
+    clock_ = now + 1000;
+    return {target_.readRgba()};
+  }
+  std::unique_ptr<Viewer> viewer_;
+  OrbitCamera camera_;
+  gl::Texture canvas_;
+  gl::Framebuffer target_;
+  double clock_ = 0;
+};
+
+TEST_F(ViewerTest, TheThreeVisibleFacesOfABoxDifferAndTheUpperIsBrightest) {
+  show(shapes::box({40, 40, 40}));
+  const Picture picture = refined();
+  const double top = picture.brightness(camera_.toScreen({0, 0, 20}));
+  const double front = picture.brightness(camera_.toScreen({0, -20, 0}));
+  const double side = picture.brightness(camera_.toScreen({20, 0, 0}));
+  EXPECT_GT(top, front + 0.03);
+  EXPECT_GT(top, side + 0.03);
+  EXPECT_GT(std::abs(front - side), 0.02);
+}
+
+TEST_F(ViewerTest, TheBackgroundFollowsTheTheme) {
+  show(shapes::box({40, 40, 40}));
+  const double light = refined().brightness({2, 2});
+  viewer_->setTheme(true);
+  const double dark = refined().brightness({2, 2});
+  EXPECT_GT(light, 0.75);
+  EXPECT_LT(dark, 0.3);
+}
+
+TEST_F(ViewerTest, OcclusionDarkensAConcaveCornerAndLeavesTheOpenPlateAlone) {
+  // A plate with a step: the corner at the step's foot sees little more than half the sky; what the step reflects
+  // gives back most of what it hides.
+  show(shapes::plate({80, 80}, 5, 160, 4, [](double x, double) { return x < 0 ? 5.0 : 0.0; }));
+  camera_.orbit(0, 30);
+  const Picture picture = refined();
+  const double open = picture.brightness(camera_.toScreen({30, 0, 0}));
+  const double corner = picture.brightness(camera_.toScreen({1.2, 0, 0}));
+  EXPECT_LT(corner, open * 0.93);
+  EXPECT_NEAR(picture.brightness(camera_.toScreen({30, 20, 0})), open, 0.02);
+}
+
+/// A print that moves over a finished picture is drawn in its own box alone.
+TEST_F(ViewerTest, PrintsThatMoveLookTheSameAsIfTheWholePictureWereDrawnWithThem) {
+  const Mesh mesh = shapes::bumpySphere(30, 2, 4, 5);
+  show(mesh);
+  const GpuMesh seen(mesh, vertexNormals(mesh));
+  auto pass = GeometryPass::create();
+  ASSERT_TRUE(pass.has_value());
+  const auto printAt = [&](Vec3 direction, bool withReach) {
+    SurfacePrint print;
+    const auto hit = firstHit(mesh, direction * 100.0, -direction);
+    EXPECT_TRUE(hit.has_value());
+    print.frame = makeFrame(hit->position, direction, {0, 0, 1}, 250);
+    print.edgeMm = 24;
+    print.size = 2;
+    print.ink = {255, 0, 0, 255};
+    if (!withReach) return print;
+    auto reach = lookAround(lookByRendering(*pass, seen), print.frame, {50, 96});
+    EXPECT_TRUE(reach.has_value());
+    print.reach = std::make_shared<const EyeReach>(std::move(*reach));
+    return print;
+  };
+  for (int k = 0; k < 6; ++k) {
+    const double angle = k * 1.1;
+    const Vec3 towards = glm::normalize(Vec3(std::cos(angle), std::sin(angle), 0.3 * k - 0.7));
+    const Vec3 beside = glm::normalize(towards + Vec3(0, 0.3, 0.4));
+    camera_.orbit(60.0 * k, 25);
+    viewer_->setPrint(printAt(towards, k % 2 == 0));
+    viewer_->setGhost(std::nullopt);
+    refined();
+    viewer_->setGhost(printAt(beside, k % 3 != 0));
+    draw(clock_ += 1);
+    if (k % 2 == 1) {  // the other print moves
+      viewer_->setGhost(std::nullopt);
+      draw(clock_ += 1);
+      viewer_->setPrint(printAt(beside, true));
+      draw(clock_ += 1);
+    }
+    const Picture moved{target_.readRgba()};
+    ASSERT_TRUE(viewer_->draw(camera_.view(), clock_ += 1, &target_, true).has_value());
+    const Picture whole{target_.readRgba()};
+    double different = 0;
+    for (std::size_t i = 0; i < whole.rgba.size(); ++i)
+      different = std::max<double>(different, std::abs(moved.rgba[i] - whole.rgba[i]));
+    EXPECT_LT(different, 2.0 / 255) << k;  // the picture is kept in bytes, with and without the other print
+  }
+}
+
+TEST_F(ViewerTest, APrintsBoxIsNoLargerThanItMustBe) {
+  show(shapes::box({60, 60, 20}));
+  camera_.orbit(0, 400);  // from above
+  SurfacePrint print;
+  print.frame = makeFrame({0, 0, 10}, {0, 0, 1}, {0, 1, 0}, 250);
+  print.edgeMm = 20;
+  auto reach = std::make_shared<EyeReach>();
+  reach->frame = print.frame;
+  reach->window = {40, 64};
+  reach->texels.assign(4 * 64 * 64, 0.0f);
+  print.reach = reach;
+  const PixelBox box = printBounds(print, camera_.view(), kWidth, kHeight);
+  Vec2 low(1e9), high(-1e9);
+  for (const Vec3 corner : {Vec3(10, 10, 10), Vec3(-10, 10, 10), Vec3(-10, -10, 10), Vec3(10, -10, 10)}) {
+    low = glm::min(low, camera_.toScreen(corner));
+    high = glm::max(high, camera_.toScreen(corner));
+  }
+  EXPECT_GE(box.width, high.x - low.x);
+  EXPECT_LE(box.width, high.x - low.x + 24);
+  EXPECT_GE(box.height, high.y - low.y);
+  EXPECT_LE(box.height, high.y - low.y + 24);
+  print.frame = makeFrame({0, 0, 1000}, {0, 0, 1}, {0, 1, 0}, 250);  // behind the camera
+  EXPECT_EQ(printBounds(print, camera_.view(), kWidth, kHeight), (PixelBox{0, 0, kWidth, kHeight}));
+}
+
+TEST_F(ViewerTest, ThePrintShowsItsInkWhereTheProjectionCarriesIt) {
+  show(shapes::box({60, 60, 20}));
+  camera_.orbit(0, 400);  // from above
+  SurfacePrint print;
+  print.frame = makeFrame({0, 0, 10}, {0, 0, 1}, {0, 1, 0}, 250);
+  print.edgeMm = 40;
+  print.size = 2;
+  print.ink = {255, 0,  // upper left, seen by the reader, is dark
+               0, 0};
+  viewer_->setPrint(print);
+  const Picture with = refined();
+  const double ink = with.brightness(camera_.toScreen({-10, 10, 10}));
+  for (const Vec3 paper : {Vec3(10, 10, 10), Vec3(-10, -10, 10), Vec3(10, -10, 10)})
+    EXPECT_GT(with.brightness(camera_.toScreen(paper)), ink + 0.4);
+  const double plain = with.brightness(camera_.toScreen({26, 0, 10}));
+  EXPECT_GT(with.brightness(camera_.toScreen({10, 10, 10})), plain + 0.03);
+
+  viewer_->setPrint(std::nullopt);
+  EXPECT_GT(refined().brightness(camera_.toScreen({-10, 10, 10})), ink + 0.3);
+}
+
+TEST_F(ViewerTest, ThePrintIsOnlyOnFacetsTowardsTheReader) {
+  show(shapes::box({60, 60, 20}));
+  SurfacePrint print;
+  print.frame = makeFrame({0, 0, 10}, {0, 0, 1}, {0, 1, 0}, 250);
+  print.edgeMm = 80;  // over the edges, where the sides begin
+  print.size = 1;
+  print.ink = {255};
+  const Vec2 front = camera_.toScreen({0, -30, 0});
+  const double before = refined().brightness(front);
+  viewer_->setPrint(print);
+  const Picture with = refined();
+  EXPECT_NEAR(with.brightness(front), before, 0.01);
+  EXPECT_LT(with.brightness(camera_.toScreen({0, 0, 10})), 0.35);
+}
+
+TEST_F(ViewerTest, WhatOfAPrintIsNotReachedHasTheWarningColourOnAndBesideTheModel) {
+  show(shapes::box({60, 60, 20}));
+  camera_.orbit(0, 400);  // from above
+  auto reach = std::make_shared<EyeReach>();
+  reach->frame = makeFrame({20, 0, 10}, {0, 0, 1}, {0, 1, 0}, 250);
+  reach->window = {60, 64};
+  for (int row = 0; row < 64; ++row) {
+    for (int column = 0; column < 64; ++column) {
+      const double x = 20 + reach->window.planePoint(column, row).x;
+      const bool isMet = x < 30;
+      for (const float value : {isMet ? 0.0f : EyeReach::kNothing, x < 25 ? 1.0f : 0.0f, 0.0f, 0.0f})
+        reach->texels.push_back(value);
+    }
+  }
+  SurfacePrint print;
+  print.frame = reach->frame;
+  print.edgeMm = 40;
+  print.size = 1;
+  print.ink = {255};
+  print.reach = reach;
+  viewer_->setPrint(print);
+  const Picture picture = refined();
+  EXPECT_LT(picture.brightness(camera_.toScreen({15, 5, 10})), 0.35);  // reached: ink
+  for (const Vec3 missing : {Vec3(28, 5, 10), Vec3(35, 5, 10)}) {      // on the model, and over its edge
+    const Vec3 colour = picture.at(camera_.toScreen(missing));
+    EXPECT_GT(colour.x, colour.z + 0.1) << missing.x;
+  }
+}
+
+TEST_F(ViewerTest, AGhostIsFainterThanAPrintAndLeavesTheRefinedPictureAsItIs) {
+  show(shapes::box({60, 60, 20}));
+  camera_.orbit(0, 400);
+  const Vec2 inside = camera_.toScreen({0, 0, 10}), outside = camera_.toScreen({25, 25, 10});
+  const Picture plain = refined();
+  const int samples = viewer_->statistics().samples;
+  SurfacePrint print;
+  print.frame = makeFrame({0, 0, 10}, {0, 0, 1}, {0, 1, 0}, 250);
+  print.edgeMm = 20;
+  print.size = 1;
+  print.ink = {255};
+  viewer_->setGhost(print);
+  EXPECT_FALSE(draw(clock_ + 1));
+  const Picture ghost{target_.readRgba()};
+  EXPECT_EQ(viewer_->statistics().samples, samples);
+  EXPECT_NEAR(ghost.brightness(outside), plain.brightness(outside), 1.0 / 255);
+  viewer_->setGhost(std::nullopt);
+  viewer_->setPrint(print);
+  EXPECT_FALSE(draw(clock_ + 2));
+  const Picture printed{target_.readRgba()};
+  EXPECT_LT(printed.brightness(inside), ghost.brightness(inside) - 0.05);
+  EXPECT_LT(ghost.brightness(inside), plain.brightness(inside) - 0.1);
+}
+
+TEST_F(ViewerTest, ACutShowsASolidSectionInItsColour) {
+  show(shapes::box({60, 60, 20}));
+  viewer_->setCut(CuttingPlane{{0, 0, 0}, {0, -1, 0}});  // the half towards the front goes
+  const Picture picture = refined();
+  const Vec3 section = picture.at(camera_.toScreen({0, 0, 0}));
+  EXPECT_GT(section.x, section.z + 0.15);
+  const Vec3 beyond = picture.at(camera_.toScreen({0, 15, 10}));  // the upper side behind the cut
+  EXPECT_NEAR(beyond.x, beyond.z, 0.12);
+  const Vec2 gone = camera_.toScreen({0, -29, -9});
+  viewer_->setCut(std::nullopt);
+  EXPECT_GT(std::abs(refined().brightness(gone) - picture.brightness(gone)), 0.1);
+}
+
+TEST_F(ViewerTest, OnlyValuesAboveZeroAreColouredWhereThatIsAsked) {
+  const DisplayMesh display = splitAtCreases(shapes::box({40, 40, 40}));
+  auto mesh = std::make_shared<GpuMesh>(display.mesh, display.normals);
+  std::vector<float> values(display.normals.size(), 0);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (display.normals[i].z > 0.5f) values[i] = 1;
+  mesh->setValues(values);
+  viewer_->setMesh(mesh);
+  camera_.setScene(mesh->box());
+  camera_.fitFromDefaultSide();
+  const Picture plain = refined();
+  viewer_->showHeat(HeatShown::AboveZero);
+  const Picture heat = refined();
+  const Vec3 top = heat.at(camera_.toScreen({0, 0, 20}));
+  EXPECT_GT(top.x, top.z + 0.4);  // yellow
+  const Vec2 front = camera_.toScreen({0, -20, 0});
+  EXPECT_NEAR(heat.brightness(front), plain.brightness(front), 0.01);
+}
+
+TEST_F(ViewerTest, TheRayThroughAPixelMeetsTheSurfaceThatThePixelShows) {
+  const Mesh sphere = shapes::icosphere(30, 5);
+  show(sphere);
+  viewer_->setMarker(Vec3(0, 0, 30));
+  const Picture picture = refined();
+  const Vec2 marked = camera_.toScreen({0, 0, 30});
+  const Vec3 colour = picture.at(marked);
+  EXPECT_GT(colour.z, colour.x + 0.2);  // the marker is blue
+  const Ray ray = camera_.ray(marked.x, marked.y);
+  const auto hit = firstHit(sphere, ray.origin, ray.direction);
+  ASSERT_TRUE(hit.has_value());
+  EXPECT_LT(glm::length(hit->position - Vec3(0, 0, 30)), 0.05);
+}
+
+TEST_F(ViewerTest, TheInsideOfAnOpenModelIsReddish) {
+  Mesh open = shapes::box({40, 40, 40});
+  open.triangles.erase(open.triangles.begin() + 2, open.triangles.begin() + 4);  // the upper side
+  show(open);
+  camera_.orbit(0, 1000);
+  const Vec3 colour = refined().at(camera_.toScreen({0, 0, -20}));
+  EXPECT_GT(colour.x, 1.3 * colour.z);
+}
+
+TEST_F(ViewerTest, RefinementWaitsUntilTheCameraRestsAndThenEnds) {
+  show(shapes::box({40, 40, 40}));
+  EXPECT_TRUE(draw(0));
+  EXPECT_TRUE(draw(50));
+  EXPECT_EQ(viewer_->statistics().samples, 0);
+  camera_.orbit(5, 0);
+  EXPECT_TRUE(draw(130));
+  EXPECT_TRUE(draw(200));
+  EXPECT_EQ(viewer_->statistics().samples, 0);
+  EXPECT_TRUE(draw(260));
+  EXPECT_EQ(viewer_->statistics().samples, 1);
+  EXPECT_EQ(viewer_->statistics().width, kWidth);
+  int frames = 1;
+  double now = 300;
+  while (draw(now += 10) && frames < 100) ++frames;
+  EXPECT_EQ(viewer_->statistics().samples, ViewQuality{}.stillSamples);
+  EXPECT_FALSE(draw(now + 10));
+  camera_.orbit(5, 0);
+  EXPECT_TRUE(draw(now + 20));
+  EXPECT_EQ(viewer_->statistics().width, kWidth / 2);
+}
+
+TEST_F(ViewerTest, SlowFramesInMotionLowerTheResolution) {
+  show(shapes::box({40, 40, 40}));
+  for (double now = 0; now < 2000; now += 100) {
+    camera_.orbit(1, 0);
+    draw(now);
+  }
+  EXPECT_EQ(viewer_->statistics().width, static_cast<int>(std::lround(0.4 * kWidth)));
+  EXPECT_NEAR(viewer_->statistics().coarseFrameMs, 100, 1);
+}
+
+TEST_F(ViewerTest, FastFramesInMotionRaiseTheResolutionAgainUpToWhereItBegan) {
+  show(shapes::box({40, 40, 40}));
+  double now = 0;
+  const auto move = [&](double intervalMs, int frames) {
+    for (int i = 0; i < frames; ++i) {
+      camera_.orbit(1, 0);
+      draw(now += intervalMs);
+    }
+  };
+  move(100, 20);
+  EXPECT_LT(viewer_->statistics().width, kWidth / 2);
+  move(10, 100);
+  EXPECT_EQ(viewer_->statistics().width, kWidth / 2);
+}
+
+TEST_F(ViewerTest, ACanvasTooLargeIsDrawnCoarserButFilled) {
+  show(shapes::box({40, 40, 40}));
+  viewer_->resize(2000, 1600);
+  double now = 0;
+  while (draw(now += 200)) {
+  }
+  EXPECT_LE(viewer_->statistics().width * viewer_->statistics().height, 1.01 * ViewQuality{}.mostPixels);
+  EXPECT_NEAR(static_cast<double>(viewer_->statistics().width) / viewer_->statistics().height, 1.25, 0.01);
+}
+
+TEST_F(ViewerTest, WithoutAModelOnlyTheBackgroundIsDrawn) {
+  const Picture picture = refined();
+  EXPECT_NEAR(picture.brightness({10, 90}), picture.brightness({200, 90}), 0.01);
+}
+
+}  // namespace
+}  // namespace qrelief

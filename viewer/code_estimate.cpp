@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "viewer/code_estimate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace qrelief {
+namespace {
+
+constexpr double kFirstShare = 0.15;  // of the model's diagonal: size that is sampled first, as PlacementSearch does
+constexpr double kMuchSmaller = 0.6;  // a size below this share of the one sampled is sampled again
+constexpr int kRounds = 2;
+constexpr int kDirectionTexels = 48;
+constexpr int kDirectionSamples = 256;
+constexpr int kDirectionLooks = 3, kQuickDirectionLooks = 1;
+constexpr int kReachTexels = 128;
+constexpr double kReachMargin = 1.05;
+constexpr double kAhead = 1.25;  // room for a code that is larger than expected
+constexpr int kTurns = 18;       // that are tried for the best rotation, over a quarter turn
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+/// @param mostLooks  that the direction may take
+Result<Vec3> directionAt(const EngravableModel& model, const SurfaceLook& look, const SurfacePoint& centre,
+                         double sizeMm, int mostLooks, const PlacementRequest& request) {
+  if (request.direction) return *request.direction;
+  DirectionOptions options;
+  options.method =
+      request.directionMethod == DirectionMethod::Optimal ? DirectionMethod::DepthBalanced : request.directionMethod;
+  options.sizeMm = sizeMm;
+  options.samples = kDirectionSamples;
+  options.mapTexels = kDirectionTexels;
+  DirectionSearch search(look, centre.position, triangleNormal(model.prepared.mesh, centre.triangle), request.upHint,
+                         request.eyeDistanceMm, options);
+  for (int i = 0; i < mostLooks; ++i) {
+    const Result<bool> found = search.step();
+    if (!found) return tl::unexpected(found.error());
+    if (*found) break;
+  }
+  return search.normal();
+}
+
+double bestTurn(const EyeReach& reach) {
+  double best = 0, largest = reach.alignedMm(0);
+  for (int i = 1; i < kTurns; ++i) {
+    const double turn = (i * 90.0 / kTurns - (2 * i > kTurns ? 90 : 0)) * kDegree;
+    const double fits = reach.alignedMm(turn);
+    if (fits <= largest) continue;
+    largest = fits;
+    best = turn;
+  }
+  return best;
+}
+
+/// @param room   edge of the largest symbol that the map has room for at every rotation, mm
+/// @param looks  renderings that each direction may take
+Result<CodeEstimate> estimateWithin(double room, double sampled, int looks, const EngravableModel& model,
+                                    const SurfaceLook& look, const SurfacePoint& centre, int modules,
+                                    const PlacementRequest& request) {
+  const bool isFixed = request.sizeMode == SizeMode::Fixed;
+  const double outer = roomFactor(modules, request.quietZone);
+  const double most = isFixed ? request.sizeMm : request.maxSizeMm;
+  const MapWindow window{kReachMargin * std::numbers::sqrt2 * outer * room, kReachTexels};
+  CodeEstimate estimate;
+  for (int round = 0; round < kRounds; ++round) {
+    const auto normal = directionAt(model, look, centre, sampled, looks, request);
+    if (!normal) return tl::unexpected(normal.error());
+    const ProjectionFrame upright = makeFrame(centre.position, *normal, request.upHint, request.eyeDistanceMm);
+    auto reach = lookAround(look, upright, window);
+    if (!reach) return tl::unexpected(reach.error());
+    double turn = request.rotateDeg * kDegree;
+    if (request.sizeMode == SizeMode::Best) turn += bestTurn(*reach);
+    const double free = reach->freeMm() / outer;
+    estimate.frame = turned(upright, turn);
+    estimate.rotationDeg = turn / kDegree;
+    estimate.guaranteedMm = std::min(free, most);
+    estimate.symbolMm = isFixed                              ? most
+                        : request.sizeMode == SizeMode::Free ? estimate.guaranteedMm
+                                                             : std::min(most, reach->alignedMm(turn) / outer);
+    estimate.missingShare = isFixed ? reach->missingShare(most * outer, turn) : 0;
+    estimate.reach = std::make_shared<const EyeReach>(std::move(*reach));
+    if (isFixed || request.direction || estimate.symbolMm >= kMuchSmaller * sampled || estimate.symbolMm <= 0) break;
+    sampled = estimate.symbolMm;
+  }
+  return estimate;
+}
+
+}  // namespace
+
+Result<CodeEstimate> estimateCode(const EngravableModel& model, const SurfaceLook& look, const SurfacePoint& centre,
+                                  int modules, const PlacementRequest& request, std::optional<double> expectedMm) {
+  if (request.sizeMode == SizeMode::Fixed)
+    return estimateWithin(request.sizeMm, request.sizeMm, expectedMm ? kQuickDirectionLooks : kDirectionLooks, model,
+                          look, centre, modules, request);
+  const double diagonal = model.gpu.box().diagonal();
+  const double most = std::min(request.maxSizeMm, diagonal);
+  if (expectedMm && kAhead * *expectedMm < most) {
+    auto near =
+        estimateWithin(kAhead * *expectedMm, *expectedMm, kQuickDirectionLooks, model, look, centre, modules, request);
+    if (!near || std::max(near->guaranteedMm, near->symbolMm) < kAhead * *expectedMm) return near;
+  }
+  return estimateWithin(most, std::min(request.maxSizeMm, kFirstShare * diagonal), kDirectionLooks, model, look, centre,
+                        modules, request);
+}
+
+}  // namespace qrelief

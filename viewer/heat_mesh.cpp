@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "viewer/heat_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "viewer/display_mesh.h"
+
+namespace qrelief {
+namespace {
+
+constexpr int kMostRounds = 12;
+
+/// Each vertex takes the mean of itself and its neighbours.
+void smooth(const Mesh& mesh, std::vector<float>& values, int rounds) {
+  std::vector<float> sum(values.size()), count(values.size());
+  for (int round = 0; round < rounds; ++round) {
+    sum = values;
+    std::fill(count.begin(), count.end(), 1.0f);
+    for (const Triangle& t : mesh.triangles) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        sum[t[k]] += values[t[(k + 1) % 3]] + values[t[(k + 2) % 3]];
+        count[t[k]] += 2;
+      }
+    }
+    for (std::size_t v = 0; v < values.size(); ++v) values[v] = sum[v] / count[v];
+  }
+}
+
+}  // namespace
+
+GpuMesh heatMesh(const Mesh& model, const PlacementMap& map, double topMm) {
+  const Mesh& shown = map.isCoarser ? model : map.mesh;
+  std::vector<float> values(shown.positions.size());
+  for (std::size_t v = 0; v < values.size(); ++v)
+    values[v] = map.sizeMm[map.isCoarser ? map.vertexOf[v] : v] / static_cast<float>(topMm);
+  // A round carries values over one edge; so many model edges lie in one of the map.
+  const double edges = std::sqrt(static_cast<double>(values.size()) / static_cast<double>(map.sizeMm.size()));
+  smooth(shown, values, std::min(kMostRounds, 1 + static_cast<int>(std::ceil(edges))));
+
+  const DisplayMesh display = splitAtCreases(shown);
+  std::vector<float> displayed(display.mesh.positions.size(), 0.0f);
+  for (std::size_t t = 0; t < shown.triangles.size(); ++t)
+    for (std::size_t k = 0; k < 3; ++k) displayed[display.mesh.triangles[t][k]] = values[shown.triangles[t][k]];
+  GpuMesh mesh(display.mesh, display.normals);
+  mesh.setValues(displayed);
+  return mesh;
+}
+
+}  // namespace qrelief

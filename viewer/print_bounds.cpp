@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "viewer/print_bounds.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace qrelief {
+namespace {
+
+constexpr double kMostHeight = 0.75;    // as in view_print.frag
+constexpr double kOutlineShare = 0.1;   // at most, of the edge: two and a half pixels of at most 0.02 on either side
+constexpr double kMarginPx = 4;         // for pixels at a contour, which reach farther
+constexpr double kToleranceTexels = 2;  // of the reach: what is a little lower counts as seen, too
+constexpr double kNearest = 0.02;       // of the camera's distance: what comes nearer may be anywhere on the canvas
+
+struct Range {
+  double low = 0, high = 0;  // the plane itself is drawn where nothing takes the print
+};
+
+Range heightsUnder(const SurfacePrint& print) {
+  const double most = kMostHeight * print.edgeMm;
+  if (!print.reach) return {-most, most};
+  const EyeReach& reach = *print.reach;
+  const double texelMm = reach.window.texelMm();
+  const double radius = (1 + kOutlineShare) * print.edgeMm / std::numbers::sqrt2 + 2 * texelMm;
+  if (radius > reach.window.extentMm / 2) return {-most, most};
+  Range heights;
+  for (int row = 0; row < reach.window.texels; ++row) {
+    for (int column = 0; column < reach.window.texels; ++column) {
+      if (glm::length(reach.window.planePoint(column, row)) > radius) continue;
+      const auto i = 4 * static_cast<std::size_t>(row * reach.window.texels + column);
+      const auto height = static_cast<double>(reach.texels[i]);
+      if (height <= static_cast<double>(EyeReach::kNothing)) return {-most, most};  // a contour: too coarse to tell
+      const double slope = std::hypot(reach.texels[i + 2], reach.texels[i + 3]);
+      const double margin = kToleranceTexels * (1 + slope) * texelMm;
+      heights.low = std::min(heights.low, height - margin);
+      heights.high = std::max(heights.high, height + margin);
+    }
+  }
+  return {std::max(heights.low, -most), std::min(heights.high, most)};
+}
+
+}  // namespace
+
+PixelBox printBounds(const SurfacePrint& print, const CameraView& camera, int width, int height) {
+  const PixelBox all{0, 0, width, height};
+  const ProjectionFrame& frame = print.frame;
+  const Range heights = heightsUnder(print);
+  Vec2 low(std::numeric_limits<double>::infinity()), high = -low;
+  for (const double above : {heights.low, heights.high}) {
+    const double scale = (frame.eyeDistance - above) / frame.eyeDistance;
+    if (scale <= 0) return all;
+    for (int corner = 0; corner < 4; ++corner) {
+      const Vec2 onPlane =
+          Vec2(corner & 1 ? 0.5 : -0.5, corner & 2 ? 0.5 : -0.5) * ((1 + kOutlineShare) * print.edgeMm * scale);
+      const Vec3 point = frame.onPlane(onPlane) + frame.normal * above - camera.target;
+      const double ahead = camera.distance - glm::dot(point, camera.back);
+      if (ahead < kNearest * camera.distance) return all;
+      const Vec2 ndc = Vec2(glm::dot(point, camera.right), glm::dot(point, camera.up)) / (ahead * camera.tanHalf);
+      const Vec2 pixel = (ndc + 1.0) / 2.0 * Vec2(width, height);
+      low = glm::min(low, pixel);
+      high = glm::max(high, pixel);
+    }
+  }
+  const auto clamped = [](double at, int most) { return static_cast<int>(std::clamp(at, 0.0, double(most))); };
+  const int x = clamped(std::floor(low.x - kMarginPx), width), y = clamped(std::floor(low.y - kMarginPx), height);
+  return {x, y, clamped(std::ceil(high.x + kMarginPx), width) - x, clamped(std::ceil(high.y + kMarginPx), height) - y};
+}
+
+}  // namespace qrelief
