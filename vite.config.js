@@ -3,7 +3,7 @@ import { existsSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
 import { offline } from './web/offline/build_plugin.js';
-import { fillTexts } from './web/text/fill.js';
+import { fillTexts } from './web/i18n/fill.js';
 
 const root = fileURLToPath(new URL('.', import.meta.url));
 const moduleFolder = process.env.QRELIEF_WASM_DIR ?? `${root}build/wasm/wasm`;

@@ -22,7 +22,7 @@ const char* translated(const char* english);
 std::vector<const char*> translated(std::span<const char* const> english);
 
 /// A translated text with values in it. Its places are checked when it is compiled, those of the translations by a test
-/// (web/text/inspector_texts.test.js).
+/// (web/i18n/inspector_texts.test.js).
 template <class... Args>
 std::string phrase(fmt::format_string<Args...> english, Args&&... args) {
   const fmt::string_view text = english;

@@ -2,11 +2,11 @@
 // Ties the panels, the view, the parts of the session and the engine together.
 import { EngineClient } from './engine/client.js';
 import { EngineFailure, describeThrown } from './engine/engine_error.js';
-import { holdsSecret } from './code/secrets.js';
-import { Continuing } from './keep/continuing.js';
-import { Database } from './keep/database.js';
-import { LastWork } from './keep/last_work.js';
-import { prepareReader } from './reader/reader.js';
+import { holdsSecret } from './contents/secrets.js';
+import { Continuing } from './storage/continuing.js';
+import { Database } from './storage/database.js';
+import { LastWork } from './storage/last_work.js';
+import { prepareReader } from './decoder/reader.js';
 import { Carving } from './session/carving.js';
 import { fetchJson } from './session/fetch_file.js';
 import { Inspecting } from './session/inspecting.js';
@@ -18,11 +18,11 @@ import { Recovery } from './session/recovery.js';
 import { SpotFinding } from './session/spot_finding.js';
 import { Undo } from './session/undo.js';
 import { settingsByHandles } from './session/work.js';
-import { rememberFormat } from './take/format_choice.js';
-import { looksLikeSettings } from './take/settings_file.js';
-import { TakePanel } from './take/take_panel.js';
-import { Taking } from './take/taking.js';
-import { text } from './text/catalogue.js';
+import { rememberFormat } from './export/format_choice.js';
+import { looksLikeSettings } from './export/settings_file.js';
+import { TakePanel } from './export/take_panel.js';
+import { Taking } from './export/taking.js';
+import { text } from './i18n/catalogue.js';
 import { CarvePanel } from './ui/carve_panel.js';
 import { CodePanel } from './ui/code_panel.js';
 import { byId } from './ui/dom.js';
@@ -45,7 +45,7 @@ import { ViewTools } from './view/view_tools.js';
 const kAsked = ['sample', 'text', 'engrave'];  // in the address
 
 export class App {
-  /** @param {import('./keep/notices.js').Notices} notices */
+  /** @param {import('./storage/notices.js').Notices} notices */
   constructor(notices) {
     offerLanguages();
     rememberFormat(byId('format', HTMLSelectElement));
@@ -214,7 +214,7 @@ export class App {
       onSaveReport: () => this.guard_(() => this.carving_.saveReport()),
       onRemedy: (remedy, label) => this.guard_(() => this.remedy_(remedy, label)),
       onTryViews: async (...options) => {
-        /** @type {import('./check/view_trials.js').Trials | undefined} */ let trials;
+        /** @type {import('./verdict/view_trials.js').Trials | undefined} */ let trials;
         await this.guard_(async () => {
           trials = await this.carving_.tryViews(...options);
         });
@@ -250,7 +250,7 @@ export class App {
     });
   }
 
-  /** @param {import('./keep/notices.js').Notices} notices */
+  /** @param {import('./storage/notices.js').Notices} notices */
   makeContinuing_(notices) {
     return new Continuing({
       last: new LastWork(new Database(), holdsSecret), notices,
@@ -259,7 +259,7 @@ export class App {
     });
   }
 
-  /** @returns {import('./keep/last_work.js').Work | undefined} */
+  /** @returns {import('./storage/last_work.js').Work | undefined} */
   currentWork_() {
     const { source } = this.model_;
     if (!source) return undefined;
@@ -267,7 +267,7 @@ export class App {
     return { ...(sampleId ? { sampleId } : { bytes }), fileName, scaleToMm, upAxis, centreMm, text: this.code_.text, values: this.form_.values };
   }
 
-  /** @param {import('./keep/last_work.js').Work} work */
+  /** @param {import('./storage/last_work.js').Work} work */
   async continueWith_({ text: content, values, sampleId, bytes, ...place }) {
     this.write_({ text: content ?? this.code_.text, values });
     if (sampleId) await this.model_.openSample(sampleId, place);
@@ -393,7 +393,7 @@ export class App {
     await this.placing_.place();
   }
 
-  /** @param {import('./check/remedies.js').Remedy} remedy @param {string} label */
+  /** @param {import('./verdict/remedies.js').Remedy} remedy @param {string} label */
   async remedy_(remedy, label) {
     if (remedy.kind === 'spot') return this.spots_.suggest();
     this.write_({ text: this.code_.text, values: { ...this.form_.values, [remedy.control]: remedy.value } });

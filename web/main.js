@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { App } from './app.js';
-import { Notices } from './keep/notices.js';
+import { Notices } from './storage/notices.js';
 import { keepOffline } from './offline/updates.js';
-import { text } from './text/catalogue.js';
+import { text } from './i18n/catalogue.js';
 import { byId } from './ui/dom.js';
 
 const notices = new Notices(byId('stage', HTMLElement));

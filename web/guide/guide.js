@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { currentLanguage, onLanguage, text } from '../text/catalogue.js';
+import { currentLanguage, onLanguage, text } from '../i18n/catalogue.js';
 import { byId, make } from '../ui/dom.js';
 import { openArticle } from './article.js';
 import { kSizes, widthMm } from './sizes.js';

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Computes the page's pictures: one sample, carved by the app's own engine, looked at step by step.
-import { pixelsPerModule } from '../check/view_trials.js';
+import { pixelsPerModule } from '../verdict/view_trials.js';
 import { EngineClient } from '../engine/client.js';
 import { describeThrown } from '../engine/engine_error.js';
 import { openArticle } from '../guide/article.js';
-import { readAll } from '../reader/reader.js';
+import { readAll } from '../decoder/reader.js';
 import { fetchBytes, fetchJson } from '../session/fetch_file.js';
-import { currentLanguage, text } from '../text/catalogue.js';
-import { write } from '../text/live.js';
-import { stageText } from '../text/stages.js';
+import { currentLanguage, text } from '../i18n/catalogue.js';
+import { write } from '../i18n/live.js';
+import { stageText } from '../i18n/stages.js';
 import { byId, make } from '../ui/dom.js';
 import { View } from '../view/view.js';
 import { paintDepths, paintHeights, paintLight, paintNormals } from './colours.js';
 
-/** @typedef {import('../text/live.js').Words} Words */
+/** @typedef {import('../i18n/live.js').Words} Words */
 
 const kText = 'https://en.wikipedia.org/wiki/QR_code';
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Carves the code, reads it back, and hands out what came of it.
-import { deeperPreset } from '../check/remedies.js';
-import { pixelsPerModule, tryViews } from '../check/view_trials.js';
-import { kReaderName, prepareReader, readAll, reads } from '../reader/reader.js';
-import { fileNameOf } from '../take/file_names.js';
-import { text } from '../text/catalogue.js';
+import { deeperPreset } from '../verdict/remedies.js';
+import { pixelsPerModule, tryViews } from '../verdict/view_trials.js';
+import { kReaderName, prepareReader, readAll, reads } from '../decoder/reader.js';
+import { fileNameOf } from '../export/file_names.js';
+import { text } from '../i18n/catalogue.js';
 import { saveFile } from '../ui/save_file.js';
 
 import { sameWork } from './work.js';
@@ -139,7 +139,7 @@ export class Carving {
     this.onStart_();
     const asked = this.work_();
     let made = asked;
-    /** @type {{ reading: import('../reader/reader.js').Reading, made: Work, number: number } | undefined} */ let unread;
+    /** @type {{ reading: import('../decoder/reader.js').Reading, made: Work, number: number } | undefined} */ let unread;
     prepareReader();
     for (;;) {
       const reading = await this.carveOnce_(signal, overrides !== undefined);
@@ -166,7 +166,7 @@ export class Carving {
 
   /**
    * What is there when the carving that goes deeper is cancelled.
-   * @param {{ reading: import('../reader/reader.js').Reading, made: Work, number: number }} unread
+   * @param {{ reading: import('../decoder/reader.js').Reading, made: Work, number: number }} unread
    * @param {number} started
    */
   async keep_({ reading, made, number }, started) {
@@ -181,7 +181,7 @@ export class Carving {
   /**
    * @param {AbortSignal} signal
    * @param {boolean} withOverrides
-   * @returns {Promise<import('../reader/reader.js').Reading | undefined>}  none: cancelled
+   * @returns {Promise<import('../decoder/reader.js').Reading | undefined>}  none: cancelled
    */
   async carveOnce_(signal, withOverrides) {
     const finished = await this.client_.engrave({
@@ -196,7 +196,7 @@ export class Carving {
     return reading;
   }
 
-  /** @param {import('../reader/reader.js').Reading} reading @param {number} elapsedMs @param {Work} made */
+  /** @param {import('../decoder/reader.js').Reading} reading @param {number} elapsedMs @param {Work} made */
   async finish_(reading, elapsedMs, made) {
     await this.client_.setReadBack(reading.text, kReaderName);
     const [report, number] = await Promise.all([this.client_.report(), this.client_.carving()]);

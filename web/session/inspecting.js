@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Opens and closes the inspector. What it consists of, its part of the module and its texts, is loaded only then.
-import { onLanguage } from '../text/catalogue.js';
+import { onLanguage } from '../i18n/catalogue.js';
 
 /**
  * @typedef {object} InspectingOptions
@@ -58,7 +58,7 @@ export class Inspecting {
   }
 
   async translate_() {
-    const { inspectorTexts } = await import('../text/inspector_texts.js');
+    const { inspectorTexts } = await import('../i18n/inspector_texts.js');
     await this.client_().inspectorTexts(inspectorTexts());
   }
 }

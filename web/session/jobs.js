@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Long work, one at a time, with its progress and a way to stop it.
 import { isReplaced } from '../engine/client.js';
-import { text } from '../text/catalogue.js';
-import { stageText } from '../text/stages.js';
+import { text } from '../i18n/catalogue.js';
+import { stageText } from '../i18n/stages.js';
 
-/** @typedef {import('../text/live.js').Words} Words */
+/** @typedef {import('../i18n/live.js').Words} Words */
 
 /**
  * @typedef {object} JobsOptions

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The model: where it came from, so that it can be opened again, and what the module says of it.
 import { isReplaced } from '../engine/client.js';
-import { text } from '../text/catalogue.js';
+import { text } from '../i18n/catalogue.js';
 import { fetchBytes } from './fetch_file.js';
 
 /** @typedef {import('../engine/types.js').ModelInfo} ModelInfo */

@@ -2,8 +2,8 @@
 // Where the code is: its centre, chosen or proposed, and the direction and size that were found there.
 import { isReplaced } from '../engine/client.js';
 import { describeThrown, isFatal } from '../engine/engine_error.js';
-import { text } from '../text/catalogue.js';
-import { findingWords } from '../text/finding_words.js';
+import { text } from '../i18n/catalogue.js';
+import { findingWords } from '../i18n/finding_words.js';
 import { SettingProblem } from '../ui/settings_form.js';
 
 /** @typedef {import('../engine/types.js').Placement} Placement */

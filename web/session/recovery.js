@@ -2,7 +2,7 @@
 // Whatever goes wrong ends as words on the page; a module that is beyond use is replaced.
 import { isReplaced } from '../engine/client.js';
 import { describeThrown, isFatal } from '../engine/engine_error.js';
-import { text } from '../text/catalogue.js';
+import { text } from '../i18n/catalogue.js';
 
 /** @typedef {import('../engine/types.js').HostEvent} HostEvent */
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Looks for the best spots, and lets one be chosen.
 import { isReplaced } from '../engine/client.js';
-import { text } from '../text/catalogue.js';
+import { text } from '../i18n/catalogue.js';
 
 const kPicturePx = 84;  // height of a spot's picture
 const kPictureAspect = 1.5;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What will be carved, in one line.
-import { onLanguage, text } from '../text/catalogue.js';
+import { onLanguage, text } from '../i18n/catalogue.js';
 import { byId } from './dom.js';
 import { formatPlain } from './format.js';
 import { describeStep } from './steps.js';

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the code says: the text, the builders that write it, and the symbol it makes.
-import { ContentPanel } from '../code/content_panel.js';
-import { SymbolPanel } from '../code/symbol_panel.js';
-import { text } from '../text/catalogue.js';
+import { ContentPanel } from '../contents/content_panel.js';
+import { SymbolPanel } from '../contents/symbol_panel.js';
+import { text } from '../i18n/catalogue.js';
 import { byId } from './dom.js';
 import { showStep } from './steps.js';
 
@@ -120,9 +120,9 @@ export class CodePanel {
     this.changed_(content);
   }
 
-  /** Other ways in which the builder can write the same. @returns {import('../code/symbol_panel.js').Form[]} */
+  /** Other ways in which the builder can write the same. @returns {import('../contents/symbol_panel.js').Form[]} */
   otherForms_() {
-    /** @type {[string, import('../text/catalogue.js').Key][]} */
+    /** @type {[string, import('../i18n/catalogue.js').Key][]} */
     const forms = [['mecard', 'code.shorter.mecard'], ['event', 'code.shorter.event']];
     return forms.map(([form, key]) => ({ text: this.builder_.payloadAs(form), key, use: () => this.builder_.writeAs(form) }))
       .filter((form) => form.text !== '' && form.text !== this.content_);

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The measurements behind the verdict, and from where else the code reads, on demand.
-import { distanceMm, kForgivingDeg, kTrials, safeTiltDeg } from '../check/view_trials.js';
-import { onLanguage, text } from '../text/catalogue.js';
+import { distanceMm, kForgivingDeg, kTrials, safeTiltDeg } from '../verdict/view_trials.js';
+import { onLanguage, text } from '../i18n/catalogue.js';
 import { byId, make } from './dom.js';
 import { formatNumber, formatPercent, formatPlain } from './format.js';
 
 /** @typedef {import('../engine/types.js').Report} Report */
 /** @typedef {import('../engine/types.js').Grades} Grades */
-/** @typedef {import('../check/view_trials.js').Trials} Trials */
+/** @typedef {import('../verdict/view_trials.js').Trials} Trials */
 /** @typedef {(report: Report, onTrial: (done: number) => void, signal: AbortSignal) => Promise<Trials | undefined>} ViewTrier */
 
 const kLetters = ['F', 'D', 'C', 'B', 'A'];
@@ -101,7 +101,7 @@ function trialList({ tilts, leastPixels }, { size }) {
 /** @param {number} mm */
 const centimetres = (mm) => `${formatNumber(mm / 10)} cm`;
 
-/** @param {string} caption @param {Grades} grades @param {readonly (keyof typeof import('../text/parts/check.js').check.en)[]} parameters */
+/** @param {string} caption @param {Grades} grades @param {readonly (keyof typeof import('../i18n/parts/check.js').check.en)[]} parameters */
 function gradeTable(caption, grades, parameters) {
   const cells = (/** @type {'th' | 'td'} */ tag, /** @type {string[]} */ ...texts) => texts.map((words) => make(tag, { text: words }));
   const rows = parameters.map((name) => make('tr', {},

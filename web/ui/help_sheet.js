@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What keys, mouse and fingers do, on a sheet over the page.
-import { recall, remember } from '../take/remembered.js';
-import { onLanguage, text } from '../text/catalogue.js';
+import { recall, remember } from '../storage/remembered.js';
+import { onLanguage, text } from '../i18n/catalogue.js';
 import { byId, make } from './dom.js';
 import { kShortcuts, listenForShortcuts } from './shortcuts.js';
 
-/** @typedef {import('../text/catalogue.js').Key} Key */
+/** @typedef {import('../i18n/catalogue.js').Key} Key */
 
 /** @type {[name: Key, keys: Key][]} */
 const kInView = [

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the page says: the status line, and errors with what was found and what helps.
-import { onLanguage } from '../text/catalogue.js';
-import { coreWords } from '../text/core_words.js';
-import { write } from '../text/live.js';
+import { onLanguage } from '../i18n/catalogue.js';
+import { coreWords } from '../i18n/core_words.js';
+import { write } from '../i18n/live.js';
 import { byId, make } from './dom.js';
 
-/** @typedef {import('../text/live.js').Words} Words */
+/** @typedef {import('../i18n/live.js').Words} Words */
 /** @typedef {{ message: string | Words, hint: string | Words }} Problem  a string is the core's or the engine's English */
 
 export class Messages {

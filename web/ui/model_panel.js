@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which model: a sample, a file, a file dropped anywhere; and what was found in it.
-import { onLanguage, text, textOr } from '../text/catalogue.js';
-import { findingWords, suggestedUnits } from '../text/finding_words.js';
+import { onLanguage, text, textOr } from '../i18n/catalogue.js';
+import { findingWords, suggestedUnits } from '../i18n/finding_words.js';
 import { byId } from './dom.js';
 import { formatBox } from './format.js';
 import { showFindings } from './messages.js';

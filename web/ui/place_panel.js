@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where the code is: its width there, and the exact centre.
-import { kForgivingDeg } from '../check/view_trials.js';
-import { text } from '../text/catalogue.js';
-import { write } from '../text/live.js';
+import { kForgivingDeg } from '../verdict/view_trials.js';
+import { text } from '../i18n/catalogue.js';
+import { write } from '../i18n/live.js';
 import { byId } from './dom.js';
 import { formatMm } from './format.js';
 import { showStep } from './steps.js';

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Language and appearance: chosen on the page, kept for the next visit, in effect at once.
-import { recall, remember } from '../take/remembered.js';
-import { currentLanguage, localise, onLanguage, setLanguage } from '../text/catalogue.js';
+import { recall, remember } from '../storage/remembered.js';
+import { currentLanguage, localise, onLanguage, setLanguage } from '../i18n/catalogue.js';
 import { byId } from './dom.js';
 
-/** @typedef {import('../text/catalogue.js').Language} Language */
+/** @typedef {import('../i18n/catalogue.js').Language} Language */
 
 const kThemes = ['auto', 'light', 'dark'];
 const kThemeName = 'theme';

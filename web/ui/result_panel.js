@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What came out: the verdict, the file, the numbers.
-import { verdictOf } from '../check/verdict.js';
-import { onLanguage, text } from '../text/catalogue.js';
+import { verdictOf } from '../verdict/verdict.js';
+import { onLanguage, text } from '../i18n/catalogue.js';
 import { byId, make } from './dom.js';
 import { formatMm, formatSeconds } from './format.js';
 import { GradesPanel } from './grades_panel.js';
@@ -10,10 +10,10 @@ import { markStep, showStep } from './steps.js';
 import { verdictLines } from './verdict_lines.js';
 
 /** @typedef {import('../engine/types.js').Report} Report */
-/** @typedef {import('../check/verdict.js').Verdict} Verdict */
-/** @typedef {import('../check/remedies.js').Remedy} Remedy */
+/** @typedef {import('../verdict/verdict.js').Verdict} Verdict */
+/** @typedef {import('../verdict/remedies.js').Remedy} Remedy */
 /** @typedef {import('./grades_panel.js').ViewTrier} ViewTrier */
-/** @typedef {{ report: Report, reading: import('../reader/reader.js').Reading, elapsedMs: number,
+/** @typedef {{ report: Report, reading: import('../decoder/reader.js').Reading, elapsedMs: number,
  *   made: { values: import('./settings_form.js').Values } }} Result
  *   `elapsedMs`: from the click to the end; `made`: from which settings */
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every control that carries `data-setting`: what it says, and what the module is to do with it.
-import { currentLanguage, onLanguage, text } from '../text/catalogue.js';
+import { currentLanguage, onLanguage, text } from '../i18n/catalogue.js';
 import { byId } from './dom.js';
 
 /** @typedef {import('../engine/types.js').Settings} Settings */
@@ -9,7 +9,7 @@ import { byId } from './dom.js';
 
 /** A setting that cannot be used, in words that follow the language. */
 export class SettingProblem extends RangeError {
-  /** @param {import('../text/live.js').Words} words */
+  /** @param {import('../i18n/live.js').Words} words */
   constructor(words) {
     super(words());
     this.words = words;

@@ -7,7 +7,7 @@
  * @property {boolean} [ctrl]      with Ctrl, or ⌘ on a Mac
  * @property {boolean} [shift]     with it; of signs it does not matter
  * @property {string} control      the id of the control it works; focused if it is a text, else clicked
- * @property {import('../text/catalogue.js').Key} name
+ * @property {import('../i18n/catalogue.js').Key} name
  */
 
 /** @type {readonly Shortcut[]} */

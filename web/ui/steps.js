@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The state of each step, in one line beside its heading and in the mark before it.
-import { write } from '../text/live.js';
+import { write } from '../i18n/live.js';
 import { byId } from './dom.js';
 
-/** @typedef {import('../text/live.js').Words} Words */
+/** @typedef {import('../i18n/live.js').Words} Words */
 /** @typedef {'model' | 'code' | 'place' | 'carve' | 'check'} Step */
 /** @typedef {'open' | 'done' | 'warn' | 'bad'} State */
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The verdict in three lines, each with its reason and what one click would change.
-import { printingRemedies, readingRemedies } from '../check/remedies.js';
-import { text } from '../text/catalogue.js';
-import { coreWords } from '../text/core_words.js';
+import { printingRemedies, readingRemedies } from '../verdict/remedies.js';
+import { text } from '../i18n/catalogue.js';
+import { coreWords } from '../i18n/core_words.js';
 import { make } from './dom.js';
 import { formatMm, formatNumber, formatPercent, formatPlain } from './format.js';
 import { asSentence, remedyButtons } from './messages.js';
 
 /** @typedef {import('../engine/types.js').Report} Report */
-/** @typedef {import('../check/verdict.js').Level} Level */
-/** @typedef {import('../check/remedies.js').Remedy} Remedy */
+/** @typedef {import('../verdict/verdict.js').Level} Level */
+/** @typedef {import('../verdict/remedies.js').Remedy} Remedy */
 /** @typedef {import('./settings_form.js').Values} Values */
 /** @typedef {(remedy: Remedy, label: string) => void} OnRemedy */
 
@@ -17,8 +17,8 @@ const kUnlinkedLength = 80;
 
 /**
  * @param {Report} report
- * @param {import('../reader/reader.js').Reading} reading
- * @param {import('../check/verdict.js').Verdict} verdict
+ * @param {import('../decoder/reader.js').Reading} reading
+ * @param {import('../verdict/verdict.js').Verdict} verdict
  * @param {Values} values  of the controls when it was carved
  * @param {OnRemedy} onRemedy
  */
@@ -69,8 +69,8 @@ function readsHeading(wanted, found, level) {
 
 /**
  * @param {Report} report
- * @param {import('../reader/reader.js').Reading} reading
- * @param {import('../check/verdict.js').Verdict} verdict
+ * @param {import('../decoder/reader.js').Reading} reading
+ * @param {import('../verdict/verdict.js').Verdict} verdict
  */
 function readingReasons({ depth, verification }, reading, { reads, weak }) {
   const limited = depth.limitedSubmodules > 0 ? [text('check.limited', { count: depth.limitedSubmodules })] : [];

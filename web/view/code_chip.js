@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The small sign beside the pointer, or the handle, that says how large the code would be there.
 import { make } from '../ui/dom.js';
-import { text } from '../text/catalogue.js';
+import { text } from '../i18n/catalogue.js';
 
 /** @typedef {import('../engine/types.js').CodeFacts} CodeFacts */
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The three handles over a placed code, as elements: a grip that moves it, sliders that turn and size it, and a button
 // that sets it upright. What is done with them is code_editor.js's business.
-import { text } from '../text/catalogue.js';
+import { text } from '../i18n/catalogue.js';
 import { make } from '../ui/dom.js';
 import { handlePositions } from './handle_geometry.js';
 

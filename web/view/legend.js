@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the colours on the model stand for, mm.
-import { text } from '../text/catalogue.js';
-import { write } from '../text/live.js';
+import { text } from '../i18n/catalogue.js';
+import { write } from '../i18n/live.js';
 import { byId } from '../ui/dom.js';
 
 /** @typedef {'sizes' | 'depths'} LegendKind */

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The frame of a phone's camera around the reader's view, and under it what was read.
-import { text } from '../text/catalogue.js';
-import { write } from '../text/live.js';
+import { text } from '../i18n/catalogue.js';
+import { write } from '../i18n/live.js';
 import { make } from '../ui/dom.js';
 
 export class ReaderView {

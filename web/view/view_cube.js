@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A small cube that turns with the camera; a click on a face looks at it. For hands on a pointer only: the menu "Views"
 // and the keys 1 to 7 do the same.
-import { text } from '../text/catalogue.js';
+import { text } from '../i18n/catalogue.js';
 import { visibleFaces } from './cube_geometry.js';
 
 /** @typedef {import('../engine/types.js').StandardView} StandardView */

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { recall, remember } from './remembered.js';
+import { recall, remember } from '../storage/remembered.js';
 
 const kKept = 'format';
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every text of the page in every language. A part of the page keeps its texts in parts/, all languages side by side.
-import { recall, remember } from '../take/remembered.js';
+import { recall, remember } from '../storage/remembered.js';
 import { check } from './parts/check.js';
 import { code } from './parts/code.js';
 import { core } from './parts/core.js';

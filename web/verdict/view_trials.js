@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // From where a carved code reads: simulated pictures from aside and from farther away, each given to the reader.
-import { shrunkTo } from '../reader/variants.js';
+import { shrunkTo } from '../decoder/variants.js';
 
 /** @typedef {import('../engine/types.js').GreyImage} GreyImage */
 /** @typedef {{ tiltDeg: number, reads: number, all: number }} TiltTrial */

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The buttons for what can be taken away beside the carved model.
-import { localise } from '../text/catalogue.js';
+import { localise } from '../i18n/catalogue.js';
 import { byId, make } from '../ui/dom.js';
 
-/** @typedef {import('../text/catalogue.js').Key} Key */
+/** @typedef {import('../i18n/catalogue.js').Key} Key */
 
 export class TakePanel {
   /** @param {{ onPicture: () => void, onSettings: () => void, onSymbol: (format: 'svg' | 'png') => void }} listener */

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { symbolEdge, symbolPath } from '../take/symbol_file.js';
+import { symbolEdge, symbolPath } from '../export/symbol_file.js';
 
 const kSvg = 'http://www.w3.org/2000/svg';
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Hands out what is not the carved model: the symbol, a picture of the view, the settings; and takes settings back.
-import { text } from '../text/catalogue.js';
+import { text } from '../i18n/catalogue.js';
 import { saveFile } from '../ui/save_file.js';
 import { fileNameOf, symbolFileName } from './file_names.js';
 import { formValues } from './form_values.js';

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { shrunkTo } from '../reader/variants.js';
+import { shrunkTo } from '../decoder/variants.js';
 import { distanceMm, kTrials, safeTiltDeg, tryViews } from './view_trials.js';
 
 test('A code is safe up to the last tilt before the first direction that fails', () => {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Offers the last visit's work, and keeps this one's.
-import { text } from '../text/catalogue.js';
+import { text } from '../i18n/catalogue.js';
 
 /** @typedef {import('./last_work.js').Work} Work */
 

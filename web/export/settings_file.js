@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Settings as a file: all that decides what is carved, and on which model, but for the model itself.
 import { EngineFailure } from '../engine/engine_error.js';
-import { text as words } from '../text/catalogue.js';
+import { text as words } from '../i18n/catalogue.js';
 
 /** @typedef {import('../engine/types.js').Settings} Settings */
 /** @typedef {import('../engine/types.js').UpAxis} UpAxis */
@@ -59,7 +59,7 @@ export const writeSettingsFile = ({ settings, model }) =>
  */
 export const looksLikeSettings = ({ name, type }) => /\.json$/i.test(name) || type === 'application/json';
 
-/** @param {import('../text/catalogue.js').Key} key @param {Record<string, string | number>} [values] @returns {never} */
+/** @param {import('../i18n/catalogue.js').Key} key @param {Record<string, string | number>} [values] @returns {never} */
 function refuse(key, values) {
   throw new EngineFailure({ code: 'BadInput', message: words(key, values), hint: words('take.settingsHint') });
 }

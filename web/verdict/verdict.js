@@ -2,7 +2,7 @@
 // What a person needs to know of a carving, from its report: does it read, does it print, is it solid.
 
 /** @typedef {import('../engine/types.js').Report} Report */
-/** @typedef {import('../reader/reader.js').Reading} Reading */
+/** @typedef {import('../decoder/reader.js').Reading} Reading */
 /** @typedef {'good' | 'barely' | 'bad'} Level */
 /** @typedef {{ reads: Level, prints: Level, solid: Level, weak: boolean }} Verdict  `weak`: a verifier's grade would be F */
 

@@ -3,18 +3,18 @@
 // larger.
 import { isReplaced } from '../engine/client.js';
 import { describeThrown, isFatal } from '../engine/engine_error.js';
-import { onLanguage, text } from '../text/catalogue.js';
+import { onLanguage, text } from '../i18n/catalogue.js';
 import { byId, make } from '../ui/dom.js';
 import { formatMm, formatNumber, formatPlain } from '../ui/format.js';
 import { asSentence } from '../ui/messages.js';
 import { SettingProblem } from '../ui/settings_form.js';
-import { adviseText, isWebAddress, shorterForms } from './content/link.js';
+import { adviseText, isWebAddress, shorterForms } from './payloads/link.js';
 import { tooSmall } from './module_size.js';
 import { drawSymbol } from './symbol_drawing.js';
 
 /** @typedef {import('../engine/types.js').Settings} Settings */
 /** @typedef {import('../engine/types.js').SymbolFacts} SymbolFacts */
-/** @typedef {import('../text/catalogue.js').Key} Key */
+/** @typedef {import('../i18n/catalogue.js').Key} Key */
 /** @typedef {{ text: string, key: Key, use: () => void }} Form  another way of writing the same, and how to take it */
 /** @typedef {{ symbolMm: number, guaranteedMm: number }} Room  its edge where it is placed, and what fits there at any rotation */
 /** @typedef {{ severity: 'warning' | 'note', words: string, action?: { words: string, run: () => void } }} Line */
