@@ -42,8 +42,8 @@ vec3 engravedPoint(vec4 surface, float depth, vec2 middle, vec2 point) {
   return seen + ray * (depth * inversesqrt(dot(ray, ray)));
 }
 
-const float kPi = 3.14159265359;
 const float kSteepest = 100.0;  // cotangents are kept within ± this
+const float kGrowth = 1.15;     // of a march's steps: what is narrower than a seventh of its distance may be missed
 
 // What slices through the line of sight of a texel are measured by. `side` and `upward` are square to it.
 struct SightFrame {

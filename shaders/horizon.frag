@@ -6,16 +6,15 @@
 precision highp float;
 
 #include "distance_map.glsl"
+#include "pi.glsl"
 
 uniform sampler2D u_surroundings;    // a wider, coarser map from the same eye
 uniform float u_surroundingsTexels;  // along its edge; 0: there is none
 uniform float u_surroundingsTexelMm;
-uniform float u_samples;             // places along the edge
+uniform float u_horizonSamples;      // places along the edge
 uniform float u_startTexels;         // nearer than this is left to the march
 
 layout(location = 0) out vec4 o_cotangents;
-
-const float kGrowth = 1.15;  // of the steps: what is narrower than a seventh of its distance may be missed
 
 float horizonCotangent(vec2 start, float angle, vec3 origin, SightFrame sight, vec3 normal) {
   vec3 along = directionAcross(sight, angle);
@@ -44,7 +43,7 @@ float horizonCotangent(vec2 start, float angle, vec3 origin, SightFrame sight, v
 
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
-  vec2 texel = floor((vec2(pixel.x >> 2, pixel.y) + 0.5) * u_mapTexels / u_samples) + 0.5;
+  vec2 texel = floor((vec2(pixel.x >> 2, pixel.y) + 0.5) * u_mapTexels / u_horizonSamples) + 0.5;
   vec4 surface = texelFetch(u_surface, ivec2(texel), 0);
   if (!isModel(surface)) {
     o_cotangents = vec4(-kSteepest);

@@ -7,36 +7,38 @@
 // and the horizon integral is the sky visibility itself. The march goes from cell border to cell border, where the
 // walls stand, so no step is too long.
 //
-// What is computed lies side by side, without gaps, whichever cells are listed: u_detail² texels of each, a row of
-// entries as long as one of the map's cells.
+// What is computed lies side by side, without gaps, whichever cells are listed: u_computedTexels² texels of each, a row
+// of entries as long as one of the map's cells.
 //
 // Output: share of a uniform sky, cosine-weighted, that reaches the texel, 1 = unoccluded plane; the same past the
 // walls of pockets alone; irradiance by the lamps, 1 = that of the whole sky; the same before anything was carved.
 precision highp float;
 
 #include "distance_map.glsl"
+#include "pi.glsl"
+#include "visible_arc.glsl"
 
-uniform sampler2D u_horizon;   // of the uncarved surface (horizon.frag)
-uniform float u_samples;       // places along its edge
-uniform int u_slices;          // pairs of half-planes through the line of sight
-uniform float u_radiusTexels;  // reach of the march
+uniform sampler2D u_horizon;       // of the uncarved surface (horizon.frag)
+uniform float u_horizonSamples;    // places along its edge
+uniform int u_slices;              // pairs of half-planes through the line of sight
+uniform float u_radiusTexels;      // reach of the march
 uniform float u_everyBorderTexels;  // up to here the march stops at every border, beyond at growing steps
-uniform float u_reliefMm;      // depth of what is carved into u_surface itself, beside u_depth
-uniform int u_rotate;          // 1: texels of each 4×4 block take turned slices, so that a block's mean has 16 times as many
-uniform int u_detail;          // texels along a cell's edge that are computed
-uniform int u_stride;          // texels from one to the next
-uniform float u_cellsPerPixel;  // 1 / u_detail
-uniform sampler2D u_list;      // columns and rows of the listed cells
-uniform int u_listed;          // how many there are; 0: all
+uniform float u_reliefMm;          // depth of what is carved into u_surface itself, beside u_depth
+uniform int u_turnSlices;          // 1: texels of a 4×4 block turn them, so that its mean has 16 times as many
+uniform int u_computedTexels;      // texels along a cell's edge that are computed
+uniform int u_stride;              // texels from one to the next
+uniform float u_cellsPerPixel;     // 1 / u_computedTexels
+uniform sampler2D u_list;          // columns and rows of the listed cells
+uniform int u_listed;              // how many there are; 0: all
 
 uniform int u_lampCount;
-uniform vec4 u_lamps[2];       // unit vector to the lamp, strength
+uniform vec4 u_lamps[2];           // unit vector to the lamp, strength
 
 layout(location = 0) out vec4 o_received;
 
 // Cotangent of the angle between the line of sight and the uncarved surface's horizon.
 float horizonOfSurface(vec2 texel, float angle) {
-  ivec2 place = ivec2(texel * u_samples / u_mapTexels);
+  ivec2 place = ivec2(texel * u_horizonSamples / u_mapTexels);
   float sector = mod(angle * 8.0 / kPi, 16.0);
   int from = int(sector);
   int to = (from + 1) & 15;
@@ -44,8 +46,6 @@ float horizonOfSurface(vec2 texel, float angle) {
   float second = texelFetch(u_horizon, ivec2(4 * place.x + (to >> 2), place.y), 0)[to & 3];
   return mix(first, second, fract(sector));
 }
-
-const float kGrowth = 1.15;  // of the steps: a wall narrower than a seventh of its distance may be missed
 
 // March from cell border to cell border.
 struct March {
@@ -124,12 +124,6 @@ vec2 lampReaches(vec2 start, vec3 toLamp, vec3 origin, SightFrame sight, float p
   return vec2(lit, 1.0);
 }
 
-// Cosine-weighted visibility of one side of a slice, to which the angles count: from the line of sight to the horizon,
-// and gamma to the normal.
-float visibleArc(float horizon, float gamma) {
-  return 0.25 * (-cos(2.0 * horizon - gamma) + cos(gamma) + 2.0 * horizon * sin(gamma));
-}
-
 // Sixteenths, each once in a 4×4 block, and each quarter once in every row and column: directions and places are not
 // to go together. Two orthogonal Latin squares over the field of four elements [Bose 1938].
 float turnOf(ivec2 inBlock) {
@@ -150,7 +144,7 @@ ivec2 blockOf(vec2 pixel) {
   if (u_listed == 0) return ivec2(pixel);
   ivec2 entry = ivec2(pixel * u_cellsPerPixel);
   if (entry.y * textureSize(u_list, 0).x + entry.x >= u_listed) return ivec2(-1);
-  return ivec2(texelFetch(u_list, entry, 0).xy) * u_detail + (ivec2(pixel) - entry * u_detail);
+  return ivec2(texelFetch(u_list, entry, 0).xy) * u_computedTexels + (ivec2(pixel) - entry * u_computedTexels);
 }
 
 void main() {
@@ -167,7 +161,8 @@ void main() {
   vec3 origin = engravedPoint(surface, depth, texel, texel);
   float pocketMm = depth + u_reliefMm;
 
-  float turn = u_rotate == 1 ? turnOf(u_stride == 2 ? (block & 1) * ivec2(1, 2) : block & 3) : 0.5;  // of four, each quarter
+  ivec2 inBlock = u_stride == 2 ? (block & 1) * ivec2(1, 2) : block & 3;  // of four texels, each has another quarter
+  float turn = u_turnSlices == 1 ? turnOf(inBlock) : 0.5;
   vec2 visibility = vec2(0.0);
   for (int i = 0; i < 2 * u_slices; ++i) {  // every slice has two sides
     float angle = (float(i) + turn) * kPi / float(u_slices);

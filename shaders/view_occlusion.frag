@@ -7,6 +7,8 @@
 precision highp float;
 
 #include "view_camera.glsl"
+#include "pi.glsl"
+#include "visible_arc.glsl"
 
 uniform int u_slices;         // pairs of half-planes through the line of sight
 uniform int u_steps;          // on each side of a slice
@@ -16,8 +18,6 @@ uniform float u_turn;         // of this sample, sixteenths: 16 samples give eve
 uniform float u_shift;        // of this sample along its directions, in steps
 
 layout(location = 0) out vec4 o_visibility;
-
-const float kPi = 3.14159265359;
 
 // Even 4×4 pattern: the 16 turns of a block are all different, so that a 4×4 mean has 16 times the slices.
 float patternTurn(ivec2 pixel) {
@@ -40,11 +40,6 @@ float horizonCosine(vec2 direction, float radiusPx, float shift, vec3 origin, ve
     highest = max(highest, mix(lowest, dot(towards, toEye) * inversesqrt(lengthSquared), near));
   }
   return highest;
-}
-
-// Cosine-weighted visibility of one side of a slice; angles from the line of sight, gamma = the normal's.
-float visibleArc(float horizon, float gamma) {
-  return 0.25 * (-cos(2.0 * horizon - gamma) + cos(gamma) + 2.0 * horizon * sin(gamma));
 }
 
 void main() {

@@ -173,11 +173,15 @@ Status Viewer::prepareStage(std::optional<Stage>& stage, double scale, bool colo
   return {};
 }
 
-void Viewer::setCamera(const gl::Program& program, const Stage& stage, const CameraView& camera, Vec2 jitter) const {
+void Viewer::setCamera(const gl::Program& program, const CameraView& camera, Vec2 jitter) const {
   program.use();
   program.set("u_tanHalf", glm::vec2(camera.tanHalf));
   program.set("u_distance", static_cast<float>(camera.distance));
   program.set("u_jitter", glm::vec2(jitter));
+}
+
+void Viewer::setGBuffer(const gl::Program& program, const Stage& stage, const CameraView& camera, Vec2 jitter) const {
+  setCamera(program, camera, jitter);
   program.set("u_size", glm::vec2(stage.width, stage.height));
 }
 
@@ -193,7 +197,7 @@ void Viewer::drawSurface(const Stage& stage, const CameraView& camera, Vec2 jitt
   glClearColor(0, 0, 0, 0);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   if (!mesh_) return;
-  setCamera(surface_, stage, camera, jitter);
+  setCamera(surface_, camera, jitter);
   surface_.set("u_right", Vec3f(camera.right));
   surface_.set("u_up", Vec3f(camera.up));
   surface_.set("u_back", Vec3f(camera.back));
@@ -212,7 +216,7 @@ double Viewer::radiusMm() const { return mesh_ ? kRadiusShare * mesh_->box().dia
 
 void Viewer::drawOcclusion(const Stage& stage, const CameraView& camera, Vec2 jitter, const Sample& sample) const {
   stage.visibilityTarget.bind();
-  setCamera(occlusion_, stage, camera, jitter);
+  setGBuffer(occlusion_, stage, camera, jitter);
   occlusion_.setTexture("u_surface", 0, stage.surface);
   occlusion_.set("u_slices", sample.slices);
   occlusion_.set("u_steps", sample.steps);
@@ -229,7 +233,7 @@ void Viewer::drawLighting(const Stage& stage, const Stage& into, const CameraVie
   const double pixelMm = 2 * camera.tanHalf.y * camera.distance / stage.height;
   const CuttingPlane cut = cut_.value_or(CuttingPlane{});
   const Vec3 across = glm::normalize(makeFrame({}, cut.normal, camera.skyward, 1).onPlane({1, 1}));
-  setCamera(lighting_, stage, camera, jitter);
+  setGBuffer(lighting_, stage, camera, jitter);
   lighting_.setTexture("u_surface", 0, stage.surface);
   lighting_.setTexture("u_visibility", 1, stage.visibility);
   lighting_.set("u_blur", sample.blur ? 1 : 0);
@@ -294,7 +298,7 @@ void Viewer::bindCanvas(const gl::Framebuffer* target) const {
 }
 
 void Viewer::setPicture(const gl::Program& program, const CameraView& camera) const {
-  setCamera(program, *picture_.surface, camera, picture_.jitter);
+  setGBuffer(program, *picture_.surface, camera, picture_.jitter);
   program.setTexture("u_colour", 0, picture_.colours->colour);
   program.setTexture("u_surface", 1, picture_.surface->surface);
   program.set("u_canvas", glm::vec2(width_, height_));

@@ -113,7 +113,8 @@ class Viewer {
   };
   static Result<Stage> makeStage(int width, int height, bool colourOnly);
   Status prepareStage(std::optional<Stage>& stage, double scale, bool colourOnly);
-  void setCamera(const gl::Program& program, const Stage& stage, const CameraView& camera, Vec2 jitter) const;
+  void setCamera(const gl::Program& program, const CameraView& camera, Vec2 jitter) const;
+  void setGBuffer(const gl::Program& program, const Stage& stage, const CameraView& camera, Vec2 jitter) const;
   void drawSurface(const Stage& stage, const CameraView& camera, Vec2 jitter) const;
   void drawOcclusion(const Stage& stage, const CameraView& camera, Vec2 jitter, const Sample& sample) const;
   void drawLighting(const Stage& stage, const Stage& into, const CameraView& camera, Vec2 jitter,

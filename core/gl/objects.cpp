@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gl/objects.h"
 
+#include <algorithm>
 #include <array>
+#include <cstdio>
+#include <cstdlib>
 #include <fmt/format.h>
+#include <iterator>
 #include <string_view>
 
+#include "gl/declared_uniforms.h"
 #include "gl/pass_timings.h"
 
 namespace qrelief::gl {
@@ -186,7 +191,14 @@ Result<Program> Program::create(const char* name, const char* vertexSource, cons
   glDeleteShader(*fragment);
   GLint linked = GL_FALSE;
   glGetProgramiv(made.id_, GL_LINK_STATUS, &linked);
-  if (linked) return made;
+  if (linked) {
+    made.name_ = name;
+#ifndef NDEBUG
+    made.uniforms_ = declaredUniforms(vertexSource);
+    std::ranges::move(declaredUniforms(fragmentSource), std::back_inserter(made.uniforms_));
+#endif
+    return made;
+  }
   std::array<char, 2048> log{};
   glGetProgramInfoLog(made.id_, static_cast<GLsizei>(log.size()), nullptr, log.data());
   return fail(ErrorKind::Internal, fmt::format("The graphics driver cannot link the shader {}: {}", name, log.data()),
@@ -197,21 +209,40 @@ Program::~Program() {
   if (id_) glDeleteProgram(id_);
 }
 
+void Program::swap(Program& other) noexcept {
+  std::swap(id_, other.id_);
+  std::swap(name_, other.name_);
+  std::swap(uniforms_, other.uniforms_);
+}
+
+/// -1, which OpenGL ignores, for a uniform that is declared but that the compiler dropped.
+GLint Program::locationOf(const char* uniform) const {
+  const GLint location = glGetUniformLocation(id_, uniform);
+#ifndef NDEBUG
+  const std::string_view whole(uniform);
+  const std::string_view name = whole.substr(0, whole.find('['));
+  if (location < 0 && std::ranges::find(uniforms_, name) == uniforms_.end()) {
+    // An assert's words could not name them.
+    std::fprintf(stderr, "The shader program \"%s\" declares no uniform %s\n", name_.c_str(), uniform);
+    std::abort();
+  }
+#endif
+  return location;
+}
+
 void Program::use() const { glUseProgram(id_); }
 
-void Program::set(const char* uniform, int value) const { glUniform1i(glGetUniformLocation(id_, uniform), value); }
-void Program::set(const char* uniform, float value) const { glUniform1f(glGetUniformLocation(id_, uniform), value); }
-void Program::set(const char* uniform, glm::vec2 value) const {
-  glUniform2f(glGetUniformLocation(id_, uniform), value.x, value.y);
-}
+void Program::set(const char* uniform, int value) const { glUniform1i(locationOf(uniform), value); }
+void Program::set(const char* uniform, float value) const { glUniform1f(locationOf(uniform), value); }
+void Program::set(const char* uniform, glm::vec2 value) const { glUniform2f(locationOf(uniform), value.x, value.y); }
 void Program::set(const char* uniform, glm::vec3 value) const {
-  glUniform3f(glGetUniformLocation(id_, uniform), value.x, value.y, value.z);
+  glUniform3f(locationOf(uniform), value.x, value.y, value.z);
 }
 void Program::set(const char* uniform, glm::vec4 value) const {
-  glUniform4f(glGetUniformLocation(id_, uniform), value.x, value.y, value.z, value.w);
+  glUniform4f(locationOf(uniform), value.x, value.y, value.z, value.w);
 }
 void Program::setMatrix(const char* uniform, const float* columnMajor4x4) const {
-  glUniformMatrix4fv(glGetUniformLocation(id_, uniform), 1, GL_FALSE, columnMajor4x4);
+  glUniformMatrix4fv(locationOf(uniform), 1, GL_FALSE, columnMajor4x4);
 }
 void Program::setTexture(const char* sampler, int unit, const Texture& texture) const {
   glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));

@@ -109,12 +109,12 @@ class VertexArray {
   GLuint id_ = 0;
 };
 
-/// Linked vertex and fragment shader. Uniforms are set by name on the program in use; a name that the compiler dropped
-/// is ignored.
+/// Linked vertex and fragment shader. Uniforms are set by name on the program in use. One that the compiler dropped
+/// because nothing depends on it is ignored; a name that neither source declares is a broken precondition.
 class Program {
  public:
   Program() = default;
-  /// @param name  for the message if the driver refuses a source
+  /// @param name  for the message if the driver refuses a source or a uniform is not declared
   static Result<Program> create(const char* name, const char* vertexSource, const char* fragmentSource);
   ~Program();
   Program(Program&& other) noexcept { swap(other); }
@@ -134,8 +134,11 @@ class Program {
   void setTexture(const char* sampler, int unit, const Texture& texture) const;
 
  private:
-  void swap(Program& other) noexcept { std::swap(id_, other.id_); }
+  void swap(Program& other) noexcept;
+  GLint locationOf(const char* uniform) const;
   GLuint id_ = 0;
+  std::string name_;
+  std::vector<std::string> uniforms_;  // that the sources declare; empty where nothing is asserted
 };
 
 /// Draws one triangle that covers the viewport; for programs whose vertex shader is fullscreen.vert.

@@ -85,8 +85,8 @@ void LuminancePass::setDepths(std::span<const float> depthsMm) {
   depths_.upload(depthsMm.data());
 }
 
-int LuminancePass::texelsComputed() const {
-  int texels = std::min(options_.sampling.texels, options_.cellTexels);
+int LuminancePass::computedTexels() const {
+  int texels = std::min(options_.sampling.computedTexels, options_.cellTexels);
   while (options_.cellTexels % texels != 0) ++texels;
   return texels;
 }
@@ -119,7 +119,7 @@ void LuminancePass::setMap(const gl::Program& program) const {
   program.set("u_texelMm", static_cast<float>(maps_->window.texelMm()));
   program.set("u_mapTexels", static_cast<float>(maps_->window.texels));
   program.set("u_cellTexels", static_cast<float>(options_.cellTexels));
-  program.set("u_samples", static_cast<float>(options_.horizonSamples));
+  program.set("u_horizonSamples", static_cast<float>(options_.horizonSamples));
 }
 
 Status LuminancePass::findHorizon(const SurfaceMaps* surroundings) {
@@ -147,7 +147,7 @@ void LuminancePass::run() {
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);
 
-  const int texels = texelsComputed();
+  const int texels = computedTexels();
   std::optional<gl::TimedPass> timed(std::in_place, "occlusion");
   receivedTarget_.bind();
   glViewport(0, 0, cells_ * texels, listRows() * texels);
@@ -158,8 +158,8 @@ void LuminancePass::run() {
   occlusion.set("u_radiusTexels", static_cast<float>(options_.radiusMm / maps_->window.texelMm()));
   occlusion.set("u_everyBorderTexels", static_cast<float>(options_.everyBorderMm / maps_->window.texelMm()));
   occlusion.set("u_reliefMm", options_.reliefMm);
-  occlusion.set("u_rotate", options_.turnSlices ? 1 : 0);
-  occlusion.set("u_detail", texels);
+  occlusion.set("u_turnSlices", options_.turnSlices ? 1 : 0);
+  occlusion.set("u_computedTexels", texels);
   occlusion.set("u_stride", options_.cellTexels / texels);
   occlusion.set("u_cellsPerPixel", 1 / static_cast<float>(texels));
   occlusion.set("u_listed", listed());
@@ -176,7 +176,7 @@ void LuminancePass::run() {
   meansTarget_.bind();
   reduction.use();
   reduction.setTexture("u_map", 0, received_);
-  reduction.set("u_detail", texels);
+  reduction.set("u_computedTexels", texels);
   reduction.set("u_cellsAlongEdge", static_cast<float>(cells_));
   cellArray_.bind();
   glDrawArrays(GL_POINTS, 0, selected_);

@@ -15,8 +15,8 @@ namespace qrelief {
 
 /// Where the light of a cell is looked for.
 struct LuminanceSampling {
-  int texels = 2;   ///< along a cell's edge that are computed; more, up to all, where it does not divide the cell
-  int slices = 10;  ///< pairs of half-planes per texel, ≥ 1
+  int computedTexels = 2;  ///< along a cell's edge; more, up to all, where it does not divide the cell
+  int slices = 10;         ///< pairs of half-planes per texel, ≥ 1
 };
 
 struct LuminanceOptions {
@@ -80,7 +80,7 @@ class LuminancePass {
  private:
   Status findHorizon(const SurfaceMaps* surroundings);
   void setMap(const gl::Program& program) const;
-  int texelsComputed() const;  // along a cell's edge
+  int computedTexels() const;  // along a cell's edge
   int listed() const { return selected_ == cells_ * cells_ ? 0 : selected_; }
   int listRows() const { return (selected_ + cells_ - 1) / cells_; }
 

@@ -43,6 +43,37 @@ TEST_F(GlObjects, ShadersThatDoNotFitTogetherAreAnErrorThatNamesThem) {
   EXPECT_NE(sentence(program.error().message).find("unlinked pass"), std::string::npos);
 }
 
+constexpr const char* kTinted =
+    "#version 300 es\nprecision highp float; uniform vec4 u_tint[2]; uniform float u_unused; layout(location=0) out "
+    "vec4 o; "
+    "void main() { o = u_tint[1]; }";
+
+TEST_F(GlObjects, AUniformThatTheCompilerDropsIsIgnored) {
+  const Texture texture(1, 1, Format::RGBA32F);
+  const Texture* const colours[] = {&texture};
+  const auto framebuffer = Framebuffer::create(colours, false);
+  const auto program = Program::create("tinted", shaders::fullscreen_vert, kTinted);
+  ASSERT_TRUE(framebuffer.has_value() && program.has_value());
+  framebuffer->bind();
+  program->use();
+  program->set("u_unused", 3.0f);
+  program->set("u_tint[0]", glm::vec4(9));
+  program->set("u_tint[1]", glm::vec4(1, 2, 3, 4));
+  drawFullscreen();
+  EXPECT_EQ(framebuffer->readRgba(), (std::vector<float>{1, 2, 3, 4}));
+}
+
+#ifndef NDEBUG
+using GlObjectsDeathTest = GlObjects;
+
+TEST_F(GlObjectsDeathTest, AUniformThatNoSourceDeclaresStopsTheProgramAndIsNamed) {
+  const auto program = Program::create("tinted", shaders::fullscreen_vert, kTinted);
+  ASSERT_TRUE(program.has_value());
+  program->use();
+  EXPECT_DEATH(program->set("u_tinct", 3.0f), "\"tinted\" declares no uniform u_tinct");
+}
+#endif
+
 TEST_F(GlObjects, AMovedTextureLeavesNothingBehind) {
   Texture a(2, 2, Format::R32F);
   const GLuint id = a.id();

@@ -232,7 +232,7 @@ TEST_F(LuminancePassTest, ListedCellsGetWhatTheyGetAmongAll) {
     carve(cell, 0.6, pits);
     pass_.setSampling(sampling);
     pass_.run();
-    EXPECT_EQ(pass_.readLuminance(), luminances.back()) << sampling.texels;
+    EXPECT_EQ(pass_.readLuminance(), luminances.back()) << sampling.computedTexels;
   }
   double worst = 0, sum = 0;
   for (std::size_t i = 0; i < luminances[0].size(); ++i) {

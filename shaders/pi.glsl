@@ -1,0 +1,1 @@
+const float kPi = 3.14159265359;
