@@ -6,7 +6,6 @@
 //
 // For each model and two patterns: median time of some runs, triangles, volume to FOLDER/cases.json; model and pockets
 // as 32-bit floats and indices to FOLDER/NAME.{model,pockets}.{xyz,tri}.
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <fmt/format.h>
@@ -14,6 +13,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "base/clock.h"
 #include "embedding/embed.h"
 #include "embedding_spot.h"
 #include "io/read_model.h"
@@ -25,10 +25,6 @@ namespace {
 constexpr int kRuns = 7;
 constexpr double kDepthMm = 0.5;
 constexpr double kSticksOutMm = 0.05;
-
-double millisecondsSince(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
 
 /// The inlay with its vertices on the surface moved towards the eye: those of facets that face it, for walls run along
 /// the rays and floors face away.
@@ -67,7 +63,7 @@ Result<nlohmann::ordered_json> measure(const PreparedModel& model, const bench::
     std::vector<double> times;
     EmbedResult made;
     for (int run = 0; run < kRuns; ++run) {
-      const auto start = std::chrono::steady_clock::now();
+      const auto start = Clock::now();
       auto result = embedDepthField(model.mesh, spot.frame, spot.patch.triangles, depths, {.surface = surface});
       times.push_back(millisecondsSince(start));
       if (!result) return tl::unexpected(result.error());

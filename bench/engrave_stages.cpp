@@ -4,7 +4,6 @@
 //     qrelief_bench                                       a bumpy sphere of 82k triangles, version 3, 35 mm
 //     qrelief_bench MODEL SCALE X,Y,Z [SIZE] [RUNS]       a model of one's own, centre in file units
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <fmt/format.h>
@@ -13,6 +12,7 @@
 #include <map>
 #include <sys/resource.h>
 
+#include "base/clock.h"
 #include "io/read_model.h"
 #include "io/write_stl.h"
 #include "messages/sentences.h"
@@ -32,10 +32,6 @@ struct Case {
   double sizeMm = 35;
   int runs = 5;
 };
-
-double millisecondsSince(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
 
 Case caseFrom(int argc, char** argv) {
   Case made;
@@ -72,11 +68,11 @@ int measure(const Case& wanted) {
   EngraveResult last;
   std::size_t triangles = 0;
   for (int run = 0; run < wanted.runs; ++run) {
-    const auto start = std::chrono::steady_clock::now();
+    const auto start = Clock::now();
     const auto soup = readModel(wanted.bytes, wanted.name);
     if (!soup) return failed(soup.error());
     times["load"].push_back(millisecondsSince(start));
-    const auto preparing = std::chrono::steady_clock::now();
+    const auto preparing = Clock::now();
     auto prepared = prepareModel(*soup, {.scaleToMm = wanted.scale});
     if (!prepared) return failed(prepared.error());
     const auto model = EngravableModel::upload(std::move(*prepared));
@@ -91,7 +87,7 @@ int measure(const Case& wanted) {
     request.placement.sizeMm = wanted.sizeMm;
     auto result = engrave(model, request);
     if (!result) return failed(result.error());
-    const auto reading = std::chrono::steady_clock::now();
+    const auto reading = Clock::now();
     (void)readWithZxing(result->readerView);
     const StageTimings& t = result->timingsMs;
     times["direction"].push_back(t.direction);

@@ -5,12 +5,12 @@
 //
 //     qrelief_load_bench MODEL [SCALE] [RUNS]
 #include <algorithm>
-#include <chrono>
 #include <cstdlib>
 #include <fmt/format.h>
 #include <fstream>
 #include <iterator>
 
+#include "base/clock.h"
 #include "io/read_model.h"
 #include "mesh/prepare.h"
 #include "messages/sentences.h"
@@ -23,12 +23,6 @@
 
 namespace qrelief {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double millisecondsSince(Clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
 
 double median(std::vector<double> times) {
   std::sort(times.begin(), times.end());

@@ -4,9 +4,9 @@
 //
 //     qrelief_place_bench            a bumpy sphere of 20k to 1.3 M triangles, 41 mm squares
 #include <algorithm>
-#include <chrono>
 #include <fmt/format.h>
 
+#include "base/clock.h"
 #include "mesh/prepare.h"
 #include "messages/sentences.h"
 #include "native/egl_context.h"
@@ -24,9 +24,9 @@ template <class Work>
 double bestMs(int runs, const Work& work) {
   double best = 1e300;
   for (int run = 0; run < runs; ++run) {
-    const auto start = std::chrono::steady_clock::now();
+    const auto start = Clock::now();
     work();
-    best = std::min(best, std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+    best = std::min(best, millisecondsSince(start));
   }
   return best;
 }

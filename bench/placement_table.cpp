@@ -8,9 +8,9 @@
 // Every direction is judged in one square: that of the depth-balanced placement. Sizes without quiet zone, mm.
 #include <algorithm>
 #include <fmt/format.h>
-#include <numbers>
 
 #include "bench/centres.h"
+#include "math/angle.h"
 
 namespace qrelief {
 namespace {
@@ -34,7 +34,7 @@ Result<Judged> judge(const EngravableModel& model, const GeometryPass& pass, Pla
       makeFrame(placed->frame.centre, placed->frame.normal, request.upHint, request.eyeDistanceMm);
   const auto looked = lookFrom(pass, model.gpu, frame, options);
   if (!looked) return tl::unexpected(looked.error());
-  return Judged{looked->measure, looked->worstAngle * 180 / std::numbers::pi, placed->guaranteedMm};
+  return Judged{looked->measure, toDegrees(looked->worstAngle), placed->guaranteedMm};
 }
 
 Status printRow(const EngravableModel& model, const GeometryPass& pass, const bench::Centre& centre) {

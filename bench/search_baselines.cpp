@@ -12,7 +12,6 @@
 //               previews 5,000); what is too bright gets a layer deeper [in the manner of Peng 2019]. RAYS is 50, whose
 //               standard error, of a submodule's luminance, stands beside it; how far off maps are: script/bench light
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <fmt/format.h>
@@ -20,6 +19,7 @@
 #include <functional>
 #include <iterator>
 
+#include "base/clock.h"
 #include "carving/depth_search.h"
 #include "carving/submodule_luminances.h"
 #include "carving/wall_limit.h"
@@ -37,15 +37,8 @@ namespace qrelief {
 namespace {
 
 constexpr int kN = kSubmodulesPerModule;
-constexpr int kMarginModules = 1;
 constexpr double kLayerMm = 0.1;
 constexpr double kMaxDepthModules = 1.2;
-
-using Clock = std::chrono::steady_clock;
-
-double millisecondsSince(Clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
 
 struct Row {
   std::string name;
@@ -85,7 +78,8 @@ Result<Row> runOnMap(const Spot& spot, ContrastSolver solver, const char* name) 
 Result<Row> runRedrawing(const Spot& spot) {
   const auto pass = GeometryPass::create();
   if (!pass) return tl::unexpected(pass.error());
-  const int cells = spot.edge() + 2 * kN * kMarginModules, cellTexels = 4, border = kN * kMarginModules;
+  const int cells = spot.edge() + 2 * kN * kOcclusionMarginModules, cellTexels = 4,
+            border = kN * kOcclusionMarginModules;
   const MapWindow window{spot.placement.moduleMm * cells / kN, cellTexels * cells};
   DepthSearchOptions options;
   options.contrast = spot.request.contrast;

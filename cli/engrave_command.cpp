@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <chrono>
 #include <fmt/format.h>
 
+#include "base/clock.h"
 #include "cli/commands.h"
 #include "cli/files.h"
 #include "cli/model_input.h"
@@ -19,8 +19,6 @@
 
 namespace qrelief {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 struct EngraveOptions {
   ModelFlags model;
@@ -44,10 +42,6 @@ void choosePreset(EngraveOptions& options, Preset preset) {
   if (options.contrast) request.contrast = *options.contrast;
   if (!options.pattern.empty()) request.modulePattern = *modulePatternByName(options.pattern);
   if (!options.finderPattern.empty()) request.finderPattern = *finderPatternByName(options.finderPattern);
-}
-
-double millisecondsSince(Clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
 Result<double> numberFrom(const std::string& text, const char* what) {

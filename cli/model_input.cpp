@@ -1,24 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/model_input.h"
 
-#include <chrono>
 #include <fmt/format.h>
 
+#include "base/clock.h"
 #include "cli/commands.h"
 #include "cli/files.h"
 #include "io/read_model.h"
 
 namespace qrelief {
-namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double millisecondsSince(Clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
-
-}  // namespace
-
 void addModelFlags(CLI::App& command, ModelFlags& flags) {
   command.add_option("MODEL", flags.path, "OBJ, STL, PLY, OFF or 3MF file")->required();
   command.add_option("--scale", flags.scale, "file units → mm [1; 3MF: its own unit]");

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <chrono>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "base/clock.h"
 #include "cli/commands.h"
 #include "cli/files.h"
 #include "cli/model_input.h"
@@ -14,7 +14,6 @@
 namespace qrelief {
 namespace {
 
-using Clock = std::chrono::steady_clock;
 using Json = nlohmann::ordered_json;
 
 constexpr int kDirectionDecimals = 4;
@@ -28,10 +27,6 @@ struct PlaceOptions {
   bool noQuietZone = false, quiet = false;
   PlaceRequest request;
 };
-
-double millisecondsSince(Clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
 
 std::string joined(Vec3 v, int decimals) {
   return fmt::format("{:.{}f},{:.{}f},{:.{}f}", v.x, decimals, v.y, decimals, v.z, decimals);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <chrono>
 #include <fmt/format.h>
 
+#include "base/clock.h"
 #include "cli/commands.h"
 #include "cli/files.h"
 #include "cli/model_input.h"
@@ -13,8 +13,6 @@
 
 namespace qrelief {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 struct VerifyOptions {
   std::string path, units, report, json, text;
@@ -113,7 +111,7 @@ int verifyModel(const VerifyOptions& options) {
     if (!finding.hint.empty()) fmt::print(stderr, "  what helps: {}\n", finding.hint);
   }
   if (!options.json.empty()) {
-    const double total = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+    const double total = millisecondsSince(start);
     const std::string report = makeVerifyReport(*request, result, {name, soup->format, zxingName(), total});
     if (const Status written = writeFileAtomically(options.json, report); !written) return printError(written.error());
   }

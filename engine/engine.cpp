@@ -2,11 +2,11 @@
 #include "engine/engine.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <fmt/format.h>
 #include <utility>
 
+#include "base/clock.h"
 #include "engine/answers.h"
 #include "engine/settings.h"
 #include "engine/symbol_print.h"
@@ -24,18 +24,12 @@
 namespace qrelief {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 constexpr double kProposedMm = 50;      // square looked for on a new model, quiet zone included,
 constexpr double kProposedShare = 0.3;  // and its greatest share of the model's diagonal
 constexpr std::size_t kSpotsTried = 6;
 constexpr double kGoodFit = 0.7;    // a spot that takes this share of it will do
 constexpr int kNormalTexels = 768;  // of the map that gives a carved surface its smooth normals
 constexpr int kPreparedSteps = 2;   // of an engraving: the surface, and the search's first pass, which looks everywhere
-
-double millisecondsSince(Clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
 
 const Error kNoResult = {ErrorKind::BadUsage, untold("nothing has been engraved yet", "press Engrave first")};
 

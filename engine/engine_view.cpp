@@ -2,14 +2,14 @@
 // What the engine shows, and the code that follows the pointer.
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <fmt/format.h>
-#include <numbers>
 
+#include "base/clock.h"
 #include "engine/answers.h"
 #include "engine/engine.h"
 #include "engine/symbol_print.h"
+#include "math/angle.h"
 #include "viewer/depth_colours.h"
 
 namespace qrelief {
@@ -24,11 +24,6 @@ constexpr int kReachTexels = 192;
 constexpr double kReachEdges = 3;   // edge of the map around a placed code, in its own: it can be turned and enlarged
 constexpr double kSpotEdges = 1.7;  // of the square that a spot's picture shows, in those of the code
 constexpr int kSpotFrames = 6;
-constexpr double kDegree = std::numbers::pi / 180;
-
-double nowMs() {
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 Json jsonOf(Vec2 v) { return {v.x, v.y}; }
 
@@ -249,7 +244,7 @@ std::string Engine::adjustCode(double rotateDeg, double symbolMm) {
     return answer(ErrorKind::BadUsage, fmt::format("a code of {:g} mm at {:g}° is asked for", symbolMm, rotateDeg),
                   "Give a size above 0");
   const double outer = roomFactor(symbol_->size, request_.placement.quietZone);
-  code_->print.frame = turned(code_->print.frame, (rotateDeg - code_->rotationDeg) * kDegree);
+  code_->print.frame = turned(code_->print.frame, toRadians(rotateDeg - code_->rotationDeg));
   code_->print.edgeMm *= symbolMm / code_->symbolMm;
   code_->rotationDeg = rotateDeg;
   code_->symbolMm = symbolMm;
@@ -301,7 +296,7 @@ Engine::Picture Engine::spotPicture(std::size_t index, int width, int height) {
   const OfferedSpot& spot = spots_[index];
   const PlacementRequest& request = placingRequest_.placement;
   const ProjectionFrame upright = makeFrame(spot.centreMm, spot.direction, camera_.skyward(), request.eyeDistanceMm);
-  const ProjectionFrame frame = turned(upright, request.rotateDeg * kDegree);
+  const ProjectionFrame frame = turned(upright, toRadians(request.rotateDeg));
   SurfacePrint print = symbolPrint(*symbol_, frame, spot.symbolMm, request_);
   auto reach = lookAround(model_->look, frame, {kReachEdges * print.edgeMm, kReachTexels});
   if (!reach) return {};

@@ -2,10 +2,10 @@
 #include "inspector/inspector.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <imgui_impl_opengl3.h>
 
+#include "base/clock.h"
 #include "engine/answers.h"
 
 namespace qrelief {
@@ -14,10 +14,6 @@ namespace {
 constexpr float kMostWidth = 400, kMostHeight = 720;  // of the window when it opens
 constexpr float kScrollLinePx = 40;
 constexpr float kDragPx = 6;
-
-double nowMs() {
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 const char* cursorName() {
   switch (ImGui::GetMouseCursor()) {

@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
+
+#include "math/angle.h"
 
 namespace qrelief {
 namespace {
@@ -13,7 +14,7 @@ constexpr float kNothing = std::numeric_limits<float>::quiet_NaN();
 
 /// Exact for small angles, too, as the arc cosine is not.
 float angleDeg(const float* normal) {
-  return std::atan2(std::hypot(normal[0], normal[1]), normal[2]) * static_cast<float>(180 / std::numbers::pi);
+  return std::atan2(std::hypot(normal[0], normal[1]), normal[2]) * static_cast<float>(toDegrees(1));
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "math/angle.h"
+
 namespace qrelief {
 namespace {
 
@@ -18,8 +20,6 @@ constexpr int kReachTexels = 128;
 constexpr double kReachMargin = 1.05;
 constexpr double kAhead = 1.25;  // room for a code that is larger than expected
 constexpr int kTurns = 18;       // that are tried for the best rotation, over a quarter turn
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 /// @param mostLooks  that the direction may take
 Result<Vec3> directionAt(const EngravableModel& model, const SurfaceLook& look, const SurfacePoint& centre,
@@ -44,7 +44,7 @@ Result<Vec3> directionAt(const EngravableModel& model, const SurfaceLook& look, 
 double bestTurn(const EyeReach& reach) {
   double best = 0, largest = reach.alignedMm(0);
   for (int i = 1; i < kTurns; ++i) {
-    const double turn = (i * 90.0 / kTurns - (2 * i > kTurns ? 90 : 0)) * kDegree;
+    const double turn = toRadians(i * 90.0 / kTurns - (2 * i > kTurns ? 90 : 0));
     const double fits = reach.alignedMm(turn);
     if (fits <= largest) continue;
     largest = fits;
@@ -69,11 +69,11 @@ Result<CodeEstimate> estimateWithin(double room, double sampled, int looks, cons
     const ProjectionFrame upright = makeFrame(centre.position, *normal, request.upHint, request.eyeDistanceMm);
     auto reach = lookAround(look, upright, window);
     if (!reach) return tl::unexpected(reach.error());
-    double turn = request.rotateDeg * kDegree;
+    double turn = toRadians(request.rotateDeg);
     if (request.sizeMode == SizeMode::Best) turn += bestTurn(*reach);
     const double free = reach->freeMm() / outer;
     estimate.frame = turned(upright, turn);
-    estimate.rotationDeg = turn / kDegree;
+    estimate.rotationDeg = toDegrees(turn);
     estimate.guaranteedMm = std::min(free, most);
     estimate.symbolMm = isFixed                              ? most
                         : request.sizeMode == SizeMode::Free ? estimate.guaranteedMm

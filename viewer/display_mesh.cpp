@@ -3,7 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "math/angle.h"
 
 namespace qrelief {
 namespace {
@@ -44,7 +45,7 @@ float cornerAngle(const Mesh& mesh, std::uint32_t corner) {
 }  // namespace
 
 DisplayMesh splitAtCreases(const Mesh& mesh, double creaseDeg) {
-  const auto limit = static_cast<float>(std::cos(creaseDeg * std::numbers::pi / 180));
+  const auto limit = static_cast<float>(std::cos(toRadians(creaseDeg)));
   const CornersOfVertices around = collectCorners(mesh);
   std::vector<Vec3f> facets(mesh.triangles.size());
   for (std::size_t t = 0; t < facets.size(); ++t) facets[t] = Vec3f(triangleNormal(mesh, t));
@@ -83,7 +84,7 @@ DisplayMesh splitAtCreases(const Mesh& mesh, double creaseDeg) {
 
 void takeSmoothNormals(DisplayMesh& carved, std::size_t firstTriangle, const ProjectionFrame& frame,
                        const MapWindow& window, std::span<const float> smooth, double creaseDeg) {
-  const double limit = std::cos(creaseDeg * std::numbers::pi / 180);
+  const double limit = std::cos(toRadians(creaseDeg));
   for (std::size_t t = firstTriangle; t < carved.mesh.triangles.size(); ++t) {
     for (const std::uint32_t v : carved.mesh.triangles[t]) {
       const Vec2 at = (frame.project(Vec3(carved.mesh.positions[v])) + window.extentMm / 2) / window.texelMm();

@@ -46,13 +46,6 @@ void flood(EyeReach& reach, const std::vector<float>& maps) {
 
 }  // namespace
 
-ProjectionFrame turned(const ProjectionFrame& frame, double radians) {
-  ProjectionFrame result = frame;
-  result.right = frame.right * std::cos(radians) + frame.up * std::sin(radians);
-  result.up = frame.up * std::cos(radians) - frame.right * std::sin(radians);
-  return result;
-}
-
 bool EyeReach::isReached(int column, int row) const { return texels[indexOf(column, row, window.texels) + 1] > 0; }
 
 double EyeReach::freeMm() const {

@@ -38,7 +38,4 @@ struct EyeReach {
 /// than kSteepest and does not jump. Cost: one look.
 Result<EyeReach> lookAround(const SurfaceLook& look, const ProjectionFrame& frame, const MapWindow& window);
 
-/// Anticlockwise, as the reader sees it.
-ProjectionFrame turned(const ProjectionFrame& frame, double radians);
-
 }  // namespace qrelief

@@ -10,6 +10,9 @@
 
 namespace qrelief {
 
+/// Modules that are drawn beyond the quiet zone on each side, so that the quiet zone's own occlusion is complete.
+inline constexpr int kOcclusionMarginModules = 1;
+
 /// The luminances that a DepthSolver is told: one for every submodule of symbol and quiet zone, row-major from the
 /// quiet zone's top left.
 class SubmoduleLuminances {

@@ -73,13 +73,13 @@ TimedPass::TimedPass(std::string_view name) : timings_(listening) {
     timings_->pending_.push_back({query, pass_});
     timings_->queryRuns_ = ownsQuery_ = true;
   }
-  start_ = std::chrono::steady_clock::now();
+  start_ = Clock::now();
 }
 
 TimedPass::~TimedPass() {
   if (!timings_) return;
   PassTime& time = timings_->times_[pass_];
-  time.cpuMs += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count();
+  time.cpuMs += millisecondsSince(start_);
   ++time.count;
   if (!ownsQuery_) return;
   glEndQuery(kTimeElapsed);

@@ -2,11 +2,12 @@
 #pragma once
 
 #include <GLES3/gl3.h>
-#include <chrono>
 #include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
+
+#include "base/clock.h"
 
 namespace qrelief::gl {
 
@@ -67,7 +68,7 @@ class TimedPass {
   PassTimings* timings_ = nullptr;
   std::size_t pass_ = 0;
   bool ownsQuery_ = false;
-  std::chrono::steady_clock::time_point start_;
+  Clock::time_point start_;
 };
 
 }  // namespace qrelief::gl

@@ -2,6 +2,7 @@
 #include "math/frame.h"
 
 #include <array>
+#include <cmath>
 
 #include "math/tolerance.h"
 
@@ -22,6 +23,13 @@ ProjectionFrame makeFrame(Vec3 centre, Vec3 normal, Vec3 upHint, double eyeDista
   }
   frame.right = glm::cross(frame.up, frame.normal);
   return frame;
+}
+
+ProjectionFrame turned(const ProjectionFrame& frame, double radians) {
+  ProjectionFrame result = frame;
+  result.right = frame.right * std::cos(radians) + frame.up * std::sin(radians);
+  result.up = frame.up * std::cos(radians) - frame.right * std::sin(radians);
+  return result;
 }
 
 }  // namespace qrelief

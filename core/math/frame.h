@@ -48,4 +48,7 @@ struct ProjectionFrame {
 /// @param upHint  any vector; where it is (nearly) parallel to the normal, +Y and then +X is taken instead
 ProjectionFrame makeFrame(Vec3 centre, Vec3 normal, Vec3 upHint, double eyeDistance);
 
+/// Turned about its normal, anticlockwise as the reader sees it.
+ProjectionFrame turned(const ProjectionFrame& frame, double radians);
+
 }  // namespace qrelief

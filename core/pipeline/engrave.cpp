@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <cassert>
-#include <chrono>
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
 
+#include "base/clock.h"
 #include "carving/submodule_luminances.h"
 #include "carving/wall_limit.h"
 #include "embedding/embed.h"
@@ -23,7 +23,6 @@ namespace qrelief {
 namespace {
 
 constexpr int kN = kSubmodulesPerModule;
-constexpr int kMarginModules = 1;  // beyond the quiet zone, so that its own occlusion is complete
 constexpr double kMaxDepthModules = 1.2;
 constexpr double kReachPerDepth = 8;  // a wall seen from eight times its height away hides 0.4 % of the sky
 constexpr double kLeastReachModules = 3;
@@ -31,18 +30,14 @@ constexpr int kMaxMapTexels = 2048;
 constexpr int kHorizonsPerModule = 2;
 constexpr LuminanceSampling kUncarvedSampling{1, 4};  // smooth, but for the model's own edges
 
-double millisecondsSince(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
-
 /// Where the symbol's submodules lie in a map of cells (one cell a submodule) with a margin all round.
 struct CellLayout {
   int modules = 0;
 
-  int cells() const { return kN * (modules + 2 * (kQuietZoneModules + kMarginModules)); }
+  int cells() const { return kN * (modules + 2 * (kQuietZoneModules + kOcclusionMarginModules)); }
   /// @param row, column  from the quiet zone's top left; maps count rows from the bottom
   std::uint32_t ofQuietZone(int row, int column) const {
-    const int offset = kN * kMarginModules;
+    const int offset = kN * kOcclusionMarginModules;
     return static_cast<std::uint32_t>((cells() - 1 - (row + offset)) * cells() + column + offset);
   }
   std::uint32_t ofSymbol(int row, int column) const {
@@ -201,7 +196,7 @@ Result<std::vector<double>> EngraveJob::State::depthLimits() {
 }
 
 Status EngraveJob::State::map() {
-  const auto start = std::chrono::steady_clock::now();
+  const auto start = Clock::now();
   const Placement& placement = result.placement;
   const int perCell = std::clamp(kMaxMapTexels / layout.cells(), 1, 4);
   const double extent = placement.moduleMm * layout.cells() / kN;
@@ -300,7 +295,7 @@ void EngraveJob::State::recordPass(const DepthField& tried, std::span<const doub
 }
 
 Status EngraveJob::State::searchOnce() {
-  const auto start = std::chrono::steady_clock::now();
+  const auto start = Clock::now();
   measure();
   const int edge = kN * (symbol.size + 2 * kQuietZoneModules);
   std::vector<double> luminance(static_cast<std::size_t>(edge * edge));
@@ -330,7 +325,7 @@ Status EngraveJob::State::searchOnce() {
 }
 
 Status EngraveJob::State::embed() {
-  const auto start = std::chrono::steady_clock::now();
+  const auto start = Clock::now();
   auto made = embedDepthField(model->prepared.mesh, result.placement.frame, result.placement.patch.triangles,
                               result.depths, {.surface = request.surface});
   if (!made) return tl::unexpected(made.error());
@@ -343,7 +338,7 @@ Status EngraveJob::State::embed() {
 
 /// What is offered is what a slicer will read: the file itself, read back.
 Status EngraveJob::State::check() {
-  const auto start = std::chrono::steady_clock::now();
+  const auto start = Clock::now();
   result.stl = writeStl(embedded.mesh);
   const auto read = readModel(result.stl, "carved.stl");
   if (!read) return tl::unexpected(read.error());
@@ -365,7 +360,7 @@ Status EngraveJob::State::check() {
 }
 
 Status EngraveJob::State::view() {
-  const auto start = std::chrono::steady_clock::now();
+  const auto start = Clock::now();
   const GpuMesh carved(result.mesh, vertexNormals(result.mesh));
   ReaderViewOptions options;
   const int modulesAcross = symbol.size + 12;

@@ -3,19 +3,17 @@
 
 #include <algorithm>
 #include <cassert>
-#include <chrono>
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
 #include <numbers>
 
+#include "base/clock.h"
 #include "projection/bend.h"
 #include "projection/size.h"
 
 namespace qrelief {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 constexpr double kSliceMs = 30;       // of views drawn in one piece of work
 constexpr double kMapShare = 0.6;     // of the progress
@@ -138,7 +136,7 @@ void PlaceJob::State::startMap(double leastMm) {
 
 void PlaceJob::State::drawViews() {
   const auto start = Clock::now();
-  while (std::chrono::duration<double, std::milli>(Clock::now() - start).count() < kSliceMs) {
+  while (millisecondsSince(start) < kSliceMs) {
     if (!mapping->step()) continue;
     result.map = mapping->takeMap();
     mapping.reset();

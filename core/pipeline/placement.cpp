@@ -3,11 +3,12 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <fmt/format.h>
 #include <numbers>
 
+#include "base/clock.h"
+#include "math/angle.h"
 #include "mesh/ray.h"
 #include "projection/bend.h"
 #include "projection/best_size.h"
@@ -33,28 +34,16 @@ constexpr double kNearnessFactor = 2;
 
 constexpr std::array<const char*, 4> kSizeModeNames = {"free", "oriented", "best", "fixed"};
 
-constexpr double kDegrees = 180 / std::numbers::pi;
-
-/// Turned anticlockwise as the reader sees it, by radians.
-ProjectionFrame turnedFrame(ProjectionFrame frame, double angle) {
-  const Vec3 right = frame.right * std::cos(angle) + frame.up * std::sin(angle);
-  frame.up = frame.up * std::cos(angle) - frame.right * std::sin(angle);
-  frame.right = right;
-  return frame;
-}
-
 double downToHundredths(double mm) { return std::floor(mm * 100) / 100; }
 
 class Stopwatch {
  public:
   explicit Stopwatch(double& sumMs) : sumMs_(sumMs) {}
-  ~Stopwatch() {
-    sumMs_ += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count();
-  }
+  ~Stopwatch() { sumMs_ += millisecondsSince(start_); }
 
  private:
   double& sumMs_;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  Clock::time_point start_ = Clock::now();
 };
 
 }  // namespace
@@ -81,8 +70,8 @@ PlacementSearch::PlacementSearch(const PreparedModel& model, const GpuMesh& gpu,
 double PlacementSearch::outerFactor() const { return roomFactor(modules_, request_.quietZone); }
 
 ProjectionFrame PlacementSearch::frameFor(Vec3 normal) const {
-  return turnedFrame(makeFrame(placement_.frame.centre, normal, request_.upHint, request_.eyeDistanceMm),
-                     request_.rotateDeg / kDegrees);
+  return turned(makeFrame(placement_.frame.centre, normal, request_.upHint, request_.eyeDistanceMm),
+                toRadians(request_.rotateDeg));
 }
 
 Status PlacementSearch::start() {
@@ -153,7 +142,7 @@ Status PlacementSearch::measure(Vec3 normal) {
   double rotation = 0;
   if (request_.sizeMode == SizeMode::Best) {
     rotation = bestSize(patch->silhouette, largestMm() * outerFactor()).rotation;
-    frame = turnedFrame(frame, rotation);
+    frame = turned(frame, rotation);
     if (patch->partlyHidden)
       patch = decisivePatch(frame, GrowingRegion::Square);
     else
@@ -164,7 +153,7 @@ Status PlacementSearch::measure(Vec3 normal) {
   if (!guaranteed) return tl::unexpected(guaranteed.error());
 
   placement_.frame = frame;
-  placement_.rotationDeg = request_.rotateDeg + rotation * kDegrees;
+  placement_.rotationDeg = request_.rotateDeg + toDegrees(rotation);
   placement_.patch = std::move(*patch);
   placement_.guaranteedMm = *guaranteed;
   const std::vector<Segment2>& silhouette = placement_.patch.silhouette;
@@ -194,9 +183,9 @@ Status PlacementSearch::measure(Vec3 normal) {
 /// What does fit is named so that it still fits as it is written: sizes rounded down, measured at the rounded rotation.
 Error PlacementSearch::doesNotFit() const {
   const std::vector<Segment2>& silhouette = placement_.patch.silhouette;
-  const double found = bestSize(silhouette, largestMm() * outerFactor()).rotation * kDegrees;
+  const double found = toDegrees(bestSize(silhouette, largestMm() * outerFactor()).rotation);
   const double bestDeg = std::round(std::remainder(request_.rotateDeg + found, 360) * 10) / 10;
-  const double turn = (bestDeg - request_.rotateDeg) / kDegrees;
+  const double turn = toRadians(bestDeg - request_.rotateDeg);
   const double bestMm = std::min(largestMm(), orientedSize(inTurnedAxes(silhouette, turn)) / outerFactor());
   const bool turningHelps = downToHundredths(bestMm) > downToHundredths(fitMm_);
   const std::string atBest =

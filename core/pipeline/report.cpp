@@ -2,8 +2,8 @@
 #include "pipeline/report.h"
 
 #include <fmt/format.h>
-#include <numbers>
 
+#include "math/angle.h"
 #include "pipeline/json_parts.h"
 #include "projection/bend.h"
 #include "qr/symbol_shaping.h"
@@ -56,7 +56,7 @@ Json describeProjection(const EngraveRequest& request, const Placement& placemen
     iterations.push_back({{"normal", triple(i.normal)},
                           {"varianceMm2", i.varianceMm2},
                           {"outsideShare", i.outsideShare},
-                          {"worstAngleDeg", i.worstAngle * 180 / std::numbers::pi},
+                          {"worstAngleDeg", toDegrees(i.worstAngle)},
                           {"measure", i.measure}});
   const char* method = request.placement.direction ? "given" : directionMethodName(request.placement.directionMethod);
   return {{"method", method},

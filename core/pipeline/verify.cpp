@@ -7,8 +7,8 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
-#include <numbers>
 
+#include "math/angle.h"
 #include "mesh/weld.h"
 
 namespace qrelief {
@@ -29,8 +29,8 @@ constexpr double kMisplacedModules = 1.5;
 constexpr double kLampElevationDeg = 55, kLampAzimuthDeg = -30;
 
 Lamp roomLamp(const ProjectionFrame& frame) {
-  const double elevation = kLampElevationDeg * std::numbers::pi / 180;
-  const double azimuth = kLampAzimuthDeg * std::numbers::pi / 180;
+  const double elevation = toRadians(kLampElevationDeg);
+  const double azimuth = toRadians(kLampAzimuthDeg);
   const Vec3 side = frame.right * std::cos(azimuth) + frame.up * std::sin(azimuth);
   return {side * std::cos(elevation) + frame.normal * std::sin(elevation), 0.5, 20};
 }
@@ -41,7 +41,7 @@ std::string placeOf(Vec3 p) { return fmt::format("{:.5g}, {:.5g}, {:.5g}", p.x, 
 std::vector<double> submoduleLight(const BakedLight& light, int modules) {
   constexpr int kPerSubmodule = kBakedPixels / kN;
   const int edge = kN * (modules + 2 * kQuietZoneModules), texels = light.options().texels;
-  const int margin = kBakedPixels * (kMarginModules - kQuietZoneModules);
+  const int margin = kBakedPixels * (kPictureMarginModules - kQuietZoneModules);
   std::vector<double> means;
   for (int row = 0; row < edge; ++row)
     for (int column = 0; column < edge; ++column) {
@@ -135,7 +135,7 @@ void VerifyJob::State::measureShape() {
   }
   light.emplace(tree, request.frame,
                 BakeOptions{.texelMm = moduleMm() / kBakedPixels,
-                            .texels = kBakedPixels * (request.symbol.size + 2 * kMarginModules),
+                            .texels = kBakedPixels * (request.symbol.size + 2 * kPictureMarginModules),
                             .paths = kPaths,
                             .albedo = request.albedo,
                             .lamp = roomLamp(request.frame)});

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/matrix.hpp>
-#include <numbers>
 #include <unordered_map>
 
+#include "math/angle.h"
 #include "projection/surface_raster.h"
 
 namespace qrelief {
@@ -61,7 +61,7 @@ double bendMm(const Mesh& mesh, std::span<const std::uint32_t> triangles, const 
 }
 
 double aimToleranceDeg(double bendMm, double moduleMm) {
-  return std::min(kMostAimDeg, std::atan2(kMovedModules * moduleMm, bendMm) * 180 / std::numbers::pi);
+  return std::min(kMostAimDeg, toDegrees(std::atan2(kMovedModules * moduleMm, bendMm)));
 }
 
 }  // namespace qrelief

@@ -3,14 +3,14 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
+
+#include "math/angle.h"
 
 namespace qrelief {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
-constexpr double kFirstStep = 8 * kDegree;
-constexpr double kLastStep = 1 * kDegree;
+constexpr double kFirstStep = toRadians(8);
+constexpr double kLastStep = toRadians(1);
 
 }  // namespace
 

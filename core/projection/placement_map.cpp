@@ -7,6 +7,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "math/angle.h"
 #include "mesh/cluster.h"
 #include "mesh/refine.h"
 #include "projection/distance_transform.h"
@@ -22,7 +23,7 @@ constexpr double kBorderTexels = 2;     // of background around the model, so th
 constexpr double kBlockedTexels = 0.5;  // from the middle of a blocked texel to the contour that passes it, at most
 constexpr double kSamples = 6000;       // about so many vertices at least
 
-double cosineOfDegrees(double degrees) { return std::cos(degrees * std::numbers::pi / 180); }
+double cosineOfDegrees(double degrees) { return std::cos(toRadians(degrees)); }
 
 double surfaceArea(const Mesh& mesh) {
   double area = 0;

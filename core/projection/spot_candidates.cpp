@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 
+#include "math/angle.h"
 #include "projection/bend.h"
 
 namespace qrelief {
@@ -19,7 +19,7 @@ constexpr double kForgivingDeg = 10;
 // 37 modules, and what bends over the symbol alone is less as the square of the edge.
 constexpr double kUsualModules = 29.0 * 29 / 37;
 
-double cosineOf(double deg) { return std::cos(deg * std::numbers::pi / 180); }
+double cosineOf(double deg) { return std::cos(toRadians(deg)); }
 
 int sizeClassOf(double sizeMm) {
   return static_cast<int>(std::floor(std::log(std::max(sizeMm, 1e-6)) / std::log(kSizeClass)));
@@ -65,7 +65,7 @@ SquareQuality qualityOf(const PlacementMap& map, const ProjectionFrame& frame, d
   std::stable_sort(slopes.begin(), slopes.end(), [](const Slope& a, const Slope& b) { return a.cosine < b.cosine; });
   double steeper = 0;
   for (const Slope& slope : slopes) {
-    quality.worstAngleDeg = std::acos(std::min(1.0, slope.cosine)) * 180 / std::numbers::pi;
+    quality.worstAngleDeg = toDegrees(std::acos(std::min(1.0, slope.cosine)));
     steeper += slope.area;
     if (steeper > kSteeperShare * area) break;
   }

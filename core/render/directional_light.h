@@ -2,9 +2,9 @@
 #pragma once
 
 #include <cmath>
-#include <numbers>
 #include <span>
 
+#include "math/angle.h"
 #include "math/vec.h"
 
 namespace qrelief {
@@ -22,8 +22,8 @@ struct DirectionalLight {
 
 /// Unit vector to the lamp in the frame's axes (right, up, normal).
 inline Vec3 towards(const DirectionalLight& light) {
-  const double azimuth = light.azimuthDeg * std::numbers::pi / 180;
-  const double elevation = light.elevationDeg * std::numbers::pi / 180;
+  const double azimuth = toRadians(light.azimuthDeg);
+  const double elevation = toRadians(light.elevationDeg);
   return {std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth), std::sin(elevation)};
 }
 

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <numbers>
 
 #include "base/halton.h"
 #include "base/parallel.h"
+#include "math/angle.h"
 
 namespace qrelief {
 namespace {
@@ -139,7 +139,7 @@ LinearPicture BakedLight::picture(const ProjectionFrame& camera, int texels, dou
 }
 
 ProjectionFrame tilted(const ProjectionFrame& frame, double tiltDeg, double azimuthDeg) {
-  const double tilt = tiltDeg * std::numbers::pi / 180, azimuth = azimuthDeg * std::numbers::pi / 180;
+  const double tilt = toRadians(tiltDeg), azimuth = toRadians(azimuthDeg);
   const Vec3 side = frame.right * std::cos(azimuth) + frame.up * std::sin(azimuth);
   return makeFrame(frame.centre, frame.normal * std::cos(tilt) + side * std::sin(tilt), frame.up, frame.eyeDistance);
 }

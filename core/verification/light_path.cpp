@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "math/angle.h"
+
 namespace qrelief {
 namespace {
 
@@ -35,7 +37,7 @@ double lampIrradiance(const RayTree& tree, Vec3 at, Vec3 normal, std::span<const
     if (lamp.strength <= 0) continue;
     Vec3 to = lamp.towards;
     if (lamp.radiusDeg > 0) {
-      const double edge = std::cos(lamp.radiusDeg * std::numbers::pi / 180);
+      const double edge = std::cos(toRadians(lamp.radiusDeg));
       const double height = 1 - random.uniform() * (1 - edge);
       to = directionAbout(lamp.towards, height, random.uniform());
     }

@@ -78,8 +78,8 @@ ReadingSweep::ReadingSweep(const BakedLight& light, const ProjectionFrame& frame
 std::vector<float> ReadingSweep::luminanceOf(const ReadingView& view) {
   if (seenTilt_ != view.tiltDeg || seenAzimuth_ != view.azimuthDeg) {
     const ProjectionFrame camera = view.tiltDeg > 0 ? tilted(frame_, view.tiltDeg, view.azimuthDeg) : frame_;
-    seen_ =
-        light_->picture(camera, kBakedPixels * (modules_ + 2 * kMarginModules), symbolMm_ / modules_ / kBakedPixels);
+    seen_ = light_->picture(camera, kBakedPixels * (modules_ + 2 * kPictureMarginModules),
+                            symbolMm_ / modules_ / kBakedPixels);
     seenTilt_ = view.tiltDeg;
     seenAzimuth_ = view.azimuthDeg;
   }

@@ -91,6 +91,6 @@ class ReadingSweep {
 inline constexpr int kBakedPixels = 10;
 
 /// Modules that the pictures show beyond the symbol on each side: quiet zone and something else.
-inline constexpr int kMarginModules = 6;
+inline constexpr int kPictureMarginModules = 6;
 
 }  // namespace qrelief

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+#include "math/angle.h"
+
 namespace qrelief {
 namespace {
 
@@ -53,6 +55,16 @@ TEST(ProjectionFrame, MeasuresDepthBelowTheEyeAlongTheAxis) {
   const ProjectionFrame frame = makeFrame({1, 1, 1}, {0, 0, 1}, {0, 1, 0}, 250);
   EXPECT_DOUBLE_EQ(frame.distanceAlongAxis({7, -3, 1}), 250);
   EXPECT_DOUBLE_EQ(frame.distanceAlongAxis({0, 0, -9}), 260);
+}
+
+TEST(ProjectionFrame, TurnsAnticlockwiseAboutItsNormal) {
+  const ProjectionFrame frame = makeFrame({1, 2, 3}, {0, 0, 1}, {0, 1, 0}, 100);
+  const ProjectionFrame sixth = turned(frame, toRadians(60));
+  expectNear(sixth.right, {0.5, std::sqrt(0.75), 0});
+  expectNear(sixth.up, {-std::sqrt(0.75), 0.5, 0});
+  expectNear(sixth.normal, frame.normal);
+  expectNear(sixth.centre, frame.centre);
+  EXPECT_EQ(toDegrees(toRadians(180)), 180);
 }
 
 TEST(ProjectionFrame, ShrinksWhatLiesFartherAway) {

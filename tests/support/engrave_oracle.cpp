@@ -11,6 +11,7 @@
 #include "carving/wall_limit.h"
 #include "embedding/carving_oracle.h"
 #include "io/write_stl.h"
+#include "math/angle.h"
 #include "math/tolerance.h"
 #include "mesh/ray.h"
 #include "messages/sentences.h"
@@ -238,7 +239,7 @@ struct Search {
 
 ProjectionFrame frameOf(const PlacementRequest& place, Vec3 centre, Vec3 normal) {
   ProjectionFrame frame = makeFrame(centre, normal, place.upHint, place.eyeDistanceMm);
-  const double angle = place.rotateDeg * kPi / 180;
+  const double angle = toRadians(place.rotateDeg);
   const Vec3 right = frame.right * std::cos(angle) + frame.up * std::sin(angle);
   frame.up = frame.up * std::cos(angle) - frame.right * std::sin(angle);
   frame.right = right;

@@ -29,8 +29,8 @@ class ReadingSweepTest : public testing::Test {
 
   /// The text at its place in every picture.
   static SymbolRead wanted(const GreyImage& picture) {
-    const double modules = kModules + 2 * kMarginModules, module = picture.width / modules;
-    const double begin = kMarginModules * module, end = (kMarginModules + kModules) * module;
+    const double modules = kModules + 2 * kPictureMarginModules, module = picture.width / modules;
+    const double begin = kPictureMarginModules * module, end = (kPictureMarginModules + kModules) * module;
     return {"WANTED", false, {Vec2(begin, begin), Vec2(end, begin), Vec2(end, end), Vec2(begin, end)}};
   }
 
@@ -40,7 +40,7 @@ class ReadingSweepTest : public testing::Test {
   BakedLight light_{tree_,
                     frame_,
                     {.texelMm = kSymbolMm / kModules / kBakedPixels,
-                     .texels = kBakedPixels * (kModules + 2 * kMarginModules),
+                     .texels = kBakedPixels * (kModules + 2 * kPictureMarginModules),
                      .paths = 1}};
 };
 
@@ -75,7 +75,7 @@ TEST_F(ReadingSweepTest, TheShareIsOfAllTriesOfAllReaders) {
 }
 
 TEST_F(ReadingSweepTest, TheDistanceEndsAtTheFirstPictureThatIsTooSmall) {
-  const double across = kModules + 2 * kMarginModules;
+  const double across = kModules + 2 * kPictureMarginModules;
   const auto atLeastThreePixels = [&](const GreyImage& picture) -> std::optional<SymbolRead> {
     if (picture.width < 3 * across) return std::nullopt;
     return wanted(picture);
@@ -106,7 +106,7 @@ TEST_F(ReadingSweepTest, MirroredAndOtherTextsAreNoReads) {
 TEST_F(ReadingSweepTest, ASymbolElsewhereIsMeasuredInModules) {
   const auto shifted = [](const GreyImage& picture) {
     SymbolRead read = wanted(picture);
-    for (Vec2& corner : read.corners) corner.x += 3.0 * picture.width / (kModules + 2 * kMarginModules);
+    for (Vec2& corner : read.corners) corner.x += 3.0 * picture.width / (kModules + 2 * kPictureMarginModules);
     return std::optional(read);
   };
   EXPECT_NEAR(sweep({shifted}, false).summary().cornerErrorModules.value_or(0), 3, 0.1);
