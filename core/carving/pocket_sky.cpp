@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "math/grid_march.h"
+
 namespace qrelief {
 namespace {
 
@@ -28,19 +30,13 @@ PocketSky::PocketSky(const SubmoduleMask& mask, double submoduleMm) {
       begin_.push_back(static_cast<std::uint32_t>(steps_.size()));
       // Between the axes and the diagonals.
       const double angle = 2 * std::numbers::pi * (k + 0.5) / kDirections;
-      const double along[2] = {std::cos(angle), std::sin(angle)};
-      int cell[2] = {column, row};
-      const double place[2] = {kPlaces[k % 2], kPlaces[(k + k / 2) % 2]};
-      double next[2];
-      for (int axis = 0; axis < 2; ++axis)
-        next[axis] = (along[axis] > 0 ? 1 - place[axis] : place[axis]) / std::abs(along[axis]);
+      const Vec2 place(kPlaces[k % 2], kPlaces[(k + k / 2) % 2]);
+      GridMarch march({column, row}, place, {std::cos(angle), std::sin(angle)});
       for (std::uint32_t floor = 0; floor != kLight;) {
-        const int axis = next[0] < next[1] ? 0 : 1;
-        const double distanceMm = next[axis] * submoduleMm;
-        next[axis] += 1 / std::abs(along[axis]);
-        cell[axis] += along[axis] > 0 ? 1 : -1;
-        const bool inside = cell[0] >= 0 && cell[1] >= 0 && cell[0] < mask.size && cell[1] < mask.size;
-        floor = inside ? floorOf[static_cast<std::size_t>(cell[1] * mask.size + cell[0])] : kLight;
+        const double distanceMm = march.step() * submoduleMm;
+        const glm::ivec2 cell = march.cell();
+        const bool inside = cell.x >= 0 && cell.y >= 0 && cell.x < mask.size && cell.y < mask.size;
+        floor = inside ? floorOf[static_cast<std::size_t>(cell.y * mask.size + cell.x)] : kLight;
         steps_.push_back({floor, static_cast<float>(1 / distanceMm)});
       }
     }

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "math/vec.h"
+#include "math/grid_march.h"
 
 namespace qrelief {
 namespace {
@@ -22,15 +22,10 @@ bool isLight(const Symbol& symbol, int row, int column) {
 /// From the middle of a module to the next light one, in modules, along a direction that is no multiple of 90°.
 double distanceToLight(const Symbol& symbol, int row, int column, double angle) {
   const Vec2 along(std::cos(angle), std::sin(angle));  // columns, rows
-  int cell[2] = {column, row};
-  double next[2];  // where the ray leaves its column, and its row
-  for (int axis = 0; axis < 2; ++axis) next[axis] = 0.5 / std::abs(along[axis]);
+  GridMarch march({column, row}, Vec2(0.5), along);
   for (;;) {
-    const int axis = next[0] < next[1] ? 0 : 1;
-    const double distance = next[axis];
-    cell[axis] += along[axis] > 0 ? 1 : -1;
-    if (distance >= kReachModules || isLight(symbol, cell[1], cell[0])) return distance;
-    next[axis] += 1 / std::abs(along[axis]);
+    const double distance = march.step();
+    if (distance >= kReachModules || isLight(symbol, march.cell().y, march.cell().x)) return distance;
   }
 }
 
