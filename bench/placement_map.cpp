@@ -33,7 +33,7 @@ double bestMs(int runs, const Work& work) {
 
 PlacementMapOptions mapOptions(int views) {
   PlacementMapOptions options;
-  options.leastMm = kSizeMm * 29 / 21;
+  options.minMm = kSizeMm * 29 / 21;
   options.views = views;
   return options;
 }

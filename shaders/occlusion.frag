@@ -10,7 +10,7 @@
 // What is computed lies side by side, without gaps, whichever cells are listed: u_computedTexels² texels of each, a row
 // of entries as long as one of the map's cells.
 //
-// Output: share of a uniform sky, cosine-weighted, that reaches the texel, 1 = unoccluded plane; the same past the
+// Output: fraction of a uniform sky, cosine-weighted, that reaches the texel, 1 = unoccluded plane; the same past the
 // walls of pockets alone; irradiance by the lamps, 1 = that of the whole sky; the same before anything was carved.
 precision highp float;
 
@@ -102,7 +102,7 @@ float horizonCotangent(vec2 start, vec3 along, vec3 origin, SightFrame sight, fl
   return highest;
 }
 
-// Share of the texel that a lamp reaches, past rims and past the surface's own horizon. A shadow's edge is as wide as a
+// Fraction of the texel that a lamp reaches, past rims and past the surface's own horizon. A shadow's edge is as wide as a
 // texel, so that cell means do not jump.
 vec2 lampReaches(vec2 start, vec3 toLamp, vec3 origin, SightFrame sight, float pocketMm) {
   vec3 across = toLamp - sight.toEye * dot(toLamp, sight.toEye);

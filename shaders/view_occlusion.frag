@@ -64,15 +64,15 @@ void main() {
     vec3 across = vec3(direction, 0.0) - toEye * dot(vec3(direction, 0.0), toEye);
     vec3 axis = normalize(cross(across, toEye));
     vec3 inSlice = normal - axis * dot(normal, axis);
-    float share = length(inSlice);
-    float gamma = sign(dot(across, inSlice)) * acos(clamp(dot(inSlice, toEye) / max(share, 1e-4), -1.0, 1.0));
+    float fraction = length(inSlice);
+    float gamma = sign(dot(across, inSlice)) * acos(clamp(dot(inSlice, toEye) / max(fraction, 1e-4), -1.0, 1.0));
     float ahead = horizonCosine(direction, radiusPx, shift, origin, toEye, cos(gamma + 0.5 * kPi),
                                 1.0 / squareOf(radius));
     float behind = horizonCosine(-direction, radiusPx, shift, origin, toEye, cos(gamma - 0.5 * kPi),
                                  1.0 / squareOf(radius));
     float right = gamma + min(acos(clamp(ahead, -1.0, 1.0)) - gamma, 0.5 * kPi);
     float left = gamma + max(-acos(clamp(behind, -1.0, 1.0)) - gamma, -0.5 * kPi);
-    visibility += share * (visibleArc(right, gamma) + visibleArc(left, gamma));
+    visibility += fraction * (visibleArc(right, gamma) + visibleArc(left, gamma));
   }
   o_visibility = vec4(clamp(visibility / float(u_slices), 0.0, 1.0), surface.w / u_radius, 0.0, 1.0);
 }

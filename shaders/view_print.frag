@@ -39,7 +39,7 @@ vec2 inMap(vec2 onPlane, float texels) {
   return (turned / u_window + 0.5) * texels;
 }
 
-// Share of the four nearest texels that belong to the surface about the centre, weighted.
+// Fraction of the four nearest texels that belong to the surface about the centre, weighted.
 float reached(vec2 at, int texels) {
   ivec2 last = ivec2(texels - 1);
   vec2 from = floor(at - 0.5);
@@ -75,7 +75,7 @@ float stripes(vec2 onPlane) {
   return smoothstep(0.25 - soft, 0.25 + soft, abs(fract(across) - 0.5));
 }
 
-// Share of the pixel inside the square, and in its outline.
+// Fraction of the pixel inside the square, and in its outline.
 vec2 inSquare(vec2 onPlane, vec2 dx, vec2 dy) {
   float pixel = max(1e-6, max(length(dx), length(dy)));
   float beyond = (max(abs(onPlane.x), abs(onPlane.y)) - 0.5 * u_edge) / pixel;

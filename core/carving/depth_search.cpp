@@ -71,7 +71,7 @@ void DepthSearch::update(std::span<const double> luminance) {
   finished_ = !deepened || iterations_ >= options_.maxIterations;
 }
 
-double DepthSearch::doneShare() const {
+double DepthSearch::doneFraction() const {
   std::size_t carved = 0, done = 0;
   for (const DepthState state : states_) {
     carved += state != DepthState::Light;

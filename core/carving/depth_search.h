@@ -14,8 +14,8 @@ namespace qrelief {
 double depthIncrease(int x);
 
 struct DepthSearchOptions {
-  double contrast = 0.3;        ///< c: a carved submodule must be darker than its surroundings by this share, 0 … 1
-  double initialDepthMm = 0.1;  ///< of every carved submodule, > 0
+  double contrast = 0.3;  ///< c: a carved submodule must be darker than its surroundings by this fraction, 0 … 1
+  double initialDepthMm = 0.1;       ///< of every carved submodule, > 0
   double significantChange = 0.005;  ///< of a submodule's luminance between iterations; less is "not changed"
   int maxIterations = 60;
 };
@@ -35,7 +35,7 @@ class DepthSearch final : public DepthSolver {
 
   bool finished() const override { return finished_; }
   int iterations() const override { return iterations_; }
-  double doneShare() const override;
+  double doneFraction() const override;
   const DepthField& depths() const override { return depths_; }
   const std::vector<DepthState>& states() const { return states_; }
   std::size_t limitedCount() const override;

@@ -38,8 +38,8 @@ class DepthSolver {
 
   virtual bool finished() const = 0;
   virtual int iterations() const = 0;
-  /// Share of what is carved that is done; not monotone, as deeper neighbours brighten each other.
-  virtual double doneShare() const = 0;
+  /// Fraction of what is carved that is done; not monotone, as deeper neighbours brighten each other.
+  virtual double doneFraction() const = 0;
   virtual const DepthField& depths() const = 0;
   /// Submodules that a limit kept from being dark enough.
   virtual std::size_t limitedCount() const = 0;

@@ -17,8 +17,8 @@ double squaredDistance(Vec3 p, const Box3& box) {
 double squaredDistanceToSegment(Vec3 p, Vec3 a, Vec3 b) {
   const Vec3 along = b - a;
   const double squared = glm::dot(along, along);
-  const double share = squared > 0 ? std::clamp(glm::dot(p - a, along) / squared, 0.0, 1.0) : 0;
-  const Vec3 away = p - a - along * share;
+  const double fraction = squared > 0 ? std::clamp(glm::dot(p - a, along) / squared, 0.0, 1.0) : 0;
+  const Vec3 away = p - a - along * fraction;
   return glm::dot(away, away);
 }
 

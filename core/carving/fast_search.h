@@ -11,7 +11,7 @@
 namespace qrelief {
 
 struct FastSearchOptions {
-  double contrast = 0.3;  ///< c: a carved submodule must be darker than its surroundings by this share, 0 … 1
+  double contrast = 0.3;  ///< c: a carved submodule must be darker than its surroundings by this fraction, 0 … 1
   double slackMm = 0.05;  ///< a submodule is no deeper than it must be by more than about this, > 0
   double albedo = 0.7;    ///< of the material, 0 … 1: what interreflection is expected to be at first
   int maxIterations = 24;
@@ -36,7 +36,7 @@ class FastSearch final : public DepthSolver {
 
   bool finished() const override { return finished_; }
   int iterations() const override { return iterations_; }
-  double doneShare() const override;
+  double doneFraction() const override;
   const DepthField& depths() const override { return depths_; }
   std::size_t limitedCount() const override;
 
@@ -44,10 +44,10 @@ class FastSearch final : public DepthSolver {
   enum class State : std::uint8_t { TooBright, TooDeep, Done, Limited };
 
   void solve();
-  double expectedShare(std::size_t k, double depthMm, std::span<const double> depthsMm) const;
+  double expectedFraction(std::size_t k, double depthMm, std::span<const double> depthsMm) const;
   void chooseDue(const std::vector<double>& depthsBefore);
-  void makeOld(const std::vector<double>& depthsBefore);
-  void lookAgain();
+  void markStale(const std::vector<double>& depthsBefore);
+  void chooseStale();
   bool allAreDue() const { return dueInMask_.empty(); }
 
   CarvingTarget target_;
@@ -57,15 +57,15 @@ class FastSearch final : public DepthSolver {
   DepthField depths_;
   // Per carved submodule, in the order of sky_.carved():
   std::vector<double> limitMm_, solvedMm_;
-  std::vector<double> difference_;  // between what was seen and what the plane says
-  std::vector<double> surprise_;    // how much that changed when it was last measured
-  std::vector<double> seenShare_;   // LS/AL when it was last measured
+  std::vector<double> difference_;        // between what was seen and what the plane says
+  std::vector<double> differenceChange_;  // by how much that changed when it was last measured
+  std::vector<double> seenFraction_;      // LS/AL when it was last measured
   std::vector<State> states_;
   std::vector<char> isDue_;
-  std::vector<char> isOld_;               // something it sees has moved since it was measured
+  std::vector<char> isStale_;             // something it sees has moved since it was measured
   std::vector<std::uint32_t> dueInMask_;  // none: all
   int iterations_ = 0;
-  bool allSeenOnceMore_ = false;
+  bool allRemeasured_ = false;
   bool finished_ = false;
 };
 

@@ -58,7 +58,7 @@ void PocketSky::listSeenFrom() {
       if (steps_[s].floor != kLight) seenFrom_[next[steps_[s].floor]++] = static_cast<std::uint32_t>(k);
 }
 
-double PocketSky::share(std::size_t k, double depthMm, std::span<const double> depthsMm) const {
+double PocketSky::fraction(std::size_t k, double depthMm, std::span<const double> depthsMm) const {
   double sum = 0;
   for (std::size_t direction = k * kDirections; direction < (k + 1) * kDirections; ++direction) {
     double steepest = 0;  // tangent of the horizon's elevation
@@ -71,10 +71,10 @@ double PocketSky::share(std::size_t k, double depthMm, std::span<const double> d
   return sum / kDirections;
 }
 
-/// Share of the sky at a depth, and its change per mm of it.
-PocketSky::ShareAndSlope PocketSky::shareAndSlope(std::size_t k, double depthMm,
-                                                  std::span<const double> depthsMm) const {
-  ShareAndSlope sum;
+/// Fraction of the sky at a depth, and its change per mm of it.
+PocketSky::FractionAndSlope PocketSky::fractionAndSlope(std::size_t k, double depthMm,
+                                                        std::span<const double> depthsMm) const {
+  FractionAndSlope sum;
   for (std::size_t direction = k * kDirections; direction < (k + 1) * kDirections; ++direction) {
     double steepest = 0, perMm = 0;
     for (std::uint32_t s = begin_[direction]; s < begin_[direction + 1]; ++s) {
@@ -85,7 +85,7 @@ PocketSky::ShareAndSlope PocketSky::shareAndSlope(std::size_t k, double depthMm,
       steepest = std::max(steepest, steep);
     }
     const double seen = 1 / (1 + steepest * steepest);
-    sum.share += seen / kDirections;
+    sum.fraction += seen / kDirections;
     sum.perMm -= 2 * steepest * perMm * seen * seen / kDirections;
   }
   return sum;
@@ -97,14 +97,14 @@ double PocketSky::depthFor(std::size_t k, double wanted, double limitMm, std::sp
   double low = 0, high = limitMm;
   double depth = std::clamp(depthsMm[k], std::min(kSettledMm, limitMm), limitMm);
   for (int i = 0; i < kSteps; ++i) {
-    const ShareAndSlope seen = shareAndSlope(k, depth, depthsMm);
-    if (seen.share > wanted) {
+    const FractionAndSlope seen = fractionAndSlope(k, depth, depthsMm);
+    if (seen.fraction > wanted) {
       if (depth >= limitMm) return limitMm;
       low = depth;
     } else {
       high = depth;
     }
-    const double v = std::clamp(seen.share, 1e-9, 1 - 1e-9);
+    const double v = std::clamp(seen.fraction, 1e-9, 1 - 1e-9);
     const double perLogDepth = -seen.perMm * depth / (v * (1 - v));
     const double wantedMore = std::log((1 - wanted) / wanted * v / (1 - v));
     double next = perLogDepth > 0 ? depth * std::exp(wantedMore / perLogDepth) : high;
@@ -116,15 +116,15 @@ double PocketSky::depthFor(std::size_t k, double wanted, double limitMm, std::sp
   return high;
 }
 
-void PocketSky::solve(std::span<const double> shares, std::span<const double> limitsMm, std::span<double> depthsMm,
-                      std::vector<char> isDue, int mostSweeps) const {
-  for (int sweep = 0; sweep < mostSweeps; ++sweep) {
+void PocketSky::solve(std::span<const double> fractions, std::span<const double> limitsMm, std::span<double> depthsMm,
+                      std::vector<char> isDue, int maxSweeps) const {
+  for (int sweep = 0; sweep < maxSweeps; ++sweep) {
     bool moved = false;
     for (std::size_t i = 0; i < carved_.size(); ++i) {
       const std::size_t k = sweep % 2 == 0 ? i : carved_.size() - 1 - i;  // there and back
       if (!isDue[k]) continue;
       isDue[k] = 0;
-      const double depth = depthFor(k, shares[k], limitsMm[k], depthsMm);
+      const double depth = depthFor(k, fractions[k], limitsMm[k], depthsMm);
       const double change = std::abs(depth - depthsMm[k]);
       depthsMm[k] = depth;
       if (change < kSettledMm) continue;

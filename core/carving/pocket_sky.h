@@ -28,21 +28,21 @@ class PocketSky {
     return std::span(seenFrom_).subspan(seenFromBegin_[k], seenFromBegin_[k + 1] - seenFromBegin_[k]);
   }
 
-  /// Share of the sky that floor `k` sees, 0 … 1, were its depth `depthMm` and those of the others `depthsMm`.
-  double share(std::size_t k, double depthMm, std::span<const double> depthsMm) const;
+  /// Fraction of the sky that floor `k` sees, 0 … 1, were its depth `depthMm` and those of the others `depthsMm`.
+  double fraction(std::size_t k, double depthMm, std::span<const double> depthsMm) const;
 
-  /// Depths at which every floor sees no more than its share, or is as deep as it may be.
+  /// Depths at which every floor sees no more than its fraction, or is as deep as it may be.
   ///
   /// A floor gets darker as it gets deeper, and brighter as its neighbours do; and all get darker if all depths grow by
   /// one factor. So there is one solution, it is the least depth in every place, and solving for one floor after the
   /// other ends there from any start.
-  /// @param shares    per floor, above 0 and below 1
-  /// @param limitsMm  per floor, ≥ 0
-  /// @param depthsMm    where to begin; the answer
-  /// @param isDue       per floor: whether it is to be solved for even if no other moves
-  /// @param mostSweeps  over all floors; a few bring it near, and near is enough where the shares will change again
-  void solve(std::span<const double> shares, std::span<const double> limitsMm, std::span<double> depthsMm,
-             std::vector<char> isDue, int mostSweeps) const;
+  /// @param fractions  per floor, above 0 and below 1
+  /// @param limitsMm   per floor, ≥ 0
+  /// @param depthsMm   where to begin; the answer
+  /// @param isDue      per floor: whether it is to be solved for even if no other moves
+  /// @param maxSweeps  over all floors; a few bring it near, and near is enough where the fractions will change again
+  void solve(std::span<const double> fractions, std::span<const double> limitsMm, std::span<double> depthsMm,
+             std::vector<char> isDue, int maxSweeps) const;
 
  private:
   struct Step {
@@ -52,13 +52,13 @@ class PocketSky {
   static constexpr std::uint32_t kLight = 0xffffffff;
   static constexpr int kDirections = 16;
 
-  struct ShareAndSlope {
-    double share = 0, perMm = 0;
+  struct FractionAndSlope {
+    double fraction = 0, perMm = 0;
   };
 
   void listSeenFrom();
-  ShareAndSlope shareAndSlope(std::size_t k, double depthMm, std::span<const double> depthsMm) const;
-  double depthFor(std::size_t k, double share, double limitMm, std::span<const double> depthsMm) const;
+  FractionAndSlope fractionAndSlope(std::size_t k, double depthMm, std::span<const double> depthsMm) const;
+  double depthFor(std::size_t k, double fraction, double limitMm, std::span<const double> depthsMm) const;
 
   std::vector<std::uint32_t> carved_;
   std::vector<Step> steps_;                              // by floor and direction, outwards

@@ -132,7 +132,7 @@ void ReadingSearch::update(std::span<const double> luminance) {
     for (const Pocket& pocket : pockets_) carve(pocket);
 }
 
-double ReadingSearch::doneShare() const {
+double ReadingSearch::doneFraction() const {
   const auto done =
       std::count_if(pockets_.begin(), pockets_.end(), [](const Pocket& p) { return p.done || p.limited; });
   return pockets_.empty() ? 1 : static_cast<double>(done) / static_cast<double>(pockets_.size());

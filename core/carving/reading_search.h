@@ -35,7 +35,7 @@ class ReadingSearch final : public DepthSolver {
 
   bool finished() const override { return finished_; }
   int iterations() const override { return passes_; }
-  double doneShare() const override;
+  double doneFraction() const override;
   const DepthField& depths() const override { return depths_; }
   std::size_t limitedCount() const override;
   /// Contrast of each dark module as last seen, row-major; 0 for light ones.

@@ -27,7 +27,7 @@ std::optional<Triangle2> imageOf(const Mesh& mesh, const ProjectionFrame& frame,
   Triangle2 image;
   for (int k = 0; k < 3; ++k) {
     const Vec3 corner = mesh.corner(t, k);
-    if (frame.distanceAlongAxis(corner) <= kNearPlaneShare * frame.eyeDistance) return std::nullopt;
+    if (frame.distanceAlongAxis(corner) <= kNearPlaneFraction * frame.eyeDistance) return std::nullopt;
     image[static_cast<std::size_t>(k)] = frame.project(corner);
   }
   if (cross2(image[1] - image[0], image[2] - image[0]) <= 0) return std::nullopt;
@@ -80,7 +80,7 @@ Vec3 alongAxes(const ProjectionFrame& frame, Vec3 p) {
 
 /// Front-facing and wholly outside the patch's radius: not looked at, perhaps visible surface.
 bool isUnknown(const FacetTree::Facet& facet, const VisiblePatch& patch, const ProjectionFrame& frame) {
-  const auto inFront = [&](Vec3 p) { return frame.distanceAlongAxis(p) > kNearPlaneShare * frame.eyeDistance; };
+  const auto inFront = [&](Vec3 p) { return frame.distanceAlongAxis(p) > kNearPlaneFraction * frame.eyeDistance; };
   if (sideOfPlane(facet[0], facet[1], facet[2], frame.eye()) <= 0) return false;
   if (!std::all_of(facet.begin(), facet.end(), inFront)) return false;
   const Triangle2 image{frame.project(facet[0]), frame.project(facet[1]), frame.project(facet[2])};

@@ -13,12 +13,12 @@ inline constexpr double kParallelSine = 0.0175;
 /// double or single precision and may lie this far to either side of it; no printer knows the difference.
 inline constexpr double kOnSurfaceMm = 0.001;
 
-/// Points nearer to the eye's own plane than this share of the eye distance are not projected: their images lie a
+/// Points nearer to the eye's own plane than this fraction of the eye distance are not projected: their images lie a
 /// billion eye distances away, or anywhere.
-inline constexpr double kNearPlaneShare = 1e-9;
+inline constexpr double kNearPlaneFraction = 1e-9;
 
-/// Projected points nearer to one another than this share of the eye's distance (from the plane, and from the origin of
-/// the coordinates) cannot be told apart: a thousand times the rounding error of a projection. Rejects what is
+/// Projected points nearer to one another than this fraction of the eye's distance (from the plane, and from the origin
+/// of the coordinates) cannot be told apart: a thousand times the rounding error of a projection. Rejects what is
 /// certainly apart, and keeps sample points clear of contours.
 inline constexpr double kProjectionNoise = 1e-12;
 
@@ -47,22 +47,22 @@ inline constexpr double kStraightSine = 1e-6;
 /// counts as the remains of one without area: files with six digits round that much.
 inline constexpr double kFlapHeight = 1e-5;
 
-/// Vertices on open edges nearer than this share of the model's diagonal become one if no tolerance is given: a micron
-/// on a figure as large as a hand, finer than any printer and coarser than files with six digits ...
-inline constexpr double kWeldShare = 1e-5;
+/// Vertices on open edges nearer than this fraction of the model's diagonal become one if no tolerance is given: a
+/// micron on a figure as large as a hand, finer than any printer and coarser than files with six digits ...
+inline constexpr double kWeldFraction = 1e-5;
 
 /// ... but never less than so many steps of 32-bit floats at the model's farthest coordinate.
 inline constexpr double kWeldFloatSteps = 4;
 
-/// Holes up to this share of the model's diagonal are filled if no size is given: scans miss the underside of what they
-/// stand on, a fifth of it or so; vases and open boxes gape wider.
-inline constexpr double kHoleShare = 0.2;
+/// Holes up to this fraction of the model's diagonal are filled if no size is given: scans miss the underside of what
+/// they stand on, a fifth of it or so; vases and open boxes gape wider.
+inline constexpr double kHoleFraction = 0.2;
 
 /// How far a vertex may be moved to part triangles that cross, as a part of the mean length of its edges: it stays
 /// nearer to its place than to its neighbours, so the facets around it keep their order ...
-inline constexpr double kUntangleEdgeShare = 0.5;
+inline constexpr double kUntangleEdgeFraction = 0.5;
 
 /// ... and as a part of the model's diagonal: 1 mm on a figure as large as a hand; more would change its shape.
-inline constexpr double kUntangleDiagonalShare = 0.01;
+inline constexpr double kUntangleDiagonalFraction = 0.01;
 
 }  // namespace qrelief

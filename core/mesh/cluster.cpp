@@ -23,10 +23,10 @@ struct Cluster {
 };
 
 std::vector<KeyedVertex> verticesByCell(const Mesh& mesh, double cellMm) {
-  constexpr double kMostCells = 1 << 20;  // along an axis: three indices fit into a key
+  constexpr double kMaxCells = 1 << 20;  // along an axis: three indices fit into a key
   const Box3 box = boundingBox(mesh);
   const Vec3 size = box.size();
-  const double cell = std::max(cellMm, std::max({size.x, size.y, size.z}) / kMostCells);
+  const double cell = std::max(cellMm, std::max({size.x, size.y, size.z}) / kMaxCells);
   std::vector<KeyedVertex> keyed(mesh.positions.size());
   for (std::uint32_t v = 0; v < keyed.size(); ++v) {
     const Vec3 at = (Vec3(mesh.positions[v]) - box.min) / cell;

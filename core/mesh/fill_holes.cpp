@@ -15,7 +15,7 @@ namespace qrelief {
 namespace {
 
 /// More loops than that are no holes but a surface in pieces.
-constexpr std::size_t kMostHoles = 1000;
+constexpr std::size_t kMaxHoles = 1000;
 
 /// A loop of open edges, in the direction that its patch's triangles take: from corners[i] to corners[i + 1].
 struct Hole {
@@ -79,7 +79,7 @@ std::vector<Hole> findHoles(std::size_t vertexCount, const std::vector<HoleEdge>
 }
 
 double diameterOf(const Mesh& mesh, const Hole& hole) {
-  if (hole.corners.size() > kMostHoleEdges) {
+  if (hole.corners.size() > kMaxHoleEdges) {
     Box3 box;
     for (const std::uint32_t v : hole.corners) box.add(Vec3(mesh.positions[v]));
     return box.diagonal();
@@ -198,10 +198,10 @@ Result<std::vector<char>> findBadPatches(const Mesh& mesh, const std::vector<Pat
   const auto blame = [&](std::size_t triangle) {
     if (triangle >= mesh.triangles.size()) bad[patchOf[triangle - mesh.triangles.size()]] = 1;
   };
-  constexpr std::size_t kMostCrossings = 100'000;
-  const auto crossings = findSelfIntersections(filled, added, kMostCrossings);
+  constexpr std::size_t kMaxCrossings = 100'000;
+  const auto crossings = findSelfIntersections(filled, added, kMaxCrossings);
   if (!crossings) return tl::unexpected(crossings.error());
-  if (crossings->size() == kMostCrossings) return std::vector<char>(patches.size(), 1);
+  if (crossings->size() == kMaxCrossings) return std::vector<char>(patches.size(), 1);
   for (const TrianglePair& pair : *crossings)
     for (const std::uint32_t t : pair) blame(t);
   const EdgeTable edges = buildEdgeTable(filled.triangles);
@@ -217,14 +217,14 @@ Result<HoleFilling> fillHoles(Mesh& mesh, double maxDiameterMm) {
   HoleFilling result;
   const EdgeTable edges = buildEdgeTable(mesh.triangles);
   const std::vector<Hole> holes = findHoles(mesh.positions.size(), holeEdges(mesh, edges));
-  if (holes.size() > kMostHoles) return result;
+  if (holes.size() > kMaxHoles) return result;
   std::vector<Patch> patches;
   const auto block = [&](std::uint32_t vertex) {
     if (result.blocked++ == 0) result.blockedAt = Vec3(mesh.positions[vertex]);
   };
   for (const Hole& hole : holes) {
     const double diameter = diameterOf(mesh, hole);
-    if (diameter > maxDiameterMm || hole.corners.size() > kMostHoleEdges) {
+    if (diameter > maxDiameterMm || hole.corners.size() > kMaxHoleEdges) {
       ++result.tooLarge;
       if (diameter > result.largestLeftMm) {
         result.largestLeftMm = diameter;

@@ -34,7 +34,7 @@ void cut(const Triangle& t, const Middles& m, std::vector<Triangle>& out) {
 
 }  // namespace
 
-Mesh refineEdges(Mesh mesh, double longestMm, std::size_t mostTriangles) {
+Mesh refineEdges(Mesh mesh, double longestMm, std::size_t maxTriangles) {
   assert(longestMm > 0);
   const auto isLong = [&](std::uint32_t a, std::uint32_t b) {
     return glm::distance(Vec3(mesh.positions[a]), Vec3(mesh.positions[b])) > longestMm;
@@ -43,7 +43,7 @@ Mesh refineEdges(Mesh mesh, double longestMm, std::size_t mostTriangles) {
     std::size_t longSides = 0;
     for (const Triangle& t : mesh.triangles)
       for (std::size_t k = 0; k < 3; ++k) longSides += isLong(t[k], t[(k + 1) % 3]) ? 1 : 0;
-    if (longSides == 0 || mesh.triangles.size() + longSides > mostTriangles) return mesh;
+    if (longSides == 0 || mesh.triangles.size() + longSides > maxTriangles) return mesh;
 
     const EdgeTable edges = buildEdgeTable(mesh.triangles);
     std::vector<Middles> middles(mesh.triangles.size(), {kWhole, kWhole, kWhole});

@@ -10,7 +10,7 @@ namespace qrelief {
 ///
 /// Cost: O(T log(edge / longestMm)) for T triangles of the result.
 /// @param longestMm      > 0
-/// @param mostTriangles  it stops before a round that would give more
-Mesh refineEdges(Mesh mesh, double longestMm, std::size_t mostTriangles);
+/// @param maxTriangles  it stops before a round that would give more
+Mesh refineEdges(Mesh mesh, double longestMm, std::size_t maxTriangles);
 
 }  // namespace qrelief

@@ -39,7 +39,7 @@ double toleranceFor(const Mesh& mesh, const RepairOptions& options) {
   if (options.weldToleranceMm) return *options.weldToleranceMm;
   const Box3 box = boundingBox(mesh);
   const Vec3 far = glm::max(glm::abs(box.min), glm::abs(box.max));
-  return std::max(kWeldShare * box.diagonal(),
+  return std::max(kWeldFraction * box.diagonal(),
                   kWeldFloatSteps * std::numeric_limits<float>::epsilon() * std::max({far.x, far.y, far.z}));
 }
 
@@ -101,12 +101,12 @@ Status closeHoles(Repaired& r, EdgeTable& edges) {
 
 /// The first pairs that cross, nothing moved.
 Result<Untangling> countCrossings(const Mesh& mesh) {
-  constexpr std::size_t kMostCounted = 1000;
-  const auto pairs = findSelfIntersections(mesh, {}, kMostCounted);
+  constexpr std::size_t kMaxCounted = 1000;
+  const auto pairs = findSelfIntersections(mesh, {}, kMaxCounted);
   if (!pairs) return tl::unexpected(pairs.error());
   Untangling result;
   result.pairs = pairs->size();
-  result.atLeast = pairs->size() == kMostCounted;
+  result.atLeast = pairs->size() == kMaxCounted;
   if (!pairs->empty()) result.at = mesh.corner(pairs->front()[0], 0);
   return result;
 }
@@ -119,7 +119,7 @@ Result<Repaired> repairMesh(Mesh mesh, std::span<const std::uint32_t> partOfTria
   r.origin.resize(r.mesh.triangles.size());
   std::iota(r.origin.begin(), r.origin.end(), 0u);
   r.toleranceMm = toleranceFor(r.mesh, options);
-  r.maxHoleMm = options.maxHoleMm.value_or(kHoleShare * boundingBox(r.mesh).diagonal());
+  r.maxHoleMm = options.maxHoleMm.value_or(kHoleFraction * boundingBox(r.mesh).diagonal());
   r.cleaning = cleanTriangles(r.mesh);
   follow(r.origin, r.cleaning.origin);
   EdgeTable edges = buildEdgeTable(r.mesh.triangles);

@@ -18,8 +18,8 @@ namespace qrelief {
 /// Which repairs may be made. What a repair that is switched off would have mended is reported, and blocks if the model
 /// is no solid without it.
 struct RepairOptions {
-  std::optional<double> weldToleranceMm = {};  ///< for vertices on open edges, ≥ 0; absent: kWeldShare of the diagonal
-  std::optional<double> maxHoleMm = {};        ///< diameter of the largest hole to be filled; absent: kHoleShare of it
+  std::optional<double> weldToleranceMm = {};  ///< of open edges' vertices, ≥ 0; absent: kWeldFraction of the diagonal
+  std::optional<double> maxHoleMm = {};  ///< diameter of the largest hole to be filled; absent: kHoleFraction of it
   bool weldNear = true;
   bool splitTJunctions = true;
   bool fillHoles = true;

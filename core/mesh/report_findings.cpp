@@ -66,7 +66,7 @@ void reportFilling(const Repaired& repaired, FindingList& findings) {
         counted(filling.tooLarge, "opening is", "openings are") +
             fmt::format(" too large to be filled (more than {} across, or {} edges): the largest is {} "
                         "across, has {} edges and starts at {}",
-                        findings.length(repaired.maxHoleMm), kMostHoleEdges, findings.length(filling.largestLeftMm),
+                        findings.length(repaired.maxHoleMm), kMaxHoleEdges, findings.length(filling.largestLeftMm),
                         filling.largestLeftEdges, findings.place(filling.leftAt)),
         "If it is meant to be closed there, close it in a mesh program or raise --max-hole; a surface that "
         "is open by design needs a thickness first (\"shell\", \"solidify\")");

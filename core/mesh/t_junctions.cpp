@@ -12,7 +12,7 @@ namespace qrelief {
 namespace {
 
 /// One edge of a triangle is split in a round; a new triangle has fewer open edges than the old one.
-constexpr int kMostRounds = 3;
+constexpr int kMaxRounds = 3;
 
 /// A vertex on the open edge k of a triangle.
 struct Junction {
@@ -86,7 +86,7 @@ TJunctionSplit splitAtTJunctions(Mesh& mesh, double toleranceMm) {
   result.origin.resize(mesh.triangles.size());
   std::iota(result.origin.begin(), result.origin.end(), 0u);
   Mesh split = mesh;
-  for (int round = 0; round < kMostRounds; ++round) {
+  for (int round = 0; round < kMaxRounds; ++round) {
     const std::vector<Junction> junctions = findJunctions(split, toleranceMm);
     if (junctions.empty()) break;
     splitOnce(split, junctions, result);

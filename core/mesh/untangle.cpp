@@ -12,9 +12,9 @@
 namespace qrelief {
 namespace {
 
-constexpr std::size_t kMostCounted = 1000;
-constexpr std::size_t kMostMended = 100;      // more pairs than that are parts that overlap, not slips of a scanner
-constexpr std::size_t kMostWork = 1'000'000;  // triangles tested in all tries together: about 2 s
+constexpr std::size_t kMaxCounted = 1000;
+constexpr std::size_t kMaxMended = 100;      // more pairs than that are parts that overlap, not slips of a scanner
+constexpr std::size_t kMaxWork = 1'000'000;  // triangles tested in all tries together: about 2 s
 
 struct Move {
   std::uint32_t vertex;
@@ -100,7 +100,7 @@ void addMoves(const Mesh& mesh, std::uint32_t v, Vec3 normal, double reach, std:
     }
   }
   const Vec3 toMean = sum / n - from;
-  const double limit = std::min(kUntangleEdgeShare * lengths / n, reach);
+  const double limit = std::min(kUntangleEdgeFraction * lengths / n, reach);
   for (const Vec3 way : {toMean, normal * glm::dot(toMean, normal)})
     for (double fraction = 1; fraction > 1.0 / 100; fraction /= 2) {
       const Vec3f to(from + way * fraction);
@@ -141,7 +141,7 @@ Result<bool> part(Mesh& mesh, const std::vector<std::uint32_t>& tangle, double r
 
   for (const Move& move : movesOf(around, reach)) {
     work += around.mesh.triangles.size();
-    if (work > kMostWork) return false;
+    if (work > kMaxWork) return false;
     const Vec3f from = std::exchange(around.mesh.positions[move.vertex], move.to);
     const auto left = findSelfIntersections(around.mesh);
     if (!left) return tl::unexpected(left.error());
@@ -157,17 +157,17 @@ Result<bool> part(Mesh& mesh, const std::vector<std::uint32_t>& tangle, double r
 }  // namespace
 
 Result<Untangling> untangle(Mesh& mesh) {
-  auto pairs = findSelfIntersections(mesh, {}, kMostCounted);
+  auto pairs = findSelfIntersections(mesh, {}, kMaxCounted);
   if (!pairs) return tl::unexpected(pairs.error());
   Untangling result;
   result.pairs = pairs->size();
-  result.atLeast = pairs->size() == kMostCounted;
+  result.atLeast = pairs->size() == kMaxCounted;
   if (pairs->empty()) return result;
   result.at = mesh.corner(pairs->front()[0], 0);
-  if (pairs->size() > kMostMended) return result;
+  if (pairs->size() > kMaxMended) return result;
 
   const std::vector<Vec3f> before = mesh.positions;
-  const double reach = kUntangleDiagonalShare * boundingBox(mesh).diagonal();
+  const double reach = kUntangleDiagonalFraction * boundingBox(mesh).diagonal();
   std::size_t work = 0;
   while (!pairs->empty()) {
     const std::vector<std::uint32_t> tangle = firstTangle(mesh, *pairs);

@@ -19,8 +19,8 @@ struct Untangling {
 /// Parts the few triangles that cross in tiny tangles, as scans and filled holes have them: a vertex of each tangle is
 /// moved towards the mean of its neighbours, in space or along its normal, by 1/64, 1/32, ... all of the way. Whether
 /// that leaves nothing crossed is tried on the triangles around, with exact predicates, the shortest move first.
-/// Nothing is moved unless everything can be mended within kUntangleEdgeShare and kUntangleDiagonalShare: parts that
-/// overlap are left as they are.
+/// Nothing is moved unless everything can be mended within kUntangleEdgeFraction and kUntangleDiagonalFraction: parts
+/// that overlap are left as they are.
 ///
 /// Cost: one findSelfIntersections; with crossings O(T) for each tangle and a bounded number of tries.
 /// @param mesh  welded, every triangle with an area; only positions are changed, and no triangle loses its area

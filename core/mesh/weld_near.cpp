@@ -12,7 +12,7 @@ namespace qrelief {
 namespace {
 
 /// A vertex of a shell of thousands of loose points has as many partners; so many are looked at, then no more.
-constexpr std::size_t kMostPairs = 20'000'000;
+constexpr std::size_t kMaxPairs = 20'000'000;
 
 struct Pair {
   double distance;
@@ -36,7 +36,7 @@ std::vector<Pair> nearPairs(const Mesh& mesh, const OpenBorder& border, double t
     std::sort(partners.begin(), partners.end());
     partners.erase(std::unique(partners.begin(), partners.end()), partners.end());
     for (const std::uint32_t v : partners) pairs.push_back({glm::distance(Vec3(mesh.positions[v]), p), u, v});
-    if (pairs.size() > kMostPairs) break;
+    if (pairs.size() > kMaxPairs) break;
   }
   std::sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) {
     return std::tie(a.distance, a.u, a.v) < std::tie(b.distance, b.u, b.v);

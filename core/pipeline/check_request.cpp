@@ -12,8 +12,8 @@ Status checkRequest(const EngraveRequest& request) {
   };
   if (!(request.contrast > 0 && request.contrast < 1))
     return bad(fmt::format("The contrast is {:g}", request.contrast), "Choose a value between 0 and 1, such as 0.3");
-  if (request.lights.size() > kMostLights)
-    return bad(fmt::format("There are {} lights", request.lights.size()), fmt::format("Give at most {}", kMostLights));
+  if (request.lights.size() > kMaxLights)
+    return bad(fmt::format("There are {} lights", request.lights.size()), fmt::format("Give at most {}", kMaxLights));
   for (const DirectionalLight& light : request.lights) {
     if (!(light.elevationDeg > 0 && light.elevationDeg <= 90))
       return bad(fmt::format("A light's elevation is {:g}°", light.elevationDeg),

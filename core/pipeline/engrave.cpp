@@ -135,7 +135,7 @@ Progress EngraveJob::State::progress() {
       case Stage::Mapping:
         return {"Measuring the surface", 0.15};
       case Stage::Searching:
-        return {"Finding the depth", 0.25 + 0.45 * search->doneShare()};
+        return {"Finding the depth", 0.25 + 0.45 * search->doneFraction()};
       case Stage::Embedding:
         return {"Carving the mesh", 0.7};
       case Stage::Checking:

@@ -61,7 +61,7 @@ struct EngraveRequest {
   double nozzleMm = 0.4;                 ///< of the printer, for advice only; > 0
   double minWallMm = 0.8;                ///< material that stays behind every floor, ≥ 0
   float albedo = 0.7f;                   ///< of the printed material
-  std::vector<DirectionalLight> lights;  ///< beside the uniform sky, at most kMostLights
+  std::vector<DirectionalLight> lights;  ///< beside the uniform sky, at most kMaxLights
   SurfaceMode surface = SurfaceMode::Preserved;
   bool inlay = false;         ///< make the body that fills the pockets as well, for printing in two colours
   bool recordSearch = false;  ///< keep what every pass of the search for depths saw, in EngraveResult::search

@@ -75,7 +75,7 @@ double sizeThatWallsTake(const ModuleWalls& walls, CellSquare square, int module
         ++thin;
       }
     }
-    return thin <= (1 - kTakenShare) * inside;
+    return thin <= (1 - kTakenFraction) * inside;
   };
   for (double size = square.edgeMm; size >= kLeastShare * square.edgeMm; size *= kShrink)
     if (takes(size)) return size;

@@ -12,7 +12,7 @@
 namespace qrelief {
 
 /// Of the modules, these must take pockets: error correction restores the few others.
-inline constexpr double kTakenShare = 0.98;
+inline constexpr double kTakenFraction = 0.98;
 
 /// A square of cells about the origin of the QR plane, each the size of a module.
 struct CellSquare {

@@ -70,7 +70,7 @@ Result<Wall> measureWall(const EngravableModel& model, const GeometryPass& pass,
   std::vector<double>& thickness = walls->thicknessMm;
   const auto taking = static_cast<std::size_t>(
       std::count_if(walls->limitMm.begin(), walls->limitMm.end(), [&](double limit) { return limit >= depthMm; }));
-  const auto thin = static_cast<std::size_t>((1 - kTakenShare) * static_cast<double>(thickness.size()));
+  const auto thin = static_cast<std::size_t>((1 - kTakenFraction) * static_cast<double>(thickness.size()));
   std::nth_element(thickness.begin(), thickness.begin() + static_cast<std::ptrdiff_t>(thin), thickness.end());
   return Wall{taking + thin >= thickness.size(), thickness[thin]};
 }
@@ -128,7 +128,7 @@ double PlaceJob::State::mostInMap() const {
 void PlaceJob::State::startMap(double leastMm) {
   PlacementMapOptions options;
   options.eyeDistanceMm = request.placement.eyeDistanceMm;
-  options.leastMm = leastMm;
+  options.minMm = leastMm;
   options.views = request.views;
   options.onlyFrom = request.placement.direction;
   mapping.emplace(model->prepared.mesh, model->prepared.normals, options);
@@ -150,7 +150,7 @@ void PlaceJob::State::drawViews() {
 void PlaceJob::State::propose(double leastSizeMm) {
   CandidateOptions options;
   options.edgeMm = std::min(wantedMm() * outer, std::max(mostInMap(), 1e-3));
-  options.leastSizeMm = leastSizeMm;
+  options.minSizeMm = leastSizeMm;
   options.enoughMm = std::max(wantedMm(), request.placement.maxSizeMm) * outer;
   candidates = spotCandidates(map(), options);
   candidate = 0;
@@ -304,7 +304,7 @@ Result<Progress> PlaceJob::advance() {
   switch (s.stage) {
     case State::Stage::Mapping:
       s.drawViews();
-      return Progress{"Looking from all sides", kMapShare * (s.mapping ? s.mapping->doneShare() : 1), false};
+      return Progress{"Looking from all sides", kMapShare * (s.mapping ? s.mapping->doneFraction() : 1), false};
     case State::Stage::Testing:
       if (const Status tested = s.testOnce(); !tested) return tl::unexpected(tested.error());
       if (s.stage == State::Stage::Done) return Progress{"Testing spots", 1, true};

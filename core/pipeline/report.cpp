@@ -55,7 +55,7 @@ Json describeProjection(const EngraveRequest& request, const Placement& placemen
   for (const DirectionIteration& i : placement.iterations)
     iterations.push_back({{"normal", triple(i.normal)},
                           {"varianceMm2", i.varianceMm2},
-                          {"outsideShare", i.outsideShare},
+                          {"outsideShare", i.outsideFraction},
                           {"worstAngleDeg", toDegrees(i.worstAngle)},
                           {"measure", i.measure}});
   const char* method = request.placement.direction ? "given" : directionMethodName(request.placement.directionMethod);

@@ -286,7 +286,7 @@ Result<Progress> VerifyJob::advance() {
     case Stage::Reading:
       name = "Reading pictures";
       s.read();
-      s.fraction = 0.5 + 0.5 * s.sweep->doneShare();
+      s.fraction = 0.5 + 0.5 * s.sweep->doneFraction();
       break;
     case Stage::Done:
       assert(false && "advance() after done");

@@ -61,7 +61,7 @@ double bendMm(const Mesh& mesh, std::span<const std::uint32_t> triangles, const 
 }
 
 double aimToleranceDeg(double bendMm, double moduleMm) {
-  return std::min(kMostAimDeg, toDegrees(std::atan2(kMovedModules * moduleMm, bendMm)));
+  return std::min(kMaxAimDeg, toDegrees(std::atan2(kMovedModules * moduleMm, bendMm)));
 }
 
 }  // namespace qrelief

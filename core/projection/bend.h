@@ -33,12 +33,12 @@ double bendMm(std::span<const float> surface, const MapWindow& window);
 double bendMm(const Mesh& mesh, std::span<const std::uint32_t> triangles, const ProjectionFrame& frame, double edgeMm);
 
 /// From how far aside of the eye that it is projected for, to every side, a code on such a surface can be read,
-/// degrees, at most `kMostAimDeg`: as a reader takes the code for flat, it puts up with modules that are moved by a
+/// degrees, at most `kMaxAimDeg`: as a reader takes the code for flat, it puts up with modules that are moved by a
 /// quarter of their width on average. Fitted to codes in ink on 42 spots of 11 models (`script/bench aside`): right to
 /// within 2° on 41, as far as the tilts tried tell; far too high on one beside a model's edge. A carving, whose pockets
 /// hide their floors from aside, reads no farther.
 /// @param moduleMm  > 0
 double aimToleranceDeg(double bendMm, double moduleMm);
-inline constexpr double kMostAimDeg = 45;
+inline constexpr double kMaxAimDeg = 45;
 
 }  // namespace qrelief

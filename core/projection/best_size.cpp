@@ -14,8 +14,8 @@
 namespace qrelief {
 namespace {
 
-/// Rotations whose sizes differ by no more than this share count as equally good: rounding, no more.
-constexpr double kEqualShare = 1e-12;
+/// Rotations whose sizes differ by no more than this fraction count as equally good: rounding, no more.
+constexpr double kEqualFraction = 1e-12;
 
 double squaredSecant(double t) { return 1 + t * t; }
 
@@ -210,21 +210,21 @@ double bestTangent(std::span<const Curve> curves, double mostHalf) {
   for (const Candidate& candidate : candidates) most = std::max(most, candidate.half);
   double best = 2;
   for (const Candidate& candidate : candidates)
-    if (candidate.half >= most * (1 - kEqualShare) && std::abs(candidate.t) < std::abs(best)) best = candidate.t;
+    if (candidate.half >= most * (1 - kEqualFraction) && std::abs(candidate.t) < std::abs(best)) best = candidate.t;
   return best;
 }
 
 }  // namespace
 
-TurnedSquare bestSize(std::span<const Segment2> silhouette, double mostMm) {
+TurnedSquare bestSize(std::span<const Segment2> silhouette, double maxMm) {
   const std::optional<Vec2> nearest = nearestSilhouettePoint(silhouette);
-  if (!nearest) return {mostMm, 0};
+  if (!nearest) return {maxMm, 0};
   const double distance = glm::length(*nearest);
   if (distance == 0) return {0, 0};
 
   // No square whose inscribed circle reaches beyond the nearest point fits; none within √2 of that meets what is left
   // out.
-  const double reach = std::numbers::sqrt2 * std::min(distance, mostMm / 2) * (1 + kEqualShare);
+  const double reach = std::numbers::sqrt2 * std::min(distance, maxMm / 2) * (1 + kEqualFraction);
   std::vector<Curve> curves;
   for (const Segment2& segment : silhouette) {
     if (distanceToSegment(Vec2(0), segment) > reach) continue;
@@ -232,10 +232,10 @@ TurnedSquare bestSize(std::span<const Segment2> silhouette, double mostMm) {
     addEnd(curves, segment[1]);
     addLine(curves, segment);
   }
-  const double straight = std::min(mostMm, orientedSize(silhouette));
+  const double straight = std::min(maxMm, orientedSize(silhouette));
   if (curves.empty()) return {straight, 0};
-  const double rotation = std::atan(bestTangent(curves, mostMm / 2));
-  const double turned = std::min(mostMm, orientedSize(inTurnedAxes(silhouette, rotation)));
+  const double rotation = std::atan(bestTangent(curves, maxMm / 2));
+  const double turned = std::min(maxMm, orientedSize(inTurnedAxes(silhouette, rotation)));
   return turned > straight ? TurnedSquare{turned, rotation} : TurnedSquare{straight, 0};
 }
 

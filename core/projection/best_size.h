@@ -26,8 +26,8 @@ struct TurnedSquare {
 /// curve (the end lies in the middle of a side). Nothing is sampled.
 ///
 /// Cost: O(n log n) for n segments nearer than √2 times the nearest; farther ones cannot bound the answer.
-/// @param mostMm  upper bound of the size, > 0, finite
-TurnedSquare bestSize(std::span<const Segment2> silhouette, double mostMm);
+/// @param maxMm  upper bound of the size, > 0, finite
+TurnedSquare bestSize(std::span<const Segment2> silhouette, double maxMm);
 
 /// The same segments in axes turned anticlockwise by `rotation` (radians).
 std::vector<Segment2> inTurnedAxes(std::span<const Segment2> segments, double rotation);

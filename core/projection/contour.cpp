@@ -27,11 +27,11 @@ ContourEdge contourEdge(const Mesh& mesh, std::uint32_t from, std::uint32_t to, 
     }
     // Cut at twice the near plane, so that rounding cannot put the new end behind it.
     const Vec3 inside = edge.ends[1 - k];
-    const double nearDepth = 2 * kNearPlaneShare * frame.eyeDistance;
+    const double nearDepth = 2 * kNearPlaneFraction * frame.eyeDistance;
     const double insideDepth = frame.distanceAlongAxis(inside);
     const double outsideDepth = frame.distanceAlongAxis(edge.ends[k]);
-    const double share = insideDepth > nearDepth ? (insideDepth - nearDepth) / (insideDepth - outsideDepth) : 0;
-    edge.ends[k] = inside + (edge.ends[k] - inside) * share;
+    const double fraction = insideDepth > nearDepth ? (insideDepth - nearDepth) / (insideDepth - outsideDepth) : 0;
+    edge.ends[k] = inside + (edge.ends[k] - inside) * fraction;
     edge.vertices[k] = kNoVertex;
     edge.projected[k] = frame.project(edge.ends[k]);
   }
@@ -44,7 +44,7 @@ EyeView viewFrom(const Mesh& mesh, const ProjectionFrame& frame) {
   EyeView view;
   view.projected.resize(mesh.positions.size(), Vec2(0));
   view.inFront.resize(mesh.positions.size(), 0);
-  const double nearDepth = kNearPlaneShare * frame.eyeDistance;
+  const double nearDepth = kNearPlaneFraction * frame.eyeDistance;
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
     const Vec3 p(mesh.positions[v]);
     if (frame.distanceAlongAxis(p) <= nearDepth) continue;

@@ -12,7 +12,7 @@ namespace qrelief {
 namespace {
 
 constexpr std::size_t kMaxPairs = 100'000;
-constexpr double kOnPlaneShare = 1e-9;  // of a triangle's sides: rounding
+constexpr double kOnPlaneFraction = 1e-9;  // of a triangle's sides: rounding
 
 using Segment3 = std::array<Vec3, 2>;
 using Corners = std::array<Vec3, 3>;
@@ -36,7 +36,7 @@ void collectHits(const Corners& a, const Corners& b, std::vector<Vec3>& hits) {
 bool touches(const Corners& a, const Corners& b) {
   const Vec3 u = a[1] - a[0], v = a[2] - a[0];
   const Vec3 normal = glm::normalize(glm::cross(u, v));
-  const double tolerance = kOnPlaneShare * std::max(glm::length(u), glm::length(v));
+  const double tolerance = kOnPlaneFraction * std::max(glm::length(u), glm::length(v));
   bool above = false, below = false;
   for (const Vec3& corner : b) {
     const double height = glm::dot(normal, corner - a[0]);

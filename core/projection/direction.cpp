@@ -48,12 +48,12 @@ class NormalMap {
   double eyeDistance_;
 };
 
-/// Share of the square that is seen most obliquely.
-constexpr double kWorstShare = 0.05;
+/// Fraction of the square that is seen most obliquely.
+constexpr double kWorstFraction = 0.05;
 
-/// Cells nearer to the second than this share of the range of distances tie with it: on a symmetrical surface four
+/// Cells nearer to the second than this fraction of the range of distances tie with it: on a symmetrical surface four
 /// cells lie alike, and two of them would tilt the direction.
-constexpr double kTieShare = 0.05;
+constexpr double kTieFraction = 0.05;
 
 /// Sums over one cell of the depth grid.
 struct Cell {
@@ -90,7 +90,7 @@ Vec3 extremeCellsMean(const std::vector<Cell>& cells) {
   const auto meanDistance = [&](std::size_t i) { return ranked[i]->distances / ranked[i]->inside; };
   const std::size_t last = ranked.size() - 1;
   const std::size_t second = std::min<std::size_t>(1, last);
-  const double tie = kTieShare * (meanDistance(last) - meanDistance(0));
+  const double tie = kTieFraction * (meanDistance(last) - meanDistance(0));
   Vec3 near(0), far(0);
   for (std::size_t i = 0; i <= last; ++i) {
     if (meanDistance(i) <= meanDistance(second) + tie) near += unitOrZero(ranked[i]->normals);
@@ -120,7 +120,7 @@ double worstAngleOf(const NormalMap& map) {
       cosines.push_back(map.inside(column, row)
                             ? std::clamp(glm::dot(map.normal(column, row), map.towardsEye(column, row)), 0.0, 1.0)
                             : 0.0);
-  const auto count = std::max<std::ptrdiff_t>(1, std::lround(kWorstShare * static_cast<double>(cosines.size())));
+  const auto count = std::max<std::ptrdiff_t>(1, std::lround(kWorstFraction * static_cast<double>(cosines.size())));
   std::nth_element(cosines.begin(), cosines.begin() + count - 1, cosines.end());
   std::sort(cosines.begin(), cosines.begin() + count);  // so that the sum is the same with every standard library
   double sum = 0;
@@ -128,7 +128,7 @@ double worstAngleOf(const NormalMap& map) {
   return std::acos(std::min(1.0, sum / static_cast<double>(count)));
 }
 
-/// Variance of the distance over the texels inside, outside share, and what follows from them.
+/// Variance of the distance over the texels inside, outside fraction, and what follows from them.
 void rate(MapSample& sample, const NormalMap& map, const std::vector<Cell>& cells, double sizeMm) {
   double sum = 0;
   int inside = 0;
@@ -142,10 +142,10 @@ void rate(MapSample& sample, const NormalMap& map, const std::vector<Cell>& cell
     for (int column = 0; column < map.texels(); ++column)
       if (map.inside(column, row)) squares += std::pow(map.distance(column, row) - mean, 2);
   sample.varianceMm2 = inside > 0 ? squares / inside : 0;
-  sample.outsideShare = 1 - static_cast<double>(inside) / (map.texels() * map.texels());
+  sample.outsideFraction = 1 - static_cast<double>(inside) / (map.texels() * map.texels());
   sample.worstAngle = worstAngleOf(map);
-  const double insideVariance = sample.varianceMm2 / (sizeMm * sizeMm) * (1 - sample.outsideShare);
-  sample.measure = insideVariance + sample.outsideShare / 4 + kObliqueWeight * (1 - std::cos(sample.worstAngle));
+  const double insideVariance = sample.varianceMm2 / (sizeMm * sizeMm) * (1 - sample.outsideFraction);
+  sample.measure = insideVariance + sample.outsideFraction / 4 + kObliqueWeight * (1 - std::cos(sample.worstAngle));
 }
 
 /// The texels around the middle are half a texel's diagonal away: a surface seen at up to 80° is nearer by four texels.
@@ -235,7 +235,7 @@ Result<bool> DirectionSearch::step() {
   const Result<MapSample> looked = lookFrom(look_, frame, options_);
   if (!looked) return tl::unexpected(looked.error());
   const MapSample& sample = *looked;
-  iterations_.push_back({current_, sample.varianceMm2, sample.outsideShare, sample.worstAngle, sample.measure});
+  iterations_.push_back({current_, sample.varianceMm2, sample.outsideFraction, sample.worstAngle, sample.measure});
 
   const bool once = options_.method == DirectionMethod::MeanNormal || options_.method == DirectionMethod::Pca;
   // The first direction is a single facet's and says little: it is never the answer.

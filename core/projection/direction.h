@@ -37,11 +37,11 @@ struct DirectionOptions {
 
 /// What one rendering from one direction said.
 struct DirectionIteration {
-  Vec3 normal;              ///< the direction looked from, unit, towards the reader
-  double varianceMm2 = 0;   ///< of the distance over the texels that meet the model
-  double outsideShare = 0;  ///< of the texels, 0 … 1
-  double worstAngle = 0;    ///< see MapSample
-  double measure = 0;       ///< see MapSample
+  Vec3 normal;                 ///< the direction looked from, unit, towards the reader
+  double varianceMm2 = 0;      ///< of the distance over the texels that meet the model
+  double outsideFraction = 0;  ///< of the texels, 0 … 1
+  double worstAngle = 0;       ///< see MapSample
+  double measure = 0;          ///< see MapSample
 };
 
 /// What a pair of maps says of the direction it was rendered from. Vectors in the axes of the frame, each unit or zero.
@@ -51,7 +51,7 @@ struct MapSample {
   Vec3 outside{0};        ///< step 3: over the cells wholly outside the silhouette; zero if there is none
   Vec3 leastVariance{0};  ///< principal axis of the Halton samples' surface points that varies least, towards the eye
   double varianceMm2 = 0;
-  double outsideShare = 0;
+  double outsideFraction = 0;
   bool centreIsSeen = false;  ///< nothing is nearer to the eye, by more than a few texels, than the centre
 
   /// Angle (radians) at which the twentieth of the square that is seen most obliquely is seen: between the facets'

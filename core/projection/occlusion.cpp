@@ -55,8 +55,8 @@ Segment2 touchingPoint(const Segment2& segment, const Triangle2& triangle) {
   const Vec2 middle = (triangle[0] + triangle[1] + triangle[2]) / 3.0;
   const Vec2 along = segment[1] - segment[0];
   const double squared = glm::dot(along, along);
-  const double share = squared > 0 ? std::clamp(glm::dot(middle - segment[0], along) / squared, 0.0, 1.0) : 0;
-  const Vec2 point = segment[0] + along * share;
+  const double fraction = squared > 0 ? std::clamp(glm::dot(middle - segment[0], along) / squared, 0.0, 1.0) : 0;
+  const Vec2 point = segment[0] + along * fraction;
   return {point, point};
 }
 
@@ -98,8 +98,8 @@ Segment2 partInFront(const Corners& corners, const ContourEdge& edge, const std:
   const Vec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
   const double from = glm::dot(normal, edge.ends[0] - corners[0]);
   const double to = glm::dot(normal, edge.ends[1] - corners[0]);
-  const double share = from == to ? 0.5 : std::clamp(from / (from - to), 0.0, 1.0);
-  part[inFront[0] < 0 ? 0 : 1] = frame.project(edge.ends[0] + (edge.ends[1] - edge.ends[0]) * share);
+  const double fraction = from == to ? 0.5 : std::clamp(from / (from - to), 0.0, 1.0);
+  part[inFront[0] < 0 ? 0 : 1] = frame.project(edge.ends[0] + (edge.ends[1] - edge.ends[0]) * fraction);
   return part;
 }
 
@@ -169,8 +169,8 @@ std::optional<CentreObstruction> whatHidesCentre(const Mesh& mesh, const Project
     if (least * most < 0 || (least == 0 && most == 0)) continue;  // beside the ray's line, or edge-on
 
     const Vec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
-    const double share = glm::dot(normal, corners[0] - eye) / glm::dot(normal, frame.centre - eye);
-    const double fromEye = share * frame.eyeDistance;
+    const double fraction = glm::dot(normal, corners[0] - eye) / glm::dot(normal, frame.centre - eye);
+    const double fromEye = fraction * frame.eyeDistance;
     const double toCentre = frame.eyeDistance - fromEye;
     if (!(fromEye > 0 && toCentre > kOnSurfaceMm)) continue;
     if (!nearest) nearest = CentreObstruction{t, fromEye, toCentre};

@@ -50,7 +50,7 @@ Result<bool> OptimalDirection::step() {
   const ProjectionFrame frame = makeFrame(frame_.centre, normal, upHint_, frame_.eyeDistance);
   const Result<MapSample> looked = lookFrom(*pass_, *mesh_, frame, options_);
   if (!looked) return tl::unexpected(looked.error());
-  iterations_.push_back({normal, looked->varianceMm2, looked->outsideShare, looked->worstAngle, looked->measure});
+  iterations_.push_back({normal, looked->varianceMm2, looked->outsideFraction, looked->worstAngle, looked->measure});
   const bool isFirst = iterations_.size() == 1;
   if (!isFirst && looked->centreIsSeen && looked->measure < iterations_[best_].measure) {
     best_ = iterations_.size() - 1;
@@ -60,7 +60,7 @@ Result<bool> OptimalDirection::step() {
   } else if (!isFirst) {
     ++tried_;
   }
-  return !chooseNext() || static_cast<int>(iterations_.size()) >= kMostLooks;
+  return !chooseNext() || static_cast<int>(iterations_.size()) >= kMaxLooks;
 }
 
 }  // namespace qrelief

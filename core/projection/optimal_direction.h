@@ -13,11 +13,11 @@ namespace qrelief {
 /// is halved, from 8° down to 1°. It stays within kFarthestTurn of the start, and never looks from where something else
 /// hides the centre. The start is the first candidate, so the answer is never worse than it.
 ///
-/// Cost: at most kMostLooks renderings; 17 if the start is the best.
+/// Cost: at most kMaxLooks renderings; 17 if the start is the best.
 class OptimalDirection {
  public:
   static constexpr double kFarthestTurn = 0.6;  ///< radians: 34°
-  static constexpr int kMostLooks = 40;
+  static constexpr int kMaxLooks = 40;
 
   /// @param pass, mesh  kept by reference
   /// @param start       any length > 0; DepthBalanced's answer

@@ -17,8 +17,8 @@ namespace qrelief {
 namespace {
 
 constexpr double kTexelsPerSquare = 32;
-constexpr int kLeastTexels = 128;
-constexpr int kMostTexels = 512;
+constexpr int kMinTexels = 128;
+constexpr int kMaxTexels = 512;
 constexpr double kBorderTexels = 2;     // of background around the model, so that something is always blocked
 constexpr double kBlockedTexels = 0.5;  // from the middle of a blocked texel to the contour that passes it, at most
 constexpr double kSamples = 6000;       // about so many vertices at least
@@ -115,23 +115,23 @@ double PlacementMapSearch::State::radiusAround(std::span<const std::int32_t> squ
   const auto distance = [&](int dx, int dy) {
     return std::sqrt(static_cast<double>(squared[static_cast<std::size_t>((row + dy) * window.texels + column + dx)]));
   };
-  const Vec2 share = at - Vec2(column, row);
-  return (1 - share.y) * ((1 - share.x) * distance(0, 0) + share.x * distance(1, 0)) +
-         share.y * ((1 - share.x) * distance(0, 1) + share.x * distance(1, 1));
+  const Vec2 fraction = at - Vec2(column, row);
+  return (1 - fraction.y) * ((1 - fraction.x) * distance(0, 0) + fraction.x * distance(1, 0)) +
+         fraction.y * ((1 - fraction.x) * distance(0, 1) + fraction.x * distance(1, 1));
 }
 
 void PlacementMapSearch::State::lookFrom(Vec3 direction) {
   const ProjectionFrame frame = makeFrame(centre, direction, {0, 0, 1}, radius + options.eyeDistanceMm);
-  raster->draw(frame, window, cosineOfDegrees(kMostTiltDeg));
+  raster->draw(frame, window, cosineOfDegrees(kMaxTiltDeg));
   // The isoptic test; parts behind the middle look smaller than they are, and so would a code there.
   const double shrink = frame.eyeDistance / (frame.eyeDistance + radius);
-  if (raster->coveredMm2() < std::pow(options.leastMm * shrink, 2)) {
+  if (raster->coveredMm2() < std::pow(options.minMm * shrink, 2)) {
     ++map.viewsDropped;
     return;
   }
   const std::vector<std::int32_t> squared = squaredDistances(raster->blocked(), window.texels);
   const Vec3 eye = frame.eye();
-  const double leastCentreCosine = cosineOfDegrees(kMostCentreTiltDeg);
+  const double leastCentreCosine = cosineOfDegrees(kMaxCentreTiltDeg);
   for (std::uint32_t v = 0; v < map.mesh.positions.size(); ++v) {
     const Vec3 fromVertex = eye - Vec3(map.mesh.positions[v]);
     const double distance = glm::length(fromVertex);
@@ -155,7 +155,7 @@ void PlacementMapSearch::State::lookFrom(Vec3 direction) {
 PlacementMapSearch::PlacementMapSearch(const Mesh& mesh, std::span<const Vec3f> normals,
                                        const PlacementMapOptions& options)
     : state_(std::make_unique<State>()) {
-  assert(options.eyeDistanceMm > 0 && options.leastMm > 0 && options.views > 0 && options.facets >= 100);
+  assert(options.eyeDistanceMm > 0 && options.minMm > 0 && options.views > 0 && options.facets >= 100);
   State& s = *state_;
   s.options = options;
   if (options.onlyFrom) s.options.views = 1;
@@ -166,8 +166,8 @@ PlacementMapSearch::PlacementMapSearch(const Mesh& mesh, std::span<const Vec3f> 
   const double eyeDistance = s.radius + options.eyeDistanceMm;
   // The sphere's outline on the plane through its middle.
   const double outline = s.radius * eyeDistance / std::sqrt(eyeDistance * eyeDistance - s.radius * s.radius);
-  s.window.texels = std::clamp(static_cast<int>(std::ceil(2 * outline * kTexelsPerSquare / options.leastMm)),
-                               kLeastTexels, kMostTexels);
+  s.window.texels =
+      std::clamp(static_cast<int>(std::ceil(2 * outline * kTexelsPerSquare / options.minMm)), kMinTexels, kMaxTexels);
   s.window.extentMm = 2 * outline * s.window.texels / (s.window.texels - 2 * kBorderTexels);
   s.raster.emplace(s.map.mesh, s.adjacency);
 
@@ -184,7 +184,7 @@ bool PlacementMapSearch::step() {
   return ++s.view == s.options.views;
 }
 
-double PlacementMapSearch::doneShare() const { return static_cast<double>(state_->view) / state_->options.views; }
+double PlacementMapSearch::doneFraction() const { return static_cast<double>(state_->view) / state_->options.views; }
 
 const PlacementMap& PlacementMapSearch::map() const { return state_->map; }
 

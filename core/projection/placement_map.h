@@ -13,8 +13,8 @@ namespace qrelief {
 
 struct PlacementMapOptions {
   double eyeDistanceMm = 250;  ///< from the bounding sphere to the eye, > 0
-  double leastMm = 10;  ///< edge of the square looked for, > 0: how fine the map must be, and which views are dropped
-  int views = 240;      ///< directions looked from, ≥ 1
+  double minMm = 10;  ///< edge of the square looked for, > 0: how fine the map must be, and which views are dropped
+  int views = 240;    ///< directions looked from, ≥ 1
   std::optional<Vec3> onlyFrom{};  ///< the only direction looked from, any length > 0; none: all around
   std::size_t facets = 24000;      ///< a mesh with more is drawn by a coarser one of about so many, ≥ 100
 };
@@ -48,15 +48,15 @@ Vec3 latticeDirection(int index, int count);
 /// best centre away from the middle of the face.
 ///
 /// Beyond the silhouette two things are kept out that an exact test would allow, but nobody wants: surface that the eye
-/// sees at more than kMostTilt (pockets would be carved along it), and centres that lie at more than kMostCentreTilt to
-/// the line of sight (a code around the corner of a cube).
+/// sees at more than kMaxTiltDeg (pockets would be carved along it), and centres that lie at more than
+/// kMaxCentreTiltDeg to the line of sight (a code around the corner of a cube).
 ///
-/// It is a map, not a proof: right to a texel or two (leastMm / 32, or 1/512 of the model) and to what the coarser mesh
+/// It is a map, not a proof: right to a texel or two (minMm / 32, or 1/512 of the model) and to what the coarser mesh
 /// keeps of the model's detail.
 class PlacementMapSearch {
  public:
-  static constexpr double kMostTiltDeg = 65;
-  static constexpr double kMostCentreTiltDeg = 35;
+  static constexpr double kMaxTiltDeg = 65;
+  static constexpr double kMaxCentreTiltDeg = 35;
 
   /// @param normals  unit or zero, one per vertex of the mesh
   PlacementMapSearch(const Mesh& mesh, std::span<const Vec3f> normals, const PlacementMapOptions& options);
@@ -65,7 +65,7 @@ class PlacementMapSearch {
   /// One view. @returns true when all are done
   bool step();
 
-  double doneShare() const;
+  double doneFraction() const;
   const PlacementMap& map() const;
 
   /// The map, once, after the last step.

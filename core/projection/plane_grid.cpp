@@ -8,7 +8,7 @@
 namespace qrelief {
 namespace {
 
-constexpr int kMostCells = 512;      // along an edge: 1 MB of cells
+constexpr int kMaxCells = 512;       // along an edge: 1 MB of cells
 constexpr double kCellSlack = 1e-6;  // of a cell: shapes on a cell's border belong to both sides
 
 struct Range {
@@ -80,7 +80,7 @@ PlaneGrid::PlaneGrid(std::span<const Triangle2> shapes, double halfWidth) : last
   }
   min_ = glm::clamp(low, Vec2(-halfWidth), Vec2(halfWidth));
   const Vec2 extent = glm::clamp(high, Vec2(-halfWidth), Vec2(halfWidth)) - min_;
-  size_ = std::clamp(static_cast<int>(2 * std::sqrt(static_cast<double>(shapes.size()))), 1, kMostCells);
+  size_ = std::clamp(static_cast<int>(2 * std::sqrt(static_cast<double>(shapes.size()))), 1, kMaxCells);
   for (int k = 0; k < 2; ++k) cell_[k] = extent[k] > 0 ? extent[k] / size_ : 1;
 
   // Counting sort by cell.

@@ -16,8 +16,8 @@ using Triangle2 = std::array<Vec2, 3>;  ///< the same; a segment is one whose la
 inline Vec2 nearestOnSegment(Vec2 point, const Segment2& segment) {
   const Vec2 along = segment[1] - segment[0];
   const double squared = glm::dot(along, along);
-  const double share = squared > 0 ? std::clamp(glm::dot(point - segment[0], along) / squared, 0.0, 1.0) : 0;
-  return segment[0] + along * share;
+  const double fraction = squared > 0 ? std::clamp(glm::dot(point - segment[0], along) / squared, 0.0, 1.0) : 0;
+  return segment[0] + along * fraction;
 }
 
 inline double distanceToSegment(Vec2 point, const Segment2& segment) {

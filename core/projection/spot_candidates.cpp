@@ -12,7 +12,7 @@ namespace qrelief {
 namespace {
 
 constexpr double kSizeClass = 1.1;
-constexpr double kSteeperShare = 0.01;
+constexpr double kSteeperFraction = 0.01;
 constexpr double kSteepDeg = 50;
 constexpr double kForgivingDeg = 10;
 // Of version 3, across a square that bends as much as the symbol in it: with the quiet zone of the square's size it has
@@ -67,7 +67,7 @@ SquareQuality qualityOf(const PlacementMap& map, const ProjectionFrame& frame, d
   for (const Slope& slope : slopes) {
     quality.worstAngleDeg = toDegrees(std::acos(std::min(1.0, slope.cosine)));
     steeper += slope.area;
-    if (steeper > kSteeperShare * area) break;
+    if (steeper > kSteeperFraction * area) break;
   }
   return quality;
 }
@@ -80,8 +80,8 @@ std::vector<SpotCandidate> spotCandidates(const PlacementMap& map, const Candida
   std::vector<SpotCandidate> spots;
   for (const std::uint32_t v : order) {
     const double size = static_cast<double>(map.sizeMm[v]);
-    if (spots.size() == options.most) break;
-    if (size <= 0 || size < options.leastSizeMm) continue;
+    if (spots.size() == options.maxCount) break;
+    if (size <= 0 || size < options.minSizeMm) continue;
     SpotCandidate spot{Vec3(map.mesh.positions[v]), Vec3(map.direction[v]), size, {}};
     const bool isApart = std::all_of(spots.begin(), spots.end(), [&](const SpotCandidate& other) {
       return glm::dot(other.direction, spot.direction) < 0 ||

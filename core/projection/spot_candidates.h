@@ -28,15 +28,15 @@ struct SpotCandidate {
 };
 
 struct CandidateOptions {
-  double edgeMm = 0;       ///< of the square looked for, > 0
-  double leastSizeMm = 0;  ///< by the map; a map may err, so this may be less than the edge
+  double edgeMm = 0;     ///< of the square looked for, > 0
+  double minSizeMm = 0;  ///< by the map; a map may err, so this may be less than the edge
   double enoughMm = std::numeric_limits<double>::infinity();  ///< sizes beyond it are as good as it
   double apart = 0.5;  ///< least distance of two spots that do not look away from each other, in edges
-  std::size_t most = 48;
+  std::size_t maxCount = 48;
 };
 
 /// Well separated spots, best first: the largest sizes, in classes of 10 %; in a class those with the least spread of
-/// heights (as a share of the edge) and slope (1 - cosine of the worst angle) together.
+/// heights (as a fraction of the edge) and slope (1 - cosine of the worst angle) together.
 ///
 /// Cost: O(V log V + most · (V + T)).
 std::vector<SpotCandidate> spotCandidates(const PlacementMap& map, const CandidateOptions& options);

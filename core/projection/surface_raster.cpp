@@ -8,7 +8,7 @@
 namespace qrelief {
 namespace {
 
-constexpr double kNearShare = 1e-3;  // of the eye's distance: what lies nearer to its plane is cut off
+constexpr double kNearFraction = 1e-3;  // of the eye's distance: what lies nearer to its plane is cut off
 
 /// A corner in the frame's axes: right, up, and its distance from the eye along the axis.
 struct Corner {
@@ -35,7 +35,7 @@ class Canvas {
   /// @param normal  of the facet, in the frame's axes, any length
   void draw(const std::array<Corner, 3>& facet, Vec3 normal) {
     const Vec3 unit = glm::normalize(normal);
-    const double nearest = kNearShare * eyeDistance_;
+    const double nearest = kNearFraction * eyeDistance_;
     const bool isWhole = std::all_of(facet.begin(), facet.end(), [&](const Corner& c) { return c.depth >= nearest; });
     if (isWhole) return drawSeen(seen(facet[0]), seen(facet[1]), seen(facet[2]), unit);
     std::vector<Seen> polygon;

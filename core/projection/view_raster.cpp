@@ -26,7 +26,7 @@ ViewRaster::ViewRaster(const Mesh& mesh, const Adjacency& adjacency) : mesh_(&me
   vertices_.resize(mesh.positions.size());
 }
 
-void ViewRaster::draw(const ProjectionFrame& frame, const RasterWindow& window, double leastCosine) {
+void ViewRaster::draw(const ProjectionFrame& frame, const RasterWindow& window, double minCosine) {
   assert(window.texels > 2 && window.extentMm > 0);
   window_ = window;
   const auto texels = static_cast<std::size_t>(window.texels) * static_cast<std::size_t>(window.texels);
@@ -35,7 +35,7 @@ void ViewRaster::draw(const ProjectionFrame& frame, const RasterWindow& window, 
   project(frame);
   // A surface that lies at 45° to the line of sight moves away by one texel's width a texel.
   depthSlack_ = static_cast<float>(window.texelMm() / (frame.eyeDistance * frame.eyeDistance));
-  drawFacets(frame, leastCosine);
+  drawFacets(frame, minCosine);
   std::size_t covered = 0;
   for (std::size_t i = 0; i < texels; ++i) {
     if (inverseDepth_[i] > 0)
@@ -60,13 +60,13 @@ void ViewRaster::project(const ProjectionFrame& frame) {
   }
 }
 
-void ViewRaster::drawFacets(const ProjectionFrame& frame, double leastCosine) {
+void ViewRaster::drawFacets(const ProjectionFrame& frame, double minCosine) {
   const Vec3 eye = frame.eye();
   for (std::size_t t = 0; t < mesh_->triangles.size(); ++t) {
     const Vec3 toEye = eye - mesh_->corner(t, 0);
     front_[t] = glm::dot(normals_[t], toEye) > 0 ? 1 : 0;
     if (front_[t] == 0) continue;
-    drawFacet(mesh_->triangles[t], glm::dot(smoothNormals_[t], toEye) < leastCosine * glm::length(toEye));
+    drawFacet(mesh_->triangles[t], glm::dot(smoothNormals_[t], toEye) < minCosine * glm::length(toEye));
   }
 }
 
@@ -129,10 +129,10 @@ void ViewRaster::drawContour(const Seen& from, const Seen& to) {
   const float dy = to.y - from.y;
   const int steps = 1 + static_cast<int>(std::max(std::abs(dx), std::abs(dy)) / kContourStep);
   for (int i = 0; i <= steps; ++i) {
-    const float share = static_cast<float>(i) / static_cast<float>(steps);
-    const float x = from.x + dx * share;
-    const float y = from.y + dy * share;
-    const float nearness = from.inverseDepth + (to.inverseDepth - from.inverseDepth) * share;
+    const float fraction = static_cast<float>(i) / static_cast<float>(steps);
+    const float x = from.x + dx * fraction;
+    const float y = from.y + dy * fraction;
+    const float nearness = from.inverseDepth + (to.inverseDepth - from.inverseDepth) * fraction;
     if (nearness < farthestAround(x, y) - depthSlack_) continue;
     const int column = std::clamp(static_cast<int>(x), 0, window_.texels - 1);
     const int row = std::clamp(static_cast<int>(y), 0, window_.texels - 1);

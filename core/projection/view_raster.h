@@ -35,8 +35,8 @@ class ViewRaster {
   /// there is always something farther.
   /// Cost: O(T + texels²).
   /// @param frame        all vertices are farther than the eye's own plane
-  /// @param leastCosine  between a facet's normal and the direction to the eye
-  void draw(const ProjectionFrame& frame, const RasterWindow& window, double leastCosine);
+  /// @param minCosine  between a facet's normal and the direction to the eye
+  void draw(const ProjectionFrame& frame, const RasterWindow& window, double minCosine);
 
   /// Not 0 where no code can lie.
   std::span<const std::uint8_t> blocked() const { return blocked_; }
@@ -54,7 +54,7 @@ class ViewRaster {
     float inverseDepth = 0;  // 1 / distance along the axis
   };
   void project(const ProjectionFrame& frame);
-  void drawFacets(const ProjectionFrame& frame, double leastCosine);
+  void drawFacets(const ProjectionFrame& frame, double minCosine);
   void drawFacet(const Triangle& triangle, bool oblique);
   void drawContours();
   void drawContour(const Seen& from, const Seen& to);

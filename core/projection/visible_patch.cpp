@@ -21,8 +21,8 @@ double reachOfPoint(Vec2 p, GrowingRegion region) {
   return region == GrowingRegion::Disc ? glm::length(p) : std::max(std::abs(p.x), std::abs(p.y));
 }
 
-/// Share of a side, from a to b, at which the region meets it first.
-double nearestShare(Vec2 a, Vec2 b, GrowingRegion region) {
+/// Fraction of a side, from a to b, at which the region meets it first.
+double nearestFraction(Vec2 a, Vec2 b, GrowingRegion region) {
   const Vec2 along = b - a;
   if (region == GrowingRegion::Disc) {
     const double squared = glm::dot(along, along);
@@ -32,16 +32,17 @@ double nearestShare(Vec2 a, Vec2 b, GrowingRegion region) {
   double best = reachOfPoint(a, region) <= reachOfPoint(b, region) ? 0 : 1;
   for (const double turn : {1.0, -1.0}) {
     const double slope = along.x - turn * along.y;
-    const double share = slope != 0 ? (turn * a.y - a.x) / slope : -1;
-    if (share > 0 && share < 1 && reachOfPoint(a + along * share, region) < reachOfPoint(a + along * best, region))
-      best = share;
+    const double fraction = slope != 0 ? (turn * a.y - a.x) / slope : -1;
+    if (fraction > 0 && fraction < 1 &&
+        reachOfPoint(a + along * fraction, region) < reachOfPoint(a + along * best, region))
+      best = fraction;
   }
   return best;
 }
 
 /// Point of an edge nearest to the centre, kept off the edge's ends: paths go through edges, not vertices.
 Vec2 nearestInnerPoint(Vec2 a, Vec2 b, GrowingRegion region) {
-  return a + (b - a) * std::clamp(nearestShare(a, b, region), 0.001, 0.999);
+  return a + (b - a) * std::clamp(nearestFraction(a, b, region), 0.001, 0.999);
 }
 
 /// Least reach of a triangle's points.
@@ -51,7 +52,7 @@ double reachOfTriangle(const Triangle2& triangle, GrowingRegion region) {
   reach = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < 3; ++k) {
     const Vec2 a = triangle[k], b = triangle[(k + 1) % 3];
-    reach = std::min(reach, reachOfPoint(a + (b - a) * nearestShare(a, b, region), region));
+    reach = std::min(reach, reachOfPoint(a + (b - a) * nearestFraction(a, b, region), region));
   }
   return reach;
 }

@@ -6,7 +6,7 @@
 #include <cassert>
 
 #include "qr/codewords.h"
-#include "qr/sky_share.h"
+#include "qr/sky_fraction.h"
 
 namespace qrelief {
 namespace {
@@ -75,7 +75,7 @@ Symbol withShadiestMask(const Symbol& symbol) {
   double least = 2;
   for (int mask = 0; mask < kMasks; ++mask) {
     Symbol masked = withMask(symbol, mask);
-    const double sky = SkyShare(masked).mean(masked);
+    const double sky = SkyFraction(masked).mean(masked);
     if (sky >= least) continue;
     least = sky;
     best = std::move(masked);
@@ -96,15 +96,15 @@ void breakUpDarkAreas(Symbol& symbol) {
   };
 
   symbol.flipped.assign(symbol.dark.size(), 0);
-  SkyShare sky(symbol);
+  SkyFraction sky(symbol);
   // What sees no more than a module alone gains nothing for its neighbours.
-  const double alone = SkyShare::ofModuleAlone();
+  const double alone = SkyFraction::ofModuleAlone();
   for (;;) {
     std::size_t brightest = symbol.dark.size();
     double most = alone;
     for (std::size_t i = 0; i < symbol.dark.size(); ++i) {
-      const double share = sky.of(static_cast<int>(i) / symbol.size, static_cast<int>(i) % symbol.size);
-      if (share > most && mayFlip(i)) brightest = i, most = share;
+      const double fraction = sky.of(static_cast<int>(i) / symbol.size, static_cast<int>(i) % symbol.size);
+      if (fraction > most && mayFlip(i)) brightest = i, most = fraction;
     }
     if (brightest == symbol.dark.size()) break;
     if (const int index = layout.codewordOfModule[brightest]; index >= 0) {

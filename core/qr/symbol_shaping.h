@@ -9,7 +9,7 @@ namespace qrelief {
 /// @param mask  0 … 7
 Symbol withMask(const Symbol& symbol, int mask);
 
-/// Under the mask whose dark data modules would see the least sky (qr/sky_share.h); of equals the first.
+/// Under the mask whose dark data modules would see the least sky (qr/sky_fraction.h); of equals the first.
 Symbol withShadiestMask(const Symbol& symbol);
 
 /// Makes dark data modules light, those that see the most sky first, so that large dark areas break up [Peng 2019].

@@ -9,7 +9,7 @@
 
 namespace qrelief {
 
-inline constexpr std::size_t kMostLights = 2;
+inline constexpr std::size_t kMaxLights = 2;
 
 /// A lamp so far away that its rays are parallel, beside the uniform sky.
 struct DirectionalLight {

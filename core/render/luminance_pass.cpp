@@ -51,7 +51,7 @@ Result<LuminancePass> LuminancePass::create(const SurfaceMaps& maps, const Surfa
                                             double eyeDistance, const LuminanceOptions& options,
                                             std::shared_ptr<const LuminancePrograms> programs) {
   assert(maps.window.texels % options.cellTexels == 0);
-  assert(options.lights.size() <= kMostLights);
+  assert(options.lights.size() <= kMaxLights);
   LuminancePass pass;
   pass.maps_ = &maps;
   pass.eyeDistance_ = eyeDistance;
@@ -164,7 +164,7 @@ void LuminancePass::run() {
   occlusion.set("u_cellsPerPixel", 1 / static_cast<float>(texels));
   occlusion.set("u_listed", listed());
   occlusion.setTexture("u_list", 3, listed() ? list_ : horizon_);
-  std::array<glm::vec4, kMostLights> lamps{};
+  std::array<glm::vec4, kMaxLights> lamps{};
   for (std::size_t i = 0; i < options_.lights.size(); ++i)
     lamps[i] = glm::vec4(Vec3f(towards(options_.lights[i])), static_cast<float>(options_.lights[i].strength));
   occlusion.set("u_lampCount", static_cast<int>(options_.lights.size()));

@@ -29,12 +29,12 @@ struct LuminanceOptions {
   int horizonSamples = 64;     ///< places along the map's edge for which the surface's own horizon is found, ≥ 1
   float horizonStartMm = 1;    ///< surface nearer than this is left to the march
   float albedo = 0.7f;         ///< of the material, 0 … 1; white plastic is about 0.7
-  std::vector<DirectionalLight> lights = {};  ///< at most kMostLights
+  std::vector<DirectionalLight> lights = {};  ///< at most kMaxLights
 };
 
 /// What reaches a cell, its mean; 1 = what the whole sky brings to an unoccluded surface.
 struct Received {
-  float sky = 1, pastWalls = 1;        ///< share of a uniform sky, cosine-weighted; the same past pockets' walls alone
+  float sky = 1, pastWalls = 1;  ///< fraction of a uniform sky, cosine-weighted; the same past pockets' walls alone
   float lamps = 0, lampsUncarved = 0;  ///< by the lamps alone, without what is reflected
 };
 

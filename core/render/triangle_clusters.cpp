@@ -12,7 +12,7 @@ namespace {
 
 /// A surface meets some 6·n² of the n³ cells around it: cells of about 500 triangles.
 constexpr double kTrianglesPerSquaredCell = 3000;
-constexpr int kMostCells = 64;  // along an edge
+constexpr int kMaxCells = 64;  // along an edge
 
 /// A rounding error's worth wider than the square: what the rasteriser draws at the very edge is drawn.
 constexpr double kSlack = 1 + 1e-3;
@@ -22,7 +22,7 @@ constexpr double kSlack = 1 + 1e-3;
 ClusteredTriangles clusterTriangles(const Mesh& mesh) {
   const Box3 box = boundingBox(mesh);
   const double wanted = std::sqrt(static_cast<double>(mesh.triangles.size()) / kTrianglesPerSquaredCell);
-  const int n = static_cast<int>(std::clamp(std::round(wanted), 1.0, double{kMostCells}));
+  const int n = static_cast<int>(std::clamp(std::round(wanted), 1.0, double{kMaxCells}));
   const Vec3 perMm = Vec3(n) / glm::max(box.size(), Vec3(1e-9));
   const auto cellOf = [&](const Triangle& t) {
     const Vec3 middle = (Vec3(mesh.positions[t[0]]) + Vec3(mesh.positions[t[1]]) + Vec3(mesh.positions[t[2]])) / 3.0;

@@ -16,7 +16,7 @@ constexpr float kBackground = 0.35f;
 /// A baked texel speaks for points this many texels away, as seen straight on: next to it, and over there on a steep
 /// surface.
 constexpr double kNearTexels = 3;
-/// Texels whose planes lie within this share of a texel of each other's points are one floor.
+/// Texels whose planes lie within this fraction of a texel of each other's points are one floor.
 constexpr double kSameFloor = 0.3;
 
 double wrapped(double x) { return x - std::floor(x); }

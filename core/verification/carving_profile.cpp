@@ -13,11 +13,11 @@ namespace qrelief {
 namespace {
 
 constexpr int kN = kSubmodulesPerModule;
-constexpr int kWindow = 2;            // modules on each side of a window's middle
-constexpr std::size_t kTerms = 7;     // 1, x, y, x², xy, y², dark
-constexpr double kEvenMm = 1e-3;      // a window no less even than this is bare
-constexpr double kLeastFit = 0.5;     // a symbol of other content shares its finder patterns and explains less
-constexpr double kCarvedShare = 0.3;  // of a module's deepest submodule: what is deeper is carved
+constexpr int kWindow = 2;               // modules on each side of a window's middle
+constexpr std::size_t kTerms = 7;        // 1, x, y, x², xy, y², dark
+constexpr double kEvenMm = 1e-3;         // a window no less even than this is bare
+constexpr double kMinFit = 0.5;          // a symbol of other content shares its finder patterns and explains less
+constexpr double kCarvedFraction = 0.3;  // of a module's deepest submodule: what is deeper is carved
 
 using System = std::array<std::array<double, kTerms + 1>, kTerms>;
 using Terms = std::array<double, kTerms>;
@@ -174,7 +174,7 @@ void markCarved(CarvingProfile& profile, int row, int column, int edge) {
   for (int k = 0; k < kN * kN; ++k)
     if (std::abs(profile.depthMm[index(k)]) > std::abs(most)) most = profile.depthMm[index(k)];
   for (int k = 0; k < kN * kN; ++k)
-    profile.carved[index(k)] = most != 0 && profile.depthMm[index(k)] / most > kCarvedShare;
+    profile.carved[index(k)] = most != 0 && profile.depthMm[index(k)] / most > kCarvedFraction;
 }
 
 }  // namespace
@@ -191,7 +191,7 @@ CarvingProfile profileCarving(const RayTree& tree, const ProjectionFrame& frame,
   profile.fit = *best;
   const int edge = kN * symbol.size;
   for (int i = 0; i < edge * edge; ++i) profile.points.push_back(grid.at(i / edge, i % edge));
-  if (profile.fit < kLeastFit) return profile;
+  if (profile.fit < kMinFit) return profile;
   profile.pose = nameOf(pose);
   profile.depthMm.assign(profile.points.size(), 0);
   profile.carved.assign(profile.points.size(), 0);

@@ -16,7 +16,7 @@ enum class SymbolPose : std::uint8_t { AsWanted, Turned90, Turned180, Turned270,
 /// What is carved where a symbol should be, as the mesh itself has it.
 struct CarvingProfile {
   SymbolPose pose = SymbolPose::None;  ///< None: nothing there fits the symbol
-  double fit = 0;  ///< share of the windows' unevenness that dark and light modules explain, 0 … 1, for `pose`
+  double fit = 0;  ///< fraction of the windows' unevenness that dark and light modules explain, 0 … 1, for `pose`
   double meanDepthMm = 0;  ///< over the carved submodules; negative: they are raised
   /// Of each submodule under the surface that the light modules around it suggest, (5·modules)², row-major from the
   /// symbol's top left; 0 in light modules; NaN where the model is missed. Empty if pose is None.

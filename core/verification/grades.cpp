@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kN = kSubmodulesPerModule;
 
-/// Share of each row of submodules that the middle 80 % of a module covers: the outer ones by half.
+/// Fraction of each row of submodules that the middle 80 % of a module covers: the outer ones by half.
 constexpr std::array<double, kN> kAperture = {0.5, 1, 1, 1, 0.5};
 
 /// Lower bounds of the grades A, B, C and D.
@@ -64,10 +64,10 @@ Grade gradedWithCorrection(const CodewordLayout& layout, const std::vector<doubl
 }
 
 /// Grade by the number of damaged things: 4 for none, then one less for each bound that is reached.
-double gradeByShare(double share, const std::array<double, 3>& bounds) {
-  if (share == 0) return 4;
+double gradeByFraction(double fraction, const std::array<double, 3>& bounds) {
+  if (fraction == 0) return 4;
   for (std::size_t i = 0; i < bounds.size(); ++i)
-    if (share < bounds[i]) return 3.0 - static_cast<double>(i);
+    if (fraction < bounds[i]) return 3.0 - static_cast<double>(i);
   return 0;
 }
 
@@ -101,7 +101,8 @@ Grade fixedPatternDamage(const Symbol& symbol, const std::vector<std::uint8_t>& 
   }
   double grade = 4;
   for (const int count : finder) grade = std::min(grade, std::max(0.0, 4.0 - count));
-  if (timing > 0) grade = std::min(grade, gradeByShare(static_cast<double>(timingWrong) / timing, {0.07, 0.11, 0.14}));
+  if (timing > 0)
+    grade = std::min(grade, gradeByFraction(static_cast<double>(timingWrong) / timing, {0.07, 0.11, 0.14}));
   if (alignmentModules > 0) {
     // Wrong modules within two of each other belong to one pattern.
     int damaged = 0;
@@ -113,7 +114,7 @@ Grade fixedPatternDamage(const Symbol& symbol, const std::vector<std::uint8_t>& 
       damaged += !known;
       if (!known) seen.emplace_back(row, column);
     }
-    grade = std::min(grade, gradeByShare(25.0 * damaged / alignmentModules, {0.10, 0.20, 0.30}));
+    grade = std::min(grade, gradeByFraction(25.0 * damaged / alignmentModules, {0.10, 0.20, 0.30}));
   }
   return {static_cast<double>(all), grade};
 }

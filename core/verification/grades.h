@@ -32,7 +32,7 @@ struct Grade {
 /// none. Axial and grid nonuniformity are those of the projection and hence 0: not listed.
 struct SymbolGrades {
   Grade decode;              ///< 1: the blocks can be corrected as sampled; grade 4 or 0
-  Grade unusedCorrection;    ///< UEC: share of the error correction that is left, worst block
+  Grade unusedCorrection;    ///< UEC: fraction of the error correction that is left, worst block
   Grade fixedPatternDamage;  ///< finders with separators, timing, alignment: the worst; value = damaged modules
   Grade formatInformation;   ///< value = wrong bits of both copies; version information too, from version 7 on
   // ISO/IEC 15415

@@ -20,7 +20,7 @@ struct PathTraceOptions {
   int paths = 256;                            ///< per cell, ≥ 8; rounded down to a multiple of 8
   double albedo = 0.7;                        ///< of the matte material, 0 … 1
   std::uint64_t seed = 1;                     ///< the same seed, the same result
-  std::vector<DirectionalLight> lights = {};  ///< at most kMostLights
+  std::vector<DirectionalLight> lights = {};  ///< at most kMaxLights
 };
 
 /// A mean over a cell and its standard error, from the spread of 8 independent estimates.
@@ -30,7 +30,7 @@ struct Traced {
 
 /// What reaches a cell.
 struct CellLight {
-  Traced visibility;  ///< share of a uniform sky that is seen, cosine-weighted
+  Traced visibility;  ///< fraction of a uniform sky that is seen, cosine-weighted
   Traced direct;      ///< irradiance by the lamps without bounces, 1 = by the whole sky
   Traced luminance;   ///< of sky and lamps with all bounces; 1 = an unoccluded surface in the QR plane
 };

@@ -14,8 +14,8 @@ namespace {
 constexpr int kN = kSubmodulesPerModule;
 
 /// Narrower pockets do not open in print: `thin-plus` with 0.6 nozzle widths did not, `thick-plus` with 0.9 did.
-constexpr double kLeastPocketNozzles = 0.9;
-constexpr double kLeastDepthLayers = 2;
+constexpr double kMinPocketNozzles = 0.9;
+constexpr double kMinDepthLayers = 2;
 
 /// Least module that was printed and read with a 0.4 mm nozzle, mm; in nozzle widths for others.
 std::optional<double> leastModuleNozzles(ModulePattern pattern) {
@@ -107,8 +107,8 @@ std::optional<ModulePattern> recognised(const Symbol& symbol, const Mask& mask) 
 }
 
 /// Rounded up to a twentieth of a millimetre.
-std::string largerModule(double leastMm) {
-  return fmt::format("a module of {:.4g} mm or more", std::ceil(leastMm * 20 - 1e-6) / 20);
+std::string largerModule(double minMm) {
+  return fmt::format("a module of {:.4g} mm or more", std::ceil(minMm * 20 - 1e-6) / 20);
 }
 
 }  // namespace
@@ -155,7 +155,7 @@ CarvedFeatures measureFeatures(const Symbol& symbol, const std::vector<std::uint
 std::vector<PrintAdvice> advisePrinting(const CarvedFeatures& features, const Printer& printer, double minWallMm) {
   std::vector<PrintAdvice> advice;
   const double nozzle = printer.nozzleMm;
-  const double leastPocket = kLeastPocketNozzles * nozzle;
+  const double leastPocket = kMinPocketNozzles * nozzle;
   constexpr double kRounding = 1e-9;
   if (features.pocketMm < leastPocket - kRounding) {
     const double needed = features.moduleMm * leastPocket / features.pocketMm;
@@ -172,7 +172,7 @@ std::vector<PrintAdvice> advisePrinting(const CarvedFeatures& features, const Pr
            fmt::format("{:g} mm nozzle: choose {}{}", nozzle, largerModule(*least * nozzle),
                        *features.pattern == ModulePattern::ThickPlus ? "" : ", or `thick-plus`")});
   }
-  if (features.leastDepthMm < kLeastDepthLayers * printer.layerMm - kRounding)
+  if (features.leastDepthMm < kMinDepthLayers * printer.layerMm - kRounding)
     advice.push_back({fmt::format("The shallowest modules are {:.2f} mm deep: {:.1f} layers of {:g} mm",
                                   features.leastDepthMm, features.leastDepthMm / printer.layerMm, printer.layerMm),
                       "Print with thinner layers or with the code on a side, or carve deeper"});

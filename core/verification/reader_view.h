@@ -33,7 +33,7 @@ struct ReaderViewOptions {
   float radiusMm = 4;    ///< reach of the march for pockets
   float reliefMm = 2;    ///< depth of the deepest of them
   float albedo = 0.7f;
-  std::vector<DirectionalLight> lights = {};  ///< beside the uniform sky, at most kMostLights
+  std::vector<DirectionalLight> lights = {};  ///< beside the uniform sky, at most kMaxLights
   double blurPx = 1.0;                        ///< standard deviation, at 700 texels; scales with the size
   double noise = 0.02;                        ///< standard deviation at white, linear
   double strayLight = 0.05;                   ///< share of light scattered in the lens

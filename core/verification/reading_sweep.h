@@ -63,7 +63,7 @@ class ReadingSweep {
 
   /// Takes the next picture and reads it. @returns whether that was the last
   bool step();
-  double doneShare() const { return static_cast<double>(next_) / static_cast<double>(views_.size()); }
+  double doneFraction() const { return static_cast<double>(next_) / static_cast<double>(views_.size()); }
 
   const std::vector<ReadingView>& views() const { return views_; }
   /// After the last step.

@@ -17,9 +17,9 @@ std::vector<float> alongRows(const std::vector<float>& picture, int width, int h
     for (int row = 0; row < height; ++row) {
       double sum = 0;
       for (int x = static_cast<int>(std::floor(begin)); x < end; ++x) {
-        const double share = std::min(end, x + 1.0) - std::max<double>(begin, x);
-        sum += share * static_cast<double>(picture[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
-                                                   static_cast<std::size_t>(std::clamp(x, 0, width - 1))]);
+        const double fraction = std::min(end, x + 1.0) - std::max<double>(begin, x);
+        sum += fraction * static_cast<double>(picture[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
+                                                      static_cast<std::size_t>(std::clamp(x, 0, width - 1))]);
       }
       out[static_cast<std::size_t>(c) * static_cast<std::size_t>(height) + static_cast<std::size_t>(row)] =
           static_cast<float>(sum / step);

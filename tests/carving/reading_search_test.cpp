@@ -62,7 +62,7 @@ TEST_F(ReadingSearchTest, WithoutBlurTheDepthIsThatOfTheClosedForm) {
   EXPECT_GE(search.depths().depth(52, 52), expected - 1e-9);
   EXPECT_LE(search.depths().depth(52, 52), expected + slack);
   EXPECT_LE(search.iterations(), 8);
-  EXPECT_EQ(search.doneShare(), 1);
+  EXPECT_EQ(search.doneFraction(), 1);
 }
 
 TEST_F(ReadingSearchTest, APatternThatCarvesLessOfAModuleIsCarvedDeeper) {
@@ -101,7 +101,7 @@ TEST_F(ReadingSearchTest, StopsAtTheLimitAndCountsIt) {
   run(search);
   EXPECT_DOUBLE_EQ(search.depths().depth(52, 52), 0.12);
   EXPECT_EQ(search.limitedCount(), 9u);
-  EXPECT_EQ(search.doneShare(), 1);
+  EXPECT_EQ(search.doneFraction(), 1);
 }
 
 TEST_F(ReadingSearchTest, LightModulesStayUncarved) {

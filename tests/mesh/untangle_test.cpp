@@ -45,7 +45,7 @@ TEST(Untangle, PartsATangleByMovingOneVertexAndNoOther) {
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
     if (mesh.positions[v] == before.positions[v]) continue;
     EXPECT_EQ(result->largestMoveMm, glm::distance(Vec3(mesh.positions[v]), Vec3(before.positions[v])));
-    EXPECT_LE(result->largestMoveMm, kUntangleDiagonalShare * boundingBox(before).diagonal());
+    EXPECT_LE(result->largestMoveMm, kUntangleDiagonalFraction * boundingBox(before).diagonal());
   }
 }
 

@@ -62,7 +62,7 @@ TEST_F(PlaceTest, ACubeIsOfferedItsFacesInFullSize) {
     const Vec3 p = glm::abs(spot.centreMm);
     EXPECT_EQ((p.x == 30) + (p.y == 30) + (p.z == 30), 1);
     EXPECT_NEAR(spot.guaranteedMm, most / std::sqrt(2), 3);
-    EXPECT_EQ(spot.aimToleranceDeg, kMostAimDeg);
+    EXPECT_EQ(spot.aimToleranceDeg, kMaxAimDeg);
   }
   // The map's vertices are up to 3.5 mm apart, and a centre beside the middle loses twice the distance.
   EXPECT_GT(found->spots.front().symbolMm, most - 2 * 3.5);
@@ -81,7 +81,7 @@ TEST_F(PlaceTest, OfTwoSpotsTheOneThatIsReadFromFartherAsideComesFirst) {
   ASSERT_TRUE(found.has_value()) << found.error().message;
   ASSERT_EQ(found->spots.size(), 3u);
   EXPECT_GT(found->spots[0].centreMm.x, 40);
-  EXPECT_EQ(found->spots[0].aimToleranceDeg, kMostAimDeg);
+  EXPECT_EQ(found->spots[0].aimToleranceDeg, kMaxAimDeg);
   EXPECT_LT(found->spots[2].centreMm.x, 20);
   EXPECT_LT(found->spots[2].aimToleranceDeg, 10);
   EXPECT_GT(found->spots[2].symbolMm, found->spots[0].symbolMm);

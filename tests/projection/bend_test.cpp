@@ -60,7 +60,7 @@ TEST(Bend, OfAMeshIsThatOfTheFacetsNamed) {
 }
 
 TEST(Bend, TheAimForgivesTheLessTheMoreModulesAreMoved) {
-  EXPECT_EQ(aimToleranceDeg(0, 1), kMostAimDeg);
+  EXPECT_EQ(aimToleranceDeg(0, 1), kMaxAimDeg);
   EXPECT_NEAR(aimToleranceDeg(1.36, 1), 10, 0.1);
   EXPECT_NEAR(aimToleranceDeg(2 * 1.36, 2), 10, 0.1);
   EXPECT_LT(aimToleranceDeg(3, 1), aimToleranceDeg(2, 1));

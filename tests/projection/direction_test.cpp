@@ -29,7 +29,7 @@ TEST(MapSample, AFlatMapGivesItsNormalInEveryStep) {
   EXPECT_LT(glm::length(sample.depthBalance - normal), 1e-6);
   EXPECT_EQ(sample.outside, Vec3(0));
   EXPECT_EQ(sample.varianceMm2, 0);
-  EXPECT_EQ(sample.outsideShare, 0);
+  EXPECT_EQ(sample.outsideFraction, 0);
 }
 
 TEST(MapSample, TheVarianceOfARampIsItsClosedForm) {
@@ -52,7 +52,7 @@ TEST(MapSample, DepthBalanceTakesOnlyTheNearestAndFarthestCells) {
 TEST(MapSample, AnOverhangTurnsTheDirectionTowardsTheOverhangingSide) {
   const auto map = makeMap(64, [](double x, double) { return std::pair(Vec3(0, 0, 1), x > 0.5 ? 0.0 : 250.0); });
   const MapSample sample = sampleMap(map, 64, {});
-  EXPECT_DOUBLE_EQ(sample.outsideShare, 0.25);
+  EXPECT_DOUBLE_EQ(sample.outsideFraction, 0.25);
   // The cells outside lie at x = 0.5 … 1, y = -1 … 1: (x, y, -1) averages to the right and backwards.
   EXPECT_GT(sample.outside.x, 0.4);
   EXPECT_NEAR(sample.outside.y, 0, 1e-9);

@@ -63,7 +63,7 @@ TEST_F(OptimalDirectionTest, StaysWithinItsBound) {
   const Vec3 start = glm::normalize(Vec3(std::tan(1.0), 0, 1));
   const OptimalDirection found =
       search(shapes::box({300, 300, 20}), {0, 0, 10}, start, {.sizeMm = 20, .mapTexels = 64});
-  EXPECT_LE(static_cast<int>(found.iterations().size()), OptimalDirection::kMostLooks);
+  EXPECT_LE(static_cast<int>(found.iterations().size()), OptimalDirection::kMaxLooks);
   for (const DirectionIteration& look : found.iterations())
     EXPECT_LE(std::acos(glm::dot(look.normal, start)), OptimalDirection::kFarthestTurn + 1e-9);
   // As far towards the plane's normal as the bound allows, but for one last step.

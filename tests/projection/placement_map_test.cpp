@@ -37,10 +37,10 @@ TEST(LatticeDirection, LeavesNoGapsOnTheSphere) {
 
 TEST(PlacementMap, GivesEveryPointOfASphereTheSameSize) {
   const double radius = 40, eye = 250 + radius;
-  const PlacementMap map = mapOf(shapes::icosphere(radius, 5), {.leastMm = 30, .views = 1000});
+  const PlacementMap map = mapOf(shapes::icosphere(radius, 5), {.minMm = 30, .views = 1000});
   // The disc ends where the surface lies at 65° to the line of sight: polar angle θ and eye angle φ, θ + φ = 65°.
   double theta = 0, phi = 0;
-  while (theta + phi < PlacementMapSearch::kMostTiltDeg * kDegree) {
+  while (theta + phi < PlacementMapSearch::kMaxTiltDeg * kDegree) {
     theta += 1e-5;
     phi = std::atan(radius * std::sin(theta) / (eye - radius * std::cos(theta)));
   }
@@ -56,7 +56,7 @@ TEST(PlacementMap, GivesEveryPointOfASphereTheSameSize) {
 
 TEST(PlacementMap, FindsTheMiddlesOfACubesFacesBest) {
   const double edge = 60;
-  const PlacementMap map = mapOf(shapes::box({edge, edge, edge}), {.leastMm = 30, .views = 1000});
+  const PlacementMap map = mapOf(shapes::box({edge, edge, edge}), {.minMm = 30, .views = 1000});
   // At every rotation: the disc of half the edge, so a square of edge/√2; a texel more or less.
   const double expected = edge / std::numbers::sqrt2;
   EXPECT_NEAR(largest(map), expected, 0.05 * expected);
@@ -75,7 +75,7 @@ TEST(PlacementMap, FindsTheMiddlesOfACubesFacesBest) {
 }
 
 TEST(PlacementMap, OffersNoCentreOnTheEdgesAndCornersOfACube) {
-  const PlacementMap map = mapOf(shapes::box({60, 60, 60}), {.leastMm = 30});
+  const PlacementMap map = mapOf(shapes::box({60, 60, 60}), {.minMm = 30});
   for (std::size_t v = 0; v < map.sizeMm.size(); ++v) {
     const Vec3 p = glm::abs(Vec3(map.mesh.positions[v]));
     const bool isOnEdge = (p.x == 30) + (p.y == 30) + (p.z == 30) > 1;
@@ -84,20 +84,20 @@ TEST(PlacementMap, OffersNoCentreOnTheEdgesAndCornersOfACube) {
 }
 
 TEST(PlacementMap, DropsEveryViewOfARodWhoseSilhouetteIsSmallerThanTheSquare) {
-  const PlacementMap map = mapOf(shapes::cylinder(2, 100, 24), {.leastMm = 26});
+  const PlacementMap map = mapOf(shapes::cylinder(2, 100, 24), {.minMm = 26});
   EXPECT_EQ(map.viewsDropped, 240);
   EXPECT_EQ(largest(map), 0);
 }
 
 TEST(PlacementMap, GivesARodNoMoreThanItsThickness) {
-  const PlacementMap map = mapOf(shapes::cylinder(4, 100, 48), {.leastMm = 8});
+  const PlacementMap map = mapOf(shapes::cylinder(4, 100, 48), {.minMm = 8});
   EXPECT_LT(largest(map), std::numbers::sqrt2 * 4 + 0.3);
 }
 
 TEST(PlacementMap, PrefersTheBallsOfADumbbellToItsBar) {
   const Mesh ball = shapes::icosphere(30, 4);
   const Mesh balls = shapes::together(shapes::translated(ball, {0, 0, 70}), shapes::translated(ball, {0, 0, -70}));
-  const PlacementMap map = mapOf(shapes::together(balls, shapes::cylinder(5, 78, 32)), {.leastMm = 10});
+  const PlacementMap map = mapOf(shapes::together(balls, shapes::cylinder(5, 78, 32)), {.minMm = 10});
   double onBar = 0;
   for (std::size_t v = 0; v < map.sizeMm.size(); ++v)
     if (std::abs(map.mesh.positions[v].z) < 39.5f) onBar = std::max<double>(onBar, map.sizeMm[v]);
@@ -126,7 +126,7 @@ double exactSize(const Mesh& model, const PlacementMap& map, std::uint32_t verte
 
 TEST(PlacementMap, NeverPromisesMuchMoreThanTheExactSilhouette) {
   for (const Mesh& mesh : {shapes::bumpySphere(40, 4, 4, 4), shapes::torus(30, 14, 64, 32)}) {
-    const PlacementMap map = mapOf(mesh, {.leastMm = 20});
+    const PlacementMap map = mapOf(mesh, {.minMm = 20});
     ASSERT_TRUE(std::equal(mesh.positions.begin(), mesh.positions.end(), map.mesh.positions.begin()));
     const Box3 box = boundingBox(mesh);
     double radius = 0;
@@ -144,8 +144,8 @@ TEST(PlacementMap, NeverPromisesMuchMoreThanTheExactSilhouette) {
 
 TEST(PlacementMap, OfACoarserMeshDiffersByLittle) {
   const Mesh mesh = shapes::bumpySphere(50, 2, 5, 6);
-  const PlacementMap fine = mapOf(mesh, {.leastMm = 30, .views = 200, .facets = 100000});
-  const PlacementMap coarse = mapOf(mesh, {.leastMm = 30, .views = 200, .facets = 10000});
+  const PlacementMap fine = mapOf(mesh, {.minMm = 30, .views = 200, .facets = 100000});
+  const PlacementMap coarse = mapOf(mesh, {.minMm = 30, .views = 200, .facets = 10000});
   EXPECT_LT(coarse.mesh.triangles.size(), 20000u);
   ASSERT_EQ(coarse.vertexOf.size(), mesh.positions.size());
   double difference = 0, sum = 0;
@@ -158,7 +158,7 @@ TEST(PlacementMap, OfACoarserMeshDiffersByLittle) {
 }
 
 TEST(PlacementMap, LooksFromOneDirectionOnlyIfAsked) {
-  const PlacementMap map = mapOf(shapes::icosphere(40, 4), {.leastMm = 20, .onlyFrom = Vec3(0, 0, 2)});
+  const PlacementMap map = mapOf(shapes::icosphere(40, 4), {.minMm = 20, .onlyFrom = Vec3(0, 0, 2)});
   for (std::size_t v = 0; v < map.sizeMm.size(); ++v)
     EXPECT_TRUE(map.sizeMm[v] == 0 || map.direction[v].z > std::cos(12 * kDegree));
   EXPECT_GT(largest(map), 40);
@@ -166,8 +166,8 @@ TEST(PlacementMap, LooksFromOneDirectionOnlyIfAsked) {
 
 TEST(PlacementMap, IsTheSameOnEveryRun) {
   const Mesh mesh = shapes::bumpySphere(40, 3, 4, 4);
-  const PlacementMap first = mapOf(mesh, {.leastMm = 20});
-  const PlacementMap second = mapOf(mesh, {.leastMm = 20});
+  const PlacementMap first = mapOf(mesh, {.minMm = 20});
+  const PlacementMap second = mapOf(mesh, {.minMm = 20});
   EXPECT_EQ(first.sizeMm, second.sizeMm);
   EXPECT_EQ(first.direction, second.direction);
 }

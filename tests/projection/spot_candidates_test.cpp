@@ -11,14 +11,14 @@ namespace qrelief {
 namespace {
 
 PlacementMap mapOf(const Mesh& mesh, double leastMm) {
-  return makePlacementMap(mesh, vertexNormals(mesh), {.leastMm = leastMm});
+  return makePlacementMap(mesh, vertexNormals(mesh), {.minMm = leastMm});
 }
 
 TEST(SpotCandidates, OfACubeAreItsSixFaces) {
   const PlacementMap map = mapOf(shapes::box({60, 60, 60}), 40);
   // Middles of faces are 42 mm apart, and nowhere else on a face is 36 mm from its middle and far from its edges.
   const std::vector<SpotCandidate> spots =
-      spotCandidates(map, {.edgeMm = 60, .leastSizeMm = 34, .apart = 0.6, .most = 20});
+      spotCandidates(map, {.edgeMm = 60, .minSizeMm = 34, .apart = 0.6, .maxCount = 20});
   ASSERT_EQ(spots.size(), 6u);
   std::set<std::pair<int, bool>> faces;
   for (const SpotCandidate& spot : spots)
@@ -29,7 +29,7 @@ TEST(SpotCandidates, OfACubeAreItsSixFaces) {
 
 TEST(SpotCandidates, KeepTheirDistanceUnlessTheyLookAwayFromEachOther) {
   const PlacementMap map = mapOf(shapes::box({150, 150, 5}), 40);
-  const std::vector<SpotCandidate> spots = spotCandidates(map, {.edgeMm = 40, .leastSizeMm = 40});
+  const std::vector<SpotCandidate> spots = spotCandidates(map, {.edgeMm = 40, .minSizeMm = 40});
   int opposite = 0;
   for (std::size_t i = 0; i < spots.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
@@ -46,7 +46,7 @@ TEST(SpotCandidates, RankBySizeFirst) {
   const Mesh balls = shapes::together(shapes::translated(shapes::icosphere(40, 4), {0, 0, 60}),
                                       shapes::translated(shapes::icosphere(20, 4), {0, 0, -30}));
   const PlacementMap map = mapOf(balls, 20);
-  const std::vector<SpotCandidate> spots = spotCandidates(map, {.edgeMm = 20, .leastSizeMm = 1, .most = 200});
+  const std::vector<SpotCandidate> spots = spotCandidates(map, {.edgeMm = 20, .minSizeMm = 1, .maxCount = 200});
   bool small = false;
   for (const SpotCandidate& spot : spots) {
     // Between the balls each hides part of the other.

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "qr/codewords.h"
-#include "qr/sky_share.h"
+#include "qr/sky_fraction.h"
 
 namespace qrelief {
 namespace {
@@ -55,43 +55,43 @@ TEST(SymbolMask, ThatDoesNotExistIsRefused) {
 
 TEST(ShadiestMask, SeesNoMoreSkyThanAnyOther) {
   const Symbol shadiest = symbolOf({.maskRule = MaskRule::Shadiest});
-  const double least = SkyShare(shadiest).mean(shadiest);
+  const double least = SkyFraction(shadiest).mean(shadiest);
   for (int mask = 0; mask < 8; ++mask) {
     const Symbol other = symbolOf({.maskRule = MaskRule::Fixed, .mask = mask});
-    EXPECT_LE(least, SkyShare(other).mean(other)) << mask;
+    EXPECT_LE(least, SkyFraction(other).mean(other)) << mask;
   }
 }
 
-TEST(SkyShare, OfAModuleAloneIsThatOfASquarePit) {
+TEST(SkyFraction, OfAModuleAloneIsThatOfASquarePit) {
   // Middle of the floor of a square pit of edge 1 and depth 1/2: its opening is the top of a cube's upper half, seen
   // from the cube's middle plane; form factor of a square of edge a at distance a/2 from its axis, 4 corners of
   // (1/2π)(x/√(1+x²) atan(y/√(1+x²)) + y/√(1+y²) atan(x/√(1+y²))) with x = y = 1.
   const double corner = (std::atan(1 / std::sqrt(2.0)) / std::sqrt(2.0)) * 2 / (2 * 3.14159265358979);
-  EXPECT_NEAR(SkyShare::ofModuleAlone(), 4 * corner, 0.001);  // 32 directions
+  EXPECT_NEAR(SkyFraction::ofModuleAlone(), 4 * corner, 0.001);  // 32 directions
 }
 
-TEST(SkyShare, IsOneForLightModulesAndMoreInTheMiddleOfADarkArea) {
+TEST(SkyFraction, IsOneForLightModulesAndMoreInTheMiddleOfADarkArea) {
   Symbol symbol;
   symbol.size = 9;
   symbol.dark.assign(81, 0);
   symbol.roles.assign(81, ModuleRole::Data);
   for (int row = 2; row < 7; ++row)
     for (int column = 2; column < 7; ++column) symbol.dark[static_cast<std::size_t>(row * 9 + column)] = 1;
-  const SkyShare sky(symbol);
+  const SkyFraction sky(symbol);
   EXPECT_EQ(sky.of(0, 0), 1);
   EXPECT_GT(sky.of(4, 4), sky.of(2, 4));
   EXPECT_GT(sky.of(2, 4), sky.of(2, 2));
-  EXPECT_GT(sky.of(2, 2), SkyShare::ofModuleAlone());
+  EXPECT_GT(sky.of(2, 2), SkyFraction::ofModuleAlone());
 }
 
-TEST(SkyShare, IsTheSameUpdatedAsMadeAnew) {
+TEST(SkyFraction, IsTheSameUpdatedAsMadeAnew) {
   Symbol symbol = symbolOf({});
-  SkyShare sky(symbol);
+  SkyFraction sky(symbol);
   for (const int row : {9, 12, 15}) {
     symbol.dark[static_cast<std::size_t>(row * symbol.size + 12)] = 0;
     sky.update(symbol, row, 12);
   }
-  const SkyShare anew(symbol);
+  const SkyFraction anew(symbol);
   for (int row = 0; row < symbol.size; ++row)
     for (int column = 0; column < symbol.size; ++column) ASSERT_EQ(sky.of(row, column), anew.of(row, column));
 }
@@ -131,7 +131,7 @@ TEST(BreakUpDarkAreas, MakesOnlyDataModulesLightAndLessSkySeen) {
     EXPECT_EQ(plain.roles[i], ModuleRole::Data);
     EXPECT_EQ(broken.flipped[i], 1);
   }
-  EXPECT_LT(SkyShare(broken).mean(broken), SkyShare(plain).mean(plain));
+  EXPECT_LT(SkyFraction(broken).mean(broken), SkyFraction(plain).mean(plain));
 }
 
 TEST(BreakUpDarkAreas, ChangesNothingWithLevelL) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "qr/sky_share.h"
+#include "qr/sky_fraction.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,7 +29,7 @@ double distanceToLight(const Symbol& symbol, int row, int column, double angle) 
   }
 }
 
-double shareOf(const Symbol& symbol, int row, int column) {
+double fractionOf(const Symbol& symbol, int row, int column) {
   if (!symbol.isDark(row, column)) return 1;
   double sum = 0;
   for (int k = 0; k < kDirections; ++k) {
@@ -42,36 +42,36 @@ double shareOf(const Symbol& symbol, int row, int column) {
 
 }  // namespace
 
-double SkyShare::ofModuleAlone() {
+double SkyFraction::ofModuleAlone() {
   Symbol alone;
   alone.size = 1;
   alone.dark = {1};
-  return shareOf(alone, 0, 0);
+  return fractionOf(alone, 0, 0);
 }
 
-SkyShare::SkyShare(const Symbol& symbol) : size_(symbol.size), shares_(symbol.dark.size()) {
+SkyFraction::SkyFraction(const Symbol& symbol) : size_(symbol.size), fractions_(symbol.dark.size()) {
   for (int row = 0; row < size_; ++row)
     for (int column = 0; column < size_; ++column)
-      shares_[static_cast<std::size_t>(row * size_ + column)] = shareOf(symbol, row, column);
+      fractions_[static_cast<std::size_t>(row * size_ + column)] = fractionOf(symbol, row, column);
 }
 
-double SkyShare::mean(const Symbol& symbol) const {
+double SkyFraction::mean(const Symbol& symbol) const {
   double sum = 0;
   int count = 0;
-  for (std::size_t i = 0; i < shares_.size(); ++i) {
+  for (std::size_t i = 0; i < fractions_.size(); ++i) {
     if (symbol.roles[i] != ModuleRole::Data || !symbol.dark[i]) continue;
-    sum += shares_[i];
+    sum += fractions_[i];
     ++count;
   }
   return count > 0 ? sum / count : 0;
 }
 
-void SkyShare::update(const Symbol& symbol, int row, int column) {
+void SkyFraction::update(const Symbol& symbol, int row, int column) {
   const int reach = static_cast<int>(kReachModules) + 1;
   const int top = std::max(0, row - reach), bottom = std::min(size_ - 1, row + reach);
   const int left = std::max(0, column - reach), right = std::min(size_ - 1, column + reach);
   for (int y = top; y <= bottom; ++y)
-    for (int x = left; x <= right; ++x) shares_[static_cast<std::size_t>(y * size_ + x)] = shareOf(symbol, y, x);
+    for (int x = left; x <= right; ++x) fractions_[static_cast<std::size_t>(y * size_ + x)] = fractionOf(symbol, y, x);
 }
 
 }  // namespace qrelief
