@@ -82,7 +82,7 @@ Result<Row> runRedrawing(const Spot& spot) {
             border = kN * kOcclusionMarginModules;
   const MapWindow window{spot.placement.moduleMm * cells / kN, cellTexels * cells};
   DepthSearchOptions options;
-  options.contrast = spot.request.contrast;
+  options.contrast = spot.request.contrastAsked();
   const auto start = Clock::now();
   DepthSearch search(spot.target(), options);
   while (!search.finished()) {
@@ -138,7 +138,7 @@ Result<Row> runTracing(const Spot& spot, int rays) {
     noise = 0;
     for (const CellLight& cell : light) noise += cell.luminance.standardError / static_cast<double>(light.size());
     for (std::size_t k = 0; k < dark.size(); ++k) {
-      if (light[k].luminance.mean <= 1 - spot.request.contrast) continue;
+      if (light[k].luminance.mean <= 1 - spot.request.contrastAsked()) continue;
       double& depth = depths.depthMm[dark[k]];
       const double deeper = quantisedDepth(depth + kLayerMm, spot.limitMm[dark[k]]);
       deepened = deepened || deeper > depth;
@@ -200,7 +200,7 @@ int run(int argc, char** argv) {
   const auto spot = placedSpot(bytes, name, scale, centre, sizeMm);
   if (!spot) return failed(spot.error());
   fmt::print("{}, {:.4g} mm, {} dark submodules, contrast {:g}\n", name, spot->placement.symbolMm,
-             std::count(spot->mask.carved.begin(), spot->mask.carved.end(), 1), spot->request.contrast);
+             std::count(spot->mask.carved.begin(), spot->mask.carved.end(), 1), spot->request.contrastAsked());
 
   double fastMs = 0;
   const std::function<Result<Row>()> schemes[] = {

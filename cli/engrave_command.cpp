@@ -34,14 +34,9 @@ struct EngraveOptions {
   EngraveRequest request;
 };
 
-/// Contrast and patterns: those of the preset, but for what was asked for by itself.
 void choosePreset(EngraveOptions& options, Preset preset) {
-  EngraveRequest& request = options.request;
   options.preset = presetName(preset);
-  applyPreset(request, preset);
-  if (options.contrast) request.contrast = *options.contrast;
-  if (!options.pattern.empty()) request.modulePattern = *modulePatternByName(options.pattern);
-  if (!options.finderPattern.empty()) request.finderPattern = *finderPatternByName(options.finderPattern);
+  options.request.preset = preset;
 }
 
 Result<double> numberFrom(const std::string& text, const char* what) {
@@ -130,6 +125,9 @@ Status completeRequest(EngraveOptions& options) {
                 fmt::format("--inlay needs two bodies in a file, and the output is {}", options.output),
                 "Name the output .3mf, or leave it out");
   choosePreset(options, *presetByName(options.preset));
+  request.contrast = options.contrast;
+  if (!options.pattern.empty()) request.modulePattern = *modulePatternByName(options.pattern);
+  if (!options.finderPattern.empty()) request.finderPattern = *finderPatternByName(options.finderPattern);
   request.surface = *surfaceModeByName(options.surface);
   request.objective = options.objective == "reading" ? DepthObjective::Reading : DepthObjective::Contrast;
   request.solver = options.solver == "fast" ? ContrastSolver::Fast : ContrastSolver::PaperSteps;

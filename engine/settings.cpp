@@ -89,10 +89,9 @@ Result<EngraveRequest> readSettings(std::string_view json) {
       "ecc", request.symbol.errorCorrection, [](std::string_view name) { return errorCorrectionByName(name); },
       "Choose L, M, Q or H");
   request.symbol.raiseErrorCorrection = !read.has("ecc");
-  Preset preset = Preset::Balanced;
   read.choice(
-      "preset", preset, [](std::string_view name) { return presetByName(name); }, "Choose shallow, balanced or robust");
-  applyPreset(request, preset);
+      "preset", request.preset, [](std::string_view name) { return presetByName(name); },
+      "Choose shallow, balanced or robust");
   read.choice(
       "pattern", request.modulePattern, [](std::string_view name) { return modulePatternByName(name); },
       "Choose none, square, thin-plus, diamond or thick-plus");
@@ -106,7 +105,9 @@ Result<EngraveRequest> readSettings(std::string_view json) {
       "direction", request.placement.directionMethod, [](std::string_view name) { return directionMethodByName(name); },
       "Choose mean-normal, depth-balanced, pca or optimal");
   read.number("rotateDeg", request.placement.rotateDeg);
-  read.number("contrast", request.contrast);
+  double contrast = 0;
+  read.number("contrast", contrast);
+  if (read.has("contrast")) request.contrast = contrast;
   read.number("minWallMm", request.minWallMm);
   read.number("nozzleMm", request.nozzleMm);
   read.number("layerMm", request.layerMm);

@@ -33,7 +33,7 @@ void InspectorModel::follow(const Engine& engine) {
   if (!isOther && passes == known && isDone == done_) return;
   if (isOther) pass_.reset();
   ++version_;
-  search_.emplace(*engine.engravedSymbol(), *record, engine.engravedRequest().contrast);
+  search_.emplace(*engine.engravedSymbol(), *record, engine.engravedRequest().contrastAsked());
   engraving_ = engine.engravings();
   carving_ = engine.carving();
   done_ = isDone;
@@ -43,7 +43,7 @@ void InspectorModel::follow(const Engine& engine) {
 void InspectorModel::rememberRun(const Engine& engine) {
   const EngraveRequest& request = engine.engravedRequest();
   const auto solver = static_cast<std::size_t>(solverOf(request));
-  runs_[solver] = Run{fmt::format("{}, c = {:g}, {:.1f} mm", translated(kSolverNames[solver]), request.contrast,
+  runs_[solver] = Run{fmt::format("{}, c = {:g}, {:.1f} mm", translated(kSolverNames[solver]), request.contrastAsked(),
                                   engine.result()->placement.symbolMm),
                       search_->summaries()};
 }

@@ -74,6 +74,14 @@ Tunable lamp(const char* name, const char* unit, double least, double most, doub
   return made;
 }
 
+/// That of the preset, until one is set.
+Tunable contrastTunable() {
+  Tunable made{"Depth", "contrast", "", 0.01, 0.95, 0.01};
+  made.read = [](const R& r) { return r.contrastAsked(); };
+  made.write = [](R& r, double v) { r.contrast = v; };
+  return made;
+}
+
 std::vector<Tunable> makeTunables() {
   Tunable direction = choice(
       "Placement", "direction", kDirections, [](auto& r) -> auto& { return r.placement.directionMethod; });
@@ -99,8 +107,7 @@ std::vector<Tunable> makeTunables() {
           "Depth", "objective", kObjectives, [](auto& r) -> auto& { return r.objective; }),
       choice(
           "Depth", "solver", kSolvers, [](auto& r) -> auto& { return r.solver; }),
-      number(
-          "Depth", "contrast", "", 0.01, 0.95, 0.01, [](auto& r) -> auto& { return r.contrast; }),
+      contrastTunable(),
       number(
           "Depth", "layer", "mm", 0.01, 1, 0.01, [](auto& r) -> auto& { return r.layerMm; }),
       optional(

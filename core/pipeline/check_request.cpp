@@ -10,8 +10,8 @@ Status checkRequest(const EngraveRequest& request) {
   const auto bad = [](std::string message, std::string hint) {
     return fail(ErrorKind::BadUsage, std::move(message), std::move(hint));
   };
-  if (!(request.contrast > 0 && request.contrast < 1))
-    return bad(fmt::format("The contrast is {:g}", request.contrast), "Choose a value between 0 and 1, such as 0.3");
+  if (const double contrast = request.contrastAsked(); !(contrast > 0 && contrast < 1))
+    return bad(fmt::format("The contrast is {:g}", contrast), "Choose a value between 0 and 1, such as 0.3");
   if (request.lights.size() > kMaxLights)
     return bad(fmt::format("There are {} lights", request.lights.size()), fmt::format("Give at most {}", kMaxLights));
   for (const DirectionalLight& light : request.lights) {

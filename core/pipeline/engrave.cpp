@@ -65,7 +65,7 @@ PlacementRequest searchedPlacement(const EngraveRequest& request, int modules) {
   const double largest = place.sizeMode == SizeMode::Fixed ? place.sizeMm : place.maxSizeMm;
   place.beyondMm = request.minWallMm + request.maxDepthMm.value_or(kMaxDepthModules * largest / modules);
   const bool isReading = request.objective == DepthObjective::Reading;
-  const double contrast = isReading ? request.reading.dataContrast : request.contrast;
+  const double contrast = isReading ? request.reading.dataContrast : request.contrastAsked();
   if (contrast > 0 && contrast < 1) place.pockets = {request.minWallMm, pitDepth(contrast)};  // else refused later
   return place;
 }
@@ -235,13 +235,13 @@ Status EngraveJob::State::map() {
     search = std::make_unique<ReadingSearch>(std::move(target), request.reading);
   } else if (request.solver == ContrastSolver::Fast) {
     FastSearchOptions searchOptions;
-    searchOptions.contrast = request.contrast;
+    searchOptions.contrast = request.contrastAsked();
     searchOptions.slackMm = request.layerMm / 2;
     searchOptions.albedo = static_cast<double>(request.albedo);
     search = std::make_unique<FastSearch>(std::move(target), searchOptions);
   } else {
     DepthSearchOptions searchOptions;
-    searchOptions.contrast = request.contrast;
+    searchOptions.contrast = request.contrastAsked();
     searchOptions.initialDepthMm = request.layerMm;
     search = std::make_unique<DepthSearch>(std::move(target), searchOptions);
   }

@@ -15,6 +15,7 @@
 #include "embedding/surface_mode.h"
 #include "mesh/prepare.h"
 #include "pipeline/placement.h"
+#include "pipeline/preset.h"
 #include "qr/module_pattern.h"
 #include "qr/symbol.h"
 #include "render/geometry_pass.h"
@@ -53,7 +54,10 @@ struct EngraveRequest {
   FinderPattern finderPattern = FinderPattern::ThickPlusSharp;
   PlacementRequest placement;
   DepthObjective objective = DepthObjective::Contrast;
-  double contrast = 0.3;  ///< a carved submodule is darker than its surroundings by this share, 0 < c < 1
+  Preset preset = Preset::Balanced;  ///< how dark carved submodules are; where the code does not read, a deeper one
+  bool keepPreset = false;           ///< carve no deeper than the preset says, whether the code reads or not
+  /// A carved submodule is darker than its surroundings by this fraction, 0 < c < 1; none: that of the preset.
+  std::optional<double> contrast;
   ContrastSolver solver = ContrastSolver::Fast;
   double layerMm = 0.1;  ///< height of a printed layer, > 0: the first depth of PaperSteps; Fast leaves half of it
   ReadingOptions reading;
@@ -65,6 +69,9 @@ struct EngraveRequest {
   SurfaceMode surface = SurfaceMode::Preserved;
   bool inlay = false;         ///< make the body that fills the pockets as well, for printing in two colours
   bool recordSearch = false;  ///< keep what every pass of the search for depths saw, in EngraveResult::search
+
+  /// That of the preset, unless one is asked for by itself.
+  double contrastAsked() const { return contrast.value_or(presetContrast(preset)); }
 
   bool operator==(const EngraveRequest&) const = default;
 };

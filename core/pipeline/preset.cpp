@@ -14,12 +14,6 @@ constexpr std::array<Settings, 3> kPresets = {{{"shallow", 0.2}, {"balanced", 0.
 
 }  // namespace
 
-void applyPreset(EngraveRequest& request, Preset preset) {
-  request.modulePattern = ModulePattern::ThickPlus;
-  request.finderPattern = FinderPattern::ThickPlusSharp;
-  request.contrast = presetContrast(preset);
-}
-
 double presetContrast(Preset preset) { return kPresets[static_cast<std::size_t>(preset)].contrast; }
 
 std::optional<Preset> deeperPreset(Preset preset) {

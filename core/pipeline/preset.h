@@ -1,23 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string_view>
-
-#include "pipeline/engrave.h"
 
 namespace qrelief {
 
 /// How much is carved so that the code reads, by name. In simulated pictures, `thick-plus` modules were read by more
-/// readers than `square` ones at the same mean depth, so all presets take them and differ in the contrast.
+/// readers than `square` ones at the same mean depth, so no preset changes the patterns; they differ in the contrast.
 enum class Preset : std::uint8_t {
   Shallow,   ///< little depth, for reading from the front in even light
   Balanced,  ///< for a lamp beside it, too; the default
   Robust     ///< deeper, for less even light
 };
-
-/// Sets contrast and patterns of a request.
-void applyPreset(EngraveRequest& request, Preset preset);
 
 /// How much darker carved submodules must be.
 double presetContrast(Preset preset);

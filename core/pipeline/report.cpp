@@ -132,7 +132,7 @@ std::string makeReport(const EngraveRequest& request, const EngravableModel& mod
                      {"objective", request.objective == DepthObjective::Reading ? "reading" : "contrast"},
                      {"lights", describeLights(request.lights)},
                      {"solver", solverName(request)}};
-  if (request.objective == DepthObjective::Contrast) report["depth"]["contrast"] = request.contrast;
+  if (request.objective == DepthObjective::Contrast) report["depth"]["contrast"] = request.contrastAsked();
   if (context.presets) {
     report["depth"]["preset"] = context.presets->used;
     report["depth"]["askedPreset"] = context.presets->asked;

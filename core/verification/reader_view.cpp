@@ -126,6 +126,7 @@ Result<ReaderView> renderReaderView(const GeometryPass& pass, const GpuMesh& mes
   view.picture = photograph(
       luminance, options.texels,
       {.blurPx = options.blurPx * options.texels / 700, .noise = options.noise, .strayLight = options.strayLight});
+  view.luminance = std::move(luminance);
   return view;
 }
 

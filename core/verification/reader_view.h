@@ -25,6 +25,7 @@ struct ReaderView {
   GreyImage picture;  ///< exposed, blurred, with noise and sRGB gamma: what is decoded
   GreyImage clean;    ///< without blur and noise: what is shown
   double pixelsPerModule = 0;
+  std::vector<float> luminance;  ///< linear, of the same width, row 0 at the bottom: what pictures are made of
 };
 
 struct ReaderViewOptions {

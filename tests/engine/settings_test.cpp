@@ -35,7 +35,7 @@ TEST(Settings, EverySettingArrives) {
 TEST(Settings, APresetGivesWhatIsNotSaidItself) {
   const auto robust = readSettings(R"({"text": "x", "preset": "robust"})");
   ASSERT_TRUE(robust.has_value());
-  EXPECT_GT(robust->contrast, EngraveRequest{}.contrast);
+  EXPECT_GT(robust->contrastAsked(), EngraveRequest{}.contrastAsked());
   const auto own =
       readSettings(R"({"text": "x", "preset": "robust", "contrast": 0.25, "pattern": "square", "ecc": "M"})");
   ASSERT_TRUE(own.has_value());

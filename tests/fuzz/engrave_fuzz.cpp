@@ -14,7 +14,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (made.mesh.triangles.size() > 1500) return -1;
   made.request.text.resize(1);
   made.request.symbol.version.reset();
-  made.request.contrast = std::min(made.request.contrast, 0.05);
+  made.request.contrast = std::min(made.request.contrastAsked(), 0.05);
   const Verdict verdict = runEngraveCase(made);
   fuzz::require(verdict.fault.empty(), made.describe() + ": " + verdict.kind + ": " + verdict.fault);
   return 0;

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "pipeline/engrave.h"
+
 namespace qrelief {
 namespace {
 
@@ -16,13 +18,19 @@ TEST(Preset, NamesLeadToThemAndBack) {
 TEST(Preset, EachAsksForMoreContrastThanTheOneBefore) {
   double before = 0;
   for (const Preset preset : {Preset::Shallow, Preset::Balanced, Preset::Robust}) {
+    EXPECT_GT(presetContrast(preset), before);
     EngraveRequest request;
-    request.modulePattern = ModulePattern::None;
-    applyPreset(request, preset);
-    EXPECT_GT(request.contrast, before);
-    EXPECT_EQ(request.modulePattern, ModulePattern::ThickPlus);
-    before = request.contrast;
+    request.preset = preset;
+    EXPECT_EQ(request.contrastAsked(), presetContrast(preset));
+    before = presetContrast(preset);
   }
+}
+
+TEST(Preset, AContrastThatIsAskedForCountsInstead) {
+  EngraveRequest request;
+  request.preset = Preset::Robust;
+  request.contrast = 0.17;
+  EXPECT_EQ(request.contrastAsked(), 0.17);
 }
 
 TEST(Preset, EachButTheLastHasADeeperOne) {
@@ -31,12 +39,8 @@ TEST(Preset, EachButTheLastHasADeeperOne) {
   EXPECT_EQ(deeperPreset(Preset::Robust), std::nullopt);
 }
 
-TEST(Preset, ARequestThatSaysNothingHasTheContrastAndThePatternsOfTheBalancedOne) {
-  EngraveRequest balanced;
-  applyPreset(balanced, Preset::Balanced);
-  EXPECT_EQ(EngraveRequest{}.contrast, balanced.contrast);
-  EXPECT_EQ(EngraveRequest{}.modulePattern, balanced.modulePattern);
-  EXPECT_EQ(EngraveRequest{}.finderPattern, balanced.finderPattern);
+TEST(Preset, ARequestThatSaysNothingIsBalanced) {
+  EXPECT_EQ(EngraveRequest{}.contrastAsked(), presetContrast(Preset::Balanced));
 }
 
 }  // namespace
