@@ -5,6 +5,7 @@
 #include "cli/commands.h"
 #include "cli/files.h"
 #include "cli/model_input.h"
+#include "messages/sentences.h"
 
 namespace qrelief {
 namespace {
@@ -40,7 +41,7 @@ int describe(const InfoOptions& options) {
   fmt::print("{}: {}, {} triangles, {} vertices, {} shell{}\n", name, input->format, model.mesh.triangles.size(),
              model.mesh.positions.size(), model.shells, model.shells == 1 ? "" : "s");
   fmt::print("size {:.4g} × {:.4g} × {:.4g} mm\n", size.x, size.y, size.z);
-  for (const std::string& warning : input->warnings) fmt::print("warning: {}\n", warning);
+  for (const Message& warning : input->warnings) fmt::print("warning: {}\n", sentence(warning));
   for (const Finding& finding : model.findings) {
     json["findings"].push_back({{"severity", severityName(finding.severity)},
                                 {"code", finding.code},

@@ -7,6 +7,7 @@
 #include "cli/commands.h"
 #include "cli/files.h"
 #include "io/read_model.h"
+#include "messages/sentences.h"
 
 namespace qrelief {
 void addModelFlags(CLI::App& command, ModelFlags& flags) {
@@ -45,7 +46,7 @@ Result<ModelInput> loadModel(const ModelFlags& flags) {
 Result<ModelInput> loadEngravable(const ModelFlags& flags) {
   auto input = loadModel(flags);
   if (!input) return input;
-  for (const std::string& warning : input->warnings) fmt::print(stderr, "qrelief: {}\n", warning);
+  for (const Message& warning : input->warnings) fmt::print(stderr, "qrelief: {}\n", sentence(warning));
   for (const Finding& finding : input->prepared.findings)
     if (finding.severity == Finding::Severity::Warning) fmt::print(stderr, "qrelief: {}\n", finding.message);
   if (const Status engravable = input->prepared.engravable(); !engravable) return tl::unexpected(engravable.error());

@@ -25,7 +25,7 @@ void addModelFlags(CLI::App& command, ModelFlags& flags);
 /// A model from a file, checked; it may have blocking findings.
 struct ModelInput {
   std::string format;
-  std::vector<std::string> warnings;  ///< of the reader
+  std::vector<Message> warnings;  ///< of the reader
   std::vector<std::string> partNames;
   double scaleToMm = 1;
   PreparedModel prepared;

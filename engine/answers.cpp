@@ -41,10 +41,11 @@ std::string answer(const Progress& progress) {
 
 Json jsonOf(Vec3 v) { return Json::array({v.x, v.y, v.z}); }
 
-Json jsonOf(std::span<const std::string> warnings, std::span<const Finding> findings) {
+Json jsonOf(std::span<const Message> warnings, std::span<const Finding> findings) {
   Json list = Json::array();
-  for (const std::string& warning : warnings)
-    list.push_back({{"severity", "warning"}, {"code", "reader"}, {"count", 1}, {"message", warning}, {"hint", ""}});
+  for (const Message& warning : warnings)
+    list.push_back(
+        {{"severity", "warning"}, {"code", "reader"}, {"count", 1}, {"message", warning.code}, {"hint", ""}});
   for (const Finding& finding : findings)
     list.push_back({{"severity", severityName(finding.severity)},
                     {"code", finding.code},

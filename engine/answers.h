@@ -34,6 +34,6 @@ inline const Error kNoModel = {ErrorKind::BadUsage,
                                untold("there is no model yet", "open a model file or choose a sample")};
 
 /// The reader's warnings, then what was found out about the model.
-Json jsonOf(std::span<const std::string> warnings, std::span<const Finding> findings);
+Json jsonOf(std::span<const Message> warnings, std::span<const Finding> findings);
 
 }  // namespace qrelief

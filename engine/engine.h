@@ -170,7 +170,8 @@ class Engine {
   struct Model {
     std::string fileName, format;
     double scaleToMm = 1, loadMs = 0, prepareMs = 0;
-    std::vector<std::string> warnings, partNames;
+    std::vector<Message> warnings;
+    std::vector<std::string> partNames;
     std::shared_ptr<const EngravableModel> engravable;
     SurfaceLook look;  // by the processor: what follows the pointer does not wait for pictures
     std::shared_ptr<const GpuMesh> display;

@@ -2,7 +2,6 @@
 #include "io/ply_header.h"
 
 #include <array>
-#include <fmt/format.h>
 #include <utility>
 
 #include "io/parse_number.h"
@@ -36,11 +35,11 @@ class HeaderReader {
   explicit HeaderReader(std::string_view text) : text_(text), scanner_(text) {}
 
   Result<PlyHeader> read() {
-    if (scanner_.wordOnLine() != "ply") return failHere("\"ply\" should stand alone in the first line");
+    if (scanner_.wordOnLine() != "ply") return failHere(message("ply-keyword"));
     scanner_.restOfLine();
     bool anyFormat = false;
     for (;;) {
-      if (scanner_.atEnd()) return failHere("the header ends without \"end_header\"");
+      if (scanner_.atEnd()) return failHere(message("ply-no-end"));
       line_ = scanner_.line();
       const std::string_view keyword = scanner_.wordOnLine();
       if (keyword == "end_header") break;
@@ -53,20 +52,20 @@ class HeaderReader {
       } else if (keyword == "property") {
         status = readProperty();
       } else if (keyword != "comment" && keyword != "obj_info" && !keyword.empty()) {
-        status = failHere(fmt::format("{} is no keyword of a PLY header", quoted(keyword)));
+        status = failHere(message("ply-unknown-keyword", with::quoted("word", excerpt(keyword))));
       }
       if (!status) return tl::unexpected(status.error());
       scanner_.restOfLine();
     }
-    if (!anyFormat) return failHere("the header has no \"format\" line");
+    if (!anyFormat) return failHere(message("ply-no-format"));
     endOfHeader();
     return std::move(header_);
   }
 
  private:
-  tl::unexpected<Error> failHere(const std::string& what) const {
-    return fail(ErrorKind::BadInput, fmt::format("Line {} of the PLY header: {}", line_, what),
-                "The file is cut off or damaged; export it again");
+  tl::unexpected<Error> failHere(Message what) const {
+    return fail(ErrorKind::BadInput,
+                message("ply-header-line", with::count("line", line_), with::cause("cause", std::move(what))));
   }
 
   Status readFormat() {
@@ -78,7 +77,7 @@ class HeaderReader {
     } else if (name == "binary_big_endian") {
       header_.format = PlyFormat::BigEndian;
     } else {
-      return failHere(fmt::format("{} is no PLY format", quoted(name)));
+      return failHere(message("ply-format", with::quoted("word", excerpt(name))));
     }
     return {};
   }
@@ -88,9 +87,11 @@ class HeaderReader {
     element.name = scanner_.wordOnLine();
     const std::string_view word = scanner_.wordOnLine();
     const std::optional<std::int64_t> count = parseInteger(word);
-    if (element.name.empty() || !count || *count < 0)
-      return failHere(fmt::format("the number of elements {} is {}", quoted(element.name),
-                                  word.empty() ? "missing" : quoted(word)));
+    if (word.empty())
+      return failHere(message("ply-element-count-missing", with::quoted("element", excerpt(element.name))));
+    if (!count || *count < 0)
+      return failHere(message("ply-element-count", with::quoted("element", excerpt(element.name)),
+                              with::quoted("word", excerpt(word))));
     element.count = static_cast<std::uint64_t>(*count);
     header_.elements.push_back(std::move(element));
     return {};
@@ -100,17 +101,17 @@ class HeaderReader {
     const std::string_view word = scanner_.wordOnLine();
     for (const auto& [name, type] : kTypeNames)
       if (name == word) return type;
-    return failHere(fmt::format("{} is no PLY type", quoted(word)));
+    return failHere(message("ply-type", with::quoted("word", excerpt(word))));
   }
 
   Status readProperty() {
-    if (header_.elements.empty()) return failHere("a property stands before the first element");
+    if (header_.elements.empty()) return failHere(message("ply-property-first"));
     PlyProperty property;
     const TextScanner before = scanner_;
     if (scanner_.wordOnLine() == "list") {
       const Result<PlyType> countType = readType();
       if (!countType) return tl::unexpected(countType.error());
-      if (isFloating(*countType)) return failHere("the length of a list has to be of an integer type");
+      if (isFloating(*countType)) return failHere(message("ply-list-type"));
       property.countType = *countType;
     } else {
       scanner_ = before;
@@ -119,7 +120,7 @@ class HeaderReader {
     if (!type) return tl::unexpected(type.error());
     property.type = *type;
     property.name = scanner_.wordOnLine();
-    if (property.name.empty()) return failHere("a property has no name");
+    if (property.name.empty()) return failHere(message("ply-property-name"));
     header_.elements.back().properties.push_back(std::move(property));
     return {};
   }

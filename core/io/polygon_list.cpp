@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/polygon_list.h"
 
+#include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -14,44 +16,36 @@ Status checkPositions(const std::vector<Vec3>& positions, const std::string& for
     const Vec3& p = positions[i];
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
       return fail(ErrorKind::BadInput,
-                  fmt::format("Vertex {} of {} of the {} file is at ({}, {}, {}), which is not finite", i + 1,
-                              positions.size(), format, p.x, p.y, p.z),
-                  "Export the model again; something went wrong when it was made");
+                  message("vertex-not-finite", with::count("vertex", i + 1), with::count("vertices", positions.size()),
+                          with::term("format", format), with::term("at", coordinates(p))));
   }
   return {};
 }
 
-Status checkPolygons(const PolygonList& list, const std::string& format) {
-  std::size_t corner = 0;
-  for (std::size_t f = 0; f < list.sizes.size(); ++f) {
-    for (std::uint32_t k = 0; k < list.sizes[f]; ++k, ++corner)
-      if (list.corners[corner] >= list.positions.size())
-        return fail(ErrorKind::BadInput,
-                    fmt::format("Face {} of {} of the {} file asks for vertex {} (counted from 0), but there are {}",
-                                f + 1, list.sizes.size(), format, list.corners[corner], list.positions.size()),
-                    "The file is damaged; export the model again");
-  }
-  if (list.triangles == 0)
-    return fail(ErrorKind::BadInput,
-                fmt::format("The {} file holds {} vertices, but no face", format, list.positions.size()),
-                "Export the model as a surface mesh, with faces");
-  return {};
-}
+/// How many faces had something wrong, and the first of them.
+struct Noted {
+  std::size_t count = 0;
+  std::size_t first = 0;  ///< in the file's order, from 1
+  Vec3 at{0};             ///< its first corner
 
-void triangulateFace(const PolygonList& list, std::span<const std::uint32_t> face, PolygonSoup& soup,
-                     std::size_t& notSimple) {
+  void add(std::size_t face, Vec3 corner) {
+    if (++count == 1) first = face, at = corner;
+  }
+};
+
+/// @returns whether the polygon is simple
+bool triangulateFace(const PolygonList& list, std::span<const std::uint32_t> face, PolygonSoup& soup) {
   std::vector<Vec3> corners;
   for (const std::uint32_t v : face) corners.push_back(list.positions[v]);
   const PolygonTriangles cut = triangulatePolygon(corners);
   for (const auto& [a, b, c] : cut.triangles) soup.triangles.push_back({face[a], face[b], face[c]});
-  if (!cut.simple) ++notSimple;
+  return cut.simple;
 }
 
 }  // namespace
 
 tl::unexpected<Error> tooManyTriangles(std::size_t limit) {
-  return fail(ErrorKind::BadInput, fmt::format("The model has more than the {} triangles that are accepted", limit),
-              "Reduce (decimate) the model first");
+  return fail(ErrorKind::BadInput, message("file-too-many-triangles", with::count("limit", limit)));
 }
 
 Status PolygonList::reserve(std::uint64_t vertices, std::uint64_t faces) {
@@ -71,42 +65,58 @@ Status PolygonList::add(std::span<const std::uint32_t> polygon) {
 }
 
 Result<PolygonSoup> triangulated(PolygonList&& list, std::string format) {
+  assert(std::all_of(list.corners.begin(), list.corners.end(),
+                     [&](std::uint32_t v) { return v < list.positions.size(); }));
   if (Status s = checkPositions(list.positions, format); !s) return tl::unexpected(s.error());
-  if (Status s = checkPolygons(list, format); !s) return tl::unexpected(s.error());
+  if (list.triangles == 0)
+    return fail(ErrorKind::BadInput,
+                message("file-no-face", with::term("format", format), with::count("count", list.positions.size())));
 
   PolygonSoup soup;
-  std::size_t tooSmall = 0;
-  std::size_t notSimple = 0;
+  Noted tooSmall, notSimple;
   soup.triangles.reserve(list.triangles);
   const std::uint32_t* face = list.corners.data();
+  std::size_t number = 0;
   for (const std::uint32_t size : list.sizes) {
+    ++number;
     if (size == 3)
       soup.triangles.push_back({face[0], face[1], face[2]});
     else if (size < 3)
-      ++tooSmall;
-    else
-      triangulateFace(list, {face, size}, soup, notSimple);
+      tooSmall.add(number, Vec3(0));
+    else if (!triangulateFace(list, {face, size}, soup))
+      notSimple.add(number, list.positions[face[0]]);
     face += size;
   }
-  if (tooSmall > 0)
-    soup.warnings.push_back(fmt::format("{} faces with fewer than three corners were passed over", tooSmall));
-  if (notSimple > 0)
-    soup.warnings.push_back(fmt::format(
-        "{} polygons cross themselves or have no area; they were cut into triangles all the same", notSimple));
+  if (tooSmall.count > 0)
+    soup.warnings.push_back(
+        message("faces-passed-over", with::count("count", tooSmall.count), with::count("face", tooSmall.first)));
+  if (notSimple.count > 0)
+    soup.warnings.push_back(message("polygons-not-simple", with::count("count", notSimple.count),
+                                    with::count("face", notSimple.first), with::place("at", notSimple.at)));
   soup.positions = std::move(list.positions);
   soup.format = std::move(format);
   return soup;
 }
 
-std::string quoted(std::string_view word) {
-  constexpr std::size_t kLongest = 40;
-  std::string text = "'";
-  for (const char c : word.substr(0, kLongest)) text += c >= ' ' && c < 127 ? c : '?';
-  return text + (word.size() > kLongest ? "...'" : "'");
+Message notANumber(std::string_view word) {
+  if (word.empty()) return message("number-missing");
+  return message("number-malformed", with::quoted("word", excerpt(word)));
 }
 
-std::string notANumber(std::string_view word) {
-  return word.empty() ? std::string("a number is missing") : fmt::format("{} is not a number", quoted(word));
+Message notFinite(std::string_view word) { return message("number-not-finite", with::quoted("word", excerpt(word))); }
+
+Message notAVertex(std::string_view word) { return message("index-malformed", with::quoted("word", excerpt(word))); }
+
+Message noSuchVertex(std::int64_t index, std::size_t vertices) {
+  return message("face-vertex-missing", with::count("vertex", index), with::count("count", vertices));
+}
+
+std::string coordinates(Vec3 p) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", p.x, p.y, p.z); }
+
+std::string excerpt(std::string_view word, std::size_t longest) {
+  std::string text;
+  for (const char c : word.substr(0, longest)) text += c >= ' ' && c < 127 ? c : '?';
+  return text + (word.size() > longest ? "..." : "");
 }
 
 }  // namespace qrelief

@@ -2,7 +2,6 @@
 #include "io/read_3mf.h"
 
 #include <algorithm>
-#include <fmt/format.h>
 #include <map>
 #include <optional>
 
@@ -20,11 +19,9 @@ constexpr std::string_view kStartPart = "http://schemas.microsoft.com/3dmanufact
 constexpr std::size_t kMaxParts = 4096;         // model parts of one package
 constexpr std::size_t kMaxNesting = 32;         // of components
 constexpr std::size_t kMaxInstances = 100'000;  // objects after components are put together
-constexpr std::string_view kExportAgain = "The file is damaged; export it again";
+constexpr std::size_t kLongestTarget = 120;     // in messages
 
-tl::unexpected<Error> bad(std::string what, std::string_view hint = kExportAgain) {
-  return fail(ErrorKind::BadInput, std::move(what), std::string(hint));
-}
+tl::unexpected<Error> bad(Message what) { return fail(ErrorKind::BadInput, std::move(what)); }
 
 /// The targets of relationships of one type.
 class RelationshipHandler : public XmlHandler {
@@ -41,6 +38,19 @@ class RelationshipHandler : public XmlHandler {
   }
 };
 
+/// "..", however it is escaped.
+bool isParent(std::string_view segment) {
+  const auto takeDot = [&segment] {
+    for (const std::string_view dot : {".", "%2e", "%2E"})
+      if (segment.starts_with(dot)) {
+        segment.remove_prefix(dot.size());
+        return true;
+      }
+    return false;
+  };
+  return takeDot() && takeDot() && segment.empty();
+}
+
 /// A part's name as the archive has it, from what a relationship or a `p:path` says; empty if it leads elsewhere.
 std::optional<std::string> partName(std::string_view target) {
   std::vector<std::string_view> segments;
@@ -50,7 +60,7 @@ std::optional<std::string> partName(std::string_view target) {
     const std::string_view segment = target.substr(0, end);
     target.remove_prefix(std::min(end + 1, target.size()));
     if (segment.empty() || segment == ".") continue;
-    if (segment == "..") {
+    if (isParent(segment)) {
       if (segments.empty()) return std::nullopt;
       segments.pop_back();
     } else {
@@ -70,19 +80,21 @@ class Package {
   /// Finds and reads the model part that the package is about. @returns its name
   Result<std::string> readStart() {
     const ZipEntry* entry = archive_.find(kRelationships);
-    if (!entry) return bad("The 3MF file has no part '_rels/.rels', which says where the model is");
+    if (!entry) return bad(message("3mf-no-relationships"));
     RelationshipHandler handler;
     Result<ZipStream> stream = open(*entry);
     if (!stream) return tl::unexpected(stream.error());
     if (const Status read = readXml(*stream, std::string(kRelationships), handler); !read)
       return tl::unexpected(read.error());
-    if (handler.targets.size() != 1)
-      return bad(fmt::format("The 3MF file has {} relationships in '_rels/.rels' that name its 3D model; it needs one",
-                             handler.targets.empty() ? "no" : std::to_string(handler.targets.size())));
-    const auto name = partName(handler.targets.front());
-    if (handler.external || !name)
-      return bad(fmt::format("The 3MF file's model {} is outside of it", quoted(handler.targets.front())),
-                 "Export the model as one file");
+    if (handler.targets.empty()) return bad(message("3mf-no-start"));
+    if (handler.targets.size() > 1)
+      return bad(message("3mf-several-starts", with::count("count", handler.targets.size())));
+    const std::string& target = handler.targets.front();
+    if (target.empty()) return bad(message("3mf-no-target"));
+    const auto name = partName(target);
+    if (handler.external || target.find(':') != std::string::npos)
+      return bad(message("3mf-external", with::quoted("target", excerpt(target, kLongestTarget))));
+    if (!name) return bad(message("3mf-leaves-package", with::quoted("target", excerpt(target, kLongestTarget))));
     if (const Status read = readModels(*name); !read) return tl::unexpected(read.error());
     return *name;
   }
@@ -94,7 +106,7 @@ class Package {
       const std::string name = std::move(wanted.back());
       wanted.pop_back();
       if (models_.count(name)) continue;
-      if (models_.size() == kMaxParts) return bad(fmt::format("The 3MF file has more than {} model parts", kMaxParts));
+      if (models_.size() == kMaxParts) return bad(message("3mf-too-many-parts", with::count("limit", kMaxParts)));
       Result<ThreeMfModel> model = readPart(name);
       if (!model) return tl::unexpected(model.error());
       if (const Status resolved = resolvePaths(*model, name, wanted); !resolved) return resolved;
@@ -114,7 +126,7 @@ class Package {
 
   Result<ThreeMfModel> readPart(const std::string& name) {
     const ZipEntry* entry = archive_.find(name);
-    if (!entry) return bad(fmt::format("The 3MF file's model part {} is missing", quoted(name)));
+    if (!entry) return bad(message("3mf-part-missing", with::quoted("part", excerpt(name, kLongestTarget))));
     Result<ZipStream> stream = open(*entry);
     if (!stream) return tl::unexpected(stream.error());
     ReadLimits left = limits_;
@@ -135,9 +147,9 @@ class Package {
         }
         const auto name = partName(instance.path);
         if (!name)
-          return bad(fmt::format("Part {} of the 3MF file asks for object {} of {}, which is outside of it",
-                                 quoted(own), instance.object, quoted(instance.path)),
-                     "Export the model as one file");
+          return bad(message("3mf-path-outside", with::quoted("part", excerpt(own)),
+                             with::count("object", instance.object),
+                             with::quoted("path", excerpt(instance.path, kLongestTarget))));
         instance.path = *name;
         if (instance.path != own) wanted.push_back(*name);
       }
@@ -190,11 +202,13 @@ class Builder {
     if (total.triangles > limits_.maxTriangles || total.vertices > 3 * limits_.maxTriangles)
       return tooManyTriangles(limits_.maxTriangles);
     if (total.instances > kMaxInstances)
-      return bad(fmt::format("The 3MF file puts together more than {} objects", kMaxInstances),
-                 "Reduce the number of copies, or export the model as STL");
-    if (total.nesting > kMaxNesting + 1)
-      return bad(fmt::format("The 3MF file's components are nested more than {} deep", kMaxNesting));
+      return bad(message("3mf-too-many-instances", with::count("limit", kMaxInstances)));
+    if (total.nesting > kMaxNesting + 1) return nestedTooDeep();
     return {};
+  }
+
+  static tl::unexpected<Error> nestedTooDeep() {
+    return bad(message("3mf-nested-too-deep", with::count("limit", kMaxNesting)));
   }
 
   /// Nothing is multiplied before this has been found to be within limits.
@@ -203,17 +217,17 @@ class Builder {
     const Key key{instance.path, instance.object};
     if (const auto known = extents_.find(key); known != extents_.end()) {
       if (known->second) return *known->second;
-      return bad(fmt::format("Object {} of part {} of the 3MF file is a component of itself", instance.object,
-                             quoted(instance.path)));
+      return bad(
+          message("3mf-circle", with::count("object", instance.object), with::quoted("part", excerpt(instance.path))));
     }
     const ThreeMfObject* object = find(instance);
     if (!object)
-      return bad(fmt::format("Part {} of the 3MF file asks for object {} of part {}, which is missing", quoted(asking),
-                             instance.object, quoted(instance.path)));
-    if (extents_.size() > kMaxInstances) return bad("The 3MF file has too many objects");
+      return bad(message("3mf-object-missing", with::quoted("asking", excerpt(asking)),
+                         with::count("object", instance.object), with::quoted("part", excerpt(instance.path))));
+    if (extents_.size() > kMaxInstances)
+      return bad(message("3mf-too-many-objects", with::count("limit", kMaxInstances)));
     extents_.emplace(key, std::nullopt);  // while it is open: to find circles
-    if (++depth_ > kMaxNesting)
-      return bad(fmt::format("The 3MF file's components are nested more than {} deep", kMaxNesting));
+    if (++depth_ > kMaxNesting) return nestedTooDeep();
     Extent total{object->triangles.size(), object->positions.size(), 1, 1};
     for (const ThreeMfInstance& component : object->components) {
       const Result<Extent> extent = measure(component, instance.path);
@@ -270,17 +284,13 @@ class Builder {
   Result<PolygonSoup> finish(const ThreeMfModel& model) {
     if (notModels_ > 0)
       soup_.warnings.push_back(
-          fmt::format("{} of {} items of the 3MF file are no models (supports or the like) and were passed over",
-                      notModels_, model.items.size()));
-    if (empty_ > 0) soup_.warnings.push_back(fmt::format("{} items of the 3MF file have no triangle", empty_));
-    if (soup_.triangles.empty())
-      return bad(
-          model.items.empty()
-              ? fmt::format("The 3MF file's build is empty: it has {} objects, but places none", model.objects.size())
-              : fmt::format("None of the {} items of the 3MF file has a triangle of a model", model.items.size()),
-          "Export the model with its objects on the plate");
+          message("3mf-items-not-models", with::count("count", notModels_), with::count("items", model.items.size())));
+    if (empty_ > 0) soup_.warnings.push_back(message("3mf-items-empty", with::count("count", empty_)));
+    if (!model.hasBuild) return bad(message("3mf-build-missing", with::count("count", model.objects.size())));
+    if (model.items.empty()) return bad(message("3mf-build-empty", with::count("count", model.objects.size())));
+    if (soup_.triangles.empty()) return bad(message("3mf-no-triangle", with::count("count", model.items.size())));
     for (const Vec3& p : soup_.positions)
-      if (!(glm::length(p) < 1e300)) return bad("The 3MF file's transforms take its vertices out of all bounds");
+      if (!(glm::length(p) < 1e300)) return bad(message("3mf-out-of-bounds"));
     return std::move(soup_);
   }
 

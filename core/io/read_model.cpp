@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/read_model.h"
 
-#include <fmt/format.h>
-
 #include "io/read_3mf.h"
 #include "io/read_obj.h"
 #include "io/read_off.h"
@@ -12,8 +10,6 @@
 
 namespace qrelief {
 namespace {
-
-constexpr std::string_view kSupported = "STL, OBJ, PLY, OFF and 3MF files can be read";
 
 Result<PolygonSoup> readAs(ModelFormat format, std::span<const std::uint8_t> bytes, const ReadLimits& limits) {
   switch (format) {
@@ -28,33 +24,31 @@ Result<PolygonSoup> readAs(ModelFormat format, std::span<const std::uint8_t> byt
     case ModelFormat::ThreeMf:
       return read3mf(bytes, limits);
     case ModelFormat::Gltf:
-      return fail(ErrorKind::BadInput, fmt::format("{} files cannot be read yet", nameOf(format)),
-                  fmt::format("{}; export the model as one of these", kSupported));
+      return fail(ErrorKind::BadInput, message("format-unreadable", with::term("format", nameOf(format))));
     case ModelFormat::Unknown:
       break;
   }
-  return fail(ErrorKind::BadInput, "The file's format is not known, neither by its name nor by its content",
-              std::string(kSupported));
+  return fail(ErrorKind::BadInput, message("format-unknown"));
 }
 
 }  // namespace
 
 Result<PolygonSoup> readModel(std::span<const std::uint8_t> bytes, std::string_view fileName,
                               const ReadLimits& limits) {
-  if (bytes.empty()) return fail(ErrorKind::BadInput, "The file is empty (0 bytes)", "Copy or export it again");
+  if (bytes.empty()) return fail(ErrorKind::BadInput, message("file-empty"));
   if (bytes.size() > limits.maxBytes)
     return fail(ErrorKind::BadInput,
-                fmt::format("The file has {} bytes; at most {} are accepted", bytes.size(), limits.maxBytes),
-                "Reduce (decimate) the model first, or save it in a binary format");
+                message("file-too-large", with::count("bytes", bytes.size()), with::count("limit", limits.maxBytes)));
   const ModelFormat named = formatOfName(fileName);
   const ModelFormat found = formatOfContent(bytes);
+  if (found == ModelFormat::Unknown)
+    if (const std::string_view encoding = wideEncodingOf(bytes); !encoding.empty())
+      return fail(ErrorKind::BadInput, message("text-encoding", with::term("encoding", encoding)));
   if (found == ModelFormat::Unknown || found == named) return readAs(named, bytes, limits);
   Result<PolygonSoup> soup = readAs(found, bytes, limits);
   if (soup && named != ModelFormat::Unknown)
-    soup->warnings.insert(soup->warnings.begin(),
-                          fmt::format("The file is named as {}, but its content is {}; it was read "
-                                      "as {}",
-                                      nameOf(named), nameOf(found), nameOf(found)));
+    soup->warnings.insert(soup->warnings.begin(), message("format-misnamed", with::term("named", nameOf(named)),
+                                                          with::term("found", nameOf(found))));
   return soup;
 }
 

@@ -19,8 +19,9 @@ struct ReadLimits {
 /// Reads OBJ (tinyobjloader), STL (binary and ASCII), PLY (ASCII, both endians), OFF (ASCII) or 3MF.
 ///
 /// The format follows from the name's extension; where the content plainly is another one, that one is read and a
-/// warning says so, or it is refused. Nothing is allocated by a count that the file's size does not bear out.
-/// Polygons are triangulated in their own plane (concave ones by ear clipping).
+/// warning says so, or it is refused. Text has to be UTF-8 or ASCII; UTF-16 is refused by name. Nothing is allocated by
+/// a count that the file's size does not bear out. Polygons are triangulated in their own plane (concave ones by ear
+/// clipping).
 /// @param bytes     the whole file
 /// @param fileName  only its extension is used
 /// @returns file units (and what they are, where the file says so); BadInput naming line, facet or byte for anything

@@ -2,7 +2,6 @@
 #include "io/read_obj.h"
 
 #include <cmath>
-#include <fmt/format.h>
 #include <istream>
 #include <streambuf>
 #include <string>
@@ -70,8 +69,14 @@ class VettedStatements : public std::streambuf {
     return false;
   }
 
-  Status failHere(const std::string& what, std::string hint = "The file is damaged; export it again") const {
-    return fail(ErrorKind::BadInput, fmt::format("Line {} of the OBJ file: {}", line_, what), std::move(hint));
+  Status failHere(Message what) const {
+    return fail(ErrorKind::BadInput,
+                message("obj-line", with::count("line", line_), with::cause("cause", std::move(what))));
+  }
+
+  Status failAtVertex(Message what) const {
+    return failHere(
+        message("vertex", with::count("vertex", verticesSoFar_ + 1), with::cause("cause", std::move(what))));
   }
 
   Status vetVertex() {
@@ -80,9 +85,8 @@ class VettedStatements : public std::streambuf {
     for (int axis = 0; axis < 3; ++axis) {
       const std::string_view word = words.wordOnLine();
       const std::optional<double> value = parseNumber(word);
-      if (!value) return failHere(fmt::format("vertex {}: {}", verticesSoFar_ + 1, notANumber(word)));
-      if (!std::isfinite(*value))
-        return failHere(fmt::format("vertex {}: the coordinate {} is not finite", verticesSoFar_ + 1, quoted(word)));
+      if (!value) return failAtVertex(notANumber(word));
+      if (!std::isfinite(*value)) return failAtVertex(notFinite(word));
     }
     ++verticesSoFar_;
     return {};
@@ -93,16 +97,16 @@ class VettedStatements : public std::streambuf {
     TextScanner words(statement_);
     words.wordOnLine();
     for (std::string_view word = words.wordOnLine(); !word.empty(); word = words.wordOnLine()) {
-      if (word.find_first_not_of("+-0123456789/") != std::string_view::npos)
-        return failHere(fmt::format("{} is no corner of a face", quoted(word)));
-      const std::optional<std::int64_t> index = parseInteger(word.substr(0, word.find('/')));
-      if (!index) return failHere(fmt::format("{} is no corner of a face", quoted(word)));
+      const bool malformed = word.find_first_not_of("+-0123456789/") != std::string_view::npos;
+      const std::optional<std::int64_t> index = malformed ? std::nullopt : parseInteger(word.substr(0, word.find('/')));
+      if (!index) return failHere(message("obj-corner", with::quoted("word", excerpt(word))));
       if (*index > 0 && static_cast<std::uint64_t>(*index) <= vertices_) continue;
       if (*index < 0 && *index >= -static_cast<std::int64_t>(verticesSoFar_)) continue;
+      if (*index == 0) return failHere(message("obj-vertex-zero"));
+      if (*index > 0)
+        return failHere(message("obj-vertex-missing", with::count("vertex", *index), with::count("count", vertices_)));
       return failHere(
-          *index == 0  ? std::string("a face asks for vertex 0; OBJ counts from 1")
-          : *index > 0 ? fmt::format("a face asks for vertex {}, but the file has {}", *index, vertices_)
-                       : fmt::format("a face asks for vertex {}, but only {} stand before it", *index, verticesSoFar_));
+          message("obj-vertex-not-yet", with::count("vertex", *index), with::count("count", verticesSoFar_)));
     }
     return {};
   }
@@ -141,9 +145,7 @@ void takeFace(void* user, tinyobj::index_t* indices, int count) {
 
 Result<PolygonSoup> readObj(std::span<const std::uint8_t> bytes, const ReadLimits& limits) {
   VettedStatements statements(textOf(bytes));
-  if (statements.vertices() == 0)
-    return fail(ErrorKind::BadInput, "The OBJ file holds no vertex (no line that begins with \"v \")",
-                "Check that the file is complete and that its extension is right");
+  if (statements.vertices() == 0) return fail(ErrorKind::BadInput, message("obj-no-vertex"));
   Collector collector{statements, {}, {}};
   collector.list.maxTriangles = limits.maxTriangles;
   if (Status s = collector.list.reserve(statements.vertices(), 0); !s) return tl::unexpected(s.error());
@@ -154,7 +156,8 @@ Result<PolygonSoup> readObj(std::span<const std::uint8_t> bytes, const ReadLimit
   std::istream stream(&statements);
   const bool parsed = tinyobj::LoadObjWithCallback(stream, callbacks, &collector);
   if (!statements.status()) return tl::unexpected(statements.status().error());
-  if (!parsed) return fail(ErrorKind::BadInput, "The OBJ file could not be parsed", "Export it again");
+  if (!parsed || collector.list.positions.size() != statements.vertices())
+    return fail(ErrorKind::BadInput, message("obj-not-parsed"));
   return triangulated(std::move(collector.list), "OBJ");
 }
 

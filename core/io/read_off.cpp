@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/read_off.h"
 
-#include <fmt/format.h>
-
 #include "io/parse_number.h"
 #include "io/polygon_list.h"
 #include "io/text_scanner.h"
@@ -18,10 +16,16 @@ class OffReader {
 
   Result<PolygonSoup> read() {
     if (Status s = readKeyword(); !s) return tl::unexpected(s.error());
-    const Result<std::uint64_t> vertices = readCount("vertices");
-    if (!vertices) return tl::unexpected(vertices.error());
-    const Result<std::uint64_t> faces = readCount("faces");
-    if (!faces) return tl::unexpected(faces.error());
+    const std::string_view verticesWord = scanner_.word();
+    const std::optional<std::uint64_t> vertices = countFrom(verticesWord);
+    if (!vertices)
+      return verticesWord.empty() ? failHere(message("off-vertex-count-missing"))
+                                  : failHere(message("off-vertex-count", with::quoted("word", excerpt(verticesWord))));
+    const std::string_view facesWord = scanner_.word();
+    const std::optional<std::uint64_t> faces = countFrom(facesWord);
+    if (!faces)
+      return facesWord.empty() ? failHere(message("off-face-count-missing"))
+                               : failHere(message("off-face-count", with::quoted("word", excerpt(facesWord))));
     scanner_.restOfLine();  // the number of edges; often wrong, never needed
     if (Status s = checkRoom(*vertices, *faces); !s) return tl::unexpected(s.error());
     if (Status s = list_.reserve(*vertices, *faces); !s) return tl::unexpected(s.error());
@@ -36,50 +40,45 @@ class OffReader {
   }
 
  private:
-  tl::unexpected<Error> failHere(const std::string& what) const {
-    return fail(ErrorKind::BadInput, fmt::format("Line {} of the OFF file: {}", scanner_.line(), what),
-                "The file is cut off or damaged; export it again");
+  tl::unexpected<Error> failHere(Message what) const {
+    return fail(ErrorKind::BadInput,
+                message("off-line", with::count("line", scanner_.line()), with::cause("cause", std::move(what))));
   }
 
   Status readKeyword() {
     const std::string_view keyword = scanner_.word();
-    if (!isOffKeyword(keyword)) return failHere(fmt::format("{} where \"OFF\" should stand", quoted(keyword)));
+    if (keyword.empty()) return failHere(message("off-keyword-missing"));
+    if (!isOffKeyword(keyword)) return failHere(message("off-keyword", with::quoted("word", excerpt(keyword))));
     if (keyword.find('4') != std::string_view::npos || keyword.find('n') != std::string_view::npos)
-      return fail(ErrorKind::BadInput,
-                  fmt::format("The OFF file is of kind {}, which has no three-dimensional points", keyword),
-                  "Export the model as plain OFF, STL, OBJ or PLY");
+      return fail(ErrorKind::BadInput, message("off-dimension", with::term("keyword", keyword)));
     const TextScanner before = scanner_;
-    if (scanner_.wordOnLine() == "BINARY")
-      return fail(ErrorKind::BadInput, "The OFF file is binary; only OFF as text is read",
-                  "Export the model as OFF text, or as STL, OBJ or PLY");
+    if (scanner_.wordOnLine() == "BINARY") return fail(ErrorKind::BadInput, message("off-binary"));
     scanner_ = before;
     return {};
   }
 
-  Result<std::uint64_t> readCount(std::string_view of) {
-    const std::string_view word = scanner_.word();
+  static std::optional<std::uint64_t> countFrom(std::string_view word) {
     const std::optional<std::int64_t> count = parseInteger(word);
-    if (!count || *count < 0)
-      return failHere(fmt::format("the number of {} is {}", of, word.empty() ? "missing" : quoted(word)));
-    return static_cast<std::uint64_t>(*count);
+    return !count || *count < 0 ? std::nullopt : std::optional(static_cast<std::uint64_t>(*count));
   }
 
   /// The shortest vertex takes six bytes ("0 0 0" and a line end), the shortest face two ("0").
   Status checkRoom(std::uint64_t vertices, std::uint64_t faces) const {
-    const std::size_t room = text_.size() + 1 - scanner_.position();
-    if (vertices <= room / 6 && faces <= room / 2) return {};
-    return fail(ErrorKind::BadInput,
-                fmt::format("The OFF file announces {} vertices and {} faces, but only {} bytes follow", vertices,
-                            faces, text_.size() - scanner_.position()),
-                "The file is cut off or damaged; export it again");
+    if (vertices <= (left() + 1) / 6 && faces <= (left() + 1) / 2) return {};
+    return fail(ErrorKind::BadInput, message("off-announces", with::count("vertices", vertices),
+                                             with::count("faces", faces), with::count("bytes", left())));
   }
+
+  std::size_t left() const { return text_.size() - scanner_.position(); }  ///< bytes not yet read
 
   Status readVertex(std::size_t number, std::size_t count) {
     Vec3 p(0);
     for (int axis = 0; axis < 3; ++axis) {
       const std::string_view word = scanner_.word();
       const std::optional<double> value = parseNumber(word);
-      if (!value) return failHere(fmt::format("vertex {} of {}: {}", number, count, notANumber(word)));
+      if (!value)
+        return failHere(message("vertex-of", with::count("vertex", number), with::count("vertices", count),
+                                with::cause("cause", notANumber(word))));
       p[axis] = *value;
     }
     scanner_.restOfLine();
@@ -89,18 +88,23 @@ class OffReader {
 
   Status readFace(std::size_t number, std::size_t count) {
     const std::string_view sizeWord = scanner_.word();
-    const std::optional<std::int64_t> size = parseInteger(sizeWord);
-    if (!size || *size < 0)
-      return failHere(fmt::format("face {} of {}: the number of its corners is {}", number, count,
-                                  sizeWord.empty() ? "missing" : quoted(sizeWord)));
+    const auto failAtFace = [&](Message what) {
+      return failHere(message("face-of", with::count("face", number), with::count("faces", count),
+                              with::cause("cause", std::move(what))));
+    };
+    const std::optional<std::uint64_t> size = countFrom(sizeWord);
+    if (!size)
+      return sizeWord.empty() ? failAtFace(message("corner-count-missing"))
+                              : failAtFace(message("corner-count", with::quoted("word", excerpt(sizeWord))));
+    if (*size > left())
+      return failAtFace(message("corners-missing", with::count("corners", *size), with::count("count", left())));
     polygon_.clear();
-    for (std::int64_t k = 0; k < *size; ++k) {
+    for (std::uint64_t k = 0; k < *size; ++k) {
       const std::string_view word = scanner_.word();
       const std::optional<std::int64_t> index = parseInteger(word);
-      if (!index) return failHere(fmt::format("face {} of {}: {}", number, count, notANumber(word)));
+      if (!index) return failAtFace(word.empty() ? notANumber(word) : notAVertex(word));
       if (*index < 0 || static_cast<std::uint64_t>(*index) >= list_.positions.size())
-        return failHere(fmt::format("face {} of {} asks for vertex {} (counted from 0), but there are {}", number,
-                                    count, *index, list_.positions.size()));
+        return failAtFace(noSuchVertex(*index, list_.positions.size()));
       polygon_.push_back(static_cast<std::uint32_t>(*index));
     }
     scanner_.restOfLine();  // colour

@@ -14,18 +14,27 @@ namespace qrelief {
 namespace {
 
 /// The file's values one after the other, as text. Doubles hold every integer type of PLY exactly.
+///
+/// What goes wrong is a message that begins with its place; the caller says in which element.
 class TextValues {
  public:
   TextValues(std::string_view text, const PlyHeader& header)
       : scanner_(text.substr(header.bytes)), headerLines_(header.lines), size_(text.size() - header.bytes) {}
 
-  static std::size_t shortest(PlyType) { return 2; }  // one digit and a blank
-  std::size_t room() const { return size_ + 1 - scanner_.position(); }
+  static std::size_t shortest(PlyType) { return 2; }                // one digit and a blank
+  std::size_t left() const { return size_ - scanner_.position(); }  ///< bytes not yet read
+  std::size_t room() const { return left() + 1; }                   ///< the last value needs no blank
 
   Result<double> next(PlyType) {
     const std::string_view word = scanner_.word();
     if (const std::optional<double> value = parseNumber(word)) return *value;
-    return fail(ErrorKind::BadInput, fmt::format("line {}: {}", headerLines_ + scanner_.line(), notANumber(word)));
+    return failHere(notANumber(word));
+  }
+
+  /// @param what  about the value read last
+  tl::unexpected<Error> failHere(Message what) const {
+    return fail(ErrorKind::BadInput, message("at-line", with::count("line", headerLines_ + scanner_.line()),
+                                             with::cause("cause", std::move(what))));
   }
 
   Status skip(PlyType type, std::uint64_t count) {
@@ -49,10 +58,12 @@ class BinaryValues {
         bigEndian_(header.format == PlyFormat::BigEndian) {}
 
   static std::size_t shortest(PlyType type) { return sizeOf(type); }
-  std::size_t room() const { return bytes_.size() - position_; }
+  std::size_t left() const { return bytes_.size() - position_; }
+  std::size_t room() const { return left(); }
 
   Result<double> next(PlyType type) {
     const std::size_t size = sizeOf(type);
+    valueBegin_ = position_;
     if (room() < size) return cutOff();
     const std::uint8_t* raw = bytes_.data() + position_;
     position_ += size;
@@ -78,18 +89,23 @@ class BinaryValues {
   }
 
   Status skip(PlyType type, std::uint64_t count) {
+    valueBegin_ = position_;
     if (room() / sizeOf(type) < count) return cutOff();
     position_ += static_cast<std::size_t>(count) * sizeOf(type);
     return {};
   }
 
- private:
-  tl::unexpected<Error> cutOff() const {
-    return fail(ErrorKind::BadInput, fmt::format("byte {}: the file is cut off", bytes_.size()));
+  tl::unexpected<Error> failHere(Message what) const {
+    return fail(ErrorKind::BadInput,
+                message("at-byte", with::count("byte", valueBegin_), with::cause("cause", std::move(what))));
   }
+
+ private:
+  tl::unexpected<Error> cutOff() const { return failHere(message("file-cut-off")); }
 
   std::span<const std::uint8_t> bytes_;
   std::size_t position_;
+  std::size_t valueBegin_ = 0;  // of the value read last, for messages
   bool bigEndian_;
 };
 
@@ -113,24 +129,20 @@ class PlyReader {
   }
 
  private:
-  Status checkElements() const {
+  Status checkElements() {
     int vertexElements = 0;
     int faceElements = 0;
     bool strips = false;
     for (const PlyElement& element : header_.elements) {
       vertexElements += element.name == "vertex";
+      if (element.name == "vertex") vertices_ = static_cast<std::size_t>(element.count);
       faceElements += element.name == "face";
       strips |= element.name == "tristrips";
     }
     if (vertexElements == 1 && faceElements == 1) return {};
-    if (faceElements == 0 && strips)
-      return fail(ErrorKind::BadInput, "The PLY file has no element \"face\": its surface is stored as \"tristrips\"",
-                  "Open it in a mesh program and export it with faces, or as STL or OBJ");
-    return fail(
-        ErrorKind::BadInput,
-        fmt::format("The PLY header names {} elements \"vertex\" and {} elements \"face\"; one of each is needed",
-                    vertexElements, faceElements),
-        "Export the model as a surface mesh, with faces; a point cloud has no surface to engrave");
+    if (faceElements == 0 && strips) return fail(ErrorKind::BadInput, message("ply-strips"));
+    return fail(ErrorKind::BadInput, message("ply-elements", with::count("vertexElements", vertexElements),
+                                             with::count("faceElements", faceElements)));
   }
 
   /// Nothing is reserved for a count that the file's size does not bear out.
@@ -139,31 +151,34 @@ class PlyReader {
     for (const PlyProperty& property : element.properties)
       smallest += Values::shortest(property.countType ? *property.countType : property.type);
     if (smallest == 0 || element.count <= values_.room() / smallest) return {};
-    return fail(
-        ErrorKind::BadInput,
-        fmt::format("The PLY file announces {} elements {}, each of at least {} bytes, but only {} bytes are left",
-                    element.count, quoted(element.name), smallest, values_.room()),
-        "The file is cut off or damaged; copy or export it again");
+    return fail(ErrorKind::BadInput, message("ply-announces", with::count("elements", element.count),
+                                             with::quoted("element", excerpt(element.name)),
+                                             with::count("size", smallest), with::count("bytes", values_.left())));
   }
 
-  static tl::unexpected<Error> failAt(const PlyElement& element, std::uint64_t number, const std::string& what) {
-    return fail(
-        ErrorKind::BadInput,
-        fmt::format("Element {} {} of {} of the PLY file, {}", quoted(element.name), number + 1, element.count, what),
-        "The file is cut off or damaged; copy or export it again");
+  static tl::unexpected<Error> failAt(const PlyElement& element, std::uint64_t number, const Error& error) {
+    return fail(error.kind, message("ply-element", with::quoted("element", excerpt(element.name)),
+                                    with::count("number", number + 1), with::count("elements", element.count),
+                                    with::cause("cause", error.message)));
   }
 
-  Result<std::uint64_t> readListLength(PlyType type) {
-    const Result<double> length = values_.next(type);
+  /// @param list  its length is within what is left of the file, so that nothing is skipped or stored by it alone
+  Result<std::uint64_t> readListLength(const PlyProperty& list) {
+    const Result<double> length = values_.next(*list.countType);
     if (!length) return tl::unexpected(length.error());
     if (!(*length >= 0) || *length != std::floor(*length) || *length > 4294967295.0)
-      return fail(ErrorKind::BadInput, fmt::format("a list's length is {}", *length));
-    return static_cast<std::uint64_t>(*length);
+      return values_.failHere(message("ply-list-length", with::term("length", fmt::format("{}", *length))));
+    const auto items = static_cast<std::uint64_t>(*length);
+    const std::uint64_t needed = items * Values::shortest(list.type);
+    if (needed > values_.left())
+      return values_.failHere(message("ply-list-too-long", with::count("length", items), with::count("needed", needed),
+                                      with::count("bytes", values_.left())));
+    return items;
   }
 
   Status skipProperty(const PlyProperty& property) {
     if (!property.countType) return values_.skip(property.type, 1);
-    const Result<std::uint64_t> length = readListLength(*property.countType);
+    const Result<std::uint64_t> length = readListLength(property);
     if (!length) return tl::unexpected(length.error());
     return values_.skip(property.type, *length);
   }
@@ -172,7 +187,7 @@ class PlyReader {
     if (element.properties.empty()) return {};
     for (std::uint64_t i = 0; i < element.count; ++i)
       for (const PlyProperty& property : element.properties)
-        if (const Status s = skipProperty(property); !s) return failAt(element, i, toldText(s.error().message));
+        if (const Status s = skipProperty(property); !s) return failAt(element, i, s.error());
     return {};
   }
 
@@ -182,8 +197,7 @@ class PlyReader {
       const std::string name(1, static_cast<char>('x' + axis));
       const std::optional<std::size_t> at = element.find(name);
       if (!at || element.properties[*at].countType)
-        return fail(ErrorKind::BadInput, fmt::format("The PLY file's vertices have no coordinate \"{}\"", name),
-                    "Export the model again");
+        return fail(ErrorKind::BadInput, message("ply-no-coordinate", with::term("axis", name)));
       axisOf[*at] = axis;
     }
     if (Status s = list_.reserve(element.count, 0); !s) return s;
@@ -191,12 +205,11 @@ class PlyReader {
       Vec3 p(0);
       for (std::size_t k = 0; k < axisOf.size(); ++k) {
         if (axisOf[k] < 0) {
-          if (const Status s = skipProperty(element.properties[k]); !s)
-            return failAt(element, i, toldText(s.error().message));
+          if (const Status s = skipProperty(element.properties[k]); !s) return failAt(element, i, s.error());
           continue;
         }
         const Result<double> value = values_.next(element.properties[k].type);
-        if (!value) return failAt(element, i, toldText(value.error().message));
+        if (!value) return failAt(element, i, value.error());
         p[axisOf[k]] = *value;
       }
       list_.positions.push_back(p);
@@ -208,37 +221,41 @@ class PlyReader {
     const std::optional<std::size_t> plural = element.find("vertex_indices");
     const std::optional<std::size_t> at = plural ? plural : element.find("vertex_index");
     if (!at || !element.properties[*at].countType || isFloating(element.properties[*at].type))
-      return fail(ErrorKind::BadInput,
-                  "The PLY file's faces have no integer list \"vertex_indices\" or \"vertex_index\"",
-                  "Export the model again");
+      return fail(ErrorKind::BadInput, message("ply-no-index-list"));
     if (Status s = list_.reserve(0, element.count); !s) return s;
     for (std::uint64_t i = 0; i < element.count; ++i)
       for (std::size_t k = 0; k < element.properties.size(); ++k) {
         const PlyProperty& property = element.properties[k];
         const Status s = k == *at ? readPolygon(property) : skipProperty(property);
-        if (!s) return failAt(element, i, toldText(s.error().message));
+        if (!s) return failAt(element, i, s.error());
+        if (k == *at)
+          if (const Status added = list_.add(polygon_); !added) return added;
       }
     return {};
   }
 
   Status readPolygon(const PlyProperty& property) {
-    const Result<std::uint64_t> length = readListLength(*property.countType);
+    const Result<std::uint64_t> length = readListLength(property);
     if (!length) return tl::unexpected(length.error());
     polygon_.clear();
     for (std::uint64_t k = 0; k < *length; ++k) {
       const Result<double> index = values_.next(property.type);
       if (!index) return tl::unexpected(index.error());
-      if (!(*index >= 0) || *index != std::floor(*index) || *index > 4294967295.0)
-        return fail(ErrorKind::BadInput, fmt::format("the index of corner {} is {}", k + 1, *index));
+      if (*index != std::floor(*index) || !(std::abs(*index) <= 4294967295.0))
+        return values_.failHere(
+            message("ply-index", with::count("corner", k + 1), with::term("index", fmt::format("{}", *index))));
+      if (!(*index >= 0 && *index < static_cast<double>(vertices_)))
+        return values_.failHere(noSuchVertex(static_cast<std::int64_t>(*index), vertices_));
       polygon_.push_back(static_cast<std::uint32_t>(*index));
     }
-    return list_.add(polygon_);
+    return {};
   }
 
   const PlyHeader& header_;
   Values values_;
   PolygonList list_;
   std::vector<std::uint32_t> polygon_;
+  std::size_t vertices_ = 0;  // that the header announces; they may stand behind the faces
 };
 
 }  // namespace

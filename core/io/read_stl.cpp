@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/read_stl.h"
 
+#include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 
 #include "io/load_bytes.h"
 #include "io/parse_number.h"
@@ -24,13 +24,7 @@ bool equalsIgnoringCase(std::string_view word, std::string_view lower) {
                     [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a - 'A' + 'a' : a) == b; });
 }
 
-Status checkFinite(Vec3 p, std::size_t facet, const std::string& where) {
-  if (std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)) return {};
-  return fail(
-      ErrorKind::BadInput,
-      fmt::format("Facet {} ({}) has a corner at ({}, {}, {}), which is not finite", facet, where, p.x, p.y, p.z),
-      "Export the model again; something went wrong when it was made");
-}
+bool isFinite(Vec3 p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
 void addFacet(PolygonSoup& soup, const std::array<Vec3, 3>& corners) {
   const auto first = static_cast<std::uint32_t>(soup.positions.size());
@@ -38,29 +32,50 @@ void addFacet(PolygonSoup& soup, const std::array<Vec3, 3>& corners) {
   soup.triangles.push_back({first, first + 1, first + 2});
 }
 
-Status checkBinarySize(std::span<const std::uint8_t> bytes) {
+constexpr std::size_t kFacetsLookedAt = 64;
+
+/// Whether all nine coordinates are of a size that models have. Of random bytes one facet in 20,000 does: each has
+/// about every third of a float's exponents.
+bool looksLikeFacet(const std::uint8_t* facet) {
+  for (std::size_t i = 3; i < 12; ++i) {
+    const float size = std::abs(loadBytes<float>(facet + 4 * i));
+    if (!(size == 0 || (size > 1e-12f && size < 1e12f))) return false;
+  }
+  return true;
+}
+
+/// Whether half of the first facets look like facets; for want of a whole one, whether that many could be read.
+bool looksLikeFacets(std::span<const std::uint8_t> bytes, const ReadLimits& limits) {
+  const std::size_t present = (bytes.size() - kHeaderBytes) / kFacetBytes;
+  if (present == 0) return announcedFacets(bytes) <= limits.maxTriangles;
+  const std::size_t looked = std::min(present, kFacetsLookedAt);
+  std::size_t good = 0;
+  for (std::size_t f = 0; f < looked; ++f) good += looksLikeFacet(bytes.data() + kHeaderBytes + kFacetBytes * f);
+  return 2 * good >= looked;
+}
+
+Status checkBinarySize(std::span<const std::uint8_t> bytes, const ReadLimits& limits) {
   if (bytes.size() < kHeaderBytes)
-    return fail(
-        ErrorKind::BadInput,
-        fmt::format("This is no STL file: {} bytes are fewer than the {} of a binary STL's header, and it does not "
-                    "begin with \"solid\"",
-                    bytes.size(), kHeaderBytes),
-        "Check that the file is complete and that its extension is right");
-  const std::uint64_t count = announcedFacets(bytes);
-  const std::uint64_t expected = kHeaderBytes + kFacetBytes * count;
-  if (count == 0) return fail(ErrorKind::BadInput, "The binary STL file announces 0 facets", "Export the model again");
-  if (bytes.size() < expected)
-    return fail(
-        ErrorKind::BadInput,
-        fmt::format("The binary STL file is cut off or its facet count is wrong: it announces {} facets, which take "
-                    "{} bytes, but has {} bytes, room for {} facets",
-                    count, expected, bytes.size(), (bytes.size() - kHeaderBytes) / kFacetBytes),
-        "Copy or download the file again, or export it again");
-  return {};
+    return fail(ErrorKind::BadInput,
+                message("stl-too-short", with::count("count", bytes.size()), with::count("header", kHeaderBytes)));
+  const std::uint64_t announced = announcedFacets(bytes);
+  const std::uint64_t expected = kHeaderBytes + kFacetBytes * announced;
+  const std::size_t rest = bytes.size() - kHeaderBytes;
+  if (announced == 0 && rest == 0) return fail(ErrorKind::BadInput, message("stl-no-facet"));
+  if (announced == 0)
+    return fail(ErrorKind::BadInput,
+                message("stl-announces-none", with::count("bytes", rest), with::count("count", rest / kFacetBytes)));
+  if (bytes.size() >= expected) return {};
+  if (!looksLikeFacets(bytes, limits))
+    return fail(ErrorKind::BadInput, message("stl-neither", with::count("announced", announced),
+                                             with::count("expected", expected), with::count("bytes", bytes.size())));
+  return fail(ErrorKind::BadInput,
+              message("stl-cut-off", with::count("announced", announced), with::count("expected", expected),
+                      with::count("bytes", bytes.size()), with::count("count", rest / kFacetBytes)));
 }
 
 Result<PolygonSoup> readBinary(std::span<const std::uint8_t> bytes, const ReadLimits& limits) {
-  if (Status s = checkBinarySize(bytes); !s) return tl::unexpected(s.error());
+  if (Status s = checkBinarySize(bytes, limits); !s) return tl::unexpected(s.error());
   const auto count = static_cast<std::size_t>(announcedFacets(bytes));
   if (count > limits.maxTriangles) return tooManyTriangles(limits.maxTriangles);
 
@@ -75,12 +90,13 @@ Result<PolygonSoup> readBinary(std::span<const std::uint8_t> bytes, const ReadLi
       for (int axis = 0; axis < 3; ++axis)
         corners[k][axis] = loadBytes<float>(facet + 12 + 12 * k + 4 * static_cast<std::size_t>(axis));
     for (const Vec3& p : corners)
-      if (Status s = checkFinite(p, f + 1, fmt::format("of {}", count)); !s) return tl::unexpected(s.error());
+      if (!isFinite(p))
+        return fail(ErrorKind::BadInput, message("stl-not-finite", with::count("facet", f + 1),
+                                                 with::count("facets", count), with::term("at", coordinates(p))));
     addFacet(soup, corners);
   }
   if (const std::size_t rest = bytes.size() - kHeaderBytes - kFacetBytes * count; rest > 0)
-    soup.warnings.push_back(
-        fmt::format("{} bytes after the last of the {} announced facets were passed over", rest, count));
+    soup.warnings.push_back(message("stl-trailing-bytes", with::count("count", rest), with::count("announced", count)));
   return soup;
 }
 
@@ -101,30 +117,36 @@ class AsciiReader {
       } else if (insideSolid && equalsIgnoringCase(word, "facet")) {
         if (Status s = readFacet(); !s) return tl::unexpected(s.error());
       } else {
-        return unexpected(word, insideSolid ? "\"facet\" or \"endsolid\"" : "\"solid\"");
+        return unexpected(word, insideSolid ? message("stl-wants-facet") : wantsKeyword("solid"));
       }
     }
-    if (soup_.triangles.empty())
-      return fail(ErrorKind::BadInput, "The ASCII STL file holds no facet", "Export the model again");
-    if (insideSolid) soup_.warnings.push_back("The file ends without \"endsolid\"; it may be cut off");
+    if (soup_.triangles.empty()) return fail(ErrorKind::BadInput, message("stl-ascii-no-facet"));
+    if (wordsAfterFacets_ > 0)
+      soup_.warnings.push_back(message("stl-words-after-endfacet", with::count("count", wordsAfterFacets_),
+                                       with::count("line", firstLineOfWords_)));
+    if (insideSolid) soup_.warnings.push_back(message("stl-no-endsolid"));
     return std::move(soup_);
   }
 
  private:
-  tl::unexpected<Error> unexpected(std::string_view word, std::string_view wanted) const {
+  static Message wantsKeyword(std::string_view keyword) {
+    return message("stl-wants-keyword", with::quoted("keyword", keyword));
+  }
+
+  tl::unexpected<Error> unexpected(std::string_view word, Message wanted) const {
+    if (word.empty())
+      return fail(ErrorKind::BadInput,
+                  message("stl-ascii-ends", with::count("line", scanner_.line()),
+                          with::count("facet", soup_.triangles.size() + 1), with::cause("wanted", std::move(wanted))));
     return fail(ErrorKind::BadInput,
-                word.empty()
-                    ? fmt::format("The ASCII STL file ends in line {}, inside facet {}, where {} should follow",
-                                  scanner_.line(), soup_.triangles.size() + 1, wanted)
-                    : fmt::format("Line {} of the ASCII STL file: {} where {} should stand", scanner_.line(),
-                                  quoted(word), wanted),
-                "The file is cut off or damaged; export it again");
+                message("stl-ascii-unexpected", with::count("line", scanner_.line()),
+                        with::quoted("word", excerpt(word)), with::cause("wanted", std::move(wanted))));
   }
 
   Status expect(std::string_view keyword) {
     const std::string_view word = scanner_.word();
     if (equalsIgnoringCase(word, keyword)) return {};
-    return unexpected(word, fmt::format("\"{}\"", keyword));
+    return unexpected(word, wantsKeyword(keyword));
   }
 
   Result<Vec3> readCorner() {
@@ -133,11 +155,13 @@ class AsciiReader {
     for (int axis = 0; axis < 3; ++axis) {
       const std::string_view word = scanner_.word();
       const std::optional<double> value = parseNumber(word);
-      if (!value) return unexpected(word, "a number");
+      if (!value) return unexpected(word, message("stl-wants-number"));
       p[axis] = *value;
     }
-    if (Status s = checkFinite(p, soup_.triangles.size() + 1, fmt::format("line {}", scanner_.line())); !s)
-      return tl::unexpected(s.error());
+    if (!isFinite(p))
+      return fail(ErrorKind::BadInput,
+                  message("stl-ascii-not-finite", with::count("line", scanner_.line()),
+                          with::count("facet", soup_.triangles.size() + 1), with::term("at", coordinates(p))));
     return p;
   }
 
@@ -146,7 +170,7 @@ class AsciiReader {
     std::string_view word = scanner_.word();
     for (int i = 0; i < 4 && !equalsIgnoringCase(word, "outer"); ++i)
       word = scanner_.word();  // "normal x y z" is passed over: it follows from the corners
-    if (!equalsIgnoringCase(word, "outer")) return unexpected(word, "\"outer loop\"");
+    if (!equalsIgnoringCase(word, "outer")) return unexpected(word, wantsKeyword("outer loop"));
     if (Status s = expect("loop"); !s) return s;
     std::array<Vec3, 3> corners;
     for (Vec3& corner : corners) {
@@ -157,12 +181,28 @@ class AsciiReader {
     if (Status s = expect("endloop"); !s) return s;
     if (Status s = expect("endfacet"); !s) return s;
     addFacet(soup_, corners);
+    passOverWords();
     return {};
+  }
+
+  /// Attributes that some programs put behind "endfacet"; what belongs to the format may follow on the same line.
+  void passOverWords() {
+    const TextScanner before = scanner_;
+    const std::string_view word = scanner_.wordOnLine();
+    const bool expected = word.empty() || equalsIgnoringCase(word, "facet") || equalsIgnoringCase(word, "endsolid");
+    if (expected) {
+      scanner_ = before;
+      return;
+    }
+    if (++wordsAfterFacets_ == 1) firstLineOfWords_ = scanner_.line();
+    scanner_.restOfLine();
   }
 
   TextScanner scanner_;
   const ReadLimits& limits_;
   PolygonSoup soup_;
+  std::size_t wordsAfterFacets_ = 0;  // lines that have some
+  std::size_t firstLineOfWords_ = 0;
 };
 
 }  // namespace

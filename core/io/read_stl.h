@@ -15,7 +15,7 @@ bool looksLikeAsciiStl(std::span<const std::uint8_t> bytes);
 /// Binary and ASCII STL: three new positions a facet, nothing welded; normals, colours and names are passed over.
 ///
 /// It is binary if the size is 84 + 50·facets, ASCII if it begins with "solid" and "facet" follows, else binary.
-/// ASCII files may hold several solids one after the other.
+/// ASCII files may hold several solids one after the other; words behind "endfacet" are passed over with a warning.
 /// @returns BadInput naming sizes, facet or line
 Result<PolygonSoup> readStl(std::span<const std::uint8_t> bytes, const ReadLimits& limits);
 

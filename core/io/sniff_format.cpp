@@ -16,6 +16,9 @@ namespace {
 constexpr int kLinesLookedAt = 100;
 constexpr std::size_t kBytesLookedAt = 16384;
 
+constexpr std::size_t kUnitsLookedAt = 64;  // 16-bit units of text
+constexpr std::size_t kFewestUnits = 8;
+
 constexpr std::array<std::string_view, 14> kObjKeywords = {"v", "vn", "vt", "vp",     "f",      "l",      "p",
                                                            "o", "g",  "s",  "mtllib", "usemtl", "cstype", "deg"};
 
@@ -32,6 +35,19 @@ bool looksLikeObj(std::string_view text) {
     return true;
   }
   return false;
+}
+
+/// Whether the first 16-bit units are characters of ASCII text; behind a byte order mark three in four are enough, for
+/// comments in other scripts.
+bool looksLikeWideText(std::span<const std::uint8_t> bytes, bool bigEndian) {
+  const std::uint8_t first = bytes[bigEndian ? 0 : 1], second = bytes[bigEndian ? 1 : 0];
+  const bool marked = first == 0xfe && second == 0xff;
+  std::size_t units = 0, ascii = 0;
+  for (std::size_t at = marked ? 2 : 0; at + 1 < bytes.size() && units < kUnitsLookedAt; at += 2, ++units) {
+    const std::uint8_t high = bytes[at + (bigEndian ? 0 : 1)], low = bytes[at + (bigEndian ? 1 : 0)];
+    ascii += high == 0 && ((low >= ' ' && low < 127) || (low >= '\t' && low <= '\r'));
+  }
+  return marked ? 4 * ascii >= 3 * units : units >= kFewestUnits && ascii == units;
 }
 
 }  // namespace
@@ -66,6 +82,13 @@ ModelFormat formatOfContent(std::span<const std::uint8_t> bytes) {
   if (isOffKeyword(TextScanner(text.substr(0, kBytesLookedAt), '#').word())) return ModelFormat::Off;
   if (looksLikeObj(text)) return ModelFormat::Obj;
   return ModelFormat::Unknown;
+}
+
+std::string_view wideEncodingOf(std::span<const std::uint8_t> bytes) {
+  if (bytes.size() < 2) return {};
+  if (looksLikeWideText(bytes, false)) return "UTF-16 LE";
+  if (looksLikeWideText(bytes, true)) return "UTF-16 BE";
+  return {};
 }
 
 }  // namespace qrelief

@@ -19,4 +19,7 @@ ModelFormat formatOfName(std::string_view fileName);
 /// Cost: looks at no more than the first hundred lines.
 ModelFormat formatOfContent(std::span<const std::uint8_t> bytes);
 
+/// "UTF-16 LE" or "UTF-16 BE" if it begins with text of that encoding, with or without byte order mark; else empty.
+std::string_view wideEncodingOf(std::span<const std::uint8_t> bytes);
+
 }  // namespace qrelief

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fmt/format.h>
 
 #include "io/parse_number.h"
 #include "io/polygon_list.h"
@@ -17,7 +16,8 @@ constexpr std::string_view kCore = "http://schemas.microsoft.com/3dmanufacturing
 constexpr std::string_view kProduction = "http://schemas.microsoft.com/3dmanufacturing/production/2015/06";
 constexpr std::string_view kMaterial = "http://schemas.microsoft.com/3dmanufacturing/material/2015/02";
 constexpr std::string_view kTriangleSets = "http://schemas.microsoft.com/3dmanufacturing/trianglesets/2021/07";
-constexpr std::size_t kMaxEntries = 100'000;  // objects, components and items of one part
+constexpr std::size_t kLongestUri = 120, kLongestTransform = 120;  // in messages
+constexpr std::size_t kMaxEntries = 100'000;                       // objects, components and items of one part
 
 struct Unit {
   std::string_view name;
@@ -26,9 +26,7 @@ struct Unit {
 constexpr std::array<Unit, 6> kUnits = {
     {{"micron", 0.001}, {"millimeter", 1}, {"centimeter", 10}, {"inch", 25.4}, {"foot", 304.8}, {"meter", 1000}}};
 
-tl::unexpected<Error> bad(std::string what, std::string hint = {}) {
-  return fail(ErrorKind::BadInput, std::move(what), std::move(hint));
-}
+tl::unexpected<Error> bad(Message what) { return fail(ErrorKind::BadInput, std::move(what)); }
 
 class ModelHandler : public XmlHandler {
  public:
@@ -50,6 +48,9 @@ class ModelHandler : public XmlHandler {
         return startObject(element);
       case Place::Mesh:
         return startContent();
+      case Place::Build:
+        model_.hasBuild = true;
+        return {};
       case Place::Vertex:
         return takeVertex(element);
       case Place::Triangle:
@@ -61,13 +62,14 @@ class ModelHandler : public XmlHandler {
       case Place::Item:
         return takeInstance(element, model_.items);
       default:
-        return parent == Place::Outside ? bad("the outermost element is no 3MF model") : Status();
+        return parent == Place::Outside ? bad(message("3mf-not-a-model")) : Status();
     }
   }
 
   Status endElement() override {
     const Place place = places_.back();
     places_.pop_back();
+    if (place == Place::Vertices) verticesEnded_ = true;
     return place == Place::Object ? endObject() : Status();
   }
 
@@ -113,40 +115,52 @@ class ModelHandler : public XmlHandler {
     return Place::Other;
   }
 
-  tl::unexpected<Error> badObject(const std::string& what) const {
-    return bad(fmt::format("object {}: {}", objectId_, what));
+  tl::unexpected<Error> badObject(Message what) const {
+    return bad(message("3mf-object", with::count("object", objectId_), with::cause("cause", std::move(what))));
+  }
+
+  tl::unexpected<Error> badVertex(Message what) const {
+    return badObject(
+        message("vertex", with::count("vertex", object_->positions.size() + 1), with::cause("cause", std::move(what))));
+  }
+
+  /// @param number  from 1
+  tl::unexpected<Error> badTriangle(std::size_t number, Message what) const {
+    return badObject(message("3mf-triangle", with::count("triangle", number), with::cause("cause", std::move(what))));
   }
 
   Status countEntry() {
     if (++entries_ <= kMaxEntries) return {};
-    return bad(fmt::format("there are more than {} objects, components and items", kMaxEntries),
-               "Join objects before exporting the model");
+    return bad(message("3mf-too-many-entries", with::count("limit", kMaxEntries)));
   }
 
   Status startModel(const XmlElement& element) {
     if (const auto unit = element.attribute("unit")) {
       const auto known = std::find_if(kUnits.begin(), kUnits.end(), [&](const Unit& u) { return u.name == *unit; });
-      if (known == kUnits.end()) return bad(fmt::format("the unit {} is not known", quoted(*unit)));
+      if (known == kUnits.end()) return bad(message("3mf-unit", with::quoted("unit", excerpt(*unit))));
       model_.unitMm = known->mm;
     }
     // What a reader must understand to get the geometry right: colours and names of triangles are not among it.
     TextScanner prefixes(element.attribute("requiredextensions").value_or(""));
     for (std::string_view prefix = prefixes.word(); !prefix.empty(); prefix = prefixes.word()) {
       const auto space = spaces_.find(std::string(prefix));
-      if (space == spaces_.end()) return bad(fmt::format("the required extension {} is not declared", quoted(prefix)));
+      if (space == spaces_.end())
+        return bad(message("3mf-extension-undeclared", with::quoted("prefix", excerpt(prefix))));
       if (space->second != kProduction && space->second != kMaterial && space->second != kTriangleSets &&
           space->second != kCore)
-        return bad(fmt::format("it requires the extension {}, which cannot be read", space->second),
-                   "Export the model as plain triangles (3MF core), or as STL");
+        return bad(message("3mf-extension", with::quoted("extension", excerpt(space->second, kLongestUri))));
     }
     return {};
   }
 
   static Result<std::uint32_t> idFrom(const XmlElement& element, std::string_view name) {
     const auto text = element.attribute(name);
-    if (!text) return bad(fmt::format("an element '{}' has no {}", element.name, name));
+    if (!text)
+      return bad(
+          message("3mf-attribute-missing", with::quoted("element", element.name), with::term("attribute", name)));
     const auto id = parseInteger(*text);
-    if (!id || *id < 1 || *id > 0x7fffffff) return bad(fmt::format("{} is no {}", quoted(*text), name));
+    if (!id || *id < 1 || *id > 0x7fffffff)
+      return bad(message("3mf-id", with::quoted("word", excerpt(*text)), with::term("attribute", name)));
     return static_cast<std::uint32_t>(*id);
   }
 
@@ -156,32 +170,30 @@ class ModelHandler : public XmlHandler {
     if (!id) return tl::unexpected(id.error());
     objectId_ = *id;
     const auto [at, isNew] = model_.objects.try_emplace(*id);
-    if (!isNew) return badObject("there are two of this id");
+    if (!isNew) return badObject(message("3mf-two-objects"));
     object_ = &at->second;
     object_->name = element.attribute("name").value_or("");
     object_->type = element.attribute("type").value_or("model");
-    hasContent_ = false;
+    hasContent_ = verticesEnded_ = false;
     return {};
   }
 
   Status startContent() {
-    if (hasContent_) return badObject("it has more than one mesh or list of components");
+    if (hasContent_) return badObject(message("3mf-two-contents"));
     hasContent_ = true;
     return {};
   }
 
   Status takeVertex(const XmlElement& element) {
     if (++vertices_ > 3 * limits_.maxTriangles) return tooManyTriangles(limits_.maxTriangles);
-    const std::size_t number = object_->positions.size() + 1;
     Vec3 p(0);
     for (int axis = 0; axis < 3; ++axis) {
       const char name = static_cast<char>('x' + axis);
       const auto text = element.attribute(std::string_view(&name, 1));
-      if (!text) return badObject(fmt::format("vertex {} has no {}", number, name));
+      if (!text) return badVertex(message("3mf-coordinate-missing", with::term("axis", std::string_view(&name, 1))));
       const auto value = parseNumber(*text);
-      if (!value) return badObject(fmt::format("vertex {}: {}", number, notANumber(*text)));
-      if (!std::isfinite(*value))
-        return badObject(fmt::format("vertex {} is at {}, which is not finite", number, *text));
+      if (!value) return badVertex(notANumber(*text));
+      if (!std::isfinite(*value)) return badVertex(notFinite(*text));
       p[axis] = *value;
     }
     object_->positions.push_back(p);
@@ -192,16 +204,25 @@ class ModelHandler : public XmlHandler {
     if (++triangles_ > limits_.maxTriangles) return tooManyTriangles(limits_.maxTriangles);
     static constexpr std::array<std::string_view, 3> kNames = {"v1", "v2", "v3"};
     Triangle triangle{};
+    const std::size_t number = object_->triangles.size() + 1;
     for (std::size_t k = 0; k < 3; ++k) {
       const auto text = element.attribute(kNames[k]);
-      if (!text) return badObject(fmt::format("triangle {} has no {}", object_->triangles.size() + 1, kNames[k]));
+      if (!text) return badTriangle(number, message("3mf-corner-missing", with::term("corner", kNames[k])));
       const auto index = parseInteger(*text);
-      if (!index || *index < 0 || *index > 0xffffffffLL)
-        return badObject(fmt::format("triangle {}: {} is no vertex", object_->triangles.size() + 1, quoted(*text)));
+      if (!index) return badTriangle(number, text->empty() ? notANumber(*text) : notAVertex(*text));
+      if (*index < 0 || *index > 0xffffffffLL || (verticesEnded_ && !hasVertex(*index)))
+        return badTriangle(number, noSuchVertex(*index, object_->positions.size()));
       triangle[k] = static_cast<std::uint32_t>(*index);
     }
     object_->triangles.push_back(triangle);
     return {};
+  }
+
+  bool hasVertex(std::int64_t index) const { return static_cast<std::uint64_t>(index) < object_->positions.size(); }
+
+  static tl::unexpected<Error> badTransform(std::string_view text, Message what) {
+    return bad(message("3mf-transform", with::quoted("transform", excerpt(text, kLongestTransform)),
+                       with::cause("cause", std::move(what))));
   }
 
   static Result<Affine> transformFrom(std::string_view text) {
@@ -210,14 +231,14 @@ class ModelHandler : public XmlHandler {
     for (double& value : m) {
       const std::string_view word = words.word();
       const auto number = parseNumber(word);
-      if (!number || !std::isfinite(*number))
-        return bad(fmt::format("the transform {}: {}", quoted(text), notANumber(word)));
+      if (!number) return badTransform(text, notANumber(word));
+      if (!std::isfinite(*number)) return badTransform(text, notFinite(word));
       value = *number;
     }
-    if (!words.word().empty()) return bad(fmt::format("the transform {} has more than 12 numbers", quoted(text)));
+    if (!words.word().empty()) return badTransform(text, message("3mf-transform-too-long"));
     const Affine transform{{m[0], m[1], m[2]}, {m[3], m[4], m[5]}, {m[6], m[7], m[8]}, {m[9], m[10], m[11]}};
     if (!(std::abs(transform.determinant()) > 0) || !std::isfinite(transform.determinant()))
-      return bad(fmt::format("the transform {} flattens the object", quoted(text)));
+      return badTransform(text, message("3mf-transform-flat"));
     return transform;
   }
 
@@ -239,12 +260,10 @@ class ModelHandler : public XmlHandler {
   }
 
   Status endObject() {
-    if (!hasContent_) return badObject("it has neither a mesh nor components");
-    for (std::size_t t = 0; t < object_->triangles.size(); ++t)
+    if (!hasContent_) return badObject(message("3mf-no-content"));
+    for (std::size_t t = 0; t < object_->triangles.size(); ++t)  // some may have stood before their vertices
       for (const std::uint32_t v : object_->triangles[t])
-        if (v >= object_->positions.size())
-          return badObject(fmt::format("triangle {} asks for vertex {} (counted from 0), but there are {}", t + 1, v,
-                                       object_->positions.size()));
+        if (!hasVertex(v)) return badTriangle(t + 1, noSuchVertex(v, object_->positions.size()));
     return {};
   }
 
@@ -255,6 +274,7 @@ class ModelHandler : public XmlHandler {
   ThreeMfObject* object_ = nullptr;
   std::uint32_t objectId_ = 0;
   bool hasContent_ = false;
+  bool verticesEnded_ = false;  // of the object's mesh: what a triangle asks for has to be there
   std::size_t vertices_ = 0, triangles_ = 0, entries_ = 0;
 };
 

@@ -41,6 +41,7 @@ struct ThreeMfObject {
 struct ThreeMfModel {
   double unitMm = 1;
   std::map<std::uint32_t, ThreeMfObject> objects;
+  bool hasBuild = false;  ///< whether there is a <build>; parts beside the start part need none
   std::vector<ThreeMfInstance> items;
 };
 

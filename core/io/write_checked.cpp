@@ -39,13 +39,11 @@ Result<std::vector<std::uint8_t>> writeChecked(std::span<const ModelObject> obje
   const auto soup = readModel(*bytes, fmt::format("written.{}", name));
   if (!soup)
     return fail(ErrorKind::Internal,
-                fmt::format("The {} file could not be read back: {}", name, toldText(soup.error().message)),
-                "Choose another format, and report this");
+                message("write-not-read-back", with::term("format", name), with::cause("cause", soup.error().message)));
   const std::size_t expected = countTriangles(objects), equal = countEqual(*soup, objects);
   if (equal != expected || soup->triangles.size() != expected || soup->unitMm.value_or(1) != 1)
-    return fail(ErrorKind::Internal,
-                fmt::format("Of {} triangles in the {} file, {} were read back as they are", expected, name, equal),
-                "Choose another format, and report this");
+    return fail(ErrorKind::Internal, message("write-read-differently", with::count("triangles", expected),
+                                             with::term("format", name), with::count("count", equal)));
   return bytes;
 }
 

@@ -2,7 +2,6 @@
 #include "io/write_model.h"
 
 #include <algorithm>
-#include <fmt/format.h>
 
 #include "io/write_3mf.h"
 #include "io/write_obj.h"
@@ -26,15 +25,11 @@ Mesh joined(std::span<const ModelObject> objects) {
 
 Status checkRequest(std::span<const ModelObject> objects, ModelFormat format, const WriteOptions& options) {
   if (options.ascii && format != ModelFormat::Stl)
-    return fail(ErrorKind::BadUsage, fmt::format("{} is not written as text by choice; only STL is", nameOf(format)),
-                "Leave the choice out, or write an STL file");
+    return fail(ErrorKind::BadUsage, message("write-text-no-choice", with::term("format", nameOf(format))));
   const bool several =
       std::any_of(objects.begin(), objects.end(), [](const ModelObject& o) { return o.bodies.size() > 1; });
   if (several && format != ModelFormat::ThreeMf)
-    return fail(
-        ErrorKind::BadUsage,
-        fmt::format("An object of several bodies cannot be written as {}, which holds one only", nameOf(format)),
-        "Write a 3MF file");
+    return fail(ErrorKind::BadUsage, message("write-several-bodies", with::term("format", nameOf(format))));
   return {};
 }
 
@@ -57,10 +52,8 @@ Result<std::vector<std::uint8_t>> writeModel(std::span<const ModelObject> object
     case ModelFormat::Unknown:
       break;
   }
-  return fail(ErrorKind::BadUsage,
-              format == ModelFormat::Unknown ? std::string("The output's format is not known")
-                                             : fmt::format("{} files cannot be written", nameOf(format)),
-              "Name the output .stl, .obj, .ply or .3mf");
+  if (format == ModelFormat::Unknown) return fail(ErrorKind::BadUsage, message("write-format-unknown"));
+  return fail(ErrorKind::BadUsage, message("write-format", with::term("format", nameOf(format))));
 }
 
 Result<std::vector<std::uint8_t>> writeModel(const Mesh& mesh, ModelFormat format, const WriteOptions& options) {

@@ -3,7 +3,6 @@
 
 #include <exception>
 #include <expat.h>
-#include <fmt/format.h>
 #include <memory>
 #include <new>
 
@@ -40,7 +39,7 @@ void XMLCALL onStart(void* user, const XML_Char* name, const XML_Char** attribut
   auto& session = *static_cast<Session*>(user);
   session.guarded([&]() -> Status {
     if (++session.depth > kMaxDepth)
-      return fail(ErrorKind::BadInput, fmt::format("more than {} elements are nested", kMaxDepth));
+      return fail(ErrorKind::BadInput, message("xml-too-deep", with::count("limit", kMaxDepth)));
     return session.handler.startElement(XmlElement(name, attributes));
   });
 }
@@ -62,10 +61,7 @@ void XMLCALL onSpace(void* user, const XML_Char* prefix, const XML_Char* uri) {
 }
 
 void XMLCALL onDoctype(void* user, const XML_Char*, const XML_Char*, const XML_Char*, int) {
-  static_cast<Session*>(user)->guarded([]() -> Status {
-    return fail(ErrorKind::BadInput, "there is a document type definition (DTD), which 3MF forbids",
-                "Export the model again, without it");
-  });
+  static_cast<Session*>(user)->guarded([]() -> Status { return fail(ErrorKind::BadInput, message("xml-dtd")); });
 }
 
 }  // namespace
@@ -102,11 +98,10 @@ Status readXml(ZipStream& stream, const std::string& part, XmlHandler& handler) 
   XML_SetElementHandler(parser.get(), onStart, onEnd);
   XML_SetStartNamespaceDeclHandler(parser.get(), onSpace);
   XML_SetStartDoctypeDeclHandler(parser.get(), onDoctype);
-  const auto failHere = [&](std::string what, std::string hint) {
-    return fail(
-        ErrorKind::BadInput,
-        fmt::format("Part {} of the 3MF file, line {}: {}", quoted(part), XML_GetCurrentLineNumber(parser.get()), what),
-        hint.empty() ? "The file is damaged; export it again" : std::move(hint));
+  const auto failHere = [&](Message what) {
+    return fail(ErrorKind::BadInput, message("3mf-part-line", with::quoted("part", excerpt(part)),
+                                             with::count("line", XML_GetCurrentLineNumber(parser.get())),
+                                             with::cause("cause", std::move(what))));
   };
 
   XML_Index fed = 0;
@@ -117,16 +112,15 @@ Status readXml(ZipStream& stream, const std::string& part, XmlHandler& handler) 
     const XML_Status parsed = XML_Parse(parser.get(), reinterpret_cast<const char*>(piece->data()),
                                         static_cast<int>(piece->size()), more ? XML_FALSE : XML_TRUE);
     if (session.thrown) std::rethrow_exception(session.thrown);
-    if (!session.status)
-      return failHere(toldText(session.status.error().message), toldHint(session.status.error().message));
+    if (!session.status) return failHere(std::move(session.status.error().message));
     if (parsed != XML_STATUS_OK) {
       if (XML_GetErrorCode(parser.get()) == XML_ERROR_NO_MEMORY) throw std::bad_alloc();
-      return failHere(XML_ErrorString(XML_GetErrorCode(parser.get())), {});
+      return failHere(message("xml-malformed", with::term("why", XML_ErrorString(XML_GetErrorCode(parser.get())))));
     }
     fed += static_cast<XML_Index>(piece->size());
     // Expat keeps a tag or comment that has not ended, and looks at it again and again.
     if (more && fed - XML_GetCurrentByteIndex(parser.get()) > kMaxTagBytes)
-      return failHere(fmt::format("a tag or comment is longer than {} bytes", kMaxTagBytes), {});
+      return failHere(message("xml-tag-too-long", with::count("limit", kMaxTagBytes)));
   }
   return {};
 }

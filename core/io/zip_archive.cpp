@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <fmt/format.h>
 #include <new>
 #include <vector>
 #include <zlib.h>
@@ -33,8 +32,13 @@ constexpr std::size_t kPieceBytes = 64 * 1024;
 
 using Bytes = std::span<const std::uint8_t>;
 
-tl::unexpected<Error> damaged(std::string what) {
-  return fail(ErrorKind::BadInput, "The ZIP archive is damaged: " + std::move(what), "Copy or export the file again");
+tl::unexpected<Error> damaged(Message what) {
+  return fail(ErrorKind::BadInput, message("zip-damaged", with::cause("cause", std::move(what))));
+}
+
+/// @param what  follows the file's name
+tl::unexpected<Error> damagedFile(const ZipEntry& entry, Message what) {
+  return damaged(message("zip-file", with::quoted("file", excerpt(entry.name)), with::cause("cause", std::move(what))));
 }
 
 /// Numbers of a record one after the other; whoever makes one has checked that the record is all there.
@@ -65,14 +69,14 @@ struct Directory {
 
 /// The end record is the last thing in the file, but for a comment of the length it states.
 Result<std::size_t> findEndRecord(Bytes bytes) {
-  if (bytes.size() < kEndRecordBytes) return damaged(fmt::format("it has {} bytes only", bytes.size()));
+  if (bytes.size() < kEndRecordBytes) return damaged(message("zip-too-short", with::count("count", bytes.size())));
   const std::size_t last = bytes.size() - kEndRecordBytes;
   const std::size_t first = last - std::min(last, kLongestComment);
   for (std::size_t at = last + 1; at-- > first;) {
     if (loadBytes<std::uint32_t>(&bytes[at]) != kEndSignature) continue;
     if (at + kEndRecordBytes + loadBytes<std::uint16_t>(&bytes[at + 20]) == bytes.size()) return at;
   }
-  return damaged("its directory is missing, which stands at the end; the file seems cut off");
+  return damaged(message("zip-no-directory"));
 }
 
 Result<Directory> findDirectory64(Bytes bytes, std::size_t endRecord) {
@@ -80,9 +84,9 @@ Result<Directory> findDirectory64(Bytes bytes, std::size_t endRecord) {
   Fields fields(bytes.subspan(locator));
   fields.skip(8);
   const std::uint64_t at = fields.u64();
-  if (at > locator || locator - at < kZip64EndRecordBytes) return damaged("its ZIP64 record is out of place");
+  if (at > locator || locator - at < kZip64EndRecordBytes) return damaged(message("zip-record-misplaced"));
   Fields record(bytes.subspan(static_cast<std::size_t>(at)));
-  if (record.u32() != kZip64EndSignature) return damaged("its ZIP64 record is missing");
+  if (record.u32() != kZip64EndSignature) return damaged(message("zip-record-missing"));
   record.skip(8 + 2 + 2 + 4 + 4);
   Directory directory;
   const std::uint64_t entriesHere = record.u64();
@@ -90,7 +94,7 @@ Result<Directory> findDirectory64(Bytes bytes, std::size_t endRecord) {
   directory.size = record.u64();
   directory.offset = record.u64();
   directory.end = at;
-  if (entriesHere != directory.entries) return damaged("it is one of several disks");
+  if (entriesHere != directory.entries) return damaged(message("zip-several-disks"));
   return directory;
 }
 
@@ -114,10 +118,10 @@ Result<Directory> findDirectory(Bytes bytes) {
     directory.offset = record.u32();
     directory.end = *at;
     if (disk != 0 || directoryDisk != 0 || entriesHere != directory.entries)
-      return damaged("it is one of several disks");
+      return damaged(message("zip-several-disks"));
   }
   if (directory.offset > directory.end || directory.end - directory.offset < directory.size)
-    return damaged("its directory is out of place");
+    return damaged(message("zip-directory-misplaced"));
   return directory;
 }
 
@@ -151,11 +155,12 @@ bool take64(Bytes extra, std::array<std::uint64_t*, 3> numbers) {
 
 /// Reads one line and moves on to the next.
 Result<Listed> readListed(Bytes& lines, std::uint64_t number) {
-  const auto bad = [&](const char* what) {
-    return damaged(fmt::format("line {} of its directory {}", number + 1, what));
+  const auto bad = [&](Message what) {
+    return damaged(
+        message("zip-directory-line", with::count("line", number + 1), with::cause("cause", std::move(what))));
   };
   if (lines.size() < kDirectoryHeaderBytes || loadBytes<std::uint32_t>(lines.data()) != kDirectorySignature)
-    return bad("is missing");
+    return bad(message("zip-line-missing"));
   Fields fields(lines);
   Listed listed;
   fields.skip(8);
@@ -170,12 +175,12 @@ Result<Listed> readListed(Bytes& lines, std::uint64_t number) {
   fields.skip(2 + 4);  // attributes
   listed.localHeader = fields.u32();
   const std::size_t size = kDirectoryHeaderBytes + nameSize + extraSize + commentSize;
-  if (lines.size() < size) return bad("is cut off");
-  if (disk != 0) return bad("names another disk");
+  if (lines.size() < size) return bad(message("zip-line-cut-off"));
+  if (disk != 0) return bad(message("zip-line-other-disk"));
   listed.entry.name.assign(reinterpret_cast<const char*>(lines.data()) + kDirectoryHeaderBytes, nameSize);
   if (!take64(lines.subspan(kDirectoryHeaderBytes + nameSize, extraSize),
               {&listed.entry.size, &listed.packedSize, &listed.localHeader}))
-    return bad("has a malformed ZIP64 field");
+    return bad(message("zip-line-field"));
   lines = lines.subspan(size);
   return listed;
 }
@@ -195,23 +200,20 @@ bool agrees(Fields header, const Listed& listed) {
 /// Finds the compressed bytes; the local header must speak of the same file.
 /// @param limit  where the directory begins
 Status findContent(Bytes bytes, std::uint64_t limit, Listed& listed) {
-  const auto bad = [&](const char* what) {
-    return damaged(fmt::format("the file {} {}", quoted(listed.entry.name), what));
-  };
+  const auto bad = [&](Message what) { return damagedFile(listed.entry, std::move(what)); };
   const std::uint64_t at = listed.localHeader;
-  if (at > limit || limit - at < kLocalHeaderBytes) return bad("is out of place");
+  if (at > limit || limit - at < kLocalHeaderBytes) return bad(message("zip-file-misplaced"));
   Fields fields(bytes.subspan(static_cast<std::size_t>(at)));
-  if (fields.u32() != kLocalSignature) return bad("is not where the directory says");
+  if (fields.u32() != kLocalSignature) return bad(message("zip-file-not-there"));
   fields.skip(22);
-  if (!agrees(Fields(bytes.subspan(static_cast<std::size_t>(at))), listed))
-    return bad("has other numbers in its own header");
+  if (!agrees(Fields(bytes.subspan(static_cast<std::size_t>(at))), listed)) return bad(message("zip-file-numbers"));
   const std::size_t nameSize = fields.u16(), extraSize = fields.u16();
   const std::uint64_t begin = at + kLocalHeaderBytes + nameSize + extraSize;
-  if (begin > limit || limit - begin < listed.packedSize) return bad("reaches into the directory");
+  if (begin > limit || limit - begin < listed.packedSize) return bad(message("zip-file-too-long"));
   const Bytes name = bytes.subspan(static_cast<std::size_t>(at) + kLocalHeaderBytes, nameSize);
   if (!std::equal(name.begin(), name.end(), listed.entry.name.begin(), listed.entry.name.end(),
                   [](std::uint8_t a, char b) { return a == static_cast<std::uint8_t>(b); }))
-    return bad("has another name in its own header");
+    return bad(message("zip-file-name"));
   listed.entry.packed = bytes.subspan(static_cast<std::size_t>(begin), static_cast<std::size_t>(listed.packedSize));
   return {};
 }
@@ -222,8 +224,8 @@ Status checkOverlap(Bytes bytes, std::vector<Listed>& files) {
   for (std::size_t i = 1; i < files.size(); ++i) {
     const Bytes before = files[i - 1].entry.packed;
     if (static_cast<std::uint64_t>(before.data() - bytes.data()) + before.size() > files[i].localHeader)
-      return damaged(
-          fmt::format("the files {} and {} overlap", quoted(files[i - 1].entry.name), quoted(files[i].entry.name)));
+      return damaged(message("zip-files-overlap", with::quoted("first", excerpt(files[i - 1].entry.name)),
+                             with::quoted("second", excerpt(files[i].entry.name))));
   }
   return {};
 }
@@ -267,10 +269,10 @@ Result<ZipArchive> ZipArchive::open(std::span<const std::uint8_t> bytes) {
   ZipArchive archive;
   for (Listed& file : files) {
     if (file.entry.name.ends_with('/')) continue;  // a folder
-    const std::string shown = quoted(file.entry.name);
+    const std::string shown = excerpt(file.entry.name);
     const std::string key = comparable(file.entry.name);
     if (!archive.entries_.emplace(key, std::move(file.entry)).second)
-      return damaged(fmt::format("it holds two files of the name {}", shown));
+      return damaged(message("zip-same-name", with::quoted("file", shown)));
   }
   return archive;
 }
@@ -296,9 +298,7 @@ struct ZipStream::State {
     if (inflating) inflateEnd(&z);
   }
 
-  tl::unexpected<Error> bad(const std::string& what) const {
-    return damaged(fmt::format("the file {} {}", quoted(entry->name), what));
-  }
+  tl::unexpected<Error> bad(Message what) const { return damagedFile(*entry, std::move(what)); }
 
   Bytes nextStored() {
     const auto from = static_cast<std::size_t>(given);
@@ -314,15 +314,16 @@ struct ZipStream::State {
       if (status == Z_STREAM_END)
         ended = true;
       else if (status != Z_OK)
-        return bad("cannot be unpacked");
+        return bad(message("zip-file-unpacking"));
     }
     return Bytes(piece.data(), piece.size() - z.avail_out);
   }
 
   Status checkEnd() const {
-    if (given != entry->size) return bad(fmt::format("holds {} bytes, not the {} it announces", given, entry->size));
-    if (inflating && z.avail_in > 0) return bad("is followed by bytes that belong to nothing");
-    if (crc != entry->crc) return bad("does not match its check sum");
+    if (given != entry->size)
+      return bad(message("zip-file-size", with::count("count", given), with::count("announced", entry->size)));
+    if (inflating && z.avail_in > 0) return bad(message("zip-file-followed"));
+    if (crc != entry->crc) return bad(message("zip-file-checksum"));
     return {};
   }
 };
@@ -334,22 +335,18 @@ ZipStream::~ZipStream() = default;
 
 Result<ZipStream> ZipStream::open(const ZipEntry& entry, std::uint64_t maxBytes) {
   if (entry.flags & kEncrypted)
-    return fail(ErrorKind::BadInput, fmt::format("The file {} in the archive is encrypted", quoted(entry.name)),
-                "Save the model without a password");
+    return fail(ErrorKind::BadInput, message("zip-encrypted", with::quoted("file", excerpt(entry.name))));
   if (entry.method != kStored && entry.method != kDeflated)
     return fail(ErrorKind::BadInput,
-                fmt::format("The file {} in the archive is packed by method {}, which cannot be read",
-                            quoted(entry.name), entry.method),
-                "Pack it with deflate, as every 3MF program does");
+                message("zip-method", with::quoted("file", excerpt(entry.name)), with::count("method", entry.method)));
   if (entry.size > maxBytes || (entry.size > kFreeBytes && entry.size / kMaxRatio > entry.packed.size()))
-    return fail(ErrorKind::BadInput,
-                fmt::format("The file {} in the archive would expand from {} to {} bytes; at most {} bytes and {}-fold "
-                            "are accepted",
-                            quoted(entry.name), entry.packed.size(), entry.size, maxBytes, kMaxRatio),
-                "This looks like a ZIP bomb; if it is a real model, reduce (decimate) it first");
+    return fail(
+        ErrorKind::BadInput,
+        message("zip-expands", with::quoted("file", excerpt(entry.name)), with::count("packed", entry.packed.size()),
+                with::count("bytes", entry.size), with::count("limit", maxBytes), with::count("ratio", kMaxRatio)));
   auto state = std::make_unique<State>();
   state->entry = &entry;
-  if (entry.method == kStored && entry.size != entry.packed.size()) return state->bad("states two different sizes");
+  if (entry.method == kStored && entry.size != entry.packed.size()) return state->bad(message("zip-file-two-sizes"));
   if (entry.method == kDeflated) {
     state->piece.resize(kPieceBytes);
     state->z.next_in = const_cast<Bytef*>(entry.packed.data());
@@ -365,7 +362,7 @@ Result<std::span<const std::uint8_t>> ZipStream::next() {
   const Result<Bytes> piece = s.inflating ? s.nextInflated() : Result<Bytes>(s.nextStored());
   if (!piece) return piece;
   s.given += piece->size();
-  if (s.given > s.entry->size) return s.bad("holds more bytes than it announces");
+  if (s.given > s.entry->size) return s.bad(message("zip-file-more"));
   s.crc = static_cast<std::uint32_t>(crc32_z(s.crc, piece->data(), piece->size()));
   if (piece->empty())
     if (const Status whole = s.checkEnd(); !whole) return tl::unexpected(whole.error());

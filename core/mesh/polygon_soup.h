@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "mesh/mesh.h"
 
 namespace qrelief {
@@ -20,10 +21,10 @@ struct ModelPart {
 struct PolygonSoup {
   std::vector<Vec3> positions;
   std::vector<Triangle> triangles;
-  std::string format;                 ///< "STL (binary)", "STL (ASCII)", "OBJ", "PLY", "OFF"
-  std::vector<std::string> warnings;  ///< what the reader passed over, in words
-  std::vector<ModelPart> parts;       ///< ascending by first triangle; empty: the file knows one object only
-  std::optional<double> unitMm;       ///< millimetres in a file unit, where the file says so (3MF)
+  std::string format;             ///< "STL (binary)", "STL (ASCII)", "OBJ", "PLY", "OFF"
+  std::vector<Message> warnings;  ///< what the reader passed over
+  std::vector<ModelPart> parts;   ///< ascending by first triangle; empty: the file knows one object only
+  std::optional<double> unitMm;   ///< millimetres in a file unit, where the file says so (3MF)
 };
 
 }  // namespace qrelief

@@ -60,7 +60,8 @@ void checkSoup(const Result<PolygonSoup>& soup) {
   require(!soup->format.empty(), "the format has a name");
   require(std::all_of(soup->positions.begin(), soup->positions.end(), finite), "positions are finite");
   checkTriangles(soup->triangles, soup->positions.size());
-  for (const std::string& warning : soup->warnings) require(printable(warning), "warnings hold no control characters");
+  for (const Message& warning : soup->warnings)
+    require(printable(sentence(warning)), "warnings hold no control characters");
   std::size_t next = 0;
   for (const ModelPart& part : soup->parts) {
     require(part.firstTriangle >= next && part.firstTriangle <= soup->triangles.size(), "parts ascend");
