@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/read_3mf.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -85,7 +86,7 @@ TEST(ThreeMfReader, KnowsEveryUnit) {
     EXPECT_EQ(soup->unitMm, mm);
     EXPECT_EQ(boxOf(*soup).max, Vec3(1, 2, 3));
   }
-  EXPECT_THAT(errorOf(modelPart("", "", "unit=\"mile\"")), HasSubstr("the unit 'mile' is not known"));
+  EXPECT_THAT(errorOf(modelPart("", "", "unit=\"mile\"")), HasSubstr("the unit \"mile\" is not known"));
 }
 
 TEST(ThreeMfReader, MakesAPartOfEveryItem) {
@@ -161,19 +162,45 @@ TEST(ThreeMfReader, PassesOverItemsThatAreNoModels) {
   ASSERT_TRUE(soup);
   EXPECT_EQ(soup->triangles.size(), 12u);
   ASSERT_EQ(soup->warnings.size(), 1u);
-  EXPECT_THAT(soup->warnings[0], HasSubstr("1 of 2 items"));
-  EXPECT_THAT(errorOf(modelPart(resources, "<item objectid=\"2\"/>")), HasSubstr("None of the 1 items"));
+  EXPECT_EQ(sentence(soup->warnings[0]),
+            "1 of 2 items of the 3MF file is no model (a support or the like) and was passed over");
+  EXPECT_THAT(errorOf(modelPart(resources, "<item objectid=\"2\"/>")),
+              HasSubstr("The 1 item of the 3MF file has no triangle"));
 }
 
 TEST(ThreeMfReader, RefusesABuildWithoutItems) {
-  EXPECT_THAT(errorOf(modelPart(boxObject(1, 1, 2, 3), "")), HasSubstr("build is empty: it has 1 objects"));
+  EXPECT_THAT(errorOf(modelPart(boxObject(1, 1, 2, 3), "")),
+              HasSubstr("build is empty: it has 1 object, but does not place it"));
+}
+
+TEST(ThreeMfReader, TellsAnAbsentBuildFromAnEmptyOne) {
+  std::string model = modelPart(boxObject(1, 1, 2, 3) + boxObject(2, 1, 2, 3), "");
+  EXPECT_THAT(errorOf(model), HasSubstr("build is empty: it has 2 objects, but places none"));
+  const std::size_t begin = model.find("<build"), end = model.find("</build>");
+  ASSERT_NE(end, std::string::npos);
+  model.erase(begin, end + 8 - begin);
+  EXPECT_EQ(errorOf(model),
+            "The 3MF file has no element \"build\", which says what stands on the plate; it has 2 objects");
+}
+
+TEST(ThreeMfReader, NamesTheFirstIndexThatHasNoVertexAndItsLine) {
+  const std::string object =
+      "<object id=\"5\">\n<mesh><vertices><vertex x=\"0\" y=\"0\" z=\"0\"/></vertices><triangles>\n"
+      "<triangle v1=\"0\" v2=\"0\" v3=\"0\"/>\n<triangle v1=\"0\" v2=\"0\" v3=\"8\"/>\n"
+      "<triangle v1=\"0\" v2=\"-1\" v3=\"0\"/></triangles></mesh></object>";
+  const std::string model = modelPart(object, "<item objectid=\"5\"/>");
+  const auto line =
+      1 + std::count(model.begin(), model.begin() + static_cast<std::ptrdiff_t>(model.find("v3=\"8\"")), '\n');
+  EXPECT_EQ(errorOf(model), fmt::format("Part \"3D/3dmodel.model\" of the 3MF file, line {}: object 5: triangle 2: it "
+                                        "asks for vertex 8 (counted from 0), but there is 1",
+                                        line));
 }
 
 TEST(ThreeMfReader, RefusesAPackageWithoutTheModelItNames) {
   const auto messageOf = [](const std::vector<zip_file::File>& files) {
     return sentence(read3mf(zip_file::zip(files), {}).error().message);
   };
-  EXPECT_THAT(messageOf({{"3D/3dmodel.model", "x"}}), HasSubstr("no part '_rels/.rels'"));
+  EXPECT_THAT(messageOf({{"3D/3dmodel.model", "x"}}), HasSubstr("no part \"_rels/.rels\""));
   const auto rels = [](const std::string& relationships) {
     return zip_file::File{"_rels/.rels",
                           "<Relationships xmlns=\"http://schemas.openxmlformats.org/package/2006/relationships\">" +
@@ -181,24 +208,29 @@ TEST(ThreeMfReader, RefusesAPackageWithoutTheModelItNames) {
   };
   const std::string type = "Type=\"http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel\"";
   const std::string one = "<Relationship Target=\"/3D/3dmodel.model\" " + type + "/>";
-  EXPECT_THAT(messageOf({rels("<Relationship Target=\"/a\" Type=\"b\"/>")}), HasSubstr("no relationships"));
+  EXPECT_THAT(messageOf({rels("<Relationship Target=\"/a\" Type=\"b\"/>")}), HasSubstr("no relationship in"));
   EXPECT_THAT(messageOf({rels(one + one)}), HasSubstr("2 relationships"));
-  EXPECT_THAT(messageOf({rels(one)}), HasSubstr("model part '3D/3dmodel.model' is missing"));
-  EXPECT_THAT(messageOf({rels("<Relationship Target=\"http://a.b/c\" " + type + "/>")}), HasSubstr("outside of it"));
+  EXPECT_THAT(messageOf({rels(one)}), HasSubstr("model part \"3D/3dmodel.model\" is missing"));
+  EXPECT_THAT(messageOf({rels("<Relationship Target=\"http://a.b/c\" " + type + "/>")}),
+              HasSubstr("names \"http://a.b/c\" as its 3D model, which is an external address outside of it"));
   EXPECT_THAT(messageOf({rels("<Relationship TargetMode=\"External\" Target=\"c\" " + type + "/>")}),
-              HasSubstr("outside of it"));
+              HasSubstr("names \"c\" as its 3D model, which is an external address"));
+  for (const char* target : {"/../3D/a.model", "/3D/../../a.model", "/%2e%2E/a.model", "..\\a.model"})
+    EXPECT_THAT(messageOf({rels(fmt::format("<Relationship Target=\"{}\" {}/>", target, type))}),
+                HasSubstr(fmt::format("names \"{}\" as its 3D model, a path that leads outside of it", target)));
+  EXPECT_THAT(messageOf({rels("<Relationship Target=\"\" " + type + "/>")}), HasSubstr("has no target"));
 }
 
 TEST(ThreeMfReader, RefusesWhatIsNoModel) {
-  EXPECT_THAT(errorOf("<html/>"), HasSubstr("'3D/3dmodel.model' of the 3MF file, line 1: the outermost element"));
+  EXPECT_THAT(errorOf("<html/>"), HasSubstr("\"3D/3dmodel.model\" of the 3MF file, line 1: the outermost element"));
   EXPECT_THAT(errorOf("<model xmlns=\"urn:other\"/>"), HasSubstr("no 3MF model"));
   EXPECT_THAT(errorOf("<!DOCTYPE model><model/>"), HasSubstr("DTD"));
 }
 
 TEST(ThreeMfReader, RefusesARequiredExtensionThatChangesTheGeometry) {
   EXPECT_THAT(errorOf(modelPart("", "", "xmlns:b=\"urn:lattice\" requiredextensions=\"b\"")),
-              HasSubstr("requires the extension urn:lattice"));
-  EXPECT_THAT(errorOf(modelPart("", "", "requiredextensions=\"q\"")), HasSubstr("'q' is not declared"));
+              HasSubstr("requires the extension \"urn:lattice\""));
+  EXPECT_THAT(errorOf(modelPart("", "", "requiredextensions=\"q\"")), HasSubstr("\"q\" is not declared"));
   EXPECT_TRUE(read3mf(threeMf(modelPart(boxObject(1, 1, 2, 3), "<item objectid=\"1\"/>",
                                         "xmlns:m=\"http://schemas.microsoft.com/3dmanufacturing/material/2015/02\" "
                                         "requiredextensions=\"m\"")),
@@ -211,27 +243,28 @@ TEST(ThreeMfReader, NamesLineAndObjectOfWhatIsMalformed) {
   };
   const std::string vertices = "<vertices><vertex x=\"0\" y=\"0\" z=\"0\"/></vertices>";
   EXPECT_THAT(object("<mesh><vertices><vertex x=\"0\" y=\"1,5\" z=\"0\"/></vertices></mesh>"),
-              HasSubstr("line 5: object 5: vertex 1: '1,5' is not a number"));
-  EXPECT_THAT(object("<mesh><vertices><vertex x=\"0\" z=\"0\"/></vertices></mesh>"), HasSubstr("vertex 1 has no y"));
+              HasSubstr("line 5: object 5: vertex 1: \"1,5\" is not a number"));
+  EXPECT_THAT(object("<mesh><vertices><vertex x=\"0\" z=\"0\"/></vertices></mesh>"),
+              HasSubstr("vertex 1: it has no y"));
   EXPECT_THAT(object("<mesh><vertices><vertex x=\"0\" y=\"inf\" z=\"0\"/></vertices></mesh>"), HasSubstr("not finite"));
   EXPECT_THAT(object("<mesh>" + vertices + "<triangles><triangle v1=\"0\" v2=\"0\" v3=\"1\"/></triangles></mesh>"),
-              HasSubstr("object 5: triangle 1 asks for vertex 1 (counted from 0), but there are 1"));
+              HasSubstr("object 5: triangle 1: it asks for vertex 1 (counted from 0), but there is 1"));
   EXPECT_THAT(object("<mesh>" + vertices + "<triangles><triangle v1=\"0\" v2=\"-1\" v3=\"0\"/></triangles></mesh>"),
-              HasSubstr("triangle 1: '-1' is no vertex"));
+              HasSubstr("triangle 1: it asks for vertex -1 (counted from 0), but there is 1"));
   EXPECT_THAT(object("<mesh>" + vertices + "<triangles><triangle v1=\"0\" v3=\"0\"/></triangles></mesh>"),
-              HasSubstr("triangle 1 has no v2"));
+              HasSubstr("triangle 1: it has no v2"));
   EXPECT_THAT(object(""), HasSubstr("neither a mesh nor components"));
   EXPECT_THAT(object("<mesh/><mesh/>"), HasSubstr("more than one mesh"));
 }
 
 TEST(ThreeMfReader, RefusesBadIds) {
-  EXPECT_THAT(errorOf(modelPart("<object id=\"0\"/>", "")), HasSubstr("'0' is no id"));
-  EXPECT_THAT(errorOf(modelPart("<object/>", "")), HasSubstr("'object' has no id"));
-  EXPECT_THAT(errorOf(modelPart("", "<item/>")), HasSubstr("'item' has no objectid"));
+  EXPECT_THAT(errorOf(modelPart("<object id=\"0\"/>", "")), HasSubstr("\"0\" is no id"));
+  EXPECT_THAT(errorOf(modelPart("<object/>", "")), HasSubstr("\"object\" has no id"));
+  EXPECT_THAT(errorOf(modelPart("", "<item/>")), HasSubstr("\"item\" has no objectid"));
   EXPECT_THAT(errorOf(modelPart(boxObject(3, 1, 1, 1) + boxObject(3, 1, 1, 1), "")),
               HasSubstr("object 3: there are two of this id"));
   EXPECT_THAT(errorOf(modelPart("", "<item objectid=\"4\"/>")),
-              HasSubstr("asks for object 4 of part '3D/3dmodel.model', which is missing"));
+              HasSubstr("asks for object 4 of part \"3D/3dmodel.model\", which is missing"));
 }
 
 TEST(ThreeMfReader, RefusesBadTransforms) {

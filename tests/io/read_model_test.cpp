@@ -92,8 +92,48 @@ TEST(ReadModel, ReadsTheContentWithAWarningWhereTheNameIsWrong) {
   const auto soup = readModel(bytesOf("# exported\n" + model_files::obj(shapes::tetrahedron(10))), "model.stl");
   ASSERT_TRUE(soup) << soup.error().message;
   EXPECT_EQ(soup->format, "OBJ");
-  EXPECT_THAT(soup->warnings.at(0), HasSubstr("named as STL"));
+  EXPECT_EQ(soup->warnings.at(0), message("format-misnamed", with::term("named", "STL"), with::term("found", "OBJ")));
   EXPECT_EQ(readModel(writeStl(shapes::tetrahedron(10)), "model.obj")->format, "STL (binary)");
+}
+
+/// Text as an editor saves it that calls its encoding "Unicode".
+Bytes wide(std::string_view text, bool bigEndian, bool marked) {
+  Bytes bytes;
+  const auto put = [&](std::uint8_t high, std::uint8_t low) {
+    bytes.push_back(bigEndian ? high : low);
+    bytes.push_back(bigEndian ? low : high);
+  };
+  if (marked) put(0xfe, 0xff);
+  for (const char c : text) put(0, static_cast<std::uint8_t>(c));
+  return bytes;
+}
+
+TEST(ReadModel, NamesTheEncodingOfTextInUtf16) {
+  const Mesh mesh = shapes::tetrahedron(10);
+  const Bytes ply = model_files::ply(mesh, PlyKind::Ascii);
+  const std::pair<const char*, std::string> texts[] = {{"a.obj", model_files::obj(mesh)},
+                                                       {"a.stl", model_files::asciiStl(mesh)},
+                                                       {"a.off", model_files::off(mesh)},
+                                                       {"a.ply", std::string(ply.begin(), ply.end())}};
+  for (const auto& [name, text] : texts)
+    for (const bool bigEndian : {false, true})
+      for (const bool marked : {false, true}) {
+        const auto soup = readModel(wide(text, bigEndian, marked), name);
+        ASSERT_FALSE(soup) << name;
+        EXPECT_EQ(soup.error().message,
+                  message("text-encoding", with::term("encoding", bigEndian ? "UTF-16 BE" : "UTF-16 LE")));
+      }
+  const auto soup = readModel(wide("v 0 0 0\n", false, true), "a.obj");
+  EXPECT_THAT(sentence(soup.error().message), HasSubstr("text in UTF-16 LE"));
+  EXPECT_THAT(hint(soup.error().message), HasSubstr("UTF-8"));
+}
+
+TEST(ReadModel, TakesNoBinaryFileForUtf16) {
+  Bytes stl = writeStl(shapes::tetrahedron(10));
+  stl[0] = 0xff, stl[1] = 0xfe;
+  EXPECT_EQ(readModel(stl, "a.stl")->triangles.size(), 4u);
+  stl.push_back(0);  // no longer of the exact size
+  EXPECT_EQ(readModel(stl, "a.stl")->triangles.size(), 4u);
 }
 
 TEST(ReadModel, RefusesAnEmptyFile) {

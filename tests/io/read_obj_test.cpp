@@ -95,19 +95,26 @@ TEST(ObjReader, NamesTheLineOfAnIndexThatHasNoVertex) {
   EXPECT_EQ(errorOf(kSquare + "f 1 2 0\n"), "Line 5 of the OBJ file: a face asks for vertex 0; OBJ counts from 1");
   EXPECT_EQ(errorOf("v 0 0 0\nv 1 0 0\nf -1 -2 -3\nv 0 0 1\n"),
             "Line 3 of the OBJ file: a face asks for vertex -3, but only 2 stand before it");
+  EXPECT_EQ(errorOf("v 0 0 0\nf -2 -1 -1\n"),
+            "Line 2 of the OBJ file: a face asks for vertex -2, but only 1 stands before it");
   EXPECT_THAT(errorOf(kSquare + "f 1 2 99999999999999999999\n"), HasSubstr("Line 5"));
   EXPECT_THAT(errorOf(kSquare + "f 1 2 4294967298\n"), HasSubstr("vertex 4294967298"));
   EXPECT_THAT(errorOf(kSquare + "f 1 2 -9223372036854775808\n"), HasSubstr("Line 5"));
 }
 
+TEST(ObjReader, NamesTheFirstIndexThatHasNoVertexThoughLaterOnesAreWorse) {
+  EXPECT_EQ(errorOf("f 1 2 9\n" + kSquare + "f 0 1 2\nf 1 2 -7\nf 1 2 x\n"),
+            "Line 1 of the OBJ file: a face asks for vertex 9, but the file has 4");
+}
+
 TEST(ObjReader, NamesTheLineOfABrokenCorner) {
-  EXPECT_EQ(errorOf(kSquare + "f 1 2 x\n"), "Line 5 of the OBJ file: 'x' is no corner of a face");
-  EXPECT_THAT(errorOf(kSquare + "f 1 2 /3\n"), HasSubstr("'/3'"));
+  EXPECT_EQ(errorOf(kSquare + "f 1 2 x\n"), "Line 5 of the OBJ file: \"x\" is no corner of a face");
+  EXPECT_THAT(errorOf(kSquare + "f 1 2 /3\n"), HasSubstr("\"/3\""));
 }
 
 TEST(ObjReader, NamesTheLineOfABrokenVertex) {
   EXPECT_EQ(errorOf("v 0 0 0\nv 1 0\nf 1 1 1\n"), "Line 2 of the OBJ file: vertex 2: a number is missing");
-  EXPECT_EQ(errorOf("v 0 0,5 0\n"), "Line 1 of the OBJ file: vertex 1: '0,5' is not a number");
+  EXPECT_EQ(errorOf("v 0 0,5 0\n"), "Line 1 of the OBJ file: vertex 1: \"0,5\" is not a number");
   EXPECT_THAT(errorOf("v 0 nan 0\n"), HasSubstr("not finite"));
   EXPECT_THAT(errorOf("v 0 1e999 0\n"), HasSubstr("not finite"));
 }
@@ -124,7 +131,20 @@ TEST(ObjReader, RefusesMoreTrianglesThanAllowed) {
 TEST(ObjReader, WarnsOfPolygonsThatCrossThemselves) {
   const auto soup = read("v 0 0 0\nv 2 2 0\nv 2 0 0\nv 0 3 0\nv -1 1 0\nf 1 2 3 4 5\n");
   ASSERT_TRUE(soup);
-  EXPECT_THAT(soup->warnings.at(0), HasSubstr("cross themselves"));
+  EXPECT_EQ(soup->warnings.at(0), message("polygons-not-simple", with::count("count", 1), with::count("face", 1),
+                                          with::place("at", Vec3(0, 0, 0))));
+  EXPECT_EQ(sentence(soup->warnings.at(0)),
+            "1 polygon crosses itself or has no area, face 1 of the file at (0, 0, 0); it was cut into triangles all "
+            "the same");
+}
+
+TEST(ObjReader, NamesTheFirstOfThePolygonsThatCrossThemselves) {
+  const std::string crossing = "v 7 1 5\nv 9 3 5\nv 9 1 5\nv 7 4 5\nv 6 2 5\n";
+  const auto soup = read(kSquare + crossing + "f 1 2 3 4\nf 5 6 7 8 9\nf 1 2 3\nf 5 6 7 8 9\n");
+  ASSERT_TRUE(soup) << soup.error().message;
+  ASSERT_EQ(soup->warnings.size(), 1u);
+  EXPECT_THAT(sentence(soup->warnings.at(0)),
+              HasSubstr("2 polygons cross themselves or have no area, the first is face 2 of the file at (7, 1, 5)"));
 }
 
 }  // namespace

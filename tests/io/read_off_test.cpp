@@ -44,7 +44,7 @@ TEST(OffReader, ReadsCountsOnTheFirstLine) {
 
 TEST(OffReader, NamesTheLineOfAnIndexThatHasNoVertex) {
   EXPECT_EQ(errorOf("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n"),
-            "Line 6 of the OFF file: face 1 of 1 asks for vertex 3 (counted from 0), but there are 3");
+            "Line 6 of the OFF file: face 1 of 1: it asks for vertex 3 (counted from 0), but there are 3");
   EXPECT_THAT(errorOf("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n"), HasSubstr("vertex -1"));
 }
 
@@ -72,7 +72,24 @@ TEST(OffReader, RefusesAFileWithoutFaces) { EXPECT_THAT(errorOf("OFF\n1 0 0\n0 0
 TEST(OffReader, WarnsOfFacesWithFewerThanThreeCorners) {
   const auto soup = readOff(bytesOf("OFF\n3 3 0\n0 0 0\n1 0 0\n0 1 0\n2 0 1\n3 0 1 2\n0\n"), {});
   ASSERT_TRUE(soup);
-  EXPECT_THAT(soup->warnings.at(0), HasSubstr("2 faces"));
+  EXPECT_EQ(sentence(soup->warnings.at(0)),
+            "2 faces with fewer than three corners were passed over, the first is face 1 of the file");
+}
+
+TEST(OffReader, NamesTheOnlyFaceWithFewerThanThreeCorners) {
+  const auto soup = readOff(bytesOf("OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n2 0 1\n"), {});
+  ASSERT_TRUE(soup);
+  EXPECT_EQ(sentence(soup->warnings.at(0)), "1 face with fewer than three corners was passed over, face 2 of the file");
+}
+
+TEST(OffReader, RefusesMoreCornersThanTheFileHasBytes) {
+  EXPECT_EQ(errorOf("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n4294967295 0 1"),
+            "Line 6 of the OFF file: face 1 of 1: it announces 4294967295 corners, but only 4 bytes follow");
+}
+
+TEST(OffReader, NamesWhatIsNoVertex) {
+  EXPECT_EQ(errorOf("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 1.5\n"),
+            "Line 6 of the OFF file: face 1 of 1: \"1.5\" is no vertex");
 }
 
 }  // namespace

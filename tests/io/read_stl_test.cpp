@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/read_stl.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "base/random.h"
 #include "io/write_stl.h"
 #include "messages/sentences.h"
 #include "support/model_files.h"
@@ -94,10 +96,47 @@ TEST(StlReader, RefusesAFacetCountThatTheFileCannotHold) {
   }
 }
 
-TEST(StlReader, RefusesZeroFacets) {
+TEST(StlReader, RefusesZeroFacetsAndSaysWhatFollows) {
   Bytes bytes = binaryTetrahedron();
   setCount(bytes, 0);
-  EXPECT_THAT(errorOf(bytes), HasSubstr("0 facets"));
+  EXPECT_EQ(errorOf(bytes), "The binary STL file announces 0 facets, but 200 bytes follow, room for 4 facets");
+  bytes.resize(84);
+  EXPECT_EQ(errorOf(bytes), "The binary STL file announces 0 facets, and none follows");
+}
+
+TEST(StlReader, SaysOfRandomBytesThatTheyAreNoStl) {
+  Random random(3);
+  for (const std::size_t size : {100u, 1000u, 100'000u}) {
+    Bytes bytes(size);
+    for (std::uint8_t& b : bytes) b = static_cast<std::uint8_t>(random.next() >> 56);
+    setCount(bytes, 0xe1234567);
+    const auto soup = readStl(bytes, {});
+    ASSERT_FALSE(soup);
+    EXPECT_EQ(soup.error().message,
+              message("stl-neither", with::count("announced", 0xe1234567),
+                      with::count("expected", 84 + 50 * 0xe1234567ull), with::count("bytes", size)));
+  }
+  EXPECT_THAT(errorOf(bytesOf(std::string(300, '<'))), HasSubstr("This is no STL file"));
+}
+
+TEST(StlReader, ReadsAsciiWithWordsBehindEndfacetAndWarnsOnce) {
+  std::string text = model_files::asciiStl(shapes::tetrahedron(2));
+  const std::size_t first = text.find("endfacet");
+  text.insert(text.find("endfacet", first + 1) + 8, " attribute 7");
+  const std::size_t line =
+      1 + static_cast<std::size_t>(
+              std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(text.find(" attribute")), '\n'));
+  auto soup = readStl(bytesOf(text), {});
+  ASSERT_TRUE(soup) << soup.error().message;
+  expectSameFacets(*soup, shapes::tetrahedron(2));
+  ASSERT_EQ(soup->warnings.size(), 1u);
+  EXPECT_EQ(soup->warnings[0], message("stl-words-after-endfacet", with::count("count", 1), with::count("line", line)));
+  text.insert(text.rfind("endfacet") + 8, " attribute 7");
+  soup = readStl(bytesOf(text), {});
+  ASSERT_TRUE(soup) << soup.error().message;
+  ASSERT_EQ(soup->warnings.size(), 1u);
+  EXPECT_EQ(sentence(soup->warnings[0]),
+            "In 2 lines words follow \"endfacet\", first in line " + std::to_string(line) + "; they were passed over");
 }
 
 TEST(StlReader, WarnsOfBytesAfterTheLastFacet) {
@@ -106,7 +145,7 @@ TEST(StlReader, WarnsOfBytesAfterTheLastFacet) {
   const auto soup = readStl(bytes, {});
   ASSERT_TRUE(soup);
   ASSERT_EQ(soup->warnings.size(), 1u);
-  EXPECT_THAT(soup->warnings[0], HasSubstr("7 bytes"));
+  EXPECT_EQ(sentence(soup->warnings[0]), "7 bytes after the last of the 4 announced facets were passed over");
 }
 
 TEST(StlReader, RefusesCoordinatesThatAreNotFiniteAndNamesTheFacet) {
@@ -122,7 +161,7 @@ TEST(StlReader, RefusesCoordinatesThatAreNotFiniteAndNamesTheFacet) {
 
 TEST(StlReader, NamesTheLineOfAWordThatShouldBeANumber) {
   EXPECT_EQ(errorOf(bytesOf("solid a\nfacet normal 0 0 1\nouter loop\nvertex 1,5 2 3\n")),
-            "Line 4 of the ASCII STL file: '1,5' where a number should stand");
+            "Line 4 of the ASCII STL file: \"1,5\" where a number should stand");
 }
 
 TEST(StlReader, NamesTheLineWhereAnAsciiFileBreaksOff) {
@@ -141,7 +180,7 @@ TEST(StlReader, WarnsWhenEndsolidIsMissing) {
   text.resize(text.find("endsolid"));
   const auto soup = readStl(bytesOf(text), {});
   ASSERT_TRUE(soup);
-  EXPECT_THAT(soup->warnings.at(0), HasSubstr("endsolid"));
+  EXPECT_EQ(soup->warnings.at(0), message("stl-no-endsolid"));
 }
 
 TEST(StlReader, RefusesMoreTrianglesThanAllowed) {

@@ -28,7 +28,7 @@ class Recorder : public XmlHandler {
     events.push_back("<" + std::string(element.space) + "|" + std::string(element.name) + " " +
                      std::string(element.attribute("a").value_or("-")) + " " +
                      std::string(element.attribute("urn:p", "a").value_or("-")));
-    if (element.name == refuse) return fail(ErrorKind::BadInput, "no such thing", "leave it out");
+    if (element.name == refuse) return fail(ErrorKind::BadInput, message("3mf-two-objects"));
     if (element.name == throwAt) throw std::runtime_error("thrown");
     return {};
   }
@@ -67,7 +67,7 @@ TEST(XmlReader, RefusesADocumentTypeDefinition) {
 }
 
 TEST(XmlReader, NamesPartAndLineOfWhatIsNotWellFormed) {
-  EXPECT_THAT(errorOf("<r>\n\n<a></b></r>"), HasSubstr("Part 'part.xml' of the 3MF file, line 3: mismatched tag"));
+  EXPECT_THAT(errorOf("<r>\n\n<a></b></r>"), HasSubstr("Part \"part.xml\" of the 3MF file, line 3: mismatched tag"));
   EXPECT_THAT(errorOf("<r>"), HasSubstr("no element found"));
   EXPECT_THAT(errorOf(""), HasSubstr("no element found"));
   EXPECT_THAT(errorOf("<r>&unknown;</r>"), HasSubstr("undefined entity"));
@@ -79,8 +79,8 @@ TEST(XmlReader, EndsWithTheHandlersErrorAndItsLine) {
   recorder.refuse = "b";
   const Status status = read("<r>\n<b/><c/></r>", recorder);
   ASSERT_FALSE(status);
-  EXPECT_EQ(sentence(status.error().message), "Part 'part.xml' of the 3MF file, line 2: no such thing");
-  EXPECT_EQ(hint(status.error().message), "leave it out");
+  EXPECT_EQ(sentence(status.error().message), "Part \"part.xml\" of the 3MF file, line 2: there are two of this id");
+  EXPECT_EQ(hint(status.error().message), hint(message("3mf-two-objects")));
   EXPECT_THAT(recorder.events, ElementsAre("<|r - -", "<|b - -"));
 }
 

@@ -131,7 +131,7 @@ TEST(ZipArchive, RefusesFilesThatOverlap) {
   again.localHeader = 0;
   again.localName = "b.txt";
   EXPECT_THAT(errorOf(zip_file::zip({{"b.txt", "first"}, {"c.txt", "first", 0, 0, {}, {}, {}, 0}})),
-              HasSubstr("'c.txt' has another name"));
+              HasSubstr("\"c.txt\" has another name"));
   EXPECT_THAT(errorOf(zip_file::zip({{"b.txt", "first"}, again})), HasSubstr("overlap"));
 }
 
