@@ -15,8 +15,8 @@ double depthIncrease(int x);
 
 struct DepthSearchOptions {
   double contrast = 0.3;  ///< c: a carved submodule must be darker than its surroundings by this fraction, 0 … 1
-  double initialDepthMm = 0.1;       ///< of every carved submodule, > 0
-  double significantChange = 0.005;  ///< of a submodule's luminance between iterations; less is "not changed"
+  double initialDepthMm = 0.1;       ///< every carved submodule begins with this depth, > 0
+  double significantChange = 0.005;  ///< a submodule whose luminance changes by less in an iteration has "not changed"
   int maxIterations = 60;
 };
 

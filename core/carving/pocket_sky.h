@@ -9,8 +9,8 @@
 
 namespace qrelief {
 
-/// How much of a uniform sky the floors of a carved symbol see, were the surface plane: what each submodule's depth
-/// does to itself and to its neighbours, without rendering.
+/// How much of a uniform sky the floors of a carved symbol see, were the surface plane. It tells without rendering
+/// what each submodule's depth does to itself and to its neighbours.
 ///
 /// From a floor, in each of 16 directions, the highest of the steps passed, of height Δ at distance d, leaves
 /// d²/(d² + Δ²), cosine-weighted; the first light submodule ends the search, as nothing behind it is higher. The
@@ -23,7 +23,8 @@ class PocketSky {
   /// Indices of the carved submodules in the mask, ascending; what follows counts in this order.
   const std::vector<std::uint32_t>& carved() const { return carved_; }
 
-  /// Floors that see where floor `k` begins: what its depth changes, were the surface plane.
+  /// The floors that have floor `k` in sight. On a plane surface its depth changes how much sky they see, and no
+  /// other's.
   std::span<const std::uint32_t> seenFrom(std::size_t k) const {
     return std::span(seenFrom_).subspan(seenFromBegin_[k], seenFromBegin_[k + 1] - seenFromBegin_[k]);
   }
@@ -46,7 +47,7 @@ class PocketSky {
 
  private:
   struct Step {
-    std::uint32_t floor;  // that begins here; kLight: none, the surface
+    std::uint32_t floor;  // the floor that begins here; kLight: the uncarved surface
     float inverseDistanceMm;
   };
   static constexpr std::uint32_t kLight = 0xffffffff;
@@ -63,7 +64,7 @@ class PocketSky {
   std::vector<std::uint32_t> carved_;
   std::vector<Step> steps_;                              // by floor and direction, outwards
   std::vector<std::uint32_t> begin_;                     // of the steps of floor and direction
-  std::vector<std::uint32_t> seenFrom_, seenFromBegin_;  // by floor: those that have it among their steps
+  std::vector<std::uint32_t> seenFrom_, seenFromBegin_;  // for each floor, those that have it among their steps
 };
 
 }  // namespace qrelief

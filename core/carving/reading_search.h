@@ -10,10 +10,10 @@
 namespace qrelief {
 
 struct ReadingOptions {
-  double dataContrast = 0.1;     ///< by which a dark module must be darker than its surroundings as seen, 0 … 1
+  double dataContrast = 0.1;     ///< a dark module must be seen darker than its surroundings by this fraction, 0 … 1
   double finderContrast = 0.15;  ///< the same for the modules of the three finder patterns
   double blurModules = 0.4;      ///< standard deviation of what a phone's lens and sensor blur, in module widths
-  double tolerance = 0.005;      ///< of the contrast: what is at most this much darker than it must be is done
+  double tolerance = 0.005;      ///< a module is done once its contrast exceeds what is asked for by at most this
   int maxPasses = 12;
 
   bool operator==(const ReadingOptions&) const = default;

@@ -10,8 +10,8 @@ namespace qrelief {
 /// passes; the lists of a pass are in the order of `carved`.
 struct SearchRecord {
   struct Pass {
-    std::vector<float> depthMm;    ///< that were tried
-    std::vector<float> luminance;  ///< that were seen at these depths
+    std::vector<float> depthMm;    ///< the depths that were tried
+    std::vector<float> luminance;  ///< the luminances that were seen at these depths
     double ms = 0;                 ///< rendering, reading back and solving
   };
   std::vector<std::uint32_t> carved;  ///< submodules, row-major from the symbol's top left, ascending

@@ -15,8 +15,8 @@ struct Arrangement {
 
   /// Where an outline crosses a model edge.
   struct Crossing {
-    std::uint32_t edge = 0;     ///< of the footprint
-    std::uint32_t outline = 0;  ///< of the graph
+    std::uint32_t edge = 0;     ///< index among the footprint's edges
+    std::uint32_t outline = 0;  ///< index among the graph's outlines
     double alongEdge = 0;       ///< 0 at Edge::a … 1 at Edge::b, on the plane
     double alongOutline = 0;    ///< 0 at Outline::from … 1 at Outline::to
   };
@@ -43,8 +43,7 @@ struct Arrangement {
 /// Cost: O(n log n) in vertices and crossings.
 /// @param edges  the footprint's edges, in the same order
 /// @returns NoSolution if an outline, a carved area or the resampled square leaves the footprint; Internal if pieces
-/// cross, which the
-///          outlines' clearance from the model rules out unless the footprint overlaps itself
+///          cross, which the outlines' clearance from the model rules out unless the footprint overlaps itself
 Result<Arrangement> arrange(const Footprint& footprint, EdgeGrid& edges, const OutlineGraph& graph);
 
 }  // namespace qrelief

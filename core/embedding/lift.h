@@ -14,7 +14,7 @@ struct LiftedSurface {
     int level = 0;
   };
   std::vector<Vertex> vertices;     ///< by point, then by level
-  std::vector<Vec3f> positions;     ///< of each; a model vertex at level 0 keeps its own bit for bit
+  std::vector<Vec3f> positions;     ///< one for each; a model vertex at level 0 keeps its own bit for bit
   std::vector<Triangle> triangles;  ///< outward: tops and floors in the arrangement's order, then walls
   std::size_t firstWall = 0;        ///< index of the first wall's triangle
 

@@ -16,8 +16,8 @@ struct PassTime {
   std::string_view name;  ///< static
   int count = 0;
   double cpuMs = 0;  ///< until the calls returned; the graphics processor may only begin then
-  int gpuCount = 0;  ///< of which the processor's time is known
-  double gpuMs = 0;  ///< of these
+  int gpuCount = 0;  ///< how many of them have a time measured by the GPU
+  double gpuMs = 0;  ///< sum of those times
 };
 
 /// Whether the current context offers EXT_disjoint_timer_query; in a browser its namesake must have been enabled, too.

@@ -14,7 +14,7 @@ namespace qrelief {
 /// What cleanTriangles() did, with one example of each.
 struct Cleaning {
   std::size_t degenerate = 0;  ///< triangles with collinear corners, dropped or mended
-  std::size_t mended = 0;      ///< of these, how many went into their neighbour by an edge flip
+  std::size_t mended = 0;      ///< how many of these went into their neighbour by an edge flip
   std::size_t duplicates = 0;  ///< dropped triangles that had the same three vertices as another one
   std::optional<Vec3f> degenerateAt, duplicateAt;
   std::vector<std::uint32_t> origin;  ///< for each triangle that stayed, its number before; empty: all stayed

@@ -10,7 +10,7 @@
 
 namespace qrelief {
 
-inline constexpr std::size_t kMaxHoleEdges = 300;  ///< of a hole that is filled; the search grows with the third power
+inline constexpr std::size_t kMaxHoleEdges = 300;  ///< larger holes stay: the search grows with the third power
 
 /// What fillHoles() did and what it left.
 struct HoleFilling {

@@ -40,7 +40,7 @@ struct Repaired {
   Mesh mesh;
   std::vector<std::uint32_t> origin;  ///< for each triangle, the one given that it comes from or lies beside
   Adjacency adjacency;
-  double toleranceMm = 0, maxHoleMm = 0;  ///< that were used
+  double toleranceMm = 0, maxHoleMm = 0;  ///< the values that were used
   Cleaning cleaning;
   NearWelding welding;
   TJunctionSplit split;
@@ -48,7 +48,7 @@ struct Repaired {
   Consistency consistency;
   Outwardness outwardness;
   Untangling untangling;
-  Defects defects;  ///< that are left
+  Defects defects;  ///< what could not be mended
 
   bool closed() const { return defects.openEdges == 0 && defects.nonManifoldEdges == 0 && !consistency.oneSided; }
 };

@@ -10,7 +10,7 @@ namespace qrelief {
 
 /// What splitAtTJunctions() did.
 struct TJunctionSplit {
-  std::size_t vertices = 0;  ///< that lay on an edge of which they were no end
+  std::size_t vertices = 0;  ///< vertices that lay on an edge without being one of its ends
   double largestGapMm = 0;   ///< how far beside it
   Vec3 at{0};
   std::vector<std::uint32_t> origin;  ///< for each triangle, the one it was part of; empty: nothing was split

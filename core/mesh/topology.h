@@ -15,9 +15,9 @@ inline constexpr std::uint32_t kNoTriangle = 0xffffffffu;
 /// The half-edges of a triangle mesh, grouped by the undirected edge they run along. A half-edge is written as
 /// 3·triangle + k: from corner k to corner k+1 mod 3.
 struct EdgeTable {
-  std::vector<std::uint32_t>
-      halfEdges;  ///< edge after edge, ordered by (smaller vertex, larger vertex); ascending in each
-  std::vector<std::uint32_t> begins;  ///< where each edge's half-edges begin, and one end
+  /// Edge after edge, ordered by smaller and then larger vertex; ascending within an edge.
+  std::vector<std::uint32_t> halfEdges;
+  std::vector<std::uint32_t> begins;  ///< index of each edge's first half-edge; the last entry is the end
 
   std::size_t size() const { return begins.size() - 1; }
   std::span<const std::uint32_t> at(std::size_t edge) const {

@@ -8,7 +8,7 @@ namespace qrelief {
 
 /// What became of a mesh's crossing triangles.
 struct Untangling {
-  std::size_t pairs = 0;  ///< that crossed or touched, as findSelfIntersections counts them (not above its limit)
+  std::size_t pairs = 0;  ///< how many crossed or touched, as findSelfIntersections counts them (not above its limit)
   bool atLeast = false;   ///< the count stopped at that limit
   Vec3 at{0};             ///< a corner of the first pair, before anything was moved
   bool mended = false;    ///< no pair is left; otherwise the mesh is as it was

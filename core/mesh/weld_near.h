@@ -12,7 +12,7 @@ namespace qrelief {
 struct NearWelding {
   std::size_t moved = 0;  ///< vertices that became one with another
   double largestMoveMm = 0;
-  Vec3 at{0};  ///< where the first of them was
+  Vec3 at{0};  ///< place of the first vertex that was moved
 };
 
 /// Makes vertices on open edges one if they lie within a tolerance of each other: the nearest first, and the one of the

@@ -140,9 +140,8 @@ class EngraveJob {
     std::shared_ptr<const GeometryPass> pass;
     std::shared_ptr<const LuminancePrograms> programs;
   };
-  /// @returns BadUsage or BadInput for a request that cannot be carried out whatever the geometry; a model with
-  /// blocking
-  ///          findings
+  /// @returns BadUsage or BadInput for a request that cannot be carried out whatever the geometry, or for a model with
+  ///          blocking findings
   static Result<std::unique_ptr<EngraveJob>> create(std::shared_ptr<const EngravableModel> model,
                                                     EngraveRequest request, const Known& known);
   static Result<std::unique_ptr<EngraveJob>> create(std::shared_ptr<const EngravableModel> model,

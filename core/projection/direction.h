@@ -38,7 +38,7 @@ struct DirectionOptions {
 /// What one rendering from one direction said.
 struct DirectionIteration {
   Vec3 normal;                 ///< the direction looked from, unit, towards the reader
-  double varianceMm2 = 0;      ///< of the distance over the texels that meet the model
+  double varianceMm2 = 0;      ///< variance of the distance over the texels that meet the model
   double outsideFraction = 0;  ///< of the texels, 0 … 1
   double worstAngle = 0;       ///< see MapSample
   double measure = 0;          ///< see MapSample

@@ -22,7 +22,7 @@ struct PlacementMapOptions {
 /// Where on a model squares fit, and how large.
 struct PlacementMap {
   Mesh mesh;                   ///< the model, coarser and with its long edges cut
-  std::vector<Vec3f> normals;  ///< of its vertices
+  std::vector<Vec3f> normals;  ///< one for each of its vertices
   /// Edge of the largest square about each vertex that fits at every rotation, as some view sees it, mm; 0 if none
   /// does.
   std::vector<float> sizeMm;

@@ -10,7 +10,7 @@ namespace qrelief {
 
 /// How a square lies on a surface, seen along its frame's normal.
 struct SquareQuality {
-  double varianceMm2 = 0;    ///< of the heights over the QR plane
+  double varianceMm2 = 0;    ///< variance of the heights over the QR plane
   double bendMm = 0;         ///< see bend.h; of the facets' middles
   double worstAngleDeg = 0;  ///< between the surface and the QR plane; a hundredth of the area is steeper
 };

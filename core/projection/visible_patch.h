@@ -21,7 +21,7 @@ struct VisiblePatch {
   /// Outer contour and inner occlusion contours, unordered, as far as they come within `radiusMm` of the centre: any
   /// convex region about the centre within that radius that they do not enter is covered by `triangles` and seen.
   std::vector<Segment2> silhouette;
-  double radiusMm = 0;  ///< what lies farther from the centre on the QR plane has not been looked at
+  double radiusMm = 0;  ///< only what lies within it of the centre on the QR plane has been looked at
   /// Whether a facet that was met is seen in part only; else the patch is the same for every GrowingRegion.
   bool partlyHidden = false;
 };

@@ -33,7 +33,7 @@ struct CodewordLayout {
   BlockStructure structure;
   std::vector<int> codewordOfModule;  ///< row-major; -1: no codeword (function patterns, remainder bits)
   std::vector<int> blockOfCodeword;
-  std::vector<std::uint8_t> isSpoilt;  ///< of each codeword: 1 = it holds a module that was flipped on purpose
+  std::vector<std::uint8_t> isSpoilt;  ///< for each codeword: 1 = it holds a module that was flipped on purpose
 };
 
 /// Cost: O(modules).

@@ -12,7 +12,7 @@ namespace qrelief {
 /// Triangles that lie near one another, and the box around them.
 struct TriangleCluster {
   Box3 box;
-  std::uint32_t begin = 0, end = 0;  ///< of the reordered triangles
+  std::uint32_t begin = 0, end = 0;  ///< its range among the reordered triangles
 };
 
 /// A mesh's triangles in an order in which neighbours in space are neighbours in memory.

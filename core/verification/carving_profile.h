@@ -21,7 +21,7 @@ struct CarvingProfile {
   /// Of each submodule under the surface that the light modules around it suggest, (5·modules)², row-major from the
   /// symbol's top left; 0 in light modules; NaN where the model is missed. Empty if pose is None.
   std::vector<double> depthMm;
-  std::vector<std::uint8_t> carved;  ///< of the same: nearly as deep as the deepest of its module
+  std::vector<std::uint8_t> carved;  ///< for the same submodules: 1 = nearly as deep as the deepest of its module
   /// Where each submodule's middle ray meets the model; triangle kNoTriangle where it misses.
   std::vector<SurfacePoint> points;
 };

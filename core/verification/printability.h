@@ -19,11 +19,11 @@ struct Printer {
 /// What a printer has to make of a carved symbol.
 struct CarvedFeatures {
   double moduleMm = 0;
-  std::optional<ModulePattern> pattern;  ///< of most data modules; none: no known one
+  std::optional<ModulePattern> pattern;  ///< the one that most data modules have; none: no known one
   double pocketMm = 0;                   ///< edge of the largest square that fits into a dark module's pocket: median
   double gapMm = 0;         ///< least material between two pockets, along rows and columns; infinite if there is none
   double meanDepthMm = 0;   ///< over the carved submodules
-  double leastDepthMm = 0;  ///< of a dark module's deepest submodule: 5th percentile
+  double leastDepthMm = 0;  ///< 5th percentile of the depths of the dark modules' deepest submodules
   std::optional<double> wallMm;  ///< least material behind a floor, along the rays, if it is known
 };
 
