@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "messages/sentences.h"
+
 namespace qrelief {
 
 ProgressBar::ProgressBar(bool quiet) : quiet_(quiet), terminal_(::isatty(STDERR_FILENO) != 0) {}
@@ -20,11 +22,11 @@ void ProgressBar::show(const Progress& progress) {
     constexpr int width = 30;
     const int filled = static_cast<int>(std::lround(progress.fraction * width));
     fmt::print(stderr, "\r\033[K{:=<{}}{:-<{}} {:3.0f} % {}", "", filled, "", width - filled, 100 * progress.fraction,
-               progress.stage);
+               sentence(progress.stage));
     std::fflush(stderr);
     drawn_ = true;
   } else if (progress.stage != stage_) {
-    fmt::print(stderr, "{:3.0f} % {}\n", 100 * progress.fraction, progress.stage);
+    fmt::print(stderr, "{:3.0f} % {}\n", 100 * progress.fraction, sentence(progress.stage));
   }
   stage_ = progress.stage;
 }

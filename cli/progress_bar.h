@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <string>
-
 #include "base/progress.h"
 #include "base/result.h"
 
@@ -19,7 +17,7 @@ class ProgressBar {
   bool quiet_;
   bool terminal_;
   bool drawn_ = false;
-  std::string stage_;
+  Message stage_;
 };
 
 /// Runs a job (EngraveJob, PlaceJob) to its end.

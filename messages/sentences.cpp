@@ -25,13 +25,26 @@ const Json& catalogue() {
   return kAll;
 }
 
-/// Three digits, but never fewer than those before the decimal point.
-std::string digits(double value) {
-  return std::abs(value) < 1000 ? fmt::format("{:.3g}", value) : fmt::format("{:.0f}", value);
+/// The page writes numbers by the same rule (web/i18n/messages.js); what nobody writes out has an exponent.
+/// @param significant  digits, but never fewer than those before the decimal point
+std::string digits(double value, int significant = 3) {
+  constexpr double kLeastWrittenOut = 1e-6;
+  constexpr double kMostWrittenOut = 1e15;
+  const double size = std::abs(value);
+  if (size == 0) return "0";
+  if (!(size >= kLeastWrittenOut && size < kMostWrittenOut)) return fmt::format("{:.{}g}", value, significant);
+  const int decimals = std::max(0, significant - 1 - static_cast<int>(std::floor(std::log10(size))));
+  std::string text = fmt::format("{:.{}f}", value, decimals);
+  if (decimals > 0) text.erase(text.find_last_not_of("0") + 1);
+  if (text.ends_with('.')) text.pop_back();
+  return text;
 }
 
 /// As coordinates and unitless numbers of any size are read.
-std::string general(double value) { return fmt::format("{:.6g}", value); }
+std::string general(double value) { return digits(value, 6); }
+
+/// Of a place; less than a millionth is an error of rounding.
+std::string coordinate(double value) { return general(std::abs(value) < 1e-6 ? 0 : value); }
 
 std::string listed(const std::vector<double>& indices) {
   constexpr std::size_t kMostNamed = 6;
@@ -41,7 +54,7 @@ std::string listed(const std::vector<double>& indices) {
   return indices.size() > kMostNamed ? names + ", …" : names;
 }
 
-std::string written(const MessageValue& value) {
+std::string written(const MessageValue& value, const Json& words) {
   using Kind = MessageValue::Kind;
   const std::vector<double>& n = value.numbers;
   switch (value.kind) {
@@ -56,7 +69,7 @@ std::string written(const MessageValue& value) {
     case Kind::Fraction:
       return fmt::format("{:.0f} %", 100 * n[0]);
     case Kind::Place:
-      return fmt::format("({}, {}, {})", general(n[0]), general(n[1]), general(n[2]));
+      return fmt::format("({}, {}, {})", coordinate(n[0]), coordinate(n[1]), coordinate(n[2]));
     case Kind::ExtentMm:
       return fmt::format("{} × {} × {} mm", digits(n[0]), digits(n[1]), digits(n[2]));
     case Kind::Quoted:
@@ -71,7 +84,7 @@ std::string written(const MessageValue& value) {
     case Kind::Cause:
       break;
   }
-  return sentence(value.cause.front());
+  return sentence(value.cause.front(), words);
 }
 
 const MessageValue* find(const Message& message, std::string_view name) {
@@ -82,24 +95,24 @@ const MessageValue* find(const Message& message, std::string_view name) {
 
 /// The text of an entry in which `en` may be a text or one of { one, other }.
 std::string templateOf(const Json& entry, const Message& message) {
-  const Json& words = entry.contains("command") ? entry.at("command") : entry.at("en");
-  if (words.is_string()) return words.get<std::string>();
+  const Json& forms = entry.contains("command") ? entry.at("command") : entry.at("en");
+  if (forms.is_string()) return forms.get<std::string>();
   const MessageValue* count = find(message, "count");
-  return words.at(count && count->numbers[0] == 1 ? "one" : "other").get<std::string>();
+  return forms.at(count && count->numbers[0] == 1 ? "one" : "other").get<std::string>();
 }
 
-/// @param words  with `{name}` for values and `{@key}` for settings
-std::string filled(const std::string& words, const Message& message) {
+/// @param pattern  with `{name}` for values and `{@key}` for settings
+std::string filled(const std::string& pattern, const Message& message, const Json& words) {
   std::string text;
-  for (std::size_t begin = 0; begin < words.size();) {
-    const std::size_t open = std::min(words.find('{', begin), words.size());
-    text.append(words, begin, open - begin);
-    if (open == words.size()) break;
-    const std::size_t close = std::min(words.find('}', open), words.size() - 1);
-    const std::string name = words.substr(open + 1, close - open - 1);
+  for (std::size_t begin = 0; begin < pattern.size();) {
+    const std::size_t open = std::min(pattern.find('{', begin), pattern.size());
+    text.append(pattern, begin, open - begin);
+    if (open == pattern.size()) break;
+    const std::size_t close = std::min(pattern.find('}', open), pattern.size() - 1);
+    const std::string name = pattern.substr(open + 1, close - open - 1);
     const MessageValue* value = find(message, name);
     text += name.starts_with('@') ? flagOf(std::string_view(name).substr(1))
-            : value               ? written(*value)
+            : value               ? written(*value, words)
                                   : "{" + name + "}";
     begin = close + 1;
   }
@@ -108,20 +121,23 @@ std::string filled(const std::string& words, const Message& message) {
 
 }  // namespace
 
-std::string sentence(const Message& message) {
-  const auto entry = catalogue().find(message.code);
-  if (entry != catalogue().end()) return filled(templateOf(*entry, message), message);
+std::string sentence(const Message& message) { return sentence(message, catalogue()); }
+std::string hint(const Message& message) { return hint(message, catalogue()); }
+
+std::string sentence(const Message& message, const Json& words) {
+  const auto entry = words.find(message.code);
+  if (entry != words.end()) return filled(templateOf(*entry, message), message, words);
   std::ostringstream unworded;
   unworded << message;
   return unworded.str();
 }
 
-std::string hint(const Message& message) {
-  const auto entry = catalogue().find(message.code);
-  if (entry != catalogue().end() && entry->contains("hint"))
-    return filled(templateOf(entry->at("hint"), message), message);
+std::string hint(const Message& message, const Json& words) {
+  const auto entry = words.find(message.code);
+  if (entry != words.end() && entry->contains("hint"))
+    return filled(templateOf(entry->at("hint"), message), message, words);
   for (const MessageValue& value : message.values)
-    if (value.kind == MessageValue::Kind::Cause) return hint(value.cause.front());
+    if (value.kind == MessageValue::Kind::Cause) return hint(value.cause.front(), words);
   return {};
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 
@@ -26,6 +27,10 @@ std::string sentence(const Message& message);
 
 /// What would help; empty if nothing is known. Without a hint of its own a message has that of its cause.
 std::string hint(const Message& message);
+
+/// The same in other words, as tests have them. @param words  by code, like the files
+std::string sentence(const Message& message, const nlohmann::json& words);
+std::string hint(const Message& message, const nlohmann::json& words);
 
 /// Both in a line, for programs that only report: "The text is empty (Give the text or link to be engraved)".
 std::string sentenceAndHint(const Message& message);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Ties the panels, the view, the parts of the session and the engine together.
 import { EngineClient } from './engine/client.js';
-import { EngineFailure, describeThrown } from './engine/engine_error.js';
+import { EngineFailure, describeThrown, internal } from './engine/engine_error.js';
+import { message } from './engine/message.js';
 import { holdsSecret } from './contents/secrets.js';
 import { Continuing } from './storage/continuing.js';
 import { Database } from './storage/database.js';
@@ -327,7 +328,7 @@ export class App {
     try {
       const [{ problems }, samples] = await Promise.all([this.client_.start(), fetchJson('samples/manifest.json')]);
       if (problems.length > 0) {
-        throw new EngineFailure({ code: 'NoGraphics', message: problems.join('; '), hint: text('page.graphicsHint') });
+        throw new EngineFailure(internal(message('no-graphics', { why: { cause: problems[0] } })));
       }
       this.model_.setSamples(samples);
     } catch (thrown) {

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <string_view>
-
+#include "base/message.h"
 #include "base/result.h"
 
 namespace qrelief {
 
-/// How far a job has come. `stage` is a static, human-readable name ("Finding the depth").
+/// How far a job has come.
 struct Progress {
-  std::string_view stage;
+  Message stage;  ///< what is done now, "finding-depth"
   double fraction = 0;  ///< of the whole job, 0 … 1, never falls
   bool done = false;
 };

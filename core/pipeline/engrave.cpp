@@ -128,26 +128,26 @@ struct EngraveJob::State {
 };
 
 Progress EngraveJob::State::progress() {
-  const auto [name, share] = [&]() -> std::pair<std::string_view, double> {
+  auto [doing, share] = [&]() -> std::pair<Message, double> {
     switch (stage) {
       case Stage::Placing:
-        return {"Finding direction and size", 0.05};
+        return {message("finding-direction-and-size"), 0.05};
       case Stage::Mapping:
-        return {"Measuring the surface", 0.15};
+        return {message("measuring-surface"), 0.15};
       case Stage::Searching:
-        return {"Finding the depth", 0.25 + 0.45 * search->doneFraction()};
+        return {message("finding-depth"), 0.25 + 0.45 * search->doneFraction()};
       case Stage::Embedding:
-        return {"Carving the mesh", 0.7};
+        return {message("carving-mesh"), 0.7};
       case Stage::Checking:
-        return {"Checking the solid", 0.8};
+        return {message("checking-solid"), 0.8};
       case Stage::Viewing:
       case Stage::Done:
         break;
     }
-    return {"Looking at the result", stage == Stage::Done ? 1 : 0.9};
+    return {message("looking-at-result"), stage == Stage::Done ? 1 : 0.9};
   }();
   fraction = std::max(fraction, share);
-  return {name, fraction, stage == Stage::Done};
+  return {std::move(doing), fraction, stage == Stage::Done};
 }
 
 Status EngraveJob::State::place() {

@@ -304,18 +304,18 @@ Result<Progress> PlaceJob::advance() {
   switch (s.stage) {
     case State::Stage::Mapping:
       s.drawViews();
-      return Progress{"Looking from all sides", kMapShare * (s.mapping ? s.mapping->doneFraction() : 1), false};
+      return Progress{message("looking-from-all-sides"), kMapShare * (s.mapping ? s.mapping->doneFraction() : 1), false};
     case State::Stage::Testing:
       if (const Status tested = s.testOnce(); !tested) return tl::unexpected(tested.error());
-      if (s.stage == State::Stage::Done) return Progress{"Testing spots", 1, true};
+      if (s.stage == State::Stage::Done) return Progress{message("testing-spots"), 1, true};
       s.fraction = std::max(s.fraction, kMapShare + (1 - kMapShare) * std::min(1.0, s.testedShare()));
-      return Progress{"Testing spots", s.fraction, false};
+      return Progress{message("testing-spots"), s.fraction, false};
     case State::Stage::FindingLargest:
       if (s.mapping)
         s.drawViews();
       else if (const Status tested = s.testOnce(); !tested)
         return tl::unexpected(tested.error());
-      return Progress{"Finding the largest size", 1, false};
+      return Progress{message("finding-largest-size"), 1, false};
     case State::Stage::Done:
       break;
   }

@@ -265,26 +265,26 @@ Result<std::unique_ptr<VerifyJob>> VerifyJob::create(Mesh mesh, VerifyRequest re
 Result<Progress> VerifyJob::advance() {
   using Stage = State::Stage;
   State& s = *state_;
-  std::string_view name;
+  Message doing;
   switch (s.stage) {
     case Stage::Solid: {
-      name = "Checking the solid";
+      doing = message("checking-solid");
       if (const Status checked = s.checkSolid(); !checked) return tl::unexpected(checked.error());
       s.fraction = 0.1;
       break;
     }
     case Stage::Shape:
-      name = "Measuring the carving";
+      doing = message("measuring-carving");
       s.measureShape();
       s.fraction = 0.15;
       break;
     case Stage::Light:
-      name = "Tracing the light";
+      doing = message("tracing-light");
       s.bake();
       s.fraction = 0.15 + 0.35 * std::min(1.0, static_cast<double>(s.bakedRows) / s.light->options().texels);
       break;
     case Stage::Reading:
-      name = "Reading pictures";
+      doing = message("reading-pictures");
       s.read();
       s.fraction = 0.5 + 0.5 * s.sweep->doneFraction();
       break;
@@ -292,7 +292,7 @@ Result<Progress> VerifyJob::advance() {
       assert(false && "advance() after done");
       break;
   }
-  return Progress{name, s.fraction, s.stage == Stage::Done};
+  return Progress{std::move(doing), s.fraction, s.stage == Stage::Done};
 }
 
 VerifyResult VerifyJob::takeResult() {

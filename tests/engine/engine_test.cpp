@@ -184,7 +184,7 @@ TEST_F(EngineTest, APreparedEngravingHasLessToDoAndGivesTheSame) {
   engine_->setCentre(0, 0, 10);
   EXPECT_EQ(prepare(), 1) << "not placed yet";
   engine_->placement();
-  EXPECT_EQ(start(), "Measuring the surface");
+  EXPECT_EQ(start(), "measuring-surface");
   EXPECT_EQ(prepare(), 1) << "one is running";
   const auto carved = finish();
   ASSERT_FALSE(carved.empty());
@@ -192,7 +192,7 @@ TEST_F(EngineTest, APreparedEngravingHasLessToDoAndGivesTheSame) {
   EXPECT_GT(prepare(), 1);
   EXPECT_EQ(prepare(), 1) << "done already";
   EXPECT_EQ(engine_->exportModel("stl"), carved) << "what was carved is still there";
-  EXPECT_EQ(start(), "Finding the depth");
+  EXPECT_EQ(start(), "finding-depth");
   EXPECT_EQ(finish(), carved);
   EXPECT_GT(Json::parse(engine_->report())["timingsMs"]["surface"].get<double>(), 0);
 
@@ -201,7 +201,7 @@ TEST_F(EngineTest, APreparedEngravingHasLessToDoAndGivesTheSame) {
   deeper["contrast"] = 0.4;
   engine_->configure(deeper.dump());
   engine_->placement();
-  EXPECT_EQ(start(), "Measuring the surface") << "what was prepared is another engraving";
+  EXPECT_EQ(start(), "measuring-surface") << "what was prepared is another engraving";
   EXPECT_NE(finish(), carved);
 }
 

@@ -286,7 +286,7 @@ TEST_F(EngraveTest, ProgressNeverFallsAndEndsAtOne) {
     const auto progress = (*job)->advance();
     ASSERT_TRUE(progress.has_value()) << progress.error().message;
     EXPECT_GE(progress->fraction, last);
-    EXPECT_FALSE(progress->stage.empty());
+    EXPECT_FALSE(progress->stage.code.empty());
     last = progress->fraction;
     if (progress->done) break;
   }

@@ -157,7 +157,7 @@ TEST_F(PlaceTest, ProgressNeverFallsAndTheMapIsThereBeforeTheSpots) {
     ASSERT_TRUE(progress.has_value());
     EXPECT_GE(progress->fraction, before);
     before = progress->fraction;
-    if (progress->stage == "Testing spots") {
+    if (progress->stage.code == "testing-spots") {
       const std::vector<float>& sizes = (*job)->map().sizeMm;
       EXPECT_GT(*std::max_element(sizes.begin(), sizes.end()), 20);
     }

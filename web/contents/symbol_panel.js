@@ -4,10 +4,10 @@
 import { isReplaced } from '../engine/client.js';
 import { describeThrown, isFatal } from '../engine/engine_error.js';
 import { onLanguage, text } from '../i18n/catalogue.js';
+import { hintOf, sentenceOf } from '../i18n/messages.js';
 import { byId, make } from '../ui/dom.js';
 import { formatMm, formatNumber, formatPlain } from '../ui/format.js';
 import { asSentence } from '../ui/messages.js';
-import { SettingProblem } from '../ui/settings_form.js';
 import { adviseText, isWebAddress, shorterForms } from './payloads/link.js';
 import { tooSmall } from './module_size.js';
 import { drawSymbol } from './symbol_drawing.js';
@@ -25,7 +25,7 @@ const kLargestVersion = 40;
 
 /**
  * @typedef {object} SymbolOptions
- * @property {(content: string) => Settings} settings   those chosen, with this text; throws a SettingProblem
+ * @property {(content: string) => Settings} settings   those chosen, with this text; throws an EngineFailure
  * @property {(settings: Settings) => Promise<SymbolFacts>} symbolOf
  * @property {() => Form[]} otherForms                  of the builder
  * @property {(content: string) => void} onReplace      another text was chosen
@@ -84,8 +84,8 @@ export class SymbolPanel {
     } catch (thrown) {
       if (!isNewest() || isReplaced(thrown) || isFatal(thrown)) return;  // a new module is asked anew
       this.shown_ = undefined;
-      const { message, hint } = thrown instanceof SettingProblem ? { message: thrown.message, hint: '' } : describeThrown(thrown);
-      this.problem_ = [message, hint].filter(Boolean).map(asSentence).join(' ');
+      const error = describeThrown(thrown);
+      this.problem_ = [sentenceOf(error), hintOf(error)].filter(Boolean).map(asSentence).join(' ');
       this.render_();
     }
   }

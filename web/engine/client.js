@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The page's only way to the module: one promise per verb, whether a worker does the work or the page itself.
-import { EngineFailure, crash, describeThrown, hung } from './engine_error.js';
+import { EngineFailure, crash, describeThrown, hung, internal } from './engine_error.js';
+import { message } from './message.js';
 
 /** @typedef {import('./types.js').HostEvent} HostEvent */
 /** @typedef {import('./types.js').EngraveProgress} EngraveProgress */
@@ -26,9 +27,9 @@ const kLoadBytesPerMs = 100;     // one that reads a file may take this much lon
  */
 
 /** Whether the reason of a rejection is that the worker was replaced, which is no fault to show. */
-export const isReplaced = (/** @type {unknown} */ thrown) => thrown instanceof EngineFailure && thrown.code === 'Replaced';
+export const isReplaced = (/** @type {unknown} */ thrown) => thrown instanceof EngineFailure && thrown.code === 'engine-replaced';
 
-const kReplaced = { code: 'Replaced', message: 'The work was stopped', hint: '' };
+const kReplaced = internal(message('engine-replaced'));
 
 export class EngineClient {
   /**
@@ -49,13 +50,7 @@ export class EngineClient {
 
   /** @returns {Promise<import('./types.js').Capabilities>} */
   async start() {
-    if (typeof WebAssembly !== 'object') {
-      throw new EngineFailure({
-        code: 'NoWebAssembly',
-        message: 'This browser does not run WebAssembly, which QRelief is made of',
-        hint: 'Use a current Firefox, Chrome, Edge or Safari; some “lockdown” modes switch it off.',
-      });
-    }
+    if (typeof WebAssembly !== 'object') throw new EngineFailure(internal(message('no-webassembly')));
     this.backend_ = await this.startBackend_();
     return this.call_('capabilities');
   }
@@ -266,7 +261,7 @@ export class EngineClient {
         return backend;
       } catch (thrown) {
         backend.end();
-        if (!(thrown instanceof EngineFailure && thrown.code === 'NoWebGL2')) throw thrown;
+        if (!(thrown instanceof EngineFailure && thrown.code === 'no-webgl2')) throw thrown;
         // Some browsers have OffscreenCanvas, but no WebGL on it: the page can still do the work.
       }
     }

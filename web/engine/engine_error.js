@@ -1,22 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+import { message } from './message.js';
 
 /** @typedef {import('./types.js').EngineError} EngineErrorValue */
 
-/** Something that could not be done, in words for the user. It crosses the worker's boundary as a plain value. */
+/** Something that could not be done: a message, and its kind. It crosses the worker's boundary as a plain value. */
 export class EngineFailure extends Error {
   /** @param {EngineErrorValue} value */
-  constructor(value) {
-    super(value.message);
+  constructor({ kind, code, values }) {
+    super(code);
     this.name = 'EngineFailure';
-    this.code = value.code;
-    this.hint = value.hint;
+    this.kind = kind;
+    this.code = code;
+    this.values = values;
   }
 
   /** @returns {EngineErrorValue} */
   get value() {
-    return { code: this.code, message: this.message, hint: this.hint };
+    const { kind, code, values } = this;
+    return { kind, code, values };
   }
 }
+
+/** A fault of ours, or of the browser. @param {import('./message.js').Message} said @returns {EngineErrorValue} */
+export const internal = (said) => ({ kind: 'Internal', ...said });
 
 /**
  * Any thrown thing as an error that can be shown.
@@ -25,52 +31,22 @@ export class EngineFailure extends Error {
  */
 export function describeThrown(thrown) {
   if (thrown instanceof EngineFailure) return thrown.value;
-  if (isOutOfMemory(thrown)) {
-    return {
-      code: 'OutOfMemory',
-      message: 'This browser gave no more memory for the work',
-      hint: 'Close other tabs, or use a model with fewer triangles.',
-    };
-  }
+  if (isOutOfMemory(thrown)) return internal(message('out-of-memory'));
   const detail = thrown instanceof Error ? thrown.message : String(thrown);
   if (thrown instanceof WebAssembly.RuntimeError) return crash(detail);
-  return {
-    code: 'Internal',
-    message: `Something went wrong inside QRelief: ${detail}`,
-    hint: 'The model and the settings are kept: try again, or reload the page.',
-  };
+  return internal(message('internal-fault', { detail: { term: detail } }));
 }
 
-/**
- * The module is beyond use and has to be replaced.
- * @param {string} detail
- * @returns {EngineErrorValue}
- */
-export function crash(detail) {
-  return {
-    code: 'Crashed',
-    message: `The engraving module stopped (${detail})`,
-    hint: 'It is started again with your model and settings. If this repeats, use a model with fewer triangles.',
-  };
-}
+/** The module is beyond use and has to be replaced. @param {string} detail */
+export const crash = (detail) => internal(message('engine-crashed', { detail: { term: detail } }));
 
-/**
- * The module gives no sign of life.
- * @param {number} silenceMs
- * @returns {EngineErrorValue}
- */
-export function hung(silenceMs) {
-  return {
-    code: 'Hung',
-    message: `The engraving module has not answered for ${Math.round(silenceMs / 1000)} seconds`,
-    hint: 'It is started again with your model and settings. If this repeats, use a model with fewer triangles.',
-  };
-}
+/** The module gives no sign of life. @param {number} silenceMs */
+export const hung = (silenceMs) => internal(message('engine-hung', { count: { count: Math.round(silenceMs / 1000) } }));
 
 /** Whether the module must not be called any more. @param {unknown} thrown */
-export const isFatal = (thrown) => thrown instanceof EngineFailure && (thrown.code === 'Crashed' || thrown.code === 'OutOfMemory');
+export const isFatal = (thrown) => thrown instanceof EngineFailure && (thrown.code === 'engine-crashed' || thrown.code === 'out-of-memory');
 
-/** @param {unknown} thrown */
+/** Browsers and Emscripten say it in words only. @param {unknown} thrown */
 function isOutOfMemory(thrown) {
   return thrown instanceof Error && /out of memory|cannot enlarge memory|allocation failed|bad_alloc|OOM/i.test(thrown.message);
 }

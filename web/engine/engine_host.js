@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Owns the module and its canvas, in the worker or, where there is no OffscreenCanvas, in the page.
-import { EngineFailure, describeThrown } from './engine_error.js';
+import { EngineFailure, describeThrown, internal } from './engine_error.js';
 import { drawGlyphs } from './glyphs.js';
+import { message } from './message.js';
 import { loadModule } from './module.js';
 
 /** @typedef {import('./types.js').Engine} Engine */
@@ -93,13 +94,7 @@ export class EngineHost {
    */
   static async create(canvas, notify) {
     const gl = /** @type {WebGL2RenderingContext | null} */ (canvas.getContext('webgl2', kContextAttributes));
-    if (!gl) {
-      throw new EngineFailure({
-        code: 'NoWebGL2',
-        message: 'This browser offers no WebGL 2, which QRelief needs to draw the model and to find the depth',
-        hint: 'Use a current Firefox, Chrome, Edge or Safari, and switch on hardware acceleration in its settings.',
-      });
-    }
+    if (!gl) throw new EngineFailure(internal(message('no-webgl2')));
     gl.getExtension('EXT_color_buffer_float');
     const { module, loadInspector } = await loadModule();
     module.GL.makeContextCurrent(module.GL.registerContext(gl, { majorVersion: 2 }));
@@ -220,11 +215,7 @@ export class EngineHost {
     exportModel: (format) => {
       const bytes = this.engine_.exportModel(format);
       if (bytes.length > 0) return bytes.slice();
-      throw new EngineFailure({
-        code: 'Internal',
-        message: `The model could not be written as ${format.toUpperCase()}`,
-        hint: 'Choose another format.',
-      });
+      throw new EngineFailure(internal(message('model-not-written', { format: { term: format.toUpperCase() } })));
     },
 
     picture: () => this.picture_(),
@@ -324,7 +315,7 @@ export class EngineHost {
    * @param {Job} job
    */
   async runJob_(job) {
-    if (this.job_) throw new EngineFailure({ code: 'Busy', message: 'Another job is already running', hint: '' });
+    if (this.job_) throw new EngineFailure(internal(message('engine-busy')));
     this.job_ = job;
     try {
       const { stage, fraction } = parseAnswer(job.start());
@@ -451,9 +442,7 @@ const copyOf = ({ width, height, pixels }) => ({ width, height, pixels: pixels.s
 function canvasAsPng(canvas) {
   if (!('toBlob' in canvas)) return canvas.convertToBlob({ type: 'image/png' });
   return new Promise((resolve, reject) => {
-    canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new EngineFailure({
-      code: 'NoPicture', message: 'The browser gave no picture of the view', hint: 'Make the window smaller, or close other tabs.',
-    }))), 'image/png');
+    canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new EngineFailure(internal(message('no-picture'))))), 'image/png');
   });
 }
 

@@ -4,7 +4,8 @@
 import inspectorUrl from 'qrelief-inspector-wasm';
 import createQRelief from 'qrelief-module';
 import wasmUrl from 'qrelief-wasm';
-import { EngineFailure } from './engine_error.js';
+import { EngineFailure, internal } from './engine_error.js';
+import { message } from './message.js';
 
 /** @typedef {import('./types.js').QReliefModule} QReliefModule */
 
@@ -58,21 +59,13 @@ export async function loadModule() {
       await second;
     } catch (thrown) {
       second = undefined;  // the network may be back the next time
-      throw new EngineFailure({
-        code: 'NoInspector',
-        message: `The inspector could not be loaded (${detailOf(thrown)})`,
-        hint: 'It is loaded when it is first opened: check the connection, and press Inspector again.',
-      });
+      throw new EngineFailure(internal(message('inspector-not-loaded', { detail: { term: detailOf(thrown) } })));
     }
   }
 
   try {
     return { module: await start(), loadInspector };
   } catch (thrown) {
-    throw new EngineFailure({
-      code: 'NoModule',
-      message: `The engraving module could not be started (${detailOf(thrown)})`,
-      hint: 'Reload the page. If that does not help, the browser is too old for WebAssembly with exceptions: use a current one.',
-    });
+    throw new EngineFailure(internal(message('engine-not-started', { detail: { term: detailOf(thrown) } })));
   }
 }

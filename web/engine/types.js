@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Types of what crosses the boundary between the page and the module. No code.
 
-/** @typedef {{ code: string, message: string, hint: string }} EngineError */
-/** @typedef {{ severity: 'note' | 'warning' | 'blocking', code: string, count: number, message: string, hint: string }}
- *   Finding */
+/** @typedef {import('./message.js').Message} Message */
+/** @typedef {Message & { kind: 'BadUsage' | 'BadInput' | 'NoSolution' | 'Internal' }} EngineError */
+/** @typedef {Message & { severity: 'note' | 'warning' | 'blocking' }} Finding */
 
 /**
  * @typedef {{ format: string, scaleToMm: number, triangles: number, vertices: number,
@@ -73,8 +73,8 @@
  */
 
 /** @typedef {{ hit: boolean, centre?: [number, number, number] }} PickResult */
-/** @typedef {{ renderer: string, version: string, problems: string[] }} Capabilities */
-/** @typedef {{ stage: string, fraction: number }} EngraveProgress */
+/** @typedef {{ renderer: string, version: string, problems: Message[] }} Capabilities */
+/** @typedef {{ stage: Message, fraction: number }} EngraveProgress */
 /** @typedef {{ usedBytes: number, heapBytes: number, glObjects: number }} MemoryUse  of the module; its heap never shrinks */
 /** @typedef {{ width: number, height: number, pixels: Uint8Array }} GreyImage */
 /** @typedef {'surface' | 'luminance' | 'depths'} JobMapName */
@@ -96,13 +96,13 @@
  * @property {{ symbolMm: number, moduleMm: number, guaranteedMm: number }} size
  * @property {{ meanMm: number, maxMm: number, iterations: number, limitedSubmodules: number, features: CarvedFeatures }} depth
  * @property {{ triangles: number, closed: boolean, manifold: boolean, selfIntersections: number, volumeMm3: number }} mesh
- * @property {{ decoded: boolean, printability: { problem: string, hint: string }[], iso15415: Grades, iso29158: Grades }} verification
+ * @property {{ decoded: boolean, printability: Message[], iso15415: Grades, iso29158: Grades }} verification
  * @property {{ eyeDistanceMm: number }} projection
  * @property {{ total: number } & Record<string, number>} timingsMs
  */
 
 /**
- * How the module answers a verb: its value, or what went wrong in words.
+ * How the module answers a verb: its value, or what went wrong.
  * @typedef {{ ok: false, error: EngineError }} Failure
  */
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Settings as a file: all that decides what is carved, and on which model, but for the model itself.
 import { EngineFailure } from '../engine/engine_error.js';
-import { text as words } from '../i18n/catalogue.js';
+import { message } from '../engine/message.js';
 
 /** @typedef {import('../engine/types.js').Settings} Settings */
 /** @typedef {import('../engine/types.js').UpAxis} UpAxis */
@@ -59,9 +59,9 @@ export const writeSettingsFile = ({ settings, model }) =>
  */
 export const looksLikeSettings = ({ name, type }) => /\.json$/i.test(name) || type === 'application/json';
 
-/** @param {import('../i18n/catalogue.js').Key} key @param {Record<string, string | number>} [values] @returns {never} */
-function refuse(key, values) {
-  throw new EngineFailure({ code: 'BadInput', message: words(key, values), hint: words('take.settingsHint') });
+/** @param {import('../engine/message.js').Message} why @returns {never} */
+function refuse(why) {
+  throw new EngineFailure({ kind: 'BadInput', ...message('settings-file-refused', { why: { cause: why } }) });
 }
 
 /** Short enough for a message. @param {unknown} value */
@@ -81,22 +81,22 @@ const isPoint = (value) => Array.isArray(value) && value.length === 3 && value.e
 
 /** @param {string} name @param {unknown} value @param {readonly [number, number]} range */
 function checkNumber(name, value, [from, to]) {
-  if (!isNumber(value) || value < from || value > to) refuse('take.wrongNumber', { name, from, to, value: shown(value) });
+  if (!isNumber(value) || value < from || value > to) refuse(message('settings-wrong-number', { name: { term: name }, from: { number: from }, to: { number: to }, value: { term: shown(value) } }));
 }
 
 /** @param {string} name @param {unknown} value @param {readonly string[]} choices */
 function checkChoice(name, value, choices) {
-  if (!choices.includes(/** @type {string} */ (value))) refuse('take.wrongChoice', { name, choices: choices.join(', '), value: shown(value) });
+  if (!choices.includes(/** @type {string} */ (value))) refuse(message('settings-wrong-choice', { name: { term: name }, choices: { term: choices.join(', ') }, value: { term: shown(value) } }));
 }
 
 /** @param {Record<string, unknown>} settings */
 function checkSettings(settings) {
   const unknown = Object.keys(settings).find((name) => !kSettings.includes(name));
-  if (unknown !== undefined) refuse('take.unknownSetting', { name: shown(unknown) });
+  if (unknown !== undefined) refuse(message('settings-unknown', { name: { term: shown(unknown) } }));
   const missing = kSettings.find((name) => settings[name] === undefined && !kMayBeMissing.includes(name));
-  if (missing) refuse('take.missingSetting', { name: missing });
-  if (typeof settings.text !== 'string') refuse('take.wrongText', { value: shown(settings.text) });
-  if (typeof settings.quietZone !== 'boolean') refuse('take.wrongFlag', { name: 'quietZone', value: shown(settings.quietZone) });
+  if (missing) refuse(message('settings-missing', { name: { term: missing } }));
+  if (typeof settings.text !== 'string') refuse(message('settings-wrong-text', { value: { term: shown(settings.text) } }));
+  if (typeof settings.quietZone !== 'boolean') refuse(message('settings-wrong-switch', { name: { term: 'quietZone' }, value: { term: shown(settings.quietZone) } }));
   if (isNumber(settings.size)) checkNumber('size', settings.size, kRanges.maxSizeMm);
   else checkChoice('size', settings.size, kSizes);
   for (const [name, choices] of Object.entries(kChoices)) if (settings[name] !== undefined) checkChoice(name, settings[name], choices);
@@ -105,12 +105,12 @@ function checkSettings(settings) {
 
 /** @param {unknown} model @returns {ModelChoice} */
 function checkModel(model) {
-  if (!isObject(model)) refuse('take.wrongModel', { value: shown(model) });
+  if (!isObject(model)) refuse(message('settings-wrong-model', { value: { term: shown(model) } }));
   const { file, sample, scaleToMm, upAxis, centreMm } = model;
-  if (typeof file !== 'string' || (sample !== undefined && typeof sample !== 'string')) refuse('take.wrongModel', { value: shown(file) });
+  if (typeof file !== 'string' || (sample !== undefined && typeof sample !== 'string')) refuse(message('settings-wrong-model', { value: { term: shown(file) } }));
   checkNumber('scaleToMm', scaleToMm, [1e-6, 1e6]);
   checkChoice('upAxis', upAxis, ['y', 'z']);
-  if (centreMm !== undefined && !isPoint(centreMm)) refuse('take.wrongCentre', { value: shown(centreMm) });
+  if (centreMm !== undefined && !isPoint(centreMm)) refuse(message('settings-wrong-centre', { value: { term: shown(centreMm) } }));
   return /** @type {ModelChoice} */ ({ file, scaleToMm, upAxis, ...(sample === undefined ? {} : { sample }), ...(centreMm ? { centreMm } : {}) });
 }
 
@@ -119,7 +119,7 @@ function parse(json, name) {
   try {
     return JSON.parse(json);
   } catch {
-    return refuse('take.noJson', { file: name });
+    return refuse(message('settings-no-json', { file: { quoted: name } }));
   }
 }
 
@@ -130,12 +130,12 @@ function parse(json, name) {
  * @throws {EngineFailure} saying what is wrong with which setting; then nothing of the file may be used
  */
 export function readSettingsFile(json, name) {
-  if (json.length > kMostBytes) refuse('take.noSettings', { file: name });
+  if (json.length > kMostBytes) refuse(message('settings-absent', { file: { quoted: name } }));
   const content = parse(json.replace(/^\ufeff/, ''), name);
-  if (isObject(content) && typeof content.qrelief === 'string') refuse('take.report', { file: name });
-  if (!isObject(content) || content.kind !== kKind) refuse('take.noSettings', { file: name });
-  if (content.version !== kVersion) refuse('take.otherVersion', { file: name, version: shown(content.version), known: kVersion });
-  if (!isObject(content.settings)) refuse('take.missingSetting', { name: 'settings' });
+  if (isObject(content) && typeof content.qrelief === 'string') refuse(message('settings-are-report', { file: { quoted: name } }));
+  if (!isObject(content) || content.kind !== kKind) refuse(message('settings-absent', { file: { quoted: name } }));
+  if (content.version !== kVersion) refuse(message('settings-other-version', { file: { quoted: name }, version: { term: shown(content.version) }, known: { count: kVersion } }));
+  if (!isObject(content.settings)) refuse(message('settings-missing', { name: { term: 'settings' } }));
   checkSettings(content.settings);
   const settings = /** @type {Settings} */ (/** @type {unknown} */ (content.settings));
   return content.model === undefined ? { settings } : { settings, model: checkModel(content.model) };

@@ -2,6 +2,8 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
+import { EngineFailure } from '../engine/engine_error.js';
+import { hintOf, sentenceOf } from '../i18n/messages.js';
 import { kRanges, looksLikeSettings, readSettingsFile, writeSettingsFile } from './settings_file.js';
 
 /** @type {import('../engine/types.js').Settings} */
@@ -27,6 +29,10 @@ test('what is written is read again, with and without a model', () => {
   }
 });
 
+/** @param {RegExp} found */
+const refusedWith = (found) => (/** @type {unknown} */ thrown) =>
+  thrown instanceof EngineFailure && thrown.kind === 'BadInput' && found.test(sentenceOf(thrown)) && hintOf(thrown) !== '';
+
 test('another file is refused, and said what it is', () => {
   const refused = [
     ['', /x\.json” is no JSON file/], ['solid bunny', /no JSON/], ['[]', /no settings of QRelief/], ['null', /no settings/],
@@ -35,7 +41,7 @@ test('another file is refused, and said what it is', () => {
     [changed({ settings: [] }), /settings is missing/], [`"${'x'.repeat(2 ** 20)}"`, /no settings/],
   ];
   for (const [json, message] of refused) {
-    assert.throws(() => readSettingsFile(/** @type {string} */ (json), 'x.json'), { name: 'EngineFailure', code: 'BadInput', message });
+    assert.throws(() => readSettingsFile(/** @type {string} */ (json), 'x.json'), refusedWith(/** @type {RegExp} */ (message)));
   }
 });
 
@@ -43,13 +49,13 @@ test('every wrong setting is named with its value', () => {
   const wrong = [
     [{ text: 5 }, /setting text must be a text, not 5/], [{ quietZone: 1 }, /quietZone must be true or false, not 1/],
     [{ preset: 'deep' }, /preset must be one of shallow, balanced, robust, not "deep"/], [{ size: 'huge' }, /size must be one of free, oriented, best/],
-    [{ size: 4 }, /size must be a number from 5 to 1,000, not 4/], [{ rotateDeg: '0' }, /rotateDeg must be a number/], [{ ecc: null }, /ecc must be one of/],
+    [{ size: 4 }, /size must be a number from 5 to 1000, not 4/], [{ rotateDeg: '0' }, /rotateDeg must be a number/], [{ ecc: null }, /ecc must be one of/],
     [{ nozzleMm: null }, /nozzleMm must be a number/], [{ contrast: 1 }, /contrast must be a number from 0.05 to 0.9, not 1/],
     [{ pattern: undefined }, /pattern is missing/], [{ colour: 'red' }, /no setting "colour"/], [{ ['__proto__x']: 1 }, /no setting/],
     [{ pattern: ['square'] }, /pattern must be one of/], [{ preset: `${'x'.repeat(1000)}` }, /not "x{38}…/],
   ];
   for (const [change, message] of wrong) {
-    assert.throws(() => readSettingsFile(withSettings(/** @type {any} */ (change)), 'x.json'), { message: /** @type {RegExp} */ (message) });
+    assert.throws(() => readSettingsFile(withSettings(/** @type {any} */ (change)), 'x.json'), refusedWith(/** @type {RegExp} */ (message)));
   }
 });
 
@@ -60,7 +66,7 @@ test('every wrong property of the model is named', () => {
     [{ ...kModel, centreMm: [1, 2, null] }, /three numbers/],
   ];
   for (const [model, message] of wrong) {
-    assert.throws(() => readSettingsFile(changed({ model }), 'x.json'), { message: /** @type {RegExp} */ (message) });
+    assert.throws(() => readSettingsFile(changed({ model }), 'x.json'), refusedWith(/** @type {RegExp} */ (message)));
   }
 });
 

@@ -3,8 +3,6 @@
 import { recall, remember } from '../storage/remembered.js';
 import { check } from './parts/check.js';
 import { code } from './parts/code.js';
-import { core } from './parts/core.js';
-import { findings } from './parts/findings.js';
 import { help } from './parts/help.js';
 import { guide } from './parts/guide.js';
 import { inspector } from './parts/inspector.js';
@@ -13,14 +11,13 @@ import { method } from './parts/method.js';
 import { page } from './parts/page.js';
 import { samples } from './parts/samples.js';
 import { settings } from './parts/settings.js';
-import { stages } from './parts/stages.js';
 import { take } from './parts/take.js';
 import { view } from './parts/view.js';
 
 /** @typedef {'en' | 'de'} Language */
 /** @typedef {string | { one: string, other: string }} Entry  chosen by the value `count`; `{name}` stands for a value */
 
-const kParts = { check, code, core, findings, guide, help, inspector, keep, method, page, samples, settings, stages, take, view };
+const kParts = { check, code, guide, help, inspector, keep, method, page, samples, settings, take, view };
 
 /** @typedef {{ [P in keyof typeof kParts]: `${P}.${string & keyof (typeof kParts)[P]['en']}` }[keyof typeof kParts]} Key */
 

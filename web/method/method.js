@@ -8,7 +8,7 @@ import { readAll } from '../decoder/reader.js';
 import { fetchBytes, fetchJson } from '../session/fetch_file.js';
 import { currentLanguage, text } from '../i18n/catalogue.js';
 import { write } from '../i18n/live.js';
-import { stageText } from '../i18n/stages.js';
+import { hintOf, sentenceOf } from '../i18n/messages.js';
 import { byId, make } from '../ui/dom.js';
 import { View } from '../view/view.js';
 import { paintDepths, paintHeights, paintLight, paintNormals } from './colours.js';
@@ -82,7 +82,7 @@ class Demonstration {
       const before = await this.place_();
       await this.client_.engrave({
         signal: new AbortController().signal,
-        onProgress: ({ stage }) => say(() => text('method.working', { stage: stageText(stage) })),
+        onProgress: ({ stage }) => say(() => text('method.working', { stage: sentenceOf(stage) })),
       });
       await this.showMaps_();
       await this.showCarved_(true);
@@ -97,8 +97,8 @@ class Demonstration {
   }
 
   /** @param {import('../engine/types.js').EngineError} error */
-  fail_({ message, hint }) {
-    say(() => text('method.failed', { reason: [message, hint].filter(Boolean).join('. ') }));
+  fail_(error) {
+    say(() => text('method.failed', { reason: [sentenceOf(error), hintOf(error)].filter(Boolean).join('. ') }));
   }
 
   /** @returns {Promise<number>}  triangles of the model */

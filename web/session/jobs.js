@@ -2,7 +2,7 @@
 // Long work, one at a time, with its progress and a way to stop it.
 import { isReplaced } from '../engine/client.js';
 import { text } from '../i18n/catalogue.js';
-import { stageText } from '../i18n/stages.js';
+import { sentenceOf } from '../i18n/messages.js';
 
 /** @typedef {import('../i18n/live.js').Words} Words */
 
@@ -57,8 +57,8 @@ export class Jobs {
 
   /** @param {import('../engine/types.js').EngraveProgress} progress */
   showProgress({ stage, fraction }) {
-    this.panel_.update(fraction, stageText(stage));
-    this.messages_.say(() => text('page.working', { stage: stageText(stage) }));
+    this.panel_.update(fraction, sentenceOf(stage));
+    this.messages_.say(() => text('page.working', { stage: sentenceOf(stage) }));
   }
 
   /** For the user, who is told. */

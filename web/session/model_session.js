@@ -63,7 +63,7 @@ export class ModelSession {
     const sample = this.samples_.find((known) => known.id === id);
     if (!sample) {
       const names = this.samples_.map((known) => known.id).join(', ');
-      this.messages_.showError({ message: () => text('page.noSample', { id }), hint: () => text('page.samplesAre', { names }) });
+      this.messages_.showError({ found: () => text('page.noSample', { id }), help: () => text('page.samplesAre', { names }) });
       return;
     }
     const bytes = await fetchBytes(`samples/${sample.file}`);
@@ -74,7 +74,7 @@ export class ModelSession {
   async openFile(file) {
     if (file.size > kMaxFileBytes) {
       const values = { file: file.name, size: Math.round(file.size / 2 ** 20), limit: kMaxFileBytes / 2 ** 20 };
-      this.messages_.showError({ message: () => text('page.tooLarge', values), hint: () => text('page.tooLargeHint') });
+      this.messages_.showError({ found: () => text('page.tooLarge', values), help: () => text('page.tooLargeHint') });
       return;
     }
     const bytes = new Uint8Array(await file.arrayBuffer());

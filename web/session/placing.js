@@ -3,8 +3,7 @@
 import { isReplaced } from '../engine/client.js';
 import { describeThrown, isFatal } from '../engine/engine_error.js';
 import { text } from '../i18n/catalogue.js';
-import { findingWords } from '../i18n/finding_words.js';
-import { SettingProblem } from '../ui/settings_form.js';
+import { hintOf, sentenceOf } from '../i18n/messages.js';
 
 /** @typedef {import('../engine/types.js').Placement} Placement */
 /** @typedef {import('../engine/types.js').Settings} Settings */
@@ -16,7 +15,7 @@ import { SettingProblem } from '../ui/settings_form.js';
  * @property {import('./model_session.js').ModelSession} model
  * @property {import('../ui/messages.js').Messages} messages
  * @property {import('../ui/place_panel.js').PlacePanel} panel
- * @property {() => Settings} settings                  throws a SettingProblem
+ * @property {() => Settings} settings                  throws an EngineFailure
  * @property {() => boolean} mayMove                    nothing is at work that needs the centre
  * @property {() => void} onMoved                       another centre was chosen
  * @property {(placement: Placement | undefined) => void} onPlaced
@@ -111,7 +110,7 @@ export class Placing {
         const guess = this.centreIsGuess;
         this.messages_.say(() => text(guess ? 'page.askForCentre' : 'page.noPlace'));
         if (!this.again_ && !guess) {
-          this.messages_.showError(thrown instanceof SettingProblem ? { message: thrown.words, hint: '' } : describeThrown(thrown));
+          this.messages_.showError(describeThrown(thrown));
         }
       }
     }
@@ -128,8 +127,8 @@ export class Placing {
   refuse_({ findings }) {
     const blocking = findings.filter(({ severity }) => severity === 'blocking');
     this.messages_.showError({
-      message: () => blocking.map((finding) => findingWords(finding).message).join('; ') || text('page.notEngravable'),
-      hint: () => blocking.map((finding) => findingWords(finding).hint).find((hint) => hint !== '') ?? '',
+      found: () => blocking.map((finding) => sentenceOf(finding)).join('; ') || text('page.notEngravable'),
+      help: () => blocking.map((finding) => hintOf(finding)).find((hint) => hint !== '') ?? '',
     });
     this.messages_.say(() => text('page.notEngravable'));
   }

@@ -55,7 +55,7 @@ export class Recovery {
     if (event.event === 'failure') this.messages_.showError(event.error);
     if (this.faults_.length > kMaxReplacements) {
       this.messages_.say(() => text('page.stopped'));
-      this.messages_.showError({ message: () => text('page.failsAgain'), hint: () => text('page.failsAgainHint') });
+      this.messages_.showError({ found: () => text('page.failsAgain'), help: () => text('page.failsAgainHint') });
       return;
     }
     this.messages_.say(() => text(event.event === 'contextlost' ? 'page.contextLost' : 'page.restarting'));

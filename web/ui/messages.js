@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the page says: the status line, and errors with what was found and what helps.
 import { onLanguage } from '../i18n/catalogue.js';
-import { coreWords } from '../i18n/core_words.js';
 import { write } from '../i18n/live.js';
+import { hintOf, sentenceOf } from '../i18n/messages.js';
 import { byId, make } from './dom.js';
 
 /** @typedef {import('../i18n/live.js').Words} Words */
-/** @typedef {{ message: string | Words, hint: string | Words }} Problem  a string is the core's or the engine's English */
+/** @typedef {import('../engine/message.js').Message} Message */
+/** @typedef {Message | { found: Words, help: Words }} Problem  the page's own has words in place of a code */
 
 export class Messages {
   constructor() {
@@ -26,9 +27,9 @@ export class Messages {
   /** @param {Problem} problem */
   showError(problem) {
     this.problem_ = problem;
-    const [message, hint] = [problem.message, problem.hint].map((part) => (typeof part === 'string' ? coreWords(part) : part()));
-    this.text_.replaceChildren(make('strong', { text: asSentence(message) }));
-    if (hint) this.text_.append(' ', asSentence(hint));
+    const [found, help] = 'code' in problem ? [sentenceOf(problem), hintOf(problem)] : [problem.found(), problem.help()];
+    this.text_.replaceChildren(make('strong', { text: asSentence(found) }));
+    if (help) this.text_.append(' ', asSentence(help));
     this.box_.hidden = false;
   }
 
@@ -46,7 +47,7 @@ export function asSentence(text) {
 }
 
 /** @typedef {{ label: string, run: () => void }} Remedy  that one click brings */
-/** @typedef {{ severity: string, message: string, hint: string, remedies?: Remedy[] }} Shown */
+/** @typedef {{ severity: string, found: string, help: string, remedies?: Remedy[] }} Shown */
 
 /**
  * Fills a list with findings, worst first.
@@ -56,8 +57,8 @@ export function asSentence(text) {
 export function showFindings(list, findings) {
   const order = ['blocking', 'warning', 'note'];
   const sorted = [...findings].sort((a, b) => order.indexOf(a.severity) - order.indexOf(b.severity));
-  list.replaceChildren(...sorted.map(({ severity, message, hint, remedies = [] }) => make('li', { className: severity },
-    make('span', { text: asSentence(message) }), ...(hint ? [` ${asSentence(hint)}`] : []), ...remedyButtons(remedies))));
+  list.replaceChildren(...sorted.map(({ severity, found, help, remedies = [] }) => make('li', { className: severity },
+    make('span', { text: asSentence(found) }), ...(help ? [` ${asSentence(help)}`] : []), ...remedyButtons(remedies))));
 }
 
 /** @param {Remedy[]} remedies */

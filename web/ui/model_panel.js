@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which model: a sample, a file, a file dropped anywhere; and what was found in it.
 import { onLanguage, text, textOr } from '../i18n/catalogue.js';
-import { findingWords, suggestedUnits } from '../i18n/finding_words.js';
+import { hintOf, sentenceOf } from '../i18n/messages.js';
+import { choiceLabel } from '../i18n/setting_names.js';
 import { byId } from './dom.js';
 import { formatBox } from './format.js';
 import { showFindings } from './messages.js';
@@ -94,9 +95,11 @@ export class ModelPanel {
     const facts = [text('page.triangles', { count: model.triangles }), ...(model.shells > 1 ? [text('page.shells', { count: model.shells })] : [])];
     byId('model-facts', HTMLElement).textContent = facts.join(' · ');
     showFindings(byId('findings', HTMLElement), model.findings.map((finding) => ({
-      ...findingWords(finding),
-      remedies: suggestedUnits(finding).filter(({ unit }) => unit in kUnitsMm).map(({ unit, size }) => ({
-        label: text('findings.tiny.remedy', { unit: textOr('findings', `unit.${unit}`), size }),
+      severity: finding.severity,
+      found: sentenceOf(finding),
+      help: hintOf(finding),
+      remedies: suggestedUnits(finding).filter(({ unit }) => unit in kUnitsMm).map(({ unit, sizeMm }) => ({
+        label: text('page.readInUnit', { unit: choiceLabel('units', unit), size: formatBox(sizeMm) }),
         run: () => this.listener_.onScale(kUnitsMm[unit]),
       })),
     })));
@@ -128,4 +131,16 @@ export class ModelPanel {
       if (file) listener.onFile(file);
     });
   }
+}
+
+/**
+ * Units in which a model that is too small would have a usual size.
+ * @param {import('../engine/types.js').Finding} finding
+ * @returns {{ unit: string, sizeMm: number[] }[]}
+ */
+function suggestedUnits({ values: { advice } }) {
+  if (!advice || !('cause' in advice)) return [];
+  const { unit, size, otherUnit, otherSize } = advice.cause.values;
+  return [[unit, size], [otherUnit, otherSize]].flatMap(([choice, extent]) =>
+    (choice && 'choice' in choice && extent && 'extentMm' in extent ? [{ unit: choice.choice.value, sizeMm: extent.extentMm }] : []));
 }

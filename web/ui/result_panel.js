@@ -81,7 +81,7 @@ export class ResultPanel {
     if (this.outdated_) showStep('check', 'open', () => text('page.checkOutdated'));
     else showStep('check', kMarks[worstOf(verdict)], () => text(summaryOf(verdict)));
     this.region_.classList.toggle('outdated', this.outdated_);
-    showFindings(this.notes_, this.outdated_ ? [{ severity: 'warning', message: text('page.outdated'), hint: '' }] : []);
+    showFindings(this.notes_, this.outdated_ ? [{ severity: 'warning', found: text('page.outdated'), help: '' }] : []);
     this.verdict_.replaceChildren(...verdictLines(report, reading, verdict, made.values, this.onRemedy_));
     this.numbers_.replaceChildren(
       ...row(text('page.size'), text('page.sizeValue', { width: formatMm(size.symbolMm), module: formatMm(size.moduleMm) })),

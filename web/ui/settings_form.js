@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every control that carries `data-setting`: what it says, and what the module is to do with it.
-import { currentLanguage, onLanguage, text } from '../i18n/catalogue.js';
+import { EngineFailure } from '../engine/engine_error.js';
+import { message } from '../engine/message.js';
+import { onLanguage } from '../i18n/catalogue.js';
+import { controlName } from '../i18n/setting_names.js';
 import { byId } from './dom.js';
 
 /** @typedef {import('../engine/types.js').Settings} Settings */
 /** @typedef {HTMLInputElement | HTMLSelectElement} Control */
 /** @typedef {Record<string, string | boolean>} Values  what the controls hold, by their ids */
 
-/** A setting that cannot be used, in words that follow the language. */
-export class SettingProblem extends RangeError {
-  /** @param {import('../i18n/live.js').Words} words */
-  constructor(words) {
-    super(words());
-    this.words = words;
-  }
-}
+/** @type {Record<string, string>}  the core's, by the controls' ids */
+const kKeys = {
+  rotate: 'rotateDeg', 'min-wall': 'minWallMm', nozzle: 'nozzleMm', layer: 'layerMm', 'eye-distance': 'eyeDistanceMm',
+  contrast: 'contrast', 'max-depth': 'maxDepthMm',
+};
 
 export class SettingsForm {
   /** @param {(id: string) => void} onChange  the control that was changed */
@@ -56,7 +56,7 @@ export class SettingsForm {
   /**
    * @param {string} content  of the code
    * @returns {Settings}
-   * @throws {SettingProblem} if a number is missing or out of range
+   * @throws {EngineFailure} if a number is missing or out of range
    */
   settings(content) {
     const fixed = choice('size') === 'fixed';
@@ -84,7 +84,7 @@ export class SettingsForm {
   }
 
   nameSizeField_() {
-    byId('size-mm-label', HTMLElement).textContent = text(choice('size') === 'fixed' ? 'settings.widthMm' : 'settings.atMostMm');
+    byId('size-mm-label', HTMLElement).textContent = controlName(sizeKey());
   }
 }
 
@@ -97,19 +97,20 @@ const choice = (id) => byId(id, HTMLSelectElement).value;
 /** @param {string} id @returns {number | undefined} */
 function optionalNumber(id) {
   const input = byId(id, HTMLInputElement);
-  if (!input.validity.valid) {
-    const { min, max, value } = input;
-    throw new SettingProblem(() => {
-      const label = input.labels?.[0]?.textContent ?? id;
-      return value ? text('settings.outOfRange', { label, min: written(min), max: written(max), value: written(value) })
-        : text('settings.missing', { label, min: written(min), max: written(max) });
-    });
-  }
+  if (!input.validity.valid) throw new EngineFailure({ kind: 'BadUsage', ...whyInvalid(input) });
   return input.value === '' ? undefined : input.valueAsNumber;
 }
 
-/** As it is typed, with the language's decimal mark. @param {string} number */
-const written = (number) => Number(number).toLocaleString(currentLanguage(), { useGrouping: false, maximumFractionDigits: 6 });
+/** @param {HTMLInputElement} input */
+function whyInvalid({ id, min, max, value }) {
+  const setting = { setting: id === 'size-mm' ? sizeKey() : kKeys[id] };
+  const from = { number: Number(min) };
+  const to = { number: Number(max) };
+  return value === '' ? message('control-not-a-number', { setting, from, to })
+    : message('control-out-of-range', { setting, from, to, value: { number: Number(value) } });
+}
+
+const sizeKey = () => (choice('size') === 'fixed' ? 'sizeMm' : 'maxSizeMm');
 
 /** @param {string} id */
 const requiredNumber = (id) => /** @type {number} */ (optionalNumber(id));

@@ -2,7 +2,7 @@
 // The verdict in three lines, each with its reason and what one click would change.
 import { printingRemedies, readingRemedies } from '../verdict/remedies.js';
 import { text } from '../i18n/catalogue.js';
-import { coreWords } from '../i18n/core_words.js';
+import { hintOf, sentenceOf } from '../i18n/messages.js';
 import { make } from './dom.js';
 import { formatMm, formatNumber, formatPercent, formatPlain } from './format.js';
 import { asSentence, remedyButtons } from './messages.js';
@@ -34,7 +34,7 @@ export function verdictLines(report, reading, verdict, values, onRemedy) {
     line(verdict.prints, [text(verdict.prints === 'good' ? 'check.prints' : 'check.printsNot', { nozzle })],
       verdict.prints === 'good'
         ? [text('check.printsReason', { pocket: formatMm(features.pocketMm), layers: formatNumber(Math.floor(features.leastDepthLayers + 1e-9)) })]
-        : verification.printability.flatMap(({ problem, hint }) => [coreWords(problem), coreWords(hint)]),
+        : verification.printability.flatMap((problem) => [sentenceOf(problem), hintOf(problem)]).filter(Boolean),
       remedies(verdict.prints, printingRemedies(report, values)), onRemedy),
     line(verdict.solid, [text(verdict.solid === 'good' ? 'check.solid' : 'check.solidNot')],
       [verdict.solid === 'good' ? text('check.solidReason', { triangles }) : text('check.solidNotReason')],

@@ -32,6 +32,7 @@ export const page = {
     sample: 'Sample model',
     file: 'Model file',
     openFile: 'Open a file…',
+    readInUnit: 'Read it in {unit}: {size}',
     ownFile: 'None: your file',
     findings: 'Found in the model',
     modelState: '{name}, {size}',
@@ -102,7 +103,6 @@ export const page = {
     stopped: 'QRelief has stopped.',
     chooseModel: 'Choose a model.',
 
-    graphicsHint: 'Use a current browser with hardware acceleration switched on',
     noSample: 'There is no sample “{id}”',
     samplesAre: 'The samples are {names}',
     tooLarge: '{file} has {size} MiB; this page opens up to {limit} MiB',
@@ -148,6 +148,7 @@ export const page = {
     sample: 'Beispielmodell',
     file: 'Modelldatei',
     openFile: 'Datei öffnen …',
+    readInUnit: 'In {unit} lesen: {size}',
     ownFile: 'Keines',
     findings: 'Im Modell gefunden',
     modelState: '{name}, {size}',
@@ -218,7 +219,6 @@ export const page = {
     stopped: 'QRelief ist angehalten.',
     chooseModel: 'Ein Modell wählen.',
 
-    graphicsHint: 'Einen aktuellen Browser mit eingeschalteter Hardwarebeschleunigung verwenden',
     noSample: 'Es gibt kein Beispiel „{id}“',
     samplesAre: 'Die Beispiele sind {names}',
     tooLarge: '{file} hat {size} MiB; diese Seite öffnet bis zu {limit} MiB',

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The same cases as those of the page's renderer (web/i18n/messages.test.js), so that the two agree.
+#include "messages/sentences.h"
+
+#include <fstream>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "base/message_json.h"
+#include "math/vec.h"
+
+namespace qrelief {
+namespace {
+
+using Json = nlohmann::json;
+
+Json cases() {
+  std::ifstream stream(QRELIEF_SOURCE_DIR "/tests/messages/cases.json");
+  return Json::parse(stream);
+}
+
+Message messageOf(const Json& json);
+
+MessageValue valueOf(const char* name, const Json& json) {
+  using Kind = MessageValue::Kind;
+  const std::string kind = json.begin().key();
+  const Json& value = json.begin().value();
+  if (kind == "cause") return with::cause(name, messageOf(value));
+  if (kind == "choice")
+    return with::choice(name, value.at("key").get<std::string>(), value.at("value").get<std::string>());
+  if (kind == "quoted") return with::quoted(name, value.get<std::string>());
+  if (kind == "term") return with::term(name, value.get<std::string>());
+  if (kind == "setting") return with::setting(name, value.get<std::string>());
+  if (kind == "count") return with::count(name, value.get<std::int64_t>());
+  if (kind == "number") return with::number(name, value.get<double>());
+  if (kind == "lengthMm") return with::lengthMm(name, value.get<double>());
+  if (kind == "angleDeg") return with::angleDeg(name, value.get<double>());
+  if (kind == "fraction") return with::fraction(name, value.get<double>());
+  const auto list = value.get<std::vector<double>>();
+  return with::numeric(name, kind == "place" ? Kind::Place : kind == "extentMm" ? Kind::ExtentMm : Kind::Indices, list);
+}
+
+Message messageOf(const Json& json) {
+  Message message{json.at("code").get<std::string>(), {}};
+  for (const auto& [name, value] : json.at("values").items()) message.values.push_back(valueOf(name.c_str(), value));
+  return message;
+}
+
+/// The page's quotes are those of its language.
+std::string withPlainQuotes(std::string text) {
+  for (const char* quote : {"“", "”"})
+    for (std::size_t at; (at = text.find(quote)) != std::string::npos;)
+      text.replace(at, std::string(quote).size(), "\"");
+  return text;
+}
+
+TEST(Sentences, AreThoseOfTheSharedCases) {
+  const Json shared = cases();
+  ASSERT_GT(shared.at("cases").size(), 20U);
+  for (const Json& one : shared.at("cases")) {
+    const Message message = messageOf(one.at("message"));
+    EXPECT_EQ(Json(jsonOf(message)), one.at("message"));
+    EXPECT_EQ(sentence(message, shared.at("catalogue")), withPlainQuotes(one.at("en").get<std::string>()));
+    if (!one.contains("hint")) continue;
+    EXPECT_EQ(hint(message, shared.at("catalogue")), withPlainQuotes(one.at("hint").get<std::string>())) << message;
+  }
+}
+
+TEST(Sentences, NameTheFlagsOfTheCommandAndSayWhatFitsIt) {
+  const Json words = Json::parse(R"({"thin": {"en": "Raise {@minWallMm}", "de": "{@minWallMm}"},
+      "busy": {"en": "Press Engrave", "command": "Run it again", "de": "Neu"}})");
+  EXPECT_EQ(sentence(message("thin"), words), "Raise --min-wall");
+  EXPECT_EQ(sentence(message("busy"), words), "Run it again");
+}
+
+}  // namespace
+}  // namespace qrelief

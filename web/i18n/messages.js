@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Makes sentences of messages, in the language chosen, by the rules of messages/sentences.h; settings are called as their
+// controls are.
+import { currentLanguage } from './catalogue.js';
+import { catalogue as ourWords } from './message_catalogues.js';
+import { choiceLabel, controlLabel } from './setting_names.js';
+
+/** @typedef {import('../engine/message.js').Message} Message */
+/** @typedef {import('../engine/message.js').Value} Value */
+/** @typedef {import('./message_catalogues.js').Entry} Entry */
+/** @typedef {import('./message_catalogues.js').Words} Words */
+
+const kMostNamed = 6;  // of a list
+const kQuotes = { en: ['“', '”'], de: ['„', '“'] };
+const kAnd = { en: ' and ', de: ' und ' };
+
+/** What was found, without full stop. @param {Message} message @param {Record<string, Entry>} [words] */
+export function sentenceOf(message, words = ourWords) {
+  const entry = words[message.code];
+  return entry ? filled(entry, message, words) : unworded(message);
+}
+
+/** What would help, its cause's if it has none of its own; '' if nothing is known. @param {Message} message @param {Record<string, Entry>} [words] @returns {string} */
+export function hintOf(message, words = ourWords) {
+  const hint = words[message.code]?.hint;
+  if (hint) return filled(hint, message, words);
+  for (const value of Object.values(message.values)) if ('cause' in value) return hintOf(value.cause, words);
+  return '';
+}
+
+/** @param {Words} entry @param {Message} message @param {Record<string, Entry>} words */
+function filled(entry, { values }, words) {
+  const forms = entry[currentLanguage()];
+  const template = typeof forms === 'string' ? forms : forms[countIn(values) === 1 ? 'one' : 'other'];
+  return template.replace(/\{(@?)(\w+)\}/g, (placeholder, ofSetting, name) => {
+    if (ofSetting) return quoted(controlLabel(name));
+    return values[name] ? written(values[name], words) : placeholder;
+  });
+}
+
+/** @param {Record<string, Value>} values */
+const countIn = ({ count }) => (count && 'count' in count ? count.count : undefined);
+
+/** @param {Value} value @param {Record<string, Entry>} words @returns {string} */
+function written(value, words) {
+  if ('count' in value) return digits(value.count, 15);
+  if ('number' in value) return digits(value.number, 6);
+  if ('lengthMm' in value) return `${digits(value.lengthMm, 3)} mm`;
+  if ('angleDeg' in value) return `${digits(value.angleDeg, 3)}°`;
+  if ('fraction' in value) return `${Math.round(100 * value.fraction)} %`;
+  if ('place' in value) return `(${value.place.map(coordinate).join(currentLanguage() === 'de' ? '; ' : ', ')})`;
+  if ('extentMm' in value) return `${value.extentMm.map((mm) => digits(mm, 3)).join(' × ')} mm`;
+  if ('quoted' in value) return quoted(value.quoted);
+  if ('term' in value) return value.term;
+  if ('setting' in value) return quoted(controlLabel(value.setting));
+  if ('choice' in value) return choiceLabel(value.choice.key, value.choice.value);
+  if ('indices' in value) return listed(value.indices);
+  return sentenceOf(value.cause, words);
+}
+
+/** @param {string} text */
+const quoted = (text) => kQuotes[currentLanguage()].join(text);
+
+/** Less than a millionth is an error of rounding. @param {number} value */
+const coordinate = (value) => digits(Math.abs(value) < 1e-6 ? 0 : value, 6);
+
+/**
+ * As in messages/sentences.cpp: never fewer digits than those before the decimal point, and what nobody writes out has an
+ * exponent.
+ * @param {number} value
+ * @param {number} significant
+ */
+function digits(value, significant) {
+  const size = Math.abs(value);
+  if (size === 0) return '0';
+  if (!(size >= 1e-6 && size < 1e15)) return withExponent(value, significant);
+  const decimals = Math.max(0, significant - 1 - Math.floor(Math.log10(size)));
+  return Number(value.toFixed(decimals)).toLocaleString(currentLanguage(), { useGrouping: false, maximumFractionDigits: decimals });
+}
+
+/** @param {number} value @param {number} significant */
+function withExponent(value, significant) {
+  const text = Number(value.toPrecision(significant)).toExponential().replace(/e([+-])(\d)$/, 'e$10$2');
+  return currentLanguage() === 'de' ? text.replace('.', ',') : text;
+}
+
+/** @param {number[]} indices */
+function listed(indices) {
+  const names = indices.slice(0, kMostNamed).map(String);
+  if (indices.length > kMostNamed) return `${names.join(', ')}, …`;
+  return names.length < 2 ? names.join() : names.slice(0, -1).join(', ') + kAnd[currentLanguage()] + names[names.length - 1];
+}
+
+/** A fault of ours, which tests find; it says as much as there is. @param {Message} message */
+const unworded = ({ code, values }) =>
+  [code, ...Object.entries(values).map(([name, value]) => `${name}=${Object.values(value).map((part) => JSON.stringify(part)).join()}`)].join(' ');

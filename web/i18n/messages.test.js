@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import assert from 'node:assert/strict';
+import { readFileSync, readdirSync } from 'node:fs';
+import { afterEach, test } from 'node:test';
+import { message } from '../engine/message.js';
+import { setLanguage } from './catalogue.js';
+import { catalogue } from './message_catalogues.js';
+import { hintOf, sentenceOf } from './messages.js';
+import { isKnownSetting } from './setting_names.js';
+
+const kFolder = new URL('../../messages/', import.meta.url);
+// The same as for the command's renderer (tests/messages/sentences_test.cpp), so that the two agree.
+const shared = JSON.parse(readFileSync(new URL('../../tests/messages/cases.json', import.meta.url), 'utf8'));
+
+afterEach(() => setLanguage('en'));
+
+test('Sentences and hints are those of the shared cases, in both languages', () => {
+  assert.ok(shared.cases.length > 20);
+  for (const { message: told, en, de, hint } of shared.cases) {
+    setLanguage('en');
+    assert.equal(sentenceOf(told, shared.catalogue), en);
+    if (hint !== undefined) assert.equal(hintOf(told, shared.catalogue), hint);
+    setLanguage('de');
+    assert.equal(sentenceOf(told, shared.catalogue), de);
+  }
+});
+
+test('A setting is called as its control is, without the unit', () => {
+  const words = { thin: { en: 'Raise {@minWallMm}, not {which} to {pattern}', de: '{@minWallMm} erhöhen, nicht {which} auf {pattern}' } };
+  const told = message('thin', { which: { setting: 'eyeDistanceMm' }, pattern: { choice: { key: 'pattern', value: 'thin-plus' } } });
+  assert.equal(sentenceOf(told, words), 'Raise “Wall left”, not “Distance” to Thin plus');
+  setLanguage('de');
+  assert.equal(sentenceOf(told, words), '„Restwand“ erhöhen, nicht „Abstand“ auf Dünnes Plus');
+});
+
+test('The page has the words of every file of messages/', () => {
+  const all = readdirSync(kFolder).filter((name) => name.endsWith('.json'))
+    .map((name) => JSON.parse(readFileSync(new URL(name, kFolder), 'utf8')));
+  assert.deepEqual(Object.keys(catalogue).sort(), all.flatMap(Object.keys).sort());
+});
+
+test('Every setting that a message names has a name on the page', () => {
+  const named = [...JSON.stringify(catalogue).matchAll(/\{@(\w+)\}/g)].map(([, key]) => key);
+  assert.deepEqual(named.filter((key) => !isKnownSetting(key)), []);
+});
+
+test('No words of the page speak of the command’s options', () => {
+  assert.doesNotMatch(JSON.stringify(Object.values(catalogue), (key, value) => (key === 'command' ? undefined : value)), /--[a-z]/);
+});
