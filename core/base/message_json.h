@@ -16,9 +16,8 @@ namespace qrelief {
 inline nlohmann::ordered_json jsonOf(const Message& message);
 
 inline nlohmann::ordered_json jsonOf(const MessageValue& value) {
-  using Json = nlohmann::ordered_json;
   using Kind = MessageValue::Kind;
-  const auto single = [&](const char* kind) { return Json{{kind, value.numbers[0]}}; };
+  const auto single = [&](const char* kind) { return nlohmann::ordered_json{{kind, value.numbers[0]}}; };
   switch (value.kind) {
     case Kind::Count:
       return {{"count", static_cast<std::int64_t>(value.numbers[0])}};
