@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 #include <optional>
+#include <string_view>
 
 #include "base/result.h"
 
@@ -14,8 +15,12 @@ enum ExitStatus { kEngraved = 0, kCheckFailed = 1, kBadUsage = 2, kBadInput = 3,
 
 int exitStatusOf(ErrorKind code);
 
-/// "qrelief: MESSAGE" and the hint on stderr. @returns the error's exit status
-int printError(const Error& error);
+/// "qrelief: error: FILE: MESSAGE" and the hint on stderr. @returns the error's exit status
+/// @param file  that the command works on; not named where the request itself makes no sense, or if it is empty
+int printError(const Error& error, std::string_view file = {});
+
+/// "qrelief: warning: FILE: MESSAGE" and the hint on stderr.
+void printWarning(const Message& message, std::string_view file);
 
 /// Each adds its options to the program and returns what runs it.
 std::function<int()> addEngraveCommand(CLI::App& app);

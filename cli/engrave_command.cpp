@@ -244,10 +244,10 @@ void printSummary(const EngraveOptions& options, const EngraveResult& result, co
 int engraveModel(EngraveOptions& options) {
   const auto start = Clock::now();
   if (const Status completed = completeRequest(options); !completed) return printError(completed.error());
-  auto input = loadEngravable(options.model);
-  if (!input) return printError(input.error());
   ReportContext context;
   context.fileName = fileNameOf(options.model.path);
+  auto input = loadEngravable(options.model);
+  if (!input) return printError(input.error(), context.fileName);
   context.format = input->format;
   context.scaleToMm = input->scaleToMm;
   context.loadMs = input->loadMs;
@@ -265,12 +265,13 @@ int engraveModel(EngraveOptions& options) {
 
   const auto choosing = Clock::now();
   if (options.at.empty()) {
-    if (const Status chosen = chooseSpot(model, options, input->scaleToMm); !chosen) return printError(chosen.error());
+    if (const Status chosen = chooseSpot(model, options, input->scaleToMm); !chosen)
+      return printError(chosen.error(), context.fileName);
     context.spotMs = millisecondsSince(choosing);
   }
   const std::string askedPreset = options.preset;
   auto carved = carveToRead(model, options);
-  if (!carved) return printError(carved.error());
+  if (!carved) return printError(carved.error(), context.fileName);
   const EngraveResult& result = carved->result;
   context.readBack = carved->readBack;
   context.reader = zxingName();

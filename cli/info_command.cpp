@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "base/message_json.h"
 #include "cli/commands.h"
 #include "cli/files.h"
 #include "cli/model_input.h"
@@ -15,26 +16,47 @@ struct InfoOptions {
   std::string json;
 };
 
+using Json = nlohmann::ordered_json;
+
+/// How many of what a finding says; one, where it can be but one.
+double countIn(const Message& message) {
+  for (const MessageValue& value : message.values) {
+    if (value.name == "count") return value.numbers[0];
+    if (value.name == "pairs") return countIn(value.cause.front());
+  }
+  return 1;
+}
+
+/// The words beside the values that they are made of (base/message_json.h).
+Json jsonOf(const Finding& finding) {
+  return {{"severity", severityName(finding.severity)},
+          {"code", finding.message.code},
+          {"count", static_cast<std::size_t>(countIn(finding.message))},
+          {"message", sentence(finding.message)},
+          {"hint", hint(finding.message)},
+          {"values", jsonOf(finding.message)["values"]}};
+}
+
 int describe(const InfoOptions& options) {
-  const auto input = loadModel(options.model);
-  if (!input) return printError(input.error());
-  const PreparedModel& model = input->prepared;
   const std::string name = fileNameOf(options.model.path);
+  const auto input = loadModel(options.model);
+  if (!input) return printError(input.error(), name);
+  const PreparedModel& model = input->prepared;
   const bool engravable = model.engravable().has_value();
 
   const Box3 box = boundingBox(model.mesh);
   const Vec3 size = box.size();
-  nlohmann::ordered_json json = {{"file", name},
-                                 {"format", input->format},
-                                 {"triangles", model.mesh.triangles.size()},
-                                 {"vertices", model.mesh.positions.size()},
-                                 {"shells", model.shells},
-                                 {"scaleToMm", input->scaleToMm},
-                                 {"sizeMm", {size.x, size.y, size.z}},
-                                 {"minMm", {box.min.x, box.min.y, box.min.z}},
-                                 {"maxMm", {box.max.x, box.max.y, box.max.z}},
-                                 {"engravable", engravable},
-                                 {"findings", nlohmann::ordered_json::array()}};
+  Json json = {{"file", name},
+               {"format", input->format},
+               {"triangles", model.mesh.triangles.size()},
+               {"vertices", model.mesh.positions.size()},
+               {"shells", model.shells},
+               {"scaleToMm", input->scaleToMm},
+               {"sizeMm", {size.x, size.y, size.z}},
+               {"minMm", {box.min.x, box.min.y, box.min.z}},
+               {"maxMm", {box.max.x, box.max.y, box.max.z}},
+               {"engravable", engravable},
+               {"findings", Json::array()}};
   for (const UnitSuggestion& unit : model.unitSuggestions)
     json["unitSuggestions"].push_back({{"units", unit.unit}, {"scaleToMm", unit.scaleToMm}});
   if (engravable) json["volumeMm3"] = signedVolume(model.mesh);
@@ -43,13 +65,9 @@ int describe(const InfoOptions& options) {
   fmt::print("size {:.4g} × {:.4g} × {:.4g} mm\n", size.x, size.y, size.z);
   for (const Message& warning : input->warnings) fmt::print("warning: {}\n", sentence(warning));
   for (const Finding& finding : model.findings) {
-    json["findings"].push_back({{"severity", severityName(finding.severity)},
-                                {"code", finding.code},
-                                {"count", finding.count},
-                                {"message", finding.message},
-                                {"hint", finding.hint}});
-    fmt::print("{}: {}\n", severityName(finding.severity), finding.message);
-    if (!finding.hint.empty()) fmt::print("  what helps: {}\n", finding.hint);
+    json["findings"].push_back(jsonOf(finding));
+    fmt::print("{}: {}\n", severityName(finding.severity), sentence(finding.message));
+    if (const std::string helps = hint(finding.message); !helps.empty()) fmt::print("  what helps: {}\n", helps);
   }
   fmt::print("{}\n", engravable ? "a closed solid: can be engraved" : "no closed solid: cannot be engraved as it is");
   if (!options.json.empty())

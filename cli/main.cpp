@@ -24,11 +24,21 @@ int exitStatusOf(ErrorKind code) {
   return kInternalError;
 }
 
-int printError(const Error& error) {
-  fmt::print(stderr, "qrelief: {}\n", sentence(error.message));
-  if (const std::string helps = hint(error.message); !helps.empty()) fmt::print(stderr, "  what helps: {}\n", helps);
+namespace {
+
+void print(const char* severity, std::string_view file, const Message& message) {
+  fmt::print(stderr, "qrelief: {}: {}{}{}\n", severity, file, file.empty() ? "" : ": ", sentence(message));
+  if (const std::string helps = hint(message); !helps.empty()) fmt::print(stderr, "  what helps: {}\n", helps);
+}
+
+}  // namespace
+
+int printError(const Error& error, std::string_view file) {
+  print("error", error.kind == ErrorKind::BadUsage ? std::string_view() : file, error.message);
   return exitStatusOf(error.kind);
 }
+
+void printWarning(const Message& message, std::string_view file) { print("warning", file, message); }
 
 Result<std::optional<double>> scaleFrom(std::optional<double> scale, const std::string& units) {
   if (!units.empty()) return units == "mm" ? 1.0 : units == "cm" ? 10.0 : units == "m" ? 1000.0 : 25.4;
@@ -66,9 +76,9 @@ int main(int argc, char** argv) {
   try {
     return qrelief::run(argc, argv);
   } catch (const std::bad_alloc&) {
-    std::fputs("qrelief: there is not enough memory for this model\n", stderr);
+    std::fputs("qrelief: error: there is not enough memory for this model\n", stderr);
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "qrelief: internal error: %s\n", error.what());
+    std::fprintf(stderr, "qrelief: error: internal: %s\n", error.what());
   }
   return qrelief::kInternalError;
 }

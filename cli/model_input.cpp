@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/model_input.h"
 
-#include <fmt/format.h>
-
 #include "base/clock.h"
 #include "cli/commands.h"
 #include "cli/files.h"
 #include "io/read_model.h"
-#include "messages/sentences.h"
 
 namespace qrelief {
 void addModelFlags(CLI::App& command, ModelFlags& flags) {
@@ -46,9 +43,10 @@ Result<ModelInput> loadModel(const ModelFlags& flags) {
 Result<ModelInput> loadEngravable(const ModelFlags& flags) {
   auto input = loadModel(flags);
   if (!input) return input;
-  for (const Message& warning : input->warnings) fmt::print(stderr, "qrelief: {}\n", sentence(warning));
+  const std::string file = fileNameOf(flags.path);
+  for (const Message& warning : input->warnings) printWarning(warning, file);
   for (const Finding& finding : input->prepared.findings)
-    if (finding.severity == Finding::Severity::Warning) fmt::print(stderr, "qrelief: {}\n", finding.message);
+    if (finding.severity == Finding::Severity::Warning) printWarning(finding.message, file);
   if (const Status engravable = input->prepared.engravable(); !engravable) return tl::unexpected(engravable.error());
   return input;
 }

@@ -34,7 +34,7 @@ struct ModelInput {
 
 Result<ModelInput> loadModel(const ModelFlags& flags);
 
-/// The same for a model that is to be engraved: what was mended is said on stderr, a blocking finding is an error.
+/// The same for a model that is to be engraved: warnings are said on stderr, a blocking finding is an error.
 Result<ModelInput> loadEngravable(const ModelFlags& flags);
 
 }  // namespace qrelief

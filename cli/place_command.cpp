@@ -111,8 +111,9 @@ void printSpots(const PlaceResult& result, double scaleToMm) {
 int findSpots(PlaceOptions& options) {
   const auto start = Clock::now();
   if (const Status completed = completeRequest(options); !completed) return printError(completed.error());
+  const std::string file = fileNameOf(options.model.path);
   auto input = loadEngravable(options.model);
-  if (!input) return printError(input.error());
+  if (!input) return printError(input.error(), file);
   options.request.scaleToMm = input->scaleToMm;
   const auto gl = EglContext::create();
   if (!gl) return printError(gl.error());
@@ -121,12 +122,13 @@ int findSpots(PlaceOptions& options) {
 
   const auto placing = Clock::now();
   auto job = PlaceJob::create(model, options.request);
-  if (!job) return printError(job.error());
-  if (const Status done = runWithProgress(**job, options.quiet); !done) return printError(done.error());
+  if (!job) return printError(job.error(), file);
+  if (const Status done = runWithProgress(**job, options.quiet); !done) return printError(done.error(), file);
   const PlaceResult result = (*job)->takeResult();
   printSpots(result, input->scaleToMm);
   if (result.spots.size() < options.request.count)
-    fmt::print(stderr, "qrelief: {} spots were asked for, {} found\n", options.request.count, result.spots.size());
+    fmt::print(stderr, "qrelief: warning: {}: {} spots were asked for, {} found\n", file, options.request.count,
+               result.spots.size());
   if (options.json.empty()) return kEngraved;
   Json json = describe(options, *input, model->prepared.mesh.triangles.size(), result);
   json["timingsMs"] = {

@@ -92,19 +92,19 @@ int verifyModel(const VerifyOptions& options) {
   request->ranges = !options.quick;
   const auto scale = scaleFrom(options.scale, options.units);
   if (!scale) return printError(scale.error());
+  const std::string name = fileNameOf(options.path);
   const auto bytes = readFile(options.path);
-  if (!bytes) return printError(bytes.error());
+  if (!bytes) return printError(bytes.error(), name);
   const auto soup = readModel(*bytes, options.path);
-  if (!soup) return printError(soup.error());
+  if (!soup) return printError(soup.error(), name);
   auto mesh = meshAsFound(*soup, scale->value_or(soup->unitMm.value_or(1)));
-  if (!mesh) return printError(mesh.error());
+  if (!mesh) return printError(mesh.error(), name);
 
   auto job = VerifyJob::create(std::move(*mesh), *request, zxingReaders());
-  if (!job) return printError(job.error());
-  if (const Status done = runWithProgress(**job, options.quiet); !done) return printError(done.error());
+  if (!job) return printError(job.error(), name);
+  if (const Status done = runWithProgress(**job, options.quiet); !done) return printError(done.error(), name);
   const VerifyResult result = (*job)->takeResult();
 
-  const std::string name = fileNameOf(options.path);
   printResult(name, *request, result);
   for (const VerifyFinding& finding : result.failed) {
     fmt::print(stderr, "qrelief: check not passed: {}\n", finding.message);

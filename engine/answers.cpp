@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/answers.h"
 
+#include "base/message_json.h"
+
 namespace qrelief {
 namespace {
 
@@ -48,10 +50,8 @@ Json jsonOf(std::span<const Message> warnings, std::span<const Finding> findings
         {{"severity", "warning"}, {"code", "reader"}, {"count", 1}, {"message", warning.code}, {"hint", ""}});
   for (const Finding& finding : findings)
     list.push_back({{"severity", severityName(finding.severity)},
-                    {"code", finding.code},
-                    {"count", finding.count},
-                    {"message", finding.message},
-                    {"hint", finding.hint}});
+                    {"code", finding.message.code},
+                    {"values", jsonOf(finding.message)["values"]}});
   return list;
 }
 

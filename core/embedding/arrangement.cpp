@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fmt/format.h>
 #include <limits>
 #include <optional>
 
@@ -27,9 +26,7 @@ struct Constraint {
 
 Error leavesSurface(Vec2 where) {
   return {ErrorKind::NoSolution,
-          untold(fmt::format("the carved area leaves the visible surface near ({:.2f}, {:.2f}) mm from the centre",
-                             where.x, where.y),
-                 "choose a smaller size, another centre or another direction")};
+          message("carving-leaves-surface", with::lengthMm("right", where.x), with::lengthMm("up", where.y))};
 }
 
 std::vector<Arrangement::Crossing> findCrossings(const Footprint& footprint, EdgeGrid& edges,
@@ -140,8 +137,7 @@ std::optional<Error> addEdgeConstraints(std::vector<Constraint>& constraints, co
     }
     cutAt(edge.b);
     if (within && edge.right == kNoFacet) return leavesSurface(arrangement.points[edge.b]);
-    if (within != static_cast<bool>(replaced[edge.b]))
-      return Error{ErrorKind::Internal, untold("A model edge ends on the wrong side of the resampled square's border")};
+    if (within != static_cast<bool>(replaced[edge.b])) return Error{ErrorKind::Internal, message("edge-on-wrong-side")};
   }
   return std::nullopt;
 }
@@ -303,7 +299,7 @@ Result<Arrangement> arrange(const Footprint& footprint, EdgeGrid& edges, const O
   if (!cdt) return tl::unexpected(cdt.error());
   const Labels labels = labelTriangles(*cdt, constraints, result.points.size());
   if (auto leak = findLeak(*cdt, labels, constraints, result.points)) return tl::unexpected(std::move(*leak));
-  if (!labels.consistent) return fail(ErrorKind::Internal, "Facets or depths of the arrangement contradict each other");
+  if (!labels.consistent) return fail(ErrorKind::Internal, message("arrangement-contradicts-itself"));
   for (std::size_t t = 0; t < cdt->triangles.size(); ++t) {
     if (labels.facets[t] == kNoFacet) continue;
     result.triangles.push_back(cdt->triangles[t]);

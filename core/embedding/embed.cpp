@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <fmt/format.h>
 
 #include "embedding/clearance.h"
 #include "embedding/inlay.h"
@@ -146,13 +145,7 @@ Result<Carving> carve(const Mesh& mesh, const ProjectionFrame& frame, const Foot
     if (attempt == kAttempts || low.nodes.empty()) {
       // Low triangles are a risk; whether they do harm is for the final check to say. Collinear ones always do.
       if (low.collinear == 0) return carving;
-      return fail(
-          ErrorKind::NoSolution,
-          fmt::format("The model's facets under the code are too fine: {} carved triangles would be thinner than "
-                      "32-bit floats can hold",
-                      low.collinear),
-          "Choose a slightly different centre or size, merge vertices that nearly coincide, or move the model "
-          "to the origin");
+      return fail(ErrorKind::NoSolution, message("facets-too-fine", with::count("count", low.collinear)));
     }
     clearance.placeAgain(low.nodes);
   }
@@ -226,9 +219,7 @@ Result<EmbedResult> embedDepthField(const Mesh& mesh, const ProjectionFrame& fra
   const Result<Footprint> footprint =
       findFootprint(mesh, frame, patch, concerned(levels, options.surface), levels.submoduleMm() / 4);
   if (!footprint) return tl::unexpected(footprint.error());
-  if (footprint->facets.empty())
-    return fail(ErrorKind::NoSolution, "No part of the visible surface lies under the code",
-                "choose another centre or direction");
+  if (footprint->facets.empty()) return fail(ErrorKind::NoSolution, message("nothing-under-code"));
   OutlineGraph graph = options.surface == SurfaceMode::Resampled
                            ? buildGridOutlines(levels, chamferMm)
                            : buildOutlines(levels, chamferMm, longestOutline(*footprint, levels.submoduleMm(), snapMm));

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 
 #include "embedding/needle.h"
 #include "mesh/topology.h"
@@ -90,10 +89,8 @@ Result<Footprint> findFootprint(const Mesh& mesh, const ProjectionFrame& frame, 
     if (inFront && cross2(t[1] - t[0], t[2] - t[0]) > 0) {
       if (touchesCarving(t, levels, marginMm)) footprint.facets.push_back(facet);
     } else if (inFront && touchesCarving({t[0], t[2], t[1]}, levels, marginMm)) {
-      return fail(ErrorKind::NoSolution,
-                  fmt::format("Facet {} under the code near ({:.2f}, {:.2f}) mm is seen from behind or edge-on", facet,
-                              t[0].x, t[0].y),
-                  "choose a smaller size, or another direction");
+      return fail(ErrorKind::NoSolution, message("facet-from-behind", with::count("facet", facet),
+                                                 with::lengthMm("right", t[0].x), with::lengthMm("up", t[0].y)));
     }
   }
   std::sort(footprint.facets.begin(), footprint.facets.end());

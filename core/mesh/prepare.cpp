@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 #include <limits>
 
 #include "mesh/report_findings.h"
@@ -14,30 +13,31 @@ namespace {
 
 constexpr double kImplausibleMm = 1e7;  // 10 km
 constexpr double kHugeMm = 2000;
-constexpr double kTinyMm = 10;                                // no code that can be printed fits
-constexpr double kLeastPrintedMm = 15, kMostPrintedMm = 500;  // what a unit may make of a tiny model
+constexpr double kTinyMm = 10;       // no code that can be printed fits
 constexpr double kCoarseMm = 0.001;  // a hundredth of a layer: coarser coordinates begin to show
 constexpr std::size_t kMaxTriangles = std::size_t{1} << 30;  // half-edges are numbered in 32 bits
+constexpr double kCollinearFraction = 1e-9;  // of a triangle's longest side: height that doubles may invent
+constexpr double kMmPerKm = 1e6;
+
+/// How far apart 32-bit floats are there, at most.
+double floatStepMm(double farthestMm) { return farthestMm * std::numeric_limits<float>::epsilon(); }
 
 Status checkSoup(const PolygonSoup& soup, const PrepareOptions& options) {
   if (!(options.scaleToMm > 0) || !std::isfinite(options.scaleToMm))
-    return fail(ErrorKind::BadUsage, fmt::format("The scale is {}; it has to be a positive number", options.scaleToMm));
+    return fail(ErrorKind::BadUsage, message("scale-not-positive", with::number("scale", options.scaleToMm)));
   for (const std::optional<double>& mm : {options.repair.weldToleranceMm, options.repair.maxHoleMm})
     if (mm && !(*mm >= 0 && std::isfinite(*mm)))
-      return fail(ErrorKind::BadUsage, fmt::format("A tolerance of {} mm for repairs makes no sense", *mm),
-                  "Give 0 or more, in mm");
-  if (soup.triangles.empty()) return fail(ErrorKind::BadInput, "The model has no triangle");
+      return fail(ErrorKind::BadUsage, message("repair-tolerance-senseless", with::lengthMm("tolerance", *mm)));
+  if (soup.triangles.empty()) return fail(ErrorKind::BadInput, message("model-no-triangle"));
   if (soup.triangles.size() > kMaxTriangles || soup.positions.size() > 3 * kMaxTriangles)
-    return fail(
-        ErrorKind::BadInput,
-        fmt::format("The model has {} triangles; at most {} can be handled", soup.triangles.size(), kMaxTriangles),
-        "Reduce (decimate) the model first");
+    return fail(ErrorKind::BadInput,
+                message("model-too-many-triangles", with::count("triangles", soup.triangles.size()),
+                        with::count("most", kMaxTriangles)));
   for (std::size_t i = 0; i < soup.positions.size(); ++i) {
     const Vec3 p = soup.positions[i];
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
       return fail(ErrorKind::BadInput,
-                  fmt::format("Vertex {} is at ({}, {}, {}), which is not finite", i + 1, p.x, p.y, p.z),
-                  "Export the model again; something went wrong when it was made");
+                  message("vertex-not-finite", with::count("vertex", i + 1), with::place("at", p)));
   }
   return {};
 }
@@ -55,14 +55,13 @@ Status checkExtent(const Box3& boxMm, double scaleToMm) {
   const double largest = std::max({size.x, size.y, size.z});
   const Vec3 far = glm::max(glm::abs(boxMm.min), glm::abs(boxMm.max));
   if (largest > kImplausibleMm)
-    return fail(ErrorKind::BadInput,
-                fmt::format("The model is {:.4g} mm across ({:.4g} in file units), which is implausible", largest,
-                            largest / scaleToMm),
-                "Say how many millimetres a file unit is, with --scale or --units");
+    return fail(ErrorKind::BadInput, message("model-implausibly-large", with::number("km", largest / kMmPerKm),
+                                             with::number("fileUnits", largest / scaleToMm)));
   if (const double farthest = std::max({far.x, far.y, far.z}); farthest > kImplausibleMm)
-    return fail(ErrorKind::BadInput, fmt::format("The model lies {:.4g} mm away from the origin", farthest),
-                "Move it to the origin, or say how many millimetres a file unit is with --scale");
-  if (largest == 0) return fail(ErrorKind::BadInput, "The model has no extent: all its vertices are in one place");
+    return fail(ErrorKind::BadInput, message("model-too-far-away", with::number("km", farthest / kMmPerKm),
+                                             with::lengthMm("step", floatStepMm(farthest)),
+                                             with::number("maxKm", kImplausibleMm / kMmPerKm)));
+  if (largest == 0) return fail(ErrorKind::BadInput, message("model-no-extent"));
   return {};
 }
 
@@ -90,50 +89,25 @@ Result<Mesh> weldedMesh(const PolygonSoup& soup, double scaleToMm, FindingList& 
     mesh.triangles.push_back(
         {welding.indexOf[newIndex[a]], welding.indexOf[newIndex[b]], welding.indexOf[newIndex[c]]});
   if (const std::size_t unused = used.size() - points.size(); unused > 0)
-    findings.note("unused-vertices", unused,
-                  counted(unused, "vertex that no face uses was dropped", "vertices that no face uses were dropped"));
+    findings.note(message("unused-vertices", with::count("count", unused)));
   return mesh;
 }
 
-/// Units in which a tiny model would have a size that people print.
-std::vector<UnitSuggestion> suggestUnits(double largestMm, double scaleToMm) {
-  std::vector<UnitSuggestion> suggestions;
-  for (const auto& [unit, name, mm] :
-       {UnitSuggestion{"m", "metres", 1000}, UnitSuggestion{"in", "inches", 25.4}, UnitSuggestion{"cm", "cm", 10}}) {
-    const double size = largestMm / scaleToMm * mm;
-    if (mm != scaleToMm && size >= kLeastPrintedMm && size <= kMostPrintedMm) suggestions.push_back({unit, name, mm});
-  }
-  return suggestions;
-}
-
-void reportTiny(PreparedModel& model, Vec3 size, double scaleToMm, FindingList& findings) {
-  model.unitSuggestions = suggestUnits(std::max({size.x, size.y, size.z}), scaleToMm);
-  std::string hint;
-  for (const auto& [unit, name, mm] : model.unitSuggestions) {
-    const Vec3 then = size * (mm / scaleToMm);
-    hint += fmt::format("{} {}, it is {:.3g} x {:.3g} x {:.3g} mm: --units {}", hint.empty() ? "In" : "; in", name,
-                        then.x, then.y, then.z, unit);
-  }
-  findings.warn("tiny", 1, fmt::format("The model is tiny: {:.4g} x {:.4g} x {:.4g} mm", size.x, size.y, size.z),
-                hint.empty() ? "Check its units; --scale makes it larger" : hint + "; or use --scale");
-}
-
-void reportExtent(PreparedModel& model, double scaleToMm, FindingList& findings) {
+void reportExtent(PreparedModel& model, FindingList& findings) {
   const Box3 box = boundingBox(model.mesh);
   const Vec3 size = box.size();
   const double largest = std::max({size.x, size.y, size.z});
-  if (largest < kTinyMm) reportTiny(model, size, scaleToMm, findings);
-  if (largest > kHugeMm)
-    findings.warn("huge", 1, fmt::format("The model is huge: {:.4g} x {:.4g} x {:.4g} mm", size.x, size.y, size.z),
-                  "Check its units; --scale makes it smaller");
+  if (largest < kTinyMm) {
+    model.unitSuggestions = suggestUnits(size, model.scaleToMm);
+    findings.warn(
+        message("tiny", with::extentMm("size", size), with::cause("advice", unitAdvice(model.unitSuggestions))));
+  }
+  if (largest > kHugeMm) findings.warn(message("huge", with::extentMm("size", size)));
   const Vec3 far = glm::max(glm::abs(box.min), glm::abs(box.max));
   const double farthest = std::max({far.x, far.y, far.z});
-  const double step = farthest * std::numeric_limits<float>::epsilon();
+  const double step = floatStepMm(farthest);
   if (step > kCoarseMm && farthest > 4 * largest)
-    findings.warn("far-away", 1,
-                  fmt::format("The model lies {:.4g} mm from the origin, where 32-bit coordinates are {:.2g} mm apart",
-                              farthest, step),
-                  "Move the model to the origin before exporting it");
+    findings.warn(message("far-away", with::lengthMm("distance", farthest), with::lengthMm("step", step)));
 }
 
 /// Which part each triangle of the file belongs to; empty: there is one part only.
@@ -145,6 +119,22 @@ std::vector<std::uint32_t> partsOf(const PolygonSoup& soup) {
     std::fill(parts.begin() + static_cast<std::ptrdiff_t>(soup.parts[i].firstTriangle), parts.end(),
               static_cast<std::uint32_t>(i));
   return parts;
+}
+
+bool hasArea(const PolygonSoup& soup, const Triangle& t) {
+  const Vec3 a = soup.positions[t[0]], u = soup.positions[t[1]] - a, v = soup.positions[t[2]] - a;
+  const double longest = std::max({glm::length(u), glm::length(v), glm::length(v - u)});
+  return glm::length(glm::cross(u, v)) > kCollinearFraction * longest * longest;
+}
+
+/// Why no triangle is left.
+Message nothingLeft(const PolygonSoup& soup, const Cleaning& cleaning) {
+  const std::size_t triangles = soup.triangles.size();
+  if (cleaning.duplicates > 0) return message("model-no-thickness", with::count("count", triangles));
+  const bool isRounded =
+      std::any_of(soup.triangles.begin(), soup.triangles.end(), [&](const Triangle& t) { return hasArea(soup, t); });
+  if (isRounded) return message("area-lost-in-rounding", with::count("count", triangles));
+  return message("model-no-area", with::count("count", triangles));
 }
 
 }  // namespace
@@ -163,8 +153,7 @@ const char* severityName(Finding::Severity severity) {
 
 Status PreparedModel::engravable() const {
   for (const Finding& finding : findings)
-    if (finding.severity == Finding::Severity::Blocking)
-      return fail(ErrorKind::BadInput, finding.message, finding.hint);
+    if (finding.severity == Finding::Severity::Blocking) return fail(ErrorKind::BadInput, finding.message);
   return {};
 }
 
@@ -177,11 +166,10 @@ Result<PreparedModel> prepareModel(const PolygonSoup& soup, const PrepareOptions
   const std::vector<std::uint32_t> parts = partsOf(soup);
   Result<Repaired> repaired = repairMesh(std::move(*welded), parts, options.repair);
   if (!repaired) return tl::unexpected(repaired.error());
-  if (repaired->mesh.triangles.empty())
-    return fail(ErrorKind::BadInput, fmt::format("None of the model's {} triangles has an area", soup.triangles.size()),
-                "Check the scale: as 32-bit floats in mm its vertices coincide");
+  if (repaired->mesh.triangles.empty()) return fail(ErrorKind::BadInput, nothingLeft(soup, repaired->cleaning));
 
   PreparedModel model;
+  model.scaleToMm = options.scaleToMm;
   if (!parts.empty())
     for (const std::uint32_t t : repaired->origin) model.partOfTriangle.push_back(parts[t]);
   reportRepairs(*repaired, options.repair, soup.parts, model.partOfTriangle, findings);
@@ -190,7 +178,7 @@ Result<PreparedModel> prepareModel(const PolygonSoup& soup, const PrepareOptions
   model.shells = repaired->consistency.shells.count;
   model.crossesItself = repaired->untangling.pairs > 0 && !repaired->untangling.mended;
   model.normals = vertexNormals(model.mesh);
-  reportExtent(model, options.scaleToMm, findings);
+  reportExtent(model, findings);
   model.findings = findings.take();
   return model;
 }

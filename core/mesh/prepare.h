@@ -2,17 +2,18 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "base/result.h"
 #include "mesh/polygon_soup.h"
 #include "mesh/repair.h"
 #include "mesh/topology.h"
+#include "mesh/unit_suggestions.h"
 
 namespace qrelief {
 
-/// One thing found out about a model, in words a user can act on.
+/// One thing found out about a model. The message's code is stable: "open-edges", "duplicate-triangles". Among its
+/// values are `count`, where there may be several, and `at`, one example's place in file units.
 struct Finding {
   enum class Severity {
     Note,     ///< nothing is wrong
@@ -20,10 +21,7 @@ struct Finding {
     Blocking  ///< the model is no closed, oriented solid: it can be shown, not engraved
   };
   Severity severity = Severity::Note;
-  std::string code;  ///< stable, "open-edges", "duplicate-triangles", …
-  std::size_t count = 0;
-  std::string message;  ///< what was found, where (one example: facet, coordinates in file units), what was done
-  std::string hint;     ///< what would help; empty for notes
+  Message message;
 };
 
 /// "note", "warning", "blocking": names that scripts rely on.
@@ -34,16 +32,10 @@ struct PrepareOptions {
   RepairOptions repair = {};
 };
 
-/// A unit in which a tiny model would have a usual size.
-struct UnitSuggestion {
-  std::string unit;  ///< "m", "in", "cm"
-  std::string name;  ///< in words
-  double scaleToMm = 1;
-};
-
 /// A model that is welded, cleaned and searchable; engravable if no finding is blocking.
 struct PreparedModel {
-  Mesh mesh;  ///< mm
+  Mesh mesh;             ///< mm
+  double scaleToMm = 1;  ///< file units → mm
   Adjacency adjacency;
   std::vector<Vec3f> normals;  ///< smooth unit vertex normals
   std::vector<Finding> findings;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <span>
-#include <string>
 #include <vector>
 
 #include "mesh/prepare.h"
@@ -15,34 +14,22 @@ class FindingList {
  public:
   explicit FindingList(double scaleToMm) : scale_(scaleToMm) {}
 
-  void note(std::string code, std::size_t count, std::string message) {
-    add(Finding::Severity::Note, std::move(code), count, std::move(message), {});
-  }
-  void warn(std::string code, std::size_t count, std::string message, std::string hint) {
-    add(Finding::Severity::Warning, std::move(code), count, std::move(message), std::move(hint));
-  }
-  void block(std::string code, std::size_t count, std::string message, std::string hint) {
-    add(Finding::Severity::Blocking, std::move(code), count, std::move(message), std::move(hint));
-  }
-  std::string place(Vec3 p) const;
-  /// A length in file units, and in mm where that is something else.
-  std::string length(double mm) const;
-  double scaleToMm() const { return scale_; }
+  void note(Message message) { findings_.push_back({Finding::Severity::Note, std::move(message)}); }
+  void warn(Message message) { findings_.push_back({Finding::Severity::Warning, std::move(message)}); }
+  void block(Message message) { findings_.push_back({Finding::Severity::Blocking, std::move(message)}); }
+  /// A repair that was made, or one that was needed and is switched off.
+  void mended(bool allowed, Message message) { allowed ? warn(std::move(message)) : block(std::move(message)); }
+
+  /// A place in file units.
+  Vec3 inFile(Vec3 mm) const { return mm / scale_; }
 
   /// What blocks comes first, then warnings; each in the order it was said in.
   std::vector<Finding> take();
 
  private:
-  void add(Finding::Severity severity, std::string code, std::size_t count, std::string message, std::string hint) {
-    findings_.push_back({severity, std::move(code), count, std::move(message), std::move(hint)});
-  }
-
   double scale_;
   std::vector<Finding> findings_;
 };
-
-/// "1 edge", "7 edges".
-std::string counted(std::size_t count, std::string_view one, std::string_view many);
 
 /// What each repair found and did, and what is left.
 /// @param parts           of the soup

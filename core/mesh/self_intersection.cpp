@@ -193,7 +193,7 @@ Result<std::vector<TrianglePair>> findSelfIntersections(const Mesh& mesh, std::s
   try {
     return findPairs(mesh, suspects.empty() ? all : suspects, limit);
   } catch (const CGAL::Failure_exception& failure) {
-    return fail(ErrorKind::Internal, std::string("The test for self-intersections failed: ") + failure.what());
+    return fail(ErrorKind::Internal, message("crossing-test-failed", with::term("reason", failure.what())));
   }
 }
 

@@ -50,11 +50,7 @@ struct CellLayout {
 Status checkNewDefects(SolidityReport solidity, const PreparedModel& before) {
   if (before.crossesItself) solidity.selfIntersections = 0;
   if (solidity.solid()) return {};
-  return fail(ErrorKind::NoSolution,
-              fmt::format("The model's facets under the code are too fine: carved, it would be no solid ({})",
-                          solidity.problems().front()),
-              "Choose a slightly different centre or size, merge vertices that nearly coincide, or move the model to "
-              "the origin");
+  return fail(ErrorKind::NoSolution, message("carved-not-solid", with::cause("problem", solidity.problems().front())));
 }
 
 }  // namespace

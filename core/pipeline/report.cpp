@@ -17,7 +17,7 @@ using Json = nlohmann::ordered_json;
 Json describeInput(const EngravableModel& model, const ReportContext& context) {
   Json warnings = Json::array();
   for (const Finding& finding : model.prepared.findings)
-    if (finding.severity != Finding::Severity::Note) warnings.push_back(finding.message);
+    if (finding.severity != Finding::Severity::Note) warnings.push_back(finding.message.code);
   return {{"file", context.fileName},
           {"format", context.format},
           {"triangles", model.prepared.mesh.triangles.size()},
@@ -96,9 +96,10 @@ CarvedFeatures featuresOf(const EngraveResult& result) {
 
 std::vector<std::string> failedChecks(const EngraveRequest& request, const EngraveResult& result,
                                       const std::string& readBack) {
-  std::vector<std::string> failed = result.solidity.problems();
+  std::vector<std::string> failed;
+  for (const Message& problem : result.solidity.problems()) failed.push_back(problem.code);
   if (result.inlay)
-    for (const std::string& problem : result.inlaySolidity.problems()) failed.push_back("Inlay: " + problem);
+    for (const Message& problem : result.inlaySolidity.problems()) failed.push_back("Inlay: " + problem.code);
   if (readBack.empty())
     failed.push_back("No reader found the code in the simulated picture");
   else if (readBack != request.text)

@@ -234,7 +234,8 @@ void VerifyJob::State::judgeReading() {
 void VerifyJob::State::judge() {
   for (const SolidityFinding& finding : result.solidity.findings())
     fail("not-solid",
-         finding.at ? fmt::format("{}, the first at {} mm", finding.problem, placeOf(*finding.at)) : finding.problem,
+         finding.at ? fmt::format("{}, the first at {} mm", finding.message.code, placeOf(*finding.at))
+                    : finding.message.code,
          "Slicers guess what is meant: repair the model");
   judgeShape();
   judgeReading();

@@ -149,7 +149,7 @@ std::string makeVerifyReport(const VerifyRequest& request, const VerifyResult& r
                     {"volumeMm3", solid.volumeMm3}, {"findings", Json::array()}};
   for (const SolidityFinding& finding : solid.findings())
     report["mesh"]["findings"].push_back(
-        {{"problem", finding.problem}, {"at", finding.at ? triple(*finding.at) : Json(nullptr)}});
+        {{"problem", finding.message.code}, {"at", finding.at ? triple(*finding.at) : Json(nullptr)}});
   report["carving"] = {
       {"pose", nameOf(result.profile.pose)}, {"fit", result.profile.fit}, {"meanDepthMm", result.profile.meanDepthMm}};
   if (result.features) report["carving"]["features"] = describeFeatures(*result.features, request.printer);

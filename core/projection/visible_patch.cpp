@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <fmt/format.h>
 #include <limits>
 #include <optional>
 #include <queue>
@@ -304,22 +303,15 @@ class Flood {
 /// Why nothing can be put at the centre, if so.
 Status checkCentre(const Mesh& mesh, const ProjectionFrame& frame, const EyeView& view, std::uint32_t seed) {
   if (view.facing[seed] == Facing::Away)
-    return fail(ErrorKind::NoSolution,
-                fmt::format("The surface at the chosen point (triangle {}) faces away from the reader", seed),
-                "Choose another direction or another point");
+    return fail(ErrorKind::NoSolution, message("centre-faces-away", with::count("triangle", seed)));
   if (view.facing[seed] == Facing::FrontOutOfReach)
-    return fail(ErrorKind::NoSolution,
-                fmt::format("The triangle at the chosen point ({}) reaches behind the eye, which is {:.4g} mm away",
-                            seed, frame.eyeDistance),
-                "Increase the eye distance (--eye-distance)");
+    return fail(ErrorKind::NoSolution, message("centre-behind-eye", with::count("triangle", seed),
+                                               with::lengthMm("distance", frame.eyeDistance)));
   if (const std::optional<CentreObstruction> obstruction = whatHidesCentre(mesh, frame, view))
-    return fail(
-        ErrorKind::NoSolution,
-        fmt::format("Another part of the model hides the chosen point: triangle {} is in the way, {:.4g} mm from "
-                    "the eye and {:.4g} mm before the point",
-                    obstruction->triangle, obstruction->fromEyeMm, frame.eyeDistance - obstruction->fromEyeMm),
-        fmt::format("Choose another point or direction, or an eye distance (--eye-distance) below {:.4g} mm",
-                    obstruction->clearDistanceMm));
+    return fail(ErrorKind::NoSolution, message("centre-hidden", with::count("triangle", obstruction->triangle),
+                                               with::lengthMm("fromEye", obstruction->fromEyeMm),
+                                               with::lengthMm("before", frame.eyeDistance - obstruction->fromEyeMm),
+                                               with::lengthMm("clear", obstruction->clearDistanceMm)));
   return {};
 }
 

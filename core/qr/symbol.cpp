@@ -5,7 +5,6 @@
 #include <array>
 #include <cerrno>
 #include <cstddef>
-#include <fmt/format.h>
 #include <memory>
 #include <qrencode.h>
 #include <string>
@@ -46,17 +45,11 @@ std::size_t utf8SequenceLength(std::string_view bytes) {
 }
 
 Status checkCharacters(std::string_view text) {
-  if (text.empty()) return fail(ErrorKind::BadInput, "The text is empty", "Give the text or link to be engraved");
+  if (text.empty()) return fail(ErrorKind::BadInput, message("text-empty"));
   for (std::size_t i = 0; i < text.size();) {
-    if (text[i] == '\0') {
-      return fail(ErrorKind::BadInput, fmt::format("The text holds a NUL character at byte {}", i + 1),
-                  "Remove it; readers end the text there");
-    }
+    if (text[i] == '\0') return fail(ErrorKind::BadInput, message("text-holds-nul", with::count("byte", i + 1)));
     const std::size_t length = utf8SequenceLength(text.substr(i));
-    if (length == 0) {
-      return fail(ErrorKind::BadInput, fmt::format("The text is not valid UTF-8 at byte {}", i + 1),
-                  "Save or paste it as UTF-8");
-    }
+    if (length == 0) return fail(ErrorKind::BadInput, message("text-no-utf8", with::count("byte", i + 1)));
     i += length;
   }
   return {};
@@ -108,33 +101,34 @@ int smallestVersion(std::string_view text, ErrorCorrection level) {
   return code ? code->version : 0;
 }
 
-/// What else could be asked for: "version 7, or version 5 with error correction L"; empty if nothing holds the text.
-std::string whatWouldHold(std::string_view text, const SymbolOptions& options) {
-  std::string found;
+/// What else could be asked for, told within the refusal: a larger version, a weaker error correction, or neither.
+Message whatWouldHold(std::string_view text, const SymbolOptions& options) {
+  if (text.size() > kMostCharacters) return message("no-symbol-holds-it");
   const int asked = options.version.value_or(0);
   const int needed = smallestVersion(text, options.errorCorrection);
-  if (needed != 0) found = fmt::format("version {}", needed);
   for (int weaker = static_cast<int>(options.errorCorrection) - 1; weaker >= 0; --weaker) {
     const auto level = static_cast<ErrorCorrection>(weaker);
     const int version = smallestVersion(text, level);
     if (version == 0 || (needed != 0 && version > asked)) continue;
-    found += fmt::format("{}version {} with error correction {}", found.empty() ? "" : ", or ",
-                         std::max(version, asked), errorCorrectionName(level));
-    break;
+    if (needed == 0)
+      return message("weaker-symbol-holds-it", with::count("version", std::max(version, asked)),
+                     with::term("level", errorCorrectionName(level)));
+    return message("larger-or-weaker-symbol-holds-it", with::count("larger", needed),
+                   with::count("version", std::max(version, asked)), with::term("level", errorCorrectionName(level)));
   }
-  return found;
+  if (needed != 0) return message("larger-symbol-holds-it", with::count("version", needed));
+  return message("no-symbol-holds-it");
 }
 
 tl::unexpected<Error> tooLong(std::string_view text, const SymbolOptions& options) {
-  const std::string size = text.size() == 1 ? "1 byte" : fmt::format("{} bytes", text.size());
-  const std::string symbol = options.version ? fmt::format("a version {} QR Code", *options.version) : "any QR Code";
-  const std::string message = fmt::format("The text is {} long, too long for {} with error correction {}", size, symbol,
-                                          errorCorrectionName(options.errorCorrection));
-  const std::string held = text.size() > kMostCharacters ? std::string() : whatWouldHold(text, options);
-  if (!held.empty()) return fail(ErrorKind::BadInput, message, fmt::format("It fits {}; or shorten the text", held));
-  return fail(ErrorKind::BadInput, message,
-              "Shorten the text: the largest symbol holds 2953 bytes with error correction L, 2331 with M, 1663 with Q "
-              "and 1273 with H");
+  if (options.version)
+    return fail(ErrorKind::BadInput, message("text-too-long-for-version", with::count("count", text.size()),
+                                             with::count("version", *options.version),
+                                             with::term("level", errorCorrectionName(options.errorCorrection)),
+                                             with::cause("held", whatWouldHold(text, options))));
+  return fail(ErrorKind::BadInput, message("text-too-long", with::count("count", text.size()),
+                                           with::term("level", errorCorrectionName(options.errorCorrection)),
+                                           with::cause("held", whatWouldHold(text, options))));
 }
 
 bool isInFinder(int row, int column, int size) {
@@ -200,18 +194,17 @@ std::optional<ErrorCorrection> errorCorrectionByName(std::string_view name) {
 
 Result<Symbol> encodeSymbol(std::string_view text, const SymbolOptions& options) {
   if (options.version && (*options.version < 1 || *options.version > kLargestVersion)) {
-    return fail(ErrorKind::BadUsage, fmt::format("There is no QR Code version {}", *options.version),
-                "Versions run from 1 to 40");
+    return fail(ErrorKind::BadUsage, message("no-such-version", with::count("version", *options.version)));
   }
   if (options.maskRule == MaskRule::Fixed && (options.mask < 0 || options.mask > 7))
-    return fail(ErrorKind::BadUsage, fmt::format("There is no mask {}", options.mask), "Masks run from 0 to 7");
+    return fail(ErrorKind::BadUsage, message("no-such-mask", with::count("mask", options.mask)));
   if (Status good = checkCharacters(text); !good) return tl::unexpected(good.error());
   if (text.size() > kMostCharacters) return tooLong(text, options);
 
   const CodeHandle code = options.version ? encodeFrom(text, *options.version, options.errorCorrection)
                                           : encodeSmallest(text, 1, options.errorCorrection);
   if (!code && errno != ERANGE) {
-    return fail(ErrorKind::Internal, fmt::format("libqrencode could not encode the text (errno {})", errno));
+    return fail(ErrorKind::Internal, message("text-not-encoded", with::count("errno", errno)));
   }
   if (!code || (options.version && code->version > *options.version)) return tooLong(text, options);
   Symbol symbol = toSymbol(*code, options.errorCorrection);

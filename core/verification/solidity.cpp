@@ -2,7 +2,6 @@
 #include "verification/solidity.h"
 
 #include <algorithm>
-#include <fmt/format.h>
 #include <numeric>
 
 #include "mesh/clean.h"
@@ -110,30 +109,29 @@ bool anyRepeatsAVertex(const Mesh& mesh) {
 
 std::vector<SolidityFinding> SolidityReport::findings() const {
   std::vector<SolidityFinding> found;
-  const auto count = [&](std::size_t n, const char* one, const char* many, Vec3 at) {
-    if (n > 0) found.push_back({fmt::format("{} {}", n, n == 1 ? one : many), at});
+  const auto add = [&](std::size_t n, Message what, Vec3 at) {
+    if (n > 0) found.push_back({std::move(what), at});
   };
-  count(openEdges, "open edge", "open edges", openAt);
-  count(nonManifoldEdges, "edge with more than two triangles", "edges with more than two triangles", nonManifoldEdgeAt);
-  count(misorientedEdges, "edge between triangles that face opposite ways",
-        "edges between triangles that face opposite ways", misorientedAt);
-  count(nonManifoldVertices, "vertex where parts touch in a point only", "vertices where parts touch in a point only",
-        nonManifoldVertexAt);
-  count(degenerateTriangles, "triangle without area", "triangles without area", degenerateAt);
-  count(duplicateTriangles, "duplicate triangle", "duplicate triangles", duplicateAt);
-  count(selfIntersections, "pair of triangles that cross", "pairs of triangles that cross", selfIntersectionAt);
-  if (triangles == 0) {
-    found.push_back({"no triangle", std::nullopt});
-  } else if (!(volumeMm3 > 0)) {
-    found.push_back({fmt::format("inside out: its volume is {:.6g} mm³", volumeMm3), std::nullopt});
-  }
+  add(openEdges, message("solid-open-edges", with::count("count", openEdges)), openAt);
+  add(nonManifoldEdges, message("solid-crowded-edges", with::count("count", nonManifoldEdges)), nonManifoldEdgeAt);
+  add(misorientedEdges, message("solid-misoriented-edges", with::count("count", misorientedEdges)), misorientedAt);
+  add(nonManifoldVertices, message("solid-touching-vertices", with::count("count", nonManifoldVertices)),
+      nonManifoldVertexAt);
+  add(degenerateTriangles, message("solid-triangles-without-area", with::count("count", degenerateTriangles)),
+      degenerateAt);
+  add(duplicateTriangles, message("solid-duplicate-triangles", with::count("count", duplicateTriangles)), duplicateAt);
+  add(selfIntersections, message("solid-crossing-pairs", with::count("count", selfIntersections)), selfIntersectionAt);
+  if (triangles == 0)
+    found.push_back({message("solid-no-triangle"), std::nullopt});
+  else if (!(volumeMm3 > 0))
+    found.push_back({message("solid-inside-out", with::number("volumeMm3", volumeMm3)), std::nullopt});
   return found;
 }
 
-std::vector<std::string> SolidityReport::problems() const {
-  std::vector<std::string> words;
-  for (SolidityFinding& finding : findings()) words.push_back(std::move(finding.problem));
-  return words;
+std::vector<Message> SolidityReport::problems() const {
+  std::vector<Message> messages;
+  for (SolidityFinding& finding : findings()) messages.push_back(std::move(finding.message));
+  return messages;
 }
 
 Result<SolidityReport> checkSolidity(const Mesh& mesh, std::span<const std::uint32_t> suspects) {

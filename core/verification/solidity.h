@@ -3,7 +3,6 @@
 
 #include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "base/result.h"
@@ -13,7 +12,7 @@ namespace qrelief {
 
 /// One way in which a mesh is no solid.
 struct SolidityFinding {
-  std::string problem;     ///< in words, with the count: "3 open edges"
+  Message message;         ///< what, and how often: to be told within another message
   std::optional<Vec3> at;  ///< of the first, mm; none where the whole mesh is meant
 };
 
@@ -34,7 +33,7 @@ struct SolidityReport {
     return closed() && manifold() && degenerateTriangles + duplicateTriangles + selfIntersections == 0 && volumeMm3 > 0;
   }
   std::vector<SolidityFinding> findings() const;  ///< empty if solid
-  std::vector<std::string> problems() const;      ///< the same without places
+  std::vector<Message> problems() const;          ///< the same without places
 };
 
 /// Checks a mesh whose vertices are welded by equal position. Degenerate = collinear corners, by an exact test.

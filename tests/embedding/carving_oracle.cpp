@@ -147,7 +147,7 @@ std::string solidProblems(const EmbedResult& result) {
   const auto report = checkSolidity(welded(result.mesh), result.newTriangles);
   if (!report) return sentence(report.error().message);
   std::string all = report->vertices == result.mesh.positions.size() ? "" : "vertices coincide; ";
-  for (const std::string& problem : report->problems()) all += problem + "; ";
+  for (const Message& problem : report->problems()) all += sentence(problem) + "; ";
   return all;
 }
 

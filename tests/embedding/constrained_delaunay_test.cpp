@@ -55,7 +55,7 @@ TEST(ConstrainedDelaunay, RefusesCoincidingPoints) {
   const std::vector<Vec2> points{{0, 0}, {1, 0}, {0, 1}, {1, 0}};
   const auto result = triangulateConstrained(points, {});
   ASSERT_FALSE(result);
-  EXPECT_EQ(sentence(result.error().message), "1 points of the arrangement coincide");
+  EXPECT_EQ(sentence(result.error().message), "1 point of the arrangement coincides with another");
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ std::string problemsOf(const Mesh& mesh) {
   const auto report = checkSolidity(oracle::welded(mesh));
   if (!report) return sentence(report.error().message);
   std::string all = report->vertices == mesh.positions.size() ? "" : "vertices coincide; ";
-  for (const std::string& problem : report->problems()) all += problem + "; ";
+  for (const Message& problem : report->problems()) all += sentence(problem) + "; ";
   return all;
 }
 

@@ -89,7 +89,7 @@ void checkPrepared(const Result<PreparedModel>& prepared) {
   std::sort(places.begin(), places.end());
   require(std::adjacent_find(places.begin(), places.end()) == places.end(), "no two positions are equal");
   for (const Finding& finding : prepared->findings)
-    require(!finding.code.empty() && printable(finding.message), "findings are in words");
+    require(printable(sentence(finding.message)) && printable(hint(finding.message)), "findings are in words");
   if (prepared->engravable()) checkClosed(mesh);
 }
 

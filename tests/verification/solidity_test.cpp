@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "messages/sentences.h"
 #include "support/shapes.h"
 
 namespace qrelief {
@@ -17,10 +18,16 @@ SolidityReport check(const Mesh& mesh, std::span<const std::uint32_t> suspects =
   return report.value_or(SolidityReport{});
 }
 
+std::vector<std::string> wordsOf(const SolidityReport& report) {
+  std::vector<std::string> words;
+  for (const Message& problem : report.problems()) words.push_back(sentence(problem));
+  return words;
+}
+
 TEST(Solidity, AcceptsClosedShapesAndKnowsTheirVolume) {
   const SolidityReport box = check(shapes::box({2, 3, 5}));
   EXPECT_TRUE(box.solid());
-  EXPECT_THAT(box.problems(), testing::IsEmpty());
+  EXPECT_THAT(wordsOf(box), testing::IsEmpty());
   EXPECT_EQ(box.triangles, 12u);
   EXPECT_EQ(box.vertices, 8u);
   EXPECT_NEAR(box.volumeMm3, 30, 1e-9);
@@ -35,7 +42,7 @@ TEST(Solidity, CountsTheEdgesOfAHole) {
   EXPECT_EQ(report.openEdges, 3u);
   EXPECT_FALSE(report.closed());
   EXPECT_TRUE(report.manifold());
-  EXPECT_THAT(report.problems(), testing::ElementsAre("3 open edges"));
+  EXPECT_THAT(wordsOf(report), testing::ElementsAre("3 open edges"));
 }
 
 TEST(Solidity, CountsTheEdgesOfATriangleTurnedRound) {
@@ -43,7 +50,7 @@ TEST(Solidity, CountsTheEdgesOfATriangleTurnedRound) {
   std::swap(mesh.triangles[5][0], mesh.triangles[5][1]);
   const SolidityReport report = check(mesh);
   EXPECT_EQ(report.misorientedEdges, 3u);
-  EXPECT_THAT(report.problems(), testing::ElementsAre("3 edges between triangles that face opposite ways"));
+  EXPECT_THAT(wordsOf(report), testing::ElementsAre("3 edges between triangles that face opposite ways"));
 }
 
 TEST(Solidity, CountsAVertexWhereTwoPartsTouch) {
@@ -58,7 +65,7 @@ TEST(Solidity, CountsAVertexWhereTwoPartsTouch) {
   const SolidityReport report = check(mesh);
   EXPECT_EQ(report.nonManifoldVertices, 1u);
   EXPECT_EQ(report.nonManifoldEdges, 0u);
-  EXPECT_THAT(report.problems(), testing::ElementsAre("1 vertex where parts touch in a point only"));
+  EXPECT_THAT(wordsOf(report), testing::ElementsAre("1 vertex where parts touch in a point only"));
 }
 
 TEST(Solidity, CountsAnEdgeOfFourTriangles) {
@@ -102,7 +109,7 @@ TEST(Solidity, FindsASolidThatIsInsideOut) {
   const SolidityReport report = check(shapes::insideOut(shapes::box({2, 3, 5})));
   EXPECT_NEAR(report.volumeMm3, -30, 1e-9);
   EXPECT_FALSE(report.solid());
-  EXPECT_THAT(report.problems(), testing::ElementsAre("inside out: its volume is -30 mm³"));
+  EXPECT_THAT(wordsOf(report), testing::ElementsAre("inside out: its volume is -30 mm³"));
 }
 
 TEST(Solidity, FindsCrossingPartsAmongTheSuspectsOnly) {
@@ -120,7 +127,7 @@ TEST(Solidity, SaysWhereTheFirstOfEachIs) {
   const auto near = [](const SolidityReport& report, const char* problem, Vec3 at) {
     const auto findings = report.findings();
     ASSERT_EQ(findings.size(), 1u);
-    EXPECT_EQ(findings[0].problem, problem);
+    EXPECT_EQ(sentence(findings[0].message), problem);
     ASSERT_TRUE(findings[0].at);
     EXPECT_NEAR(glm::length(*findings[0].at - at), 0, 1e-6);
   };
@@ -130,8 +137,9 @@ TEST(Solidity, SaysWhereTheFirstOfEachIs) {
   Mesh mesh = shapes::box({2, 3, 5});
   mesh.triangles.push_back({mesh.triangles[3][1], mesh.triangles[3][2], mesh.triangles[3][0]});
   const auto doubled = check(mesh).findings();
-  const auto duplicate = std::find_if(doubled.begin(), doubled.end(),
-                                      [](const SolidityFinding& f) { return f.problem == "1 duplicate triangle"; });
+  const auto duplicate = std::find_if(doubled.begin(), doubled.end(), [](const SolidityFinding& f) {
+    return f.message == message("solid-duplicate-triangles", with::count("count", 1));
+  });
   ASSERT_NE(duplicate, doubled.end());
   EXPECT_NEAR(glm::length(*duplicate->at - middle(mesh, 3)), 0, 1e-6);
 
@@ -160,7 +168,7 @@ TEST(Solidity, SaysWhereTheFirstOfEachIs) {
 TEST(Solidity, HasAWordForAnEmptyMesh) {
   const SolidityReport report = check(Mesh{});
   EXPECT_FALSE(report.solid());
-  EXPECT_THAT(report.problems(), testing::ElementsAre("no triangle"));
+  EXPECT_THAT(wordsOf(report), testing::ElementsAre("no triangle"));
 }
 
 }  // namespace

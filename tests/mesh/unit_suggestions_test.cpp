@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/unit_suggestions.h"
+
+#include <gtest/gtest.h>
+
+#include "messages/sentences.h"
+
+namespace qrelief {
+namespace {
+
+TEST(UnitSuggestions, NameMetresForAModelOfTwentyCentimetresInThem) {
+  const auto found = suggestUnits({0.2, 0.1, 0.15}, 1);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0], (UnitSuggestion{"m", 1000, {200, 100, 150}}));
+}
+
+TEST(UnitSuggestions, NameInchesAndCentimetresWhereBothArePlausible) {
+  const auto found = suggestUnits({5, 2.5, 1.5}, 1);
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_EQ(found[0].unit, "in");
+  EXPECT_EQ(found[1], (UnitSuggestion{"cm", 10, {50, 25, 15}}));
+  EXPECT_EQ(sentence(unitAdvice(found)),
+            "If it should be larger, --units in makes it 127 × 63.5 × 38.1 mm, --units cm 50 × 25 × 15 mm; any other "
+            "scale is given with --scale");
+}
+
+TEST(UnitSuggestions, LeaveOutTheUnitThatTheModelIsReadIn) {
+  const auto found = suggestUnits({7, 7, 7}, 10);  // 0.7 cm
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].unit, "in");
+}
+
+TEST(UnitSuggestions, AreNeverMoreThanTwo) {
+  for (const double scale : {1.0, 10.0, 25.4, 1000.0})
+    for (double size = 1e-4; size < 10; size *= 1.1) EXPECT_LE(suggestUnits({size, size, size}, scale).size(), 2u);
+}
+
+TEST(UnitSuggestions, OfferAnyUnitWhereNoneIsPlausible) {
+  const auto found = suggestUnits({1e-3, 1e-3, 1e-3}, 1);
+  EXPECT_TRUE(found.empty());
+  EXPECT_EQ(unitAdvice(found).code, "unit-may-be-wrong");
+}
+
+}  // namespace
+}  // namespace qrelief
