@@ -18,6 +18,7 @@
 #include "pipeline/add_inlay.h"
 #include "pipeline/carved_parts.h"
 #include "pipeline/check_request.h"
+#include "projection/room.h"
 
 namespace qrelief {
 namespace {
@@ -390,6 +391,9 @@ Result<std::unique_ptr<EngraveJob>> EngraveJob::create(std::shared_ptr<const Eng
   if (const Status engravable = model->prepared.engravable(); !engravable) return tl::unexpected(engravable.error());
   auto symbol = encodeSymbol(request.text, request.symbol);
   if (!symbol) return tl::unexpected(symbol.error());
+  const CodeRoom room{symbol->size, roomFactor(symbol->size, request.placement.quietZone)};
+  if (const Status large = checkRoom(model->prepared, room, request.placement.eyeDistanceMm); !large)
+    return tl::unexpected(large.error());
   std::shared_ptr<const GeometryPass> pass = known.pass;
   if (!pass) {
     auto made = GeometryPass::create();

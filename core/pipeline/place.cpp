@@ -10,6 +10,7 @@
 
 #include "base/clock.h"
 #include "projection/bend.h"
+#include "projection/room.h"
 #include "projection/size.h"
 
 namespace qrelief {
@@ -285,6 +286,9 @@ PlaceJob::~PlaceJob() = default;
 Result<std::unique_ptr<PlaceJob>> PlaceJob::create(std::shared_ptr<const EngravableModel> model, PlaceRequest request) {
   if (const Status checked = checkRequest(request); !checked) return tl::unexpected(checked.error());
   if (const Status engravable = model->prepared.engravable(); !engravable) return tl::unexpected(engravable.error());
+  const CodeRoom room{request.modules, request.outerFactor()};
+  if (const Status large = checkRoom(model->prepared, room, request.placement.eyeDistanceMm); !large)
+    return tl::unexpected(large.error());
   auto pass = GeometryPass::create();
   if (!pass) return tl::unexpected(pass.error());
 

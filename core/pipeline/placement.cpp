@@ -13,6 +13,7 @@
 #include "projection/bend.h"
 #include "projection/best_size.h"
 #include "projection/crossings.h"
+#include "projection/room.h"
 #include "projection/size.h"
 
 namespace qrelief {
@@ -23,10 +24,6 @@ constexpr double kSettledShare = 0.01;
 constexpr double kFirstShare = 0.15;  // of the model's diagonal: least square that is sampled first
 constexpr double kFirstReach = 1.25;  // of the expected size's half diagonal: how far is looked first,
 constexpr double kNextReach = 1.5;    // and how much farther each next time
-
-/// Below this a module is neither printed nor read by anything at hand (finest resin printers: 0.05 mm pixels, four to
-/// a module).
-constexpr double kLeastModuleMm = 0.2;
 
 /// Surface that lies nearer to the eye than the QR plane is seen larger than it is: a margin of the surface's takes up
 /// twice as much of the plane at most, halfway to the eye.
@@ -161,15 +158,16 @@ Status PlacementSearch::measure(Vec3 normal) {
                                                : std::min(largestMm(), orientedSize(silhouette) / outerFactor());
   placement_.symbolMm = isFixed ? request_.sizeMm : fitMm_;
   placement_.moduleMm = placement_.symbolMm / modules_;
+  if (fitMm_ < std::min(isFixed ? request_.sizeMm : request_.maxSizeMm, kMinModuleMm * modules_))
+    if (const Status apart = checkCrossings(); !apart) return apart;
   if (isFixed && fitMm_ < request_.sizeMm) return tl::unexpected(doesNotFit());
-  if (placement_.moduleMm < kLeastModuleMm && (isFixed || fitMm_ >= request_.maxSizeMm)) {
-    return fail(
-        ErrorKind::NoSolution,
-        fmt::format("A code of {:.4g} mm is asked for: its modules would be {:.2g} mm wide", placement_.symbolMm,
-                    placement_.moduleMm),
-        fmt::format("Allow a larger size (at least {:.3g} mm), or shorten the text", kLeastModuleMm * modules_));
+  if (placement_.moduleMm < kMinModuleMm && (isFixed || fitMm_ >= request_.maxSizeMm)) {
+    return fail(ErrorKind::NoSolution,
+                fmt::format("A code of {:.4g} mm is asked for: its modules would be {:.2g} mm wide",
+                            placement_.symbolMm, placement_.moduleMm),
+                fmt::format("Allow a larger size (at least {:.3g} mm), or shorten the text", kMinModuleMm * modules_));
   }
-  if (placement_.moduleMm < kLeastModuleMm) {
+  if (placement_.moduleMm < kMinModuleMm) {
     return fail(
         ErrorKind::NoSolution,
         fmt::format("Only a code of {:.3g} mm fits here: its modules would be {:.2g} mm wide", placement_.symbolMm,
@@ -178,6 +176,20 @@ Status PlacementSearch::measure(Vec3 normal) {
         "check its unit");
   }
   return {};
+}
+
+/// Where triangles cross each other nearer to the centre than half an edge of the smallest code, none fits at any
+/// rotation: that is said instead of a size.
+Status PlacementSearch::checkCrossings() const {
+  if (!model_->crossesItself) return {};
+  const Vec3 centre = placement_.frame.centre;
+  const auto crossing = nearestCrossing(model_->mesh, placement_.patch.triangles, centre);
+  if (!crossing) return tl::unexpected(crossing.error());
+  const double leastMm = kMinModuleMm * modules_;
+  if (!*crossing || glm::distance(**crossing, centre) > leastMm * outerFactor() / 2) return {};
+  return fail(ErrorKind::NoSolution,
+              message("crossing-at-centre", with::lengthMm("distance", glm::distance(**crossing, centre)),
+                      with::place("at", **crossing / model_->scaleToMm), with::lengthMm("least", leastMm)));
 }
 
 /// What does fit is named so that it still fits as it is written: sizes rounded down, measured at the rounded rotation.
@@ -266,7 +278,7 @@ Status PlacementSearch::leaveWalls() {
                                         pockets.depthModules * placement_.moduleMm, pockets.minWallMm);
   if (!walls) return tl::unexpected(walls.error());
   const double taken = sizeThatWallsTake(*walls, square, modules_, pockets.depthModules);
-  if (taken < kLeastModuleMm * modules_) return {};
+  if (taken < kMinModuleMm * modules_) return {};
   placement_.symbolMm = taken;
   placement_.moduleMm = taken / modules_;
   return {};

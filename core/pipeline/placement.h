@@ -88,6 +88,7 @@ class PlacementSearch {
   Status measureFirstFitting(std::span<const Vec3> normals);
   std::vector<Vec3> roundCandidates() const;
   Error doesNotFit() const;
+  Status checkCrossings() const;
   Result<bool> refine();
   Result<VisiblePatch> decisivePatch(const ProjectionFrame& frame, GrowingRegion region) const;
   Result<double> guaranteedMm(const VisiblePatch& patch, const ProjectionFrame& frame) const;

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <fmt/format.h>
 
 #include "mesh/self_intersection.h"
 #include "mesh/sheared_ray.h"
@@ -65,23 +64,48 @@ std::vector<Segment3> commonSegments(const Corners& a, const Corners& b) {
   return {{a[0], a[1]}, {a[1], a[2]}, {a[2], a[0]}};
 }
 
+/// What facets of the patch have in common with others, of which some may belong to it, too.
+Result<std::vector<Segment3>> crossingsOf(const Mesh& mesh, std::span<const std::uint32_t> triangles) {
+  const auto pairs = findSelfIntersections(mesh, triangles, kMaxPairs);
+  if (!pairs) return tl::unexpected(pairs.error());
+  if (pairs->size() >= kMaxPairs)
+    return fail(ErrorKind::NoSolution, message("too-many-crossings", with::count("most", kMaxPairs)));
+  std::vector<Segment3> segments;
+  for (const auto& [s, t] : *pairs) {
+    for (const auto& [mine, other] : {std::array{s, t}, std::array{t, s}}) {
+      if (!std::binary_search(triangles.begin(), triangles.end(), mine)) continue;
+      for (const Segment3& segment : commonSegments(cornersOf(mesh, mine), cornersOf(mesh, other)))
+        segments.push_back(segment);
+    }
+  }
+  return segments;
+}
+
+Vec3 nearestOn(const Segment3& segment, Vec3 place) {
+  const Vec3 along = segment[1] - segment[0];
+  const double squared = glm::dot(along, along);
+  const double parameter = squared > 0 ? glm::dot(place - segment[0], along) / squared : 0;
+  return segment[0] + std::clamp(parameter, 0.0, 1.0) * along;
+}
+
 }  // namespace
 
 Status addCrossings(const Mesh& mesh, const ProjectionFrame& frame, VisiblePatch& patch) {
-  const auto pairs = findSelfIntersections(mesh, patch.triangles, kMaxPairs);
-  if (!pairs) return tl::unexpected(pairs.error());
-  if (pairs->size() >= kMaxPairs)
-    return fail(ErrorKind::NoSolution,
-                fmt::format("More than {} pairs of triangles cross each other around the centre", kMaxPairs),
-                "Unite the model's parts in a CAD program first");
-  for (const auto& [s, t] : *pairs) {
-    for (const auto& [mine, other] : {std::array{s, t}, std::array{t, s}}) {
-      if (!std::binary_search(patch.triangles.begin(), patch.triangles.end(), mine)) continue;
-      for (const auto& [from, to] : commonSegments(cornersOf(mesh, mine), cornersOf(mesh, other)))
-        patch.silhouette.push_back({frame.project(from), frame.project(to)});
-    }
-  }
+  const auto segments = crossingsOf(mesh, patch.triangles);
+  if (!segments) return tl::unexpected(segments.error());
+  for (const auto& [from, to] : *segments) patch.silhouette.push_back({frame.project(from), frame.project(to)});
   return {};
+}
+
+Result<std::optional<Vec3>> nearestCrossing(const Mesh& mesh, std::span<const std::uint32_t> triangles, Vec3 place) {
+  const auto segments = crossingsOf(mesh, triangles);
+  if (!segments) return tl::unexpected(segments.error());
+  std::optional<Vec3> nearest;
+  for (const Segment3& segment : *segments) {
+    const Vec3 point = nearestOn(segment, place);
+    if (!nearest || glm::distance(point, place) < glm::distance(*nearest, place)) nearest = point;
+  }
+  return nearest;
 }
 
 }  // namespace qrelief

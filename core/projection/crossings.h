@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+#include <span>
+
 #include "base/result.h"
 #include "projection/visible_patch.h"
 
@@ -15,5 +18,11 @@ namespace qrelief {
 /// @param mesh  may cross itself
 /// @returns NoSolution if more than 100,000 pairs cross within the patch; Internal if the exact predicates fail
 Status addCrossings(const Mesh& mesh, const ProjectionFrame& frame, VisiblePatch& patch);
+
+/// The point nearest to a place at which other facets come through those of a patch; none if none does.
+///
+/// Cost and errors as of addCrossings.
+/// @param triangles  of the patch, ascending
+Result<std::optional<Vec3>> nearestCrossing(const Mesh& mesh, std::span<const std::uint32_t> triangles, Vec3 place);
 
 }  // namespace qrelief

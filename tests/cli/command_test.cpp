@@ -321,6 +321,28 @@ TEST_F(CommandTest, InfoTellsSizeAndFindings) {
   EXPECT_EQ(info["findings"][0]["code"], "large-openings");
   EXPECT_EQ(info["findings"][1]["code"], "open-edges");
   EXPECT_EQ(info["findings"][1]["count"], 3);
+  EXPECT_EQ(info["findings"][1]["values"]["count"], nlohmann::json({{"count", 3}}));
+  EXPECT_EQ(info["findings"][1]["severity"], "blocking");
+  EXPECT_NE(info["findings"][1]["message"].get<std::string>().find("3 open edges, one at ("), std::string::npos);
+  EXPECT_NE(info["findings"][1]["hint"], "");
+}
+
+TEST_F(CommandTest, WarningsAndErrorsAreToldApartNameTheFileAndSayWhatHelps) {
+  const std::string tiny = writeModel("tiny.stl", shapes::box({0.2, 0.1, 0.15}));
+  const Outcome outcome = run({"engrave", tiny, "--text", "x", "--at", "0,0,0.075", "-o", path("out.stl"), "--quiet"});
+  EXPECT_EQ(outcome.status, 4);
+  const std::string helps = "--units m makes it 200 × 100 × 150 mm";
+  const std::size_t warning = outcome.err.find("qrelief: warning: tiny.stl: The model is tiny: 0.2 × 0.1 × 0.15 mm\n");
+  const std::size_t error = outcome.err.find("qrelief: error: tiny.stl: The model has no room for any code");
+  ASSERT_NE(warning, std::string::npos) << outcome.err;
+  ASSERT_NE(error, std::string::npos) << outcome.err;
+  EXPECT_LT(outcome.err.find("  what helps: If it should be larger, " + helps, warning), error) << outcome.err;
+  EXPECT_NE(outcome.err.find("  what helps: If it should be larger, " + helps, error), std::string::npos);
+  EXPECT_NE(run({"place", tiny, "--quiet"}).err.find("  what helps: If it should be larger, " + helps),
+            std::string::npos);
+  EXPECT_EQ(run({"engrave", tiny, "--text", "x", "--at", "0,0,0.075", "-o", path("out.stl"), "--contrast", "3"})
+                .err.find("error: tiny.stl: The contrast"),
+            std::string::npos);
 }
 
 TEST_F(CommandTest, RepairsAreSwitchedByOptions) {

@@ -191,5 +191,13 @@ TEST_F(PlaceTest, CentreDecimalsReachAMicrometre) {
   EXPECT_EQ(centreDecimals(1e-9), 0);
 }
 
+TEST_F(PlaceTest, RefusesAModelThatIsTooSmallForAnyCodeAtOnce) {
+  const auto refused = PlaceJob::create(upload(shapes::box({0.2, 0.2, 0.2})), request(20));
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_EQ(refused.error().kind, ErrorKind::NoSolution);
+  EXPECT_EQ(refused.error().message.code, "model-too-small");
+  EXPECT_NE(hint(refused.error().message).find("--units m"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace qrelief

@@ -223,5 +223,23 @@ TEST(SizeMode, NamesLeadToModesAndBack) {
   EXPECT_FALSE(sizeModeByName("").has_value());
 }
 
+TEST_F(PlacementTest, NamesACrossingAtTheCentreInsteadOfASizeThatNobodyCanPrint) {
+  // A column comes through the upper face; the code is wanted a hundredth of a millimetre beside it.
+  load(shapes::together(shapes::box({40, 40, 10}), shapes::translated(shapes::box({4, 60, 30}), {10, 0, 0})));
+  for (const SizeMode mode : {SizeMode::Fixed, SizeMode::Free, SizeMode::Best}) {
+    PlacementRequest request;
+    request.centreMm = {7.99, 1, 5};
+    request.direction = Vec3(0, 0, 1);
+    request.sizeMode = mode;
+    request.sizeMm = 20;
+    const auto refused = place(request);
+    ASSERT_FALSE(refused.has_value());
+    EXPECT_EQ(refused.error().message.code, "crossing-at-centre") << sentence(refused.error().message);
+    EXPECT_EQ(sentence(refused.error().message),
+              "No code fits here: triangles of the model cross each other 0.01 mm from the centre, at (8, 1, 5), and "
+              "the smallest code takes 5.8 mm");
+  }
+}
+
 }  // namespace
 }  // namespace qrelief

@@ -60,6 +60,26 @@ TEST(Crossings, OfBodiesThatTouchAtAPointAreThatPoint) {
   EXPECT_NEAR(sizeAt(mesh, true), 18, 1e-9);
 }
 
+TEST(Crossings, AreFoundNearestToAPlace) {
+  // The column comes through the face along x = 8 to 12, all the way from y = -20 to 20.
+  const Mesh mesh =
+      shapes::together(shapes::box({40, 40, 10}), shapes::translated(shapes::box({4, 60, 30}), {10, 0, 0}));
+  const ProjectionFrame frame = makeFrame({0, 1, 5}, {0, 0, 1}, {0, 1, 0}, 250);
+  const auto patch = findVisiblePatch(mesh, buildAdjacency(mesh.triangles), frame, topTriangle(mesh, {0, 1}), 100);
+  ASSERT_TRUE(patch.has_value());
+  const auto found = nearestCrossing(mesh, patch->triangles, {0, 1, 5});
+  ASSERT_TRUE(found.has_value() && found->has_value());
+  EXPECT_NEAR(glm::distance(**found, Vec3(8, 1, 5)), 0, 1e-9);
+}
+
+TEST(Crossings, AreNotFoundInASoundSurface) {
+  const Mesh box = shapes::box({40, 40, 10});
+  const std::vector<std::uint32_t> all{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11};
+  const auto found = nearestCrossing(box, all, {0, 1, 5});
+  ASSERT_TRUE(found.has_value());
+  EXPECT_FALSE(found->has_value());
+}
+
 TEST(Crossings, LeaveASoundSurfaceAsItIs) {
   const Mesh box = shapes::box({40, 40, 10});
   EXPECT_EQ(sizeAt(box, true), sizeAt(box, false));

@@ -33,7 +33,7 @@ double outerFactor(const PlacementRequest& place, int modules) {
 
 bool warnedOf(const PreparedModel& prepared, std::string_view code) {
   return std::any_of(prepared.findings.begin(), prepared.findings.end(),
-                     [&](const Finding& finding) { return finding.code == code; });
+                     [&](const Finding& finding) { return finding.message.code == code; });
 }
 
 /// Plane point k of an even sequence inside a submodule, at least a quarter of it from its rim, where outlines may lie.
@@ -104,7 +104,8 @@ std::string solidFault(const EngravableModel& model, const EngraveResult& result
   if (warnedOf(model.prepared, "self-intersections")) return {};  // inherited ones cannot be told from new ones
   if (const std::size_t crossings = countCrossings(carved, made); crossings > 0)
     return fmt::format("{} pairs of triangles cross", crossings);
-  if (!result.solidity.solid()) return "the job says that it is no solid: " + result.solidity.problems().front();
+  if (!result.solidity.solid())
+    return "the job says that it is no solid: " + sentence(result.solidity.problems().front());
   return {};
 }
 
@@ -356,10 +357,20 @@ std::string fineFault(const EngravableModel& model, const Search& search) {
   return "no facet there is finer than 100 steps of a float";
 }
 
+/// The diagonal of the smallest code, against the model's, seen from the eye as large as its nearest point may be.
+std::string smallFault(const EngraveCase& made, const EngravableModel& model, int modules) {
+  const double diagonal = boundingBox(model.prepared.mesh).diagonal();
+  const PlacementRequest& place = made.request.placement;
+  const double least = 0.2 * modules * outerFactor(place, modules);
+  const double enlarged = diagonal * place.eyeDistanceMm / (place.eyeDistanceMm - diagonal);
+  return std::sqrt(2) * least > enlarged ? "" : "the model may have room for a code";
+}
+
 Verdict judgeNoSolution(const EngraveCase& made, const EngravableModel& model, const Error& error) {
   const auto says = [&](std::string_view words) { return sentence(error.message).find(words) != std::string::npos; };
   const auto symbol = encodeSymbol(made.request.text, made.request.symbol);
   if (!symbol) return {"no solution", "the text cannot be encoded, and nothing said so: " + sentence(error.message)};
+  if (error.message.code == "model-too-small") return {"model too small", smallFault(made, model, symbol->size)};
   const Search search = repeatSearch(made, model, symbol->size);
   if (says("does not fit here"))
     return {"does not fit", fitFault(made, model, search, symbol->size, made.request.placement.sizeMm)};
