@@ -38,7 +38,8 @@ std::string answer(ErrorKind code, std::string message, std::string hint) {
 }
 
 std::string answer(const Progress& progress) {
-  return textOf({{"ok", true}, {"stage", jsonOf(progress.stage)}, {"fraction", progress.fraction}, {"done", progress.done}});
+  return textOf(
+      {{"ok", true}, {"stage", jsonOf(progress.stage)}, {"fraction", progress.fraction}, {"done", progress.done}});
 }
 
 Json jsonOf(Vec3 v) { return Json::array({v.x, v.y, v.z}); }

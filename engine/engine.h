@@ -8,18 +8,17 @@
 #include <string>
 #include <vector>
 
-#include "gl/objects.h"
-#include "gl/pass_timings.h"
-#include "mesh/ray.h"
-#include "pipeline/place.h"
-#include "pipeline/report.h"
-#include "viewer/code_estimate.h"
-#include "viewer/orbit_camera.h"
-#include "viewer/viewer.h"
+#include "engine/carvings.h"
+#include "engine/job_map.h"
+#include "engine/placing.h"
+#include "engine/scene.h"
+#include "engine/spot_offers.h"
+#include "engine/wanted_code.h"
 
 namespace qrelief {
 
-/// What the page asks of the core, as verbs; the state is one model, one place on it, one engraving.
+/// What the page asks of the core, as verbs; the state is one model, one place on it, one engraving. Each is kept by a
+/// class of its own; this one knows how they hang together, and words their answers.
 ///
 /// Answers are JSON: {"ok": true, …} or {"ok": false, "error": {"code", "message", "hint"}} with the codes BadUsage,
 /// BadInput, NoSolution, Internal. Screen positions are CSS pixels from the canvas's upper left, lengths mm. Needs a
@@ -41,6 +40,8 @@ class Engine {
 
   /// See readSettings. What is engraved follows from the last call.
   std::string configure(const std::string& settings);
+  /// See describeSymbol; changes nothing.
+  std::string symbol(const std::string& settings) const;
 
   /// {hit: false} or {hit: true, centre}; the centre of the code. Shows the model as it was before carving.
   std::string pick(double x, double y);
@@ -88,7 +89,7 @@ class Engine {
   void cancel();
 
   /// Number of the finished engraving that can be reported and exported; 0: none.
-  int carving() const { return result_ ? carving_ : 0; }
+  int carving() const { return carvings_.number(); }
   /// Brings a finished engraving back and shows it: the last one, or the one before it, of the same model.
   /// @returns whether it is still there
   bool useCarving(int number);
@@ -99,24 +100,26 @@ class Engine {
   const GreyImage& readerImage() const;
   /// The same from aside, see tilted(); empty before an engraving is done, and where it cannot be drawn.
   GreyImage readerImageFrom(double tiltDeg, double azimuthDeg);
+  /// What the engraving job worked on, see jobMap in job_map.h.
+  std::optional<JobMap> jobMap(const std::string& name) const;
   /// What a reader made of it; empty: nothing.
-  void setReadBack(const std::string& text, const std::string& reader);
+  void setReadBack(const std::string& text, const std::string& reader) { carvings_.setReadBack(text, reader); }
   /// The carved model as "stl" (binary), "obj", "ply", "3mf" or "3mf-inlay" (with the body that fills the pockets),
   /// read back and compared; empty before an engraving is done, for another format, if the file would say anything
   /// else, and if the pockets cannot be filled by a solid body.
   std::vector<std::uint8_t> exportModel(const std::string& format);
 
-  void resize(double width, double height, double devicePixelRatio);
-  void setTheme(bool dark);
+  void resize(double width, double height, double devicePixelRatio) { scene_.resize(width, height, devicePixelRatio); }
+  void setTheme(bool dark) { scene_.setTheme(dark); }
   /// "y" or "z": the model's up axis, for the view and as the direction the code's top points to.
   void setUpAxis(const std::string& axis);
   void showCarved(bool carved);
-  void orbit(double dx, double dy);
-  void pan(double dx, double dy);
+  void orbit(double dx, double dy) { scene_.camera().orbit(dx, dy); }
+  void pan(double dx, double dy) { scene_.camera().pan(dx, dy); }
   void zoom(double factor, double x, double y);
-  void fit();
+  void fit() { scene_.camera().fit(); }
   /// "front", "back", "left", "right", "top", "bottom" or "iso"; others are ignored.
-  void standardView(const std::string& name);
+  void standardView(const std::string& name) { scene_.standardView(name); }
   void readerView();
   /// From the reader's side, with the surroundings in view.
   void faceCode();
@@ -132,13 +135,8 @@ class Engine {
   /// the square of the code and its quiet zone lies on the QR plane (upper left first, clockwise for its reader), the
   /// cosine at which the camera looks at it; the camera's axes, z up.
   std::string viewState() const;
-  /// A picture of a spot with the code on it.
-  struct Picture {
-    int width = 0, height = 0;
-    std::vector<std::uint8_t> rgba;  ///< row 0 at the top
-  };
-  /// Empty if there is no such spot.
-  Picture spotPicture(std::size_t index, int width, int height);
+  /// A picture of a spot with the code on it; empty if there is no such spot.
+  ColourImage spotPicture(std::size_t index, int width, int height);
 
   /// @param always  present again even if nothing changed, as something is drawn over it
   /// @returns whether another call would improve the picture
@@ -146,134 +144,43 @@ class Engine {
 
   // For the inspector.
   /// Measures the passes of the engravings that start from now on.
-  void timePasses(bool withTimerQueries) { timerQueries_ = withTimerQueries; }
-  gl::PassTimings* passTimings() const { return passTimings_.get(); }
-  const EngraveRequest& settings() const { return request_; }
-  const EngraveRequest& engravedRequest() const { return jobRequest_; }
-  int engravings() const { return engravings_; }  ///< started so far
-  /// What the search of the last engraving did, and its symbol; null before it has seen anything.
-  const SearchRecord* search() const;
-  const Symbol* engravedSymbol() const;
+  void timePasses(bool withTimerQueries) { carvings_.timePasses(withTimerQueries); }
+  const Carvings& carvings() const { return carvings_; }
+  /// As configured.
+  const EngraveRequest& settings() const { return wanted_.settings(); }
   /// Distances to the far side of the material, from the eye of the last engraving.
   Result<BackDistanceMap> backDistances() const;
   /// The place in symbol and quiet zone that is seen at a screen position, if the reader sees it, too: (0, 0) = the
   /// quiet zone's upper left, (1, 1) = its lower right. Of the last engraving.
   std::optional<Vec2> codePlaceAt(double x, double y) const;
-  double codeEdgeMm() const;  ///< of symbol and quiet zone of the last engraving
-  const EngraveJob* job() const { return job_.get(); }
-  const EngraveResult* result() const { return result_ ? &*result_ : nullptr; }
-  const Placement* placed() const { return placement_ ? &*placement_ : nullptr; }
-  const Viewer* viewer() const { return viewer_.get(); }
+  const Placement* placed() const { return placing_.placement(); }
+  const Viewer* viewer() const { return scene_.viewer(); }
   const gl::Capabilities& gl() const { return gl_; }
 
  private:
-  struct Model {
-    std::string fileName, format;
-    double scaleToMm = 1, loadMs = 0, prepareMs = 0;
-    std::vector<Message> warnings;
-    std::vector<std::string> partNames;
-    std::shared_ptr<const EngravableModel> engravable;
-    SurfaceLook look;  // by the processor: what follows the pointer does not wait for pictures
-    std::shared_ptr<const GpuMesh> display;
-  };
-  // A code as it is shown.
-  struct CodeOnSurface {
-    SurfacePrint print;
-    double symbolMm = 0, rotationDeg = 0, guaranteedMm = 0;
-    double missingShare = 0;
-    bool isExact = false;
-    std::shared_ptr<const EyeReach> reach;  // as the map knows it; the print may know better
-  };
-  Result<CodeOnSurface> estimatedCode(const SurfacePoint& at, std::optional<double> expectedMm = {}) const;
-  Result<CodeOnSurface> exactCode(const Symbol& symbol, const EngraveRequest& request,
-                                  const Placement& placement) const;
-  bool takesCode() const;
-  std::optional<CuttingPlane> cut() const;
-  Result<Model> readAndPrepare(std::vector<std::uint8_t> bytes, const std::string& fileName, double scaleToMm) const;
-  void proposeCentre();
+  // What the page is told.
   std::string describeModel() const;
   std::string describePlacement() const;
-  std::string chooseCentre(std::optional<SurfacePoint> point);
   std::string describeCode(const CodeOnSurface& code) const;
+
+  bool takesCode() const;
+  bool showsCarved() const;
+  PlacingTask task() const;
+  Carvings::Ground ground() const { return {*model_, pass_}; }
+  Status placeCode();
+  std::string chooseCentre(std::optional<SurfacePoint> point);
   std::optional<SurfacePoint> surfaceAt(double x, double y) const;
-  Status placeSymbol();
-  Status findPlacement(const EngraveRequest& request);  // unless it is the one that was found last
-  const PlacementSearch* foundPlacement(const EngraveRequest& request) const;  // null: not yet
-  EngraveRequest completeRequest() const;
-  void finishPlacing();
-  void forgetPlacement();
-  void forgetSpots();
-  void forgetJob();
-  Result<std::unique_ptr<EngraveJob>> makeJob(const EngraveRequest& request, const PlacementSearch* placed);
-  void setCarvingAside();
-  void finishJob();
-  void makeCarvedDisplay();
   void updateView();
 
   gl::Capabilities gl_;
   std::vector<std::string> problems_;
   std::shared_ptr<const GeometryPass> pass_;
-  std::shared_ptr<const LuminancePrograms> luminancePrograms_;  // once there was an engraving
-  std::unique_ptr<Viewer> viewer_, spotViewer_;
-  OrbitCamera camera_;
-
-  std::optional<Model> model_;
-  EngraveRequest request_;
-  std::optional<Vec3> centre_;
-  Result<Symbol> symbol_;  // of the request
-  struct FoundPlacement {
-    PlacementRequest request;
-    int modules;
-    PlacementSearch search;
-  };
-  std::optional<FoundPlacement> found_;  // last
-  std::optional<Placement> placement_;
-  std::optional<CodeOnSurface> code_;  // that has its place, or is being moved there
-  std::optional<CodeOnSurface> hovered_;
-  std::optional<SurfacePoint> hoveredAt_;
-  std::optional<PlacementSearch> settling_;
-  bool sectionShown_ = false, dark_ = false;
-  double sectionOffset_ = 0;
-
-  PlaceRequest placingRequest_;  // of the search that runs, or whose spots are known
-  std::unique_ptr<PlaceJob> placing_;
-  std::vector<OfferedSpot> spots_;
-  double topMm_ = 0;
-  std::shared_ptr<const GpuMesh> sizesDisplay_;
-  bool showSizes_ = false;
-  std::optional<Vec3> spotDirection_;  // that the centre needs
-
-  std::optional<bool> timerQueries_;  // none: passes are not timed
-  std::unique_ptr<gl::PassTimings> passTimings_;
-  int engravings_ = 0;
-  struct Prepared {
-    EngraveRequest request;
-    std::unique_ptr<EngraveJob> job;
-    int steps = 0;  // that it has done
-    double ms = 0;
-  };
-  std::optional<Prepared> prepared_;  // of the next engraving, if that is asked for as it is now
-  EngraveRequest jobRequest_;
-  std::unique_ptr<EngraveJob> job_;
-  bool jobRuns_ = false;
-  double jobMs_ = 0;
-  std::optional<EngraveResult> result_;
-  std::shared_ptr<const GpuMesh> carvedDisplay_;  // once it has been shown
-  bool showCarved_ = false;
-  bool showDepths_ = false;
-  std::string readBack_, reader_;
-
-  struct Carving {
-    int number = 0;
-    EngraveRequest request;
-    double ms = 0;
-    EngraveResult result;
-    std::shared_ptr<const GpuMesh> display;
-    std::string readBack, reader;
-  };
-  int carving_ = 0;                 // the number of `result_`, or of the last there was
-  int carvings_ = 0;                // so many were finished
-  std::optional<Carving> earlier_;  // the one before: more would cost memory without end
+  std::optional<LoadedModel> model_;
+  WantedCode wanted_;
+  Placing placing_;
+  SpotOffers offers_;
+  Carvings carvings_;
+  Scene scene_;
 };
 
 }  // namespace qrelief

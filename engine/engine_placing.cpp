@@ -1,157 +1,175 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the engine puts the code, and the spots that it offers.
-#include <algorithm>
+// Where the engine puts the code, the one that follows the pointer, and the spots that it offers.
 #include <cmath>
+#include <fmt/format.h>
 
 #include "engine/answers.h"
 #include "engine/engine.h"
+#include "math/angle.h"
 #include "projection/bend.h"
-#include "viewer/heat_mesh.h"
 
 namespace qrelief {
 namespace {
 
-constexpr double kLegendStepMm = 5;  // the legend of the sizes ends at a multiple of it
+const Error kNoCode = {ErrorKind::BadUsage,
+                       untold("no code has a place", "click on the model where the code should go")};
 
 }  // namespace
 
-Status Engine::placeSymbol() {
+PlacingTask Engine::task() const { return {*model_, *pass_, wanted_, scene_.camera().skyward()}; }
+
+bool Engine::takesCode() const {
+  return model_ && !carvings_.isRunning() && wanted_.symbol() && model_->engravable->prepared.engravable();
+}
+
+Status Engine::placeCode() {
   if (!model_) return tl::unexpected(kNoModel);
-  if (!centre_)
+  if (!wanted_.centreMm())
     return fail(ErrorKind::BadUsage, "no place has been chosen", "click on the model where the code should go");
-  const EngravableModel& model = *model_->engravable;
-  if (const Status engravable = model.prepared.engravable(); !engravable) return engravable;
-  if (!symbol_) return tl::unexpected(symbol_.error());
-  const EngraveRequest request = completeRequest();
-  if (const Status found = findPlacement(request); !found) {
-    const auto surface = closestPoint(model.prepared.mesh, *centre_);
-    if (auto about = surface ? estimatedCode(*surface) : tl::unexpected(found.error())) code_ = std::move(*about);
-    return found;
-  }
-  auto code = exactCode(*symbol_, request, found_->search.placement());
-  if (!code) return tl::unexpected(code.error());
-  placement_ = found_->search.placement();
-  code_ = std::move(*code);
-  return {};
-}
-
-Status Engine::findPlacement(const EngraveRequest& request) {
-  if (foundPlacement(request)) return {};
-  found_.reset();
-  prepared_.reset();
-  const PlacementRequest wanted = searchedPlacement(request, symbol_->size);
-  const EngravableModel& model = *model_->engravable;
-  PlacementSearch search(model.prepared, model.gpu, *pass_, symbol_->size, wanted);
-  for (bool done = false; !done;) {
-    const Result<bool> found = search.step();
-    if (!found) return tl::unexpected(found.error());
-    done = *found;
-  }
-  found_ = {wanted, symbol_->size, std::move(search)};
-  return {};
-}
-
-const PlacementSearch* Engine::foundPlacement(const EngraveRequest& request) const {
-  const bool isThat = found_ && symbol_ && found_->modules == symbol_->size &&
-                      found_->request == searchedPlacement(request, symbol_->size);
-  return isThat ? &found_->search : nullptr;
+  if (const Status engravable = model_->engravable->prepared.engravable(); !engravable) return engravable;
+  if (!wanted_.symbol()) return tl::unexpected(wanted_.symbol().error());
+  return placing_.place(task());
 }
 
 std::string Engine::placement() {
-  forgetPlacement();
-  const Status placed = placeSymbol();
+  placing_.forget();
+  const Status placed = placeCode();
   updateView();
   return placed ? describePlacement() : answer(placed.error());
 }
 
 std::string Engine::describePlacement() const {
+  const Placement& placement = *placing_.placement();
   return textOf({{"ok", true},
                  {"placement",
-                  {{"centre", jsonOf(placement_->frame.centre)},
-                   {"normal", jsonOf(placement_->frame.normal)},
-                   {"up", jsonOf(placement_->frame.up)},
-                   {"symbolMm", placement_->symbolMm},
-                   {"moduleMm", placement_->moduleMm},
-                   {"guaranteedMm", placement_->guaranteedMm},
-                   {"aimToleranceDeg", aimToleranceDeg(placement_->bendMm, placement_->moduleMm)},
-                   {"rotationDeg", placement_->rotationDeg},
-                   {"version", symbol_->version},
-                   {"modules", symbol_->size}}}});
+                  {{"centre", jsonOf(placement.frame.centre)},
+                   {"normal", jsonOf(placement.frame.normal)},
+                   {"up", jsonOf(placement.frame.up)},
+                   {"symbolMm", placement.symbolMm},
+                   {"moduleMm", placement.moduleMm},
+                   {"guaranteedMm", placement.guaranteedMm},
+                   {"aimToleranceDeg", aimToleranceDeg(placement.bendMm, placement.moduleMm)},
+                   {"rotationDeg", placement.rotationDeg},
+                   {"version", wanted_.symbol()->version},
+                   {"modules", wanted_.symbol()->size}}}});
+}
+
+std::string Engine::describeCode(const CodeOnSurface& code) const {
+  return textOf({{"ok", true},
+                 {"hit", true},
+                 {"done", true},
+                 {"onCode", false},
+                 {"code",
+                  {{"symbolMm", code.symbolMm},
+                   {"moduleMm", code.moduleMm()},
+                   {"guaranteedMm", code.guaranteedMm},
+                   {"missingShare", code.missingFraction},
+                   {"exact", code.isExact}}}});
+}
+
+std::string Engine::hover(double x, double y) {
+  placing_.stopSettling();
+  const auto at = takesCode() && !showsCarved() ? surfaceAt(x, y) : std::nullopt;
+  if (!at) {
+    endHover();
+    return textOf({{"ok", true}, {"hit", false}});
+  }
+  if (placing_.code() && placing_.code()->covers(model_->mesh(), *at)) {
+    endHover();
+    return textOf({{"ok", true}, {"hit", true}, {"onCode", true}});
+  }
+  if (const Status hovered = placing_.hover(task(), *at); !hovered) return answer(hovered.error());
+  scene_.setGhost(placing_.hovered());
+  return describeCode(*placing_.hovered());
+}
+
+void Engine::endHover() {
+  placing_.endHover();
+  scene_.setGhost(nullptr);
+}
+
+std::string Engine::startSettling() { return takesCode() && placing_.startSettling(task()) ? done() : answer(kNoCode); }
+
+std::string Engine::advanceSettling() {
+  if (!placing_.isSettling()) return answer(kNoCode);
+  const Result<bool> settled = placing_.settle(task());
+  if (!settled) return answer(settled.error());
+  if (!*settled) return textOf({{"ok", true}, {"done", false}});
+  scene_.setGhost(placing_.hovered());
+  return describeCode(*placing_.hovered());
+}
+
+std::string Engine::moveCode(double x, double y) {
+  const auto at = takesCode() ? surfaceAt(x, y) : std::nullopt;
+  if (!at) return textOf({{"ok", true}, {"hit", false}});
+  if (const Status moved = placing_.move(task(), *at); !moved) return answer(moved.error());
+  scene_.setGhost(nullptr);
+  scene_.setPrint(placing_.code());
+  return describeCode(*placing_.code());
+}
+
+std::string Engine::adjustCode(double rotateDeg, double symbolMm) {
+  if (!placing_.code() || !takesCode()) return answer(kNoCode);
+  if (!std::isfinite(rotateDeg) || !(symbolMm > 0))
+    return answer(ErrorKind::BadUsage, fmt::format("a code of {:g} mm at {:g}° is asked for", symbolMm, rotateDeg),
+                  "Give a size above 0");
+  placing_.adjust(rotateDeg, symbolMm, roomFactor(wanted_.symbol()->size, settings().placement.quietZone));
+  scene_.setPrint(placing_.code());
+  return describeCode(*placing_.code());
 }
 
 std::string Engine::startPlacing() {
-  forgetSpots();
-  updateView();
+  offers_.forget();
+  showSizes(false);
   if (!model_) return answer(kNoModel);
-  if (!symbol_) return answer(symbol_.error());
-  placingRequest_ = {};
-  placingRequest_.placement = searchedPlacement(request_, symbol_->size);
-  placingRequest_.placement.upHint = camera_.skyward();
-  placingRequest_.modules = symbol_->size;
-  placingRequest_.minWallMm = request_.minWallMm;
-  auto job = PlaceJob::create(model_->engravable, placingRequest_);
-  if (!job) return answer(job.error());
-  placing_ = std::move(*job);
-  return done();
+  if (!wanted_.symbol()) return answer(wanted_.symbol().error());
+  const Status started = offers_.start(task());
+  return started ? done() : answer(started.error());
 }
 
 std::string Engine::advancePlacing() {
-  if (!placing_) return answer(ErrorKind::BadUsage, "no search for spots is running", "");
-  const Result<Progress> progress = placing_->advance();
-  if (!progress) {
-    forgetSpots();
-    return answer(progress.error());
-  }
-  if (progress->done) finishPlacing();
+  if (!offers_.isRunning()) return answer(ErrorKind::BadUsage, "no search for spots is running", "");
+  const Result<Progress> progress = offers_.advance();
+  if (!progress) return answer(progress.error());
+  if (progress->done) showSizes(true);
   return answer(*progress);
 }
 
-void Engine::finishPlacing() {
-  const PlaceResult found = placing_->takeResult();
-  placing_.reset();
-  spots_ = found.spots;
-  // The map knows squares with the quiet zone, the legend the symbol in them.
-  const double outer = placingRequest_.outerFactor();
-  const double largest = static_cast<double>(*std::max_element(found.map.sizeMm.begin(), found.map.sizeMm.end()));
-  topMm_ = std::max(kLegendStepMm, std::ceil(largest / outer / kLegendStepMm) * kLegendStepMm);
-  sizesDisplay_ =
-      std::make_shared<const GpuMesh>(heatMesh(model_->engravable->prepared.mesh, found.map, topMm_ * outer));
-  showSizes(true);
-}
-
 void Engine::cancelPlacing() {
-  if (placing_) forgetSpots();
+  if (offers_.isRunning()) offers_.forget();
 }
 
 std::string Engine::spots() const {
   Json spots = Json::array();
-  for (const OfferedSpot& spot : spots_)
-    spots.push_back(
-        {{"centre", jsonOf(spot.centreMm)},
-         {"aimToleranceDeg", spot.aimToleranceDeg},
-         {"sizeMm", placingRequest_.placement.sizeMode == SizeMode::Free ? spot.symbolMm : spot.largestMm}});
-  return textOf({{"ok", true}, {"spots", spots}, {"topMm", topMm_}});
+  for (const OfferedSpot& spot : offers_.spots())
+    spots.push_back({{"centre", jsonOf(spot.centreMm)},
+                     {"aimToleranceDeg", spot.aimToleranceDeg},
+                     {"sizeMm", offers_.offeredMm(spot)}});
+  return textOf({{"ok", true}, {"spots", spots}, {"topMm", offers_.topMm()}});
 }
 
 std::string Engine::chooseSpot(std::size_t index) {
-  if (index >= spots_.size()) return answer(ErrorKind::BadUsage, "there is no such spot", "");
-  const OfferedSpot& spot = spots_[index];
+  if (index >= offers_.spots().size()) return answer(ErrorKind::BadUsage, "there is no such spot", "");
+  const OfferedSpot& spot = offers_.spots()[index];
   const std::string chosen = setCentre(spot.centreMm.x, spot.centreMm.y, spot.centreMm.z);
-  if (spot.needsDirection) spotDirection_ = spot.direction;
+  if (spot.needsDirection) wanted_.choose(wanted_.centreMm(), spot.direction);
   return chosen;
 }
 
 void Engine::showSizes(bool shown) {
-  showSizes_ = shown && sizesDisplay_;
-  if (showSizes_) showCarved_ = false;
+  scene_.show(Scene::Surface::Sizes, shown && offers_.sizesDisplay());
   updateView();
 }
 
-void Engine::forgetSpots() {
-  placing_.reset();
-  spots_.clear();
-  sizesDisplay_.reset();
-  showSizes_ = false;
+ColourImage Engine::spotPicture(std::size_t index, int width, int height) {
+  if (index >= offers_.spots().size() || !model_ || !wanted_.symbol()) return {};
+  const OfferedSpot& spot = offers_.spots()[index];
+  const PlacementRequest& request = offers_.request();
+  const ProjectionFrame upright =
+      makeFrame(spot.centreMm, spot.direction, scene_.camera().skyward(), request.eyeDistanceMm);
+  const auto print =
+      seenPrint(*model_, *wanted_.symbol(), turned(upright, toRadians(request.rotateDeg)), spot.symbolMm, settings());
+  return print ? scene_.picture(model_->display, *print, upright, width, height) : ColourImage{};
 }
 
 }  // namespace qrelief

@@ -290,7 +290,7 @@ void Inspector::drawWindow(const Engine& engine) {
 
 bool Inspector::draw(const Engine& engine) {
   model_.follow(engine);
-  if (engine.passTimings()) engine.passTimings()->collect();
+  if (engine.carvings().passTimings()) engine.carvings().passTimings()->collect();
   mapIsHovered_ = false;
   beginFrame();
   drawWindow(engine);

@@ -19,8 +19,8 @@ constexpr std::array<const char*, InspectorModel::kSolvers> kSolverNames = {"fas
 }  // namespace
 
 void InspectorModel::follow(const Engine& engine) {
-  const SearchRecord* record = engine.search();
-  const bool isDone = engine.result() != nullptr;
+  const SearchRecord* record = engine.carvings().search();
+  const bool isDone = engine.carvings().result() != nullptr;
   const int known = search_ ? search_->passes() : 0;
   if (!record) {
     version_ += search_.has_value();
@@ -29,22 +29,23 @@ void InspectorModel::follow(const Engine& engine) {
     return;
   }
   const int passes = static_cast<int>(record->passes.size());
-  const bool isOther = engine.engravings() != engraving_ || engine.carving() != carving_;  // or an earlier one again
+  const bool isOther =
+      engine.carvings().started() != engraving_ || engine.carving() != carving_;  // or an earlier one again
   if (!isOther && passes == known && isDone == done_) return;
   if (isOther) pass_.reset();
   ++version_;
-  search_.emplace(*engine.engravedSymbol(), *record, engine.engravedRequest().contrastAsked());
-  engraving_ = engine.engravings();
+  search_.emplace(*engine.carvings().symbol(), *record, engine.carvings().request().contrastAsked());
+  engraving_ = engine.carvings().started();
   carving_ = engine.carving();
   done_ = isDone;
   if (isDone) rememberRun(engine);
 }
 
 void InspectorModel::rememberRun(const Engine& engine) {
-  const EngraveRequest& request = engine.engravedRequest();
+  const EngraveRequest& request = engine.carvings().request();
   const auto solver = static_cast<std::size_t>(solverOf(request));
   runs_[solver] = Run{fmt::format("{}, c = {:g}, {:.1f} mm", translated(kSolverNames[solver]), request.contrastAsked(),
-                                  engine.result()->placement.symbolMm),
+                                  engine.carvings().result()->placement.symbolMm),
                       search_->summaries()};
 }
 
@@ -64,17 +65,17 @@ std::optional<SubmoduleFacts> InspectorModel::selected() const {
 
 std::optional<ValueMap> InspectorModel::read(const Engine& engine, MapChannel channel) const {
   if (isOfSurface(channel)) {
-    const SurfaceMaps* maps = engine.job() ? engine.job()->inspectorMaps().surface : nullptr;
-    if (!maps || !engine.result()) return {};
+    const SurfaceMaps* maps = engine.carvings().job() ? engine.carvings().job()->inspectorMaps().surface : nullptr;
+    if (!maps || !engine.carvings().result()) return {};
     const bool needsBack = channel == MapChannel::BackDistance || channel == MapChannel::Thickness;
-    if (!needsBack) return surfaceMap(*maps, nullptr, engine.codeEdgeMm(), channel);
+    if (!needsBack) return surfaceMap(*maps, nullptr, engine.carvings().codeEdgeMm(), channel);
     const auto back = engine.backDistances();
     if (!back) return {};
-    return surfaceMap(*maps, &*back, engine.codeEdgeMm(), channel);
+    return surfaceMap(*maps, &*back, engine.carvings().codeEdgeMm(), channel);
   }
   if (isOfLight(channel)) {
-    if (!engine.result()) return {};
-    return lightMap(engine.result()->received, channel);
+    if (!engine.carvings().result()) return {};
+    return lightMap(engine.carvings().result()->received, channel);
   }
   if (!search_) return {};
   if (channel == MapChannel::Limit) return search_->limits();

@@ -108,7 +108,7 @@ void Inspector::drawTimings(const Engine& engine) {
     writeSoftly("Code: {:.2f} mm, modules {:.3f} mm, {} directions tried", placed->symbolMm, placed->moduleMm,
                 placed->iterations.size());
   }
-  const EngraveResult* result = engine.result();
+  const EngraveResult* result = engine.carvings().result();
   if (!result) {
     ImGui::Separator();
     write("Times of the stages and passes are here after an engraving.");
@@ -128,7 +128,7 @@ void Inspector::drawTimings(const Engine& engine) {
     ImGui::ProgressBar(static_cast<float>(ms / longest), ImVec2(-1, 0),
                        fmt::format("{} {:.1f} ms", translated(name), ms).c_str());
   ImGui::Separator();
-  const gl::PassTimings* timings = engine.passTimings();
+  const gl::PassTimings* timings = engine.carvings().passTimings();
   if (!timings || timings->times().empty()) {
     write("Passes are timed from the next engraving on, as the inspector was closed during the last.");
     return;

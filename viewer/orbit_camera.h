@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <optional>
 
 #include "math/box.h"
@@ -37,6 +38,10 @@ struct CameraView {
   Vec2 depthRange{1, 1000};  ///< near and far distance along the line of sight, mm
 
   Vec3 eye() const { return target + back * distance; }
+  /// What is seen, as a projection onto the plane through the target.
+  ProjectionFrame frame() const { return {target, right, up, back, distance}; }
+  /// Edge of the square about the target that holds all of the picture.
+  double widthAtTargetMm() const { return 2 * distance * std::max(tanHalf.x, tanHalf.y); }
   bool operator==(const CameraView&) const = default;
 };
 

@@ -8,8 +8,8 @@
 #include "base/result.h"
 #include "gl/objects.h"
 #include "math/frame.h"
+#include "projection/eye_reach.h"
 #include "render/gpu_mesh.h"
-#include "viewer/eye_reach.h"
 #include "viewer/orbit_camera.h"
 
 namespace qrelief {

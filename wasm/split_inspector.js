@@ -10,7 +10,7 @@ import { renameSync, rmSync, writeFileSync } from 'node:fs';
 import { pathToFileURL } from 'node:url';
 
 /** Functions called through the table, and only once the inspector is loaded. */
-const kEntrance = /^(qrelief::Inspector::|ImGui|Im[A-Z]|qrelief::\\28anonymous\\20namespace\\29::Facade::openInspector)/;
+const kEntrance = /^(qrelief::Inspector::|ImGui|Im[A-Z]|qrelief::makeInspector\\28\\29)/;
 
 /**
  * @typedef {object} CallGraph

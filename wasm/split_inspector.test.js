@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { onlyForInspector, readCallGraph } from './split_inspector.js';
 
-const kOpen = String.raw`qrelief::\28anonymous\20namespace\29::Facade::openInspector\28\29`;
+const kOpen = String.raw`qrelief::makeInspector\28\29`;
 const kDraw = String.raw`qrelief::Inspector::draw\28qrelief::Engine\20const&\29`;
 
 /** As `wasm-opt --print-call-graph` writes it: a key, then a line for each function, its kinds and its calls. */

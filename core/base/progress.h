@@ -8,7 +8,7 @@ namespace qrelief {
 
 /// How far a job has come.
 struct Progress {
-  Message stage;  ///< what is done now, "finding-depth"
+  Message stage;        ///< what is done now, "finding-depth"
   double fraction = 0;  ///< of the whole job, 0 … 1, never falls
   bool done = false;
 };

@@ -38,14 +38,6 @@ Result<ModuleWalls> measureModuleWalls(const Mesh& mesh, const GpuMesh& gpu, con
 /// @param contrast  0 < c < 1
 double pitDepth(double contrast);
 
-/// What found sizes must leave room for behind the surface.
-struct PocketDemand {
-  double minWallMm = 0;     ///< material that must remain, ≥ 0
-  double depthModules = 0;  ///< pockets under every module, in modules; 0: walls do not count
-
-  bool operator==(const PocketDemand&) const = default;
-};
-
 /// The largest code about the origin, no larger than the square, whose walls take the pockets: under all modules of its
 /// finder patterns, and under nearly all others. A smaller code reaches less far, and its pockets are less deep.
 /// @param walls         of the square

@@ -308,7 +308,8 @@ Result<Progress> PlaceJob::advance() {
   switch (s.stage) {
     case State::Stage::Mapping:
       s.drawViews();
-      return Progress{message("looking-from-all-sides"), kMapShare * (s.mapping ? s.mapping->doneFraction() : 1), false};
+      return Progress{message("looking-from-all-sides"), kMapShare * (s.mapping ? s.mapping->doneFraction() : 1),
+                      false};
     case State::Stage::Testing:
       if (const Status tested = s.testOnce(); !tested) return tl::unexpected(tested.error());
       if (s.stage == State::Stage::Done) return Progress{message("testing-spots"), 1, true};

@@ -2,7 +2,6 @@
 #include "pipeline/placement.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <numbers>
@@ -29,8 +28,6 @@ constexpr double kNextReach = 1.5;    // and how much farther each next time
 /// twice as much of the plane at most, halfway to the eye.
 constexpr double kNearnessFactor = 2;
 
-constexpr std::array<const char*, 4> kSizeModeNames = {"free", "oriented", "best", "fixed"};
-
 double downToHundredths(double mm) { return std::floor(mm * 100) / 100; }
 
 class Stopwatch {
@@ -44,21 +41,6 @@ class Stopwatch {
 };
 
 }  // namespace
-
-const char* sizeModeName(SizeMode mode) { return kSizeModeNames[static_cast<std::size_t>(mode)]; }
-
-std::optional<SizeMode> sizeModeByName(std::string_view name) {
-  for (const SizeMode mode : {SizeMode::Free, SizeMode::Oriented, SizeMode::Best})
-    if (name == sizeModeName(mode)) return mode;
-  return {};
-}
-
-double roomFactor(int modules, bool quietZone) {
-  // Carving moves its outlines by up to an eighth of a submodule, or a hundredth of a millimetre, off the model's
-  // edges.
-  constexpr double kBorderModules = 0.06;
-  return (modules + 2 * (quietZone ? kQuietZoneModules : kBorderModules)) / modules;
-}
 
 PlacementSearch::PlacementSearch(const PreparedModel& model, const GpuMesh& gpu, const GeometryPass& pass, int modules,
                                  const PlacementRequest& request)

@@ -2,48 +2,18 @@
 #pragma once
 
 #include <optional>
-#include <string_view>
 
 #include "base/result.h"
 #include "mesh/prepare.h"
 #include "pipeline/module_walls.h"
 #include "projection/direction.h"
 #include "projection/optimal_direction.h"
+#include "projection/placement_request.h"
 #include "projection/visible_patch.h"
 #include "qr/symbol.h"
 #include "render/geometry_pass.h"
 
 namespace qrelief {
-
-enum class SizeMode {
-  Free,      ///< the largest that fits at every rotation
-  Oriented,  ///< the largest that fits at the rotation asked for
-  Best,      ///< the largest that fits at any rotation, and that rotation
-  Fixed      ///< the size asked for, or an error that names the largest
-};
-
-/// "free", "oriented", "best", "fixed": names that scripts rely on.
-const char* sizeModeName(SizeMode mode);
-/// Empty for "fixed", too: that takes a number.
-std::optional<SizeMode> sizeModeByName(std::string_view name);
-
-/// Where the code goes, which way it looks and how large it is.
-struct PlacementRequest {
-  Vec3 centreMm{0};  ///< moved to the nearest surface point
-  SizeMode sizeMode = SizeMode::Free;
-  double sizeMm = 0;      ///< Fixed: edge of the symbol without quiet zone, > 0
-  double maxSizeMm = 60;  ///< upper bound of a found size, > 0
-  bool quietZone = true;  ///< the quiet zone must fit, too
-  Vec3 upHint{0, 0, 1};   ///< where the symbol's top points, projected onto the QR plane
-  double rotateDeg = 0;   ///< then turned anticlockwise, as the reader sees it; Best: turned on from there
-  DirectionMethod directionMethod = DirectionMethod::DepthBalanced;
-  std::optional<Vec3> direction;  ///< towards the reader; overrides the method
-  double eyeDistanceMm = 250;     ///< > 0
-  double beyondMm = 0;   ///< the patch must be known this much farther than the largest code reaches, ≥ 0 (walls)
-  PocketDemand pockets;  ///< of a size that is found; one that is asked for is carved as deep as its walls allow
-
-  bool operator==(const PlacementRequest&) const = default;
-};
 
 /// The answer.
 struct Placement {
@@ -57,10 +27,6 @@ struct Placement {
   VisiblePatch patch;       ///< covers symbol and quiet zone, and beyondMm more
   std::vector<DirectionIteration> iterations;
 };
-
-/// How much larger than the symbol the square is that the surface must have room for: the quiet zone, or, without it,
-/// the little that embedding may move the pockets' outlines by.
-double roomFactor(int modules, bool quietZone);
 
 /// Finds direction and size, which depend on each other: they are found in turn until the size moves by less than 1 %
 /// (at most 5 rounds) [Papp 2022, §3 and §4]. The optimal direction is then looked for once, at the size found, from

@@ -334,7 +334,7 @@ TEST_F(EngineTest, SpotsHavePicturesAndCarvedModelsDepths) {
   engine_->startPlacing();
   while (!Json::parse(engine_->advancePlacing())["done"]) {
   }
-  const Engine::Picture picture = engine_->spotPicture(0, 96, 96);
+  const ColourImage picture = engine_->spotPicture(0, 96, 96);
   ASSERT_EQ(picture.rgba.size(), 4u * 96 * 96);
   const auto [darkest, lightest] = std::minmax_element(picture.rgba.begin(), picture.rgba.end());
   EXPECT_GT(*lightest - *darkest, 100);  // a code

@@ -67,7 +67,7 @@ TEST_F(InspectorModelTest, KnowsNothingBeforeAnEngraving) {
 TEST_F(InspectorModelTest, FollowsTheLastPassUntilAnEarlierOneIsChosen) {
   InspectorModel model;
   model.follow(*engine_);
-  ASSERT_EQ(model.passes(), engine_->result()->searchIterations);
+  ASSERT_EQ(model.passes(), engine_->carvings().result()->searchIterations);
   ASSERT_GT(model.passes(), 1);
   EXPECT_EQ(model.pass(), model.passes() - 1);
   model.setPass(0);
@@ -94,8 +94,9 @@ TEST_F(InspectorModelTest, AChannelThatChangesByPassIsThatOfThePass) {
 TEST_F(InspectorModelTest, TheGBufferOfABoxesTopIsTheClosedForm) {
   InspectorModel model;
   model.follow(*engine_);
-  const double eye = engine_->result()->placement.frame.eyeDistance, edge = engine_->codeEdgeMm();
-  EXPECT_NEAR(edge, 40.0 * (engine_->result()->symbol.size + 8) / engine_->result()->symbol.size, 1e-9);
+  const double eye = engine_->carvings().result()->placement.frame.eyeDistance, edge = engine_->carvings().codeEdgeMm();
+  EXPECT_NEAR(edge, 40.0 * (engine_->carvings().result()->symbol.size + 8) / engine_->carvings().result()->symbol.size,
+              1e-9);
   const ValueMap facing = *model.channel(*engine_, MapChannel::FacetNormal);
   EXPECT_NEAR(middleOf(facing), 0, 0.05);
   EXPECT_NEAR(facing.directions[*facing.indexAt({0.5, 0.5})].z, 1, 1e-5);
@@ -140,12 +141,12 @@ TEST_F(InspectorModelTest, AClickOnTheModelChoosesTheSubmoduleThere) {
 }
 
 TEST_F(InspectorModelTest, PassesAreTimed) {
-  const gl::PassTimings* timings = engine_->passTimings();
+  const gl::PassTimings* timings = engine_->carvings().passTimings();
   ASSERT_NE(timings, nullptr);
   std::map<std::string_view, int> runs;
   for (const gl::PassTime& time : timings->times()) runs[time.name] = time.count;
   // Once for the surroundings, then for each pass of the search.
-  EXPECT_EQ(runs["occlusion"], engine_->result()->searchIterations + 1 + 1);  // and for the reader's view
+  EXPECT_EQ(runs["occlusion"], engine_->carvings().result()->searchIterations + 1 + 1);  // and for the reader's view
   EXPECT_EQ(runs["back distance"], 1);
 }
 
@@ -160,8 +161,8 @@ TEST_F(InspectorModelTest, OverridesCountForOneEngravingAndItsReportAndSolversCa
   model.overrides().set(tunable("contrast"), 0.2, engine_->settings());
   engrave(&model.overrides());
   model.follow(*engine_);
-  EXPECT_EQ(engine_->engravedRequest().contrast, 0.2);
-  EXPECT_EQ(engine_->engravedRequest().solver, ContrastSolver::PaperSteps);
+  EXPECT_EQ(engine_->carvings().request().contrast, 0.2);
+  EXPECT_EQ(engine_->carvings().request().solver, ContrastSolver::PaperSteps);
   EXPECT_NE(engine_->settings().contrast, 0.2);
   ASSERT_TRUE(model.runs()[0] && model.runs()[1]);
   EXPECT_NE(model.runs()[1]->name.find("paper's steps, c = 0.2"), std::string::npos) << model.runs()[1]->name;

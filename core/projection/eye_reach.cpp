@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "viewer/eye_reach.h"
+#include "projection/eye_reach.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,9 +9,9 @@
 namespace qrelief {
 namespace {
 
-constexpr float kSteepest = 0.1f;  // cosine of the steepest surface that the code can lie on
-constexpr double kStepSlope = 10;  // and the steepest rise from texel to texel that is no jump
-constexpr int kShareSamples = 40;  // along the edge of a square whose share is asked for
+constexpr float kSteepest = 0.1f;     // cosine of the steepest surface that the code can lie on
+constexpr double kStepSlope = 10;     // and the steepest rise from texel to texel that is no jump
+constexpr int kFractionSamples = 40;  // along the edge of a square of which a fraction is asked for
 
 std::size_t indexOf(int column, int row, int texels) {
   return 4 * (static_cast<std::size_t>(row) * static_cast<std::size_t>(texels) + static_cast<std::size_t>(column));
@@ -69,19 +69,19 @@ double EyeReach::alignedMm(double turn) const {
   return 2 * std::max(0.0, nearest - window.texelMm() / 2);
 }
 
-double EyeReach::missingShare(double edgeMm, double turn) const {
+double EyeReach::missingFraction(double edgeMm, double turn) const {
   const double c = std::cos(turn), s = std::sin(turn);
   int missing = 0;
-  for (int row = 0; row < kShareSamples; ++row) {
-    for (int column = 0; column < kShareSamples; ++column) {
-      const Vec2 p = (Vec2(column + 0.5, row + 0.5) / static_cast<double>(kShareSamples) - 0.5) * edgeMm;
+  for (int row = 0; row < kFractionSamples; ++row) {
+    for (int column = 0; column < kFractionSamples; ++column) {
+      const Vec2 p = (Vec2(column + 0.5, row + 0.5) / static_cast<double>(kFractionSamples) - 0.5) * edgeMm;
       const Vec2 at =
           (Vec2(p.x * c - p.y * s, p.x * s + p.y * c) / window.extentMm + 0.5) * static_cast<double>(window.texels);
       const bool isInside = at.x >= 0 && at.y >= 0 && at.x < window.texels && at.y < window.texels;
       if (!isInside || !isReached(static_cast<int>(at.x), static_cast<int>(at.y))) ++missing;
     }
   }
-  return static_cast<double>(missing) / (kShareSamples * kShareSamples);
+  return static_cast<double>(missing) / (kFractionSamples * kFractionSamples);
 }
 
 void EyeReach::trust() {

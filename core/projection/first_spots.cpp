@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "viewer/spot_search.h"
+#include "projection/first_spots.h"
 
 #include <algorithm>
 #include <array>
@@ -81,27 +81,25 @@ Rated rate(const std::vector<Sample>& samples, std::size_t index, double sizeMm)
 
 }  // namespace
 
-Result<std::vector<Spot>> proposeSpots(const GeometryPass& pass, const GpuMesh& mesh, const CameraView& camera,
-                                       double sizeMm, std::size_t most) {
-  const ProjectionFrame frame{camera.target, camera.right, camera.up, camera.back, camera.distance};
-  const double extent = 2 * camera.distance * std::max(camera.tanHalf.x, camera.tanHalf.y);
-  const auto maps = pass.render(mesh, frame, {extent, kTexels});
+Result<std::vector<FirstSpot>> firstSpots(const GeometryPass& pass, const GpuMesh& mesh, const ProjectionFrame& view,
+                                          double widthMm, double sizeMm, std::size_t most) {
+  const auto maps = pass.render(mesh, view, {widthMm, kTexels});
   if (!maps) return tl::unexpected(maps.error());
-  const std::vector<Sample> samples = visibleSamples(*maps, frame.eyeDistance);
+  const std::vector<Sample> samples = visibleSamples(*maps, view.eyeDistance);
   std::vector<Rated> ranked;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     if (!samples[i].isCandidate) continue;
     ranked.push_back(rate(samples, i, sizeMm));
-    ranked.back().badness += kOffCentreWeight * glm::length(Vec2(samples[i].position)) / (extent / 2);
+    ranked.back().badness += kOffCentreWeight * glm::length(Vec2(samples[i].position)) / (widthMm / 2);
   }
   std::stable_sort(ranked.begin(), ranked.end(), [](const Rated& a, const Rated& b) { return a.badness < b.badness; });
 
-  const auto inModel = [&](Vec3 v) { return frame.right * v.x + frame.up * v.y + frame.normal * v.z; };
-  std::vector<Spot> spots;
+  const auto inModel = [&](Vec3 v) { return view.right * v.x + view.up * v.y + view.normal * v.z; };
+  std::vector<FirstSpot> spots;
   for (const Rated& rated : ranked) {
     if (spots.size() == most || !std::isfinite(rated.badness)) break;
-    const Spot spot{frame.centre + inModel(samples[rated.sample].position), inModel(rated.normal)};
-    const bool isApart = std::all_of(spots.begin(), spots.end(), [&](const Spot& other) {
+    const FirstSpot spot{view.centre + inModel(samples[rated.sample].position), inModel(rated.normal)};
+    const bool isApart = std::all_of(spots.begin(), spots.end(), [&](const FirstSpot& other) {
       return glm::length(other.position - spot.position) >= kApart * sizeMm;
     });
     if (isApart) spots.push_back(spot);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "viewer/code_estimate.h"
+#include "projection/code_estimate.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,8 +10,8 @@
 namespace qrelief {
 namespace {
 
-constexpr double kFirstShare = 0.15;  // of the model's diagonal: size that is sampled first, as PlacementSearch does
-constexpr double kMuchSmaller = 0.6;  // a size below this share of the one sampled is sampled again
+constexpr double kFirstFraction = 0.15;  // of the model's diagonal: size that is sampled first, as PlacementSearch does
+constexpr double kMuchSmaller = 0.6;     // a size below this fraction of the one sampled is sampled again
 constexpr int kRounds = 2;
 constexpr int kDirectionTexels = 48;
 constexpr int kDirectionSamples = 256;
@@ -22,8 +22,8 @@ constexpr double kAhead = 1.25;  // room for a code that is larger than expected
 constexpr int kTurns = 18;       // that are tried for the best rotation, over a quarter turn
 
 /// @param mostLooks  that the direction may take
-Result<Vec3> directionAt(const EngravableModel& model, const SurfaceLook& look, const SurfacePoint& centre,
-                         double sizeMm, int mostLooks, const PlacementRequest& request) {
+Result<Vec3> directionAt(const EstimatedSurface& surface, const SurfacePoint& centre, double sizeMm, int mostLooks,
+                         const PlacementRequest& request) {
   if (request.direction) return *request.direction;
   DirectionOptions options;
   options.method =
@@ -31,7 +31,7 @@ Result<Vec3> directionAt(const EngravableModel& model, const SurfaceLook& look, 
   options.sizeMm = sizeMm;
   options.samples = kDirectionSamples;
   options.mapTexels = kDirectionTexels;
-  DirectionSearch search(look, centre.position, triangleNormal(model.prepared.mesh, centre.triangle), request.upHint,
+  DirectionSearch search(surface.look, centre.position, triangleNormal(surface.mesh, centre.triangle), request.upHint,
                          request.eyeDistanceMm, options);
   for (int i = 0; i < mostLooks; ++i) {
     const Result<bool> found = search.step();
@@ -55,19 +55,18 @@ double bestTurn(const EyeReach& reach) {
 
 /// @param room   edge of the largest symbol that the map has room for at every rotation, mm
 /// @param looks  renderings that each direction may take
-Result<CodeEstimate> estimateWithin(double room, double sampled, int looks, const EngravableModel& model,
-                                    const SurfaceLook& look, const SurfacePoint& centre, int modules,
-                                    const PlacementRequest& request) {
+Result<CodeEstimate> estimateWithin(double room, double sampled, int looks, const EstimatedSurface& surface,
+                                    const SurfacePoint& centre, int modules, const PlacementRequest& request) {
   const bool isFixed = request.sizeMode == SizeMode::Fixed;
   const double outer = roomFactor(modules, request.quietZone);
   const double most = isFixed ? request.sizeMm : request.maxSizeMm;
   const MapWindow window{kReachMargin * std::numbers::sqrt2 * outer * room, kReachTexels};
   CodeEstimate estimate;
   for (int round = 0; round < kRounds; ++round) {
-    const auto normal = directionAt(model, look, centre, sampled, looks, request);
+    const auto normal = directionAt(surface, centre, sampled, looks, request);
     if (!normal) return tl::unexpected(normal.error());
     const ProjectionFrame upright = makeFrame(centre.position, *normal, request.upHint, request.eyeDistanceMm);
-    auto reach = lookAround(look, upright, window);
+    auto reach = lookAround(surface.look, upright, window);
     if (!reach) return tl::unexpected(reach.error());
     double turn = toRadians(request.rotateDeg);
     if (request.sizeMode == SizeMode::Best) turn += bestTurn(*reach);
@@ -78,7 +77,7 @@ Result<CodeEstimate> estimateWithin(double room, double sampled, int looks, cons
     estimate.symbolMm = isFixed                              ? most
                         : request.sizeMode == SizeMode::Free ? estimate.guaranteedMm
                                                              : std::min(most, reach->alignedMm(turn) / outer);
-    estimate.missingShare = isFixed ? reach->missingShare(most * outer, turn) : 0;
+    estimate.missingFraction = isFixed ? reach->missingFraction(most * outer, turn) : 0;
     estimate.reach = std::make_shared<const EyeReach>(std::move(*reach));
     if (isFixed || request.direction || estimate.symbolMm >= kMuchSmaller * sampled || estimate.symbolMm <= 0) break;
     sampled = estimate.symbolMm;
@@ -88,19 +87,19 @@ Result<CodeEstimate> estimateWithin(double room, double sampled, int looks, cons
 
 }  // namespace
 
-Result<CodeEstimate> estimateCode(const EngravableModel& model, const SurfaceLook& look, const SurfacePoint& centre,
-                                  int modules, const PlacementRequest& request, std::optional<double> expectedMm) {
+Result<CodeEstimate> estimateCode(const EstimatedSurface& surface, const SurfacePoint& centre, int modules,
+                                  const PlacementRequest& request, std::optional<double> expectedMm) {
   if (request.sizeMode == SizeMode::Fixed)
-    return estimateWithin(request.sizeMm, request.sizeMm, expectedMm ? kQuickDirectionLooks : kDirectionLooks, model,
-                          look, centre, modules, request);
-  const double diagonal = model.gpu.box().diagonal();
+    return estimateWithin(request.sizeMm, request.sizeMm, expectedMm ? kQuickDirectionLooks : kDirectionLooks, surface,
+                          centre, modules, request);
+  const double diagonal = surface.diagonalMm;
   const double most = std::min(request.maxSizeMm, diagonal);
   if (expectedMm && kAhead * *expectedMm < most) {
     auto near =
-        estimateWithin(kAhead * *expectedMm, *expectedMm, kQuickDirectionLooks, model, look, centre, modules, request);
+        estimateWithin(kAhead * *expectedMm, *expectedMm, kQuickDirectionLooks, surface, centre, modules, request);
     if (!near || std::max(near->guaranteedMm, near->symbolMm) < kAhead * *expectedMm) return near;
   }
-  return estimateWithin(most, std::min(request.maxSizeMm, kFirstShare * diagonal), kDirectionLooks, model, look, centre,
+  return estimateWithin(most, std::min(request.maxSizeMm, kFirstFraction * diagonal), kDirectionLooks, surface, centre,
                         modules, request);
 }
 

@@ -27,8 +27,8 @@ struct EyeReach {
   double freeMm() const;
   /// Edge of the largest one whose sides are turned anticlockwise from the frame's axes, radians.
   double alignedMm(double turn) const;
-  /// Share of such a square that is not reached, 0 … 1.
-  double missingShare(double edgeMm, double turn) const;
+  /// Fraction of such a square that is not reached, 0 … 1.
+  double missingFraction(double edgeMm, double turn) const;
 
   /// All that the eye sees counts as reached, as the exact patch says.
   void trust();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "viewer/spot_search.h"
+#include "projection/first_spots.h"
 
 #include <cmath>
 #include <optional>
@@ -10,7 +10,7 @@
 namespace qrelief {
 namespace {
 
-class SpotSearch : public GlTest {
+class FirstSpots : public GlTest {
  protected:
   void SetUp() override {
     auto made = GeometryPass::create();
@@ -19,13 +19,9 @@ class SpotSearch : public GlTest {
   }
   /// From above.
   std::optional<Vec3> spotOn(const Mesh& mesh, double sizeMm) {
-    OrbitCamera camera;
-    camera.setViewport(600, 600);
-    camera.setScene(boundingBox(mesh));
-    camera.orbit(0, 1e6);
-    camera.fit();
-    camera.finishGlide();
-    const auto spots = proposeSpots(pass_, {mesh, vertexNormals(mesh)}, camera.view(), sizeMm, 5);
+    const double widthMm = boundingBox(mesh).diagonal();
+    const ProjectionFrame view = makeFrame({0, 0, 0}, {0, 0, 1}, {0, 1, 0}, 2 * widthMm);
+    const auto spots = firstSpots(pass_, {mesh, vertexNormals(mesh)}, view, widthMm, sizeMm, 5);
     EXPECT_TRUE(spots.has_value());
     if (!spots || spots->empty()) return {};
     for (std::size_t i = 0; i < spots->size(); ++i)
@@ -36,7 +32,7 @@ class SpotSearch : public GlTest {
   GeometryPass pass_;
 };
 
-TEST_F(SpotSearch, OnAPlateTheSquareFitsWithinTheEdges) {
+TEST_F(FirstSpots, OnAPlateTheSquareFitsWithinTheEdges) {
   const auto spot = spotOn(shapes::box({100, 40, 10}), 30);
   ASSERT_TRUE(spot.has_value());
   EXPECT_NEAR(spot->z, 5, 0.1);
@@ -44,7 +40,7 @@ TEST_F(SpotSearch, OnAPlateTheSquareFitsWithinTheEdges) {
   EXPECT_LE(std::abs(spot->y), 40 / 2 - 30 / 2 + 4);
 }
 
-TEST_F(SpotSearch, AFlatPartIsPreferredToAWavyOne) {
+TEST_F(FirstSpots, AFlatPartIsPreferredToAWavyOne) {
   const Mesh mesh = shapes::plate(
       {120, 60}, 10, 240, 120, [](double x, double y) { return x > 0 ? 0.0 : 3 * std::sin(x / 3) * std::cos(y / 3); });
   const auto spot = spotOn(mesh, 40);
@@ -52,7 +48,7 @@ TEST_F(SpotSearch, AFlatPartIsPreferredToAWavyOne) {
   EXPECT_GE(spot->x, 40 / 2 - 4);
 }
 
-TEST_F(SpotSearch, OnASphereItIsThePointTowardsTheCamera) {
+TEST_F(FirstSpots, OnASphereItIsThePointTowardsTheCamera) {
   const auto spot = spotOn(shapes::icosphere(50, 5), 30);
   ASSERT_TRUE(spot.has_value());
   EXPECT_GT(spot->z, 50 * std::cos(0.2));

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/loaded_model.h"
+#include "gl/pass_timings.h"
+#include "pipeline/report.h"
+
+namespace qrelief {
+
+/// Engraves, and keeps what came out: the last carving, and the one before it of the same model.
+class Carvings {
+ public:
+  /// What is engraved in, and by which pass.
+  struct Ground {
+    const LoadedModel& model;
+    const std::shared_ptr<const GeometryPass>& pass;
+  };
+
+  /// One bounded piece of what the engraving of a request begins with, so that it has less to do.
+  /// @param placed  the request's place; null: not known yet, and nothing is prepared
+  /// @returns whether nothing is left to do
+  bool prepare(const Ground& ground, EngraveRequest request, const PlacementSearch* placed);
+  /// Starts another engraving and keeps the finished one, if there is one.
+  /// @param placed  the request's place, if it is known
+  Result<Progress> start(const Ground& ground, EngraveRequest request, const PlacementSearch* placed);
+  bool isRunning() const { return runs_; }
+  /// One bounded piece of work, while an engraving is running. An error ends it.
+  Result<Progress> advance();
+  /// Ends the engraving that is running, or forgets the last carving but keeps it as the one before.
+  void setAside();
+  void cancel();
+  /// The model is another.
+  void forgetAll();
+
+  /// Number of the carving that is there; 0: none.
+  int number() const { return current_.result ? current_.number : 0; }
+  /// Brings the last carving back, or the one before it. @returns whether it is there
+  bool use(int number);
+  const EngraveResult* result() const { return current_.result ? &*current_.result : nullptr; }
+  /// The carved model as it is shown; made at the first call. Null: there is none.
+  const std::shared_ptr<const GpuMesh>& display(const Ground& ground);
+  /// The same, null before it was made.
+  const std::shared_ptr<const GpuMesh>& madeDisplay() const { return current_.display; }
+
+  /// The report of the contract. There must be a carving.
+  std::string report(const LoadedModel& model, const gl::Capabilities& gl) const;
+  /// What a phone sees from aside, see tilted(); empty where it cannot be drawn. There must be a carving.
+  GreyImage readerImageFrom(const Ground& ground, double tiltDeg, double azimuthDeg);
+  void setReadBack(const std::string& text, const std::string& reader);
+  /// See Engine::exportModel.
+  std::vector<std::uint8_t> exported(const LoadedModel& model, const std::string& format);
+
+  // For the inspector, of the last engraving that was started.
+  /// Measures the passes of the engravings that start from now on.
+  void timePasses(bool withTimerQueries) { timerQueries_ = withTimerQueries; }
+  gl::PassTimings* passTimings() const { return passTimings_.get(); }
+  int started() const { return started_; }  ///< so many so far
+  const EngraveRequest& request() const { return current_.request; }
+  const EngraveJob* job() const { return job_.get(); }
+  /// What the search did, and the symbol; null before it has seen anything.
+  const SearchRecord* search() const;
+  const Symbol* symbol() const;
+  double codeEdgeMm() const;  ///< of symbol and quiet zone
+
+ private:
+  struct Prepared {
+    EngraveRequest request;
+    std::unique_ptr<EngraveJob> job;
+    int steps = 0;  // that it has done
+    double ms = 0;
+  };
+  struct Carving {
+    int number = 0;
+    EngraveRequest request;
+    double ms = 0;
+    std::optional<EngraveResult> result;     // none: not finished
+    std::shared_ptr<const GpuMesh> display;  // once it has been shown
+    std::string readBack, reader;
+  };
+  Result<std::unique_ptr<EngraveJob>> makeJob(const Ground& ground, const EngraveRequest& request,
+                                              const PlacementSearch* placed);
+  void forgetCurrent();
+
+  std::shared_ptr<const LuminancePrograms> programs_;  // once there was an engraving
+  std::optional<bool> timerQueries_;                   // none: passes are not timed
+  std::unique_ptr<gl::PassTimings> passTimings_;
+  int started_ = 0, finished_ = 0;
+  std::optional<Prepared> prepared_;  // of the next engraving, if that is asked for as it is now
+  std::unique_ptr<EngraveJob> job_;
+  bool runs_ = false;
+  Carving current_;
+  std::optional<Carving> earlier_;  // the one before: more would cost memory without end
+};
+
+}  // namespace qrelief

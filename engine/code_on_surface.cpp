@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/code_on_surface.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/symbol_print.h"
+#include "math/angle.h"
+#include "projection/code_estimate.h"
+
+namespace qrelief {
+namespace {
+
+constexpr int kReachTexels = 192;
+constexpr double kReachEdges = 3;  // edge of the map around a placed code, in its own: it can be turned and enlarged
+
+Result<EyeReach> reachAround(const LoadedModel& model, const SurfacePrint& print) {
+  return lookAround(model.look, print.frame, {kReachEdges * print.edgeMm, kReachTexels});
+}
+
+std::shared_ptr<const EyeReach> trusted(EyeReach reach) {
+  reach.trust();
+  return std::make_shared<const EyeReach>(std::move(reach));
+}
+
+}  // namespace
+
+bool CodeOnSurface::covers(const Mesh& mesh, const SurfacePoint& at) const {
+  const Vec2 onPlane = glm::abs(print.frame.project(at.position));
+  const bool isTowards = glm::dot(triangleNormal(mesh, at.triangle), print.frame.eye() - at.position) > 0;
+  return isTowards && std::max(onPlane.x, onPlane.y) < print.edgeMm / 2;
+}
+
+void CodeOnSurface::adjust(double toRotationDeg, double toSymbolMm, double outer) {
+  print.frame = turned(print.frame, toRadians(toRotationDeg - rotationDeg));
+  print.edgeMm *= toSymbolMm / symbolMm;
+  print.reach = reach;
+  rotationDeg = toRotationDeg;
+  symbolMm = toSymbolMm;
+  isExact = false;
+  const Vec3 right = print.frame.right;
+  const double turn = std::atan2(glm::dot(right, reach->frame.up), glm::dot(right, reach->frame.right));
+  missingFraction = reach->missingFraction(symbolMm * outer, turn);
+}
+
+Result<CodeOnSurface> estimatedCode(const LoadedModel& model, const WantedCode& wanted, Vec3 upHint,
+                                    const SurfacePoint& at, std::optional<double> expectedMm) {
+  const Symbol& symbol = *wanted.symbol();
+  const EstimatedSurface surface{model.mesh(), model.look, model.engravable->gpu.box().diagonal()};
+  auto estimate = estimateCode(surface, at, symbol.size, wanted.placementAt(at.position, upHint), expectedMm);
+  if (!estimate) return tl::unexpected(estimate.error());
+  CodeOnSurface code;
+  code.symbolMm = estimate->symbolMm;
+  code.modules = symbol.size;
+  code.rotationDeg = estimate->rotationDeg;
+  code.guaranteedMm = estimate->guaranteedMm;
+  code.missingFraction = estimate->missingFraction;
+  code.reach = estimate->reach;
+  code.print = symbolPrint(symbol, estimate->frame, estimate->symbolMm, wanted.settings());
+  code.print.reach = estimate->reach;
+  return code;
+}
+
+Result<CodeOnSurface> exactCode(const LoadedModel& model, const Symbol& symbol, const EngraveRequest& request,
+                                const Placement& placement) {
+  CodeOnSurface code;
+  code.print = symbolPrint(symbol, placement.frame, placement.symbolMm, request);
+  code.symbolMm = placement.symbolMm;
+  code.modules = symbol.size;
+  code.rotationDeg = placement.rotationDeg;
+  code.guaranteedMm = placement.guaranteedMm;
+  code.isExact = true;
+  auto reach = reachAround(model, code.print);
+  if (!reach) return tl::unexpected(reach.error());
+  code.print.reach = trusted(*reach);
+  code.reach = std::make_shared<const EyeReach>(std::move(*reach));
+  return code;
+}
+
+Result<SurfacePrint> seenPrint(const LoadedModel& model, const Symbol& symbol, const ProjectionFrame& frame,
+                               double symbolMm, const EngraveRequest& request) {
+  SurfacePrint print = symbolPrint(symbol, frame, symbolMm, request);
+  auto reach = reachAround(model, print);
+  if (!reach) return tl::unexpected(reach.error());
+  print.reach = trusted(std::move(*reach));
+  return print;
+}
+
+}  // namespace qrelief

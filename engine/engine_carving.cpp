@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How the engine engraves, and what it says of what came out.
+#include "engine/answers.h"
+#include "engine/engine.h"
+
+namespace qrelief {
+namespace {
+
+const Error kNoResult = {ErrorKind::BadUsage, untold("nothing has been engraved yet", "press Engrave first")};
+
+}  // namespace
+
+std::string Engine::prepareEngrave() {
+  bool isDone = true;
+  if (model_ && wanted_.centreMm() && wanted_.symbol() && !carvings_.isRunning() && !offers_.isRunning()) {
+    const EngraveRequest request = wanted_.request(scene_.camera().skyward());
+    isDone = carvings_.prepare(ground(), request, placing_.found(request, wanted_.symbol()));
+  }
+  return textOf({{"ok", true}, {"done", isDone}});
+}
+
+std::string Engine::startEngrave(const std::function<EngraveRequest(EngraveRequest)>& overridden) {
+  scene_.show(Scene::Surface::Sizes, false);
+  scene_.show(Scene::Surface::Carved, false);
+  carvings_.setAside();
+  updateView();
+  if (!model_) return answer(kNoModel);
+  if (!wanted_.centreMm())
+    return answer(ErrorKind::BadUsage, "no place has been chosen", "click on the model where the code should go");
+  const EngraveRequest asked = wanted_.request(scene_.camera().skyward());
+  const auto started = overridden ? carvings_.start(ground(), overridden(asked), nullptr)
+                                  : carvings_.start(ground(), asked, placing_.found(asked, wanted_.symbol()));
+  return started ? answer(*started) : answer(started.error());
+}
+
+std::string Engine::advance() {
+  if (!carvings_.isRunning()) return answer(ErrorKind::BadUsage, "no engraving is running", "");
+  const Result<Progress> progress = carvings_.advance();
+  if (!progress) return answer(progress.error());
+  if (progress->done) {
+    const EngraveResult& result = *carvings_.result();
+    placing_.take(result.placement, exactCode(*model_, result.symbol, carvings_.request(), result.placement));
+    updateView();
+  }
+  return answer(*progress);
+}
+
+void Engine::cancel() { carvings_.cancel(); }
+
+bool Engine::useCarving(int number) {
+  if (!carvings_.use(number)) return false;
+  showCarved(true);
+  return true;
+}
+
+bool Engine::showsCarved() const {
+  return scene_.surface() == Scene::Surface::Carved && carvings_.madeDisplay() != nullptr;
+}
+
+void Engine::showCarved(bool carved) {
+  scene_.show(Scene::Surface::Carved, carved);
+  if (carved && model_) carvings_.display(ground());
+  endHover();
+  updateView();
+}
+
+std::string Engine::report() const { return carvings_.result() ? carvings_.report(*model_, gl_) : answer(kNoResult); }
+
+const GreyImage& Engine::readerImage() const {
+  static const GreyImage kNone;
+  return carvings_.result() ? carvings_.result()->readerView.picture : kNone;
+}
+
+GreyImage Engine::readerImageFrom(double tiltDeg, double azimuthDeg) {
+  return carvings_.result() ? carvings_.readerImageFrom(ground(), tiltDeg, azimuthDeg) : GreyImage{};
+}
+
+std::vector<std::uint8_t> Engine::exportModel(const std::string& format) {
+  return carvings_.result() ? carvings_.exported(*model_, format) : std::vector<std::uint8_t>();
+}
+
+std::optional<JobMap> Engine::jobMap(const std::string& name) const {
+  return carvings_.job() ? qrelief::jobMap(carvings_.job()->inspectorMaps(), name) : std::nullopt;
+}
+
+}  // namespace qrelief

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/placing.h"
+
+#include <utility>
+
+namespace qrelief {
+
+const PlacementSearch* Placing::found(const EngraveRequest& request, const Result<Symbol>& symbol) const {
+  const bool isThat = found_ && symbol && found_->modules == symbol->size &&
+                      found_->request == searchedPlacement(request, symbol->size);
+  return isThat ? &found_->search : nullptr;
+}
+
+Status Placing::find(const PlacingTask& task, const EngraveRequest& request) {
+  const Result<Symbol>& symbol = task.wanted.symbol();
+  if (found(request, symbol)) return {};
+  found_.reset();
+  const PlacementRequest wanted = searchedPlacement(request, symbol->size);
+  const EngravableModel& model = *task.model.engravable;
+  PlacementSearch search(model.prepared, model.gpu, task.pass, symbol->size, wanted);
+  for (bool done = false; !done;) {
+    const Result<bool> step = search.step();
+    if (!step) return tl::unexpected(step.error());
+    done = *step;
+  }
+  found_ = {wanted, symbol->size, std::move(search)};
+  return {};
+}
+
+Status Placing::place(const PlacingTask& task) {
+  const EngraveRequest request = task.wanted.request(task.upHint);
+  if (const Status found = find(task, request); !found) {
+    const auto surface = closestPoint(task.model.mesh(), request.placement.centreMm);
+    if (auto about =
+            surface ? estimatedCode(task.model, task.wanted, task.upHint, *surface) : tl::unexpected(found.error()))
+      code_ = std::move(*about);
+    return found;
+  }
+  auto code = exactCode(task.model, *task.wanted.symbol(), request, found_->search.placement());
+  if (!code) return tl::unexpected(code.error());
+  placement_ = found_->search.placement();
+  code_ = std::move(*code);
+  return {};
+}
+
+void Placing::take(const Placement& placement, Result<CodeOnSurface> code) {
+  placement_ = placement;
+  if (code) code_ = std::move(*code);
+}
+
+Status Placing::move(const PlacingTask& task, const SurfacePoint& to) {
+  auto code = estimatedCode(task.model, task.wanted, task.upHint, to);
+  if (!code) return tl::unexpected(code.error());
+  endHover();
+  placement_.reset();
+  code_ = std::move(*code);
+  return {};
+}
+
+void Placing::adjust(double rotateDeg, double symbolMm, double outer) { code_->adjust(rotateDeg, symbolMm, outer); }
+
+Status Placing::hover(const PlacingTask& task, const SurfacePoint& at) {
+  auto code = estimatedCode(task.model, task.wanted, task.upHint, at,
+                            hovered_ ? std::optional(hovered_->symbolMm) : std::nullopt);
+  if (!code) return tl::unexpected(code.error());
+  hoveredAt_ = at;
+  hovered_ = std::move(*code);
+  return {};
+}
+
+void Placing::endHover() {
+  settling_.reset();
+  hovered_.reset();
+  hoveredAt_.reset();
+}
+
+bool Placing::startSettling(const PlacingTask& task) {
+  if (!hoveredAt_) return false;
+  const EngravableModel& model = *task.model.engravable;
+  settling_.emplace(model.prepared, model.gpu, task.pass, task.wanted.symbol()->size,
+                    task.wanted.placementAt(hoveredAt_->position, task.upHint));
+  return true;
+}
+
+Result<bool> Placing::settle(const PlacingTask& task) {
+  const Result<bool> found = settling_->step();
+  if (found && !*found) return false;
+  auto code = found ? exactCode(task.model, *task.wanted.symbol(), task.wanted.settings(), settling_->placement())
+                    : tl::unexpected(found.error());
+  settling_.reset();
+  if (!code) return tl::unexpected(code.error());
+  hovered_ = std::move(*code);
+  return true;
+}
+
+void Placing::forget() {
+  placement_.reset();
+  code_.reset();
+  endHover();
+}
+
+void Placing::forgetFound() {
+  forget();
+  found_.reset();
+}
+
+}  // namespace qrelief

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/spot_offers.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "viewer/heat_mesh.h"
+
+namespace qrelief {
+namespace {
+
+constexpr double kLegendStepMm = 5;  // the legend of the sizes ends at a multiple of it
+
+}  // namespace
+
+Status SpotOffers::start(const PlacingTask& task) {
+  forget();
+  const EngraveRequest& settings = task.wanted.settings();
+  const int modules = task.wanted.symbol()->size;
+  request_ = {};
+  request_.placement = searchedPlacement(settings, modules);
+  request_.placement.upHint = task.upHint;
+  request_.modules = modules;
+  request_.minWallMm = settings.minWallMm;
+  model_ = task.model.engravable;
+  auto job = PlaceJob::create(model_, request_);
+  if (!job) return tl::unexpected(job.error());
+  job_ = std::move(*job);
+  return {};
+}
+
+Result<Progress> SpotOffers::advance() {
+  const Result<Progress> progress = job_->advance();
+  if (!progress) forget();
+  if (progress && progress->done) finish();
+  return progress;
+}
+
+void SpotOffers::finish() {
+  const PlaceResult found = job_->takeResult();
+  job_.reset();
+  spots_ = found.spots;
+  // The map knows squares with the quiet zone, the legend the symbol in them.
+  const double outer = request_.outerFactor();
+  const double largest = static_cast<double>(*std::max_element(found.map.sizeMm.begin(), found.map.sizeMm.end()));
+  topMm_ = std::max(kLegendStepMm, std::ceil(largest / outer / kLegendStepMm) * kLegendStepMm);
+  sizesDisplay_ = std::make_shared<const GpuMesh>(heatMesh(model_->prepared.mesh, found.map, topMm_ * outer));
+}
+
+double SpotOffers::offeredMm(const OfferedSpot& spot) const {
+  return request_.placement.sizeMode == SizeMode::Free ? spot.symbolMm : spot.largestMm;
+}
+
+void SpotOffers::forget() {
+  job_.reset();
+  model_.reset();
+  spots_.clear();
+  sizesDisplay_.reset();
+}
+
+}  // namespace qrelief

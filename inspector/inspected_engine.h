@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/engine.h"
+#include "inspector/inspector_window.h"
+
+namespace qrelief {
+
+/// The engine and, once it is wanted, the inspector's window over it. Its verbs are those that concern both.
+class InspectedEngine {
+ public:
+  using WindowMaker = std::unique_ptr<InspectorWindow> (*)();
+
+  /// @param renderer          see Engine
+  /// @param withTimerQueries  whether the context can time the passes
+  /// @param makeWindow        called when the inspector is opened
+  InspectedEngine(const std::string& renderer, bool withTimerQueries, WindowMaker makeWindow)
+      : engine_(renderer), withTimerQueries_(withTimerQueries), makeWindow_(makeWindow) {}
+
+  Engine& engine() { return engine_; }
+
+  void resize(double width, double height, double devicePixelRatio);
+  void setTheme(bool dark);
+  /// @param withOverrides  as the inspector's settings say, where they differ from the page's
+  std::string startEngrave(bool withOverrides);
+  /// @returns whether another call would improve the picture
+  bool draw();
+
+  /// Before it is shown for the first time: after its part of the module was loaded. Passes are timed from then on.
+  void openInspector();
+  void showInspector(bool shown);
+  /// @param texts  of the page's language, by the English ones, as a JSON object
+  void inspectorTexts(const std::string& texts);
+  // The rest as in InspectorWindow; without effect while there is no window, keys and pointer while it is not shown.
+  void inspectorArea(double x, double y, double width, double height);
+  /// @param metrics  six numbers a glyph: code point, width, height, left, top, advance
+  void inspectorGlyphs(float lineHeight, const std::vector<float>& metrics, std::vector<std::uint8_t> alpha);
+  bool inspectorPointer(double x, double y, int buttons, double wheel);
+  void inspectorKey(const std::string& key, bool control, bool shift);
+  bool inspectorPick(double x, double y);
+  std::string inspectorState() const;
+
+ private:
+  InspectorWindow* shownWindow() const { return isShown_ ? window_.get() : nullptr; }
+
+  Engine engine_;
+  bool withTimerQueries_;
+  WindowMaker makeWindow_;
+  std::unique_ptr<InspectorWindow> window_;
+  bool isShown_ = false;
+  bool hasGone_ = false;  // since the last frame
+  bool dark_ = false;
+  Vec2 size_{1};
+  double devicePixelRatio_ = 1;
+};
+
+}  // namespace qrelief

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "projection/code_estimate.h"
+
+#include <memory>
+
+#include "pipeline/placement.h"
+#include "support/gl_test.h"
+#include "support/shapes.h"
+
+namespace qrelief {
+namespace {
+
+/// A box of 60 × 60 × 20 mm.
+class CodeEstimateTest : public GlTest {
+ protected:
+  void SetUp() override {
+    auto made = GeometryPass::create();
+    ASSERT_TRUE(made.has_value()) << made.error().message;
+    pass_ = std::make_unique<GeometryPass>(std::move(*made));
+    auto prepared = prepareModel(shapes::soupOf(shapes::box({60, 60, 20})), {});
+    ASSERT_TRUE(prepared.has_value());
+    prepared_ = std::move(*prepared);
+    gpu_ = GpuMesh(prepared_.mesh, vertexNormals(prepared_.mesh));
+    look_ = lookByRendering(*pass_, gpu_);
+  }
+  EstimatedSurface box() const { return {prepared_.mesh, look_, boundingBox(prepared_.mesh).diagonal()}; }
+  PreparedModel prepared_;
+  GpuMesh gpu_;
+  std::unique_ptr<GeometryPass> pass_;
+  SurfaceLook look_;
+};
+
+TEST_F(CodeEstimateTest, AnEstimateOnABoxesTopAgreesWithTheExactPlacement) {
+  const EstimatedSurface surface = box();
+  PlacementRequest request;
+  request.centreMm = {0, 0, 10};
+  request.upHint = {0, 1, 0};
+  const SurfacePoint centre = *closestPoint(surface.mesh, request.centreMm);
+  const auto estimate = estimateCode(surface, centre, 29, request);
+  ASSERT_TRUE(estimate.has_value()) << estimate.error().message;
+  PlacementSearch search(prepared_, gpu_, *pass_, 29, request);
+  for (bool done = false; !done;) {
+    const auto found = search.step();
+    ASSERT_TRUE(found.has_value()) << found.error().message;
+    done = *found;
+  }
+  EXPECT_NEAR(estimate->symbolMm, search.placement().symbolMm, 0.03 * search.placement().symbolMm);
+  EXPECT_GT(glm::dot(estimate->frame.normal, search.placement().frame.normal), 0.999);
+  EXPECT_EQ(estimate->missingFraction, 0);
+}
+
+TEST_F(CodeEstimateTest, AWrongExpectationDoesNotChangeAnEstimate) {
+  const EstimatedSurface surface = box();
+  for (const SizeMode mode : {SizeMode::Free, SizeMode::Oriented}) {
+    PlacementRequest request;
+    request.sizeMode = mode;
+    request.upHint = {0, 1, 0};
+    const SurfacePoint centre = *closestPoint(surface.mesh, {3, 2, 10});
+    const auto estimate = estimateCode(surface, centre, 29, request);
+    ASSERT_TRUE(estimate.has_value()) << estimate.error().message;
+    for (const double expectedMm : {0.3, 5.0, 0.9 * estimate->symbolMm, 1.2 * estimate->symbolMm, 500.0}) {
+      const auto expecting = estimateCode(surface, centre, 29, request, expectedMm);
+      ASSERT_TRUE(expecting.has_value()) << expecting.error().message;
+      EXPECT_NEAR(expecting->symbolMm, estimate->symbolMm, 0.03 * estimate->symbolMm) << expectedMm;
+      EXPECT_NEAR(expecting->guaranteedMm, estimate->guaranteedMm, 0.03 * estimate->guaranteedMm) << expectedMm;
+    }
+  }
+}
+
+TEST_F(CodeEstimateTest, AFixedSizeThatOverhangsIsEstimatedWithItsShare) {
+  const EstimatedSurface surface = box();
+  PlacementRequest request;
+  request.sizeMode = SizeMode::Fixed;
+  request.sizeMm = 40;
+  request.quietZone = false;
+  request.direction = Vec3(0, 0, 1);
+  const SurfacePoint centre = *closestPoint(surface.mesh, {20, 0, 10});
+  const auto estimate = estimateCode(surface, centre, 29, request);
+  ASSERT_TRUE(estimate.has_value()) << estimate.error().message;
+  EXPECT_EQ(estimate->symbolMm, 40);
+  EXPECT_NEAR(estimate->missingFraction, 0.25, 0.03);
+}
+
+}  // namespace
+}  // namespace qrelief
