@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Holds the layers of ARCHITECTURE.md: what core/ may include.
+// Holds the layers of ARCHITECTURE.md: what core/ and the rooms over it may include.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <iterator>
+#include <map>
 #include <optional>
 #include <regex>
 #include <string>
@@ -45,14 +46,44 @@ std::optional<std::string> whyForbidden(const std::string& folder, const std::st
   return std::nullopt;
 }
 
-std::vector<std::string> violationsIn(const std::string& folder, const std::string& name, const std::string& text) {
+/// What a room may include beside itself. Those that are not named here know nothing of the rooms over the core.
+const std::map<std::string, std::vector<std::string>> kRooms = {
+    {"viewer", {"core"}},
+    {"engine", {"core", "viewer"}},
+    {"inspector", {"core", "viewer", "engine"}},
+    {"wasm", {"core", "viewer", "engine", "inspector", "messages"}},
+    {"native", {"core"}},
+    {"messages", {"core"}},
+    {"cli", {"core", "native", "messages"}}};
+
+/// Where a quoted include leads: "core", another top-level folder, or nothing for a header beside the file.
+std::string roomOf(const std::string& path) {
+  const std::string folder = path.substr(0, path.find('/'));
+  if (path == kGeneratedHeader || layerOf(folder) >= 0) return "core";
+  return path.find('/') == std::string::npos ? "" : folder;
+}
+
+/// Why a file of a room must not include `path`; empty if it may.
+std::optional<std::string> whyForbiddenTo(const std::string& room, const std::string& path, bool quoted) {
+  static const std::regex kBrowser("emscripten.*"), kWindow("(backends/)?imgui.*");
+  if (std::regex_match(path, kBrowser) && room != "wasm") return "only wasm knows the browser";
+  if (std::regex_match(path, kWindow) && room != "inspector") return "only inspector draws windows";
+  if (!quoted) return std::nullopt;
+  const std::string target = roomOf(path);
+  const std::vector<std::string>& known = kRooms.at(room);
+  if (target.empty() || target == room || std::find(known.begin(), known.end(), target) != known.end())
+    return std::nullopt;
+  return room + " knows nothing of " + target;
+}
+
+template <class WhyForbidden>
+std::vector<std::string> violationsIn(const std::string& name, const std::string& text, WhyForbidden whyForbidden) {
   static const std::regex kInclude("(?:^|\n)[ \t]*#[ \t]*include[ \t]*([<\"])([^>\"]+)[>\"]");
   std::vector<std::string> violations;
   for (std::sregex_iterator at(text.begin(), text.end(), kInclude), end; at != end; ++at) {
     const std::string path = (*at)[2];
-    if (const auto why = whyForbidden(folder, path, (*at)[1] == "\"")) {
+    if (const auto why = whyForbidden(path, (*at)[1] == "\""))
       violations.push_back(name + " includes " + path + ": " + *why);
-    }
   }
   return violations;
 }
@@ -62,17 +93,38 @@ std::string contentsOf(const fs::path& file) {
   return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
-TEST(Layers, IncludeOnlyWhatStandsBelow) {
-  const fs::path core = fs::path(QRELIEF_SOURCE_DIR) / "core";
+/// Of every C++ file under a top-level folder. @param whyForbidden  of (path in the folder, included path, quoted)
+template <class WhyForbidden>
+std::vector<std::string> violationsUnder(const std::string& folder, WhyForbidden whyForbidden) {
+  const fs::path root = fs::path(QRELIEF_SOURCE_DIR) / folder;
   std::vector<std::string> violations;
-  for (const auto& entry : fs::recursive_directory_iterator(core)) {
-    const fs::path relative = fs::relative(entry.path(), core);
+  for (const auto& entry : fs::recursive_directory_iterator(root)) {
+    const fs::path relative = fs::relative(entry.path(), root);
     const std::string extension = relative.extension().string();
     if (extension != ".h" && extension != ".cpp") continue;
-    const auto found = violationsIn(relative.begin()->string(), relative.string(), contentsOf(entry.path()));
+    const auto found =
+        violationsIn(folder + "/" + relative.string(), contentsOf(entry.path()),
+                     [&](const std::string& path, bool quoted) { return whyForbidden(relative, path, quoted); });
     violations.insert(violations.end(), found.begin(), found.end());
   }
-  EXPECT_THAT(violations, IsEmpty());
+  return violations;
+}
+
+TEST(Layers, IncludeOnlyWhatStandsBelow) {
+  EXPECT_THAT(violationsUnder("core", [](const fs::path& file, const std::string& path,
+                                         bool quoted) { return whyForbidden(file.begin()->string(), path, quoted); }),
+              IsEmpty());
+}
+
+TEST(Layers, RoomsIncludeOnlyThoseBelowThem) {
+  for (const auto& [room, known] : kRooms) {
+    EXPECT_THAT(violationsUnder(room,
+                                [&room = room](const fs::path& file, const std::string& path, bool quoted) {
+                                  const bool isTest = *file.begin() == "tests";  // run under Node
+                                  return isTest ? std::nullopt : whyForbiddenTo(room, path, quoted);
+                                }),
+                IsEmpty());
+  }
 }
 
 TEST(Layers, AreTheFoldersOfCore) {
@@ -83,10 +135,35 @@ TEST(Layers, AreTheFoldersOfCore) {
   EXPECT_THAT(folders, testing::UnorderedElementsAreArray(kLayers));
 }
 
+std::string firstOf(const std::vector<std::string>& found) {
+  return found.size() == 1 ? found.front() : std::to_string(found.size()) + " violations";
+}
+
+TEST(Layers, SeeWhatIsForbiddenToRooms) {
+  const auto only = [](const std::string& room, const std::string& line) {
+    return firstOf(
+        violationsIn("x.cpp", "// comment\n" + line + "\nint x;\n",
+                     [&](const std::string& path, bool quoted) { return whyForbiddenTo(room, path, quoted); }));
+  };
+  EXPECT_THAT(only("viewer", "#include \"engine/engine.h\""), HasSubstr("viewer knows nothing of engine"));
+  EXPECT_THAT(only("engine", "#include \"inspector/inspector_window.h\""),
+              HasSubstr("engine knows nothing of inspector"));
+  EXPECT_THAT(only("engine", "#include \"messages/sentences.h\""), HasSubstr("engine knows nothing of messages"));
+  EXPECT_THAT(only("engine", "#include <emscripten/val.h>"), HasSubstr("browser"));
+  EXPECT_THAT(only("engine", "#include <imgui.h>"), HasSubstr("windows"));
+  EXPECT_THAT(only("inspector", "#include \"native/egl_context.h\""), HasSubstr("inspector knows nothing of native"));
+  EXPECT_THAT(only("wasm", "#include \"cli/command.h\""), HasSubstr("wasm knows nothing of cli"));
+  EXPECT_THAT(only("cli", "#include \"viewer/viewer.h\""), HasSubstr("cli knows nothing of viewer"));
+  EXPECT_THAT(only("viewer", "#include \"projection/eye_reach.h\""), "0 violations");
+  EXPECT_THAT(only("inspector", "#include <imgui_impl_opengl3.h>"), "0 violations");
+  EXPECT_THAT(only("wasm", "#include <emscripten/bind.h>"), "0 violations");
+}
+
 TEST(Layers, SeeWhatIsForbidden) {
   const auto only = [](const std::string& folder, const std::string& line) {
-    const auto found = violationsIn(folder, "x.cpp", "// comment\n" + line + "\nint x;\n");
-    return found.size() == 1 ? found.front() : std::to_string(found.size()) + " violations";
+    return firstOf(
+        violationsIn("x.cpp", "// comment\n" + line + "\nint x;\n",
+                     [&](const std::string& path, bool quoted) { return whyForbidden(folder, path, quoted); }));
   };
   EXPECT_THAT(only("math", "#include \"mesh/mesh.h\""), HasSubstr("mesh is a higher layer than math"));
   EXPECT_THAT(only("embedding", "  #  include \"pipeline/job.h\""),
