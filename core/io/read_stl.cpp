@@ -44,13 +44,16 @@ bool looksLikeFacet(const std::uint8_t* facet) {
   return true;
 }
 
-/// Whether half of the first facets look like facets; for want of a whole one, whether that many could be read.
+/// Whether half of the first facets look like facets; for want of a whole one, whether that many could be read. Text
+/// does not, whatever numbers its characters make: a facet's attributes are zeros as a rule.
 bool looksLikeFacets(std::span<const std::uint8_t> bytes, const ReadLimits& limits) {
   const std::size_t present = (bytes.size() - kHeaderBytes) / kFacetBytes;
   if (present == 0) return announcedFacets(bytes) <= limits.maxTriangles;
   const std::size_t looked = std::min(present, kFacetsLookedAt);
+  const auto facets = bytes.subspan(kHeaderBytes, kFacetBytes * looked);
+  if (std::none_of(facets.begin(), facets.end(), [](std::uint8_t b) { return b < '\t'; })) return false;
   std::size_t good = 0;
-  for (std::size_t f = 0; f < looked; ++f) good += looksLikeFacet(bytes.data() + kHeaderBytes + kFacetBytes * f);
+  for (std::size_t f = 0; f < looked; ++f) good += looksLikeFacet(facets.data() + kFacetBytes * f);
   return 2 * good >= looked;
 }
 
