@@ -15,9 +15,9 @@ Status checkPositions(const std::vector<Vec3>& positions, const std::string& for
   for (std::size_t i = 0; i < positions.size(); ++i) {
     const Vec3& p = positions[i];
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
-      return fail(ErrorKind::BadInput,
-                  message("vertex-not-finite", with::count("vertex", i + 1), with::count("vertices", positions.size()),
-                          with::term("format", format), with::term("at", coordinates(p))));
+      return fail(ErrorKind::BadInput, message("file-vertex-not-finite", with::count("vertex", i + 1),
+                                               with::count("vertices", positions.size()), with::term("format", format),
+                                               with::term("at", coordinates(p))));
   }
   return {};
 }
