@@ -5,9 +5,11 @@
 
 #include "base/clock.h"
 #include "io/read_model.h"
+#include "mesh/ray.h"
 #include "projection/first_spots.h"
 #include "projection/size.h"
 #include "projection/surface_raster.h"
+#include "projection/visible_patch.h"
 #include "viewer/display_mesh.h"
 
 namespace qrelief {
