@@ -3,14 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace qrelief {
 namespace {
 
-constexpr std::uint32_t kLeafFacets = 4;
-
-double squaredDistance(Vec3 p, const Box3& box) {
-  const Vec3 away = glm::max(glm::max(box.min - p, p - box.max), Vec3(0));
+double squaredDistance(Vec3 p, const Bvh::Box& box) {
+  const Vec3 away = glm::max(glm::max(Vec3(box.min) - p, p - Vec3(box.max)), Vec3(0));
   return glm::dot(away, away);
 }
 
@@ -46,66 +45,57 @@ Vec3 normalOf(const FacetTree::Facet& facet) {
   return length > 0 ? normal / length : Vec3(0);
 }
 
-Vec3 middle(const FacetTree::Facet& facet) { return (facet[0] + facet[1] + facet[2]) / 3.0; }
+/// Encloses the facets, whose corners 32-bit floats may not hold.
+std::vector<Bvh::Box> boxesOf(std::span<const FacetTree::Facet> facets) {
+  constexpr float kFarthest = std::numeric_limits<float>::infinity();
+  std::vector<Bvh::Box> boxes;
+  boxes.reserve(facets.size());
+  for (const FacetTree::Facet& facet : facets) {
+    const Vec3 min = glm::min(facet[0], glm::min(facet[1], facet[2]));
+    const Vec3 max = glm::max(facet[0], glm::max(facet[1], facet[2]));
+    Bvh::Box box{Vec3f(min), Vec3f(max)};
+    for (int axis = 0; axis < 3; ++axis) {
+      if (static_cast<double>(box.min[axis]) > min[axis]) box.min[axis] = std::nextafter(box.min[axis], -kFarthest);
+      if (static_cast<double>(box.max[axis]) < max[axis]) box.max[axis] = std::nextafter(box.max[axis], kFarthest);
+    }
+    boxes.push_back(box);
+  }
+  return boxes;
+}
 
 }  // namespace
 
-FacetTree::FacetTree(std::vector<Facet> facets) : facets_(std::move(facets)) {
-  if (!facets_.empty()) build(0, static_cast<std::uint32_t>(facets_.size()));
-}
-
-std::uint32_t FacetTree::build(std::uint32_t begin, std::uint32_t end) {
-  const std::uint32_t index = static_cast<std::uint32_t>(nodes_.size());
-  nodes_.emplace_back();
-  Box3 box;
-  Box3 middles, normals;
-  for (std::uint32_t k = begin; k < end; ++k) {
-    for (const Vec3 corner : facets_[k]) box.add(corner);
-    middles.add(middle(facets_[k]));
-    normals.add(normalOf(facets_[k]));
+FacetTree::FacetTree(std::span<const Facet> facets) : tree_(boxesOf(facets)), normals_(tree_.nodes().size()) {
+  facets_.reserve(facets.size());
+  for (const std::uint32_t i : tree_.order()) facets_.push_back(facets[i]);
+  for (std::size_t i = normals_.size(); i-- > 0;) {  // children before their parents
+    const Bvh::Node& node = tree_.nodes()[i];
+    for (std::uint32_t k = 0; k < node.count; ++k) normals_[i].add(normalOf(facets_[node.begin + k]));
+    if (node.count > 0) continue;
+    for (const std::size_t child : {i + 1, std::size_t{node.begin}}) {
+      normals_[i].add(normals_[child].min);
+      normals_[i].add(normals_[child].max);
+    }
   }
-  nodes_[index].box = box;
-  nodes_[index].normals = normals;
-  if (end - begin <= kLeafFacets) {
-    nodes_[index].begin = begin;
-    nodes_[index].end = end;
-    return index;
-  }
-  const Vec3 size = middles.size();
-  const int axis = size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
-  const std::uint32_t half = begin + (end - begin) / 2;
-  std::nth_element(facets_.begin() + begin, facets_.begin() + half, facets_.begin() + end,
-                   [axis](const Facet& a, const Facet& b) { return middle(a)[axis] < middle(b)[axis]; });
-  build(begin, half);
-  const std::uint32_t right = build(half, end);
-  nodes_[index].right = right;
-  return index;
 }
 
 template <class NodeCounts, class FacetCounts>
 double FacetTree::nearest(Vec3 point, double reach, const NodeCounts& nodeCounts,
                           const FacetCounts& facetCounts) const {
-  if (nodes_.empty()) return reach;
+  const std::span nodes = tree_.nodes();
   double least = reach * reach;
-  std::array<std::uint32_t, 64> stack;  // halving 2^32 facets down to kLeafFacets takes fewer levels
-  std::size_t depth = 0;
-  stack[depth++] = 0;
-  while (depth > 0) {
-    const std::uint32_t index = stack[--depth];
-    const Node& node = nodes_[index];
-    if (!nodeCounts(node) || squaredDistance(point, node.box) >= least) continue;
-    if (node.begin < node.end) {
-      for (std::uint32_t k = node.begin; k < node.end; ++k)
-        if (facetCounts(facets_[k])) least = std::min(least, squaredDistance(point, facets_[k]));
-      continue;
-    }
-    std::uint32_t near = index + 1;
-    std::uint32_t far = node.right;
-    if (squaredDistance(point, nodes_[far].box) < squaredDistance(point, nodes_[near].box)) std::swap(near, far);
-    stack[depth++] = far;
-    stack[depth++] = near;
-  }
-  return std::sqrt(least);
+  const auto isNear = [&](std::uint32_t node) {
+    return nodeCounts(node) && squaredDistance(point, nodes[node].box) < least;
+  };
+  const auto firstIsNearer = [&](std::uint32_t first, std::uint32_t second) {
+    return squaredDistance(point, nodes[first].box) <= squaredDistance(point, nodes[second].box);
+  };
+  const auto measure = [&](std::uint32_t begin, std::uint32_t end) {
+    for (std::uint32_t k = begin; k < end; ++k)
+      if (facetCounts(facets_[k])) least = std::min(least, squaredDistance(point, facets_[k]));
+  };
+  tree_.visit(isNear, firstIsNearer, measure);
+  return facets_.empty() ? reach : std::sqrt(least);
 }
 
 double FacetTree::distance(Vec3 point, double reach) const {
@@ -114,8 +104,8 @@ double FacetTree::distance(Vec3 point, double reach) const {
 }
 
 double FacetTree::distanceOfTurned(Vec3 point, double reach, Vec3 normal, double component) const {
-  const auto mayTurn = [&](const Node& node) {
-    const Vec3 least = glm::min(normal * node.normals.min, normal * node.normals.max);
+  const auto mayTurn = [&](std::uint32_t node) {
+    const Vec3 least = glm::min(normal * normals_[node].min, normal * normals_[node].max);
     return least.x + least.y + least.z < component;
   };
   const auto turns = [&](const Facet& facet) { return glm::dot(normalOf(facet), normal) < component; };

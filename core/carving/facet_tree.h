@@ -2,15 +2,16 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "math/box.h"
+#include "mesh/bvh.h"
 
 namespace qrelief {
 
-/// Answers how near the nearest of a set of facets is, as long as it is near: a tree of boxes over the facets, halved
-/// along the longest side of their middles' box.
+/// Answers how near the nearest of a set of facets is, as long as it is near: a bounding volume hierarchy whose nodes
+/// know the range of their facets' normals, too.
 ///
 /// Cost: O(n log n) to build; a query whose answer is "none within reach" usually looks at a few boxes only.
 class FacetTree {
@@ -18,7 +19,7 @@ class FacetTree {
   using Facet = std::array<Vec3, 3>;
 
   /// @param facets  finite; may be empty or without area
-  explicit FacetTree(std::vector<Facet> facets);
+  explicit FacetTree(std::span<const Facet> facets);
 
   /// Distance of the nearest facet from `point`, or `reach` if none is nearer.
   double distance(Vec3 point, double reach) const;
@@ -28,18 +29,12 @@ class FacetTree {
   double distanceOfTurned(Vec3 point, double reach, Vec3 normal, double component) const;
 
  private:
-  struct Node {
-    Box3 box, normals;
-    std::uint32_t begin = 0, end = 0;  // facets; inner nodes have none
-    std::uint32_t right = 0;           // second child; the first follows its parent
-  };
-
   template <class NodeCounts, class FacetCounts>
   double nearest(Vec3 point, double reach, const NodeCounts& nodeCounts, const FacetCounts& facetCounts) const;
-  std::uint32_t build(std::uint32_t begin, std::uint32_t end);
 
-  std::vector<Facet> facets_;
-  std::vector<Node> nodes_;
+  Bvh tree_;
+  std::vector<Facet> facets_;  // in the tree's order
+  std::vector<Box3> normals_;  // of the facets below each node
 };
 
 }  // namespace qrelief

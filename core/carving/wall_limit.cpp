@@ -117,7 +117,7 @@ Sides sidesNear(const Mesh& mesh, const VisiblePatch& patch, const ProjectionFra
     else if (inPatch[t] != 0 || !isUnknown(facet, patch, frame))
       walls.push_back(facet);
   }
-  return {FacetTree(std::move(walls)), FacetTree(std::move(surface))};
+  return {FacetTree(walls), FacetTree(surface)};
 }
 
 /// Least distance from any other side of the material; `reach` if that is less.

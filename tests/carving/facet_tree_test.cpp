@@ -12,8 +12,10 @@ namespace {
 
 const FacetTree::Facet kFacet{Vec3(0, 0, 0), Vec3(4, 0, 0), Vec3(0, 3, 0)};
 
+FacetTree treeOf(const std::vector<FacetTree::Facet>& facets) { return FacetTree(facets); }
+
 TEST(FacetTree, MeasuresToTheInsideASideAndACornerOfAFacet) {
-  const FacetTree tree({kFacet});
+  const FacetTree tree = treeOf({kFacet});
   EXPECT_DOUBLE_EQ(tree.distance({1, 1, 5}, 100), 5);
   EXPECT_DOUBLE_EQ(tree.distance({1, 1, -5}, 100), 5);
   EXPECT_DOUBLE_EQ(tree.distance({2, -3, 4}, 100), 5);
@@ -23,14 +25,14 @@ TEST(FacetTree, MeasuresToTheInsideASideAndACornerOfAFacet) {
 }
 
 TEST(FacetTree, AnswersNoFartherThanItsReach) {
-  const FacetTree tree({kFacet});
+  const FacetTree tree = treeOf({kFacet});
   EXPECT_EQ(tree.distance({1, 1, 5}, 4.5), 4.5);
-  EXPECT_EQ(FacetTree({}).distance({1, 1, 5}, 4.5), 4.5);
+  EXPECT_EQ(treeOf({}).distance({1, 1, 5}, 4.5), 4.5);
 }
 
 TEST(FacetTree, MeasuresToAFacetWithoutAreaAsToASegmentOrAPoint) {
-  EXPECT_DOUBLE_EQ(FacetTree({{Vec3(0), Vec3(10, 0, 0), Vec3(5, 0, 0)}}).distance({7, 3, 4}, 100), 5);
-  EXPECT_DOUBLE_EQ(FacetTree({{Vec3(1), Vec3(1), Vec3(1)}}).distance({1, 4, 5}, 100), 5);
+  EXPECT_DOUBLE_EQ(treeOf({{Vec3(0), Vec3(10, 0, 0), Vec3(5, 0, 0)}}).distance({7, 3, 4}, 100), 5);
+  EXPECT_DOUBLE_EQ(treeOf({{Vec3(1), Vec3(1), Vec3(1)}}).distance({1, 4, 5}, 100), 5);
 }
 
 TEST(FacetTree, AgreesWithAllFacetsInTurn) {
