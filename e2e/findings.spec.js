@@ -12,7 +12,7 @@ test('A model in metres is called tiny in the page’s words, and one click read
   await app.expectReady();
   await app.file.setInputFiles({ name: 'metres.stl', mimeType: 'model/stl', buffer });
   const findings = page.getByRole('list', { name: 'Found in the model' });
-  await expect(findings).toContainText('The model is tiny: 0.09 × 0.09 × 0.04 mm. Choose another unit if it should be larger.');
+  await expect(findings).toContainText('The model is tiny: 0.09 × 0.09 × 0.04 mm. If it should be larger, choose another unit: in metres it is 90 × 90 × 40 mm.');
   await expect(findings).not.toContainText('--');
   await findings.getByRole('button', { name: 'Read it in metres: 90 × 90 × 40 mm' }).click();
   await expect(app.facts).toHaveText('metres.stl, 90.0 × 90.0 × 40.0 mm');

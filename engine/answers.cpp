@@ -46,13 +46,11 @@ Json jsonOf(Vec3 v) { return Json::array({v.x, v.y, v.z}); }
 
 Json jsonOf(std::span<const Message> warnings, std::span<const Finding> findings) {
   Json list = Json::array();
-  for (const Message& warning : warnings)
-    list.push_back(
-        {{"severity", "warning"}, {"code", "reader"}, {"count", 1}, {"message", warning.code}, {"hint", ""}});
-  for (const Finding& finding : findings)
-    list.push_back({{"severity", severityName(finding.severity)},
-                    {"code", finding.message.code},
-                    {"values", jsonOf(finding.message)["values"]}});
+  const auto add = [&](const char* severity, const Message& message) {
+    list.push_back({{"severity", severity}, {"code", message.code}, {"values", jsonOf(message)["values"]}});
+  };
+  for (const Message& warning : warnings) add("warning", warning);
+  for (const Finding& finding : findings) add(severityName(finding.severity), finding.message);
   return list;
 }
 

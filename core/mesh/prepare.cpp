@@ -37,7 +37,7 @@ Status checkSoup(const PolygonSoup& soup, const PrepareOptions& options) {
     const Vec3 p = soup.positions[i];
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
       return fail(ErrorKind::BadInput,
-                  message("vertex-not-finite", with::count("vertex", i + 1), with::place("at", p)));
+                  message("model-vertex-not-finite", with::count("vertex", i + 1), with::place("at", p)));
   }
   return {};
 }

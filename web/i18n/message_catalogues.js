@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The words of all messages, of the core and of the page: every file of messages/, which a test holds.
 import engine from '../../messages/engine.json' with { type: 'json' };
+import files from '../../messages/files.json' with { type: 'json' };
+import graphics from '../../messages/graphics.json' with { type: 'json' };
+import model from '../../messages/model.json' with { type: 'json' };
 import pageEngine from '../../messages/page_engine.json' with { type: 'json' };
 import pageSettings from '../../messages/page_settings.json' with { type: 'json' };
+import place from '../../messages/place.json' with { type: 'json' };
 import stages from '../../messages/stages.json' with { type: 'json' };
+import text from '../../messages/text.json' with { type: 'json' };
 import untold from '../../messages/untold.json' with { type: 'json' };
 
 /** @typedef {string | { one: string, other: string }} Forms  chosen by the value `count` */
@@ -11,4 +16,6 @@ import untold from '../../messages/untold.json' with { type: 'json' };
 /** @typedef {Words & { hint?: Words }} Entry */
 
 /** @type {Record<string, Entry>} */
-export const catalogue = { ...engine, ...pageEngine, ...pageSettings, ...stages, ...untold };
+export const catalogue = {
+  ...engine, ...files, ...graphics, ...model, ...pageEngine, ...pageSettings, ...place, ...stages, ...text, ...untold,
+};

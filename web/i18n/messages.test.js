@@ -11,6 +11,8 @@ import { isKnownSetting } from './setting_names.js';
 const kFolder = new URL('../../messages/', import.meta.url);
 // The same as for the command's renderer (tests/messages/sentences_test.cpp), so that the two agree.
 const shared = JSON.parse(readFileSync(new URL('../../tests/messages/cases.json', import.meta.url), 'utf8'));
+/** What only the command says is left out. */
+const kPageWords = JSON.stringify(Object.values(catalogue), (key, value) => (key === 'command' ? undefined : value));
 
 afterEach(() => setLanguage('en'));
 
@@ -40,10 +42,10 @@ test('The page has the words of every file of messages/', () => {
 });
 
 test('Every setting that a message names has a name on the page', () => {
-  const named = [...JSON.stringify(catalogue).matchAll(/\{@(\w+)\}/g)].map(([, key]) => key);
+  const named = [...kPageWords.matchAll(/\{@(\w+)\}/g)].map(([, key]) => key);
   assert.deepEqual(named.filter((key) => !isKnownSetting(key)), []);
 });
 
 test('No words of the page speak of the command’s options', () => {
-  assert.doesNotMatch(JSON.stringify(Object.values(catalogue), (key, value) => (key === 'command' ? undefined : value)), /--[a-z]/);
+  assert.doesNotMatch(kPageWords, /--[a-z]/);
 });
