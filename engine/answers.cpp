@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/answers.h"
 
-#include "base/message_json.h"
-
 namespace qrelief {
 namespace {
 
-const char* nameOf(ErrorKind code) {
-  switch (code) {
+const char* nameOf(ErrorKind kind) {
+  switch (kind) {
     case ErrorKind::BadUsage:
       return "BadUsage";
     case ErrorKind::BadInput:
@@ -20,6 +18,12 @@ const char* nameOf(ErrorKind code) {
   return "Internal";
 }
 
+/// {…, "code", "values"}
+Json besides(Json json, const Message& message) {
+  json.update(jsonOf(message));
+  return json;
+}
+
 }  // namespace
 
 std::string textOf(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
@@ -27,15 +31,10 @@ std::string textOf(const Json& json) { return json.dump(-1, ' ', false, Json::er
 std::string done() { return textOf({{"ok", true}}); }
 
 std::string answer(const Error& error) {
-  return textOf(
-      {{"ok", false},
-       {"error",
-        {{"code", nameOf(error.kind)}, {"message", toldText(error.message)}, {"hint", toldHint(error.message)}}}});
+  return textOf({{"ok", false}, {"error", besides({{"kind", nameOf(error.kind)}}, error.message)}});
 }
 
-std::string answer(ErrorKind code, std::string message, std::string hint) {
-  return answer(Error{code, untold(std::move(message), std::move(hint))});
-}
+std::string answer(ErrorKind kind, Message message) { return answer(Error{kind, std::move(message)}); }
 
 std::string answer(const Progress& progress) {
   return textOf(
@@ -46,11 +45,9 @@ Json jsonOf(Vec3 v) { return Json::array({v.x, v.y, v.z}); }
 
 Json jsonOf(std::span<const Message> warnings, std::span<const Finding> findings) {
   Json list = Json::array();
-  const auto add = [&](const char* severity, const Message& message) {
-    list.push_back({{"severity", severity}, {"code", message.code}, {"values", jsonOf(message)["values"]}});
-  };
-  for (const Message& warning : warnings) add("warning", warning);
-  for (const Finding& finding : findings) add(severityName(finding.severity), finding.message);
+  for (const Message& warning : warnings) list.push_back(besides({{"severity", "warning"}}, warning));
+  for (const Finding& finding : findings)
+    list.push_back(besides({{"severity", severityName(finding.severity)}}, finding.message));
   return list;
 }
 

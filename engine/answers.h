@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 
+#include "base/message_json.h"
 #include "base/progress.h"
 #include "base/result.h"
 #include "math/vec.h"
@@ -12,8 +13,8 @@
 
 namespace qrelief {
 
-/// What the engine's verbs answer, as JSON text: {"ok": true, …} or {"ok": false, "error": {"code", "message",
-/// "hint"}}.
+/// What the engine's verbs answer, as JSON text: {"ok": true, …} or {"ok": false, "error": {"kind", "code", "values"}},
+/// where code and values are those of a message (base/message_json.h).
 using Json = nlohmann::ordered_json;
 
 /// Texts from files may hold bytes that are no UTF-8: they become replacement characters.
@@ -23,17 +24,16 @@ std::string textOf(const Json& json);
 std::string done();
 
 std::string answer(const Error& error);
-std::string answer(ErrorKind code, std::string message, std::string hint);
+std::string answer(ErrorKind kind, Message message);
 
 /// {"ok": true, stage, fraction, done}
 std::string answer(const Progress& progress);
 
 Json jsonOf(Vec3 v);
 
-inline const Error kNoModel = {ErrorKind::BadUsage,
-                               untold("there is no model yet", "open a model file or choose a sample")};
+inline const Error kNoModel = {ErrorKind::BadUsage, message("no-model")};
 
-/// The reader's warnings, then what was found out about the model.
+/// The reader's warnings, then what was found out about the model: {"severity", "code", "values"} each.
 Json jsonOf(std::span<const Message> warnings, std::span<const Finding> findings);
 
 }  // namespace qrelief

@@ -3,44 +3,40 @@
 #include "engine/engine.h"
 
 #include <cmath>
-#include <fmt/format.h>
 
 #include "engine/answers.h"
 #include "engine/settings.h"
 #include "engine/symbol_facts.h"
 
 namespace qrelief {
-namespace {
-
-std::string problemOf(const Error& error) { return toldText(error.message) + "; " + toldHint(error.message); }
-
-}  // namespace
+namespace {}  // namespace
 
 Engine::Engine(const std::string& renderer) {
   const auto capabilities = gl::queryCapabilities();
   if (!capabilities) {
-    problems_.push_back(problemOf(capabilities.error()));
+    problems_.push_back(capabilities.error().message);
     return;
   }
   gl_ = *capabilities;
   if (!renderer.empty()) gl_.renderer = renderer;
   auto pass = GeometryPass::create();
-  if (!pass) problems_.push_back(problemOf(pass.error()));
+  if (!pass) problems_.push_back(pass.error().message);
   if (const Status opened = scene_.open(ViewQuality::suitedTo(gl_)); !opened)
-    problems_.push_back(problemOf(opened.error()));
+    problems_.push_back(opened.error().message);
   if (pass) pass_ = std::make_shared<const GeometryPass>(std::move(*pass));
 }
 
 std::string Engine::capabilities() const {
-  return textOf({{"renderer", gl_.renderer}, {"version", gl_.version}, {"problems", problems_}});
+  Json problems = Json::array();
+  for (const Message& problem : problems_) problems.push_back(jsonOf(problem));
+  return textOf({{"renderer", gl_.renderer}, {"version", gl_.version}, {"problems", std::move(problems)}});
 }
 
 std::string Engine::loadModel(std::vector<std::uint8_t> bytes, const std::string& fileName, double scaleToMm) {
   if (!pass_ || !scene_.isOpen())
-    return answer(ErrorKind::Internal, problems_.front(), "use a browser with WebGL 2 and float targets");
+    return answer(ErrorKind::Internal, message("no-graphics", with::cause("why", problems_.front())));
   if (!(scaleToMm >= 0) || !std::isfinite(scaleToMm))
-    return answer(ErrorKind::BadUsage, fmt::format("the scale is {:g}", scaleToMm),
-                  "Choose how many mm one unit of the file is");
+    return answer(ErrorKind::BadUsage, message("scale-unusable", with::number("scale", scaleToMm)));
   auto model = loadedModel(std::move(bytes), fileName, scaleToMm);
   if (!model) return answer(model.error());
   carvings_.forgetAll();

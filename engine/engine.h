@@ -173,7 +173,7 @@ class Engine {
   void updateView();
 
   gl::Capabilities gl_;
-  std::vector<std::string> problems_;
+  std::vector<Message> problems_;
   std::shared_ptr<const GeometryPass> pass_;
   std::optional<LoadedModel> model_;
   WantedCode wanted_;

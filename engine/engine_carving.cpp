@@ -6,7 +6,7 @@
 namespace qrelief {
 namespace {
 
-const Error kNoResult = {ErrorKind::BadUsage, untold("nothing has been engraved yet", "press Engrave first")};
+const Error kNoResult = {ErrorKind::BadUsage, message("nothing-engraved")};
 
 }  // namespace
 
@@ -25,8 +25,7 @@ std::string Engine::startEngrave(const std::function<EngraveRequest(EngraveReque
   carvings_.setAside();
   updateView();
   if (!model_) return answer(kNoModel);
-  if (!wanted_.centreMm())
-    return answer(ErrorKind::BadUsage, "no place has been chosen", "click on the model where the code should go");
+  if (!wanted_.centreMm()) return answer(ErrorKind::BadUsage, message("no-centre"));
   const EngraveRequest asked = wanted_.request(scene_.camera().skyward());
   const auto started = overridden ? carvings_.start(ground(), overridden(asked), nullptr)
                                   : carvings_.start(ground(), asked, placing_.found(asked, wanted_.symbol()));
@@ -34,7 +33,7 @@ std::string Engine::startEngrave(const std::function<EngraveRequest(EngraveReque
 }
 
 std::string Engine::advance() {
-  if (!carvings_.isRunning()) return answer(ErrorKind::BadUsage, "no engraving is running", "");
+  if (!carvings_.isRunning()) return answer(ErrorKind::BadUsage, message("not-engraving"));
   const Result<Progress> progress = carvings_.advance();
   if (!progress) return answer(progress.error());
   if (progress->done) {

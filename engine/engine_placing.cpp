@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where the engine puts the code, the one that follows the pointer, and the spots that it offers.
 #include <cmath>
-#include <fmt/format.h>
 
 #include "engine/answers.h"
 #include "engine/engine.h"
@@ -11,8 +10,7 @@
 namespace qrelief {
 namespace {
 
-const Error kNoCode = {ErrorKind::BadUsage,
-                       untold("no code has a place", "click on the model where the code should go")};
+const Error kNoCode = {ErrorKind::BadUsage, message("no-code-placed")};
 
 }  // namespace
 
@@ -24,8 +22,7 @@ bool Engine::takesCode() const {
 
 Status Engine::placeCode() {
   if (!model_) return tl::unexpected(kNoModel);
-  if (!wanted_.centreMm())
-    return fail(ErrorKind::BadUsage, "no place has been chosen", "click on the model where the code should go");
+  if (!wanted_.centreMm()) return fail(ErrorKind::BadUsage, message("no-centre"));
   if (const Status engravable = model_->engravable->prepared.engravable(); !engravable) return engravable;
   if (!wanted_.symbol()) return tl::unexpected(wanted_.symbol().error());
   return placing_.place(task());
@@ -111,8 +108,8 @@ std::string Engine::moveCode(double x, double y) {
 std::string Engine::adjustCode(double rotateDeg, double symbolMm) {
   if (!placing_.code() || !takesCode()) return answer(kNoCode);
   if (!std::isfinite(rotateDeg) || !(symbolMm > 0))
-    return answer(ErrorKind::BadUsage, fmt::format("a code of {:g} mm at {:g}° is asked for", symbolMm, rotateDeg),
-                  "Give a size above 0");
+    return answer(ErrorKind::BadUsage, message("code-size-unusable", with::lengthMm("size", symbolMm),
+                                               with::angleDeg("rotation", rotateDeg)));
   placing_.adjust(rotateDeg, symbolMm, roomFactor(wanted_.symbol()->size, settings().placement.quietZone));
   scene_.setPrint(placing_.code());
   return describeCode(*placing_.code());
@@ -128,7 +125,7 @@ std::string Engine::startPlacing() {
 }
 
 std::string Engine::advancePlacing() {
-  if (!offers_.isRunning()) return answer(ErrorKind::BadUsage, "no search for spots is running", "");
+  if (!offers_.isRunning()) return answer(ErrorKind::BadUsage, message("not-finding-spots"));
   const Result<Progress> progress = offers_.advance();
   if (!progress) return answer(progress.error());
   if (progress->done) showSizes(true);
@@ -149,7 +146,8 @@ std::string Engine::spots() const {
 }
 
 std::string Engine::chooseSpot(std::size_t index) {
-  if (index >= offers_.spots().size()) return answer(ErrorKind::BadUsage, "there is no such spot", "");
+  if (index >= offers_.spots().size())
+    return answer(ErrorKind::BadUsage, message("no-such-spot", with::count("index", index + 1)));
   const OfferedSpot& spot = offers_.spots()[index];
   const std::string chosen = setCentre(spot.centreMm.x, spot.centreMm.y, spot.centreMm.z);
   if (spot.needsDirection) wanted_.choose(wanted_.centreMm(), spot.direction);

@@ -74,7 +74,7 @@ std::string Engine::showDepths(bool shown) {
 bool Engine::draw(bool always) {
   const Result<bool> more = scene_.draw(always);
   if (more) return *more;
-  problems_.push_back(toldText(more.error().message));
+  problems_.push_back(more.error().message);
   return false;
 }
 
@@ -90,7 +90,7 @@ std::string Engine::viewState() const {
 Result<BackDistanceMap> Engine::backDistances() const {
   const EngraveResult* result = carvings_.result();
   const SurfaceMaps* maps = carvings_.job() ? carvings_.job()->inspectorMaps().surface : nullptr;
-  if (!result || !maps) return fail(ErrorKind::BadUsage, "nothing has been engraved yet", "press Engrave first");
+  if (!result || !maps) return fail(ErrorKind::BadUsage, message("nothing-engraved"));
   return pass_->renderBack(model_->engravable->gpu, result->placement.frame, maps->window);
 }
 

@@ -6,8 +6,7 @@
 
 namespace qrelief {
 
-/// A verb's answer, or the exception that ended it as one: {"ok": false, "error": …} with the code OutOfMemory or
-/// Internal.
+/// A verb's answer, or the exception that ended it as one, with the code out-of-memory or internal-fault.
 std::string guarded(const std::function<std::string()>& verb);
 
 }  // namespace qrelief

@@ -96,10 +96,10 @@ TEST(SymbolFacts, ANozzleThatIsNoSizeLeavesTheLeastModuleOut) {
 TEST(SymbolFacts, ATextThatNoSymbolHoldsIsAnError) {
   const Json tooLong = Json::parse(describeSymbol(requestFor(std::string(3000, 'a'))));
   EXPECT_EQ(tooLong["ok"], false);
-  EXPECT_EQ(tooLong["error"]["code"], "BadInput");
+  EXPECT_EQ(tooLong["error"]["kind"], "BadInput");
   const Json empty = Json::parse(describeSymbol(requestFor("")));
   EXPECT_EQ(empty["ok"], false);
-  EXPECT_EQ(empty["error"]["message"], "The text is empty");
+  EXPECT_EQ(empty["error"]["kind"], "BadInput");
 }
 
 }  // namespace
