@@ -7,7 +7,7 @@ import { setLanguage } from './catalogue.js';
 import { inspectorTexts } from './inspector_texts.js';
 
 const folder = new URL('../../inspector/', import.meta.url);
-const kSources = [...readdirSync(folder), '../viewer/colour_scale.cpp'].filter((name) => /\.(cpp|h)$/.test(name));
+const kSources = [...readdirSync(folder), '../viewer/colour_scale.cpp', '../viewer/colour_scale.h'].filter((name) => /\.(cpp|h)$/.test(name));
 /** The C++ with neighbouring literals joined, as the compiler does. */
 const source = kSources.map((name) => readFileSync(new URL(name, folder), 'utf8')).join('\n').replace(/"\s*\n\s*"/g, '');
 const literals = new Set([...source.matchAll(/"((?:[^"\\]|\\.)*)"/g)].map(([, literal]) => literal));
