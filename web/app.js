@@ -4,7 +4,7 @@ import { EngineClient } from './engine/client.js';
 import { EngineFailure, describeThrown, internal } from './engine/engine_error.js';
 import { message } from './engine/message.js';
 import { holdsSecret } from './contents/secrets.js';
-import { Continuing } from './storage/continuing.js';
+import { Continuing } from './session/continuing.js';
 import { Database } from './storage/database.js';
 import { LastWork } from './storage/last_work.js';
 import { prepareReader } from './decoder/reader.js';
@@ -21,12 +21,12 @@ import { Undo } from './session/undo.js';
 import { settingsByHandles } from './session/work.js';
 import { rememberFormat } from './export/format_choice.js';
 import { looksLikeSettings } from './export/settings_file.js';
-import { TakePanel } from './export/take_panel.js';
-import { Taking } from './export/taking.js';
+import { ExportPanel } from './ui/export_panel.js';
+import { Exporting } from './session/exporting.js';
 import { text } from './i18n/catalogue.js';
 import { CarvePanel } from './ui/carve_panel.js';
 import { CodePanel } from './ui/code_panel.js';
-import { byId } from './ui/dom.js';
+import { byId } from './dom/dom.js';
 import { HelpSheet } from './ui/help_sheet.js';
 import { Messages } from './ui/messages.js';
 import { ModelPanel } from './ui/model_panel.js';
@@ -46,7 +46,7 @@ import { ViewTools } from './view/view_tools.js';
 const kAsked = ['sample', 'text', 'engrave'];  // in the address
 
 export class App {
-  /** @param {import('./storage/notices.js').Notices} notices */
+  /** @param {import('./ui/notices.js').Notices} notices */
   constructor(notices) {
     offerLanguages();
     rememberFormat(byId('format', HTMLSelectElement));
@@ -87,8 +87,8 @@ export class App {
     this.spotsPanel_ = this.makeSpotsPanel_();
     this.spots_ = this.makeSpotFinding_();
     this.carving_ = this.makeCarving_();
-    this.takePanel_ = this.makeTakePanel_();
-    this.taking_ = this.makeTaking_();
+    this.exportPanel_ = this.makeExportPanel_();
+    this.exporting_ = this.makeExporting_();
     this.kept_ = this.makeContinuing_(notices);
     this.undo_ = this.makeUndo_();
     this.help_ = new HelpSheet();
@@ -184,7 +184,7 @@ export class App {
         this.tools_.set({ placed: placement !== undefined });
         this.code_.showPlaced(placement);
         this.preparing_.note(placement !== undefined);
-        this.takePanel_.setSecret(holdsSecret(this.code_.text));
+        this.exportPanel_.setSecret(holdsSecret(this.code_.text));
       },
     });
   }
@@ -233,16 +233,16 @@ export class App {
     });
   }
 
-  makeTakePanel_() {
-    return new TakePanel({
-      onPicture: () => this.guard_(() => this.taking_.savePicture()),
-      onSettings: () => this.guard_(async () => this.taking_.saveSettings()),
-      onSymbol: (format) => this.guard_(() => this.taking_.saveSymbol(format)),
+  makeExportPanel_() {
+    return new ExportPanel({
+      onPicture: () => this.guard_(() => this.exporting_.savePicture()),
+      onSettings: () => this.guard_(async () => this.exporting_.saveSettings()),
+      onSymbol: (format) => this.guard_(() => this.exporting_.saveSymbol(format)),
     });
   }
 
-  makeTaking_() {
-    return new Taking({
+  makeExporting_() {
+    return new Exporting({
       client: this.client_, model: this.model_, placing: this.placing_, messages: this.messages_,
       settings: () => this.settings_(),
       onSettings: (values, content) => this.write_({ text: content, values }),
@@ -251,7 +251,7 @@ export class App {
     });
   }
 
-  /** @param {import('./storage/notices.js').Notices} notices */
+  /** @param {import('./ui/notices.js').Notices} notices */
   makeContinuing_(notices) {
     return new Continuing({
       last: new LastWork(new Database(), holdsSecret), notices,
@@ -352,7 +352,7 @@ export class App {
   /** @param {File} file */
   async useSettings_(file) {
     if (!this.model_.source) await this.model_.openSample();
-    await this.undo_.asOne(() => this.taking_.useSettings(file));
+    await this.undo_.asOne(() => this.exporting_.useSettings(file));
   }
 
   /** Ends what is being carved. */

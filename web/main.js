@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { App } from './app.js';
-import { Notices } from './storage/notices.js';
+import { Notices } from './ui/notices.js';
 import { keepOffline } from './offline/updates.js';
 import { text } from './i18n/catalogue.js';
-import { byId } from './ui/dom.js';
+import { byId } from './dom/dom.js';
 
 const notices = new Notices(byId('stage', HTMLElement));
 await new App(notices).start(new URLSearchParams(location.search));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { wifi } from './payloads/wifi.js';
+import { wifi } from './wifi.js';
 import { holdsSecret, withoutSecrets } from './secrets.js';
 
 test('no part of a Wi-Fi password is left, whatever signs it holds', () => {

@@ -229,7 +229,7 @@ export class EngineClient {
   /** @param {Record<string, string>} texts  of the page's language, by the English ones @returns {Promise<void>} */
   inspectorTexts(texts) { return this.call_('inspectorTexts', texts); }
 
-  /** @param {import('../view/free_area.js').Area} area  of the canvas that no control covers @returns {Promise<void>} */
+  /** @param {import('./types.js').Area} area  of the canvas that no control covers @returns {Promise<void>} */
   inspectorArea(area) { return this.call_('inspectorArea', area); }
 
   /** @param {ViewSize} size @returns {Promise<void>} */

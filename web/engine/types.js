@@ -12,6 +12,8 @@
  *   `centre`: a surface point in the middle of the view
  */
 
+/** @typedef {{ x: number, y: number, width: number, height: number }} Area  of the canvas, CSS pixels */
+
 /** @typedef {'y' | 'z'} UpAxis */
 
 /** @typedef {'none' | 'square' | 'thin-plus' | 'diamond' | 'thick-plus'} ModulePattern */

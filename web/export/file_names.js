@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Names of the files that are saved: they say what is inside, in characters that every file system takes.
-import { parsePhone } from '../contents/payloads/addresses.js';
+import { parsePhone } from '../contents/addresses.js';
 
 const kMostOfText = 32, kMostOfModel = 48;
 /** Of letters that Unicode does not take apart. */

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { currentLanguage, onLanguage, text } from '../i18n/catalogue.js';
-import { byId, make } from '../ui/dom.js';
+import { byId, make } from '../dom/dom.js';
 import { openArticle } from './article.js';
 import { kSizes, widthMm } from './sizes.js';
 

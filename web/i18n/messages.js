@@ -28,6 +28,12 @@ export function hintOf(message, words = ourWords) {
   return '';
 }
 
+/** Messages come without a full stop. @param {string} text */
+export function asSentence(text) {
+  const capital = text.charAt(0).toUpperCase() + text.slice(1);
+  return /[.!?…]$/.test(capital) ? capital : `${capital}.`;
+}
+
 /** @param {Words} entry @param {Message} message @param {Record<string, Entry>} words */
 function filled(entry, { values }, words) {
   const forms = entry[currentLanguage()];

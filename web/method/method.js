@@ -9,7 +9,7 @@ import { fetchBytes, fetchJson } from '../session/fetch_file.js';
 import { currentLanguage, text } from '../i18n/catalogue.js';
 import { write } from '../i18n/live.js';
 import { hintOf, sentenceOf } from '../i18n/messages.js';
-import { byId, make } from '../ui/dom.js';
+import { byId, make } from '../dom/dom.js';
 import { View } from '../view/view.js';
 import { paintDepths, paintHeights, paintLight, paintNormals } from './colours.js';
 

@@ -5,7 +5,7 @@ import { pixelsPerModule, tryViews } from '../verdict/view_trials.js';
 import { kReaderName, prepareReader, readAll, reads } from '../decoder/reader.js';
 import { fileNameOf } from '../export/file_names.js';
 import { text } from '../i18n/catalogue.js';
-import { saveFile } from '../ui/save_file.js';
+import { saveFile } from '../dom/save_file.js';
 
 import { sameWork } from './work.js';
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Undo and redo of everything that decides what is carved, and of the carving itself.
 import { text } from '../i18n/catalogue.js';
-import { byId } from '../ui/dom.js';
+import { byId } from '../dom/dom.js';
 import { History } from './history.js';
 import { sameCentre, sameModel, sameWork } from './work.js';
 

@@ -3,7 +3,7 @@
 // text and settings, and the centre. Of a sample only its name is kept, of a file up to kMaxBytes.
 
 /** @typedef {import('../engine/types.js').UpAxis} UpAxis */
-/** @typedef {Record<string, string | boolean>} Values */
+/** @typedef {Record<string, string | boolean>} Values  what the controls hold, by their ids */
 /** @typedef {[number, number, number]} Point */
 
 /**

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What will be carved, in one line.
 import { onLanguage, text } from '../i18n/catalogue.js';
-import { byId } from './dom.js';
-import { formatPlain } from './format.js';
+import { byId } from '../dom/dom.js';
+import { formatPlain } from '../i18n/format.js';
 import { describeStep } from './steps.js';
 
 const kPresets = /** @type {const} */ ({ shallow: 'settings.presetShallow', balanced: 'settings.presetBalanced', robust: 'settings.presetRobust' });

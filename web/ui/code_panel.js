@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the code says: the text, the builders that write it, and the symbol it makes.
-import { ContentPanel } from '../contents/content_panel.js';
-import { SymbolPanel } from '../contents/symbol_panel.js';
+import { ContentPanel } from './content_panel.js';
+import { SymbolPanel } from './symbol_panel.js';
 import { text } from '../i18n/catalogue.js';
-import { byId } from './dom.js';
+import { byId } from '../dom/dom.js';
 import { showStep } from './steps.js';
 
 /** @typedef {import('../engine/types.js').Placement} Placement */
@@ -120,7 +120,7 @@ export class CodePanel {
     this.changed_(content);
   }
 
-  /** Other ways in which the builder can write the same. @returns {import('../contents/symbol_panel.js').Form[]} */
+  /** Other ways in which the builder can write the same. @returns {import('./symbol_panel.js').Form[]} */
   otherForms_() {
     /** @type {[string, import('../i18n/catalogue.js').Key][]} */
     const forms = [['mecard', 'code.shorter.mecard'], ['event', 'code.shorter.event']];

@@ -2,8 +2,8 @@
 // The measurements behind the verdict, and from where else the code reads, on demand.
 import { distanceMm, kForgivingDeg, kTrials, safeTiltDeg } from '../verdict/view_trials.js';
 import { onLanguage, text } from '../i18n/catalogue.js';
-import { byId, make } from './dom.js';
-import { formatNumber, formatPercent, formatPlain } from './format.js';
+import { byId, make } from '../dom/dom.js';
+import { formatNumber, formatPercent, formatPlain } from '../i18n/format.js';
 
 /** @typedef {import('../engine/types.js').Report} Report */
 /** @typedef {import('../engine/types.js').Grades} Grades */

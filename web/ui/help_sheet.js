@@ -2,7 +2,7 @@
 // What keys, mouse and fingers do, on a sheet over the page.
 import { recall, remember } from '../storage/remembered.js';
 import { onLanguage, text } from '../i18n/catalogue.js';
-import { byId, make } from './dom.js';
+import { byId, make } from '../dom/dom.js';
 import { kShortcuts, listenForShortcuts } from './shortcuts.js';
 
 /** @typedef {import('../i18n/catalogue.js').Key} Key */

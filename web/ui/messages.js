@@ -2,8 +2,8 @@
 // What the page says: the status line, and errors with what was found and what helps.
 import { onLanguage } from '../i18n/catalogue.js';
 import { write } from '../i18n/live.js';
-import { hintOf, sentenceOf } from '../i18n/messages.js';
-import { byId, make } from './dom.js';
+import { asSentence, hintOf, sentenceOf } from '../i18n/messages.js';
+import { byId, make } from '../dom/dom.js';
 
 /** @typedef {import('../i18n/live.js').Words} Words */
 /** @typedef {import('../engine/message.js').Message} Message */
@@ -38,12 +38,6 @@ export class Messages {
     this.box_.hidden = true;
     this.text_.replaceChildren();
   }
-}
-
-/** Messages come without a full stop. @param {string} text */
-export function asSentence(text) {
-  const capital = text.charAt(0).toUpperCase() + text.slice(1);
-  return /[.!?…]$/.test(capital) ? capital : `${capital}.`;
 }
 
 /** @typedef {{ label: string, run: () => void }} Remedy  that one click brings */

@@ -3,8 +3,8 @@
 import { onLanguage, text, textOr } from '../i18n/catalogue.js';
 import { hintOf, sentenceOf } from '../i18n/messages.js';
 import { choiceLabel } from '../i18n/setting_names.js';
-import { byId } from './dom.js';
-import { formatBox } from './format.js';
+import { byId } from '../dom/dom.js';
+import { formatBox } from '../i18n/format.js';
 import { showFindings } from './messages.js';
 import { showStep } from './steps.js';
 

@@ -3,8 +3,8 @@
 import { kForgivingDeg } from '../verdict/view_trials.js';
 import { text } from '../i18n/catalogue.js';
 import { write } from '../i18n/live.js';
-import { byId } from './dom.js';
-import { formatMm } from './format.js';
+import { byId } from '../dom/dom.js';
+import { formatMm } from '../i18n/format.js';
 import { showStep } from './steps.js';
 
 /** @typedef {import('../engine/types.js').Placement} Placement */

@@ -2,7 +2,7 @@
 // Language and appearance: chosen on the page, kept for the next visit, in effect at once.
 import { recall, remember } from '../storage/remembered.js';
 import { currentLanguage, localise, onLanguage, setLanguage } from '../i18n/catalogue.js';
-import { byId } from './dom.js';
+import { byId } from '../dom/dom.js';
 
 /** @typedef {import('../i18n/catalogue.js').Language} Language */
 

@@ -2,8 +2,8 @@
 // What came out: the verdict, the file, the numbers.
 import { verdictOf } from '../verdict/verdict.js';
 import { onLanguage, text } from '../i18n/catalogue.js';
-import { byId, make } from './dom.js';
-import { formatMm, formatSeconds } from './format.js';
+import { byId, make } from '../dom/dom.js';
+import { formatMm, formatSeconds } from '../i18n/format.js';
 import { GradesPanel } from './grades_panel.js';
 import { showFindings } from './messages.js';
 import { markStep, showStep } from './steps.js';

@@ -4,11 +4,11 @@ import { EngineFailure } from '../engine/engine_error.js';
 import { message } from '../engine/message.js';
 import { onLanguage } from '../i18n/catalogue.js';
 import { controlName } from '../i18n/setting_names.js';
-import { byId } from './dom.js';
+import { byId } from '../dom/dom.js';
 
 /** @typedef {import('../engine/types.js').Settings} Settings */
 /** @typedef {HTMLInputElement | HTMLSelectElement} Control */
-/** @typedef {Record<string, string | boolean>} Values  what the controls hold, by their ids */
+/** @typedef {import('../storage/last_work.js').Values} Values */
 
 /** @type {Record<string, string>}  the core's, by the controls' ids */
 const kKeys = {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where a code could go: suggestions to choose from, and the sizes as colours on the model.
 import { onLanguage, text } from '../i18n/catalogue.js';
-import { byId, make } from './dom.js';
-import { formatPlain } from './format.js';
+import { byId, make } from '../dom/dom.js';
+import { formatPlain } from '../i18n/format.js';
 
 /** @typedef {import('../engine/types.js').Spots} Spots */
 

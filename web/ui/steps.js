@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The state of each step, in one line beside its heading and in the mark before it.
 import { write } from '../i18n/live.js';
-import { byId } from './dom.js';
+import { byId } from '../dom/dom.js';
 
 /** @typedef {import('../i18n/live.js').Words} Words */
 /** @typedef {'model' | 'code' | 'place' | 'carve' | 'check'} Step */

@@ -2,10 +2,10 @@
 // The verdict in three lines, each with its reason and what one click would change.
 import { printingRemedies, readingRemedies } from '../verdict/remedies.js';
 import { text } from '../i18n/catalogue.js';
-import { hintOf, sentenceOf } from '../i18n/messages.js';
-import { make } from './dom.js';
-import { formatMm, formatNumber, formatPercent, formatPlain } from './format.js';
-import { asSentence, remedyButtons } from './messages.js';
+import { asSentence, hintOf, sentenceOf } from '../i18n/messages.js';
+import { make } from '../dom/dom.js';
+import { formatMm, formatNumber, formatPercent, formatPlain } from '../i18n/format.js';
+import { remedyButtons } from './messages.js';
 
 /** @typedef {import('../engine/types.js').Report} Report */
 /** @typedef {import('../verdict/verdict.js').Level} Level */

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The buttons over the 3D view: from where it is looked at, and what of the model is seen.
-import { byId } from './dom.js';
+import { byId } from '../dom/dom.js';
 
 /** @typedef {import('../engine/types.js').StandardView} StandardView */
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Engrave, Cancel and how far the work has come.
-import { byId } from './dom.js';
+import { byId } from '../dom/dom.js';
 
 export class WorkPanel {
   /** @param {{ onEngrave: () => void, onCancel: () => void }} listener */

@@ -2,7 +2,7 @@
 // What would help, as values for the page's controls.
 
 /** @typedef {import('../engine/types.js').Report} Report */
-/** @typedef {import('../ui/settings_form.js').Values} Values */
+/** @typedef {import('../storage/last_work.js').Values} Values */
 /** @typedef {'larger' | 'largest' | 'turned' | 'robust' | 'balanced' | 'autoContrast' | 'pattern' | 'nozzle' | 'layer' | 'ecc'} Kind */
 /** @typedef {{ kind: Kind, control: string, value: string } | { kind: 'spot' }} Remedy  `spot`: have spots suggested */
 

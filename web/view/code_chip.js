@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The small sign beside the pointer, or the handle, that says how large the code would be there.
-import { make } from '../ui/dom.js';
+import { make } from '../dom/dom.js';
 import { text } from '../i18n/catalogue.js';
 
 /** @typedef {import('../engine/types.js').CodeFacts} CodeFacts */

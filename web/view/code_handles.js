@@ -2,7 +2,7 @@
 // The three handles over a placed code, as elements: a grip that moves it, sliders that turn and size it, and a button
 // that sets it upright. What is done with them is code_editor.js's business.
 import { text } from '../i18n/catalogue.js';
-import { make } from '../ui/dom.js';
+import { make } from '../dom/dom.js';
 import { handlePositions } from './handle_geometry.js';
 
 /** @typedef {import('../engine/types.js').CodeOnScreen} CodeOnScreen */

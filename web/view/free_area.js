@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where a window can open over the view without meeting what the page shows there.
 
-/** @typedef {{ x: number, y: number, width: number, height: number }} Area */
+/** @typedef {import('../engine/types.js').Area} Area */
 
 const kMargin = 12;
 /** More than this is not asked for: among areas that are large enough the one nearest to the upper left is taken. */

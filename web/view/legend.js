@@ -2,7 +2,7 @@
 // What the colours on the model stand for, mm.
 import { text } from '../i18n/catalogue.js';
 import { write } from '../i18n/live.js';
-import { byId } from '../ui/dom.js';
+import { byId } from '../dom/dom.js';
 
 /** @typedef {'sizes' | 'depths'} LegendKind */
 

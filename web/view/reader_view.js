@@ -2,7 +2,7 @@
 // The frame of a phone's camera around the reader's view, and under it what was read.
 import { text } from '../i18n/catalogue.js';
 import { write } from '../i18n/live.js';
-import { make } from '../ui/dom.js';
+import { make } from '../dom/dom.js';
 
 export class ReaderView {
   /** @param {HTMLElement} overlays */

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What lies over the 3D view: the code that follows the pointer, the handles of the one that is placed, the cube, and the
 // reader's view with its caption.
-import { make } from '../ui/dom.js';
+import { make } from '../dom/dom.js';
 import { CodeChip } from './code_chip.js';
 import { CodeEditor } from './code_editor.js';
 import { HoverPreview } from './hover_preview.js';

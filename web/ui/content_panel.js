@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The kind of content, and the fields of the kind that is chosen.
 import { localise, onLanguage } from '../i18n/catalogue.js';
-import { byId, make } from '../ui/dom.js';
-import { buildContent, kContents } from './payloads/contents.js';
+import { byId, make } from '../dom/dom.js';
+import { buildContent, kContents } from '../contents/contents.js';
 import { FieldView } from './field_view.js';
 
-/** @typedef {import('./payloads/types.js').Content} Content */
-/** @typedef {import('./payloads/types.js').Values} Values */
+/** @typedef {import('../contents/types.js').Content} Content */
+/** @typedef {import('../contents/types.js').Values} Values */
 
 const kForm = 'form';  // the field of those kinds that can be written in several ways
 const kPlain = 'text';  // no fields: what stands in the textbox
@@ -94,7 +94,7 @@ export class ContentPanel {
     localise(byId('content-builder', HTMLElement));
   }
 
-  /** @param {string} prefix @param {import('./payloads/types.js').Field} field */
+  /** @param {string} prefix @param {import('../contents/types.js').Field} field */
   makeView_(prefix, field) {
     const view = new FieldView(prefix, field, { onInput: () => this.update_(), onLeave: () => this.visit_(view) });
     return view;

@@ -2,15 +2,15 @@
 // Offers the last visit's work, and keeps this one's.
 import { text } from '../i18n/catalogue.js';
 
-/** @typedef {import('./last_work.js').Work} Work */
+/** @typedef {import('../storage/last_work.js').Work} Work */
 
 const kNotice = 'continue';
 
 export class Continuing {
   /**
    * @param {object} options
-   * @param {import('./last_work.js').LastWork} options.last
-   * @param {import('./notices.js').Notices} options.notices
+   * @param {import('../storage/last_work.js').LastWork} options.last
+   * @param {import('../ui/notices.js').Notices} options.notices
    * @param {() => Work | undefined} options.current          none while there is no model
    * @param {(work: Work) => Promise<void>} options.onContinue
    */

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The buttons for what can be taken away beside the carved model.
 import { localise } from '../i18n/catalogue.js';
-import { byId, make } from '../ui/dom.js';
+import { byId, make } from '../dom/dom.js';
 
 /** @typedef {import('../i18n/catalogue.js').Key} Key */
 
-export class TakePanel {
+export class ExportPanel {
   /** @param {{ onPicture: () => void, onSettings: () => void, onSymbol: (format: 'svg' | 'png') => void }} listener */
   constructor({ onPicture, onSettings, onSymbol }) {
     const mount = byId('take-away', HTMLElement);

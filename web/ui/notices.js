@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Quiet bars over the view that offer something and wait; unlike an alert they are no one's fault.
-import { make } from '../ui/dom.js';
+import { make } from '../dom/dom.js';
 
 /** @typedef {{ label: string, run: () => void, primary?: boolean }} NoticeAction  the bar goes when one is chosen */
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Numbers as they are written in the language chosen.
-import { currentLanguage } from '../i18n/catalogue.js';
+import { currentLanguage } from './catalogue.js';
 
 /** @param {number} value @param {number} [digits] after the point */
 export const formatNumber = (value, digits = 0) =>

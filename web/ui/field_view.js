@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One field of a content: its label, its control, and what is said below it.
 import { localise, text } from '../i18n/catalogue.js';
-import { make } from '../ui/dom.js';
+import { make } from '../dom/dom.js';
 
-/** @typedef {import('./payloads/types.js').Field} Field */
-/** @typedef {import('./payloads/types.js').Problem} Problem */
+/** @typedef {import('../contents/types.js').Field} Field */
+/** @typedef {import('../contents/types.js').Problem} Problem */
 /** @typedef {HTMLInputElement | HTMLSelectElement | HTMLTextAreaElement} Control */
 
 /** @type {Record<Exclude<Field['kind'], 'choice' | 'lines'>, { type: string, mode?: string }>} */

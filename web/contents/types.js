@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a kind of content is made of: fields to fill in, and the text that a code for them holds. No code.
 
-/** @typedef {import('../../i18n/catalogue.js').Key} Key */
+/** @typedef {import('../i18n/catalogue.js').Key} Key */
 
 /**
  * @typedef {object} Field

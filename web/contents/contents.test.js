@@ -2,7 +2,7 @@
 // What the builders write is read back by parsers that follow the formats' own rules.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { text as words } from '../../i18n/catalogue.js';
+import { text as words } from '../i18n/catalogue.js';
 import { buildContent, emptyValues, kContents } from './contents.js';
 
 process.env.TZ = 'Europe/Berlin';

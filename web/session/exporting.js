@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Hands out what is not the carved model: the symbol, a picture of the view, the settings; and takes settings back.
 import { text } from '../i18n/catalogue.js';
-import { saveFile } from '../ui/save_file.js';
-import { fileNameOf, symbolFileName } from './file_names.js';
-import { formValues } from './form_values.js';
-import { readSettingsFile, writeSettingsFile } from './settings_file.js';
-import { symbolPng, symbolSvg } from './symbol_file.js';
+import { saveFile } from '../dom/save_file.js';
+import { fileNameOf, symbolFileName } from '../export/file_names.js';
+import { formValues } from '../export/form_values.js';
+import { readSettingsFile, writeSettingsFile } from '../export/settings_file.js';
+import { symbolPng, symbolSvg } from '../export/symbol_file.js';
 
 /** @typedef {import('../engine/types.js').SymbolFacts} SymbolFacts */
-/** @typedef {import('./settings_file.js').SettingsFile} SettingsFile */
-/** @typedef {import('./settings_file.js').ModelChoice} ModelChoice */
+/** @typedef {import('../export/settings_file.js').SettingsFile} SettingsFile */
+/** @typedef {import('../export/settings_file.js').ModelChoice} ModelChoice */
 
 /**
- * @typedef {object} TakingOptions
+ * @typedef {object} ExportingOptions
  * @property {import('../engine/client.js').EngineClient} client
- * @property {import('../session/model_session.js').ModelSession} model
- * @property {import('../session/placing.js').Placing} placing
+ * @property {import('./model_session.js').ModelSession} model
+ * @property {import('./placing.js').Placing} placing
  * @property {import('../ui/messages.js').Messages} messages
  * @property {() => import('../engine/types.js').Settings} settings
  * @property {(values: Record<string, string | boolean>, content: string) => void} onSettings  shows them in the controls
@@ -23,8 +23,8 @@ import { symbolPng, symbolSvg } from './symbol_file.js';
  * @property {() => Promise<void>} untilIdle   ends what runs
  */
 
-export class Taking {
-  /** @param {TakingOptions} options */
+export class Exporting {
+  /** @param {ExportingOptions} options */
   constructor({ client, model, placing, messages, settings, onSettings, onChanged, untilIdle }) {
     this.client_ = client;
     this.model_ = model;

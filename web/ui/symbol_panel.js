@@ -4,12 +4,11 @@
 import { isReplaced } from '../engine/client.js';
 import { describeThrown, isFatal } from '../engine/engine_error.js';
 import { onLanguage, text } from '../i18n/catalogue.js';
-import { hintOf, sentenceOf } from '../i18n/messages.js';
-import { byId, make } from '../ui/dom.js';
-import { formatMm, formatNumber, formatPlain } from '../ui/format.js';
-import { asSentence } from '../ui/messages.js';
-import { adviseText, isWebAddress, shorterForms } from './payloads/link.js';
-import { tooSmall } from './module_size.js';
+import { asSentence, hintOf, sentenceOf } from '../i18n/messages.js';
+import { byId, make } from '../dom/dom.js';
+import { formatMm, formatNumber, formatPlain } from '../i18n/format.js';
+import { adviseText, isWebAddress, shorterForms } from '../contents/link.js';
+import { tooSmall } from '../contents/module_size.js';
 import { drawSymbol } from './symbol_drawing.js';
 
 /** @typedef {import('../engine/types.js').Settings} Settings */

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Holds the layers of the page: what a folder of web/ may import. This is the place where their order is written down.
+import assert from 'node:assert/strict';
+import { readFileSync, readdirSync } from 'node:fs';
+import { posix } from 'node:path';
+import { test } from 'node:test';
+
+/** Lowest first: a folder imports, types included, only itself and what stands before it. */
+const kLayers = [
+  'offline',   // keeps the page for visits without a network
+  'engine',    // the module, its worker and its answers
+  'storage',   // what the browser keeps
+  'i18n',      // every text, number and message in every language
+  'dom',       // elements and files, for all that follows
+  'decoder',   // reads pictures of codes
+  'contents',  // what a code can hold
+  'export',    // the files that can be saved
+  'verdict',   // what is concluded of a carving, and what would help
+  'view',      // the model on the screen
+  'ui',        // the panels
+  'session',   // what is worked on, and what goes on with it
+  'guide', 'method',  // articles
+  'app.js',   // composes all of it
+  'main.js',  // begins
+];
+const kApart = ['samples', 'styles'];  // models made by the build, and styles
+
+const kRoot = new URL('.', import.meta.url);
+
+/** @param {string} path  below web/ */
+const folderOf = (path) => (path.includes('/') ? path.slice(0, path.indexOf('/')) : path);
+
+/** @param {string} folder */
+const layerOf = (folder) => kLayers.indexOf(folder);
+
+/** What a source imports from web/ that it must not. @param {string} path @param {string} source */
+function violationsIn(path, source) {
+  const own = layerOf(folderOf(path));
+  return [...source.matchAll(/(?:\bfrom |\bimport |\bimport\()'(\.[^']*)'/g)]
+    .map(([, target]) => posix.join(posix.dirname(path), target))
+    .filter((target) => !target.startsWith('../') && folderOf(target) !== folderOf(path) && !(layerOf(folderOf(target)) >= 0 && layerOf(folderOf(target)) < own))
+    .map((target) => `${path} imports ${target}`);
+}
+
+/** Of one folder. @param {string[]} paths  below web/ @param {(path: string) => string} read */
+function cyclesAmong(paths, read) {
+  /** @type {Map<string, string[]>} */
+  const imports = new Map(paths.map((path) => [path, [...withoutComments(read(path)).matchAll(/^(?:import|export)\b[^;]*? from '(\.[^']*)'/gm)]
+    .map(([, target]) => posix.join(posix.dirname(path), target))]));
+  /** @type {string[]} */ const cycles = [];
+  /** @type {Map<string, 'open' | 'done'>} */ const seen = new Map();
+  /** @param {string} path @param {string[]} way */
+  const visit = (path, way) => {
+    if (seen.get(path) === 'open') cycles.push([...way.slice(way.indexOf(path)), path].join(' → '));
+    if (seen.has(path)) return;
+    seen.set(path, 'open');
+    for (const next of imports.get(path) ?? []) visit(next, [...way, path]);
+    seen.set(path, 'done');
+  };
+  paths.forEach((path) => visit(path, []));
+  return cycles;
+}
+
+/** @param {string} source */
+const withoutComments = (source) => source.replace(/\/\*[\s\S]*?\*\//g, '');
+
+const kSources = readdirSync(kRoot, { recursive: true, encoding: 'utf8' }).map((path) => path.replaceAll('\\', '/'))
+  .filter((path) => path.endsWith('.js') && !path.endsWith('.test.js') && !kApart.includes(folderOf(path)));
+const read = (/** @type {string} */ path) => readFileSync(new URL(path, kRoot), 'utf8');
+
+test('A folder imports only what stands below it', () => {
+  assert.deepEqual(kSources.flatMap((path) => violationsIn(path, read(path))), []);
+});
+
+test('The layers are the folders of web/', () => {
+  assert.deepEqual([...new Set(kSources.map(folderOf))].sort(), [...kLayers].sort());
+});
+
+test('No module imports itself by way of others', () => {
+  assert.deepEqual(cyclesAmong(kSources, read), []);
+});
+
+test('What is forbidden is seen', () => {
+  assert.deepEqual(violationsIn('ui/a.js', "import { b } from '../session/b.js';"), ['ui/a.js imports session/b.js']);
+  assert.deepEqual(violationsIn('view/a.js', "/** @typedef {import('../ui/b.js').B} B */"), ['view/a.js imports ui/b.js']);
+  assert.deepEqual(violationsIn('ui/a.js', "import { b } from '../app.js';"), ['ui/a.js imports app.js']);
+  assert.deepEqual(violationsIn('session/a.js', "import { b } from '../nowhere/b.js';"), ['session/a.js imports nowhere/b.js']);
+  assert.deepEqual(violationsIn('session/a.js', "import { b } from '../ui/b.js';\nimport c from '../../messages/c.json';"), []);
+  const loop = { 'a.js': "import { b } from './b.js';", 'b.js': "import { a } from './a.js';" };
+  assert.deepEqual(cyclesAmong(Object.keys(loop), (path) => /** @type {any} */ (loop)[path]), ['a.js → b.js → a.js']);
+});
