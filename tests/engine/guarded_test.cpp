@@ -18,14 +18,14 @@ TEST(Guarded, AnAnswerGoesThroughAsItIs) {
 TEST(Guarded, MemoryThatRunsOutHasACodeOfItsOwn) {
   const json answer = json::parse(guarded([]() -> std::string { throw std::bad_alloc(); }));
   EXPECT_EQ(answer["ok"], false);
-  EXPECT_EQ(answer["error"]["code"], "OutOfMemory");
+  EXPECT_EQ(answer["error"]["code"], "out-of-memory");
 }
 
 TEST(Guarded, AnyOtherExceptionIsAFaultOfTheProgramAndSaysWhatItSaid) {
   const json answer = json::parse(guarded([]() -> std::string { throw std::runtime_error("no such edge"); }));
   EXPECT_EQ(answer["ok"], false);
-  EXPECT_EQ(answer["error"]["code"], "Internal");
-  EXPECT_EQ(answer["error"]["message"], "no such edge");
+  EXPECT_EQ(answer["error"]["code"], "internal-fault");
+  EXPECT_EQ(answer["error"]["values"]["detail"]["term"], "no such edge");
 }
 
 }  // namespace
