@@ -6,8 +6,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fmt/format.h>
-#include <iterator>
 #include <string_view>
+#include <utility>
 
 #include "gl/declared_uniforms.h"
 #include "gl/pass_timings.h"
@@ -194,7 +194,7 @@ Result<Program> Program::create(const char* name, const char* vertexSource, cons
     made.name_ = name;
 #ifndef NDEBUG
     made.uniforms_ = declaredUniforms(vertexSource);
-    std::ranges::move(declaredUniforms(fragmentSource), std::back_inserter(made.uniforms_));
+    for (std::string& uniform : declaredUniforms(fragmentSource)) made.uniforms_.push_back(std::move(uniform));
 #endif
     return made;
   }
@@ -220,7 +220,7 @@ GLint Program::locationOf(const char* uniform) const {
 #ifndef NDEBUG
   const std::string_view whole(uniform);
   const std::string_view name = whole.substr(0, whole.find('['));
-  if (location < 0 && std::ranges::find(uniforms_, name) == uniforms_.end()) {
+  if (location < 0 && std::find(uniforms_.begin(), uniforms_.end(), name) == uniforms_.end()) {
     // An assert's words could not name them.
     std::fprintf(stderr, "The shader program \"%s\" declares no uniform %s\n", name_.c_str(), uniform);
     std::abort();
