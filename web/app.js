@@ -9,6 +9,7 @@ import { Database } from './storage/database.js';
 import { LastWork } from './storage/last_work.js';
 import { prepareReader } from './decoder/reader.js';
 import { Carving } from './session/carving.js';
+import { Centre } from './session/centre.js';
 import { fetchJson } from './session/fetch_file.js';
 import { Inspecting } from './session/inspecting.js';
 import { Jobs } from './session/jobs.js';
@@ -78,6 +79,8 @@ export class App {
     this.workPanel_ = new WorkPanel({ onEngrave: () => this.guard_(() => this.engrave_()), onCancel: () => this.jobs_.cancel() });
     this.carvePanel_ = new CarvePanel();
     this.jobs_ = new Jobs({ panel: this.workPanel_, messages: this.messages_, onBusy: (busy) => this.allowWork_(!busy) });
+    this.placePanel_ = new PlacePanel((centreMm) => this.guard_(() => this.placing_.move(() => this.client_.setCentre(centreMm))));
+    this.centre_ = new Centre((mm) => this.placePanel_.showCentre(mm));
     this.model_ = this.makeModel_();
     this.preparing_ = new Preparing({
       client: this.client_, prepareReader, isBusy: () => this.jobs_.busy, user: window,
@@ -165,7 +168,7 @@ export class App {
       onUpAxis: (upAxis) => this.guard_(() => this.turnUp_(upAxis)),
     });
     return new ModelSession({
-      client: this.client_, jobs: this.jobs_, messages: this.messages_, panel,
+      client: this.client_, jobs: this.jobs_, messages: this.messages_, panel, centre: this.centre_,
       onReplacing: () => this.carving_.abort(),
       onLoaded: () => this.useModel_(),
       onFailed: () => this.allowWork_(true),
@@ -173,9 +176,8 @@ export class App {
   }
 
   makePlacing_() {
-    const panel = new PlacePanel((centreMm) => this.guard_(() => this.placing_.move(() => this.client_.setCentre(centreMm))));
     return new Placing({
-      client: this.client_, model: this.model_, messages: this.messages_, panel,
+      client: this.client_, model: this.model_, centre: this.centre_, messages: this.messages_, panel: this.placePanel_,
       settings: () => this.settings_(),
       mayMove: () => !this.jobs_.busy,
       onMoved: () => this.guard_(() => this.leaveCarved_()),
@@ -243,7 +245,7 @@ export class App {
 
   makeExporting_() {
     return new Exporting({
-      client: this.client_, model: this.model_, placing: this.placing_, messages: this.messages_,
+      client: this.client_, model: this.model_, centre: this.centre_, placing: this.placing_, messages: this.messages_,
       settings: () => this.settings_(),
       onSettings: (values, content) => this.write_({ text: content, values }),
       onChanged: () => this.changeSettings_(),
@@ -264,15 +266,17 @@ export class App {
   currentWork_() {
     const { source } = this.model_;
     if (!source) return undefined;
-    const { bytes, sampleId, fileName, scaleToMm, upAxis, centreMm } = source;
-    return { ...(sampleId ? { sampleId } : { bytes }), fileName, scaleToMm, upAxis, centreMm, text: this.code_.text, values: this.form_.values };
+    const { bytes, sampleId, fileName, scaleToMm, upAxis } = source;
+    const place = { fileName, scaleToMm, upAxis, centreMm: this.centre_.chosenMm };
+    return { ...(sampleId ? { sampleId } : { bytes }), ...place, text: this.code_.text, values: this.form_.values };
   }
 
   /** @param {import('./storage/last_work.js').Work} work */
   async continueWith_({ text: content, values, sampleId, bytes, ...place }) {
     this.write_({ text: content ?? this.code_.text, values });
+    const { centreMm, ...file } = place;
     if (sampleId) await this.model_.openSample(sampleId, place);
-    else if (bytes) await this.model_.load({ ...place, bytes, credit: '' });
+    else if (bytes) await this.model_.load({ ...file, bytes, credit: '' }, centreMm);
   }
 
   makeUndo_() {
@@ -288,7 +292,7 @@ export class App {
 
   /** @returns {import('./session/work.js').Work} */
   work_() {
-    const { centreMm, centreIsGuess } = this.placing_;
+    const { mm: centreMm, isGuess: centreIsGuess } = this.centre_;
     return { source: this.model_.source, text: this.code_.text, values: this.form_.values, centreMm, centreIsGuess };
   }
 
@@ -379,7 +383,7 @@ export class App {
       this.allowWork_(true);
       this.spotsPanel_.clear();
       this.kept_.note();
-      await this.placing_.begin(this.model_.source?.centreMm);
+      await this.placing_.begin();
     });
   }
 
@@ -477,7 +481,7 @@ export class App {
     if (!this.model_.source) return;
     this.allowWork_(true);
     this.spotsPanel_.clear();
-    await this.placing_.begin(this.placing_.centreMm);
+    await this.placing_.begin();
   }
 
   /** @param {() => Promise<unknown>} action */

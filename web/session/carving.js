@@ -57,7 +57,7 @@ export class Carving {
     this.running_ = true;
     try {
       this.messages_.clearError();
-      this.placing_.centreIsGuess = false;  // from here on an error is worth saying
+      this.placing_.insist();
       await this.jobs_.run(() => text('page.preparing'), async (signal) => {
         if (await this.place_(signal)) await this.carve_(signal, overrides);
       });

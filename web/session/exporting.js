@@ -15,6 +15,7 @@ import { symbolPng, symbolSvg } from '../export/symbol_file.js';
  * @typedef {object} ExportingOptions
  * @property {import('../engine/client.js').EngineClient} client
  * @property {import('./model_session.js').ModelSession} model
+ * @property {import('./centre.js').Centre} centre
  * @property {import('./placing.js').Placing} placing
  * @property {import('../ui/messages.js').Messages} messages
  * @property {() => import('../engine/types.js').Settings} settings
@@ -25,9 +26,10 @@ import { symbolPng, symbolSvg } from '../export/symbol_file.js';
 
 export class Exporting {
   /** @param {ExportingOptions} options */
-  constructor({ client, model, placing, messages, settings, onSettings, onChanged, untilIdle }) {
+  constructor({ client, model, centre, placing, messages, settings, onSettings, onChanged, untilIdle }) {
     this.client_ = client;
     this.model_ = model;
+    this.centre_ = centre;
     this.placing_ = placing;
     this.messages_ = messages;
     this.settings_ = settings;
@@ -95,7 +97,7 @@ export class Exporting {
     const { source } = this.model_;
     if (!source) return undefined;
     const { fileName, sampleId, scaleToMm, upAxis } = source;
-    const { centreMm } = this.placing_;
+    const { mm: centreMm } = this.centre_;
     return {
       file: fileName, ...(sampleId === undefined ? {} : { sample: sampleId }), scaleToMm, upAxis, ...(centreMm ? { centreMm } : {}),
     };

@@ -9,7 +9,7 @@ import { fetchBytes } from './fetch_file.js';
 /** @typedef {import('../ui/model_panel.js').Sample} Sample */
 /** @typedef {[number, number, number]} Point */
 /** @typedef {{ bytes: Uint8Array, fileName: string, scaleToMm: number, upAxis: UpAxis, sampleId?: string, credit: string,
- *   centreMm?: Point, unitStated?: boolean }} Source
+ *   unitStated?: boolean }} Source
  * `scaleToMm` of 0 leaves the unit to the file, and the true one is put in its place; `unitStated`: that was done */
 
 const kMaxFileBytes = 512 * 1024 * 1024;  // beyond it a tab runs out of memory before it can say so
@@ -20,6 +20,7 @@ const kMaxFileBytes = 512 * 1024 * 1024;  // beyond it a tab runs out of memory 
  * @property {import('./jobs.js').Jobs} jobs
  * @property {import('../ui/messages.js').Messages} messages
  * @property {import('../ui/model_panel.js').ModelPanel} panel
+ * @property {import('./centre.js').Centre} centre
  * @property {() => void} onReplacing          another model is about to be read
  * @property {() => Promise<void>} onLoaded    a model is there, with `source` and `info`
  * @property {() => void} onFailed             the model before it stays
@@ -27,11 +28,12 @@ const kMaxFileBytes = 512 * 1024 * 1024;  // beyond it a tab runs out of memory 
 
 export class ModelSession {
   /** @param {ModelOptions} options */
-  constructor({ client, jobs, messages, panel, onReplacing, onLoaded, onFailed }) {
+  constructor({ client, jobs, messages, panel, centre, onReplacing, onLoaded, onFailed }) {
     this.client_ = client;
     this.jobs_ = jobs;
     this.messages_ = messages;
     this.panel_ = panel;
+    this.centre_ = centre;
     this.onReplacing_ = onReplacing;
     this.onLoaded_ = onLoaded;
     this.onFailed_ = onFailed;
@@ -57,7 +59,7 @@ export class ModelSession {
 
   /**
    * @param {string} [id]  none: the first
-   * @param {Partial<Source>} [place]  instead of the sample's own
+   * @param {Partial<Source> & { centreMm?: Point }} [place]  instead of the sample's own
    */
   async openSample(id = this.samples_[0].id, place = {}) {
     const sample = this.samples_.find((known) => known.id === id);
@@ -67,7 +69,8 @@ export class ModelSession {
       return;
     }
     const bytes = await fetchBytes(`samples/${sample.file}`);
-    await this.load({ bytes, fileName: sample.file, scaleToMm: 1, upAxis: 'z', sampleId: id, credit: sample.credit, centreMm: sample.centreMm, ...place });
+    const { centreMm, ...instead } = { centreMm: sample.centreMm, ...place };
+    await this.load({ bytes, fileName: sample.file, scaleToMm: 1, upAxis: 'z', sampleId: id, credit: sample.credit, ...instead }, centreMm);
   }
 
   /** @param {File} file */
@@ -86,9 +89,9 @@ export class ModelSession {
   /** @param {number} scaleToMm */
   async rescale(scaleToMm) {
     if (!this.source) return;
-    const { scaleToMm: before, centreMm } = this.source;
-    const moved = centreMm && /** @type {Point} */ (centreMm.map((v) => (v * scaleToMm) / before));
-    await this.load({ ...this.source, scaleToMm, centreMm: moved });
+    const { scaleToMm: before } = this.source;
+    const moved = this.centre_.chosenMm?.map((v) => (v * scaleToMm) / before);
+    await this.load({ ...this.source, scaleToMm }, /** @type {Point | undefined} */ (moved));
   }
 
   /** @param {UpAxis} upAxis */
@@ -98,13 +101,11 @@ export class ModelSession {
     await this.client_.setUpAxis(upAxis);
   }
 
-  /** The centre that was chosen on it, for when it is opened again. @param {Point} centreMm */
-  rememberCentre(centreMm) {
-    if (this.source) this.source = { ...this.source, centreMm };
-  }
-
-  /** @param {Source} source  becomes the current one if it can be read */
-  async load(source) {
+  /**
+   * @param {Source} source      becomes the current one if it can be read
+   * @param {Point} [centreMm]  of the code on it; none: the one that the module proposes
+   */
+  async load(source, centreMm) {
     this.onReplacing_();
     await this.jobs_.untilIdle();
     this.messages_.clearError();
@@ -113,6 +114,7 @@ export class ModelSession {
       if (source.upAxis !== axisBefore) await this.client_.setUpAxis(source.upAxis);
       this.info = await this.read_(source);
       this.source = { ...source, scaleToMm: this.info.scaleToMm, unitStated: source.scaleToMm === 0 };
+      this.centre_.put(centreMm);
     } catch (thrown) {
       this.show_();
       this.onFailed_();

@@ -13,6 +13,7 @@ import { hintOf, sentenceOf } from '../i18n/messages.js';
  * @typedef {object} PlacingOptions
  * @property {import('../engine/client.js').EngineClient} client
  * @property {import('./model_session.js').ModelSession} model
+ * @property {import('./centre.js').Centre} centre
  * @property {import('../ui/messages.js').Messages} messages
  * @property {import('../ui/place_panel.js').PlacePanel} panel
  * @property {() => Settings} settings                  throws an EngineFailure
@@ -23,38 +24,41 @@ import { hintOf, sentenceOf } from '../i18n/messages.js';
 
 export class Placing {
   /** @param {PlacingOptions} options */
-  constructor({ client, model, messages, panel, settings, mayMove, onMoved, onPlaced }) {
+  constructor({ client, model, centre, messages, panel, settings, mayMove, onMoved, onPlaced }) {
     this.client_ = client;
     this.model_ = model;
+    this.centre_ = centre;
     this.messages_ = messages;
     this.panel_ = panel;
     this.settings_ = settings;
     this.mayMove_ = mayMove;
     this.onMoved_ = onMoved;
     this.onPlaced_ = onPlaced;
-    /** @type {Point | undefined} */ this.centreMm = undefined;
     /** @type {Placement | undefined} */ this.placement = undefined;
-    this.centreIsGuess = false;  // the module's, not the user's: no error if the code has no place there
     /** @type {Promise<void> | undefined} */ this.running_ = undefined;
     this.again_ = false;
   }
 
-  /** Begins with a model that was just loaded: its own centre, or the one that the module proposes. @param {Point} [centreMm] */
-  async begin(centreMm) {
+  /** Whatever the code has there is worth an error from here on. */
+  insist() {
+    this.centre_.accept();
+  }
+
+  /** Begins with a model that was just loaded: where it was chosen, or where the module proposes. */
+  async begin() {
     const { info } = this.model_;
     if (!info) return;
-    this.centreMm = centreMm;
+    const { chosenMm } = this.centre_;
     this.show_(undefined);
     if (!info.engravable) {
       this.refuse_(info);
-    } else if (centreMm) {
-      await this.move(() => this.client_.setCentre(centreMm));
+    } else if (chosenMm) {
+      await this.move(() => this.client_.setCentre(chosenMm));
     } else if (info.centre) {
-      this.centreMm = info.centre;
-      this.centreIsGuess = true;
-      this.panel_.showCentre(info.centre);
+      this.centre_.put(info.centre, true);
       await this.place();
     } else {
+      this.centre_.put(undefined);
       this.messages_.say(() => text('page.askForCentre'));
     }
   }
@@ -63,9 +67,7 @@ export class Placing {
   async put(centreMm, isGuess) {
     if (!centreMm) return;
     await this.client_.setCentre(centreMm);
-    this.centreMm = centreMm;
-    this.centreIsGuess = isGuess;
-    this.panel_.showCentre(centreMm);
+    this.centre_.put(centreMm, isGuess);
   }
 
   /** @param {() => Promise<import('../engine/types.js').PickResult>} pick */
@@ -74,10 +76,7 @@ export class Placing {
     const { hit, centre } = await pick();
     if (!hit || !centre) return;
     this.messages_.clearError();
-    this.centreMm = centre;
-    this.centreIsGuess = false;
-    this.model_.rememberCentre(centre);
-    this.panel_.showCentre(centre);
+    this.centre_.put(centre);
     this.onMoved_();
     await this.place();
   }
@@ -97,7 +96,7 @@ export class Placing {
       if (!this.model_.engravable) return;
       try {
         await this.client_.configure(this.settings_());
-        if (this.centreMm === undefined) {
+        if (this.centre_.mm === undefined) {
           this.messages_.say(() => text('page.askForCentre'));
           return;
         }
@@ -107,7 +106,7 @@ export class Placing {
       } catch (thrown) {
         if (isReplaced(thrown) || isFatal(thrown)) throw thrown;
         this.show_(undefined);
-        const guess = this.centreIsGuess;
+        const guess = this.centre_.isGuess;
         this.messages_.say(() => text(guess ? 'page.askForCentre' : 'page.noPlace'));
         if (!this.again_ && !guess) {
           this.messages_.showError(describeThrown(thrown));

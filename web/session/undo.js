@@ -97,7 +97,7 @@ export class Undo {
     messages.clearError();
     write(state);
     if (!sameModel(before.source, state.source) && state.source) {
-      await model.load({ ...state.source, centreMm: state.centreIsGuess ? undefined : state.centreMm });
+      await model.load(state.source, state.centreIsGuess ? undefined : state.centreMm);
     } else {
       if (state.source && before.source?.upAxis !== state.source.upAxis) await model.turnUp(state.source.upAxis);
       await spots.forget();
