@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What follows from what: the page from its start to its next one, with a model, its settings and what is made of them.
+import { EngineFailure, describeThrown, internal } from '../engine/engine_error.js';
+import { message } from '../engine/message.js';
+import { looksLikeSettings } from '../export/settings_file.js';
+import { text } from '../i18n/catalogue.js';
+import { controlName, shownValue } from '../ui/verdict_lines.js';
+import { fetchJson } from './fetch_file.js';
+
+const kAsked = ['sample', 'text', 'engrave'];  // in the address
+
+/**
+ * @typedef {object} Parts
+ * @property {import('../engine/client.js').EngineClient} client
+ * @property {import('../view/view.js').View} view
+ * @property {import('../ui/preferences.js').Theme} theme
+ * @property {import('../view/legend.js').Legend} legend
+ * @property {import('../view/view_tools.js').ViewTools} tools
+ * @property {import('../ui/view_toolbar.js').ViewToolbar} toolbar
+ * @property {import('./inspecting.js').Inspecting} inspecting
+ * @property {import('../ui/settings_form.js').SettingsForm} form
+ * @property {import('../ui/code_panel.js').CodePanel} code
+ * @property {import('../ui/work_panel.js').WorkPanel} workPanel
+ * @property {import('../ui/carve_panel.js').CarvePanel} carvePanel
+ * @property {import('./jobs.js').Jobs} jobs
+ * @property {import('../ui/messages.js').Messages} messages
+ * @property {import('./model_session.js').ModelSession} model
+ * @property {import('./centre.js').Centre} centre
+ * @property {import('./placing.js').Placing} placing
+ * @property {import('../ui/spots_panel.js').SpotsPanel} spotsPanel
+ * @property {import('./spot_finding.js').SpotFinding} spots
+ * @property {import('./carving.js').Carving} carving
+ * @property {import('./exporting.js').Exporting} exporting
+ * @property {import('./continuing.js').Continuing} kept
+ * @property {import('./undo.js').Undo} undo
+ * @property {import('./recovery.js').Recovery} recovery
+ */
+
+export class Session {
+  /** @param {Parts} parts */
+  constructor(parts) {
+    this.parts_ = parts;
+    this.initialText_ = parts.code.text;
+    /** @type {Promise<boolean>} */ this.started_ = Promise.resolve(false);
+    this.fileChosen_ = false;
+  }
+
+  /** @returns {import('../storage/last_work.js').Work | undefined} */
+  currentWork() {
+    const { source } = this.parts_.model;
+    if (!source) return undefined;
+    const { bytes, sampleId, fileName, scaleToMm, upAxis } = source;
+    const place = { fileName, scaleToMm, upAxis, centreMm: this.parts_.centre.chosenMm };
+    return { ...(sampleId ? { sampleId } : { bytes }), ...place, text: this.parts_.code.text, values: this.parts_.form.values };
+  }
+
+  /** @param {import('../storage/last_work.js').Work} work */
+  async continueWith({ text: content, values, sampleId, bytes, ...place }) {
+    this.write({ text: content ?? this.parts_.code.text, values });
+    const { centreMm, ...file } = place;
+    if (sampleId) await this.parts_.model.openSample(sampleId, place);
+    else if (bytes) await this.parts_.model.load({ ...file, bytes, credit: '' }, centreMm);
+  }
+
+  /** @returns {import('./work.js').Work} */
+  work() {
+    const { mm: centreMm, isGuess: centreIsGuess } = this.parts_.centre;
+    return { source: this.parts_.model.source, text: this.parts_.code.text, values: this.parts_.form.values, centreMm, centreIsGuess };
+  }
+
+  /** Into the controls, without any effect yet. @param {Pick<import('./work.js').Work, 'text' | 'values'>} state */
+  write({ text: content, values }) {
+    this.parts_.code.text = content;
+    this.parts_.form.values = values;
+    this.parts_.carvePanel.show();
+  }
+
+  settings() {
+    return this.parts_.form.settings(this.parts_.code.text);
+  }
+
+  /** @param {URLSearchParams} address */
+  async start(address) {
+    const started = this.startEngine_(address);
+    this.started_ = started;
+    if (!(await started)) return;
+    if (this.fileChosen_) {  // by who was quicker than the module
+      await this.parts_.kept.begin(false);
+      return;
+    }
+    await this.guard_(async () => {
+      await this.parts_.model.openSample(address.get('sample') ?? undefined);
+      await this.parts_.kept.begin(!kAsked.some((name) => address.has(name)));  // who asked for something gets that
+      if (address.get('engrave') === '1') await this.parts_.carving.engrave();
+    });
+  }
+
+  /**
+   * @param {URLSearchParams} address
+   * @returns {Promise<boolean>}  whether it runs
+   */
+  async startEngine_(address) {
+    this.parts_.code.text = address.get('text') ?? this.parts_.code.text;
+    try {
+      const [{ problems }, samples] = await Promise.all([this.parts_.client.start(), fetchJson('samples/manifest.json')]);
+      if (problems.length > 0) {
+        throw new EngineFailure(internal(message('no-graphics', { why: { cause: problems[0] } })));
+      }
+      this.parts_.model.setSamples(samples);
+    } catch (thrown) {
+      this.parts_.messages.say(() => text('page.notStarted'));
+      this.parts_.messages.showError(describeThrown(thrown));
+      return false;
+    }
+    this.parts_.view.announceSize();
+    await this.parts_.client.setTheme(this.parts_.theme.dark);
+    return true;
+  }
+
+  /** @param {File} file */
+  async openFile(file) {
+    this.fileChosen_ = true;
+    if (!(await this.started_)) return;  // it was said why not
+    if (looksLikeSettings(file)) await this.useSettings_(file);
+    else await this.parts_.model.openFile(file);
+  }
+
+  /** @param {File} file */
+  async useSettings_(file) {
+    if (!this.parts_.model.source) await this.parts_.model.openSample();
+    await this.parts_.undo.asOne(() => this.parts_.exporting.useSettings(file));
+  }
+
+  /** Ends what is being carved. */
+  async becomeIdle() {
+    this.parts_.carving.abort();
+    await this.parts_.jobs.untilIdle();
+  }
+
+  async engrave() {
+    if (this.parts_.code.incomplete) this.parts_.code.reveal();
+    else await this.parts_.carving.engrave();
+  }
+
+  /** @param {import('../engine/types.js').UpAxis} upAxis */
+  async turnUp(upAxis) {
+    await this.parts_.model.turnUp(upAxis);
+    await this.changeSettings();
+  }
+
+  /** A model was loaded. @returns {Promise<void>} */
+  useModel() {
+    return this.parts_.undo.asOne(async () => {
+      await this.parts_.carving.drop();
+      this.allowWork(true);
+      this.parts_.spotsPanel.clear();
+      this.parts_.kept.note();
+      await this.parts_.placing.begin();
+    });
+  }
+
+  /** @param {string} [field]  that was edited */
+  async changeSettings(field) {
+    this.parts_.kept.note();
+    this.parts_.messages.clearError();
+    this.parts_.code.refresh();
+    this.parts_.undo.record(field);
+    this.parts_.carving.compare();
+    await this.parts_.spots.forget();
+    await this.parts_.placing.place();
+  }
+
+  /** @param {import('../verdict/remedies.js').Remedy} remedy @param {string} label */
+  async remedy(remedy, label) {
+    if (remedy.kind === 'spot') return this.parts_.spots.suggest();
+    this.write({ text: this.parts_.code.text, values: { ...this.parts_.form.values, [remedy.control]: remedy.value } });
+    await this.changeSettings();
+    if (!this.parts_.placing.placement) return undefined;  // it was said why not
+    return this.parts_.messages.say(() => text('check.done',
+      { label, control: controlName(remedy.control), value: shownValue(remedy.control, remedy.value) }));
+  }
+
+  /** The centre was moved: what was carved is elsewhere. */
+  async leaveCarved() {
+    this.parts_.kept.note();
+    this.parts_.undo.record('centre');
+    this.parts_.carving.compare();
+    this.parts_.spotsPanel.mark();
+    await this.parts_.carving.show(false);
+  }
+
+  /** As the page was opened, which can be undone. */
+  async startOver() {
+    this.parts_.jobs.abort();
+    await this.parts_.undo.asOne(async () => {
+      this.write({ text: this.initialText_, values: this.parts_.form.defaults });
+      await this.parts_.model.openSample();
+    });
+  }
+
+  /** @param {boolean} shown */
+  async showSizes(shown) {
+    if (shown) await this.parts_.carving.show(false);
+    await this.parts_.client.showSizes(shown);
+  }
+
+  /** @param {boolean} carved */
+  async showCarved(carved) {
+    if (carved) this.parts_.spotsPanel.setSizesShown(false);
+    await this.parts_.carving.show(carved);
+  }
+
+  /** @param {boolean} exists @param {boolean} shown  the carved model */
+  noteCarved(exists, shown) {
+    this.parts_.toolbar.setCarved(exists, shown);
+    this.parts_.tools.reader.show(shown ? this.parts_.carving.carved?.reading.text : undefined);
+    this.parts_.tools.set({ carved: shown });
+    if (!shown) this.parts_.legend.hide('depths');
+    else if (this.parts_.toolbar.depthsShown) void this.guard_(() => this.showDepths(true));
+  }
+
+  /** @param {boolean} shown  the depths of the carved model, as colours */
+  async showDepths(shown) {
+    const topMm = await this.parts_.client.showDepths(shown);
+    if (shown) this.parts_.legend.show('depths', topMm);
+    else this.parts_.legend.hide('depths');
+    if (shown && !this.parts_.carving.shown) await this.showCarved(true);
+  }
+
+  /** @param {import('../engine/types.js').ViewSize} size */
+  async resize(size) {
+    await this.parts_.client.resize(size);
+    await this.parts_.inspecting.makeRoom();
+  }
+
+  /** @param {boolean} allowed  if the model can be engraved */
+  allowWork(allowed) {
+    const possible = allowed && this.parts_.model.engravable;
+    this.parts_.undo.allow();
+    this.parts_.workPanel.allowEngrave(possible);
+    this.parts_.spotsPanel.allow(possible);
+    this.parts_.tools.set({ engravable: this.parts_.model.engravable, busy: !allowed });
+  }
+
+  /** Gives a new module what the last one knew. */
+  async restore() {
+    await this.parts_.carving.dropForGood();
+    this.parts_.view.announceSize();
+    await this.parts_.client.setTheme(this.parts_.theme.dark);
+    await this.parts_.inspecting.restore();
+    this.parts_.messages.say(() => text('page.chooseModel'));
+    await this.parts_.model.reload();
+    if (!this.parts_.model.source) return;
+    this.allowWork(true);
+    this.parts_.spotsPanel.clear();
+    await this.parts_.placing.begin();
+  }
+
+  /** @param {number} x @param {number} y */
+  pick(x, y) {
+    return this.guard_(() => this.parts_.placing.move(() => this.parts_.client.pick(x, y)));
+  }
+
+  /** @param {() => Promise<unknown>} action */
+  guard_(action) {
+    return this.parts_.recovery.guard(action);
+  }
+}
