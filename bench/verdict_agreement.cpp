@@ -7,8 +7,8 @@
 #include "base/progress.h"
 #include "bench/centres.h"
 #include "native/zxing_reader.h"
-#include "pipeline/preset.h"
 #include "pipeline/verify.h"
+#include "settings/preset.h"
 #include "verification/frontal_reading.h"
 
 namespace qrelief {

@@ -7,100 +7,27 @@
 #include "cli/files.h"
 #include "cli/model_input.h"
 #include "cli/progress_bar.h"
-#include "cli/symbol_flags.h"
+#include "cli/setting_flags.h"
 #include "io/write_checked.h"
 #include "native/egl_context.h"
 #include "native/png_file.h"
 #include "native/zxing_reader.h"
 #include "pipeline/carved_objects.h"
 #include "pipeline/place.h"
-#include "pipeline/preset.h"
 #include "pipeline/report.h"
+#include "settings/preset.h"
 
 namespace qrelief {
 namespace {
 
 struct EngraveOptions {
   ModelFlags model;
-  std::string output, report, preview, size = "free", direction = "depth-balanced";
-  double maxDepth = 0;
-  SymbolFlags symbol;
-  std::vector<double> at, up;
-  std::string preset = "balanced", pattern, finderPattern, solver = "fast", objective = "contrast",
-              surface = "preserved";
-  std::optional<double> contrast;
-  std::vector<std::string> lights;
-  bool noQuietZone = false, ascii = false, quiet = false, keepPreset = false;
+  std::string output, report, preview;
+  SettingFlags flags;
+  std::vector<double> at;
+  bool ascii = false, quiet = false;
   EngraveRequest request;
 };
-
-void choosePreset(EngraveOptions& options, Preset preset) {
-  options.preset = presetName(preset);
-  options.request.preset = preset;
-}
-
-Result<double> numberFrom(const std::string& text, const char* what) {
-  try {
-    std::size_t used = 0;
-    const double value = std::stod(text, &used);
-    if (used == text.size()) return value;
-  } catch (const std::exception&) {
-  }
-  return fail(ErrorKind::BadUsage, fmt::format("{} is \"{}\"", what, text), "See qrelief engrave --help");
-}
-
-Status readSize(const std::string& text, PlacementRequest& placement) {
-  if (const std::optional<SizeMode> mode = sizeModeByName(text)) {
-    placement.sizeMode = *mode;
-    return {};
-  }
-  const Result<double> size = numberFrom(text, "The size");
-  if (!size) return fail(ErrorKind::BadUsage, toldText(size.error().message), "Give mm, or free, oriented or best");
-  placement.sizeMode = SizeMode::Fixed;
-  placement.sizeMm = *size;
-  return {};
-}
-
-Status readDirection(const std::string& text, PlacementRequest& placement) {
-  if (const std::optional<DirectionMethod> method = directionMethodByName(text)) {
-    placement.directionMethod = *method;
-    return {};
-  }
-  Vec3 vector(0);
-  std::size_t begin = 0;
-  for (int k = 0; k < 3; ++k) {
-    const std::size_t end = k < 2 ? text.find(',', begin) : text.size();
-    const Result<double> value = end == std::string::npos
-                                     ? fail(ErrorKind::BadUsage, fmt::format("The direction is \"{}\"", text))
-                                     : numberFrom(text.substr(begin, end - begin), "A number of the direction");
-    if (!value)
-      return fail(ErrorKind::BadUsage, toldText(value.error().message),
-                  "Give mean-normal, depth-balanced, pca, optimal, or a vector X,Y,Z");
-    vector[k] = *value;
-    begin = end + 1;
-  }
-  placement.direction = vector;
-  return {};
-}
-
-/// @param text  AZIMUTH,ELEVATION[,STRENGTH]
-Result<DirectionalLight> readLight(const std::string& text) {
-  std::vector<double> numbers;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    const Result<double> value = numberFrom(text.substr(begin, end - begin), "A number of the light");
-    if (!value)
-      return fail(ErrorKind::BadUsage, toldText(value.error().message), "Give AZIMUTH,ELEVATION,STRENGTH: 90,45,1");
-    numbers.push_back(*value);
-    begin = end + 1;
-  }
-  if (numbers.size() != 2 && numbers.size() != 3)
-    return fail(ErrorKind::BadUsage, fmt::format("The light \"{}\" has {} numbers", text, numbers.size()),
-                "Give AZIMUTH,ELEVATION,STRENGTH: 90,45,1");
-  DirectionalLight light{.azimuthDeg = numbers[0], .elevationDeg = numbers[1]};
-  if (numbers.size() == 3) light.strength = numbers[2];
-  return light;
-}
 
 /// For the check of -o; empty if such a file can be written.
 std::string whyNotWritable(const std::string& path) {
@@ -111,33 +38,16 @@ std::string whyNotWritable(const std::string& path) {
 }
 
 Status completeRequest(EngraveOptions& options) {
-  EngraveRequest& request = options.request;
-  PlacementRequest& placement = request.placement;
-  if (const Status read = readSize(options.size, placement); !read) return read;
-  if (const Status read = readDirection(options.direction, placement); !read) return read;
-  if (!options.up.empty()) placement.upHint = {options.up[0], options.up[1], options.up[2]};
-  placement.quietZone = !options.noQuietZone;
+  auto request = options.flags.request();
+  if (!request) return tl::unexpected(request.error());
+  options.request = std::move(*request);
   if (options.ascii && formatOfName(options.output) != ModelFormat::Stl)
     return fail(ErrorKind::BadUsage, fmt::format("--ascii is for STL, and the output is {}", options.output),
                 "Leave it out, or name the output .stl");
-  if (request.inlay && formatOfName(options.output) != ModelFormat::ThreeMf)
+  if (options.request.inlay && formatOfName(options.output) != ModelFormat::ThreeMf)
     return fail(ErrorKind::BadUsage,
                 fmt::format("--inlay needs two bodies in a file, and the output is {}", options.output),
                 "Name the output .3mf, or leave it out");
-  choosePreset(options, *presetByName(options.preset));
-  request.contrast = options.contrast;
-  if (!options.pattern.empty()) request.modulePattern = *modulePatternByName(options.pattern);
-  if (!options.finderPattern.empty()) request.finderPattern = *finderPatternByName(options.finderPattern);
-  request.surface = *surfaceModeByName(options.surface);
-  request.objective = options.objective == "reading" ? DepthObjective::Reading : DepthObjective::Contrast;
-  request.solver = options.solver == "fast" ? ContrastSolver::Fast : ContrastSolver::PaperSteps;
-  request.symbol = symbolOptionsFrom(options.symbol);
-  for (const std::string& text : options.lights) {
-    const Result<DirectionalLight> light = readLight(text);
-    if (!light) return tl::unexpected(light.error());
-    request.lights.push_back(*light);
-  }
-  if (options.maxDepth > 0) request.maxDepthMm = options.maxDepth;
   return {};
 }
 
@@ -187,20 +97,20 @@ Result<Carved> carve(std::shared_ptr<const EngravableModel> model, const Engrave
 /// Where it reads with none of them, as asked for.
 Result<Carved> carveToRead(std::shared_ptr<const EngravableModel> model, EngraveOptions& options) {
   auto asked = carve(model, options);
-  const bool mayGoDeeper =
-      !options.contrast && !options.keepPreset && options.request.objective == DepthObjective::Contrast;
+  EngraveRequest& request = options.request;
+  const bool mayGoDeeper = !request.contrast && !request.keepPreset && request.objective == DepthObjective::Contrast;
   if (!asked || !asked->readBack.empty() || !mayGoDeeper) return asked;
-  EngraveOptions deeper = options;
-  for (auto next = deeperPreset(*presetByName(options.preset)); next; next = deeperPreset(*next)) {
-    choosePreset(deeper, *next);
-    auto carved = carve(model, deeper);
+  const Preset wanted = request.preset;
+  for (auto next = deeperPreset(wanted); next; next = deeperPreset(*next)) {
+    request.preset = *next;
+    auto carved = carve(model, options);
     if (!carved) break;  // what is asked for can be carved: better than nothing
     if (carved->readBack.empty()) continue;
-    fmt::print("carved as {}: as {} no reader found the code in the simulated picture\n", deeper.preset,
-               options.preset);
-    options = std::move(deeper);
+    fmt::print("carved as {}: as {} no reader found the code in the simulated picture\n", presetName(*next),
+               presetName(wanted));
     return carved;
   }
+  request.preset = wanted;
   return asked;
 }
 
@@ -269,13 +179,13 @@ int engraveModel(EngraveOptions& options) {
       return printError(chosen.error(), context.fileName);
     context.spotMs = millisecondsSince(choosing);
   }
-  const std::string askedPreset = options.preset;
+  const std::string askedPreset = presetName(options.request.preset);
   auto carved = carveToRead(model, options);
   if (!carved) return printError(carved.error(), context.fileName);
   const EngraveResult& result = carved->result;
   context.readBack = carved->readBack;
   context.reader = zxingName();
-  if (!options.contrast) context.presets = {askedPreset, options.preset};
+  if (!options.request.contrast) context.presets = {askedPreset, presetName(options.request.preset)};
 
   if (const Status written = writeOutputs(options, *model, result, input->partNames, context, start); !written)
     return printError(written.error());
@@ -289,64 +199,15 @@ int engraveModel(EngraveOptions& options) {
 
 std::function<int()> addEngraveCommand(CLI::App& app) {
   auto o = std::make_shared<EngraveOptions>();
-  EngraveRequest& request = o->request;
   CLI::App* c = app.add_subcommand("engrave", "Engrave a QR code");
   addModelFlags(*c, o->model);
-  c->add_option("--text", request.text, "what the code says, UTF-8")->required();
+  o->flags.add(*c, "text").required();
   c->add_option("-o", o->output, "carved model in mm, .stl, .obj, .ply or .3mf")->required()->check(whyNotWritable);
   c->add_flag("--ascii", o->ascii, "write the STL as text");
-  c->add_flag("--inlay", request.inlay,
-              "add the body that fills the pockets, in a second colour, to be printed with the model (.3mf)");
   c->add_option("--at", o->at, "X,Y,Z: centre in file units, moved to the nearest surface point [best spot found]")
       ->delimiter(',')
       ->expected(3);
-  c->add_option("--size", o->size, "MM, free, oriented or best: edge of the symbol without quiet zone [free]");
-  c->add_option("--max-size", request.placement.maxSizeMm, "upper bound for a found size, mm [60]");
-  c->add_option("--up", o->up, "X,Y,Z: where the symbol's top points [0,0,1]")->delimiter(',')->expected(3);
-  c->add_option("--rotate", request.placement.rotateDeg, "degrees anticlockwise from there [0]");
-  c->add_option("--direction", o->direction,
-                "mean-normal, depth-balanced, pca, optimal or X,Y,Z towards the reader [depth-balanced]");
-  c->add_option("--eye-distance", request.placement.eyeDistanceMm, "mm [250]");
-  addSymbolFlags(*c, o->symbol);
-  c->add_flag("--no-quiet-zone", o->noQuietZone, "the light margin need not fit");
-  c->add_option(
-       "--preset", o->preset,
-       fmt::format("shallow, balanced or robust: --contrast {:g}, {:g} or {:g}; the next deeper one where the code "
-                   "does not read so [balanced]",
-                   presetContrast(Preset::Shallow), presetContrast(Preset::Balanced), presetContrast(Preset::Robust)))
-      ->check(CLI::IsMember({"shallow", "balanced", "robust"}));
-  c->add_flag("--keep-preset", o->keepPreset, "carve no deeper than --preset says, whether the code reads or not");
-  c->add_option("--pattern", o->pattern, "carved part of a dark module [thick-plus]")
-      ->check(CLI::IsMember({"none", "square", "thin-plus", "diamond", "thick-plus"}));
-  c->add_option("--finder-pattern", o->finderPattern,
-                "the same for the three finder patterns; thick-plus rounds their corners, thick-plus-sharp does not "
-                "[thick-plus-sharp]")
-      ->check(CLI::IsMember({"none", "as-modules", "diamond", "thick-plus", "thick-plus-sharp"}));
-  c->add_option("--contrast", o->contrast, "how much darker carved submodules must be [that of --preset]");
-  c->add_option("--objective", o->objective,
-                "contrast: every carved submodule that much darker, as published; reading: every module as a blurred "
-                "picture shows it [contrast]")
-      ->check(CLI::IsMember({"contrast", "reading"}));
-  c->add_option("--data-contrast", request.reading.dataContrast,
-                fmt::format("reading: how much darker data modules must be [{:g}]", request.reading.dataContrast))
-      ->check(CLI::Range(0.01, 0.9));
-  c->add_option("--finder-contrast", request.reading.finderContrast,
-                fmt::format("reading: the same for the finder patterns [{:g}]", request.reading.finderContrast))
-      ->check(CLI::Range(0.01, 0.9));
-  c->add_option(
-       "--light", o->lights,
-       "AZIMUTH,ELEVATION[,STRENGTH]: a lamp beside the sky; degrees round the code from its right anticlockwise "
-       "and over its plane; strength 1 is that of the sky; at most 2 [none]")
-      ->allow_extra_args(false);
-  c->add_option("--max-depth", o->maxDepth, "mm [1.2 modules]")->check(CLI::PositiveNumber);
-  c->add_option("--nozzle", request.nozzleMm, "of the printer, mm, for advice [0.4]")->check(CLI::Range(0.01, 10.0));
-  c->add_option("--min-wall", request.minWallMm, "material that must remain, mm [0.8]");
-  c->add_option("--solver", o->solver,
-                "how the depth for --contrast is found: fast, or paper-steps as published [fast]")
-      ->check(CLI::IsMember({"fast", "paper-steps"}));
-  c->add_option("--layer", request.layerMm, "height of a printed layer, mm [0.1]");
-  c->add_option("--surface", o->surface, "what happens to the model's own facets [preserved]")
-      ->check(CLI::IsMember({"preserved", "resampled"}));
+  o->flags.addAll(*c);
   c->add_option("--report", o->report, "write everything that was found and measured as JSON");
   c->add_option("--preview", o->preview, "write the result as the reader sees it as PNG");
   c->add_flag("--quiet", o->quiet, "no progress");

@@ -7,9 +7,10 @@
 #include "cli/files.h"
 #include "cli/model_input.h"
 #include "cli/progress_bar.h"
-#include "cli/symbol_flags.h"
+#include "cli/setting_flags.h"
 #include "native/egl_context.h"
 #include "pipeline/place.h"
+#include "settings/setting_text.h"
 
 namespace qrelief {
 namespace {
@@ -20,11 +21,9 @@ constexpr int kDirectionDecimals = 4;
 
 struct PlaceOptions {
   ModelFlags model;
-  std::string json, text, direction = "depth-balanced";
-  double size = 0;
-  SymbolFlags symbol;
-  std::vector<double> up;
-  bool noQuietZone = false, quiet = false;
+  std::string json;
+  SettingFlags flags;
+  bool quiet = false;
   PlaceRequest request;
 };
 
@@ -35,40 +34,35 @@ std::string joined(Vec3 v, int decimals) {
 Json triple(Vec3 v) { return Json::array({v.x, v.y, v.z}); }
 
 Status completeRequest(PlaceOptions& options) {
+  auto engraving = options.flags.request();
+  if (!engraving) return tl::unexpected(engraving.error());
   PlaceRequest& request = options.request;
-  PlacementRequest& placement = request.placement;
-  placement.sizeMode = options.size > 0 ? SizeMode::Fixed : SizeMode::Free;
-  placement.sizeMm = options.size;
-  placement.quietZone = !options.noQuietZone;
-  placement.directionMethod = *directionMethodByName(options.direction);
-  if (!options.up.empty()) placement.upHint = {options.up[0], options.up[1], options.up[2]};
-  if (!options.text.empty()) {
-    const auto symbol = encodeSymbol(options.text, symbolOptionsFrom(options.symbol));
+  if (!engraving->text.empty()) {
+    const auto symbol = encodeSymbol(engraving->text, engraving->symbol);
     if (!symbol) return tl::unexpected(symbol.error());
     request.modules = symbol->size;
   } else {
-    request.modules = 17 + 4 * std::max(1, options.symbol.version);
+    request.modules = 17 + 4 * engraving->symbol.version.value_or(1);
   }
-  EngraveRequest engraving;  // with the contrast that it has by default
-  engraving.placement = placement;
-  engraving.minWallMm = request.minWallMm;
-  placement = searchedPlacement(engraving, request.modules);
+  request.minWallMm = engraving->minWallMm;
+  request.placement = searchedPlacement(*engraving, request.modules);
   return {};
 }
 
 Json describe(const PlaceOptions& options, const ModelInput& input, std::size_t triangles, const PlaceResult& result) {
   const PlaceRequest& request = options.request;
+  const bool isFixed = request.placement.sizeMode == SizeMode::Fixed;
   Json json;
   json["qrelief"] = QRELIEF_VERSION;
   json["input"] = {{"file", fileNameOf(options.model.path)},
                    {"format", input.format},
                    {"triangles", triangles},
                    {"scaleToMm", input.scaleToMm}};
-  json["parameters"] = {{"sizeMm", options.size > 0 ? Json(options.size) : Json(nullptr)},
+  json["parameters"] = {{"sizeMm", isFixed ? Json(request.placement.sizeMm) : Json(nullptr)},
                         {"maxSizeMm", request.placement.maxSizeMm},
                         {"modules", request.modules},
                         {"quietZone", request.placement.quietZone},
-                        {"direction", options.direction},
+                        {"direction", valueText(*options.flags.value("direction"))},
                         {"eyeDistanceMm", request.placement.eyeDistanceMm},
                         {"up", triple(request.placement.upHint)},
                         {"rotateDeg", request.placement.rotateDeg},
@@ -146,20 +140,13 @@ std::function<int()> addPlaceCommand(CLI::App& app) {
   PlaceRequest& request = o->request;
   CLI::App* c = app.add_subcommand("place", "Where a QR code could go: the best spots, each tested");
   addModelFlags(*c, o->model);
-  c->add_option("--size", o->size, "edge of the symbol without quiet zone, mm [the largest that fits]")
-      ->check(CLI::PositiveNumber);
-  c->add_option("--count", request.count, fmt::format("spots to find [{}]", request.count))->check(CLI::Range(1, 100));
+  c->add_option("--count", request.count, fmt::format("spots to find [{}]", request.count))
+      ->check(CLI::Range(std::size_t{1}, kMaxSpots));
   c->add_option("--json", o->json, "write the spots and what led to them as JSON");
-  c->add_option("--text", o->text, "what the code will say: a longer text needs less quiet zone [shortest]");
-  addSymbolFlags(*c, o->symbol);
-  c->add_flag("--no-quiet-zone", o->noQuietZone, "the light margin need not fit");
-  c->add_option("--max-size", request.placement.maxSizeMm, "upper bound for a found size, mm [60]");
-  c->add_option("--up", o->up, "X,Y,Z: where the symbol's top points [0,0,1]")->delimiter(',')->expected(3);
-  c->add_option("--rotate", request.placement.rotateDeg, "degrees anticlockwise from there [0]");
-  c->add_option("--direction", o->direction, "mean-normal, depth-balanced, pca or optimal [depth-balanced]")
-      ->check(CLI::IsMember({"mean-normal", "depth-balanced", "pca", "optimal"}));
-  c->add_option("--eye-distance", request.placement.eyeDistanceMm, "mm [250]");
-  c->add_option("--min-wall", request.minWallMm, "material that must remain, mm [0.8]");
+  o->flags.add(*c, "text", "a longer text needs less quiet zone: ");
+  o->flags.addGroup(*c, "symbol");
+  o->flags.addGroup(*c, "placement");
+  o->flags.add(*c, "minWallMm");
   c->add_option("--views", request.views, fmt::format("directions looked from [{}]", request.views))
       ->check(CLI::Range(200, 10000));
   c->add_flag("--quiet", o->quiet, "no progress");

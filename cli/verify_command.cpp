@@ -6,7 +6,7 @@
 #include "cli/files.h"
 #include "cli/model_input.h"
 #include "cli/progress_bar.h"
-#include "cli/symbol_flags.h"
+#include "cli/setting_flags.h"
 #include "io/read_model.h"
 #include "native/zxing_reader.h"
 #include "pipeline/verify_report.h"
@@ -15,40 +15,44 @@ namespace qrelief {
 namespace {
 
 struct VerifyOptions {
-  std::string path, units, report, json, text;
-  SymbolFlags symbol;
+  std::string path, units, report, json;
+  SettingFlags flags;
   std::optional<double> scale;
-  std::vector<double> at, direction, up;
-  double size = 0, eyeDistance = 250;
+  std::vector<double> at;
   bool quick = false, quiet = false;
-  Printer printer;
-  double minWallMm = 0.8;
 };
 
-Vec3 vectorOf(const std::vector<double>& numbers) { return {numbers[0], numbers[1], numbers[2]}; }
-
 /// Place, size and text from the command line.
-Result<VerifyRequest> requestFromFlags(const VerifyOptions& options) {
-  if (options.text.empty() || options.at.empty() || options.direction.empty() || !(options.size > 0))
+Result<VerifyRequest> requestFromFlags(const VerifyOptions& options, const EngraveRequest& settings) {
+  const PlacementRequest& place = settings.placement;
+  if (settings.text.empty() || options.at.empty() || !place.direction || place.sizeMode != SizeMode::Fixed)
     return fail(ErrorKind::BadUsage, "Without --report the place of the code is not known",
                 "Give --report FILE, or --text, --at, --direction and --size");
   VerifyRequest request;
-  request.text = options.text;
-  request.symbolMm = options.size;
-  auto encoded = encodeSymbol(options.text, symbolOptionsFrom(options.symbol));
+  request.text = settings.text;
+  request.symbolMm = place.sizeMm;
+  auto encoded = encodeSymbol(settings.text, settings.symbol);
   if (!encoded) return tl::unexpected(encoded.error());
   request.symbol = std::move(*encoded);
-  const Vec3 normal = vectorOf(options.direction);
-  const Vec3 up = options.up.empty() ? Vec3(0, 0, 1) : vectorOf(options.up);
-  request.frame = makeFrame(vectorOf(options.at), normal, up, options.eyeDistance);
+  const Vec3 centre(options.at[0], options.at[1], options.at[2]);
+  request.frame = makeFrame(centre, *place.direction, place.upHint, place.eyeDistanceMm);
   return request;
 }
 
-Result<VerifyRequest> requestFrom(const VerifyOptions& options) {
-  if (options.report.empty()) return requestFromFlags(options);
-  const auto bytes = readFile(options.report);
+Result<VerifyRequest> requestFromFile(const std::string& report) {
+  const auto bytes = readFile(report);
   if (!bytes) return tl::unexpected(bytes.error());
   return requestFromReport({reinterpret_cast<const char*>(bytes->data()), bytes->size()});
+}
+
+Result<VerifyRequest> requestFrom(const VerifyOptions& options) {
+  const auto settings = options.flags.request();
+  if (!settings) return tl::unexpected(settings.error());
+  auto request = options.report.empty() ? requestFromFlags(options, *settings) : requestFromFile(options.report);
+  if (!request) return request;
+  request->printer = {settings->nozzleMm, settings->layerMm};
+  request->minWallMm = settings->minWallMm;
+  return request;
 }
 
 std::string rangeOf(const ReadingSummary& reading) {
@@ -87,8 +91,6 @@ int verifyModel(const VerifyOptions& options) {
   const auto start = Clock::now();
   auto request = requestFrom(options);
   if (!request) return printError(request.error());
-  request->printer = options.printer;
-  request->minWallMm = options.minWallMm;
   request->ranges = !options.quick;
   const auto scale = scaleFrom(options.scale, options.units);
   if (!scale) return printError(scale.error());
@@ -130,20 +132,14 @@ std::function<int()> addVerifyCommand(CLI::App& app) {
   c->add_option("--units", o->units, "unit of the file, instead of --scale")
       ->check(CLI::IsMember({"mm", "cm", "m", "in"}));
   c->add_option("--report", o->report, "what engrave wrote with --report: place, size, text and modules");
-  c->add_option("--text", o->text, "without --report: what the code should say");
+  constexpr const char* kWithoutReport = "without --report: ";
+  o->flags.add(*c, "text", kWithoutReport);
   c->add_option("--at", o->at, "without --report: X,Y,Z, centre of the code on the uncarved surface, mm")
       ->delimiter(',')
       ->expected(3);
-  c->add_option("--direction", o->direction, "without --report: X,Y,Z towards the reader")->delimiter(',')->expected(3);
-  c->add_option("--up", o->up, "without --report: X,Y,Z, where the code's top points [0,0,1]")
-      ->delimiter(',')
-      ->expected(3);
-  c->add_option("--size", o->size, "without --report: edge of the symbol without quiet zone, mm");
-  c->add_option("--eye-distance", o->eyeDistance, "without --report: mm [250]");
-  addSymbolFlags(*c, o->symbol);
-  c->add_option("--nozzle", o->printer.nozzleMm, "of the printer, mm [0.4]")->check(CLI::Range(0.01, 10.0));
-  c->add_option("--layer", o->printer.layerMm, "of the print, mm [0.1]")->check(CLI::Range(0.001, 10.0));
-  c->add_option("--min-wall", o->minWallMm, "material that should stay behind every pocket, mm [0.8]");
+  for (const char* key : {"direction", "up", "size", "eyeDistanceMm"}) o->flags.add(*c, key, kWithoutReport);
+  o->flags.addGroup(*c, "symbol");
+  for (const char* key : {"nozzleMm", "layerMm", "minWallMm"}) o->flags.add(*c, key);
   c->add_flag("--quick", o->quick, "do not find out from how far, and how tilted or blurred, it reads");
   c->add_option("--json", o->json, "write everything that was found as JSON");
   c->add_flag("--quiet", o->quiet, "no progress");

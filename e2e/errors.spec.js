@@ -69,7 +69,7 @@ test('A setting out of its range is named with its range', async ({ page }) => {
   await app.openSettings();
   await app.setting('Distance (mm)').fill('3');
   await app.setting('Distance (mm)').blur();
-  await expect(app.alert).toContainText('“Distance” must be a number from 20 to 10000, not 3');
+  await expect(app.alert).toContainText('“Distance” must be a number from 20 to 100000, not 3');
 });
 
 test('An unknown sample is named together with those there are', async ({ page }) => {

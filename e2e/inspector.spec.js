@@ -115,17 +115,17 @@ test('Settings of the inspector count for its own Engrave alone, are typed or st
   await page.keyboard.press('Control+A');
   await page.keyboard.type('0.25');
   await page.keyboard.press('Enter');
-  await inspector.expectState((state) => state.overrides, 'contrast 0.25');
+  await inspector.expectState((state) => state.overrides, 'Contrast 0.25');
   await expect(app.setting('Contrast')).toHaveValue('');
 
   await inspector.press('Engrave again');
-  await expect(app.status).toContainText('contrast 0.25', { timeout: 120_000 });
+  await expect(app.status).toContainText('Contrast 0.25', { timeout: 120_000 });
   await inspector.openTab('Maps');
   expect(contrastOf(await pressDark(inspector))).toBeCloseTo(0.25, 4);
 
   await inspector.openTab('Settings');
   await inspector.press('contrast', { x: 0.97, y: 0.5 });  // its plus
-  await inspector.expectState((state) => state.overrides, 'contrast 0.26');
+  await inspector.expectState((state) => state.overrides, 'Contrast 0.26');
   await inspector.press('Reset all');
   await inspector.expectState((state) => state.overridden, 0);
 
@@ -155,6 +155,6 @@ test('The inspector speaks the page’s language, and follows when that is chang
   const german = await inspector.pixels(clip);
 
   await page.getByRole('combobox', { name: 'Sprache' }).selectOption('en');
-  await inspector.expectState((state) => state.overrides.startsWith('contrast 0.'), true);
+  await inspector.expectState((state) => state.overrides.startsWith('Contrast 0.'), true);
   await expect.poll(async () => (await inspector.pixels(clip)).join() === german.join()).toBe(false);
 });

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "engine/answers.h"
-#include "engine/settings.h"
 #include "engine/symbol_facts.h"
+#include "settings/setting_json.h"
 
 namespace qrelief {
 namespace {}  // namespace
@@ -69,14 +69,14 @@ std::string Engine::describeModel() const {
 }
 
 std::string Engine::configure(const std::string& settings) {
-  auto request = readSettings(settings);
+  auto request = requestFromJson(settings);
   if (!request) return answer(request.error());
   wanted_.configure(std::move(*request));
   return done();
 }
 
 std::string Engine::symbol(const std::string& settings) const {
-  const auto request = readSettings(settings);
+  const auto request = requestFromJson(settings);
   return request ? describeSymbol(*request) : answer(request.error());
 }
 

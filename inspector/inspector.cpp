@@ -7,6 +7,7 @@
 
 #include "base/clock.h"
 #include "engine/answers.h"
+#include "inspector/setting_labels.h"
 
 namespace qrelief {
 namespace {
@@ -308,7 +309,7 @@ std::string Inspector::state() const {
                  {"passes", model_.passes()},
                  {"selected", jsonOf(model_.selected())},
                  {"overridden", model_.overrides().count()},
-                 {"overrides", model_.overrides().describe()},
+                 {"overrides", describe(model_.overrides())},
                  {"engraveAsked", engraveAsked_},
                  {"keyboard", io.WantTextInput},
                  {"cursor", io.WantCaptureMouse ? cursorName() : ""},

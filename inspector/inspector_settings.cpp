@@ -4,15 +4,10 @@
 #include <string_view>
 
 #include "inspector/inspector.h"
+#include "inspector/setting_labels.h"
 
 namespace qrelief {
 namespace {
-
-std::string valueText(const Tunable& tunable, double value) {
-  if (tunable.isSwitch) return translated(value != 0 ? "on" : "off");
-  if (!tunable.choices.empty()) return translated(tunable.choices[static_cast<std::size_t>(value)]);
-  return fmt::format("{:g}", value);
-}
 
 /// @returns whether it was changed
 bool edit(const Tunable& tunable, double& value) {
@@ -25,7 +20,9 @@ bool edit(const Tunable& tunable, double& value) {
   }
   if (!tunable.choices.empty()) {
     int chosen = static_cast<int>(value);
-    const auto choices = translated(tunable.choices);
+    const std::vector<std::string> labels = choiceLabelsOf(tunable);
+    std::vector<const char*> choices;
+    for (const std::string& label : labels) choices.push_back(label.c_str());
     const bool changed = ImGui::Combo("##value", &chosen, choices.data(), static_cast<int>(choices.size()));
     value = chosen;
     return changed;
@@ -45,19 +42,18 @@ void Inspector::drawTunable(std::size_t index, const EngraveRequest& page) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   ImGui::AlignTextToFramePadding();
-  std::string name = translated(tunable.name);
-  if (*tunable.unit) name += fmt::format(", {}", translated(tunable.unit));
+  const std::string name = labelOf(tunable);
   if (isSet) ImGui::PushStyleColor(ImGuiCol_Text, palette_.accent);
   ImGui::TextUnformatted(name.c_str());
   if (isSet) ImGui::PopStyleColor();
   ImGui::TableNextColumn();
   double value = overrides.valueOf(index, page);
   const bool changed = edit(tunable, value);
-  noteControl(controls_, tunable.name);
+  noteControl(controls_, tunable.key);
   if (changed) overrides.set(index, value, page);
   if (isSet) {
     if (ImGui::SmallButton(label("reset").c_str())) overrides.reset(index);
-    noteControl(controls_, fmt::format("Reset {}", tunable.name));
+    noteControl(controls_, fmt::format("Reset {}", tunable.key));
     ImGui::SameLine();
     ImGui::TextDisabled("%s", phrase("page: {}", valueText(tunable, tunable.read(page))).c_str());
   }
@@ -86,12 +82,13 @@ void Inspector::drawSettings(const Engine& engine) {
   const std::span<const Tunable> all = tunables();
   bool open = false;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    if (all[i].group != group) {
+    const Setting& setting = *all[i].setting;
+    if (setting.group != group) {
       if (open) ImGui::EndTable();
-      group = all[i].group;
+      group = setting.group;
       ImGui::Spacing();
-      ImGui::TextDisabled("%s", translated(all[i].group));
-      open = ImGui::BeginTable(all[i].group, 2, ImGuiTableFlags_SizingStretchProp);
+      ImGui::TextDisabled("%s", groupLabelOf(setting).c_str());
+      open = ImGui::BeginTable(setting.group.c_str(), 2, ImGuiTableFlags_SizingStretchProp);
       if (open) {
         ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch, 0.48f);
         ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch, 0.52f);

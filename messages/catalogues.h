@@ -8,4 +8,7 @@ namespace qrelief {
 /// The files messages/*.json, which the build compiles in.
 std::span<const char* const> catalogues();
 
+/// The file messages/settings/settings.json, likewise.
+const char* settingCatalogue();
+
 }  // namespace qrelief

@@ -7,6 +7,7 @@ import { test } from 'node:test';
 
 /** Lowest first: a folder imports, types included, only itself and what stands before it. */
 const kLayers = [
+  'generated', // what the core tells of its settings
   'offline',   // keeps the page for visits without a network
   'engine',    // the module, its worker and its answers
   'storage',   // what the browser keeps

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string_view>
 
 namespace qrelief {
@@ -16,13 +15,6 @@ enum class SurfaceMode : std::uint8_t {
 /// Names as on the command line.
 constexpr std::string_view surfaceModeName(SurfaceMode mode) {
   return mode == SurfaceMode::Preserved ? "preserved" : "resampled";
-}
-
-/// Empty if there is no such mode.
-constexpr std::optional<SurfaceMode> surfaceModeByName(std::string_view name) {
-  for (const SurfaceMode mode : {SurfaceMode::Preserved, SurfaceMode::Resampled})
-    if (name == surfaceModeName(mode)) return mode;
-  return std::nullopt;
 }
 
 }  // namespace qrelief

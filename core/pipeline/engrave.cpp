@@ -17,8 +17,8 @@
 #include "mesh/weld.h"
 #include "pipeline/add_inlay.h"
 #include "pipeline/carved_parts.h"
-#include "pipeline/check_request.h"
 #include "projection/room.h"
+#include "settings/settings.h"
 
 namespace qrelief {
 namespace {
@@ -387,7 +387,7 @@ Result<std::unique_ptr<EngraveJob>> EngraveJob::create(std::shared_ptr<const Eng
 
 Result<std::unique_ptr<EngraveJob>> EngraveJob::create(std::shared_ptr<const EngravableModel> model,
                                                        EngraveRequest request, const Known& known) {
-  if (const Status checked = checkRequest(request); !checked) return tl::unexpected(checked.error());
+  if (const Status checked = checkSettings(request); !checked) return tl::unexpected(checked.error());
   if (const Status engravable = model->prepared.engravable(); !engravable) return tl::unexpected(engravable.error());
   auto symbol = encodeSymbol(request.text, request.symbol);
   if (!symbol) return tl::unexpected(symbol.error());

@@ -12,6 +12,7 @@
 #include "projection/bend.h"
 #include "projection/room.h"
 #include "projection/size.h"
+#include "settings/settings.h"
 
 namespace qrelief {
 namespace {
@@ -39,22 +40,15 @@ Vec3 roundedTo(Vec3 v, double perUnit) {
           std::round(v.z * perUnit) / perUnit};
 }
 
+/// What placing has in common with engraving is checked as there.
 Status checkRequest(const PlaceRequest& request) {
-  const PlacementRequest& place = request.placement;
-  const auto bad = [](std::string message, std::string hint) {
-    return fail(ErrorKind::BadUsage, std::move(message), std::move(hint));
-  };
-  if (!(place.eyeDistanceMm >= 20 && place.eyeDistanceMm <= 1e5))
-    return bad(fmt::format("The eye distance is {:g} mm", place.eyeDistanceMm),
-               "Choose between 20 mm and 100 m; 250 mm is a phone's");
-  if (place.sizeMode == SizeMode::Fixed && !(place.sizeMm > 0 && place.sizeMm <= 1e4))
-    return bad(fmt::format("The size is {:g} mm", place.sizeMm), "Choose the symbol's edge in mm, such as 35");
-  if (!(place.maxSizeMm > 0 && place.maxSizeMm <= 1e4))
-    return bad(fmt::format("The greatest size is {:g} mm", place.maxSizeMm), "Choose an edge in mm, such as 60");
-  if (!(request.minWallMm >= 0)) return bad("The minimum wall is negative", "Choose 0 or more, such as 0.8");
-  if (request.count < 1 || request.count > 100)
-    return bad(fmt::format("{} spots are asked for", request.count), "Choose between 1 and 100");
-  return {};
+  EngraveRequest engraving = defaultRequest();
+  engraving.placement = request.placement;
+  engraving.minWallMm = request.minWallMm;
+  if (const Status checked = checkSettings(engraving); !checked) return checked;
+  if (request.count >= 1 && request.count <= kMaxSpots) return {};
+  return fail(ErrorKind::BadUsage,
+              message("place-count", with::count("count", request.count), with::count("max", kMaxSpots)));
 }
 
 struct Wall {

@@ -11,6 +11,9 @@
 
 namespace qrelief {
 
+/// Spots that may be asked for.
+inline constexpr std::size_t kMaxSpots = 100;
+
 /// What is to find a place.
 struct PlaceRequest {
   /// As for engraving; `centreMm` does not count. With SizeMode::Fixed spots that take that size are found, else those
@@ -19,7 +22,7 @@ struct PlaceRequest {
   int modules = 21;           ///< of the symbol along its edge; the fewer, the wider the quiet zone beside them
   double minWallMm = 0.8;     ///< material that must remain behind a floor, ≥ 0
   double leastDepthMm = 0.3;  ///< a spot whose wall does not take pockets of this depth is not offered, > 0
-  std::size_t count = 5;      ///< spots to find, ≥ 1
+  std::size_t count = 5;      ///< spots to find, 1 … kMaxSpots
   int views = 240;            ///< of the placement map, ≥ 200
   /// File units → mm: a centre is rounded to what a user will read, about a micrometre, before it is tested.
   double scaleToMm = 1;

@@ -12,6 +12,7 @@
 #include "projection/visible_patch.h"
 #include "qr/symbol.h"
 #include "render/geometry_pass.h"
+#include "settings/placement_request.h"
 
 namespace qrelief {
 

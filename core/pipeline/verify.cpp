@@ -10,6 +10,7 @@
 
 #include "math/angle.h"
 #include "mesh/weld.h"
+#include "settings/settings.h"
 
 namespace qrelief {
 namespace {
@@ -68,6 +69,18 @@ double leastWall(const RayTree& tree, const ProjectionFrame& frame, const Carvin
     if (hit) least = std::min(least, hit->distance);
   }
   return least;
+}
+
+/// What verifying has in common with engraving is checked as there.
+EngraveRequest settingsOf(const VerifyRequest& request) {
+  EngraveRequest engraving = defaultRequest();
+  engraving.placement.sizeMode = SizeMode::Fixed;
+  engraving.placement.sizeMm = request.symbolMm;
+  engraving.placement.eyeDistanceMm = request.frame.eyeDistance;
+  engraving.nozzleMm = request.printer.nozzleMm;
+  engraving.layerMm = request.printer.layerMm;
+  engraving.minWallMm = request.minWallMm;
+  return engraving;
 }
 
 }  // namespace
@@ -246,19 +259,10 @@ VerifyJob::~VerifyJob() = default;
 
 Result<std::unique_ptr<VerifyJob>> VerifyJob::create(Mesh mesh, VerifyRequest request,
                                                      std::vector<SymbolReader> readers) {
-  const auto bad = [](std::string message, std::string hint) {
-    return qrelief::fail(ErrorKind::BadUsage, std::move(message), std::move(hint));
-  };
-  if (request.text.empty()) return bad("There is no text to compare with", "Say what the code should read as");
-  if (!(request.symbolMm > 0 && request.symbolMm <= 1e4))
-    return bad(fmt::format("The size is {:g} mm", request.symbolMm), "Give the symbol's edge in mm, such as 35");
+  if (request.text.empty()) return qrelief::fail(ErrorKind::BadUsage, message("verify-no-text"));
   if (!(std::abs(glm::length(request.frame.normal) - 1) < 1e-6))
-    return bad("The direction to the reader has no length", "Give a vector such as 0,0,1");
-  if (!(request.frame.eyeDistance >= 20 && request.frame.eyeDistance <= 1e5))
-    return bad(fmt::format("The eye distance is {:g} mm", request.frame.eyeDistance),
-               "Choose between 20 mm and 100 m; 250 mm is a phone's");
-  if (!(request.printer.nozzleMm > 0 && request.printer.layerMm > 0))
-    return bad("Nozzle and layer must be greater than 0", "Usual are 0.4 and 0.2 mm");
+    return qrelief::fail(ErrorKind::BadUsage, message("verify-no-direction"));
+  if (const Status checked = checkSettings(settingsOf(request)); !checked) return tl::unexpected(checked.error());
   return std::unique_ptr<VerifyJob>(
       new VerifyJob(std::make_unique<State>(std::move(mesh), std::move(request), std::move(readers))));
 }

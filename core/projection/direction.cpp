@@ -163,12 +163,6 @@ constexpr std::array<const char*, 4> kMethodNames = {"mean-normal", "depth-balan
 
 const char* directionMethodName(DirectionMethod method) { return kMethodNames[static_cast<std::size_t>(method)]; }
 
-std::optional<DirectionMethod> directionMethodByName(std::string_view name) {
-  for (std::size_t i = 0; i < kMethodNames.size(); ++i)
-    if (name == kMethodNames[i]) return static_cast<DirectionMethod>(i);
-  return {};
-}
-
 MapSample sampleMap(std::span<const float> normals, int texels, const DirectionOptions& options) {
   const NormalMap map(normals, texels, options);
   MapSample sample;

@@ -22,7 +22,6 @@ enum class DirectionMethod {
 
 /// "mean-normal", "depth-balanced", "pca", "optimal": names that scripts rely on.
 const char* directionMethodName(DirectionMethod method);
-std::optional<DirectionMethod> directionMethodByName(std::string_view name);
 
 struct DirectionOptions {
   DirectionMethod method = DirectionMethod::DepthBalanced;

@@ -66,23 +66,11 @@ void carveModule(SubmoduleMask& mask, const Picture& picture, int row, int colum
   }
 }
 
-/// In the order of the enumeration.
-constexpr std::array<std::pair<std::string_view, ModulePattern>, 5> kModulePatternNames = {{
-    {"none", ModulePattern::None},
-    {"square", ModulePattern::Square},
-    {"thin-plus", ModulePattern::ThinPlus},
-    {"diamond", ModulePattern::Diamond},
-    {"thick-plus", ModulePattern::ThickPlus},
-}};
-
-template <class Pattern, std::size_t count>
-std::optional<Pattern> lookUp(const std::array<std::pair<std::string_view, Pattern>, count>& names,
-                              std::string_view name) {
-  for (const auto& [known, pattern] : names) {
-    if (known == name) return pattern;
-  }
-  return std::nullopt;
-}
+// In the order of the enumerators.
+constexpr std::array<std::string_view, 5> kModulePatternNames = {"none", "square", "thin-plus", "diamond",
+                                                                 "thick-plus"};
+constexpr std::array<std::string_view, 5> kFinderPatternNames = {"none", "as-modules", "diamond", "thick-plus",
+                                                                 "thick-plus-sharp"};
 
 }  // namespace
 
@@ -109,21 +97,12 @@ SubmoduleMask submodulesToCarve(const Symbol& symbol, ModulePattern modules, Fin
   return mask;
 }
 
-std::optional<ModulePattern> modulePatternByName(std::string_view name) { return lookUp(kModulePatternNames, name); }
-
 std::string_view modulePatternName(ModulePattern pattern) {
-  return kModulePatternNames[static_cast<std::size_t>(pattern)].first;
+  return kModulePatternNames[static_cast<std::size_t>(pattern)];
 }
 
-std::optional<FinderPattern> finderPatternByName(std::string_view name) {
-  constexpr std::array<std::pair<std::string_view, FinderPattern>, 5> kNames = {{
-      {"none", FinderPattern::None},
-      {"as-modules", FinderPattern::AsModules},
-      {"diamond", FinderPattern::Diamond},
-      {"thick-plus", FinderPattern::ThickPlus},
-      {"thick-plus-sharp", FinderPattern::ThickPlusSharp},
-  }};
-  return lookUp(kNames, name);
+std::string_view finderPatternName(FinderPattern pattern) {
+  return kFinderPatternNames[static_cast<std::size_t>(pattern)];
 }
 
 }  // namespace qrelief

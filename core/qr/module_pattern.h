@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -41,9 +40,8 @@ struct SubmoduleMask {
 
 SubmoduleMask submodulesToCarve(const Symbol& symbol, ModulePattern modules, FinderPattern finders);
 
-/// Names as on the command line ("thin-plus"); empty if there is no such pattern.
-std::optional<ModulePattern> modulePatternByName(std::string_view name);
-std::optional<FinderPattern> finderPatternByName(std::string_view name);
+/// Names that scripts rely on, "thin-plus".
 std::string_view modulePatternName(ModulePattern pattern);
+std::string_view finderPatternName(FinderPattern pattern);
 
 }  // namespace qrelief

@@ -2,6 +2,7 @@
 // The command as scripts see it: exit statuses, what is printed where, what is written.
 #include <cmath>
 #include <filesystem>
+#include <fmt/format.h>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <iterator>
@@ -9,6 +10,7 @@
 #include <numbers>
 #include <sys/wait.h>
 
+#include "generate/option_texts.h"
 #include "io/read_model.h"
 #include "io/write_3mf.h"
 #include "io/write_stl.h"
@@ -269,6 +271,37 @@ TEST_F(CommandTest, BadUsageIsStatusTwo) {
               2)
         << direction;
   EXPECT_FALSE(fs::exists(path("out.stl")));
+}
+
+TEST_F(CommandTest, EverySettingIsAFlagOfEngraveAndInItsHelp) {
+  const std::string help = run({"engrave", "--help"}).out;
+  for (const Setting& setting : settings()) {
+    const OptionTexts texts = optionTexts(setting);
+    EXPECT_NE(help.find("\n  " + texts.flag + " "), std::string::npos) << texts.flag;
+    EXPECT_NE(help.find(texts.help), std::string::npos) << texts.flag;
+  }
+}
+
+TEST_F(CommandTest, ANumberOutOfItsRangeIsRefusedWithItsFlagBeforeTheModelIsRead) {
+  for (const Setting& setting : settings()) {
+    if (!setting.takesNumber()) continue;
+    const std::string flag = optionTexts(setting).flag;
+    for (const double value : {setting.min - 1, 2 * setting.max + 1}) {
+      const Outcome outcome =
+          run({"engrave", path("missing.stl"), "--text", "x", "-o", path("out.stl"), flag, fmt::format("{}", value)});
+      EXPECT_EQ(outcome.status, 2) << flag;
+      EXPECT_NE(outcome.err.find("qrelief: " + flag + " is "), std::string::npos) << outcome.err;
+      EXPECT_NE(outcome.err.find("what helps: Choose from"), std::string::npos) << outcome.err;
+    }
+  }
+}
+
+TEST_F(CommandTest, WhatIsNoChoiceIsRefusedWithThoseThereAre) {
+  const Outcome outcome =
+      run({"engrave", path("missing.stl"), "--text", "x", "-o", path("out.stl"), "--pattern", "dots"});
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_NE(outcome.err.find("--pattern is \"dots\""), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("none, square, thin-plus, diamond, thick-plus"), std::string::npos) << outcome.err;
 }
 
 TEST_F(CommandTest, BadInputIsStatusThreeAndSaysWhatHelps) {

@@ -17,7 +17,7 @@ constexpr double kBoxMm = 20;  // height: the code is on its top
 
 std::size_t tunable(std::string_view name) {
   for (std::size_t i = 0; i < tunables().size(); ++i)
-    if (tunables()[i].name == name) return i;
+    if (tunables()[i].key == name) return i;
   ADD_FAILURE() << "there is no " << name;
   return 0;
 }

@@ -217,12 +217,6 @@ TEST_F(PlacementTest, ACentreOnASmallSteepFacetIsLookedAtFromWhereTheCodeFits) {
   EXPECT_GT(placed->symbolMm, 20);
 }
 
-TEST(SizeMode, NamesLeadToModesAndBack) {
-  for (const char* name : {"free", "oriented", "best"}) EXPECT_STREQ(sizeModeName(*sizeModeByName(name)), name);
-  EXPECT_FALSE(sizeModeByName("fixed").has_value());
-  EXPECT_FALSE(sizeModeByName("").has_value());
-}
-
 TEST_F(PlacementTest, NamesACrossingAtTheCentreInsteadOfASizeThatNobodyCanPrint) {
   // A column comes through the upper face; the code is wanted a hundredth of a millimetre beside it.
   load(shapes::together(shapes::box({40, 40, 10}), shapes::translated(shapes::box({4, 60, 30}), {10, 0, 0})));

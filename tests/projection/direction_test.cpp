@@ -110,12 +110,6 @@ TEST(MapSample, TheCentreIsHiddenWhereSomethingIsNearer) {
   EXPECT_TRUE(sampleMap(at, 64, {}).centreIsSeen);
 }
 
-TEST(DirectionMethod, NamesLeadToMethodsAndBack) {
-  for (const char* name : {"mean-normal", "depth-balanced", "pca", "optimal"})
-    EXPECT_STREQ(directionMethodName(*directionMethodByName(name)), name);
-  EXPECT_FALSE(directionMethodByName("up").has_value());
-}
-
 class DirectionTest : public GlTest {
  protected:
   void SetUp() override {

@@ -156,24 +156,20 @@ TEST(FinderPattern, KeepsRingAndCentreInOnePieceEach) {
   EXPECT_EQ(countPieces(picture(apart, 0, 0, 7, 7)), 33);
 }
 
-TEST(ModulePattern, IsFoundByTheNameOnTheCommandLine) {
-  EXPECT_EQ(modulePatternByName("none"), ModulePattern::None);
-  EXPECT_EQ(modulePatternByName("square"), ModulePattern::Square);
-  EXPECT_EQ(modulePatternByName("thin-plus"), ModulePattern::ThinPlus);
-  EXPECT_EQ(modulePatternByName("diamond"), ModulePattern::Diamond);
-  EXPECT_EQ(modulePatternByName("thick-plus"), ModulePattern::ThickPlus);
-  EXPECT_EQ(modulePatternByName("as-modules"), std::nullopt);
-  EXPECT_EQ(modulePatternByName("Square"), std::nullopt);
+TEST(ModulePattern, HasTheNameOnTheCommandLine) {
+  EXPECT_EQ(modulePatternName(ModulePattern::None), "none");
+  EXPECT_EQ(modulePatternName(ModulePattern::Square), "square");
+  EXPECT_EQ(modulePatternName(ModulePattern::ThinPlus), "thin-plus");
+  EXPECT_EQ(modulePatternName(ModulePattern::Diamond), "diamond");
+  EXPECT_EQ(modulePatternName(ModulePattern::ThickPlus), "thick-plus");
 }
 
-TEST(FinderPattern, IsFoundByTheNameOnTheCommandLine) {
-  EXPECT_EQ(finderPatternByName("none"), FinderPattern::None);
-  EXPECT_EQ(finderPatternByName("as-modules"), FinderPattern::AsModules);
-  EXPECT_EQ(finderPatternByName("diamond"), FinderPattern::Diamond);
-  EXPECT_EQ(finderPatternByName("thick-plus"), FinderPattern::ThickPlus);
-  EXPECT_EQ(finderPatternByName("thick-plus-sharp"), FinderPattern::ThickPlusSharp);
-  EXPECT_EQ(finderPatternByName("thin-plus"), std::nullopt);
-  EXPECT_EQ(finderPatternByName(""), std::nullopt);
+TEST(FinderPattern, HasTheNameOnTheCommandLine) {
+  EXPECT_EQ(finderPatternName(FinderPattern::None), "none");
+  EXPECT_EQ(finderPatternName(FinderPattern::AsModules), "as-modules");
+  EXPECT_EQ(finderPatternName(FinderPattern::Diamond), "diamond");
+  EXPECT_EQ(finderPatternName(FinderPattern::ThickPlus), "thick-plus");
+  EXPECT_EQ(finderPatternName(FinderPattern::ThickPlusSharp), "thick-plus-sharp");
 }
 
 }  // namespace

@@ -2,9 +2,11 @@
 // Settings as a file: all that decides what is carved, and on which model, but for the model itself.
 import { EngineFailure } from '../engine/engine_error.js';
 import { message } from '../engine/message.js';
+import { kSettings } from '../generated/settings.js';
 
 /** @typedef {import('../engine/types.js').Settings} Settings */
 /** @typedef {import('../engine/types.js').UpAxis} UpAxis */
+/** @typedef {import('../generated/settings.js').SettingKey} SettingKey */
 /** @typedef {[number, number, number]} Point */
 
 /**
@@ -22,32 +24,10 @@ const kKind = 'qrelief-settings';
 const kVersion = 1;
 const kMostBytes = 1 << 20;
 
-/** @type {Record<string, readonly string[]>} */
-const kChoices = {
-  ecc: ['L', 'M', 'Q', 'H'],
-  preset: ['shallow', 'balanced', 'robust'],
-  pattern: ['none', 'square', 'thin-plus', 'diamond', 'thick-plus'],
-  finderPattern: ['none', 'as-modules', 'diamond', 'thick-plus', 'thick-plus-sharp'],
-  direction: ['mean-normal', 'depth-balanced', 'pca', 'optimal'],
-};
-const kSizes = ['free', 'oriented', 'best'];
-
-/**
- * From and to, as in the fields of the page.
- * @type {Record<string, readonly [number, number]>}
- */
-export const kRanges = {
-  maxSizeMm: [5, 1000],
-  rotateDeg: [-360, 360],
-  contrast: [0.05, 0.9],
-  minWallMm: [0, 100],
-  nozzleMm: [0.01, 10],
-  layerMm: [0.01, 1],
-  maxDepthMm: [0.05, 100],
-  eyeDistanceMm: [20, 10000],
-};
+/** What a control of the page is for, and so what a file has. @type {readonly SettingKey[]} */
+export const kFileKeys = ['text', 'ecc', 'preset', 'pattern', 'finderPattern', 'contrast', 'layerMm', 'maxDepthMm', 'minWallMm', 'size',
+  'maxSizeMm', 'quietZone', 'rotateDeg', 'direction', 'eyeDistanceMm', 'nozzleMm'];
 const kMayBeMissing = ['ecc', 'contrast', 'maxDepthMm'];
-const kSettings = ['text', 'size', 'quietZone', ...Object.keys(kChoices), ...Object.keys(kRanges)];
 
 /** @param {SettingsFile} file */
 export const writeSettingsFile = ({ settings, model }) =>
@@ -89,18 +69,27 @@ function checkChoice(name, value, choices) {
   if (!choices.includes(/** @type {string} */ (value))) refuse(message('settings-wrong-choice', { name: { term: name }, choices: { term: choices.join(', ') }, value: { term: shown(value) } }));
 }
 
+/** @param {SettingKey} name @param {unknown} value */
+function checkSetting(name, value) {
+  const { kind, choices = [], min = 0, max = 0 } = kSettings[name];
+  if (kind === 'text') {
+    if (typeof value !== 'string') refuse(message('settings-wrong-text', { value: { term: shown(value) } }));
+  } else if (kind === 'switch') {
+    if (typeof value !== 'boolean') refuse(message('settings-wrong-switch', { name: { term: name }, value: { term: shown(value) } }));
+  } else if (kind === 'number' || (kind === 'choice-or-number' && isNumber(value))) {
+    checkNumber(name, value, [min, max]);
+  } else {
+    checkChoice(name, value, choices);
+  }
+}
+
 /** @param {Record<string, unknown>} settings */
 function checkSettings(settings) {
-  const unknown = Object.keys(settings).find((name) => !kSettings.includes(name));
+  const unknown = Object.keys(settings).find((name) => !kFileKeys.includes(/** @type {SettingKey} */ (name)));
   if (unknown !== undefined) refuse(message('settings-unknown', { name: { term: shown(unknown) } }));
-  const missing = kSettings.find((name) => settings[name] === undefined && !kMayBeMissing.includes(name));
+  const missing = kFileKeys.find((name) => settings[name] === undefined && !kMayBeMissing.includes(name));
   if (missing) refuse(message('settings-missing', { name: { term: missing } }));
-  if (typeof settings.text !== 'string') refuse(message('settings-wrong-text', { value: { term: shown(settings.text) } }));
-  if (typeof settings.quietZone !== 'boolean') refuse(message('settings-wrong-switch', { name: { term: 'quietZone' }, value: { term: shown(settings.quietZone) } }));
-  if (isNumber(settings.size)) checkNumber('size', settings.size, kRanges.maxSizeMm);
-  else checkChoice('size', settings.size, kSizes);
-  for (const [name, choices] of Object.entries(kChoices)) if (settings[name] !== undefined) checkChoice(name, settings[name], choices);
-  for (const [name, range] of Object.entries(kRanges)) if (settings[name] !== undefined) checkNumber(name, settings[name], range);
+  for (const name of kFileKeys) if (settings[name] !== undefined) checkSetting(name, settings[name]);
 }
 
 /** @param {unknown} model @returns {ModelChoice} */

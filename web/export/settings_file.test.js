@@ -2,9 +2,10 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
+import { kSettings as kTable } from '../generated/settings.js';
 import { EngineFailure } from '../engine/engine_error.js';
 import { hintOf, sentenceOf } from '../i18n/messages.js';
-import { kRanges, looksLikeSettings, readSettingsFile, writeSettingsFile } from './settings_file.js';
+import { kFileKeys, looksLikeSettings, readSettingsFile, writeSettingsFile } from './settings_file.js';
 
 /** @type {import('../engine/types.js').Settings} */
 const kSettings = {
@@ -49,8 +50,8 @@ test('every wrong setting is named with its value', () => {
   const wrong = [
     [{ text: 5 }, /setting text must be a text, not 5/], [{ quietZone: 1 }, /quietZone must be true or false, not 1/],
     [{ preset: 'deep' }, /preset must be one of shallow, balanced, robust, not "deep"/], [{ size: 'huge' }, /size must be one of free, oriented, best/],
-    [{ size: 4 }, /size must be a number from 5 to 1000, not 4/], [{ rotateDeg: '0' }, /rotateDeg must be a number/], [{ ecc: null }, /ecc must be one of/],
-    [{ nozzleMm: null }, /nozzleMm must be a number/], [{ contrast: 1 }, /contrast must be a number from 0.05 to 0.9, not 1/],
+    [{ size: 0.05 }, /size must be a number from 0.1 to 10000, not 0.05/], [{ rotateDeg: '0' }, /rotateDeg must be a number/], [{ ecc: null }, /ecc must be one of/],
+    [{ nozzleMm: null }, /nozzleMm must be a number/], [{ contrast: 1 }, /contrast must be a number from 0.01 to 0.99, not 1/],
     [{ pattern: undefined }, /pattern is missing/], [{ colour: 'red' }, /no setting "colour"/], [{ ['__proto__x']: 1 }, /no setting/],
     [{ pattern: ['square'] }, /pattern must be one of/], [{ preset: `${'x'.repeat(1000)}` }, /not "x{38}…/],
   ];
@@ -77,17 +78,20 @@ test('cut off anywhere, a file is refused', () => {
   }
 });
 
-test('the ranges are those of the fields of the page', () => {
+test('a file has what the page has controls for, and the text', () => {
   const page = readFileSync(new URL('../index.html', import.meta.url), 'utf8');
-  const ids = {
-    maxSizeMm: 'size-mm', rotateDeg: 'rotate', contrast: 'contrast', minWallMm: 'min-wall', nozzleMm: 'nozzle', layerMm: 'layer',
-    maxDepthMm: 'max-depth', eyeDistanceMm: 'eye-distance',
-  };
-  assert.deepEqual(Object.keys(ids).sort(), Object.keys(kRanges).sort());
-  for (const [name, id] of Object.entries(ids)) {
-    const tag = new RegExp(`<input\\b[^>]*\\bid="${id}"[^>]*>`).exec(page)?.[0] ?? '';
-    const bound = (/** @type {string} */ which) => Number(new RegExp(`\\b${which}="([^"]*)"`).exec(tag)?.[1]);
-    assert.deepEqual([bound('min'), bound('max')], kRanges[name], name);
+  const controls = [...page.matchAll(/data-setting="([^"]+)"/g)].map(([, key]) => key);
+  assert.deepEqual([...controls, 'text'].sort(), [...kFileKeys].sort());
+});
+
+test('every number is checked at both ends', () => {
+  const numbers = kFileKeys.filter((key) => kTable[key].min !== undefined);
+  assert.ok(numbers.length > 7);
+  for (const key of numbers) {
+    const { min = 0, max = 0 } = kTable[key];
+    const read = (/** @type {number} */ value) => /** @type {Record<string, unknown>} */ ({ ...readSettingsFile(withSettings({ [key]: value }), 'x.json').settings })[key];
+    for (const value of [min, max]) assert.equal(read(value), value);
+    for (const value of [min - 0.001, max * 1.001]) assert.throws(() => read(value), refusedWith(new RegExp(`${key} must be a number`)));
   }
 });
 

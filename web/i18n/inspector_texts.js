@@ -2,6 +2,7 @@
 // The inspector's texts, which the module draws, by their English ones as inspector/*.cpp write them. A file of its own: it
 // comes with the inspector, not with the page.
 import { currentLanguage } from './catalogue.js';
+import { settingTexts } from './setting_names.js';
 
 /** @type {Record<string, string>} */
 const kGerman = {
@@ -115,70 +116,11 @@ const kGerman = {
     'Einer ist hier geändert, allein für „Neu gravieren“: Das Gravieren der Seite lässt ihn aus.',
   '{} are changed here, for Engrave again alone: the page\'s own Engrave leaves them out.':
     '{} sind hier geändert, allein für „Neu gravieren“: Das Gravieren der Seite lässt sie aus.',
-  'Placement': 'Lage',
-  'Reading objective': 'Ziel: Lesbarkeit',
-  'Light': 'Licht',
-  'Symbol': 'Symbol',
-  'Making': 'Herstellung',
   'direction': 'Richtung',
-  'fixed size': 'feste Größe',
-  'greatest size': 'größte Größe',
-  'room for the quiet zone': 'Platz für die Ruhezone',
-  'rotation': 'Drehung',
-  'eye distance': 'Augenabstand',
-  'objective': 'Ziel',
-  'solver': 'Verfahren',
-  'contrast': 'Kontrast',
-  'layer': 'Schicht',
-  'deepest, 0 = auto': 'höchstens, 0 = auto',
-  'wall left': 'Restwand',
-  'data contrast': 'Kontrast der Daten',
-  'finder contrast': 'Kontrast der Suchmuster',
-  'blur': 'Unschärfe',
-  'modules': 'Module',
-  'tolerance': 'Toleranz',
-  'most passes': 'Durchgänge höchstens',
-  'albedo': 'Albedo',
-  'lamp 1 strength': 'Lampe 1, Stärke',
-  'lamp 1 azimuth': 'Lampe 1, Azimut',
-  'lamp 1 elevation': 'Lampe 1, Höhe',
-  'lamp 2 strength': 'Lampe 2, Stärke',
-  'lamp 2 azimuth': 'Lampe 2, Azimut',
-  'lamp 2 elevation': 'Lampe 2, Höhe',
-  'skies': 'Himmel',
-  'module pattern': 'Form der Module',
-  'finder pattern': 'Form der Suchmuster',
-  'error correction': 'Fehlerkorrektur',
-  'raise it if free': 'anheben, wo Platz ist',
-  'version, 0 = smallest': 'Version, 0 = kleinste',
-  'mask rule': 'Wahl der Maske',
-  'fixed mask': 'feste Maske',
-  'break up dark areas': 'dunkle Flächen auflockern',
-  'surface': 'Oberfläche',
-  'nozzle, for advice': 'Düse, für den Rat',
-  'mean normal': 'mittlere Normale',
-  'depth-balanced': 'ausgeglichene Tiefe',
-  'principal axes': 'Hauptachsen',
-  'optimal': 'beste',
-  'free': 'frei',
-  'oriented': 'ausgerichtet',
-  'best': 'beste Drehung',
-  'fixed': 'fest',
-  'none': 'keine',
-  'square': 'Quadrat',
-  'thin plus': 'dünnes Plus',
-  'diamond': 'Raute',
-  'thick plus': 'dickes Plus',
-  'thick plus, sharp': 'dickes Plus, scharf',
-  'as modules': 'wie Module',
-  'standard': 'Norm',
-  'shadiest': 'schattigste',
   'reading': 'Lesbarkeit',
   'fast': 'schnell',
   'paper\'s steps': 'Schritte der Arbeit',
-  'preserved': 'erhalten',
-  'resampled': 'neu vernetzt',
 };
 
-/** For the module: empty in the language it speaks by itself. @returns {Record<string, string>} */
-export const inspectorTexts = () => (currentLanguage() === 'de' ? kGerman : {});
+/** For the module, which speaks English by itself but for the settings. @returns {Record<string, string>} */
+export const inspectorTexts = () => ({ ...settingTexts(), ...(currentLanguage() === 'de' ? kGerman : {}) });

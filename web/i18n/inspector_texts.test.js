@@ -5,6 +5,7 @@ import { after, test } from 'node:test';
 import { kLetters } from '../engine/glyphs.js';
 import { setLanguage } from './catalogue.js';
 import { inspectorTexts } from './inspector_texts.js';
+import { settingTexts } from './setting_names.js';
 
 const folder = new URL('../../inspector/', import.meta.url);
 const kSources = [...readdirSync(folder), '../viewer/colour_scale.cpp', '../viewer/colour_scale.h'].filter((name) => /\.(cpp|h)$/.test(name));
@@ -19,15 +20,18 @@ const places = (/** @type {string} */ text) => text.match(/\{[^}]*\}|%d/g) ?? []
 
 after(() => setLanguage('en'));
 
-test('English is what the module speaks by itself', () => {
+/** Those that the module does not get with the settings. */
+const ownTexts = () => Object.fromEntries(Object.entries(inspectorTexts()).filter(([key]) => !(key in settingTexts())));
+
+test('English is what the module speaks by itself, but for the settings', () => {
   setLanguage('en');
-  assert.deepEqual(inspectorTexts(), {});
+  assert.deepEqual(inspectorTexts(), settingTexts());
 });
 
 test('Every translation belongs to a text of the inspector, and has its values in the same places', () => {
   setLanguage('de');
-  const texts = Object.entries(inspectorTexts());
-  assert.ok(texts.length > 100);
+  const texts = Object.entries(ownTexts());
+  assert.ok(texts.length > 80);
   for (const [english, german] of texts) {
     assert.ok(literals.has(english), `no source says "${english}"`);
     assert.deepEqual(places(german), places(english), english);
@@ -49,16 +53,11 @@ test('Every text that the inspector writes is translated', () => {
   assert.deepEqual(shown.filter((text) => !kSame.has(text) && texts[text] === undefined), []);
 });
 
-test('So is every channel, and every setting with its group and choices', () => {
+test('So is every channel', () => {
   setLanguage('de');
   const texts = inspectorTexts();
   const channels = /kChannels = \{\{([\s\S]*?)\}\};/.exec(source)?.[1] ?? '';
   const named = [...channels.matchAll(/\{"([^"]*)", "([^"]*)"/g)].flatMap(([, name, what]) => [name, what]);
   assert.equal(named.length, 26);
-  const overrides = readFileSync(new URL('request_overrides.cpp', folder), 'utf8');
-  const choices = [...overrides.matchAll(/constexpr const char\* k\w+\[\] = \{([^}]*)\}/g)]
-    .flatMap(([, list]) => [...list.matchAll(/"([^"]*)"/g)].map(([, name]) => name));
-  const settings = [...overrides.matchAll(/"(\w[^"]*)",\s+"(\w[^"]*)"/g)].flatMap(([, group, name]) => [group, name]);
-  assert.ok(choices.length > 20 && settings.length > 40, `${choices.length} ${settings.length}`);
-  assert.deepEqual([...named, ...choices, ...settings].filter((text) => !kSame.has(text) && texts[text] === undefined), []);
+  assert.deepEqual(named.filter((text) => !kSame.has(text) && texts[text] === undefined), []);
 });

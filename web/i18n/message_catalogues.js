@@ -7,6 +7,7 @@ import model from '../../messages/model.json' with { type: 'json' };
 import pageEngine from '../../messages/page_engine.json' with { type: 'json' };
 import pageSettings from '../../messages/page_settings.json' with { type: 'json' };
 import place from '../../messages/place.json' with { type: 'json' };
+import settingsErrors from '../../messages/settings_errors.json' with { type: 'json' };
 import stages from '../../messages/stages.json' with { type: 'json' };
 import text from '../../messages/text.json' with { type: 'json' };
 import untold from '../../messages/untold.json' with { type: 'json' };
@@ -17,5 +18,6 @@ import untold from '../../messages/untold.json' with { type: 'json' };
 
 /** @type {Record<string, Entry>} */
 export const catalogue = {
-  ...engine, ...files, ...graphics, ...model, ...pageEngine, ...pageSettings, ...place, ...stages, ...text, ...untold,
+  ...engine, ...files, ...graphics, ...model, ...pageEngine, ...pageSettings, ...place, ...settingsErrors, ...stages, ...text,
+  ...untold,
 };

@@ -1,48 +1,64 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the page calls a setting of the core, and each of its choices.
-import { text } from './catalogue.js';
+// What the page calls a setting of the core, and each of its choices. The words come with the table of settings; what is
+// no setting, but has a control that messages name, is called here.
+import { kSettingGroups, kSettings, kUnits } from '../generated/settings.js';
+import { currentLanguage, text } from './catalogue.js';
 
 /** @typedef {import('./catalogue.js').Key} Key */
+/** @typedef {import('../generated/settings.js').Setting} Setting */
 
 /** @type {Record<string, Key>} */
-const kControls = {
-  text: 'page.text', ecc: 'settings.eccLevel', preset: 'settings.preset', pattern: 'settings.modules',
-  finderPattern: 'settings.finder', size: 'settings.size', sizeMm: 'settings.widthMm', maxSizeMm: 'settings.atMostMm', quietZone: 'settings.quietZone',
-  direction: 'settings.direction', rotateDeg: 'settings.rotate', contrast: 'settings.contrast', minWallMm: 'settings.minWall',
-  nozzleMm: 'settings.nozzle', layerMm: 'settings.layer', maxDepthMm: 'settings.maxDepth', eyeDistanceMm: 'settings.distance',
+const kOtherControls = {
   centreMm: 'settings.centre', units: 'settings.unit', unit: 'settings.unit', scale: 'settings.unit', upAxis: 'settings.upAxis',
 };
+const kUnitNames = /** @type {const} */ ({ m: 'settings.metres', cm: 'settings.centimetres', in: 'settings.inches' });
 
-/** @type {Record<string, Record<string, Key>>} */
-const kChoices = {
-  ecc: { L: 'settings.eccL', M: 'settings.eccM', Q: 'settings.eccQ', H: 'settings.eccH' },
-  preset: { shallow: 'settings.presetShallow', balanced: 'settings.presetBalanced', robust: 'settings.presetRobust' },
-  pattern: {
-    none: 'settings.full', square: 'settings.square', 'thin-plus': 'settings.thinPlus', diamond: 'settings.diamond',
-    'thick-plus': 'settings.thickPlus',
-  },
-  finderPattern: {
-    none: 'settings.full', 'as-modules': 'settings.asModules', diamond: 'settings.diamond',
-    'thick-plus': 'settings.thickPlusRounded', 'thick-plus-sharp': 'settings.thickPlus',
-  },
-  units: { m: 'settings.metres', cm: 'settings.centimetres', in: 'settings.inches' },
-  size: { free: 'settings.sizeFree', oriented: 'settings.sizeOriented', best: 'settings.sizeBest' },
-  direction: {
-    'depth-balanced': 'settings.directionBalanced', 'mean-normal': 'settings.directionNormal', pca: 'settings.directionPca',
-    optimal: 'settings.directionOptimal',
-  },
-};
+/** @param {string} key @returns {Setting | undefined} */
+const settingOf = (key) => /** @type {Record<string, Setting>} */ (kSettings)[key];
 
-export const isKnownSetting = (/** @type {string} */ key) => key in kControls;
+/** The number beside a setting's choices has a control of its own: "sizeMm". @param {string} key */
+const numberBeside = (key) => (key === 'sizeMm' ? kSettings.size.partLabels?.number : undefined);
 
-/** What stands at the control. @param {string} key  of the core */
-export const controlName = (key) => (isKnownSetting(key) ? text(kControls[key]) : key);
+export const isKnownSetting = (/** @type {string} */ key) => key in kSettings || key in kOtherControls || numberBeside(key) !== undefined;
 
-/** The same without the unit behind it. @param {string} key */
-export const controlLabel = (key) => controlName(key).replace(/ \([^)]*\)$/, '');
+/** What stands at the control, without the unit behind it: "Wall left". @param {string} key  of the core */
+export function controlLabel(key) {
+  const words = settingOf(key)?.label ?? numberBeside(key);
+  if (words) return words[currentLanguage()];
+  return key in kOtherControls ? text(kOtherControls[key]).replace(/ \([^)]*\)$/, '') : key;
+}
+
+/** What stands at the control: "Wall left (mm)". @param {string} key  of the core */
+export function controlName(key) {
+  if (key in kOtherControls) return text(kOtherControls[key]);
+  const setting = settingOf(key);
+  const unit = setting?.kind === 'number' ? setting.unit : numberBeside(key) && 'mm';
+  return unit ? `${controlLabel(key)} (${kUnits[unit][currentLanguage()]})` : controlLabel(key);
+}
 
 /** @param {string} key @param {string} value */
 export function choiceLabel(key, value) {
-  const label = kChoices[key]?.[value];
-  return label ? text(label) : value;
+  if (key === 'units' && value in kUnitNames) return text(kUnitNames[/** @type {keyof typeof kUnitNames} */ (value)]);
+  return settingOf(key)?.choiceNames?.[value]?.[currentLanguage()] ?? value;
+}
+
+/**
+ * All of them by the keys that the module asks for (inspector/setting_labels.h).
+ * @returns {Record<string, string>}
+ */
+export function settingTexts() {
+  const language = currentLanguage();
+  /** @type {Record<string, string>} */
+  const texts = {};
+  for (const [key, { kind, label, choiceNames = {}, partLabels = {} }] of Object.entries(kSettings)) {
+    texts[`setting:${key}`] = label[language];
+    for (const [choice, name] of Object.entries(choiceNames)) texts[`choice:${key}:${choice}`] = name[language];
+    for (const [part, name] of Object.entries(partLabels)) {
+      if (kind !== 'lamps') texts[`setting:${key}.${part}`] = name[language];
+      else for (const lamp of [1, 2]) texts[`setting:${key}.${lamp}.${part}`] = `${label[language]} ${lamp}, ${name[language]}`;
+    }
+  }
+  for (const [key, name] of Object.entries(kSettingGroups)) texts[`group:${key}`] = name[language];
+  for (const [key, name] of Object.entries(kUnits)) texts[`unit:${key}`] = name[language];
+  return texts;
 }

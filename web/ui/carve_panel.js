@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What will be carved, in one line.
 import { onLanguage, text } from '../i18n/catalogue.js';
+import { choiceLabel } from '../i18n/setting_names.js';
 import { byId } from '../dom/dom.js';
 import { formatPlain } from '../i18n/format.js';
 import { describeStep } from './steps.js';
-
-const kPresets = /** @type {const} */ ({ shallow: 'settings.presetShallow', balanced: 'settings.presetBalanced', robust: 'settings.presetRobust' });
 
 export class CarvePanel {
   constructor() {
@@ -17,9 +16,8 @@ export class CarvePanel {
   }
 
   show() {
-    const preset = kPresets[/** @type {keyof typeof kPresets} */ (this.preset_.value)];
     const nozzle = this.nozzle_.valueAsNumber;
     describeStep('carve', () => text('page.carveState',
-      { preset: text(preset).split(',')[0], nozzle: Number.isFinite(nozzle) ? formatPlain(nozzle) : '?' }));
+      { preset: choiceLabel('preset', this.preset_.value).split(',')[0], nozzle: Number.isFinite(nozzle) ? formatPlain(nozzle) : '?' }));
   }
 }

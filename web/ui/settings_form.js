@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every control that carries `data-setting`: what it says, and what the module is to do with it.
+// Every control that carries `data-setting`, the key of its setting: what it offers, what it says, and what the module is
+// to do with it.
 import { EngineFailure } from '../engine/engine_error.js';
 import { message } from '../engine/message.js';
+import { kSettings } from '../generated/settings.js';
 import { onLanguage } from '../i18n/catalogue.js';
-import { controlName } from '../i18n/setting_names.js';
-import { byId } from '../dom/dom.js';
+import { choiceLabel, controlName } from '../i18n/setting_names.js';
+import { byId, make } from '../dom/dom.js';
 
 /** @typedef {import('../engine/types.js').Settings} Settings */
 /** @typedef {HTMLInputElement | HTMLSelectElement} Control */
+/** @typedef {import('../generated/settings.js').SettingKey} SettingKey */
 /** @typedef {import('../storage/last_work.js').Values} Values */
 
-/** @type {Record<string, string>}  the core's, by the controls' ids */
-const kKeys = {
-  rotate: 'rotateDeg', 'min-wall': 'minWallMm', nozzle: 'nozzleMm', layer: 'layerMm', 'eye-distance': 'eyeDistanceMm',
-  contrast: 'contrast', 'max-depth': 'maxDepthMm',
-};
+/** The choice beside which a number counts. */
+const kFixed = 'fixed';
 
 export class SettingsForm {
   /** @param {(id: string) => void} onChange  the control that was changed */
@@ -22,13 +22,14 @@ export class SettingsForm {
     this.onChange_ = onChange;
     this.controls_ = /** @type {Control[]} */ ([...document.querySelectorAll('[data-setting]')]);
     for (const control of this.controls_) {
+      prepare(control);
       control.addEventListener('change', () => {
         this.nameSizeField_();
         onChange(control.id);
       });
     }
-    onLanguage(() => this.nameSizeField_());
-    this.nameSizeField_();
+    onLanguage(() => this.nameAll_());
+    this.nameAll_();
     this.defaults = this.values;
   }
 
@@ -59,28 +60,16 @@ export class SettingsForm {
    * @throws {EngineFailure} if a number is missing or out of range
    */
   settings(content) {
-    const fixed = choice('size') === 'fixed';
-    const sizeMm = requiredNumber('size-mm');
-    const maxDepthMm = optionalNumber('max-depth');
-    const contrast = optionalNumber('contrast');
-    return /** @type {Settings} */ ({
-      text: content,
-      preset: choice('preset'),
-      pattern: choice('pattern'),
-      finderPattern: choice('finder-pattern'),
-      size: fixed ? sizeMm : choice('size'),
-      maxSizeMm: sizeMm,
-      quietZone: byId('quiet-zone', HTMLInputElement).checked,
-      direction: choice('direction'),
-      rotateDeg: requiredNumber('rotate'),
-      minWallMm: requiredNumber('min-wall'),
-      nozzleMm: requiredNumber('nozzle'),
-      layerMm: requiredNumber('layer'),
-      eyeDistanceMm: requiredNumber('eye-distance'),
-      ...(choice('ecc') === 'auto' ? {} : { ecc: choice('ecc') }),
-      ...(contrast === undefined ? {} : { contrast }),
-      ...(maxDepthMm === undefined ? {} : { maxDepthMm }),
-    });
+    const values = Object.fromEntries(this.controls_.map((control) => [keyOf(control), valueOf(control)]));
+    if (values.size === kFixed) values.size = values.maxSizeMm;
+    if (values.ecc === 'auto') values.ecc = undefined;
+    const given = Object.entries(values).filter(([, value]) => value !== undefined);
+    return /** @type {Settings} */ ({ text: content, ...Object.fromEntries(given) });
+  }
+
+  nameAll_() {
+    this.controls_.forEach(name);
+    this.nameSizeField_();
   }
 
   nameSizeField_() {
@@ -88,29 +77,58 @@ export class SettingsForm {
   }
 }
 
-/** @param {Control} control @returns {control is HTMLInputElement} */
+/** @param {Control} control @returns {control is HTMLInputElement & { type: 'checkbox' }} */
 const isCheck = (control) => control instanceof HTMLInputElement && control.type === 'checkbox';
 
 /** @param {string} id */
 const choice = (id) => byId(id, HTMLSelectElement).value;
 
-/** @param {string} id @returns {number | undefined} */
-function optionalNumber(id) {
-  const input = byId(id, HTMLInputElement);
-  if (!input.validity.valid) throw new EngineFailure({ kind: 'BadUsage', ...whyInvalid(input) });
-  return input.value === '' ? undefined : input.valueAsNumber;
+/** @param {Control} control */
+const keyOf = (control) => /** @type {SettingKey} */ (control.dataset.setting);
+
+/** What it offers and begins with. @param {Control} control */
+function prepare(control) {
+  const { choices = [], kind, min, max, default: initial } = kSettings[keyOf(control)];
+  if (control instanceof HTMLSelectElement) {
+    const values = kind === 'choice-or-number' ? [...choices, kFixed] : choices;
+    control.append(...values.map((value) => Object.assign(make('option'), { value, defaultSelected: value === initial })));
+  } else if (isCheck(control)) {
+    control.defaultChecked = Boolean(initial);
+  } else {
+    Object.assign(control, { min: String(min), max: String(max) });
+    // What may be empty begins so; a value of the page's own stands in the markup.
+    if (control.required && !control.defaultValue) control.defaultValue = String(initial);
+  }
+}
+
+/** Its label and its choices. @param {Control} control */
+function name(control) {
+  const key = keyOf(control), label = control.labels?.[0];
+  if (label) (label.querySelector('span') ?? label).textContent = controlName(key);
+  if (!(control instanceof HTMLSelectElement)) return;
+  for (const option of control.options) option.textContent = choiceLabel(key, option.value === kFixed ? 'number' : option.value);
+}
+
+/**
+ * @param {Control} control
+ * @returns {string | number | boolean | undefined}  undefined: left empty
+ * @throws {EngineFailure} if a number is missing or out of range
+ */
+function valueOf(control) {
+  if (control instanceof HTMLSelectElement) return control.value;
+  if (isCheck(control)) return control.checked;
+  if (!control.validity.valid) throw new EngineFailure({ kind: 'BadUsage', ...whyInvalid(control) });
+  return control.value === '' ? undefined : control.valueAsNumber;
 }
 
 /** @param {HTMLInputElement} input */
-function whyInvalid({ id, min, max, value }) {
-  const setting = { setting: id === 'size-mm' ? sizeKey() : kKeys[id] };
+function whyInvalid(input) {
+  const { min, max, value } = input, key = keyOf(input);
+  const setting = { setting: key === 'maxSizeMm' ? sizeKey() : key };
   const from = { number: Number(min) };
   const to = { number: Number(max) };
   return value === '' ? message('control-not-a-number', { setting, from, to })
     : message('control-out-of-range', { setting, from, to, value: { number: Number(value) } });
 }
 
-const sizeKey = () => (choice('size') === 'fixed' ? 'sizeMm' : 'maxSizeMm');
-
-/** @param {string} id */
-const requiredNumber = (id) => /** @type {number} */ (optionalNumber(id));
+const sizeKey = () => (choice('size') === kFixed ? 'sizeMm' : 'maxSizeMm');

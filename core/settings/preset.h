@@ -21,8 +21,8 @@ double presetContrast(Preset preset);
 /// The next deeper one, if there is one.
 std::optional<Preset> deeperPreset(Preset preset);
 
+/// "shallow", "balanced" or "robust", and back; empty if there is no such preset.
 const char* presetName(Preset preset);
-/// "shallow", "balanced" or "robust".
 std::optional<Preset> presetByName(std::string_view name);
 
 }  // namespace qrelief

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pipeline/preset.h"
+#include "settings/preset.h"
 
 #include <array>
 

@@ -1,25 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "pipeline/engrave.h"
+#include "settings/settings.h"
 
 namespace qrelief {
 
-/// Something of a request that can be tuned, as a number: a choice by its index, a switch as 0 or 1.
+/// A setting, or a part of one, that can be tuned as a number: a choice by its index, a switch as 0 or 1, what is set
+/// to nothing as 0, or as what counts then.
 struct Tunable {
-  const char* group;
-  const char* name;
-  const char* unit;  ///< "" if it has none
-  double least = 0, most = 1, step = 0.1;
-  std::span<const char* const> choices = {};  ///< their names; empty for a number or a switch
+  const Setting* setting = nullptr;
+  std::string key;  ///< the setting's, or that and its part's: "contrast", "size.number", "light.1.azimuthDeg"
+  double min = 0, max = 1, step = 1;
+  /// Names; empty for a number or a switch. Behind the setting's own stands "number" or "vector" where it takes one.
+  std::vector<std::string> choices;
   bool isSwitch = false;
-  double (*read)(const EngraveRequest&) = nullptr;
-  void (*write)(EngraveRequest&, double) = nullptr;
+  std::function<double(const EngraveRequest&)> read;
+  std::function<void(EngraveRequest&, double)> write;
 };
 
 /// Everything of a request but its text, centre, up axis and what is recorded; groups stand together.
@@ -39,8 +41,6 @@ class RequestOverrides {
   std::size_t count() const;
   double valueOf(std::size_t index, const EngraveRequest& page) const;
   EngraveRequest appliedTo(EngraveRequest page) const;
-  /// "contrast 0.4, solver paper's steps"; empty if there are none
-  std::string describe() const;
 
  private:
   std::vector<std::optional<double>> values_;

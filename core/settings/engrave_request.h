@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "carving/reading_search.h"
+#include "embedding/surface_mode.h"
+#include "qr/module_pattern.h"
+#include "qr/symbol.h"
+#include "render/directional_light.h"
+#include "settings/placement_request.h"
+#include "settings/preset.h"
+
+namespace qrelief {
+
+/// Which depth is deep enough.
+enum class DepthObjective : std::uint8_t {
+  Contrast,  ///< every submodule darker than its surroundings, as published: carving/depth_search.h
+  Reading    ///< every module darker than its surroundings, as a reader sees it: carving/reading_search.h
+};
+
+/// How the depths that DepthObjective::Contrast asks for are found.
+enum class ContrastSolver : std::uint8_t {
+  Fast,       ///< carving/fast_search.h
+  PaperSteps  ///< as published: carving/depth_search.h
+};
+
+/// Everything that decides what comes out. What a person can set of it stands in the table of settings/settings.h.
+struct EngraveRequest {
+  std::string text;  ///< UTF-8, not empty
+  SymbolOptions symbol;
+  ModulePattern modulePattern = ModulePattern::ThickPlus;
+  FinderPattern finderPattern = FinderPattern::ThickPlusSharp;
+  PlacementRequest placement;
+  DepthObjective objective = DepthObjective::Contrast;
+  Preset preset = Preset::Balanced;  ///< how dark carved submodules are; where the code does not read, a deeper one
+  bool keepPreset = false;           ///< carve no deeper than the preset says, whether the code reads or not
+  /// A carved submodule is darker than its surroundings by this fraction, 0 < c < 1; none: that of the preset.
+  std::optional<double> contrast;
+  ContrastSolver solver = ContrastSolver::Fast;
+  double layerMm = 0.1;  ///< height of a printed layer, > 0: the first depth of PaperSteps; Fast leaves half of it
+  ReadingOptions reading;
+  std::optional<double> maxDepthMm;      ///< none: 1.2 modules
+  double nozzleMm = 0.4;                 ///< of the printer, for advice only; > 0
+  double minWallMm = 0.8;                ///< material that stays behind every floor, ≥ 0
+  float albedo = 0.7f;                   ///< of the printed material
+  std::vector<DirectionalLight> lights;  ///< beside the uniform sky, at most kMaxLights
+  SurfaceMode surface = SurfaceMode::Preserved;
+  bool inlay = false;         ///< make the body that fills the pockets as well, for printing in two colours
+  bool recordSearch = false;  ///< keep what every pass of the search for depths saw, in EngraveResult::search
+
+  /// That of the preset, unless one is asked for by itself.
+  double contrastAsked() const { return contrast.value_or(presetContrast(preset)); }
+
+  bool operator==(const EngraveRequest&) const = default;
+};
+
+}  // namespace qrelief

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "settings/request_overrides.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace qrelief {
+namespace {
+
+using Kind = Setting::Kind;
+
+Tunable tunableOf(const Setting& setting, std::string key) {
+  Tunable made;
+  made.setting = &setting;
+  made.key = std::move(key);
+  made.min = setting.min, made.max = setting.max, made.step = setting.step;
+  return made;
+}
+
+Tunable numberOf(const Setting& setting) {
+  Tunable made = tunableOf(setting, setting.key);
+  const bool isEmptyAtZero = setting.mayBeEmpty && !setting.otherwise;
+  if (isEmptyAtZero) made.min = 0;
+  made.read = [&setting](const EngraveRequest& request) {
+    const SettingValue value = setting.read(request);
+    const double* number = std::get_if<double>(&value);
+    return number ? *number : setting.otherwise ? setting.otherwise(request) : 0;
+  };
+  made.write = [&setting, isEmptyAtZero](EngraveRequest& request, double value) {
+    if (setting.isWhole) value = std::round(value);
+    if (isEmptyAtZero && value <= 0)
+      setting.write(request, {});
+    else
+      setting.write(request, std::max(value, setting.min));
+  };
+  return made;
+}
+
+Tunable switchOf(const Setting& setting) {
+  Tunable made = tunableOf(setting, setting.key);
+  made.isSwitch = true;
+  made.read = [&setting](const EngraveRequest& request) { return std::get<bool>(setting.read(request)) ? 1 : 0; };
+  made.write = [&setting](EngraveRequest& request, double value) { setting.write(request, value != 0); };
+  return made;
+}
+
+/// A vector cannot be chosen, only be what the page says.
+Tunable choiceOf(const Setting& setting) {
+  Tunable made = tunableOf(setting, setting.key);
+  made.choices = setting.choices;
+  if (setting.takesNumber()) made.choices.emplace_back("number");
+  if (setting.takesVector()) made.choices.emplace_back("vector");
+  made.min = 0, made.max = static_cast<double>(made.choices.size() - 1), made.step = 1;
+  made.read = [&setting](const EngraveRequest& request) {
+    const SettingValue value = setting.read(request);
+    const std::string* name = std::get_if<std::string>(&value);
+    const auto found = std::find(setting.choices.begin(), setting.choices.end(), name ? *name : std::string());
+    return static_cast<double>(found - setting.choices.begin());
+  };
+  made.write = [&setting](EngraveRequest& request, double value) {
+    const auto index = static_cast<std::size_t>(value);
+    if (index < setting.choices.size())
+      setting.write(request, setting.choices[index]);
+    else if (setting.takesNumber() && !std::holds_alternative<double>(setting.read(request)))
+      setting.write(request, setting.usual);
+  };
+  return made;
+}
+
+/// Counts where a number is chosen.
+Tunable numberBesideChoice(const Setting& setting) {
+  Tunable made = tunableOf(setting, setting.key + ".number");
+  made.read = [&setting](const EngraveRequest& request) {
+    const SettingValue value = setting.read(request);
+    const double* number = std::get_if<double>(&value);
+    return number ? *number : setting.usual;
+  };
+  made.write = [&setting](EngraveRequest& request, double value) {
+    if (setting.isWhole) value = std::round(value);
+    if (std::holds_alternative<double>(setting.read(request))) setting.write(request, value);
+  };
+  return made;
+}
+
+/// A lamp that is not there has no strength.
+Tunable partOfLamp(const Setting& setting, std::size_t lamp, const LampPart& part) {
+  Tunable made = tunableOf(setting, fmt::format("{}.{}.{}", setting.key, lamp + 1, part.key));
+  made.min = part.min, made.max = part.max, made.step = part.step;
+  made.read = [lamp, part](const EngraveRequest& request) {
+    static const DirectionalLight kOff = {.strength = 0};
+    return (lamp < request.lights.size() ? request.lights[lamp] : kOff).*part.value;
+  };
+  made.write = [lamp, part](EngraveRequest& request, double value) {
+    while (request.lights.size() <= lamp) request.lights.push_back({.strength = 0});
+    request.lights[lamp].*part.value = value;
+  };
+  return made;
+}
+
+std::vector<Tunable> makeTunables() {
+  std::vector<Tunable> all;
+  for (const Setting& setting : settings()) {
+    if (setting.kind == Kind::Number) all.push_back(numberOf(setting));
+    if (setting.kind == Kind::Switch) all.push_back(switchOf(setting));
+    if (setting.takesChoice()) all.push_back(choiceOf(setting));
+    if (setting.kind == Kind::ChoiceOrNumber) all.push_back(numberBesideChoice(setting));
+    if (setting.kind != Kind::Lamps) continue;
+    for (std::size_t lamp = 0; lamp < kMaxLights; ++lamp)
+      for (const LampPart& part : lampParts()) all.push_back(partOfLamp(setting, lamp, part));
+  }
+  return all;
+}
+
+}  // namespace
+
+std::span<const Tunable> tunables() {
+  static const std::vector<Tunable> kAll = makeTunables();
+  return kAll;
+}
+
+RequestOverrides::RequestOverrides() : values_(tunables().size()) {}
+
+void RequestOverrides::set(std::size_t index, double value, const EngraveRequest& page) {
+  const Tunable& tunable = tunables()[index];
+  const double pages = tunable.read(page);
+  if (!std::isfinite(value)) return;
+  value = std::clamp(value, tunable.min, tunable.max);
+  values_[index] = std::abs(value - pages) < 1e-6 ? std::optional<double>() : value;  // floats pass through doubles
+}
+
+void RequestOverrides::resetAll() { values_.assign(values_.size(), std::nullopt); }
+
+std::size_t RequestOverrides::count() const {
+  return static_cast<std::size_t>(std::count_if(values_.begin(), values_.end(), [](const auto& v) { return bool(v); }));
+}
+
+double RequestOverrides::valueOf(std::size_t index, const EngraveRequest& page) const {
+  return values_[index].value_or(tunables()[index].read(page));
+}
+
+EngraveRequest RequestOverrides::appliedTo(EngraveRequest page) const {
+  for (std::size_t i = 0; i < values_.size(); ++i)
+    if (values_[i]) tunables()[i].write(page, *values_[i]);
+  std::erase_if(page.lights, [](const DirectionalLight& light) { return light.strength == 0; });
+  return page;
+}
+
+}  // namespace qrelief

@@ -1,0 +1,434 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "settings/settings.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <type_traits>
+
+#include "settings/preset.h"
+
+namespace qrelief {
+namespace {
+
+using R = EngraveRequest;
+using V = SettingValue;
+using Kind = Setting::Kind;
+using Unit = Setting::Unit;
+
+constexpr double kMaxMm = 1e4;       // of an edge: no printer is larger
+constexpr double kMaxWallMm = 1000;  // of a wall and a depth
+
+struct Range {
+  double min, max, step;
+};
+
+/// Names of an enumeration's first `count` values.
+/// @param nameOf  a lambda: the address of a function taken before a call of it makes Emscripten 3.1.6 declare it
+/// without
+///                parameters
+template <class NameOf>
+std::vector<std::string> namesOf(int count, NameOf nameOf) {
+  std::vector<std::string> names;
+  for (int i = 0; i < count; ++i) names.emplace_back(nameOf(i));
+  return names;
+}
+
+std::vector<std::string> sizeModeNames() {  // Fixed is the number
+  return namesOf(3, [](int i) { return sizeModeName(static_cast<SizeMode>(i)); });
+}
+
+std::vector<std::string> directionMethodNames() {
+  return namesOf(4, [](int i) { return directionMethodName(static_cast<DirectionMethod>(i)); });
+}
+
+std::size_t indexIn(const std::vector<std::string>& names, const V& value) {
+  return static_cast<std::size_t>(std::find(names.begin(), names.end(), std::get<std::string>(value)) - names.begin());
+}
+
+Setting made(const char* key, const char* group, Kind kind) {
+  Setting setting;
+  setting.key = key;
+  setting.group = group;
+  setting.kind = kind;
+  return setting;
+}
+
+/// @param Part  lambda from a request, constant or not, to the part of it that is set
+template <class Part>
+Setting number(const char* key, const char* group, Unit unit, Range range, Part) {
+  Setting setting = made(key, group, Kind::Number);
+  setting.unit = unit;
+  setting.min = range.min, setting.max = range.max, setting.step = range.step;
+  setting.isWhole = std::is_same_v<std::decay_t<decltype(Part{}(std::declval<R&>()))>, int>;
+  setting.read = [](const R& r) -> V {
+    const auto value = Part{}(r);
+    // A float's digits, not those that it has as a double: 0.7f is 0.7.
+    if constexpr (std::is_same_v<decltype(value), const float>)
+      return std::round(static_cast<double>(value) * 1e6) / 1e6;
+    else
+      return static_cast<double>(value);
+  };
+  setting.write = [](R& r, const V& v) {
+    Part{}(r) = static_cast<std::decay_t<decltype(Part{}(r))>>(std::get<double>(v));
+  };
+  return setting;
+}
+
+/// A number that may be left out.
+template <class Part>
+Setting optionalNumber(const char* key, const char* group, Unit unit, Range range, Part) {
+  using Number = typename std::decay_t<decltype(Part{}(std::declval<R&>()))>::value_type;
+  Setting setting = made(key, group, Kind::Number);
+  setting.unit = unit;
+  setting.min = range.min, setting.max = range.max, setting.step = range.step;
+  setting.isWhole = std::is_same_v<Number, int>;
+  setting.mayBeEmpty = true;
+  setting.read = [](const R& r) -> V { return Part{}(r) ? V(static_cast<double>(*Part{}(r))) : V(); };
+  setting.write = [](R& r, const V& v) {
+    Part{}(r).reset();
+    if (const double* n = std::get_if<double>(&v)) Part{}(r) = static_cast<Number>(*n);
+  };
+  return setting;
+}
+
+template <class Part>
+Setting toggle(const char* key, const char* group, Part) {
+  Setting setting = made(key, group, Kind::Switch);
+  setting.read = [](const R& r) -> V { return Part{}(r); };
+  setting.write = [](R& r, const V& v) { Part{}(r) = std::get<bool>(v); };
+  return setting;
+}
+
+/// @param Names  lambda to the names in the order of the enumerators
+template <class Part, class Names>
+Setting choice(const char* key, const char* group, Part, Names) {
+  Setting setting = made(key, group, Kind::Choice);
+  setting.choices = Names{}();
+  setting.read = [](const R& r) -> V { return Names{}()[static_cast<std::size_t>(Part{}(r))]; };
+  setting.write = [](R& r, const V& v) {
+    Part{}(r) = static_cast<std::decay_t<decltype(Part{}(r))>>(indexIn(Names{}(), v));
+  };
+  return setting;
+}
+
+Setting text() {
+  Setting setting = made("text", "symbol", Kind::Text);
+  setting.read = [](const R& r) -> V { return r.text; };
+  setting.write = [](R& r, const V& v) { r.text = std::get<std::string>(v); };
+  return setting;
+}
+
+/// What is asked for by its letter is not raised, but for `raiseEcc`.
+Setting errorCorrection() {
+  Setting setting = made("ecc", "symbol", Kind::Choice);
+  setting.choices = namesOf(4, [](int i) { return errorCorrectionName(static_cast<ErrorCorrection>(i)); });
+  setting.choices.insert(setting.choices.begin(), "auto");
+  setting.read = [](const R& r) -> V {
+    const bool isAuto = r.symbol.raiseErrorCorrection && r.symbol.errorCorrection == ErrorCorrection::M;
+    return isAuto ? "auto" : std::string(errorCorrectionName(r.symbol.errorCorrection));
+  };
+  setting.write = [](R& r, const V& v) {
+    const auto level = errorCorrectionByName(std::get<std::string>(v));
+    r.symbol.errorCorrection = level.value_or(ErrorCorrection::M);
+    r.symbol.raiseErrorCorrection = !level;
+  };
+  return setting;
+}
+
+Setting mask() {
+  Setting setting = made("mask", "symbol", Kind::ChoiceOrNumber);
+  setting.choices = {"auto", "shadiest"};
+  setting.min = 0, setting.max = 7, setting.step = 1;
+  setting.isWhole = true;
+  setting.read = [](const R& r) -> V {
+    if (r.symbol.maskRule == MaskRule::Fixed) return static_cast<double>(r.symbol.mask);
+    return std::string(r.symbol.maskRule == MaskRule::Shadiest ? "shadiest" : "auto");
+  };
+  setting.write = [](R& r, const V& v) {
+    if (const double* n = std::get_if<double>(&v)) {
+      r.symbol.maskRule = MaskRule::Fixed;
+      r.symbol.mask = static_cast<int>(*n);
+    } else {
+      r.symbol.maskRule = std::get<std::string>(v) == "shadiest" ? MaskRule::Shadiest : MaskRule::Standard;
+    }
+  };
+  return setting;
+}
+
+/// Left out, it follows the preset.
+Setting contrast() {
+  Setting setting = optionalNumber(
+      "contrast", "depth", Unit::None, {0.01, 0.99, 0.01}, [](auto& r) -> auto& { return r.contrast; });
+  setting.otherwise = [](const R& r) { return r.contrastAsked(); };
+  return setting;
+}
+
+Setting size() {
+  Setting setting = made("size", "placement", Kind::ChoiceOrNumber);
+  setting.choices = sizeModeNames();
+  setting.unit = Unit::Millimetre;
+  setting.min = 0.1, setting.max = kMaxMm, setting.step = 1;
+  setting.usual = 35;
+  setting.read = [](const R& r) -> V {
+    if (r.placement.sizeMode == SizeMode::Fixed) return r.placement.sizeMm;
+    return std::string(sizeModeName(r.placement.sizeMode));
+  };
+  setting.write = [](R& r, const V& v) {
+    if (const double* mm = std::get_if<double>(&v)) {
+      r.placement.sizeMode = SizeMode::Fixed;
+      r.placement.sizeMm = *mm;
+    } else {
+      r.placement.sizeMode = static_cast<SizeMode>(indexIn(sizeModeNames(), v));
+    }
+  };
+  return setting;
+}
+
+Setting direction() {
+  Setting setting = made("direction", "placement", Kind::ChoiceOrVector);
+  setting.choices = directionMethodNames();
+  setting.read = [](const R& r) -> V {
+    if (r.placement.direction) return *r.placement.direction;
+    return std::string(directionMethodName(r.placement.directionMethod));
+  };
+  setting.write = [](R& r, const V& v) {
+    r.placement.direction.reset();  // that of a suggested spot, too
+    if (const Vec3* vector = std::get_if<Vec3>(&v))
+      r.placement.direction = *vector;
+    else
+      r.placement.directionMethod = static_cast<DirectionMethod>(indexIn(directionMethodNames(), v));
+  };
+  return setting;
+}
+
+Setting up() {
+  Setting setting = made("up", "placement", Kind::Vector);
+  setting.read = [](const R& r) -> V { return r.placement.upHint; };
+  setting.write = [](R& r, const V& v) { r.placement.upHint = std::get<Vec3>(v); };
+  return setting;
+}
+
+Setting lamps() {
+  Setting setting = made("light", "light", Kind::Lamps);
+  setting.read = [](const R& r) -> V { return r.lights; };
+  setting.write = [](R& r, const V& v) { r.lights = std::get<std::vector<DirectionalLight>>(v); };
+  return setting;
+}
+
+std::vector<Setting> makeSettings() {
+  const auto mm = Unit::Millimetre;
+  return {
+      text(),
+      errorCorrection(),
+      toggle(
+          "raiseEcc", "symbol", [](auto& r) -> auto& { return r.symbol.raiseErrorCorrection; }),
+      optionalNumber(
+          "version", "symbol", Unit::None, {1, 40, 1}, [](auto& r) -> auto& { return r.symbol.version; }),
+      mask(),
+      toggle(
+          "breakUp", "symbol", [](auto& r) -> auto& { return r.symbol.breakUpDarkAreas; }),
+      choice(
+          "preset", "depth", [](auto& r) -> auto& { return r.preset; },
+          [] { return namesOf(3, [](int i) { return presetName(static_cast<Preset>(i)); }); }),
+      toggle(
+          "keepPreset", "depth", [](auto& r) -> auto& { return r.keepPreset; }),
+      choice(
+          "pattern", "depth", [](auto& r) -> auto& { return r.modulePattern; },
+          [] { return namesOf(5, [](int i) { return modulePatternName(static_cast<ModulePattern>(i)); }); }),
+      choice(
+          "finderPattern", "depth", [](auto& r) -> auto& { return r.finderPattern; },
+          [] { return namesOf(5, [](int i) { return finderPatternName(static_cast<FinderPattern>(i)); }); }),
+      contrast(),
+      choice(
+          "objective", "depth", [](auto& r) -> auto& { return r.objective; },
+          [] {
+            return std::vector<std::string>{"contrast", "reading"};
+          }),
+      choice(
+          "solver", "depth", [](auto& r) -> auto& { return r.solver; },
+          [] {
+            return std::vector<std::string>{"fast", "paper-steps"};
+          }),
+      number(
+          "layerMm", "depth", mm, {0.01, 1, 0.01}, [](auto& r) -> auto& { return r.layerMm; }),
+      optionalNumber(
+          "maxDepthMm", "depth", mm, {0.1, kMaxWallMm, 0.1}, [](auto& r) -> auto& { return r.maxDepthMm; }),
+      number(
+          "minWallMm", "depth", mm, {0, kMaxWallMm, 0.1}, [](auto& r) -> auto& { return r.minWallMm; }),
+      number(
+          "dataContrast", "reading", Unit::None, {0.01, 0.95, 0.01},
+          [](auto& r) -> auto& { return r.reading.dataContrast; }),
+      number(
+          "finderContrast", "reading", Unit::None, {0.01, 0.95, 0.01},
+          [](auto& r) -> auto& { return r.reading.finderContrast; }),
+      number(
+          "blurModules", "reading", Unit::Module, {0.05, 2, 0.05},
+          [](auto& r) -> auto& { return r.reading.blurModules; }),
+      number(
+          "tolerance", "reading", Unit::None, {0.001, 0.1, 0.001},
+          [](auto& r) -> auto& { return r.reading.tolerance; }),
+      number(
+          "maxPasses", "reading", Unit::None, {1, 60, 1}, [](auto& r) -> auto& { return r.reading.maxPasses; }),
+      size(),
+      number(
+          "maxSizeMm", "placement", mm, {0.1, kMaxMm, 1}, [](auto& r) -> auto& { return r.placement.maxSizeMm; }),
+      toggle(
+          "quietZone", "placement", [](auto& r) -> auto& { return r.placement.quietZone; }),
+      up(),
+      number(
+          "rotateDeg", "placement", Unit::Degree, {-360, 360, 5},
+          [](auto& r) -> auto& { return r.placement.rotateDeg; }),
+      direction(),
+      number(
+          "eyeDistanceMm", "placement", mm, {20, 1e5, 10}, [](auto& r) -> auto& { return r.placement.eyeDistanceMm; }),
+      lamps(),
+      number(
+          "albedo", "light", Unit::None, {0, 0.95, 0.05}, [](auto& r) -> auto& { return r.albedo; }),
+      choice(
+          "surface", "making", [](auto& r) -> auto& { return r.surface; },
+          [] { return namesOf(2, [](int i) { return surfaceModeName(static_cast<SurfaceMode>(i)); }); }),
+      toggle(
+          "inlay", "making", [](auto& r) -> auto& { return r.inlay; }),
+      number(
+          "nozzleMm", "making", mm, {0.01, 10, 0.05}, [](auto& r) -> auto& { return r.nozzleMm; }),
+  };
+}
+
+bool isWithin(double value, double min, double max) { return value >= min && value <= max; }  // no NaN
+
+/// A number of a setting, or of a part of it.
+Status checkNumber(const std::string& key, Unit unit, double value, double min, double max) {
+  if (isWithin(value, min, max)) return {};
+  switch (unit) {
+    case Unit::Millimetre:
+      return fail(ErrorKind::BadUsage,
+                  message("setting-out-of-range", with::setting("setting", key), with::lengthMm("value", value),
+                          with::lengthMm("min", min), with::lengthMm("max", max)));
+    case Unit::Degree:
+      return fail(ErrorKind::BadUsage,
+                  message("setting-out-of-range", with::setting("setting", key), with::angleDeg("value", value),
+                          with::angleDeg("min", min), with::angleDeg("max", max)));
+    case Unit::None:
+    case Unit::Module:
+    case Unit::Sky:
+      break;
+  }
+  return fail(ErrorKind::BadUsage,
+              message("setting-out-of-range", with::setting("setting", key), with::number("value", value),
+                      with::number("min", min), with::number("max", max)));
+}
+
+Status checkLamps(const Setting& setting, const std::vector<DirectionalLight>& lamps) {
+  if (lamps.size() > kMaxLights)
+    return fail(ErrorKind::BadUsage, message("setting-too-many", with::setting("setting", setting.key),
+                                             with::count("count", lamps.size()), with::count("max", kMaxLights)));
+  for (const DirectionalLight& lamp : lamps)
+    for (const LampPart& part : lampParts())
+      if (const Status checked = checkNumber(setting.key, part.unit, lamp.*part.value, part.min, part.max); !checked)
+        return checked;
+  return {};
+}
+
+Status checkVector(const Setting& setting, const Vec3& vector) {
+  const double length = glm::length(vector);
+  if (length > 0 && std::isfinite(length)) return {};
+  return fail(ErrorKind::BadUsage,
+              message("setting-no-length", with::setting("setting", setting.key), with::place("vector", vector)));
+}
+
+std::string joined(const std::vector<std::string>& names) {
+  std::string list;
+  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+  return list;
+}
+
+}  // namespace
+
+std::span<const LampPart> lampParts() {
+  static constexpr std::array<LampPart, 3> kParts = {{
+      {"azimuthDeg", Unit::Degree, -360, 360, 15, &DirectionalLight::azimuthDeg},
+      {"elevationDeg", Unit::Degree, 0.1, 90, 5, &DirectionalLight::elevationDeg},
+      {"strength", Unit::Sky, 0, 1000, 0.25, &DirectionalLight::strength},
+  }};
+  return kParts;
+}
+
+std::span<const Setting> settings() {
+  static const std::vector<Setting> kAll = makeSettings();
+  return kAll;
+}
+
+const Setting* findSetting(std::string_view key) {
+  for (const Setting& setting : settings())
+    if (setting.key == key) return &setting;
+  return nullptr;
+}
+
+EngraveRequest defaultRequest() {
+  EngraveRequest request;
+  request.symbol.raiseErrorCorrection = true;
+  return request;
+}
+
+Status checkValue(const Setting& setting, const SettingValue& value) {
+  if (const double* n = std::get_if<double>(&value); n && setting.takesNumber()) {
+    if (const Status checked = checkNumber(setting.key, setting.unit, *n, setting.min, setting.max); !checked)
+      return checked;
+    if (setting.isWhole && *n != std::floor(*n))
+      return fail(ErrorKind::BadUsage,
+                  message("setting-not-whole", with::setting("setting", setting.key), with::number("value", *n)));
+    return {};
+  }
+  if (const std::string* name = std::get_if<std::string>(&value)) {
+    const bool isKnown = setting.kind == Kind::Text ||
+                         std::find(setting.choices.begin(), setting.choices.end(), *name) != setting.choices.end();
+    return isKnown ? Status() : tl::unexpected(wrongKind(setting, *name));
+  }
+  if (const Vec3* vector = std::get_if<Vec3>(&value); vector && setting.takesVector())
+    return checkVector(setting, *vector);
+  if (const auto* list = std::get_if<std::vector<DirectionalLight>>(&value); list && setting.kind == Kind::Lamps)
+    return checkLamps(setting, *list);
+  if (std::holds_alternative<bool>(value) && setting.kind == Kind::Switch) return {};
+  if (std::holds_alternative<std::monostate>(value) && setting.mayBeEmpty) return {};
+  return tl::unexpected(wrongKind(setting, ""));
+}
+
+Status checkSettings(const EngraveRequest& request) {
+  for (const Setting& setting : settings())
+    if (const Status checked = checkValue(setting, setting.read(request)); !checked) return checked;
+  return {};
+}
+
+Error wrongKind(const Setting& setting, std::string_view found) {
+  const std::string choices = joined(setting.choices);
+  switch (setting.kind) {
+    case Kind::Text:
+      return {ErrorKind::BadUsage,
+              message("setting-no-text", with::setting("setting", setting.key), with::term("found", found))};
+    case Kind::Switch:
+      return {ErrorKind::BadUsage,
+              message("setting-no-switch", with::setting("setting", setting.key), with::term("found", found))};
+    case Kind::Number:
+      return {ErrorKind::BadUsage,
+              message("setting-no-number", with::setting("setting", setting.key), with::term("found", found))};
+    case Kind::Choice:
+      return {ErrorKind::BadUsage, message("setting-no-choice", with::setting("setting", setting.key),
+                                           with::term("found", found), with::term("choices", choices))};
+    case Kind::ChoiceOrNumber:
+      return {ErrorKind::BadUsage, message("setting-no-choice-or-number", with::setting("setting", setting.key),
+                                           with::term("found", found), with::term("choices", choices))};
+    case Kind::ChoiceOrVector:
+      return {ErrorKind::BadUsage, message("setting-no-choice-or-vector", with::setting("setting", setting.key),
+                                           with::term("found", found), with::term("choices", choices))};
+    case Kind::Vector:
+      return {ErrorKind::BadUsage,
+              message("setting-no-vector", with::setting("setting", setting.key), with::term("found", found))};
+    case Kind::Lamps:
+      break;
+  }
+  return {ErrorKind::BadUsage,
+          message("setting-no-lamps", with::setting("setting", setting.key), with::term("found", found))};
+}
+
+}  // namespace qrelief

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generate/options_page.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "generate/option_texts.h"
+#include "messages/setting_words.h"
+
+namespace qrelief {
+namespace {
+
+constexpr const char* kHead = R"(# Options
+
+<!-- Written by build/release/bin/qrelief_generate from core/settings and messages/settings: do not edit. -->
+
+Every setting of an engraving: the flag of `qrelief engrave`, and the key that reports, settings files and the page have
+for it. `place` takes those of Symbol and Placement and `--min-wall`; `verify` those of Symbol, `--direction`, `--up`,
+`--size`, `--eye-distance`, `--nozzle`, `--layer` and `--min-wall`. What concerns files and repairs is in the
+[README](../README.md#the-command-line), and `--help` says everything.
+)";
+
+/// A bar would end the cell of a table.
+std::string inCell(std::string text) {
+  for (std::size_t at = text.find('|'); at != std::string::npos; at = text.find('|', at + 2)) text.insert(at, 1, '\\');
+  return text;
+}
+
+std::string rowOf(const Setting& setting) {
+  const OptionTexts texts = optionTexts(setting);
+  const std::string flag = texts.values.empty() ? texts.flag : texts.flag + " " + texts.values;
+  const std::string range = texts.range.empty() ? "" : fmt::format("; {}", texts.range);
+  return fmt::format("| `{}` | `{}` | {}{} | {} | {} |\n", inCell(flag), setting.key, inCell(texts.help), range,
+                     setting.kind == Setting::Kind::Text ? "required" : texts.initial, setting.since);
+}
+
+}  // namespace
+
+std::string optionsPage() {
+  std::string page = kHead, group;
+  for (const Setting& setting : settings()) {
+    if (setting.group != group) {
+      group = setting.group;
+      page += fmt::format("\n## {}\n\n| flag | key | meaning | default | since |\n|---|---|---|---|---|\n",
+                          settingWords().at("groups").at(group).at("en").get<std::string>());
+    }
+    page += rowOf(setting);
+  }
+  return page;
+}
+
+}  // namespace qrelief

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "messages/setting_words.h"
+
+#include <nlohmann/json.hpp>
+
+#include "messages/catalogues.h"
+
+namespace qrelief {
+
+const nlohmann::json& settingWords() {
+  static const nlohmann::json kWords = nlohmann::json::parse(settingCatalogue());
+  return kWords;
+}
+
+}  // namespace qrelief

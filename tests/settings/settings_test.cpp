@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "settings/settings.h"
+
+#include <cmath>
+#include <gmock/gmock.h>
+#include <limits>
+#include <set>
+
+#include "messages/sentences.h"
+
+namespace qrelief {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+/// The code of what is wrong with the default request with this value; empty if nothing is.
+std::string codeOf(const Setting& setting, const SettingValue& value) {
+  EngraveRequest request = defaultRequest();
+  setting.write(request, value);
+  const Status checked = checkSettings(request);
+  return checked ? "" : checked.error().message.code;
+}
+
+TEST(SettingsTable, EveryKeyIsThereOnceAndGroupsStandTogether) {
+  std::set<std::string> keys, groups;
+  std::string group;
+  for (const Setting& setting : settings()) {
+    EXPECT_TRUE(keys.insert(setting.key).second) << setting.key;
+    EXPECT_EQ(findSetting(setting.key), &setting);
+    if (setting.group != group) {
+      EXPECT_TRUE(groups.insert(setting.group).second) << setting.group;
+    }
+    group = setting.group;
+  }
+  EXPECT_EQ(findSetting("colour"), nullptr);
+}
+
+TEST(SettingsTable, AKeySaysTheUnit) {
+  for (const Setting& setting : settings()) {
+    if (setting.kind != Setting::Kind::Number) continue;  // a choice or a number is asked for by what it is
+    EXPECT_EQ(setting.key.ends_with("Mm"), setting.unit == Setting::Unit::Millimetre) << setting.key;
+    EXPECT_EQ(setting.key.ends_with("Deg"), setting.unit == Setting::Unit::Degree) << setting.key;
+    EXPECT_EQ(setting.key.ends_with("Modules"), setting.unit == Setting::Unit::Module) << setting.key;
+  }
+}
+
+TEST(SettingsTable, TheDefaultsAreAllowed) {
+  EXPECT_TRUE(checkSettings(defaultRequest()));
+  EXPECT_TRUE(checkSettings(EngraveRequest()));
+}
+
+TEST(SettingsTable, EachReadsBackWhatItWrote) {
+  for (const Setting& setting : settings()) {
+    std::vector<SettingValue> values;
+    if (setting.kind == Setting::Kind::Text) values.emplace_back(std::string("grüezi"));
+    if (setting.kind == Setting::Kind::Switch) values.emplace_back(true), values.emplace_back(false);
+    if (setting.takesNumber()) values.emplace_back(setting.min), values.emplace_back(setting.max);
+    if (setting.takesVector()) values.emplace_back(Vec3(1, -2, 3));
+    if (setting.kind == Setting::Kind::Lamps)
+      values.emplace_back(std::vector<DirectionalLight>{{.azimuthDeg = 90, .elevationDeg = 30, .strength = 2}});
+    for (const std::string& choice : setting.choices) values.emplace_back(choice);
+    if (setting.mayBeEmpty) values.emplace_back();
+    ASSERT_FALSE(values.empty()) << setting.key;
+    for (const SettingValue& value : values) {
+      EngraveRequest request = defaultRequest();
+      setting.write(request, value);
+      EXPECT_EQ(setting.read(request), value) << setting.key;
+      EXPECT_TRUE(checkValue(setting, value)) << setting.key;
+    }
+  }
+}
+
+TEST(SettingsTable, EveryNumberIsCheckedAtBothEnds) {
+  int checked = 0;
+  for (const Setting& setting : settings()) {
+    if (!setting.takesNumber()) continue;
+    const double beyond = setting.isWhole ? 1 : 1e-3 * setting.max;
+    EXPECT_EQ(codeOf(setting, setting.min), "") << setting.key;
+    EXPECT_EQ(codeOf(setting, setting.max), "") << setting.key;
+    EXPECT_EQ(codeOf(setting, setting.min - beyond), "setting-out-of-range") << setting.key;
+    EXPECT_EQ(codeOf(setting, setting.max + beyond), "setting-out-of-range") << setting.key;
+    if (!setting.isWhole) {
+      EXPECT_EQ(codeOf(setting, kNan), "setting-out-of-range") << setting.key;
+    }
+    ++checked;
+  }
+  EXPECT_GT(checked, 12);
+}
+
+TEST(SettingsTable, EveryNumberOfALampIsCheckedAtBothEnds) {
+  const Setting& light = *findSetting("light");
+  for (const LampPart& part : lampParts()) {
+    for (const double value : {part.min, part.max, part.min - 0.01, part.max + 0.01, kNan}) {
+      DirectionalLight lamp;
+      lamp.*part.value = value;
+      const bool isWithin = value >= part.min && value <= part.max;
+      EXPECT_EQ(codeOf(light, std::vector{lamp}), isWithin ? "" : "setting-out-of-range") << part.key << ' ' << value;
+    }
+  }
+  EXPECT_EQ(codeOf(light, std::vector<DirectionalLight>(kMaxLights)), "");
+  EXPECT_EQ(codeOf(light, std::vector<DirectionalLight>(kMaxLights + 1)), "setting-too-many");
+}
+
+TEST(SettingsTable, AVectorMustPointSomewhere) {
+  for (const char* key : {"direction", "up"}) {
+    EXPECT_EQ(codeOf(*findSetting(key), Vec3(0)), "setting-no-length");
+    EXPECT_EQ(codeOf(*findSetting(key), Vec3(0, kNan, 1)), "setting-no-length");
+  }
+}
+
+TEST(SettingsTable, AWholeNumberIsOne) {
+  EXPECT_EQ(checkValue(*findSetting("version"), 2.5).error().message.code, "setting-not-whole");
+  EXPECT_EQ(checkValue(*findSetting("mask"), 2.5).error().message.code, "setting-not-whole");
+}
+
+TEST(SettingsTable, ValuesOfAnotherKindAreRefused) {
+  EXPECT_EQ(checkValue(*findSetting("contrast"), std::string("high")).error().message.code, "setting-no-number");
+  EXPECT_EQ(checkValue(*findSetting("layerMm"), {}).error().message.code, "setting-no-number");
+  EXPECT_EQ(checkValue(*findSetting("pattern"), std::string("dots")).error().message.code, "setting-no-choice");
+  EXPECT_EQ(checkValue(*findSetting("size"), std::string("fixed")).error().message.code, "setting-no-choice-or-number");
+  EXPECT_EQ(checkValue(*findSetting("quietZone"), 1.0).error().message.code, "setting-no-switch");
+}
+
+TEST(SettingsTable, SaysWhichSettingIsOutOfItsRangeAndWhatIsPossible) {
+  EngraveRequest request = defaultRequest();
+  request.minWallMm = -1;
+  const Status checked = checkSettings(request);
+  ASSERT_FALSE(checked);
+  EXPECT_EQ(checked.error().kind, ErrorKind::BadUsage);
+  EXPECT_EQ(sentence(checked.error().message), "--min-wall is -1 mm");
+  EXPECT_THAT(hint(checked.error().message), HasSubstr("from 0 mm to 1000 mm"));
+}
+
+TEST(SettingsTable, ErrorCorrectionThatIsAskedForIsNotRaisedUnlessThatIsAskedForToo) {
+  EngraveRequest request = defaultRequest();
+  EXPECT_TRUE(request.symbol.raiseErrorCorrection);
+  findSetting("ecc")->write(request, std::string("Q"));
+  EXPECT_FALSE(request.symbol.raiseErrorCorrection);
+  findSetting("raiseEcc")->write(request, true);
+  EXPECT_EQ(request.symbol.errorCorrection, ErrorCorrection::Q);
+  EXPECT_TRUE(request.symbol.raiseErrorCorrection);
+  findSetting("ecc")->write(request, std::string("auto"));
+  EXPECT_EQ(request.symbol, defaultRequest().symbol);
+}
+
+TEST(SettingsTable, WithoutAContrastThatOfThePresetCounts) {
+  EngraveRequest request = defaultRequest();
+  const Setting& contrast = *findSetting("contrast");
+  EXPECT_EQ(contrast.read(request), SettingValue());
+  EXPECT_EQ(contrast.otherwise(request), 0.3);
+  findSetting("preset")->write(request, std::string("robust"));
+  EXPECT_EQ(contrast.read(request), SettingValue());
+  EXPECT_EQ(contrast.otherwise(request), 0.38);
+}
+
+}  // namespace
+}  // namespace qrelief

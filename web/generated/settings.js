@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Written by build/release/bin/qrelief_generate from core/settings and messages/settings: do not edit.
+
+/** @typedef {{ en: string, de: string }} Words  in every language of the page */
+
+/**
+ * @typedef {object} Setting
+ * @property {string} group
+ * @property {'text' | 'switch' | 'number' | 'choice' | 'choice-or-number' | 'choice-or-vector' | 'vector' | 'lamps'} kind
+ * @property {'mm' | 'deg' | 'modules' | 'skies'} [unit]
+ * @property {number} [min]          of a number, inclusive
+ * @property {number} [max]
+ * @property {number} [step]
+ * @property {boolean} [whole]       a number without decimals
+ * @property {boolean} [mayBeEmpty]  may be left out: what then counts follows from the rest
+ * @property {readonly string[]} [choices]
+ * @property {unknown} default       null: it is empty
+ * @property {string} since          the version that knew it first
+ * @property {Words} label           without the unit
+ * @property {Readonly<Record<string, Words>>} [choiceNames]  and of `number` and `vector`, where it takes those
+ * @property {Readonly<Record<string, Words>>} [partLabels]   of the parts that it is set by
+ */
+
+/** @typedef {'text' | 'ecc' | 'raiseEcc' | 'version' | 'mask' | 'breakUp' | 'preset' | 'pattern' | 'finderPattern' | 'contrast' | 'objective' | 'solver' | 'layerMm' | 'maxDepthMm' | 'minWallMm' | 'dataContrast' | 'finderContrast' | 'blurModules' | 'tolerance' | 'maxPasses' | 'size' | 'maxSizeMm' | 'quietZone' | 'up' | 'rotateDeg' | 'direction' | 'eyeDistanceMm' | 'light' | 'albedo' | 'surface' | 'inlay' | 'nozzleMm'} SettingKey */
+
+/** @type {Readonly<Record<SettingKey, Setting>>} */
+export const kSettings = {
+  text: {"group":"symbol","kind":"text","default":"","since":"0.1.0","label":{"de":"Text oder Link","en":"Text or link"}},
+  ecc: {"group":"symbol","kind":"choice","choices":["auto","L","M","Q","H"],"default":"auto","since":"0.1.0","label":{"de":"Schäden, die er übersteht","en":"Damage it survives"},"choiceNames":{"H":{"de":"H, 30 %","en":"H, 30 %"},"L":{"de":"L, 7 %","en":"L, 7 %"},"M":{"de":"M, 15 %","en":"M, 15 %"},"Q":{"de":"Q, 25 %","en":"Q, 25 %"},"auto":{"de":"So viel wie möglich, mindestens M","en":"As much as fits, M at least"}}},
+  raiseEcc: {"group":"symbol","kind":"switch","default":true,"since":"0.1.0","label":{"de":"Fehlerkorrektur anheben, wo Platz ist","en":"Raise error correction where it is free"}},
+  version: {"group":"symbol","kind":"number","min":1.0,"max":40.0,"step":1.0,"whole":true,"mayBeEmpty":true,"default":null,"since":"0.1.0","label":{"de":"Version","en":"Version"}},
+  mask: {"group":"symbol","kind":"choice-or-number","min":0.0,"max":7.0,"step":1.0,"whole":true,"choices":["auto","shadiest"],"default":"auto","since":"0.1.0","label":{"de":"Maske","en":"Mask"},"choiceNames":{"auto":{"de":"Norm","en":"Standard"},"number":{"de":"Fest","en":"Fixed"},"shadiest":{"de":"Schattigste","en":"Shadiest"}},"partLabels":{"number":{"de":"Feste Maske","en":"Fixed mask"}}},
+  breakUp: {"group":"symbol","kind":"switch","default":false,"since":"0.1.0","label":{"de":"Dunkle Flächen auflockern","en":"Break up dark areas"}},
+  preset: {"group":"depth","kind":"choice","mayBeEmpty":true,"choices":["shallow","balanced","robust"],"default":"balanced","since":"0.1.0","label":{"de":"Wie tief","en":"How deep"},"choiceNames":{"balanced":{"de":"Ausgewogen","en":"Balanced"},"robust":{"de":"Robust, für schlechtes Licht","en":"Robust, for poor light"},"shallow":{"de":"Flach, für gleichmäßiges Licht","en":"Shallow, for even light"}}},
+  pattern: {"group":"depth","kind":"choice","choices":["none","square","thin-plus","diamond","thick-plus"],"default":"thick-plus","since":"0.1.0","label":{"de":"Module","en":"Modules"},"choiceNames":{"diamond":{"de":"Raute","en":"Diamond"},"none":{"de":"Voll","en":"Full"},"square":{"de":"Quadrat","en":"Square"},"thick-plus":{"de":"Dickes Plus","en":"Thick plus"},"thin-plus":{"de":"Dünnes Plus","en":"Thin plus"}}},
+  finderPattern: {"group":"depth","kind":"choice","choices":["none","as-modules","diamond","thick-plus","thick-plus-sharp"],"default":"thick-plus-sharp","since":"0.1.0","label":{"de":"Eckmarken","en":"Corner marks"},"choiceNames":{"as-modules":{"de":"Wie die Module","en":"As the modules"},"diamond":{"de":"Raute","en":"Diamond"},"none":{"de":"Voll","en":"Full"},"thick-plus":{"de":"Dickes Plus, gerundet","en":"Thick plus, rounded"},"thick-plus-sharp":{"de":"Dickes Plus","en":"Thick plus"}}},
+  contrast: {"group":"depth","kind":"number","min":0.01,"max":0.99,"step":0.01,"default":0.3,"since":"0.1.0","label":{"de":"Kontrast","en":"Contrast"}},
+  objective: {"group":"depth","kind":"choice","choices":["contrast","reading"],"default":"contrast","since":"0.1.0","label":{"de":"Ziel","en":"Objective"},"choiceNames":{"contrast":{"de":"Kontrast","en":"Contrast"},"reading":{"de":"Lesbarkeit","en":"Reading"}}},
+  solver: {"group":"depth","kind":"choice","choices":["fast","paper-steps"],"default":"fast","since":"0.1.0","label":{"de":"Verfahren","en":"Solver"},"choiceNames":{"fast":{"de":"Schnell","en":"Fast"},"paper-steps":{"de":"Wie veröffentlicht","en":"As published"}}},
+  layerMm: {"group":"depth","kind":"number","unit":"mm","min":0.01,"max":1.0,"step":0.01,"default":0.1,"since":"0.1.0","label":{"de":"Schicht","en":"Layer"}},
+  maxDepthMm: {"group":"depth","kind":"number","unit":"mm","min":0.1,"max":1000.0,"step":0.1,"mayBeEmpty":true,"default":null,"since":"0.1.0","label":{"de":"Größte Tiefe","en":"Deepest"}},
+  minWallMm: {"group":"depth","kind":"number","unit":"mm","min":0.0,"max":1000.0,"step":0.1,"default":0.8,"since":"0.1.0","label":{"de":"Restwand","en":"Wall left"}},
+  dataContrast: {"group":"reading","kind":"number","min":0.01,"max":0.95,"step":0.01,"default":0.1,"since":"0.1.0","label":{"de":"Kontrast der Daten","en":"Data contrast"}},
+  finderContrast: {"group":"reading","kind":"number","min":0.01,"max":0.95,"step":0.01,"default":0.15,"since":"0.1.0","label":{"de":"Kontrast der Suchmuster","en":"Finder contrast"}},
+  blurModules: {"group":"reading","kind":"number","unit":"modules","min":0.05,"max":2.0,"step":0.05,"default":0.4,"since":"0.1.0","label":{"de":"Unschärfe","en":"Blur"}},
+  tolerance: {"group":"reading","kind":"number","min":0.001,"max":0.1,"step":0.001,"default":0.005,"since":"0.1.0","label":{"de":"Toleranz","en":"Tolerance"}},
+  maxPasses: {"group":"reading","kind":"number","min":1.0,"max":60.0,"step":1.0,"whole":true,"default":12.0,"since":"0.1.0","label":{"de":"Durchgänge höchstens","en":"Most passes"}},
+  size: {"group":"placement","kind":"choice-or-number","unit":"mm","min":0.1,"max":10000.0,"step":1.0,"choices":["free","oriented","best"],"default":"free","since":"0.1.0","label":{"de":"Größe des Codes","en":"Size of the code"},"choiceNames":{"best":{"de":"Größte, passend gedreht","en":"Largest, turned to fit"},"free":{"de":"Größte, gleich wie gedreht","en":"Largest, any way up"},"number":{"de":"Genau","en":"Exactly"},"oriented":{"de":"Größte, so gedreht","en":"Largest, this way up"}},"partLabels":{"number":{"de":"Breite","en":"Width"}}},
+  maxSizeMm: {"group":"placement","kind":"number","unit":"mm","min":0.1,"max":10000.0,"step":1.0,"default":60.0,"since":"0.1.0","label":{"de":"Höchstens","en":"At most"}},
+  quietZone: {"group":"placement","kind":"switch","default":true,"since":"0.1.0","label":{"de":"Den hellen Rand von vier Modulen frei lassen","en":"Leave the light margin of four modules around it"}},
+  up: {"group":"placement","kind":"vector","default":[0.0,0.0,1.0],"since":"0.1.0","label":{"de":"Oben am Code","en":"Top of the code"}},
+  rotateDeg: {"group":"placement","kind":"number","unit":"deg","min":-360.0,"max":360.0,"step":5.0,"default":0.0,"since":"0.1.0","label":{"de":"Drehung","en":"Rotation"}},
+  direction: {"group":"placement","kind":"choice-or-vector","choices":["mean-normal","depth-balanced","pca","optimal"],"default":"depth-balanced","since":"0.1.0","label":{"de":"Richtung","en":"Direction"},"choiceNames":{"depth-balanced":{"de":"Ausgeglichene Tiefe","en":"Balanced depth"},"mean-normal":{"de":"Mittel der Normalen","en":"Mean of the normals"},"optimal":{"de":"Beste (langsamer)","en":"Best (slower)"},"pca":{"de":"Flachste Seite","en":"Flattest side"},"vector":{"de":"Angegeben","en":"Given"}}},
+  eyeDistanceMm: {"group":"placement","kind":"number","unit":"mm","min":20.0,"max":100000.0,"step":10.0,"default":250.0,"since":"0.1.0","label":{"de":"Abstand","en":"Distance"}},
+  light: {"group":"light","kind":"lamps","default":[],"since":"0.1.0","label":{"de":"Lampe","en":"Lamp"},"partLabels":{"azimuthDeg":{"de":"Azimut","en":"azimuth"},"elevationDeg":{"de":"Höhe","en":"elevation"},"strength":{"de":"Stärke","en":"strength"}}},
+  albedo: {"group":"light","kind":"number","min":0.0,"max":0.95,"step":0.05,"default":0.7,"since":"0.1.0","label":{"de":"Albedo","en":"Albedo"}},
+  surface: {"group":"making","kind":"choice","choices":["preserved","resampled"],"default":"preserved","since":"0.1.0","label":{"de":"Oberfläche","en":"Surface"},"choiceNames":{"preserved":{"de":"Erhalten","en":"Preserved"},"resampled":{"de":"Neu vernetzt","en":"Resampled"}}},
+  inlay: {"group":"making","kind":"switch","default":false,"since":"0.1.0","label":{"de":"Zweite Farbe","en":"Second colour"}},
+  nozzleMm: {"group":"making","kind":"number","unit":"mm","min":0.01,"max":10.0,"step":0.05,"default":0.4,"since":"0.1.0","label":{"de":"Düse","en":"Nozzle"}},
+};
+
+/** @type {Readonly<Record<string, Words>>} */
+export const kSettingGroups = {
+  depth: {"de":"Muster und Tiefe","en":"Pattern and depth"},
+  light: {"de":"Licht","en":"Light"},
+  making: {"de":"Herstellung","en":"Making"},
+  placement: {"de":"Lage","en":"Placement"},
+  reading: {"de":"Ziel: Lesbarkeit","en":"Reading objective"},
+  symbol: {"de":"Symbol","en":"Symbol"},
+};
+
+/** @type {Readonly<Record<string, Words>>} */
+export const kUnits = {
+  deg: {"de":"°","en":"°"},
+  mm: {"de":"mm","en":"mm"},
+  modules: {"de":"Module","en":"modules"},
+  skies: {"de":"Himmel","en":"skies"},
+};

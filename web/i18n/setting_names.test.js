@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { after, test } from 'node:test';
+import { kSettings } from '../generated/settings.js';
+import { setLanguage } from './catalogue.js';
+import { choiceLabel, controlLabel, controlName, isKnownSetting, settingTexts } from './setting_names.js';
+
+after(() => setLanguage('en'));
+
+test('a control is called as the table says, with its unit', () => {
+  setLanguage('en');
+  assert.equal(controlName('minWallMm'), 'Wall left (mm)');
+  assert.equal(controlName('rotateDeg'), 'Rotation (°)');
+  assert.equal(controlName('contrast'), 'Contrast');
+  assert.equal(controlName('size'), 'Size of the code');
+  assert.equal(controlName('sizeMm'), 'Width (mm)');
+  assert.equal(controlName('centreMm'), 'Centre on the surface (mm)');
+  assert.equal(controlLabel('minWallMm'), 'Wall left');
+  assert.equal(controlLabel('centreMm'), 'Centre on the surface');
+  assert.equal(controlName('colour'), 'colour');
+  assert.ok(isKnownSetting('sizeMm') && !isKnownSetting('colour'));
+});
+
+test('choices have names in the language chosen', () => {
+  setLanguage('de');
+  assert.equal(choiceLabel('pattern', 'thick-plus'), 'Dickes Plus');
+  assert.equal(choiceLabel('units', 'in'), 'Zoll');
+  assert.equal(choiceLabel('pattern', 'dots'), 'dots');
+  assert.equal(controlName('minWallMm'), 'Restwand (mm)');
+});
+
+test('the module gets every label, choice and group', () => {
+  setLanguage('de');
+  const texts = settingTexts();
+  assert.equal(texts['setting:light.2.azimuthDeg'], 'Lampe 2, Azimut');
+  assert.equal(texts['setting:size.number'], 'Breite');
+  assert.equal(texts['choice:solver:fast'], 'Schnell');
+  assert.equal(texts['group:placement'], 'Lage');
+  assert.equal(texts['unit:modules'], 'Module');
+  for (const [key, { choices = [], group }] of Object.entries(kSettings)) {
+    assert.ok(texts[`setting:${key}`], key);
+    assert.ok(texts[`group:${group}`], group);
+    for (const choice of choices) assert.ok(texts[`choice:${key}:${choice}`], choice);
+  }
+});
+
+test('until the script runs, the page says of its controls what it will say then', () => {
+  setLanguage('en');
+  const page = readFileSync(new URL('../index.html', import.meta.url), 'utf8');
+  const controls = [...page.matchAll(/<(?:input|select) id="([^"]+)" data-setting="([^"]+)"/g)];
+  assert.equal(controls.length, 15);
+  for (const [, id, key] of controls) {
+    assert.ok(key in kSettings, key);
+    const setting = /** @type {import('../generated/settings.js').SettingKey} */ (key);
+    const said = kSettings[setting].kind === 'switch' ? new RegExp(`data-setting="${key}"[^>]*>\\s*<span>([^<]*)<`).exec(page)
+      : new RegExp(`<label for="${id}"[^>]*>([^<]*)<`).exec(page);
+    assert.equal(said?.[1], controlName(setting), key);
+  }
+});
