@@ -12,7 +12,6 @@
 #include "projection/visible_patch.h"
 #include "qr/symbol.h"
 #include "render/geometry_pass.h"
-#include "settings/placement_request.h"
 
 namespace qrelief {
 

@@ -14,12 +14,6 @@ constexpr std::array<const char*, 4> kSizeModeNames = {"free", "oriented", "best
 
 const char* sizeModeName(SizeMode mode) { return kSizeModeNames[static_cast<std::size_t>(mode)]; }
 
-std::optional<SizeMode> sizeModeByName(std::string_view name) {
-  for (const SizeMode mode : {SizeMode::Free, SizeMode::Oriented, SizeMode::Best})
-    if (name == sizeModeName(mode)) return mode;
-  return {};
-}
-
 double roomFactor(int modules, bool quietZone) {
   // Carving moves its outlines by up to an eighth of a submodule, or a hundredth of a millimetre, off the model's
   // edges.

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <optional>
-#include <string_view>
 
 #include "math/vec.h"
 #include "projection/direction.h"
@@ -18,8 +17,6 @@ enum class SizeMode {
 
 /// "free", "oriented", "best", "fixed": names that scripts rely on.
 const char* sizeModeName(SizeMode mode);
-/// Empty for "fixed", too: that takes a number.
-std::optional<SizeMode> sizeModeByName(std::string_view name);
 
 /// What found sizes must leave room for behind the surface.
 struct PocketDemand {

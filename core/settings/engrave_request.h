@@ -8,10 +8,10 @@
 
 #include "carving/reading_search.h"
 #include "embedding/surface_mode.h"
+#include "projection/placement_request.h"
 #include "qr/module_pattern.h"
 #include "qr/symbol.h"
 #include "render/directional_light.h"
-#include "settings/placement_request.h"
 #include "settings/preset.h"
 
 namespace qrelief {
