@@ -122,7 +122,7 @@ TEST_F(EngineTest, WhatIsMissingIsNamed) {
   expectError(engine_->report(), "BadUsage", "nothing-engraved");
   EXPECT_TRUE(engine_->exportModel("stl").empty());
   EXPECT_EQ(engine_->readerImage().width, 0);
-  expectError(engine_->configure("{"), "BadUsage", "untold");
+  expectError(engine_->configure("{"), "BadUsage", "settings-no-object");
   load(shapes::box({60, 60, 20}));
   EXPECT_EQ(Json::parse(engine_->placement())["error"]["kind"], "BadInput");  // no text
 }
