@@ -34,7 +34,7 @@ export class Jobs {
    * @returns {Promise<T>}
    */
   async run(stage, run) {
-    await this.untilIdle();
+    while (this.running_) await this.running_.catch(() => {});  // and then at once: others may wait for the same
     const abort = new AbortController();
     this.abort_ = abort;
     this.panel_.begin(stage());

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import assert from 'node:assert/strict';
+import { afterEach, beforeEach, mock, test } from 'node:test';
+import { EngineClient } from './client.js';
+import { message } from './message.js';
+
+const settled = async () => { for (let i = 0; i < 20; i += 1) await Promise.resolve(); };
+const real = { Worker: globalThis.Worker, OffscreenCanvas: globalThis.OffscreenCanvas, HTMLCanvasElement: globalThis.HTMLCanvasElement };
+
+/** Answers start and capabilities by itself; the rest waits in `asked`. */
+class FakeWorker {
+  /** @type {FakeWorker[]} */ static all = [];
+  constructor() {
+    /** @type {{ id: number, verb: string, args: any[] }[]} */ this.asked = [];
+    /** @type {(event: any) => void} */ this.onmessage = () => {};
+    /** @type {(event: any) => void} */ this.onerror = () => {};
+    this.ended = false;
+    FakeWorker.all.push(this);
+  }
+  /** @param {{ id: number, verb: string, args: any[] }} request */
+  postMessage(request) {
+    const at = { start: undefined, capabilities: { problems: [] } };
+    if (request.verb in at) queueMicrotask(() => this.onmessage({ data: { id: request.id, value: /** @type {any} */ (at)[request.verb] } }));
+    else this.asked.push(request);
+  }
+  terminate() {
+    this.ended = true;
+  }
+  /** @param {string} verb @param {{ value?: any, error?: any }} answer */
+  answer(verb, answer) {
+    const request = this.asked.find((each) => each.verb === verb);
+    assert.ok(request, `${verb} was not asked for`);
+    this.asked.splice(this.asked.indexOf(request), 1);
+    this.onmessage({ data: { id: request.id, ...answer } });
+  }
+}
+
+/** @type {any[]} */ let events;
+let replacements = 0;
+/** @type {EngineClient} */ let client;
+const worker = () => /** @type {FakeWorker} */ (FakeWorker.all.at(-1));
+
+beforeEach(async () => {
+  mock.timers.enable({ apis: ['setTimeout', 'setInterval'] });
+  FakeWorker.all = [];
+  events = [];
+  replacements = 0;
+  class Canvas {
+    transferControlToOffscreen() { return {}; }
+  }
+  Object.assign(globalThis, { Worker: FakeWorker, OffscreenCanvas: class {}, HTMLCanvasElement: Canvas });
+  client = new EngineClient({
+    makeCanvas: () => /** @type {any} */ (new Canvas()), onEvent: (event) => void events.push(event), onReplaced: () => void (replacements += 1),
+  });
+  await client.start();
+});
+afterEach(() => {
+  mock.timers.reset();
+  Object.assign(globalThis, real);
+});
+
+test('A verb is asked of the worker, and its answer given', async () => {
+  const picked = client.pick(3, 4);
+  assert.deepEqual(worker().asked[0].args, [3, 4]);
+  worker().answer('pick', { value: { hit: false } });
+  assert.deepEqual(await picked, { hit: false });
+});
+
+test('What the engine refuses is thrown with its kind, code and values', async () => {
+  const placed = client.placement();
+  worker().answer('placement', { error: { kind: 'NoSolution', ...message('no-such-spot', { index: { count: 2 } }) } });
+  await assert.rejects(placed, { name: 'EngineFailure', kind: 'NoSolution', code: 'no-such-spot', values: { index: { count: 2 } } });
+});
+
+test('A job tells how far it has come, and is over at once when it is cancelled', async () => {
+  const abort = new AbortController();
+  /** @type {any[]} */ const heard = [];
+  const job = client.engrave({ signal: abort.signal, onProgress: (progress) => void heard.push(progress) });
+  worker().onmessage({ data: { event: 'progress', progress: { stage: message('finding-depth'), fraction: 0.5 } } });
+  abort.abort();
+  assert.equal(await job, false);
+  assert.equal(heard.length, 1);
+  worker().answer('cancel', { value: undefined });
+  worker().answer('engrave', { value: false });
+  await settled();
+  mock.timers.tick(10_000);
+  await settled();
+  assert.equal(FakeWorker.all.length, 1);  // it ended its step in time
+});
+
+test('A worker that does not end its step is replaced, and who waits for it hears so', async () => {
+  const abort = new AbortController();
+  const job = client.engrave({ signal: abort.signal, onProgress: () => {} });
+  const waiting = client.report();
+  abort.abort();
+  assert.equal(await job, false);
+  const stopped = assert.rejects(waiting, { code: 'engine-replaced' });
+  mock.timers.tick(4000);
+  await stopped;
+  await settled();
+  assert.deepEqual(FakeWorker.all.map(({ ended }) => ended), [true, false]);
+  assert.equal(replacements, 1);
+});
+
+test('A worker that gives no sign of life is told of, once', async () => {
+  client.placement().catch(() => {});
+  for (let i = 0; i < 30; i += 1) mock.timers.tick(5000);
+  assert.deepEqual(events.map(({ event, error }) => [event, error.code, error.values]), [['failure', 'engine-hung', { count: { count: 120 } }]]);
+});
+
+test('A worker that breaks ends every verb with a crash', async () => {
+  const both = [client.placement(), client.report()].map((verb) => assert.rejects(verb, { code: 'engine-crashed', values: { detail: { term: 'unreachable' } } }));
+  worker().onerror({ preventDefault: () => {}, message: 'unreachable' });
+  await Promise.all(both);
+  assert.deepEqual(events.map(({ error }) => error.code), ['engine-crashed']);
+});
+
+test('Ended while it reads a model, it is replaced at once', async () => {
+  const abort = new AbortController();
+  const loaded = assert.rejects(client.loadModel(new Uint8Array(3), 'a.stl', 1, { signal: abort.signal }), { code: 'engine-replaced' });
+  abort.abort();
+  await loaded;
+  await settled();
+  assert.equal(replacements, 1);
+});

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import assert from 'node:assert/strict';
+import { beforeEach, test } from 'node:test';
+import { Centre } from './centre.js';
+import { Jobs } from './jobs.js';
+import { ModelSession } from './model_session.js';
+import { FakeMessages, fake, noRoom } from './testing.js';
+
+/** @type {any} */ let client;
+/** @type {any} */ let panel;
+/** @type {Centre} */ let centre;
+/** @type {ModelSession} */ let model;
+/** @type {string[]} */ let told;
+
+/** @type {import('./model_session.js').Source} */
+const kSource = { bytes: new Uint8Array([1]), fileName: 'a.stl', scaleToMm: 1, upAxis: 'z', credit: '' };
+
+beforeEach(() => {
+  const messages = /** @type {any} */ (new FakeMessages());
+  client = fake({
+    loadModel: async (/** @type {Uint8Array} */ _, /** @type {string} */ __, /** @type {number} */ scaleToMm) =>
+      ({ engravable: true, scaleToMm: scaleToMm || 25.4, findings: [] }),
+  });
+  panel = fake({ scaleToMm: 1 });
+  centre = new Centre(() => {});
+  told = [];
+  model = new ModelSession({
+    client, messages, panel, centre, jobs: new Jobs({ panel: fake(), messages, onBusy: () => {} }),
+    onReplacing: () => void told.push('replacing'), onLoaded: async () => void told.push('loaded'), onFailed: () => void told.push('failed'),
+  });
+});
+
+test('A model is there once it is read, with the centre it comes with', async () => {
+  await model.load(kSource, [1, 2, 3]);
+  assert.deepEqual(told, ['replacing', 'loaded']);
+  assert.equal(model.source?.fileName, 'a.stl');
+  assert.deepEqual(centre.chosenMm, [1, 2, 3]);
+});
+
+test('A file that cannot be read leaves the model before it, with its centre and upright', async () => {
+  await model.load(kSource, [1, 2, 3]);
+  client.answers.loadModel = async () => { throw noRoom(); };
+  await assert.rejects(model.load({ ...kSource, fileName: 'b.stl', upAxis: 'y' }), { code: 'no-centre' });
+  assert.equal(model.source?.fileName, 'a.stl');
+  assert.deepEqual(centre.chosenMm, [1, 2, 3]);
+  assert.deepEqual(client.calls.filter((/** @type {string} */ call) => call.startsWith('setUpAxis')), ['setUpAxis y', 'setUpAxis z']);
+  assert.equal(told.at(-1), 'failed');
+});
+
+test('In another unit the centre stays where it is on the model, wherever it was moved or undone to', async () => {
+  await model.load(kSource, [1, 2, 3]);
+  centre.put([4, 5, 6]);
+  await model.rescale(10);
+  assert.deepEqual(centre.chosenMm, [40, 50, 60]);
+  centre.put([7, 7, 7], true);
+  await model.rescale(1);
+  assert.equal(centre.mm, undefined);  // a guess is made anew
+});
+
+test('The unit that a file states takes the place of none', async () => {
+  await model.load({ ...kSource, scaleToMm: 0 });
+  assert.equal(model.source?.scaleToMm, 25.4);
+  assert.equal(model.source?.unitStated, true);
+});

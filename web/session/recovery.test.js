@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import assert from 'node:assert/strict';
+import { beforeEach, test } from 'node:test';
+import { Recovery } from './recovery.js';
+import { FakeMessages, Pending, crashed, noRoom, replaced, settled } from './testing.js';
+
+/** @type {FakeMessages} */ let messages;
+let replacements = 0;
+/** @type {() => Promise<void>} */ let replace;
+/** @type {Recovery} */ let recovery;
+
+beforeEach(() => {
+  messages = new FakeMessages();
+  replacements = 0;
+  replace = async () => void (replacements += 1);
+  recovery = new Recovery(/** @type {any} */ (messages), () => replace());
+});
+
+test('What goes wrong is shown, and the module stays', async () => {
+  await recovery.guard(async () => { throw noRoom(); });
+  assert.equal(messages.problem?.code, 'no-centre');
+  assert.equal(replacements, 0);
+});
+
+test('A fault of ours is shown with what it said', async () => {
+  await recovery.guard(async () => { throw new TypeError('x is no function'); });
+  assert.equal(messages.problem?.code, 'internal-fault');
+  assert.equal(messages.problem.values.detail.term, 'x is no function');
+});
+
+test('Work that ended because the module was replaced says nothing', async () => {
+  await recovery.guard(async () => { throw replaced(); });
+  assert.equal(messages.problem, undefined);
+  assert.deepEqual(messages.said, []);
+});
+
+test('A module that is beyond use is replaced, once for all who were waiting', async () => {
+  const replacing = new Pending();
+  replace = () => {
+    replacements += 1;
+    return replacing.promise;
+  };
+  const both = [recovery.guard(async () => { throw crashed(); }), recovery.guard(async () => { throw crashed(); })];
+  await settled();
+  assert.equal(replacements, 1);
+  replacing.resolve();
+  await Promise.all(both);
+  assert.ok(messages.said.some((words) => /again/.test(words)));
+});
+
+test('Graphics that are lost are made anew, without an error', async () => {
+  await recovery.recoverFrom({ event: 'contextlost' });
+  assert.equal(replacements, 1);
+  assert.equal(messages.problem, undefined);
+});
+
+test('After three replacements in a short time the page gives up, and says what helps', async () => {
+  for (let i = 0; i < 4; i += 1) await recovery.recoverFrom({ event: 'contextlost' });
+  assert.equal(replacements, 3);
+  assert.notEqual(messages.problem.help(), '');
+});
