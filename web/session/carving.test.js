@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import assert from 'node:assert/strict';
+import { after, before, beforeEach, test } from 'node:test';
+import { Carving } from './carving.js';
+import { Jobs } from './jobs.js';
+import { FakeMessages, Pending, fake, noRoom, settled } from './testing.js';
+
+const kText = 'HELLO';
+
+/** Reads `found` in every picture. */
+class FakeReader {
+  static found = kText;
+  /** @type {(event: any) => void} */ onmessage = () => {};
+  /** @param {{ id: number }} request */
+  postMessage({ id }) {
+    queueMicrotask(() => this.onmessage({ data: { id, texts: [FakeReader.found] } }));
+  }
+  terminate() {}
+}
+
+/** @type {any} */ let client;
+/** @type {any} */ let placing;
+/** @type {any} */ let panel;
+/** @type {FakeMessages} */ let messages;
+/** @type {Record<string, string>} */ let values;
+/** @type {[boolean, boolean][]} */ let shown;
+/** @type {Jobs} */ let jobs;
+/** @type {Carving} */ let carving;
+const made = () => carving.carved;
+const { Worker: realWorker } = globalThis;
+
+before(() => Object.assign(globalThis, { Worker: FakeReader }));
+after(() => Object.assign(globalThis, { Worker: realWorker }));
+beforeEach(() => {
+  FakeReader.found = kText;
+  values = { preset: 'robust' };
+  shown = [];
+  let number = 0;
+  client = fake({
+    engrave: async () => {
+      number += 1;
+      return true;
+    },
+    carving: async () => number,
+    useCarving: async () => true,
+    readerImage: async () => ({ width: 64, height: 64, pixels: new Uint8Array(64 * 64) }),
+    report: async () => ({ text: kText, symbol: { modules: 21 }, verification: {} }),
+  });
+  placing = fake({ place: async () => {} });
+  placing.answers.placement = { symbolMm: 20 };
+  Object.defineProperty(placing, 'placement', { get: () => placing.answers.placement });
+  panel = fake();
+  messages = new FakeMessages();
+  jobs = new Jobs({ panel: fake(), messages: /** @type {any} */ (messages), onBusy: () => {} });
+  carving = new Carving({
+    client, jobs, placing, panel, messages: /** @type {any} */ (messages), model: /** @type {any} */ ({ engravable: true }),
+    work: () => /** @type {any} */ ({ text: kText, values, centreMm: undefined }), settings: () => /** @type {any} */ ({}),
+    write: (now) => void (values = /** @type {any} */ (now)), onStart: () => {}, onDone: () => {},
+    onShown: (exists, seen) => void shown.push([exists, seen]),
+  });
+});
+
+test('What is carved is read back, reported and shown', async () => {
+  await carving.engrave();
+  assert.equal(made()?.reading.text, kText);
+  assert.equal(carving.carved?.number, 1);
+  assert.ok(client.calls.some((/** @type {string} */ call) => call.startsWith(`setReadBack ${kText}`)));
+  assert.deepEqual(shown.at(-1), [true, true]);
+});
+
+test('Where the code has no place, nothing is carved', async () => {
+  placing.answers.placement = undefined;
+  await carving.engrave();
+  assert.ok(!client.calls.some((/** @type {string} */ call) => call.startsWith('engrave')));
+  assert.equal(carving.carved, undefined);
+});
+
+test('Cancelled, what was carved before comes back', async () => {
+  await carving.engrave();
+  const before = carving.carved;
+  client.answers.engrave = async () => false;
+  await carving.engrave();
+  await settled();
+  assert.equal(carving.carved, before);
+  assert.equal(messages.said.at(-1), 'Cancelled. The model is as it was.');
+});
+
+test('Another carving does not begin beside the first', async () => {
+  const pending = new Pending();
+  client.answers.engrave = () => pending.promise;
+  const first = carving.engrave();
+  await settled();
+  await carving.engrave();
+  pending.resolve(true);
+  await first;
+  assert.equal(client.calls.filter((/** @type {string} */ call) => call.startsWith('engrave')).length, 1);
+});
+
+test('A carving that fails leaves nothing, and the next one can begin', async () => {
+  client.answers.engrave = async () => { throw noRoom(); };
+  await assert.rejects(carving.engrave(), { code: 'no-centre' });
+  assert.equal(carving.carved, undefined);
+  client.answers.engrave = async () => true;
+  await carving.engrave();
+  assert.equal(made()?.reading.text, kText);
+});
+
+test('After the settings changed, what was carved is said to be older', async () => {
+  await carving.engrave();
+  values = { preset: 'shallow' };
+  carving.compare();
+  assert.equal(panel.calls.at(-1), 'setOutdated true');
+});
+
+test('What a module carved is gone with it', async () => {
+  await carving.engrave();
+  const { carved } = carving;
+  await carving.dropForGood();
+  assert.equal(await carving.restore(carved), false);
+  assert.deepEqual(shown.at(-1), [false, false]);
+});
