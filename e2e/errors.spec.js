@@ -106,9 +106,9 @@ test('A browser that gives the work too little memory says so, and the model bef
   const app = new Engraver(page);
   await app.open('?sample=saddle&text=kept');
   await app.expectReady();
-  await page.evaluate(() => /** @type {any} */ (window).failNext('configure', { code: 'OutOfMemory', message: 'there is not enough memory for this', hint: '' }));
+  await page.evaluate(() => /** @type {any} */ (window).failNext('configure', { kind: 'Internal', code: 'out-of-memory', values: {} }));
   await app.text.fill('more');
-  await expect(app.alert).toContainText('not enough memory');
+  await expect(app.alert).toContainText('no more memory');
   await expect.poll(() => page.evaluate(() => /** @type {any} */ (window).workers.length)).toBe(2);
   await app.expectReady();
   await expect(app.text).toHaveValue('more');

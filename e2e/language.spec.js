@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { expect, test } from '@playwright/test';
+import { writeStl } from '../web/samples/stl.js';
 import { Engraver } from './support/engraver.js';
+import { saddleMesh, truncatedFile } from './support/models.js';
 
 /** Mean of the view's lower left corner, 0 … 255. @param {import('@playwright/test').Page} page */
 async function cornerBrightness(page) {
@@ -37,6 +39,22 @@ test('Another language takes effect at once, with its numbers, and is kept', asy
   await page.getByRole('combobox', { name: 'Language' }).selectOption('Deutsch');
   await page.reload();
   await expect(page.getByRole('button', { name: 'Gravieren' })).toBeVisible();
+});
+
+test('What was found and what went wrong is said in the language chosen, and follows it', async ({ page }) => {
+  const positions = saddleMesh.positions.map((point) => /** @type {[number, number, number]} */ (point.map((v) => v / 1000)));
+  const app = new Engraver(page);
+  await app.open('?sample=saddle&lang=de');
+  await expect(page.getByRole('status')).toHaveText('Bereit.');
+  await page.getByLabel('Modelldatei').setInputFiles({ name: 'metres.stl', mimeType: 'model/stl', buffer: Buffer.from(writeStl({ ...saddleMesh, positions }, 'm')) });
+  const findings = page.getByRole('list', { name: 'Im Modell gefunden' });
+  await expect(findings).toContainText('Das Modell ist winzig: 0,09 × 0,09 × 0,04 mm.');
+  await expect(findings.getByRole('button', { name: 'In Metern lesen: 90 × 90 × 40 mm' })).toBeVisible();
+  await page.getByLabel('Modelldatei').setInputFiles(truncatedFile);
+  await expect(app.alert).toContainText(/Dreieck/);
+  await page.getByRole('combobox', { name: 'Sprache' }).selectOption('English');
+  await expect(app.alert).toContainText(/facets|triangles/);
+  await expect(page.getByRole('list', { name: 'Found in the model' })).toContainText('The model is tiny: 0.09 × 0.09 × 0.04 mm.');
 });
 
 test('The address may ask for a language, and blocked storage does no harm', async ({ page }) => {

@@ -34,6 +34,9 @@ export function asSentence(text) {
   return /[.!?…]$/.test(capital) ? capital : `${capital}.`;
 }
 
+/** As a sentence writes it. @param {Value} value */
+export const writtenValue = (value) => written(value, ourWords);
+
 /** @param {Words} entry @param {Message} message @param {Record<string, Entry>} words */
 function filled(entry, { values }, words) {
   const forms = entry[currentLanguage()];

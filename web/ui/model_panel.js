@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which model: a sample, a file, a file dropped anywhere; and what was found in it.
 import { onLanguage, text, textOr } from '../i18n/catalogue.js';
-import { hintOf, sentenceOf } from '../i18n/messages.js';
+import { hintOf, sentenceOf, writtenValue } from '../i18n/messages.js';
 import { choiceLabel } from '../i18n/setting_names.js';
 import { byId } from '../dom/dom.js';
 import { formatBox } from '../i18n/format.js';
@@ -99,7 +99,7 @@ export class ModelPanel {
       found: sentenceOf(finding),
       help: hintOf(finding),
       remedies: suggestedUnits(finding).filter(({ unit }) => unit in kUnitsMm).map(({ unit, sizeMm }) => ({
-        label: text('page.readInUnit', { unit: choiceLabel('units', unit), size: formatBox(sizeMm) }),
+        label: text('page.readInUnit', { unit: choiceLabel('units', unit), size: writtenValue({ extentMm: sizeMm }) }),
         run: () => this.listener_.onScale(kUnitsMm[unit]),
       })),
     })));
