@@ -290,7 +290,7 @@ TEST_F(CommandTest, ANumberOutOfItsRangeIsRefusedWithItsFlagBeforeTheModelIsRead
       const Outcome outcome =
           run({"engrave", path("missing.stl"), "--text", "x", "-o", path("out.stl"), flag, fmt::format("{}", value)});
       EXPECT_EQ(outcome.status, 2) << flag;
-      EXPECT_NE(outcome.err.find("qrelief: " + flag + " is "), std::string::npos) << outcome.err;
+      EXPECT_NE(outcome.err.find("qrelief: error: " + flag + " is "), std::string::npos) << outcome.err;
       EXPECT_NE(outcome.err.find("what helps: Choose from"), std::string::npos) << outcome.err;
     }
   }

@@ -55,6 +55,7 @@ const std::map<std::string, std::vector<std::string>> kRooms = {
     {"wasm", {"core", "viewer", "engine", "inspector", "messages"}},
     {"native", {"core"}},
     {"messages", {"core"}},
+    {"generate", {"core", "messages"}},
     {"cli", {"core", "native", "messages", "generate"}}};
 
 /// Where a quoted include leads: "core", another top-level folder, or nothing for a header beside the file.

@@ -34,6 +34,7 @@ EngraveRequest withNumbers() {
   EngraveRequest request = defaultRequest();
   findSetting("size")->write(request, 35.0);
   findSetting("mask")->write(request, 3.0);
+  findSetting("contrast")->write(request, 0.25);  // else it follows the preset
   return request;
 }
 
