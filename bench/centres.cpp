@@ -58,7 +58,10 @@ int forEachCentre(const std::string& folder, const std::string& centresFile, con
                   const AtCentre& visit) {
   std::ifstream stream(centresFile);
   const Json models = Json::parse(stream, nullptr, false);
-  if (!models.is_object()) return failed(centresFile, {ErrorKind::BadInput, untold("not a JSON object")});
+  if (!models.is_object()) {
+    fmt::print(stderr, "{}: not a JSON object\n", centresFile);
+    return 1;
+  }
   int status = 0, number = 0;
   for (const auto& [file, entry] : models.items()) {
     const double scale = entry["scaleToMm"].get<double>();

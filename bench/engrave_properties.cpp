@@ -34,7 +34,7 @@ int run(std::uint64_t cases, std::uint64_t first, bool carvingOnly) {
   for (std::uint64_t seed = first; seed < first + cases; ++seed) {
     Choices choices(seed);
     const EngraveCase made = makeEngraveCase(choices);
-    const Verdict verdict = carvingOnly ? runCarvingCase(made, choices) : runEngraveCase(made);
+    const OracleVerdict verdict = carvingOnly ? runCarvingCase(made, choices) : runEngraveCase(made);
     ++shapesByKind[verdict.kind][made.shape];
     if (verdict.fault.empty() && cases > 1) continue;
     faults += verdict.fault.empty() ? 0 : 1;

@@ -81,7 +81,8 @@ Result<double> shareThatReads(const EngraveResult& engraved, const EngraveReques
   if (!job) return tl::unexpected(job.error());
   const auto result = runToEnd(**job);
   if (!result) return tl::unexpected(result.error());
-  return result->reading.share;
+  const ReadingCount& count = result->reading.frontal;
+  return static_cast<double>(count.reads) / count.tries;
 }
 
 Status printRows(const Shape& shape) {

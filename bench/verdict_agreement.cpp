@@ -1,29 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Whether `engrave` and `verify` say the same of what was carved: reads, on pictures drawn by the GPU and traced.
 #include <array>
-#include <cmath>
 #include <fmt/format.h>
 
 #include "base/progress.h"
 #include "bench/centres.h"
+#include "native/read_carving.h"
 #include "native/zxing_reader.h"
 #include "pipeline/verify.h"
 #include "settings/preset.h"
-#include "verification/frontal_reading.h"
 
 namespace qrelief {
 namespace {
-
-ReadingCount readAll(const ReaderView& seen, const std::string& text) {
-  ReadingCount count;
-  for (const GreyImage& picture : frontalPictures(seen.luminance, seen.clean.width, seen.pixelsPerModule))
-    for (const SymbolReader& reader : zxingReaders()) {
-      const auto read = reader(picture);
-      ++count.tries;
-      count.reads += read && !read->mirrored && read->text == text;
-    }
-  return count;
-}
 
 struct Case {
   ModulePattern pattern;
@@ -39,9 +27,8 @@ int run(const GeometryPass&, const bench::TableArguments& arguments) {
                                       {ModulePattern::Diamond, FinderPattern::None, Preset::Balanced, true},
                                       {ModulePattern::None, FinderPattern::ThickPlusSharp, Preset::Shallow},
                                       {ModulePattern::ThinPlus, FinderPattern::AsModules, Preset::Robust}}};
-  fmt::print("case, symbol mm, drawn, traced\n");
-  int number = 0;
-  return bench::forEachCentre(
+  int number = 0, agreeing = 0;
+  const int status = bench::forEachCentre(
       arguments.folder, arguments.centresFile, arguments.kinds,
       [&](const std::shared_ptr<const EngravableModel>& model, const bench::Centre& centre) -> Status {
         for (std::size_t k = 0; k < cases.size(); ++k) {
@@ -59,24 +46,27 @@ int run(const GeometryPass&, const bench::TableArguments& arguments) {
             fmt::print("{} {}: {}\n", centre.name, k, result.error().message.code);
             continue;
           }
-          const ReadingCount drawn = readAll(result->readerView, request.text);
-          VerifyRequest wanted;
-          wanted.frame = result->placement.frame;
-          wanted.symbolMm = result->placement.symbolMm;
-          wanted.text = request.text;
-          wanted.symbol = result->symbol;
-          wanted.ranges = false;
+          const auto reading = readCarving(request, *result, [](const Progress&) {});
+          if (!reading) return tl::unexpected(reading.error());
+          const VerifyRequest wanted = verifyRequestOf(request, *result);
           auto job = VerifyJob::create(result->mesh, wanted, zxingReaders());
           if (!job) return tl::unexpected(job.error());
           const auto verified = runToEnd(**job);
           if (!verified) return tl::unexpected(verified.error());
-          fmt::print("{} {}: {:.1f} {} {:.3f} {:.3f}\n", centre.name, k, wanted.symbolMm, drawn.reads,
-                     static_cast<double>(drawn.reads) / drawn.tries, verified->reading.share);
-          std::fflush(stdout);
+          const bool engraves = judge(request, *result, *reading).passed(),
+                     verifies = judge(wanted, *verified).passed();
+          agreeing += engraves == verifies;
           ++number;
+          fmt::print("{} {}: {:.1f} mm, engrave {} ({} of {}{}), verify {} ({} of {}){}\n", centre.name, k,
+                     wanted.symbolMm, engraves, reading->count.reads, reading->count.tries,
+                     reading->traced ? ", traced" : "", verifies, verified->reading.frontal.reads,
+                     verified->reading.frontal.tries, engraves == verifies ? "" : " DIFFER");
+          std::fflush(stdout);
         }
         return {};
       });
+  fmt::print("{} of {} results: engrave and verify agree\n", agreeing, number);
+  return status;
 }
 
 }  // namespace

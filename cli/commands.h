@@ -7,6 +7,8 @@
 #include <string_view>
 
 #include "base/result.h"
+#include "report/json_parts.h"
+#include "verdict/verdict.h"
 
 namespace qrelief {
 
@@ -21,6 +23,12 @@ int printError(const Error& error, std::string_view file = {});
 
 /// "qrelief: warning: FILE: MESSAGE" and the hint on stderr.
 void printWarning(const Message& message, std::string_view file);
+
+/// How reports word messages.
+Wording commandWording();
+
+/// The checks that a file did not pass, and what would help, on stderr. @returns kEngraved, or kCheckFailed
+int printFailed(const Verdict& verdict);
 
 /// Each adds its options to the program and returns what runs it.
 std::function<int()> addEngraveCommand(CLI::App& app);

@@ -9,12 +9,14 @@
 #include "cli/progress_bar.h"
 #include "cli/setting_flags.h"
 #include "io/write_checked.h"
+#include "messages/sentences.h"
 #include "native/egl_context.h"
 #include "native/png_file.h"
+#include "native/read_carving.h"
 #include "native/zxing_reader.h"
 #include "pipeline/carved_objects.h"
 #include "pipeline/place.h"
-#include "pipeline/report.h"
+#include "report/report.h"
 #include "settings/preset.h"
 
 namespace qrelief {
@@ -42,12 +44,9 @@ Status completeRequest(EngraveOptions& options) {
   if (!request) return tl::unexpected(request.error());
   options.request = std::move(*request);
   if (options.ascii && formatOfName(options.output) != ModelFormat::Stl)
-    return fail(ErrorKind::BadUsage, fmt::format("--ascii is for STL, and the output is {}", options.output),
-                "Leave it out, or name the output .stl");
+    return fail(ErrorKind::BadUsage, message("ascii-is-for-stl", with::term("output", options.output)));
   if (options.request.inlay && formatOfName(options.output) != ModelFormat::ThreeMf)
-    return fail(ErrorKind::BadUsage,
-                fmt::format("--inlay needs two bodies in a file, and the output is {}", options.output),
-                "Name the output .3mf, or leave it out");
+    return fail(ErrorKind::BadUsage, message("inlay-is-for-3mf", with::term("output", options.output)));
   return {};
 }
 
@@ -81,33 +80,37 @@ Result<EngraveResult> runJob(std::shared_ptr<const EngravableModel> model, const
 
 struct Carved {
   EngraveResult result;
-  std::string readBack;  // empty: no reader found the code
+  ReadingEvidence reading;
+  Verdict verdict;
 };
 
 Result<Carved> carve(std::shared_ptr<const EngravableModel> model, const EngraveOptions& options) {
   auto result = runJob(std::move(model), options);
   if (!result) return tl::unexpected(result.error());
   const auto reading = Clock::now();
-  std::string readBack = readWithZxing(result->readerView);
+  ProgressBar bar(options.quiet);
+  const auto evidence = readCarving(options.request, *result, [&](const Progress& progress) { bar.show(progress); });
+  if (!evidence) return tl::unexpected(evidence.error());
   result->timingsMs.verify += millisecondsSince(reading);
-  return Carved{std::move(*result), std::move(readBack)};
+  Verdict verdict = judge(options.request, *result, *evidence);
+  return Carved{std::move(*result), *evidence, std::move(verdict)};
 }
 
 /// With the preset asked for, or the next deeper ones where the code does not read with it; `options` then name that.
 /// Where it reads with none of them, as asked for.
 Result<Carved> carveToRead(std::shared_ptr<const EngravableModel> model, EngraveOptions& options) {
   auto asked = carve(model, options);
+  if (!asked) return asked;
   EngraveRequest& request = options.request;
-  const bool mayGoDeeper = !request.contrast && !request.keepPreset && request.objective == DepthObjective::Contrast;
-  if (!asked || !asked->readBack.empty() || !mayGoDeeper) return asked;
   const Preset wanted = request.preset;
-  for (auto next = deeperPreset(wanted); next; next = deeperPreset(*next)) {
+  for (auto next = presetToTryNext(request, asked->verdict); next;) {
     request.preset = *next;
     auto carved = carve(model, options);
     if (!carved) break;  // what is asked for can be carved: better than nothing
-    if (carved->readBack.empty()) continue;
-    fmt::print("carved as {}: as {} no reader found the code in the simulated picture\n", presetName(*next),
-               presetName(wanted));
+    next = presetToTryNext(request, carved->verdict);
+    if (!carved->verdict.reads.passed()) continue;
+    fmt::print("carved as {}: as {} the code did not read reliably in the simulated pictures\n",
+               presetName(request.preset), presetName(wanted));
     return carved;
   }
   request.preset = wanted;
@@ -148,7 +151,13 @@ void printSummary(const EngraveOptions& options, const EngraveResult& result, co
   if (result.limitedSubmodules > 0)
     fmt::print("{} submodules could not be carved deep enough (maximum depth, or wall thickness)\n",
                result.limitedSubmodules);
-  if (!context.readBack.empty()) fmt::print("reads as: {}\n", context.readBack);
+  const ReadingEvidence& reading = context.reading;
+  if (!reading.text.empty()) fmt::print("reads as: {}\n", reading.text);
+  for (const Aspect* aspect : {&context.verdict.reads, &context.verdict.prints, &context.verdict.solid}) {
+    if (aspect->level == Level::Good || !aspect->passed()) continue;
+    fmt::print("{}\n", sentence(aspect->summary));
+    for (const Message& reason : aspect->reasons) fmt::print("  {}\n", sentenceAndHint(reason));
+  }
 }
 
 int engraveModel(EngraveOptions& options) {
@@ -179,20 +188,20 @@ int engraveModel(EngraveOptions& options) {
       return printError(chosen.error(), context.fileName);
     context.spotMs = millisecondsSince(choosing);
   }
-  const std::string askedPreset = presetName(options.request.preset);
+  const Preset askedPreset = options.request.preset;
   auto carved = carveToRead(model, options);
   if (!carved) return printError(carved.error(), context.fileName);
   const EngraveResult& result = carved->result;
-  context.readBack = carved->readBack;
+  context.reading = carved->reading;
+  context.verdict = carved->verdict;
+  context.askedPreset = askedPreset;
+  context.wording = commandWording();
   context.reader = zxingName();
-  if (!options.request.contrast) context.presets = {askedPreset, presetName(options.request.preset)};
 
   if (const Status written = writeOutputs(options, *model, result, input->partNames, context, start); !written)
     return printError(written.error());
   printSummary(options, result, context);
-  const std::vector<std::string> failed = failedChecks(options.request, result, context.readBack);
-  for (const std::string& check : failed) fmt::print(stderr, "qrelief: check not passed: {}\n", check);
-  return failed.empty() ? kEngraved : kCheckFailed;
+  return printFailed(context.verdict);
 }
 
 }  // namespace

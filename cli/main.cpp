@@ -40,11 +40,23 @@ int printError(const Error& error, std::string_view file) {
 
 void printWarning(const Message& message, std::string_view file) { print("warning", file, message); }
 
+Wording commandWording() {
+  return {[](const Message& message) { return sentence(message); },
+          [](const Message& message) { return hint(message); }};
+}
+
+int printFailed(const Verdict& verdict) {
+  for (const Message& failure : verdict.failed()) {
+    fmt::print(stderr, "qrelief: check not passed: {}\n", sentence(failure));
+    if (const std::string helps = hint(failure); !helps.empty()) fmt::print(stderr, "  what helps: {}\n", helps);
+  }
+  return verdict.passed() ? kEngraved : kCheckFailed;
+}
+
 Result<std::optional<double>> scaleFrom(std::optional<double> scale, const std::string& units) {
   if (!units.empty()) return units == "mm" ? 1.0 : units == "cm" ? 10.0 : units == "m" ? 1000.0 : 25.4;
   if (scale && !(*scale > 0 && *scale < 1e12))
-    return fail(ErrorKind::BadUsage, fmt::format("The scale is {:g}", *scale),
-                "Give file units → mm, such as 1000 for metres");
+    return fail(ErrorKind::BadUsage, message("scale-not-positive", with::number("scale", *scale)));
   return scale;
 }
 

@@ -16,7 +16,8 @@ Result<std::optional<double>> millimetresOrAuto(const std::string& text, const c
     if (used == text.size() && value >= 0 && std::isfinite(value)) return std::optional(value);
   } catch (const std::exception&) {
   }
-  return fail(ErrorKind::BadUsage, fmt::format("{} is \"{}\"", option, text), "Give mm, 0 or more, or auto");
+  return fail(ErrorKind::BadUsage,
+              message("tolerance-not-a-length", with::term("option", option), with::quoted("given", text)));
 }
 
 }  // namespace

@@ -8,8 +8,9 @@
 #include "cli/progress_bar.h"
 #include "cli/setting_flags.h"
 #include "io/read_model.h"
+#include "messages/sentences.h"
 #include "native/zxing_reader.h"
-#include "pipeline/verify_report.h"
+#include "report/verify_report.h"
 
 namespace qrelief {
 namespace {
@@ -26,8 +27,7 @@ struct VerifyOptions {
 Result<VerifyRequest> requestFromFlags(const VerifyOptions& options, const EngraveRequest& settings) {
   const PlacementRequest& place = settings.placement;
   if (settings.text.empty() || options.at.empty() || !place.direction || place.sizeMode != SizeMode::Fixed)
-    return fail(ErrorKind::BadUsage, "Without --report the place of the code is not known",
-                "Give --report FILE, or --text, --at, --direction and --size");
+    return fail(ErrorKind::BadUsage, message("verify-place-unknown"));
   VerifyRequest request;
   request.text = settings.text;
   request.symbolMm = place.sizeMm;
@@ -66,25 +66,30 @@ std::string rangeOf(const ReadingSummary& reading) {
   return words;
 }
 
-void printResult(const std::string& name, const VerifyRequest& request, const VerifyResult& result) {
+void printResult(const std::string& name, const VerifyRequest& request, const VerifyResult& result,
+                 const Verdict& verdict) {
   const SolidityReport& solid = result.solidity;
   fmt::print("{}: {}, {} triangles\n", name, solid.solid() ? "a closed solid" : "no clean solid", solid.triangles);
   const ReadingSummary& reading = result.reading;
-  if (reading.reads)
+  if (verdict.reads.level == Level::Good)
     fmt::print("reads as: {}\n", request.text);
   else
-    fmt::print("does not read reliably\n");
-  fmt::print("{:.0f} % of the tries from the front read ({:.0f} % are needed)\n", 100 * reading.share,
-             100 * kReadShare);
-  if (const std::string range = rangeOf(reading); reading.reads && !range.empty()) fmt::print("reads {}\n", range);
+    fmt::print("{}\n", sentence(verdict.reads.summary));
+  fmt::print("{} of {} tries from the front read ({} are needed)\n", reading.frontal.reads, reading.frontal.tries,
+             reading.frontal.needed());
+  if (const std::string range = rangeOf(reading); reading.frontal.enough() && !range.empty())
+    fmt::print("reads {}\n", range);
   if (result.features)
     fmt::print("pockets {:.2f} mm deep on average, {:.2f} mm wide, modules {:.2f} mm\n", result.features->meanDepthMm,
                result.features->pocketMm, result.features->moduleMm);
   if (result.grades)
     fmt::print("simulated grades: ISO/IEC 15415 {:g}, ISO/IEC 29158 {:g}; fixed pattern damage {:g}\n",
                result.grades->iso15415, result.grades->iso29158, result.grades->fixedPatternDamage.grade);
-  for (const PrintAdvice& advice : result.advice)
-    fmt::print("in print: {}\n  what helps: {}\n", advice.problem, advice.hint);
+  if (verdict.prints.level != Level::Good)
+    for (const Message& advice : verdict.prints.reasons)
+      fmt::print("in print: {}\n  what helps: {}\n", sentence(advice), hint(advice));
+  if (verdict.solid.passed() && verdict.solid.level != Level::Good)
+    for (const Message& reason : verdict.solid.reasons) fmt::print("{}\n", sentence(reason));
 }
 
 int verifyModel(const VerifyOptions& options) {
@@ -107,17 +112,16 @@ int verifyModel(const VerifyOptions& options) {
   if (const Status done = runWithProgress(**job, options.quiet); !done) return printError(done.error(), name);
   const VerifyResult result = (*job)->takeResult();
 
-  printResult(name, *request, result);
-  for (const VerifyFinding& finding : result.failed) {
-    fmt::print(stderr, "qrelief: check not passed: {}\n", finding.message);
-    if (!finding.hint.empty()) fmt::print(stderr, "  what helps: {}\n", finding.hint);
-  }
+  const Verdict verdict = judge(*request, result);
+  printResult(name, *request, result, verdict);
+  const int status = printFailed(verdict);
   if (!options.json.empty()) {
     const double total = millisecondsSince(start);
-    const std::string report = makeVerifyReport(*request, result, {name, soup->format, zxingName(), total});
+    const std::string report =
+        makeVerifyReport(*request, result, {name, soup->format, zxingName(), total, verdict, commandWording()});
     if (const Status written = writeFileAtomically(options.json, report); !written) return printError(written.error());
   }
-  return result.failed.empty() ? kEngraved : kCheckFailed;
+  return status;
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "pipeline/add_inlay.h"
 #include "pipeline/carved_objects.h"
 #include "verification/baked_light.h"
+#include "verification/reading_variants.h"
 #include "viewer/depth_colours.h"
 #include "viewer/display_mesh.h"
 
@@ -92,7 +93,8 @@ void Carvings::forgetCurrent() {
   runs_ = false;
   current_.result.reset();
   current_.display.reset();
-  current_.readBack.clear();
+  current_.reading = {};
+  current_.viewTrials.reset();
   current_.reader.clear();
 }
 
@@ -146,7 +148,8 @@ std::string Carvings::report(const LoadedModel& model, const gl::Capabilities& g
   context.fileName = model.fileName;
   context.format = model.format;
   context.scaleToMm = model.scaleToMm;
-  context.readBack = current_.readBack;
+  context.reading = current_.reading;
+  context.verdict = judge(current_.request, *current_.result, current_.reading);
   context.reader = current_.reader;
   context.gl = gl;
   context.loadMs = model.loadMs;
@@ -162,9 +165,25 @@ GreyImage Carvings::readerImageFrom(const Ground& ground, double tiltDeg, double
   return seen ? std::move(seen->picture) : GreyImage{};
 }
 
-void Carvings::setReadBack(const std::string& text, const std::string& reader) {
-  current_.readBack = text;
+Verdict Carvings::setReadings(const std::vector<std::string>& texts, const std::string& reader) {
+  current_.reading = evidenceOf(texts, current_.request.text);
   current_.reader = reader;
+  return judge(current_.request, *current_.result, current_.reading);
+}
+
+ViewTrials& Carvings::startViewTrials() {
+  return current_.viewTrials.emplace(current_.result->readerView.pixelsPerModule);
+}
+
+std::vector<GreyImage> Carvings::viewTrialPictures(const Ground& ground) {
+  if (!current_.viewTrials || current_.viewTrials->done()) return {};
+  const ViewTrial& trial = current_.viewTrials->due();
+  const ReaderView& seen = current_.result->readerView;
+  if (trial.pixelsPerModule)
+    return readingVariants(fromFarther(seen.picture, *trial.pixelsPerModule / seen.pixelsPerModule),
+                           *trial.pixelsPerModule);
+  const GreyImage aside = readerImageFrom(ground, trial.tiltDeg, trial.azimuthDeg);
+  return aside.width > 0 ? readingVariants(aside, seen.pixelsPerModule) : std::vector<GreyImage>();
 }
 
 std::vector<std::uint8_t> Carvings::exported(const LoadedModel& model, const std::string& format) {

@@ -9,7 +9,9 @@
 
 #include "engine/loaded_model.h"
 #include "gl/pass_timings.h"
-#include "pipeline/report.h"
+#include "report/report.h"
+#include "verdict/verdict.h"
+#include "verification/view_trials.h"
 
 namespace qrelief {
 
@@ -52,7 +54,14 @@ class Carvings {
   std::string report(const LoadedModel& model, const gl::Capabilities& gl) const;
   /// What a phone sees from aside, see tilted(); empty where it cannot be drawn. There must be a carving.
   GreyImage readerImageFrom(const Ground& ground, double tiltDeg, double azimuthDeg);
-  void setReadBack(const std::string& text, const std::string& reader);
+  /// What decoders made of it: of frontalPictures(), try by try. There must be a carving.
+  /// @returns what the carving comes to with that
+  Verdict setReadings(const std::vector<std::string>& texts, const std::string& reader);
+  /// Looks from where else it reads; null before startViewTrials(). There must be a carving.
+  ViewTrials& startViewTrials();
+  ViewTrials* viewTrials() { return current_.viewTrials ? &*current_.viewTrials : nullptr; }
+  /// Of the trial that is due, in every reading variant; empty where it cannot be drawn.
+  std::vector<GreyImage> viewTrialPictures(const Ground& ground);
   /// See Engine::exportModel.
   std::vector<std::uint8_t> exported(const LoadedModel& model, const std::string& format);
 
@@ -81,7 +90,9 @@ class Carvings {
     double ms = 0;
     std::optional<EngraveResult> result;     // none: not finished
     std::shared_ptr<const GpuMesh> display;  // once it has been shown
-    std::string readBack, reader;
+    ReadingEvidence reading;
+    std::string reader;
+    std::optional<ViewTrials> viewTrials;
   };
   Result<std::unique_ptr<EngraveJob>> makeJob(const Ground& ground, const EngraveRequest& request,
                                               const PlacementSearch* placed);

@@ -102,8 +102,19 @@ class Engine {
   GreyImage readerImageFrom(double tiltDeg, double azimuthDeg);
   /// What the engraving job worked on, see jobMap in job_map.h.
   std::optional<JobMap> jobMap(const std::string& name) const;
-  /// What a reader made of it; empty: nothing.
-  void setReadBack(const std::string& text, const std::string& reader) { carvings_.setReadBack(text, reader); }
+  /// What decoders are to try, each with each of its binarisers: see frontalPictures(). Empty before an engraving.
+  std::vector<GreyImage> readingPictures() const;
+  /// {passed, next}: what the tries on readingPictures() come to, and the preset to carve with next, or null.
+  /// @param texts   a JSON list, in the pictures' order, binariser by binariser; "" where nothing was read
+  /// @param reader  which decoder
+  std::string setReadings(const std::string& texts, const std::string& reader);
+
+  /// {tried, all}: starts looking from where else the code reads (verification/view_trials.h).
+  std::string startViewTrials();
+  /// Of the trial that is due; a decoder that reads one of them reads it. Empty where it cannot be drawn.
+  std::vector<GreyImage> viewTrialPictures();
+  /// {done, tried, all, views: {tilts: [{tiltDeg, reads, all}], safeTiltDeg, forgiving, pixelsPerModule, distanceMm}}
+  std::string noteViewTrial(bool read);
   /// The carved model as "stl" (binary), "obj", "ply", "3mf" or "3mf-inlay" (with the body that fills the pockets),
   /// read back and compared; empty before an engraving is done, for another format, if the file would say anything
   /// else, and if the pockets cannot be filled by a solid body.

@@ -2,6 +2,7 @@
 // How the engine engraves, and what it says of what came out.
 #include "engine/answers.h"
 #include "engine/engine.h"
+#include "projection/bend.h"
 
 namespace qrelief {
 namespace {
@@ -72,6 +73,47 @@ const GreyImage& Engine::readerImage() const {
 
 GreyImage Engine::readerImageFrom(double tiltDeg, double azimuthDeg) {
   return carvings_.result() ? carvings_.readerImageFrom(ground(), tiltDeg, azimuthDeg) : GreyImage{};
+}
+
+std::vector<GreyImage> Engine::readingPictures() const {
+  if (!carvings_.result()) return {};
+  const ReaderView& seen = carvings_.result()->readerView;
+  return frontalPictures(seen.luminance, seen.clean.width, seen.pixelsPerModule);
+}
+
+std::string Engine::setReadings(const std::string& texts, const std::string& reader) {
+  if (!carvings_.result()) return answer(kNoResult);
+  const Verdict verdict = carvings_.setReadings(Json::parse(texts).get<std::vector<std::string>>(), reader);
+  const std::optional<Preset> next = presetToTryNext(carvings_.request(), verdict);
+  return textOf({{"ok", true}, {"passed", verdict.reads.passed()}, {"next", next ? Json(presetName(*next)) : Json()}});
+}
+
+std::string Engine::startViewTrials() {
+  if (!carvings_.result()) return answer(kNoResult);
+  return textOf({{"ok", true}, {"tried", 0}, {"all", carvings_.startViewTrials().all()}});
+}
+
+std::vector<GreyImage> Engine::viewTrialPictures() {
+  return carvings_.result() ? carvings_.viewTrialPictures(ground()) : std::vector<GreyImage>();
+}
+
+std::string Engine::noteViewTrial(bool read) {
+  ViewTrials* trials = carvings_.result() ? carvings_.viewTrials() : nullptr;
+  if (!trials || trials->done()) return answer(kNoResult);
+  trials->note(read);
+  const ViewTrialSummary summary = trials->summary();
+  Json tilts = Json::array();
+  for (const ViewTrialSummary::Tilt& tilt : summary.tilts)
+    tilts.push_back({{"tiltDeg", tilt.tiltDeg}, {"reads", tilt.reads}, {"all", tilt.all}});
+  const std::optional<double> pixels = summary.pixelsPerModule;
+  const double moduleMm = carvings_.result()->placement.moduleMm;
+  const Json views = {{"tilts", tilts},
+                      {"safeTiltDeg", summary.safeTiltDeg},
+                      {"forgiving", summary.safeTiltDeg >= kForgivingTiltDeg},
+                      {"pixelsPerModule", pixels ? Json(*pixels) : Json()},
+                      {"distanceMm", pixels ? Json(videoDistanceMm(moduleMm, *pixels)) : Json()}};
+  return textOf(
+      {{"ok", true}, {"done", trials->done()}, {"tried", trials->tried()}, {"all", trials->all()}, {"views", views}});
 }
 
 std::vector<std::uint8_t> Engine::exportModel(const std::string& format) {

@@ -46,6 +46,7 @@ std::string Engine::describePlacement() const {
                    {"moduleMm", placement.moduleMm},
                    {"guaranteedMm", placement.guaranteedMm},
                    {"aimToleranceDeg", aimToleranceDeg(placement.bendMm, placement.moduleMm)},
+                   {"forgiving", aimToleranceDeg(placement.bendMm, placement.moduleMm) >= kForgivingTiltDeg},
                    {"rotationDeg", placement.rotationDeg},
                    {"version", wanted_.symbol()->version},
                    {"modules", wanted_.symbol()->size}}}});

@@ -63,8 +63,7 @@ Result<std::unique_ptr<EglContext>> EglContext::create() {
     made->context_ = context;
     return made;
   }
-  return fail(ErrorKind::Internal, "No OpenGL ES 3 context could be made without a display",
-              "Install Mesa's EGL (Debian: libegl-mesa0, libgl1-mesa-dri) or a GPU driver with EGL");
+  return fail(ErrorKind::Internal, message("no-gl-context"));
 }
 
 EglContext::~EglContext() {

@@ -4,6 +4,7 @@
 #include <ZXing/ReadBarcode.h>
 #include <ZXing/TextUtfEncoding.h>
 
+#include "base/parallel.h"
 #include "verification/reading_variants.h"
 
 namespace qrelief {
@@ -36,6 +37,17 @@ std::string readWithZxing(const ReaderView& seen) {
     for (const SymbolReader& reader : readers)
       if (const auto read = reader(variant); read && !read->mirrored) return read->text;
   return {};
+}
+
+std::vector<std::string> readFrontal(const ReaderView& seen) {
+  const std::vector<SymbolReader> readers = zxingReaders();
+  const std::vector<GreyImage> pictures = frontalPictures(seen.luminance, seen.clean.width, seen.pixelsPerModule);
+  std::vector<std::string> texts(pictures.size() * readers.size());
+  parallelFor(texts.size(), [&](std::size_t i) {
+    const auto read = readers[i % readers.size()](pictures[i / readers.size()]);
+    if (read && !read->mirrored) texts[i] = read->text;
+  });
+  return texts;
 }
 
 std::string zxingName() { return "ZXing-C++"; }

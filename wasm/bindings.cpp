@@ -14,29 +14,27 @@
 #include "inspector/inspected_engine.h"
 
 /// Every verb that the page may call, and the class that has it.
-#define QRELIEF_VERBS(verb)                                                                                            \
-  verb(Engine, capabilities) verb(Engine, loadModel) verb(Engine, configure) verb(Engine, symbol) verb(Engine, pick)   \
-      verb(Engine, setCentre) verb(Engine, placement) verb(Engine, hover) verb(Engine, endHover)                       \
-          verb(Engine, startSettling) verb(Engine, advanceSettling) verb(Engine, moveCode) verb(Engine, adjustCode)    \
-              verb(Engine, startPlacing) verb(Engine, advancePlacing) verb(Engine, cancelPlacing) verb(Engine, spots)  \
-                  verb(Engine, chooseSpot) verb(Engine, showSizes) verb(Engine, prepareEngrave) verb(                  \
-                      InspectedEngine, startEngrave) verb(Engine, advance) verb(Engine, cancel) verb(Engine, carving)  \
-                      verb(Engine, useCarving) verb(Engine, report) verb(Engine, readerImage)                          \
-                          verb(Engine, readerImageFrom) verb(Engine, jobMap) verb(Engine, setReadBack) verb(           \
-                              Engine, exportModel) verb(InspectedEngine, resize) verb(InspectedEngine, setTheme)       \
-                              verb(Engine, setUpAxis) verb(Engine, showCarved) verb(Engine, orbit) verb(Engine, pan)   \
-                                  verb(Engine, zoom) verb(Engine, fit) verb(Engine, standardView)                      \
-                                      verb(Engine, readerView) verb(Engine, faceCode) verb(Engine, showSection)        \
-                                          verb(Engine, faceSection) verb(Engine, showDepths) verb(Engine, viewState)   \
-                                              verb(Engine, spotPicture) verb(InspectedEngine, draw) verb(              \
-                                                  InspectedEngine, openInspector) verb(InspectedEngine, showInspector) \
-                                                  verb(InspectedEngine, inspectorTexts)                                \
-                                                      verb(InspectedEngine, inspectorArea)                             \
-                                                          verb(InspectedEngine, inspectorGlyphs)                       \
-                                                              verb(InspectedEngine, inspectorPointer)                  \
-                                                                  verb(InspectedEngine, inspectorKey)                  \
-                                                                      verb(InspectedEngine, inspectorPick)             \
-                                                                          verb(InspectedEngine, inspectorState)
+// clang-format off
+#define QRELIEF_VERBS(verb) \
+  verb(Engine, capabilities) verb(Engine, loadModel) verb(Engine, configure) verb(Engine, symbol) \
+  verb(Engine, pick) verb(Engine, setCentre) verb(Engine, placement) verb(Engine, hover) verb(Engine, endHover) \
+  verb(Engine, startSettling) verb(Engine, advanceSettling) verb(Engine, moveCode) verb(Engine, adjustCode) \
+  verb(Engine, startPlacing) verb(Engine, advancePlacing) verb(Engine, cancelPlacing) verb(Engine, spots) \
+  verb(Engine, chooseSpot) verb(Engine, showSizes) verb(Engine, prepareEngrave) \
+  verb(InspectedEngine, startEngrave) verb(Engine, advance) verb(Engine, cancel) verb(Engine, carving) \
+  verb(Engine, useCarving) verb(Engine, report) verb(Engine, readerImage) verb(Engine, jobMap) \
+  verb(Engine, readingPictures) verb(Engine, setReadings) verb(Engine, startViewTrials) \
+  verb(Engine, viewTrialPictures) verb(Engine, noteViewTrial) verb(Engine, exportModel) \
+  verb(InspectedEngine, resize) verb(InspectedEngine, setTheme) verb(Engine, setUpAxis) \
+  verb(Engine, showCarved) verb(Engine, orbit) verb(Engine, pan) verb(Engine, zoom) verb(Engine, fit) \
+  verb(Engine, standardView) verb(Engine, readerView) verb(Engine, faceCode) verb(Engine, showSection) \
+  verb(Engine, faceSection) verb(Engine, showDepths) verb(Engine, viewState) verb(Engine, spotPicture) \
+  verb(InspectedEngine, draw) verb(InspectedEngine, openInspector) verb(InspectedEngine, showInspector) \
+  verb(InspectedEngine, inspectorTexts) verb(InspectedEngine, inspectorArea) \
+  verb(InspectedEngine, inspectorGlyphs) verb(InspectedEngine, inspectorPointer) \
+  verb(InspectedEngine, inspectorKey) verb(InspectedEngine, inspectorPick) \
+  verb(InspectedEngine, inspectorState)
+// clang-format on
 
 namespace qrelief {
 namespace {
@@ -85,6 +83,15 @@ struct Crossing<std::vector<float>> {
 template <>
 struct Crossing<GreyImage> {
   static val out(const GreyImage& image) { return picture(image.width, image.height, image.pixels); }
+};
+
+template <>
+struct Crossing<std::vector<GreyImage>> {
+  static val out(const std::vector<GreyImage>& images) {
+    val list = val::array();
+    for (const GreyImage& image : images) list.call<void>("push", Crossing<GreyImage>::out(image));
+    return list;
+  }
 };
 
 template <>

@@ -210,7 +210,7 @@ export class App {
       onSaveReport: () => this.guard_(() => this.carving_.saveReport()),
       onRemedy: (remedy, label) => this.guard_(() => this.session_.remedy(remedy, label)),
       onTryViews: async (...options) => {
-        /** @type {import('./verdict/view_trials.js').Trials | undefined} */ let trials;
+        /** @type {import('./engine/types.js').ViewTrials | undefined} */ let trials;
         await this.guard_(async () => {
           trials = await this.carving_.tryViews(...options);
         });

@@ -16,7 +16,6 @@ const kLayers = [
   'decoder',   // reads pictures of codes
   'contents',  // what a code can hold
   'export',    // the files that can be saved
-  'verdict',   // what is concluded of a carving, and what would help
   'view',      // the model on the screen
   'ui',        // the panels
   'session',   // what is worked on, and what goes on with it

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <cstdint>
-#include <ostream>
+#include <initializer_list>
+#include <iosfwd>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace qrelief {
@@ -36,7 +36,14 @@ struct MessageValue {
   std::string key;              ///< of Choice: the setting
   std::vector<Message> cause;   ///< one, of Cause
 
-  bool operator==(const MessageValue&) const;
+  MessageValue(const char* named, Kind of, std::vector<double> values, std::string_view words);
+  // Out of line, as everything that fails makes messages: the browser's module is loaded by everyone.
+  MessageValue(const MessageValue& other);
+  MessageValue(MessageValue&& other) noexcept;
+  MessageValue& operator=(const MessageValue& other);
+  MessageValue& operator=(MessageValue&& other) noexcept;
+  ~MessageValue();
+  bool operator==(const MessageValue& other) const;
 };
 
 /// What is to be told to a person, without words: which sentence, and the values in it. The words stand in messages/,
@@ -45,88 +52,57 @@ struct Message {
   std::string code;  ///< stable, "stl-cut-off"
   std::vector<MessageValue> values;
 
-  bool operator==(const Message&) const;
+  Message();
+  Message(std::string_view named, std::initializer_list<MessageValue> holding);
+  Message(const Message& other);
+  Message(Message&& other) noexcept;
+  Message& operator=(const Message& other);
+  Message& operator=(Message&& other) noexcept;
+  ~Message();
+  bool operator==(const Message& other) const;
 };
-
-inline bool MessageValue::operator==(const MessageValue&) const = default;
-inline bool Message::operator==(const Message&) const = default;
 
 /// The only maker of messages, so that a test finds them all in the sources: `message("stl-cut-off",
 /// with::count("bytes", 83))`.
 /// @param code  a string literal
 template <class... Values>
-Message message(const char* code, Values&&... values) {
-  Message made{code, {}};
-  (made.values.push_back(std::forward<Values>(values)), ...);
-  return made;
+Message message(const char* code, const Values&... values) {
+  return {code, {values...}};
 }
 
 /// Makers of the values; the name is a string literal that stands in the sentence or in its hint.
 namespace with {
 
-inline MessageValue numeric(const char* name, MessageValue::Kind kind, std::vector<double> numbers) {
-  return {name, kind, std::move(numbers), {}, {}, {}};
-}
-inline MessageValue textual(const char* name, MessageValue::Kind kind, std::string_view text) {
-  return {name, kind, {}, std::string(text), {}, {}};
-}
+MessageValue numeric(const char* name, MessageValue::Kind kind, double a);
+MessageValue numeric(const char* name, MessageValue::Kind kind, double x, double y, double z);
 
 template <class Integer>
 MessageValue count(const char* name, Integer n) {
-  return numeric(name, MessageValue::Kind::Count, {static_cast<double>(n)});
+  return numeric(name, MessageValue::Kind::Count, static_cast<double>(n));
 }
-inline MessageValue number(const char* name, double value) {
-  return numeric(name, MessageValue::Kind::Number, {value});
-}
-inline MessageValue lengthMm(const char* name, double mm) { return numeric(name, MessageValue::Kind::LengthMm, {mm}); }
-inline MessageValue angleDeg(const char* name, double deg) {
-  return numeric(name, MessageValue::Kind::AngleDeg, {deg});
-}
-inline MessageValue fraction(const char* name, double part) {
-  return numeric(name, MessageValue::Kind::Fraction, {part});
-}
+MessageValue number(const char* name, double value);
+MessageValue lengthMm(const char* name, double mm);
+MessageValue angleDeg(const char* name, double deg);
+MessageValue fraction(const char* name, double part);
 /// @param p  has x, y and z, as do extents
 template <class Vector>
 MessageValue place(const char* name, const Vector& p) {
-  return numeric(name, MessageValue::Kind::Place, {p.x, p.y, p.z});
+  return numeric(name, MessageValue::Kind::Place, p.x, p.y, p.z);
 }
 template <class Vector>
 MessageValue extentMm(const char* name, const Vector& mm) {
-  return numeric(name, MessageValue::Kind::ExtentMm, {mm.x, mm.y, mm.z});
+  return numeric(name, MessageValue::Kind::ExtentMm, mm.x, mm.y, mm.z);
 }
-inline MessageValue quoted(const char* name, std::string_view text) {
-  return textual(name, MessageValue::Kind::Quoted, text);
-}
-inline MessageValue term(const char* name, std::string_view text) {
-  return textual(name, MessageValue::Kind::Term, text);
-}
-inline MessageValue setting(const char* name, std::string_view key) {
-  return textual(name, MessageValue::Kind::Setting, key);
-}
-inline MessageValue choice(const char* name, std::string_view key, std::string_view value) {
-  MessageValue made = textual(name, MessageValue::Kind::Choice, value);
-  made.key = key;
-  return made;
-}
-inline MessageValue indices(const char* name, std::vector<double> list) {
-  return numeric(name, MessageValue::Kind::Indices, std::move(list));
-}
-inline MessageValue cause(const char* name, Message message) {
-  return {name, MessageValue::Kind::Cause, {}, {}, {}, {std::move(message)}};
-}
+MessageValue quoted(const char* name, std::string_view text);
+MessageValue term(const char* name, std::string_view text);
+MessageValue setting(const char* name, std::string_view key);
+MessageValue choice(const char* name, std::string_view key, std::string_view value);
+MessageValue indices(const char* name, std::vector<double> list);
+MessageValue cause(const char* name, Message message);
 
 }  // namespace with
 
 /// For tests and debuggers, not for users: `stl-cut-off announced=12 bytes=83`.
-inline std::ostream& operator<<(std::ostream& stream, const Message& message) {
-  stream << message.code;
-  for (const MessageValue& value : message.values) {
-    stream << ' ' << value.name << '=';
-    for (const double number : value.numbers) stream << number << (value.numbers.size() > 1 ? ";" : "");
-    stream << value.text;
-    for (const Message& cause : value.cause) stream << '(' << cause << ')';
-  }
-  return stream;
-}
+std::ostream& operator<<(std::ostream& stream, const Message& message);
 
 }  // namespace qrelief

@@ -32,18 +32,4 @@ inline tl::unexpected<Error> fail(ErrorKind kind, Message message) {
   return tl::unexpected<Error>(Error{kind, std::move(message)});
 }
 
-/// Until every error has its code: words in place of it.
-inline Message untold(std::string text, std::string hint = {}) {
-  Message made{"untold", {with::term("text", text)}};
-  if (!hint.empty()) made = {"untold-hint", {with::term("text", text), with::term("hint", hint)}};
-  return made;
-}
-inline tl::unexpected<Error> fail(ErrorKind kind, std::string text, std::string hint = {}) {
-  return fail(kind, untold(std::move(text), std::move(hint)));
-}
-inline std::string toldText(const Message& untold) {
-  return untold.values.empty() ? untold.code : untold.values[0].text;
-}
-inline std::string toldHint(const Message& untold) { return untold.values.size() < 2 ? "" : untold.values[1].text; }
-
 }  // namespace qrelief

@@ -87,6 +87,12 @@ DepthSummary summarise(const DepthField& depths) {
   return summary;
 }
 
+CarvedFeatures featuresOf(const EngraveResult& result) {
+  std::vector<std::uint8_t> carved;
+  for (const double depth : result.depths.depthMm) carved.push_back(depth > 0);
+  return measureFeatures(result.symbol, carved, result.depths.depthMm, result.placement.moduleMm);
+}
+
 /// The stages in their order; each `advance` does one step of the current one.
 struct EngraveJob::State {
   enum class Stage { Placing, Mapping, Searching, Embedding, Checking, Viewing, Done };
@@ -161,8 +167,8 @@ void EngraveJob::State::take(const PlacementSearch& found) {
   stage = Stage::Mapping;
 }
 
-/// Greatest depth of every submodule: --max-depth, distance to the other side of the material in any direction, and
-/// thickness along every texel's ray, which meets what is too fine for the former's samples.
+/// Greatest depth of every submodule: the one asked for, distance to the other side of the material in any direction,
+/// and thickness along every texel's ray, which meets what is too fine for the former's samples.
 Result<std::vector<double>> EngraveJob::State::depthLimits() {
   const Placement& placement = result.placement;
   auto back = pass->renderBack(model->gpu, placement.frame, maps.window);
@@ -313,10 +319,7 @@ Status EngraveJob::State::searchOnce() {
   for (int row = 0; row < edge; ++row)
     for (int column = 0; column < edge; ++column) result.received.push_back(received[layout.ofQuietZone(row, column)]);
   if (summarise(result.depths).maxMm == 0)
-    return fail(
-        ErrorKind::NoSolution,
-        fmt::format("Nothing can be carved here without leaving less than {:g} mm of material", request.minWallMm),
-        "Choose a thicker spot or a smaller minimum wall");
+    return fail(ErrorKind::NoSolution, message("nothing-can-be-carved", with::lengthMm("wall", request.minWallMm)));
   stage = Stage::Embedding;
   return {};
 }
@@ -344,6 +347,12 @@ Status EngraveJob::State::check() {
   if (!solidity) return tl::unexpected(solidity.error());
   result.solidity = *solidity;
   if (const Status sound = checkNewDefects(result.solidity, model->prepared); !sound) return sound;
+  if (model->prepared.crossesItself) {  // then the whole file is asked; carving has brought none
+    const auto whole = checkSolidity(result.mesh);
+    if (!whole) return tl::unexpected(whole.error());
+    result.solidity = *whole;
+    result.inheritedSelfIntersections = whole->selfIntersections;
+  }
   const std::vector<std::uint32_t>& partOf = model->prepared.partOfTriangle;
   result.carvedPart = partOf.empty() ? 0 : partOf[result.placement.seed];
   result.partOfTriangle =

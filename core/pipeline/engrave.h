@@ -17,6 +17,7 @@
 #include "render/geometry_pass.h"
 #include "render/luminance_pass.h"
 #include "settings/engrave_request.h"
+#include "verification/printability.h"
 #include "verification/reader_view.h"
 #include "verification/solidity.h"
 
@@ -56,8 +57,10 @@ struct EngraveResult {
   std::size_t limitedSubmodules = 0;  ///< that a limit kept from being dark enough
   /// Of every submodule of symbol and quiet zone, at the depths found; row-major from the quiet zone's top left.
   std::vector<double> luminance;
-  std::vector<Received> received;   ///< the light that this luminance is made of, in the same order
-  SolidityReport solidity;          ///< after the round trip
+  std::vector<Received> received;  ///< the light that this luminance is made of, in the same order
+  SolidityReport solidity;         ///< of the whole file, after the round trip
+  /// Pairs of crossing triangles among those that the model brought along; all others would have been refused.
+  std::size_t inheritedSelfIntersections = 0;
   std::optional<Mesh> inlay;        ///< if it was asked for; as an STL round trip gives it back, too
   SolidityReport inlaySolidity;     ///< of the inlay
   ReaderView readerView;            ///< what a phone would see
@@ -71,6 +74,9 @@ struct DepthSummary {
   double meanMm = 0, maxMm = 0, p95Mm = 0;
 };
 DepthSummary summarise(const DepthField& depths);
+
+/// What a printer has to make of what was carved, from the depths.
+CarvedFeatures featuresOf(const EngraveResult& result);
 
 /// What the inspector shows of a running or finished job. Everything belongs to the job.
 struct InspectorMaps {

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "base/clock.h"
+#include "math/round_down.h"
 #include "projection/bend.h"
 #include "projection/room.h"
 #include "projection/size.h"
@@ -241,31 +242,26 @@ Status PlaceJob::State::finishTests() {
 }
 
 Error PlaceJob::State::nothingFound() const {
-  std::string text;
-  const std::string wanted = fixed() ? fmt::format("a code of {:.4g} mm{}", request.placement.sizeMm,
-                                                   request.placement.quietZone ? " with its quiet zone" : "")
-                                     : std::string("a code");
-  text = fmt::format("No spot of the model takes {}", wanted);
-  if (tooThin > 0)
-    text += fmt::format(
-        "; {} {} large enough, but the wall is {:.2g} mm at most, too thin for pockets of {:g} mm if {:g} mm must "
-        "remain",
-        tooThin, tooThin == 1 ? "is" : "are", thickestMm, request.leastDepthMm, request.minWallMm);
-  if (largest) {
-    const Vec3 at = largest->centreFileUnits;
-    const int digits = centreDecimals(request.scaleToMm);
-    text += fmt::format("; the largest found is {:.4g} mm at {:.{}f},{:.{}f},{:.{}f}",
-                        std::floor(largest->symbolMm * 100) / 100, at.x, digits, at.y, digits, at.z, digits);
+  const PlacementRequest& place = request.placement;
+  if (tooThin > 0) {
+    // Walls are measured along the rays; across they may be a little thinner.
+    const double spare = std::floor(10 * (kAcrossShare * thickestMm - request.leastDepthMm)) / 10;
+    if (spare > 0 && spare < request.minWallMm)
+      return {ErrorKind::NoSolution,
+              message("no-spot-wall-too-thick", with::cause("code", codeInWords(place)), with::count("count", tooThin),
+                      with::lengthMm("thickest", thickestMm), with::lengthMm("depth", request.leastDepthMm),
+                      with::lengthMm("wall", request.minWallMm), with::number("spare", spare))};
+    return {ErrorKind::NoSolution,
+            message("no-spot-wall-too-thin", with::cause("code", codeInWords(place)), with::count("count", tooThin),
+                    with::lengthMm("thickest", thickestMm), with::lengthMm("depth", request.leastDepthMm),
+                    with::lengthMm("wall", request.minWallMm))};
   }
-  // Walls are measured along the rays; across they may be a little thinner.
-  const double spare = std::floor(10 * (kAcrossShare * thickestMm - request.leastDepthMm)) / 10;
-  std::string hint =
-      tooThin > 0 && spare > 0 && spare < request.minWallMm
-          ? fmt::format("Let {:g} mm remain behind the pockets (--min-wall {:g}), or scale the model", spare, spare)
-      : tooThin > 0 ? "Scale the model up, or thicken its wall"
-      : largest     ? "Ask for a smaller size, or scale the model"
-                    : "Check the model's unit: it may be too small for any code";
-  return {ErrorKind::NoSolution, untold(text, hint)};
+  if (largest)
+    return {ErrorKind::NoSolution, message("no-spot-so-large", with::cause("code", codeInWords(place)),
+                                           with::lengthMm("largest", downToThreeDigits(largest->symbolMm)),
+                                           with::place("at", largest->centreFileUnits))};
+  return {ErrorKind::NoSolution, message("no-spot", with::cause("code", codeInWords(place)),
+                                         with::lengthMm("model", boundingBox(model->prepared.mesh).diagonal()))};
 }
 
 double PlaceJob::State::testedShare() const {
@@ -318,7 +314,7 @@ Result<Progress> PlaceJob::advance() {
     case State::Stage::Done:
       break;
   }
-  return fail(ErrorKind::Internal, "advance() after done");
+  return fail(ErrorKind::Internal, message("advance-after-done"));
 }
 
 const PlacementMap& PlaceJob::map() const { return state_->map(); }

@@ -8,6 +8,7 @@
 
 #include "base/clock.h"
 #include "math/angle.h"
+#include "math/round_down.h"
 #include "mesh/ray.h"
 #include "projection/bend.h"
 #include "projection/best_size.h"
@@ -42,6 +43,12 @@ class Stopwatch {
 
 }  // namespace
 
+Message codeInWords(const PlacementRequest& request) {
+  if (request.sizeMode != SizeMode::Fixed) return message("any-code");
+  if (request.quietZone) return message("code-with-quiet-zone", with::lengthMm("size", request.sizeMm));
+  return message("code-alone", with::lengthMm("size", request.sizeMm));
+}
+
 PlacementSearch::PlacementSearch(const PreparedModel& model, const GpuMesh& gpu, const GeometryPass& pass, int modules,
                                  const PlacementRequest& request)
     : model_(&model), gpu_(&gpu), pass_(&pass), modules_(modules), request_(request) {}
@@ -55,7 +62,7 @@ ProjectionFrame PlacementSearch::frameFor(Vec3 normal) const {
 
 Status PlacementSearch::start() {
   const auto surface = closestPoint(model_->mesh, request_.centreMm);
-  if (!surface) return fail(ErrorKind::BadInput, "The model has no surface");
+  if (!surface) return fail(ErrorKind::BadInput, message("no-surface"));
   placement_.seed = surface->triangle;
   placement_.frame.centre = surface->position;
   surfaceNormal_ = surfaceNormalAt(model_->mesh, *surface);
@@ -144,18 +151,15 @@ Status PlacementSearch::measure(Vec3 normal) {
     if (const Status apart = checkCrossings(); !apart) return apart;
   if (isFixed && fitMm_ < request_.sizeMm) return tl::unexpected(doesNotFit());
   if (placement_.moduleMm < kMinModuleMm && (isFixed || fitMm_ >= request_.maxSizeMm)) {
-    return fail(ErrorKind::NoSolution,
-                fmt::format("A code of {:.4g} mm is asked for: its modules would be {:.2g} mm wide",
-                            placement_.symbolMm, placement_.moduleMm),
-                fmt::format("Allow a larger size (at least {:.3g} mm), or shorten the text", kMinModuleMm * modules_));
-  }
-  if (placement_.moduleMm < kMinModuleMm) {
     return fail(
         ErrorKind::NoSolution,
-        fmt::format("Only a code of {:.3g} mm fits here: its modules would be {:.2g} mm wide", placement_.symbolMm,
-                    placement_.moduleMm),
-        "Choose a spot farther from edges and overhangs, or shorten the text; if the whole model is that small, "
-        "check its unit");
+        message("modules-too-small-as-asked", with::lengthMm("size", placement_.symbolMm),
+                with::lengthMm("module", placement_.moduleMm), with::lengthMm("least", kMinModuleMm * modules_)));
+  }
+  if (placement_.moduleMm < kMinModuleMm) {
+    return fail(ErrorKind::NoSolution,
+                message("modules-too-small-here", with::lengthMm("size", downToThreeDigits(placement_.symbolMm)),
+                        with::lengthMm("module", placement_.moduleMm)));
   }
   return {};
 }
@@ -182,18 +186,21 @@ Error PlacementSearch::doesNotFit() const {
   const double turn = toRadians(bestDeg - request_.rotateDeg);
   const double bestMm = std::min(largestMm(), orientedSize(inTurnedAxes(silhouette, turn)) / outerFactor());
   const bool turningHelps = downToHundredths(bestMm) > downToHundredths(fitMm_);
-  const std::string atBest =
-      turningHelps ? fmt::format(", at a rotation of {:g}° {:.4g} mm", bestDeg, downToHundredths(bestMm)) : "";
-  return {
-      ErrorKind::NoSolution,
-      untold(
-          fmt::format("A code of {:.4g} mm{} does not fit here; the largest that does is {:.4g} mm at {} rotation{}, "
-                      "and {:.4g} mm at every rotation",
-                      request_.sizeMm, request_.quietZone ? " with its quiet zone" : "", downToHundredths(fitMm_),
-                      turningHelps ? "this" : "the best", atBest, downToHundredths(placement_.guaranteedMm)),
-          bestMm >= request_.sizeMm
-              ? fmt::format("Turn the code (--rotate {:g}), ask for a smaller size, or choose another spot", bestDeg)
-              : "Ask for a smaller size, or choose a spot farther from edges and overhangs")};
+  if (!turningHelps)
+    return {ErrorKind::NoSolution, message("code-too-large", with::cause("code", codeInWords(request_)),
+                                           with::lengthMm("here", downToThreeDigits(fitMm_)),
+                                           with::lengthMm("everywhere", downToThreeDigits(placement_.guaranteedMm)))};
+  if (bestMm < request_.sizeMm)
+    return {ErrorKind::NoSolution,
+            message("code-too-large-here", with::cause("code", codeInWords(request_)),
+                    with::lengthMm("here", downToThreeDigits(fitMm_)), with::number("bestTurn", bestDeg),
+                    with::lengthMm("turned", downToThreeDigits(bestMm)),
+                    with::lengthMm("everywhere", downToThreeDigits(placement_.guaranteedMm)))};
+  return {ErrorKind::NoSolution,
+          message("code-fits-turned", with::cause("code", codeInWords(request_)),
+                  with::lengthMm("here", downToThreeDigits(fitMm_)), with::number("bestTurn", bestDeg),
+                  with::lengthMm("turned", downToThreeDigits(bestMm)),
+                  with::lengthMm("everywhere", downToThreeDigits(placement_.guaranteedMm)))};
 }
 
 double PlacementSearch::sampledMm() const { return request_.sizeMode == SizeMode::Fixed ? request_.sizeMm : fitMm_; }

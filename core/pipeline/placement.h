@@ -28,6 +28,9 @@ struct Placement {
   std::vector<DirectionIteration> iterations;
 };
 
+/// The code that a request asks for, within a sentence: "a code of 35 mm with its quiet zone".
+Message codeInWords(const PlacementRequest& request);
+
 /// Finds direction and size, which depend on each other: they are found in turn until the size moves by less than 1 %
 /// (at most 5 rounds) [Papp 2022, §3 and §4]. The optimal direction is then looked for once, at the size found, from
 /// the depth-balanced one on.

@@ -21,10 +21,6 @@ constexpr int kPaths = 16;
 
 /// A code is raised or carved if it is so by more than this, mm: less is the grain of a model.
 constexpr double kFlatMm = 0.02;
-/// Contrast of dark and light modules (ISO/IEC 29158, CC) that grade A asks for.
-constexpr double kGoodContrast = 0.3;
-/// Corners of the symbol farther than this from their places, in modules: it is somewhere else.
-constexpr double kMisplacedModules = 1.5;
 
 /// A large weak lamp on the right, as in a room: elevation and azimuth over the QR plane (0 = right, 90 = top).
 constexpr double kLampElevationDeg = 55, kLampAzimuthDeg = -30;
@@ -35,8 +31,6 @@ Lamp roomLamp(const ProjectionFrame& frame) {
   const Vec3 side = frame.right * std::cos(azimuth) + frame.up * std::sin(azimuth);
   return {side * std::cos(elevation) + frame.normal * std::sin(elevation), 0.5, 20};
 }
-
-std::string placeOf(Vec3 p) { return fmt::format("{:.5g}, {:.5g}, {:.5g}", p.x, p.y, p.z); }
 
 /// Means over submodules of symbol and quiet zone, row-major from the quiet zone's top left.
 std::vector<double> submoduleLight(const BakedLight& light, int modules) {
@@ -86,13 +80,13 @@ EngraveRequest settingsOf(const VerifyRequest& request) {
 }  // namespace
 
 Result<Mesh> meshAsFound(const PolygonSoup& soup, double scaleToMm) {
-  if (soup.triangles.empty()) return fail(ErrorKind::BadInput, "The model has no triangle", "Choose another file");
+  if (soup.triangles.empty()) return fail(ErrorKind::BadInput, message("no-triangle"));
   std::vector<Vec3f> corners;
   corners.reserve(soup.positions.size());
   for (const Vec3 position : soup.positions) {
     const Vec3f p(position * scaleToMm);
     if (!(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)))
-      return fail(ErrorKind::BadInput, "The model has coordinates that are no finite numbers", "Repair it first");
+      return fail(ErrorKind::BadInput, message("coordinates-not-finite"));
     corners.push_back(p);
   }
   return welded(corners, soup.triangles);
@@ -121,12 +115,6 @@ struct VerifyJob::State {
   void measureShape();
   bool bake();
   bool read();
-  void judge();
-  void judgeShape();
-  void judgeReading();
-  void fail(std::string code, std::string message, std::string hint) {
-    result.failed.push_back({std::move(code), std::move(message), std::move(hint)});
-  }
 };
 
 Status VerifyJob::State::checkSolid() {
@@ -144,7 +132,6 @@ void VerifyJob::State::measureShape() {
     result.features = measureFeatures(request.symbol, profile.carved, profile.depthMm, moduleMm());
     const double wall = leastWall(tree, request.frame, profile);
     if (std::isfinite(wall)) result.features->wallMm = wall;
-    result.advice = advisePrinting(*result.features, request.printer, request.minWallMm);
   }
   light.emplace(tree, request.frame,
                 BakeOptions{.texelMm = moduleMm() / kBakedPixels,
@@ -173,85 +160,8 @@ bool VerifyJob::State::read() {
   if (!sweep->step()) return false;
   result.views = sweep->views();
   result.reading = sweep->summary();
-  judge();
   stage = Stage::Done;
   return true;
-}
-
-void VerifyJob::State::judgeShape() {
-  const CarvingProfile& profile = result.profile;
-  const double depth = profile.meanDepthMm;
-  switch (profile.pose) {
-    case SymbolPose::AsWanted:
-      break;
-    case SymbolPose::Mirrored:
-      fail("mirrored", "The code is mirrored: its modules are where those of its mirror image should be",
-           "Most readers refuse mirrored codes: mirror the model back");
-      break;
-    case SymbolPose::Turned90:
-    case SymbolPose::Turned180:
-    case SymbolPose::Turned270:
-      fail("turned",
-           fmt::format("The code is turned by {}° from where its top should point",
-                       90 * (static_cast<int>(profile.pose) - static_cast<int>(SymbolPose::AsWanted))),
-           "It can be read, but it is not the place that was named: check --up");
-      break;
-    case SymbolPose::None:
-      break;
-  }
-  if (profile.pose == SymbolPose::None) {
-    // A reader may still find it: then the modules are others than those expected, and nothing is known of them.
-    if (!result.reading.reads)
-      fail("no-code", "No carved modules of this code were found at the place named",
-           "Check centre, normal, up, size and text, and the scale of the file");
-  } else if (depth < -kFlatMm) {
-    fail("raised", fmt::format("The dark modules stand {:.2g} mm out of the surface instead of lying in it", -depth),
-         "Raised modules catch light and do not look dark: carve them");
-  } else if (depth <= kFlatMm) {
-    fail("not-carved", "The dark modules are level with the surface", "Engrave the model first");
-  }
-}
-
-void VerifyJob::State::judgeReading() {
-  const ReadingSummary& reading = result.reading;
-  if (!reading.otherText.empty())
-    fail("other-text",
-         fmt::format("A simulated picture reads as \"{}\" instead of \"{}\"", reading.otherText, request.text),
-         "Check the text that was asked for");
-  if (reading.mirrored && result.profile.pose != SymbolPose::Mirrored)
-    fail("mirrored", "The reader found the code mirrored", "Mirror the model back");
-  const CarvingProfile& profile = result.profile;
-  const bool otherPose = profile.pose != SymbolPose::AsWanted && profile.pose != SymbolPose::None;
-  if (!otherPose && reading.cornerErrorModules.value_or(0) > kMisplacedModules)
-    fail("misplaced",
-         fmt::format("The code was read {:.1f} modules away from where it should be", *reading.cornerErrorModules),
-         "Check centre, normal, up and size");
-  const bool explained = profile.pose == SymbolPose::Mirrored || profile.meanDepthMm <= kFlatMm;
-  if (reading.reads || explained || !reading.otherText.empty()) return;
-  const std::string share =
-      fmt::format("{:.0f} % of the tries on simulated pictures read it; {:.0f} % are a reliable code",
-                  100 * reading.share, 100 * kReadShare);
-  if (result.grades && result.grades->cellContrast.value < kGoodContrast) {
-    fail("too-shallow",
-         fmt::format(
-             "The pockets are too shallow: {:.2f} mm deep on average, they make the dark modules {:.0f} % darker "
-             "than the light ones; {}",
-             result.profile.meanDepthMm, 100 * result.grades->cellContrast.value, share),
-         "Carve deeper, choose larger modules, or break up dark areas with a module and a finder pattern");
-  } else {
-    fail("unreadable", "The code does not read: " + share,
-         "Choose larger modules, a flatter spot, or another pattern of modules and finders");
-  }
-}
-
-void VerifyJob::State::judge() {
-  for (const SolidityFinding& finding : result.solidity.findings())
-    fail("not-solid",
-         finding.at ? fmt::format("{}, the first at {} mm", finding.message.code, placeOf(*finding.at))
-                    : finding.message.code,
-         "Slicers guess what is meant: repair the model");
-  judgeShape();
-  judgeReading();
 }
 
 VerifyJob::VerifyJob(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -259,9 +169,9 @@ VerifyJob::~VerifyJob() = default;
 
 Result<std::unique_ptr<VerifyJob>> VerifyJob::create(Mesh mesh, VerifyRequest request,
                                                      std::vector<SymbolReader> readers) {
-  if (request.text.empty()) return qrelief::fail(ErrorKind::BadUsage, message("verify-no-text"));
+  if (request.text.empty()) return fail(ErrorKind::BadUsage, message("verify-no-text"));
   if (!(std::abs(glm::length(request.frame.normal) - 1) < 1e-6))
-    return qrelief::fail(ErrorKind::BadUsage, message("verify-no-direction"));
+    return fail(ErrorKind::BadUsage, message("verify-no-direction"));
   if (const Status checked = checkSettings(settingsOf(request)); !checked) return tl::unexpected(checked.error());
   return std::unique_ptr<VerifyJob>(
       new VerifyJob(std::make_unique<State>(std::move(mesh), std::move(request), std::move(readers))));

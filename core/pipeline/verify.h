@@ -27,22 +27,17 @@ struct VerifyRequest {
   Symbol symbol;          ///< the modules it should have
   Printer printer;
   double minWallMm = 0.8;
-  double albedo = 0.7;  ///< of the printed material
-  bool ranges = true;   ///< find out how far it can be tilted, blurred and so on, too
+  double albedo = 0.7;                         ///< of the printed material
+  bool ranges = true;                          ///< find out how far it can be tilted, blurred and so on, too
+  std::size_t inheritedSelfIntersections = 0;  ///< pairs of crossing triangles that the model had before, as reported
 };
 
 /// A model as its file has it: scaled and welded by equal position, nothing mended.
 /// @returns BadInput for a model without triangles or with coordinates that are no numbers
 Result<Mesh> meshAsFound(const PolygonSoup& soup, double scaleToMm);
 
-/// One thing that is not as it should be.
-struct VerifyFinding {
-  std::string code;     ///< stable: "open-edges" and the like as "not-solid", "mirrored", "raised", "too-shallow", …
-  std::string message;  ///< what was found, and where
-  std::string hint;     ///< what would help; may be empty
-};
-
-/// Everything that could be found out about an engraved model from the model itself.
+/// Everything that could be found out about an engraved model from the model itself; what it comes to says
+/// verdict/verdict.h.
 struct VerifyResult {
   SolidityReport solidity;
   CarvingProfile profile;
@@ -50,8 +45,6 @@ struct VerifyResult {
   std::optional<SymbolGrades> grades;      ///< if it lies as it should
   ReadingSummary reading;
   std::vector<ReadingView> views;
-  std::vector<VerifyFinding> failed;  ///< empty: verified
-  std::vector<PrintAdvice> advice;    ///< what may go wrong in print
 };
 
 /// Checks an engraved model, a bounded piece of work at a time; to cancel, stop calling. Needs no GL context: light is

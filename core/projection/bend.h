@@ -41,4 +41,7 @@ double bendMm(const Mesh& mesh, std::span<const std::uint32_t> triangles, const 
 double aimToleranceDeg(double bendMm, double moduleMm);
 inline constexpr double kMaxAimDeg = 45;
 
+/// Hands hold a phone as straight as this without taking care: what is read from as far aside forgives aiming.
+inline constexpr double kForgivingTiltDeg = 10;
+
 }  // namespace qrelief

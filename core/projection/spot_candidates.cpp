@@ -14,7 +14,6 @@ namespace {
 constexpr double kSizeClass = 1.1;
 constexpr double kSteeperFraction = 0.01;
 constexpr double kSteepDeg = 50;
-constexpr double kForgivingDeg = 10;
 // Of version 3, across a square that bends as much as the symbol in it: with the quiet zone of the square's size it has
 // 37 modules, and what bends over the symbol alone is less as the square of the edge.
 constexpr double kUsualModules = 29.0 * 29 / 37;
@@ -29,7 +28,7 @@ int sizeClassOf(double sizeMm) {
 
 SpotRank::SpotRank(double sizeMm, const SquareQuality& quality, double edgeMm, double aimDeg)
     : sizeClass(sizeClassOf(sizeMm * std::min(1.0, cosineOf(quality.worstAngleDeg) / cosineOf(kSteepDeg)) *
-                            std::min(1.0, aimDeg / kForgivingDeg))),
+                            std::min(1.0, aimDeg / kForgivingTiltDeg))),
       badness(std::sqrt(quality.varianceMm2) / edgeMm + 1 - cosineOf(quality.worstAngleDeg)) {}
 
 bool SpotRank::operator<(const SpotRank& other) const {

@@ -10,6 +10,7 @@
 #include <span>
 #include <unordered_map>
 
+#include "math/round_down.h"
 #include "projection/plane_grid.h"
 
 namespace qrelief {
@@ -308,10 +309,11 @@ Status checkCentre(const Mesh& mesh, const ProjectionFrame& frame, const EyeView
     return fail(ErrorKind::NoSolution, message("centre-behind-eye", with::count("triangle", seed),
                                                with::lengthMm("distance", frame.eyeDistance)));
   if (const std::optional<CentreObstruction> obstruction = whatHidesCentre(mesh, frame, view))
-    return fail(ErrorKind::NoSolution, message("centre-hidden", with::count("triangle", obstruction->triangle),
-                                               with::lengthMm("fromEye", obstruction->fromEyeMm),
-                                               with::lengthMm("before", frame.eyeDistance - obstruction->fromEyeMm),
-                                               with::lengthMm("clear", obstruction->clearDistanceMm)));
+    return fail(ErrorKind::NoSolution,
+                message("centre-hidden", with::count("triangle", obstruction->triangle),
+                        with::lengthMm("fromEye", obstruction->fromEyeMm),
+                        with::lengthMm("before", frame.eyeDistance - obstruction->fromEyeMm),
+                        with::lengthMm("clear", downToThreeDigits(obstruction->clearDistanceMm))));
   return {};
 }
 

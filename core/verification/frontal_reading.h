@@ -33,7 +33,7 @@ struct ReadingCount {
   /// it that most other decoders get, too.
   static int needed(int tries) { return (2 * tries + 4) / 5; }
   int needed() const { return needed(tries); }
-  bool reads_() const { return tries > 0 && reads >= needed(); }
+  bool enough() const { return tries > 0 && reads >= needed(); }
 
   bool operator==(const ReadingCount&) const = default;
 };

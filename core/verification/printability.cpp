@@ -107,9 +107,7 @@ std::optional<ModulePattern> recognised(const Symbol& symbol, const Mask& mask) 
 }
 
 /// Rounded up to a twentieth of a millimetre.
-std::string largerModule(double minMm) {
-  return fmt::format("a module of {:.4g} mm or more", std::ceil(minMm * 20 - 1e-6) / 20);
-}
+double inTwentieths(double mm) { return std::ceil(mm * 20 - 1e-6) / 20; }
 
 }  // namespace
 
@@ -152,34 +150,56 @@ CarvedFeatures measureFeatures(const Symbol& symbol, const std::vector<std::uint
   return features;
 }
 
-std::vector<PrintAdvice> advisePrinting(const CarvedFeatures& features, const Printer& printer, double minWallMm) {
-  std::vector<PrintAdvice> advice;
-  const double nozzle = printer.nozzleMm;
-  const double leastPocket = kMinPocketNozzles * nozzle;
-  constexpr double kRounding = 1e-9;
-  if (features.pocketMm < leastPocket - kRounding) {
-    const double needed = features.moduleMm * leastPocket / features.pocketMm;
-    const bool thinPlus = features.pattern == ModulePattern::ThinPlus;
-    advice.push_back(
-        {fmt::format("The pockets are {:.2f} mm wide, and the nozzle {:g} mm", features.pocketMm, nozzle),
-         fmt::format("{:g} mm nozzle: choose {}{}", nozzle, thinPlus ? "`square` or " : "", largerModule(needed))});
+std::vector<Message> advisePrinting(const CarvedFeatures& features, const Printer& printer, double minWallMm) {
+  std::vector<Message> advice;
+  const double minPocketMm = kMinPocketNozzles * printer.nozzleMm;
+  constexpr double kRoundingMm = 1e-9;
+  if (features.pocketMm < minPocketMm - kRoundingMm) {
+    const double neededMm = inTwentieths(features.moduleMm * minPocketMm / features.pocketMm);
+    if (features.pattern == ModulePattern::ThinPlus)
+      advice.push_back(message("thin-plus-narrower-than-nozzle", with::lengthMm("pocket", features.pocketMm),
+                               with::lengthMm("nozzle", printer.nozzleMm), with::lengthMm("needed", neededMm),
+                               with::choice("square", "pattern", "square")));
+    else
+      advice.push_back(message("pockets-narrower-than-nozzle", with::lengthMm("pocket", features.pocketMm),
+                               with::lengthMm("nozzle", printer.nozzleMm), with::lengthMm("needed", neededMm)));
   } else if (features.pattern) {
     const auto least = leastModuleNozzles(*features.pattern);
-    if (least && features.moduleMm < *least * nozzle - kRounding)
-      advice.push_back(
-          {fmt::format("Modules of {:.2f} mm with `{}` are smaller than what was printed and read with such a nozzle",
-                       features.moduleMm, modulePatternName(*features.pattern)),
-           fmt::format("{:g} mm nozzle: choose {}{}", nozzle, largerModule(*least * nozzle),
-                       *features.pattern == ModulePattern::ThickPlus ? "" : ", or `thick-plus`")});
+    const double neededMm = inTwentieths(least.value_or(0) * printer.nozzleMm);
+    const std::string_view pattern = modulePatternName(*features.pattern);
+    if (!least || features.moduleMm >= *least * printer.nozzleMm - kRoundingMm) {
+      // as large as what was printed and read
+    } else if (*features.pattern == ModulePattern::ThickPlus) {
+      advice.push_back(message("thick-plus-smaller-than-printed", with::lengthMm("module", features.moduleMm),
+                               with::choice("pattern", "pattern", pattern), with::lengthMm("nozzle", printer.nozzleMm),
+                               with::lengthMm("needed", neededMm)));
+    } else {
+      advice.push_back(message("modules-smaller-than-printed", with::lengthMm("module", features.moduleMm),
+                               with::choice("pattern", "pattern", pattern), with::lengthMm("nozzle", printer.nozzleMm),
+                               with::lengthMm("needed", neededMm), with::choice("thickPlus", "pattern", "thick-plus")));
+    }
   }
-  if (features.leastDepthMm < kMinDepthLayers * printer.layerMm - kRounding)
-    advice.push_back({fmt::format("The shallowest modules are {:.2f} mm deep: {:.1f} layers of {:g} mm",
-                                  features.leastDepthMm, features.leastDepthMm / printer.layerMm, printer.layerMm),
-                      "Print with thinner layers or with the code on a side, or carve deeper"});
+  if (features.leastDepthMm < kMinDepthLayers * printer.layerMm - kRoundingMm)
+    advice.push_back(message("shallower-than-layers", with::lengthMm("depth", features.leastDepthMm),
+                             with::number("layers", std::round(10 * features.leastDepthMm / printer.layerMm) / 10),
+                             with::lengthMm("layer", printer.layerMm)));
   if (features.wallMm && *features.wallMm < minWallMm - 1e-3)
-    advice.push_back({fmt::format("Only {:.2f} mm of material stay behind a pocket", *features.wallMm),
-                      fmt::format("Choose a thicker spot, or engrave with --min-wall {:g}", minWallMm)});
+    advice.push_back(
+        message("wall-behind-pocket", with::lengthMm("wall", *features.wallMm), with::number("wanted", minWallMm)));
   return advice;
 }
+
+double printableModuleMm(const CarvedFeatures& features, double nozzleMm) {
+  const double leastMm = features.pattern ? leastModuleNozzles(*features.pattern).value_or(0) * nozzleMm : 0;
+  return std::max(leastMm, features.moduleMm * kMinPocketNozzles * nozzleMm / features.pocketMm);
+}
+
+double printableNozzleMm(const CarvedFeatures& features) {
+  const double widestMm = features.pocketMm / kMinPocketNozzles;
+  const auto least = features.pattern ? leastModuleNozzles(*features.pattern) : std::nullopt;
+  return least ? std::min(widestMm, features.moduleMm / *least) : widestMm;
+}
+
+double printableLayerMm(const CarvedFeatures& features) { return features.leastDepthMm / kMinDepthLayers; }
 
 }  // namespace qrelief

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "qr/module_pattern.h"
 #include "qr/symbol.h"
 
@@ -32,16 +33,16 @@ struct CarvedFeatures {
 CarvedFeatures measureFeatures(const Symbol& symbol, const std::vector<std::uint8_t>& carved,
                                const std::vector<double>& depthMm, double moduleMm);
 
-/// One thing that may go wrong in print, and what would help.
-struct PrintAdvice {
-  std::string problem;  ///< "the pockets are 0.24 mm wide, the nozzle 0.4 mm"
-  std::string hint;     ///< "choose `square` or a larger module"
-};
-
-/// Compares features with the printer. The bounds in nozzle widths are what the published prints allow [Papp 2022, §8,
-/// 0.4 mm nozzle]: `square` and `diamond` down to modules of 0.9 mm, `thick-plus` down to 0.6 mm, no `thin-plus` at
-/// 1.2 mm; for other nozzles they are scaled. Depths are counted in layers.
+/// What may go wrong in print; empty if nothing that is known. The bounds in nozzle widths are what the published
+/// prints allow [Papp 2022, §8, 0.4 mm nozzle]: `square` and `diamond` down to modules of 0.9 mm, `thick-plus` down to
+/// 0.6 mm, no `thin-plus` at 1.2 mm; for other nozzles they are scaled. Depths are counted in layers.
 /// @param minWallMm  material that should stay behind every floor
-std::vector<PrintAdvice> advisePrinting(const CarvedFeatures& features, const Printer& printer, double minWallMm = 0.8);
+std::vector<Message> advisePrinting(const CarvedFeatures& features, const Printer& printer, double minWallMm = 0.8);
+
+/// The same bounds, asked the other way round: the least module that such a nozzle prints with these pockets, the
+/// widest nozzle that prints these modules, and the highest layer that leaves the shallowest modules deep enough, mm.
+double printableModuleMm(const CarvedFeatures& features, double nozzleMm);
+double printableNozzleMm(const CarvedFeatures& features);
+double printableLayerMm(const CarvedFeatures& features);
 
 }  // namespace qrelief

@@ -9,35 +9,29 @@
 
 #include "verification/reading_variants.h"
 #include "verification/resample.h"
+#include "verification/view_trials.h"
 
 namespace qrelief {
 namespace {
 
 constexpr double kStrayLight = 0.05;
 constexpr double kPhoneBlurPx = 0.6;
-constexpr std::array kTilts = {5.0, 10.0, 15.0, 30.0, 45.0};
-constexpr std::array kAzimuths = {0.0, 90.0, 180.0, 270.0};
-
-/// From the nearest to the farthest.
-constexpr std::array kDistances = {10.0, 8.0, 6.5, 5.0, 4.0, 3.3, 2.6, 2.0};
 constexpr std::array kBlurs = {0.1, 0.2, 0.3, 0.4, 0.5};
 
 std::vector<ReadingView> plannedViews(bool ranges) {
   std::vector<ReadingView> views;
-  for (const double scale : {10.0, 8.0, 6.5, 5.0})
-    for (const Vec2 phase : {Vec2(0), Vec2(0.5, 0.3)})
-      for (const double blur : {0.07, 0.15})
-        views.push_back({.pixelsPerModule = scale, .phase = phase, .blurModules = blur});
+  for (const FrontalView& view : kFrontalViews)
+    views.push_back({.pixelsPerModule = view.pixelsPerModule, .phase = view.phase, .blurModules = view.blurModules});
   if (!ranges) return views;
-  for (const double distance : kDistances)
+  for (const double distance : kDistancesPx)
     views.push_back(
         {.test = ReadingTest::Distance, .pixelsPerModule = distance, .blurModules = kPhoneBlurPx / distance});
   for (const double blur : kBlurs) views.push_back({.test = ReadingTest::Blur, .blurModules = blur});
   for (const double noise : {0.05, 0.1}) views.push_back({.test = ReadingTest::Noise, .noise = noise});
   for (const double exposure : {0.3, 1.2}) views.push_back({.test = ReadingTest::Exposure, .exposure = exposure});
   for (const double blur : {0.07, 0.2}) views.push_back({.test = ReadingTest::Lamp, .lamp = true, .blurModules = blur});
-  for (const double tilt : kTilts)
-    for (const double azimuth : kAzimuths)
+  for (const double tilt : kTiltsDeg)
+    for (const double azimuth : kAzimuthsDeg)
       for (const bool lamp : {false, true})
         views.push_back({.test = ReadingTest::Tilt, .lamp = lamp, .tiltDeg = tilt, .azimuthDeg = azimuth});
   return views;
@@ -136,16 +130,13 @@ bool ReadingSweep::step() {
 
 ReadingSummary ReadingSweep::summary() const {
   ReadingSummary summary;
-  int tries = 0, reads = 0;
   for (const ReadingView& view : views_) {
     summary.mirrored |= view.mirrored;
     if (summary.otherText.empty()) summary.otherText = view.otherText;
     if (view.test != ReadingTest::Frontal) continue;
-    tries += view.tries;
-    reads += view.reads;
+    summary.frontal.tries += view.tries;
+    summary.frontal.reads += view.reads;
   }
-  summary.share = static_cast<double>(reads) / tries;
-  summary.reads = summary.share >= kReadShare;
   summary.cornerErrorModules = cornerError_;
   if (!ranges_) return summary;
   const auto allRead = [&](ReadingTest test, const auto& chosen) {
@@ -153,9 +144,10 @@ ReadingSummary ReadingSweep::summary() const {
                        [&](const ReadingView& v) { return v.test != test || !chosen(v) || v.read(); });
   };
   const auto tilt = [&](bool lamp) -> std::optional<double> {
-    const bool frontal = lamp ? allRead(ReadingTest::Lamp, [](const ReadingView&) { return true; }) : summary.reads;
+    const bool frontal =
+        lamp ? allRead(ReadingTest::Lamp, [](const ReadingView&) { return true; }) : summary.frontal.enough();
     if (!frontal) return std::nullopt;
-    return lastReading(kTilts,
+    return lastReading(kTiltsDeg,
                        [&](double deg) {
                          return allRead(ReadingTest::Tilt,
                                         [&](const ReadingView& v) { return v.lamp == lamp && v.tiltDeg == deg; });
@@ -164,7 +156,7 @@ ReadingSummary ReadingSweep::summary() const {
   };
   summary.tiltDeg = tilt(false);
   summary.tiltDegLamp = tilt(true);
-  summary.pixelsPerModule = lastReading(kDistances, [&](double pixels) {
+  summary.pixelsPerModule = lastReading(kDistancesPx, [&](double pixels) {
     return allRead(ReadingTest::Distance, [&](const ReadingView& v) { return v.pixelsPerModule == pixels; });
   });
   summary.blurModules = lastReading(kBlurs, [&](double blur) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "verification/baked_light.h"
+#include "verification/frontal_reading.h"
 #include "verification/symbol_reader.h"
 
 namespace qrelief {
@@ -35,8 +36,7 @@ struct ReadingView {
 
 /// What a sweep comes to.
 struct ReadingSummary {
-  double share = 0;    ///< of all tries in the frontal pictures that read
-  bool reads = false;  ///< share ≥ kReadShare
+  ReadingCount frontal;  ///< all tries in the frontal pictures
   bool mirrored = false;
   std::string otherText;              ///< that was read instead of the wanted one; empty: none
   std::optional<double> tiltDeg;      ///< up to which every azimuth reads under the sky; none: not even from the front
@@ -45,11 +45,6 @@ struct ReadingSummary {
   std::optional<double> blurModules;         ///< greatest standard deviation with which it reads, without a gap
   std::optional<double> cornerErrorModules;  ///< between where it was found and where it should be, the worst corner
 };
-
-/// One lucky try says little: a code counts as read if at least this share of the tries succeeds on frontal pictures in
-/// focus that differ in scale, pixel phase and blur, with all reading variants. A reader that gets so many of them
-/// through has a code before it that most other readers get, too.
-inline constexpr double kReadShare = 0.4;
 
 /// Pictures of a baked surface, a few at a time, and what readers make of them.
 class ReadingSweep {

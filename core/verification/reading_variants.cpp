@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "verification/resample.h"
+
 namespace qrelief {
 namespace {
 
@@ -43,6 +45,16 @@ std::vector<GreyImage> readingVariants(const GreyImage& picture, double pixelsPe
           outOfFocus(0.35),
           stretched(shrunk(picture, 2)),
           stretched(shrunk(picture, 3))};
+}
+
+GreyImage fromFarther(const GreyImage& picture, double fraction) {
+  if (fraction >= 1) return picture;
+  const std::vector<float> pixels(picture.pixels.begin(), picture.pixels.end());
+  const int width = resampledWidth(picture.width, 1 / fraction);
+  GreyImage far{width, width, {}};
+  for (const float value : resampled(pixels, picture.width, 1 / fraction))
+    far.pixels.push_back(static_cast<std::uint8_t>(std::lround(value)));
+  return far;
 }
 
 }  // namespace qrelief

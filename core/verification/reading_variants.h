@@ -13,4 +13,8 @@ namespace qrelief {
 /// @param pixelsPerModule  of the code in the picture, > 0
 std::vector<GreyImage> readingVariants(const GreyImage& picture, double pixelsPerModule);
 
+/// The picture as a camera farther away sees it: means over larger pixels.
+/// @param fraction  of its width, > 0; 1 or more: as it is
+GreyImage fromFarther(const GreyImage& picture, double fraction);
+
 }  // namespace qrelief

@@ -46,7 +46,7 @@ TEST_F(EngineCarvingsTest, ThereIsNoneBeforeTheFirst) {
 
 TEST_F(EngineCarvingsTest, TheOneBeforeTheLastComesBackBitForBitAndWithWhatWasRead) {
   const int first = carve("first");
-  engine_->setReadBack("first", "a reader");
+  engine_->setReadings(R"(["first"])", "a reader");
   const auto firstFile = engine_->exportModel("stl");
   const int second = carve("second");
   const auto secondFile = engine_->exportModel("stl");

@@ -143,7 +143,7 @@ TEST_F(EngineTest, EngravesStepByStepAndReportsWhatCameOut) {
     done = progress["done"];
   }
   EXPECT_GE(stages.size(), 4u);
-  engine_->setReadBack("https://example.org/qrelief-test", "a reader");
+  engine_->setReadings(R"(["https://example.org/qrelief-test"])", "a reader");
   const Json report = Json::parse(engine_->report());
   EXPECT_EQ(report["input"]["file"], "model.stl");
   EXPECT_EQ(report["mesh"]["closed"], true);

@@ -11,7 +11,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (made.mesh.triangles.size() > 1500) return -1;
   made.request.text.resize(1);
   made.request.symbol.version.reset();
-  const Verdict verdict = runCarvingCase(made, choices);
+  const OracleVerdict verdict = runCarvingCase(made, choices);
   fuzz::require(verdict.fault.empty(), made.describe() + ": " + verdict.kind + ": " + verdict.fault);
   return 0;
 }

@@ -15,7 +15,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   made.request.text.resize(1);
   made.request.symbol.version.reset();
   made.request.contrast = std::min(made.request.contrastAsked(), 0.05);
-  const Verdict verdict = runEngraveCase(made);
+  const OracleVerdict verdict = runEngraveCase(made);
   fuzz::require(verdict.fault.empty(), made.describe() + ": " + verdict.kind + ": " + verdict.fault);
   return 0;
 }

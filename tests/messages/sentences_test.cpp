@@ -39,7 +39,7 @@ MessageValue valueOf(const char* name, const Json& json) {
   if (kind == "angleDeg") return with::angleDeg(name, value.get<double>());
   if (kind == "fraction") return with::fraction(name, value.get<double>());
   const auto list = value.get<std::vector<double>>();
-  return with::numeric(name, kind == "place" ? Kind::Place : kind == "extentMm" ? Kind::ExtentMm : Kind::Indices, list);
+  return {name, kind == "place" ? Kind::Place : kind == "extentMm" ? Kind::ExtentMm : Kind::Indices, list, {}};
 }
 
 Message messageOf(const Json& json) {

@@ -88,18 +88,18 @@ TEST_F(EngraveOracle, SeesWhatIsFalseAboutASolid) {
 }
 
 TEST_F(EngraveOracle, SeesReasonsThatAreNotTrue) {
-  const auto refused = [&](ErrorKind code, const char* message) {
-    return faultOf(tl::unexpected(Error{code, untold(message, "a hint")}));
+  const auto refused = [&](ErrorKind kind, const char* code) {
+    return faultOf(tl::unexpected(Error{kind, Message(code, {})}));
   };
-  EXPECT_THAT(refused(ErrorKind::NoSolution, "A code of 20 mm does not fit here"), HasSubstr("no ray contradicts it"));
-  EXPECT_THAT(refused(ErrorKind::NoSolution, "Only a code of 3 mm fits"), HasSubstr("no ray contradicts it"));
-  EXPECT_THAT(refused(ErrorKind::NoSolution, "Another part hides the chosen point"), HasSubstr("before the centre"));
-  EXPECT_THAT(refused(ErrorKind::NoSolution, "It faces away"), HasSubstr("from no direction"));
-  EXPECT_THAT(refused(ErrorKind::NoSolution, "Nothing can be carved here"), HasSubstr("to spare"));
-  EXPECT_THAT(refused(ErrorKind::NoSolution, "The facets under the code are too fine"), HasSubstr("no facet there"));
-  EXPECT_THAT(refused(ErrorKind::NoSolution, "I do not want to"), HasSubstr("nobody checks"));
-  EXPECT_THAT(refused(ErrorKind::BadInput, "The surface is not closed"), HasSubstr("nobody checks"));
-  EXPECT_THAT(refused(ErrorKind::Internal, "Oops"), HasSubstr("no typed refusal"));
+  EXPECT_THAT(refused(ErrorKind::NoSolution, "code-too-large"), HasSubstr("no ray contradicts it"));
+  EXPECT_THAT(refused(ErrorKind::NoSolution, "modules-too-small-here"), HasSubstr("no ray contradicts it"));
+  EXPECT_THAT(refused(ErrorKind::NoSolution, "centre-hidden"), HasSubstr("before the centre"));
+  EXPECT_THAT(refused(ErrorKind::NoSolution, "centre-faces-away"), HasSubstr("from no direction"));
+  EXPECT_THAT(refused(ErrorKind::NoSolution, "nothing-can-be-carved"), HasSubstr("to spare"));
+  EXPECT_THAT(refused(ErrorKind::NoSolution, "facets-too-fine"), HasSubstr("no facet there"));
+  EXPECT_THAT(refused(ErrorKind::NoSolution, "no-spot"), HasSubstr("nobody checks"));
+  EXPECT_THAT(refused(ErrorKind::BadInput, "text-empty"), HasSubstr("nobody checks"));
+  EXPECT_THAT(refused(ErrorKind::Internal, "no-gl-context"), HasSubstr("no typed refusal"));
 }
 
 TEST(CarvingCase, TakesFacetsThatOneBesideTheCodeHidesInPart) {
@@ -111,7 +111,7 @@ TEST(CarvingCase, TakesFacetsThatOneBesideTheCodeHidesInPart) {
   EngraveCase made = makeEngraveCase(choices);
   made.request.text.resize(1);
   made.request.symbol.version.reset();
-  const Verdict verdict = runCarvingCase(made, choices);
+  const OracleVerdict verdict = runCarvingCase(made, choices);
   EXPECT_EQ(verdict.kind, "solid");
   EXPECT_EQ(verdict.fault, "");
 }

@@ -20,7 +20,7 @@ TEST_P(EngraveProperty, EveryCaseEndsAsAValidSolidOrARefusalThatIsTrue) {
     const auto seed = static_cast<std::uint64_t>(1 + kCasesEach * GetParam() + k);
     Choices choices(seed);
     const EngraveCase made = makeEngraveCase(choices);
-    const Verdict verdict = runEngraveCase(made);
+    const OracleVerdict verdict = runEngraveCase(made);
     EXPECT_EQ(verdict.fault, "") << verdict.kind << ": " << made.describe()
                                  << "\nrepeat it with: qrelief_property_bench 1 " << seed;
     solids += verdict.kind == "solid" ? 1 : 0;
@@ -32,7 +32,7 @@ class EngravePropertyOnceFailed : public GlTest, public testing::WithParamInterf
 
 TEST_P(EngravePropertyOnceFailed, EndsAsAValidSolidOrARefusalThatIsTrue) {
   Choices choices(GetParam());
-  const Verdict verdict = runEngraveCase(makeEngraveCase(choices));
+  const OracleVerdict verdict = runEngraveCase(makeEngraveCase(choices));
   EXPECT_EQ(verdict.fault, "") << verdict.kind;
 }
 

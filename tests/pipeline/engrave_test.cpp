@@ -10,7 +10,7 @@
 
 #include "messages/sentences.h"
 #include "native/zxing_reader.h"
-#include "pipeline/report.h"
+#include "report/report.h"
 #include "support/brute_force.h"
 #include "support/gl_test.h"
 #include "support/shapes.h"
@@ -307,7 +307,8 @@ TEST_F(EngraveTest, TheReportHasTheKeysOfTheContract) {
   const auto result = engrave(model, wanted);
   ASSERT_TRUE(result.has_value());
   ReportContext context;
-  context.readBack = readWithZxing(result->readerView);
+  context.reading = evidenceOf(readFrontal(result->readerView), wanted.text);
+  context.verdict = judge(wanted, *result, context.reading);
   const auto report = nlohmann::json::parse(makeReport(wanted, *model, *result, context));
   const std::map<std::string, std::vector<std::string>> keys = {
       {"input", {"file", "format", "triangles", "vertices", "scaleToMm", "sizeMm", "warnings"}},
@@ -316,7 +317,7 @@ TEST_F(EngraveTest, TheReportHasTheKeysOfTheContract) {
       {"size", {"symbolMm", "moduleMm", "guaranteedMm", "mode"}},
       {"depth", {"meanMm", "maxMm", "p95Mm", "iterations", "limitedSubmodules", "solver"}},
       {"mesh", {"triangles", "vertices", "keptTriangles", "closed", "manifold", "selfIntersections", "volumeMm3"}},
-      {"verification", {"decoded", "text", "views"}},
+      {"verification", {"decoded", "text", "tries", "reads", "readsNeeded", "views", "failedChecks", "verdict"}},
       {"timingsMs",
        {"load", "prepare", "direction", "size", "surface", "depthSearch", "embed", "verify", "write", "total"}},
       {"gl", {"renderer", "version"}}};
@@ -352,9 +353,15 @@ TEST_F(EngraveTest, AWrongOrMissingReadingIsAFailedCheck) {
   const EngraveRequest wanted = request({0, 0, 40}, 25);
   const auto result = engrave(model, wanted);
   ASSERT_TRUE(result.has_value());
-  EXPECT_TRUE(failedChecks(wanted, *result, wanted.text).empty());
-  EXPECT_EQ(failedChecks(wanted, *result, "").size(), 1u);
-  EXPECT_EQ(failedChecks(wanted, *result, "another text").size(), 1u);
+  const auto failed = [&](const char* read) {
+    std::vector<std::string> codes;
+    const ReadingEvidence reading = evidenceOf(std::vector<std::string>(72, read), wanted.text);
+    for (const Message& failure : judge(wanted, *result, reading).failed()) codes.push_back(failure.code);
+    return codes;
+  };
+  EXPECT_THAT(failed(wanted.text.c_str()), testing::IsEmpty());
+  EXPECT_THAT(failed(""), testing::ElementsAre("too-shallow"));  // for so little to be read
+  EXPECT_THAT(failed("another text"), testing::ElementsAre("other-text"));
 }
 
 TEST(DepthSummary, IsTheMeanMaximumAnd95thPercentileOfTheCarvedSubmodules) {

@@ -9,8 +9,8 @@
 
 #include "messages/sentences.h"
 #include "native/zxing_reader.h"
-#include "pipeline/report.h"
-#include "pipeline/verify_report.h"
+#include "report/report.h"
+#include "report/verify_report.h"
 #include "support/gl_test.h"
 #include "support/shapes.h"
 
@@ -55,7 +55,10 @@ class VerifyTest : public GlTest {
     request->ranges = false;
     return *request;
   }
-  static VerifyResult verify(const Mesh& mesh, const VerifyRequest& request) {
+  struct Verified : VerifyResult {
+    Verdict verdict;
+  };
+  static Verified verify(const Mesh& mesh, const VerifyRequest& request) {
     auto job = VerifyJob::create(mesh, request, zxingReaders());
     EXPECT_TRUE(job.has_value());
     double before = 0;
@@ -64,12 +67,21 @@ class VerifyTest : public GlTest {
       EXPECT_TRUE(progress.has_value());
       EXPECT_GE(progress->fraction, before);
       before = progress->fraction;
-      if (progress->done) return (*job)->takeResult();
+      if (!progress->done) continue;
+      VerifyResult result = (*job)->takeResult();
+      Verdict verdict = judge(request, result);
+      return {std::move(result), std::move(verdict)};
     }
   }
-  static std::vector<std::string> codesOf(const VerifyResult& result) {
+  static VerifyReportContext contextOf(const Verified& verified) {
+    VerifyReportContext context;
+    context.fileName = "a.stl";
+    context.verdict = verified.verdict;
+    return context;
+  }
+  static std::vector<std::string> codesOf(const Verified& verified) {
     std::vector<std::string> codes;
-    for (const VerifyFinding& finding : result.failed) codes.push_back(finding.code);
+    for (const Message& failure : verified.verdict.failed()) codes.push_back(failure.code);
     return codes;
   }
 };
@@ -77,10 +89,10 @@ class VerifyTest : public GlTest {
 TEST_F(VerifyTest, AGoodEngravingPassesEveryCheckAndIsMeasuredFromItsMesh) {
   VerifyRequest request = requestOf(good());
   request.ranges = true;
-  const VerifyResult result = verify(good().mesh, request);
+  const Verified result = verify(good().mesh, request);
   EXPECT_THAT(codesOf(result), IsEmpty());
   EXPECT_TRUE(result.solidity.solid());
-  EXPECT_TRUE(result.reading.reads) << result.reading.share;
+  EXPECT_TRUE(result.reading.frontal.enough()) << result.reading.frontal.reads;
   EXPECT_GE(result.reading.tiltDeg.value_or(-1), 15);
   EXPECT_LE(result.reading.pixelsPerModule.value_or(99), 5);
   EXPECT_LT(result.reading.cornerErrorModules.value_or(99), 0.5);
@@ -100,10 +112,10 @@ TEST_F(VerifyTest, AMirroredEngravingIsSaidToBeMirrored) {
   Mesh mesh = good().mesh;
   for (Vec3f& p : mesh.positions) p.x = -p.x;
   mesh = shapes::insideOut(mesh);
-  const VerifyResult result = verify(mesh, requestOf(good()));
+  const Verified result = verify(mesh, requestOf(good()));
   EXPECT_TRUE(result.solidity.solid());
   EXPECT_EQ(result.profile.pose, SymbolPose::Mirrored);
-  EXPECT_FALSE(result.reading.reads);
+  EXPECT_FALSE(result.reading.frontal.enough());
   EXPECT_THAT(codesOf(result), testing::ElementsAre("mirrored"));
 }
 
@@ -112,43 +124,59 @@ TEST_F(VerifyTest, ARaisedCodeIsSaidToBeRaised) {
   Mesh mesh = good().mesh;
   for (Vec3f& p : mesh.positions)
     if (p.z > 0) p.z = 10 - p.z;
-  const VerifyResult result = verify(mesh, requestOf(good()));
+  const Verified result = verify(mesh, requestOf(good()));
   EXPECT_THAT(codesOf(result), Contains("raised"));
   EXPECT_LT(result.profile.meanDepthMm, -0.1);
-  EXPECT_FALSE(result.reading.reads);
+  EXPECT_FALSE(result.reading.frontal.enough());
 }
 
 TEST_F(VerifyTest, AShallowEngravingIsSaidToBeTooShallow) {
   Mesh mesh = good().mesh;
   for (Vec3f& p : mesh.positions)
     if (p.z > 0) p.z = 5 - (5 - p.z) * 0.15f;
-  const VerifyResult result = verify(mesh, requestOf(good()));
+  const Verified result = verify(mesh, requestOf(good()));
   EXPECT_TRUE(result.solidity.solid());
   ASSERT_THAT(codesOf(result), testing::ElementsAre("too-shallow"));
-  EXPECT_THAT(result.failed[0].message, HasSubstr("mm deep on average"));
-  EXPECT_FALSE(result.advice.empty());  // its depth is less than two layers
+  EXPECT_THAT(sentence(result.verdict.failed()[0]), HasSubstr("mm deep on average"));
+  EXPECT_EQ(result.verdict.prints.reasons.front().code, "shallower-than-layers");
 }
 
 TEST_F(VerifyTest, APlainPlateHasNoCode) {
-  const VerifyResult result = verify(shapes::box({50, 50, 10}), requestOf(good()));
+  const Verified result = verify(shapes::box({50, 50, 10}), requestOf(good()));
   EXPECT_THAT(codesOf(result), testing::ElementsAre("no-code"));
 }
 
 TEST_F(VerifyTest, ABrokenSolidIsNamedWithThePlace) {
   Mesh mesh = good().mesh;
   mesh.triangles.erase(mesh.triangles.begin());
-  const VerifyResult result = verify(mesh, requestOf(good()));
-  ASSERT_THAT(codesOf(result), testing::ElementsAre("not-solid"));
-  EXPECT_THAT(result.failed[0].message, HasSubstr("3 open edges, the first at "));
-  EXPECT_TRUE(result.reading.reads);
+  const Verified result = verify(mesh, requestOf(good()));
+  ASSERT_THAT(codesOf(result), testing::ElementsAre("not-solid-at"));
+  EXPECT_THAT(sentence(result.verdict.failed()[0]), HasSubstr("3 open edges, the first at "));
+  EXPECT_TRUE(result.reading.frontal.enough());
+}
+
+TEST_F(VerifyTest, CrossingsThatTheModelBroughtAlongAreSaidAndPass) {
+  VerifyRequest request = requestOf(good());
+  Verified result = verify(good().mesh, request);
+  result.solidity.selfIntersections = 3;
+  const auto codes = [&](std::size_t inherited) {
+    request.inheritedSelfIntersections = inherited;
+    result.verdict = judge(request, result);
+    return codesOf(result);
+  };
+  EXPECT_THAT(codes(3), IsEmpty());
+  EXPECT_EQ(result.verdict.solid.level, Level::Barely);
+  EXPECT_EQ(result.verdict.solid.reasons.front().code, "inherited-crossings");
+  EXPECT_THAT(codes(2), testing::SizeIs(1));
+  EXPECT_EQ(result.verdict.solid.level, Level::Bad);
 }
 
 TEST_F(VerifyTest, ATurnedCodeReadsButIsNotWhereItWasSaidToBe) {
   Mesh mesh = good().mesh;
   for (Vec3f& p : mesh.positions) p = {-p.y, p.x, p.z};
-  const VerifyResult result = verify(mesh, requestOf(good()));
+  const Verified result = verify(mesh, requestOf(good()));
   EXPECT_EQ(result.profile.pose, SymbolPose::Turned90);
-  EXPECT_TRUE(result.reading.reads);
+  EXPECT_TRUE(result.reading.frontal.enough());
   EXPECT_THAT(codesOf(result), testing::ElementsAre("turned"));
 }
 
@@ -156,7 +184,7 @@ TEST_F(VerifyTest, AnotherTextIsReadOut) {
   VerifyRequest request = requestOf(good());
   request.text = "SOMETHING";
   request.symbol = *encodeSymbol("SOMETHING", {.version = 1});
-  const VerifyResult result = verify(good().mesh, request);
+  const Verified result = verify(good().mesh, request);
   ASSERT_THAT(codesOf(result), Contains("other-text"));
   EXPECT_EQ(result.reading.otherText, "QRELIEF");
 }
@@ -164,7 +192,7 @@ TEST_F(VerifyTest, AnotherTextIsReadOut) {
 TEST_F(VerifyTest, ACodeBesideItsPlaceIsMisplaced) {
   VerifyRequest request = requestOf(good());
   request.frame.centre.x += 4;
-  const VerifyResult result = verify(good().mesh, request);
+  const Verified result = verify(good().mesh, request);
   EXPECT_THAT(codesOf(result), Contains("misplaced"));
   EXPECT_NEAR(result.reading.cornerErrorModules.value_or(0), 4 / 1.2, 0.5);
 }
@@ -172,21 +200,22 @@ TEST_F(VerifyTest, ACodeBesideItsPlaceIsMisplaced) {
 TEST_F(VerifyTest, TheResultIsTheSameEveryTime) {
   const auto reportOf = [&] {
     const VerifyRequest request = requestOf(good());
-    return makeVerifyReport(request, verify(good().mesh, request), {"a.stl", "STL (binary)", "ZXing-C++", 0});
+    const Verified verified = verify(good().mesh, request);
+    return makeVerifyReport(request, verified, contextOf(verified));
   };
   EXPECT_EQ(reportOf(), reportOf());
 }
 
 TEST_F(VerifyTest, TheReportHasTheKeysOfTheContract) {
   const VerifyRequest request = requestOf(good());
-  const auto json = nlohmann::json::parse(
-      makeVerifyReport(request, verify(good().mesh, request), {"a.stl", "STL (binary)", "ZXing-C++", 1}));
+  const Verified verified = verify(good().mesh, request);
+  const auto json = nlohmann::json::parse(makeVerifyReport(request, verified, contextOf(verified)));
   EXPECT_EQ(json["text"], "QRELIEF");
   EXPECT_EQ(json["verified"], true);
   EXPECT_EQ(json["verification"]["decoded"], true);
   EXPECT_EQ(json["verification"]["text"], "QRELIEF");
   EXPECT_EQ(json["verification"]["iso15415"]["simulated"], true);
-  EXPECT_EQ(json["verification"]["views"].size(), 16u);
+  EXPECT_EQ(json["verification"]["views"].size(), kFrontalViews.size());
   EXPECT_EQ(json["carving"]["pose"], "as wanted");
   EXPECT_EQ(json["mesh"]["closed"], true);
 }

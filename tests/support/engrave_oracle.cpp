@@ -214,7 +214,7 @@ std::string seenFault(const EngraveCase& made, const EngravableModel& model, con
   return fmt::format("the code of {:.5g} mm is broken by the silhouette {:.5g} mm out", square, reach.orientedMm / 2);
 }
 
-Verdict judgeSolid(const EngraveCase& made, const EngravableModel& model, const EngraveResult& result) {
+OracleVerdict judgeSolid(const EngraveCase& made, const EngravableModel& model, const EngraveResult& result) {
   const Mesh carved = meshOfStl(result.stl);
   const double half = result.placement.symbolMm / 2;
   const PlaneCaster before(model.prepared.mesh, result.placement.frame, half);
@@ -366,28 +366,27 @@ std::string smallFault(const EngraveCase& made, const EngravableModel& model, in
   return std::sqrt(2) * least > enlarged ? "" : "the model may have room for a code";
 }
 
-Verdict judgeNoSolution(const EngraveCase& made, const EngravableModel& model, const Error& error) {
-  const auto says = [&](std::string_view words) { return sentence(error.message).find(words) != std::string::npos; };
+OracleVerdict judgeNoSolution(const EngraveCase& made, const EngravableModel& model, const Error& error) {
+  const auto says = [&](auto... codes) { return ((error.message.code == codes) || ...); };
   const auto symbol = encodeSymbol(made.request.text, made.request.symbol);
   if (!symbol) return {"no solution", "the text cannot be encoded, and nothing said so: " + sentence(error.message)};
   if (error.message.code == "model-too-small") return {"model too small", smallFault(made, model, symbol->size)};
   const Search search = repeatSearch(made, model, symbol->size);
-  if (says("does not fit here"))
+  if (says("code-too-large", "code-too-large-here", "code-fits-turned"))
     return {"does not fit", fitFault(made, model, search, symbol->size, made.request.placement.sizeMm)};
-  if (says("is asked for: its modules")) {
+  if (says("modules-too-small-as-asked")) {
     const PlacementRequest& place = made.request.placement;
     const double asked = place.sizeMode == SizeMode::Fixed ? place.sizeMm : place.maxSizeMm;
     return {"asks for a tiny code", asked < 0.2 * symbol->size ? "" : "the modules would be wide enough"};
   }
-  if (says("Only a code of"))  // its modules would be narrower than 0.2 mm
+  if (says("modules-too-small-here"))  // its modules would be narrower than 0.2 mm
     return {"fits a tiny code only", fitFault(made, model, search, symbol->size, 0.2 * symbol->size)};
-  if (says("faces away")) return {"faces away", reasonFault(model, search, "the centre faces away", facesAway)};
-  if (says("hides the chosen point"))
-    return {"hidden", reasonFault(model, search, "anything is before the centre", isHidden)};
-  if (says("reaches behind the eye"))
+  if (says("centre-faces-away")) return {"faces away", reasonFault(model, search, "the centre faces away", facesAway)};
+  if (says("centre-hidden")) return {"hidden", reasonFault(model, search, "anything is before the centre", isHidden)};
+  if (says("centre-behind-eye"))
     return {"behind the eye", reasonFault(model, search, "the facet reaches behind the eye", reachesBehindEye)};
-  if (says("Nothing can be carved")) return {"wall too thin", thinFault(made, model, search, *symbol)};
-  if (says("facets under the code are too fine")) return {"facets too fine", fineFault(model, search)};
+  if (says("nothing-can-be-carved")) return {"wall too thin", thinFault(made, model, search, *symbol)};
+  if (says("facets-too-fine", "carved-not-solid")) return {"facets too fine", fineFault(model, search)};
   return {"no solution", "a reason that nobody checks: " + sentence(error.message)};
 }
 
@@ -395,7 +394,7 @@ Verdict judgeNoSolution(const EngraveCase& made, const EngravableModel& model, c
 constexpr std::array<std::array<std::size_t, 4>, 5> kByteCapacity = {
     {{17, 14, 11, 7}, {32, 26, 20, 14}, {53, 42, 32, 24}, {78, 62, 46, 34}, {106, 84, 60, 44}}};
 
-Verdict judgeBadInput(const EngraveCase& made, const EngravableModel& model, const Error& error) {
+OracleVerdict judgeBadInput(const EngraveCase& made, const EngravableModel& model, const Error& error) {
   if (!model.prepared.engravable()) {
     const bool torn = !surfaceProblems(made.mesh).empty();
     return {"no solid", torn ? "" : "the model is a solid, but: " + sentence(error.message)};
@@ -438,7 +437,8 @@ Result<EngraveResult> carve(const EngraveCase& made, const EngravableModel& mode
                                                 {placement.symbolMm, kDeepestMm, made.request.minWallMm});
   result.depths.depthMm = madeUpDepths(mask, limits, choices);
   if (std::none_of(result.depths.depthMm.begin(), result.depths.depthMm.end(), [](double depth) { return depth > 0; }))
-    return fail(ErrorKind::NoSolution, "Nothing can be carved here", "as EngraveJob says");
+    return fail(ErrorKind::NoSolution,
+                message("nothing-can-be-carved", with::lengthMm("wall", made.request.minWallMm)));
   const auto embedded = embedDepthField(mesh, placement.frame, placement.patch.triangles, result.depths,
                                         {.surface = made.request.surface});
   if (!embedded) return tl::unexpected(embedded.error());
@@ -455,7 +455,7 @@ Result<EngraveResult> carve(const EngraveCase& made, const EngravableModel& mode
 
 }  // namespace
 
-Verdict judge(const EngraveCase& made, const EngravableModel& model, const Result<EngraveResult>& result) {
+OracleVerdict judge(const EngraveCase& made, const EngravableModel& model, const Result<EngraveResult>& result) {
   if (result) return judgeSolid(made, model, *result);
   const Error& error = result.error();
   if (sentence(error.message).empty() || hint(error.message).empty())
@@ -465,14 +465,14 @@ Verdict judge(const EngraveCase& made, const EngravableModel& model, const Resul
   return {"error", "no typed refusal: " + sentence(error.message)};
 }
 
-Verdict runEngraveCase(const EngraveCase& made) {
+OracleVerdict runEngraveCase(const EngraveCase& made) {
   auto prepared = prepareModel(shapes::soupOf(made.mesh), {});
   if (!prepared) return {"not prepared", sentence(prepared.error().message)};
   const auto model = EngravableModel::upload(std::move(*prepared));
   return judge(made, *model, engrave(model, made.request));
 }
 
-Verdict runCarvingCase(const EngraveCase& made, Choices& choices) {
+OracleVerdict runCarvingCase(const EngraveCase& made, Choices& choices) {
   auto prepared = prepareModel(shapes::soupOf(made.mesh), {});
   if (!prepared) return {"not prepared", sentence(prepared.error().message)};
   EngravableModel model;  // nothing is rendered, so nothing is uploaded

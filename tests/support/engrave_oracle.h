@@ -8,7 +8,7 @@
 namespace qrelief {
 
 /// How a case ended, and whether it may end so.
-struct Verdict {
+struct OracleVerdict {
   std::string kind;   ///< "solid", or what was refused: "does not fit", "hidden", ...
   std::string fault;  ///< what is wrong about it, in words; empty if it is as it must be
 };
@@ -25,13 +25,13 @@ struct Verdict {
 /// needs a facet that lies partly behind another that is seen, or before it; a hidden centre has something before it; a
 /// wall is too thin where its distance is measured; a model that is not closed has an open edge; a text that is too
 /// long has more bytes than the standard's table allows.
-Verdict judge(const EngraveCase& made, const EngravableModel& model, const Result<EngraveResult>& result);
+OracleVerdict judge(const EngraveCase& made, const EngravableModel& model, const Result<EngraveResult>& result);
 
 /// Prepares, engraves and judges. Needs a GL context.
-Verdict runEngraveCase(const EngraveCase& made);
+OracleVerdict runEngraveCase(const EngraveCase& made);
 
 /// The same without rendering, many times as fast: the direction is the one asked for or the facet's normal, and the
 /// depths are made up, as deep and as uneven as the walls allow.
-Verdict runCarvingCase(const EngraveCase& made, Choices& choices);
+OracleVerdict runCarvingCase(const EngraveCase& made, Choices& choices);
 
 }  // namespace qrelief

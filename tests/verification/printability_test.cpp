@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "messages/sentences.h"
+
 namespace qrelief {
 namespace {
 
@@ -19,7 +21,7 @@ CarvedFeatures carvedWith(ModulePattern modules, FinderPattern finders, double m
   return measureFeatures(symbol, mask.carved, std::vector<double>(mask.carved.size(), depthMm), moduleMm);
 }
 
-std::vector<PrintAdvice> adviceFor(ModulePattern modules, double moduleMm, const Printer& printer = {}) {
+std::vector<Message> adviceFor(ModulePattern modules, double moduleMm, const Printer& printer = {}) {
   return advisePrinting(carvedWith(modules, FinderPattern::ThickPlus, moduleMm, 0.5), printer);
 }
 
@@ -75,8 +77,8 @@ TEST(AdvisePrinting, AgreesWithThePublishedPrints) {
 TEST(AdvisePrinting, ThinPlusIsTooNarrowAndSquareIsTheAdvice) {
   const auto advice = adviceFor(ModulePattern::ThinPlus, 1.2);
   ASSERT_FALSE(advice.empty());
-  EXPECT_THAT(advice.front().problem, HasSubstr("0.24 mm wide"));
-  EXPECT_EQ(advice.front().hint, "0.4 mm nozzle: choose `square` or a module of 1.8 mm or more");
+  EXPECT_THAT(sentence(advice.front()), HasSubstr("0.24 mm wide"));
+  EXPECT_EQ(hint(advice.front()), "0.4 mm nozzle: choose `square` or a module of 1.8 mm or more");
 }
 
 TEST(AdvisePrinting, AFinerNozzleTakesSmallerModules) {
@@ -89,7 +91,7 @@ TEST(AdvisePrinting, ShallowModulesAreCountedInLayers) {
   EXPECT_THAT(advisePrinting(shallow, {.layerMm = 0.15}), IsEmpty());
   const auto advice = advisePrinting(shallow, {.layerMm = 0.2});
   ASSERT_THAT(advice, SizeIs(1));
-  EXPECT_THAT(advice.front().problem, HasSubstr("1.5 layers of 0.2 mm"));
+  EXPECT_THAT(sentence(advice.front()), HasSubstr("1.5 layers of 0.2 mm"));
 }
 
 TEST(AdvisePrinting, AThinWallIsNamed) {
@@ -99,7 +101,7 @@ TEST(AdvisePrinting, AThinWallIsNamed) {
   features.wallMm = 0.5;
   const auto advice = advisePrinting(features, {});
   ASSERT_THAT(advice, SizeIs(1));
-  EXPECT_THAT(advice.front().problem, HasSubstr("0.50 mm of material"));
+  EXPECT_THAT(sentence(advice.front()), HasSubstr("0.5 mm of material"));
 }
 
 }  // namespace

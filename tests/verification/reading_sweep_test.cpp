@@ -47,8 +47,8 @@ class ReadingSweepTest : public testing::Test {
 TEST_F(ReadingSweepTest, AReaderThatAlwaysReadsReadsEverywhere) {
   const ReadingSweep done = sweep({wanted});
   const ReadingSummary summary = done.summary();
-  EXPECT_EQ(summary.share, 1);
-  EXPECT_TRUE(summary.reads);
+  EXPECT_EQ(summary.frontal, (ReadingCount{36, 36}));
+  EXPECT_TRUE(summary.frontal.enough());
   EXPECT_EQ(summary.tiltDeg, 45);
   EXPECT_EQ(summary.tiltDegLamp, 45);
   EXPECT_EQ(summary.pixelsPerModule, 2.0);
@@ -60,17 +60,17 @@ TEST_F(ReadingSweepTest, AReaderThatAlwaysReadsReadsEverywhere) {
 
 TEST_F(ReadingSweepTest, AReaderThatNeverReadsReadsNowhere) {
   const ReadingSummary summary = sweep({[](const GreyImage&) { return std::nullopt; }}).summary();
-  EXPECT_EQ(summary.share, 0);
-  EXPECT_FALSE(summary.reads);
+  EXPECT_EQ(summary.frontal, (ReadingCount{36, 0}));
+  EXPECT_FALSE(summary.frontal.enough());
   EXPECT_EQ(summary.tiltDeg, std::nullopt);
   EXPECT_EQ(summary.pixelsPerModule, std::nullopt);
   EXPECT_EQ(summary.cornerErrorModules, std::nullopt);
 }
 
-TEST_F(ReadingSweepTest, TheShareIsOfAllTriesOfAllReaders) {
+TEST_F(ReadingSweepTest, AllTriesOfAllReadersCount) {
   const ReadingSummary summary = sweep({wanted, [](const GreyImage&) { return std::nullopt; }}, false).summary();
-  EXPECT_EQ(summary.share, 0.5);
-  EXPECT_TRUE(summary.reads);
+  EXPECT_EQ(summary.frontal, (ReadingCount{72, 36}));
+  EXPECT_TRUE(summary.frontal.enough());
   EXPECT_EQ(summary.tiltDeg, std::nullopt);  // was not asked for
 }
 
@@ -91,7 +91,7 @@ TEST_F(ReadingSweepTest, MirroredAndOtherTextsAreNoReads) {
     return std::optional(read);
   };
   const ReadingSummary first = sweep({mirrored}, false).summary();
-  EXPECT_EQ(first.share, 0);
+  EXPECT_EQ(first.frontal.reads, 0);
   EXPECT_TRUE(first.mirrored);
   const auto other = [](const GreyImage& picture) {
     SymbolRead read = wanted(picture);
@@ -99,7 +99,7 @@ TEST_F(ReadingSweepTest, MirroredAndOtherTextsAreNoReads) {
     return std::optional(read);
   };
   const ReadingSummary second = sweep({other}, false).summary();
-  EXPECT_EQ(second.share, 0);
+  EXPECT_EQ(second.frontal.reads, 0);
   EXPECT_EQ(second.otherText, "OTHER");
 }
 
@@ -114,7 +114,7 @@ TEST_F(ReadingSweepTest, ASymbolElsewhereIsMeasuredInModules) {
 
 TEST_F(ReadingSweepTest, PicturesDifferInScalePhaseAndBlur) {
   const ReadingSweep done = sweep({wanted}, false);
-  EXPECT_EQ(done.views().size(), 16u);
+  EXPECT_EQ(done.views().size(), kFrontalViews.size());
   EXPECT_TRUE(std::all_of(done.views().begin(), done.views().end(),
                           [](const ReadingView& view) { return view.test == ReadingTest::Frontal; }));
 }

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Reads the carved code back, beside the page: its workers are started when first needed, and stay.
-import { frontalPictures } from './variants.js';
-
 /** @typedef {import('../engine/types.js').GreyImage} GreyImage */
 /** @typedef {{ resolve: (texts: string[]) => void, reject: (reason: Error) => void }} Pending */
 
@@ -21,28 +19,22 @@ export function prepareReader() {
   }));
 }
 
-/** @typedef {{ text: string, tries: number, reads: number }} Reading
- *   `text`: what was read, '' if nothing; `reads`: in so many of the tries */
-
 /**
- * Everything that a scanning app tries, on pictures from the front that differ in scale and focus.
- * @param {GreyImage} image
- * @param {number} pixelsPerModule  of the code in it
- * @returns {Promise<Reading>}
+ * Every try on every picture, spread over the workers.
+ * @param {GreyImage[]} pictures
+ * @returns {Promise<string[]>}  what each try read, '' if nothing; picture by picture, each with as many tries
  */
-export async function readAll(image, pixelsPerModule) {
+export async function readEach(pictures) {
   prepareReader();
-  const scans = frontalPictures(image, pixelsPerModule).map((frontal, i) =>
-    workers[i % workers.length].scan(frontal.picture, frontal.pixelsPerModule));
-  const texts = (await Promise.all(scans)).flat();
-  const text = texts.find((each) => each !== '') ?? '';
-  return { text, tries: texts.length, reads: text === '' ? 0 : texts.filter((each) => each === text).length };
+  const perWorker = Math.ceil(pictures.length / workers.length);
+  const scans = workers.map((worker, i) => worker.scan(pictures.slice(i * perWorker, (i + 1) * perWorker)));
+  return (await Promise.all(scans)).flat();
 }
 
-/** Whether any of it succeeds on one picture. @param {GreyImage} image @param {number} pixelsPerModule @param {string} wanted */
-export async function reads(image, pixelsPerModule, wanted) {
+/** Whether any try on any picture reads the text. @param {GreyImage[]} pictures @param {string} wanted */
+export async function readsAny(pictures, wanted) {
   prepareReader();
-  return (await workers[0].scan(image, pixelsPerModule, wanted)).includes(wanted);
+  return (await workers[0].scan(pictures, wanted)).includes(wanted);
 }
 
 class ScanWorker {
@@ -66,12 +58,12 @@ class ScanWorker {
     };
   }
 
-  /** @param {GreyImage} picture @param {number} pixelsPerModule @param {string} [wanted] @returns {Promise<string[]>} */
-  scan(picture, pixelsPerModule, wanted) {
+  /** @param {GreyImage[]} pictures @param {string} [wanted] @returns {Promise<string[]>} */
+  scan(pictures, wanted) {
     return new Promise((resolve, reject) => {
       const id = this.nextId_++;
       this.pending_.set(id, { resolve, reject });
-      this.worker_.postMessage({ id, picture, pixelsPerModule, wanted });
+      this.worker_.postMessage({ id, pictures, wanted });
     });
   }
 }

@@ -2,16 +2,16 @@
 // The worker's side of the reader: scans the pictures that it is given, one after the other.
 import { loadLibrary, scan } from './scans.js';
 
-/** @typedef {{ id: number, picture: import('./scans.js').GreyImage, pixelsPerModule: number, wanted?: string }} Request */
+/** @typedef {{ id: number, pictures: import('./scans.js').GreyImage[], wanted?: string }} Request */
 
 const scope = /** @type {any} */ (globalThis);
 
 loadLibrary().catch(() => {});  // the first scan says it
 
 scope.onmessage = async (/** @type {MessageEvent} */ { data }) => {
-  const { id, picture, pixelsPerModule, wanted } = /** @type {Request} */ (data);
+  const { id, pictures, wanted } = /** @type {Request} */ (data);
   try {
-    scope.postMessage({ id, texts: await scan(picture, pixelsPerModule, wanted) });
+    scope.postMessage({ id, texts: await scan(pictures, wanted) });
   } catch (thrown) {
     scope.postMessage({ id, problem: thrown instanceof Error ? thrown.message : String(thrown) });
   }

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Reads pictures with ZXing-C++, a reader that shares nothing with our own code. Loaded when first needed.
 import wasmUrl from 'zxing-wasm/reader/zxing_reader.wasm?url';
-import { readingVariants } from './variants.js';
 
 /** @typedef {import('../engine/types.js').GreyImage} GreyImage */
+
+const kBinarizers = /** @type {const} */ (['LocalAverage', 'GlobalHistogram']);
 
 /** @type {Promise<typeof import('zxing-wasm/reader')> | undefined} */
 let library;
@@ -18,20 +19,19 @@ export function loadLibrary() {
 }
 
 /**
- * What a scanning app tries on one picture.
- * @param {GreyImage} image
- * @param {number} pixelsPerModule  of the code in it
- * @param {string} [wanted]         with which it ends
- * @returns {Promise<string[]>}     what each try has read, '' if nothing
+ * Each picture with each binariser in turn.
+ * @param {GreyImage[]} pictures
+ * @param {string} [wanted]      with which it ends
+ * @returns {Promise<string[]>}  what each try has read, '' if nothing
  */
-export async function scan(image, pixelsPerModule, wanted) {
+export async function scan(pictures, wanted) {
   const { readBarcodes } = await loadLibrary();
   /** @type {string[]} */ const texts = [];
-  for (const variant of readingVariants(image, pixelsPerModule)) {
-    const data = toImageData(variant);
-    for (const binarizer of /** @type {const} */ (['LocalAverage', 'GlobalHistogram'])) {
+  for (const picture of pictures) {
+    const data = toImageData(picture);
+    for (const binarizer of kBinarizers) {
       const [found] = await readBarcodes(data, { formats: ['QRCode'], tryHarder: true, maxNumberOfSymbols: 1, binarizer });
-      texts.push(found?.isValid ? found.text : '');
+      texts.push(found?.isValid && !found.isMirrored ? found.text : '');
       if (wanted !== undefined && texts.at(-1) === wanted) return texts;
     }
   }

@@ -195,15 +195,24 @@ export class EngineClient {
   /** @param {import('./types.js').JobMapName} name @returns {Promise<import('./types.js').JobMap | null>}  none before there is one */
   jobMap(name) { return this.call_('jobMap', name); }
 
-  /** The same from aside. @param {number} tiltDeg @param {number} azimuthDeg @returns {Promise<import('./types.js').GreyImage>} */
-  readerImageFrom(tiltDeg, azimuthDeg) { return this.call_('readerImageFrom', tiltDeg, azimuthDeg); }
+  /** What readers are to try. @returns {Promise<import('./types.js').GreyImage[]>} */
+  readingPictures() { return this.call_('readingPictures'); }
 
   /**
-   * @param {string} text    what was read; empty if nothing
-   * @param {string} reader  who read it
-   * @returns {Promise<void>}
+   * @param {string[]} texts  what each try on the pictures read, '' if nothing
+   * @param {string} reader   who read it
+   * @returns {Promise<import('./types.js').ReadingResult>}
    */
-  setReadBack(text, reader) { return this.call_('setReadBack', text, reader); }
+  setReadings(texts, reader) { return this.call_('setReadings', texts, reader); }
+
+  /** From where else the code reads: how many pictures there are at most. @returns {Promise<number>} */
+  startViewTrials() { return this.call_('startViewTrials'); }
+
+  /** Of the trial that is due: read, if one of them reads. @returns {Promise<import('./types.js').GreyImage[]>} */
+  viewTrialPictures() { return this.call_('viewTrialPictures'); }
+
+  /** @param {boolean} read @returns {Promise<import('./types.js').ViewTrialProgress>} */
+  noteViewTrial(read) { return this.call_('noteViewTrial', read); }
 
   /** @param {string} format @returns {Promise<Uint8Array<ArrayBuffer>>} */
   exportModel(format) { return this.call_('exportModel', format); }

@@ -207,10 +207,13 @@ export class EngineHost {
     readerImage: () => copyOf(this.engine_.readerImage()),
     /** @param {import('./types.js').JobMapName} name */
     jobMap: (name) => this.engine_.jobMap(name),
-    /** @param {number} tiltDeg @param {number} azimuthDeg */
-    readerImageFrom: (tiltDeg, azimuthDeg) => copyOf(this.engine_.readerImageFrom(tiltDeg, azimuthDeg)),
-    /** @param {string} text @param {string} reader */
-    setReadBack: (text, reader) => this.engine_.setReadBack(text, reader),
+    readingPictures: () => this.engine_.readingPictures().map(copyOf),
+    /** @param {string[]} texts @param {string} reader */
+    setReadings: (texts, reader) => parseAnswer(this.engine_.setReadings(JSON.stringify(texts), reader)),
+    startViewTrials: () => parseAnswer(this.engine_.startViewTrials()).all,
+    viewTrialPictures: () => this.engine_.viewTrialPictures().map(copyOf),
+    /** @param {boolean} read */
+    noteViewTrial: (read) => parseAnswer(this.engine_.noteViewTrial(read)),
     /** @param {string} format */
     exportModel: (format) => {
       const bytes = this.engine_.exportModel(format);

@@ -42,7 +42,7 @@
 /**
  * @typedef {{ centre: [number, number, number], normal: [number, number, number], up: [number, number, number],
  *   symbolMm: number, moduleMm: number, guaranteedMm: number, version: number, modules: number, rotationDeg: number,
- *   aimToleranceDeg: number }} Placement  `aimToleranceDeg`: from how far aside, to every side, it can be read at most
+ *   aimToleranceDeg: number, forgiving: boolean }} Placement  `aimToleranceDeg`: from how far aside, to every side, it can be read at most
  *   `rotationDeg`: of the symbol's top from upwards, anticlockwise
  */
 
@@ -90,6 +90,20 @@
 /** @typedef {{ overall: number } & Record<string, any>} Grades  by parameter: `value` in its own unit, `grade` 4 (A) … 0 (F) */
 /** @typedef {{ width: number, height: number, pixels: Uint8Array<ArrayBuffer> }} ColourImage  RGBA, row 0 at the top */
 
+/** @typedef {'good' | 'barely' | 'bad'} Level */
+/**
+ * What would help: without a change, another place for the code.
+ * @typedef {Message & { change?: { setting: string, value: string } }} Remedy  `value`: as settings files write it; '': the default
+ * @typedef {{ level: Level, passed: boolean, summary: Message, reasons: Message[], remedies: Remedy[] }} Aspect
+ * @typedef {{ passed: boolean, reads: Aspect, prints: Aspect, solid: Aspect }} Verdict
+ * @typedef {{ passed: boolean, next: 'balanced' | 'robust' | null }} ReadingResult  `next`: the preset to carve with
+ * @typedef {{ tilts: { tiltDeg: number, reads: number, all: number }[], safeTiltDeg: number, forgiving: boolean,
+ *   pixelsPerModule: number | null, distanceMm: number | null }} ViewTrials
+ *   `tilts`: up to the first from which nothing is read; `forgiving`: read from as far aside as hands hold a phone without taking
+ *   care; `pixelsPerModule`: a module's least width at which it reads, and `distanceMm`: how far a phone is then
+ * @typedef {{ done: boolean, tried: number, all: number, views: ViewTrials }} ViewTrialProgress
+ */
+
 /**
  * The part of the report (see the contract) that the page shows.
  * @typedef {object} Report
@@ -98,7 +112,7 @@
  * @property {{ symbolMm: number, moduleMm: number, guaranteedMm: number }} size
  * @property {{ meanMm: number, maxMm: number, iterations: number, limitedSubmodules: number, features: CarvedFeatures }} depth
  * @property {{ triangles: number, closed: boolean, manifold: boolean, selfIntersections: number, volumeMm3: number }} mesh
- * @property {{ decoded: boolean, printability: Message[], iso15415: Grades, iso29158: Grades }} verification
+ * @property {{ decoded: boolean, text: string, verdict: Verdict, iso15415: Grades, iso29158: Grades }} verification
  * @property {{ eyeDistanceMm: number }} projection
  * @property {{ total: number } & Record<string, number>} timingsMs
  */
@@ -140,8 +154,11 @@
  * @property {() => string} report
  * @property {() => GreyImage} readerImage
  * @property {(name: JobMapName) => JobMap | null} jobMap
- * @property {(tiltDeg: number, azimuthDeg: number) => GreyImage} readerImageFrom
- * @property {(text: string, reader: string) => void} setReadBack
+ * @property {() => GreyImage[]} readingPictures
+ * @property {(texts: string, reader: string) => string} setReadings
+ * @property {() => string} startViewTrials
+ * @property {() => GreyImage[]} viewTrialPictures
+ * @property {(read: boolean) => string} noteViewTrial
  * @property {(format: string) => Uint8Array} exportModel
  * @property {(dark: boolean) => void} setTheme
  * @property {(axis: UpAxis) => void} setUpAxis

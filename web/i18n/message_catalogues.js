@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The words of all messages, of the core and of the page: every file of messages/, which a test holds.
+// The words of all messages, of the core and of the page: every file of messages/ but the command’s, which a test holds.
 import engine from '../../messages/engine.json' with { type: 'json' };
 import files from '../../messages/files.json' with { type: 'json' };
 import graphics from '../../messages/graphics.json' with { type: 'json' };
 import model from '../../messages/model.json' with { type: 'json' };
 import pageEngine from '../../messages/page_engine.json' with { type: 'json' };
 import pageSettings from '../../messages/page_settings.json' with { type: 'json' };
+import pipeline from '../../messages/pipeline.json' with { type: 'json' };
 import place from '../../messages/place.json' with { type: 'json' };
 import settingsErrors from '../../messages/settings_errors.json' with { type: 'json' };
 import stages from '../../messages/stages.json' with { type: 'json' };
 import text from '../../messages/text.json' with { type: 'json' };
-import untold from '../../messages/untold.json' with { type: 'json' };
+import verdict from '../../messages/verdict.json' with { type: 'json' };
 
 /** @typedef {string | { one: string, other: string }} Forms  chosen by the value `count` */
 /** @typedef {{ en: Forms, de: Forms }} Words */
@@ -18,6 +19,6 @@ import untold from '../../messages/untold.json' with { type: 'json' };
 
 /** @type {Record<string, Entry>} */
 export const catalogue = {
-  ...engine, ...files, ...graphics, ...model, ...pageEngine, ...pageSettings, ...place, ...settingsErrors, ...stages, ...text,
-  ...untold,
+  ...engine, ...files, ...graphics, ...model, ...pageEngine, ...pageSettings, ...pipeline, ...place, ...settingsErrors, ...stages, ...text,
+  ...verdict,
 };

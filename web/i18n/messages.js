@@ -36,6 +36,19 @@ export function asSentence(text) {
 
 /** As a sentence writes it. @param {Value} value */
 export const writtenValue = (value) => written(value, ourWords);
+/**
+ * A value of a report, with the sentence and the hint beside each message in it, for people who read the file.
+ * @param {unknown} value
+ * @returns {unknown}
+ */
+export function worded(value) {
+  if (Array.isArray(value)) return value.map(worded);
+  if (typeof value !== 'object' || value === null) return value;
+  const parts = Object.fromEntries(Object.entries(value).map(([name, part]) => [name, name === 'values' ? part : worded(part)]));
+  const isMessage = 'code' in value && 'values' in value;
+  const told = /** @type {Message} */ (value);
+  return isMessage ? { ...parts, message: sentenceOf(told), hint: hintOf(told) } : parts;
+}
 
 /** @param {Words} entry @param {Message} message @param {Record<string, Entry>} words */
 function filled(entry, { values }, words) {

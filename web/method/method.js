@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Computes the page's pictures: one sample, carved by the app's own engine, looked at step by step.
-import { pixelsPerModule } from '../verdict/view_trials.js';
 import { EngineClient } from '../engine/client.js';
 import { describeThrown } from '../engine/engine_error.js';
 import { openArticle } from '../guide/article.js';
-import { readAll } from '../decoder/reader.js';
+import { kReaderName, readEach } from '../decoder/reader.js';
 import { fetchBytes, fetchJson } from '../session/fetch_file.js';
 import { currentLanguage, text } from '../i18n/catalogue.js';
 import { write } from '../i18n/live.js';
@@ -137,9 +136,9 @@ class Demonstration {
   }
 
   /** @param {import('../engine/types.js').Report} report @param {number} trianglesBefore */
-  showReport_({ depth, mesh }, trianglesBefore) {
+  showReport_({ depth, mesh, verification }, trianglesBefore) {
     const count = (/** @type {number} */ value) => () => value.toLocaleString(currentLanguage());
-    const isSolid = mesh.closed && mesh.manifold && mesh.selfIntersections === 0;
+    const isSolid = verification.verdict.solid.passed;
     showNumbers('depth-numbers', [
       [() => text('method.passes'), count(depth.iterations)],
       [() => text('method.meanDepth'), () => inMm(depth.meanMm, 2)],
@@ -157,8 +156,8 @@ class Demonstration {
     const rgba = new Uint8ClampedArray(4 * photo.pixels.length);
     photo.pixels.forEach((grey, at) => rgba.set([grey, grey, grey, 255], 4 * at));
     show('photo', { width: photo.width, height: photo.height, rgba });
-    const { symbol } = await this.client_.report();
-    const { text: read } = await readAll(photo, pixelsPerModule(photo, symbol.modules));
+    await this.client_.setReadings(await readEach(await this.client_.readingPictures()), kReaderName);
+    const { text: read } = (await this.client_.report()).verification;
     write(byId('read', HTMLElement), () => (read ? text('method.readsAs', { text: read }) : text('method.notRead')));
   }
 

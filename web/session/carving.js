@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Carves the code, reads it back, and hands out what came of it.
-import { deeperPreset } from '../verdict/remedies.js';
-import { pixelsPerModule, tryViews } from '../verdict/view_trials.js';
-import { kReaderName, prepareReader, readAll, reads } from '../decoder/reader.js';
+import { kReaderName, prepareReader, readEach, readsAny } from '../decoder/reader.js';
 import { fileNameOf } from '../export/file_names.js';
 import { text } from '../i18n/catalogue.js';
+import { worded } from '../i18n/messages.js';
 import { saveFile } from '../dom/save_file.js';
 
 import { sameWork } from './work.js';
@@ -12,6 +11,7 @@ import { sameWork } from './work.js';
 /** @typedef {import('./work.js').Work} Work */
 /** @typedef {import('../ui/result_panel.js').Result & { number: number, life: number, made: Work }} Carved
  *   `number`: the module's; `life`: of which module; `made`: from what */
+/** @typedef {{ made: Work, number: number, texts: string[] }} Attempt  `texts`: what readers made of it */
 
 /**
  * @typedef {object} CarvingOptions
@@ -139,49 +139,51 @@ export class Carving {
     this.onStart_();
     const asked = this.work_();
     let made = asked;
-    /** @type {{ reading: import('../decoder/reader.js').Reading, made: Work, number: number } | undefined} */ let unread;
+    /** @type {Attempt | undefined} */ let first;
     prepareReader();
     for (;;) {
       const reading = await this.carveOnce_(signal, overrides !== undefined);
       if (!reading) {
         this.messages_.say(() => text('page.cancelled'));
         // Once the module's step has ended: nobody waits for it.
-        this.restoring_ = (unread ? this.keep_(unread, started) : this.restore(before)).catch(() => false);
+        this.restoring_ = (first ? this.keep_(first, started) : this.restore(before)).catch(() => false);
         return;
       }
       const mayChange = overrides === undefined && sameWork(made, this.work_());
-      const deeper = mayChange && reading.text === '' ? deeperPreset(made.values) : undefined;
-      if (!deeper) {
-        await this.finish_(reading, performance.now() - started, made);
+      const next = mayChange ? reading.next : null;
+      if (!next) {
+        const isAsked = made === asked || (!reading.passed && first !== undefined && await this.keep_(first, started));
+        if (made === asked || !isAsked) await this.finish_(performance.now() - started, made);
         this.messages_.say(() => (overrides ? text('inspector.engraved', { overrides })
-          : text(made === asked ? 'page.engraved' : 'page.engravedDeeper')));
+          : text(isAsked ? 'page.engraved' : 'page.engravedDeeper')));
         return;
       }
-      unread = { reading, made, number: await this.client_.carving() };
-      this.write_({ ...made.values, preset: deeper });
+      first ??= { made, number: await this.client_.carving(), texts: reading.texts };
+      this.write_({ ...made.values, preset: next });
       made = this.work_();
       await this.client_.configure(this.settings_());
     }
   }
 
   /**
-   * What is there when the carving that goes deeper is cancelled.
-   * @param {{ reading: import('../decoder/reader.js').Reading, made: Work, number: number }} unread
+   * What is there when the carving that goes deeper is cancelled, or does not read either: as asked for.
+   * @param {Attempt} attempt
    * @param {number} started
    */
-  async keep_({ reading, made, number }, started) {
+  async keep_({ made, number, texts }, started) {
     const elapsedMs = performance.now() - started;
-    this.write_(made.values);
     if (!(await this.client_.useCarving(number))) return false;
+    this.write_(made.values);
     await this.client_.configure(this.settings_());
-    await this.finish_(reading, elapsedMs, made);
+    await this.client_.setReadings(texts, kReaderName);
+    await this.finish_(elapsedMs, made);
     return true;
   }
 
   /**
    * @param {AbortSignal} signal
    * @param {boolean} withOverrides
-   * @returns {Promise<import('../decoder/reader.js').Reading | undefined>}  none: cancelled
+   * @returns {Promise<import('../engine/types.js').ReadingResult & { texts: string[] } | undefined>}  none: cancelled
    */
   async carveOnce_(signal, withOverrides) {
     const finished = await this.client_.engrave({
@@ -189,18 +191,15 @@ export class Carving {
     });
     if (!finished) return undefined;
     this.messages_.say(() => text('page.readingBack'));
-    const picture = await this.client_.readerImage();
-    const { symbol } = await this.client_.report();
-    const scanned = readAll(picture, pixelsPerModule(picture, symbol.modules));
-    const [reading] = await Promise.all([scanned, this.client_.showCarved(true)]);  // which has to be made first
-    return reading;
+    const pictures = await this.client_.readingPictures();
+    const [texts] = await Promise.all([readEach(pictures), this.client_.showCarved(true)]);  // which has to be made first
+    return { ...await this.client_.setReadings(texts, kReaderName), texts };
   }
 
-  /** @param {import('../decoder/reader.js').Reading} reading @param {number} elapsedMs @param {Work} made */
-  async finish_(reading, elapsedMs, made) {
-    await this.client_.setReadBack(reading.text, kReaderName);
+  /** @param {number} elapsedMs @param {Work} made */
+  async finish_(elapsedMs, made) {
     const [report, number] = await Promise.all([this.client_.report(), this.client_.carving()]);
-    this.carved = { report, reading, elapsedMs, number, life: this.life_, made };
+    this.carved = { report, elapsedMs, number, life: this.life_, made };
     await this.show(true);
     this.panel_.show(this.carved);
     this.panel_.reveal();
@@ -208,14 +207,15 @@ export class Carving {
   }
 
   /** @type {import('../ui/grades_panel.js').ViewTrier} */
-  tryViews(report, onTrial, signal) {
-    return tryViews({
-      pictureFrom: (tiltDeg, azimuthDeg) => this.client_.readerImageFrom(tiltDeg, azimuthDeg),
-      picture: () => this.client_.readerImage(),
-      reads: (image) => reads(image, pixelsPerModule(image, report.symbol.modules), report.text),
-      modules: report.symbol.modules,
-      onTrial, signal,
-    });
+  async tryViews(report, onTrial, signal) {
+    for (let all = await this.client_.startViewTrials(), tried = 0; ;) {
+      onTrial(tried, all);
+      const read = await readsAny(await this.client_.viewTrialPictures(), report.text);
+      if (signal.aborted) return undefined;
+      const progress = await this.client_.noteViewTrial(read);
+      if (progress.done) return progress.views;
+      ({ tried, all } = progress);
+    }
   }
 
   /** @param {string} format */
@@ -228,7 +228,7 @@ export class Carving {
 
   async saveReport() {
     const report = await this.client_.report();
-    const json = JSON.stringify(report, null, 2);
+    const json = JSON.stringify(worded(report), null, 2);
     saveFile(new Blob([json], { type: 'application/json' }), this.nameOf_(report, 'json', 'report'));
   }
 

@@ -7,13 +7,13 @@ import { FakeMessages, Pending, fake, noRoom, settled } from './testing.js';
 
 const kText = 'HELLO';
 
-/** Reads `found` in every picture. */
+/** Reads `found` in every picture, once. */
 class FakeReader {
   static found = kText;
   /** @type {(event: any) => void} */ onmessage = () => {};
-  /** @param {{ id: number }} request */
-  postMessage({ id }) {
-    queueMicrotask(() => this.onmessage({ data: { id, texts: [FakeReader.found] } }));
+  /** @param {{ id: number, pictures: unknown[] }} request */
+  postMessage({ id, pictures }) {
+    queueMicrotask(() => this.onmessage({ data: { id, texts: pictures.map(() => FakeReader.found) } }));
   }
   terminate() {}
 }
@@ -43,7 +43,11 @@ beforeEach(() => {
     },
     carving: async () => number,
     useCarving: async () => true,
-    readerImage: async () => ({ width: 64, height: 64, pixels: new Uint8Array(64 * 64) }),
+    readingPictures: async () => [1, 2, 3].map(() => ({ width: 8, height: 8, pixels: new Uint8Array(64) })),
+    setReadings: async (/** @type {string[]} */ texts) => {
+      const passed = texts.every((one) => one === kText);
+      return { passed, next: passed || values.preset === 'robust' ? null : 'robust' };
+    },
     report: async () => ({ text: kText, symbol: { modules: 21 }, verification: {} }),
   });
   placing = fake({ place: async () => {} });
@@ -62,9 +66,9 @@ beforeEach(() => {
 
 test('What is carved is read back, reported and shown', async () => {
   await carving.engrave();
-  assert.equal(made()?.reading.text, kText);
+  assert.equal(made()?.report.text, kText);
   assert.equal(carving.carved?.number, 1);
-  assert.ok(client.calls.some((/** @type {string} */ call) => call.startsWith(`setReadBack ${kText}`)));
+  assert.ok(client.calls.some((/** @type {string} */ call) => call.startsWith('setReadings')));
   assert.deepEqual(shown.at(-1), [true, true]);
 });
 
@@ -102,7 +106,7 @@ test('A carving that fails leaves nothing, and the next one can begin', async ()
   assert.equal(carving.carved, undefined);
   client.answers.engrave = async () => true;
   await carving.engrave();
-  assert.equal(made()?.reading.text, kText);
+  assert.equal(made()?.report.text, kText);
 });
 
 test('After the settings changed, what was carved is said to be older', async () => {
@@ -118,4 +122,25 @@ test('What a module carved is gone with it', async () => {
   await carving.dropForGood();
   assert.equal(await carving.restore(carved), false);
   assert.deepEqual(shown.at(-1), [false, false]);
+});
+
+test('What does not read is carved with the next deeper preset', async () => {
+  values = { preset: 'balanced' };
+  FakeReader.found = '';
+  client.answers.setReadings = async () => {
+    const passed = values.preset === 'robust';
+    return { passed, next: passed ? null : 'robust' };
+  };
+  await carving.engrave();
+  assert.equal(values.preset, 'robust');
+  assert.equal(made()?.number, 2);
+});
+
+test('What reads with no preset stays as it was asked for', async () => {
+  values = { preset: 'balanced' };
+  FakeReader.found = '';
+  await carving.engrave();
+  assert.equal(values.preset, 'balanced');
+  assert.equal(client.calls.filter((/** @type {string} */ call) => call.startsWith('engrave')).length, 2);
+  assert.ok(client.calls.some((/** @type {string} */ call) => call.startsWith('useCarving 1')));
 });

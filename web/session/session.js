@@ -170,14 +170,14 @@ export class Session {
     await this.parts_.placing.place();
   }
 
-  /** @param {import('../verdict/remedies.js').Remedy} remedy @param {string} label */
-  async remedy(remedy, label) {
-    if (remedy.kind === 'spot') return this.parts_.spots.suggest();
-    this.write({ text: this.parts_.code.text, values: { ...this.parts_.form.values, [remedy.control]: remedy.value } });
+  /** @param {import('../engine/types.js').Remedy} remedy @param {string} label */
+  async remedy({ change }, label) {
+    if (!change) return this.parts_.spots.suggest();
+    const { id, value } = this.parts_.form.controlFor(change);
+    this.write({ text: this.parts_.code.text, values: { ...this.parts_.form.values, [id]: value } });
     await this.changeSettings();
     if (!this.parts_.placing.placement) return undefined;  // it was said why not
-    return this.parts_.messages.say(() => text('check.done',
-      { label, control: controlName(remedy.control), value: shownValue(remedy.control, remedy.value) }));
+    return this.parts_.messages.say(() => text('check.done', { label, control: controlName(id), value: shownValue(id, value) }));
   }
 
   /** The centre was moved: what was carved is elsewhere. */
@@ -213,7 +213,7 @@ export class Session {
   /** @param {boolean} exists @param {boolean} shown  the carved model */
   noteCarved(exists, shown) {
     this.parts_.toolbar.setCarved(exists, shown);
-    this.parts_.tools.reader.show(shown ? this.parts_.carving.carved?.reading.text : undefined);
+    this.parts_.tools.reader.show(shown ? this.parts_.carving.carved?.report.verification.text : undefined);
     this.parts_.tools.set({ carved: shown });
     if (!shown) this.parts_.legend.hide('depths');
     else if (this.parts_.toolbar.depthsShown) void this.guard_(() => this.showDepths(true));

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The measurements behind the verdict, and from where else the code reads, on demand.
-import { distanceMm, kForgivingDeg, kTrials, safeTiltDeg } from '../verdict/view_trials.js';
 import { onLanguage, text } from '../i18n/catalogue.js';
 import { byId, make } from '../dom/dom.js';
 import { formatNumber, formatPercent, formatPlain } from '../i18n/format.js';
 
 /** @typedef {import('../engine/types.js').Report} Report */
 /** @typedef {import('../engine/types.js').Grades} Grades */
-/** @typedef {import('../verdict/view_trials.js').Trials} Trials */
-/** @typedef {(report: Report, onTrial: (done: number) => void, signal: AbortSignal) => Promise<Trials | undefined>} ViewTrier */
+/** @typedef {import('../engine/types.js').ViewTrials} Trials */
+/** @typedef {(report: Report, onTrial: (tried: number, all: number) => void, signal: AbortSignal) => Promise<Trials | undefined>} ViewTrier */
 
 const kLetters = ['F', 'D', 'C', 'B', 'A'];
 const kCounts = ['fixedPatternDamage', 'formatInformation'];  // the others are shares
@@ -26,7 +25,8 @@ export class GradesPanel {
     /** @type {Report | undefined} */ this.report_ = undefined;
     /** @type {Trials | undefined} */ this.trials_ = undefined;
     /** @type {AbortController | undefined} */ this.trying_ = undefined;
-    this.done_ = 0;
+    this.tried_ = 0;
+    this.all_ = 0;
     this.details_.addEventListener('toggle', () => this.render_());
     onLanguage(() => this.render_());
   }
@@ -58,12 +58,16 @@ export class GradesPanel {
   }
 
   viewTrials_() {
-    if (this.trials_) return [trialList(this.trials_, /** @type {Report} */ (this.report_))];
-    if (this.trying_) return [make('p', { className: 'trying', text: text('check.trying', { done: Math.min(this.done_ + 1, kTrials), all: kTrials }) })];
+    if (this.trials_) return [trialList(this.trials_)];
+    if (this.trying_) return [make('p', { className: 'trying', text: this.progress_() })];
     const button = make('button', { text: text('check.tryViews') });
     button.type = 'button';
     button.addEventListener('click', () => void this.try_());
     return [button];
+  }
+
+  progress_() {
+    return text('check.trying', { done: Math.min(this.tried_ + 1, this.all_), all: this.all_ });
   }
 
   async try_() {
@@ -71,12 +75,14 @@ export class GradesPanel {
     if (!report) return;
     const trying = new AbortController();
     this.trying_ = trying;
-    this.done_ = 0;
+    this.tried_ = 0;
+    this.all_ = 0;
     this.render_();
-    const trials = await this.tryViews_(report, (done) => {
-      this.done_ = done;
+    const trials = await this.tryViews_(report, (tried, all) => {
+      this.tried_ = tried;
+      this.all_ = all;
       const line = this.content_.querySelector('.trying');
-      if (line) line.textContent = text('check.trying', { done: Math.min(done + 1, kTrials), all: kTrials });
+      if (line) line.textContent = this.progress_();
     }, trying.signal);
     if (this.trying_ !== trying) return;
     this.trying_ = undefined;
@@ -85,16 +91,15 @@ export class GradesPanel {
   }
 }
 
-/** @param {Trials} trials @param {Report} report */
-function trialList({ tilts, leastPixels }, { size }) {
-  const safe = safeTiltDeg(tilts);
+/** @param {Trials} trials */
+function trialList({ tilts, safeTiltDeg: safe, forgiving, pixelsPerModule, distanceMm }) {
   return make('ul', { className: 'trials' },
     ...tilts.map(({ tiltDeg, reads, all }) => make('li', { text: `${text('check.tilt', { tilt: tiltDeg })}: ${text('check.tiltReads', { reads, all })}` })),
     make('li', {}, make('strong', { text: safe > 0 ? text('check.tiltUpTo', { tilt: safe }) : text('check.tiltNone') })),
-    ...(safe < kForgivingDeg ? [make('li', { text: text('check.bends') })] : []),
+    ...(!forgiving ? [make('li', { text: text('check.bends') })] : []),
     make('li', {}, make('strong', {
-      text: leastPixels === undefined ? text('check.distanceNone')
-        : text('check.distanceUpTo', { distance: centimetres(distanceMm(size.moduleMm, leastPixels)), pixels: formatPlain(leastPixels) }),
+      text: pixelsPerModule === null || distanceMm === null ? text('check.distanceNone')
+        : text('check.distanceUpTo', { distance: centimetres(distanceMm), pixels: formatPlain(pixelsPerModule) }),
     })));
 }
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where the code is: its width there, and the exact centre.
-import { kForgivingDeg } from '../verdict/view_trials.js';
 import { text } from '../i18n/catalogue.js';
 import { write } from '../i18n/live.js';
 import { byId } from '../dom/dom.js';
@@ -41,8 +40,8 @@ export class PlacePanel {
     const aim = byId('placement-aim', HTMLElement);
     aim.hidden = !placement;
     if (!placement) return showStep('place', 'open', () => text('page.placeNone'));
-    const { symbolMm, guaranteedMm, aimToleranceDeg } = placement;
-    write(aim, () => text(aimToleranceDeg < kForgivingDeg ? 'page.aimLittle' : 'page.aim', { deg: Math.floor(aimToleranceDeg) }));
+    const { symbolMm, guaranteedMm, aimToleranceDeg, forgiving } = placement;
+    write(aim, () => text(!forgiving ? 'page.aimLittle' : 'page.aim', { deg: Math.floor(aimToleranceDeg) }));
     return showStep('place', 'done', () => text('page.placeState', { width: formatMm(symbolMm), guaranteed: formatMm(guaranteedMm) }));
   }
 }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What came out: the verdict, the file, the numbers.
-import { verdictOf } from '../verdict/verdict.js';
 import { onLanguage, text } from '../i18n/catalogue.js';
 import { byId, make } from '../dom/dom.js';
 import { formatMm, formatSeconds } from '../i18n/format.js';
@@ -10,12 +9,11 @@ import { markStep, showStep } from './steps.js';
 import { verdictLines } from './verdict_lines.js';
 
 /** @typedef {import('../engine/types.js').Report} Report */
-/** @typedef {import('../verdict/verdict.js').Verdict} Verdict */
-/** @typedef {import('../verdict/remedies.js').Remedy} Remedy */
+/** @typedef {import('../engine/types.js').Verdict} Verdict */
+/** @typedef {import('../engine/types.js').Remedy} Remedy */
 /** @typedef {import('./grades_panel.js').ViewTrier} ViewTrier */
-/** @typedef {{ report: Report, reading: import('../decoder/reader.js').Reading, elapsedMs: number,
- *   made: { values: import('./settings_form.js').Values } }} Result
- *   `elapsedMs`: from the click to the end; `made`: from which settings */
+/** @typedef {{ report: Report, elapsedMs: number }} Result
+ *   `elapsedMs`: from the click to the end */
 
 export class ResultPanel {
   /**
@@ -75,14 +73,14 @@ export class ResultPanel {
     this.region_.hidden = !this.result_;
     markStep('carve', this.result_ && !this.outdated_ ? 'done' : 'open');
     if (!this.result_) return showStep('check', 'open', () => text('page.checkNone'));
-    const { report, reading, elapsedMs, made } = this.result_;
+    const { report, elapsedMs } = this.result_;
     const { size, depth, symbol } = report;
-    const verdict = verdictOf(report, reading);
+    const { verdict } = report.verification;
     if (this.outdated_) showStep('check', 'open', () => text('page.checkOutdated'));
     else showStep('check', kMarks[worstOf(verdict)], () => text(summaryOf(verdict)));
     this.region_.classList.toggle('outdated', this.outdated_);
     showFindings(this.notes_, this.outdated_ ? [{ severity: 'warning', found: text('page.outdated'), help: '' }] : []);
-    this.verdict_.replaceChildren(...verdictLines(report, reading, verdict, made.values, this.onRemedy_));
+    this.verdict_.replaceChildren(...verdictLines(report, this.onRemedy_));
     this.numbers_.replaceChildren(
       ...row(text('page.size'), text('page.sizeValue', { width: formatMm(size.symbolMm), module: formatMm(size.moduleMm) })),
       ...row(text('page.depth'), text('page.depthValue', { mean: formatMm(depth.meanMm), max: formatMm(depth.maxMm) })),
@@ -95,16 +93,17 @@ const kMarks = /** @type {const} */ ({ good: 'done', barely: 'warn', bad: 'bad' 
 
 /** @param {Verdict} verdict */
 function worstOf({ reads, prints, solid }) {
-  const levels = [reads, prints, solid];
+  const levels = [reads.level, prints.level, solid.level];
   return levels.includes('bad') ? 'bad' : levels.includes('barely') ? 'barely' : 'good';
 }
 
 /** @param {Verdict} verdict */
 function summaryOf({ reads, prints, solid }) {
-  if (reads === 'bad') return 'check.stepUnread';
-  if (solid !== 'good') return 'check.stepNotSolid';
-  if (reads === 'barely') return 'check.stepBarely';
-  return prints === 'good' ? 'check.stepGood' : 'check.stepUnprintable';
+  if (reads.level === 'bad') return 'check.stepUnread';
+  if (!solid.passed) return 'check.stepNotSolid';
+  if (reads.level === 'barely') return 'check.stepBarely';
+  if (prints.level !== 'good') return 'check.stepUnprintable';
+  return solid.level === 'good' ? 'check.stepGood' : 'check.stepCrossing';
 }
 
 /** @param {string} term @param {string} value */

@@ -67,6 +67,17 @@ export class SettingsForm {
     return /** @type {Settings} */ ({ text: content, ...Object.fromEntries(given) });
   }
 
+  /**
+   * The control of a setting, and what it holds for a value of the setting.
+   * @param {{ setting: string, value: string }} change  `value` '': the setting's default
+   */
+  controlFor({ setting, value }) {
+    const control = this.controls_.find((one) => keyOf(one) === setting);
+    if (!control) throw new Error(`no control sets "${setting}"`);
+    const hasAuto = control instanceof HTMLSelectElement && value === '';
+    return { id: control.id, value: hasAuto ? 'auto' : value };
+  }
+
   nameAll_() {
     this.controls_.forEach(name);
     this.nameSizeField_();

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pipeline/json_parts.h"
+#include "report/json_parts.h"
 
 #include <cmath>
+
+#include "base/message_json.h"
 
 namespace qrelief {
 namespace {
@@ -31,10 +33,43 @@ GradeReports describeGrades(const SymbolGrades& grades) {
   return reports;
 }
 
-Json describeAdvice(const std::vector<PrintAdvice>& advice) {
+Json describeMessage(const Message& message, const Wording& wording) {
+  Json json = jsonOf(message);
+  if (!wording.sentence) return json;
+  json["message"] = wording.sentence(message);
+  json["hint"] = wording.hint(message);
+  return json;
+}
+
+Json describeMessages(const std::vector<Message>& messages, const Wording& wording) {
   Json list = Json::array();
-  for (const PrintAdvice& one : advice) list.push_back({{"problem", one.problem}, {"hint", one.hint}});
+  for (const Message& message : messages) list.push_back(describeMessage(message, wording));
   return list;
+}
+
+namespace {
+
+Json describeAspect(const Aspect& aspect, const Wording& wording) {
+  Json remedies = Json::array();
+  for (const Remedy& remedy : aspect.remedies) {
+    Json one = describeMessage(remedy.message, wording);
+    if (!remedy.setting.empty()) one["change"] = {{"setting", remedy.setting}, {"value", remedy.value}};
+    remedies.push_back(std::move(one));
+  }
+  return {{"level", levelName(aspect.level)},
+          {"passed", aspect.passed()},
+          {"summary", describeMessage(aspect.summary, wording)},
+          {"reasons", describeMessages(aspect.reasons, wording)},
+          {"remedies", std::move(remedies)}};
+}
+
+}  // namespace
+
+Json describeVerdict(const Verdict& verdict, const Wording& wording) {
+  return {{"passed", verdict.passed()},
+          {"reads", describeAspect(verdict.reads, wording)},
+          {"prints", describeAspect(verdict.prints, wording)},
+          {"solid", describeAspect(verdict.solid, wording)}};
 }
 
 Json describeFeatures(const CarvedFeatures& features, const Printer& printer) {

@@ -7,6 +7,8 @@
 
 #include "gl/objects.h"
 #include "pipeline/engrave.h"
+#include "report/json_parts.h"
+#include "verdict/verdict.h"
 
 namespace qrelief {
 
@@ -15,12 +17,11 @@ struct ReportContext {
   std::string fileName;
   std::string format;
   double scaleToMm = 1;
-  std::string readBack;  ///< text that a reader found in the simulated picture; empty if none
-  std::string reader;    ///< which reader, "ZXing-C++ 1.4.0"
-  struct Presets {
-    std::string asked, used;
-  };
-  std::optional<Presets> presets;  ///< none where the contrast was asked for by itself
+  ReadingEvidence reading;            ///< what decoders made of the pictures
+  Verdict verdict;                    ///< of all that is known
+  std::string reader;                 ///< which decoder, "ZXing-C++ 1.4.0"
+  std::optional<Preset> askedPreset;  ///< where a deeper one was carved than was asked for
+  Wording wording;                    ///< of the messages
   gl::Capabilities gl;
   double loadMs = 0, prepareMs = 0, writeMs = 0, totalMs = 0;
   double spotMs = 0;  ///< to choose the centre, if none was given
@@ -29,9 +30,5 @@ struct ReportContext {
 /// The report as JSON with the stable keys of the contract (CHANGELOG says when one changes).
 std::string makeReport(const EngraveRequest& request, const EngravableModel& model, const EngraveResult& result,
                        const ReportContext& context);
-
-/// Whether everything that was checked is as it should be; else what is not, in words.
-std::vector<std::string> failedChecks(const EngraveRequest& request, const EngraveResult& result,
-                                      const std::string& readBack);
 
 }  // namespace qrelief

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pipeline/report.h"
+#include "report/report.h"
 
 #include <fmt/format.h>
 
 #include "math/angle.h"
-#include "pipeline/json_parts.h"
 #include "projection/bend.h"
 #include "qr/symbol_shaping.h"
+#include "report/json_parts.h"
 #include "verification/grades.h"
 
 namespace qrelief {
@@ -17,7 +17,8 @@ using Json = nlohmann::ordered_json;
 Json describeInput(const EngravableModel& model, const ReportContext& context) {
   Json warnings = Json::array();
   for (const Finding& finding : model.prepared.findings)
-    if (finding.severity != Finding::Severity::Note) warnings.push_back(finding.message.code);
+    if (finding.severity != Finding::Severity::Note)
+      warnings.push_back(describeMessage(finding.message, context.wording));
   return {{"file", context.fileName},
           {"format", context.format},
           {"triangles", model.prepared.mesh.triangles.size()},
@@ -85,27 +86,7 @@ void addGrades(Json& verification, const EngraveRequest& request, const EngraveR
   verification["iso29158"] = std::move(grades.iso29158);
 }
 
-/// Of the depths that were carved.
-CarvedFeatures featuresOf(const EngraveResult& result) {
-  std::vector<std::uint8_t> carved;
-  for (const double depth : result.depths.depthMm) carved.push_back(depth > 0);
-  return measureFeatures(result.symbol, carved, result.depths.depthMm, result.placement.moduleMm);
-}
-
 }  // namespace
-
-std::vector<std::string> failedChecks(const EngraveRequest& request, const EngraveResult& result,
-                                      const std::string& readBack) {
-  std::vector<std::string> failed;
-  for (const Message& problem : result.solidity.problems()) failed.push_back(problem.code);
-  if (result.inlay)
-    for (const Message& problem : result.inlaySolidity.problems()) failed.push_back("Inlay: " + problem.code);
-  if (readBack.empty())
-    failed.push_back("No reader found the code in the simulated picture");
-  else if (readBack != request.text)
-    failed.push_back(fmt::format("The simulated picture reads as \"{}\"", readBack));
-  return failed;
-}
 
 std::string makeReport(const EngraveRequest& request, const EngravableModel& model, const EngraveResult& result,
                        const ReportContext& context) {
@@ -134,24 +115,39 @@ std::string makeReport(const EngraveRequest& request, const EngravableModel& mod
                      {"lights", describeLights(request.lights)},
                      {"solver", solverName(request)}};
   if (request.objective == DepthObjective::Contrast) report["depth"]["contrast"] = request.contrastAsked();
-  if (context.presets) {
-    report["depth"]["preset"] = context.presets->used;
-    report["depth"]["askedPreset"] = context.presets->asked;
+  if (!request.contrast) {
+    report["depth"]["preset"] = presetName(request.preset);
+    report["depth"]["askedPreset"] = presetName(context.askedPreset.value_or(request.preset));
   }
-  report["mesh"] = {
-      {"surface", surfaceModeName(request.surface)},  {"triangles", solid.triangles}, {"vertices", solid.vertices},
-      {"keptTriangles", result.keptTriangles},        {"closed", solid.closed()},     {"manifold", solid.manifold()},
-      {"selfIntersections", solid.selfIntersections}, {"volumeMm3", solid.volumeMm3}};
-  report["verification"] = {{"decoded", !context.readBack.empty() && context.readBack == request.text},
-                            {"text", context.readBack},
-                            {"reader", context.reader},
-                            {"views", Json::array({{{"light", request.lights.empty() ? "sky" : "sky+lights"},
-                                                    {"tiltDeg", 0},
-                                                    {"picture", "simulated phone"},
-                                                    {"read", context.readBack == request.text}}})},
-                            {"failedChecks", failedChecks(request, result, context.readBack)}};
+  report["mesh"] = {{"surface", surfaceModeName(request.surface)},
+                    {"triangles", solid.triangles},
+                    {"vertices", solid.vertices},
+                    {"keptTriangles", result.keptTriangles},
+                    {"closed", solid.closed()},
+                    {"manifold", solid.manifold()},
+                    {"selfIntersections", solid.selfIntersections},
+                    {"newSelfIntersections", solid.selfIntersections - result.inheritedSelfIntersections},
+                    {"inheritedSelfIntersections", result.inheritedSelfIntersections},
+                    {"volumeMm3", solid.volumeMm3}};
+  const ReadingEvidence& reading = context.reading;
+  report["verification"] = {
+      {"decoded", context.verdict.reads.passed()},
+      {"text", reading.text},
+      {"reader", context.reader},
+      {"tries", reading.count.tries},
+      {"reads", reading.count.reads},
+      {"readsNeeded", reading.count.needed()},
+      {"views", Json::array({{{"light", request.lights.empty() ? "sky" : "sky+lights"},
+                              {"tiltDeg", 0},
+                              {"picture", reading.traced ? "simulated phone, traced" : "simulated phone, drawn"},
+                              {"tries", reading.count.tries},
+                              {"reads", reading.count.reads},
+                              {"read", context.verdict.reads.passed()}}})},
+      {"failedChecks", describeMessages(context.verdict.failed(), context.wording)},
+      {"verdict", describeVerdict(context.verdict, context.wording)}};
   addGrades(report["verification"], request, result);
-  report["verification"]["printability"] = describeAdvice(advisePrinting(features, printer, request.minWallMm));
+  report["verification"]["printability"] =
+      describeMessages(advisePrinting(features, printer, request.minWallMm), context.wording);
   const StageTimings& t = result.timingsMs;
   report["timingsMs"] = {{"load", context.loadMs},  {"prepare", context.prepareMs}, {"direction", t.direction},
                          {"size", t.size},          {"surface", t.surface},         {"depthSearch", t.depthSearch},

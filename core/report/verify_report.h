@@ -5,10 +5,12 @@
 #include <string_view>
 
 #include "pipeline/verify.h"
+#include "report/json_parts.h"
+#include "verdict/verdict.h"
 
 namespace qrelief {
 
-/// What an engraver's report (core/pipeline/report.h) says of place, size, text and modules; nothing else of it is
+/// What an engraver's report (core/report/report.h) says of place, size, text and modules; nothing else of it is
 /// believed.
 /// @param json  the report
 /// @returns BadInput naming the key that is missing or of the wrong kind
@@ -24,6 +26,8 @@ struct VerifyReportContext {
   std::string format;
   std::string reader;  ///< which reader, "ZXing-C++"
   double totalMs = 0;
+  Verdict verdict;  ///< see verdict/verdict.h
+  Wording wording;  ///< of the messages
 };
 
 /// The result as JSON. Keys as in the report of `engrave` where they mean the same.

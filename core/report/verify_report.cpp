@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pipeline/verify_report.h"
+#include "report/verify_report.h"
 
 #include <algorithm>
 #include <fmt/format.h>
 
-#include "pipeline/json_parts.h"
+#include "report/json_parts.h"
 
 namespace qrelief {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-tl::unexpected<Error> badReport(std::string message) {
-  return fail(ErrorKind::BadInput, std::move(message), "Give the report that engrave wrote with --report");
-}
+tl::unexpected<Error> badReport(Message message) { return fail(ErrorKind::BadInput, std::move(message)); }
 
 Vec3 vectorFrom(const Json& json) {
   return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
@@ -47,7 +45,7 @@ Result<VerifyRequest> readRequest(const Json& report) {
   request.symbolMm = report.at("size").at("symbolMm").get<double>();
   const Json& symbol = report.at("symbol");
   const auto level = errorCorrectionByName(symbol.at("ecc").get<std::string>());
-  if (!level) return badReport("The report's symbol.ecc is none of L, M, Q and H");
+  if (!level) return badReport(message("report-ecc"));
   auto encoded = encodeSymbol(request.text, {.errorCorrection = *level,
                                              .version = symbol.at("version").get<int>(),
                                              .maskRule = MaskRule::Fixed,
@@ -56,6 +54,8 @@ Result<VerifyRequest> readRequest(const Json& report) {
   auto listed = withModules(std::move(*encoded), symbol.at("rows").get<std::vector<std::string>>());
   if (!listed) return tl::unexpected(listed.error());
   request.symbol = std::move(*listed);
+  if (const auto mesh = report.find("mesh"); mesh != report.end())
+    request.inheritedSelfIntersections = mesh->value("inheritedSelfIntersections", std::size_t{0});
   return request;
 }
 
@@ -80,11 +80,12 @@ Json numberOrNull(const std::optional<double>& number) { return number ? Json(*n
 
 Json describeReading(const VerifyRequest& request, const VerifyResult& result, const VerifyReportContext& context) {
   const ReadingSummary& reading = result.reading;
-  Json json = {{"decoded", reading.reads},
-               {"text", reading.share > 0 ? request.text : reading.otherText},
+  Json json = {{"decoded", reading.frontal.enough()},
+               {"text", reading.frontal.reads > 0 ? request.text : reading.otherText},
                {"reader", context.reader},
-               {"readShare", reading.share},
-               {"readShareNeeded", kReadShare},
+               {"tries", reading.frontal.tries},
+               {"reads", reading.frontal.reads},
+               {"readsNeeded", reading.frontal.needed()},
                {"tiltDeg", {{"sky", numberOrNull(reading.tiltDeg)}, {"sky+lamp", numberOrNull(reading.tiltDegLamp)}}},
                {"pixelsPerModule", numberOrNull(reading.pixelsPerModule)},
                {"blurModules", numberOrNull(reading.blurModules)},
@@ -94,7 +95,9 @@ Json describeReading(const VerifyRequest& request, const VerifyResult& result, c
     json["iso15415"] = std::move(grades.iso15415);
     json["iso29158"] = std::move(grades.iso29158);
   }
-  json["printability"] = describeAdvice(result.advice);
+  json["printability"] = describeMessages(
+      context.verdict.prints.level == Level::Good ? std::vector<Message>() : context.verdict.prints.reasons,
+      context.wording);
   json["views"] = describeViews(result.views);
   return json;
 }
@@ -105,10 +108,10 @@ Result<Symbol> withModules(Symbol symbol, const std::vector<std::string>& rows) 
   const auto size = static_cast<std::size_t>(symbol.size);
   std::vector<std::uint8_t> flipped(size * size, 0);
   if (rows.size() != size)
-    return badReport(fmt::format("The report's symbol has {} rows, and its version {}", rows.size(), size));
+    return badReport(message("report-rows", with::count("rows", rows.size()), with::count("wanted", size)));
   for (std::size_t row = 0; row < size; ++row) {
     if (rows[row].size() != size || rows[row].find_first_not_of("01") != std::string::npos)
-      return badReport(fmt::format("Row {} of the report's symbol is not {} times 0 or 1", row + 1, size));
+      return badReport(message("report-row", with::count("row", row + 1), with::count("wanted", size)));
     for (std::size_t column = 0; column < size; ++column) {
       const bool dark = rows[row][column] == '1';
       flipped[row * size + column] = symbol.dark[row * size + column] && !dark;
@@ -123,7 +126,7 @@ Result<VerifyRequest> requestFromReport(std::string_view json) {
   try {
     return readRequest(Json::parse(json));
   } catch (const Json::exception& error) {
-    return badReport(fmt::format("The report cannot be understood: {}", error.what()));
+    return badReport(message("report-not-understood", with::term("problem", error.what())));
   }
 }
 
@@ -133,23 +136,28 @@ std::string makeVerifyReport(const VerifyRequest& request, const VerifyResult& r
   Json report;
   report["qrelief"] = QRELIEF_VERSION;
   report["text"] = request.text;
-  report["verified"] = result.failed.empty();
-  report["failedChecks"] = Json::array();
-  for (const VerifyFinding& finding : result.failed)
-    report["failedChecks"].push_back({{"code", finding.code}, {"message", finding.message}, {"hint", finding.hint}});
+  report["verified"] = context.verdict.passed();
+  report["failedChecks"] = describeMessages(context.verdict.failed(), context.wording);
+  report["verdict"] = describeVerdict(context.verdict, context.wording);
   report["input"] = {{"file", context.fileName}, {"format", context.format}};
   report["projection"] = {{"centre", triple(request.frame.centre)},
                           {"normal", triple(request.frame.normal)},
                           {"up", triple(request.frame.up)},
                           {"eyeDistanceMm", request.frame.eyeDistance}};
   report["size"] = {{"symbolMm", request.symbolMm}, {"moduleMm", request.symbolMm / request.symbol.size}};
-  report["mesh"] = {{"triangles", solid.triangles}, {"vertices", solid.vertices},
-                    {"solid", solid.solid()},       {"closed", solid.closed()},
-                    {"manifold", solid.manifold()}, {"selfIntersections", solid.selfIntersections},
-                    {"volumeMm3", solid.volumeMm3}, {"findings", Json::array()}};
+  report["mesh"] = {
+      {"triangles", solid.triangles},
+      {"vertices", solid.vertices},
+      {"solid", solid.solid()},
+      {"closed", solid.closed()},
+      {"manifold", solid.manifold()},
+      {"selfIntersections", solid.selfIntersections},
+      {"inheritedSelfIntersections", std::min(request.inheritedSelfIntersections, solid.selfIntersections)},
+      {"volumeMm3", solid.volumeMm3},
+      {"findings", Json::array()}};
   for (const SolidityFinding& finding : solid.findings())
-    report["mesh"]["findings"].push_back(
-        {{"problem", finding.message.code}, {"at", finding.at ? triple(*finding.at) : Json(nullptr)}});
+    report["mesh"]["findings"].push_back({{"problem", describeMessage(finding.message, context.wording)},
+                                          {"at", finding.at ? triple(*finding.at) : Json(nullptr)}});
   report["carving"] = {
       {"pose", nameOf(result.profile.pose)}, {"fit", result.profile.fit}, {"meanDepthMm", result.profile.meanDepthMm}};
   if (result.features) report["carving"]["features"] = describeFeatures(*result.features, request.printer);

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verdict/remedies.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fmt/format.h>
+
+#include "verification/printability.h"
+
+namespace qrelief {
+namespace {
+
+constexpr std::array kNozzlesMm = {0.8, 0.6, 0.4, 0.3, 0.25, 0.2, 0.15};          // that are sold
+constexpr std::array kLayersMm = {0.2, 0.16, 0.12, 0.1, 0.08, 0.06, 0.05, 0.04};  // that printers offer
+constexpr double kMaxSizeMm = 1000;
+constexpr double kLarger = 1.25;
+constexpr double kRoundingMm = 1e-9;
+
+std::string plain(double value) { return fmt::format("{:g}", value); }
+
+/// A larger code, if the settings are what keeps it small.
+/// @param leastModuleMm  that would do, if it is known; else 0
+void addLargerCode(const EngraveRequest& request, const EngraveResult& result, double leastModuleMm,
+                   std::vector<Remedy>& remedies) {
+  const PlacementRequest& place = request.placement;
+  const Placement& found = result.placement;
+  if (place.sizeMode == SizeMode::Fixed) {
+    if (found.guaranteedMm > found.symbolMm + 0.1)
+      remedies.push_back({message("remedy-as-large-as-fits"), "size", "free"});
+    return;
+  }
+  const double neededMm = std::ceil(std::max(kLarger * found.symbolMm, leastModuleMm * result.symbol.size));
+  if (found.symbolMm > place.maxSizeMm - 0.1 && neededMm <= kMaxSizeMm)
+    remedies.push_back({message("remedy-allow-size", with::lengthMm("size", neededMm)), "maxSizeMm", plain(neededMm)});
+  else if (place.sizeMode != SizeMode::Best)
+    remedies.push_back({message("remedy-turn"), "size", "best"});
+}
+
+void addDarkerModules(const EngraveRequest& request, std::vector<Remedy>& remedies) {
+  if (request.objective != DepthObjective::Contrast) return;
+  if (request.contrast) {
+    remedies.push_back({message("remedy-preset-contrast"), "contrast", ""});
+  } else if (const std::optional<Preset> deeper = deeperPreset(request.preset)) {
+    const char* name = presetName(*deeper);
+    remedies.push_back({message("remedy-deeper", with::choice("preset", "preset", name)), "preset", name});
+  }
+}
+
+}  // namespace
+
+Remedy anotherSpot() { return {message("remedy-another-spot"), "", ""}; }
+
+std::vector<Remedy> readingRemedies(const EngraveRequest& request, const EngraveResult& result) {
+  std::vector<Remedy> remedies;
+  addDarkerModules(request, remedies);
+  addLargerCode(request, result, 0, remedies);
+  if (request.symbol.errorCorrection == ErrorCorrection::L && !request.symbol.raiseErrorCorrection)
+    remedies.push_back({message("remedy-more-correction"), "ecc", ""});
+  remedies.push_back(anotherSpot());
+  return remedies;
+}
+
+std::vector<Remedy> printingRemedies(const EngraveRequest& request, const EngraveResult& result) {
+  const CarvedFeatures features = featuresOf(result);
+  std::vector<Remedy> remedies;
+  const double leastModuleMm = printableModuleMm(features, request.nozzleMm);
+  if (features.moduleMm < leastModuleMm - kRoundingMm) {
+    addLargerCode(request, result, leastModuleMm, remedies);
+    if (request.modulePattern != ModulePattern::ThickPlus) {
+      const char* pattern = request.modulePattern == ModulePattern::ThinPlus ? "square" : "thick-plus";
+      remedies.push_back({message("remedy-pattern", with::choice("pattern", "pattern", pattern)), "pattern", pattern});
+    }
+    const double most = printableNozzleMm(features);
+    const auto finer = std::find_if(kNozzlesMm.begin(), kNozzlesMm.end(),
+                                    [&](double mm) { return mm <= most + kRoundingMm && mm < request.nozzleMm; });
+    if (finer != kNozzlesMm.end())
+      remedies.push_back({message("remedy-nozzle", with::lengthMm("nozzle", *finer)), "nozzleMm", plain(*finer)});
+  }
+  const double thickestLayerMm = printableLayerMm(features);
+  if (thickestLayerMm < request.layerMm - kRoundingMm) {
+    addDarkerModules(request, remedies);
+    const auto thinner = std::find_if(kLayersMm.begin(), kLayersMm.end(),
+                                      [&](double mm) { return mm <= thickestLayerMm + kRoundingMm; });
+    if (thinner != kLayersMm.end())
+      remedies.push_back({message("remedy-layer", with::lengthMm("layer", *thinner)), "layerMm", plain(*thinner)});
+  }
+  remedies.push_back(anotherSpot());
+  return remedies;
+}
+
+}  // namespace qrelief

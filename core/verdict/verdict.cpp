@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verdict/verdict.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "verdict/remedies.h"
+#include "verification/grades.h"
+
+namespace qrelief {
+namespace {
+
+constexpr double kUndecidedFraction = 0.16;  // about the limit: as far as drawn and traced pictures were apart
+/// Contrast of dark and light modules (ISO/IEC 29158, CC) that grade A asks for.
+constexpr double kGoodContrast = 0.3;
+constexpr double kLeastGrade = 1;  // D
+/// A code is raised or carved if it is so by more than this, mm: less is the grain of a model.
+constexpr double kFlatMm = 0.02;
+/// Corners of the symbol farther than this from their places, in modules: it is somewhere else.
+constexpr double kMisplacedModules = 1.5;
+
+/// Why a code that was found, or not, does not read.
+/// @param grades  none: nothing could be measured
+std::vector<Message> readingFailures(const ReadingEvidence& reading, const std::string& wanted, double meanDepthMm,
+                                     const SymbolGrades* grades) {
+  const ReadingCount& count = reading.count;
+  if (!reading.text.empty() && reading.text != wanted)
+    return {message("other-text", with::quoted("found", reading.text), with::quoted("wanted", wanted))};
+  if (count.enough()) return {};
+  if (grades && grades->cellContrast.value < kGoodContrast)
+    return {message("too-shallow", with::lengthMm("depth", meanDepthMm),
+                    with::fraction("contrast", grades->cellContrast.value), with::count("reads", count.reads),
+                    with::count("tries", count.tries), with::count("needed", count.needed()))};
+  return {message("unreadable", with::count("reads", count.reads), with::count("tries", count.tries),
+                  with::count("needed", count.needed()))};
+}
+
+Message readingSummary(const ReadingEvidence& reading, const std::string& wanted, Level level) {
+  if (reading.text.empty()) return message("reads-not");
+  if (reading.text != wanted) return message("reads-wrong", with::quoted("text", reading.text));
+  if (level == Level::Good) return message("reads-as", with::term("text", wanted));
+  return message("barely-reads-as", with::term("text", wanted));
+}
+
+Aspect judgeReading(const ReadingEvidence& reading, const std::string& wanted, double meanDepthMm,
+                    const SymbolGrades* grades) {
+  Aspect aspect;
+  aspect.failed = readingFailures(reading, wanted, meanDepthMm, grades);
+  const bool weak = grades && grades->iso29158 < kLeastGrade;
+  aspect.level = reading.text != wanted ? Level::Bad : weak || !aspect.failed.empty() ? Level::Barely : Level::Good;
+  aspect.summary = readingSummary(reading, wanted, aspect.level);
+  if (reading.text.empty()) {
+    aspect.reasons.push_back(message("no-reader-found-it"));
+    return aspect;
+  }
+  const ReadingCount& count = reading.count;
+  aspect.reasons.push_back(reading.traced
+                               ? message("tries-on-traced-pictures", with::count("reads", count.reads),
+                                         with::count("tries", count.tries), with::count("needed", count.needed()))
+                               : message("tries-on-drawn-pictures", with::count("reads", count.reads),
+                                         with::count("tries", count.tries), with::count("needed", count.needed())));
+  if (grades)
+    aspect.reasons.push_back(
+        message("correction-left", with::fraction("left", std::max(0.0, grades->unusedCorrection.value))));
+  if (weak) aspect.reasons.push_back(message("graded-weak"));
+  return aspect;
+}
+
+Aspect judgePrinting(const CarvedFeatures& features, const Printer& printer, double minWallMm) {
+  Aspect aspect;
+  aspect.reasons = advisePrinting(features, printer, minWallMm);
+  if (aspect.reasons.empty()) {
+    aspect.summary = message("prints", with::lengthMm("nozzle", printer.nozzleMm));
+    const double layers = features.leastDepthMm / printer.layerMm;
+    aspect.reasons.push_back(message("prints-because", with::lengthMm("pocket", features.pocketMm),
+                                     with::count("count", std::floor(layers + 1e-9))));
+  } else {
+    aspect.level = Level::Barely;
+    aspect.summary = message("may-not-print", with::lengthMm("nozzle", printer.nozzleMm));
+  }
+  return aspect;
+}
+
+/// @param inherited  pairs of crossing triangles that the model brought along
+Aspect judgeSolidity(const SolidityReport& solid, std::size_t inherited) {
+  Aspect aspect;
+  SolidityReport own = solid;
+  own.selfIntersections -= std::min(inherited, solid.selfIntersections);
+  for (const SolidityFinding& finding : own.findings())
+    aspect.failed.push_back(
+        finding.at ? message("not-solid-at", with::cause("problem", finding.message), with::place("at", *finding.at))
+                   : message("not-solid", with::cause("problem", finding.message)));
+  if (!aspect.passed()) {
+    aspect.level = Level::Bad;
+    aspect.summary = message("solid-not");
+    aspect.reasons = aspect.failed;
+  } else if (solid.selfIntersections > 0) {
+    aspect.level = Level::Barely;
+    aspect.summary = message("solid-but-crossing");
+    aspect.reasons.push_back(message("inherited-crossings", with::count("count", solid.selfIntersections)));
+  } else {
+    aspect.summary = message("solid");
+    aspect.reasons.push_back(message("solid-because", with::count("count", solid.triangles)));
+  }
+  return aspect;
+}
+
+/// What is wrong with where and how the code lies in a verified file.
+std::vector<Message> shapeFailures(const VerifyResult& result) {
+  const CarvingProfile& profile = result.profile;
+  const double depth = profile.meanDepthMm;
+  std::vector<Message> failed;
+  switch (profile.pose) {
+    case SymbolPose::AsWanted:
+      break;
+    case SymbolPose::Mirrored:
+      failed.push_back(message("mirrored"));
+      break;
+    case SymbolPose::Turned90:
+    case SymbolPose::Turned180:
+    case SymbolPose::Turned270:
+      failed.push_back(message("turned", with::angleDeg("turn", 90 * (static_cast<int>(profile.pose) -
+                                                                      static_cast<int>(SymbolPose::AsWanted)))));
+      break;
+    case SymbolPose::None:
+      // A reader may still find it: then the modules are others than those expected, and nothing is known of them.
+      if (!result.reading.frontal.enough()) failed.push_back(message("no-code"));
+      return failed;
+  }
+  if (depth < -kFlatMm)
+    failed.push_back(message("raised", with::lengthMm("height", -depth)));
+  else if (depth <= kFlatMm)
+    failed.push_back(message("not-carved"));
+  return failed;
+}
+
+}  // namespace
+
+const char* levelName(Level level) {
+  constexpr std::array<const char*, 3> kNames = {"good", "barely", "bad"};
+  return kNames[static_cast<std::size_t>(level)];
+}
+
+std::vector<Message> Verdict::failed() const {
+  std::vector<Message> all;
+  for (const Aspect* aspect : {&solid, &reads, &prints})
+    all.insert(all.end(), aspect->failed.begin(), aspect->failed.end());
+  return all;
+}
+
+ReadingEvidence evidenceOf(const std::vector<std::string>& texts, const std::string& wanted, bool traced) {
+  ReadingEvidence evidence{{static_cast<int>(texts.size()), 0}, {}, traced};
+  for (const std::string& text : texts) {
+    if (text == wanted) ++evidence.count.reads;
+    if (evidence.text.empty() || text == wanted) evidence.text = text.empty() ? evidence.text : text;
+  }
+  return evidence;
+}
+
+bool isUndecided(const ReadingEvidence& drawn) {
+  const ReadingCount& count = drawn.count;
+  return std::abs(count.reads - count.needed()) <= kUndecidedFraction * count.tries;
+}
+
+Verdict judge(const EngraveRequest& request, const EngraveResult& result, const ReadingEvidence& reading) {
+  const SymbolGrades grades =
+      gradeSymbol(measureModules(result.symbol, result.luminance), static_cast<double>(request.albedo));
+  Verdict verdict;
+  verdict.reads = judgeReading(reading, request.text, summarise(result.depths).meanMm, &grades);
+  if (verdict.reads.level != Level::Good) {
+    if (result.limitedSubmodules > 0)
+      verdict.reads.reasons.push_back(message("submodules-limited", with::count("count", result.limitedSubmodules)));
+    verdict.reads.remedies = readingRemedies(request, result);
+  }
+  verdict.prints = judgePrinting(featuresOf(result), {request.nozzleMm, request.layerMm}, request.minWallMm);
+  if (verdict.prints.level != Level::Good) verdict.prints.remedies = printingRemedies(request, result);
+  verdict.solid = judgeSolidity(result.solidity, result.inheritedSelfIntersections);
+  if (result.inlay)
+    for (const Message& failure : judgeSolidity(result.inlaySolidity, 0).failed)
+      verdict.solid.failed.push_back(message("inlay-not-solid", with::cause("problem", failure)));
+  if (!verdict.solid.passed()) verdict.solid.remedies = {anotherSpot()};
+  return verdict;
+}
+
+Verdict judge(const VerifyRequest& request, const VerifyResult& result) {
+  const ReadingSummary& reading = result.reading;
+  const CarvingProfile& profile = result.profile;
+  const ReadingEvidence evidence{reading.frontal, reading.frontal.reads > 0 ? request.text : reading.otherText, true};
+  Verdict verdict;
+  verdict.reads = judgeReading(evidence, request.text, profile.meanDepthMm, result.grades ? &*result.grades : nullptr);
+  std::vector<Message> failed = shapeFailures(result);
+  const bool isExplained = profile.pose == SymbolPose::Mirrored || profile.meanDepthMm <= kFlatMm;
+  if (!reading.otherText.empty())
+    failed.push_back(
+        message("other-text", with::quoted("found", reading.otherText), with::quoted("wanted", request.text)));
+  else if (!isExplained)
+    failed.insert(failed.end(), verdict.reads.failed.begin(), verdict.reads.failed.end());
+  if (reading.mirrored && profile.pose != SymbolPose::Mirrored) failed.push_back(message("mirrored"));
+  const bool otherPose = profile.pose != SymbolPose::AsWanted && profile.pose != SymbolPose::None;
+  if (!otherPose && reading.cornerErrorModules.value_or(0) > kMisplacedModules)
+    failed.push_back(message("misplaced", with::number("modules", std::round(10 * *reading.cornerErrorModules) / 10)));
+  if (!failed.empty() && verdict.reads.level == Level::Good) verdict.reads.level = Level::Bad;
+  verdict.reads.failed = std::move(failed);
+  if (result.features) verdict.prints = judgePrinting(*result.features, request.printer, request.minWallMm);
+  verdict.solid = judgeSolidity(result.solidity, request.inheritedSelfIntersections);
+  return verdict;
+}
+
+std::optional<Preset> presetToTryNext(const EngraveRequest& request, const Verdict& verdict) {
+  const bool mayGoDeeper = !request.contrast && !request.keepPreset && request.objective == DepthObjective::Contrast;
+  return mayGoDeeper && !verdict.reads.passed() ? deeperPreset(request.preset) : std::nullopt;
+}
+
+}  // namespace qrelief

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pipeline/engrave.h"
+#include "pipeline/verify.h"
+#include "verification/frontal_reading.h"
+
+namespace qrelief {
+
+enum class Level : std::uint8_t { Good, Barely, Bad };
+
+/// "good", "barely", "bad": names that scripts rely on.
+const char* levelName(Level level);
+
+/// What would help, as something to be done with one press.
+struct Remedy {
+  Message message;      ///< "Allow 45 mm"
+  std::string setting;  ///< key of the setting that it changes; empty: another place has to be chosen
+  std::string value;    ///< that setting's new value, as settings files write it; empty: its default
+};
+
+/// One of the three questions about a carved code.
+struct Aspect {
+  Level level = Level::Good;
+  Message summary;               ///< "Reads as …"
+  std::vector<Message> reasons;  ///< what the summary rests on
+  std::vector<Message> failed;   ///< checks that did not pass; empty: passed
+  std::vector<Remedy> remedies;  ///< empty if the level is Good
+
+  bool passed() const { return failed.empty(); }
+};
+
+/// What decoders made of the pictures of frontalPictures().
+struct ReadingEvidence {
+  ReadingCount count;
+  std::string text;     ///< that a try gave: the wanted one if any did, else another; empty: none
+  bool traced = false;  ///< the pictures' light was traced on the mesh; else drawn by the GPU
+};
+
+/// Whether a carved code reads, prints and is a solid. `engrave`, `verify`, the report and the page all say this.
+///
+/// - It reads if at least ReadingCount::needed() tries succeed and none gives another text. It barely reads if fewer
+///   do, or if a verifier would grade it F (ISO/IEC 29158).
+/// - It prints if nothing of what published prints say stands against it (verification/printability.h). That is advice
+///   and no check: it passes always.
+/// - It is a solid if the whole file is closed, manifold and free of crossing triangles, but for those that the model
+///   brought along, which are said and passed.
+struct Verdict {
+  Aspect reads, prints, solid;
+
+  bool passed() const { return reads.passed() && solid.passed(); }
+  std::vector<Message> failed() const;  ///< of all three
+};
+
+/// Counts the tries. @param texts  what each try gave, empty if nothing; a mirrored code is nothing
+ReadingEvidence evidenceOf(const std::vector<std::string>& texts, const std::string& wanted, bool traced = false);
+
+/// Whether drawn pictures are too near the limit to decide: then tracing the light does (verification/baked_light.h).
+/// Over 84 results on shared models the traced fraction of tries differed from the drawn one by at most 0.15.
+bool isUndecided(const ReadingEvidence& drawn);
+
+/// What was carved, with remedies among the request's settings.
+Verdict judge(const EngraveRequest& request, const EngraveResult& result, const ReadingEvidence& reading);
+
+/// A file that was verified.
+Verdict judge(const VerifyRequest& request, const VerifyResult& result);
+
+/// The next deeper preset to carve with, where the code does not read and the request allows another one.
+std::optional<Preset> presetToTryNext(const EngraveRequest& request, const Verdict& verdict);
+
+}  // namespace qrelief

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+
+#include "base/progress.h"
+#include "verdict/verdict.h"
+
+namespace qrelief {
+
+/// What ZXing makes of a carving: of pictures drawn by the GPU; where these do not decide (isUndecided), of pictures
+/// whose light is traced on the mesh, as `verify` traces it.
+/// @param progress  of the tracing
+Result<ReadingEvidence> readCarving(const EngraveRequest& request, const EngraveResult& result,
+                                    const std::function<void(const Progress&)>& progress);
+
+/// The same file as `verify` is asked of it.
+VerifyRequest verifyRequestOf(const EngraveRequest& request, const EngraveResult& result);
+
+}  // namespace qrelief

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verdict/verdict.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "qr/symbol.h"
+#include "verdict/remedies.h"
+
+namespace qrelief {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+std::vector<std::string> settingsOf(const std::vector<Remedy>& remedies) {
+  std::vector<std::string> settings;
+  for (const Remedy& remedy : remedies) settings.push_back(remedy.setting + "=" + remedy.value);
+  return settings;
+}
+
+/// A plain carving of every dark submodule, as deep as asked for.
+EngraveResult carved(const EngraveRequest& request, double symbolMm, double depthMm) {
+  EngraveResult result;
+  result.symbol = *encodeSymbol("HELLO", {.version = 1});
+  const SubmoduleMask mask = submodulesToCarve(result.symbol, request.modulePattern, request.finderPattern);
+  result.depths = {mask.size, symbolMm, {}};
+  for (const std::uint8_t one : mask.carved) result.depths.depthMm.push_back(one ? depthMm : 0);
+  result.placement.symbolMm = symbolMm;
+  result.placement.moduleMm = symbolMm / result.symbol.size;
+  result.placement.guaranteedMm = symbolMm;
+  const auto edge = static_cast<std::size_t>(kSubmodulesPerModule * (result.symbol.size + 2 * kQuietZoneModules));
+  result.luminance.assign(edge * edge, 1);
+  result.solidity.triangles = 1000;
+  result.solidity.volumeMm3 = 1000;
+  return result;
+}
+
+ReadingEvidence evidence(int reads) {
+  std::vector<std::string> texts(72);
+  std::fill_n(texts.begin(), reads, "HELLO");
+  return evidenceOf(texts, "HELLO");
+}
+
+TEST(ReadingCount, TwoInFiveAreNeededAsWholeTries) {
+  EXPECT_EQ(ReadingCount::needed(72), 29);  // 28.8
+  EXPECT_EQ(ReadingCount::needed(5), 2);
+  EXPECT_EQ(ReadingCount::needed(192), 77);  // 76.8, which two numbers in per cent would both call 40
+  EXPECT_FALSE((ReadingCount{72, 28}).enough());
+  EXPECT_TRUE((ReadingCount{72, 29}).enough());
+  EXPECT_FALSE(ReadingCount{}.enough());
+}
+
+TEST(EvidenceOf, TheWantedTextCountsAndStandsBeforeOthers) {
+  const ReadingEvidence reading = evidenceOf({"", "OTHER", "HELLO", "HELLO", ""}, "HELLO");
+  EXPECT_EQ(reading.count, (ReadingCount{5, 2}));
+  EXPECT_EQ(reading.text, "HELLO");
+  EXPECT_EQ(evidenceOf({"", "OTHER", ""}, "HELLO").text, "OTHER");
+  EXPECT_EQ(evidenceOf({"", ""}, "HELLO").text, "");
+}
+
+TEST(IsUndecided, AboutTheLimitOnly) {
+  EXPECT_TRUE(isUndecided(evidence(29)));
+  EXPECT_TRUE(isUndecided(evidence(20)));
+  EXPECT_TRUE(isUndecided(evidence(40)));
+  EXPECT_FALSE(isUndecided(evidence(17)));
+  EXPECT_FALSE(isUndecided(evidence(41)));
+}
+
+class VerdictTest : public testing::Test {
+ protected:
+  VerdictTest() { request_.text = "HELLO"; }
+  Verdict judged(int reads, double symbolMm = 30, double depthMm = 0.5) {
+    return judge(request_, carved(request_, symbolMm, depthMm), evidence(reads));
+  }
+  EngraveRequest request_;
+};
+
+TEST_F(VerdictTest, ReadsBarelyReadsOrDoesNot) {
+  EXPECT_TRUE(judged(29).reads.passed());
+  EXPECT_EQ(judged(28).reads.level, Level::Barely);
+  EXPECT_FALSE(judged(28).reads.passed());
+  EXPECT_EQ(judged(0).reads.level, Level::Bad);
+  EXPECT_EQ(judged(0).reads.summary.code, "reads-not");
+  EXPECT_EQ(judged(28).reads.summary.code, "barely-reads-as");
+}
+
+TEST_F(VerdictTest, AWeakGradeIsSaidAndPasses) {
+  const Verdict verdict = judged(72);  // light and dark modules are as bright as each other in it
+  EXPECT_EQ(verdict.reads.level, Level::Barely);
+  EXPECT_TRUE(verdict.reads.passed());
+  EXPECT_EQ(verdict.reads.reasons.back().code, "graded-weak");
+}
+
+TEST_F(VerdictTest, TheNextDeeperPresetIsTriedUntilTheLastUnlessTheRequestKeepsIt) {
+  EXPECT_EQ(presetToTryNext(request_, judged(28)), Preset::Robust);
+  EXPECT_EQ(presetToTryNext(request_, judged(29)), std::nullopt);
+  request_.preset = Preset::Shallow;
+  EXPECT_EQ(presetToTryNext(request_, judged(0)), Preset::Balanced);
+  request_.keepPreset = true;
+  EXPECT_EQ(presetToTryNext(request_, judged(0)), std::nullopt);
+  request_ = {};
+  request_.text = "HELLO";
+  request_.contrast = 0.2;
+  EXPECT_EQ(presetToTryNext(request_, judged(0)), std::nullopt);
+  request_ = {};
+  request_.text = "HELLO";
+  request_.preset = Preset::Robust;
+  EXPECT_EQ(presetToTryNext(request_, judged(0)), std::nullopt);
+}
+
+TEST_F(VerdictTest, ReadingRemediesAreDepthSizeAndAnotherSpot) {
+  EXPECT_THAT(settingsOf(judged(0).reads.remedies), ElementsAre("preset=robust", "size=best", "="));
+  request_.contrast = 0.2;
+  request_.placement.sizeMode = SizeMode::Best;
+  EXPECT_THAT(settingsOf(judged(0).reads.remedies), ElementsAre("contrast=", "="));
+  request_.placement.maxSizeMm = 30;  // the bound is what keeps it small
+  EXPECT_THAT(settingsOf(judged(0).reads.remedies), ElementsAre("contrast=", "maxSizeMm=38", "="));
+}
+
+TEST_F(VerdictTest, PrintingRemediesAreTheFirstThatAreSoldAndWouldDo) {
+  request_.modulePattern = ModulePattern::Square;
+  request_.finderPattern = FinderPattern::AsModules;
+  const Verdict verdict = judged(72, 21 * 0.7);  // modules of 0.7 mm: square needs 0.9 with a nozzle of 0.4
+  EXPECT_EQ(verdict.prints.level, Level::Barely);
+  EXPECT_TRUE(verdict.prints.passed());
+  EXPECT_THAT(settingsOf(verdict.prints.remedies), ElementsAre("size=best", "pattern=thick-plus", "nozzleMm=0.3", "="));
+  const Verdict shallow = judged(72, 40, 0.15);  // one and a half layers of 0.1 mm
+  EXPECT_THAT(settingsOf(shallow.prints.remedies), ElementsAre("preset=robust", "layerMm=0.06", "="));
+}
+
+TEST_F(VerdictTest, InheritedCrossingsAreSaidAndNewOnesFail) {
+  EngraveResult result = carved(request_, 30, 0.5);
+  result.solidity.selfIntersections = 35;
+  result.inheritedSelfIntersections = 35;
+  const Verdict inherited = judge(request_, result, evidence(72));
+  EXPECT_EQ(inherited.solid.level, Level::Barely);
+  EXPECT_THAT(inherited.solid.failed, IsEmpty());
+  result.inheritedSelfIntersections = 34;
+  EXPECT_EQ(judge(request_, result, evidence(72)).solid.level, Level::Bad);
+}
+
+}  // namespace
+}  // namespace qrelief
