@@ -63,7 +63,7 @@ function adviseLink(link) {
   if (!parts || !URL.canParse(link) || !(parts.host.includes('.') || /^(localhost|\[)/i.test(parts.host))) {
     return [{ severity: 'warning', key: 'code.link.wrong' }];
   }
-  if (/[^\x00-\x7f]/.test(parts.host)) {
+  if (/\P{ASCII}/u.test(parts.host)) {
     const ascii = asciiHost(parts.host);
     if (ascii) {
       advice.push({
@@ -107,7 +107,7 @@ export function adviseText(text) {
  */
 export function shorterForms(link) {
   const parts = splitWebAddress(link);
-  if (!parts || /\s/.test(link) || /[^\x00-\x7f]/.test(parts.host) || parts.host.includes('@')) return [];
+  if (!parts || /\s/.test(link) || /\P{ASCII}/u.test(parts.host) || parts.host.includes('@')) return [];
   const short = (/** @type {string} */ host) => `${parts.scheme}${host}`.toUpperCase() + (parts.rest === '/' ? '' : parts.rest);
   const withoutWww = parts.host.replace(/^www\.(?=[^.]+\.)/i, '');
   /** @type {{ text: string, key: Key, same: boolean }[]} */

@@ -29,24 +29,24 @@ function checkSsid(findings, ssid) {
   else if (kSpaceAtAnEnd.test(ssid)) findings.warning('ssid', 'code.wifi.spaces');
 }
 
+/** @param {Findings} findings @param {string} key */
+function checkWepKey(findings, key) {
+  const isText = [5, 13].includes(key.length) && kPrintableAscii.test(key);
+  const isHex = [10, 26].includes(key.length) && kHex.test(key);
+  if (isText || isHex) findings.warning('security', 'code.wifi.wepIsOpen');
+  else findings.error('password', 'code.wifi.wepKey');
+}
+
 /** @param {Findings} findings @param {Values} values */
 function checkPassword(findings, { security, password }) {
-  if (password === '') return findings.error('password', 'code.needed');
-  if (security === 'WEP') {
-    const isKey = [5, 13].includes(password.length) && kPrintableAscii.test(password);
-    const isHexKey = [10, 26].includes(password.length) && kHex.test(password);
-    if (!isKey && !isHexKey) return findings.error('password', 'code.wifi.wepKey');
-    return findings.warning('security', 'code.wifi.wepIsOpen');
-  }
-  const isKey = password.length === 64 && kHex.test(password);
-  if (security === 'WPA' && !isKey) {
-    if (!kPrintableAscii.test(password)) return findings.error('password', 'code.wifi.ascii');
-    if (password.length < kLeastPassphrase || password.length > kMostPassphrase) {
-      return findings.error('password', 'code.wifi.passwordLength',
-        { count: password.length, least: kLeastPassphrase, most: kMostPassphrase });
-    }
-  }
-  if (kSpaceAtAnEnd.test(password)) findings.warning('password', 'code.wifi.spaces');
+  const count = password.length;
+  const isPassphrase = security === 'WPA' && !(count === 64 && kHex.test(password));
+  if (count === 0) findings.error('password', 'code.needed');
+  else if (security === 'WEP') checkWepKey(findings, password);
+  else if (isPassphrase && !kPrintableAscii.test(password)) findings.error('password', 'code.wifi.ascii');
+  else if (isPassphrase && (count < kLeastPassphrase || count > kMostPassphrase)) {
+    findings.error('password', 'code.wifi.passwordLength', { count, least: kLeastPassphrase, most: kMostPassphrase });
+  } else if (kSpaceAtAnEnd.test(password)) findings.warning('password', 'code.wifi.spaces');
 }
 
 /** @type {import('./types.js').Content} */

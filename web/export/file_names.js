@@ -13,7 +13,7 @@ const kPlainLetters = /** @type {Record<string, string>} */ ({
  * @param {string} text @param {number} most  characters
  */
 export function safePart(text, most) {
-  return text.replace(/[^\x00-\x7f]/g, (letter) => kPlainLetters[letter] ?? letter)
+  return text.replace(/\P{ASCII}/gu, (letter) => kPlainLetters[letter] ?? letter)
     .normalize('NFKD').replace(/\p{M}/gu, '')
     .replace(/[^A-Za-z0-9._-]+/g, '-').replace(/\.{2,}/g, '.').replace(/-{2,}/g, '-')
     .slice(0, most).replace(/^[-._]+|[-._]+$/g, '');

@@ -25,7 +25,10 @@ export class Inspecting {
 
   /** @param {boolean} shown */
   async show(shown) {
-    if (!shown) return this.close_();
+    if (!shown) {
+      await this.close_();
+      return;
+    }
     try {
       await this.client_().openInspector();
       await this.translate_();

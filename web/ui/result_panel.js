@@ -72,7 +72,10 @@ export class ResultPanel {
   render_() {
     this.region_.hidden = !this.result_;
     markStep('carve', this.result_ && !this.outdated_ ? 'done' : 'open');
-    if (!this.result_) return showStep('check', 'open', () => text('page.checkNone'));
+    if (!this.result_) {
+      showStep('check', 'open', () => text('page.checkNone'));
+      return;
+    }
     const { report, elapsedMs } = this.result_;
     const { size, depth, symbol } = report;
     const { verdict } = report.verification;

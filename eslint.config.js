@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import js from '@eslint/js';
+import globals from 'globals';
+
+/** Beyond the recommended rules. None is about the layout, and wrong types are found by tsc (`npm run check`). */
+const kRules = {
+  'array-callback-return': 'error',
+  'consistent-return': 'error',
+  'default-case-last': 'error',
+  eqeqeq: 'error',
+  'no-console': 'error',
+  'no-else-return': 'error',
+  'no-implicit-globals': 'error',
+  'no-throw-literal': 'error',
+  'no-unused-vars': ['error', { ignoreRestSiblings: true }],
+  'no-useless-rename': 'error',
+  'no-var': 'error',
+  'object-shorthand': 'error',
+  'prefer-const': ['error', { destructuring: 'all' }],
+};
+
+/** Parts of web/ that run when the page is built. */
+const kAtBuild = ['web/offline/{app_icon,build_plugin,icons,png}.js', 'web/samples/*.js', 'web/i18n/fill.js'];
+
+/** Files that a person runs at a terminal, and tests, which tell what they measured. */
+const kOnTerminal = ['bench/**/*.mjs', 'e2e/**/*.js', 'wasm/**/*.js', 'web/offline/icons.js', 'web/samples/generate.js', '*.js'];
+
+export default [
+  { ignores: ['build/', 'dist/', 'e2e/results/'] },
+  {
+    files: ['**/*.js', '**/*.mjs'],
+    linterOptions: { reportUnusedDisableDirectives: 'error' },
+    languageOptions: { ecmaVersion: 'latest', sourceType: 'module' },
+    rules: { ...js.configs.recommended.rules, ...kRules },
+  },
+  { files: ['web/**/*.js', 'public/**/*.js'], languageOptions: { globals: globals.browser } },
+  // A classic script: what it declares is seen by every other script of the page.
+  { files: ['public/**/*.js'], languageOptions: { sourceType: 'script' } },
+  { files: ['web/offline/service_worker.js'], languageOptions: { globals: globals.serviceworker } },
+  // What e2e hands to the browser stands in the same files as what runs under Node.
+  { files: ['e2e/**/*.js'], languageOptions: { globals: { ...globals.node, ...globals.browser } } },
+  {
+    files: ['bench/**/*.mjs', 'wasm/**/*.js', '*.js', '**/*.test.js', 'web/session/testing.js', ...kAtBuild],
+    languageOptions: { globals: globals.node },
+  },
+  // The console of the page is only for faults of the program, for those who look into them.
+  { files: ['web/**/*.js'], rules: { 'no-console': ['error', { allow: ['warn', 'error'] }] } },
+  { files: kOnTerminal, rules: { 'no-console': 'off' } },
+];
