@@ -28,5 +28,7 @@ test(`After ${kCarves} carves in a row the module needs no more memory than afte
     `${early.glObjects} → ${late.glObjects} GL objects; ${((Date.now() - begun) / kCarves / 1000).toFixed(1)} s a carve`);
   expect(late.usedBytes).toBeLessThan(kTolerance * early.usedBytes);
   expect(late.heapBytes).toBeLessThan(kTolerance * early.heapBytes);
-  expect(late.glObjects).toBe(early.glObjects);
+  // Now and then two more are seen than at the last carve and the next one; what leaks is there each time.
+  const least = Math.min(...used.slice(-5).map(({ glObjects }) => glObjects));
+  expect(least).toBeLessThanOrEqual(early.glObjects);
 });
