@@ -37,7 +37,8 @@ struct MessageValue {
   std::vector<Message> cause;   ///< one, of Cause
 
   MessageValue(const char* named, Kind of, std::vector<double> values, std::string_view words);
-  // Out of line, as everything that fails makes messages: the browser's module is loaded by everyone.
+  // These stand in message.cpp, as do those of Message: written out at every call they would make the browser's module
+  // larger.
   MessageValue(const MessageValue& other);
   MessageValue(MessageValue&& other) noexcept;
   MessageValue& operator=(const MessageValue& other);

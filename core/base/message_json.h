@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cmath>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 
 #include "base/message.h"
@@ -19,8 +21,13 @@ inline nlohmann::ordered_json jsonOf(const MessageValue& value) {
   using Kind = MessageValue::Kind;
   const auto single = [&](const char* kind) { return nlohmann::ordered_json{{kind, value.numbers[0]}}; };
   switch (value.kind) {
-    case Kind::Count:
-      return {{"count", static_cast<std::int64_t>(value.numbers[0])}};
+    case Kind::Count: {
+      // What a file announces may be more than an integer holds.
+      constexpr double kExactBelow = 9007199254740992.0;  // 2^53
+      const double count = value.numbers[0];
+      if (std::abs(count) < kExactBelow) return {{"count", static_cast<std::int64_t>(count)}};
+      return single("count");
+    }
     case Kind::Number:
       return single("number");
     case Kind::LengthMm:

@@ -99,6 +99,7 @@ Json describeReading(const VerifyRequest& request, const VerifyResult& result, c
       context.verdict.prints.level == Level::Good ? std::vector<Message>() : context.verdict.prints.reasons,
       context.wording);
   json["views"] = describeViews(result.views);
+  json["verdict"] = describeVerdict(context.verdict, context.wording);
   return json;
 }
 
@@ -138,7 +139,6 @@ std::string makeVerifyReport(const VerifyRequest& request, const VerifyResult& r
   report["text"] = request.text;
   report["verified"] = context.verdict.passed();
   report["failedChecks"] = describeMessages(context.verdict.failed(), context.wording);
-  report["verdict"] = describeVerdict(context.verdict, context.wording);
   report["input"] = {{"file", context.fileName}, {"format", context.format}};
   report["projection"] = {{"centre", triple(request.frame.centre)},
                           {"normal", triple(request.frame.normal)},

@@ -54,9 +54,9 @@ export function worded(value) {
 function filled(entry, { values }, words) {
   const forms = entry[currentLanguage()];
   const template = typeof forms === 'string' ? forms : forms[countIn(values) === 1 ? 'one' : 'other'];
-  return template.replace(/\{(@?)(\w+)\}/g, (placeholder, ofSetting, name) => {
+  return template.replace(/\{(@?)(\w+)\}/g, (whole, ofSetting, name) => {
     if (ofSetting) return quoted(controlLabel(name));
-    return values[name] ? written(values[name], words) : placeholder;
+    return values[name] ? written(values[name], words) : whole;
   });
 }
 
