@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <iterator>
+#include <span>
+#include <string>
+#include <sys/wait.h>
+#include <vector>
+
+#include "io/read_model.h"
+#include "io/write_stl.h"
+
+namespace qrelief {
+
+/// What a run of the command left behind.
+struct Outcome {
+  int status = -1;
+  std::string out, err;
+};
+
+inline std::string contentOf(const std::filesystem::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// Runs the command in a folder of the test's own, which is gone afterwards.
+class CommandTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = std::filesystem::temp_directory_path() / ("qrelief_" + std::string(test->name()));
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(folder_);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+
+  std::string writeModel(const std::string& name, const Mesh& mesh) const { return writeBytes(name, writeStl(mesh)); }
+
+  std::string writeBytes(const std::string& name, const std::vector<std::uint8_t>& bytes) const {
+    std::ofstream(path(name), std::ios::binary)
+        .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    return path(name);
+  }
+
+  Result<PolygonSoup> readBack(const std::string& name) const {
+    const std::string bytes = contentOf(path(name));
+    return readModel(std::span(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()), name);
+  }
+
+  /// Runs the command; arguments are quoted for the shell.
+  Outcome run(const std::vector<std::string>& arguments) const {
+    std::string line = "'" QRELIEF_COMMAND "'";
+    for (const std::string& argument : arguments) line += " '" + argument + "'";
+    line += " >'" + path("stdout") + "' 2>'" + path("stderr") + "'";
+    const int status = std::system(line.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contentOf(path("stdout")), contentOf(path("stderr"))};
+  }
+
+  std::filesystem::path folder_;
+};
+
+}  // namespace qrelief

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `qrelief engrave`: what its options do, and what it writes.
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "cli/command_fixture.h"
+#include "io/write_3mf.h"
+#include "support/shapes.h"
+#include "support/zip_file.h"
+
+namespace qrelief {
+namespace {
+
+using EngraveCommandTest = CommandTest;
+
+TEST_F(EngraveCommandTest, EngravesAModelAndWritesMeshReportAndPreview) {
+  const std::string model = writeModel("ball.stl", shapes::icosphere(40, 5));
+  const Outcome outcome = run({"engrave", model, "--text", "https://qrelief.example", "--at", "0,0,40", "--size", "25",
+                               "-o", path("out.stl"), "--report", path("out.json"), "--preview", path("out.png")});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("reads as: https://qrelief.example"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.err.find("Finding the depth"), std::string::npos);
+
+  const auto report = nlohmann::json::parse(contentOf(path("out.json")));
+  const std::string stl = contentOf(path("out.stl"));
+  const auto soup = readModel(std::span(reinterpret_cast<const std::uint8_t*>(stl.data()), stl.size()), "out.stl");
+  ASSERT_TRUE(soup.has_value());
+  EXPECT_EQ(soup->triangles.size(), report["mesh"]["triangles"].get<std::size_t>());
+  EXPECT_TRUE(report["verification"]["decoded"].get<bool>());
+  EXPECT_GT(report["timingsMs"]["total"].get<double>(), report["timingsMs"]["depthSearch"].get<double>());
+  EXPECT_EQ(contentOf(path("out.png")).substr(1, 3), "PNG");
+}
+
+TEST_F(EngraveCommandTest, UnitsScaleModelAndCentre) {
+  Mesh metres = shapes::icosphere(40, 4);
+  for (Vec3f& p : metres.positions) p *= 0.001f;
+  const std::string model = writeModel("ball.stl", metres);
+  const Outcome outcome = run({"engrave", model, "--text", "x", "--units", "m", "--at", "0,0,0.04", "--size", "25",
+                               "-o", path("out.stl"), "--report", path("out.json"), "--quiet"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const auto report = nlohmann::json::parse(contentOf(path("out.json")));
+  EXPECT_EQ(report["input"]["scaleToMm"], 1000);
+  EXPECT_NEAR(report["projection"]["centre"][2].get<double>(), 40, 0.1);
+}
+
+TEST_F(EngraveCommandTest, WritesTheSameSolidInEveryFormat) {
+  const std::string model = writeModel("ball.stl", shapes::icosphere(40, 4));
+  const auto engrave = [&](const std::string& output, const std::vector<std::string>& more = {}) {
+    std::vector<std::string> arguments = {"engrave", model, "--text", "x",          "--at",   "0,0,40",
+                                          "--size",  "25",  "-o",     path(output), "--quiet"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.status, 0) << output << ": " << outcome.err;
+    return readBack(output);
+  };
+  const auto binary = engrave("out.stl");
+  ASSERT_TRUE(binary);
+  for (const auto& other :
+       {engrave("out.STL", {"--ascii"}), engrave("out.obj"), engrave("out.ply"), engrave("out.3mf")}) {
+    ASSERT_TRUE(other) << other.error().message;
+    ASSERT_EQ(other->triangles.size(), binary->triangles.size()) << other->format;
+    for (std::size_t t = 0; t < binary->triangles.size(); ++t)
+      for (std::size_t k = 0; k < 3; ++k)
+        ASSERT_EQ(Vec3f(other->positions[other->triangles[t][k]]), Vec3f(binary->positions[binary->triangles[t][k]]))
+            << other->format << ", triangle " << t;
+  }
+  EXPECT_EQ(readBack("out.STL")->format, "STL (ASCII)");
+}
+
+/// Volume of the soup's triangles from `first` up to `end`, outwards.
+double volumeOf(const PolygonSoup& soup, std::size_t first, std::size_t end) {
+  double sixfold = 0;
+  for (std::size_t t = first; t < end; ++t) {
+    const auto& [a, b, c] = soup.triangles[t];
+    sixfold += glm::dot(soup.positions[a], glm::cross(soup.positions[b], soup.positions[c]));
+  }
+  return sixfold / 6;
+}
+
+TEST_F(EngraveCommandTest, TheInlayFillsThePocketsOfTheCarvedObjectAndTheOtherObjectStaysAsItWas) {
+  const std::vector<ModelObject> objects = {
+      {"ball", {{"", shapes::icosphere(40, 4), {}}}},
+      {"cube", {{"", shapes::translated(shapes::box({5, 6, 7}), {100, 0, 0}), {}}}}};
+  const std::string model = writeBytes("two.3mf", *write3mf(objects, {}));
+  const auto engraved = [&](const std::string& output, const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = {"engrave", model, "--text", "x",          "--at",   "0,0,40",
+                                          "--size",  "25",  "-o",     path(output), "--quiet"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return readBack(output);
+  };
+  const auto plain = engraved("plain.3mf", {});
+  const auto inlaid = engraved("inlaid.3mf", {"--inlay"});
+  const auto original = readBack("two.3mf");
+  ASSERT_TRUE(plain && inlaid && original);
+  for (const auto* soup : {&*plain, &*inlaid}) {
+    ASSERT_EQ(soup->parts.size(), 2u);
+    EXPECT_EQ(soup->parts[0].name, "ball");
+    EXPECT_EQ(soup->parts[1].name, "cube");
+    const std::size_t cube = soup->parts[1].firstTriangle;
+    ASSERT_EQ(soup->triangles.size(), cube + 12);
+    for (std::size_t t = 0; t < 12; ++t)
+      for (std::size_t k = 0; k < 3; ++k)
+        EXPECT_EQ(soup->positions[soup->triangles[cube + t][k]],
+                  original->positions[original->triangles[original->parts[1].firstTriangle + t][k]]);
+  }
+  // One object after the other, the inlay behind the body that it fills.
+  const std::size_t carved = plain->parts[1].firstTriangle, filled = inlaid->parts[1].firstTriangle;
+  ASSERT_GT(filled, carved);
+  const double whole = volumeOf(*original, 0, original->parts[1].firstTriangle);
+  const double body = volumeOf(*inlaid, 0, carved), inlay = volumeOf(*inlaid, carved, filled);
+  EXPECT_EQ(body, volumeOf(*plain, 0, carved));
+  EXPECT_NEAR((body + inlay) / whole, 1, 1e-6);
+}
+
+TEST_F(EngraveCommandTest, AnInlayIsFor3mfOnly) {
+  const std::string model = writeModel("ball.stl", shapes::icosphere(40, 3));
+  for (const char* output : {"out.stl", "out.obj", "out.ply"}) {
+    const Outcome outcome =
+        run({"engrave", model, "--text", "x", "--at", "0,0,40", "-o", path(output), "--inlay", "--quiet"});
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_NE(outcome.err.find("--inlay needs two bodies"), std::string::npos) << outcome.err;
+    EXPECT_FALSE(std::filesystem::exists(path(output)));
+  }
+}
+
+TEST_F(EngraveCommandTest, A3mfBringsItsOwnUnitUnlessToldOtherwise) {
+  const std::string model =
+      writeBytes("box.3mf", zip_file::threeMf(zip_file::modelPart(zip_file::boxObject(1, 2, 3, 1),
+                                                                  "<item objectid=\"1\"/>", "unit=\"inch\"")));
+  const auto sizeWith = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = {"info", model, "--json", path("info.json")};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    EXPECT_EQ(run(arguments).status, 0);
+    return nlohmann::json::parse(contentOf(path("info.json")))["sizeMm"][0].get<double>();
+  };
+  EXPECT_NEAR(sizeWith({}), 50.8, 1e-5);
+  EXPECT_NEAR(sizeWith({"--units", "cm"}), 20, 1e-5);
+  EXPECT_NEAR(sizeWith({"--scale", "1"}), 2, 1e-5);
+
+  const Outcome outcome = run({"engrave", model, "--text", "x", "--at", "1,1.5,1", "--size", "25", "-o",
+                               path("out.3mf"), "--report", path("out.json"), "--quiet"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const auto report = nlohmann::json::parse(contentOf(path("out.json")));
+  EXPECT_EQ(report["input"]["scaleToMm"], 25.4);
+  EXPECT_NEAR(report["projection"]["centre"][0].get<double>(), 25.4, 1e-4);
+}
+
+TEST_F(EngraveCommandTest, DirectionsAndSizesGoByTheNamesOfTheContract) {
+  const std::string model = writeModel("ball.stl", shapes::icosphere(40, 4));
+  const auto engraved = [&](const std::string& direction, const std::string& size) {
+    const Outcome outcome =
+        run({"engrave", model, "--text", "x", "--at", "0,0,40", "--direction", direction, "--size", size, "--max-size",
+             "25", "-o", path("out.stl"), "--report", path("out.json"), "--quiet"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return nlohmann::json::parse(contentOf(path("out.json")));
+  };
+  for (const std::string direction : {"mean-normal", "depth-balanced", "pca", "optimal"})
+    EXPECT_EQ(engraved(direction, "25")["projection"]["method"], direction);
+  const auto given = engraved("0.1,0,1", "best");
+  EXPECT_EQ(given["projection"]["method"], "given");
+  EXPECT_NEAR(given["projection"]["normal"][0].get<double>(), 0.1 / std::sqrt(1.01), 1e-9);
+  EXPECT_EQ(given["size"]["mode"], "best");
+  EXPECT_TRUE(given["size"].contains("rotationDeg"));
+}
+
+TEST_F(EngraveCommandTest, TheSymbolIsMadeAsAskedFor) {
+  const std::string model = writeModel("plate.stl", shapes::box({60, 60, 8}));
+  const Outcome outcome = run({"engrave", model, "--at", "0,0,4", "--text", "QRELIEF", "--version", "3", "--raise-ecc",
+                               "--mask", "5", "--break-up", "-o", path("out.stl"), "--report", path("r.json")});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const auto symbol = nlohmann::json::parse(contentOf(path("r.json")))["symbol"];
+  EXPECT_EQ(symbol["ecc"], "H");
+  EXPECT_EQ(symbol["mask"], 5);
+  EXPECT_EQ(symbol["correctableCodewords"], 11);  // 3-H: two blocks with 22 check codewords each
+  EXPECT_EQ(symbol["spentCodewords"], 7);         // 3-L corrects 7 in its one block: each keeps 4
+  EXPECT_GE(symbol["flippedModules"], 14);
+}
+
+TEST_F(EngraveCommandTest, ADirectionFromBehindIsNoSolution) {
+  const Outcome outcome = run({"engrave", writeModel("ball.stl", shapes::icosphere(40, 3)), "--text", "x", "--at",
+                               "0,0,40", "--direction", "0,0,-1", "-o", path("out.stl"), "--quiet"});
+  EXPECT_EQ(outcome.status, 4);
+  EXPECT_NE(outcome.err.find("faces away"), std::string::npos) << outcome.err;
+}
+
+TEST_F(EngraveCommandTest, ACodeNobodyReadsIsWrittenWithStatusOneAndTheReason) {
+  // One layer deep in modules of 4 mm: no shadow to speak of.
+  const Outcome outcome = run({"engrave", writeModel("ball.stl", shapes::icosphere(100, 4)), "--text", "x", "--at",
+                               "0,0,100", "--size", "70", "--max-depth", "0.1", "--pattern", "thin-plus",
+                               "--finder-pattern", "as-modules", "-o", path("out.stl"), "--quiet"});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_NE(outcome.err.find("0 of 72 tries"), std::string::npos) << outcome.err;
+  EXPECT_TRUE(std::filesystem::exists(path("out.stl")));
+}
+
+TEST_F(EngraveCommandTest, LampsAreTakenFromTheOptionAndSaidInTheReport) {
+  const std::string model = writeModel("ball.stl", shapes::icosphere(40, 4));
+  const std::vector<std::string> engraving = {"engrave", model, "--text",        "x",      "--at", "0,0,40", "--size",
+                                              "25",      "-o",  path("out.stl"), "--quiet"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), engraving.begin(), engraving.end());
+    return run(more);
+  };
+  const Outcome outcome = with({"--light", "90,60", "--light", "0,75,0.5", "--report", path("out.json")});
+  EXPECT_LE(outcome.status, 1) << outcome.err;
+  const auto report = nlohmann::json::parse(contentOf(path("out.json")));
+  EXPECT_EQ(report["depth"]["lights"],
+            nlohmann::json::parse(R"([{"azimuthDeg": 90.0, "elevationDeg": 60.0, "strength": 1.0},
+                                      {"azimuthDeg": 0.0, "elevationDeg": 75.0, "strength": 0.5}])"));
+  EXPECT_EQ(with({"--light", "90"}).status, 2);
+  EXPECT_EQ(with({"--light", "90,high"}).status, 2);
+  EXPECT_EQ(with({"--light", "90,0"}).status, 2);
+  EXPECT_EQ(with({"--light", "90,45,-1"}).status, 2);
+  EXPECT_EQ(with({"--light", "1,45", "--light", "2,45", "--light", "3,45"}).status, 2);
+}
+
+TEST_F(EngraveCommandTest, PresetsDifferInDepthAndGiveWayToWhatIsSaid) {
+  const std::string model = writeModel("box.stl", shapes::box({40, 40, 8}));
+  const auto meanDepth = [&](std::vector<std::string> options) {
+    std::vector<std::string> words = {"engrave", model, "--text", "HELLO",         "--at",     "0,0,4",
+                                      "--size",  "21",  "-o",     path("out.stl"), "--report", path("out.json"),
+                                      "--quiet"};
+    words.insert(words.end(), options.begin(), options.end());
+    const Outcome outcome = run(words);
+    EXPECT_LE(outcome.status, 1) << outcome.err;
+    return nlohmann::json::parse(contentOf(path("out.json")))["depth"]["meanMm"].get<double>();
+  };
+  const double balanced = meanDepth({});
+  EXPECT_EQ(meanDepth({"--preset", "balanced"}), balanced);
+  EXPECT_LT(meanDepth({"--preset", "shallow"}), balanced);
+  EXPECT_GT(meanDepth({"--preset", "robust"}), balanced);
+  EXPECT_EQ(meanDepth({"--preset", "robust", "--contrast", "0.3"}), balanced);
+  EXPECT_EQ(run({"engrave", model, "--text", "HELLO", "--preset", "deep", "-o", path("out.stl")}).status, 2);
+}
+
+TEST_F(EngraveCommandTest, WhatDoesNotReadAsShallowAsAskedForIsCarvedDeeper) {
+  const double slope = std::tan(40 * std::numbers::pi / 180);  // its own shade runs through the code
+  const Mesh valley = shapes::plate({60, 60}, 60, 2, 2, [&](double x, double) { return slope * std::abs(x); });
+  const std::string model = writeModel("valley.stl", valley);
+  const auto engrave = [&](std::vector<std::string> options) {
+    std::vector<std::string> words = {"engrave",     model,           "--text",   "HELLO",          "--at",   "0,0,0",
+                                      "--direction", "0,0,1",         "--up",     "0,1,0",          "--size", "30",
+                                      "-o",          path("out.stl"), "--report", path("out.json"), "--quiet"};
+    words.insert(words.end(), options.begin(), options.end());
+    return run(words);
+  };
+  const auto depth = [&] { return nlohmann::json::parse(contentOf(path("out.json")))["depth"]; };
+  const Outcome kept = engrave({"--preset", "shallow", "--keep-preset"});
+  EXPECT_EQ(kept.status, 1);
+  EXPECT_NE(kept.err.find("of 72 tries on simulated pictures read the code"), std::string::npos) << kept.err;
+  EXPECT_EQ(depth()["preset"], "shallow");
+  EXPECT_EQ(engrave({"--contrast", "0.2"}).status, 1) << "what is said by itself is kept, too";
+  EXPECT_FALSE(depth().contains("preset"));
+
+  const Outcome deeper = engrave({"--preset", "shallow"});
+  EXPECT_EQ(deeper.status, 0) << deeper.err;
+  EXPECT_NE(deeper.out.find("carved as balanced: as shallow the code did not read reliably"), std::string::npos)
+      << deeper.out;
+  EXPECT_EQ(depth()["askedPreset"], "shallow");
+  EXPECT_EQ(depth()["preset"], "balanced");
+  EXPECT_EQ(depth()["contrast"], 0.3);
+}
+
+TEST_F(EngraveCommandTest, EngravesTheBestSpotWhereNoCentreIsGiven) {
+  const std::string model = writeModel("cube.stl", shapes::box({60, 60, 60}));
+  const Outcome outcome = run({"engrave", model, "--text", "HELLO", "-o", path("out.stl"), "--quiet"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.out.substr(0, 10), "placed at ");
+  EXPECT_NE(outcome.out.find("reads as: HELLO"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace qrelief

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `qrelief info`: what it tells of a model, and its warnings.
+#include <nlohmann/json.hpp>
+
+#include "cli/command_fixture.h"
+#include "support/shapes.h"
+
+namespace qrelief {
+namespace {
+
+using InfoCommandTest = CommandTest;
+
+TEST_F(InfoCommandTest, TellsSizeAndFindings) {
+  Mesh open = shapes::box({40, 30, 20});
+  open.triangles.pop_back();
+  const Outcome outcome = run({"info", writeModel("open.stl", open), "--json", path("info.json")});
+  EXPECT_EQ(outcome.status, 0);
+  const auto info = nlohmann::json::parse(contentOf(path("info.json")));
+  EXPECT_EQ(info["sizeMm"], nlohmann::json({40, 30, 20}));
+  EXPECT_FALSE(info["engravable"].get<bool>());
+  ASSERT_EQ(info["findings"].size(), 2u);
+  EXPECT_EQ(info["findings"][0]["code"], "large-openings");
+  EXPECT_EQ(info["findings"][1]["code"], "open-edges");
+  EXPECT_EQ(info["findings"][1]["count"], 3);
+  EXPECT_EQ(info["findings"][1]["values"]["count"], nlohmann::json({{"count", 3}}));
+  EXPECT_EQ(info["findings"][1]["severity"], "blocking");
+  EXPECT_NE(info["findings"][1]["message"].get<std::string>().find("3 open edges, one at ("), std::string::npos);
+  EXPECT_NE(info["findings"][1]["hint"], "");
+}
+
+TEST_F(InfoCommandTest, WarningsAndErrorsAreToldApartNameTheFileAndSayWhatHelps) {
+  const std::string tiny = writeModel("tiny.stl", shapes::box({0.2, 0.1, 0.15}));
+  const Outcome outcome = run({"engrave", tiny, "--text", "x", "--at", "0,0,0.075", "-o", path("out.stl"), "--quiet"});
+  EXPECT_EQ(outcome.status, 4);
+  const std::string helps = "--units m makes it 200 × 100 × 150 mm";
+  const std::size_t warning = outcome.err.find("qrelief: warning: tiny.stl: The model is tiny: 0.2 × 0.1 × 0.15 mm\n");
+  const std::size_t error = outcome.err.find("qrelief: error: tiny.stl: The model has no room for any code");
+  ASSERT_NE(warning, std::string::npos) << outcome.err;
+  ASSERT_NE(error, std::string::npos) << outcome.err;
+  EXPECT_LT(outcome.err.find("  what helps: If it should be larger, " + helps, warning), error) << outcome.err;
+  EXPECT_NE(outcome.err.find("  what helps: If it should be larger, " + helps, error), std::string::npos);
+  EXPECT_NE(run({"place", tiny, "--quiet"}).err.find("  what helps: If it should be larger, " + helps),
+            std::string::npos);
+  EXPECT_EQ(run({"engrave", tiny, "--text", "x", "--at", "0,0,0.075", "-o", path("out.stl"), "--contrast", "3"})
+                .err.find("error: tiny.stl: The contrast"),
+            std::string::npos);
+}
+
+TEST_F(InfoCommandTest, RepairsAreSwitchedByOptions) {
+  Mesh open = shapes::icosphere(40, 3);
+  open.triangles.pop_back();
+  const std::string model = writeModel("open.stl", open);
+  EXPECT_NE(run({"info", model}).out.find("1 hole was filled"), std::string::npos);
+  EXPECT_NE(run({"info", model, "--no-repair", "weld,holes"}).out.find("3 open edges"), std::string::npos);
+  EXPECT_NE(run({"info", model, "--max-hole", "0.1"}).out.find("too large to be filled"), std::string::npos);
+  EXPECT_EQ(run({"info", model, "--max-hole", "wide"}).status, 2);
+  EXPECT_EQ(run({"info", model, "--weld-tolerance", "-1"}).status, 2);
+  EXPECT_EQ(run({"info", model, "--no-repair", "colours"}).status, 2);
+  EXPECT_EQ(
+      run({"engrave", model, "--text", "x", "--at", "0,0,40", "-o", path("out.stl"), "--no-repair", "all"}).status, 3);
+}
+
+}  // namespace
+}  // namespace qrelief

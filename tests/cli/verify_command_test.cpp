@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `qrelief verify`: what it says of a file.
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "cli/command_fixture.h"
+#include "support/shapes.h"
+
+namespace qrelief {
+namespace {
+
+using VerifyCommandTest = CommandTest;
+
+TEST_F(VerifyCommandTest, ReadsWhatEngraveWroteAndSaysWhatIsWrongWithOtherModels) {
+  const std::string model = writeModel("box.stl", shapes::box({40, 40, 8}));
+  ASSERT_EQ(run({"engrave", model, "--text", "HELLO", "--at", "0,0,4", "--size", "25.2", "-o", path("out.3mf"),
+                 "--report", path("out.json"), "--quiet"})
+                .status,
+            0);
+  const Outcome good = run({"verify", path("out.3mf"), "--report", path("out.json"), "--json", path("verified.json"),
+                            "--nozzle", "0.9", "--quick", "--quiet"});
+  EXPECT_EQ(good.status, 0) << good.err;
+  EXPECT_NE(good.out.find("reads as: HELLO"), std::string::npos) << good.out;
+  EXPECT_NE(good.out.find("0.9 mm nozzle: choose a module of 1.35 mm or more"), std::string::npos) << good.out;
+  EXPECT_EQ(good.err, "");
+  const auto json = nlohmann::json::parse(contentOf(path("verified.json")));
+  EXPECT_EQ(json["verified"], true);
+  EXPECT_EQ(json["input"]["format"], "3MF");
+
+  const Outcome plain = run({"verify", model, "--report", path("out.json"), "--quick", "--quiet"});
+  EXPECT_EQ(plain.status, 1);
+  EXPECT_NE(plain.err.find("No carved modules of this code"), std::string::npos) << plain.err;
+}
+
+TEST_F(VerifyCommandTest, NeedsToKnowTheCodesPlace) {
+  const std::string model = writeModel("box.stl", shapes::box({40, 40, 8}));
+  const Outcome nowhere = run({"verify", model, "--text", "HELLO", "--quiet"});
+  EXPECT_EQ(nowhere.status, 2);
+  EXPECT_NE(nowhere.err.find("--at"), std::string::npos) << nowhere.err;
+  EXPECT_EQ(run({"verify", model, "--report", path("missing.json"), "--quiet"}).status, 3);
+  std::ofstream(path("broken.json")) << "{}";
+  const Outcome broken = run({"verify", model, "--report", path("broken.json"), "--quiet"});
+  EXPECT_EQ(broken.status, 3);
+  EXPECT_NE(broken.err.find("text"), std::string::npos) << broken.err;
+}
+
+}  // namespace
+}  // namespace qrelief
