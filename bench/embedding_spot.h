@@ -9,8 +9,8 @@
 #include "math/tolerance.h"
 #include "mesh/prepare.h"
 #include "mesh/ray.h"
+#include "projection/silhouette.h"
 #include "projection/size.h"
-#include "projection/visible_patch.h"
 #include "qr/module_pattern.h"
 
 namespace qrelief::bench {
@@ -31,7 +31,7 @@ inline Result<Spot> findSpot(const PreparedModel& model, Vec3 centreMm, int modu
   Spot best;
   for (int round = 0; round < 2; ++round) {
     const ProjectionFrame frame = makeFrame(surface->position, normal, {0, 0, 1}, 250);
-    auto patch = findVisiblePatch(model.mesh, model.adjacency, frame, surface->triangle, kLargestMm * outer);
+    auto patch = findSilhouette(model.mesh, model.adjacency, frame, surface->triangle, kLargestMm * outer);
     if (!patch) return best.symbolMm > 0 ? Result<Spot>(best) : tl::unexpected(patch.error());
     const double size = std::min(kLargestMm, freeSize(patch->silhouette) / outer);
     normal = Vec3(0);

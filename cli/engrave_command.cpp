@@ -15,7 +15,7 @@
 #include "native/read_carving.h"
 #include "native/zxing_reader.h"
 #include "pipeline/carved_objects.h"
-#include "pipeline/place.h"
+#include "pipeline/spot_search.h"
 #include "report/report.h"
 #include "settings/preset.h"
 
@@ -55,11 +55,11 @@ Status chooseSpot(std::shared_ptr<const EngravableModel> model, EngraveOptions& 
   EngraveRequest& request = options.request;
   const auto symbol = encodeSymbol(request.text, request.symbol);
   if (!symbol) return tl::unexpected(symbol.error());
-  auto job = PlaceJob::create(std::move(model), {.placement = searchedPlacement(request, symbol->size),
-                                                 .modules = symbol->size,
-                                                 .minWallMm = request.minWallMm,
-                                                 .count = 3,
-                                                 .scaleToMm = scaleToMm});
+  auto job = SpotSearchJob::create(std::move(model), {.placement = searchedPlacement(request, symbol->size),
+                                                      .modules = symbol->size,
+                                                      .minWallMm = request.minWallMm,
+                                                      .count = 3,
+                                                      .scaleToMm = scaleToMm});
   if (!job) return tl::unexpected(job.error());
   if (const Status done = runWithProgress(**job, options.quiet); !done) return done;
   const OfferedSpot spot = (*job)->takeResult().spots.front();

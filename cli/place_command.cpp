@@ -9,7 +9,7 @@
 #include "cli/progress_bar.h"
 #include "cli/setting_flags.h"
 #include "native/egl_context.h"
-#include "pipeline/place.h"
+#include "pipeline/spot_search.h"
 #include "settings/setting_text.h"
 
 namespace qrelief {
@@ -24,7 +24,7 @@ struct PlaceOptions {
   std::string json;
   SettingFlags flags;
   bool quiet = false;
-  PlaceRequest request;
+  SpotSearchRequest request;
 };
 
 std::string joined(Vec3 v, int decimals) {
@@ -36,7 +36,7 @@ Json triple(Vec3 v) { return Json::array({v.x, v.y, v.z}); }
 Status completeRequest(PlaceOptions& options) {
   auto engraving = options.flags.request();
   if (!engraving) return tl::unexpected(engraving.error());
-  PlaceRequest& request = options.request;
+  SpotSearchRequest& request = options.request;
   if (!engraving->text.empty()) {
     const auto symbol = encodeSymbol(engraving->text, engraving->symbol);
     if (!symbol) return tl::unexpected(symbol.error());
@@ -49,8 +49,9 @@ Status completeRequest(PlaceOptions& options) {
   return {};
 }
 
-Json describe(const PlaceOptions& options, const ModelInput& input, std::size_t triangles, const PlaceResult& result) {
-  const PlaceRequest& request = options.request;
+Json describe(const PlaceOptions& options, const ModelInput& input, std::size_t triangles,
+              const SpotSearchResult& result) {
+  const SpotSearchRequest& request = options.request;
   const bool isFixed = request.placement.sizeMode == SizeMode::Fixed;
   Json json;
   json["qrelief"] = QRELIEF_VERSION;
@@ -89,7 +90,7 @@ Json describe(const PlaceOptions& options, const ModelInput& input, std::size_t 
   return json;
 }
 
-void printSpots(const PlaceResult& result, double scaleToMm) {
+void printSpots(const SpotSearchResult& result, double scaleToMm) {
   for (std::size_t i = 0; i < result.spots.size(); ++i) {
     const OfferedSpot& spot = result.spots[i];
     fmt::print(
@@ -115,10 +116,10 @@ int findSpots(PlaceOptions& options) {
   const double prepareMs = millisecondsSince(start);
 
   const auto placing = Clock::now();
-  auto job = PlaceJob::create(model, options.request);
+  auto job = SpotSearchJob::create(model, options.request);
   if (!job) return printError(job.error(), file);
   if (const Status done = runWithProgress(**job, options.quiet); !done) return printError(done.error(), file);
-  const PlaceResult result = (*job)->takeResult();
+  const SpotSearchResult result = (*job)->takeResult();
   printSpots(result, input->scaleToMm);
   if (result.spots.size() < options.request.count)
     fmt::print(stderr, "qrelief: warning: {}: {} spots were asked for, {} found\n", file, options.request.count,
@@ -137,7 +138,7 @@ int findSpots(PlaceOptions& options) {
 
 std::function<int()> addPlaceCommand(CLI::App& app) {
   auto o = std::make_shared<PlaceOptions>();
-  PlaceRequest& request = o->request;
+  SpotSearchRequest& request = o->request;
   CLI::App* c = app.add_subcommand("place", "Where a QR code could go: the best spots, each tested");
   addModelFlags(*c, o->model);
   c->add_option("--count", request.count, fmt::format("spots to find [{}]", request.count))

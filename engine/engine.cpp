@@ -40,7 +40,7 @@ std::string Engine::loadModel(std::vector<std::uint8_t> bytes, const std::string
   auto model = loadedModel(std::move(bytes), fileName, scaleToMm);
   if (!model) return answer(model.error());
   carvings_.forgetAll();
-  placing_.forgetFound();
+  placedCode_.forgetFound();
   offers_.forget();
   scene_.show(Scene::Surface::Carved, false);
   scene_.show(Scene::Surface::Sizes, false);
@@ -89,7 +89,7 @@ std::optional<SurfacePoint> Engine::surfaceAt(double x, double y) const {
 std::string Engine::chooseCentre(std::optional<SurfacePoint> point) {
   if (!point) return textOf({{"hit", false}});
   wanted_.choose(point->position);
-  placing_.forget();
+  placedCode_.forget();
   scene_.show(Scene::Surface::Carved, false);
   updateView();
   return textOf({{"hit", true}, {"centre", jsonOf(point->position)}});

@@ -10,7 +10,7 @@
 
 #include "engine/carvings.h"
 #include "engine/job_map.h"
-#include "engine/placing.h"
+#include "engine/placed_code.h"
 #include "engine/scene.h"
 #include "engine/spot_offers.h"
 #include "engine/wanted_code.h"
@@ -66,10 +66,10 @@ class Engine {
   std::string adjustCode(double rotateDeg, double symbolMm);
 
   /// Starts looking for the best spots for the settings; ends an earlier search.
-  std::string startPlacing();
+  std::string startSpotSearch();
   /// {stage, fraction, done}; one bounded piece of work. When done the sizes are shown on the model.
-  std::string advancePlacing();
-  void cancelPlacing();
+  std::string advanceSpotSearch();
+  void cancelSpotSearch();
   /// {spots: [{centre, sizeMm}], topMm}: best first, with the largest size there; `topMm` is the size that has the last
   /// colour of the map. Empty before a search is done.
   std::string spots() const;
@@ -164,7 +164,7 @@ class Engine {
   /// The place in symbol and quiet zone that is seen at a screen position, if the reader sees it, too: (0, 0) = the
   /// quiet zone's upper left, (1, 1) = its lower right. Of the last engraving.
   std::optional<Vec2> codePlaceAt(double x, double y) const;
-  const Placement* placed() const { return placing_.placement(); }
+  const Placement* placed() const { return placedCode_.placement(); }
   const Viewer* viewer() const { return scene_.viewer(); }
   const gl::Capabilities& gl() const { return gl_; }
 
@@ -176,7 +176,7 @@ class Engine {
 
   bool takesCode() const;
   bool showsCarved() const;
-  PlacingTask task() const;
+  PlacementTask task() const;
   Carvings::Ground ground() const { return {*model_, pass_}; }
   Status placeCode();
   std::string chooseCentre(std::optional<SurfacePoint> point);
@@ -188,7 +188,7 @@ class Engine {
   std::shared_ptr<const GeometryPass> pass_;
   std::optional<LoadedModel> model_;
   WantedCode wanted_;
-  Placing placing_;
+  PlacedCode placedCode_;
   SpotOffers offers_;
   Carvings carvings_;
   Scene scene_;

@@ -15,7 +15,7 @@ std::string Engine::prepareEngrave() {
   bool isDone = true;
   if (model_ && wanted_.centreMm() && wanted_.symbol() && !carvings_.isRunning() && !offers_.isRunning()) {
     const EngraveRequest request = wanted_.request(scene_.camera().skyward());
-    isDone = carvings_.prepare(ground(), request, placing_.found(request, wanted_.symbol()));
+    isDone = carvings_.prepare(ground(), request, placedCode_.found(request, wanted_.symbol()));
   }
   return textOf({{"ok", true}, {"done", isDone}});
 }
@@ -29,7 +29,7 @@ std::string Engine::startEngrave(const std::function<EngraveRequest(EngraveReque
   if (!wanted_.centreMm()) return answer(ErrorKind::BadUsage, message("no-centre"));
   const EngraveRequest asked = wanted_.request(scene_.camera().skyward());
   const auto started = overridden ? carvings_.start(ground(), overridden(asked), nullptr)
-                                  : carvings_.start(ground(), asked, placing_.found(asked, wanted_.symbol()));
+                                  : carvings_.start(ground(), asked, placedCode_.found(asked, wanted_.symbol()));
   return started ? answer(*started) : answer(started.error());
 }
 
@@ -39,7 +39,7 @@ std::string Engine::advance() {
   if (!progress) return answer(progress.error());
   if (progress->done) {
     const EngraveResult& result = *carvings_.result();
-    placing_.take(result.placement, exactCode(*model_, result.symbol, carvings_.request(), result.placement));
+    placedCode_.take(result.placement, exactCode(*model_, result.symbol, carvings_.request(), result.placement));
     updateView();
   }
   return answer(*progress);

@@ -14,7 +14,7 @@ const Error kNoCode = {ErrorKind::BadUsage, message("no-code-placed")};
 
 }  // namespace
 
-PlacingTask Engine::task() const { return {*model_, *pass_, wanted_, scene_.camera().skyward()}; }
+PlacementTask Engine::task() const { return {*model_, *pass_, wanted_, scene_.camera().skyward()}; }
 
 bool Engine::takesCode() const {
   return model_ && !carvings_.isRunning() && wanted_.symbol() && model_->engravable->prepared.engravable();
@@ -25,18 +25,18 @@ Status Engine::placeCode() {
   if (!wanted_.centreMm()) return fail(ErrorKind::BadUsage, message("no-centre"));
   if (const Status engravable = model_->engravable->prepared.engravable(); !engravable) return engravable;
   if (!wanted_.symbol()) return tl::unexpected(wanted_.symbol().error());
-  return placing_.place(task());
+  return placedCode_.place(task());
 }
 
 std::string Engine::placement() {
-  placing_.forget();
+  placedCode_.forget();
   const Status placed = placeCode();
   updateView();
   return placed ? describePlacement() : answer(placed.error());
 }
 
 std::string Engine::describePlacement() const {
-  const Placement& placement = *placing_.placement();
+  const Placement& placement = *placedCode_.placement();
   return textOf({{"ok", true},
                  {"placement",
                   {{"centre", jsonOf(placement.frame.centre)},
@@ -66,57 +66,59 @@ std::string Engine::describeCode(const CodeOnSurface& code) const {
 }
 
 std::string Engine::hover(double x, double y) {
-  placing_.stopSettling();
+  placedCode_.stopSettling();
   const auto at = takesCode() && !showsCarved() ? surfaceAt(x, y) : std::nullopt;
   if (!at) {
     endHover();
     return textOf({{"ok", true}, {"hit", false}});
   }
-  if (placing_.code() && placing_.code()->covers(model_->mesh(), *at)) {
+  if (placedCode_.code() && placedCode_.code()->covers(model_->mesh(), *at)) {
     endHover();
     return textOf({{"ok", true}, {"hit", true}, {"onCode", true}});
   }
-  if (const Status hovered = placing_.hover(task(), *at); !hovered) return answer(hovered.error());
-  scene_.setGhost(placing_.hovered());
-  return describeCode(*placing_.hovered());
+  if (const Status hovered = placedCode_.hover(task(), *at); !hovered) return answer(hovered.error());
+  scene_.setGhost(placedCode_.hovered());
+  return describeCode(*placedCode_.hovered());
 }
 
 void Engine::endHover() {
-  placing_.endHover();
+  placedCode_.endHover();
   scene_.setGhost(nullptr);
 }
 
-std::string Engine::startSettling() { return takesCode() && placing_.startSettling(task()) ? done() : answer(kNoCode); }
+std::string Engine::startSettling() {
+  return takesCode() && placedCode_.startSettling(task()) ? done() : answer(kNoCode);
+}
 
 std::string Engine::advanceSettling() {
-  if (!placing_.isSettling()) return answer(kNoCode);
-  const Result<bool> settled = placing_.settle(task());
+  if (!placedCode_.isSettling()) return answer(kNoCode);
+  const Result<bool> settled = placedCode_.settle(task());
   if (!settled) return answer(settled.error());
   if (!*settled) return textOf({{"ok", true}, {"done", false}});
-  scene_.setGhost(placing_.hovered());
-  return describeCode(*placing_.hovered());
+  scene_.setGhost(placedCode_.hovered());
+  return describeCode(*placedCode_.hovered());
 }
 
 std::string Engine::moveCode(double x, double y) {
   const auto at = takesCode() ? surfaceAt(x, y) : std::nullopt;
   if (!at) return textOf({{"ok", true}, {"hit", false}});
-  if (const Status moved = placing_.move(task(), *at); !moved) return answer(moved.error());
+  if (const Status moved = placedCode_.move(task(), *at); !moved) return answer(moved.error());
   scene_.setGhost(nullptr);
-  scene_.setPrint(placing_.code());
-  return describeCode(*placing_.code());
+  scene_.setPrint(placedCode_.code());
+  return describeCode(*placedCode_.code());
 }
 
 std::string Engine::adjustCode(double rotateDeg, double symbolMm) {
-  if (!placing_.code() || !takesCode()) return answer(kNoCode);
+  if (!placedCode_.code() || !takesCode()) return answer(kNoCode);
   if (!std::isfinite(rotateDeg) || !(symbolMm > 0))
     return answer(ErrorKind::BadUsage, message("code-size-unusable", with::lengthMm("size", symbolMm),
                                                with::angleDeg("rotation", rotateDeg)));
-  placing_.adjust(rotateDeg, symbolMm, roomFactor(wanted_.symbol()->size, settings().placement.quietZone));
-  scene_.setPrint(placing_.code());
-  return describeCode(*placing_.code());
+  placedCode_.adjust(rotateDeg, symbolMm, roomFactor(wanted_.symbol()->size, settings().placement.quietZone));
+  scene_.setPrint(placedCode_.code());
+  return describeCode(*placedCode_.code());
 }
 
-std::string Engine::startPlacing() {
+std::string Engine::startSpotSearch() {
   offers_.forget();
   showSizes(false);
   if (!model_) return answer(kNoModel);
@@ -125,7 +127,7 @@ std::string Engine::startPlacing() {
   return started ? done() : answer(started.error());
 }
 
-std::string Engine::advancePlacing() {
+std::string Engine::advanceSpotSearch() {
   if (!offers_.isRunning()) return answer(ErrorKind::BadUsage, message("not-finding-spots"));
   const Result<Progress> progress = offers_.advance();
   if (!progress) return answer(progress.error());
@@ -133,7 +135,7 @@ std::string Engine::advancePlacing() {
   return answer(*progress);
 }
 
-void Engine::cancelPlacing() {
+void Engine::cancelSpotSearch() {
   if (offers_.isRunning()) offers_.forget();
 }
 

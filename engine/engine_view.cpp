@@ -31,8 +31,8 @@ Json onScreen(const CodeOnSurface& code, const OrbitCamera& camera) {
 }  // namespace
 
 void Engine::updateView() {
-  scene_.update({model_ ? model_->display : nullptr, carvings_.madeDisplay(), offers_.sizesDisplay(), placing_.code(),
-                 placing_.hovered(), wanted_.centreMm()});
+  scene_.update({model_ ? model_->display : nullptr, carvings_.madeDisplay(), offers_.sizesDisplay(),
+                 placedCode_.code(), placedCode_.hovered(), wanted_.centreMm()});
 }
 
 void Engine::setUpAxis(const std::string& axis) {
@@ -46,13 +46,14 @@ void Engine::zoom(double factor, double x, double y) {
 }
 
 void Engine::readerView() {
-  if (placing_.placement() && placing_.code())
-    scene_.lookAsReader(placing_.placement()->frame, placing_.code()->print.edgeMm);
+  if (placedCode_.placement() && placedCode_.code())
+    scene_.lookAsReader(placedCode_.placement()->frame, placedCode_.code()->print.edgeMm);
 }
 
 void Engine::faceCode() {
-  if (placing_.placement() && placing_.code())
-    scene_.faceCode(placing_.placement()->frame, placing_.code()->print.edgeMm, model_->display->box().diagonal());
+  if (placedCode_.placement() && placedCode_.code())
+    scene_.faceCode(placedCode_.placement()->frame, placedCode_.code()->print.edgeMm,
+                    model_->display->box().diagonal());
 }
 
 void Engine::showSection(bool shown, double offset) {
@@ -61,7 +62,7 @@ void Engine::showSection(bool shown, double offset) {
 }
 
 void Engine::faceSection() {
-  if (placing_.code()) scene_.faceSection(*placing_.code());
+  if (placedCode_.code()) scene_.faceSection(*placedCode_.code());
 }
 
 std::string Engine::showDepths(bool shown) {
@@ -83,7 +84,7 @@ std::string Engine::viewState() const {
   const CameraView view = camera.view();
   Json axes = Json::array();
   for (const Vec3 axis : {view.right, view.up, view.back}) axes.push_back(qrelief::jsonOf(camera.toTurntable(axis)));
-  const Json code = placing_.code() && !showsCarved() ? onScreen(*placing_.code(), camera) : Json();
+  const Json code = placedCode_.code() && !showsCarved() ? onScreen(*placedCode_.code(), camera) : Json();
   return textOf({{"code", code}, {"axes", axes}});
 }
 

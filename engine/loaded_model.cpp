@@ -7,9 +7,9 @@
 #include "io/read_model.h"
 #include "mesh/ray.h"
 #include "projection/first_spots.h"
+#include "projection/silhouette.h"
 #include "projection/size.h"
 #include "projection/surface_raster.h"
-#include "projection/visible_patch.h"
 #include "viewer/display_mesh.h"
 
 namespace qrelief {
@@ -64,7 +64,7 @@ std::optional<Vec3> proposedCentre(const LoadedModel& model, const GeometryPass&
     const auto surface = closestPoint(mesh, spot.position);
     if (!surface) continue;
     const ProjectionFrame frame = makeFrame(surface->position, spot.normal, camera.skyward, eyeDistanceMm);
-    const auto patch = findVisiblePatch(mesh, model.engravable->prepared.adjacency, frame, surface->triangle, wanted);
+    const auto patch = findSilhouette(mesh, model.engravable->prepared.adjacency, frame, surface->triangle, wanted);
     const double fits = patch ? std::min(wanted, freeSize(patch->silhouette)) : 0;
     if (centre && fits <= largest) continue;
     centre = surface->position;

@@ -13,7 +13,7 @@ constexpr double kLegendStepMm = 5;  // the legend of the sizes ends at a multip
 
 }  // namespace
 
-Status SpotOffers::start(const PlacingTask& task) {
+Status SpotOffers::start(const PlacementTask& task) {
   forget();
   const EngraveRequest& settings = task.wanted.settings();
   const int modules = task.wanted.symbol()->size;
@@ -23,7 +23,7 @@ Status SpotOffers::start(const PlacingTask& task) {
   request_.modules = modules;
   request_.minWallMm = settings.minWallMm;
   model_ = task.model.engravable;
-  auto job = PlaceJob::create(model_, request_);
+  auto job = SpotSearchJob::create(model_, request_);
   if (!job) return tl::unexpected(job.error());
   job_ = std::move(*job);
   return {};
@@ -37,7 +37,7 @@ Result<Progress> SpotOffers::advance() {
 }
 
 void SpotOffers::finish() {
-  const PlaceResult found = job_->takeResult();
+  const SpotSearchResult found = job_->takeResult();
   job_.reset();
   spots_ = found.spots;
   // The map knows squares with the quiet zone, the legend the symbol in them.

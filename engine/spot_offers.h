@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "engine/placing.h"
-#include "pipeline/place.h"
+#include "engine/placed_code.h"
+#include "pipeline/spot_search.h"
 
 namespace qrelief {
 
@@ -14,7 +14,7 @@ namespace qrelief {
 class SpotOffers {
  public:
   /// Looks for them; ends an earlier search.
-  Status start(const PlacingTask& task);
+  Status start(const PlacementTask& task);
   bool isRunning() const { return job_ != nullptr; }
   /// One bounded piece of work, while a search is running; ends it after an error, too.
   Result<Progress> advance();
@@ -35,9 +35,9 @@ class SpotOffers {
  private:
   void finish();
 
-  PlaceRequest request_;
+  SpotSearchRequest request_;
   std::shared_ptr<const EngravableModel> model_;
-  std::unique_ptr<PlaceJob> job_;
+  std::unique_ptr<SpotSearchJob> job_;
   std::vector<OfferedSpot> spots_;
   double topMm_ = 0;
   std::shared_ptr<const GpuMesh> sizesDisplay_;

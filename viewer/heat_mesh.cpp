@@ -29,7 +29,7 @@ void smooth(const Mesh& mesh, std::vector<float>& values, int rounds) {
 
 }  // namespace
 
-GpuMesh heatMesh(const Mesh& model, const PlacementMap& map, double topMm) {
+GpuMesh heatMesh(const Mesh& model, const SizeMap& map, double topMm) {
   const Mesh& shown = map.isCoarser ? model : map.mesh;
   std::vector<float> values(shown.positions.size());
   for (std::size_t v = 0; v < values.size(); ++v)

@@ -19,7 +19,7 @@
   verb(Engine, capabilities) verb(Engine, loadModel) verb(Engine, configure) verb(Engine, symbol) \
   verb(Engine, pick) verb(Engine, setCentre) verb(Engine, placement) verb(Engine, hover) verb(Engine, endHover) \
   verb(Engine, startSettling) verb(Engine, advanceSettling) verb(Engine, moveCode) verb(Engine, adjustCode) \
-  verb(Engine, startPlacing) verb(Engine, advancePlacing) verb(Engine, cancelPlacing) verb(Engine, spots) \
+  verb(Engine, startSpotSearch) verb(Engine, advanceSpotSearch) verb(Engine, cancelSpotSearch) verb(Engine, spots) \
   verb(Engine, chooseSpot) verb(Engine, showSizes) verb(Engine, prepareEngrave) \
   verb(InspectedEngine, startEngrave) verb(Engine, advance) verb(Engine, cancel) verb(Engine, carving) \
   verb(Engine, useCarving) verb(Engine, report) verb(Engine, readerImage) verb(Engine, jobMap) \

@@ -5,7 +5,7 @@
 
 #include "math/frame.h"
 #include "mesh/mesh.h"
-#include "projection/visible_patch.h"
+#include "projection/silhouette.h"
 #include "qr/module_pattern.h"
 
 namespace qrelief {

@@ -6,7 +6,7 @@
 #include "base/result.h"
 #include "math/frame.h"
 #include "mesh/mesh.h"
-#include "projection/visible_patch.h"
+#include "projection/silhouette.h"
 #include "render/geometry_pass.h"
 
 namespace qrelief {

@@ -88,7 +88,7 @@ Result<VisiblePatch> PlacementSearch::decisivePatch(const ProjectionFrame& frame
   const double farthest = largestMm() * halfDiagonal + beyond;
   double radius = std::min(farthest, kFirstReach * sampledMm() * halfDiagonal + beyond);
   for (;;) {
-    auto patch = findVisiblePatch(model_->mesh, model_->adjacency, frame, placement_.seed, radius, region);
+    auto patch = findSilhouette(model_->mesh, model_->adjacency, frame, placement_.seed, radius, region);
     if (patch && model_->crossesItself)
       if (const Status added = addCrossings(model_->mesh, frame, *patch); !added) return tl::unexpected(added.error());
     if (!patch || radius >= farthest) return patch;

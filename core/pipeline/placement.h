@@ -9,7 +9,7 @@
 #include "projection/direction.h"
 #include "projection/optimal_direction.h"
 #include "projection/placement_request.h"
-#include "projection/visible_patch.h"
+#include "projection/silhouette.h"
 #include "qr/symbol.h"
 #include "render/geometry_pass.h"
 

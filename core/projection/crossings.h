@@ -5,13 +5,13 @@
 #include <span>
 
 #include "base/result.h"
-#include "projection/visible_patch.h"
+#include "projection/silhouette.h"
 
 namespace qrelief {
 
 /// Adds to the silhouette the curves along which other facets come through those of the patch. Where a surface crosses
 /// itself the eye may see another sheet beyond such a curve without a contour edge between; with these curves in the
-/// silhouette, what findVisiblePatch says of a region that no silhouette segment enters is true of such models, too.
+/// silhouette, what findSilhouette says of a region that no silhouette segment enters is true of such models, too.
 ///
 /// Two triangles that overlap in one plane give the sides of the one that belongs to the patch; two that only touch,
 /// the segment or the point where they do. Cost: one findSelfIntersections of the patch.

@@ -10,7 +10,7 @@
 namespace qrelief {
 
 /// What the eye of a frame sees, and which of it hangs together with the centre: a coarse picture of the visible patch
-/// (projection/visible_patch.h) that is made within one frame of an animation. Right to about a texel.
+/// (projection/silhouette.h) that is made within one frame of an animation. Right to about a texel.
 struct EyeReach {
   /// Of the maps: heights of texels that meet nothing.
   static constexpr float kNothing = -1e6f;

@@ -4,7 +4,7 @@
 #include <optional>
 #include <span>
 
-#include "projection/visible_patch.h"
+#include "projection/silhouette.h"
 
 namespace qrelief {
 

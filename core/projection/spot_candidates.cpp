@@ -35,7 +35,7 @@ bool SpotRank::operator<(const SpotRank& other) const {
   return sizeClass != other.sizeClass ? sizeClass > other.sizeClass : badness < other.badness;
 }
 
-SquareQuality qualityOf(const PlacementMap& map, const ProjectionFrame& frame, double edgeMm) {
+SquareQuality qualityOf(const SizeMap& map, const ProjectionFrame& frame, double edgeMm) {
   struct Slope {
     double cosine, area;
   };
@@ -71,7 +71,7 @@ SquareQuality qualityOf(const PlacementMap& map, const ProjectionFrame& frame, d
   return quality;
 }
 
-std::vector<SpotCandidate> spotCandidates(const PlacementMap& map, const CandidateOptions& options) {
+std::vector<SpotCandidate> spotCandidates(const SizeMap& map, const CandidateOptions& options) {
   std::vector<std::uint32_t> order(map.sizeMm.size());
   std::iota(order.begin(), order.end(), 0u);
   const auto score = [&](std::uint32_t v) { return map.sizeMm[v] * glm::dot(map.direction[v], map.normals[v]); };

@@ -4,7 +4,7 @@
 #include <limits>
 #include <vector>
 
-#include "projection/placement_map.h"
+#include "projection/size_map.h"
 
 namespace qrelief {
 
@@ -17,7 +17,7 @@ struct SquareQuality {
 
 /// Of the map's facets whose middles lie over the square and that face the reader; all zero if there is none.
 /// Cost: O(T).
-SquareQuality qualityOf(const PlacementMap& map, const ProjectionFrame& frame, double edgeMm);
+SquareQuality qualityOf(const SizeMap& map, const ProjectionFrame& frame, double edgeMm);
 
 /// A place that the map thinks well of; still to be tested.
 struct SpotCandidate {
@@ -39,7 +39,7 @@ struct CandidateOptions {
 /// heights (as a fraction of the edge) and slope (1 - cosine of the worst angle) together.
 ///
 /// Cost: O(V log V + most · (V + T)).
-std::vector<SpotCandidate> spotCandidates(const PlacementMap& map, const CandidateOptions& options);
+std::vector<SpotCandidate> spotCandidates(const SizeMap& map, const CandidateOptions& options);
 
 /// The order of spots by size and quality; smaller is better. A spot counts as less large, in proportion, where it has
 /// to be looked at more straight than hands hold a phone without care (10°; the more a surface bends under a code, the

@@ -21,7 +21,7 @@ struct RasterWindow {
 /// What an eye sees of a coarse mesh, in texels: where a code cannot lie.
 ///
 /// Drawn by the processor, not the GPU: a map takes hundreds of small views of some ten thousand facets, for which
-/// waiting for the read-back costs more than drawing (bench/placement_map.cpp), and it is the same everywhere.
+/// waiting for the read-back costs more than drawing (bench/spot_search.cpp), and it is the same everywhere.
 class ViewRaster {
  public:
   /// @param mesh, adjacency  kept by reference

@@ -42,7 +42,7 @@ struct Case {
 
   VisiblePatch patch() const {
     const brute_force::Hit seed = brute_force::castRay(mesh, frame.eye(), {0, 0, -1});
-    return findVisiblePatch(mesh, buildAdjacency(mesh.triangles), frame, seed.triangle, patchRadiusMm).value();
+    return findSilhouette(mesh, buildAdjacency(mesh.triangles), frame, seed.triangle, patchRadiusMm).value();
   }
 
   std::vector<double> limits() const { return limits(patch()); }
@@ -145,7 +145,8 @@ TEST(WallLimit, NeverLetsABallAtAFloorTouchAHiddenFacetByBruteForce) {
   for (int k = 0; k < c.size * c.size; ++k) {
     const double limit = limits[static_cast<std::size_t>(k)];
     limited += limit < c.maxDepthMm;
-    const Vec3 ray = c.frame.rayDirection(c.plane(k / c.size + 0.5, k % c.size + 0.5));
+    const int row = k / c.size, column = k % c.size;
+    const Vec3 ray = c.frame.rayDirection(c.plane(row + 0.5, column + 0.5));
     const Vec3 floor = c.frame.eye() + ray * (brute_force::castRay(c.mesh, c.frame.eye(), ray).distance + limit);
     double nearest = 1e9;
     for (std::size_t t = outer.triangles.size(); t < c.mesh.triangles.size(); ++t)
@@ -214,7 +215,8 @@ TEST(WallLimit, BesideASharpRidgeIsMeasuredThroughItThoughTheEyeSeesBothSides) {
     // Through the roof, perpendicularly to its other side, from the point of the submodule nearest to the ridge.
     double thickness = 1e9;
     for (const double across : {0.0, 1.0}) {
-      const Vec3 ray = c.frame.rayDirection(c.plane(k / c.size + 0.5, k % c.size + across));
+      const int row = k / c.size, column = k % c.size;
+      const Vec3 ray = c.frame.rayDirection(c.plane(row + 0.5, column + across));
       const brute_force::Hit hit = brute_force::castRay(roof, c.frame.eye(), ray);
       const Vec3 p = c.frame.eye() + ray * hit.distance;
       thickness = std::min(thickness, std::abs(glm::dot(right, Vec3(-std::abs(p.x), p.y, p.z))));

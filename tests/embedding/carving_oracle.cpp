@@ -182,7 +182,8 @@ double pocketVolume(const ProjectionFrame& frame, const DepthField& field,
     for (int column = 0; column < field.size; ++column) {
       const double d = field.depth(row, column);
       for (int k = 0; d > 0 && k < kPoints * kPoints; ++k) {
-        const Vec2 p = field.corner(row, column) + Vec2(k % kPoints + 0.5, -(k / kPoints + 0.5)) * step;
+        const int below = k / kPoints;
+        const Vec2 p = field.corner(row, column) + Vec2(k % kPoints + 0.5, -(below + 0.5)) * step;
         const double onPlane = glm::length(frame.onPlane(p) - frame.eye());
         const double cosine = frame.eyeDistance / onPlane;
         const double t = distance(p);

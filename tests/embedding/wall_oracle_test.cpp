@@ -137,7 +137,7 @@ TEST(WallOracle, WhatIsTakenOutKeepsTheMinimumWallFromEveryOtherSide) {
   for (const Body& body : bodies()) {
     SCOPED_TRACE(body.name);
     const auto spot = brute_force::spotSeen(body.mesh, body.from, {0, 0, -1}, body.normal, {0.2, 1, 0});
-    const auto patch = findVisiblePatch(body.mesh, buildAdjacency(body.mesh.triangles), spot.frame, spot.seed, 1000);
+    const auto patch = findSilhouette(body.mesh, buildAdjacency(body.mesh.triangles), spot.frame, spot.seed, 1000);
     ASSERT_TRUE(patch) << patch.error().message;
     constexpr int kSize = 24;
     SubmoduleMask mask{kSize, {}};

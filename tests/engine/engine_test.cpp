@@ -237,9 +237,9 @@ TEST_F(EngineTest, FindsSpotsThatTakeTheSizeTheyPromise) {
   ASSERT_EQ(load(shapes::box({60, 50, 20}))["ok"], true);
   ASSERT_EQ(Json::parse(engine_->configure(kSettings))["ok"], true);
   EXPECT_TRUE(Json::parse(engine_->spots())["spots"].empty());
-  ASSERT_EQ(Json::parse(engine_->startPlacing())["ok"], true);
+  ASSERT_EQ(Json::parse(engine_->startSpotSearch())["ok"], true);
   for (bool done = false; !done;) {
-    const Json progress = Json::parse(engine_->advancePlacing());
+    const Json progress = Json::parse(engine_->advanceSpotSearch());
     ASSERT_EQ(progress["ok"], true) << progress;
     done = progress["done"];
   }
@@ -258,13 +258,13 @@ TEST_F(EngineTest, FindsSpotsThatTakeTheSizeTheyPromise) {
 }
 
 TEST_F(EngineTest, ASearchForSpotsThatIsCancelledLeavesNone) {
-  expectError(engine_->startPlacing(), "BadUsage", "no-model");
+  expectError(engine_->startSpotSearch(), "BadUsage", "no-model");
   ASSERT_EQ(load(shapes::icosphere(40, 4))["ok"], true);
   ASSERT_EQ(Json::parse(engine_->configure(kSettings))["ok"], true);
-  ASSERT_EQ(Json::parse(engine_->startPlacing())["ok"], true);
-  ASSERT_EQ(Json::parse(engine_->advancePlacing())["ok"], true);
-  engine_->cancelPlacing();
-  expectError(engine_->advancePlacing(), "BadUsage", "not-finding-spots");
+  ASSERT_EQ(Json::parse(engine_->startSpotSearch())["ok"], true);
+  ASSERT_EQ(Json::parse(engine_->advanceSpotSearch())["ok"], true);
+  engine_->cancelSpotSearch();
+  expectError(engine_->advanceSpotSearch(), "BadUsage", "not-finding-spots");
   EXPECT_TRUE(Json::parse(engine_->spots())["spots"].empty());
 }
 
@@ -333,8 +333,8 @@ TEST_F(EngineTest, SpotsHavePicturesAndCarvedModelsDepths) {
   load(shapes::box({60, 60, 20}));
   engine_->configure(kSettings);
   EXPECT_EQ(engine_->spotPicture(0, 32, 32).width, 0);
-  engine_->startPlacing();
-  while (!Json::parse(engine_->advancePlacing())["done"]) {
+  engine_->startSpotSearch();
+  while (!Json::parse(engine_->advanceSpotSearch())["done"]) {
   }
   const ColourImage picture = engine_->spotPicture(0, 96, 96);
   ASSERT_EQ(picture.rgba.size(), 4u * 96 * 96);

@@ -28,7 +28,7 @@ std::uint32_t topTriangle(const Mesh& mesh, Vec2 at) {
 
 double sizeAt(const Mesh& mesh, bool withCrossings) {
   const ProjectionFrame frame = makeFrame({0, 1, 5}, {0, 0, 1}, {0, 1, 0}, 250);
-  auto patch = findVisiblePatch(mesh, buildAdjacency(mesh.triangles), frame, topTriangle(mesh, {0, 1}), 100);
+  auto patch = findSilhouette(mesh, buildAdjacency(mesh.triangles), frame, topTriangle(mesh, {0, 1}), 100);
   EXPECT_TRUE(patch.has_value());
   if (withCrossings) {
     EXPECT_TRUE(addCrossings(mesh, frame, *patch).has_value());
@@ -65,7 +65,7 @@ TEST(Crossings, AreFoundNearestToAPlace) {
   const Mesh mesh =
       shapes::together(shapes::box({40, 40, 10}), shapes::translated(shapes::box({4, 60, 30}), {10, 0, 0}));
   const ProjectionFrame frame = makeFrame({0, 1, 5}, {0, 0, 1}, {0, 1, 0}, 250);
-  const auto patch = findVisiblePatch(mesh, buildAdjacency(mesh.triangles), frame, topTriangle(mesh, {0, 1}), 100);
+  const auto patch = findSilhouette(mesh, buildAdjacency(mesh.triangles), frame, topTriangle(mesh, {0, 1}), 100);
   ASSERT_TRUE(patch.has_value());
   const auto found = nearestCrossing(mesh, patch->triangles, {0, 1, 5});
   ASSERT_TRUE(found.has_value() && found->has_value());

@@ -10,12 +10,10 @@
 namespace qrelief {
 namespace {
 
-PlacementMap mapOf(const Mesh& mesh, double leastMm) {
-  return makePlacementMap(mesh, vertexNormals(mesh), {.minMm = leastMm});
-}
+SizeMap mapOf(const Mesh& mesh, double leastMm) { return makeSizeMap(mesh, vertexNormals(mesh), {.minMm = leastMm}); }
 
 TEST(SpotCandidates, OfACubeAreItsSixFaces) {
-  const PlacementMap map = mapOf(shapes::box({60, 60, 60}), 40);
+  const SizeMap map = mapOf(shapes::box({60, 60, 60}), 40);
   // Middles of faces are 42 mm apart, and nowhere else on a face is 36 mm from its middle and far from its edges.
   const std::vector<SpotCandidate> spots =
       spotCandidates(map, {.edgeMm = 60, .minSizeMm = 34, .apart = 0.6, .maxCount = 20});
@@ -28,7 +26,7 @@ TEST(SpotCandidates, OfACubeAreItsSixFaces) {
 }
 
 TEST(SpotCandidates, KeepTheirDistanceUnlessTheyLookAwayFromEachOther) {
-  const PlacementMap map = mapOf(shapes::box({150, 150, 5}), 40);
+  const SizeMap map = mapOf(shapes::box({150, 150, 5}), 40);
   const std::vector<SpotCandidate> spots = spotCandidates(map, {.edgeMm = 40, .minSizeMm = 40});
   int opposite = 0;
   for (std::size_t i = 0; i < spots.size(); ++i) {
@@ -45,7 +43,7 @@ TEST(SpotCandidates, KeepTheirDistanceUnlessTheyLookAwayFromEachOther) {
 TEST(SpotCandidates, RankBySizeFirst) {
   const Mesh balls = shapes::together(shapes::translated(shapes::icosphere(40, 4), {0, 0, 60}),
                                       shapes::translated(shapes::icosphere(20, 4), {0, 0, -30}));
-  const PlacementMap map = mapOf(balls, 20);
+  const SizeMap map = mapOf(balls, 20);
   const std::vector<SpotCandidate> spots = spotCandidates(map, {.edgeMm = 20, .minSizeMm = 1, .maxCount = 200});
   bool small = false;
   for (const SpotCandidate& spot : spots) {
@@ -78,7 +76,7 @@ TEST(SpotRank, CountsASpotAsLessLargeThatMustBeLookedAtStraight) {
 }
 
 TEST(QualityOf, AnInclinedPlaneIsThatOfItsAngle) {
-  const PlacementMap map = mapOf(shapes::box({200, 200, 200}), 60);
+  const SizeMap map = mapOf(shapes::box({200, 200, 200}), 60);
   const double angle = 25 * std::numbers::pi / 180;
   const ProjectionFrame frame = makeFrame({0, 0, 100}, {std::sin(angle), 0, std::cos(angle)}, {0, 1, 0}, 250);
   const SquareQuality quality = qualityOf(map, frame, 80);
@@ -90,7 +88,7 @@ TEST(QualityOf, AnInclinedPlaneIsThatOfItsAngle) {
 }
 
 TEST(QualityOf, ACodeOnNothingIsZero) {
-  const PlacementMap map = mapOf(shapes::box({20, 20, 20}), 10);
+  const SizeMap map = mapOf(shapes::box({20, 20, 20}), 10);
   const SquareQuality quality = qualityOf(map, makeFrame({100, 0, 0}, {1, 0, 0}, {0, 0, 1}, 250), 20);
   EXPECT_EQ(quality.varianceMm2, 0);
   EXPECT_EQ(quality.worstAngleDeg, 0);

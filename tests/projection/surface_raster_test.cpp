@@ -34,7 +34,8 @@ class SurfaceRasterTest : public GlTest {
       if (!same) ++differing;
     }
     EXPECT_GT(shown, drawn.size() / 4 / 20) << "it looks past the model";
-    return static_cast<double>(differing) / static_cast<double>(drawn.size() / 4);
+    const std::size_t texels = drawn.size() / 4;
+    return static_cast<double>(differing) / static_cast<double>(texels);
   }
 };
 

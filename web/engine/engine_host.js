@@ -289,9 +289,9 @@ export class EngineHost {
 
   findSpots_() {
     return this.runJob_({
-      start: () => this.engine_.startPlacing(),
-      advance: () => this.engine_.advancePlacing(),
-      cancel: () => this.engine_.cancelPlacing(),
+      start: () => this.engine_.startSpotSearch(),
+      advance: () => this.engine_.advanceSpotSearch(),
+      cancel: () => this.engine_.cancelSpotSearch(),
     });
   }
 

@@ -139,9 +139,9 @@
  * @property {() => string} advanceSettling
  * @property {(x: number, y: number) => string} moveCode
  * @property {(rotateDeg: number, symbolMm: number) => string} adjustCode
- * @property {() => string} startPlacing
- * @property {() => string} advancePlacing
- * @property {() => void} cancelPlacing
+ * @property {() => string} startSpotSearch
+ * @property {() => string} advanceSpotSearch
+ * @property {() => void} cancelSpotSearch
  * @property {() => string} spots
  * @property {(index: number) => string} chooseSpot
  * @property {(shown: boolean) => void} showSizes

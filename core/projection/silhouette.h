@@ -26,8 +26,8 @@ struct VisiblePatch {
   bool partlyHidden = false;
 };
 
-/// Facets that the frame's eye sees, connected (across edges) with the seed [Papp 2022, §4], and the silhouette that
-/// bounds every code among them.
+/// The silhouette that bounds every code about the centre [Papp 2022, §4], and the patch within it: the facets that the
+/// frame's eye sees, connected (across edges) with the seed.
 ///
 /// **Method.** What is hidden changes only across the image of a *contour edge*: one between a facet that faces the eye
 /// and one that does not [Appel 1967, quantitative invisibility]. The flood starts at the seed and goes over edges to
@@ -60,7 +60,7 @@ struct VisiblePatch {
 /// @param region    for which the silhouette leaves as much room as there is; for others it may leave less
 /// @returns NoSolution if the seed faces away from the eye, lies beside or behind it, or something hides the centre
 ///          (says what, where, and how near the eye would have to come)
-Result<VisiblePatch> findVisiblePatch(const Mesh& mesh, const Adjacency& adjacency, const ProjectionFrame& frame,
-                                      std::uint32_t seed, double radiusMm, GrowingRegion region = GrowingRegion::Disc);
+Result<VisiblePatch> findSilhouette(const Mesh& mesh, const Adjacency& adjacency, const ProjectionFrame& frame,
+                                    std::uint32_t seed, double radiusMm, GrowingRegion region = GrowingRegion::Disc);
 
 }  // namespace qrelief

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "projection/placement_map.h"
+#include "projection/size_map.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <numbers>
 
 #include "base/random.h"
+#include "projection/silhouette.h"
 #include "projection/size.h"
-#include "projection/visible_patch.h"
 #include "support/shapes.h"
 
 namespace qrelief {
@@ -15,11 +15,11 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-PlacementMap mapOf(const Mesh& mesh, const PlacementMapOptions& options) {
-  return makePlacementMap(mesh, vertexNormals(mesh), options);
+SizeMap mapOf(const Mesh& mesh, const SizeMapOptions& options) {
+  return makeSizeMap(mesh, vertexNormals(mesh), options);
 }
 
-double largest(const PlacementMap& map) {
+double largest(const SizeMap& map) {
   return static_cast<double>(*std::max_element(map.sizeMm.begin(), map.sizeMm.end()));
 }
 
@@ -35,12 +35,12 @@ TEST(LatticeDirection, LeavesNoGapsOnTheSphere) {
   }
 }
 
-TEST(PlacementMap, GivesEveryPointOfASphereTheSameSize) {
+TEST(SizeMap, GivesEveryPointOfASphereTheSameSize) {
   const double radius = 40, eye = 250 + radius;
-  const PlacementMap map = mapOf(shapes::icosphere(radius, 5), {.minMm = 30, .views = 1000});
+  const SizeMap map = mapOf(shapes::icosphere(radius, 5), {.minMm = 30, .views = 1000});
   // The disc ends where the surface lies at 65° to the line of sight: polar angle θ and eye angle φ, θ + φ = 65°.
   double theta = 0, phi = 0;
-  while (theta + phi < PlacementMapSearch::kMaxTiltDeg * kDegree) {
+  while (theta + phi < SizeMapSearch::kMaxTiltDeg * kDegree) {
     theta += 1e-5;
     phi = std::atan(radius * std::sin(theta) / (eye - radius * std::cos(theta)));
   }
@@ -54,9 +54,9 @@ TEST(PlacementMap, GivesEveryPointOfASphereTheSameSize) {
   }
 }
 
-TEST(PlacementMap, FindsTheMiddlesOfACubesFacesBest) {
+TEST(SizeMap, FindsTheMiddlesOfACubesFacesBest) {
   const double edge = 60;
-  const PlacementMap map = mapOf(shapes::box({edge, edge, edge}), {.minMm = 30, .views = 1000});
+  const SizeMap map = mapOf(shapes::box({edge, edge, edge}), {.minMm = 30, .views = 1000});
   // At every rotation: the disc of half the edge, so a square of edge/√2; a texel more or less.
   const double expected = edge / std::numbers::sqrt2;
   EXPECT_NEAR(largest(map), expected, 0.05 * expected);
@@ -74,8 +74,8 @@ TEST(PlacementMap, FindsTheMiddlesOfACubesFacesBest) {
   }
 }
 
-TEST(PlacementMap, OffersNoCentreOnTheEdgesAndCornersOfACube) {
-  const PlacementMap map = mapOf(shapes::box({60, 60, 60}), {.minMm = 30});
+TEST(SizeMap, OffersNoCentreOnTheEdgesAndCornersOfACube) {
+  const SizeMap map = mapOf(shapes::box({60, 60, 60}), {.minMm = 30});
   for (std::size_t v = 0; v < map.sizeMm.size(); ++v) {
     const Vec3 p = glm::abs(Vec3(map.mesh.positions[v]));
     const bool isOnEdge = (p.x == 30) + (p.y == 30) + (p.z == 30) > 1;
@@ -83,21 +83,21 @@ TEST(PlacementMap, OffersNoCentreOnTheEdgesAndCornersOfACube) {
   }
 }
 
-TEST(PlacementMap, DropsEveryViewOfARodWhoseSilhouetteIsSmallerThanTheSquare) {
-  const PlacementMap map = mapOf(shapes::cylinder(2, 100, 24), {.minMm = 26});
+TEST(SizeMap, DropsEveryViewOfARodWhoseSilhouetteIsSmallerThanTheSquare) {
+  const SizeMap map = mapOf(shapes::cylinder(2, 100, 24), {.minMm = 26});
   EXPECT_EQ(map.viewsDropped, 240);
   EXPECT_EQ(largest(map), 0);
 }
 
-TEST(PlacementMap, GivesARodNoMoreThanItsThickness) {
-  const PlacementMap map = mapOf(shapes::cylinder(4, 100, 48), {.minMm = 8});
+TEST(SizeMap, GivesARodNoMoreThanItsThickness) {
+  const SizeMap map = mapOf(shapes::cylinder(4, 100, 48), {.minMm = 8});
   EXPECT_LT(largest(map), std::numbers::sqrt2 * 4 + 0.3);
 }
 
-TEST(PlacementMap, PrefersTheBallsOfADumbbellToItsBar) {
+TEST(SizeMap, PrefersTheBallsOfADumbbellToItsBar) {
   const Mesh ball = shapes::icosphere(30, 4);
   const Mesh balls = shapes::together(shapes::translated(ball, {0, 0, 70}), shapes::translated(ball, {0, 0, -70}));
-  const PlacementMap map = mapOf(shapes::together(balls, shapes::cylinder(5, 78, 32)), {.minMm = 10});
+  const SizeMap map = mapOf(shapes::together(balls, shapes::cylinder(5, 78, 32)), {.minMm = 10});
   double onBar = 0;
   for (std::size_t v = 0; v < map.sizeMm.size(); ++v)
     if (std::abs(map.mesh.positions[v].z) < 39.5f) onBar = std::max<double>(onBar, map.sizeMm[v]);
@@ -107,7 +107,7 @@ TEST(PlacementMap, PrefersTheBallsOfADumbbellToItsBar) {
 }
 
 /// The size that the exact silhouette allows around a vertex, seen from where the map saw it.
-double exactSize(const Mesh& model, const PlacementMap& map, std::uint32_t vertex, Vec3 centre, double eyeFromCentre) {
+double exactSize(const Mesh& model, const SizeMap& map, std::uint32_t vertex, Vec3 centre, double eyeFromCentre) {
   const Vec3 p(map.mesh.positions[vertex]);
   const Vec3 d(map.direction[vertex]);
   const double along = glm::dot(p - centre, d);
@@ -118,15 +118,15 @@ double exactSize(const Mesh& model, const PlacementMap& map, std::uint32_t verte
   for (std::uint32_t t = 0; t < model.triangles.size(); ++t) {
     const Triangle& corners = model.triangles[t];
     if (std::find(corners.begin(), corners.end(), vertex) == corners.end()) continue;
-    const auto patch = findVisiblePatch(model, adjacency, frame, t, 1000);
+    const auto patch = findSilhouette(model, adjacency, frame, t, 1000);
     if (patch) return freeSize(patch->silhouette);
   }
   return 0;
 }
 
-TEST(PlacementMap, NeverPromisesMuchMoreThanTheExactSilhouette) {
+TEST(SizeMap, NeverPromisesMuchMoreThanTheExactSilhouette) {
   for (const Mesh& mesh : {shapes::bumpySphere(40, 4, 4, 4), shapes::torus(30, 14, 64, 32)}) {
-    const PlacementMap map = mapOf(mesh, {.minMm = 20});
+    const SizeMap map = mapOf(mesh, {.minMm = 20});
     ASSERT_TRUE(std::equal(mesh.positions.begin(), mesh.positions.end(), map.mesh.positions.begin()));
     const Box3 box = boundingBox(mesh);
     double radius = 0;
@@ -142,10 +142,10 @@ TEST(PlacementMap, NeverPromisesMuchMoreThanTheExactSilhouette) {
   }
 }
 
-TEST(PlacementMap, OfACoarserMeshDiffersByLittle) {
+TEST(SizeMap, OfACoarserMeshDiffersByLittle) {
   const Mesh mesh = shapes::bumpySphere(50, 2, 5, 6);
-  const PlacementMap fine = mapOf(mesh, {.minMm = 30, .views = 200, .facets = 100000});
-  const PlacementMap coarse = mapOf(mesh, {.minMm = 30, .views = 200, .facets = 10000});
+  const SizeMap fine = mapOf(mesh, {.minMm = 30, .views = 200, .facets = 100000});
+  const SizeMap coarse = mapOf(mesh, {.minMm = 30, .views = 200, .facets = 10000});
   EXPECT_LT(coarse.mesh.triangles.size(), 20000u);
   ASSERT_EQ(coarse.vertexOf.size(), mesh.positions.size());
   double difference = 0, sum = 0;
@@ -157,17 +157,17 @@ TEST(PlacementMap, OfACoarserMeshDiffersByLittle) {
   EXPECT_LT(difference / sum, 0.15);
 }
 
-TEST(PlacementMap, LooksFromOneDirectionOnlyIfAsked) {
-  const PlacementMap map = mapOf(shapes::icosphere(40, 4), {.minMm = 20, .onlyFrom = Vec3(0, 0, 2)});
+TEST(SizeMap, LooksFromOneDirectionOnlyIfAsked) {
+  const SizeMap map = mapOf(shapes::icosphere(40, 4), {.minMm = 20, .onlyFrom = Vec3(0, 0, 2)});
   for (std::size_t v = 0; v < map.sizeMm.size(); ++v)
     EXPECT_TRUE(map.sizeMm[v] == 0 || map.direction[v].z > std::cos(12 * kDegree));
   EXPECT_GT(largest(map), 40);
 }
 
-TEST(PlacementMap, IsTheSameOnEveryRun) {
+TEST(SizeMap, IsTheSameOnEveryRun) {
   const Mesh mesh = shapes::bumpySphere(40, 3, 4, 4);
-  const PlacementMap first = mapOf(mesh, {.minMm = 20});
-  const PlacementMap second = mapOf(mesh, {.minMm = 20});
+  const SizeMap first = mapOf(mesh, {.minMm = 20});
+  const SizeMap second = mapOf(mesh, {.minMm = 20});
   EXPECT_EQ(first.sizeMm, second.sizeMm);
   EXPECT_EQ(first.direction, second.direction);
 }

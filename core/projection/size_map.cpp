@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "projection/placement_map.h"
+#include "projection/size_map.h"
 
 #include <algorithm>
 #include <cassert>
@@ -59,8 +59,8 @@ std::vector<Vec3> meanNormals(const Mesh& mesh) {
 }
 
 /// Fills in mesh, normals, vertexOf.
-PlacementMap sampled(const Mesh& mesh, std::span<const Vec3f> normals, std::size_t facets) {
-  PlacementMap map;
+SizeMap sampled(const Mesh& mesh, std::span<const Vec3f> normals, std::size_t facets) {
+  SizeMap map;
   const double area = surfaceArea(mesh);
   if (mesh.triangles.size() > facets + facets / 2) {
     // A surface passes about 1.5 cells of edge h for each h² of its area, and there are two facets to a vertex.
@@ -91,9 +91,9 @@ Vec3 latticeDirection(int index, int count) {
   return {across * std::cos(angle), across * std::sin(angle), z};
 }
 
-struct PlacementMapSearch::State {
-  PlacementMapOptions options;
-  PlacementMap map;
+struct SizeMapSearch::State {
+  SizeMapOptions options;
+  SizeMap map;
   Adjacency adjacency;
   Vec3 centre{0};
   double radius = 0;
@@ -108,7 +108,7 @@ struct PlacementMapSearch::State {
 };
 
 /// Distance in texels from the nearest blocked one, between the four texels around the vertex.
-double PlacementMapSearch::State::radiusAround(std::span<const std::int32_t> squared, std::uint32_t vertex) const {
+double SizeMapSearch::State::radiusAround(std::span<const std::int32_t> squared, std::uint32_t vertex) const {
   const Vec2 at = raster->at(vertex) - 0.5;
   const int column = std::clamp(static_cast<int>(at.x), 0, window.texels - 2);
   const int row = std::clamp(static_cast<int>(at.y), 0, window.texels - 2);
@@ -120,7 +120,7 @@ double PlacementMapSearch::State::radiusAround(std::span<const std::int32_t> squ
          fraction.y * ((1 - fraction.x) * distance(0, 1) + fraction.x * distance(1, 1));
 }
 
-void PlacementMapSearch::State::lookFrom(Vec3 direction) {
+void SizeMapSearch::State::lookFrom(Vec3 direction) {
   const ProjectionFrame frame = makeFrame(centre, direction, {0, 0, 1}, radius + options.eyeDistanceMm);
   raster->draw(frame, window, cosineOfDegrees(kMaxTiltDeg));
   // The isoptic test; parts behind the middle look smaller than they are, and so would a code there.
@@ -152,8 +152,7 @@ void PlacementMapSearch::State::lookFrom(Vec3 direction) {
   }
 }
 
-PlacementMapSearch::PlacementMapSearch(const Mesh& mesh, std::span<const Vec3f> normals,
-                                       const PlacementMapOptions& options)
+SizeMapSearch::SizeMapSearch(const Mesh& mesh, std::span<const Vec3f> normals, const SizeMapOptions& options)
     : state_(std::make_unique<State>()) {
   assert(options.eyeDistanceMm > 0 && options.minMm > 0 && options.views > 0 && options.facets >= 100);
   State& s = *state_;
@@ -175,23 +174,23 @@ PlacementMapSearch::PlacementMapSearch(const Mesh& mesh, std::span<const Vec3f> 
   s.score.assign(s.meanNormal.size(), 0);
 }
 
-PlacementMapSearch::~PlacementMapSearch() = default;
+SizeMapSearch::~SizeMapSearch() = default;
 
-bool PlacementMapSearch::step() {
+bool SizeMapSearch::step() {
   State& s = *state_;
   assert(s.view < s.options.views);
   s.lookFrom(s.options.onlyFrom.value_or(latticeDirection(s.view, s.options.views)));
   return ++s.view == s.options.views;
 }
 
-double PlacementMapSearch::doneFraction() const { return static_cast<double>(state_->view) / state_->options.views; }
+double SizeMapSearch::doneFraction() const { return static_cast<double>(state_->view) / state_->options.views; }
 
-const PlacementMap& PlacementMapSearch::map() const { return state_->map; }
+const SizeMap& SizeMapSearch::map() const { return state_->map; }
 
-PlacementMap PlacementMapSearch::takeMap() { return std::move(state_->map); }
+SizeMap SizeMapSearch::takeMap() { return std::move(state_->map); }
 
-PlacementMap makePlacementMap(const Mesh& mesh, std::span<const Vec3f> normals, const PlacementMapOptions& options) {
-  PlacementMapSearch search(mesh, normals, options);
+SizeMap makeSizeMap(const Mesh& mesh, std::span<const Vec3f> normals, const SizeMapOptions& options) {
+  SizeMapSearch search(mesh, normals, options);
   while (!search.step()) {
   }
   return search.takeMap();

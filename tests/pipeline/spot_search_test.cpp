@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pipeline/place.h"
+#include "pipeline/spot_search.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,24 +12,24 @@
 namespace qrelief {
 namespace {
 
-class PlaceTest : public GlTest {
+class SpotSearchTest : public GlTest {
  protected:
   static std::shared_ptr<const EngravableModel> upload(const Mesh& mesh) {
     auto prepared = prepareModel(shapes::soupOf(mesh), {});
     EXPECT_TRUE(prepared.has_value());
     return EngravableModel::upload(std::move(*prepared));
   }
-  static PlaceRequest request(double sizeMm) {
-    PlaceRequest made;
+  static SpotSearchRequest request(double sizeMm) {
+    SpotSearchRequest made;
     if (sizeMm > 0) made.placement.sizeMode = SizeMode::Fixed;
     made.placement.sizeMm = sizeMm;
     return made;
   }
 };
 
-TEST_F(PlaceTest, EveryOfferedSpotTakesTheCode) {
+TEST_F(SpotSearchTest, EveryOfferedSpotTakesTheCode) {
   const auto model = upload(shapes::bumpySphere(40, 2, 5, 5));
-  const auto found = place(model, request(22));
+  const auto found = findSpots(model, request(22));
   ASSERT_TRUE(found.has_value()) << found.error().message;
   ASSERT_EQ(found->spots.size(), 5u);
   for (const OfferedSpot& spot : found->spots) {
@@ -49,12 +49,12 @@ TEST_F(PlaceTest, EveryOfferedSpotTakesTheCode) {
   }
 }
 
-TEST_F(PlaceTest, ACubeIsOfferedItsFacesInFullSize) {
+TEST_F(SpotSearchTest, ACubeIsOfferedItsFacesInFullSize) {
   const auto model = upload(shapes::box({60, 60, 60}));
-  PlaceRequest wanted = request(0);
+  SpotSearchRequest wanted = request(0);
   wanted.placement.sizeMode = SizeMode::Oriented;
   wanted.count = 6;
-  const auto found = place(model, wanted);
+  const auto found = findSpots(model, wanted);
   ASSERT_TRUE(found.has_value()) << found.error().message;
   ASSERT_EQ(found->spots.size(), 6u);
   const double most = 60.0 * 21 / 29;  // without the quiet zone
@@ -69,15 +69,15 @@ TEST_F(PlaceTest, ACubeIsOfferedItsFacesInFullSize) {
   EXPECT_LT(found->spots.front().symbolMm, most + 1e-3);
 }
 
-TEST_F(PlaceTest, OfTwoSpotsTheOneThatIsReadFromFartherAsideComesFirst) {
+TEST_F(SpotSearchTest, OfTwoSpotsTheOneThatIsReadFromFartherAsideComesFirst) {
   // A ball, on which a code bends, and a plate with a little less room, on which it does not.
   const auto model =
       upload(shapes::together(shapes::icosphere(18, 4), shapes::translated(shapes::box({32, 32, 8}), {60, 0, 0})));
-  PlaceRequest wanted = request(0);
+  SpotSearchRequest wanted = request(0);
   wanted.modules = 29;
   wanted.placement.maxSizeMm = 20;
   wanted.count = 3;
-  const auto found = place(model, wanted);
+  const auto found = findSpots(model, wanted);
   ASSERT_TRUE(found.has_value()) << found.error().message;
   ASSERT_EQ(found->spots.size(), 3u);
   EXPECT_GT(found->spots[0].centreMm.x, 40);
@@ -87,11 +87,11 @@ TEST_F(PlaceTest, OfTwoSpotsTheOneThatIsReadFromFartherAsideComesFirst) {
   EXPECT_GT(found->spots[2].symbolMm, found->spots[0].symbolMm);
 }
 
-TEST_F(PlaceTest, ACentreIsRoundedToWhatIsPrinted) {
+TEST_F(SpotSearchTest, ACentreIsRoundedToWhatIsPrinted) {
   const auto model = upload(shapes::icosphere(30, 4));
-  PlaceRequest wanted = request(12);
+  SpotSearchRequest wanted = request(12);
   wanted.scaleToMm = 1000;
-  const auto found = place(model, wanted);
+  const auto found = findSpots(model, wanted);
   ASSERT_TRUE(found.has_value()) << found.error().message;
   for (const OfferedSpot& spot : found->spots) {
     for (int k = 0; k < 3; ++k) EXPECT_EQ(spot.centreFileUnits[k], std::round(spot.centreFileUnits[k] * 1e6) / 1e6);
@@ -100,8 +100,8 @@ TEST_F(PlaceTest, ACentreIsRoundedToWhatIsPrinted) {
   }
 }
 
-TEST_F(PlaceTest, NamesTheLargestSizeWhereTheOneAskedForFitsNowhere) {
-  const auto found = place(upload(shapes::icosphere(20, 4)), request(60));
+TEST_F(SpotSearchTest, NamesTheLargestSizeWhereTheOneAskedForFitsNowhere) {
+  const auto found = findSpots(upload(shapes::icosphere(20, 4)), request(60));
   ASSERT_FALSE(found.has_value());
   EXPECT_EQ(found.error().kind, ErrorKind::NoSolution);
   const std::size_t at = sentence(found.error().message).find("the largest found is ");
@@ -112,23 +112,23 @@ TEST_F(PlaceTest, NamesTheLargestSizeWhereTheOneAskedForFitsNowhere) {
   EXPECT_NEAR(largest, std::sqrt(2) * rim * 21 / 29, 1);
 }
 
-TEST_F(PlaceTest, RefusesAThinShellAndSaysHowThickItIs) {
+TEST_F(SpotSearchTest, RefusesAThinShellAndSaysHowThickItIs) {
   const Mesh shell = shapes::together(shapes::icosphere(40, 5), shapes::insideOut(shapes::icosphere(39.2, 5)));
   const auto model = upload(shell);
-  const auto refused = place(model, request(20));
+  const auto refused = findSpots(model, request(20));
   ASSERT_FALSE(refused.has_value());
   EXPECT_EQ(refused.error().kind, ErrorKind::NoSolution);
   EXPECT_NE(sentence(refused.error().message).find("the wall is 0."), std::string::npos) << refused.error().message;
   EXPECT_NE(hint(refused.error().message).find("--min-wall 0.4"), std::string::npos) << hint(refused.error().message);
-  PlaceRequest thinner = request(20);
+  SpotSearchRequest thinner = request(20);
   thinner.minWallMm = 0.4;
-  EXPECT_TRUE(place(model, thinner).has_value());
+  EXPECT_TRUE(findSpots(model, thinner).has_value());
 }
 
-TEST_F(PlaceTest, KeepsToTheDirectionAskedFor) {
-  PlaceRequest wanted = request(15);
+TEST_F(SpotSearchTest, KeepsToTheDirectionAskedFor) {
+  SpotSearchRequest wanted = request(15);
   wanted.placement.direction = Vec3(0, 3, 0);
-  const auto found = place(upload(shapes::icosphere(40, 4)), wanted);
+  const auto found = findSpots(upload(shapes::icosphere(40, 4)), wanted);
   ASSERT_TRUE(found.has_value()) << found.error().message;
   for (const OfferedSpot& spot : found->spots) {
     EXPECT_FALSE(spot.needsDirection);
@@ -136,10 +136,10 @@ TEST_F(PlaceTest, KeepsToTheDirectionAskedFor) {
   }
 }
 
-TEST_F(PlaceTest, IsTheSameOnEveryRun) {
+TEST_F(SpotSearchTest, IsTheSameOnEveryRun) {
   const auto model = upload(shapes::bumpySphere(40, 3, 4, 4));
-  const auto first = place(model, request(20));
-  const auto second = place(model, request(20));
+  const auto first = findSpots(model, request(20));
+  const auto second = findSpots(model, request(20));
   ASSERT_TRUE(first.has_value() && second.has_value());
   ASSERT_EQ(first->spots.size(), second->spots.size());
   for (std::size_t i = 0; i < first->spots.size(); ++i) {
@@ -148,8 +148,8 @@ TEST_F(PlaceTest, IsTheSameOnEveryRun) {
   }
 }
 
-TEST_F(PlaceTest, ProgressNeverFallsAndTheMapIsThereBeforeTheSpots) {
-  auto job = PlaceJob::create(upload(shapes::icosphere(40, 4)), request(20));
+TEST_F(SpotSearchTest, ProgressNeverFallsAndTheMapIsThereBeforeTheSpots) {
+  auto job = SpotSearchJob::create(upload(shapes::icosphere(40, 4)), request(20));
   ASSERT_TRUE(job.has_value());
   double before = 0;
   for (;;) {
@@ -166,24 +166,24 @@ TEST_F(PlaceTest, ProgressNeverFallsAndTheMapIsThereBeforeTheSpots) {
   EXPECT_EQ(before, 1);
 }
 
-TEST_F(PlaceTest, RefusesRequestsThatMakeNoSense) {
+TEST_F(SpotSearchTest, RefusesRequestsThatMakeNoSense) {
   const auto model = upload(shapes::icosphere(40, 2));
-  PlaceRequest none = request(20);
+  SpotSearchRequest none = request(20);
   none.count = 0;
-  PlaceRequest negative = request(-5);
+  SpotSearchRequest negative = request(-5);
   negative.placement.sizeMode = SizeMode::Fixed;
-  PlaceRequest near = request(20);
+  SpotSearchRequest near = request(20);
   near.placement.eyeDistanceMm = 1;
-  PlaceRequest wall = request(20);
+  SpotSearchRequest wall = request(20);
   wall.minWallMm = -1;
-  for (const PlaceRequest& wrong : {none, negative, near, wall}) {
-    const auto job = PlaceJob::create(model, wrong);
+  for (const SpotSearchRequest& wrong : {none, negative, near, wall}) {
+    const auto job = SpotSearchJob::create(model, wrong);
     ASSERT_FALSE(job.has_value());
     EXPECT_EQ(job.error().kind, ErrorKind::BadUsage);
   }
 }
 
-TEST_F(PlaceTest, CentreDecimalsReachAMicrometre) {
+TEST_F(SpotSearchTest, CentreDecimalsReachAMicrometre) {
   EXPECT_EQ(centreDecimals(1), 3);
   EXPECT_EQ(centreDecimals(900), 6);
   EXPECT_EQ(centreDecimals(1000), 6);
@@ -191,8 +191,8 @@ TEST_F(PlaceTest, CentreDecimalsReachAMicrometre) {
   EXPECT_EQ(centreDecimals(1e-9), 0);
 }
 
-TEST_F(PlaceTest, RefusesAModelThatIsTooSmallForAnyCodeAtOnce) {
-  const auto refused = PlaceJob::create(upload(shapes::box({0.2, 0.2, 0.2})), request(20));
+TEST_F(SpotSearchTest, RefusesAModelThatIsTooSmallForAnyCodeAtOnce) {
+  const auto refused = SpotSearchJob::create(upload(shapes::box({0.2, 0.2, 0.2})), request(20));
   ASSERT_FALSE(refused.has_value());
   EXPECT_EQ(refused.error().kind, ErrorKind::NoSolution);
   EXPECT_EQ(refused.error().message.code, "model-too-small");

@@ -15,7 +15,7 @@ namespace qrelief {
 inline constexpr std::size_t kMaxSpots = 100;
 
 /// What is to find a place.
-struct PlaceRequest {
+struct SpotSearchRequest {
   /// As for engraving; `centreMm` does not count. With SizeMode::Fixed spots that take that size are found, else those
   /// that take the largest.
   PlacementRequest placement;
@@ -23,7 +23,7 @@ struct PlaceRequest {
   double minWallMm = 0.8;     ///< material that must remain behind a floor, ≥ 0
   double leastDepthMm = 0.3;  ///< a spot whose wall does not take pockets of this depth is not offered, > 0
   std::size_t count = 5;      ///< spots to find, 1 … kMaxSpots
-  int views = 240;            ///< of the placement map, ≥ 200
+  int views = 240;            ///< of the size map, ≥ 200
   /// File units → mm: a centre is rounded to what a user will read, about a micrometre, before it is tested.
   double scaleToMm = 1;
 
@@ -48,8 +48,8 @@ struct OfferedSpot {
   SquareQuality quality;        ///< of the symbol with its quiet zone, if that must fit
 };
 
-struct PlaceResult {
-  PlacementMap map;
+struct SpotSearchResult {
+  SizeMap map;
   std::vector<OfferedSpot> spots;  ///< best first; may be fewer than asked for, not none
   std::size_t tried = 0;           ///< spots that were tested
 };
@@ -57,32 +57,33 @@ struct PlaceResult {
 /// Finds where a code can go, a bounded piece of work at a time; to cancel, stop calling. Needs the GL context of the
 /// model.
 ///
-/// The placement map (projection/placement_map.h) proposes, and every proposal is tested as engraving will test it:
+/// The size map (projection/size_map.h) proposes, and every proposal is tested as engraving will test it:
 /// direction, exact silhouette, wall thickness. First with the direction method asked for; where the code does not fit
 /// so, with the direction of the map.
-class PlaceJob {
+class SpotSearchJob {
  public:
   /// @returns BadUsage for a request that makes no sense; a model's blocking findings
-  static Result<std::unique_ptr<PlaceJob>> create(std::shared_ptr<const EngravableModel> model, PlaceRequest request);
-  ~PlaceJob();
+  static Result<std::unique_ptr<SpotSearchJob>> create(std::shared_ptr<const EngravableModel> model,
+                                                       SpotSearchRequest request);
+  ~SpotSearchJob();
 
   /// The next piece. @returns at the end NoSolution if there is no spot, with the largest size that fits somewhere.
   /// After an error or `done` it must not be called again.
   Result<Progress> advance();
 
   /// The map as far as it is known; complete when the first spot is tested.
-  const PlacementMap& map() const;
+  const SizeMap& map() const;
 
   /// The result, once, after `done`.
-  PlaceResult takeResult();
+  SpotSearchResult takeResult();
 
  private:
   struct State;
-  explicit PlaceJob(std::unique_ptr<State> state);
+  explicit SpotSearchJob(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;
 };
 
 /// Runs a job to its end.
-Result<PlaceResult> place(std::shared_ptr<const EngravableModel> model, const PlaceRequest& request);
+Result<SpotSearchResult> findSpots(std::shared_ptr<const EngravableModel> model, const SpotSearchRequest& request);
 
 }  // namespace qrelief

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "projection/visible_patch.h"
+#include "projection/silhouette.h"
 
 #include <algorithm>
 #include <cassert>
@@ -319,8 +319,8 @@ Status checkCentre(const Mesh& mesh, const ProjectionFrame& frame, const EyeView
 
 }  // namespace
 
-Result<VisiblePatch> findVisiblePatch(const Mesh& mesh, const Adjacency& adjacency, const ProjectionFrame& frame,
-                                      std::uint32_t seed, double radiusMm, GrowingRegion region) {
+Result<VisiblePatch> findSilhouette(const Mesh& mesh, const Adjacency& adjacency, const ProjectionFrame& frame,
+                                    std::uint32_t seed, double radiusMm, GrowingRegion region) {
   assert(seed < mesh.triangles.size() && adjacency.size() == mesh.triangles.size() && radiusMm > 0);
   Flood flood(mesh, adjacency, frame, radiusMm, region);
   if (const Status seen = checkCentre(mesh, frame, flood.view(), seed); !seen) return tl::unexpected(seen.error());

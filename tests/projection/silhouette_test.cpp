@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "projection/visible_patch.h"
+#include "projection/silhouette.h"
 
 #include <algorithm>
 #include <array>
@@ -25,7 +25,7 @@ constexpr double kRoot2 = std::numbers::sqrt2;
 
 Result<VisiblePatch> patchAt(const Mesh& mesh, const brute_force::Spot& spot, double radius = kInfinite,
                              GrowingRegion region = GrowingRegion::Disc) {
-  return findVisiblePatch(mesh, buildAdjacency(mesh.triangles), spot.frame, spot.seed, radius, region);
+  return findSilhouette(mesh, buildAdjacency(mesh.triangles), spot.frame, spot.seed, radius, region);
 }
 
 /// Straight from above on the point of the surface over (x, y).
@@ -108,7 +108,7 @@ void expectEndsForAReason(const Mesh& mesh, const ProjectionFrame& frame, const 
   EXPECT_LT(nearest, 1e-9) << "at " << s.x << ", " << s.y;
 }
 
-TEST(VisiblePatch, OfACubesFaceIsThatFace) {
+TEST(Silhouette, OfACubesFaceIsThatFace) {
   const Mesh mesh = shapes::box({40, 40, 40});
   const brute_force::Spot spot = fromAbove(mesh, 0, 0);
   const Result<VisiblePatch> patch = patchAt(mesh, spot);
@@ -119,7 +119,7 @@ TEST(VisiblePatch, OfACubesFaceIsThatFace) {
   EXPECT_DOUBLE_EQ(orientedSize(patch->silhouette), 40);
 }
 
-TEST(VisiblePatch, OfACubesFaceTurnedBy45DegreesTakesASmallerAlignedSquare) {
+TEST(Silhouette, OfACubesFaceTurnedBy45DegreesTakesASmallerAlignedSquare) {
   const Mesh mesh = shapes::box({40, 40, 40});
   const Result<VisiblePatch> patch = patchAt(mesh, fromAbove(mesh, 0, 0, {1, 1, 0}));
   ASSERT_TRUE(patch);
@@ -127,7 +127,7 @@ TEST(VisiblePatch, OfACubesFaceTurnedBy45DegreesTakesASmallerAlignedSquare) {
   EXPECT_NEAR(orientedSize(patch->silhouette), 20 * kRoot2, 1e-12);
 }
 
-TEST(VisiblePatch, GoesOverTheEdgesOfACubeSeenFromItsCorner) {
+TEST(Silhouette, GoesOverTheEdgesOfACubeSeenFromItsCorner) {
   // Three faces are seen; the plane cuts off less than the hexagonal outline's inner circle in perspective.
   const Mesh mesh = shapes::box({40, 40, 40});
   const brute_force::Spot spot = brute_force::spotSeen(mesh, {100, 100, 100}, {-1, -1, -1}, {1, 1, 1}, {0, 0, 1});
@@ -143,7 +143,7 @@ TEST(VisiblePatch, GoesOverTheEdgesOfACubeSeenFromItsCorner) {
   EXPECT_NEAR(freeSize(patch->silhouette), kRoot2 * std::abs(cross2(a, b)) / glm::distance(a, b), 1e-12);
 }
 
-TEST(VisiblePatch, OfASphereEndsAtTheTangentCone) {
+TEST(Silhouette, OfASphereEndsAtTheTangentCone) {
   const double radius = 40;
   const Mesh mesh = shapes::icosphere(radius, 5);
   for (const Vec3 direction : {Vec3(0, 0, 1), Vec3(1, -2, 0.5)}) {
@@ -175,7 +175,7 @@ Mesh floorUnder(Vec3 boxSize, Vec3 boxCentre, int grid) {
                           shapes::translated(shapes::box(boxSize), boxCentre));
 }
 
-TEST(VisiblePatch, EndsAtTheEdgeOfWhatHoversOverIt) {
+TEST(Silhouette, EndsAtTheEdgeOfWhatHoversOverIt) {
   // The box covers 20 ≤ x ≤ 40, 10 ≤ z ≤ 20. Its lower edge at x = 20 hides most: 20·250/240 on the plane.
   for (const int grid : {1, 3, 24}) {
     const Mesh mesh = floorUnder({20, 20, 10}, {30, 0, 15}, grid);
@@ -191,7 +191,7 @@ TEST(VisiblePatch, EndsAtTheEdgeOfWhatHoversOverIt) {
   }
 }
 
-TEST(VisiblePatch, EndsWhereAnEdgeOfTheOccluderCoincidesWithOneOfItsOwn) {
+TEST(Silhouette, EndsWhereAnEdgeOfTheOccluderCoincidesWithOneOfItsOwn) {
   // The lower edge at x = 10, z = 125 appears at x = 20, exactly on a line of the floor's grid.
   const Mesh mesh = floorUnder({20, 20, 10}, {20, 0, 130}, 6);
   const brute_force::Spot spot = fromAbove(mesh, 0, 0);
@@ -202,7 +202,7 @@ TEST(VisiblePatch, EndsWhereAnEdgeOfTheOccluderCoincidesWithOneOfItsOwn) {
   expectSeenWithin(mesh, spot.frame, *patch);
 }
 
-TEST(VisiblePatch, PassesBetweenTwoOccluders) {
+TEST(Silhouette, PassesBetweenTwoOccluders) {
   // A gap of 10 mm between two boxes over huge facets: an aligned square may not enter it, nor may it be lost before.
   const Mesh boxes = shapes::together(shapes::translated(shapes::box({20, 20, 10}), {30, 15, 15}),
                                       shapes::translated(shapes::box({20, 20, 10}), {30, -15, 15}));
@@ -223,7 +223,7 @@ Mesh ridge(double halfLength, int n) {
   });
 }
 
-TEST(VisiblePatch, EndsAtARidgeThatHidesItsOtherSide) {
+TEST(Silhouette, EndsAtARidgeThatHidesItsOtherSide) {
   const Mesh mesh = ridge(1000, 16);
   // At 45° from the left: the ridge lies in the QR plane, at 20·√2 from the centre.
   const brute_force::Spot spot = brute_force::spotSeen(mesh, {0, 0, 50}, {0, 0, -1}, {-1, 0, 1}, {0, 1, 0});
@@ -235,7 +235,7 @@ TEST(VisiblePatch, EndsAtARidgeThatHidesItsOtherSide) {
   expectSeenWithin(mesh, spot.frame, *patch);
 }
 
-TEST(VisiblePatch, GoesRoundARidgeWithoutOverlappingItself) {
+TEST(Silhouette, GoesRoundARidgeWithoutOverlappingItself) {
   for (const int n : {16, 32}) {
     const Mesh mesh = ridge(30, n);
     for (const Vec2 centre : {Vec2(0, 0), Vec2(0.3, 44.7), Vec2(52.1, 3.9), Vec2(20.5, -55)}) {
@@ -261,7 +261,7 @@ TEST(VisiblePatch, GoesRoundARidgeWithoutOverlappingItself) {
   }
 }
 
-TEST(VisiblePatch, OfATorusEndsAtItsInnerOcclusionContour) {
+TEST(Silhouette, OfATorusEndsAtItsInnerOcclusionContour) {
   // From 60° above the hole's axis the near side of the ring hides part of the far side's inner wall.
   const Mesh mesh = shapes::torus(30, 12, 96, 48);
   const Vec3 normal = glm::normalize(Vec3(std::sin(1.05), 0, std::cos(1.05)));
@@ -276,7 +276,7 @@ TEST(VisiblePatch, OfATorusEndsAtItsInnerOcclusionContour) {
   }
 }
 
-TEST(VisiblePatch, OfABumpySphereIsWhatTheEyeSees) {
+TEST(Silhouette, OfABumpySphereIsWhatTheEyeSees) {
   const Mesh mesh = shapes::bumpySphere(40, 4, 4, 4);
   Random random(23);
   int solved = 0;
@@ -294,7 +294,7 @@ TEST(VisiblePatch, OfABumpySphereIsWhatTheEyeSees) {
   EXPECT_GE(solved, 8);
 }
 
-TEST(VisiblePatch, LeavesOutFacetsBeyondTheRadiusWithoutASilhouette) {
+TEST(Silhouette, LeavesOutFacetsBeyondTheRadiusWithoutASilhouette) {
   const Mesh mesh = shapes::plate({100, 100}, 10, 50, 50);
   const Result<VisiblePatch> patch = patchAt(mesh, fromAbove(mesh, 0.3, 0.4), 10);
   ASSERT_TRUE(patch);
@@ -311,13 +311,13 @@ TEST(VisiblePatch, LeavesOutFacetsBeyondTheRadiusWithoutASilhouette) {
   EXPECT_EQ(patch->triangles, expected);
 }
 
-TEST(VisiblePatch, KnowsTheSilhouetteInsideTheRadiusOnly) {
+TEST(Silhouette, KnowsTheSilhouetteInsideTheRadiusOnly) {
   const Mesh mesh = shapes::box({40, 40, 40});
   EXPECT_EQ(patchAt(mesh, fromAbove(mesh, 5, 0), 14)->silhouette.size(), 0u);
   EXPECT_EQ(patchAt(mesh, fromAbove(mesh, 5, 0), 16)->silhouette.size(), 1u);
 }
 
-TEST(VisiblePatch, RefusesACentreThatSomethingHidesAndSaysHowNearTheEyeMustCome) {
+TEST(Silhouette, RefusesACentreThatSomethingHidesAndSaysHowNearTheEyeMustCome) {
   const Mesh mesh = floorUnder({20, 20, 10}, {0, 0, 15}, 4);
   const brute_force::Spot below = brute_force::spotSeen(mesh, {1, 2, 5}, {0, 0, -1}, {0, 0, 1}, {0, 1, 0});
   const Result<VisiblePatch> patch = patchAt(mesh, below);
@@ -328,7 +328,7 @@ TEST(VisiblePatch, RefusesACentreThatSomethingHidesAndSaysHowNearTheEyeMustCome)
   EXPECT_THAT(hint(patch.error().message), HasSubstr("below 10 mm"));
 }
 
-TEST(VisiblePatch, RefusesASeedThatFacesAway) {
+TEST(Silhouette, RefusesASeedThatFacesAway) {
   const Mesh mesh = shapes::box({40, 40, 40});
   const brute_force::Spot bottom = brute_force::spotSeen(mesh, {1, 2, -90}, {0, 0, 1}, {0, 0, 1}, {0, 1, 0});
   const Result<VisiblePatch> patch = patchAt(mesh, bottom);
@@ -337,7 +337,7 @@ TEST(VisiblePatch, RefusesASeedThatFacesAway) {
   EXPECT_THAT(sentence(patch.error().message), HasSubstr("faces away"));
 }
 
-TEST(VisiblePatch, RefusesASeedThatFacesTheEyeEdgeOn) {
+TEST(Silhouette, RefusesASeedThatFacesTheEyeEdgeOn) {
   const Mesh mesh = shapes::box({40, 40, 40});
   const brute_force::Spot side = brute_force::spotSeen(mesh, {90, 2, 1}, {-1, 0, 0}, {0, 0, 1}, {0, 1, 0});
   const Result<VisiblePatch> patch = patchAt(mesh, side);
@@ -345,7 +345,7 @@ TEST(VisiblePatch, RefusesASeedThatFacesTheEyeEdgeOn) {
   EXPECT_THAT(sentence(patch.error().message), HasSubstr("faces away"));
 }
 
-TEST(VisiblePatch, OfAHollowBallSaysWhenTheEyeSitsInOrBehindTheOppositeWall) {
+TEST(Silhouette, OfAHollowBallSaysWhenTheEyeSitsInOrBehindTheOppositeWall) {
   const Mesh mesh = shapes::together(shapes::icosphere(50, 4), shapes::insideOut(shapes::icosphere(40, 4)));
   const auto onInnerWall = [&](double eyeDistance) {
     return brute_force::spotSeen(mesh, {0.1, 0.2, 0}, {0, 0, -1}, {0, 0, 1}, {0, 1, 0}, eyeDistance);
@@ -365,7 +365,7 @@ TEST(VisiblePatch, OfAHollowBallSaysWhenTheEyeSitsInOrBehindTheOppositeWall) {
   }
 }
 
-TEST(VisiblePatch, TakesACentreOnAVertexOrAnEdge) {
+TEST(Silhouette, TakesACentreOnAVertexOrAnEdge) {
   const Mesh mesh = shapes::plate({100, 100}, 10, 10, 10);
   for (const Vec2 p : {Vec2(0, 0), Vec2(10, 5), Vec2(-25, -25)}) {
     const Result<VisiblePatch> patch = patchAt(mesh, fromAbove(mesh, p.x, p.y));
@@ -374,7 +374,7 @@ TEST(VisiblePatch, TakesACentreOnAVertexOrAnEdge) {
   }
 }
 
-TEST(VisiblePatch, IsBoundedByAHoleInTheSurface) {
+TEST(Silhouette, IsBoundedByAHoleInTheSurface) {
   Mesh mesh = shapes::plate({100, 100}, 10, 10, 10);
   // Take away the two facets of the square 20 ≤ x ≤ 30, 0 ≤ y ≤ 10.
   std::erase_if(mesh.triangles, [&](const Triangle& t) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pipeline/place.h"
+#include "pipeline/spot_search.h"
 
 #include <algorithm>
 #include <cassert>
@@ -42,7 +42,7 @@ Vec3 roundedTo(Vec3 v, double perUnit) {
 }
 
 /// What placing has in common with engraving is checked as there.
-Status checkRequest(const PlaceRequest& request) {
+Status checkRequest(const SpotSearchRequest& request) {
   EngraveRequest engraving = defaultRequest();
   engraving.placement = request.placement;
   engraving.minWallMm = request.minWallMm;
@@ -77,14 +77,14 @@ int centreDecimals(double scaleToMm) {
   return std::clamp(3 + static_cast<int>(std::ceil(std::log10(scaleToMm))), 0, 15);
 }
 
-struct PlaceJob::State {
+struct SpotSearchJob::State {
   enum class Stage { Mapping, Testing, FindingLargest, Done };
 
   std::shared_ptr<const EngravableModel> model;
-  PlaceRequest request;
+  SpotSearchRequest request;
   GeometryPass pass;
   Stage stage = Stage::Mapping;
-  std::optional<PlacementMapSearch> mapping;
+  std::optional<SizeMapSearch> mapping;
   double outer = 1;  // request.outerFactor()
 
   std::vector<SpotCandidate> candidates;
@@ -96,12 +96,12 @@ struct PlaceJob::State {
   std::size_t tooThin = 0;
   double thickestMm = 0;               // of those
   std::optional<OfferedSpot> largest;  // of those that fit a size less than asked for
-  PlaceResult result;
+  SpotSearchResult result;
   double fraction = kMapShare;  // of the progress, once spots are tested
 
   bool fixed() const { return request.placement.sizeMode == SizeMode::Fixed; }
   double wantedMm() const { return fixed() ? request.placement.sizeMm : request.placement.maxSizeMm; }
-  const PlacementMap& map() const { return mapping ? mapping->map() : result.map; }
+  const SizeMap& map() const { return mapping ? mapping->map() : result.map; }
   double mostInMap() const;
   void startMap(double leastMm);
   void drawViews();
@@ -115,14 +115,14 @@ struct PlaceJob::State {
   double testedShare() const;
 };
 
-double PlaceJob::State::mostInMap() const {
+double SpotSearchJob::State::mostInMap() const {
   const std::vector<float>& sizes = map().sizeMm;
   return static_cast<double>(*std::max_element(sizes.begin(), sizes.end()));
 }
 
 /// @param leastMm  the least square that the map must show
-void PlaceJob::State::startMap(double leastMm) {
-  PlacementMapOptions options;
+void SpotSearchJob::State::startMap(double leastMm) {
+  SizeMapOptions options;
   options.eyeDistanceMm = request.placement.eyeDistanceMm;
   options.minMm = leastMm;
   options.views = request.views;
@@ -130,7 +130,7 @@ void PlaceJob::State::startMap(double leastMm) {
   mapping.emplace(model->prepared.mesh, model->prepared.normals, options);
 }
 
-void PlaceJob::State::drawViews() {
+void SpotSearchJob::State::drawViews() {
   const auto start = Clock::now();
   while (millisecondsSince(start) < kSliceMs) {
     if (!mapping->step()) continue;
@@ -143,7 +143,7 @@ void PlaceJob::State::drawViews() {
   }
 }
 
-void PlaceJob::State::propose(double leastSizeMm) {
+void SpotSearchJob::State::propose(double leastSizeMm) {
   CandidateOptions options;
   options.edgeMm = std::min(wantedMm() * outer, std::max(mostInMap(), 1e-3));
   options.minSizeMm = leastSizeMm;
@@ -153,7 +153,7 @@ void PlaceJob::State::propose(double leastSizeMm) {
   withDirection = false;
 }
 
-void PlaceJob::State::beginTest() {
+void SpotSearchJob::State::beginTest() {
   const SpotCandidate& spot = candidates[candidate];
   PlacementRequest placement = request.placement;
   offered = {};
@@ -171,14 +171,14 @@ void PlaceJob::State::beginTest() {
 }
 
 /// On with the map's direction at the same spot, or with the next spot.
-void PlaceJob::State::nextTry() {
+void SpotSearchJob::State::nextTry() {
   search.reset();
   const bool done = withDirection || request.placement.direction;
   if (done) ++candidate;
   withDirection = !done;
 }
 
-Status PlaceJob::State::take(const Placement& placement) {
+Status SpotSearchJob::State::take(const Placement& placement) {
   offered.direction = direction.value_or(placement.frame.normal);
   offered.needsDirection = withDirection;
   offered.symbolMm = placement.symbolMm;
@@ -208,7 +208,7 @@ Status PlaceJob::State::take(const Placement& placement) {
   return {};
 }
 
-Status PlaceJob::State::testOnce() {
+Status SpotSearchJob::State::testOnce() {
   const bool enough = stage == Stage::Testing ? result.spots.size() >= request.count ||
                                                     candidate >= kLeastTries + kTriesPerSpot * request.count
                                               : candidate >= kLargestTried;
@@ -221,7 +221,7 @@ Status PlaceJob::State::testOnce() {
   return {};
 }
 
-Status PlaceJob::State::finishTests() {
+Status SpotSearchJob::State::finishTests() {
   if (stage == Stage::FindingLargest) return tl::unexpected(nothingFound());
   if (result.spots.empty()) {
     stage = Stage::FindingLargest;
@@ -241,7 +241,7 @@ Status PlaceJob::State::finishTests() {
   return {};
 }
 
-Error PlaceJob::State::nothingFound() const {
+Error SpotSearchJob::State::nothingFound() const {
   const PlacementRequest& place = request.placement;
   if (tooThin > 0) {
     // Walls are measured along the rays; across they may be a little thinner.
@@ -264,16 +264,17 @@ Error PlaceJob::State::nothingFound() const {
                                          with::lengthMm("model", boundingBox(model->prepared.mesh).diagonal()))};
 }
 
-double PlaceJob::State::testedShare() const {
+double SpotSearchJob::State::testedShare() const {
   const std::size_t all = std::min(candidates.size(), kLeastTries + kTriesPerSpot * request.count);
   return std::max(static_cast<double>(result.spots.size()) / static_cast<double>(request.count),
                   static_cast<double>(candidate) / static_cast<double>(std::max<std::size_t>(1, all)));
 }
 
-PlaceJob::PlaceJob(std::unique_ptr<State> state) : state_(std::move(state)) {}
-PlaceJob::~PlaceJob() = default;
+SpotSearchJob::SpotSearchJob(std::unique_ptr<State> state) : state_(std::move(state)) {}
+SpotSearchJob::~SpotSearchJob() = default;
 
-Result<std::unique_ptr<PlaceJob>> PlaceJob::create(std::shared_ptr<const EngravableModel> model, PlaceRequest request) {
+Result<std::unique_ptr<SpotSearchJob>> SpotSearchJob::create(std::shared_ptr<const EngravableModel> model,
+                                                             SpotSearchRequest request) {
   if (const Status checked = checkRequest(request); !checked) return tl::unexpected(checked.error());
   if (const Status engravable = model->prepared.engravable(); !engravable) return tl::unexpected(engravable.error());
   const CodeRoom room{request.modules, request.outerFactor()};
@@ -289,10 +290,10 @@ Result<std::unique_ptr<PlaceJob>> PlaceJob::create(std::shared_ptr<const Engrava
   state->pass = std::move(*pass);
   const PlacementRequest& placement = state->request.placement;
   state->startMap(state->fixed() ? placement.sizeMm * state->outer : unaskedLeastMm(*state->model));
-  return std::unique_ptr<PlaceJob>(new PlaceJob(std::move(state)));
+  return std::unique_ptr<SpotSearchJob>(new SpotSearchJob(std::move(state)));
 }
 
-Result<Progress> PlaceJob::advance() {
+Result<Progress> SpotSearchJob::advance() {
   State& s = *state_;
   assert(s.stage != State::Stage::Done);
   switch (s.stage) {
@@ -317,15 +318,15 @@ Result<Progress> PlaceJob::advance() {
   return fail(ErrorKind::Internal, message("advance-after-done"));
 }
 
-const PlacementMap& PlaceJob::map() const { return state_->map(); }
+const SizeMap& SpotSearchJob::map() const { return state_->map(); }
 
-PlaceResult PlaceJob::takeResult() {
+SpotSearchResult SpotSearchJob::takeResult() {
   assert(state_->stage == State::Stage::Done);
   return std::move(state_->result);
 }
 
-Result<PlaceResult> place(std::shared_ptr<const EngravableModel> model, const PlaceRequest& request) {
-  auto job = PlaceJob::create(std::move(model), request);
+Result<SpotSearchResult> findSpots(std::shared_ptr<const EngravableModel> model, const SpotSearchRequest& request) {
+  auto job = SpotSearchJob::create(std::move(model), request);
   if (!job) return tl::unexpected(job.error());
   return runToEnd(**job);
 }

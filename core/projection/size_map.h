@@ -11,7 +11,7 @@
 
 namespace qrelief {
 
-struct PlacementMapOptions {
+struct SizeMapOptions {
   double eyeDistanceMm = 250;  ///< from the bounding sphere to the eye, > 0
   double minMm = 10;  ///< edge of the square looked for, > 0: how fine the map must be, and which views are dropped
   int views = 240;    ///< directions looked from, ≥ 1
@@ -20,7 +20,7 @@ struct PlacementMapOptions {
 };
 
 /// Where on a model squares fit, and how large.
-struct PlacementMap {
+struct SizeMap {
   Mesh mesh;                   ///< the model, coarser and with its long edges cut
   std::vector<Vec3f> normals;  ///< one for each of its vertices
   /// Edge of the largest square about each vertex that fits at every rotation, as some view sees it, mm; 0 if none
@@ -37,7 +37,7 @@ struct PlacementMap {
 /// @param index  0 … count - 1
 Vec3 latticeDirection(int index, int count);
 
-/// The placement map of a model [Papp 2022, §4, end], one view a step.
+/// The size map of a model [Papp 2022, §4, end], one view a step.
 ///
 /// From each of evenly spread directions, with the eye beyond the bounding sphere, the mesh is drawn small
 /// (projection/view_raster.h); a view that covers less than the square's area is dropped (the isoptic test). The
@@ -53,23 +53,23 @@ Vec3 latticeDirection(int index, int count);
 ///
 /// It is a map, not a proof: right to a texel or two (minMm / 32, or 1/512 of the model) and to what the coarser mesh
 /// keeps of the model's detail.
-class PlacementMapSearch {
+class SizeMapSearch {
  public:
   static constexpr double kMaxTiltDeg = 65;
   static constexpr double kMaxCentreTiltDeg = 35;
 
   /// @param normals  unit or zero, one per vertex of the mesh
-  PlacementMapSearch(const Mesh& mesh, std::span<const Vec3f> normals, const PlacementMapOptions& options);
-  ~PlacementMapSearch();
+  SizeMapSearch(const Mesh& mesh, std::span<const Vec3f> normals, const SizeMapOptions& options);
+  ~SizeMapSearch();
 
   /// One view. @returns true when all are done
   bool step();
 
   double doneFraction() const;
-  const PlacementMap& map() const;
+  const SizeMap& map() const;
 
   /// The map, once, after the last step.
-  PlacementMap takeMap();
+  SizeMap takeMap();
 
  private:
   struct State;
@@ -77,6 +77,6 @@ class PlacementMapSearch {
 };
 
 /// All steps at once.
-PlacementMap makePlacementMap(const Mesh& mesh, std::span<const Vec3f> normals, const PlacementMapOptions& options);
+SizeMap makeSizeMap(const Mesh& mesh, std::span<const Vec3f> normals, const SizeMapOptions& options);
 
 }  // namespace qrelief

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How the time of the placement map grows with the model's triangles and with the views; and a view drawn by the
+// How the time of the search for spots grows with the model's triangles and with the views; and a view drawn by the
 // processor beside one drawn by the GPU and read back. Best of some runs, and ratios to the first row.
 //
-//     qrelief_place_bench            a bumpy sphere of 20k to 1.3 M triangles, 41 mm squares
+//     qrelief_spot_bench            a bumpy sphere of 20k to 1.3 M triangles, 41 mm squares
+#include "pipeline/spot_search.h"
+
 #include <algorithm>
 #include <fmt/format.h>
 
@@ -10,7 +12,6 @@
 #include "mesh/prepare.h"
 #include "messages/sentences.h"
 #include "native/egl_context.h"
-#include "pipeline/place.h"
 #include "projection/view_raster.h"
 #include "support/shapes.h"
 
@@ -31,8 +32,8 @@ double bestMs(int runs, const Work& work) {
   return best;
 }
 
-PlacementMapOptions mapOptions(int views) {
-  PlacementMapOptions options;
+SizeMapOptions mapOptions(int views) {
+  SizeMapOptions options;
   options.minMm = kSizeMm * 29 / 21;
   options.views = views;
   return options;
@@ -50,12 +51,12 @@ void growWithTriangles() {
     const auto model = modelOf(level);
     std::size_t drawn = 0;
     const double map = bestMs(kRuns, [&] {
-      drawn = makePlacementMap(model->prepared.mesh, model->prepared.normals, mapOptions(240)).mesh.triangles.size();
+      drawn = makeSizeMap(model->prepared.mesh, model->prepared.normals, mapOptions(240)).mesh.triangles.size();
     });
-    PlaceRequest request;
+    SpotSearchRequest request;
     request.placement.sizeMode = SizeMode::Fixed;
     request.placement.sizeMm = kSizeMm;
-    const double whole = bestMs(kRuns, [&] { (void)place(model, request); });
+    const double whole = bestMs(kRuns, [&] { (void)findSpots(model, request); });
     if (firstMap == 0) firstMap = map, firstPlace = whole;
     fmt::print("{:>10} {:>10} {:>10.1f} {:>7.2f} {:>10.1f} {:>7.2f}\n", model->prepared.mesh.triangles.size(), drawn,
                map, map / firstMap, whole, whole / firstPlace);
@@ -68,7 +69,7 @@ void growWithViews() {
   fmt::print("\n{:>10} {:>10} {:>7}\n", "views", "map ms", "ratio");
   double first = 0;
   for (const int views : {200, 240, 500, 1000, 2000}) {
-    const double map = bestMs(kRuns, [&] { (void)makePlacementMap(mesh, normals, mapOptions(views)); });
+    const double map = bestMs(kRuns, [&] { (void)makeSizeMap(mesh, normals, mapOptions(views)); });
     if (first == 0) first = map;
     fmt::print("{:>10} {:>10.1f} {:>7.2f}\n", views, map, map / first);
   }
@@ -76,7 +77,7 @@ void growWithViews() {
 
 Status compareWithGpu() {
   const Mesh mesh =
-      makePlacementMap(shapes::bumpySphere(50, 2, 5, 6), vertexNormals(shapes::bumpySphere(50, 2, 5, 6)), mapOptions(1))
+      makeSizeMap(shapes::bumpySphere(50, 2, 5, 6), vertexNormals(shapes::bumpySphere(50, 2, 5, 6)), mapOptions(1))
           .mesh;
   const ProjectionFrame frame = makeFrame({0, 0, 0}, {1, 2, 3}, {0, 0, 1}, 300);
   const Adjacency adjacency = buildAdjacency(mesh.triangles);
@@ -100,7 +101,7 @@ Status compareWithGpu() {
 int run() {
   const auto context = EglContext::create();
   if (!context) {
-    fmt::print(stderr, "qrelief_place_bench: {}\n", sentence(context.error().message));
+    fmt::print(stderr, "qrelief_spot_bench: {}\n", sentence(context.error().message));
     return 1;
   }
   const auto gl = gl::queryCapabilities();

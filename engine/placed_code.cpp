@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "engine/placing.h"
+#include "engine/placed_code.h"
 
 #include <utility>
 
 namespace qrelief {
 
-const PlacementSearch* Placing::found(const EngraveRequest& request, const Result<Symbol>& symbol) const {
+const PlacementSearch* PlacedCode::found(const EngraveRequest& request, const Result<Symbol>& symbol) const {
   const bool isThat = found_ && symbol && found_->modules == symbol->size &&
                       found_->request == searchedPlacement(request, symbol->size);
   return isThat ? &found_->search : nullptr;
 }
 
-Status Placing::find(const PlacingTask& task, const EngraveRequest& request) {
+Status PlacedCode::find(const PlacementTask& task, const EngraveRequest& request) {
   const Result<Symbol>& symbol = task.wanted.symbol();
   if (found(request, symbol)) return {};
   found_.reset();
@@ -27,7 +27,7 @@ Status Placing::find(const PlacingTask& task, const EngraveRequest& request) {
   return {};
 }
 
-Status Placing::place(const PlacingTask& task) {
+Status PlacedCode::place(const PlacementTask& task) {
   const EngraveRequest request = task.wanted.request(task.upHint);
   if (const Status found = find(task, request); !found) {
     const auto surface = closestPoint(task.model.mesh(), request.placement.centreMm);
@@ -43,12 +43,12 @@ Status Placing::place(const PlacingTask& task) {
   return {};
 }
 
-void Placing::take(const Placement& placement, Result<CodeOnSurface> code) {
+void PlacedCode::take(const Placement& placement, Result<CodeOnSurface> code) {
   placement_ = placement;
   if (code) code_ = std::move(*code);
 }
 
-Status Placing::move(const PlacingTask& task, const SurfacePoint& to) {
+Status PlacedCode::move(const PlacementTask& task, const SurfacePoint& to) {
   auto code = estimatedCode(task.model, task.wanted, task.upHint, to);
   if (!code) return tl::unexpected(code.error());
   endHover();
@@ -57,9 +57,9 @@ Status Placing::move(const PlacingTask& task, const SurfacePoint& to) {
   return {};
 }
 
-void Placing::adjust(double rotateDeg, double symbolMm, double outer) { code_->adjust(rotateDeg, symbolMm, outer); }
+void PlacedCode::adjust(double rotateDeg, double symbolMm, double outer) { code_->adjust(rotateDeg, symbolMm, outer); }
 
-Status Placing::hover(const PlacingTask& task, const SurfacePoint& at) {
+Status PlacedCode::hover(const PlacementTask& task, const SurfacePoint& at) {
   auto code = estimatedCode(task.model, task.wanted, task.upHint, at,
                             hovered_ ? std::optional(hovered_->symbolMm) : std::nullopt);
   if (!code) return tl::unexpected(code.error());
@@ -68,13 +68,13 @@ Status Placing::hover(const PlacingTask& task, const SurfacePoint& at) {
   return {};
 }
 
-void Placing::endHover() {
+void PlacedCode::endHover() {
   settling_.reset();
   hovered_.reset();
   hoveredAt_.reset();
 }
 
-bool Placing::startSettling(const PlacingTask& task) {
+bool PlacedCode::startSettling(const PlacementTask& task) {
   if (!hoveredAt_) return false;
   const EngravableModel& model = *task.model.engravable;
   settling_.emplace(model.prepared, model.gpu, task.pass, task.wanted.symbol()->size,
@@ -82,7 +82,7 @@ bool Placing::startSettling(const PlacingTask& task) {
   return true;
 }
 
-Result<bool> Placing::settle(const PlacingTask& task) {
+Result<bool> PlacedCode::settle(const PlacementTask& task) {
   const Result<bool> found = settling_->step();
   if (found && !*found) return false;
   auto code = found ? exactCode(task.model, *task.wanted.symbol(), task.wanted.settings(), settling_->placement())
@@ -93,13 +93,13 @@ Result<bool> Placing::settle(const PlacingTask& task) {
   return true;
 }
 
-void Placing::forget() {
+void PlacedCode::forget() {
   placement_.reset();
   code_.reset();
   endHover();
 }
 
-void Placing::forgetFound() {
+void PlacedCode::forgetFound() {
   forget();
   found_.reset();
 }
