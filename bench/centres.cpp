@@ -65,7 +65,7 @@ int forEachCentre(const std::string& folder, const std::string& centresFile, con
   int status = 0, number = 0;
   for (const auto& [file, entry] : models.items()) {
     const double scale = entry["scaleToMm"].get<double>();
-    const auto model = load(folder + "/" + file, scale);
+    const auto model = load(fmt::format("{}/{}", folder, file), scale);
     if (!model) {
       status = failed(file, model.error());
       continue;

@@ -105,10 +105,10 @@ int measureAll(int argc, char** argv) {
     const auto spot = bench::findSpot(*model, centre * scale, symbol->size);
     if (!spot) return failed(argv[k], spot.error());
     for (const bool square : {false, true}) {
-      const std::string name = fmt::format("case{}", cases.size());
-      auto measured = measure(*model, *spot, *symbol, square, folder + "/" + name);
+      const std::string name = fmt::format("case{}", cases.size()), path = fmt::format("{}/{}", folder, name);
+      auto measured = measure(*model, *spot, *symbol, square, path);
       if (!measured) return failed(argv[k], measured.error());
-      write(folder + "/" + name + ".model", model->mesh);
+      write(path + ".model", model->mesh);
       cases.push_back({{"name", name},
                        {"model", argv[k]},
                        {"pattern", square ? "square" : "none"},

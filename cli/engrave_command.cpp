@@ -98,7 +98,7 @@ Result<Carved> carve(std::shared_ptr<const EngravableModel> model, const Engrave
 
 /// With the preset asked for, or the next deeper ones where the code does not read with it; `options` then name that.
 /// Where it reads with none of them, as asked for.
-Result<Carved> carveToRead(std::shared_ptr<const EngravableModel> model, EngraveOptions& options) {
+Result<Carved> carveToRead(const std::shared_ptr<const EngravableModel>& model, EngraveOptions& options) {
   auto asked = carve(model, options);
   if (!asked) return asked;
   EngraveRequest& request = options.request;

@@ -35,7 +35,7 @@ std::string digits(double value, int significant = 3) {
   if (!(size >= kLeastWrittenOut && size < kMostWrittenOut)) return fmt::format("{:.{}g}", value, significant);
   const int decimals = std::max(0, significant - 1 - static_cast<int>(std::floor(std::log10(size))));
   std::string text = fmt::format("{:.{}f}", value, decimals);
-  if (decimals > 0) text.erase(text.find_last_not_of("0") + 1);
+  if (decimals > 0) text.erase(text.find_last_not_of('0') + 1);
   if (text.ends_with('.')) text.pop_back();
   return text;
 }

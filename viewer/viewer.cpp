@@ -432,7 +432,8 @@ Result<bool> Viewer::drawStill(const CameraView& camera, const gl::Framebuffer* 
   Sample sample;
   sample.jitterPx = {x - 0.5, y - 0.5};
   sample.turn = kTurns[index % 16] / 16.0;
-  sample.shift = 0.35 + 0.5 * (index / 16);
+  const std::uint32_t round = index / 16;
+  sample.shift = 0.35 + 0.5 * round;
   sample.steps = quality_.stillSteps;
   sample.weight = 1.0 / index;
   drawSample(*still_, *sum_, camera, sample);

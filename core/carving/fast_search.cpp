@@ -63,11 +63,10 @@ void FastSearch::solve() {
   for (std::size_t k = 0; k < states_.size(); ++k) {
     double& depth = depths_.depthMm[sky_.carved()[k]];
     const double next = quantisedDepth(std::max(solvedMm_[k], kDepthQuantumMm), limitMm_[k]);
-    if (iterations_ < kFreePasses)
-      depth = next;
-    else if (states_[k] == State::TooBright)
+    const bool isFree = iterations_ < kFreePasses;
+    if (!isFree && states_[k] == State::TooBright)
       depth = quantisedDepth(std::max(next, depth + kDepthQuantumMm), limitMm_[k]);
-    else if (next > depth && expectedFraction(k, depth, solvedMm_) > 1 - options_.contrast)
+    else if (isFree || (next > depth && expectedFraction(k, depth, solvedMm_) > 1 - options_.contrast))
       depth = next;
   }
 }

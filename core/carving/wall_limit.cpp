@@ -161,9 +161,8 @@ class SampleGrid {
   bool isUsed(std::size_t point) const { return used_[point] != 0; }
   Vec2 at(std::size_t point) const {
     const double step = symbolMm_ / (side_ - 1);
-    const auto row = static_cast<double>(point / static_cast<std::size_t>(side_));
-    const auto column = static_cast<double>(point % static_cast<std::size_t>(side_));
-    return {-symbolMm_ / 2 + column * step, symbolMm_ / 2 - row * step};
+    const std::size_t row = point / static_cast<std::size_t>(side_), column = point % static_cast<std::size_t>(side_);
+    return {-symbolMm_ / 2 + static_cast<double>(column) * step, symbolMm_ / 2 - static_cast<double>(row) * step};
   }
 
  private:

@@ -22,10 +22,10 @@ Matrix covariance(std::span<const Vec3> points) {
 
 /// Turns the axes p and q of a symmetric matrix so that its element (p, q) vanishes; `axes` turn with it.
 void rotate(Matrix& m, Matrix& axes, int p, int q) {
-  const auto P = static_cast<std::size_t>(p);
-  const auto Q = static_cast<std::size_t>(q);
-  if (m[Q][p] == 0) return;
-  const double cotangent = (m[Q][q] - m[P][p]) / (2 * m[Q][p]);  // of twice the angle
+  const auto first = static_cast<std::size_t>(p);
+  const auto second = static_cast<std::size_t>(q);
+  if (m[second][p] == 0) return;
+  const double cotangent = (m[second][q] - m[first][p]) / (2 * m[second][p]);  // of twice the angle
   const double t = std::copysign(1.0, cotangent) / (std::abs(cotangent) + std::sqrt(1 + cotangent * cotangent));
   const double c = 1 / std::sqrt(1 + t * t);
   const double s = t * c;
@@ -34,9 +34,9 @@ void rotate(Matrix& m, Matrix& axes, int p, int q) {
     a = c * before - s * b;
     b = s * before + c * b;
   };
-  for (int row = 0; row < 3; ++row) mix(m[P][row], m[Q][row]);
+  for (int row = 0; row < 3; ++row) mix(m[first][row], m[second][row]);
   for (Vec3& column : m) mix(column[p], column[q]);
-  for (int row = 0; row < 3; ++row) mix(axes[P][row], axes[Q][row]);
+  for (int row = 0; row < 3; ++row) mix(axes[first][row], axes[second][row]);
 }
 
 }  // namespace

@@ -286,7 +286,7 @@ Result<std::unique_ptr<SpotSearchJob>> SpotSearchJob::create(std::shared_ptr<con
   auto state = std::make_unique<State>();
   state->outer = request.outerFactor();
   state->model = std::move(model);
-  state->request = std::move(request);
+  state->request = request;
   state->pass = std::move(*pass);
   const PlacementRequest& placement = state->request.placement;
   state->startMap(state->fixed() ? placement.sizeMm * state->outer : unaskedLeastMm(*state->model));

@@ -32,7 +32,7 @@ void GpuMesh::drawRange(std::uint32_t begin, std::uint32_t end) const {
   if (begin == end) return;
   const std::size_t offset = begin * sizeof(Triangle);
   glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * (end - begin)), GL_UNSIGNED_INT,
-                 reinterpret_cast<const void*>(offset));
+                 reinterpret_cast<const void*>(offset));  // NOLINT(performance-no-int-to-ptr): GL wants it so
 }
 
 void GpuMesh::draw() const {

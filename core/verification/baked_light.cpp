@@ -55,8 +55,9 @@ SurfaceLight BakedLight::traced(const SurfacePoint& at, Vec3 seen, std::uint64_t
 void BakedLight::bakeTexel(std::size_t texel) {
   const auto edge = static_cast<std::size_t>(options_.texels);
   const double middle = options_.texels / 2.0;
-  const Vec2 at{(static_cast<double>(texel % edge) + 0.5 - middle) * options_.texelMm,
-                (static_cast<double>(texel / edge) + 0.5 - middle) * options_.texelMm};
+  const std::size_t row = texel / edge, column = texel % edge;
+  const Vec2 at{(static_cast<double>(column) + 0.5 - middle) * options_.texelMm,
+                (static_cast<double>(row) + 0.5 - middle) * options_.texelMm};
   const Vec3 ray = frame_.rayDirection(at);
   const auto hit = tree_->firstHit(frame_.eye(), ray);
   if (!hit) return;

@@ -158,9 +158,10 @@ double explainedBy(const DistanceGrid& grid, const Symbol& symbol, int pose) {
 void measureModule(const DistanceGrid& grid, const WindowFit& fit, int row, int column, int edge,
                    std::vector<double>& depths) {
   for (int k = 0; k < kN * kN; ++k) {
-    const int r = kN * row + k / kN, c = kN * column + k % kN;
+    const int down = k / kN, right = k % kN, middle = kN / 2;
+    const int r = kN * row + down, c = kN * column + right;
     const Terms terms =
-        termsAt((k % kN - kN / 2) / static_cast<double>(kN), (k / kN - kN / 2) / static_cast<double>(kN), false);
+        termsAt((right - middle) / static_cast<double>(kN), (down - middle) / static_cast<double>(kN), false);
     double surface = 0;
     for (std::size_t i = 0; i + 1 < kTerms; ++i) surface += fit.terms[i] * terms[i];
     depths[static_cast<std::size_t>(r * edge + c)] = grid.at(r, c).distance - surface;

@@ -38,8 +38,8 @@ std::vector<ReadingView> plannedViews(bool ranges) {
 }
 
 /// The last of the values, from the first on, at which everything reads.
-template <class Reads, std::size_t count>
-std::optional<double> lastReading(const std::array<double, count>& values, const Reads& reads) {
+template <class Reads, std::size_t Count>
+std::optional<double> lastReading(const std::array<double, Count>& values, const Reads& reads) {
   std::optional<double> last;
   for (const double value : values) {
     if (!reads(value)) break;

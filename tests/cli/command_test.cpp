@@ -76,7 +76,7 @@ TEST_F(CommandTest, WhatIsNoChoiceIsRefusedWithThoseThereAre) {
 
 TEST_F(CommandTest, BadInputIsStatusThreeAndSaysWhatHelps) {
   EXPECT_EQ(run({"info", path("missing.stl")}).status, 3);
-  std::ofstream(path("empty.stl"));
+  writeBytes("empty.stl", {});
   EXPECT_EQ(run({"info", path("empty.stl")}).status, 3);
 
   Mesh open = shapes::box({40, 40, 40});

@@ -48,9 +48,8 @@ class InspectorModelTest : public GlTest {
     }
   }
   static float middleOf(const ValueMap& map) { return map.values[*map.indexAt({0.5, 0.5})]; }
-  static std::unique_ptr<Engine> engine_;
+  static inline std::unique_ptr<Engine> engine_;
 };
-std::unique_ptr<Engine> InspectorModelTest::engine_;
 
 TEST_F(InspectorModelTest, KnowsNothingBeforeAnEngraving) {
   const Engine fresh;

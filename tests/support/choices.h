@@ -29,9 +29,9 @@ class Choices {
   }
   bool oneIn(std::uint32_t n) { return below(n) + 1 == n; }
 
-  template <class T, std::size_t kCount>
-  T of(const std::array<T, kCount>& values) {
-    return values[below(kCount)];
+  template <class T, std::size_t Count>
+  T of(const std::array<T, Count>& values) {
+    return values[below(Count)];
   }
 
  private:

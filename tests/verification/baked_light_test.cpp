@@ -30,8 +30,9 @@ SurfaceLight meanOfMiddle(const BakedLight& light, double reach) {
   SurfaceLight sum;
   int count = 0;
   for (int i = 0; i < edge * edge; ++i) {
-    const double x = (i % edge + 0.5 - edge / 2.0) * light.options().texelMm;
-    const double y = (i / edge + 0.5 - edge / 2.0) * light.options().texelMm;
+    const int row = i / edge, column = i % edge;
+    const double x = (column + 0.5 - edge / 2.0) * light.options().texelMm;
+    const double y = (row + 0.5 - edge / 2.0) * light.options().texelMm;
     if (std::hypot(x, y) > reach) continue;
     sum.sky += light.light()[static_cast<std::size_t>(i)].sky;
     sum.lamp += light.light()[static_cast<std::size_t>(i)].lamp;

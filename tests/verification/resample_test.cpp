@@ -9,7 +9,9 @@ namespace {
 /// value = column + 10·row
 std::vector<float> ramp(int width) {
   std::vector<float> picture;
-  for (int i = 0; i < width * width; ++i) picture.push_back(static_cast<float>(i % width + 10 * (i / width)));
+  for (int y = 0; y < width; ++y) {
+    for (int x = 0; x < width; ++x) picture.push_back(static_cast<float>(x + 10 * y));
+  }
   return picture;
 }
 
