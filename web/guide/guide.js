@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { currentLanguage, onLanguage, text } from '../i18n/catalogue.js';
+import { addTexts, currentLanguage, onLanguage, text } from '../i18n/catalogue.js';
+import { guide } from '../i18n/parts/guide.js';
 import { byId, make } from '../dom/dom.js';
 import { openArticle } from './article.js';
 import { kSizes, widthMm } from './sizes.js';
@@ -17,6 +18,7 @@ function showSizes() {
   }));
 }
 
+addTexts({ guide });
 openArticle();
 onLanguage(showSizes);
 showSizes();

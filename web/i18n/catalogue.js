@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every text of the page in every language. A part of the page keeps its texts in parts/, all languages side by side.
+// Every text of the app in every language. A part of the page keeps its texts in parts/, all languages side by side; an
+// article brings its own along.
 import { recall, remember } from '../storage/remembered.js';
 import { check } from './parts/check.js';
 import { code } from './parts/code.js';
 import { help } from './parts/help.js';
-import { guide } from './parts/guide.js';
 import { inspector } from './parts/inspector.js';
 import { keep } from './parts/keep.js';
-import { method } from './parts/method.js';
+import { links } from './parts/links.js';
 import { page } from './parts/page.js';
 import { samples } from './parts/samples.js';
 import { settings } from './parts/settings.js';
@@ -17,9 +17,14 @@ import { view } from './parts/view.js';
 /** @typedef {'en' | 'de'} Language */
 /** @typedef {string | { one: string, other: string }} Entry  chosen by the value `count`; `{name}` stands for a value */
 
-const kParts = { check, code, guide, help, inspector, keep, method, page, samples, settings, take, view };
+const kParts = { check, code, help, inspector, keep, links, page, samples, settings, take, view };
 
-/** @typedef {{ [P in keyof typeof kParts]: `${P}.${string & keyof (typeof kParts)[P]['en']}` }[keyof typeof kParts]} Key */
+/** @typedef {{ guide: typeof import('./parts/guide.js').guide, method: typeof import('./parts/method.js').method }} Articles */
+/** @typedef {typeof kParts & Articles} Parts */
+/** @typedef {{ [P in keyof Parts]: `${P}.${string & keyof Parts[P]['en']}` }[keyof Parts]} Key */
+
+/** @param {Partial<Articles>} articles  whose texts are asked for from here on */
+export const addTexts = (articles) => void Object.assign(kParts, articles);
 
 /** @type {readonly Language[]} */
 export const kLanguages = ['en', 'de'];
@@ -106,5 +111,5 @@ export function localise(root) {
 export const textOr = (part, name, otherwise = name, values = {}) =>
   (entry(language, `${part}.${name}`) === undefined ? otherwise : text(/** @type {Key} */ (`${part}.${name}`), values));
 
-/** For tests: every part. */
+/** For tests: every part that was asked for. */
 export const allParts = () => kParts;

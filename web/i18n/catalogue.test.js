@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { allParts, kLanguages, setLanguage, text } from './catalogue.js';
+import { addTexts, allParts, kLanguages, setLanguage, text } from './catalogue.js';
+import { guide } from './parts/guide.js';
+import { method } from './parts/method.js';
+
+addTexts({ guide, method });
 
 /** @param {unknown} entry  a text, or its forms */
 const forms = (entry) => (typeof entry === 'string' ? [entry] : Object.values(/** @type {object} */ (entry)));

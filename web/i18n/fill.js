@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of the build: puts the English texts into the markup, for who runs no scripts and before they run.
-import { text } from './catalogue.js';
+import { addTexts, text } from './catalogue.js';
+import { guide } from './parts/guide.js';
+import { method } from './parts/method.js';
+
+addTexts({ guide, method });
 
 /** @param {string} words */
 const escaped = (words) => words.replaceAll('&', '&amp;').replaceAll('<', '&lt;').replaceAll('"', '&quot;');

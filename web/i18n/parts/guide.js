@@ -7,9 +7,6 @@ export const guide = {
     description: 'How to print a QR code that is carved into a 3D model so that phones read it: size, nozzle, layers, orientation, material, light, and a test plate.',
     heading: 'How to print it',
     lead: 'A carved code is dark where little light gets in. It reads well when the printer makes its pockets clean and the light comes from all around.',
-    toApp: 'Open the app',
-    toMethod: 'How it works',
-    toGuide: 'How to print it',
 
     steps: 'From the model to the print',
     stepPlace: 'Open a model, type the text, and click where the code should go. It shows as it will lie there, with the light margin it needs; turn it, size it, move it.',
@@ -78,9 +75,6 @@ export const guide = {
     description: 'Einen QR-Code, der in ein 3D-Modell graviert ist, so drucken, dass Telefone ihn lesen: Größe, Düse, Schichten, Lage, Material, Licht und eine Prüfplatte.',
     heading: 'So wird es gedruckt',
     lead: 'Ein eingravierter Code ist dort dunkel, wo wenig Licht hinkommt. Er liest sich gut, wenn der Drucker die Taschen sauber herstellt und das Licht von allen Seiten kommt.',
-    toApp: 'Zur App',
-    toMethod: 'So funktioniert es',
-    toGuide: 'So wird es gedruckt',
 
     steps: 'Vom Modell zum Druck',
     stepPlace: 'Modell öffnen, Text eingeben und dorthin klicken, wo der Code hin soll. Er zeigt sich, wie er dort liegen wird, mit dem hellen Rand, den er braucht; er lässt sich drehen, vergrößern, verschieben.',

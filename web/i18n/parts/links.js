@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From the app to the articles, between them, and back.
+
+export const links = {
+  en: {
+    toApp: 'Open the app',
+    toMethod: 'How it works',
+    toGuide: 'How to print it',
+  },
+  de: {
+    toApp: 'Zur App',
+    toMethod: 'So funktioniert es',
+    toGuide: 'So wird es gedruckt',
+  },
+};
