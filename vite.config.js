@@ -3,6 +3,7 @@ import { existsSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
 import { offline } from './web/offline/build_plugin.js';
+import { oneLanguage } from './web/i18n/cut_language.js';
 import { fillTexts } from './web/i18n/fill.js';
 
 const root = fileURLToPath(new URL('.', import.meta.url));
@@ -47,21 +48,6 @@ function texts() {
   return { name: 'qrelief-texts', transformIndexHtml: { order: 'pre', handler: fillTexts } };
 }
 
-/**
- * What only the command says is left out.
- * @returns {import('vite').Plugin}
- */
-function messages() {
-  return {
-    name: 'qrelief-messages',
-    transform: {
-      order: 'pre',
-      filter: { id: /\/messages\/\w+\.json$/ },
-      handler: (json) => JSON.stringify(JSON.parse(json), (key, value) => (key === 'command' ? undefined : value)),
-    },
-  };
-}
-
 export default defineConfig({
   root: `${root}web`,
   base: './',
@@ -73,7 +59,7 @@ export default defineConfig({
       'qrelief-inspector-wasm': `${moduleFolder}/qrelief_inspector.wasm?url`,
     },
   },
-  plugins: [requireModule(), texts(), messages(), contentSecurityPolicy(), offline({ site: process.env.QRELIEF_SITE })],
+  plugins: [requireModule(), texts(), oneLanguage(), contentSecurityPolicy(), offline({ site: process.env.QRELIEF_SITE })],
   worker: { format: 'es' },
   build: {
     outDir: `${root}dist`, emptyOutDir: true, target: 'es2022', assetsInlineLimit: 0, modulePreload: { polyfill: false },

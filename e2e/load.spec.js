@@ -2,9 +2,10 @@
 import { expect, test } from '@playwright/test';
 import { Engraver } from './support/engraver.js';
 import { Inspector } from './support/inspector.js';
+import { truncatedFile } from './support/models.js';
 import { Site } from './support/site.js';
 
-test('Until it can be used the page needs 1.5 MB at most; the reader of codes and the inspector come later', async ({ page }) => {
+test('Until it can be used the page needs 1.5 MB at most; the reader of codes, the inspector and the words of messages come later', async ({ page }) => {
   const site = await new Site('/').open();
   try {
     const app = new Engraver(page);
@@ -13,7 +14,7 @@ test('Until it can be used the page needs 1.5 MB at most; the reader of codes an
     const bytes = site.sent.reduce((sum, file) => sum + file.bytes, 0);
     console.log(`first load: ${(bytes / 1e6).toFixed(2)} MB by gzip in ${site.sent.length} files`);
     expect(site.sent.map(({ path }) => path)).toContain('samples/bunny.stl');
-    expect(site.sent.filter(({ path }) => /reader|inspector/.test(path))).toEqual([]);
+    expect(site.sent.filter(({ path }) => /reader|inspector|message_catalogues/.test(path))).toEqual([]);
     expect(bytes).toBeLessThan(1.5e6);
   } finally {
     await site.close();
@@ -41,6 +42,28 @@ test('The inspector is loaded when it is opened; if it cannot be, that is said, 
     const loaded = site.sent.filter(({ path }) => /inspector.*\.wasm$/.test(path));
     expect(loaded.length).toBe(1);
     console.log(`the inspector: ${(loaded[0].bytes / 1e6).toFixed(2)} MB by gzip`);
+  } finally {
+    await site.close();
+  }
+});
+
+test('The words of messages come with the first one, in its language; if they cannot be loaded, that is said', async ({ page }) => {
+  const site = await new Site('/').open();
+  const words = () => site.sent.filter(({ path }) => /message_catalogues/.test(path));
+  try {
+    const app = new Engraver(page);
+    await page.goto(site.address);
+    await app.expectReady();
+    site.lacks = (path) => /message_catalogues/.test(path);
+    await app.file.setInputFiles(truncatedFile);
+    await expect(app.alert).toContainText('could not be loaded; check the connection');
+    expect(words()).toEqual([]);
+
+    site.lacks = () => false;
+    await page.getByRole('combobox', { name: 'Language' }).selectOption('Deutsch');
+    await expect(app.alert).toContainText(/Dreieck/);
+    expect(words().length).toBe(1);
+    console.log(`the words of messages: ${(words()[0].bytes / 1e3).toFixed(1)} kB by gzip`);
   } finally {
     await site.close();
   }

@@ -22,6 +22,7 @@ import { rememberFormat } from './export/format_choice.js';
 import { ExportPanel } from './ui/export_panel.js';
 import { Exporting } from './session/exporting.js';
 import { text } from './i18n/catalogue.js';
+import { messageWords } from './i18n/message_words.js';
 import { CarvePanel } from './ui/carve_panel.js';
 import { CodePanel } from './ui/code_panel.js';
 import { byId } from './dom/dom.js';
@@ -76,7 +77,7 @@ export class App {
     this.centre_ = new Centre((mm) => this.placePanel_.showCentre(mm));
     this.model_ = this.makeModel_();
     this.preparing_ = new Preparing({
-      client: this.client_, prepareReader, isBusy: () => this.jobs_.busy, user: window,
+      client: this.client_, prepareReader: () => this.prepareTelling_(), isBusy: () => this.jobs_.busy, user: window,
       isOverModel: ({ target }) => target instanceof HTMLCanvasElement,
     });
     this.placing_ = this.makePlacing_();
@@ -264,6 +265,12 @@ export class App {
       guard: (action) => this.guard_(action),
       onRestored: () => this.kept_.note(),
     });
+  }
+
+  /** What a carving is read and told by. */
+  prepareTelling_() {
+    prepareReader();
+    void messageWords.come();
   }
 
   /** @param {URLSearchParams} address */

@@ -4,8 +4,11 @@ import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { kSettings as kTable } from '../generated/settings.js';
 import { EngineFailure } from '../engine/engine_error.js';
+import { messageWords } from '../i18n/message_words.js';
 import { hintOf, sentenceOf } from '../i18n/messages.js';
 import { kFileKeys, looksLikeSettings, readSettingsFile, writeSettingsFile } from './settings_file.js';
+
+await messageWords.come();
 
 /** @type {import('../engine/types.js').Settings} */
 const kSettings = {

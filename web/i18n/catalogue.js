@@ -49,7 +49,7 @@ export const currentLanguage = () => language;
 /** @type {(() => void)[]} */
 const listeners = [];
 
-/** @param {() => void} listener  writes its texts again when another language is chosen */
+/** @param {() => void} listener  writes its texts again: another language is chosen, or the words of a message have come */
 export function onLanguage(listener) {
   listeners.push(listener);
 }
@@ -58,8 +58,10 @@ export function onLanguage(listener) {
 export function setLanguage(chosen) {
   language = chosen;
   remember(kStored, chosen);
-  listeners.forEach((listener) => listener());
+  writeAgain();
 }
+
+export const writeAgain = () => listeners.forEach((listener) => listener());
 
 /** @param {Language} of @param {string} key @returns {Entry | undefined} */
 function entry(of, key) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The words of all messages, of the core and of the page: every file of messages/ but the command’s, which a test holds.
+// The words of all messages, of the core and of the page: every file of messages/ but the command’s, which a test holds. The
+// page fetches them by message_words.js.
 import engine from '../../messages/engine.json' with { type: 'json' };
 import files from '../../messages/files.json' with { type: 'json' };
 import graphics from '../../messages/graphics.json' with { type: 'json' };
@@ -13,11 +14,7 @@ import stages from '../../messages/stages.json' with { type: 'json' };
 import text from '../../messages/text.json' with { type: 'json' };
 import verdict from '../../messages/verdict.json' with { type: 'json' };
 
-/** @typedef {string | { one: string, other: string }} Forms  chosen by the value `count` */
-/** @typedef {{ en: Forms, de: Forms }} Words */
-/** @typedef {Words & { hint?: Words }} Entry */
-
-/** @type {Record<string, Entry>} */
+/** @type {import('./message_words.js').Catalogue} */
 export const catalogue = {
   ...engine, ...files, ...graphics, ...model, ...pageEngine, ...pageSettings, ...pipeline, ...place, ...settingsErrors, ...stages, ...text,
   ...verdict,

@@ -1,41 +1,45 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Makes sentences of messages, in the language chosen, by the rules of messages/sentences.h; settings are called as their
-// controls are.
-import { currentLanguage } from './catalogue.js';
-import { catalogue as ourWords } from './message_catalogues.js';
+// controls are. A sentence may be told before its words have come: whoever shows it writes it again with `onLanguage`.
+import { currentLanguage, kLanguages, text } from './catalogue.js';
+import { kComing, kNoWords, messageWords } from './message_words.js';
 import { choiceLabel, controlLabel } from './setting_names.js';
 
 /** @typedef {import('../engine/message.js').Message} Message */
 /** @typedef {import('../engine/message.js').Value} Value */
-/** @typedef {import('./message_catalogues.js').Entry} Entry */
-/** @typedef {import('./message_catalogues.js').Words} Words */
+/** @typedef {import('./message_words.js').Catalogue} Catalogue */
+/** @typedef {import('./message_words.js').Words} Words */
 
 const kMostNamed = 6;  // of a list
 const kQuotes = { en: ['“', '”'], de: ['„', '“'] };
 const kAnd = { en: ' and ', de: ' und ' };
 
-/** What was found, without full stop. @param {Message} message @param {Record<string, Entry>} [words] */
-export function sentenceOf(message, words = ourWords) {
+/** What was found, without full stop; '' until the words come. @param {Message} message @param {Catalogue} [words] */
+export function sentenceOf(message, words = messageWords.now) {
+  if (words === kComing) return '';
   const entry = words[message.code];
   return entry ? filled(entry, message, words) : unworded(message);
 }
 
-/** What would help, its cause's if it has none of its own; '' if nothing is known. @param {Message} message @param {Record<string, Entry>} [words] @returns {string} */
-export function hintOf(message, words = ourWords) {
+/** What would help, its cause's if it has none of its own; '' if nothing is known. @param {Message} message @param {Catalogue} [words] @returns {string} */
+export function hintOf(message, words = messageWords.now) {
+  if (words === kComing) return '';
+  if (words === kNoWords) return text('page.noWords');
   const hint = words[message.code]?.hint;
   if (hint) return filled(hint, message, words);
   for (const value of Object.values(message.values)) if ('cause' in value) return hintOf(value.cause, words);
   return '';
 }
 
-/** Messages come without a full stop. @param {string} text */
-export function asSentence(text) {
-  const capital = text.charAt(0).toUpperCase() + text.slice(1);
-  return /[.!?…]$/.test(capital) ? capital : `${capital}.`;
+/** Messages come without a full stop. @param {string} said */
+export function asSentence(said) {
+  const capital = said.charAt(0).toUpperCase() + said.slice(1);
+  return said === '' || /[.!?…]$/.test(capital) ? capital : `${capital}.`;
 }
 
 /** As a sentence writes it. @param {Value} value */
-export const writtenValue = (value) => written(value, ourWords);
+export const writtenValue = (value) => written(value, messageWords.now);
+
 /**
  * A value of a report, with the sentence and the hint beside each message in it, for people who read the file.
  * @param {unknown} value
@@ -50,9 +54,9 @@ export function worded(value) {
   return isMessage ? { ...parts, message: sentenceOf(told), hint: hintOf(told) } : parts;
 }
 
-/** @param {Words} entry @param {Message} message @param {Record<string, Entry>} words */
+/** @param {Words} entry @param {Message} message @param {Catalogue} words */
 function filled(entry, { values }, words) {
-  const forms = entry[currentLanguage()];
+  const [forms = ''] = [currentLanguage(), ...kLanguages].flatMap((language) => entry[language] ?? []);
   const template = typeof forms === 'string' ? forms : forms[countIn(values) === 1 ? 'one' : 'other'];
   return template.replace(/\{(@?)(\w+)\}/g, (whole, ofSetting, name) => {
     if (ofSetting) return quoted(controlLabel(name));
@@ -63,7 +67,7 @@ function filled(entry, { values }, words) {
 /** @param {Record<string, Value>} values */
 const countIn = ({ count }) => (count && 'count' in count ? count.count : undefined);
 
-/** @param {Value} value @param {Record<string, Entry>} words @returns {string} */
+/** @param {Value} value @param {Catalogue} words @returns {string} */
 function written(value, words) {
   if ('count' in value) return digits(value.count, 15);
   if ('number' in value) return digits(value.number, 6);
@@ -80,8 +84,8 @@ function written(value, words) {
   return sentenceOf(value.cause, words);
 }
 
-/** @param {string} text */
-const quoted = (text) => kQuotes[currentLanguage()].join(text);
+/** @param {string} words */
+const quoted = (words) => kQuotes[currentLanguage()].join(words);
 
 /** Less than a millionth is an error of rounding. @param {number} value */
 const coordinate = (value) => digits(Math.abs(value) < 1e-6 ? 0 : value, 6);
@@ -102,8 +106,8 @@ function digits(value, significant) {
 
 /** @param {number} value @param {number} significant */
 function withExponent(value, significant) {
-  const text = Number(value.toPrecision(significant)).toExponential().replace(/e([+-])(\d)$/, 'e$10$2');
-  return currentLanguage() === 'de' ? text.replace('.', ',') : text;
+  const figures = Number(value.toPrecision(significant)).toExponential().replace(/e([+-])(\d)$/, 'e$10$2');
+  return currentLanguage() === 'de' ? figures.replace('.', ',') : figures;
 }
 
 /** @param {number[]} indices */

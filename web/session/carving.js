@@ -3,9 +3,9 @@
 import { kReaderName, prepareReader, readEach, readsAny } from '../decoder/reader.js';
 import { fileNameOf } from '../export/file_names.js';
 import { text } from '../i18n/catalogue.js';
+import { messageWords } from '../i18n/message_words.js';
 import { worded } from '../i18n/messages.js';
 import { saveFile } from '../dom/save_file.js';
-
 import { sameWork } from './work.js';
 
 /** @typedef {import('./work.js').Work} Work */
@@ -227,7 +227,7 @@ export class Carving {
   }
 
   async saveReport() {
-    const report = await this.client_.report();
+    const [report] = await Promise.all([this.client_.report(), messageWords.come()]);
     const json = JSON.stringify(worded(report), null, 2);
     saveFile(new Blob([json], { type: 'application/json' }), this.nameOf_(report, 'json', 'report'));
   }

@@ -57,8 +57,9 @@ export class Jobs {
 
   /** @param {import('../engine/types.js').EngraveProgress} progress */
   showProgress({ stage, fraction }) {
-    this.panel_.update(fraction, sentenceOf(stage));
-    this.messages_.say(() => text('page.working', { stage: sentenceOf(stage) }));
+    const words = () => sentenceOf(stage) || text('page.preparing');
+    this.panel_.update(fraction, words());
+    this.messages_.say(() => text('page.working', { stage: words() }));
   }
 
   /** For the user, who is told. */

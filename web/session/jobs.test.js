@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { beforeEach, test } from 'node:test';
 import { message } from '../engine/message.js';
+import { messageWords } from '../i18n/message_words.js';
 import { Jobs } from './jobs.js';
 import { FakeMessages, Pending, fake, replaced, settled } from './testing.js';
 
@@ -36,10 +37,12 @@ test('One job runs after the other, and what it gives is handed on', async () =>
   assert.deepEqual(busy, [true, false, true, false]);
 });
 
-test('A stage is told in words, with how far it has come', async () => {
+test('A stage is told in words as soon as they are there, with how far it has come', async () => {
   jobs.showProgress({ stage: message('finding-depth'), fraction: 0.4 });
-  assert.deepEqual(panel.calls, ['update 0.4 Finding the depth']);
-  assert.match(messages.said[0], /Finding the depth/);
+  await messageWords.come();
+  jobs.showProgress({ stage: message('finding-depth'), fraction: 0.5 });
+  assert.deepEqual(panel.calls, ['update 0.4 Preparing', 'update 0.5 Finding the depth']);
+  assert.match(messages.said[1], /Finding the depth/);
 });
 
 test('Cancelling aborts what runs, and that the module was replaced for it is no fault to tell', async () => {

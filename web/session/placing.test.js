@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { afterEach, beforeEach, test } from 'node:test';
 import { message } from '../engine/message.js';
 import { setLanguage } from '../i18n/catalogue.js';
+import { messageWords } from '../i18n/message_words.js';
 import { Centre } from './centre.js';
 import { Placing } from './placing.js';
 import { FakeMessages, Pending, crashed, fake, noRoom, settled } from './testing.js';
@@ -95,9 +96,11 @@ test('A model that cannot be engraved says why, in the language chosen', async (
   model.info = { engravable: false, findings: [
     { severity: 'note', ...message('untold', { text: { term: 'a note' } }) },
     { severity: 'blocking', ...message('no-such-spot', { index: { count: 7 } }) }] };
+  await messageWords.come();
   await placing.begin();
   assert.equal(problem().found(), 'There is no spot 7');
   setLanguage('de');
+  await messageWords.come();
   assert.equal(problem().found(), 'Es gibt keine Stelle 7');
 });
 

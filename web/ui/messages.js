@@ -30,7 +30,7 @@ export class Messages {
     const [found, help] = 'code' in problem ? [sentenceOf(problem), hintOf(problem)] : [problem.found(), problem.help()];
     this.text_.replaceChildren(make('strong', { text: asSentence(found) }));
     if (help) this.text_.append(' ', asSentence(help));
-    this.box_.hidden = false;
+    this.box_.hidden = found === '';  // until its words come
   }
 
   clearError() {

@@ -43,7 +43,7 @@ export class SymbolPanel {
     this.content_ = '';
     /** @type {Room | undefined} */ this.room_ = undefined;
     /** @type {Shown | undefined} */ this.shown_ = undefined;
-    this.problem_ = '';
+    /** @type {import('../engine/message.js').Message | undefined} */ this.problem_ = undefined;
     this.asked_ = 0;
     /** @type {ReturnType<typeof setTimeout> | undefined} */ this.pause_ = undefined;
     onLanguage(() => this.render_());
@@ -77,14 +77,13 @@ export class SymbolPanel {
       const facts = content === '' ? undefined : await this.symbolOf_(settings);
       if (!isNewest()) return;
       this.shown_ = facts && { content, settings, facts, shorter: [] };
-      this.problem_ = '';
+      this.problem_ = undefined;
       this.render_();
       if (this.shown_) await this.findShorter_(this.shown_, isNewest);
     } catch (thrown) {
       if (!isNewest() || isReplaced(thrown) || isFatal(thrown)) return;  // a new module is asked anew
       this.shown_ = undefined;
-      const error = describeThrown(thrown);
-      this.problem_ = [sentenceOf(error), hintOf(error)].filter(Boolean).map(asSentence).join(' ');
+      this.problem_ = describeThrown(thrown);
       this.render_();
     }
   }
@@ -111,10 +110,11 @@ export class SymbolPanel {
       this.facts_.replaceChildren(...factLines(facts));
     } else {
       this.picture_.replaceChildren();
-      this.facts_.replaceChildren(make('p', { text: this.problem_ || text('code.symbol.none') }));
+      const problem = this.problem_ && [sentenceOf(this.problem_), hintOf(this.problem_)].filter(Boolean).map(asSentence).join(' ');
+      this.facts_.replaceChildren(make('p', { text: problem ?? text('code.symbol.none') }));
     }
     this.picture_.classList.toggle('empty', !facts);
-    this.facts_.classList.toggle('wrong', this.problem_ !== '');
+    this.facts_.classList.toggle('wrong', this.problem_ !== undefined);
     this.lines_.replaceChildren(...this.advice_().map(makeLine));
   }
 

@@ -39,7 +39,7 @@ function readsHeading(wanted, { summary }) {
   const words = link ? make('a', { text: wanted }) : make('q', { text: wanted });
   if (words instanceof HTMLAnchorElement) Object.assign(words, { href: wanted, target: '_blank', rel: 'noopener noreferrer' });
   const kHere = '\u0000';
-  const [before, after] = sentenceOf({ ...summary, values: { text: { term: kHere } } }).split(kHere);
+  const [before, after = ''] = sentenceOf({ ...summary, values: { text: { term: kHere } } }).split(kHere);
   return [before, words, after];
 }
 

@@ -107,6 +107,7 @@ export const page = {
     samplesAre: 'The samples are {names}',
     tooLarge: '{file} has {size} MiB; this page opens up to {limit} MiB',
     tooLargeHint: 'Save it as binary STL, reduce it, or use the qrelief command',
+    noWords: 'What this means could not be loaded; check the connection, then reload the page',
     failsAgain: 'The engraving module failed again and again',
     failsAgainHint: 'Reload the page; if it happens with this model only, try one with fewer triangles',
 
@@ -223,6 +224,7 @@ export const page = {
     samplesAre: 'Die Beispiele sind {names}',
     tooLarge: '{file} hat {size} MiB; diese Seite öffnet bis zu {limit} MiB',
     tooLargeHint: 'Als binäres STL sichern, verkleinern oder das Programm qrelief verwenden',
+    noWords: 'Was das heißt, konnte nicht geladen werden; die Verbindung prüfen, dann die Seite neu laden',
     failsAgain: 'Das Gravurmodul ist wieder und wieder ausgefallen',
     failsAgainHint: 'Die Seite neu laden; geschieht es nur mit diesem Modell, eines mit weniger Dreiecken versuchen',
 

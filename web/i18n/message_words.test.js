@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import assert from 'node:assert/strict';
+import { afterEach, beforeEach, mock, test } from 'node:test';
+import { message } from '../engine/message.js';
+import { onLanguage, setLanguage, text } from './catalogue.js';
+import { wordsIn } from './cut_language.js';
+import { catalogue } from './message_catalogues.js';
+import { MessageWords, messageWords } from './message_words.js';
+import { asSentence, hintOf, sentenceOf } from './messages.js';
+
+/** @typedef {import('./catalogue.js').Language} Language */
+
+const kTold = message('no-such-spot', { index: { count: 7 } });
+const kSentence = { en: 'There is no spot 7', de: 'Es gibt keine Stelle 7' };
+
+/** How each fetch ends is the test's to say. */
+class Fetches {
+  /** @type {Language[]} */ asked = [];
+  /** @type {(() => void)[]} */ arrive = [];
+  /** @type {(() => void)[]} */ fail = [];
+  /** @param {Language} language @returns {Promise<any>} */
+  of(language) {
+    this.asked.push(language);
+    return new Promise((resolve, reject) => {
+      this.arrive.push(() => resolve({ catalogue: wordsIn(language) }));
+      this.fail.push(() => reject(new TypeError('Failed to fetch')));
+    });
+  }
+}
+
+/** @type {Fetches} */ let fetches;
+/** @type {MessageWords} */ let words;
+/** @type {string[]} */ let shown;
+/** As a part of the page does. */
+const show = () => void shown.push(sentenceOf(kTold, words.now));
+const settled = () => new Promise((resolve) => { setImmediate(resolve); });
+
+beforeEach(() => {
+  mock.timers.enable({ apis: ['Date', 'setTimeout'] });
+  setLanguage('en');
+  fetches = new Fetches();
+  words = new MessageWords({ en: () => fetches.of('en'), de: () => fetches.of('de') }, show);
+  shown = [];
+});
+afterEach(() => {
+  mock.timers.reset();
+  setLanguage('en');
+});
+
+test('Nothing is fetched before something is to be told, and then once, in the language chosen', async () => {
+  assert.deepEqual(fetches.asked, []);
+  setLanguage('de');
+  show();
+  show();
+  fetches.arrive[0]();
+  await settled();
+  show();
+  assert.deepEqual(fetches.asked, ['de']);
+  assert.deepEqual(shown, ['', '', kSentence.de, kSentence.de]);
+});
+
+test('What was told before its words came is told again with them; where nothing was, nothing is written', async () => {
+  show();
+  assert.equal(asSentence(shown[0]), '');
+  fetches.arrive[0]();
+  await settled();
+  assert.deepEqual(shown, ['', kSentence.en]);
+
+  shown = [];
+  const others = new MessageWords({ en: () => fetches.of('en'), de: () => fetches.of('de') }, show);
+  const coming = others.come();
+  fetches.arrive[1]();
+  await coming;
+  assert.deepEqual(shown, []);
+  assert.equal(sentenceOf(kTold, others.now), kSentence.en);
+});
+
+test('Another language is fetched when it is told in; until then the sentence stays in the one before', async () => {
+  show();
+  fetches.arrive[0]();
+  await settled();
+  setLanguage('de');
+  show();
+  fetches.arrive[1]();
+  await settled();
+  setLanguage('en');
+  show();
+  assert.deepEqual(shown, ['', kSentence.en, kSentence.en, kSentence.de, kSentence.en]);
+  assert.deepEqual(fetches.asked, ['en', 'de']);
+});
+
+test('A language chosen while another one comes gets its own', async () => {
+  show();
+  setLanguage('de');
+  show();
+  fetches.arrive[1]();
+  await settled();
+  assert.equal(shown.at(-1), kSentence.de);
+  fetches.arrive[0]();
+  await settled();
+  assert.equal(shown.at(-1), kSentence.de);
+});
+
+test('If they cannot be fetched, the code is shown and what to do; what is told later tries again', async () => {
+  show();
+  fetches.fail[0]();
+  await settled();
+  assert.deepEqual(shown, ['', 'no-such-spot index=7']);
+  assert.equal(hintOf(kTold, words.now), text('page.noWords'));
+  assert.deepEqual(fetches.asked, ['en']);
+
+  mock.timers.setTime(11_000);
+  show();
+  assert.equal(shown.at(-1), '');
+  fetches.arrive[1]();
+  await settled();
+  assert.equal(shown.at(-1), kSentence.en);
+});
+
+test('Words that do not come in time are shown once they do, and nobody waits for them so long', async () => {
+  show();
+  const coming = words.come();
+  mock.timers.tick(8_000);
+  await coming;
+  assert.deepEqual(shown, ['', 'no-such-spot index=7']);
+  fetches.arrive[0]();
+  await settled();
+  assert.deepEqual(shown, ['', 'no-such-spot index=7', kSentence.en]);
+});
+
+test('If another language cannot be fetched, the sentence stays in the one before', async () => {
+  show();
+  fetches.arrive[0]();
+  await settled();
+  setLanguage('de');
+  show();
+  fetches.fail[1]();
+  await settled();
+  assert.equal(shown.at(-1), kSentence.en);
+  assert.deepEqual(fetches.asked, ['en', 'de']);
+});
+
+test('Who waits for them goes on when they are there, and when they cannot be fetched', async () => {
+  const [first, second] = [words.come(), words.come()];
+  fetches.fail[0]();
+  await Promise.all([first, second]);
+  const third = words.come();
+  fetches.arrive[1]();
+  await third;
+  assert.deepEqual(fetches.asked, ['en', 'en']);
+  assert.equal(sentenceOf(kTold, words.now), kSentence.en);
+});
+
+test('The page’s own words come by themselves, and its listeners hear of it', async () => {
+  let heard = 0;
+  onLanguage(() => void (heard += 1));
+  assert.equal(sentenceOf(kTold), '');
+  await messageWords.come();
+  assert.equal(sentenceOf(kTold), kSentence.en);
+  assert.equal(heard, 1);
+});
+
+test('The build leaves each language its own words, and what only the command says to nobody', () => {
+  const codes = Object.keys(catalogue);
+  for (const language of /** @type {const} */ (['en', 'de'])) {
+    const cut = wordsIn(language);
+    assert.deepEqual(Object.keys(cut), codes);
+    for (const code of codes) {
+      assert.deepEqual(cut[code][language], catalogue[code][language], code);
+      assert.deepEqual(cut[code].hint?.[language], catalogue[code].hint?.[language], code);
+    }
+    const other = language === 'en' ? 'de' : 'en';
+    assert.doesNotMatch(JSON.stringify(cut), new RegExp(`"(${other}|command)":`));
+  }
+});
