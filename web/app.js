@@ -241,7 +241,8 @@ export class App {
     return new Exporting({
       client: this.client_, model: this.model_, centre: this.centre_, placing: this.placing_, messages: this.messages_,
       settings: () => this.session_.settings(),
-      onSettings: (values, content) => this.session_.write({ text: content, values }),
+      settingKeys: () => this.form_.keys,
+      onSettings: (settings) => this.session_.write({ text: settings.text, values: this.form_.valuesFor(settings) }),
       onChanged: () => this.session_.changeSettings(),
       untilIdle: () => this.session_.becomeIdle(),
     });

@@ -23,11 +23,18 @@ import { kSettings } from '../generated/settings.js';
 const kKind = 'qrelief-settings';
 const kVersion = 1;
 const kMostBytes = 1 << 20;
+const kKeys = /** @type {SettingKey[]} */ (Object.keys(kSettings));
 
-/** What a control of the page is for, and so what a file has. @type {readonly SettingKey[]} */
-export const kFileKeys = ['text', 'ecc', 'preset', 'pattern', 'finderPattern', 'contrast', 'layerMm', 'maxDepthMm', 'minWallMm', 'size',
-  'maxSizeMm', 'quietZone', 'rotateDeg', 'direction', 'eyeDistanceMm', 'nozzleMm'];
-const kMayBeMissing = ['ecc', 'contrast', 'maxDepthMm'];
+const kFirstRelease = '0.1.0';  // whose files know no later setting
+
+/** What a file has: the text, and what there is a control for. @param {readonly SettingKey[]} controls @returns {SettingKey[]} */
+export const fileKeys = (controls) => kKeys.filter((key) => kSettings[key].kind === 'text' || controls.includes(key));
+
+/** What a file may leave out: what counts then, the control begins with. @param {SettingKey} key */
+function mayBeMissing(key) {
+  const { default: initial, since } = kSettings[key];
+  return initial === null || initial === 'auto' || since !== kFirstRelease;
+}
 
 /** @param {SettingsFile} file */
 export const writeSettingsFile = ({ settings, model }) =>
@@ -83,13 +90,13 @@ function checkSetting(name, value) {
   }
 }
 
-/** @param {Record<string, unknown>} settings */
-function checkSettings(settings) {
-  const unknown = Object.keys(settings).find((name) => !kFileKeys.includes(/** @type {SettingKey} */ (name)));
+/** @param {Record<string, unknown>} settings @param {readonly SettingKey[]} keys  of a file */
+function checkSettings(settings, keys) {
+  const unknown = Object.keys(settings).find((name) => !keys.includes(/** @type {SettingKey} */ (name)));
   if (unknown !== undefined) refuse(message('settings-unknown', { name: { term: shown(unknown) } }));
-  const missing = kFileKeys.find((name) => settings[name] === undefined && !kMayBeMissing.includes(name));
+  const missing = keys.find((name) => settings[name] === undefined && !mayBeMissing(name));
   if (missing) refuse(message('settings-missing', { name: { term: missing } }));
-  for (const name of kFileKeys) if (settings[name] !== undefined) checkSetting(name, settings[name]);
+  for (const name of keys) if (settings[name] !== undefined) checkSetting(name, settings[name]);
 }
 
 /** @param {unknown} model @returns {ModelChoice} */
@@ -115,17 +122,18 @@ function parse(json, name) {
 /**
  * @param {string} json
  * @param {string} name  of the file, for messages
+ * @param {readonly SettingKey[]} controls  what there is a control for
  * @returns {SettingsFile}
  * @throws {EngineFailure} saying what is wrong with which setting; then nothing of the file may be used
  */
-export function readSettingsFile(json, name) {
+export function readSettingsFile(json, name, controls) {
   if (json.length > kMostBytes) refuse(message('settings-absent', { file: { quoted: name } }));
   const content = parse(json.replace(/^\ufeff/, ''), name);
   if (isObject(content) && typeof content.qrelief === 'string') refuse(message('settings-are-report', { file: { quoted: name } }));
   if (!isObject(content) || content.kind !== kKind) refuse(message('settings-absent', { file: { quoted: name } }));
   if (content.version !== kVersion) refuse(message('settings-other-version', { file: { quoted: name }, version: { term: shown(content.version) }, known: { count: kVersion } }));
   if (!isObject(content.settings)) refuse(message('settings-missing', { name: { term: 'settings' } }));
-  checkSettings(content.settings);
+  checkSettings(content.settings, fileKeys(controls));
   const settings = /** @type {Settings} */ (/** @type {unknown} */ (content.settings));
   return content.model === undefined ? { settings } : { settings, model: checkModel(content.model) };
 }

@@ -6,12 +6,19 @@ import { kSettings as kTable } from '../generated/settings.js';
 import { EngineFailure } from '../engine/engine_error.js';
 import { messageWords } from '../i18n/message_words.js';
 import { hintOf, sentenceOf } from '../i18n/messages.js';
-import { kFileKeys, looksLikeSettings, readSettingsFile, writeSettingsFile } from './settings_file.js';
+import { fileKeys, looksLikeSettings, readSettingsFile as readFile, writeSettingsFile } from './settings_file.js';
 
 await messageWords.come();
 
+/** What the page has controls for. @type {import('../generated/settings.js').SettingKey[]} */
+const kControls = [...readFileSync(new URL('../index.html', import.meta.url), 'utf8').matchAll(/data-setting="([^"]+)"/g)]
+  .map(([, key]) => /** @type {any} */ (key));
+const kFileKeys = fileKeys(kControls);
+const readSettingsFile = (/** @type {string} */ json, /** @type {string} */ name) => readFile(json, name, kControls);
+
 /** @type {import('../engine/types.js').Settings} */
 const kSettings = {
+  ...Object.fromEntries(kFileKeys.flatMap((key) => (kTable[key].mayBeEmpty || key === 'ecc' ? [] : [[key, kTable[key].default]]))),
   text: 'Grüße\n"☕"', preset: 'robust', pattern: 'square', finderPattern: 'diamond', size: 31.5, maxSizeMm: 40, quietZone: true,
   direction: 'pca', rotateDeg: -12.5, minWallMm: 0, nozzleMm: 0.4, layerMm: 0.1, eyeDistanceMm: 250,
 };
@@ -82,9 +89,19 @@ test('cut off anywhere, a file is refused', () => {
 });
 
 test('a file has what the page has controls for, and the text', () => {
-  const page = readFileSync(new URL('../index.html', import.meta.url), 'utf8');
-  const controls = [...page.matchAll(/data-setting="([^"]+)"/g)].map(([, key]) => key);
-  assert.deepEqual([...controls, 'text'].sort(), [...kFileKeys].sort());
+  assert.deepEqual([...kControls, 'text'].sort(), [...kFileKeys].sort());
+  assert.ok(kControls.every((key) => key in kTable));
+});
+
+test('what files of the first release had must be there, but for what is empty or automatic at first', () => {
+  const had = ['text', 'preset', 'pattern', 'finderPattern', 'size', 'maxSizeMm', 'quietZone', 'direction', 'rotateDeg', 'minWallMm',
+    'nozzleMm', 'layerMm', 'eyeDistanceMm'];
+  for (const key of had) {
+    assert.throws(() => readSettingsFile(withSettings({ [key]: undefined }), 'x.json'), refusedWith(new RegExp(`${key} is missing`)));
+  }
+  for (const key of ['ecc', 'contrast', 'maxDepthMm']) {
+    assert.deepEqual(readSettingsFile(withSettings({ [key]: undefined }), 'x.json').settings, kSettings, key);
+  }
 });
 
 test('every number is checked at both ends', () => {

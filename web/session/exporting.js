@@ -3,7 +3,6 @@
 import { text } from '../i18n/catalogue.js';
 import { saveFile } from '../dom/save_file.js';
 import { fileNameOf, symbolFileName } from '../export/file_names.js';
-import { formValues } from '../export/form_values.js';
 import { readSettingsFile, writeSettingsFile } from '../export/settings_file.js';
 import { symbolPng, symbolSvg } from '../export/symbol_file.js';
 
@@ -19,20 +18,22 @@ import { symbolPng, symbolSvg } from '../export/symbol_file.js';
  * @property {import('./placing.js').Placing} placing
  * @property {import('../ui/messages.js').Messages} messages
  * @property {() => import('../engine/types.js').Settings} settings
- * @property {(values: Record<string, string | boolean>, content: string) => void} onSettings  shows them in the controls
+ * @property {() => import('../ui/settings_form.js').SettingKey[]} settingKeys  what there is a control for
+ * @property {(settings: import('../engine/types.js').Settings) => void} onSettings  shows them in the controls
  * @property {() => Promise<void>} onChanged   they decide from now on
  * @property {() => Promise<void>} untilIdle   ends what runs
  */
 
 export class Exporting {
   /** @param {ExportingOptions} options */
-  constructor({ client, model, centre, placing, messages, settings, onSettings, onChanged, untilIdle }) {
+  constructor({ client, model, centre, placing, messages, settings, settingKeys, onSettings, onChanged, untilIdle }) {
     this.client_ = client;
     this.model_ = model;
     this.centre_ = centre;
     this.placing_ = placing;
     this.messages_ = messages;
     this.settings_ = settings;
+    this.settingKeys_ = settingKeys;
     this.onSettings_ = onSettings;
     this.onChanged_ = onChanged;
     this.untilIdle_ = untilIdle;
@@ -62,10 +63,10 @@ export class Exporting {
    * @param {File} file
    */
   async useSettings(file) {
-    const { settings, model } = readSettingsFile(await file.text(), file.name);
+    const { settings, model } = readSettingsFile(await file.text(), file.name, this.settingKeys_());
     await this.untilIdle_();
     this.messages_.clearError();
-    this.onSettings_(formValues(settings), settings.text);
+    this.onSettings_(settings);
     const onItsModel = !model || (await this.openModelOf_(model));
     const centre = onItsModel ? model?.centreMm : undefined;
     await this.onChanged_();

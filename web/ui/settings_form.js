@@ -48,6 +48,16 @@ export class SettingsForm {
     this.nameSizeField_();
   }
 
+  /** What there is a control for. @returns {SettingKey[]} */
+  get keys() {
+    return this.controls_.map(keyOf);
+  }
+
+  /** What the controls have to hold for these settings. @param {Settings} settings @returns {Values} */
+  valuesFor(settings) {
+    return controlValues(settings, this.controls_.map((control) => ({ id: control.id, key: keyOf(control) })), this.defaults);
+  }
+
   /** As if the user had typed them, at once. @param {Values} values */
   change(values) {
     this.values = values;
@@ -86,6 +96,22 @@ export class SettingsForm {
   nameSizeField_() {
     byId('size-mm-label', HTMLElement).textContent = controlName(sizeKey());
   }
+}
+
+/**
+ * The inverse of `SettingsForm.settings`: what is left out is as the controls begin.
+ * @param {Settings} settings
+ * @param {{ id: string, key: SettingKey }[]} controls
+ * @param {Values} defaults
+ * @returns {Values}
+ */
+export function controlValues(settings, controls, defaults) {
+  const fixed = typeof settings.size === 'number';
+  const given = /** @type {Record<string, unknown>} */ (fixed ? { ...settings, size: kFixed, maxSizeMm: settings.size } : settings);
+  return Object.fromEntries(controls.map(({ id, key }) => {
+    const value = given[key];
+    return [id, value === undefined ? defaults[id] : typeof value === 'boolean' ? value : String(value)];
+  }));
 }
 
 /** @param {Control} control @returns {control is HTMLInputElement & { type: 'checkbox' }} */

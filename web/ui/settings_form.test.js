@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { test } from 'node:test';
+import { kSettings } from '../generated/settings.js';
+import { controlValues } from './settings_form.js';
+
+/** @typedef {import('../generated/settings.js').SettingKey} SettingKey */
+
+const page = readFileSync(new URL('../index.html', import.meta.url), 'utf8');
+const kControls = [...page.matchAll(/id="([^"]+)" data-setting="([^"]+)"/g)].map(([, id, key]) => ({ id, key: /** @type {SettingKey} */ (key) }));
+const kDefaults = Object.fromEntries(kControls.map(({ id, key }) => {
+  const { default: initial } = kSettings[key];
+  return [id, typeof initial === 'boolean' ? initial : initial === null ? '' : String(initial)];
+}));
+
+/** @type {import('../engine/types.js').Settings} */
+const kGiven = {
+  text: 'a', preset: 'robust', pattern: 'square', finderPattern: 'diamond', size: 'best', maxSizeMm: 35, quietZone: false,
+  direction: 'pca', rotateDeg: -12.5, minWallMm: 0, nozzleMm: 0.25, layerMm: 0.15, eyeDistanceMm: 300,
+};
+const kHeld = {
+  preset: 'robust', pattern: 'square', 'finder-pattern': 'diamond', size: 'best', 'size-mm': '35', 'quiet-zone': false, direction: 'pca',
+  rotate: '-12.5', 'min-wall': '0', nozzle: '0.25', layer: '0.15', 'eye-distance': '300', ecc: 'auto', contrast: '', 'max-depth': '',
+};
+
+/** @param {Partial<import('../engine/types.js').Settings>} [change] */
+const held = (change) => controlValues({ ...kGiven, ...change }, kControls, kDefaults);
+
+test('Every control of a setting holds its value; what is left out is as at the start', () => {
+  assert.deepEqual(Object.fromEntries(Object.keys(kHeld).map((id) => [id, held()[id]])), kHeld);
+  assert.deepEqual(Object.keys(held()), kControls.map(({ id }) => id));
+});
+
+test('What is given is not left out', () => {
+  assert.deepEqual(held({ ecc: 'Q', contrast: 0.3, maxDepthMm: 1.5 }), { ...held(), ecc: 'Q', contrast: '0.3', 'max-depth': '1.5' });
+});
+
+test('A size in mm is exact, and the control of the largest size holds it', () => {
+  assert.deepEqual(held({ size: 31.5 }), { ...held(), size: 'fixed', 'size-mm': '31.5' });
+});
