@@ -137,15 +137,16 @@ TEST(Layers, AreTheFoldersOfCore) {
   EXPECT_THAT(folders, testing::UnorderedElementsAreArray(kLayers));
 }
 
-std::string firstOf(const std::vector<std::string>& found) {
+/// What is wrong with a line of a file by a rule of includes; how many things, if it is not one.
+template <class Rule>
+std::string violationOf(const std::string& line, const Rule& why) {
+  const std::vector<std::string> found = violationsIn("x.cpp", "// comment\n" + line + "\nint x;\n", why);
   return found.size() == 1 ? found.front() : std::to_string(found.size()) + " violations";
 }
 
 TEST(Layers, SeeWhatIsForbiddenToRooms) {
   const auto only = [](const std::string& room, const std::string& line) {
-    return firstOf(
-        violationsIn("x.cpp", "// comment\n" + line + "\nint x;\n",
-                     [&](const std::string& path, bool quoted) { return whyForbiddenTo(room, path, quoted); }));
+    return violationOf(line, [&](const std::string& path, bool quoted) { return whyForbiddenTo(room, path, quoted); });
   };
   EXPECT_THAT(only("viewer", "#include \"engine/engine.h\""), HasSubstr("viewer knows nothing of engine"));
   EXPECT_THAT(only("engine", "#include \"inspector/inspector_window.h\""),
@@ -163,9 +164,7 @@ TEST(Layers, SeeWhatIsForbiddenToRooms) {
 
 TEST(Layers, SeeWhatIsForbidden) {
   const auto only = [](const std::string& folder, const std::string& line) {
-    return firstOf(
-        violationsIn("x.cpp", "// comment\n" + line + "\nint x;\n",
-                     [&](const std::string& path, bool quoted) { return whyForbidden(folder, path, quoted); }));
+    return violationOf(line, [&](const std::string& path, bool quoted) { return whyForbidden(folder, path, quoted); });
   };
   EXPECT_THAT(only("math", "#include \"mesh/mesh.h\""), HasSubstr("mesh is a higher layer than math"));
   EXPECT_THAT(only("embedding", "  #  include \"pipeline/job.h\""),

@@ -35,54 +35,51 @@ const own = () => ({
   values: { preset: 'robust', 'quiet-zone': true }, centreMm: /** @type {[number, number, number]} */ ([1, 2, 3]),
 });
 
+/** The page was opened, with a sample unless `start` is false. @param {{ store?: MemoryStore, isSecret?: (text: string) => boolean, start?: boolean }} [visited] */
+function visit({ store = new MemoryStore(), isSecret = noSecrets, start = true } = {}) {
+  const last = new LastWork(store, isSecret);
+  last.openedWith(start ? opened : undefined);
+  return { store, last };
+}
+
+/** @param {LastWork} last @param {import('./last_work.js').Work} work */
+async function keep(last, work) {
+  last.note(work);
+  await last.flush();
+}
+
 test('what the page opened with is not kept, what was changed on it is', async () => {
-  const store = new MemoryStore();
-  const last = new LastWork(store, noSecrets);
-  last.openedWith(opened);
-  last.note(opened);
-  await last.flush();
+  const { store, last } = visit();
+  await keep(last, opened);
   assert.equal(await last.recall(), undefined);
-  last.note({ ...opened, text: 'other' });
-  await last.flush();
+  await keep(last, { ...opened, text: 'other' });
   assert.deepEqual(await new LastWork(store, noSecrets).recall(), { ...opened, text: 'other' });
 });
 
 test('what was chosen before the page had opened anything is kept', async () => {
-  const store = new MemoryStore();
-  const last = new LastWork(store, noSecrets);
-  last.openedWith(undefined);
-  last.note(opened);
-  await last.flush();
+  const { last } = visit({ start: false });
+  await keep(last, opened);
   assert.deepEqual(await last.recall(), opened);
 });
 
 test('a file comes back with its bytes, unit, axis, text, settings and centre', async () => {
-  const store = new MemoryStore();
-  const last = new LastWork(store, noSecrets);
-  last.openedWith(opened);
+  const { store, last } = visit();
   const work = own();
-  last.note(work);
-  await last.flush();
+  await keep(last, work);
   assert.deepEqual(await new LastWork(store, noSecrets).recall(), work);
 });
 
 test('a change of the settings does not write the file again', async () => {
-  const store = new MemoryStore();
-  const last = new LastWork(store, noSecrets);
-  last.openedWith(opened);
+  const { store, last } = visit();
   const work = own();
-  last.note(work);
-  await last.flush();
-  last.note({ ...work, text: 'c' });
-  await last.flush();
+  await keep(last, work);
+  await keep(last, { ...work, text: 'c' });
   assert.equal(store.bytesWritten, 3);
   assert.deepEqual(await last.recall(), { ...work, text: 'c' });
 });
 
 test('of several changes in a row only the last is written', async () => {
-  const store = new MemoryStore();
-  const last = new LastWork(store, noSecrets);
-  last.openedWith(opened);
+  const { store, last } = visit();
   for (const text of ['b', 'bc', 'bcd']) last.note({ ...opened, text });
   assert.equal(store.values.size, 0);
   await last.flush();
@@ -90,86 +87,60 @@ test('of several changes in a row only the last is written', async () => {
 });
 
 test('another file of the same name and size takes the place of the first', async () => {
-  const store = new MemoryStore();
-  const last = new LastWork(store, noSecrets);
-  last.openedWith(opened);
-  last.note(own());
-  await last.flush();
-  last.note({ ...own(), bytes: Uint8Array.of(4, 5, 6) });
-  await last.flush();
+  const { last } = visit();
+  await keep(last, own());
+  await keep(last, { ...own(), bytes: Uint8Array.of(4, 5, 6) });
   assert.deepEqual((await last.recall())?.bytes, Uint8Array.of(4, 5, 6));
 });
 
 test('a text that holds a password is never written, the rest is', async () => {
-  const store = new MemoryStore();
-  const last = new LastWork(store, (text) => text.startsWith('WIFI:'));
-  last.openedWith(opened);
-  last.note({ ...opened, text: 'WIFI:T:WPA;S:net;P:secret;;', values: { preset: 'robust' } });
-  await last.flush();
+  const { store, last } = visit({ isSecret: (text) => text.startsWith('WIFI:') });
+  await keep(last, { ...opened, text: 'WIFI:T:WPA;S:net;P:secret;;', values: { preset: 'robust' } });
   assert.doesNotMatch(JSON.stringify([...store.values]), /secret/);
   const { text: _, ...rest } = opened;
   assert.deepEqual(await last.recall(), { ...rest, values: { preset: 'robust' } });
 });
 
 test('a full storage keeps nothing, rather than half of it, and what was there before is not offered', async () => {
-  const store = new MemoryStore();
-  const last = new LastWork(store, noSecrets);
-  last.openedWith(opened);
-  last.note({ ...opened, text: 'before' });
-  await last.flush();
+  const { store, last } = visit();
+  await keep(last, { ...opened, text: 'before' });
   store.full = true;
-  last.note(own());
-  await last.flush();
+  await keep(last, own());
   assert.equal(await last.recall(), undefined);
   assert.equal(store.values.size, 0);
 });
 
 test('a file beyond the bound is not kept', async () => {
-  const store = new MemoryStore();
-  const last = new LastWork(store, noSecrets);
-  last.openedWith(opened);
+  const { last } = visit();
   const bytes = /** @type {Uint8Array} */ ({ length: kMaxBytes + 1 });
-  last.note({ ...own(), bytes });
-  await last.flush();
+  await keep(last, { ...own(), bytes });
   assert.equal(await last.recall(), undefined);
 });
 
 test('a file whose settings were kept by another window is not mixed with them', async () => {
-  const store = new MemoryStore();
-  const last = new LastWork(store, noSecrets);
-  last.openedWith(opened);
-  last.note(own());
-  await last.flush();
+  const { store, last } = visit();
+  await keep(last, own());
   store.values.get('last model').id += 1;
   assert.equal(await last.recall(), undefined);
 });
 
 test('what was forgotten is not offered', async () => {
-  const store = new MemoryStore();
-  const last = new LastWork(store, noSecrets);
-  last.openedWith(opened);
-  last.note(own());
-  await last.flush();
+  const { last } = visit();
+  await keep(last, own());
   await last.forget();
   assert.equal(await last.recall(), undefined);
 });
 
 test('discarding the last visit’s work leaves what this visit has put in its place', async () => {
-  const store = new MemoryStore();
-  const before = new LastWork(store, noSecrets);
-  before.openedWith(opened);
-  before.note(own());
-  await before.flush();
+  const { store, last: before } = visit();
+  await keep(before, own());
 
-  const next = new LastWork(store, noSecrets);
-  next.openedWith(opened);
-  next.note({ ...opened, text: 'new' });
-  await next.flush();
+  const { last: next } = visit({ store });
+  await keep(next, { ...opened, text: 'new' });
   await next.discard();
   assert.equal((await next.recall())?.text, 'new');
 
-  const later = new LastWork(store, noSecrets);
-  later.openedWith(opened);
+  const { last: later } = visit({ store });
   await later.discard();
   assert.equal(await later.recall(), undefined);
 });
