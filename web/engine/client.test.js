@@ -123,3 +123,16 @@ test('Ended while it reads a model, it is replaced at once', async () => {
   await settled();
   assert.equal(replacements, 1);
 });
+
+test('A worker of which nothing is asked, and one that tells of its work, is left alone however long it takes', async () => {
+  for (let i = 0; i < 120; i += 1) mock.timers.tick(5000);
+  const job = client.engrave({ signal: new AbortController().signal, onProgress: () => {} });
+  for (let i = 0; i < 120; i += 1) {
+    mock.timers.tick(5000);
+    if (i % 20 === 0) worker().onmessage({ data: { event: 'progress', progress: { stage: message('finding-depth'), fraction: i / 120 } } });
+  }
+  worker().answer('engrave', { value: true });
+  assert.equal(await job, true);
+  assert.deepEqual(events, []);
+  assert.equal(FakeWorker.all.length, 1);
+});

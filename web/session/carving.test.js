@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, before, beforeEach, test } from 'node:test';
 import { Carving } from './carving.js';
+import { kReaderName } from '../decoder/reader.js';
 import { Jobs } from './jobs.js';
 import { FakeMessages, Pending, fake, noRoom, settled } from './testing.js';
 
@@ -143,4 +144,33 @@ test('What reads with no preset stays as it was asked for', async () => {
   assert.equal(values.preset, 'balanced');
   assert.equal(client.calls.filter((/** @type {string} */ call) => call.startsWith('engrave')).length, 2);
   assert.ok(client.calls.some((/** @type {string} */ call) => call.startsWith('useCarving 1')));
+});
+
+test('Cancelled while it is carved deeper, what was asked for stays, as it was carved and read', async () => {
+  values = { preset: 'shallow' };
+  FakeReader.found = '';
+  const deeper = new Pending();
+  client.answers.setReadings = async () => ({ passed: false, next: 'balanced' });
+  const { engrave } = client.answers;
+  client.answers.engrave = (/** @type {{ signal: AbortSignal }} */ { signal }) => {
+    if (values.preset === 'shallow') return engrave();
+    signal.addEventListener('abort', () => deeper.resolve(false));
+    return deeper.promise;
+  };
+  const run = carving.engrave();
+  while (values.preset === 'shallow') await settled();
+  jobs.cancel();
+  await run;
+  await settled();
+  assert.equal(values.preset, 'shallow');
+  assert.equal(messages.said.at(-1), 'Cancelled. The model is as it was.');
+  const calls = client.calls.filter((/** @type {string} */ call) => /^(useCarving|setReadings)/.test(call));
+  assert.deepEqual(calls.slice(-2), ['useCarving 1', `setReadings ${kReaderName}`]);
+  assert.equal(made()?.made.values.preset, 'shallow');
+  assert.deepEqual(shown.at(-1), [true, true]);
+  client.answers.engrave = engrave;
+  client.answers.setReadings = async () => ({ passed: true, next: null });
+  values = { preset: 'balanced' };
+  await carving.engrave();
+  assert.equal(made()?.made.values.preset, 'balanced');
 });

@@ -6,6 +6,7 @@ import { Jobs } from './jobs.js';
 import { ModelSession } from './model_session.js';
 import { FakeMessages, fake, noRoom } from './testing.js';
 
+/** @type {FakeMessages} */ let messages;
 /** @type {any} */ let client;
 /** @type {any} */ let panel;
 /** @type {Centre} */ let centre;
@@ -16,7 +17,7 @@ import { FakeMessages, fake, noRoom } from './testing.js';
 const kSource = { bytes: new Uint8Array([1]), fileName: 'a.stl', scaleToMm: 1, upAxis: 'z', credit: '' };
 
 beforeEach(() => {
-  const messages = /** @type {any} */ (new FakeMessages());
+  messages = new FakeMessages();
   client = fake({
     loadModel: async (/** @type {Uint8Array} */ _, /** @type {string} */ __, /** @type {number} */ scaleToMm) =>
       ({ engravable: true, scaleToMm: scaleToMm || 25.4, findings: [] }),
@@ -25,7 +26,8 @@ beforeEach(() => {
   centre = new Centre(() => {});
   told = [];
   model = new ModelSession({
-    client, messages, panel, centre, jobs: new Jobs({ panel: fake(), messages, onBusy: () => {} }),
+    client, panel, centre, messages: /** @type {any} */ (messages),
+    jobs: new Jobs({ panel: fake(), messages: /** @type {any} */ (messages), onBusy: () => {} }),
     onReplacing: () => void told.push('replacing'), onLoaded: async () => void told.push('loaded'), onFailed: () => void told.push('failed'),
   });
 });
@@ -61,4 +63,14 @@ test('The unit that a file states takes the place of none', async () => {
   await model.load({ ...kSource, scaleToMm: 0 });
   assert.equal(model.source?.scaleToMm, 25.4);
   assert.equal(model.source?.unitStated, true);
+});
+
+test('A sample that is not there is named together with those there are, and nothing is read', async () => {
+  const sample = { name: 'A', file: 'a.stl', centreMm: /** @type {[number, number, number]} */ ([0, 0, 0]), credit: '' };
+  model.setSamples([{ ...sample, id: 'bunny' }, { ...sample, id: 'vase' }]);
+  await model.openSample('teapot');
+  assert.match(messages.problem.found(), /There is no sample “teapot”/);
+  assert.match(messages.problem.help(), /bunny, vase/);
+  assert.deepEqual(told, []);
+  assert.equal(model.source, undefined);
 });

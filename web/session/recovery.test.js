@@ -2,6 +2,10 @@
 import assert from 'node:assert/strict';
 import { beforeEach, test } from 'node:test';
 import { Recovery } from './recovery.js';
+import { EngineFailure, hung, internal } from '../engine/engine_error.js';
+import { message } from '../engine/message.js';
+import { messageWords } from '../i18n/message_words.js';
+import { hintOf, sentenceOf } from '../i18n/messages.js';
 import { FakeMessages, Pending, crashed, noRoom, replaced, settled } from './testing.js';
 
 /** @type {FakeMessages} */ let messages;
@@ -58,4 +62,16 @@ test('After three replacements in a short time the page gives up, and says what 
   for (let i = 0; i < 4; i += 1) await recovery.recoverFrom({ event: 'contextlost' });
   assert.equal(replacements, 3);
   assert.notEqual(messages.problem.help(), '');
+});
+
+test('A module that hangs, and one that gets too little memory, is replaced, and it is said which', async () => {
+  await messageWords.come();
+  const error = hung(120_000);
+  await recovery.recoverFrom({ event: 'failure', error });
+  assert.equal(replacements, 1);
+  assert.match(sentenceOf(messages.problem), /has not answered for 120 seconds/);
+  assert.notEqual(hintOf(messages.problem), '');
+  await recovery.guard(async () => { throw new EngineFailure(internal(message('out-of-memory'))); });
+  assert.equal(replacements, 2);
+  assert.match(sentenceOf(messages.problem), /no more memory/);
 });
