@@ -3,21 +3,11 @@ import { expect, test } from '@playwright/test';
 import { Engraver } from './support/engraver.js';
 import { Inspector } from './support/inspector.js';
 
-/** @typedef {import('@playwright/test').Page} Page */
 /** @typedef {import('../web/engine/types.js').InspectorState} State */
 /** @typedef {NonNullable<State['selected']>} Selected */
+/** @typedef {{ x: number, y: number, width: number, height: number }} Clip */
 
 const kBalancedContrast = 0.3;
-
-/** @param {Page} page */
-async function openBoth(page) {
-  const app = new Engraver(page);
-  await app.open('?sample=bumpy-sphere');
-  await app.expectReady();
-  const inspector = new Inspector(page);
-  await inspector.open();
-  return { app, inspector };
-}
 
 /** How many pixels are far from grey: the colours of a map, not of the model. @param {number[]} rgba */
 function colourful(rgba) {
@@ -39,122 +29,130 @@ async function pressDark(inspector) {
 /** c in G = AL·(c − 1) + LS. @param {Selected} submodule */
 const contrastOf = ({ LS, AL, G }) => 1 - (LS - Number(G)) / Number(AL);
 
-/** A control's area on the page. @param {Inspector} inspector */
-async function clipOf(inspector, control = 'Map') {
-  const from = await inspector.placeOf(control, { x: 0, y: 0 });
-  const to = await inspector.placeOf(control, { x: 1, y: 1 });
-  return { x: from.x, y: from.y, width: to.x - from.x, height: to.y - from.y };
-}
-
 test('The inspector is drawn over the view alone, shows an engraving and goes without a trace', async ({ page }) => {
-  const { app, inspector } = await openBoth(page);
-  const { window, passes } = /** @type {State} */ (await inspector.state());
-  expect(passes).toBe(0);
-  const canvas = /** @type {{ x: number, y: number, width: number, height: number }} */ (await app.canvas.boundingBox());
-  for (const button of await page.getByRole('toolbar', { name: 'View' }).getByRole('button').all()) {
-    const box = /** @type {{ x: number, y: number, width: number, height: number }} */ (await button.boundingBox());
-    const [x, y, width, height] = [canvas.x + window[0], canvas.y + window[1], window[2], window[3]];
-    expect(box.x >= x + width || box.x + box.width <= x || box.y >= y + height || box.y + box.height <= y).toBe(true);
-  }
+  const app = new Engraver(page);
+  const inspector = new Inspector(page);
+  await app.open('?sample=bumpy-sphere');
+  await app.expectReady();
+  await inspector.open();
+
+  await test.step('no button over the view is covered', async () => {
+    const { window, passes } = /** @type {State} */ (await inspector.state());
+    expect(passes).toBe(0);
+    const canvas = /** @type {Clip} */ (await app.canvas.boundingBox());
+    for (const button of await page.getByRole('toolbar', { name: 'View' }).getByRole('button').all()) {
+      const box = /** @type {Clip} */ (await button.boundingBox());
+      const [x, y, width, height] = [canvas.x + window[0], canvas.y + window[1], window[2], window[3]];
+      expect(box.x >= x + width || box.x + box.width <= x || box.y >= y + height || box.y + box.height <= y).toBe(true);
+    }
+  });
+
+  await test.step('a click beside it still places the code', async () => {
+    const before = await app.centre();
+    const box = /** @type {Clip} */ (await app.canvas.boundingBox());
+    await page.mouse.click(box.x + box.width * 0.6, box.y + box.height * 0.4);
+    await expect.poll(() => app.centre()).not.toEqual(before);
+    await app.expectReady();
+  });
 
   await app.engrave();
   await inspector.expectState((state) => state.passes > 1 && state.pass === state.passes, true);
-  const clip = await clipOf(inspector);
-  await expect.poll(async () => colourful(await inspector.pixels(clip))).toBeGreaterThan(5000);
+  const clip = await inspector.clipOf('Map');
+  await test.step('an engraving is shown', async () => {
+    await expect.poll(async () => colourful(await inspector.pixels(clip))).toBeGreaterThan(5000);
+  });
 
-  await inspector.button.click();
-  await expect.poll(() => inspector.state()).toBeUndefined();
-  await expect.poll(async () => colourful(await inspector.pixels(clip))).toBe(0);
+  await test.step('a click on a submodule in the map tells the paper’s quantities of it', async () => {
+    await inspector.press('Map', { x: 0.2, y: 0.8 });
+    await inspector.expectState((state) => Boolean(state.selected), true);
+    const inMap = /** @type {Selected} */ ((await inspector.state())?.selected);
+    expect(inMap.row).toBeGreaterThan(inMap.column);
+    const dark = await pressDark(inspector);
+    expect(contrastOf(dark)).toBeCloseTo(kBalancedContrast, 4);
+    expect(dark.G).toBeLessThanOrEqual(1e-4);
+    expect(dark.depthMm).toBeGreaterThan(0);
+    expect(dark.limitMm).toBeGreaterThanOrEqual(/** @type {number} */ (dark.depthMm));
+  });
+
+  await test.step('passes are scrubbed, and each shows its own depths', async () => {
+    const { passes } = /** @type {State} */ (await inspector.state());
+    const last = await inspector.pixels(clip);
+    await inspector.press('Earlier pass');
+    await inspector.expectState((state) => state.pass, passes - 1);
+    await inspector.press('Pass', { x: 0.03, y: 0.5 });
+    await inspector.expectState((state) => state.pass, 1);
+    await expect.poll(async () => (await inspector.pixels(clip)).join() === last.join()).toBe(false);
+    await inspector.openTab('Search');
+    await inspector.openTab('Timing');
+  });
+
+  await test.step('so does a click on the model', async () => {
+    const before = await app.centre();
+    await page.getByRole('button', { name: 'Reader’s view' }).click();
+    const box = /** @type {Clip} */ (await app.canvas.boundingBox());
+    const [x, y] = [box.x + box.width / 2 + 60, box.y + box.height / 2];
+    await inspector.expectStill({ x: x - 50, y: y - 50, width: 100, height: 100 });
+    await page.mouse.click(x, y);
+    // The reader sees the middle of 145 submodules there, and a little to the right of it.
+    await inspector.expectState(({ selected }) => selected && [Math.abs(selected.row - 72) < 8, selected.column > 76], [true, true]);
+    expect(await app.centre()).toEqual(before);  // the click was the inspector's
+  });
+
+  await test.step('closed, it leaves no trace', async () => {
+    await inspector.openTab('Maps');
+    await expect.poll(async () => colourful(await inspector.pixels(clip))).toBeGreaterThan(5000);
+    await inspector.button.click();
+    await expect.poll(() => inspector.state()).toBeUndefined();
+    await expect.poll(async () => colourful(await inspector.pixels(clip))).toBe(0);
+  });
 });
 
-test('A click on a submodule in the map or on the model tells the paper’s quantities of it', async ({ page }) => {
-  const { app, inspector } = await openBoth(page);
-  await app.engrave();
-  await inspector.press('Map', { x: 0.2, y: 0.8 });
-  await inspector.expectState((state) => Boolean(state.selected), true);
-  const inMap = /** @type {Selected} */ ((await inspector.state())?.selected);
-  expect(inMap.row).toBeGreaterThan(inMap.column);
-  const dark = await pressDark(inspector);
-  expect(contrastOf(dark)).toBeCloseTo(kBalancedContrast, 4);
-  expect(dark.G).toBeLessThanOrEqual(1e-4);
-  expect(dark.depthMm).toBeGreaterThan(0);
-  expect(dark.limitMm).toBeGreaterThanOrEqual(/** @type {number} */ (dark.depthMm));
-
-  const before = await app.centre();
-  await page.getByRole('button', { name: 'Reader’s view' }).click();
-  const box = /** @type {{ x: number, y: number, width: number, height: number }} */ (await app.canvas.boundingBox());
-  const [x, y] = [box.x + box.width / 2 + 60, box.y + box.height / 2];
-  await inspector.expectStill({ x: x - 50, y: y - 50, width: 100, height: 100 });
-  await page.mouse.click(x, y);
-  // The reader sees the middle of 145 submodules there, and a little to the right of it.
-  await inspector.expectState(({ selected }) => selected && [Math.abs(selected.row - 72) < 8, selected.column > 76], [true, true]);
-  expect(await app.centre()).toEqual(before);  // the click was the inspector's
-});
-
-test('Passes are scrubbed, and each shows its own depths', async ({ page }) => {
-  const { app, inspector } = await openBoth(page);
-  await app.engrave();
-  const passes = /** @type {State} */ (await inspector.state()).passes;
-  const clip = await clipOf(inspector);
-  const last = await inspector.pixels(clip);
-  await inspector.press('Earlier pass');
-  await inspector.expectState((state) => state.pass, passes - 1);
-  await inspector.press('Pass', { x: 0.03, y: 0.5 });
-  await inspector.expectState((state) => state.pass, 1);
-  await expect.poll(async () => (await inspector.pixels(clip)).join() === last.join()).toBe(false);
-  await inspector.openTab('Search');
-  await inspector.openTab('Timing');
-});
-
-test('Settings of the inspector count for its own Engrave alone, are typed or stepped, and can be reset', async ({ page }) => {
-  test.slow();  // it engraves twice
-  const { app, inspector } = await openBoth(page);
-  await inspector.openTab('Settings');
-  await inspector.press('contrast', { x: 0.2, y: 0.5 });
-  await inspector.expectState((state) => state.keyboard, true);
-  await page.keyboard.press('Control+A');
-  await page.keyboard.type('0.25');
-  await page.keyboard.press('Enter');
-  await inspector.expectState((state) => state.overrides, 'Contrast 0.25');
-  await expect(app.setting('Contrast')).toHaveValue('');
-
-  await inspector.press('Engrave again');
-  await expect(app.status).toContainText('Contrast 0.25', { timeout: 120_000 });
-  await inspector.openTab('Maps');
-  expect(contrastOf(await pressDark(inspector))).toBeCloseTo(0.25, 4);
-
-  await inspector.openTab('Settings');
-  await inspector.press('contrast', { x: 0.97, y: 0.5 });  // its plus
-  await inspector.expectState((state) => state.overrides, 'Contrast 0.26');
-  await inspector.press('Reset all');
-  await inspector.expectState((state) => state.overridden, 0);
-
-  await inspector.openTab('Maps');
-  await app.engrave();
-  await expect.poll(async () => contrastOf(await pressDark(inspector))).toBeCloseTo(kBalancedContrast, 4);
-});
-
-test('With the inspector open a click beside it still places the code', async ({ page }) => {
-  const { app } = await openBoth(page);
-  const before = await app.centre();
-  const box = /** @type {{ x: number, y: number, width: number, height: number }} */ (await app.canvas.boundingBox());
-  await page.mouse.click(box.x + box.width * 0.6, box.y + box.height * 0.4);
-  await expect.poll(() => app.centre()).not.toEqual(before);
-});
-
-test('The inspector speaks the page’s language, and follows when that is changed', async ({ page }) => {
+test('Settings of the inspector count for its own Engrave alone, are typed or stepped, and can be reset; it speaks the page’s language', async ({ page }) => {
   const app = new Engraver(page);
-  await app.open('?sample=bumpy-sphere&lang=de');
-  await expect(page.getByRole('status')).toHaveText('Bereit.');
   const inspector = new Inspector(page);
+  await app.open('?sample=bumpy-sphere&lang=de');
+  await expect(app.status).toHaveText('Bereit.');
   await page.getByRole('button', { name: 'Inspektor' }).click();
   await inspector.openTab('Settings');
-  await inspector.press('contrast', { x: 0.97, y: 0.5 });
-  await inspector.expectState((state) => state.overrides.startsWith('Kontrast 0.'), true);
-  const clip = await clipOf(inspector, 'Engrave again');
-  const german = await inspector.pixels(clip);
+  await inspector.press('contrast', { x: 0.97, y: 0.5 });  // its plus
+  await inspector.expectState((state) => state.overrides, 'Kontrast 0.31');
 
-  await page.getByRole('combobox', { name: 'Sprache' }).selectOption('en');
-  await inspector.expectState((state) => state.overrides.startsWith('Contrast 0.'), true);
-  await expect.poll(async () => (await inspector.pixels(clip)).join() === german.join()).toBe(false);
+  await test.step('the language follows when that of the page is changed', async () => {
+    const clip = await inspector.clipOf('Engrave again');
+    const german = await inspector.pixels(clip);
+    await page.getByRole('combobox', { name: 'Sprache' }).selectOption('en');
+    await inspector.expectState((state) => state.overrides, 'Contrast 0.31');
+    await expect.poll(async () => (await inspector.pixels(clip)).join() === german.join()).toBe(false);
+  });
+
+  await test.step('typed', async () => {
+    await inspector.press('contrast', { x: 0.2, y: 0.5 });
+    await inspector.expectState((state) => state.keyboard, true);
+    await page.keyboard.press('Control+A');
+    await page.keyboard.type('0.25');
+    await page.keyboard.press('Enter');
+    await inspector.expectState((state) => state.overrides, 'Contrast 0.25');
+    await expect(app.setting('Contrast')).toHaveValue('');
+  });
+
+  await test.step('for its own Engrave', async () => {
+    await inspector.press('Engrave again');
+    await expect(app.status).toContainText('Contrast 0.25', { timeout: 240_000 });
+    await inspector.openTab('Maps');
+    await expect.poll(async () => contrastOf(await pressDark(inspector))).toBeCloseTo(0.25, 4);
+  });
+
+  await test.step('stepped and reset', async () => {
+    await inspector.openTab('Settings');
+    await inspector.press('contrast', { x: 0.97, y: 0.5 });
+    await inspector.expectState((state) => state.overrides, 'Contrast 0.26');
+    await inspector.press('Reset all');
+    await inspector.expectState((state) => state.overridden, 0);
+  });
+
+  await test.step('not for the page’s', async () => {
+    await inspector.openTab('Maps');
+    await app.engrave();
+    await expect.poll(async () => contrastOf(await pressDark(inspector))).toBeCloseTo(kBalancedContrast, 4);
+  });
 });

@@ -4,90 +4,63 @@ import { Engraver } from './support/engraver.js';
 import { untilKept } from './support/kept.js';
 import { saddleFile } from './support/models.js';
 
-/** @typedef {import('@playwright/test').Page} Page */
-
-/** @param {Page} page */
-const offer = (page) => page.getByText(/^Continue with .*\?$/);
-
-test('After a reload the model, its unit, the text, the settings and the centre are offered and come back', async ({ page }) => {
+test('What was done is offered after a reload and comes back; what was only looked at or was discarded is not offered', async ({ page }) => {
   const app = new Engraver(page);
+  const offer = page.getByText(/^Continue with .*\?$/);
   await app.open();
   await app.expectReady();
-  await app.file.setInputFiles(saddleFile);
-  await expect(app.facts).toContainText('my saddle.stl');
-  await app.expectReady();
-  await app.openSettings();
-  await app.setting('Unit').selectOption('inch');
-  await expect(app.facts).toContainText('2,286.0 × 2,286.0 × 1,016.0 mm');
-  await app.expectReady();
-  await app.text.fill('to be continued');
-  await app.setting('Rotation (°)').fill('15');
-  await app.setting('Rotation (°)').blur();
-  await app.expectReady();
-  const box = /** @type {{ width: number, height: number }} */ (await app.canvas.boundingBox());
-  const proposed = await app.centre();
-  await app.canvas.click({ position: { x: box.width / 2 + 30, y: box.height / 2 } });
-  await expect.poll(() => app.centre()).not.toEqual(proposed);
-  await app.expectReady();
-  const centre = await app.centre();
-  await untilKept(page, (kept) => kept?.text === 'to be continued' && kept.values.rotate === '15' && kept.centreMm?.every(
-    (/** @type {number} */ v, /** @type {number} */ axis) => Math.abs(v - centre[axis]) < 0.01));
 
-  await page.reload();
-  await app.expectReady();
-  await expect(app.facts).not.toContainText('my saddle.stl');
-  await expect(offer(page)).toHaveText('Continue with my saddle.stl?');
-  await page.getByRole('button', { name: 'Continue' }).click();
-  await expect(offer(page)).toHaveCount(0);
-  await expect(app.facts).toHaveText('my saddle.stl, 2,286.0 × 2,286.0 × 1,016.0 mm');
-  await app.expectReady();
-  await expect(app.text).toHaveValue('to be continued');
-  await expect(app.setting('Rotation (°)')).toHaveValue('15');
-  (await app.centre()).forEach((v, axis) => expect(v).toBeCloseTo(centre[axis], 1));
-});
-
-test('What was discarded is not offered again, nor is a page that was only looked at', async ({ page }) => {
-  const app = new Engraver(page);
-  await app.open();
-  await app.expectReady();
-  await page.reload();
-  await app.expectReady();
-  await expect(offer(page)).toHaveCount(0);
-
-  await app.sample.selectOption('Star');
-  await untilKept(page, (kept) => kept?.sampleId === 'star');
-  await page.reload();
-  await expect(offer(page)).toHaveText('Continue with star.stl?');
-  await page.getByRole('button', { name: 'Discard' }).click();
-  await expect(offer(page)).toHaveCount(0);
-  await untilKept(page, (kept) => kept === undefined);
-  await page.reload();
-  await app.expectReady();
-  await expect(offer(page)).toHaveCount(0);
-});
-
-test('The password of a network is not kept', async ({ page }) => {
-  const app = new Engraver(page);
-  await app.open();
-  await app.expectReady();
-  await app.text.fill('WIFI:T:WPA;S:home;P:very secret;;');
-  await app.sample.selectOption('Pyramid');
-  await untilKept(page, (kept) => kept?.sampleId === 'pyramid' && !JSON.stringify(kept).includes('secret'));
-  await page.reload();
-  await page.getByRole('button', { name: 'Continue' }).click();
-  await app.expectReady();
-  await expect(app.text).not.toHaveValue(/secret/);
-});
-
-test('A browser that keeps nothing is no hindrance', async ({ page }) => {
-  await page.addInitScript(() => {
-    Object.defineProperty(window, 'indexedDB', { get: () => { throw new DOMException('denied', 'SecurityError'); } });
+  await test.step('a page that was only looked at', async () => {
+    await page.reload();
+    await app.expectReady();
+    await expect(offer).toHaveCount(0);
   });
-  const app = new Engraver(page);
-  await app.open();
-  await app.expectReady();
-  await app.sample.selectOption('Saddle');
-  await expect(app.facts).toContainText('90.0 × 90.0 × 40.0 mm');
-  await app.expectReady();
-  await expect(app.alert).toHaveCount(0);
+
+  await test.step('discarded', async () => {
+    await app.text.fill('WIFI:T:WPA;S:home;P:very secret;;');
+    await app.sample.selectOption('Star');
+    await untilKept(page, (kept) => kept?.sampleId === 'star' && !JSON.stringify(kept).includes('secret'));
+    await page.reload();
+    await expect(offer).toHaveText('Continue with star.stl?');
+    await page.getByRole('button', { name: 'Discard' }).click();
+    await expect(offer).toHaveCount(0);
+    await untilKept(page, (kept) => kept === undefined);
+    await page.reload();
+    await app.expectReady();
+    await expect(offer).toHaveCount(0);
+  });
+
+  await test.step('the model, its unit, the text, the settings and the centre', async () => {
+    await app.file.setInputFiles(saddleFile);
+    await expect(app.facts).toContainText('my saddle.stl');
+    await app.expectReady();
+    await app.openSettings();
+    await app.setting('Unit').selectOption('inch');
+    await expect(app.facts).toContainText('2,286.0 × 2,286.0 × 1,016.0 mm');
+    await app.expectReady();
+    await app.text.fill('to be continued');
+    await app.setting('Rotation (°)').fill('15');
+    await app.setting('Rotation (°)').blur();
+    await app.expectReady();
+    const box = /** @type {{ width: number, height: number }} */ (await app.canvas.boundingBox());
+    const proposed = await app.centre();
+    await app.canvas.click({ position: { x: box.width / 2 + 30, y: box.height / 2 } });
+    await expect.poll(() => app.centre()).not.toEqual(proposed);
+    await app.expectReady();
+    const centre = await app.centre();
+    await untilKept(page, (kept) => kept?.text === 'to be continued' && kept.values.rotate === '15' && kept.centreMm?.every(
+      (/** @type {number} */ v, /** @type {number} */ axis) => Math.abs(v - centre[axis]) < 0.01));
+
+    await page.reload();
+    await app.expectReady();
+    await expect(app.facts).not.toContainText('my saddle.stl');
+    await expect(offer).toHaveText('Continue with my saddle.stl?');
+    await page.getByRole('button', { name: 'Continue' }).click();
+    await expect(offer).toHaveCount(0);
+    await expect(app.facts).toHaveText('my saddle.stl, 2,286.0 × 2,286.0 × 1,016.0 mm');
+    await app.expectReady();
+    await expect(app.text).toHaveValue('to be continued');
+    await expect(app.setting('Rotation (°)')).toHaveValue('15');
+    (await app.centre()).forEach((v, axis) => expect(v).toBeCloseTo(centre[axis], 1));
+  });
 });

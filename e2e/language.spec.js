@@ -32,7 +32,7 @@ test('Another language takes effect at once, with its numbers, and is kept', asy
   await expect(page).toHaveTitle(/einen QR-Code/);
 
   await page.getByRole('button', { name: 'Gravieren' }).click();
-  await expect(page.getByRole('region', { name: 'Ergebnis' })).toContainText(/Tiefe\s*\d+,\d\d mm im Mittel/);
+  await expect(page.getByRole('region', { name: 'Ergebnis' })).toContainText(/Tiefe\s*\d+,\d\d mm im Mittel/, { timeout: 240_000 });
   await page.getByRole('combobox', { name: 'Sprache' }).selectOption('English');
   await expect(app.result).toContainText(/Depth\s*\d+\.\d\d mm on average/);
 
@@ -41,33 +41,50 @@ test('Another language takes effect at once, with its numbers, and is kept', asy
   await expect(page.getByRole('button', { name: 'Gravieren' })).toBeVisible();
 });
 
-test('What was found and what went wrong is said in the language chosen, and follows it', async ({ page }) => {
+test('What was found and what went wrong is said in the language chosen, and one click reads a tiny model in a unit that makes it printable', async ({ page }) => {
   const positions = saddleMesh.positions.map((point) => /** @type {[number, number, number]} */ (point.map((v) => v / 1000)));
+  const metres = { name: 'metres.stl', mimeType: 'model/stl', buffer: Buffer.from(writeStl({ ...saddleMesh, positions }, 'in metres')) };
   const app = new Engraver(page);
   await app.open('?sample=saddle&lang=de');
-  await expect(page.getByRole('status')).toHaveText('Bereit.');
-  await page.getByLabel('Modelldatei').setInputFiles({ name: 'metres.stl', mimeType: 'model/stl', buffer: Buffer.from(writeStl({ ...saddleMesh, positions }, 'm')) });
-  const findings = page.getByRole('list', { name: 'Im Modell gefunden' });
-  await expect(findings).toContainText('Das Modell ist winzig: 0,09 × 0,09 × 0,04 mm.');
-  await expect(findings.getByRole('button', { name: 'In Metern lesen: 90 × 90 × 40 mm' })).toBeVisible();
+  await expect(app.status).toHaveText('Bereit.');
+  await page.getByLabel('Modelldatei').setInputFiles(metres);
+  const german = page.getByRole('list', { name: 'Im Modell gefunden' });
+  await expect(german).toContainText('Das Modell ist winzig: 0,09 × 0,09 × 0,04 mm.');
+  await expect(german.getByRole('button', { name: 'In Metern lesen: 90 × 90 × 40 mm' })).toBeVisible();
   await page.getByLabel('Modelldatei').setInputFiles(truncatedFile);
   await expect(app.alert).toContainText(/Dreieck/);
   await page.getByRole('combobox', { name: 'Sprache' }).selectOption('English');
   await expect(app.alert).toContainText(/facets|triangles/);
-  await expect(page.getByRole('list', { name: 'Found in the model' })).toContainText('The model is tiny: 0.09 × 0.09 × 0.04 mm.');
+
+  const findings = page.getByRole('list', { name: 'Found in the model' });
+  await expect(findings).toContainText('The model is tiny: 0.09 × 0.09 × 0.04 mm. If it should be larger, choose another unit: in metres it is 90 × 90 × 40 mm.');
+  await expect(findings).not.toContainText('--');
+  await findings.getByRole('button', { name: 'Read it in metres: 90 × 90 × 40 mm' }).click();
+  await expect(app.facts).toHaveText('metres.stl, 90.0 × 90.0 × 40.0 mm');
+  await expect(findings.getByRole('listitem')).toHaveCount(0);
+  await app.expectReady();
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await expect(app.facts).toHaveText(/metres\.stl, 0\.09/);
 });
 
-test('The address may ask for a language, and blocked storage does no harm', async ({ page }) => {
+test('A browser that keeps nothing is no hindrance, and the address may ask for a language', async ({ page }) => {
   /** @type {string[]} */ const complaints = [];
   page.on('pageerror', (error) => complaints.push(error.message));
   await page.addInitScript(() => {
-    Object.defineProperty(window, 'localStorage', { get: () => { throw new DOMException('denied', 'SecurityError'); } });
+    for (const storage of ['localStorage', 'indexedDB']) {
+      Object.defineProperty(window, storage, { get: () => { throw new DOMException('denied', 'SecurityError'); } });
+    }
   });
-  await page.goto('./?lang=de');
-  await expect(page.getByRole('status')).toHaveText('Bereit.');
+  const app = new Engraver(page);
+  await app.open('?lang=de');  // nothing else: then the last visit's work is looked for
+  await expect(app.status).toHaveText('Bereit.');
   await page.getByRole('combobox', { name: 'Sprache' }).selectOption('English');
   await expect(page.getByRole('button', { name: 'Engrave' })).toBeVisible();
   await page.getByRole('combobox', { name: 'Appearance' }).selectOption('Dark');
+  await app.sample.selectOption('Saddle');
+  await expect(app.facts).toContainText('90.0 × 90.0 × 40.0 mm');
+  await app.expectReady();
+  await expect(app.alert).toHaveCount(0);
   expect(complaints).toEqual([]);
 });
 

@@ -5,30 +5,30 @@ import { Inspector } from './support/inspector.js';
 import { truncatedFile } from './support/models.js';
 import { Site } from './support/site.js';
 
-test('Until it can be used the page needs 1.5 MB at most; the reader of codes, the inspector and the words of messages come later', async ({ page }) => {
-  const site = await new Site('/').open();
-  try {
-    const app = new Engraver(page);
-    await page.goto(site.address);
-    await app.expectReady();
-    const bytes = site.sent.reduce((sum, file) => sum + file.bytes, 0);
-    console.log(`first load: ${(bytes / 1e6).toFixed(2)} MB by gzip in ${site.sent.length} files`);
-    expect(site.sent.map(({ path }) => path)).toContain('samples/bunny.stl');
-    expect(site.sent.filter(({ path }) => /reader|inspector|message_catalogues/.test(path))).toEqual([]);
-    expect(bytes).toBeLessThan(1.5e6);
-  } finally {
-    await site.close();
-  }
+/** @type {Site} */ let site;
+test.beforeEach(async () => {
+  site = await new Site('/').open();
 });
+test.afterEach(() => site.close());
 
-test('The inspector is loaded when it is opened; if it cannot be, that is said, and pressing again tries again', async ({ page }) => {
-  const site = await new Site('/').open();
-  try {
-    const app = new Engraver(page);
-    const inspector = new Inspector(page);
-    await page.goto(site.address);
+const kInspector = /inspector.*\.wasm$/;
+
+test('Until it can be used the page needs 1.5 MB at most; the reader of codes, the inspector and the words of messages come later', async ({ page }) => {
+  const app = new Engraver(page);
+  const inspector = new Inspector(page);
+  await page.goto(site.address);
+  await app.expectReady();
+  const bytes = site.sent.reduce((sum, file) => sum + file.bytes, 0);
+  console.log(`first load: ${(bytes / 1e6).toFixed(2)} MB by gzip in ${site.sent.length} files`);
+  expect(site.sent.map(({ path }) => path)).toContain('samples/bunny.stl');
+  expect(site.sent.filter(({ path }) => /reader|inspector|message_catalogues/.test(path))).toEqual([]);
+  expect(bytes).toBeLessThan(1.5e6);
+
+  await test.step('if the inspector cannot be loaded, that is said, and pressing again tries again', async () => {
+    await app.sample.selectOption('Saddle');  // which is soon engraved
+    await expect(app.facts).toContainText('Saddle');
     await app.expectReady();
-    site.lacks = (path) => /inspector.*\.wasm$/.test(path);
+    site.lacks = (path) => kInspector.test(path);
     await inspector.button.click();
     await expect(app.alert).toContainText('The inspector could not be loaded (404');
     await expect(inspector.button).toHaveAttribute('aria-pressed', 'false');
@@ -39,46 +39,34 @@ test('The inspector is loaded when it is opened; if it cannot be, that is said, 
     site.lacks = () => false;
     await inspector.open();
     await inspector.expectState((state) => state.passes > 1, true);
-    const loaded = site.sent.filter(({ path }) => /inspector.*\.wasm$/.test(path));
+    const loaded = site.sent.filter(({ path }) => kInspector.test(path));
     expect(loaded.length).toBe(1);
     console.log(`the inspector: ${(loaded[0].bytes / 1e6).toFixed(2)} MB by gzip`);
-  } finally {
-    await site.close();
-  }
+  });
 });
 
 test('The words of messages come with the first one, in its language; if they cannot be loaded, that is said', async ({ page }) => {
-  const site = await new Site('/').open();
   const words = () => site.sent.filter(({ path }) => /message_catalogues/.test(path));
-  try {
-    const app = new Engraver(page);
-    await page.goto(site.address);
-    await app.expectReady();
-    site.lacks = (path) => /message_catalogues/.test(path);
-    await app.file.setInputFiles(truncatedFile);
-    await expect(app.alert).toContainText('could not be loaded; check the connection');
-    expect(words()).toEqual([]);
+  const app = new Engraver(page);
+  await page.goto(site.address);
+  await app.expectReady();
+  site.lacks = (path) => /message_catalogues/.test(path);
+  await app.file.setInputFiles(truncatedFile);
+  await expect(app.alert).toContainText('could not be loaded; check the connection');
+  expect(words()).toEqual([]);
 
-    site.lacks = () => false;
-    await page.getByRole('combobox', { name: 'Language' }).selectOption('Deutsch');
-    await expect(app.alert).toContainText(/Dreieck/);
-    expect(words().length).toBe(1);
-    console.log(`the words of messages: ${(words()[0].bytes / 1e3).toFixed(1)} kB by gzip`);
-  } finally {
-    await site.close();
-  }
+  site.lacks = () => false;
+  await page.getByRole('combobox', { name: 'Language' }).selectOption('Deutsch');
+  await expect(app.alert).toContainText(/Dreieck/);
+  expect(words().length).toBe(1);
+  console.log(`the words of messages: ${(words()[0].bytes / 1e3).toFixed(1)} kB by gzip`);
 });
 
 test('A host that does not know the type of WebAssembly serves the page, too', async ({ page }) => {
-  const site = await new Site('/').open();
-  try {
-    site.types['.wasm'] = 'application/octet-stream';
-    const app = new Engraver(page);
-    await page.goto(site.address);
-    await app.expectReady();
-    await new Inspector(page).open();
-    await expect(app.alert).toHaveCount(0);
-  } finally {
-    await site.close();
-  }
+  site.types['.wasm'] = 'application/octet-stream';
+  const app = new Engraver(page);
+  await page.goto(`${site.address}?sample=pyramid`);
+  await app.expectReady();
+  await new Inspector(page).open();
+  await expect(app.alert).toHaveCount(0);
 });

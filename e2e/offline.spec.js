@@ -36,7 +36,7 @@ test('Below any path and without a network the page opens, engraves, and reads t
 
 test('A new version is offered, and takes over when its reader says so', async ({ page }) => {
   const app = new Engraver(page);
-  await page.goto(site.address);
+  await page.goto(`${site.address}?sample=pyramid`);
   await app.expectReady();
   await untilKept(page);
   site.changes.set('index.html', (html) => html.replace(/<title\b.*<\/title>/, '<title>The next version</title>'));

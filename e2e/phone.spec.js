@@ -3,92 +3,88 @@ import { expect, test } from '@playwright/test';
 import { Engraver } from './support/engraver.js';
 import { Inspector } from './support/inspector.js';
 
-test('On a phone a tap places the code, a pinch does not, and the result can be reached', async ({ page }) => {
+test('On a phone fingers place, move and turn the code, and the result can be reached', async ({ page }) => {
   const app = new Engraver(page);
   await app.open('?sample=bumpy-sphere');
   await app.expectReady();
-  const before = await app.centre();
-  const box = /** @type {{ x: number, y: number, width: number, height: number }} */ (await app.canvas.boundingBox());
-  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
 
-  await pinch(page, x, y, 40, 80);
-  expect(await app.centre()).toEqual(before);
+  await test.step('every button over the view is at least 44 pixels high and inside the screen', async () => {
+    for (const name of ['Views', 'Carved', 'Reader’s view', 'Fit', 'Inspector', 'Section']) {
+      const box = await page.getByRole('button', { name }).boundingBox();
+      expect(box?.height).toBeGreaterThanOrEqual(44);
+      expect((box?.x ?? -1)).toBeGreaterThanOrEqual(0);
+      expect((box?.x ?? 0) + (box?.width ?? 1000)).toBeLessThanOrEqual(360);
+    }
+  });
 
-  await page.touchscreen.tap(x + 10, y + 10);
-  await expect.poll(() => app.centre()).not.toEqual(before);
-  await app.expectReady();
+  await test.step('a finger on the grip moves the code, and a second one turns it', async () => {
+    const before = await app.centre();
+    const box = /** @type {{ x: number, y: number, width: number, height: number }} */ (await app.moveHandle.boundingBox());
+    expect(box.width).toBeGreaterThanOrEqual(44);
+    const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+    const client = await page.context().newCDPSession(page);
+    const touch = (/** @type {'touchStart' | 'touchMove' | 'touchEnd'} */ type, /** @type {[number, number][]} */ ...points) =>
+      client.send('Input.dispatchTouchEvent', { type, touchPoints: points.map(([px, py], id) => ({ x: px, y: py, id })) });
+    await touch('touchStart', [x, y]);
+    await touch('touchMove', [x + 12, y + 8]);
+    await touch('touchMove', [x + 20, y + 12]);
+    await expect(app.chip).toContainText('mm wide');
+    await touch('touchEnd');
+    await expect.poll(() => app.centre()).not.toEqual(before);
+    await app.expectReady();
 
-  await app.engrave();
-  await expect(app.result).toContainText('Reads as');
-  await expect(page.getByRole('button', { name: 'Download' })).toBeInViewport();
-  expect((await app.download()).bytes.length).toBeGreaterThan(84);
-});
+    const moved = await app.centre();
+    const grip = /** @type {{ x: number, y: number }} */ (await app.moveHandle.boundingBox());
+    /** @type {[number, number]} */ const first = [grip.x + box.width / 2, grip.y + box.height / 2];
+    await touch('touchStart', first);
+    await touch('touchStart', first, [first[0] + 80, first[1]]);
+    await touch('touchMove', first, [first[0] + 60, first[1] - 60]);
+    await touch('touchEnd');
+    await expect.poll(() => app.rotation()).toBeGreaterThan(40);
+    expect(await app.rotation()).toBeLessThan(50);
+    expect(await app.centre()).toEqual(moved);
+  });
 
-test('On a phone a finger on the grip moves the code, and a second one turns it', async ({ page }) => {
-  const app = new Engraver(page);
-  await app.open('?sample=bumpy-sphere');
-  await app.expectReady();
-  const before = await app.centre();
-  const box = /** @type {{ x: number, y: number, width: number, height: number }} */ (await app.moveHandle.boundingBox());
-  expect(box.width).toBeGreaterThanOrEqual(44);
-  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
-  const client = await page.context().newCDPSession(page);
-  const touch = (/** @type {'touchStart' | 'touchMove' | 'touchEnd'} */ type, /** @type {[number, number][]} */ ...points) =>
-    client.send('Input.dispatchTouchEvent', { type, touchPoints: points.map(([px, py], id) => ({ x: px, y: py, id })) });
-  await touch('touchStart', [x, y]);
-  await touch('touchMove', [x + 12, y + 8]);
-  await touch('touchMove', [x + 20, y + 12]);
-  await expect(app.chip).toContainText('mm wide');
-  await touch('touchEnd');
-  await expect.poll(() => app.centre()).not.toEqual(before);
-  await app.expectReady();
+  await test.step('a tap places the code, a pinch does not', async () => {
+    const before = await app.centre();
+    const box = /** @type {{ x: number, y: number, width: number, height: number }} */ (await app.canvas.boundingBox());
+    const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
 
-  const moved = await app.centre();
-  const grip = /** @type {{ x: number, y: number }} */ (await app.moveHandle.boundingBox());
-  /** @type {[number, number]} */ const first = [grip.x + box.width / 2, grip.y + box.height / 2];
-  await touch('touchStart', first);
-  await touch('touchStart', first, [first[0] + 80, first[1]]);
-  await touch('touchMove', first, [first[0] + 60, first[1] - 60]);
-  await touch('touchEnd');
-  await expect.poll(() => app.rotation()).toBeGreaterThan(40);
-  expect(await app.rotation()).toBeLessThan(50);
-  expect(await app.centre()).toEqual(moved);
-});
+    await pinch(page, x, y, 40, 80);
+    expect(await app.centre()).toEqual(before);
 
-test('On a phone every button over the view is at least 44 pixels high and inside the screen', async ({ page }) => {
-  const app = new Engraver(page);
-  await app.open();
-  await app.expectReady();
-  for (const name of ['Views', 'Carved', 'Reader’s view', 'Fit', 'Inspector', 'Section']) {
-    const box = await page.getByRole('button', { name }).boundingBox();
-    expect(box?.height).toBeGreaterThanOrEqual(44);
-    expect((box?.x ?? -1)).toBeGreaterThanOrEqual(0);
-    expect((box?.x ?? 0) + (box?.width ?? 1000)).toBeLessThanOrEqual(360);
-  }
-});
+    await page.touchscreen.tap(x + 10, y + 10);
+    await expect.poll(() => app.centre()).not.toEqual(before);
+    await app.expectReady();
+  });
 
-test('On a phone the inspector opens beside the buttons, and its tabs can be tapped', async ({ page }) => {
-  const app = new Engraver(page);
-  await app.open('?sample=bumpy-sphere');
-  await app.expectReady();
-  const inspector = new Inspector(page);
-  await inspector.open();
-  const { window } = /** @type {import('../web/engine/types.js').InspectorState} */ (await inspector.state());
-  const canvas = /** @type {{ x: number, y: number, width: number, height: number }} */ (await app.canvas.boundingBox());
-  const tools = /** @type {{ x: number, y: number, width: number, height: number }} */ (await page.getByRole('toolbar', { name: 'View' }).boundingBox());
-  expect(canvas.y + window[1] >= tools.y + tools.height || canvas.y + window[1] + window[3] <= tools.y).toBe(true);
-  expect(window[0] + window[2]).toBeLessThanOrEqual(canvas.width);
-  expect(window[1] + window[3]).toBeLessThanOrEqual(canvas.height);
-  for (const tab of ['Settings', 'Timing']) {
-    const { x, y } = await inspector.placeOf(tab);
+  await test.step('the result can be reached', async () => {
+    await app.engrave();
+    await expect(app.result).toContainText('Reads as');
+    await expect(page.getByRole('button', { name: 'Download' })).toBeInViewport();
+    expect((await app.download()).bytes.length).toBeGreaterThan(84);
+  });
+
+  await test.step('the inspector opens beside the buttons, and its tabs can be tapped', async () => {
+    const inspector = new Inspector(page);
+    await inspector.open();
+    const { window } = /** @type {import('../web/engine/types.js').InspectorState} */ (await inspector.state());
+    const canvas = /** @type {{ x: number, y: number, width: number, height: number }} */ (await app.canvas.boundingBox());
+    const tools = /** @type {{ x: number, y: number, width: number, height: number }} */ (await page.getByRole('toolbar', { name: 'View' }).boundingBox());
+    expect(canvas.y + window[1] >= tools.y + tools.height || canvas.y + window[1] + window[3] <= tools.y).toBe(true);
+    expect(window[0] + window[2]).toBeLessThanOrEqual(canvas.width);
+    expect(window[1] + window[3]).toBeLessThanOrEqual(canvas.height);
+    for (const tab of ['Settings', 'Timing']) {
+      const { x, y } = await inspector.placeOf(tab);
+      await page.touchscreen.tap(x, y);
+      await inspector.expectState((state) => state.tab, tab);
+    }
+    const before = await app.centre();
+    const { x, y } = await inspector.placeOf('Maps');
     await page.touchscreen.tap(x, y);
-    await inspector.expectState((state) => state.tab, tab);
-  }
-  const before = await app.centre();
-  const { x, y } = await inspector.placeOf('Maps');
-  await page.touchscreen.tap(x, y);
-  await inspector.expectState((state) => state.tab, 'Maps');
-  expect(await app.centre()).toEqual(before);  // no tap went through to the model
+    await inspector.expectState((state) => state.tab, 'Maps');
+    expect(await app.centre()).toEqual(before);  // no tap went through to the model
+  });
 });
 
 test('On a phone a Wi-Fi access is filled in by touch, with nothing wider than the screen', async ({ page }) => {

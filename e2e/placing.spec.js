@@ -23,23 +23,95 @@ test('The code follows the pointer with its size, exactly once it rests, and a c
   const app = new Engraver(page);
   await app.open('?sample=bumpy-sphere');
   await app.expectReady();
-  const before = await app.centre();
-  const { width, height } = /** @type {{ width: number, height: number }} */ (await app.canvas.boundingBox());
-  await page.mouse.move(0.63 * width, 0.49 * height);
-  await page.mouse.move(0.64 * width, 0.5 * height);
-  await expect(app.chip).toContainText(/mm wide\s*modules of [\d.]+ mm/);
-  await expect(app.chip).toHaveAttribute('data-exact', 'true');
-  const promised = Number(/^([\d.]+) mm wide/.exec(await app.chip.innerText())?.[1]);
-  expect(promised).toBeGreaterThan(3);
-  expect(await app.centre()).toEqual(before);
+  const box = /** @type {{ x: number, y: number, width: number, height: number }} */ (await app.canvas.boundingBox());
 
-  await page.mouse.down();
-  await page.mouse.up();
-  await expect.poll(() => app.centre()).not.toEqual(before);
-  await app.expectReady();
-  expect(await app.width()).toBeCloseTo(promised, 1);
-  await page.mouse.move(5, 700);  // beside the model
-  await expect(app.chip).toBeHidden();
+  await test.step('the pointer', async () => {
+    const before = await app.centre();
+    await page.mouse.move(box.x + 0.63 * box.width, box.y + 0.49 * box.height);
+    await page.mouse.move(box.x + 0.64 * box.width, box.y + 0.5 * box.height);
+    await expect(app.chip).toContainText(/mm wide\s*modules of [\d.]+ mm/);
+    await expect(app.chip).toHaveAttribute('data-exact', 'true');
+    const promised = Number(/^([\d.]+) mm wide/.exec(await app.chip.innerText())?.[1]);
+    expect(promised).toBeGreaterThan(3);
+    expect(await app.centre()).toEqual(before);
+
+    await page.mouse.down();
+    await page.mouse.up();
+    await expect.poll(() => app.centre()).not.toEqual(before);
+    await app.expectReady();
+    expect(await app.width()).toBeCloseTo(promised, 1);
+    await page.mouse.move(5, 700);  // beside the model
+    await expect(app.chip).toBeHidden();
+  });
+
+  await test.step('the grip moves the code', async () => {
+    const before = await app.centre();
+    const from = await middleOf(app.moveHandle);
+    await drag(page, from, [[from[0] + 30, from[1] - 20], [from[0] + 45, from[1] - 25]]);
+    await expect(app.chip).toContainText('mm wide');
+    await page.mouse.up();
+    await expect.poll(() => app.centre()).not.toEqual(before);
+    await app.expectReady();
+    await expect.poll(async () => {
+      const after = await middleOf(app.moveHandle);
+      return Math.hypot(after[0] - from[0] - 45, after[1] - from[1] + 25);
+    }).toBeLessThan(6);  // the handles follow with the next frame
+  });
+
+  await test.step('a drag turns the model and leaves the centre where it is; then a click is elsewhere on the sphere', async () => {
+    const before = await app.centre();
+    const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+    await page.mouse.move(x - 120, y - 120);  // beside the code's handles
+    await page.mouse.down();
+    await page.mouse.move(x - 60, y - 100, { steps: 6 });
+    await page.mouse.up();
+    expect(await app.centre()).toEqual(before);
+
+    await page.mouse.click(x - 60, y - 60);
+    await expect.poll(() => app.centre()).not.toEqual(before);
+    await app.expectReady();
+    const [cx, cy, cz] = await app.centre();
+    expect(Math.abs(Math.hypot(cx, cy, cz - 50) - 48)).toBeLessThan(2.6);  // on the bumpy sphere
+  });
+
+  await test.step('by keyboard alone the model is turned, and the code placed, moved, turned and sized', async () => {
+    let before = await app.centre();
+    await app.canvas.focus();
+    for (const key of ['ArrowLeft', 'ArrowLeft', 'ArrowLeft', '+', 'Enter']) await page.keyboard.press(key);
+    await expect.poll(() => app.centre()).not.toEqual(before);
+    await app.expectReady();
+
+    before = await app.centre();
+    await page.keyboard.press('Tab');
+    await expect(app.moveHandle).toBeFocused();
+    for (const key of ['ArrowRight', 'ArrowRight', 'ArrowUp', 'Enter']) await page.keyboard.press(key);
+    await expect.poll(() => app.centre()).not.toEqual(before);
+    await app.expectReady();
+
+    await page.keyboard.press('Tab');
+    await expect(app.turnHandle).toBeFocused();
+    for (const key of ['PageUp', 'ArrowRight', 'Enter']) await page.keyboard.press(key);
+    await expect.poll(() => app.rotation()).toBe(16);
+    await app.expectReady();
+    await page.keyboard.press('Home');
+    await page.keyboard.press('Enter');
+    await expect.poll(() => app.rotation()).toBe(0);
+    await app.expectReady();
+
+    const width = await app.width();
+    await page.keyboard.press('Tab');
+    await expect(app.sizeHandle).toBeFocused();
+    for (const key of ['PageDown', 'Enter']) await page.keyboard.press(key);
+    await expect.poll(() => app.width()).toBeLessThan(width - 6);
+  });
+
+  await test.step('Shift with the wheel turns the code by steps of five degrees', async () => {
+    await page.mouse.move(box.x + 120, box.y + 400);
+    await page.keyboard.down('Shift');
+    for (let notch = 0; notch < 3; notch += 1) await page.mouse.wheel(0, -100);
+    await page.keyboard.up('Shift');
+    await expect.poll(() => app.rotation()).toBe(15);
+  });
 });
 
 test('The turning handle turns the code, near upright it snaps, and one button sets it upright', async ({ page }) => {
@@ -66,6 +138,33 @@ test('The turning handle turns the code, near upright it snaps, and one button s
   await drag(page, again, [[again[0] + 3, again[1]]]);
   await page.mouse.up();
   expect(await app.rotation()).toBe(0);
+});
+
+test('The corner handle makes the code smaller; drawn beyond the model it warns, and Escape leaves it as it was', async ({ page }) => {
+  const app = new Engraver(page);
+  await app.open('?sample=saddle');
+  await app.expectReady();
+  const before = await app.width();
+  const middle = await middleOf(app.moveHandle);
+  const corner = await middleOf(app.sizeHandle);
+  /** @param {number} factor @returns {Point} */
+  const at = (factor) => [middle[0] + (corner[0] - middle[0]) * factor, middle[1] + (corner[1] - middle[1]) * factor];
+  await drag(page, corner, [at(2.2)]);
+  await expect(app.chip).toContainText(/\d+ % overhangs or is hidden/);
+  await expect.poll(() => shareOf(app.canvas, isOrange)).toBeGreaterThan(0.005);
+  await page.keyboard.press('Escape');
+  await page.mouse.up();
+  await app.expectReady();
+  expect(await app.width()).toBe(before);
+
+  const fromCorner = async () => Math.abs((await middleOf(app.sizeHandle))[0] - corner[0]);
+  await expect.poll(fromCorner).toBeLessThan(2);  // the handles follow with the next frame
+  await drag(page, corner, [at(0.6)]);
+  await page.mouse.up();
+  await expect(app.setting('Size of the code')).toHaveValue('fixed');
+  await expect.poll(() => app.width()).toBeLessThan(0.75 * before);
+  await app.expectReady();
+  expect(Number(await app.setting('Width (mm)').inputValue())).toBe(await app.width());
 });
 
 test('What the handles did is undone and redone one by one', async ({ page }) => {
@@ -103,86 +202,4 @@ test('What the handles did is undone and redone one by one', async ({ page }) =>
     await app.expectReady();
   }
   await expect(redo).toBeDisabled();
-});
-
-test('The corner handle makes the code smaller; drawn beyond the model it warns, and Escape leaves it as it was', async ({ page }) => {
-  const app = new Engraver(page);
-  await app.open('?sample=saddle');
-  await app.expectReady();
-  const before = await app.width();
-  const middle = await middleOf(app.moveHandle);
-  const corner = await middleOf(app.sizeHandle);
-  /** @param {number} factor @returns {Point} */
-  const at = (factor) => [middle[0] + (corner[0] - middle[0]) * factor, middle[1] + (corner[1] - middle[1]) * factor];
-  await drag(page, corner, [at(2.2)]);
-  await expect(app.chip).toContainText(/\d+ % overhangs or is hidden/);
-  await expect.poll(() => shareOf(app.canvas, isOrange)).toBeGreaterThan(0.005);
-  await page.keyboard.press('Escape');
-  await page.mouse.up();
-  await app.expectReady();
-  expect(await app.width()).toBe(before);
-
-  const fromCorner = async () => Math.abs((await middleOf(app.sizeHandle))[0] - corner[0]);
-  await expect.poll(fromCorner).toBeLessThan(2);  // the handles follow with the next frame
-  await drag(page, corner, [at(0.6)]);
-  await page.mouse.up();
-  await expect(app.setting('Size of the code')).toHaveValue('fixed');
-  await expect.poll(() => app.width()).toBeLessThan(0.75 * before);
-  await app.expectReady();
-  expect(Number(await app.setting('Width (mm)').inputValue())).toBe(await app.width());
-});
-
-test('The grip moves the code', async ({ page }) => {
-  const app = new Engraver(page);
-  await app.open('?sample=bumpy-sphere');
-  await app.expectReady();
-  const before = await app.centre();
-  const from = await middleOf(app.moveHandle);
-  await drag(page, from, [[from[0] + 30, from[1] - 20], [from[0] + 45, from[1] - 25]]);
-  await expect(app.chip).toContainText('mm wide');
-  await page.mouse.up();
-  await expect.poll(() => app.centre()).not.toEqual(before);
-  await app.expectReady();
-  const after = await middleOf(app.moveHandle);
-  expect(Math.hypot(after[0] - from[0] - 45, after[1] - from[1] + 25)).toBeLessThan(6);
-});
-
-test('By keyboard alone the code is moved, turned and sized', async ({ page }) => {
-  const app = new Engraver(page);
-  await app.open('?sample=bumpy-sphere');
-  await app.expectReady();
-  const before = await app.centre();
-  await app.canvas.focus();
-  await page.keyboard.press('Tab');
-  await expect(app.moveHandle).toBeFocused();
-  for (const key of ['ArrowRight', 'ArrowRight', 'ArrowUp', 'Enter']) await page.keyboard.press(key);
-  await expect.poll(() => app.centre()).not.toEqual(before);
-  await app.expectReady();
-
-  await page.keyboard.press('Tab');
-  await expect(app.turnHandle).toBeFocused();
-  for (const key of ['PageUp', 'ArrowRight', 'Enter']) await page.keyboard.press(key);
-  await expect.poll(() => app.rotation()).toBe(16);
-  await app.expectReady();
-  await page.keyboard.press('Home');
-  await page.keyboard.press('Enter');
-  await expect.poll(() => app.rotation()).toBe(0);
-  await app.expectReady();
-
-  const width = await app.width();
-  await page.keyboard.press('Tab');
-  await expect(app.sizeHandle).toBeFocused();
-  for (const key of ['PageDown', 'Enter']) await page.keyboard.press(key);
-  await expect.poll(() => app.width()).toBeLessThan(width - 6);
-});
-
-test('Shift with the wheel turns the code by steps of five degrees', async ({ page }) => {
-  const app = new Engraver(page);
-  await app.open('?sample=bumpy-sphere');
-  await app.expectReady();
-  await page.mouse.move(120, 400);
-  await page.keyboard.down('Shift');
-  for (let notch = 0; notch < 3; notch += 1) await page.mouse.wheel(0, -100);
-  await page.keyboard.up('Shift');
-  await expect.poll(() => app.rotation()).toBe(15);
 });

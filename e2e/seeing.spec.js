@@ -3,83 +3,84 @@ import { expect, test } from '@playwright/test';
 import { Engraver } from './support/engraver.js';
 import { isOrange, isTeal, shareOf } from './support/pixels.js';
 
-test('The model is looked at from every side, by menu, by keys and by the cube', async ({ page }) => {
-  const app = new Engraver(page);
-  await app.open('?sample=saddle');
-  await app.expectReady();
-  const faces = page.locator('.view-cube [data-view]');
-  const seen = () => faces.evaluateAll((all) => all.map((face) => face.getAttribute('data-view')));  // more on the way
-  const views = page.getByRole('button', { name: 'Views' });
-  await views.click();
-  await page.getByRole('group', { name: 'Views' }).getByRole('button', { name: 'Top' }).click();
-  await expect(views).toHaveAttribute('aria-expanded', 'false');
-  await expect.poll(seen).toEqual(['top']);
-
-  await app.canvas.focus();
-  for (const [key, name] of [['1', 'front'], ['2', 'back'], ['3', 'left'], ['4', 'right'], ['6', 'bottom']]) {
-    await page.keyboard.press(key);
-    await expect.poll(seen).toEqual([name]);
-  }
-  await page.keyboard.press('7');
-  await expect(faces).toHaveCount(3);
-  await page.locator('.view-cube [data-view="right"]').click();
-  await expect.poll(seen).toEqual(['right']);
-});
-
-test('A section opens the model across the code, and its position can be moved', async ({ page }) => {
-  const app = new Engraver(page);
-  await app.open('?sample=saddle');
-  await app.expectReady();
-  const section = page.getByRole('button', { name: 'Section' });
-  const position = page.getByRole('slider', { name: 'Position of the section' });
-  expect(await shareOf(app.canvas, isOrange)).toBeLessThan(0.001);
-  await section.click();
-  await expect(position).toBeVisible();
-  await expect.poll(() => shareOf(app.canvas, isOrange)).toBeGreaterThan(0.01);
-  await position.fill('0.9');
-  await position.press('ArrowLeft');
-  await expect.poll(() => shareOf(app.canvas, isOrange)).toBeGreaterThan(0.002);
-  await section.click();
-  await expect(position).toBeHidden();
-  await expect.poll(() => shareOf(app.canvas, isOrange)).toBeLessThan(0.001);
-});
-
-test('A carved code shows its depths in mm, the model as it was, and what a phone reads', async ({ page }) => {
+test('The model is looked at from every side, cut open, carved, and as a phone sees it', async ({ page }) => {
   const app = new Engraver(page);
   await app.open('?sample=saddle&text=HELLO');
   await app.expectReady();
+
   const reader = page.getByRole('button', { name: 'Reader’s view' });
   const view = page.getByRole('group', { name: 'Reader’s view' });
-  await reader.click();
-  await expect(view).toContainText('Not engraved yet');
-  await expect(app.moveHandle).toBeHidden();
-  await page.getByRole('button', { name: 'Fit' }).click();
-  await expect(view).toBeHidden();
-  await expect(app.moveHandle).toBeVisible();
+  await test.step('from where a phone reads, before anything is engraved', async () => {
+    await reader.click();
+    await expect(view).toContainText('Not engraved yet');
+    await expect(app.moveHandle).toBeHidden();
+    await page.getByRole('button', { name: 'Fit' }).click();
+    await expect(view).toBeHidden();
+    await expect(app.moveHandle).toBeVisible();
+  });
 
-  await app.engrave();
-  await expect(app.moveHandle).toBeHidden();
-  await reader.click();
-  await expect(view).toContainText('Read by the phone: HELLO');
+  await test.step('a section opens the model across the code, and its position can be moved', async () => {
+    const section = page.getByRole('button', { name: 'Section' });
+    const position = page.getByRole('slider', { name: 'Position of the section' });
+    await expect.poll(() => shareOf(app.canvas, isOrange)).toBeLessThan(0.001);
+    await section.click();
+    await expect(position).toBeVisible();
+    await expect.poll(() => shareOf(app.canvas, isOrange)).toBeGreaterThan(0.01);
+    await position.fill('0.9');
+    await position.press('ArrowLeft');
+    await expect.poll(() => shareOf(app.canvas, isOrange)).toBeGreaterThan(0.002);
+    await section.click();
+    await expect(position).toBeHidden();
+    await expect.poll(() => shareOf(app.canvas, isOrange)).toBeLessThan(0.001);
+  });
 
-  const legend = page.getByLabel('Colours of the model');
-  expect(await shareOf(app.canvas, isTeal)).toBeLessThan(0.03);
-  await page.getByRole('button', { name: 'Depths' }).click();
-  await expect(legend).toContainText(/Depth of the carving\s*0 mm\s*[\d.]+ mm\s*[\d.]+ mm/);
-  await expect.poll(() => shareOf(app.canvas, isTeal)).toBeGreaterThan(0.05);
-  const { depth } = await app.report();
-  const top = Number(/([\d.]+) mm$/.exec((await legend.innerText()).trim())?.[1]);
-  expect(top).toBeGreaterThanOrEqual(depth.maxMm - 1e-3);
-  expect(top).toBeLessThan(depth.maxMm + 0.1);
+  await test.step('by menu, by keys and by the cube', async () => {
+    const faces = page.locator('.view-cube [data-view]');
+    const seen = () => faces.evaluateAll((all) => all.map((face) => face.getAttribute('data-view')));  // more on the way
+    const views = page.getByRole('button', { name: 'Views' });
+    await views.click();
+    await page.getByRole('group', { name: 'Views' }).getByRole('button', { name: 'Top' }).click();
+    await expect(views).toHaveAttribute('aria-expanded', 'false');
+    await expect.poll(seen).toEqual(['top']);
 
-  const before = page.getByRole('button', { name: 'Before' });
-  await before.focus();
-  await page.keyboard.down('Space');
-  await expect(before).toHaveAttribute('aria-pressed', 'true');
-  await expect.poll(() => shareOf(app.canvas, isTeal)).toBeLessThan(0.03);
-  await page.keyboard.up('Space');
-  await expect.poll(() => shareOf(app.canvas, isTeal)).toBeGreaterThan(0.05);
-  await page.getByRole('button', { name: 'Carved' }).click();
-  await expect(legend).toBeHidden();
-  await expect(before).toBeDisabled();
+    await app.canvas.focus();
+    for (const [key, name] of [['1', 'front'], ['2', 'back'], ['3', 'left'], ['4', 'right'], ['6', 'bottom']]) {
+      await page.keyboard.press(key);
+      await expect.poll(seen).toEqual([name]);
+    }
+    await page.keyboard.press('7');
+    await expect(faces).toHaveCount(3);
+    await page.locator('.view-cube [data-view="right"]').click();
+    await expect.poll(seen).toEqual(['right']);
+  });
+
+  await test.step('what a phone reads', async () => {
+    await app.engrave();
+    await expect(app.moveHandle).toBeHidden();
+    await reader.click();
+    await expect(view).toContainText('Read by the phone: HELLO');
+  });
+
+  await test.step('the depths in mm, and the model as it was', async () => {
+    const legend = page.getByLabel('Colours of the model');
+    await expect.poll(() => shareOf(app.canvas, isTeal)).toBeLessThan(0.03);
+    await page.getByRole('button', { name: 'Depths' }).click();
+    await expect(legend).toContainText(/Depth of the carving\s*0 mm\s*[\d.]+ mm\s*[\d.]+ mm/);
+    await expect.poll(() => shareOf(app.canvas, isTeal)).toBeGreaterThan(0.05);
+    const { depth } = await app.report();
+    const top = Number(/([\d.]+) mm$/.exec((await legend.innerText()).trim())?.[1]);
+    expect(top).toBeGreaterThanOrEqual(depth.maxMm - 1e-3);
+    expect(top).toBeLessThan(depth.maxMm + 0.1);
+
+    const before = page.getByRole('button', { name: 'Before' });
+    await before.focus();
+    await page.keyboard.down('Space');
+    await expect(before).toHaveAttribute('aria-pressed', 'true');
+    await expect.poll(() => shareOf(app.canvas, isTeal)).toBeLessThan(0.03);
+    await page.keyboard.up('Space');
+    await expect.poll(() => shareOf(app.canvas, isTeal)).toBeGreaterThan(0.05);
+    await page.getByRole('button', { name: 'Carved' }).click();
+    await expect(legend).toBeHidden();
+    await expect(before).toBeDisabled();
+  });
 });

@@ -5,8 +5,24 @@ import { shareOf } from './support/pixels.js';
 
 test('A suggested spot takes a code of the size that it promises, and is engraved', async ({ page }) => {
   const app = new Engraver(page);
+  const aim = page.locator('#placement-aim');
+  const degrees = async () => Number(/from (\d+)°/.exec(await aim.innerText())?.[1]);
   await app.open();
   await app.expectReady();
+
+  await test.step('a place says how straight a phone must be held, and what would forgive more', async () => {
+    await expect(aim).toHaveText(/must be held straight: it reads from \d° aside at most. A smaller code or a flatter place forgives more/);
+    const before = await degrees();
+    await app.openSettings();
+    await app.setting('At most (mm)').fill('15');
+    await app.setting('At most (mm)').press('Tab');
+    await expect.poll(degrees).toBeGreaterThan(before + 2);
+    await app.expectReady();
+    await page.getByRole('button', { name: 'Undo' }).click();
+    await expect.poll(degrees).toBe(before);
+    await expect(page.getByRole('button', { name: 'Redo' })).toBeEnabled();
+  });
+
   const proposed = await app.centre();
   await app.suggest();
   await expect(page.getByRole('button', { name: 'Sizes' })).toHaveAttribute('aria-pressed', 'true');
@@ -25,76 +41,46 @@ test('A suggested spot takes a code of the size that it promises, and is engrave
   const width = Number(/^([\d.]+) mm wide/.exec(await app.placement.innerText())?.[1]);
   expect(width).toBeGreaterThanOrEqual(promised);
   expect(width).toBeLessThan(promised + 1.1);
-  const aim = Number(/from (\d+)° aside at most/.exec(await page.locator('#placement-aim').innerText())?.[1]);
-  expect(Math.abs(aim - aside)).toBeLessThanOrEqual(1);
+  expect(Math.abs(await degrees() - aside)).toBeLessThanOrEqual(1);
 
   await app.engrave();
   await expect(app.result).toContainText('Reads as');
   await expect(page.getByLabel('Colours of the model')).toBeHidden();
 });
 
-test('A place says how straight a phone must be held, and what would forgive more', async ({ page }) => {
-  const app = new Engraver(page);
-  const aim = page.locator('#placement-aim');
-  await app.open('?sample=plate');
-  await app.expectReady();
-  await expect(aim).toHaveText('Here a phone reads it from 45° aside at most.');
-  await app.open();  // on the bunny's flank
-  await app.expectReady();
-  await expect(aim).toHaveText(/must be held straight: it reads from \d° aside at most. A smaller code or a flatter place forgives more/);
-  const degrees = async () => Number(/from (\d+)°/.exec(await aim.innerText())?.[1]);
-  const before = await degrees();
-  await app.openSettings();
-  await app.setting('At most (mm)').fill('15');
-  await app.setting('At most (mm)').press('Tab');
-  await expect.poll(degrees).toBeGreaterThan(before + 2);
-});
-
-test('The sizes can be hidden and shown again, and other settings forget them', async ({ page }) => {
-  const app = new Engraver(page);
-  await app.open('?sample=saddle');
-  await app.expectReady();
-  await app.suggest();
-  const sizes = page.getByRole('button', { name: 'Sizes' });
-  const legend = page.getByLabel('Colours of the model');
-  await sizes.click();
-  await expect(legend).toBeHidden();
-  await sizes.click();
-  await expect(legend).toBeVisible();
-  await app.openSettings();
-  await app.setting('Wall left (mm)').fill('1');
-  await app.setting('Wall left (mm)').press('Tab');
-  await expect(app.spots).toHaveCount(0);
-  await expect(sizes).toBeDisabled();
-  await expect(legend).toBeHidden();
-});
-
-test('Spots asked for while the text is still being typed are looked for with it', async ({ page }) => {
+test('Spots asked for while the text is still being typed are looked for with it; other settings forget them', async ({ page }) => {
   const app = new Engraver(page);
   await app.open('?sample=plate&text=A');
   await app.expectReady();
+  await expect(page.locator('#placement-aim')).toHaveText('Here a phone reads it from 45° aside at most.');
   await app.text.fill('Another text, for which a larger symbol is needed than for the one before');
   await app.suggest();
   await expect(app.spots).not.toHaveCount(0);
   await expect(page.locator('#symbol-facts')).toContainText('37 × 37 modules');
-});
 
-test('A search for spots can be cancelled, and says when there is none', async ({ page }) => {
-  const app = new Engraver(page);
-  await app.open();
-  await app.expectReady();
-  await page.getByRole('button', { name: 'Suggest spots' }).click();
-  await expect(app.progress).toBeVisible();
-  await app.cancelButton.click();
-  await expect(app.status).toHaveText('Cancelled.');
-  await expect(app.spots).toHaveCount(0);
-
-  await app.openSettings();
-  await app.setting('Size of the code').selectOption('Exactly');
-  await app.setting('Width (mm)').fill('300');
-  await app.setting('Width (mm)').press('Tab');
-  await expect(app.alert).toContainText('300 mm');
-  await page.getByRole('button', { name: 'Suggest spots' }).click();
-  await expect(app.alert).toContainText('No spot of the model takes a code of 300 mm');
-  await expect(app.alert).toContainText('the largest found is');
+  const sizes = page.getByRole('button', { name: 'Sizes' });
+  const legend = page.getByLabel('Colours of the model');
+  await test.step('the sizes can be hidden and shown again', async () => {
+    await sizes.click();
+    await expect(legend).toBeHidden();
+    await sizes.click();
+    await expect(legend).toBeVisible();
+  });
+  await test.step('other settings forget them', async () => {
+    await app.openSettings();
+    await app.setting('Wall left (mm)').fill('1');
+    await app.setting('Wall left (mm)').press('Tab');
+    await expect(app.spots).toHaveCount(0);
+    await expect(sizes).toBeDisabled();
+    await expect(legend).toBeHidden();
+  });
+  await test.step('and it is said when there is none', async () => {
+    await app.setting('Size of the code').selectOption('Exactly');
+    await app.setting('Width (mm)').fill('300');
+    await app.setting('Width (mm)').press('Tab');
+    await expect(app.alert).toContainText('300 mm');
+    await page.getByRole('button', { name: 'Suggest spots' }).click();
+    await expect(app.alert).toContainText('No spot of the model takes a code of 300 mm');
+    await expect(app.alert).toContainText('the largest found is');
+  });
 });

@@ -46,21 +46,19 @@ test('The symbol as SVG and as PNG can be read, and its file says what is inside
   const png = await app.download('Code as PNG');
   expect(png.name).toBe('qr-example.org.png');
   expect(await decodePng(png.bytes)).toBe(kText);
-});
 
-test('A picture of the view shows what the view shows', async ({ page }) => {
-  const app = new Engraver(page);
-  await app.open(`?sample=saddle&text=${encodeURIComponent('PICTURE 1')}`);
-  await app.expectReady();
-  await app.openSettings();
-  await app.setting('Modules').selectOption('Full');
-  await app.setting('Corner marks').selectOption('Full');
-  await app.expectReady();
-  await page.getByRole('button', { name: 'Reader’s view' }).click();
-  await expect.poll(async () => decodePng(await app.canvas.screenshot()), { timeout: 60_000 }).toBe('PICTURE 1');
-  const picture = await app.download('Save picture');
-  expect(picture.name).toMatch(/^saddle-qr-PICTURE-1-\d+mm-view\.png$/);
-  expect(await decodePng(picture.bytes)).toBe('PICTURE 1');
+  await test.step('A picture of the view shows what the view shows', async () => {
+    await app.text.fill('PICTURE 1');
+    await app.openSettings();
+    await app.setting('Modules').selectOption('Full');
+    await app.setting('Corner marks').selectOption('Full');
+    await app.expectReady();
+    await page.getByRole('button', { name: 'Reader’s view' }).click();
+    await expect.poll(async () => decodePng(await app.canvas.screenshot()), { timeout: 60_000 }).toBe('PICTURE 1');
+    const picture = await app.download('Save picture');
+    expect(picture.name).toMatch(/^saddle-qr-PICTURE-1-\d+mm-view\.png$/);
+    expect(await decodePng(picture.bytes)).toBe('PICTURE 1');
+  });
 });
 
 test('Settings that were saved are used again when their file is dropped onto the page', async ({ page }) => {
@@ -93,62 +91,43 @@ test('Settings that were saved are used again when their file is dropped onto th
   await expect(app.setting('Modules')).toHaveValue('diamond');
   await expect(app.setting('Wall left (mm)')).toHaveValue('1.25');
   expect((await app.download('Save settings')).bytes).toEqual(file.bytes);
-});
 
-test('The field for the model’s file takes settings, too, and leaves a model of one’s own where it is', async ({ page }) => {
-  const app = new Engraver(page);
-  await app.open('?sample=bumpy-sphere');
-  await app.expectReady();
-  const file = await app.download('Save settings');
-  await app.file.setInputFiles(saddleFile);
-  await app.expectReady();
-  const centre = await app.centre();
-  await app.file.setInputFiles({ name: file.name, mimeType: 'application/json', buffer: Buffer.from(file.bytes) });
-  await expect(app.status).toHaveText(`The settings of ${file.name} are in use.`);
-  await expect(app.sample).toHaveValue('bumpy-sphere');
+  await test.step('The field for the model’s file takes settings, too, and leaves a model of one’s own where it is', async () => {
+    await app.file.setInputFiles(saddleFile);
+    await expect(app.facts).toContainText('my saddle.stl');
+    await expect(app.status).toHaveText('Ready.');
+    await app.file.setInputFiles({ name: 'again.json', mimeType: 'application/json', buffer: Buffer.from(file.bytes) });
+    await expect(app.status).toHaveText('The settings of again.json are in use.');
+    await expect(app.sample).toHaveValue('bumpy-sphere');
 
-  await app.file.setInputFiles(saddleFile);
-  await app.expectReady();
-  expect(await app.centre()).toEqual(centre);
-  const foreign = JSON.parse(new TextDecoder().decode(file.bytes));
-  foreign.model = { file: 'vessel.stl', scaleToMm: 1, upAxis: 'z', centreMm: [1, 2, 3] };
-  foreign.settings.text = 'for another';
-  await drop(page, { name: 'vessel.json', bytes: JSON.stringify(foreign) });
-  await expect(app.status).toHaveText('The settings of vessel.json are in use, made for vessel.stl: choose the place on this model.');
-  await expect(app.text).toHaveValue('for another');
-  expect(await app.centre()).toEqual(centre);
-});
+    await app.file.setInputFiles(saddleFile);
+    await expect(app.facts).toContainText('my saddle.stl');
+    await expect(app.status).toHaveText('Ready.');
+    const proposed = await app.centre();
+    const foreign = JSON.parse(new TextDecoder().decode(file.bytes));
+    foreign.model = { file: 'vessel.stl', scaleToMm: 1, upAxis: 'z', centreMm: [1, 2, 3] };
+    foreign.settings.text = 'for another';
+    await drop(page, { name: 'vessel.json', bytes: JSON.stringify(foreign) });
+    await expect(app.status).toHaveText('The settings of vessel.json are in use, made for vessel.stl: choose the place on this model.');
+    await expect(app.text).toHaveValue('for another');
+    expect(await app.centre()).toEqual(proposed);
+  });
 
-test('Settings that cannot be used change nothing, and it is said why', async ({ page }) => {
-  const app = new Engraver(page);
-  await app.open('?sample=saddle');
-  await app.expectReady();
-  const good = JSON.parse(new TextDecoder().decode((await app.download('Save settings')).bytes));
-  const text = await app.text.inputValue();
-  const wrong = [
-    ['not json', '“x.json” is no JSON file.'],
-    [JSON.stringify({ qrelief: '0.1.0' }), '“x.json” is a report, not settings.'],
-    [JSON.stringify({ ...good, version: 9 }), '“x.json” has version 9 of the settings'],
-    [JSON.stringify({ ...good, settings: { ...good.settings, text: 'other', nozzleMm: -1 } }), 'The setting nozzleMm must be a number from 0.01 to 10, not -1.'],
-  ];
-  for (const [bytes, message] of wrong) {
-    await drop(page, { name: 'x.json', bytes });
-    await expect(app.alert).toContainText(message);
-    await expect(app.text).toHaveValue(text);
-    await page.getByRole('button', { name: 'Dismiss' }).click();
-  }
-  await app.engrave();
-});
-
-test('The format that was chosen is chosen again after a reload', async ({ page }) => {
-  const app = new Engraver(page);
-  await app.open('?sample=saddle&text=HELLO&engrave=1');
-  await app.expectResult();
-  await expect(page.getByLabel('Format')).toHaveValue('stl');
-  await page.getByLabel('Format').selectOption('3MF, two colours');
-  const { name } = await app.download();
-  expect(name).toMatch(/^saddle-qr-HELLO-\d+mm-inlay\.3mf$/);
-  await page.reload();
-  await app.expectResult();
-  await expect(page.getByLabel('Format')).toHaveValue('3mf-inlay');
+  await test.step('Settings that cannot be used change nothing, and it is said why', async () => {
+    const good = JSON.parse(new TextDecoder().decode((await app.download('Save settings')).bytes));
+    const text = await app.text.inputValue();
+    const wrong = [
+      ['not json', '“x.json” is no JSON file.'],
+      [JSON.stringify({ qrelief: '0.1.0' }), '“x.json” is a report, not settings.'],
+      [JSON.stringify({ ...good, version: 9 }), '“x.json” has version 9 of the settings'],
+      [JSON.stringify({ ...good, settings: { ...good.settings, text: 'other', nozzleMm: -1 } }), 'The setting nozzleMm must be a number from 0.01 to 10, not -1.'],
+    ];
+    for (const [bytes, message] of wrong) {
+      await drop(page, { name: 'x.json', bytes });
+      await expect(app.alert).toContainText(message);
+      await expect(app.text).toHaveValue(text);
+      await page.getByRole('button', { name: 'Dismiss' }).click();
+    }
+    await expect(app.engraveButton).toBeEnabled();
+  });
 });

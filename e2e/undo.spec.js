@@ -74,7 +74,8 @@ test('Undoing a carve shows the uncarved model, and redoing it brings the result
   await expect(carved).toBeDisabled();
   await expect(redo).toBeEnabled();
   await redo.click();
-  await app.expectResult();
+  await expect(app.result).toBeVisible();
+  await expect(app.alert).toHaveCount(0);
   await expect(app.progress).toBeHidden();
   await expect(carved).toHaveAttribute('aria-pressed', 'true');
   expect(Buffer.from((await app.download()).bytes).equals(Buffer.from(first))).toBe(true);
@@ -82,9 +83,7 @@ test('Undoing a carve shows the uncarved model, and redoing it brings the result
   await app.text.fill('another text, for a second carving');
   await expect(app.result).toContainText('Made before your last change');
   await app.expectReady();
-  await app.engraveButton.click();
-  await expect(app.result).toBeHidden();
-  await app.expectResult();
+  await app.engrave();
   await expect(app.result).toContainText('Reads as another text, for a second carving');
   await expect(undo).toBeEnabled();
   await undo.click();
@@ -97,10 +96,14 @@ test('Undoing a carve shows the uncarved model, and redoing it brings the result
   expect(Buffer.from((await app.download()).bytes).equals(Buffer.from(first))).toBe(true);
 });
 
-test('A change of model is undone, with its unit and the centre on it', async ({ page }) => {
+test('A change of model is undone, with its unit and the centre on it; Start over brings back what the page opens with', async ({ page }) => {
   const app = new Engraver(page);
-  const { undo, redo } = buttons(page);
-  await app.open('?sample=vase');
+  const { undo, redo, startOver } = buttons(page);
+  await app.open();
+  await app.expectReady();
+  const text = await app.text.inputValue();
+  await app.sample.selectOption('Vase');
+  await expect(app.facts).toContainText('Vase');
   await app.expectReady();
   const centre = await app.centre();
   await app.file.setInputFiles(saddleFile);
@@ -121,28 +124,23 @@ test('A change of model is undone, with its unit and the centre on it', async ({
   await expect(redo).toBeEnabled();
   await redo.click();
   await expect(app.facts).toContainText('my saddle.stl');
-});
 
-test('Start over brings back what the page opens with, and can be undone', async ({ page }) => {
-  const app = new Engraver(page);
-  const { undo, startOver } = buttons(page);
-  await app.open();
-  await app.expectReady();
-  const text = await app.text.inputValue();
-  await app.text.fill('mine');
-  await app.openSettings();
-  await app.setting('Modules').selectOption('Full');
-  await app.sample.selectOption('Star');
-  await expect(app.facts).toContainText('Star');
-  await app.expectReady();
+  await test.step('start over', async () => {
+    await app.text.fill('mine');
+    await app.openSettings();
+    await app.setting('Modules').selectOption('Full');
+    await app.sample.selectOption('Star');
+    await expect(app.facts).toContainText('Star');
+    await app.expectReady();
 
-  await startOver.click();
-  await expect(app.facts).toContainText('Stanford bunny');
-  await expect(app.text).toHaveValue(text);
-  await expect(app.setting('Modules')).toHaveValue('thick-plus');
-  await expect(undo).toBeEnabled();
-  await undo.click();
-  await expect(app.facts).toContainText('Star');
-  await expect(app.text).toHaveValue('mine');
-  await expect(app.setting('Modules')).toHaveValue('none');
+    await startOver.click();
+    await expect(app.facts).toContainText('Stanford bunny');
+    await expect(app.text).toHaveValue(text);
+    await expect(app.setting('Modules')).toHaveValue('thick-plus');
+    await expect(undo).toBeEnabled();
+    await undo.click();
+    await expect(app.facts).toContainText('Star');
+    await expect(app.text).toHaveValue('mine');
+    await expect(app.setting('Modules')).toHaveValue('none');
+  });
 });

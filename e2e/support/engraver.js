@@ -74,12 +74,14 @@ export class Engraver {
 
   /** Clicks Engrave and waits for the result. */
   async engrave() {
-    await this.engraveButton.click();
+    await this.engraveButton.click();  // from here on the status speaks of the work, until it is done
     await this.expectResult();
   }
 
+  /** Engraving was begun, and comes to its end. */
   async expectResult() {
-    await expect(this.result).toBeVisible({ timeout: 120_000 });
+    await expect(this.status).toHaveText(/^Engraved/, { timeout: 240_000 });
+    await expect(this.result).toBeVisible();
     await expect(this.alert).toHaveCount(0);
   }
 

@@ -34,13 +34,17 @@ export class Inspector {
   }
 
   /**
-   * A place on the page.
+   * A place on the page, once the window no longer changes.
    * @param {string} control
    * @param {{ x: number, y: number }} [share]  of its width and height; the middle if left out
    */
   async placeOf(control, share = { x: 0.5, y: 0.5 }) {
-    await expect.poll(async () => Object.keys((await this.state())?.controls ?? {})).toContain(control);
-    const [x, y, width, height] = /** @type {State} */ (await this.state()).controls[control];
+    /** @type {State | undefined} */ let state;
+    await expect.poll(async () => {
+      state = await this.state();
+      return state?.still ? Object.keys(state.controls) : [];
+    }).toContain(control);
+    const [x, y, width, height] = /** @type {State} */ (state).controls[control];
     const box = /** @type {{ x: number, y: number }} */ (await this.canvas.boundingBox());
     return { x: box.x + x + width * share.x, y: box.y + y + height * share.y };
   }
@@ -51,23 +55,29 @@ export class Inspector {
     await this.page.mouse.click(x, y);
   }
 
-  /** Presses it again if the window was still being laid out. @param {string} tab */
+  /** @param {string} tab */
   async openTab(tab) {
-    await expect(async () => {
-      await this.press(tab);
-      await expect.poll(async () => (await this.state())?.tab, { timeout: 10_000 }).toBe(tab);
-    }).toPass({ timeout: 60_000 });
+    await this.press(tab);
+    await this.expectState((state) => state.tab, tab);
+  }
+
+  /** A control's area on the page. @param {string} control @returns {Promise<Clip>} */
+  async clipOf(control) {
+    const from = await this.placeOf(control, { x: 0, y: 0 });
+    const to = await this.placeOf(control, { x: 1, y: 1 });
+    return { x: from.x, y: from.y, width: to.x - from.x, height: to.y - from.y };
   }
 
   /** Waits until a part of the page has stopped changing. @param {Clip} clip */
   async expectStill(clip) {
     let last = '';
+    let alike = 0;
     await expect.poll(async () => {
       const now = (await this.page.screenshot({ clip })).toString('base64');
-      const isStill = now === last;
+      alike = now === last ? alike + 1 : 0;
       last = now;
-      return isStill;
-    }, { intervals: [1000] }).toBe(true);
+      return alike;
+    }, { intervals: [500] }).toBe(4);
   }
 
   /**

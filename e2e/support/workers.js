@@ -2,15 +2,21 @@
 // A hold of the page's workers: runs in the page before its own scripts (`page.addInitScript(holdWorkers)`).
 
 /**
- * `window.workers` are the module's; `window.unheard` names verbs that never reach a worker; `window.skipped` verbs that are
- * answered at once, with nothing done; `window.failNext` answers the
- * next call of a verb with an error.
+ * `window.workers` are the module's; `window.skipped` names verbs that are answered at once, with nothing done;
+ * `window.failNext` answers the next call of a verb with an error; after `window.freeze()` nothing reaches a worker until
+ * `window.thaw()` lets it all, in its order.
  */
 export const holdWorkers = () => {
   const page = /** @type {any} */ (window);
   page.workers = [];
-  page.unheard = [];
   page.skipped = [];
+  /** @type {(() => void)[] | undefined} */ let waiting;
+  page.freeze = () => void (waiting ??= []);
+  page.thaw = () => {
+    const all = waiting ?? [];
+    waiting = undefined;
+    all.forEach((send) => send());
+  };
   /** @type {Map<string, object>} */ const failing = new Map();
   page.failNext = (/** @type {string} */ verb, /** @type {object} */ error) => failing.set(verb, error);
   const Original = window.Worker;
@@ -27,10 +33,17 @@ export const holdWorkers = () => {
       failing.delete(message.verb);
       if (error) this.dispatchEvent(new MessageEvent('message', { data: { id: message.id, error } }));
       else if (page.skipped.includes(message.verb)) setTimeout(() => this.dispatchEvent(new MessageEvent('message', { data: { id: message.id } })));
-      else if (!page.unheard.includes(message.verb)) super.postMessage(message, transfer);
+      else if (waiting) waiting.push(() => super.postMessage(message, transfer));
+      else super.postMessage(message, transfer);
     }
   };
 };
+
+/** Nothing reaches a worker until it is thawed. @param {import('@playwright/test').Page} page */
+export const freeze = (page) => page.evaluate(() => /** @type {any} */ (window).freeze());
+
+/** @param {import('@playwright/test').Page} page */
+export const thaw = (page) => page.evaluate(() => /** @type {any} */ (window).thaw());
 
 /**
  * What the newest worker answers to a verb that the page itself does not ask for.

@@ -83,6 +83,7 @@ export class EngineHost {
     this.hovers_ = 0;
     this.viewState_ = '';
     this.inspectorState_ = '';
+    this.inspectorStill_ = false;
     this.pixelRatio_ = 1;
     this.glyphsPx_ = 0;  // that the inspector has
     /** @type {ViewSize} */ this.size_ = { width: 1, height: 1, devicePixelRatio: 1 };
@@ -240,6 +241,7 @@ export class EngineHost {
       this.inspectorFrames_ = 0;
       this.inspectorTakes_ = false;
       this.inspectorState_ = '';
+      this.inspectorStill_ = false;
       this.drawn_(this.engine_.showInspector(shown));
       this.giveGlyphs_();
     },
@@ -380,11 +382,15 @@ export class EngineHost {
     this.glyphsPx_ = sizePx;
   }
 
+  /** Dear ImGui lays out what has changed over several frames: it is drawn until one is like the one before it. */
   tellInspector_() {
     const state = this.engine_.inspectorState();
-    if (state === this.inspectorState_) return;
+    const still = state === this.inspectorState_;
+    if (!still) this.invalidate_();
+    if (still && this.inspectorStill_) return;
     this.inspectorState_ = state;
-    this.notify_({ event: 'inspector', state: JSON.parse(state) });
+    this.inspectorStill_ = still;
+    this.notify_({ event: 'inspector', state: { ...JSON.parse(state), still } });
   }
 
   /** Asks for one frame; many asks before it cost one frame. */

@@ -231,6 +231,7 @@
  * @property {string} cursor         over it; empty: elsewhere
  * @property {Box} window
  * @property {Record<string, Box>} controls
+ * @property {boolean} still         its layout has come to an end, for what was done so far
  */
 
 /**

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { AxeBuilder } from '@axe-core/playwright';
+import { expect } from '@playwright/test';
+
+/**
+ * Axe finds nothing, light or dark. Of its rules only those of colours can tell the one from the other.
+ * @param {import('@playwright/test').Page} page
+ * @param {string} state  of the page, in words
+ */
+export async function expectNoViolations(page, state) {
+  for (const colorScheme of /** @type {const} */ (['light', 'dark'])) {
+    await page.emulateMedia({ colorScheme, reducedMotion: 'reduce' });
+    const axe = new AxeBuilder({ page });
+    if (colorScheme === 'dark') axe.withTags('cat.color');
+    const { violations, passes } = await axe.analyze();
+    expect(passes.length, 'axe has looked').toBeGreaterThan(0);
+    const found = violations.flatMap(({ id, help, nodes }) => nodes.map(({ html, failureSummary }) => `${id}: ${help}: ${html} ${failureSummary}`));
+    expect.soft(found, `${state}, ${colorScheme}`).toEqual([]);
+  }
+}
