@@ -29,6 +29,10 @@ test('The guide names the widths of codes, and its plate opens in the app, carve
   await expect(row).toContainText(/29 × 29\s*17\.4 mm\s*34\.8 mm/);
   await expectNoSidewaysScroll(page);
   await expectNoViolations(page, 'guide');
+  if (test.info().project.name === 'phone') {  // where the rest is the same
+    expect(complaints).toEqual([]);
+    return;
+  }
   await page.getByRole('link', { name: 'Open the plate, carved' }).click();
   await app.expectResult();
   await expect(app.result).toContainText('Reads as QRelief');

@@ -317,8 +317,10 @@ test('Every control before the carving has its effect, and none of the page is l
 test('Every setting is saved, those that the report names are the ones carved with, and every control of the carving has its effect', async ({ page }) => {
   const hands = await open(page);
   const { app, at, press } = hands;
+  const isPhone = test.info().project.name === 'phone';
+  const settings = Object.entries(kSettings).filter(([, { value }]) => !isPhone || typeof value === 'boolean');
   let before = (await settingsFile(app)).settings;
-  for (const [id, setting] of Object.entries(kSettings)) {
+  for (const [id, setting] of settings) {
     await test.step(id, async () => {
       const control = at(id);
       if (typeof setting.value === 'boolean') await press(id);
@@ -335,7 +337,7 @@ test('Every setting is saved, those that the report names are the ones carved wi
   const { cancel, ...others } = kOfTheCarving;
   await tryAll(hands, others);
   const report = await app.report();
-  for (const [id, { saved: wanted, reported }] of Object.entries(kSettings))
+  for (const [id, { saved: wanted, reported }] of settings)
     if (reported) expect(reported(report), id).toBe(Object.values(wanted)[0]);
   await tryAll(hands, { cancel });
 });
