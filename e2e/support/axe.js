@@ -11,9 +11,9 @@ export async function expectNoViolations(page, state) {
   for (const colorScheme of /** @type {const} */ (['light', 'dark'])) {
     await page.emulateMedia({ colorScheme, reducedMotion: 'reduce' });
     const axe = new AxeBuilder({ page });
-    if (colorScheme === 'dark') axe.withTags('cat.color');
-    const { violations, passes } = await axe.analyze();
-    expect(passes.length, 'axe has looked').toBeGreaterThan(0);
+    if (colorScheme === 'dark') axe.withRules(['color-contrast', 'link-in-text-block']);
+    const { violations, passes, incomplete } = await axe.analyze();
+    expect(passes.length + incomplete.length, 'axe has looked').toBeGreaterThan(0);  // where it cannot tell, too
     const found = violations.flatMap(({ id, help, nodes }) => nodes.map(({ html, failureSummary }) => `${id}: ${help}: ${html} ${failureSummary}`));
     expect.soft(found, `${state}, ${colorScheme}`).toEqual([]);
   }
