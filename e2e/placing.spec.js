@@ -82,12 +82,14 @@ test('The code follows the pointer with its size, exactly once it rests, and a c
     await app.expectReady();
 
     before = await app.centre();
+    await expect(app.moveHandle).toBeVisible();  // it follows with the next frame
     await page.keyboard.press('Tab');
     await expect(app.moveHandle).toBeFocused();
     for (const key of ['ArrowRight', 'ArrowRight', 'ArrowUp', 'Enter']) await page.keyboard.press(key);
     await expect.poll(() => app.centre()).not.toEqual(before);
     await app.expectReady();
 
+    await expect(app.turnHandle).toBeVisible();
     await page.keyboard.press('Tab');
     await expect(app.turnHandle).toBeFocused();
     for (const key of ['PageUp', 'ArrowRight', 'Enter']) await page.keyboard.press(key);
@@ -99,6 +101,7 @@ test('The code follows the pointer with its size, exactly once it rests, and a c
     await app.expectReady();
 
     const width = await app.width();
+    await expect(app.sizeHandle).toBeVisible();
     await page.keyboard.press('Tab');
     await expect(app.sizeHandle).toBeFocused();
     for (const key of ['PageDown', 'Enter']) await page.keyboard.press(key);

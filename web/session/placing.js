@@ -95,6 +95,7 @@ export class Placing {
       this.again_ = false;
       if (!this.model_.engravable) return;
       try {
+        if (this.mayMove_() && this.centre_.mm) this.messages_.say(() => text('page.placing'));  // at once: “Ready” holds no more
         await this.client_.configure(this.settings_());
         if (this.centre_.mm === undefined) {
           this.messages_.say(() => text('page.askForCentre'));

@@ -119,3 +119,16 @@ test('A module that is beyond use is for others to replace', async () => {
   client.answers.placement = async () => { throw crashed(); };
   await assert.rejects(placing.place(), { code: 'engine-crashed' });
 });
+
+test('From the moment that the code is placed anew the page is not said to be ready', async () => {
+  centre.put([0, 0, 0]);
+  await placing.place();
+  assert.equal(messages.said.at(-1), 'Ready.');
+  const configured = new Pending();
+  client.answers.configure = () => configured.promise;
+  const placed = placing.place();
+  assert.match(messages.said.at(-1) ?? '', /^Finding direction/);
+  configured.resolve();
+  await placed;
+  assert.equal(messages.said.at(-1), 'Ready.');
+});
