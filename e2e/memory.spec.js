@@ -7,9 +7,9 @@ import { askWorker, holdWorkers } from './support/workers.js';
 
 const kCarves = 16;
 const kTolerance = 1.01;  // some 20 kB a carve
-const kSeen = 5;  // carves at the beginning and at the end: now and then two more graphics objects are seen than at the next
+const kSeen = 5;  // carves at the beginning and at the end
 
-/** The least of what was in use. @param {MemoryUse[]} used @param {keyof MemoryUse} what */
+/** The least of what was in use. @param {MemoryUse[]} used @param {'usedBytes' | 'heapBytes' | 'glObjects'} what */
 const leastOf = (used, what) => Math.min(...used.map((one) => one[what]));
 
 test(`After ${kCarves} carves in a row the module needs no more memory than after the first ones`, async ({ page }) => {
@@ -30,5 +30,8 @@ test(`After ${kCarves} carves in a row the module needs no more memory than afte
   console.log(`memory: ${mb('usedBytes')} MB in use, heap ${mb('heapBytes')} MB, GL objects ${used.map(({ glObjects }) => glObjects).join(' ')}; ` +
     `${((Date.now() - begun) / kCarves / 1000).toFixed(1)} s a carve`);
   for (const what of /** @type {const} */ (['usedBytes', 'heapBytes'])) expect(leastOf(late, what), what).toBeLessThan(kTolerance * leastOf(early, what));
-  expect(leastOf(late, 'glObjects')).toBeLessThanOrEqual(leastOf(early, 'glObjects'));  // what leaks is there each time
+  // The picture that codes are printed on (Viewer::makePlain) is made when a code first changes on a finished view, which may
+  // be after any carve. It stays, and what leaks grows on.
+  const most = Math.max(...used.slice(0, -kSeen).map(({ glObjects }) => glObjects));
+  expect(leastOf(late, 'glObjects'), JSON.stringify([early[0].glKinds, used[used.length - 1].glKinds])).toBeLessThanOrEqual(most);
 });

@@ -347,9 +347,11 @@ export class EngineHost {
   /** @returns {import('./types.js').MemoryUse} */
   memory_() {
     const { GL, HEAPU8 } = this.module_;
-    const tables = [GL.buffers, GL.programs, GL.framebuffers, GL.renderbuffers, GL.textures, GL.shaders, GL.vaos, GL.queries, GL.syncs];
-    const glObjects = tables.reduce((sum, table) => sum + table.filter(Boolean).length, 0);
-    return { usedBytes: this.engine_.memoryInUse(), heapBytes: HEAPU8.length, glObjects };
+    const { buffers, programs, framebuffers, renderbuffers, textures, shaders, vaos, queries, syncs } = GL;
+    const tables = { buffers, programs, framebuffers, renderbuffers, textures, shaders, vaos, queries, syncs };
+    const glKinds = Object.fromEntries(Object.entries(tables).map(([kind, table]) => [kind, table.filter(Boolean).length]));
+    const glObjects = Object.values(glKinds).reduce((sum, count) => sum + count, 0);
+    return { usedBytes: this.engine_.memoryInUse(), heapBytes: HEAPU8.length, glObjects, glKinds };
   }
 
   /** The view, refined for a moment, as PNG. */

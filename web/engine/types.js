@@ -77,7 +77,7 @@
 /** @typedef {{ hit: boolean, centre?: [number, number, number] }} PickResult */
 /** @typedef {{ renderer: string, version: string, problems: Message[] }} Capabilities */
 /** @typedef {{ stage: Message, fraction: number }} EngraveProgress */
-/** @typedef {{ usedBytes: number, heapBytes: number, glObjects: number }} MemoryUse  of the module; its heap never shrinks */
+/** @typedef {{ usedBytes: number, heapBytes: number, glObjects: number, glKinds: Record<string, number> }} MemoryUse  of the module; its heap never shrinks */
 /** @typedef {{ width: number, height: number, pixels: Uint8Array }} GreyImage */
 /** @typedef {'surface' | 'luminance' | 'depths'} JobMapName */
 /**
