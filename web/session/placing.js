@@ -103,7 +103,7 @@ export class Placing {
         }
         this.messages_.say(() => text('page.placing'));
         this.show_(await this.client_.placement());
-        if (this.mayMove_()) this.messages_.say(() => text('page.ready'));  // else it was asked for by what goes on
+        if (this.mayMove_() && !this.again_) this.messages_.say(() => text('page.ready'));  // else it was asked for by what goes on
       } catch (thrown) {
         if (isReplaced(thrown) || isFatal(thrown)) throw thrown;
         this.show_(undefined);

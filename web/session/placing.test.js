@@ -76,6 +76,7 @@ test('Asked again while it runs, it runs once more, with the newest settings', a
   await Promise.all(all);
   assert.deepEqual(client.calls.filter((/** @type {string} */ call) => call === 'placement').length, 2);
   assert.equal(placing.placement?.symbolMm, 30);
+  assert.equal(messages.said.filter((said) => said === 'Ready.').length, 1, 'said only of the newest');
 });
 
 test('An error that a newer request follows is not shown', async () => {

@@ -128,6 +128,7 @@ export class Session {
   /** @param {File} file */
   async useSettings_(file) {
     if (!this.parts_.model.source) await this.parts_.model.openSample();
+    this.parts_.undo.keep();
     await this.parts_.undo.asOne(() => this.parts_.exporting.useSettings(file));
   }
 
@@ -192,6 +193,7 @@ export class Session {
   /** As the page was opened, which can be undone. */
   async startOver() {
     this.parts_.jobs.abort();
+    this.parts_.undo.keep();
     await this.parts_.undo.asOne(async () => {
       this.write({ text: this.initialText_, values: this.parts_.form.defaults });
       await this.parts_.model.openSample();

@@ -31,6 +31,7 @@ export class Undo {
     /** @type {History<State>} */
     this.history_ = new History({ same: (a, b) => sameWork(a, b) && a.carved === b.carved, bytesOf: ({ source }) => source?.bytes });
     this.pauses_ = 0;
+    this.restoring_ = false;
     this.undo_ = byId('undo', HTMLButtonElement);
     this.redo_ = byId('redo', HTMLButtonElement);
     this.undo_.addEventListener('click', () => this.undo());
@@ -41,10 +42,12 @@ export class Undo {
 
   /** Something was changed. @param {string} [field]  quick edits of the same one are one change */
   record(field) {
-    if (this.pauses_ > 0) return;
-    const { work, carving } = this.options_;
-    this.history_.record({ ...work(), carved: carving.carved }, field);
-    this.allow();
+    if (this.pauses_ === 0) this.record_(field);
+  }
+
+  /** All of it is about to be replaced: it is kept as it stands, even if a change is not complete yet. */
+  keep() {
+    if (!this.restoring_) this.record_();
   }
 
   /**
@@ -77,12 +80,21 @@ export class Undo {
     if (!this.redo_.disabled) this.restore_(this.history_.redo());
   }
 
+  /** @param {string} [field] */
+  record_(field) {
+    const { work, carving } = this.options_;
+    this.history_.record({ ...work(), carved: carving.carved }, field);
+    this.allow();
+  }
+
   /** @param {State | undefined} state */
   restore_(state) {
     if (!state) return;
+    this.restoring_ = true;
     this.pauses_ += 1;
     this.allow();
     const restored = this.options_.guard(() => this.apply_(state)).finally(() => {
+      this.restoring_ = false;
       this.pauses_ -= 1;
       this.allow();
       this.options_.onRestored();

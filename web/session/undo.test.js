@@ -115,6 +115,24 @@ test('What happens together is undone together', async () => {
   assert.deepEqual(controls, { text: 'a', values: { preset: 'balanced' } });
 });
 
+test('What is replaced while another change goes on can be brought back', async () => {
+  const placed = new Pending();
+  const loading = undo.asOne(async () => {
+    controls = { ...controls, text: 'b' };
+    await placed.promise;
+  });
+  undo.keep();
+  const startingOver = undo.asOne(async () => {
+    controls = { ...controls, text: 'fresh' };
+    await placed.promise;
+  });
+  placed.resolve();
+  await Promise.all([loading, startingOver]);
+  undo.undo();
+  await settled();
+  assert.equal(controls.text, 'b');
+});
+
 test('The buttons wait while something is at work, and while a state comes back', async () => {
   controls = { ...controls, text: 'b' };
   undo.record();
