@@ -9,6 +9,7 @@ import pageEngine from '../../messages/page_engine.json' with { type: 'json' };
 import pageSettings from '../../messages/page_settings.json' with { type: 'json' };
 import pipeline from '../../messages/pipeline.json' with { type: 'json' };
 import place from '../../messages/place.json' with { type: 'json' };
+import printing from '../../messages/printing.json' with { type: 'json' };
 import settingsErrors from '../../messages/settings_errors.json' with { type: 'json' };
 import stages from '../../messages/stages.json' with { type: 'json' };
 import text from '../../messages/text.json' with { type: 'json' };
@@ -16,6 +17,6 @@ import verdict from '../../messages/verdict.json' with { type: 'json' };
 
 /** @type {import('./message_words.js').Catalogue} */
 export const catalogue = {
-  ...engine, ...files, ...graphics, ...model, ...pageEngine, ...pageSettings, ...pipeline, ...place, ...settingsErrors, ...stages, ...text,
+  ...engine, ...files, ...graphics, ...model, ...pageEngine, ...pageSettings, ...pipeline, ...place, ...printing, ...settingsErrors, ...stages, ...text,
   ...verdict,
 };

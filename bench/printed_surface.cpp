@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The surface that a printer leaves of an engraved model, as we make it: how long it takes, whether it reads, and how
+// near it is to one that was made otherwise (from a slicer's paths, or scanned).
+#include "printing/printed_surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "base/clock.h"
+#include "io/read_model.h"
+#include "io/write_stl.h"
+#include "native/zxing_reader.h"
+#include "pipeline/verify.h"
+#include "verdict/verdict.h"
+#include "verification/baked_light.h"
+#include "verification/frontal_reading.h"
+
+namespace qrelief {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr int kMarginModules = 6, kTexelsAModule = 10;
+constexpr int kPaths = 16;
+
+Vec3 vectorOf(const Json& json) { return {json[0].get<double>(), json[1].get<double>(), json[2].get<double>()}; }
+
+std::optional<Mesh> load(const std::string& path) {
+  std::ifstream stream(path, std::ios::binary);
+  const std::vector<std::uint8_t> bytes(std::istreambuf_iterator<char>(stream), {});
+  const auto soup = readModel(bytes, path);
+  if (!soup) return std::nullopt;
+  auto mesh = meshAsFound(*soup, 1);
+  if (!mesh) return std::nullopt;
+  return std::move(*mesh);
+}
+
+/// What the eye sees of a mesh: heights at the middles of texels, light of the modules, and what readers make of it.
+struct Seen {
+  std::vector<double> heightMm;  // NaN: nothing
+  std::vector<double> modules;   // mean luminance
+  ReadingEvidence reading;
+  double treeMs = 0, lightMs = 0, readMs = 0;
+};
+
+Seen look(const Mesh& mesh, const ProjectionFrame& frame, int modules, double symbolMm, const std::string& text) {
+  Seen seen;
+  Clock::time_point start = Clock::now();
+  const RayTree tree(mesh);
+  seen.treeMs = millisecondsSince(start);
+  const int texels = kTexelsAModule * (modules + 2 * kMarginModules);
+  const double texelMm = symbolMm / modules / kTexelsAModule;
+  BakedLight light(tree, frame, {.texelMm = texelMm, .texels = texels, .paths = kPaths, .lamp = {.strength = 0}});
+  start = Clock::now();
+  light.bakeRows(texels);
+  light.smooth();
+  seen.lightMs = millisecondsSince(start);
+  const auto luminance = light.light();
+  std::vector<float> picture;
+  for (const SurfaceLight& texel : luminance) picture.push_back(texel.sky < 0 ? 0.35f : static_cast<float>(texel.sky));
+  for (int row = 0; row < modules; ++row)
+    for (int column = 0; column < modules; ++column) {
+      double sum = 0;
+      for (int k = 0; k < kTexelsAModule * kTexelsAModule; ++k) {
+        const int y = texels - 1 - kTexelsAModule * (kMarginModules + row) - k / kTexelsAModule;
+        const int x = kTexelsAModule * (kMarginModules + column) + k % kTexelsAModule;
+        sum += static_cast<double>(picture[static_cast<std::size_t>(y * texels + x)]);
+      }
+      seen.modules.push_back(sum / (kTexelsAModule * kTexelsAModule));
+    }
+  for (int row = 0; row < texels; ++row)
+    for (int column = 0; column < texels; ++column) {
+      const Vec2 at((column + 0.5 - texels / 2.0) * texelMm, (row + 0.5 - texels / 2.0) * texelMm);
+      const auto hit = tree.firstHit(frame.eye(), frame.rayDirection(at));
+      seen.heightMm.push_back(hit ? glm::dot(hit->position - frame.centre, frame.normal) : std::nan(""));
+    }
+  start = Clock::now();
+  std::vector<std::string> texts;
+  for (const GreyImage& image : frontalPictures(picture, texels, kTexelsAModule))
+    for (const SymbolReader& read : zxingReaders()) {
+      const auto found = read(image);
+      texts.push_back(found && !found->mirrored ? found->text : "");
+    }
+  seen.reading = evidenceOf(texts, text, true);
+  seen.readMs = millisecondsSince(start);
+  return seen;
+}
+
+double quantile(std::vector<double> values, double fraction) {
+  if (values.empty()) return std::nan("");
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(fraction * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+void tell(const char* name, const Seen& seen) {
+  const ReadingCount& count = seen.reading.count;
+  fmt::print("{}: {} of {} tries, {}; tree {:.0f} ms, light {:.0f} ms, reading {:.0f} ms\n", name, count.reads,
+             count.tries, count.enough() ? "reads" : "does not read", seen.treeMs, seen.lightMs, seen.readMs);
+}
+
+void compare(const Seen& ours, const Seen& other) {
+  std::vector<double> heights, light;
+  for (std::size_t i = 0; i < ours.heightMm.size(); ++i)
+    if (!std::isnan(ours.heightMm[i] + other.heightMm[i]))
+      heights.push_back(std::abs(ours.heightMm[i] - other.heightMm[i]));
+  double sum = 0, signedSum = 0;
+  for (std::size_t i = 0; i < ours.modules.size(); ++i) {
+    light.push_back(std::abs(ours.modules[i] - other.modules[i]));
+    sum += light.back();
+    signedSum += ours.modules[i] - other.modules[i];
+  }
+  const double modules = static_cast<double>(light.size());
+  fmt::print(
+      "heights apart: median {:.3f}, 95 % {:.3f} mm; modules' luminance apart: mean {:.3f} (signed {:+.3f}), 95 % "
+      "{:.3f}\n",
+      quantile(heights, 0.5), quantile(heights, 0.95), sum / modules, signedSum / modules, quantile(light, 0.95));
+}
+
+int run(int argc, char** argv) {
+  if (argc < 5) {
+    fmt::print(stderr, "usage: {} REPORT.json MESH up|side|slant PROCESS [OTHER [OUT.stl]]\n", argv[0]);
+    return 2;
+  }
+  const Json report = Json::parse(std::ifstream(argv[1]), nullptr, false);
+  const auto mesh = load(argv[2]);
+  if (!report.is_object() || !mesh) {
+    fmt::print(stderr, "{} or {} cannot be read\n", argv[1], argv[2]);
+    return 1;
+  }
+  const Json& placed = report["projection"];
+  const ProjectionFrame frame = makeFrame(vectorOf(placed["centre"]), vectorOf(placed["normal"]),
+                                          vectorOf(placed["up"]), placed["eyeDistanceMm"].get<double>());
+  const double symbolMm = report["size"]["symbolMm"].get<double>();
+  const int modules = report["symbol"]["modules"].get<int>();
+  const std::string text = report["text"].get<std::string>(), facing = argv[3];
+  PrintRequest request;
+  request.frame = frame;
+  request.extentMm = symbolMm * (modules + 2 * kMarginModules) / modules;
+  request.buildUp = facing == "up" ? frame.normal : facing == "side" ? frame.up : frame.normal + frame.up;
+  for (const NamedProcess& known : printProcesses())
+    if (known.name == argv[4]) request.process = known.process;
+  const Clock::time_point start = Clock::now();
+  const auto printed = printSurface(*mesh, request);
+  if (!printed) {
+    fmt::print(stderr, "{}\n", printed.error().message.code);
+    return 1;
+  }
+  const double surfaceMs = millisecondsSince(start);
+  const Mesh surface = printed->mesh();
+  fmt::print("surface: {} texels along the edge, {} triangles; {:.0f} ms, as a mesh {:.0f} ms\n", printed->texels,
+             surface.triangles.size(), surfaceMs, millisecondsSince(start) - surfaceMs);
+  const Seen designed = look(*mesh, frame, modules, symbolMm, text);
+  tell("designed", designed);
+  const Seen ours = look(surface, frame, modules, symbolMm, text);
+  tell("printed", ours);
+  if (argc > 5) {
+    if (const auto given = load(argv[5])) {
+      const Seen other = look(*given, frame, modules, symbolMm, text);
+      tell("other", other);
+      compare(ours, other);
+    }
+  }
+  if (argc > 6) {
+    const std::vector<std::uint8_t> bytes = writeStl(surface);
+    std::ofstream(argv[6], std::ios::binary)
+        .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  }
+  return 0;
+}
+
+}  // namespace
+}  // namespace qrelief
+
+int main(int argc, char** argv) { return qrelief::run(argc, argv); }

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "printing/cross_sections.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace qrelief {
+namespace {
+
+Vec2 flat(Vec3 p) { return {p.x, p.y}; }
+
+/// Where an edge meets a plane; the same point whichever way the edge is walked.
+Vec2 meeting(Vec3 a, Vec3 b, double height) {
+  if (b.z < a.z) std::swap(a, b);
+  return flat(a) + (flat(b) - flat(a)) * ((height - a.z) / (b.z - a.z));
+}
+
+Segment2 cut(const std::array<Vec3, 3>& corners, double height) {
+  int above = 0;
+  for (const Vec3& corner : corners) above += corner.z >= height;
+  // The corner that is alone on its side; from the edge after it to the one before it the solid lies on the left if it
+  // is above, else the other way round.
+  std::size_t alone = 0;
+  while ((corners[alone].z >= height) != (above == 1)) ++alone;
+  const Vec3 &apex = corners[alone], &next = corners[(alone + 1) % 3], &last = corners[(alone + 2) % 3];
+  const Vec2 p = meeting(apex, next, height), q = meeting(apex, last, height);
+  return above == 1 ? Segment2{p, q} : Segment2{q, p};
+}
+
+/// Where a vertical line meets a triangle, and whether it leaves the solid upwards there.
+struct Piercing {
+  double height = 0;
+  int change = 0;  ///< of the winding number, going up
+};
+
+std::optional<Piercing> pierce(const std::array<Vec3, 3>& corners, Vec2 at) {
+  std::array<double, 3> weights{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec2 a = flat(corners[(k + 1) % 3]) - at, b = flat(corners[(k + 2) % 3]) - at;
+    weights[k] = cross2(a, b);
+  }
+  const double area = weights[0] + weights[1] + weights[2];
+  if (area == 0) return std::nullopt;
+  for (const double weight : weights)
+    if (area > 0 ? weight < 0 : weight >= 0) return std::nullopt;
+  double height = 0;
+  for (std::size_t k = 0; k < 3; ++k) height += weights[k] / area * corners[k].z;
+  return Piercing{height, area > 0 ? -1 : 1};
+}
+
+}  // namespace
+
+CrossSections cutByPlanes(std::span<const std::array<Vec3, 3>> triangles, const CuttingPlanes& planes, Vec2 low,
+                          Vec2 high) {
+  CrossSections sections;
+  sections.outlines.resize(static_cast<std::size_t>(planes.count));
+  sections.windings.assign(static_cast<std::size_t>(planes.count), 0);
+  for (const std::array<Vec3, 3>& corners : triangles) {
+    const Vec3 least = glm::min(glm::min(corners[0], corners[1]), corners[2]);
+    const Vec3 most = glm::max(glm::max(corners[0], corners[1]), corners[2]);
+    if (most.x < low.x || most.y < low.y || least.x > high.x || least.y > high.y) continue;
+    if (const auto piercing = pierce(corners, low)) {
+      // All planes above it are affected, by as much as the winding number changes there.
+      const double beyond = std::ceil((piercing->height - planes.firstMm) / planes.stepMm);
+      for (int k = static_cast<int>(std::clamp(beyond, 0.0, static_cast<double>(planes.count))); k < planes.count; ++k)
+        sections.windings[static_cast<std::size_t>(k)] += piercing->change;
+    }
+    // Planes with one corner above or in them, and another below.
+    const double first = std::floor((least.z - planes.firstMm) / planes.stepMm) - 1;
+    const double last = std::ceil((most.z - planes.firstMm) / planes.stepMm) + 1;
+    const int begin = static_cast<int>(std::clamp(first, 0.0, static_cast<double>(planes.count)));
+    const int end = static_cast<int>(std::clamp(last + 1, 0.0, static_cast<double>(planes.count)));
+    for (int k = begin; k < end; ++k) {
+      const double height = planes.heightMm(k);
+      if (least.z < height && most.z >= height)
+        sections.outlines[static_cast<std::size_t>(k)].push_back(cut(corners, height));
+    }
+  }
+  return sections;
+}
+
+}  // namespace qrelief

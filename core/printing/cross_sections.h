@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "projection/plane_shapes.h"
+
+namespace qrelief {
+
+/// Planes z = firstMm + k · stepMm that a model is cut by, k = 0 … count − 1.
+struct CuttingPlanes {
+  double firstMm = 0, stepMm = 0.2;
+  int count = 0;
+
+  double heightMm(int plane) const { return firstMm + plane * stepMm; }
+};
+
+/// Where the planes meet the triangles within a rectangle.
+struct CrossSections {
+  /// Of each plane: segments with the solid on their left, seen from above; closed curves, but for those that leave the
+  /// rectangle.
+  std::vector<std::vector<Segment2>> outlines;
+  /// Of each plane: how often the rectangle's lower left corner is enclosed; 0 = outside.
+  std::vector<int> windings;
+};
+
+/// Cuts a closed mesh. A vertex in a plane counts as above it, so that every triangle gives one segment or none.
+///
+/// Cost: O(triangles + segments).
+/// @param triangles  corners in the printer's space, anticlockwise seen from outside
+/// @param low, high  corners of the rectangle: triangles that lie beside it are left out; no vertex stands straight
+/// above
+///                   or below `low`
+CrossSections cutByPlanes(std::span<const std::array<Vec3, 3>> triangles, const CuttingPlanes& planes, Vec2 low,
+                          Vec2 high);
+
+}  // namespace qrelief

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "printing/laid_outline.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace qrelief {
+namespace {
+
+/// Where the distance grows by less than this fraction of the way across, two walls are equally far: the middle of a
+/// thin wall. Across the bisector of a right corner it grows by 0.71 of it.
+constexpr double kRidgeSlope = 0.6;
+/// A line shorter than this many of its widths is not laid.
+constexpr double kShortestLine = 0.5;
+
+LayerGrid emptyGrid(const LayerWindow& window, double distanceMm) {
+  LayerGrid grid{window.origin, window.stepMm, window.columns, window.rows, {}};
+  grid.distanceMm.assign(static_cast<std::size_t>(window.columns) * static_cast<std::size_t>(window.rows),
+                         static_cast<float>(distanceMm));
+  return grid;
+}
+
+/// First node at or beyond a coordinate, 0 … count.
+int nodeFrom(double coordinate, double origin, double stepMm, int count) {
+  return static_cast<int>(std::clamp(std::ceil((coordinate - origin) / stepMm), 0.0, static_cast<double>(count)));
+}
+
+/// How often each node is enclosed: counted along the vertical line through the corner, then along every row.
+std::vector<std::int16_t> windingNumbers(std::span<const Segment2> outline, const LayerGrid& grid, Vec2 corner,
+                                         int winding) {
+  std::vector<std::int16_t> numbers(grid.distanceMm.size(), 0);
+  std::vector<int> atRow(static_cast<std::size_t>(grid.rows) + 1, 0);  // changes on the way up
+  const auto add = [&](int column, int row, int change) {
+    if (column < grid.columns)
+      numbers[grid.index(column, row)] = static_cast<std::int16_t>(numbers[grid.index(column, row)] + change);
+  };
+  for (const auto& [a, b] : outline) {
+    const auto crossing = [](double from, double to, double at, double fromOther, double toOther) {
+      return fromOther + (toOther - fromOther) * ((at - from) / (to - from));
+    };
+    if ((a.x <= corner.x) != (b.x <= corner.x)) {
+      const double y = crossing(a.x, b.x, corner.x, a.y, b.y);
+      if (y > corner.y)
+        atRow[static_cast<std::size_t>(nodeFrom(y, grid.origin.y, grid.stepMm, grid.rows))] += b.x > a.x ? 1 : -1;
+    }
+    const int begin = nodeFrom(std::min(a.y, b.y), grid.origin.y, grid.stepMm, grid.rows);
+    const int end = nodeFrom(std::max(a.y, b.y), grid.origin.y, grid.stepMm, grid.rows);
+    for (int row = begin; row < end; ++row) {
+      const double x = crossing(a.y, b.y, grid.node(0, row).y, a.x, b.x);
+      if (x > corner.x) add(nodeFrom(x, grid.origin.x, grid.stepMm, grid.columns), row, b.y > a.y ? -1 : 1);
+    }
+  }
+  int left = winding;
+  for (int row = 0; row < grid.rows; ++row) {
+    left += atRow[static_cast<std::size_t>(row)];
+    int number = left;
+    for (int column = 0; column < grid.columns; ++column) {
+      number += numbers[grid.index(column, row)];
+      numbers[grid.index(column, row)] = static_cast<std::int16_t>(number);
+    }
+  }
+  return numbers;
+}
+
+/// The segments with air on one side: where solids overlap, others run through plastic.
+std::vector<Segment2> outsideOnly(std::span<const Segment2> outline, const LayerGrid& grid,
+                                  const std::vector<std::int16_t>& numbers) {
+  const bool overlaps = std::any_of(numbers.begin(), numbers.end(), [](int number) { return number > 1; });
+  if (!overlaps) return {outline.begin(), outline.end()};
+  const auto isSolid = [&](Vec2 at) {
+    const Vec2 place = glm::round((at - grid.origin) / grid.stepMm);
+    const int column = std::clamp(static_cast<int>(place.x), 0, grid.columns - 1);
+    const int row = std::clamp(static_cast<int>(place.y), 0, grid.rows - 1);
+    return numbers[grid.index(column, row)] > 0;
+  };
+  constexpr double kPieceSteps = 4;  // a segment may run through plastic for a part of its way
+  std::vector<Segment2> kept;
+  for (const auto& [a, b] : outline) {
+    const double length = glm::distance(a, b);
+    const Vec2 across = Vec2(a.y - b.y, b.x - a.x) * (grid.stepMm / std::max(length, 1e-12));
+    const int pieces = static_cast<int>(std::ceil(length / (kPieceSteps * grid.stepMm)));
+    for (int k = 0; k < pieces; ++k) {
+      const Segment2 piece{a + (b - a) * (1.0 * k / pieces), a + (b - a) * ((k + 1.0) / pieces)};
+      const Vec2 middle = (piece[0] + piece[1]) / 2.0;
+      if (isSolid(middle + across) != isSolid(middle - across)) kept.push_back(piece);
+    }
+  }
+  return kept;
+}
+
+/// Nodes in the middle of what is too thin for the outer wall, each with half the width of the solid there.
+struct Ridge {
+  std::vector<std::size_t> nodes;
+  double lengthMm = 0;  ///< from end to end
+};
+
+std::vector<Ridge> thinRidges(const LayerGrid& solid, const LayerGrid& laid, double thinnestMm) {
+  std::vector<std::uint8_t> isRidge(solid.distanceMm.size(), 0);
+  for (int row = 1; row + 1 < solid.rows; ++row)
+    for (int column = 1; column + 1 < solid.columns; ++column) {
+      const std::size_t i = solid.index(column, row);
+      if (laid.distanceMm[i] <= 0 || solid.distanceMm[i] > -thinnestMm / 2) continue;
+      const auto columns = static_cast<std::size_t>(solid.columns);
+      const double x = static_cast<double>(solid.distanceMm[i + 1] - solid.distanceMm[i - 1]);
+      const double y = static_cast<double>(solid.distanceMm[i + columns] - solid.distanceMm[i - columns]);
+      isRidge[i] = std::hypot(x, y) < kRidgeSlope * 2 * solid.stepMm;
+    }
+  std::vector<Ridge> ridges;
+  std::vector<std::size_t> open;
+  for (std::size_t start = 0; start < isRidge.size(); ++start) {
+    if (!isRidge[start]) continue;
+    Ridge ridge;
+    Vec2 low{1e9}, high{-1e9};
+    isRidge[start] = 0;
+    open.push_back(start);
+    while (!open.empty()) {
+      const std::size_t i = open.back();
+      open.pop_back();
+      ridge.nodes.push_back(i);
+      const int column = static_cast<int>(i % static_cast<std::size_t>(solid.columns));
+      const int row = static_cast<int>(i / static_cast<std::size_t>(solid.columns));
+      low = glm::min(low, solid.node(column, row));
+      high = glm::max(high, solid.node(column, row));
+      for (int k = 0; k < 9; ++k) {  // none lies on the grid's border
+        const std::size_t other = solid.index(column + k % 3 - 1, row + k / 3 - 1);
+        if (!isRidge[other]) continue;
+        isRidge[other] = 0;
+        open.push_back(other);
+      }
+    }
+    ridge.lengthMm = glm::distance(low, high);
+    ridges.push_back(std::move(ridge));
+  }
+  return ridges;
+}
+
+/// Lowers distances to those from a disc.
+void addDisc(LayerGrid& grid, Vec2 centre, double radiusMm) {
+  const double reach = radiusMm + kLaidReachMm;
+  const Vec2 low = (centre - grid.origin - reach) / grid.stepMm, high = (centre - grid.origin + reach) / grid.stepMm;
+  for (int row = std::max(0, static_cast<int>(std::ceil(low.y))); row <= std::min(grid.rows - 1.0, high.y); ++row)
+    for (int column = std::max(0, static_cast<int>(std::ceil(low.x))); column <= std::min(grid.columns - 1.0, high.x);
+         ++column) {
+      float& held = grid.distanceMm[grid.index(column, row)];
+      held = std::min(held, static_cast<float>(glm::distance(grid.node(column, row), centre) - radiusMm));
+    }
+}
+
+}  // namespace
+
+LayerGrid layOutline(std::span<const Segment2> outline, const LayerWindow& window, Vec2 corner, int winding,
+                     const PrintProcess& process) {
+  const double half = process.lineWidthMm / 2, beyond = kLaidReachMm + 2 * window.stepMm;
+  LayerGrid solid = emptyGrid(window, half + beyond);
+  const std::vector<std::int16_t> numbers = windingNumbers(outline, solid, corner, winding);
+  lowerToDistance(solid, outsideOnly(outline, solid, numbers), half + beyond);
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    if (numbers[i] > 0) solid.distanceMm[i] = -solid.distanceMm[i];
+
+  LayerGrid laid = emptyGrid(window, half + beyond);
+  lowerToDistance(laid, contourOf(solid, -half), half + beyond);
+  for (std::size_t i = 0; i < laid.distanceMm.size(); ++i) {
+    const bool within = static_cast<double>(solid.distanceMm[i]) < -half;
+    laid.distanceMm[i] = (within ? -laid.distanceMm[i] : laid.distanceMm[i]) - static_cast<float>(half);
+  }
+  for (const Ridge& ridge : thinRidges(solid, laid, process.thinnestWallMm())) {
+    if (ridge.lengthMm < kShortestLine * process.thinnestLineMm()) continue;
+    for (const std::size_t i : ridge.nodes) {
+      const auto columns = static_cast<std::size_t>(window.columns);
+      addDisc(laid, laid.node(static_cast<int>(i % columns), static_cast<int>(i / columns)),
+              std::max(process.thinnestLineMm() / 2, static_cast<double>(-solid.distanceMm[i])));
+    }
+  }
+  return laid;
+}
+
+}  // namespace qrelief

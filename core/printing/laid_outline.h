@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+
+#include "printing/layer_grid.h"
+#include "printing/print_process.h"
+
+namespace qrelief {
+
+/// The part of a layer's plane that is looked at.
+struct LayerWindow {
+  Vec2 origin{0};  ///< its lower left corner
+  double stepMm = 0.1;
+  int columns = 0, rows = 0;
+};
+
+/// What a nozzle leaves of a layer's cross-section, at half the layer's height.
+///
+/// The outer wall is laid along the line that is half a line's width within the outline, and is as wide all along: so
+/// corners of the plastic become round, with that radius, and corners of pockets stay. Where the solid is too thin for
+/// that line, one line is laid along its middle, no thinner than such lines can be, if it is long enough to be laid.
+///
+/// Cost: O(nodes + segments · nodes near one).
+/// @param outline    with the solid on the left, as CrossSections has it
+/// @param corner     a point left of and below the window, for which
+/// @param winding    is how often it is enclosed
+/// @returns distances exact up to `kLaidReachMm` from the plastic, and more than that beyond
+LayerGrid layOutline(std::span<const Segment2> outline, const LayerWindow& window, Vec2 corner, int winding,
+                     const PrintProcess& process);
+
+inline constexpr double kLaidReachMm = 0.3;
+
+}  // namespace qrelief

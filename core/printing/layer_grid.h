@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "projection/plane_shapes.h"
+
+namespace qrelief {
+
+/// Signed distances from an outline in the plane of a printed layer, mm, negative inside, at the nodes of a grid.
+struct LayerGrid {
+  Vec2 origin{0};  ///< of node (0, 0), mm
+  double stepMm = 0.1;
+  int columns = 0, rows = 0;      ///< nodes; none: the layer is not looked at
+  std::vector<float> distanceMm;  ///< row-major
+
+  bool empty() const { return distanceMm.empty(); }
+  Vec2 node(int column, int row) const { return origin + stepMm * Vec2(column, row); }
+  std::size_t index(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column);
+  }
+
+  /// Between the nodes, bilinear. @param at  within the grid
+  double at(Vec2 at) const;
+};
+
+/// Distances from the nearest segment, without a sign, where they are less than those that the grid holds.
+/// Cost: O(segments · nodes within `reachMm` of one).
+void lowerToDistance(LayerGrid& grid, std::span<const Segment2> segments, double reachMm);
+
+/// The line on which the distance has a value, in pieces from one edge of the grid's cells to another [marching
+/// squares; Maple 2003]. In no order. Cost: O(nodes).
+std::vector<Segment2> contourOf(const LayerGrid& grid, double valueMm);
+
+}  // namespace qrelief

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "base/result.h"
+#include "math/frame.h"
+#include "mesh/mesh.h"
+#include "printing/print_process.h"
+
+namespace qrelief {
+
+/// Which part of a model is printed, and how.
+struct PrintRequest {
+  PrintProcess process;
+  ProjectionFrame frame;  ///< of the code, in the model's space
+  double extentMm = 50;   ///< edge of the square of the QR plane that is looked at, centred on the code
+  Vec3 buildUp{0, 0, 1};  ///< the printer's vertical in the model's space, of any length > 0
+};
+
+/// The surface that a printer leaves, as the reader's eye sees it.
+struct PrintedSurface {
+  ProjectionFrame frame;
+  int texels = 0;                 ///< along the edge of the square, at the middles of which rays meet the surface
+  double texelMm = 0;             ///< on the QR plane
+  std::vector<float> distanceMm;  ///< from the eye along the rays, row-major from the lower left; 0 = nothing is met
+
+  Vec2 planePoint(int column, int row) const {
+    return {(column + 0.5 - texels / 2.0) * texelMm, (row + 0.5 - texels / 2.0) * texelMm};
+  }
+
+  /// The points joined to triangles: a surface with a border, right for rendering, and no solid.
+  Mesh mesh() const;
+};
+
+/// What a filament printer makes of a solid round a code.
+///
+/// The solid is cut into layers, at half the height of each; in every layer the nozzle lays what laid_outline.h says;
+/// lines have round flanks, so that a groove lies between two layers; skins end with whole layers. Not in it:
+/// stringing, ringing, over- and under-extrusion, sagging, shrinkage, gloss.
+///
+/// Cost: O(triangles) and O(extent² / nozzle²) for each layer that the surface passes.
+/// @param mesh  a solid
+/// @returns BadUsage for a process that no printer could follow or a build direction of zero
+Result<PrintedSurface> printSurface(const Mesh& mesh, const PrintRequest& request);
+
+}  // namespace qrelief

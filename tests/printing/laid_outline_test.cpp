@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "printing/laid_outline.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace qrelief {
+namespace {
+
+constexpr PrintProcess kProcess{0.4, 0.45, 0.2};
+constexpr LayerWindow kWindow{Vec2(-4.03), 1.0 / 30, 242, 242};
+constexpr Vec2 kCorner{-4.1, -4.2};
+
+/// Anticlockwise, so that the solid lies on the left.
+std::vector<Segment2> polygon(const std::vector<Vec2>& corners) {
+  std::vector<Segment2> segments;
+  for (std::size_t i = 0; i < corners.size(); ++i) segments.push_back({corners[i], corners[(i + 1) % corners.size()]});
+  return segments;
+}
+
+std::vector<Segment2> rectangle(Vec2 low, Vec2 high) { return polygon({low, {high.x, low.y}, high, {low.x, high.y}}); }
+
+LayerGrid laid(const std::vector<Segment2>& outline, int winding = 0) {
+  return layOutline(outline, kWindow, kCorner, winding, kProcess);
+}
+
+TEST(LaidOutline, StraightWallsStayAndCornersBecomeRoundWithHalfALinesWidth) {
+  const LayerGrid grid = laid(rectangle({-2, -2}, {2, 2}));
+  EXPECT_NEAR(grid.at({2, 0}), 0, 0.005);
+  EXPECT_NEAR(grid.at({2.1, 0.3}), 0.1, 0.005);
+  EXPECT_NEAR(grid.at({1.9, 0.3}), -0.1, 0.005);
+  const double half = kProcess.lineWidthMm / 2;
+  EXPECT_NEAR(grid.at({2, 2}), half * (std::sqrt(2) - 1), 0.012);
+  EXPECT_LT(grid.at({0, 0}), -half);
+}
+
+TEST(LaidOutline, ThePlasticFillsTheCornersOfAPocket) {
+  // An L: its inner corner is at the origin, where the solid covers three quarters of the plane.
+  const LayerGrid grid = laid(polygon({{-3, -3}, {3, -3}, {3, 0}, {0, 0}, {0, 3}, {-3, 3}}));
+  EXPECT_NEAR(grid.at({0, 0}), 0, 0.02);
+  EXPECT_NEAR(grid.at({0.2, 0.2}), 0.2, 0.02);
+}
+
+TEST(LaidOutline, AThinWallBecomesAsWideAsTheThinnestLine) {
+  const LayerGrid grid = laid(rectangle({-2, -0.1}, {2, 0.1}));
+  const double half = kProcess.thinnestLineMm() / 2;
+  EXPECT_NEAR(grid.at({0, half}), 0, 0.025);
+  EXPECT_NEAR(grid.at({0, half + 0.1}), 0.1, 0.025);
+}
+
+TEST(LaidOutline, AWallJustTooThinForTheOuterLineKeepsItsWidth) {
+  const LayerGrid grid = laid(rectangle({-2, -0.2}, {2, 0.2}));
+  EXPECT_NEAR(grid.at({0, 0.2}), 0, 0.025);
+}
+
+TEST(LaidOutline, WhatIsTooThinOrTooShortForALineIsNotLaid) {
+  EXPECT_GT(laid(rectangle({-2, -0.04}, {2, 0.04})).at({0, 0}), 0) << "thinner than a quarter of the nozzle";
+  EXPECT_GT(laid(rectangle({-0.14, -0.14}, {0.14, 0.14})).at({0, 0}), 0) << "an island of 0.28 mm";
+}
+
+TEST(LaidOutline, WhatSurroundsTheWindowIsCountedFromItsCorner) {
+  // The window lies within the solid, but for a hole.
+  std::vector<Segment2> hole = rectangle({-1, -1}, {1, 1});
+  for (auto& [a, b] : hole) std::swap(a, b);
+  const LayerGrid grid = laid(hole, 1);
+  EXPECT_LT(grid.at({-3, 2}), -kProcess.lineWidthMm / 2);
+  EXPECT_NEAR(grid.at({0, 0.8}), 0.2, 0.005);
+  EXPECT_GT(grid.at({0, 0}), kLaidReachMm);
+}
+
+TEST(LaidOutline, SolidsThatOverlapAreOne) {
+  // A thin wall stands in a block, half of it within.
+  std::vector<Segment2> two = rectangle({-2, -1}, {2, 1});
+  for (const Segment2& segment : rectangle({-0.2, -0.5}, {0.2, 3})) two.push_back(segment);
+  const LayerGrid grid = laid(two);
+  for (double y = -0.7; y < 2.8; y += 0.1) EXPECT_LT(grid.at({0, y}), -0.1) << y;
+  EXPECT_NEAR(grid.at({2, 0}), 0, 0.005);
+  EXPECT_NEAR(grid.at({0.2, 2}), 0, 0.025);
+  const std::vector<Segment2> thin = rectangle({-0.03, -0.5}, {0.03, 3});  // too thin where it leaves the block
+  two = rectangle({-2, -1}, {2, 1});
+  two.insert(two.end(), thin.begin(), thin.end());
+  EXPECT_LT(laid(two).at({0, 0.3}), -kProcess.lineWidthMm / 2);
+  EXPECT_GT(laid(two).at({0, 2}), 0.1);
+}
+
+}  // namespace
+}  // namespace qrelief
