@@ -32,12 +32,14 @@ inline std::string contentOf(const std::filesystem::path& path) {
 class CommandTest : public testing::Test {
  protected:
   void SetUp() override {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = std::filesystem::temp_directory_path() / ("qrelief_" + std::string(test->name()));
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
+    std::string name =
+        std::filesystem::temp_directory_path() / "qrelief_XXXXXX";  // the same test may run elsewhere, too
+    ASSERT_TRUE(mkdtemp(name.data()));
+    folder_ = name;
   }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
+  void TearDown() override {
+    if (!folder_.empty()) std::filesystem::remove_all(folder_);
+  }
 
   std::string path(const std::string& name) const { return (folder_ / name).string(); }
 
