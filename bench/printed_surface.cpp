@@ -89,6 +89,17 @@ Seen look(const Mesh& mesh, const ProjectionFrame& frame, int modules, double sy
   return seen;
 }
 
+/// With a sliver of a triangle below its lowest point.
+Mesh onFoot(Mesh mesh, Vec3 up, double footMm) {
+  up = glm::normalize(up);
+  const auto lower = [&](Vec3f a, Vec3f b) { return glm::dot(Vec3(a), up) < glm::dot(Vec3(b), up); };
+  const Vec3f lowest = *std::min_element(mesh.positions.begin(), mesh.positions.end(), lower);
+  const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+  for (int k = 0; k < 3; ++k) mesh.positions.push_back(lowest - Vec3f(up * footMm));
+  mesh.triangles.push_back({first, first + 1, first + 2});
+  return mesh;
+}
+
 double quantile(std::vector<double> values, double fraction) {
   if (values.empty()) return std::nan("");
   const auto at = values.begin() + static_cast<std::ptrdiff_t>(fraction * static_cast<double>(values.size() - 1));
@@ -122,9 +133,11 @@ void compare(const Seen& ours, const Seen& other) {
 
 int run(int argc, char** argv) {
   if (argc < 5) {
-    fmt::print(stderr, "usage: {} REPORT.json MESH up|side|slant PROCESS [OTHER [OUT.stl]]\n", argv[0]);
+    fmt::print(stderr, "usage: {} REPORT.json MESH up|side|slant PROCESS [OTHER [OUT.stl [FOOT_MM]]]\n", argv[0]);
     return 2;
   }
+  // Stood on a foot as high as asked for: layers then lie as in a print that stands so.
+  const double footMm = argc > 7 ? std::stod(argv[7]) : 0;
   const Json report = Json::parse(std::ifstream(argv[1]), nullptr, false);
   const auto mesh = load(argv[2]);
   if (!report.is_object() || !mesh) {
@@ -141,10 +154,10 @@ int run(int argc, char** argv) {
   request.frame = frame;
   request.extentMm = symbolMm * (modules + 2 * kMarginModules) / modules;
   request.buildUp = facing == "up" ? frame.normal : facing == "side" ? frame.up : frame.normal + frame.up;
-  for (const NamedProcess& known : printProcesses())
-    if (known.name == argv[4]) request.process = known.process;
+  for (const NamedPrinter& known : namedPrinters())
+    if (known.name == argv[4]) request.process = *processOf(known.printer);
   const Clock::time_point start = Clock::now();
-  const auto printed = printSurface(*mesh, request);
+  const auto printed = printSurface(footMm > 0 ? onFoot(*mesh, request.buildUp, footMm) : *mesh, request);
   if (!printed) {
     fmt::print(stderr, "{}\n", printed.error().message.code);
     return 1;
@@ -164,7 +177,7 @@ int run(int argc, char** argv) {
       compare(ours, other);
     }
   }
-  if (argc > 6) {
+  if (argc > 6 && argv[6][0] != '-') {
     const std::vector<std::uint8_t> bytes = writeStl(surface);
     std::ofstream(argv[6], std::ios::binary)
         .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));

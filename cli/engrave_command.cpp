@@ -81,6 +81,7 @@ Result<EngraveResult> runJob(std::shared_ptr<const EngravableModel> model, const
 struct Carved {
   EngraveResult result;
   ReadingEvidence reading;
+  std::optional<PrintedEvidence> printed = {};
   Verdict verdict;
 };
 
@@ -93,7 +94,7 @@ Result<Carved> carve(std::shared_ptr<const EngravableModel> model, const Engrave
   if (!evidence) return tl::unexpected(evidence.error());
   result->timingsMs.verify += millisecondsSince(reading);
   Verdict verdict = judge(options.request, *result, *evidence);
-  return Carved{std::move(*result), *evidence, std::move(verdict)};
+  return Carved{std::move(*result), *evidence, {}, std::move(verdict)};
 }
 
 /// With the preset asked for, or the next deeper ones where the code does not read with it; `options` then name that.
@@ -115,6 +116,20 @@ Result<Carved> carveToRead(const std::shared_ptr<const EngravableModel>& model, 
   }
   request.preset = wanted;
   return asked;
+}
+
+/// Finds out how the carving that was decided for comes off the printer.
+Status print(const EngraveOptions& options, Carved& carved) {
+  const auto start = Clock::now();
+  ProgressBar bar(options.quiet);
+  auto printed = readPrinted(verifyRequestOf(options.request, carved.result), carved.result.mesh,
+                             [&](const Progress& progress) { bar.show(progress); });
+  if (!printed) return tl::unexpected(printed.error());
+  if (!*printed) return {};
+  carved.printed = std::move(*printed);
+  carved.result.timingsMs.print = millisecondsSince(start);
+  carved.verdict = judge(options.request, carved.result, carved.reading, &*carved.printed);
+  return {};
 }
 
 /// The carved model in the format that the output's name asks for.
@@ -154,7 +169,8 @@ void printSummary(const EngraveOptions& options, const EngraveResult& result, co
   const ReadingEvidence& reading = context.reading;
   if (!reading.text.empty()) fmt::print("reads as: {}\n", reading.text);
   for (const Aspect* aspect : {&context.verdict.reads, &context.verdict.prints, &context.verdict.solid}) {
-    if (aspect->level == Level::Good || !aspect->passed()) continue;
+    const bool foundOut = aspect == &context.verdict.prints && context.printed;
+    if ((aspect->level == Level::Good && !foundOut) || !aspect->passed()) continue;
     fmt::print("{}\n", sentence(aspect->summary));
     for (const Message& reason : aspect->reasons) fmt::print("  {}\n", sentenceAndHint(reason));
   }
@@ -191,7 +207,9 @@ int engraveModel(EngraveOptions& options) {
   const Preset askedPreset = options.request.preset;
   auto carved = carveToRead(model, options);
   if (!carved) return printError(carved.error(), context.fileName);
+  if (const Status printed = print(options, *carved); !printed) return printError(printed.error(), context.fileName);
   const EngraveResult& result = carved->result;
+  context.printed = carved->printed;
   context.reading = carved->reading;
   context.verdict = carved->verdict;
   context.askedPreset = askedPreset;

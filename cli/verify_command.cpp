@@ -9,6 +9,7 @@
 #include "cli/setting_flags.h"
 #include "io/read_model.h"
 #include "messages/sentences.h"
+#include "native/read_carving.h"
 #include "native/zxing_reader.h"
 #include "report/verify_report.h"
 
@@ -50,7 +51,9 @@ Result<VerifyRequest> requestFrom(const VerifyOptions& options) {
   if (!settings) return tl::unexpected(settings.error());
   auto request = options.report.empty() ? requestFromFlags(options, *settings) : requestFromFile(options.report);
   if (!request) return request;
-  request->printer = {settings->nozzleMm, settings->layerMm};
+  request->printer = settings->printer;
+  request->process = settings->process;
+  request->buildUp = settings->buildUp;
   request->minWallMm = settings->minWallMm;
   return request;
 }
@@ -67,7 +70,7 @@ std::string rangeOf(const ReadingSummary& reading) {
 }
 
 void printResult(const std::string& name, const VerifyRequest& request, const VerifyResult& result,
-                 const Verdict& verdict) {
+                 const Verdict& verdict, bool printed) {
   const SolidityReport& solid = result.solidity;
   fmt::print("{}: {}, {} triangles\n", name, solid.solid() ? "a closed solid" : "no clean solid", solid.triangles);
   const ReadingSummary& reading = result.reading;
@@ -85,9 +88,10 @@ void printResult(const std::string& name, const VerifyRequest& request, const Ve
   if (result.grades)
     fmt::print("simulated grades: ISO/IEC 15415 {:g}, ISO/IEC 29158 {:g}; fixed pattern damage {:g}\n",
                result.grades->iso15415, result.grades->iso29158, result.grades->fixedPatternDamage.grade);
-  if (verdict.prints.level != Level::Good)
-    for (const Message& advice : verdict.prints.reasons)
-      fmt::print("in print: {}\n  what helps: {}\n", sentence(advice), hint(advice));
+  if (printed || verdict.prints.level != Level::Good) fmt::print("{}\n", sentence(verdict.prints.summary));
+  for (const Message& reason :
+       verdict.prints.level == Level::Good && !printed ? std::vector<Message>() : verdict.prints.reasons)
+    fmt::print("  {}\n", sentenceAndHint(reason));
   if (verdict.solid.passed() && verdict.solid.level != Level::Good)
     for (const Message& reason : verdict.solid.reasons) fmt::print("{}\n", sentence(reason));
 }
@@ -107,18 +111,25 @@ int verifyModel(const VerifyOptions& options) {
   auto mesh = meshAsFound(*soup, scale->value_or(soup->unitMm.value_or(1)));
   if (!mesh) return printError(mesh.error(), name);
 
-  auto job = VerifyJob::create(std::move(*mesh), *request, zxingReaders());
+  auto job = VerifyJob::create(*mesh, *request, zxingReaders());
   if (!job) return printError(job.error(), name);
   if (const Status done = runWithProgress(**job, options.quiet); !done) return printError(done.error(), name);
   const VerifyResult result = (*job)->takeResult();
 
-  const Verdict verdict = judge(*request, result);
-  printResult(name, *request, result, verdict);
+  std::optional<PrintedEvidence> printed;
+  if (result.solidity.solid()) {  // of anything else no slicer makes what is meant
+    ProgressBar bar(options.quiet);
+    auto read = readPrinted(*request, *mesh, [&](const Progress& progress) { bar.show(progress); });
+    if (!read) return printError(read.error(), name);
+    printed = std::move(*read);
+  }
+  const Verdict verdict = judge(*request, result, printed ? &*printed : nullptr);
+  printResult(name, *request, result, verdict, printed.has_value());
   const int status = printFailed(verdict);
   if (!options.json.empty()) {
     const double total = millisecondsSince(start);
-    const std::string report =
-        makeVerifyReport(*request, result, {name, soup->format, zxingName(), total, verdict, commandWording()});
+    const std::string report = makeVerifyReport(
+        *request, result, {name, soup->format, zxingName(), total, printed, verdict, commandWording()});
     if (const Status written = writeFileAtomically(options.json, report); !written) return printError(written.error());
   }
   return status;
@@ -143,7 +154,8 @@ std::function<int()> addVerifyCommand(CLI::App& app) {
       ->expected(3);
   for (const char* key : {"direction", "up", "size", "eyeDistanceMm"}) o->flags.add(*c, key, kWithoutReport);
   o->flags.addGroup(*c, "symbol");
-  for (const char* key : {"nozzleMm", "layerMm", "minWallMm"}) o->flags.add(*c, key);
+  o->flags.addGroup(*c, "printing");
+  o->flags.add(*c, "minWallMm");
   c->add_flag("--quick", o->quick, "do not find out from how far, and how tilted or blurred, it reads");
   c->add_option("--json", o->json, "write everything that was found as JSON");
   c->add_flag("--quiet", o->quiet, "no progress");

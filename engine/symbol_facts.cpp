@@ -60,11 +60,10 @@ double leastModuleMm(const Symbol& symbol, const EngraveRequest& request) {
   const SubmoduleMask mask = submodulesToCarve(symbol, request.modulePattern, request.finderPattern);
   const std::vector<double> depths(mask.carved.size(), kAnyDepthMm);
   const CarvedFeatures features = measureFeatures(symbol, mask.carved, depths, 1);
-  const Printer printer = {.nozzleMm = request.nozzleMm, .layerMm = request.layerMm};
-  int tooSmall = 0, enough = static_cast<int>(std::ceil(kMostNozzles * request.nozzleMm / kModuleStepMm));
+  int tooSmall = 0, enough = static_cast<int>(std::ceil(kMostNozzles * request.printer.nozzleMm / kModuleStepMm));
   while (enough - tooSmall > 1) {
     const int middle = tooSmall + (enough - tooSmall) / 2;
-    const bool printable = advisePrinting(withModulesOf(features, middle * kModuleStepMm), printer).empty();
+    const bool printable = advisePrinting(withModulesOf(features, middle * kModuleStepMm), request.printer).empty();
     (printable ? enough : tooSmall) = middle;
   }
   return enough * kModuleStepMm;
@@ -77,7 +76,7 @@ bool isSize(double mm) { return mm > 0 && mm < 1000; }
 std::string describeSymbol(const EngraveRequest& request) {
   const Result<Symbol> symbol = encodeSymbol(request.text, request.symbol);
   if (!symbol) return answer(symbol.error());
-  const bool isPrinter = isSize(request.nozzleMm) && isSize(request.layerMm);
+  const bool isPrinter = isSize(request.printer.nozzleMm) && isSize(request.printer.layerMm);
   return textOf({{"ok", true},
                  {"symbol",
                   {{"version", symbol->version},

@@ -4,8 +4,22 @@
 #include <cmath>
 
 #include "native/zxing_reader.h"
+#include "pipeline/printed_view.h"
 
 namespace qrelief {
+namespace {
+
+template <class Job>
+auto runTelling(Job& job, const std::function<void(const Progress&)>& tell) -> Result<decltype(job.takeResult())> {
+  for (;;) {
+    const auto progress = job.advance();
+    if (!progress) return tl::unexpected(progress.error());
+    tell(*progress);
+    if (progress->done) return job.takeResult();
+  }
+}
+
+}  // namespace
 
 VerifyRequest verifyRequestOf(const EngraveRequest& request, const EngraveResult& result) {
   VerifyRequest wanted;
@@ -13,7 +27,9 @@ VerifyRequest verifyRequestOf(const EngraveRequest& request, const EngraveResult
   wanted.symbolMm = result.placement.symbolMm;
   wanted.text = request.text;
   wanted.symbol = result.symbol;
-  wanted.printer = {request.nozzleMm, request.layerMm};
+  wanted.printer = request.printer;
+  wanted.process = request.process;
+  wanted.buildUp = request.buildUp;
   wanted.minWallMm = request.minWallMm;
   wanted.albedo = std::round(1e6 * static_cast<double>(request.albedo)) / 1e6;  // as it was given: a float of it is not
   wanted.ranges = false;
@@ -27,14 +43,28 @@ Result<ReadingEvidence> readCarving(const EngraveRequest& request, const Engrave
   if (!isUndecided(drawn)) return drawn;
   auto job = VerifyJob::create(result.mesh, verifyRequestOf(request, result), zxingReaders());
   if (!job) return tl::unexpected(job.error());
-  for (;;) {
-    const auto step = (*job)->advance();
-    if (!step) return tl::unexpected(step.error());
-    progress(*step);
-    if (step->done) break;
-  }
-  const ReadingSummary traced = (*job)->takeResult().reading;
+  const auto verified = runTelling(**job, progress);
+  if (!verified) return tl::unexpected(verified.error());
+  const ReadingSummary& traced = verified->reading;
   return ReadingEvidence{traced.frontal, traced.frontal.reads > 0 ? request.text : traced.otherText, true};
+}
+
+Result<std::optional<PrintedEvidence>> readPrinted(const VerifyRequest& request, const Mesh& carved,
+                                                   const std::function<void(const Progress&)>& progress) {
+  if (!request.process) return std::nullopt;
+  const auto process = processOf(request.printer);
+  if (!process) return tl::unexpected(process.error());
+  auto job = PrintedViewJob::create(carved, {.process = *process,
+                                             .frame = request.frame,
+                                             .modules = request.symbol.size,
+                                             .symbolMm = request.symbolMm,
+                                             .buildUp = request.buildUp,
+                                             .albedo = request.albedo});
+  if (!job) return tl::unexpected(job.error());
+  const auto view = runTelling(**job, progress);
+  if (!view) return tl::unexpected(view.error());
+  return PrintedEvidence{evidenceOf(readFrontal(view->seen), request.text, true),
+                         std::string(namedPrinters()[*request.process].name), view->facingDeg};
 }
 
 }  // namespace qrelief

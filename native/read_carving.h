@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include "base/progress.h"
 #include "verdict/verdict.h"
@@ -13,6 +14,12 @@ namespace qrelief {
 /// @param progress  of the tracing
 Result<ReadingEvidence> readCarving(const EngraveRequest& request, const EngraveResult& result,
                                     const std::function<void(const Progress&)>& progress);
+
+/// What ZXing makes of a carved model as it comes off the printer; nothing if the request names no process.
+/// @param carved    a solid
+/// @param progress  of the printing and tracing
+Result<std::optional<PrintedEvidence>> readPrinted(const VerifyRequest& request, const Mesh& carved,
+                                                   const std::function<void(const Progress&)>& progress);
 
 /// The same file as `verify` is asked of it.
 VerifyRequest verifyRequestOf(const EngraveRequest& request, const EngraveResult& result);

@@ -27,6 +27,13 @@ class Random {
   /// In [low, high).
   double uniform(double low, double high) { return low + (high - low) * uniform(); }
 
+  /// Nearly normal, mean 0, standard deviation 1, within ±6: the sum of twelve uniform numbers [Irwin-Hall].
+  double normal() {
+    double sum = -6;
+    for (int i = 0; i < 12; ++i) sum += uniform();
+    return sum;
+  }
+
   /// In [0, bound), without bias: numbers beyond the last whole multiple of `bound` are drawn again.
   /// @param bound  ≥ 1
   std::uint64_t below(std::uint64_t bound) {

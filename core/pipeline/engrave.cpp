@@ -27,6 +27,7 @@ constexpr int kN = kSubmodulesPerModule;
 constexpr double kMaxDepthModules = 1.2;
 constexpr double kReachPerDepth = 8;  // a wall seen from eight times its height away hides 0.4 % of the sky
 constexpr double kLeastReachModules = 3;
+constexpr double kDepthStepMm = 0.1;  // of a search for depths, as published; thicker layers need no coarser one
 constexpr int kMaxMapTexels = 2048;
 constexpr int kHorizonsPerModule = 2;
 constexpr LuminanceSampling kUncarvedSampling{1, 4};  // smooth, but for the model's own edges
@@ -239,13 +240,13 @@ Status EngraveJob::State::map() {
   } else if (request.solver == ContrastSolver::Fast) {
     FastSearchOptions searchOptions;
     searchOptions.contrast = request.contrastAsked();
-    searchOptions.slackMm = request.layerMm / 2;
+    searchOptions.slackMm = std::min(request.printer.layerMm, kDepthStepMm) / 2;
     searchOptions.albedo = static_cast<double>(request.albedo);
     search = std::make_unique<FastSearch>(std::move(target), searchOptions);
   } else {
     DepthSearchOptions searchOptions;
     searchOptions.contrast = request.contrastAsked();
-    searchOptions.initialDepthMm = request.layerMm;
+    searchOptions.initialDepthMm = std::min(request.printer.layerMm, kDepthStepMm);
     search = std::make_unique<DepthSearch>(std::move(target), searchOptions);
   }
   result.timingsMs.surface = millisecondsSince(start);

@@ -39,6 +39,7 @@ PlacementRequest searchedPlacement(const EngraveRequest& request, int modules);
 /// Milliseconds spent in each stage.
 struct StageTimings {
   double direction = 0, size = 0, surface = 0, depthSearch = 0, embed = 0, verify = 0;
+  double print = 0;  ///< to find out how it comes off the printer; 0: that was not done
 };
 
 /// The carved solid and everything that is known of it.

@@ -71,8 +71,9 @@ EngraveRequest settingsOf(const VerifyRequest& request) {
   engraving.placement.sizeMode = SizeMode::Fixed;
   engraving.placement.sizeMm = request.symbolMm;
   engraving.placement.eyeDistanceMm = request.frame.eyeDistance;
-  engraving.nozzleMm = request.printer.nozzleMm;
-  engraving.layerMm = request.printer.layerMm;
+  engraving.process = request.process;
+  engraving.printer = request.printer;
+  engraving.buildUp = request.buildUp;
   engraving.minWallMm = request.minWallMm;
   return engraving;
 }

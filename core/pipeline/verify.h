@@ -26,6 +26,8 @@ struct VerifyRequest {
   std::string text;       ///< UTF-8, not empty
   Symbol symbol;          ///< the modules it should have
   Printer printer;
+  std::optional<std::size_t> process;  ///< which of namedPrinters() that is; none: how it prints is not found out
+  Vec3 buildUp{0, 0, 1};               ///< the printer's vertical
   double minWallMm = 0.8;
   double albedo = 0.7;                         ///< of the printed material
   bool ranges = true;                          ///< find out how far it can be tilted, blurred and so on, too

@@ -146,32 +146,44 @@ void addDisc(LayerGrid& grid, Vec2 centre, double radiusMm) {
     }
 }
 
+/// What remains of a solid when everything within a distance of its outline is taken away and put back round what is
+/// left; a negative distance adds first and takes away then.
+/// @param solid    distances exact up to the distance
+/// @param byMm     not 0
+LayerGrid opened(const LayerGrid& solid, double byMm) {
+  const double reach = std::abs(byMm) + kLaidReachMm + 2 * solid.stepMm;
+  LayerGrid result = solid;
+  std::fill(result.distanceMm.begin(), result.distanceMm.end(), static_cast<float>(reach));
+  lowerToDistance(result, contourOf(solid, -byMm), reach);
+  for (std::size_t i = 0; i < result.distanceMm.size(); ++i) {
+    const bool within = static_cast<double>(solid.distanceMm[i]) < -byMm;
+    result.distanceMm[i] = (within ? -result.distanceMm[i] : result.distanceMm[i]) - static_cast<float>(byMm);
+  }
+  return result;
+}
+
 }  // namespace
 
 LayerGrid layOutline(std::span<const Segment2> outline, const LayerWindow& window, Vec2 corner, int winding,
                      const PrintProcess& process) {
-  const double half = process.lineWidthMm / 2, beyond = kLaidReachMm + 2 * window.stepMm;
-  LayerGrid solid = emptyGrid(window, half + beyond);
+  const double reach = process.cornerRadiusMm + kLaidReachMm + 2 * window.stepMm;
+  LayerGrid solid = emptyGrid(window, reach);
   const std::vector<std::int16_t> numbers = windingNumbers(outline, solid, corner, winding);
-  lowerToDistance(solid, outsideOnly(outline, solid, numbers), half + beyond);
+  lowerToDistance(solid, outsideOnly(outline, solid, numbers), reach);
   for (std::size_t i = 0; i < numbers.size(); ++i)
     if (numbers[i] > 0) solid.distanceMm[i] = -solid.distanceMm[i];
 
-  LayerGrid laid = emptyGrid(window, half + beyond);
-  lowerToDistance(laid, contourOf(solid, -half), half + beyond);
-  for (std::size_t i = 0; i < laid.distanceMm.size(); ++i) {
-    const bool within = static_cast<double>(solid.distanceMm[i]) < -half;
-    laid.distanceMm[i] = (within ? -laid.distanceMm[i] : laid.distanceMm[i]) - static_cast<float>(half);
-  }
-  for (const Ridge& ridge : thinRidges(solid, laid, process.thinnestWallMm())) {
-    if (ridge.lengthMm < kShortestLine * process.thinnestLineMm()) continue;
-    for (const std::size_t i : ridge.nodes) {
-      const auto columns = static_cast<std::size_t>(window.columns);
-      addDisc(laid, laid.node(static_cast<int>(i % columns), static_cast<int>(i / columns)),
-              std::max(process.thinnestLineMm() / 2, static_cast<double>(-solid.distanceMm[i])));
+  LayerGrid laid = opened(solid, process.cornerRadiusMm);
+  if (process.thinnestLineMm > 0)
+    for (const Ridge& ridge : thinRidges(solid, laid, process.thinnestWallMm)) {
+      if (ridge.lengthMm < kShortestLine * process.thinnestLineMm) continue;
+      for (const std::size_t i : ridge.nodes) {
+        const auto columns = static_cast<std::size_t>(window.columns);
+        addDisc(laid, laid.node(static_cast<int>(i % columns), static_cast<int>(i / columns)),
+                std::max(process.thinnestLineMm / 2, static_cast<double>(-solid.distanceMm[i])));
+      }
     }
-  }
-  return laid;
+  return opened(laid, -process.pocketRadiusMm);
 }
 
 }  // namespace qrelief

@@ -15,11 +15,12 @@ struct LayerWindow {
   int columns = 0, rows = 0;
 };
 
-/// What a nozzle leaves of a layer's cross-section, at half the layer's height.
+/// What a printer leaves of a layer's cross-section, at half the layer's height.
 ///
-/// The outer wall is laid along the line that is half a line's width within the outline, and is as wide all along: so
-/// corners of the plastic become round, with that radius, and corners of pockets stay. Where the solid is too thin for
-/// that line, one line is laid along its middle, no thinner than such lines can be, if it is long enough to be laid.
+/// No corner of the solid is sharper than the process can make it [morphological opening]: a nozzle lays an outer wall
+/// along the line that is half a line's width within the outline, as wide all along. Where the solid is too thin for
+/// that, a nozzle lays one line along its middle, no thinner than such lines can be, if it is long enough to be laid.
+/// Then no corner of a gap is sharper than the process leaves it [closing].
 ///
 /// Cost: O(nodes + segments · nodes near one).
 /// @param outline    with the solid on the left, as CrossSections has it

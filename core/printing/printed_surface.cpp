@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "base/parallel.h"
+#include "base/random.h"
 #include "math/box.h"
 #include "printing/cross_sections.h"
 #include "printing/laid_outline.h"
@@ -18,7 +19,7 @@ namespace {
 using Corners = std::array<Vec3, 3>;
 using Polygon = std::vector<Vec3>;
 
-constexpr double kNodesPerNozzle = 6;
+constexpr double kNodesPerFinest = 6;
 constexpr double kTexelsPerLayer = 4;     // grooves between layers are seen
 constexpr double kNearestStepMm = 0.004;  // of a ray that grazes plastic
 constexpr double kHitMm = 5e-4;
@@ -142,7 +143,7 @@ class Layers {
     const int lastLayer = static_cast<int>(std::floor((most - bedMm_) / h)) + 2;
     windows_.resize(static_cast<std::size_t>(lastLayer - firstLayer_ + 1));
     for (const Polygon& part : parts) addToWindows(part);
-    const double margin = process_.lineWidthMm + h;
+    const double margin = 2 * process_.cornerRadiusMm + h;
     nearestMm_ -= 2 * margin;
     farthestMm_ += 2 * margin;
     for (Rectangle& window : windows_) {
@@ -179,7 +180,7 @@ class Layers {
       all.add(Vec3(window.high, 0));
     }
     if (all.empty()) return;
-    const double step = process_.nozzleMm / kNodesPerNozzle;
+    const double step = process_.finestMm / kNodesPerFinest;
     // Off every grid that a model may have been drawn on: no vertex stands straight above the corner.
     const Vec2 corner = all.low - step * Vec2(0.38196601125, 0.41421356237);
     const CuttingPlanes planes{bedMm_ + (firstLayer_ + 0.5) * process_.layerMm, process_.layerMm,
@@ -198,8 +199,8 @@ class Layers {
   /// Distance from the plastic of a layer, no greater than it is.
   double distanceAt(const LayerGrid& grid, int layer, Vec3 p) const {
     const double h = process_.layerMm;
-    const double v = std::clamp((p.z - (topOf(layer) - h / 2)) / (h / 2), -1.0, 1.0);
-    return grid.at(Vec2(p.x, p.y)) + process_.grooveMm() * (1 - std::sqrt(std::max(0.0, 1 - v * v)));
+    const double v = (p.z - (topOf(layer) - h / 2)) / (h / 2);
+    return grid.at(Vec2(p.x, p.y)) + process_.grooveMm * (1 - std::sqrt(std::max(0.0, 1 - v * v)));
   }
 
   double meetingInLayer(int layer, Vec3 direction, double begin, double end) const {
@@ -247,6 +248,52 @@ class Layers {
   std::vector<LayerGrid> grids_;
 };
 
+/// Greatest height within a ball's reach of every point, the ball's height there added [grey dilation by a ball]; with
+/// a sign of −1 least heights, lessened [erosion].
+std::vector<float> rolled(const std::vector<float>& distanceMm, int texels, double texelMm, double radiusMm,
+                          float sign) {
+  const int reach = static_cast<int>(radiusMm / texelMm);
+  struct Step {
+    int column, row;
+    float height;
+  };
+  std::vector<Step> steps;
+  for (int row = -reach; row <= reach; ++row)
+    for (int column = -reach; column <= reach; ++column) {
+      const double under = radiusMm * radiusMm - texelMm * texelMm * (row * row + column * column);
+      if (under >= 0) steps.push_back({column, row, static_cast<float>(std::sqrt(under))});
+    }
+  std::vector<float> result(distanceMm.size(), 0);
+  parallelFor(static_cast<std::size_t>(texels), [&](std::size_t y) {
+    const int row = static_cast<int>(y);
+    for (int column = 0; column < texels; ++column) {
+      const auto at = [&](int c, int r) { return distanceMm[static_cast<std::size_t>(r * texels + c)]; };
+      if (at(column, row) <= 0) continue;
+      float highest = -std::numeric_limits<float>::infinity();
+      for (const Step& step : steps) {
+        const int c = column + step.column, r = row + step.row;
+        if (c < 0 || r < 0 || c >= texels || r >= texels || at(c, r) <= 0) continue;
+        highest = std::max(highest, -sign * at(c, r) + step.height);
+      }
+      result[y * static_cast<std::size_t>(texels) + static_cast<std::size_t>(column)] = -sign * highest;
+    }
+  });
+  return result;
+}
+
+/// Fills what a ball cannot reach from the eye's side [grey closing]: plastic flows into what is narrower.
+void fillCrevices(PrintedSurface& surface, double radiusMm) {
+  surface.distanceMm = rolled(surface.distanceMm, surface.texels, surface.texelMm, radiusMm, 1);
+  surface.distanceMm = rolled(surface.distanceMm, surface.texels, surface.texelMm, radiusMm, -1);
+}
+
+/// Moves every point along its ray by a little, the same on every run.
+void roughen(PrintedSurface& surface, double deviationMm) {
+  Random random(1);
+  for (float& distance : surface.distanceMm)
+    if (distance > 0) distance += static_cast<float>(deviationMm * random.normal());
+}
+
 }  // namespace
 
 Mesh PrintedSurface::mesh() const {
@@ -280,7 +327,6 @@ Mesh PrintedSurface::mesh() const {
 }
 
 Result<PrintedSurface> printSurface(const Mesh& mesh, const PrintRequest& request) {
-  if (const Status checked = checkProcess(request.process); !checked) return tl::unexpected(checked.error());
   const double length = glm::length(request.buildUp);
   if (!(std::isfinite(length) && length > 0)) return fail(ErrorKind::BadUsage, message("no-build-direction"));
   const BuildSpace space(request.buildUp);
@@ -292,8 +338,9 @@ Result<PrintedSurface> printSurface(const Mesh& mesh, const PrintRequest& reques
 
   PrintedSurface surface;
   surface.frame = request.frame;
-  const double texelMm =
-      std::min(request.process.nozzleMm / kNodesPerNozzle, request.process.layerMm / kTexelsPerLayer);
+  const PrintProcess& process = request.process;
+  double texelMm = process.finestMm / kNodesPerFinest;
+  if (process.grooveMm > 0) texelMm = std::min(texelMm, process.layerMm / kTexelsPerLayer);
   surface.texels = static_cast<int>(std::ceil(request.extentMm / texelMm));
   surface.texelMm = request.extentMm / surface.texels;
   surface.distanceMm.assign(static_cast<std::size_t>(surface.texels) * static_cast<std::size_t>(surface.texels), 0);
@@ -304,6 +351,8 @@ Result<PrintedSurface> printSurface(const Mesh& mesh, const PrintRequest& reques
           static_cast<float>(layers.firstMeeting(direction, layers.nearestMm(), layers.farthestMm()));
     }
   });
+  if (process.grooveMm > 0) fillCrevices(surface, process.grooveMm);
+  if (process.grainMm > 0) roughen(surface, process.grainMm);
   return surface;
 }
 

@@ -33,7 +33,7 @@ struct PrintedSurface {
   Mesh mesh() const;
 };
 
-/// What a filament printer makes of a solid round a code.
+/// What a printer makes of a solid round a code.
 ///
 /// The solid is cut into layers, at half the height of each; in every layer the nozzle lays what laid_outline.h says;
 /// lines have round flanks, so that a groove lies between two layers; skins end with whole layers. Not in it:

@@ -68,6 +68,13 @@ Json describeVerdict(const Verdict& verdict, const Wording& wording) {
           {"solid", describeAspect(verdict.solid, wording)}};
 }
 
+Json describePrinted(const std::optional<PrintedEvidence>& printed) {
+  if (!printed) return nullptr;
+  const ReadingCount& count = printed->reading.count;
+  return {{"process", printed->process}, {"facingDeg", printed->facingDeg}, {"tries", count.tries},
+          {"reads", count.reads},        {"readsNeeded", count.needed()},   {"read", count.enough()}};
+}
+
 Json describeFeatures(const CarvedFeatures& features, const Printer& printer) {
   return {{"nozzleMm", printer.nozzleMm},
           {"layerMm", printer.layerMm},

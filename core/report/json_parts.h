@@ -36,6 +36,9 @@ nlohmann::ordered_json describeMessages(const std::vector<Message>& messages, co
 /// with {"change": {"setting", "value"}}, which is absent where another place has to be chosen.
 nlohmann::ordered_json describeVerdict(const Verdict& verdict, const Wording& wording);
 
+/// {"process", "facingDeg", "tries", "reads", "readsNeeded", "read"}. @returns null if it was not found out
+nlohmann::ordered_json describePrinted(const std::optional<PrintedEvidence>& printed);
+
 /// @returns null for lengths that are not finite
 nlohmann::ordered_json describeFeatures(const CarvedFeatures& features, const Printer& printer);
 

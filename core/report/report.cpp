@@ -93,7 +93,7 @@ std::string makeReport(const EngraveRequest& request, const EngravableModel& mod
   const DepthSummary depth = summarise(result.depths);
   const SolidityReport& solid = result.solidity;
   const CarvedFeatures features = featuresOf(result);
-  const Printer printer{request.nozzleMm, request.layerMm};
+  const Printer& printer = request.printer;
   Json report;
   report["qrelief"] = QRELIEF_VERSION;
   report["text"] = request.text;
@@ -143,16 +143,17 @@ std::string makeReport(const EngraveRequest& request, const EngravableModel& mod
                               {"tries", reading.count.tries},
                               {"reads", reading.count.reads},
                               {"read", context.verdict.reads.passed()}}})},
+      {"printed", describePrinted(context.printed)},
       {"failedChecks", describeMessages(context.verdict.failed(), context.wording)},
       {"verdict", describeVerdict(context.verdict, context.wording)}};
   addGrades(report["verification"], request, result);
   report["verification"]["printability"] =
       describeMessages(advisePrinting(features, printer, request.minWallMm), context.wording);
   const StageTimings& t = result.timingsMs;
-  report["timingsMs"] = {{"load", context.loadMs},  {"prepare", context.prepareMs}, {"direction", t.direction},
-                         {"size", t.size},          {"surface", t.surface},         {"depthSearch", t.depthSearch},
-                         {"embed", t.embed},        {"verify", t.verify},           {"write", context.writeMs},
-                         {"total", context.totalMs}};
+  report["timingsMs"] = {{"load", context.loadMs},   {"prepare", context.prepareMs}, {"direction", t.direction},
+                         {"size", t.size},           {"surface", t.surface},         {"depthSearch", t.depthSearch},
+                         {"embed", t.embed},         {"verify", t.verify},           {"print", t.print},
+                         {"write", context.writeMs}, {"total", context.totalMs}};
   if (context.spotMs > 0) report["timingsMs"]["spot"] = context.spotMs;
   report["gl"] = {{"renderer", context.gl.renderer}, {"version", context.gl.version}};
   // Text that is no UTF-8 (a file name, say) must not lose the report.

@@ -90,6 +90,7 @@ Json describeReading(const VerifyRequest& request, const VerifyResult& result, c
                {"pixelsPerModule", numberOrNull(reading.pixelsPerModule)},
                {"blurModules", numberOrNull(reading.blurModules)},
                {"cornerErrorModules", numberOrNull(reading.cornerErrorModules)}};
+  json["printed"] = describePrinted(context.printed);
   if (result.grades) {
     GradeReports grades = describeGrades(*result.grades);
     json["iso15415"] = std::move(grades.iso15415);

@@ -26,8 +26,9 @@ struct VerifyReportContext {
   std::string format;
   std::string reader;  ///< which reader, "ZXing-C++"
   double totalMs = 0;
-  Verdict verdict;  ///< see verdict/verdict.h
-  Wording wording;  ///< of the messages
+  std::optional<PrintedEvidence> printed;  ///< none: it was not found out
+  Verdict verdict;                         ///< see verdict/verdict.h
+  Wording wording;                         ///< of the messages
 };
 
 /// The result as JSON. Keys as in the report of `engrave` where they mean the same.

@@ -8,6 +8,7 @@
 
 #include "carving/reading_search.h"
 #include "embedding/surface_mode.h"
+#include "printing/print_process.h"
 #include "projection/placement_request.h"
 #include "qr/module_pattern.h"
 #include "qr/symbol.h"
@@ -41,14 +42,16 @@ struct EngraveRequest {
   /// A carved submodule is darker than its surroundings by this fraction, 0 < c < 1; none: that of the preset.
   std::optional<double> contrast;
   ContrastSolver solver = ContrastSolver::Fast;
-  double layerMm = 0.1;  ///< height of a printed layer, > 0: the first depth of PaperSteps; Fast leaves half of it
   ReadingOptions reading;
   std::optional<double> maxDepthMm;      ///< none: 1.2 modules
-  double nozzleMm = 0.4;                 ///< of the printer, for advice only; > 0
   double minWallMm = 0.8;                ///< material that stays behind every floor, ≥ 0
   float albedo = 0.7f;                   ///< of the printed material
   std::vector<DirectionalLight> lights;  ///< beside the uniform sky, at most kMaxLights
   SurfaceMode surface = SurfaceMode::Preserved;
+  /// Which of namedPrinters() the printer was taken from; none: whether the code reads as printed is not found out.
+  std::optional<std::size_t> process = 0;
+  Printer printer = namedPrinters()[0].printer;  ///< no depth is found more exactly than half a layer needs
+  Vec3 buildUp{0, 0, 1};                         ///< the printer's vertical in the model's space, of any length > 0
   bool inlay = false;         ///< make the body that fills the pockets as well, for printing in two colours
   bool recordSearch = false;  ///< keep what every pass of the search for depths saw, in EngraveResult::search
 

@@ -16,8 +16,9 @@ using V = SettingValue;
 using Kind = Setting::Kind;
 using Unit = Setting::Unit;
 
-constexpr double kMaxMm = 1e4;       // of an edge: no printer is larger
-constexpr double kMaxWallMm = 1000;  // of a wall and a depth
+constexpr double kMaxMm = 1e4;                   // of an edge: no printer is larger
+constexpr double kMaxWallMm = 1000;              // of a wall and a depth
+constexpr const char* kSincePrinting = "0.2.0";  // files of settings from before lack these
 
 struct Range {
   double min, max, step;
@@ -209,6 +210,44 @@ Setting up() {
   return setting;
 }
 
+std::vector<std::string> processNames() {
+  std::vector<std::string> names = {"none"};
+  for (const NamedPrinter& named : namedPrinters()) names.emplace_back(named.name);
+  return names;
+}
+
+/// Brings nozzle, layer and line along, which come after it.
+Setting process() {
+  Setting setting = made("process", "printing", Kind::Choice);
+  setting.choices = processNames();
+  setting.since = kSincePrinting;
+  setting.read = [](const R& r) -> V { return processNames()[r.process ? *r.process + 1 : 0]; };
+  setting.write = [](R& r, const V& v) {
+    const std::size_t chosen = indexIn(processNames(), v);
+    r.process.reset();
+    if (chosen == 0) return;
+    r.process = chosen - 1;
+    r.printer = namedPrinters()[chosen - 1].printer;
+  };
+  return setting;
+}
+
+Setting lineWidth() {
+  Setting setting = optionalNumber(
+      "lineWidthMm", "printing", Unit::Millimetre, {0.01, 10, 0.05},
+      [](auto& r) -> auto& { return r.printer.lineWidthMm; });
+  setting.since = kSincePrinting;
+  return setting;
+}
+
+Setting buildUp() {
+  Setting setting = made("buildUp", "printing", Kind::Vector);
+  setting.since = kSincePrinting;
+  setting.read = [](const R& r) -> V { return r.buildUp; };
+  setting.write = [](R& r, const V& v) { r.buildUp = std::get<Vec3>(v); };
+  return setting;
+}
+
 Setting lamps() {
   Setting setting = made("light", "light", Kind::Lamps);
   setting.read = [](const R& r) -> V { return r.lights; };
@@ -250,8 +289,6 @@ std::vector<Setting> makeSettings() {
           [] {
             return std::vector<std::string>{"fast", "paper-steps"};
           }),
-      number(
-          "layerMm", "depth", mm, {0.01, 1, 0.01}, [](auto& r) -> auto& { return r.layerMm; }),
       optionalNumber(
           "maxDepthMm", "depth", mm, {0.1, kMaxWallMm, 0.1}, [](auto& r) -> auto& { return r.maxDepthMm; }),
       number(
@@ -290,8 +327,13 @@ std::vector<Setting> makeSettings() {
           [] { return namesOf(2, [](int i) { return surfaceModeName(static_cast<SurfaceMode>(i)); }); }),
       toggle(
           "inlay", "making", [](auto& r) -> auto& { return r.inlay; }),
+      process(),
       number(
-          "nozzleMm", "making", mm, {0.01, 10, 0.05}, [](auto& r) -> auto& { return r.nozzleMm; }),
+          "nozzleMm", "printing", mm, {0.01, 10, 0.05}, [](auto& r) -> auto& { return r.printer.nozzleMm; }),
+      number(
+          "layerMm", "printing", mm, {0.01, 1, 0.01}, [](auto& r) -> auto& { return r.printer.layerMm; }),
+      lineWidth(),
+      buildUp(),
   };
 }
 
@@ -397,7 +439,9 @@ Status checkValue(const Setting& setting, const SettingValue& value) {
 Status checkSettings(const EngraveRequest& request) {
   for (const Setting& setting : settings())
     if (const Status checked = checkValue(setting, setting.read(request)); !checked) return checked;
-  return {};
+  if (!request.process) return {};
+  const auto process = processOf(request.printer);
+  return process ? Status() : tl::unexpected(process.error());
 }
 
 Error wrongKind(const Setting& setting, std::string_view found) {

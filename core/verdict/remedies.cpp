@@ -64,7 +64,7 @@ std::vector<Remedy> readingRemedies(const EngraveRequest& request, const Engrave
 std::vector<Remedy> printingRemedies(const EngraveRequest& request, const EngraveResult& result) {
   const CarvedFeatures features = featuresOf(result);
   std::vector<Remedy> remedies;
-  const double leastModuleMm = printableModuleMm(features, request.nozzleMm);
+  const double leastModuleMm = printableModuleMm(features, request.printer.nozzleMm);
   if (features.moduleMm < leastModuleMm - kRoundingMm) {
     addLargerCode(request, result, leastModuleMm, remedies);
     if (request.modulePattern != ModulePattern::ThickPlus) {
@@ -72,13 +72,14 @@ std::vector<Remedy> printingRemedies(const EngraveRequest& request, const Engrav
       remedies.push_back({message("remedy-pattern", with::choice("pattern", "pattern", pattern)), "pattern", pattern});
     }
     const double most = printableNozzleMm(features);
-    const auto finer = std::find_if(kNozzlesMm.begin(), kNozzlesMm.end(),
-                                    [&](double mm) { return mm <= most + kRoundingMm && mm < request.nozzleMm; });
+    const auto finer = std::find_if(kNozzlesMm.begin(), kNozzlesMm.end(), [&](double mm) {
+      return mm <= most + kRoundingMm && mm < request.printer.nozzleMm;
+    });
     if (finer != kNozzlesMm.end())
       remedies.push_back({message("remedy-nozzle", with::lengthMm("nozzle", *finer)), "nozzleMm", plain(*finer)});
   }
   const double thickestLayerMm = printableLayerMm(features);
-  if (thickestLayerMm < request.layerMm - kRoundingMm) {
+  if (thickestLayerMm < request.printer.layerMm - kRoundingMm) {
     addDarkerModules(request, remedies);
     const auto thinner = std::find_if(kLayersMm.begin(), kLayersMm.end(),
                                       [&](double mm) { return mm <= thickestLayerMm + kRoundingMm; });

@@ -67,9 +67,42 @@ Aspect judgeReading(const ReadingEvidence& reading, const std::string& wanted, d
   return aspect;
 }
 
-Aspect judgePrinting(const CarvedFeatures& features, const Printer& printer, double minWallMm) {
+/// How a code stands in the printer, within a sentence.
+Message facing(double facingDeg) {
+  constexpr double kAlikeDeg = 15;
+  if (facingDeg <= kAlikeDeg) return message("facing-up");
+  if (std::abs(facingDeg - 90) <= kAlikeDeg) return message("facing-aside");
+  return facingDeg < 90 ? message("facing-slanted", with::angleDeg("angle", std::round(facingDeg)))
+                        : message("facing-down", with::angleDeg("angle", std::round(facingDeg)));
+}
+
+/// @param advice  what published prints say against it
+Aspect judgePrinted(const PrintedEvidence& printed, const std::string& wanted, std::vector<Message> advice) {
+  const ReadingCount& count = printed.reading.count;
+  const Message how = facing(printed.facingDeg);
+  const bool some = count.reads > 0 && printed.reading.text == wanted;
+  Aspect aspect;
+  aspect.level = !some ? Level::Bad : count.enough() ? Level::Good : Level::Barely;
+  if (aspect.level == Level::Good)
+    aspect.summary = message("reads-as-printed", with::cause("facing", how), with::term("process", printed.process));
+  else if (aspect.level == Level::Barely)
+    aspect.summary =
+        message("barely-reads-as-printed", with::cause("facing", how), with::term("process", printed.process));
+  else
+    aspect.summary =
+        message("reads-not-as-printed", with::cause("facing", how), with::term("process", printed.process));
+  aspect.reasons.push_back(message("tries-on-printed-pictures", with::count("reads", count.reads),
+                                   with::count("tries", count.tries), with::count("needed", count.needed())));
+  if (aspect.level != Level::Good) aspect.reasons.insert(aspect.reasons.end(), advice.begin(), advice.end());
+  return aspect;
+}
+
+/// @param printed  null: by what published prints say alone
+Aspect judgePrinting(const CarvedFeatures& features, const Printer& printer, double minWallMm,
+                     const PrintedEvidence* printed, const std::string& wanted) {
   Aspect aspect;
   aspect.reasons = advisePrinting(features, printer, minWallMm);
+  if (printed) return judgePrinted(*printed, wanted, std::move(aspect.reasons));
   if (aspect.reasons.empty()) {
     aspect.summary = message("prints", with::lengthMm("nozzle", printer.nozzleMm));
     const double layers = features.leastDepthMm / printer.layerMm;
@@ -163,7 +196,8 @@ bool isUndecided(const ReadingEvidence& drawn) {
   return std::abs(count.reads - count.needed()) <= kUndecidedFraction * count.tries;
 }
 
-Verdict judge(const EngraveRequest& request, const EngraveResult& result, const ReadingEvidence& reading) {
+Verdict judge(const EngraveRequest& request, const EngraveResult& result, const ReadingEvidence& reading,
+              const PrintedEvidence* printed) {
   const SymbolGrades grades =
       gradeSymbol(measureModules(result.symbol, result.luminance), static_cast<double>(request.albedo));
   Verdict verdict;
@@ -173,7 +207,7 @@ Verdict judge(const EngraveRequest& request, const EngraveResult& result, const 
       verdict.reads.reasons.push_back(message("submodules-limited", with::count("count", result.limitedSubmodules)));
     verdict.reads.remedies = readingRemedies(request, result);
   }
-  verdict.prints = judgePrinting(featuresOf(result), {request.nozzleMm, request.layerMm}, request.minWallMm);
+  verdict.prints = judgePrinting(featuresOf(result), request.printer, request.minWallMm, printed, request.text);
   if (verdict.prints.level != Level::Good) verdict.prints.remedies = printingRemedies(request, result);
   verdict.solid = judgeSolidity(result.solidity, result.inheritedSelfIntersections);
   if (result.inlay)
@@ -183,7 +217,7 @@ Verdict judge(const EngraveRequest& request, const EngraveResult& result, const 
   return verdict;
 }
 
-Verdict judge(const VerifyRequest& request, const VerifyResult& result) {
+Verdict judge(const VerifyRequest& request, const VerifyResult& result, const PrintedEvidence* printed) {
   const ReadingSummary& reading = result.reading;
   const CarvingProfile& profile = result.profile;
   const ReadingEvidence evidence{reading.frontal, reading.frontal.reads > 0 ? request.text : reading.otherText, true};
@@ -202,7 +236,9 @@ Verdict judge(const VerifyRequest& request, const VerifyResult& result) {
     failed.push_back(message("misplaced", with::number("modules", std::round(10 * *reading.cornerErrorModules) / 10)));
   if (!failed.empty() && verdict.reads.level == Level::Good) verdict.reads.level = Level::Bad;
   verdict.reads.failed = std::move(failed);
-  if (result.features) verdict.prints = judgePrinting(*result.features, request.printer, request.minWallMm);
+  if (result.features || printed)
+    verdict.prints = judgePrinting(result.features.value_or(CarvedFeatures{}), request.printer, request.minWallMm,
+                                   printed, request.text);
   verdict.solid = judgeSolidity(result.solidity, request.inheritedSelfIntersections);
   return verdict;
 }

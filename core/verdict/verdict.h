@@ -41,12 +41,20 @@ struct ReadingEvidence {
   bool traced = false;  ///< the pictures' light was traced on the mesh; else drawn by the GPU
 };
 
+/// What decoders made of pictures of the surface that a printer leaves (pipeline/printed_view.h).
+struct PrintedEvidence {
+  ReadingEvidence reading;
+  std::string process;   ///< how it was printed: the name of one of namedPrinters()
+  double facingDeg = 0;  ///< see PrintedView
+};
+
 /// Whether a carved code reads, prints and is a solid. `engrave`, `verify`, the report and the page all say this.
 ///
 /// - It reads if at least ReadingCount::needed() tries succeed and none gives another text. It barely reads if fewer
 ///   do, or if a verifier would grade it F (ISO/IEC 29158).
-/// - It prints if nothing of what published prints say stands against it (verification/printability.h). That is advice
-///   and no check: it passes always.
+/// - It prints if it still reads as the printer leaves it, by the same rule. Where that was not found out, it prints if
+///   nothing of what published prints say stands against it (verification/printability.h). Either is advice and no
+///   check: it passes always.
 /// - It is a solid if the whole file is closed, manifold and free of crossing triangles, but for those that the model
 ///   brought along, which are said and passed.
 struct Verdict {
@@ -64,10 +72,12 @@ ReadingEvidence evidenceOf(const std::vector<std::string>& texts, const std::str
 bool isUndecided(const ReadingEvidence& drawn);
 
 /// What was carved, with remedies among the request's settings.
-Verdict judge(const EngraveRequest& request, const EngraveResult& result, const ReadingEvidence& reading);
+/// @param printed  null: it was not found out
+Verdict judge(const EngraveRequest& request, const EngraveResult& result, const ReadingEvidence& reading,
+              const PrintedEvidence* printed = nullptr);
 
 /// A file that was verified.
-Verdict judge(const VerifyRequest& request, const VerifyResult& result);
+Verdict judge(const VerifyRequest& request, const VerifyResult& result, const PrintedEvidence* printed = nullptr);
 
 /// The next deeper preset to carve with, where the code does not read and the request allows another one.
 std::optional<Preset> presetToTryNext(const EngraveRequest& request, const Verdict& verdict);

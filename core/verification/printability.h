@@ -6,16 +6,11 @@
 #include <vector>
 
 #include "base/message.h"
+#include "printing/print_process.h"
 #include "qr/module_pattern.h"
 #include "qr/symbol.h"
 
 namespace qrelief {
-
-/// The printer that a carved model is meant for.
-struct Printer {
-  double nozzleMm = 0.4;  ///< > 0
-  double layerMm = 0.1;   ///< > 0
-};
 
 /// What a printer has to make of a carved symbol.
 struct CarvedFeatures {

@@ -42,13 +42,6 @@ std::vector<double> gaussianBlur(const std::vector<double>& image, int width, do
   return pass(pass(image, 1, 0), 0, 1);
 }
 
-/// Nearly normal, mean 0, standard deviation 1: the sum of twelve uniform numbers [Irwin-Hall].
-double noiseSample(Random& random) {
-  double sum = -6;
-  for (int i = 0; i < 12; ++i) sum += random.uniform();
-  return sum;
-}
-
 double srgb(double linear) {
   const double v = std::clamp(linear, 0.0, 1.0);
   return v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055;
@@ -80,7 +73,7 @@ GreyImage photograph(const std::vector<float>& luminance, int width, const Camer
     for (int x = 0; x < width; ++x) {
       double value = image[static_cast<std::size_t>((width - 1 - y) * width + x)];
       if (camera.noise > 0)
-        value += noiseSample(random) * camera.noise * std::sqrt(std::max(value, 0.05) / camera.exposure);
+        value += random.normal() * camera.noise * std::sqrt(std::max(value, 0.05) / camera.exposure);
       picture.pixels[static_cast<std::size_t>(y * width + x)] =
           static_cast<std::uint8_t>(std::lround(255 * srgb(value)));
     }

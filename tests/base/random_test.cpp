@@ -2,6 +2,7 @@
 #include "base/random.h"
 
 #include <array>
+#include <cmath>
 #include <gtest/gtest.h>
 
 namespace qrelief {
@@ -39,6 +40,21 @@ TEST(Random, DrawsEachWholeNumberEquallyOften) {
   for (int k = 0; k < 70000; ++k) ++counts[static_cast<std::size_t>(random.below(7))];
   // Standard deviation √(70000·6/49) = 93.
   for (const int count : counts) EXPECT_NEAR(count, 10000, 5 * 93);
+}
+
+TEST(Random, DrawsNormalNumbersOfMeanZeroAndDeviationOne) {
+  Random random(4);
+  constexpr int kCount = 40000;
+  double sum = 0, squares = 0, within = 0;
+  for (int k = 0; k < kCount; ++k) {
+    const double value = random.normal();
+    sum += value;
+    squares += value * value;
+    within += std::abs(value) < 1;
+  }
+  EXPECT_NEAR(sum / kCount, 0, 5.0 / std::sqrt(kCount));
+  EXPECT_NEAR(squares / kCount, 1, 5 * std::sqrt(2.0 / kCount));
+  EXPECT_NEAR(within / kCount, 0.683, 0.015);
 }
 
 TEST(Random, HasNoChoiceBelowOne) {

@@ -27,6 +27,28 @@ TEST_F(VerifyCommandTest, ReadsWhatEngraveWroteAndSaysWhatIsWrongWithOtherModels
   EXPECT_EQ(json["verified"], true);
   EXPECT_EQ(json["input"]["format"], "3MF");
 
+  EXPECT_EQ(json["verification"]["printed"]["process"], "fdm-0.4/0.2");
+  EXPECT_EQ(json["verification"]["printed"]["tries"], 72);
+
+  const Outcome wall = run({"verify", path("out.3mf"), "--report", path("out.json"), "--json", path("wall.json"),
+                            "--process", "fdm-0.4/0.12", "--build-up", "0,1,0", "--quick", "--quiet"});
+  EXPECT_EQ(wall.status, 0) << wall.err;
+  EXPECT_NE(wall.out.find("as an upright wall (fdm-0.4/0.12)"), std::string::npos) << wall.out;
+  EXPECT_EQ(nlohmann::json::parse(contentOf(path("wall.json")))["verification"]["printed"]["facingDeg"], 90);
+  const Outcome unprinted = run({"verify", path("out.3mf"), "--report", path("out.json"), "--json",
+                                 path("unprinted.json"), "--process", "none", "--quick", "--quiet"});
+  EXPECT_EQ(unprinted.out.find("printed"), std::string::npos) << unprinted.out;
+  EXPECT_TRUE(nlohmann::json::parse(contentOf(path("unprinted.json")))["verification"]["printed"].is_null());
+  for (const std::vector<std::string>& impossible : std::vector<std::vector<std::string>>{
+           {"--build-up", "0,0,0"}, {"--layer", "0.5"}, {"--line-width", "0.2"}, {"--process", "clay"}}) {
+    std::vector<std::string> arguments = {"verify",         path("out.3mf"), "--report",
+                                          path("out.json"), "--quick",       "--quiet"};
+    arguments.insert(arguments.end(), impossible.begin(), impossible.end());
+    const Outcome refused = run(arguments);
+    EXPECT_EQ(refused.status, 2) << impossible.front() << ": " << refused.err;
+    EXPECT_NE(refused.err, "");
+  }
+
   const Outcome plain = run({"verify", model, "--report", path("out.json"), "--quick", "--quiet"});
   EXPECT_EQ(plain.status, 1);
   EXPECT_NE(plain.err.find("No carved modules of this code"), std::string::npos) << plain.err;

@@ -80,7 +80,7 @@ TEST(SymbolFacts, TheLeastModuleIsThatOfThePrintedPatternsInNozzleWidths) {
     for (const double factor : {1.0, 2.0}) {
       EngraveRequest request = requestFor("https://example.org/");
       request.modulePattern = pattern;
-      request.nozzleMm = 0.4 * factor;
+      request.printer.nozzleMm = 0.4 * factor;
       EXPECT_NEAR(facts(request)["leastModuleMm"], moduleMm * factor, 1e-9) << modulePatternName(pattern);
     }
 }
@@ -88,7 +88,7 @@ TEST(SymbolFacts, TheLeastModuleIsThatOfThePrintedPatternsInNozzleWidths) {
 TEST(SymbolFacts, ANozzleThatIsNoSizeLeavesTheLeastModuleOut) {
   for (const double nozzle : {0.0, -1.0, 1e9, std::numeric_limits<double>::quiet_NaN()}) {
     EngraveRequest request = requestFor("x");
-    request.nozzleMm = nozzle;
+    request.printer.nozzleMm = nozzle;
     EXPECT_TRUE(facts(request)["leastModuleMm"].is_null()) << nozzle;
   }
 }

@@ -254,7 +254,7 @@ TEST_F(EngraveTest, RequestsThatMakeNoSenseAreBadUsage) {
   wanted.text = "";
   EXPECT_EQ(codeOf(wanted), ErrorKind::BadInput);
   wanted = request({0, 0, 40}, 20);
-  wanted.nozzleMm = 0;
+  wanted.printer.nozzleMm = 0;
   EXPECT_EQ(codeOf(wanted), ErrorKind::BadUsage);
   wanted = request({0, 0, 40}, 20);
   wanted.lights = {{.elevationDeg = 0}};

@@ -223,7 +223,8 @@ TEST_F(VerifyTest, TheReportHasTheKeysOfTheContract) {
 TEST_F(VerifyTest, TheEngraversReportNamesDepthInLayersAndPrintability) {
   const auto report = nlohmann::json::parse(good().report);
   const auto& features = report["depth"]["features"];
-  EXPECT_NEAR(features["meanDepthLayers"].get<double>(), report["depth"]["meanMm"].get<double>() / 0.1, 1e-9);
+  EXPECT_NEAR(features["meanDepthLayers"].get<double>(), report["depth"]["meanMm"].get<double>() / 0.2, 1e-9);
+  EXPECT_EQ(features["layerMm"], 0.2);
   EXPECT_EQ(features["pattern"], "thick-plus");
   EXPECT_TRUE(report["verification"]["printability"].is_array());
 }

@@ -7,7 +7,7 @@
 namespace qrelief {
 namespace {
 
-constexpr PrintProcess kProcess{0.4, 0.45, 0.2};
+const PrintProcess kProcess = *processOf({.nozzleMm = 0.4, .layerMm = 0.2});
 constexpr LayerWindow kWindow{Vec2(-4.03), 1.0 / 30, 242, 242};
 constexpr Vec2 kCorner{-4.1, -4.2};
 
@@ -29,21 +29,21 @@ TEST(LaidOutline, StraightWallsStayAndCornersBecomeRoundWithHalfALinesWidth) {
   EXPECT_NEAR(grid.at({2, 0}), 0, 0.005);
   EXPECT_NEAR(grid.at({2.1, 0.3}), 0.1, 0.005);
   EXPECT_NEAR(grid.at({1.9, 0.3}), -0.1, 0.005);
-  const double half = kProcess.lineWidthMm / 2;
+  const double half = kProcess.cornerRadiusMm;
   EXPECT_NEAR(grid.at({2, 2}), half * (std::sqrt(2) - 1), 0.012);
   EXPECT_LT(grid.at({0, 0}), -half);
 }
 
-TEST(LaidOutline, ThePlasticFillsTheCornersOfAPocket) {
+TEST(LaidOutline, CornersOfPocketsBecomeRoundOnlyAsFarAsGapsAreClosed) {
   // An L: its inner corner is at the origin, where the solid covers three quarters of the plane.
   const LayerGrid grid = laid(polygon({{-3, -3}, {3, -3}, {3, 0}, {0, 0}, {0, 3}, {-3, 3}}));
-  EXPECT_NEAR(grid.at({0, 0}), 0, 0.02);
+  EXPECT_NEAR(grid.at({0, 0}), -kProcess.pocketRadiusMm * (std::sqrt(2) - 1), 0.015);
   EXPECT_NEAR(grid.at({0.2, 0.2}), 0.2, 0.02);
 }
 
 TEST(LaidOutline, AThinWallBecomesAsWideAsTheThinnestLine) {
   const LayerGrid grid = laid(rectangle({-2, -0.1}, {2, 0.1}));
-  const double half = kProcess.thinnestLineMm() / 2;
+  const double half = kProcess.thinnestLineMm / 2;
   EXPECT_NEAR(grid.at({0, half}), 0, 0.025);
   EXPECT_NEAR(grid.at({0, half + 0.1}), 0.1, 0.025);
 }
@@ -58,12 +58,31 @@ TEST(LaidOutline, WhatIsTooThinOrTooShortForALineIsNotLaid) {
   EXPECT_GT(laid(rectangle({-0.14, -0.14}, {0.14, 0.14})).at({0, 0}), 0) << "an island of 0.28 mm";
 }
 
+TEST(LaidOutline, NarrowGapsAreClosedAndWiderOnesStay) {
+  std::vector<Segment2> blocks;
+  for (const Segment2& segment : rectangle({-3, -2}, {-1, 2})) blocks.push_back(segment);
+  for (const Segment2& segment : rectangle({-0.93, -2}, {1, 2})) blocks.push_back(segment);
+  for (const Segment2& segment : rectangle({1.2, -2}, {3, 2})) blocks.push_back(segment);
+  const LayerGrid grid = laid(blocks);
+  EXPECT_LT(grid.at({-0.965, 0}), 0) << "0.07 mm wide";
+  EXPECT_NEAR(grid.at({1.1, 0}), 0.1, 0.02) << "0.2 mm wide";
+}
+
+TEST(LaidOutline, WithoutLinesNothingThinIsMade) {
+  const PrintProcess powder = *processOf({.layerMm = 0.1, .technique = PrintTechnique::Powder});
+  const auto at = [&](double halfWidth) {
+    return layOutline(rectangle({-2, -halfWidth}, {2, halfWidth}), kWindow, kCorner, 0, powder).at({0, 0});
+  };
+  EXPECT_GT(at(0.9 * powder.cornerRadiusMm), 0);
+  EXPECT_LT(at(1.1 * powder.cornerRadiusMm), 0);
+}
+
 TEST(LaidOutline, WhatSurroundsTheWindowIsCountedFromItsCorner) {
   // The window lies within the solid, but for a hole.
   std::vector<Segment2> hole = rectangle({-1, -1}, {1, 1});
   for (auto& [a, b] : hole) std::swap(a, b);
   const LayerGrid grid = laid(hole, 1);
-  EXPECT_LT(grid.at({-3, 2}), -kProcess.lineWidthMm / 2);
+  EXPECT_LT(grid.at({-3, 2}), -kProcess.cornerRadiusMm);
   EXPECT_NEAR(grid.at({0, 0.8}), 0.2, 0.005);
   EXPECT_GT(grid.at({0, 0}), kLaidReachMm);
 }
@@ -79,7 +98,7 @@ TEST(LaidOutline, SolidsThatOverlapAreOne) {
   const std::vector<Segment2> thin = rectangle({-0.03, -0.5}, {0.03, 3});  // too thin where it leaves the block
   two = rectangle({-2, -1}, {2, 1});
   two.insert(two.end(), thin.begin(), thin.end());
-  EXPECT_LT(laid(two).at({0, 0.3}), -kProcess.lineWidthMm / 2);
+  EXPECT_LT(laid(two).at({0, 0.3}), -kProcess.cornerRadiusMm);
   EXPECT_GT(laid(two).at({0, 2}), 0.1);
 }
 

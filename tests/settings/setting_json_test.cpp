@@ -29,8 +29,8 @@ TEST(SettingJson, EverySettingOfThePageArrives) {
   EXPECT_EQ(request->placement.rotateDeg, 30);
   EXPECT_EQ(request->contrast, 0.4);
   EXPECT_EQ(request->minWallMm, 1.2);
-  EXPECT_EQ(request->nozzleMm, 0.6);
-  EXPECT_EQ(request->layerMm, 0.2);
+  EXPECT_EQ(request->printer.nozzleMm, 0.6);
+  EXPECT_EQ(request->printer.layerMm, 0.2);
   EXPECT_EQ(request->maxDepthMm, 0.9);
   EXPECT_EQ(request->placement.eyeDistanceMm, 300);
 }

@@ -18,6 +18,7 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 /// The code of what is wrong with the default request with this value; empty if nothing is.
 std::string codeOf(const Setting& setting, const SettingValue& value) {
   EngraveRequest request = defaultRequest();
+  request.process.reset();  // whether there can be such a printer is another question
   setting.write(request, value);
   const Status checked = checkSettings(request);
   return checked ? "" : checked.error().message.code;
@@ -153,6 +154,29 @@ TEST(SettingsTable, WithoutAContrastThatOfThePresetCounts) {
   findSetting("preset")->write(request, std::string("robust"));
   EXPECT_EQ(contrast.read(request), SettingValue());
   EXPECT_EQ(contrast.otherwise(request), 0.38);
+}
+
+TEST(SettingsTable, AProcessBringsNozzleAndLayerAlongAndWhatIsSaidOfThemStands) {
+  EngraveRequest request = defaultRequest();
+  findSetting("process")->write(request, std::string("fdm-0.25/0.1"));
+  EXPECT_EQ(request.printer.nozzleMm, 0.25);
+  EXPECT_EQ(request.printer.layerMm, 0.1);
+  findSetting("layerMm")->write(request, 0.15);
+  EXPECT_EQ(findSetting("process")->read(request), SettingValue(std::string("fdm-0.25/0.1")));
+  EXPECT_EQ(request.printer.layerMm, 0.15);
+  findSetting("process")->write(request, std::string("none"));
+  EXPECT_FALSE(request.process);
+  EXPECT_EQ(request.printer.nozzleMm, 0.25);
+}
+
+TEST(SettingsTable, APrinterThatThereCannotBeIsRefusedWhereItIsAskedFor) {
+  EngraveRequest request = defaultRequest();
+  EXPECT_TRUE(checkSettings(request));
+  request.printer.layerMm = 0.5;
+  ASSERT_FALSE(checkSettings(request));
+  EXPECT_EQ(checkSettings(request).error().message.code, "layer-above-nozzle");
+  request.process.reset();
+  EXPECT_TRUE(checkSettings(request));
 }
 
 }  // namespace

@@ -129,6 +129,31 @@ TEST_F(VerdictTest, PrintingRemediesAreTheFirstThatAreSoldAndWouldDo) {
   EXPECT_THAT(settingsOf(shallow.prints.remedies), ElementsAre("preset=robust", "layerMm=0.06", "="));
 }
 
+TEST_F(VerdictTest, AsPrintedItReadsBarelyReadsOrDoesNotAndPassesAsAdvice) {
+  const auto printed = [&](int reads, double facingDeg, double symbolMm = 30) {
+    const PrintedEvidence evidenceOfPrint{evidence(reads), "fdm-0.4/0.2", facingDeg};
+    return judge(request_, carved(request_, symbolMm, 0.5), evidence(72), &evidenceOfPrint).prints;
+  };
+  const auto facing = [](const Aspect& aspect) { return aspect.summary.values.front().cause.front().code; };
+  const Aspect good = printed(29, 0);
+  EXPECT_EQ(good.level, Level::Good);
+  EXPECT_EQ(good.summary.code, "reads-as-printed");
+  EXPECT_EQ(facing(good), "facing-up");
+  ASSERT_EQ(good.reasons.size(), 1u) << "how many tries, and no advice";
+  const Aspect barely = printed(28, 80, 21 * 0.3);
+  EXPECT_EQ(barely.level, Level::Barely);
+  EXPECT_EQ(barely.summary.code, "barely-reads-as-printed");
+  EXPECT_EQ(facing(barely), "facing-aside");
+  EXPECT_GT(barely.reasons.size(), 1u) << "advice, too";
+  EXPECT_FALSE(barely.remedies.empty());
+  const Aspect bad = printed(0, 45);
+  EXPECT_EQ(bad.level, Level::Bad);
+  EXPECT_EQ(bad.summary.code, "reads-not-as-printed");
+  EXPECT_EQ(facing(bad), "facing-slanted");
+  EXPECT_EQ(facing(printed(0, 170)), "facing-down");
+  for (const Aspect& aspect : {good, barely, bad}) EXPECT_TRUE(aspect.passed());
+}
+
 TEST_F(VerdictTest, InheritedCrossingsAreSaidAndNewOnesFail) {
   EngraveResult result = carved(request_, 30, 0.5);
   result.solidity.selfIntersections = 35;

@@ -21,7 +21,7 @@
  * @property {Readonly<Record<string, Words>>} [partLabels]   of the parts that it is set by
  */
 
-/** @typedef {'text' | 'ecc' | 'raiseEcc' | 'version' | 'mask' | 'breakUp' | 'preset' | 'keepPreset' | 'pattern' | 'finderPattern' | 'contrast' | 'objective' | 'solver' | 'layerMm' | 'maxDepthMm' | 'minWallMm' | 'dataContrast' | 'finderContrast' | 'blurModules' | 'tolerance' | 'maxPasses' | 'size' | 'maxSizeMm' | 'quietZone' | 'up' | 'rotateDeg' | 'direction' | 'eyeDistanceMm' | 'light' | 'albedo' | 'surface' | 'inlay' | 'nozzleMm'} SettingKey */
+/** @typedef {'text' | 'ecc' | 'raiseEcc' | 'version' | 'mask' | 'breakUp' | 'preset' | 'keepPreset' | 'pattern' | 'finderPattern' | 'contrast' | 'objective' | 'solver' | 'maxDepthMm' | 'minWallMm' | 'dataContrast' | 'finderContrast' | 'blurModules' | 'tolerance' | 'maxPasses' | 'size' | 'maxSizeMm' | 'quietZone' | 'up' | 'rotateDeg' | 'direction' | 'eyeDistanceMm' | 'light' | 'albedo' | 'surface' | 'inlay' | 'process' | 'nozzleMm' | 'layerMm' | 'lineWidthMm' | 'buildUp'} SettingKey */
 
 /** @type {Readonly<Record<SettingKey, Setting>>} */
 export const kSettings = {
@@ -38,7 +38,6 @@ export const kSettings = {
   contrast: {"group":"depth","kind":"number","min":0.01,"max":0.99,"step":0.01,"mayBeEmpty":true,"default":null,"since":"0.1.0","label":{"de":"Kontrast","en":"Contrast"}},
   objective: {"group":"depth","kind":"choice","choices":["contrast","reading"],"default":"contrast","since":"0.1.0","label":{"de":"Ziel","en":"Objective"},"choiceNames":{"contrast":{"de":"Kontrast","en":"Contrast"},"reading":{"de":"Lesbarkeit","en":"Reading"}}},
   solver: {"group":"depth","kind":"choice","choices":["fast","paper-steps"],"default":"fast","since":"0.1.0","label":{"de":"Verfahren","en":"Solver"},"choiceNames":{"fast":{"de":"Schnell","en":"Fast"},"paper-steps":{"de":"Wie veröffentlicht","en":"As published"}}},
-  layerMm: {"group":"depth","kind":"number","unit":"mm","min":0.01,"max":1.0,"step":0.01,"default":0.1,"since":"0.1.0","label":{"de":"Schicht","en":"Layer"}},
   maxDepthMm: {"group":"depth","kind":"number","unit":"mm","min":0.1,"max":1000.0,"step":0.1,"mayBeEmpty":true,"default":null,"since":"0.1.0","label":{"de":"Größte Tiefe","en":"Deepest"}},
   minWallMm: {"group":"depth","kind":"number","unit":"mm","min":0.0,"max":1000.0,"step":0.1,"default":0.8,"since":"0.1.0","label":{"de":"Restwand","en":"Wall left"}},
   dataContrast: {"group":"reading","kind":"number","min":0.01,"max":0.95,"step":0.01,"default":0.1,"since":"0.1.0","label":{"de":"Kontrast der Daten","en":"Data contrast"}},
@@ -57,7 +56,11 @@ export const kSettings = {
   albedo: {"group":"light","kind":"number","min":0.0,"max":0.95,"step":0.05,"default":0.7,"since":"0.1.0","label":{"de":"Albedo","en":"Albedo"}},
   surface: {"group":"making","kind":"choice","choices":["preserved","resampled"],"default":"preserved","since":"0.1.0","label":{"de":"Oberfläche","en":"Surface"},"choiceNames":{"preserved":{"de":"Erhalten","en":"Preserved"},"resampled":{"de":"Neu vernetzt","en":"Resampled"}}},
   inlay: {"group":"making","kind":"switch","default":false,"since":"0.1.0","label":{"de":"Zweite Farbe","en":"Second colour"}},
-  nozzleMm: {"group":"making","kind":"number","unit":"mm","min":0.01,"max":10.0,"step":0.05,"default":0.4,"since":"0.1.0","label":{"de":"Düse","en":"Nozzle"}},
+  process: {"group":"printing","kind":"choice","choices":["none","fdm-0.4/0.2","fdm-0.4/0.12","fdm-0.25/0.1","fdm-0.6/0.3","resin-0.05","powder"],"default":"fdm-0.4/0.2","since":"0.2.0","label":{"de":"Verfahren","en":"Process"},"choiceNames":{"fdm-0.25/0.1":{"de":"Filament, Düse 0,25 mm, Schichten 0,1 mm","en":"Filament, nozzle 0.25 mm, layers 0.1 mm"},"fdm-0.4/0.12":{"de":"Filament, Düse 0,4 mm, Schichten 0,12 mm","en":"Filament, nozzle 0.4 mm, layers 0.12 mm"},"fdm-0.4/0.2":{"de":"Filament, Düse 0,4 mm, Schichten 0,2 mm","en":"Filament, nozzle 0.4 mm, layers 0.2 mm"},"fdm-0.6/0.3":{"de":"Filament, Düse 0,6 mm, Schichten 0,3 mm","en":"Filament, nozzle 0.6 mm, layers 0.3 mm"},"none":{"de":"Nicht ansehen","en":"Not looked at"},"powder":{"de":"Pulver (SLS, MJF)","en":"Powder (SLS, MJF)"},"resin-0.05":{"de":"Harz, Schichten 0,05 mm","en":"Resin, layers 0.05 mm"}}},
+  nozzleMm: {"group":"printing","kind":"number","unit":"mm","min":0.01,"max":10.0,"step":0.05,"default":0.4,"since":"0.1.0","label":{"de":"Düse","en":"Nozzle"}},
+  layerMm: {"group":"printing","kind":"number","unit":"mm","min":0.01,"max":1.0,"step":0.01,"default":0.2,"since":"0.1.0","label":{"de":"Schicht","en":"Layer"}},
+  lineWidthMm: {"group":"printing","kind":"number","unit":"mm","min":0.01,"max":10.0,"step":0.05,"mayBeEmpty":true,"default":null,"since":"0.2.0","label":{"de":"Linienbreite","en":"Line width"}},
+  buildUp: {"group":"printing","kind":"vector","default":[0.0,0.0,1.0],"since":"0.2.0","label":{"de":"Oben im Drucker","en":"Up on the printer"}},
 };
 
 /** @type {Readonly<Record<string, Words>>} */
@@ -66,6 +69,7 @@ export const kSettingGroups = {
   light: {"de":"Licht","en":"Light"},
   making: {"de":"Herstellung","en":"Making"},
   placement: {"de":"Lage","en":"Placement"},
+  printing: {"de":"Druck","en":"Printing"},
   reading: {"de":"Ziel: Lesbarkeit","en":"Reading objective"},
   symbol: {"de":"Symbol","en":"Symbol"},
 };

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/printed_view.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <optional>
+
+#include "math/angle.h"
+#include "verification/baked_light.h"
+#include "verification/reading_sweep.h"
+
+namespace qrelief {
+namespace {
+
+constexpr int kPaths = 16;
+constexpr int kRowsAStep = 16;
+constexpr float kBackground = 0.35f;  // luminance of what is not the model
+
+}  // namespace
+
+/// The stages in their order; each `advance` does one step of the current one.
+struct PrintedViewJob::State {
+  enum class Stage { Printing, Preparing, Light, Done };
+
+  const Mesh* model;
+  PrintedViewRequest request;
+  Stage stage = Stage::Printing;
+  Mesh printed;
+  std::optional<RayTree> tree;
+  std::optional<BakedLight> light;
+  int bakedRows = 0;
+  PrintedView result;
+
+  int edgeModules() const { return request.modules + 2 * kPictureMarginModules; }
+  Status print();
+  void prepare();
+  void bake();
+  void look();
+};
+
+Status PrintedViewJob::State::print() {
+  auto surface = printSurface(*model, {.process = request.process,
+                                       .frame = request.frame,
+                                       .extentMm = request.symbolMm / request.modules * edgeModules(),
+                                       .buildUp = request.buildUp});
+  if (!surface) return tl::unexpected(surface.error());
+  printed = surface->mesh();
+  stage = Stage::Preparing;
+  return {};
+}
+
+void PrintedViewJob::State::prepare() {
+  tree.emplace(printed);
+  light.emplace(*tree, request.frame,
+                BakeOptions{.texelMm = request.symbolMm / request.modules / kBakedPixels,
+                            .texels = kBakedPixels * edgeModules(),
+                            .paths = kPaths,
+                            .albedo = request.albedo,
+                            .lamp = {.strength = 0}});
+  stage = Stage::Light;
+}
+
+void PrintedViewJob::State::bake() {
+  bakedRows += kRowsAStep;
+  if (light->bakeRows(kRowsAStep)) look();
+}
+
+void PrintedViewJob::State::look() {
+  light->smooth();
+  ReaderView& seen = result.seen;
+  for (const SurfaceLight& texel : light->light())
+    seen.luminance.push_back(texel.sky < 0 ? kBackground : static_cast<float>(texel.sky));
+  const int texels = light->options().texels;
+  seen.pixelsPerModule = kBakedPixels;
+  seen.clean = photograph(seen.luminance, texels);
+  const double cosine = glm::dot(request.frame.normal, glm::normalize(request.buildUp));
+  result.facingDeg = toDegrees(std::acos(std::clamp(cosine, -1.0, 1.0)));
+  stage = Stage::Done;
+}
+
+PrintedViewJob::PrintedViewJob(std::unique_ptr<State> state) : state_(std::move(state)) {}
+PrintedViewJob::~PrintedViewJob() = default;
+
+Result<std::unique_ptr<PrintedViewJob>> PrintedViewJob::create(const Mesh& mesh, PrintedViewRequest request) {
+  const double length = glm::length(request.buildUp);
+  if (!(std::isfinite(length) && length > 0)) return fail(ErrorKind::BadUsage, message("no-build-direction"));
+  auto state = std::make_unique<State>();
+  state->model = &mesh;
+  state->request = std::move(request);
+  return std::unique_ptr<PrintedViewJob>(new PrintedViewJob(std::move(state)));
+}
+
+Result<Progress> PrintedViewJob::advance() {
+  using Stage = State::Stage;
+  State& s = *state_;
+  Message doing = message("tracing-light-on-print");
+  double fraction = 1;
+  switch (s.stage) {
+    case Stage::Printing:
+      doing = message("printing");
+      if (const Status printed = s.print(); !printed) return tl::unexpected(printed.error());
+      fraction = 0.2;
+      break;
+    case Stage::Preparing:
+      s.prepare();
+      fraction = 0.35;
+      break;
+    case Stage::Light:
+      s.bake();
+      fraction = 0.35 + 0.65 * std::min(1.0, static_cast<double>(s.bakedRows) / s.light->options().texels);
+      break;
+    case Stage::Done:
+      assert(false && "advance() after done");
+      break;
+  }
+  return Progress{std::move(doing), fraction, s.stage == Stage::Done};
+}
+
+PrintedView PrintedViewJob::takeResult() {
+  assert(state_->stage == State::Stage::Done);
+  return std::move(state_->result);
+}
+
+}  // namespace qrelief

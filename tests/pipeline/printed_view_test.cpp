@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/printed_view.h"
+
+#include "native/read_carving.h"
+#include "native/zxing_reader.h"
+#include "support/gl_test.h"
+#include "support/shapes.h"
+
+namespace qrelief {
+namespace {
+
+class PrintedViewTest : public GlTest {
+ protected:
+  /// A code on the upper face of a plate, as `verify` is asked of it.
+  struct Carved {
+    Mesh mesh;
+    VerifyRequest request;
+  };
+  static Carved carved(double symbolMm) {
+    const auto model = EngravableModel::upload(*prepareModel(shapes::soupOf(shapes::box({50, 50, 10})), {}));
+    EngraveRequest request;
+    request.text = "QRELIEF";
+    request.symbol.version = 1;
+    request.placement.centreMm = {0, 0, 5};
+    request.placement.upHint = {0, 1, 0};
+    request.placement.sizeMode = SizeMode::Fixed;
+    request.placement.sizeMm = symbolMm;
+    const auto result = engrave(model, request);
+    EXPECT_TRUE(result.has_value());
+    return {result->mesh, verifyRequestOf(request, *result)};
+  }
+  static std::optional<PrintedEvidence> printed(const Carved& carved, Vec3 buildUp) {
+    VerifyRequest request = carved.request;
+    request.buildUp = buildUp;
+    double before = 0;
+    const auto evidence = readPrinted(request, carved.mesh, [&](const Progress& progress) {
+      EXPECT_GE(progress.fraction, before);
+      before = progress.fraction;
+    });
+    EXPECT_EQ(before, 1);
+    return evidence.value_or(std::nullopt);
+  }
+};
+
+TEST_F(PrintedViewTest, ModulesMuchWiderThanTheNozzleReadAsPrintedLyingAndStanding) {
+  const Carved plate = carved(25.2);
+  const std::pair<Vec3, double> cases[] = {{{0, 0, 1}, 0}, {{0, 2, 0}, 90}};
+  for (const auto& [up, facingDeg] : cases) {
+    const auto evidence = printed(plate, up);
+    ASSERT_TRUE(evidence) << facingDeg;
+    EXPECT_TRUE(evidence->reading.count.enough()) << facingDeg << "°: " << evidence->reading.count.reads;
+    EXPECT_EQ(evidence->reading.text, "QRELIEF");
+    EXPECT_NEAR(evidence->facingDeg, facingDeg, 1e-9);
+    EXPECT_EQ(evidence->process, "fdm-0.4/0.2");
+  }
+}
+
+TEST_F(PrintedViewTest, ModulesFinerThanTheNozzleDoNotReadThoughTheDesignDoes) {
+  const Carved plate = carved(7);  // modules of a third of a millimetre
+  auto job = VerifyJob::create(plate.mesh, plate.request, zxingReaders());
+  ASSERT_TRUE(job);
+  EXPECT_TRUE(runToEnd(**job)->reading.frontal.enough());
+  const auto evidence = printed(plate, {0, 0, 1});
+  ASSERT_TRUE(evidence);
+  EXPECT_EQ(evidence->reading.count.reads, 0);
+}
+
+TEST_F(PrintedViewTest, WhatThePrinterLeavesIsSeenDarkWhereTheCodeIsDark) {
+  const Carved plate = carved(25.2);
+  const int modules = plate.request.symbol.size, edge = modules + 2 * 6;  // six modules beside the symbol are seen
+  auto job = PrintedViewJob::create(plate.mesh, {.process = *processOf({}),
+                                                 .frame = plate.request.frame,
+                                                 .modules = modules,
+                                                 .symbolMm = plate.request.symbolMm,
+                                                 .buildUp = {0, 1, 1}});
+  ASSERT_TRUE(job);
+  const auto view = runToEnd(**job);
+  ASSERT_TRUE(view);
+  EXPECT_NEAR(view->facingDeg, 45, 1e-9);
+  const int perModule = static_cast<int>(view->seen.pixelsPerModule), width = perModule * edge;
+  ASSERT_EQ(view->seen.luminance.size(), static_cast<std::size_t>(width) * static_cast<std::size_t>(width));
+  ASSERT_EQ(view->seen.clean.width, width);
+  double dark = 0, light = 0;
+  int darkPixels = 0, lightPixels = 0;
+  for (int row = 0; row < perModule * modules; ++row)
+    for (int column = 0; column < perModule * modules; ++column) {
+      const int y = width - 1 - 6 * perModule - row, x = 6 * perModule + column;
+      const double value = static_cast<double>(view->seen.luminance[static_cast<std::size_t>(y * width + x)]);
+      const bool isDark = plate.request.symbol.isDark(row / perModule, column / perModule);
+      (isDark ? dark : light) += value;
+      ++(isDark ? darkPixels : lightPixels);
+    }
+  EXPECT_LT(dark / darkPixels, 0.9 * light / lightPixels);
+}
+
+TEST_F(PrintedViewTest, WithoutAProcessNothingIsPrinted) {
+  VerifyRequest request;
+  request.text = "x";
+  const auto evidence = readPrinted(request, shapes::box({10, 10, 10}), [](const Progress&) { FAIL(); });
+  ASSERT_TRUE(evidence);
+  EXPECT_FALSE(*evidence);
+}
+
+TEST_F(PrintedViewTest, WhatNoPrinterCouldDoIsRefused) {
+  VerifyRequest request;
+  request.text = "x";
+  request.symbolMm = 5;
+  request.process = 0;
+  const auto codeOf = [&] {
+    const auto evidence = readPrinted(request, shapes::box({10, 10, 10}), [](const Progress&) {});
+    return evidence ? std::string() : evidence.error().message.code;
+  };
+  request.buildUp = Vec3(0);
+  EXPECT_EQ(codeOf(), "no-build-direction");
+  request.buildUp = {0, 0, 1};
+  request.printer.layerMm = 0.5;
+  EXPECT_EQ(codeOf(), "layer-above-nozzle");
+}
+
+}  // namespace
+}  // namespace qrelief
