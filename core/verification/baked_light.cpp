@@ -2,6 +2,7 @@
 #include "verification/baked_light.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 
@@ -18,6 +19,11 @@ constexpr float kBackground = 0.35f;
 constexpr double kNearTexels = 3;
 /// Texels whose planes lie within this fraction of a texel of each other's points are one floor.
 constexpr double kSameFloor = 0.3;
+
+/// Texels along the edge of a block, and the order in which they take points: near ones take far ones [Bayer 1973].
+constexpr int kBlock = 4;
+constexpr std::array<int, 16> kBlockOrder = {0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5};
+constexpr std::uint64_t kBlocksApart = 1u << 20;  // more than a picture has columns
 
 double wrapped(double x) { return x - std::floor(x); }
 
@@ -38,12 +44,16 @@ BakedLight::BakedLight(const RayTree& tree, const ProjectionFrame& frame, const 
   light_.resize(count, {-1, -1});
 }
 
-SurfaceLight BakedLight::traced(const SurfacePoint& at, Vec3 seen, std::uint64_t seed) const {
-  Random random(seed);
-  const double shiftU = random.uniform(), shiftV = random.uniform();
+SurfaceLight BakedLight::traced(const SurfacePoint& at, Vec3 seen, int row, int column) const {
+  // The texels of a block take their first directions from one set of points, shifted as a whole: so what is too much
+  // in one is too little in its neighbours, and a camera's blur leaves little of it.
+  Random block(static_cast<std::uint64_t>(row / kBlock) * kBlocksApart + static_cast<std::uint64_t>(column / kBlock));
+  const double shiftU = block.uniform(), shiftV = block.uniform();
+  const int first = kBlockOrder[static_cast<std::size_t>(row % kBlock * kBlock + column % kBlock)] * options_.paths;
+  Random random(static_cast<std::uint64_t>(row) * kBlocksApart + static_cast<std::uint64_t>(column));
   SurfaceLight sum;
   for (int i = 1; i <= options_.paths; ++i) {
-    const auto point = halton23(static_cast<std::uint32_t>(i));
+    const auto point = halton23(static_cast<std::uint32_t>(first + i));
     const LightPath one = traceLight(*tree_, at, seen, {wrapped(point[0] + shiftU), wrapped(point[1] + shiftV)},
                                      options_.albedo, std::span(&options_.lamp, 1), random);
     sum.sky += one.sky;
@@ -63,7 +73,7 @@ void BakedLight::bakeTexel(std::size_t texel) {
   if (!hit) return;
   const Vec3 normal = triangleNormal(tree_->mesh(), hit->triangle);
   texels_[texel] = {hit->position, glm::dot(normal, ray) > 0 ? -normal : normal};
-  light_[texel] = traced(*hit, ray, texel);
+  light_[texel] = traced(*hit, ray, static_cast<int>(row), static_cast<int>(column));
 }
 
 bool BakedLight::bakeRows(int rows) {
@@ -102,20 +112,20 @@ void BakedLight::smooth() {
   });
 }
 
-SurfaceLight BakedLight::lightAt(const SurfacePoint& at, Vec3 seen, std::uint64_t seed) const {
+SurfaceLight BakedLight::lightAt(const SurfacePoint& at, Vec3 seen, int row, int column) const {
   if (frame_.distanceAlongAxis(at.position) > 0) {
     const Vec2 place = frame_.project(at.position) / options_.texelMm + Vec2(options_.texels / 2.0);
-    const double column = std::floor(place.x), row = std::floor(place.y);
-    if (column >= 0 && row >= 0 && column < options_.texels && row < options_.texels) {
+    const double x = std::floor(place.x), y = std::floor(place.y);
+    if (x >= 0 && y >= 0 && x < options_.texels && y < options_.texels) {
       const auto texel =
-          static_cast<std::size_t>(row) * static_cast<std::size_t>(options_.texels) + static_cast<std::size_t>(column);
+          static_cast<std::size_t>(y) * static_cast<std::size_t>(options_.texels) + static_cast<std::size_t>(x);
       const Texel& baked = texels_[texel];
       const bool near = glm::length(baked.position - at.position) < kNearTexels * options_.texelMm;
       const Vec3 normal = triangleNormal(tree_->mesh(), at.triangle);
       if (near && sameFloor(baked.position, baked.normal, at.position, normal, options_.texelMm)) return light_[texel];
     }
   }
-  return traced(at, seen, seed);
+  return traced(at, seen, row, column);
 }
 
 LinearPicture BakedLight::picture(const ProjectionFrame& camera, int texels, double texelMm) const {
@@ -131,7 +141,7 @@ LinearPicture BakedLight::picture(const ProjectionFrame& camera, int texels, dou
       const auto hit = tree_->firstHit(camera.eye(), ray);
       if (!hit) continue;
       const std::size_t pixel = row * static_cast<std::size_t>(texels) + column;
-      const SurfaceLight light = lightAt(*hit, ray, pixel);
+      const SurfaceLight light = lightAt(*hit, ray, static_cast<int>(row), static_cast<int>(column));
       picture.sky[pixel] = static_cast<float>(light.sky);
       picture.added[pixel] = static_cast<float>(light.lamp);
     }

@@ -63,8 +63,8 @@ class BakedLight {
   };
 
   void bakeTexel(std::size_t texel);
-  SurfaceLight traced(const SurfacePoint& at, Vec3 seen, std::uint64_t seed) const;
-  SurfaceLight lightAt(const SurfacePoint& at, Vec3 seen, std::uint64_t seed) const;
+  SurfaceLight traced(const SurfacePoint& at, Vec3 seen, int row, int column) const;
+  SurfaceLight lightAt(const SurfacePoint& at, Vec3 seen, int row, int column) const;
 
   const RayTree* tree_;
   ProjectionFrame frame_;
