@@ -13,7 +13,7 @@
 namespace qrelief {
 namespace {
 
-constexpr int kPaths = 16;
+constexpr int kPaths = 8;
 constexpr int kRowsAStep = 16;
 constexpr float kBackground = 0.35f;  // luminance of what is not the model
 
@@ -82,12 +82,12 @@ void PrintedViewJob::State::look() {
 PrintedViewJob::PrintedViewJob(std::unique_ptr<State> state) : state_(std::move(state)) {}
 PrintedViewJob::~PrintedViewJob() = default;
 
-Result<std::unique_ptr<PrintedViewJob>> PrintedViewJob::create(const Mesh& mesh, PrintedViewRequest request) {
+Result<std::unique_ptr<PrintedViewJob>> PrintedViewJob::create(const Mesh& mesh, const PrintedViewRequest& request) {
   const double length = glm::length(request.buildUp);
   if (!(std::isfinite(length) && length > 0)) return fail(ErrorKind::BadUsage, message("no-build-direction"));
   auto state = std::make_unique<State>();
   state->model = &mesh;
-  state->request = std::move(request);
+  state->request = request;
   return std::unique_ptr<PrintedViewJob>(new PrintedViewJob(std::move(state)));
 }
 

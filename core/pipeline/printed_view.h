@@ -31,7 +31,7 @@ class PrintedViewJob {
  public:
   /// @param mesh  a solid, mm; kept by reference until the first advance() is done
   /// @returns BadUsage for a build direction of zero
-  static Result<std::unique_ptr<PrintedViewJob>> create(const Mesh& mesh, PrintedViewRequest request);
+  static Result<std::unique_ptr<PrintedViewJob>> create(const Mesh& mesh, const PrintedViewRequest& request);
   ~PrintedViewJob();
 
   /// The next piece. After an error or `done` it must not be called again.

@@ -19,6 +19,9 @@ constexpr double kLeastGrade = 1;  // D
 constexpr double kFlatMm = 0.02;
 /// Corners of the symbol farther than this from their places, in modules: it is somewhere else.
 constexpr double kMisplacedModules = 1.5;
+/// Between a surface's normal and the printer's vertical: beyond it plastic sags, or stands on supports; printers' rule
+/// of thumb, 45° below the level.
+constexpr double kSteepestOverhangDeg = 135;
 
 /// Why a code that was found, or not, does not read.
 /// @param grades  none: nothing could be measured
@@ -82,7 +85,8 @@ Aspect judgePrinted(const PrintedEvidence& printed, const std::string& wanted, s
   const Message how = facing(printed.facingDeg);
   const bool some = count.reads > 0 && printed.reading.text == wanted;
   Aspect aspect;
-  aspect.level = !some ? Level::Bad : count.enough() ? Level::Good : Level::Barely;
+  const bool hangs = printed.facingDeg > kSteepestOverhangDeg;
+  aspect.level = !some ? Level::Bad : count.enough() && !hangs ? Level::Good : Level::Barely;
   if (aspect.level == Level::Good)
     aspect.summary = message("reads-as-printed", with::cause("facing", how), with::term("process", printed.process));
   else if (aspect.level == Level::Barely)
@@ -93,6 +97,7 @@ Aspect judgePrinted(const PrintedEvidence& printed, const std::string& wanted, s
         message("reads-not-as-printed", with::cause("facing", how), with::term("process", printed.process));
   aspect.reasons.push_back(message("tries-on-printed-pictures", with::count("reads", count.reads),
                                    with::count("tries", count.tries), with::count("needed", count.needed())));
+  if (hangs) aspect.reasons.push_back(message("faces-down"));
   if (aspect.level != Level::Good) aspect.reasons.insert(aspect.reasons.end(), advice.begin(), advice.end());
   return aspect;
 }
