@@ -117,7 +117,8 @@ int verifyModel(const VerifyOptions& options) {
   const VerifyResult result = (*job)->takeResult();
 
   std::optional<PrintedEvidence> printed;
-  if (result.solidity.solid()) {  // of anything else no slicer makes what is meant
+  // Of what is open no slicer makes what is meant; where nothing is carved, nothing can be read.
+  if (result.solidity.closed() && result.features) {
     ProgressBar bar(options.quiet);
     auto read = readPrinted(*request, *mesh, [&](const Progress& progress) { bar.show(progress); });
     if (!read) return printError(read.error(), name);

@@ -30,9 +30,8 @@ struct CrossSections {
 ///
 /// Cost: O(triangles + segments).
 /// @param triangles  corners in the printer's space, anticlockwise seen from outside
-/// @param low, high  corners of the rectangle: triangles that lie beside it are left out; no vertex stands straight
-/// above
-///                   or below `low`
+/// @param low, high  corners of the rectangle: triangles that lie beside it are left out; no vertex has the x and
+///                   y of `low`
 CrossSections cutByPlanes(std::span<const std::array<Vec3, 3>> triangles, const CuttingPlanes& planes, Vec2 low,
                           Vec2 high);
 

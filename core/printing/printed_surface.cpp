@@ -9,7 +9,6 @@
 
 #include "base/parallel.h"
 #include "base/random.h"
-#include "math/box.h"
 #include "printing/cross_sections.h"
 #include "printing/laid_outline.h"
 
@@ -23,6 +22,9 @@ constexpr double kNodesPerFinest = 6;
 constexpr double kTexelsPerLayer = 4;     // grooves between layers are seen
 constexpr double kNearestStepMm = 0.004;  // of a ray that grazes plastic
 constexpr double kHitMm = 5e-4;
+/// However large the code and fine the process: what memory allows. A code of 35 mm has 990 texels with layers of 0.2
+/// mm.
+constexpr double kMaxTexels = 1000, kMaxNodes = 4e7;
 
 /// Axes of the printer's space, of which the third points up, in the model's.
 struct BuildSpace {
@@ -92,6 +94,7 @@ class Layers {
 
   /// Along the ray, from one distance from the eye to another; 0: it meets nothing.
   double firstMeeting(Vec3 direction, double fromMm, double toMm) const {
+    if (grids_.empty()) return 0;
     const Vec3 eye = frame_.eye();
     const double top = topOf(static_cast<int>(grids_.size()) - 1), bottom = topOf(-1);
     double begin = fromMm, end = toMm;
@@ -132,7 +135,7 @@ class Layers {
       for (const Vec3& corner : part) {
         least = std::min(least, corner.z);
         most = std::max(most, corner.z);
-        nearestMm_ = std::min(nearestMm_, glm::distance(corner, frame_.eye()));
+        nearestMm_ = std::min(nearestMm_, frame_.distanceAlongAxis(corner));  // a corner need not be the nearest point
         farthestMm_ = std::max(farthestMm_, glm::distance(corner, frame_.eye()));
       }
       parts.push_back(std::move(part));
@@ -180,7 +183,10 @@ class Layers {
       all.add(Vec3(window.high, 0));
     }
     if (all.empty()) return;
-    const double step = process_.finestMm / kNodesPerFinest;
+    double areaMm2 = 0;
+    for (const Rectangle& window : windows_)
+      if (!window.empty()) areaMm2 += (window.high.x - window.low.x) * (window.high.y - window.low.y);
+    const double step = std::max(process_.finestMm / kNodesPerFinest, std::sqrt(areaMm2 / kMaxNodes));
     // Off every grid that a model may have been drawn on: no vertex stands straight above the corner.
     const Vec2 corner = all.low - step * Vec2(0.38196601125, 0.41421356237);
     const CuttingPlanes planes{bedMm_ + (firstLayer_ + 0.5) * process_.layerMm, process_.layerMm,
@@ -341,7 +347,7 @@ Result<PrintedSurface> printSurface(const Mesh& mesh, const PrintRequest& reques
   const PrintProcess& process = request.process;
   double texelMm = process.finestMm / kNodesPerFinest;
   if (process.grooveMm > 0) texelMm = std::min(texelMm, process.layerMm / kTexelsPerLayer);
-  surface.texels = static_cast<int>(std::ceil(request.extentMm / texelMm));
+  surface.texels = static_cast<int>(std::min(kMaxTexels, std::ceil(request.extentMm / texelMm)));
   surface.texelMm = request.extentMm / surface.texels;
   surface.distanceMm.assign(static_cast<std::size_t>(surface.texels) * static_cast<std::size_t>(surface.texels), 0);
   parallelFor(static_cast<std::size_t>(surface.texels), [&](std::size_t row) {

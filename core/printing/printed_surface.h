@@ -35,13 +35,14 @@ struct PrintedSurface {
 
 /// What a printer makes of a solid round a code.
 ///
-/// The solid is cut into layers, at half the height of each; in every layer the nozzle lays what laid_outline.h says;
-/// lines have round flanks, so that a groove lies between two layers; skins end with whole layers. Not in it:
+/// The solid is cut into layers, at half the height of each; every layer is made as laid_outline.h says; its flanks are
+/// round, so that a groove lies between two layers; skins end with whole layers. Not in it:
 /// stringing, ringing, over- and under-extrusion, sagging, shrinkage, gloss.
 ///
-/// Cost: O(triangles) and O(extent² / nozzle²) for each layer that the surface passes.
+/// Cost: O(triangles) and O(extent² / finest²) for each layer that the surface passes; at most a million texels and 40
+/// million nodes, coarser ones where more would be needed.
 /// @param mesh  a solid
-/// @returns BadUsage for a process that no printer could follow or a build direction of zero
+/// @returns BadUsage for a build direction of zero
 Result<PrintedSurface> printSurface(const Mesh& mesh, const PrintRequest& request);
 
 }  // namespace qrelief

@@ -241,9 +241,8 @@ Verdict judge(const VerifyRequest& request, const VerifyResult& result, const Pr
     failed.push_back(message("misplaced", with::number("modules", std::round(10 * *reading.cornerErrorModules) / 10)));
   if (!failed.empty() && verdict.reads.level == Level::Good) verdict.reads.level = Level::Bad;
   verdict.reads.failed = std::move(failed);
-  if (result.features || printed)
-    verdict.prints = judgePrinting(result.features.value_or(CarvedFeatures{}), request.printer, request.minWallMm,
-                                   printed, request.text);
+  if (result.features)
+    verdict.prints = judgePrinting(*result.features, request.printer, request.minWallMm, printed, request.text);
   verdict.solid = judgeSolidity(result.solidity, request.inheritedSelfIntersections);
   return verdict;
 }

@@ -52,6 +52,7 @@ TEST_F(VerifyCommandTest, ReadsWhatEngraveWroteAndSaysWhatIsWrongWithOtherModels
   const Outcome plain = run({"verify", model, "--report", path("out.json"), "--quick", "--quiet"});
   EXPECT_EQ(plain.status, 1);
   EXPECT_NE(plain.err.find("No carved modules of this code"), std::string::npos) << plain.err;
+  EXPECT_EQ(plain.out.find("printed"), std::string::npos) << plain.out;
 }
 
 TEST_F(VerifyCommandTest, NeedsToKnowTheCodesPlace) {

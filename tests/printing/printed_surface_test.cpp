@@ -130,6 +130,26 @@ TEST(PrintedSurface, ItsMeshPassesThroughItsPointsAndFacesTheEye) {
     ASSERT_GT(glm::dot(triangleNormal(mesh, t), surface->frame.eye() - mesh.corner(t, 0)), 0);
 }
 
+TEST(PrintedSurface, BesideTheModelNothingIsMet) {
+  const auto surface = printSurface(shapes::box({10, 10, 10}), {kProcess, above(500, 0, 5), 8, {0, 0, 1}});
+  ASSERT_TRUE(surface);
+  for (const float distance : surface->distanceMm) EXPECT_EQ(distance, 0);
+  EXPECT_TRUE(surface->mesh().triangles.empty());
+}
+
+TEST(PrintedSurface, LargeCodesAndFineProcessesAreLookedAtMoreCoarsely) {
+  const Mesh block = shapes::translated(shapes::box({600, 600, 4}), {0, 0, 2});
+  const auto large = printSurface(block, {kProcess, above(0, 0, 4), 500, {0, 0, 1}});
+  ASSERT_TRUE(large);
+  EXPECT_EQ(large->texels, 1000);
+  EXPECT_NEAR(heightAt(*large, {0, 0}), 0, 1e-3);
+  const auto fine =
+      printSurface(block, {*processOf({.nozzleMm = 0.01, .layerMm = 0.01}), above(0, 0, 4), 40, {0, 0, 1}});
+  ASSERT_TRUE(fine);
+  EXPECT_EQ(fine->texels, 1000);
+  EXPECT_NEAR(heightAt(*fine, {0, 0}), 0, 0.011);
+}
+
 TEST(PrintedSurface, ABuildDirectionOfZeroIsRefused) {
   const auto surface = printSurface(shapes::box({10, 10, 10}), {kProcess, above(0, 0, 5), 4, {0, 0, 0}});
   ASSERT_FALSE(surface);
