@@ -53,7 +53,7 @@ Result<VerifyRequest> requestFrom(const VerifyOptions& options) {
   if (!request) return request;
   request->printer = settings->printer;
   request->process = settings->process;
-  request->buildUp = settings->buildUp;
+  request->buildUp = settings->buildUp.resolve(request->frame);
   request->minWallMm = settings->minWallMm;
   return request;
 }

@@ -94,6 +94,7 @@ void Carvings::forgetCurrent() {
   current_.result.reset();
   current_.display.reset();
   current_.reading = {};
+  current_.printed.reset();
   current_.viewTrials.reset();
   current_.reader.clear();
 }
@@ -149,7 +150,8 @@ std::string Carvings::report(const LoadedModel& model, const gl::Capabilities& g
   context.format = model.format;
   context.scaleToMm = model.scaleToMm;
   context.reading = current_.reading;
-  context.verdict = judge(current_.request, *current_.result, current_.reading);
+  context.printed = current_.printed;
+  context.verdict = verdict();
   context.reader = current_.reader;
   context.gl = gl;
   context.loadMs = model.loadMs;
@@ -168,7 +170,20 @@ GreyImage Carvings::readerImageFrom(const Ground& ground, double tiltDeg, double
 Verdict Carvings::setReadings(const std::vector<std::string>& texts, const std::string& reader) {
   current_.reading = evidenceOf(texts, current_.request.text);
   current_.reader = reader;
-  return judge(current_.request, *current_.result, current_.reading);
+  return verdict();
+}
+
+Verdict Carvings::verdict() const {
+  return judge(current_.request, *current_.result, current_.reading, current_.printed ? &*current_.printed : nullptr);
+}
+
+Result<std::optional<PrintedViewRequest>> Carvings::printedView() const {
+  return printedViewOf(verifyRequestOf(current_.request, *current_.result));
+}
+
+void Carvings::setPrintedReadings(const std::vector<std::string>& texts, double facingDeg) {
+  current_.printed = {evidenceOf(texts, current_.request.text, true),
+                      std::string(namedPrinters()[*current_.request.process].name), facingDeg};
 }
 
 ViewTrials& Carvings::startViewTrials() {

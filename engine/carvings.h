@@ -9,6 +9,7 @@
 
 #include "engine/loaded_model.h"
 #include "gl/pass_timings.h"
+#include "pipeline/printed_view.h"
 #include "report/report.h"
 #include "verdict/verdict.h"
 #include "verification/view_trials.h"
@@ -57,6 +58,10 @@ class Carvings {
   /// What decoders made of it: of frontalPictures(), try by try. There must be a carving.
   /// @returns what the carving comes to with that
   Verdict setReadings(const std::vector<std::string>& texts, const std::string& reader);
+  /// What has to be made to see it printed; null: that is not asked for. There must be a carving.
+  Result<std::optional<PrintedViewRequest>> printedView() const;
+  /// What decoders made of the print's frontalPictures(), try by try. There must be a carving with a printedView().
+  void setPrintedReadings(const std::vector<std::string>& texts, double facingDeg);
   /// Looks from where else it reads; null before startViewTrials(). There must be a carving.
   ViewTrials& startViewTrials();
   ViewTrials* viewTrials() { return current_.viewTrials ? &*current_.viewTrials : nullptr; }
@@ -92,11 +97,13 @@ class Carvings {
     std::shared_ptr<const GpuMesh> display;  // once it has been shown
     ReadingEvidence reading;
     std::string reader;
+    std::optional<PrintedEvidence> printed;  // once it was made
     std::optional<ViewTrials> viewTrials;
   };
   Result<std::unique_ptr<EngraveJob>> makeJob(const Ground& ground, const EngraveRequest& request,
                                               const PlacementSearch* placed);
   void forgetCurrent();
+  Verdict verdict() const;
 
   std::shared_ptr<const LuminancePrograms> programs_;  // once there was an engraving
   std::optional<bool> timerQueries_;                   // none: passes are not timed

@@ -109,6 +109,14 @@ class Engine {
   /// @param reader  which decoder
   std::string setReadings(const std::string& texts, const std::string& reader);
 
+  /// {order}: what PrintedCode::start() takes beside the model to see the carving printed; null where that is not asked
+  /// for. An error before an engraving is done.
+  std::string printOrder() const;
+  /// What the tries on the print's pictures come to is in the report from now on.
+  /// @param texts   as of setReadings()
+  /// @param facingDeg  see PrintedCode::advance()
+  std::string setPrintedReadings(const std::string& texts, double facingDeg);
+
   /// {tried, all}: starts looking from where else the code reads (verification/view_trials.h).
   std::string startViewTrials();
   /// Of the trial that is due; a decoder that reads one of them reads it. Empty where it cannot be drawn.

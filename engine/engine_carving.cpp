@@ -2,6 +2,7 @@
 // How the engine engraves, and what it says of what came out.
 #include "engine/answers.h"
 #include "engine/engine.h"
+#include "engine/printed_code.h"
 #include "projection/bend.h"
 
 namespace qrelief {
@@ -86,6 +87,19 @@ std::string Engine::setReadings(const std::string& texts, const std::string& rea
   const Verdict verdict = carvings_.setReadings(Json::parse(texts).get<std::vector<std::string>>(), reader);
   const std::optional<Preset> next = presetToTryNext(carvings_.request(), verdict);
   return textOf({{"ok", true}, {"passed", verdict.reads.passed()}, {"next", next ? Json(presetName(*next)) : Json()}});
+}
+
+std::string Engine::printOrder() const {
+  if (!carvings_.result()) return answer(kNoResult);
+  const auto wanted = carvings_.printedView();
+  if (!wanted) return answer(wanted.error());
+  return textOf({{"ok", true}, {"order", *wanted ? jsonOf(**wanted) : Json()}});
+}
+
+std::string Engine::setPrintedReadings(const std::string& texts, double facingDeg) {
+  if (!carvings_.result() || !carvings_.request().process) return answer(kNoResult);
+  carvings_.setPrintedReadings(Json::parse(texts).get<std::vector<std::string>>(), facingDeg);
+  return done();
 }
 
 std::string Engine::startViewTrials() {

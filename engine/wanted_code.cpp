@@ -21,6 +21,9 @@ EngraveRequest WantedCode::request(Vec3 upHint) const {
   EngraveRequest request = settings_;
   request.placement = placementAt(*centreMm_, upHint);
   if (direction_) request.placement.direction = direction_;
+  BuildDirection& build = request.buildUp;
+  const bool isFilesUp = upHint == Vec3(0, 0, 1);
+  if (!build.up && build.pose == BuildPose::AsModelled && !isFilesUp) build.up = upHint;  // as the user sees it stand
   return request;
 }
 

@@ -21,6 +21,7 @@ class WantedCode {
   const std::optional<Vec3>& centreMm() const { return centreMm_; }
 
   /// What is engraved at the centre, which must be chosen.
+  /// @param upHint  the axis that is up in the scene
   EngraveRequest request(Vec3 upHint) const;
   /// What is looked for at another one.
   PlacementRequest placementAt(Vec3 centreMm, Vec3 upHint) const;

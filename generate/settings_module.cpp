@@ -104,6 +104,14 @@ std::string constant(const char* name, const char* type, const Json& entries) {
   return text + "};\n";
 }
 
+/// What each process says of other settings.
+Json processes() {
+  Json all = Json::object();
+  for (const auto& [name, printer] : namedPrinters())
+    all[fmt::format("'{}'", name)] = {{"nozzleMm", printer.nozzleMm}, {"layerMm", printer.layerMm}};
+  return all;
+}
+
 }  // namespace
 
 std::string settingsModule() {
@@ -116,6 +124,7 @@ std::string settingsModule() {
   }
   return fmt::format("{}/** @typedef {{{}}} SettingKey */\n\n", kHead, keys) +
          constant("kSettings", "Readonly<Record<SettingKey, Setting>>", all) + "\n" +
+         constant("kProcesses", "Readonly<Record<string, { nozzleMm: number, layerMm: number }>>", processes()) + "\n" +
          constant("kSettingGroups", "Readonly<Record<string, Words>>", Json(settingWords().at("groups"))) + "\n" +
          constant("kUnits", "Readonly<Record<string, Words>>", Json(settingWords().at("units")));
 }

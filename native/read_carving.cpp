@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "native/read_carving.h"
 
-#include <cmath>
-
 #include "native/zxing_reader.h"
 #include "pipeline/printed_view.h"
 
@@ -21,22 +19,6 @@ auto runTelling(Job& job, const std::function<void(const Progress&)>& tell) -> R
 
 }  // namespace
 
-VerifyRequest verifyRequestOf(const EngraveRequest& request, const EngraveResult& result) {
-  VerifyRequest wanted;
-  wanted.frame = result.placement.frame;
-  wanted.symbolMm = result.placement.symbolMm;
-  wanted.text = request.text;
-  wanted.symbol = result.symbol;
-  wanted.printer = request.printer;
-  wanted.process = request.process;
-  wanted.buildUp = request.buildUp;
-  wanted.minWallMm = request.minWallMm;
-  wanted.albedo = std::round(1e6 * static_cast<double>(request.albedo)) / 1e6;  // as it was given: a float of it is not
-  wanted.ranges = false;
-  wanted.inheritedSelfIntersections = result.inheritedSelfIntersections;
-  return wanted;
-}
-
 Result<ReadingEvidence> readCarving(const EngraveRequest& request, const EngraveResult& result,
                                     const std::function<void(const Progress&)>& progress) {
   const ReadingEvidence drawn = evidenceOf(readFrontal(result.readerView), request.text);
@@ -51,15 +33,10 @@ Result<ReadingEvidence> readCarving(const EngraveRequest& request, const Engrave
 
 Result<std::optional<PrintedEvidence>> readPrinted(const VerifyRequest& request, const Mesh& carved,
                                                    const std::function<void(const Progress&)>& progress) {
-  if (!request.process) return std::nullopt;
-  const auto process = processOf(request.printer);
-  if (!process) return tl::unexpected(process.error());
-  auto job = PrintedViewJob::create(carved, {.process = *process,
-                                             .frame = request.frame,
-                                             .modules = request.symbol.size,
-                                             .symbolMm = request.symbolMm,
-                                             .buildUp = request.buildUp,
-                                             .albedo = request.albedo});
+  const auto wanted = printedViewOf(request);
+  if (!wanted) return tl::unexpected(wanted.error());
+  if (!*wanted) return std::nullopt;
+  auto job = PrintedViewJob::create(carved, **wanted);
   if (!job) return tl::unexpected(job.error());
   const auto view = runTelling(**job, progress);
   if (!view) return tl::unexpected(view.error());

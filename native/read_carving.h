@@ -21,7 +21,4 @@ Result<ReadingEvidence> readCarving(const EngraveRequest& request, const Engrave
 Result<std::optional<PrintedEvidence>> readPrinted(const VerifyRequest& request, const Mesh& carved,
                                                    const std::function<void(const Progress&)>& progress);
 
-/// The same file as `verify` is asked of it.
-VerifyRequest verifyRequestOf(const EngraveRequest& request, const EngraveResult& result);
-
 }  // namespace qrelief

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The module's only door: the verbs of the engine and of the inspector over it, by name.
+// The module's only door: the verbs of the engine, of the inspector over it, and of the print beside it, by name.
 #include <GLES3/gl3.h>
 #include <emscripten/bind.h>
 #include <emscripten/html5_webgl.h>
@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "engine/guarded.h"
+#include "engine/printed_code.h"
 #include "inspector/inspected_engine.h"
 
 /// Every verb that the page may call, and the class that has it.
@@ -24,7 +25,8 @@
   verb(InspectedEngine, startEngrave) verb(Engine, advance) verb(Engine, cancel) verb(Engine, carving) \
   verb(Engine, useCarving) verb(Engine, report) verb(Engine, readerImage) verb(Engine, jobMap) \
   verb(Engine, readingPictures) verb(Engine, setReadings) verb(Engine, startViewTrials) \
-  verb(Engine, viewTrialPictures) verb(Engine, noteViewTrial) verb(Engine, exportModel) \
+  verb(Engine, viewTrialPictures) verb(Engine, noteViewTrial) verb(Engine, exportModel) verb(Engine, printOrder) \
+  verb(Engine, setPrintedReadings) \
   verb(InspectedEngine, resize) verb(InspectedEngine, setTheme) verb(Engine, setUpAxis) \
   verb(Engine, showCarved) verb(Engine, orbit) verb(Engine, pan) verb(Engine, zoom) verb(Engine, fit) \
   verb(Engine, standardView) verb(Engine, readerView) verb(Engine, faceCode) verb(Engine, showSection) \
@@ -34,6 +36,8 @@
   verb(InspectedEngine, inspectorGlyphs) verb(InspectedEngine, inspectorPointer) \
   verb(InspectedEngine, inspectorKey) verb(InspectedEngine, inspectorPick) \
   verb(InspectedEngine, inspectorState)
+#define QRELIEF_PRINT_VERBS(verb) \
+  verb(PrintedCode, start) verb(PrintedCode, advance) verb(PrintedCode, readingPictures) verb(PrintedCode, picture)
 // clang-format on
 
 namespace qrelief {
@@ -121,11 +125,20 @@ Owner& partOf(InspectedEngine& engine) {
     return engine;
 }
 
+template <class Owner>
+Owner& partOf(PrintedCode& print) {
+  return print;
+}
+
+/// Whose verbs stand in one object of the page's.
+template <class Owner>
+using BoundObject = std::conditional_t<std::is_same_v<Owner, PrintedCode>, PrintedCode, InspectedEngine>;
+
 template <auto verb, class Owner, class Answer, class... Given>
 struct BoundVerb {
-  static auto call(InspectedEngine& engine, typename Crossing<std::remove_cvref_t<Given>>::Outside... given) {
+  static auto call(BoundObject<Owner>& object, typename Crossing<std::remove_cvref_t<Given>>::Outside... given) {
     const auto run = [&]() -> Answer {
-      return (partOf<Owner>(engine).*verb)(Crossing<std::remove_cvref_t<Given>>::in(std::move(given))...);
+      return (partOf<Owner>(object).*verb)(Crossing<std::remove_cvref_t<Given>>::in(std::move(given))...);
     };
     if constexpr (std::is_same_v<Answer, std::string>)
       return guarded(run);
@@ -171,6 +184,11 @@ EMSCRIPTEN_BINDINGS(qrelief) {
   QRELIEF_VERBS(QRELIEF_BIND)
 #undef QRELIEF_BIND
   engine.function("memoryInUse", &memoryInUse);
+  const auto print = emscripten::class_<PrintedCode>("PrintedCode");
+  print.constructor<>();
+#define QRELIEF_BIND(Owner, verb) print.function(#verb, &Verb<&Owner::verb>::call);
+  QRELIEF_PRINT_VERBS(QRELIEF_BIND)
+#undef QRELIEF_BIND
 }
 
 }  // namespace qrelief

@@ -19,6 +19,18 @@ constexpr float kBackground = 0.35f;  // luminance of what is not the model
 
 }  // namespace
 
+Result<std::optional<PrintedViewRequest>> printedViewOf(const VerifyRequest& request) {
+  if (!request.process) return std::nullopt;
+  const auto process = processOf(request.printer);
+  if (!process) return tl::unexpected(process.error());
+  return PrintedViewRequest{.process = *process,
+                            .frame = request.frame,
+                            .symbol = request.symbol,
+                            .symbolMm = request.symbolMm,
+                            .buildUp = request.buildUp,
+                            .albedo = request.albedo};
+}
+
 /// The stages in their order; each `advance` does one step of the current one.
 struct PrintedViewJob::State {
   enum class Stage { Printing, Preparing, Light, Done };
@@ -32,7 +44,7 @@ struct PrintedViewJob::State {
   int bakedRows = 0;
   PrintedView result;
 
-  int edgeModules() const { return request.modules + 2 * kPictureMarginModules; }
+  int edgeModules() const { return request.symbol.size + 2 * kPictureMarginModules; }
   Status print();
   void prepare();
   void bake();
@@ -42,7 +54,7 @@ struct PrintedViewJob::State {
 Status PrintedViewJob::State::print() {
   auto surface = printSurface(*model, {.process = request.process,
                                        .frame = request.frame,
-                                       .extentMm = request.symbolMm / request.modules * edgeModules(),
+                                       .extentMm = request.symbolMm / request.symbol.size * edgeModules(),
                                        .buildUp = request.buildUp});
   if (!surface) return tl::unexpected(surface.error());
   printed = surface->mesh();
@@ -53,7 +65,7 @@ Status PrintedViewJob::State::print() {
 void PrintedViewJob::State::prepare() {
   tree.emplace(printed);
   light.emplace(*tree, request.frame,
-                BakeOptions{.texelMm = request.symbolMm / request.modules / kBakedPixels,
+                BakeOptions{.texelMm = request.symbolMm / request.symbol.size / kBakedPixels,
                             .texels = kBakedPixels * edgeModules(),
                             .paths = kPaths,
                             .albedo = request.albedo,
@@ -74,6 +86,7 @@ void PrintedViewJob::State::look() {
   const int texels = light->options().texels;
   seen.pixelsPerModule = kBakedPixels;
   seen.clean = photograph(seen.luminance, texels);
+  result.misread = misreadModules(measureModules(request.symbol, submoduleLight(*light, request.symbol.size)));
   const double cosine = glm::dot(request.frame.normal, glm::normalize(request.buildUp));
   result.facingDeg = toDegrees(std::acos(std::clamp(cosine, -1.0, 1.0)));
   stage = Stage::Done;

@@ -5,7 +5,9 @@
 
 #include "base/progress.h"
 #include "base/result.h"
+#include "pipeline/verify.h"
 #include "printing/printed_surface.h"
+#include "qr/symbol.h"
 #include "verification/reader_view.h"
 
 namespace qrelief {
@@ -13,16 +15,21 @@ namespace qrelief {
 struct PrintedViewRequest {
   PrintProcess process;
   ProjectionFrame frame;  ///< of the code, mm in the model's frame
-  int modules = 21;       ///< of the symbol along its edge
+  Symbol symbol;          ///< of which size and colours are used
   double symbolMm = 0;    ///< edge without quiet zone, on the QR plane, > 0
   Vec3 buildUp{0, 0, 1};  ///< the printer's vertical, of any length > 0
   double albedo = 0.7;    ///< of the printed material
 };
 
+/// The print of what is to be verified; none: how it prints is not asked for.
+/// @returns BadUsage for a printer that there cannot be
+Result<std::optional<PrintedViewRequest>> printedViewOf(const VerifyRequest& request);
+
 /// A code as it comes off a printer.
 struct PrintedView {
   ReaderView seen;  ///< from the front, under the sky, its light traced on the printed surface; without a `picture`
   double facingDeg = 0;  ///< between the code's normal and the printer's vertical: 0 = it faces up, 90 = it stands
+  std::vector<std::uint8_t> misread;  ///< see misreadModules(): what the print has lost
 };
 
 /// Makes the surface that a printer leaves of a carved model (printing/printed_surface.h) and looks at it, a bounded

@@ -10,12 +10,12 @@
 
 #include "math/angle.h"
 #include "mesh/weld.h"
+#include "pipeline/engrave.h"
 #include "settings/settings.h"
 
 namespace qrelief {
 namespace {
 
-constexpr int kN = kSubmodulesPerModule;
 constexpr int kRowsAStep = 16;
 constexpr int kPaths = 16;
 
@@ -30,26 +30,6 @@ Lamp roomLamp(const ProjectionFrame& frame) {
   const double azimuth = toRadians(kLampAzimuthDeg);
   const Vec3 side = frame.right * std::cos(azimuth) + frame.up * std::sin(azimuth);
   return {side * std::cos(elevation) + frame.normal * std::sin(elevation), 0.5, 20};
-}
-
-/// Means over submodules of symbol and quiet zone, row-major from the quiet zone's top left.
-std::vector<double> submoduleLight(const BakedLight& light, int modules) {
-  constexpr int kPerSubmodule = kBakedPixels / kN;
-  const int edge = kN * (modules + 2 * kQuietZoneModules), texels = light.options().texels;
-  const int margin = kBakedPixels * (kPictureMarginModules - kQuietZoneModules);
-  std::vector<double> means;
-  for (int row = 0; row < edge; ++row)
-    for (int column = 0; column < edge; ++column) {
-      double sum = 0;
-      for (int k = 0; k < kPerSubmodule * kPerSubmodule; ++k) {
-        const int y = texels - 1 - margin - kPerSubmodule * row - k / kPerSubmodule;
-        const int x = margin + kPerSubmodule * column + k % kPerSubmodule;
-        const double sky = light.light()[static_cast<std::size_t>(y * texels + x)].sky;
-        sum += sky < 0 ? 1 : sky;  // what lies beside the model is counted as open
-      }
-      means.push_back(sum / (kPerSubmodule * kPerSubmodule));
-    }
-  return means;
 }
 
 /// Least way through the material from the floors on along the rays. Pockets run along rays, too, so that none is met.
@@ -73,12 +53,28 @@ EngraveRequest settingsOf(const VerifyRequest& request) {
   engraving.placement.eyeDistanceMm = request.frame.eyeDistance;
   engraving.process = request.process;
   engraving.printer = request.printer;
-  engraving.buildUp = request.buildUp;
+  engraving.buildUp.up = request.buildUp;
   engraving.minWallMm = request.minWallMm;
   return engraving;
 }
 
 }  // namespace
+
+VerifyRequest verifyRequestOf(const EngraveRequest& request, const EngraveResult& result) {
+  VerifyRequest wanted;
+  wanted.frame = result.placement.frame;
+  wanted.symbolMm = result.placement.symbolMm;
+  wanted.text = request.text;
+  wanted.symbol = result.symbol;
+  wanted.printer = request.printer;
+  wanted.process = request.process;
+  wanted.buildUp = request.buildUp.resolve(wanted.frame);
+  wanted.minWallMm = request.minWallMm;
+  wanted.albedo = std::round(1e6 * static_cast<double>(request.albedo)) / 1e6;  // as it was given: a float of it is not
+  wanted.ranges = false;
+  wanted.inheritedSelfIntersections = result.inheritedSelfIntersections;
+  return wanted;
+}
 
 Result<Mesh> meshAsFound(const PolygonSoup& soup, double scaleToMm) {
   if (soup.triangles.empty()) return fail(ErrorKind::BadInput, message("no-triangle"));

@@ -34,6 +34,12 @@ struct VerifyRequest {
   std::size_t inheritedSelfIntersections = 0;  ///< pairs of crossing triangles that the model had before, as reported
 };
 
+struct EngraveRequest;
+struct EngraveResult;
+
+/// The same code as it was carved.
+VerifyRequest verifyRequestOf(const EngraveRequest& request, const EngraveResult& result);
+
 /// A model as its file has it: scaled and welded by equal position, nothing mended.
 /// @returns BadInput for a model without triangles or with coordinates that are no numbers
 Result<Mesh> meshAsFound(const PolygonSoup& soup, double scaleToMm);

@@ -8,6 +8,7 @@
 
 #include "carving/reading_search.h"
 #include "embedding/surface_mode.h"
+#include "printing/build_direction.h"
 #include "printing/print_process.h"
 #include "projection/placement_request.h"
 #include "qr/module_pattern.h"
@@ -51,7 +52,7 @@ struct EngraveRequest {
   /// Which of namedPrinters() the printer was taken from; none: whether the code reads as printed is not found out.
   std::optional<std::size_t> process = 0;
   Printer printer = namedPrinters()[0].printer;  ///< no depth is found more exactly than half a layer needs
-  Vec3 buildUp{0, 0, 1};                         ///< the printer's vertical in the model's space, of any length > 0
+  BuildDirection buildUp;                        ///< how the model stands on it
   bool inlay = false;         ///< make the body that fills the pockets as well, for printing in two colours
   bool recordSearch = false;  ///< keep what every pass of the search for depths saw, in EngraveResult::search
 

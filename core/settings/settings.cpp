@@ -43,6 +43,10 @@ std::vector<std::string> directionMethodNames() {
   return namesOf(4, [](int i) { return directionMethodName(static_cast<DirectionMethod>(i)); });
 }
 
+std::vector<std::string> buildPoseNames() {
+  return namesOf(3, [](int i) { return buildPoseName(static_cast<BuildPose>(i)); });
+}
+
 std::size_t indexIn(const std::vector<std::string>& names, const V& value) {
   return static_cast<std::size_t>(std::find(names.begin(), names.end(), std::get<std::string>(value)) - names.begin());
 }
@@ -241,10 +245,20 @@ Setting lineWidth() {
 }
 
 Setting buildUp() {
-  Setting setting = made("buildUp", "printing", Kind::Vector);
+  Setting setting = made("buildUp", "printing", Kind::ChoiceOrVector);
+  setting.choices = buildPoseNames();
   setting.since = kSincePrinting;
-  setting.read = [](const R& r) -> V { return r.buildUp; };
-  setting.write = [](R& r, const V& v) { r.buildUp = std::get<Vec3>(v); };
+  setting.read = [](const R& r) -> V {
+    if (r.buildUp.up) return *r.buildUp.up;
+    return std::string(buildPoseName(r.buildUp.pose));
+  };
+  setting.write = [](R& r, const V& v) {
+    r.buildUp = {};
+    if (const Vec3* vector = std::get_if<Vec3>(&v))
+      r.buildUp.up = *vector;
+    else
+      r.buildUp.pose = static_cast<BuildPose>(indexIn(buildPoseNames(), v));
+  };
   return setting;
 }
 

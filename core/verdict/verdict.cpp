@@ -22,6 +22,9 @@ constexpr double kMisplacedModules = 1.5;
 /// Between a surface's normal and the printer's vertical: beyond it plastic sags, or stands on supports; printers' rule
 /// of thumb, 45° below the level.
 constexpr double kSteepestOverhangDeg = 135;
+/// Fewer tries on a print are luck: of the prints below it fewer than three of five decoder families mostly read none
+/// (bench/printing/agreement.md).
+constexpr double kLeastPrintedFraction = 1.0 / 6;
 
 /// Why a code that was found, or not, does not read.
 /// @param grades  none: nothing could be measured
@@ -79,22 +82,35 @@ Message facing(double facingDeg) {
                         : message("facing-down", with::angleDeg("angle", std::round(facingDeg)));
 }
 
+/// What a code is printed with, within a sentence.
+Message printing(const Printer& printer) {
+  switch (printer.technique) {
+    case PrintTechnique::Filament:
+      break;
+    case PrintTechnique::Resin:
+      return message("printed-in-resin", with::lengthMm("layer", printer.layerMm));
+    case PrintTechnique::Powder:
+      return message("printed-in-powder", with::lengthMm("layer", printer.layerMm));
+  }
+  return message("printed-by-nozzle", with::lengthMm("nozzle", printer.nozzleMm),
+                 with::lengthMm("layer", printer.layerMm));
+}
+
 /// @param advice  what published prints say against it
-Aspect judgePrinted(const PrintedEvidence& printed, const std::string& wanted, std::vector<Message> advice) {
+Aspect judgePrinted(const PrintedEvidence& printed, const Printer& printer, const std::string& wanted,
+                    std::vector<Message> advice) {
   const ReadingCount& count = printed.reading.count;
-  const Message how = facing(printed.facingDeg);
-  const bool some = count.reads > 0 && printed.reading.text == wanted;
+  const bool some = count.reads >= kLeastPrintedFraction * count.tries && printed.reading.text == wanted;
   Aspect aspect;
   const bool hangs = printed.facingDeg > kSteepestOverhangDeg;
   aspect.level = !some ? Level::Bad : count.enough() && !hangs ? Level::Good : Level::Barely;
+  const Message how = facing(printed.facingDeg), by = printing(printer);
   if (aspect.level == Level::Good)
-    aspect.summary = message("reads-as-printed", with::cause("facing", how), with::term("process", printed.process));
+    aspect.summary = message("reads-as-printed", with::cause("facing", how), with::cause("printing", by));
   else if (aspect.level == Level::Barely)
-    aspect.summary =
-        message("barely-reads-as-printed", with::cause("facing", how), with::term("process", printed.process));
+    aspect.summary = message("barely-reads-as-printed", with::cause("facing", how), with::cause("printing", by));
   else
-    aspect.summary =
-        message("reads-not-as-printed", with::cause("facing", how), with::term("process", printed.process));
+    aspect.summary = message("reads-not-as-printed", with::cause("facing", how), with::cause("printing", by));
   aspect.reasons.push_back(message("tries-on-printed-pictures", with::count("reads", count.reads),
                                    with::count("tries", count.tries), with::count("needed", count.needed())));
   if (hangs) aspect.reasons.push_back(message("faces-down"));
@@ -107,7 +123,7 @@ Aspect judgePrinting(const CarvedFeatures& features, const Printer& printer, dou
                      const PrintedEvidence* printed, const std::string& wanted) {
   Aspect aspect;
   aspect.reasons = advisePrinting(features, printer, minWallMm);
-  if (printed) return judgePrinted(*printed, wanted, std::move(aspect.reasons));
+  if (printed) return judgePrinted(*printed, printer, wanted, std::move(aspect.reasons));
   if (aspect.reasons.empty()) {
     aspect.summary = message("prints", with::lengthMm("nozzle", printer.nozzleMm));
     const double layers = features.leastDepthMm / printer.layerMm;

@@ -41,7 +41,7 @@ struct ReadingEvidence {
   bool traced = false;  ///< the pictures' light was traced on the mesh; else drawn by the GPU
 };
 
-/// What decoders made of pictures of the surface that a printer leaves (pipeline/printed_view.h).
+/// What decoders made of frontalPictures() of the surface that a printer leaves (pipeline/printed_view.h).
 struct PrintedEvidence {
   ReadingEvidence reading;
   std::string process;   ///< how it was printed: the name of one of namedPrinters()
@@ -52,7 +52,8 @@ struct PrintedEvidence {
 ///
 /// - It reads if at least ReadingCount::needed() tries succeed and none gives another text. It barely reads if fewer
 ///   do, or if a verifier would grade it F (ISO/IEC 29158).
-/// - It prints if it still reads as the printer leaves it, by the same rule. Where that was not found out, it prints if
+/// - It prints if it still reads as the printer leaves it, by the same rule. It barely prints if at least one in six
+///   tries succeeds; fewer are luck. Where that was not found out, it prints if
 ///   nothing of what published prints say stands against it (verification/printability.h). Either is advice and no
 ///   check: it passes always.
 /// - It is a solid if the whole file is closed, manifold and free of crossing triangles, but for those that the model

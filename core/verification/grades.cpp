@@ -231,6 +231,10 @@ void gradeIso29158(SymbolGrades& grades, const ModuleReflectances& measured, con
 
 }  // namespace
 
+std::vector<std::uint8_t> misreadModules(const ModuleReflectances& measured) {
+  return wrongModules(measured, separation(symbolValues(measured)));
+}
+
 ModuleReflectances measureModules(const Symbol& symbol, const std::vector<double>& submodules) {
   const int edge = symbol.size + 2 * kQuietZoneModules;
   assert(submodules.size() == static_cast<std::size_t>(edge * edge * kN * kN));

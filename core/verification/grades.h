@@ -22,6 +22,10 @@ struct ModuleReflectances {
 /// @param submodules  linear; symbol and quiet zone, 5 × 5 a module, row-major from the quiet zone's top left
 ModuleReflectances measureModules(const Symbol& symbol, const std::vector<double>& submodules);
 
+/// Which modules of a symbol a verifier takes for the other colour, with the threshold of ISO/IEC 29158 for the whole.
+/// @returns row-major from the upper left, 1 = taken for the other colour
+std::vector<std::uint8_t> misreadModules(const ModuleReflectances& measured);
+
 struct Grade {
   double value = 0;  ///< in the parameter's own unit
   double grade = 0;  ///< 4 = A … 0 = F

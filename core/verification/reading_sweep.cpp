@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "qr/module_pattern.h"
+#include "qr/symbol.h"
 #include "verification/reading_variants.h"
 #include "verification/resample.h"
 #include "verification/view_trials.h"
@@ -163,6 +165,25 @@ ReadingSummary ReadingSweep::summary() const {
     return allRead(ReadingTest::Blur, [&](const ReadingView& v) { return v.blurModules == blur; });
   });
   return summary;
+}
+
+std::vector<double> submoduleLight(const BakedLight& light, int modules) {
+  constexpr int kN = kSubmodulesPerModule, kPerSubmodule = kBakedPixels / kN;
+  const int edge = kN * (modules + 2 * kQuietZoneModules), texels = light.options().texels;
+  const int margin = kBakedPixels * (kPictureMarginModules - kQuietZoneModules);
+  std::vector<double> means;
+  for (int row = 0; row < edge; ++row)
+    for (int column = 0; column < edge; ++column) {
+      double sum = 0;
+      for (int k = 0; k < kPerSubmodule * kPerSubmodule; ++k) {
+        const int y = texels - 1 - margin - kPerSubmodule * row - k / kPerSubmodule;
+        const int x = margin + kPerSubmodule * column + k % kPerSubmodule;
+        const double sky = light.light()[static_cast<std::size_t>(y * texels + x)].sky;
+        sum += sky < 0 ? 1 : sky;
+      }
+      means.push_back(sum / (kPerSubmodule * kPerSubmodule));
+    }
+  return means;
 }
 
 }  // namespace qrelief

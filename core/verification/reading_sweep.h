@@ -85,6 +85,12 @@ class ReadingSweep {
 /// Texels of the bake, and pixels of the pictures before they are resampled, along a module's edge.
 inline constexpr int kBakedPixels = 10;
 
+/// Means over the submodules of symbol and quiet zone, row-major from the quiet zone's top left. What lies beside the
+/// model counts as open.
+/// @param light    baked at kBakedPixels a module, with the margin of a picture
+/// @param modules  along the symbol's edge
+std::vector<double> submoduleLight(const BakedLight& light, int modules);
+
 /// Modules that the pictures show beyond the symbol on each side: quiet zone and something else.
 inline constexpr int kPictureMarginModules = 6;
 

@@ -70,7 +70,7 @@ TEST_F(PrintedViewTest, WhatThePrinterLeavesIsSeenDarkWhereTheCodeIsDark) {
   const int modules = plate.request.symbol.size, edge = modules + 2 * 6;  // six modules beside the symbol are seen
   auto job = PrintedViewJob::create(plate.mesh, {.process = *processOf({}),
                                                  .frame = plate.request.frame,
-                                                 .modules = modules,
+                                                 .symbol = plate.request.symbol,
                                                  .symbolMm = plate.request.symbolMm,
                                                  .buildUp = {0, 1, 1}});
   ASSERT_TRUE(job);

@@ -146,10 +146,18 @@ TEST_F(VerdictTest, AsPrintedItReadsBarelyReadsOrDoesNotAndPassesAsAdvice) {
   EXPECT_EQ(facing(barely), "facing-aside");
   EXPECT_GT(barely.reasons.size(), 1u) << "advice, too";
   EXPECT_FALSE(barely.remedies.empty());
-  const Aspect bad = printed(0, 45);
+  EXPECT_EQ(printed(12, 0).level, Level::Barely);
+  const Aspect bad = printed(11, 45);
   EXPECT_EQ(bad.level, Level::Bad);
   EXPECT_EQ(bad.summary.code, "reads-not-as-printed");
   EXPECT_EQ(facing(bad), "facing-slanted");
+  const auto made = [](const Aspect& aspect) { return aspect.summary.values.at(1).cause.front().code; };
+  EXPECT_EQ(made(bad), "printed-by-nozzle");
+  request_.printer = namedPrinters()[4].printer;
+  EXPECT_EQ(made(printed(72, 0)), "printed-in-resin");
+  request_.printer = namedPrinters()[5].printer;
+  EXPECT_EQ(made(printed(72, 0)), "printed-in-powder");
+  request_.printer = {};
   const Aspect down = printed(72, 170);  // no simulation shows how it sags there
   EXPECT_EQ(facing(down), "facing-down");
   EXPECT_EQ(down.level, Level::Barely);

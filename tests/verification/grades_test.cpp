@@ -57,6 +57,18 @@ TEST_F(SymbolGradesTest, BlackOnWhiteIsBestInEverything) {
   EXPECT_EQ(grades.iso29158, 4);
 }
 
+TEST_F(SymbolGradesTest, AModuleIsMisreadIfItIsNearerToTheOtherColour) {
+  ModuleReflectances measured = ideal(0.9, 0.1);
+  EXPECT_EQ(misreadModules(measured), std::vector<std::uint8_t>(symbol_.dark.size(), 0));
+  ASSERT_TRUE(symbol_.isDark(0, 3));
+  ASSERT_FALSE(symbol_.isDark(1, 3));
+  set(measured, 0, 3, 0.8);
+  set(measured, 1, 3, 0.2);
+  std::vector<std::uint8_t> expected(symbol_.dark.size(), 0);
+  expected[3] = expected[static_cast<std::size_t>(symbol_.size) + 3] = 1;
+  EXPECT_EQ(misreadModules(measured), expected);
+}
+
 TEST_F(SymbolGradesTest, ContrastIsGradedByTheStandardsBounds) {
   for (const auto& [dark, sc, cc] : {std::tuple{0.29, 4, 4},
                                      {0.31, 3, 4},

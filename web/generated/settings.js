@@ -60,7 +60,17 @@ export const kSettings = {
   nozzleMm: {"group":"printing","kind":"number","unit":"mm","min":0.01,"max":10.0,"step":0.05,"default":0.4,"since":"0.1.0","label":{"de":"Düse","en":"Nozzle"}},
   layerMm: {"group":"printing","kind":"number","unit":"mm","min":0.01,"max":1.0,"step":0.01,"default":0.2,"since":"0.1.0","label":{"de":"Schicht","en":"Layer"}},
   lineWidthMm: {"group":"printing","kind":"number","unit":"mm","min":0.01,"max":10.0,"step":0.05,"mayBeEmpty":true,"default":null,"since":"0.2.0","label":{"de":"Linienbreite","en":"Line width"}},
-  buildUp: {"group":"printing","kind":"vector","default":[0.0,0.0,1.0],"since":"0.2.0","label":{"de":"Oben im Drucker","en":"Up on the printer"}},
+  buildUp: {"group":"printing","kind":"choice-or-vector","choices":["as-modelled","code-up","code-upright"],"default":"as-modelled","since":"0.2.0","label":{"de":"Oben im Drucker","en":"Up on the printer"},"choiceNames":{"as-modelled":{"de":"Wie in seiner Datei","en":"As in its file"},"code-up":{"de":"Liegend, der Code schaut nach oben","en":"Lying, the code looks up"},"code-upright":{"de":"Stehend, der Code wie eine Wand","en":"Standing, the code like a wall"},"vector":{"de":"Angegeben","en":"Given"}}},
+};
+
+/** @type {Readonly<Record<string, { nozzleMm: number, layerMm: number }>>} */
+export const kProcesses = {
+  'fdm-0.4/0.2': {"nozzleMm":0.4,"layerMm":0.2},
+  'fdm-0.4/0.12': {"nozzleMm":0.4,"layerMm":0.12},
+  'fdm-0.25/0.1': {"nozzleMm":0.25,"layerMm":0.1},
+  'fdm-0.6/0.3': {"nozzleMm":0.6,"layerMm":0.3},
+  'resin-0.05': {"nozzleMm":0.05,"layerMm":0.05},
+  'powder': {"nozzleMm":0.1,"layerMm":0.1},
 };
 
 /** @type {Readonly<Record<string, Words>>} */

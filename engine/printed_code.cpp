@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/printed_code.h"
+
+#include <utility>
+
+#include "io/read_model.h"
+#include "verification/frontal_reading.h"
+
+namespace qrelief {
+namespace {
+
+Vec3 vectorOf(const Json& json) { return {json[0].get<double>(), json[1].get<double>(), json[2].get<double>()}; }
+
+PrintedViewRequest requestOf(const Json& order) {
+  PrintedViewRequest request;
+  const Json& process = order["process"];
+  request.process = {.layerMm = process["layerMm"],
+                     .cornerRadiusMm = process["cornerRadiusMm"],
+                     .pocketRadiusMm = process["pocketRadiusMm"],
+                     .thinnestWallMm = process["thinnestWallMm"],
+                     .thinnestLineMm = process["thinnestLineMm"],
+                     .grooveMm = process["grooveMm"],
+                     .grainMm = process["grainMm"],
+                     .finestMm = process["finestMm"]};
+  const Json& frame = order["frame"];
+  request.frame = {vectorOf(frame["centre"]), vectorOf(frame["right"]), vectorOf(frame["up"]),
+                   vectorOf(frame["normal"]), frame["eyeDistanceMm"]};
+  request.symbol.size = order["modules"];
+  request.symbol.dark = order["dark"].get<std::vector<std::uint8_t>>();
+  request.symbolMm = order["symbolMm"];
+  request.buildUp = vectorOf(order["buildUp"]);
+  request.albedo = order["albedo"];
+  return request;
+}
+
+}  // namespace
+
+Json jsonOf(const PrintedViewRequest& request) {
+  const PrintProcess& process = request.process;
+  const ProjectionFrame& frame = request.frame;
+  return {{"process",
+           {{"layerMm", process.layerMm},
+            {"cornerRadiusMm", process.cornerRadiusMm},
+            {"pocketRadiusMm", process.pocketRadiusMm},
+            {"thinnestWallMm", process.thinnestWallMm},
+            {"thinnestLineMm", process.thinnestLineMm},
+            {"grooveMm", process.grooveMm},
+            {"grainMm", process.grainMm},
+            {"finestMm", process.finestMm}}},
+          {"frame",
+           {{"centre", jsonOf(frame.centre)},
+            {"right", jsonOf(frame.right)},
+            {"up", jsonOf(frame.up)},
+            {"normal", jsonOf(frame.normal)},
+            {"eyeDistanceMm", frame.eyeDistance}}},
+          {"modules", request.symbol.size},
+          {"dark", request.symbol.dark},
+          {"symbolMm", request.symbolMm},
+          {"buildUp", jsonOf(request.buildUp)},
+          {"albedo", request.albedo}};
+}
+
+std::string PrintedCode::start(std::vector<std::uint8_t> stl, const std::string& order) {
+  const auto soup = readModel(std::exchange(stl, {}), "carved.stl");
+  if (!soup) return answer(soup.error());
+  auto mesh = meshAsFound(*soup, 1);
+  if (!mesh) return answer(mesh.error());
+  carved_ = std::move(*mesh);
+  view_ = {};
+  const PrintedViewRequest request = requestOf(Json::parse(order));
+  modules_ = request.symbol.size;
+  auto job = PrintedViewJob::create(carved_, request);
+  if (!job) return answer(job.error());
+  job_ = std::move(*job);
+  return answer(Progress{message("printing"), 0, false});
+}
+
+std::string PrintedCode::advance() {
+  if (!job_) return answer(ErrorKind::BadUsage, message("nothing-engraved"));
+  const auto progress = job_->advance();
+  if (!progress || progress->done) {
+    carved_ = {};
+    if (progress) view_ = job_->takeResult();
+    job_.reset();
+  }
+  if (!progress) return answer(progress.error());
+  if (!progress->done) return answer(*progress);
+  Json misread = Json::array();
+  for (std::size_t i = 0; i < view_.misread.size(); ++i)
+    if (view_.misread[i] != 0) misread.push_back({static_cast<int>(i) / modules_, static_cast<int>(i) % modules_});
+  Json said = Json::parse(answer(*progress));
+  said["facingDeg"] = view_.facingDeg;
+  said["misread"] = std::move(misread);
+  return textOf(said);
+}
+
+std::vector<GreyImage> PrintedCode::readingPictures() const {
+  const ReaderView& seen = view_.seen;
+  if (seen.luminance.empty()) return {};
+  return frontalPictures(seen.luminance, seen.clean.width, seen.pixelsPerModule);
+}
+
+}  // namespace qrelief

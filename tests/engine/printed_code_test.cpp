@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/printed_code.h"
+
+#include "engine/engine.h"
+#include "io/write_stl.h"
+#include "native/read_carving.h"
+#include "support/gl_test.h"
+#include "support/shapes.h"
+
+namespace qrelief {
+namespace {
+
+class PrintedCodeTest : public GlTest {
+ protected:
+  void SetUp() override {
+    engine_ = std::make_unique<Engine>();
+    engine_->resize(400, 300, 1);
+    engine_->loadModel(writeStl(shapes::box({60, 50, 20})), "box.stl", 1);
+    engine_->setCentre(0, 0, 10);
+  }
+  void carve(double sizeMm, const std::string& process) {
+    const Json settings = {{"text", "QRELIEF"}, {"version", 1}, {"size", sizeMm}, {"process", process}};
+    engine_->configure(settings.dump());
+    ASSERT_EQ(Json::parse(engine_->startEngrave())["ok"], true);
+    for (Json progress; progress["done"] != true;) {
+      progress = Json::parse(engine_->advance());
+      ASSERT_EQ(progress["ok"], true) << progress;
+    }
+  }
+  /// @returns the last answer
+  Json print(PrintedCode& print) const {
+    const Json order = Json::parse(engine_->printOrder())["order"];
+    Json said = Json::parse(print.start(engine_->carvings().result()->stl, order.dump()));
+    double before = 0;
+    while (said["ok"] == true && said["done"] != true) {
+      EXPECT_GE(said["fraction"].get<double>(), before);
+      before = said["fraction"];
+      said = Json::parse(print.advance());
+    }
+    return said;
+  }
+
+  std::unique_ptr<Engine> engine_;
+};
+
+TEST_F(PrintedCodeTest, TheWorkerBesideTheEngineSeesWhatTheCommandSees) {
+  carve(25.2, "fdm-0.4/0.2");
+  PrintedCode printed;
+  EXPECT_TRUE(printed.readingPictures().empty());
+  const Json said = print(printed);
+  ASSERT_EQ(said["ok"], true) << said;
+  EXPECT_NEAR(said["facingDeg"].get<double>(), 0, 1e-9);
+
+  const Carvings& carvings = engine_->carvings();
+  auto request = printedViewOf(verifyRequestOf(carvings.request(), *carvings.result()));
+  ASSERT_TRUE(request && *request);
+  auto job = PrintedViewJob::create(carvings.result()->mesh, **request);
+  ASSERT_TRUE(job);
+  const auto view = runToEnd(**job);
+  ASSERT_TRUE(view);
+  // The file holds 32-bit coordinates, as the mesh does: the same surface, the same picture.
+  EXPECT_EQ(printed.picture().pixels, view->seen.clean.pixels);
+  EXPECT_FALSE(printed.readingPictures().empty());
+}
+
+TEST_F(PrintedCodeTest, ItSaysWhichModulesThePrintHasLost) {
+  carve(25.2, "fdm-0.4/0.2");
+  PrintedCode printed;
+  const std::size_t lostOfLarge = print(printed)["misread"].size();
+  carve(7, "fdm-0.4/0.2");  // modules of a third of a millimetre
+  const Json said = print(printed);
+  EXPECT_LT(lostOfLarge, 4u);
+  EXPECT_GT(said["misread"].size(), 10u);
+  for (const Json& module : said["misread"])
+    for (const Json& place : module) {
+      EXPECT_GE(place.get<int>(), 0);
+      EXPECT_LT(place.get<int>(), 21);
+    }
+}
+
+TEST_F(PrintedCodeTest, WhatWasReadOfThePrintIsInTheReportOfThatCarving) {
+  carve(25.2, "fdm-0.4/0.2");
+  EXPECT_TRUE(Json::parse(engine_->report())["verification"]["printed"].is_null());
+  const int first = engine_->carving();
+  EXPECT_EQ(Json::parse(engine_->setPrintedReadings(R"(["QRELIEF", ""])", 0))["ok"], true);
+  const Json report = Json::parse(engine_->report())["verification"];
+  EXPECT_EQ(report["printed"]["process"], "fdm-0.4/0.2");
+  EXPECT_EQ(report["printed"]["tries"], 2);
+  EXPECT_EQ(report["printed"]["reads"], 1);
+  EXPECT_EQ(report["verdict"]["prints"]["level"], "good");
+  carve(25.2, "resin-0.05");
+  EXPECT_TRUE(Json::parse(engine_->report())["verification"]["printed"].is_null());
+  ASSERT_TRUE(engine_->useCarving(first));
+  EXPECT_EQ(Json::parse(engine_->report())["verification"]["printed"]["reads"], 1);
+}
+
+TEST_F(PrintedCodeTest, WithoutAProcessNothingIsToBePrinted) {
+  EXPECT_EQ(Json::parse(engine_->printOrder())["ok"], false);  // nothing is carved yet
+  carve(25.2, "none");
+  const Json order = Json::parse(engine_->printOrder());
+  EXPECT_EQ(order["ok"], true);
+  EXPECT_TRUE(order["order"].is_null());
+  EXPECT_EQ(Json::parse(engine_->setPrintedReadings(R"(["QRELIEF"])", 0))["ok"], false);
+}
+
+TEST_F(PrintedCodeTest, AFileThatIsNoModelIsAnError) {
+  PrintedCode printed;
+  EXPECT_EQ(Json::parse(printed.start({1, 2, 3}, "{}"))["ok"], false);
+  EXPECT_EQ(Json::parse(printed.advance())["ok"], false);
+}
+
+}  // namespace
+}  // namespace qrelief
