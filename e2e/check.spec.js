@@ -4,6 +4,7 @@ import { Engraver } from './support/engraver.js';
 import { blindReaders } from './support/workers.js';
 
 const kText = 'Grüße ☕';
+const kPrinted = { timeout: 60_000 };  // the print is simulated
 
 test('The verdict says in three lines that a good carving reads, prints and is solid', async ({ page }) => {
   const app = new Engraver(page);
@@ -16,7 +17,7 @@ test('The verdict says in three lines that a good carving reads, prints and is s
   const lines = app.result.getByRole('list', { name: 'Verdict' }).getByRole('listitem');
   await expect(lines).toHaveCount(3);
   await expect(lines.nth(0)).toContainText(/Reads as Grüße ☕\s*\d+ of 72 tries on simulated phone pictures read it, 29 are needed\. \d+ % of the error correction is left\./);
-  await expect(lines.nth(1)).toContainText(/Prints with your 0\.4 mm nozzle\s*Pockets [\d.]+ mm wide, \d+ layers deep at least\./);
+  await expect(lines.nth(1)).toContainText(/Reads as printed, facing up \(0\.4 mm nozzle, 0\.2 mm layers\)\s*\d+ of 72 tries on simulated phone pictures of the printed surface read it, 29 are needed\./, kPrinted);
   await expect(lines.nth(2)).toContainText(/Solid\s*Closed and manifold, \d+ triangles\./);
   await expect(lines.getByRole('button')).toHaveCount(0);
   await expect(page.locator('#check-state')).toHaveText('Reads, prints, solid');
@@ -61,7 +62,7 @@ test('A carving too fine for the nozzle comes with remedies, of which one click 
   await app.expectReady();
   await app.engrave();
   const line = app.result.getByRole('list', { name: 'Verdict' }).getByRole('listitem').nth(1);
-  await expect(line).toContainText('May not print with your 1.2 mm nozzle');
+  await expect(line).toContainText('Does not read as printed, facing up (1.2 mm nozzle, 0.2 mm layers)', kPrinted);
   await expect(page.locator('#check-state')).toHaveText('Reads, but may not print');
   const before = await app.placement.innerText();
   await line.getByRole('button', { name: /^Allow \d+ mm$/ }).click();
@@ -72,7 +73,7 @@ test('A carving too fine for the nozzle comes with remedies, of which one click 
   await line.getByRole('button', { name: 'Use a 0.6 mm nozzle' }).click();
   await expect(app.setting('Nozzle (mm)')).toHaveValue('0.6');
   await app.engrave();
-  await expect(line).toContainText('Prints with your 0.6 mm nozzle');
+  await expect(line).toContainText(/Reads as printed, facing up \(0\.6 mm nozzle, 0\.2 mm layers\)/, kPrinted);
 });
 
 test('A code that no reader finds is carved by the next deeper preset, and undone in one', async ({ page }) => {

@@ -27,6 +27,8 @@ const kSettings = /** @type {Record<string, { value: string | boolean, saved: Re
   contrast: { value: '0.28', saved: { contrast: 0.28 }, reported: ({ depth }) => depth.contrast },
   'min-wall': { value: '1.5', saved: { minWallMm: 1.5 } },
   'max-depth': { value: '1.4', saved: { maxDepthMm: 1.4 } },
+  process: { value: 'resin-0.05', saved: { process: 'resin-0.05' } },
+  'build-up': { value: 'code-up', saved: { buildUp: 'code-up' } },
   nozzle: { value: '0.3', saved: { nozzleMm: 0.3 }, reported: ({ depth }) => depth.features.nozzleMm },
   layer: { value: '0.08', saved: { layerMm: 0.08 }, reported: ({ depth }) => depth.features.layerMm },
 });

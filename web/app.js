@@ -12,6 +12,7 @@ import { Inspecting } from './session/inspecting.js';
 import { Jobs } from './session/jobs.js';
 import { ModelSession } from './session/model_session.js';
 import { Placing } from './session/placing.js';
+import { Printing } from './session/printing.js';
 import { Preparing } from './session/preparing.js';
 import { Recovery } from './session/recovery.js';
 import { Session } from './session/session.js';
@@ -209,6 +210,7 @@ export class App {
     const panel = new ResultPanel({
       onDownload: (format) => this.guard_(() => this.carving_.download(format)),
       onSaveReport: () => this.guard_(() => this.carving_.saveReport()),
+      onPrint: (wanted) => this.carving_.print(wanted),
       onRemedy: (remedy, label) => this.guard_(() => this.session_.remedy(remedy, label)),
       onTryViews: async (...options) => {
         /** @type {import('./engine/types.js').ViewTrials | undefined} */ let trials;
@@ -220,12 +222,14 @@ export class App {
     });
     return new Carving({
       client: this.client_, jobs: this.jobs_, model: this.model_, placing: this.placing_, messages: this.messages_, panel,
+      printing: new Printing({ client: this.client_ }),
       work: () => this.session_.work(),
       settings: () => this.session_.settings(),
       write: (values) => this.session_.write({ text: this.code_.text, values }),
       onStart: () => this.spotsPanel_.setSizesShown(false),
       onDone: () => this.undo_.record(),
       onShown: (exists, shown) => this.session_.noteCarved(exists, shown),
+      onPrinted: () => this.session_.notePrinted(),
     });
   }
 

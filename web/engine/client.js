@@ -205,6 +205,17 @@ export class EngineClient {
    */
   setReadings(texts, reader) { return this.call_('setReadings', texts, reader); }
 
+  /** What makes the carving's print; null: none is asked for. @returns {Promise<import('./types.js').PrintJob | null>} */
+  printJob() { return this.call_('printJob'); }
+
+  /**
+   * @param {number} number     of the carving that was printed
+   * @param {string[]} texts    what each try on the print's pictures read, '' if nothing
+   * @param {number} facingDeg  see Print
+   * @returns {Promise<import('./types.js').Report | null>}  with the print in it; null if another carving is there now
+   */
+  setPrintedReadings(number, texts, facingDeg) { return this.call_('setPrintedReadings', number, texts, facingDeg); }
+
   /** From where else the code reads: how many pictures there are at most. @returns {Promise<number>} */
   startViewTrials() { return this.call_('startViewTrials'); }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Owns the module and its canvas, in the worker or, where there is no OffscreenCanvas, in the page.
+import { copyOf, parseAnswer } from './answers.js';
 import { EngineFailure, describeThrown, internal } from './engine_error.js';
 import { drawGlyphs } from './glyphs.js';
 import { message } from './message.js';
@@ -20,17 +21,6 @@ const kSettleSliceMs = 8;  // while the pointer may move on
 
 /** @type {WebGLContextAttributes} */
 const kContextAttributes = { antialias: false, alpha: false, depth: false, stencil: false, powerPreference: 'high-performance' };
-
-/**
- * The module's answer as a value; a failure is thrown.
- * @param {string} json
- * @returns {any}
- */
-function parseAnswer(json) {
-  const answer = JSON.parse(json);
-  if (answer.ok === false || answer.error) throw new EngineFailure(answer.error);
-  return answer;
-}
 
 /**
  * Lets waiting messages be handled; unlike a timer it is not throttled and costs microseconds.
@@ -211,6 +201,17 @@ export class EngineHost {
     readingPictures: () => this.engine_.readingPictures().map(copyOf),
     /** @param {string[]} texts @param {string} reader */
     setReadings: (texts, reader) => parseAnswer(this.engine_.setReadings(JSON.stringify(texts), reader)),
+    /** @returns {import('./types.js').PrintJob | null} */
+    printJob: () => {
+      const { order } = parseAnswer(this.engine_.printOrder());
+      return order && { order, stl: this.engine_.exportModel('stl').slice() };
+    },
+    /** @param {number} number  of the carving @param {string[]} texts @param {number} facingDeg */
+    setPrintedReadings: (number, texts, facingDeg) => {
+      if (this.engine_.carving() !== number) return null;
+      parseAnswer(this.engine_.setPrintedReadings(JSON.stringify(texts), facingDeg));
+      return parseAnswer(this.engine_.report());
+    },
     startViewTrials: () => parseAnswer(this.engine_.startViewTrials()).all,
     viewTrialPictures: () => this.engine_.viewTrialPictures().map(copyOf),
     /** @param {boolean} read */
@@ -446,9 +447,6 @@ export class EngineHost {
   }
 }
 
-/** One that can be handed over. @param {import('./types.js').GreyImage} image */
-const copyOf = ({ width, height, pixels }) => ({ width, height, pixels: pixels.slice() });
-
 /** @param {HTMLCanvasElement | OffscreenCanvas} canvas @returns {Promise<Blob>} */
 function canvasAsPng(canvas) {
   if (!('toBlob' in canvas)) return canvas.convertToBlob({ type: 'image/png' });
@@ -464,6 +462,7 @@ function canvasAsPng(canvas) {
  */
 export function transferables(value) {
   if (value instanceof Uint8Array) return [value.buffer];
+  if (value?.stl instanceof Uint8Array) return [value.stl.buffer];
   if (value?.pixels instanceof Uint8Array) return [value.pixels.buffer];
   return [];
 }

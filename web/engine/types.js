@@ -117,6 +117,21 @@
  * @property {{ total: number } & Record<string, number>} timingsMs
  */
 
+/** @typedef {{ order: object, stl: Uint8Array<ArrayBuffer> }} PrintJob  the carved model, and what is to be made of it */
+/**
+ * A carved code as the printer leaves it.
+ * @typedef {{ facingDeg: number, misread: [number, number][], pictures: GreyImage[], picture: GreyImage }} Print
+ *   `facingDeg` between the code's normal and the printer's vertical; `misread`: row and column of the modules that the print
+ *   has lost; `pictures` for readers; `picture`: the symbol from the front with 6 modules around it
+ */
+
+/**
+ * How far the print of a carving is.
+ * @typedef {{ state: 'none' } | { state: 'made', print: Print } | { state: 'under-way', fraction: number } | { state: 'stopped' } |
+ *   { state: 'failed', error: EngineError }} Printed
+ *   none: it is not asked for
+ */
+
 /**
  * How the module answers a verb: its value, or what went wrong.
  * @typedef {{ ok: false, error: EngineError }} Failure
@@ -156,6 +171,8 @@
  * @property {(name: JobMapName) => JobMap | null} jobMap
  * @property {() => GreyImage[]} readingPictures
  * @property {(texts: string, reader: string) => string} setReadings
+ * @property {() => string} printOrder
+ * @property {(texts: string, facingDeg: number) => string} setPrintedReadings
  * @property {() => string} startViewTrials
  * @property {() => GreyImage[]} viewTrialPictures
  * @property {(read: boolean) => string} noteViewTrial
@@ -189,6 +206,15 @@
  */
 
 /**
+ * The class `PrintedCode` of the module: makes one print, and needs no canvas.
+ * @typedef {object} PrintedCode
+ * @property {(stl: Uint8Array, order: string) => string} start
+ * @property {() => string} advance
+ * @property {() => GreyImage[]} readingPictures
+ * @property {() => GreyImage} picture
+ */
+
+/**
  * Emscripten's tables from the names C++ has to WebGL's objects; null where one was deleted.
  * @typedef {Record<'buffers' | 'programs' | 'framebuffers' | 'renderbuffers' | 'textures' | 'shaders' | 'vaos' | 'queries' | 'syncs',
  *   (object | null)[]>} GlTables
@@ -197,6 +223,7 @@
 /**
  * @typedef {object} QReliefModule
  * @property {new () => Engine} Engine
+ * @property {new () => PrintedCode} PrintedCode
  * @property {{ registerContext: (gl: WebGL2RenderingContext, attributes: { majorVersion: number }) => number,
  *   makeContextCurrent: (handle: number) => boolean } & GlTables} GL
  * @property {Uint8Array} HEAPU8

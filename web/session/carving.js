@@ -21,29 +21,33 @@ import { sameWork } from './work.js';
  * @property {import('./placing.js').Placing} placing
  * @property {import('../ui/messages.js').Messages} messages
  * @property {import('../ui/result_panel.js').ResultPanel} panel
+ * @property {import('./printing.js').Printing} printing
  * @property {() => Work} work
  * @property {() => import('../engine/types.js').Settings} settings  of the work
  * @property {(values: Work['values']) => void} write  into the controls
  * @property {() => void} onStart
  * @property {() => void} onDone
  * @property {(exists: boolean, shown: boolean) => void} onShown  whether there is a carved model, and whether it is seen
+ * @property {() => void} onPrinted  the print of the carved model was made
  */
 
 export class Carving {
   /** @param {CarvingOptions} options */
-  constructor({ client, jobs, model, placing, messages, panel, work, settings, write, onStart, onDone, onShown }) {
+  constructor({ client, jobs, model, placing, messages, panel, printing, work, settings, write, onStart, onDone, onShown, onPrinted }) {
     this.client_ = client;
     this.jobs_ = jobs;
     this.model_ = model;
     this.placing_ = placing;
     this.messages_ = messages;
     this.panel_ = panel;
+    this.printing_ = printing;
     this.work_ = work;
     this.settings_ = settings;
     this.write_ = write;
     this.onStart_ = onStart;
     this.onDone_ = onDone;
     this.onShown_ = onShown;
+    this.onPrinted_ = onPrinted;
     /** @type {Carved | undefined} */ this.carved = undefined;
     this.shown = false;
     this.life_ = 0;
@@ -86,6 +90,7 @@ export class Carving {
   /** Nothing is carved any more. */
   async drop() {
     this.carved = undefined;
+    this.printing_.stop();
     this.panel_.hide();
     await this.show(false);
   }
@@ -106,10 +111,12 @@ export class Carving {
       await this.drop();
       return false;
     }
+    this.printing_.stop();
     this.carved = carved;
     this.panel_.show(carved);
     this.compare();
     await this.show(sameWork(carved.made, this.work_()));
+    if (carved.printed?.state !== 'made') this.print(true);
     return true;
   }
 
@@ -204,6 +211,24 @@ export class Carving {
     this.panel_.show(this.carved);
     this.panel_.reveal();
     this.onDone_();
+    this.print(true);
+  }
+
+  /** @param {boolean} wanted  whether the print of what is carved is to be made now, or is to be given up */
+  print(wanted) {
+    const { carved } = this;
+    if (!wanted || !carved) {
+      this.printing_.stop();
+      return;
+    }
+    carved.printed = undefined;
+    void this.printing_.begin(carved.number, (printed, report) => {
+      carved.printed = printed;
+      if (report) carved.report = report;
+      if (this.carved !== carved) return;
+      this.panel_.update();
+      if (report) this.onPrinted_();
+    });
   }
 
   /** @type {import('../ui/grades_panel.js').ViewTrier} */

@@ -26,6 +26,8 @@ class FakeReader {
 /** @type {Record<string, string>} */ let values;
 /** @type {[boolean, boolean][]} */ let shown;
 /** @type {Jobs} */ let jobs;
+/** @type {any} */ let printing;
+/** @type {number} */ let printsSeen;
 /** @type {Carving} */ let carving;
 const made = () => carving.carved;
 const { Worker: realWorker } = globalThis;
@@ -55,13 +57,15 @@ beforeEach(() => {
   placing.answers.placement = { symbolMm: 20 };
   Object.defineProperty(placing, 'placement', { get: () => placing.answers.placement });
   panel = fake();
+  printing = fake();
+  printsSeen = 0;
   messages = new FakeMessages();
   jobs = new Jobs({ panel: fake(), messages: /** @type {any} */ (messages), onBusy: () => {} });
   carving = new Carving({
     client, jobs, placing, panel, messages: /** @type {any} */ (messages), model: /** @type {any} */ ({ engravable: true }),
     work: () => /** @type {any} */ ({ text: kText, values, centreMm: undefined }), settings: () => /** @type {any} */ ({}),
     write: (now) => void (values = /** @type {any} */ (now)), onStart: () => {}, onDone: () => {},
-    onShown: (exists, seen) => void shown.push([exists, seen]),
+    onShown: (exists, seen) => void shown.push([exists, seen]), printing, onPrinted: () => void (printsSeen += 1),
   });
 });
 
@@ -173,4 +177,44 @@ test('Cancelled while it is carved deeper, what was asked for stays, as it was c
   values = { preset: 'balanced' };
   await carving.engrave();
   assert.equal(made()?.made.values.preset, 'balanced');
+});
+
+test('The print begins once the result is there, and what it comes to is in the result', async () => {
+  /** @type {any} */ let tell;
+  printing.answers.begin = async (/** @type {number} */ _, /** @type {any} */ told) => void (tell = told);
+  await carving.engrave();
+  assert.ok(panel.calls.includes('reveal'));
+  tell({ state: 'under-way', fraction: 0.5 });
+  assert.deepEqual(made()?.printed, { state: 'under-way', fraction: 0.5 });
+  assert.equal(printsSeen, 0);
+  const report = /** @type {any} */ ({ text: kText, verification: {} });
+  tell({ state: 'made', print: {} }, report);
+  assert.equal(made()?.report, report);
+  assert.equal(printsSeen, 1);
+});
+
+test('The print of what was replaced is told to what was replaced', async () => {
+  /** @type {any[]} */ const tells = [];
+  printing.answers.begin = async (/** @type {number} */ _, /** @type {any} */ told) => void tells.push(told);
+  await carving.engrave();
+  const first = carving.carved;
+  await carving.engrave();
+  const second = carving.carved;
+  const updates = panel.calls.filter((/** @type {string} */ call) => call === 'update').length;
+  tells[0]({ state: 'stopped' });
+  assert.deepEqual(first?.printed, { state: 'stopped' });
+  assert.equal(second?.printed, undefined);
+  assert.equal(panel.calls.filter((/** @type {string} */ call) => call === 'update').length, updates);
+});
+
+test('What comes back without its print is printed again, what has one is not', async () => {
+  await carving.engrave();
+  const { carved } = carving;
+  const begun = () => printing.calls.filter((/** @type {string} */ call) => call.startsWith('begin')).length;
+  assert.equal(begun(), 1);
+  await carving.restore(carved);
+  assert.equal(begun(), 2);
+  if (carved) carved.printed = /** @type {any} */ ({ state: 'made', print: {} });
+  await carving.restore(carved);
+  assert.equal(begun(), 2);
 });

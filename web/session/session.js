@@ -217,8 +217,16 @@ export class Session {
     this.parts_.toolbar.setCarved(exists, shown);
     this.parts_.tools.reader.show(shown ? this.parts_.carving.carved?.report.verification.text : undefined);
     this.parts_.tools.set({ carved: shown });
+    this.notePrinted();
     if (!shown) this.parts_.legend.hide('depths');
     else if (this.parts_.toolbar.depthsShown) void this.guard_(() => this.showDepths(true));
+  }
+
+  /** The print of what is carved was made, or another is carved now. */
+  notePrinted() {
+    const { report, printed } = this.parts_.carving.carved ?? {};
+    this.parts_.tools.reader.showPrint(report && printed?.state === 'made'
+      ? { print: printed.print, modules: report.symbol.modules, reads: report.verification.verdict.prints.level !== 'bad' } : undefined);
   }
 
   /** @param {boolean} shown  the depths of the carved model, as colours */

@@ -6,14 +6,14 @@ import { formatMm, formatSeconds } from '../i18n/format.js';
 import { GradesPanel } from './grades_panel.js';
 import { showFindings } from './messages.js';
 import { markStep, showStep } from './steps.js';
-import { verdictLines } from './verdict_lines.js';
+import { isUnderWay, printingWords, verdictLines } from './verdict_lines.js';
 
 /** @typedef {import('../engine/types.js').Report} Report */
 /** @typedef {import('../engine/types.js').Verdict} Verdict */
 /** @typedef {import('../engine/types.js').Remedy} Remedy */
 /** @typedef {import('./grades_panel.js').ViewTrier} ViewTrier */
-/** @typedef {{ report: Report, elapsedMs: number }} Result
- *   `elapsedMs`: from the click to the end */
+/** @typedef {{ report: Report, elapsedMs: number, printed?: import('../engine/types.js').Printed }} Result
+ *   `elapsedMs`: from the click to the end; `printed`: none before anything is known of it */
 
 export class ResultPanel {
   /**
@@ -21,15 +21,17 @@ export class ResultPanel {
    * @param {(format: string) => void} listener.onDownload
    * @param {() => void} listener.onSaveReport
    * @param {(remedy: Remedy, label: string) => void} listener.onRemedy
+   * @param {(wanted: boolean) => void} listener.onPrint  the print is to be made, or not
    * @param {ViewTrier} listener.onTryViews
    */
-  constructor({ onDownload, onSaveReport, onRemedy, onTryViews }) {
+  constructor({ onDownload, onSaveReport, onRemedy, onPrint, onTryViews }) {
     this.region_ = byId('result', HTMLElement);
     this.verdict_ = byId('verdict', HTMLElement);
     this.numbers_ = byId('numbers', HTMLElement);
     this.notes_ = byId('result-notes', HTMLElement);
     this.grades_ = new GradesPanel(onTryViews);
     this.onRemedy_ = onRemedy;
+    this.onPrint_ = onPrint;
     /** @type {Result | undefined} */ this.result_ = undefined;
     this.outdated_ = false;
     const format = byId('format', HTMLSelectElement);
@@ -45,6 +47,14 @@ export class ResultPanel {
     this.outdated_ = false;
     this.grades_.show(result.report);
     this.render_();
+  }
+
+  /** More is known of the result that is shown. */
+  update() {
+    const { printed } = this.result_ ?? {};
+    const heading = this.verdict_.querySelector('.printing');
+    if (heading && isUnderWay(printed)) heading.textContent = printingWords(printed);
+    else this.render_();
   }
 
   /** @param {boolean} outdated  the model or the settings have changed since */
@@ -76,14 +86,15 @@ export class ResultPanel {
       showStep('check', 'open', () => text('page.checkNone'));
       return;
     }
-    const { report, elapsedMs } = this.result_;
+    const { report, elapsedMs, printed } = this.result_;
     const { size, depth, symbol } = report;
     const { verdict } = report.verification;
     if (this.outdated_) showStep('check', 'open', () => text('page.checkOutdated'));
+    else if (isUnderWay(printed) && isGoodButForPrinting(verdict)) showStep('check', 'done', () => text('check.stepPrinting'));
     else showStep('check', kMarks[worstOf(verdict)], () => text(summaryOf(verdict)));
     this.region_.classList.toggle('outdated', this.outdated_);
     showFindings(this.notes_, this.outdated_ ? [{ severity: 'warning', found: text('page.outdated'), help: '' }] : []);
-    this.verdict_.replaceChildren(...verdictLines(report, this.onRemedy_));
+    this.verdict_.replaceChildren(...verdictLines(report, printed, { onRemedy: this.onRemedy_, onPrint: this.onPrint_ }));
     this.numbers_.replaceChildren(
       ...row(text('page.size'), text('page.sizeValue', { width: formatMm(size.symbolMm), module: formatMm(size.moduleMm) })),
       ...row(text('page.depth'), text('page.depthValue', { mean: formatMm(depth.meanMm), max: formatMm(depth.maxMm) })),
@@ -99,6 +110,9 @@ function worstOf({ reads, prints, solid }) {
   const levels = [reads.level, prints.level, solid.level];
   return levels.includes('bad') ? 'bad' : levels.includes('barely') ? 'barely' : 'good';
 }
+
+/** @param {Verdict} verdict */
+const isGoodButForPrinting = ({ reads, solid }) => reads.level === 'good' && solid.level === 'good';
 
 /** @param {Verdict} verdict */
 function summaryOf({ reads, prints, solid }) {

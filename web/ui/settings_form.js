@@ -3,7 +3,7 @@
 // to do with it.
 import { EngineFailure } from '../engine/engine_error.js';
 import { message } from '../engine/message.js';
-import { kSettings } from '../generated/settings.js';
+import { kProcesses, kSettings } from '../generated/settings.js';
 import { onLanguage } from '../i18n/catalogue.js';
 import { choiceLabel, controlName } from '../i18n/setting_names.js';
 import { byId, make } from '../dom/dom.js';
@@ -24,6 +24,7 @@ export class SettingsForm {
     for (const control of this.controls_) {
       prepare(control);
       control.addEventListener('change', () => {
+        if (keyOf(control) === 'process') this.takeProcess_(control.value);
         this.nameSizeField_();
         onChange(control.id);
       });
@@ -61,6 +62,7 @@ export class SettingsForm {
   /** As if the user had typed them, at once. @param {Values} values */
   change(values) {
     this.values = values;
+    if (typeof values.process === 'string') this.takeProcess_(values.process);
     this.onChange_(Object.keys(values)[0]);
   }
 
@@ -86,6 +88,15 @@ export class SettingsForm {
     if (!control) throw new Error(`no control sets "${setting}"`);
     const hasAuto = control instanceof HTMLSelectElement && value === '';
     return { id: control.id, value: hasAuto ? 'auto' : value };
+  }
+
+  /** Nozzle and layer as the process has them. @param {string} process */
+  takeProcess_(process) {
+    const own = kProcesses[process];
+    for (const control of own ? this.controls_ : []) {
+      const key = keyOf(control);
+      if (key === 'nozzleMm' || key === 'layerMm') control.value = String(own[key]);
+    }
   }
 
   nameAll_() {

@@ -10,26 +10,49 @@ import { remedyButtons } from './messages.js';
 /** @typedef {import('../engine/types.js').Aspect} Aspect */
 /** @typedef {import('../engine/types.js').Remedy} Remedy */
 /** @typedef {(remedy: Remedy, label: string) => void} OnRemedy */
+/** @typedef {import('../engine/types.js').Printed} Printed */
+/** @typedef {{ onRemedy: OnRemedy, onPrint: (wanted: boolean) => void }} Listener  `onPrint`: the print is to be made, or not */
 
 const kUnlinkedLength = 80;
 
-/** @param {Report} report @param {OnRemedy} onRemedy */
-export function verdictLines({ text: wanted, verification: { verdict } }, onRemedy) {
+/** @param {Report} report @param {Printed | undefined} printed  none: nothing is known of it yet @param {Listener} listener */
+export function verdictLines({ text: wanted, verification: { verdict } }, printed, { onRemedy, onPrint }) {
   return [
     line(verdict.reads, readsHeading(wanted, verdict.reads), onRemedy),
-    line(verdict.prints, [sentenceOf(verdict.prints.summary)], onRemedy),
+    isUnderWay(printed) ? printingLine(printed, onPrint)
+      : line(verdict.prints, [sentenceOf(verdict.prints.summary)], onRemedy, printNotes(printed, onPrint)),
     line(verdict.solid, [sentenceOf(verdict.solid.summary)], onRemedy),
   ];
 }
 
-/** @param {Aspect} aspect @param {(Node | string)[]} heading @param {OnRemedy} onRemedy */
-const line = ({ level, reasons, remedies }, heading, onRemedy) => make('li', { className: level },
+/** @param {Printed | undefined} printed @returns {printed is Printed & { state: 'under-way' } | undefined} */
+export const isUnderWay = (printed) => printed === undefined || printed.state === 'under-way';
+
+/** @param {Printed & { state: 'under-way' } | undefined} printed */
+export const printingWords = (printed) => text('check.printing', { percent: Math.round(100 * (printed?.fraction ?? 0)) });
+
+/** @param {Printed & { state: 'under-way' } | undefined} printed @param {Listener['onPrint']} onPrint */
+const printingLine = (printed, onPrint) => make('li', { className: 'under-way' },
+  make('strong', { className: 'printing', text: printingWords(printed) }),
+  make('p', { text: text('check.printingWhy') }),
+  ...remedyButtons([{ label: text('check.stopPrint'), run: () => onPrint(false) }]));
+
+/** Why the print is not in the verdict, and how it comes to be. @param {Printed} printed @param {Listener['onPrint']} onPrint */
+function printNotes(printed, onPrint) {
+  if (printed.state !== 'stopped' && printed.state !== 'failed') return [];
+  const why = printed.state === 'failed' ? [text('check.printFailed'), sentenceOf(printed.error)] : [text('check.printStopped')];
+  return [make('p', { text: why.map(asSentence).join(' ') }),
+    ...remedyButtons([{ label: text('check.makePrint'), run: () => onPrint(true) }])];
+}
+
+/** @param {Aspect} aspect @param {(Node | string)[]} heading @param {OnRemedy} onRemedy @param {Node[]} [notes] */
+const line = ({ level, reasons, remedies }, heading, onRemedy, notes = []) => make('li', { className: level },
   make('strong', {}, ...heading),
   make('p', { text: reasons.flatMap((reason) => [sentenceOf(reason), hintOf(reason)]).filter(Boolean).map(asSentence).join(' ') }),
   ...remedyButtons(remedies.map((remedy) => {
     const label = sentenceOf(remedy);
     return { label, run: () => onRemedy(remedy, label) };
-  })));
+  })), ...notes);
 
 /** The summary, its text as a link where it is one. @param {string} wanted @param {Aspect} aspect */
 function readsHeading(wanted, { summary }) {

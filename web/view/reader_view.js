@@ -1,19 +1,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The frame of a phone's camera around the reader's view, and under it what was read.
-import { text } from '../i18n/catalogue.js';
+// The frame of a phone's camera around the reader's view, under it what was read, and a switch between the carved model and
+// its print.
+import { onLanguage, text } from '../i18n/catalogue.js';
 import { write } from '../i18n/live.js';
 import { make } from '../dom/dom.js';
+import { PrintPicture } from './print_picture.js';
+
+/** @typedef {import('../engine/types.js').CodeOnScreen} CodeOnScreen */
+/** @typedef {{ print: import('../engine/types.js').Print, modules: number, reads: boolean }} SeenPrint */
 
 export class ReaderView {
-  /** @param {HTMLElement} overlays */
-  constructor(overlays) {
+  /**
+   * @param {HTMLElement} overlays
+   * @param {HTMLElement} surface  covers the canvas
+   */
+  constructor(overlays, surface) {
+    this.picture_ = new PrintPicture(surface);
     this.caption_ = make('p');
-    this.box_ = make('div', { className: 'reader-view' }, make('div', { className: 'finder' }), this.caption_);
+    this.designed_ = this.makeSwitch_(false);
+    this.printed_ = this.makeSwitch_(true);
+    this.switch_ = make('div', { className: 'of-print' }, this.designed_, this.printed_);
+    this.switch_.setAttribute('role', 'group');
+    this.box_ = make('div', { className: 'reader-view' }, make('div', { className: 'finder' }), this.switch_, this.caption_);
     this.box_.hidden = true;
     this.box_.setAttribute('role', 'group');
     overlays.append(this.box_);
     /** @type {string | undefined} */ this.read_ = undefined;
+    /** @type {SeenPrint | undefined} */ this.print_ = undefined;
+    this.showsPrint_ = false;
     write(this.caption_, () => this.words_());
+    onLanguage(() => this.name_());
+    this.name_();
   }
 
   get shown() {
@@ -22,12 +39,12 @@ export class ReaderView {
 
   enter() {
     this.box_.hidden = false;
-    this.box_.setAttribute('aria-label', text('view.reader'));
     this.say_();
   }
 
   leave() {
     this.box_.hidden = true;
+    this.say_();
   }
 
   /** @param {string | undefined} read  of the carved model, where that is seen; '': nothing */
@@ -36,13 +53,55 @@ export class ReaderView {
     this.say_();
   }
 
+  /** @param {SeenPrint | undefined} print  of the carved model, once it was made */
+  showPrint(print) {
+    this.print_ = print;
+    this.say_();
+  }
+
+  /** @param {CodeOnScreen | null} code  where the code is seen */
+  update(code) {
+    this.picture_.place(code);
+  }
+
+  /** @param {boolean} printed */
+  makeSwitch_(printed) {
+    const button = make('button');
+    button.type = 'button';
+    button.addEventListener('click', () => {
+      this.showsPrint_ = printed;
+      this.say_();
+    });
+    return button;
+  }
+
+  name_() {
+    this.box_.setAttribute('aria-label', text('view.reader'));
+    this.switch_.setAttribute('aria-label', text('view.ofPrint'));
+    this.designed_.textContent = text('view.designed');
+    this.printed_.textContent = text('view.printed');
+  }
+
+  /** The print, where it is what is seen. @returns {SeenPrint | undefined} */
+  get seenPrint_() {
+    return this.showsPrint_ && this.read_ !== undefined ? this.print_ : undefined;
+  }
+
   say_() {
+    const { seenPrint_: seen } = this;
+    this.switch_.hidden = this.read_ === undefined || !this.print_;
+    this.designed_.setAttribute('aria-pressed', String(!seen));
+    this.printed_.setAttribute('aria-pressed', String(seen !== undefined));
+    if (seen && this.shown) this.picture_.show(seen.print, seen.modules);
+    else this.picture_.hide();
     write(this.caption_, () => this.words_());
-    this.box_.dataset.read = this.read_ === undefined ? '' : String(this.read_ !== '');
+    this.box_.dataset.read = this.read_ === undefined ? '' : String(seen ? seen.reads : this.read_ !== '');
   }
 
   words_() {
     if (this.read_ === undefined) return text('view.readerAsks');
+    const { seenPrint_: seen } = this;
+    if (seen) return text(seen.reads ? 'view.printRead' : 'view.printUnread', { lost: seen.print.misread.length });
     return this.read_ ? text('view.readerRead', { text: this.read_ }) : text('view.readerNothing');
   }
 }

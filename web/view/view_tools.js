@@ -30,7 +30,7 @@ export class ViewTools {
     this.hover_ = new HoverPreview(client, chip);
     this.editor_ = new CodeEditor({ client, overlay: surface, chip, listener: onEdit });
     this.cube_ = new ViewCube(overlays, (name) => this.act({ kind: 'standard', name }));
-    this.reader = new ReaderView(overlays);
+    this.reader = new ReaderView(overlays, surface);
     this.engravable_ = false;
     this.busy_ = false;
     this.carved_ = false;
@@ -49,6 +49,7 @@ export class ViewTools {
   /** @param {import('../engine/types.js').ViewState} state */
   update({ code, axes }) {
     this.editor_.update(code);
+    this.reader.update(code);
     this.cube_.turn(axes);
   }
 

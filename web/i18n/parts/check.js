@@ -12,6 +12,14 @@ export const check = {
     stepNotSolid: 'Reads, but is no clean solid',
     stepCrossing: 'Reads and prints; the model crosses itself elsewhere',
 
+    stepPrinting: 'Reads; the print is being simulated',
+    printing: 'Simulating the print: {percent} %',
+    printingWhy: 'The file can be taken meanwhile.',
+    printStopped: 'The print was not simulated',
+    printFailed: 'The print could not be simulated',
+    stopPrint: 'Stop',
+    makePrint: 'Simulate the print',
+
     done: '{label}: set “{control}” to {value}. Engrave again.',
 
     details: 'Grades and views',
@@ -56,6 +64,14 @@ export const check = {
     stepUnprintable: 'Lesbar, aber vielleicht nicht druckbar',
     stepNotSolid: 'Lesbar, aber kein sauberer Körper',
     stepCrossing: 'Lesbar und druckbar; anderswo kreuzt sich das Modell',
+
+    stepPrinting: 'Lesbar; der Druck wird simuliert',
+    printing: 'Der Druck wird simuliert: {percent} %',
+    printingWhy: 'Die Datei kann schon heruntergeladen werden.',
+    printStopped: 'Der Druck wurde nicht simuliert',
+    printFailed: 'Der Druck konnte nicht simuliert werden',
+    stopPrint: 'Abbrechen',
+    makePrint: 'Druck simulieren',
 
     done: '{label}: „{control}“ ist jetzt {value}. Neu gravieren.',
 

@@ -36,6 +36,11 @@ export const view = {
     readerAsks: 'As a phone sees it. Not engraved yet.',
     readerRead: 'Read by the phone: {text}',
     readerNothing: 'The phone reads nothing',
+    ofPrint: 'The carved model or its print',
+    designed: 'As designed',
+    printed: 'As printed',
+    printRead: 'The print reads; modules lost: {lost}',
+    printUnread: 'The print does not read; modules lost: {lost}',
   },
   de: {
     chipSize: '{mm} mm breit',
@@ -72,5 +77,10 @@ export const view = {
     readerAsks: 'Wie ein Telefon es sieht. Noch nicht graviert.',
     readerRead: 'Vom Telefon gelesen: {text}',
     readerNothing: 'Das Telefon liest nichts',
+    ofPrint: 'Das gravierte Modell oder sein Druck',
+    designed: 'Wie entworfen',
+    printed: 'Wie gedruckt',
+    printRead: 'Der Druck ist lesbar; verlorene Module: {lost}',
+    printUnread: 'Der Druck ist nicht lesbar; verlorene Module: {lost}',
   },
 };

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The print of what was carved: made while the result is looked at, seen beside the design, given up and made again.
+import { expect, test } from '@playwright/test';
+import { Engraver } from './support/engraver.js';
+
+const kPrinted = { timeout: 120_000 };
+
+test('The print is simulated beside the result, seen in the reader’s view, and follows process and pose', async ({ page }) => {
+  const app = new Engraver(page);
+  await app.open('?sample=saddle&text=HELLO');
+  await app.expectReady();
+  await app.engrave();
+  const line = app.result.getByRole('list', { name: 'Verdict' }).getByRole('listitem').nth(1);
+
+  await test.step('it is never in the way of the file, can be stopped, and is made again on demand', async () => {
+    await line.getByRole('button', { name: 'Stop' }).click();
+    await expect(line).toContainText('The print was not simulated.');
+    expect((await app.download()).bytes.length).toBeGreaterThan(1000);
+    expect((await app.report()).verification.printed).toBeNull();
+    await line.getByRole('button', { name: 'Simulate the print' }).click();
+    await expect(line).toContainText('Simulating the print');
+    expect((await app.download()).bytes.length).toBeGreaterThan(1000);
+    await expect(line).toContainText('Reads as printed, facing up (0.4 mm nozzle, 0.2 mm layers)', kPrinted);
+    const { printed, verdict } = (await app.report()).verification;
+    expect(printed.process).toBe('fdm-0.4/0.2');
+    expect(printed.reads).toBeGreaterThanOrEqual(printed.readsNeeded);
+    expect(verdict.prints.level).toBe('good');
+  });
+
+  await test.step('the reader’s view shows it over the code, switched with the design', async () => {
+    await page.getByRole('button', { name: 'Reader’s view' }).click();
+    const view = page.getByRole('group', { name: 'Reader’s view' });
+    const picture = page.locator('.print-picture');
+    await expect(view).toContainText('Read by the phone: HELLO');
+    await expect(picture).toBeHidden();
+    await view.getByRole('button', { name: 'As printed' }).click();
+    await expect(view).toContainText(/The print reads; modules lost: \d+/);
+    await expect(picture).toBeVisible();
+    const [over, canvas] = [await picture.boundingBox(), await app.canvas.boundingBox()];
+    expect(over && canvas && Math.abs(over.x + over.width / 2 - canvas.x - canvas.width / 2)).toBeLessThan(30);
+    await view.getByRole('button', { name: 'As designed' }).click();
+    await expect(picture).toBeHidden();
+    await page.getByRole('button', { name: 'Fit' }).click();
+  });
+
+  await test.step('another process brings its nozzle and layer, another pose turns the model, and none is looked at on demand', async () => {
+    await app.openSettings();
+    await app.setting('Process').selectOption('fdm-0.6/0.3');
+    await expect(app.setting('Nozzle (mm)')).toHaveValue('0.6');
+    await expect(app.setting('Layer (mm)')).toHaveValue('0.3');
+    await app.setting('Up on the printer').selectOption('code-upright');
+    await app.expectReady();
+    await app.engrave();
+    await expect(line).toContainText('as an upright wall (0.6 mm nozzle, 0.3 mm layers)', kPrinted);
+    await app.setting('Process').selectOption('none');
+    await app.expectReady();
+    await app.engrave();
+    await expect(line).toContainText('Prints with your 0.6 mm nozzle');
+    expect((await app.report()).verification.printed).toBeNull();
+  });
+});

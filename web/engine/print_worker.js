@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Makes one print, in a module of its own: the engine goes on meanwhile, and the memory goes with the worker.
+import { copyOf, parseAnswer } from './answers.js';
+import { describeThrown } from './engine_error.js';
+import { loadModule } from './module.js';
+
+/** @typedef {import('./types.js').PrintJob} PrintJob */
+
+const scope = /** @type {any} */ (globalThis);
+
+scope.onmessage = async (/** @type {MessageEvent<PrintJob>} */ { data: { stl, order } }) => {
+  try {
+    const { module } = await loadModule();
+    const print = new module.PrintedCode();
+    let progress = parseAnswer(print.start(stl, JSON.stringify(order)));
+    while (!progress.done) {
+      scope.postMessage({ progress });
+      progress = parseAnswer(print.advance());
+    }
+    const { facingDeg, misread } = progress;
+    const pictures = print.readingPictures().map(copyOf);
+    scope.postMessage({ print: { facingDeg, misread, pictures, picture: copyOf(print.picture()) } });
+  } catch (thrown) {
+    scope.postMessage({ error: describeThrown(thrown) });
+  }
+};

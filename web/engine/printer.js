@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The page's way to the worker that makes a print.
+import { EngineFailure, crash } from './engine_error.js';
+
+/** @typedef {import('./types.js').Print} Print */
+
+/**
+ * @param {import('./types.js').PrintJob} job
+ * @param {{ signal: AbortSignal, onProgress: (fraction: number) => void }} options
+ * @returns {Promise<Print | undefined>}  none: aborted
+ */
+export function makePrint(job, { signal, onProgress }) {
+  if (signal.aborted) return Promise.resolve(undefined);
+  const worker = new Worker(new URL('./print_worker.js', import.meta.url), { type: 'module', name: 'print' });
+  /** @type {Promise<Print | undefined>} */ const made = new Promise((resolve, reject) => {
+    signal.addEventListener('abort', () => resolve(undefined), { once: true });
+    worker.onmessage = ({ data: { progress, print, error } }) => {
+      if (print) resolve(print);
+      else if (error) reject(new EngineFailure(error));
+      else onProgress(progress.fraction);
+    };
+    worker.onerror = (event) => {
+      event.preventDefault();
+      reject(new EngineFailure(crash(event.message || 'it could not be loaded')));
+    };
+    worker.postMessage(job);
+  });
+  return made.finally(() => worker.terminate());
+}

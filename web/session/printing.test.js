@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import assert from 'node:assert/strict';
+import { beforeEach, test } from 'node:test';
+import { Printing } from './printing.js';
+import { Pending, crashed, fake, settled } from './testing.js';
+
+/** @typedef {import('../engine/types.js').Printed} Printed */
+
+/** @type {any} */ let client;
+/** @type {Pending} */ let made;
+/** @type {any[]} */ let jobs;
+/** @type {[Printed, unknown][]} */ let told;
+/** @type {Printing} */ let printing;
+const tell = (/** @type {Printed} */ printed, /** @type {unknown} */ report) => void told.push([printed, report]);
+const states = () => told.map(([{ state }]) => state);
+
+beforeEach(() => {
+  client = fake({
+    printJob: async () => ({ order: {}, stl: new Uint8Array(3) }),
+    setPrintedReadings: async () => ({ text: 'with the print' }),
+  });
+  made = new Pending();
+  jobs = [];
+  told = [];
+  printing = new Printing({
+    client,
+    make: async (job, { signal, onProgress }) => {
+      jobs.push({ job, signal });
+      onProgress(0.5);
+      return /** @type {any} */ (made.promise);
+    },
+    read: async (pictures) => pictures.map(() => 'HELLO'),
+  });
+});
+
+const print = () => ({ facingDeg: 30, misread: [[1, 2]], pictures: [1, 2], picture: {} });
+
+test('A print is made, read, and told with the report that holds it', async () => {
+  const run = printing.begin(7, tell);
+  await settled();
+  assert.deepEqual(told.map(([printed]) => printed), [{ state: 'under-way', fraction: 0 }, { state: 'under-way', fraction: 0.5 }]);
+  made.resolve(print());
+  await run;
+  assert.deepEqual(told.at(-1), [{ state: 'made', print: { ...print(), pictures: [] } }, { text: 'with the print' }]);
+  assert.ok(client.calls.includes('setPrintedReadings 7 30'));
+});
+
+test('Where no process is chosen, nothing is made', async () => {
+  client.answers.printJob = async () => null;
+  await printing.begin(1, tell);
+  assert.deepEqual(states(), ['none']);
+  assert.equal(jobs.length, 0);
+});
+
+test('Stopped, it ends at once and says so, and whatever comes later counts for nothing', async () => {
+  const run = printing.begin(1, tell);
+  await settled();
+  printing.stop();
+  assert.ok(jobs[0].signal.aborted);
+  made.resolve(print());
+  await run;
+  assert.equal(states().at(-1), 'stopped');
+  assert.ok(!client.calls.some((/** @type {string} */ call) => call.startsWith('setPrintedReadings')));
+});
+
+test('The next one takes the place of the one that is under way', async () => {
+  const first = printing.begin(1, tell);
+  await settled();
+  /** @type {any[]} */ const others = [];
+  const second = printing.begin(2, (printed) => void others.push(printed.state));
+  await settled();
+  made.resolve(print());
+  await Promise.all([first, second]);
+  assert.equal(states().at(-1), 'stopped');
+  assert.equal(others.at(-1), 'made');
+});
+
+test('What goes wrong is told as it is, and the engine is not blamed', async () => {
+  const run = printing.begin(1, tell);
+  await settled();
+  made.reject(crashed());
+  await run;
+  const [last] = /** @type {any} */ (told.at(-1));
+  assert.equal(last.state, 'failed');
+  assert.equal(last.error.code, 'engine-crashed');
+});
+
+test('A print of a carving that is gone is told to nobody', async () => {
+  client.answers.setPrintedReadings = async () => null;
+  const run = printing.begin(1, tell);
+  made.resolve(print());
+  await run;
+  assert.deepEqual(states(), ['under-way', 'under-way']);
+});
