@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -8,9 +10,11 @@
 #include "cli/model_input.h"
 #include "cli/progress_bar.h"
 #include "cli/setting_flags.h"
+#include "messages/sentences.h"
 #include "native/egl_context.h"
 #include "pipeline/spot_search.h"
 #include "settings/setting_text.h"
+#include "verification/printability.h"
 
 namespace qrelief {
 namespace {
@@ -25,6 +29,13 @@ struct PlaceOptions {
   SettingFlags flags;
   bool quiet = false;
   SpotSearchRequest request;
+  Printer printer;
+  double leastPrintableMm = 0;  // edge of the smallest symbol that it makes
+
+  double offeredMm(const OfferedSpot& spot) const {
+    return request.placement.sizeMode == SizeMode::Fixed ? spot.symbolMm : spot.largestMm;
+  }
+  bool prints(const OfferedSpot& spot) const { return offeredMm(spot) >= leastPrintableMm; }
 };
 
 std::string joined(Vec3 v, int decimals) {
@@ -37,13 +48,15 @@ Status completeRequest(PlaceOptions& options) {
   auto engraving = options.flags.request();
   if (!engraving) return tl::unexpected(engraving.error());
   SpotSearchRequest& request = options.request;
-  if (!engraving->text.empty()) {
-    const auto symbol = encodeSymbol(engraving->text, engraving->symbol);
-    if (!symbol) return tl::unexpected(symbol.error());
-    request.modules = symbol->size;
-  } else {
-    request.modules = 17 + 4 * engraving->symbol.version.value_or(1);
-  }
+  const std::string shortest = "1";  // where only the version is known
+  if (engraving->text.empty() && !engraving->symbol.version) engraving->symbol.version = 1;
+  const auto symbol = encodeSymbol(engraving->text.empty() ? shortest : engraving->text, engraving->symbol);
+  if (!symbol) return tl::unexpected(symbol.error());
+  if (const auto process = processOf(engraving->printer); !process) return tl::unexpected(process.error());
+  request.modules = symbol->size;
+  options.printer = engraving->printer;
+  options.leastPrintableMm = symbol->size * leastPrintableModuleMm(*symbol, engraving->modulePattern,
+                                                                   engraving->finderPattern, options.printer);
   request.minWallMm = engraving->minWallMm;
   request.placement = searchedPlacement(*engraving, request.modules);
   return {};
@@ -69,6 +82,7 @@ Json describe(const PlaceOptions& options, const ModelInput& input, std::size_t 
                         {"rotateDeg", request.placement.rotateDeg},
                         {"minWallMm", request.minWallMm},
                         {"leastDepthMm", request.leastDepthMm},
+                        {"leastPrintableMm", options.leastPrintableMm},
                         {"views", request.views},
                         {"count", request.count}};
   json["map"] = {{"vertices", result.map.mesh.positions.size()},
@@ -84,13 +98,15 @@ Json describe(const PlaceOptions& options, const ModelInput& input, std::size_t 
                              {"symbolMm", spot.symbolMm},
                              {"largestMm", spot.largestMm},
                              {"guaranteedMm", spot.guaranteedMm},
+                             {"prints", options.prints(spot)},
                              {"aimToleranceDeg", spot.aimToleranceDeg},
                              {"distanceVarianceMm2", spot.quality.varianceMm2},
                              {"worstAngleDeg", spot.quality.worstAngleDeg}});
   return json;
 }
 
-void printSpots(const SpotSearchResult& result, double scaleToMm) {
+/// Those that the printer makes first, each in its order.
+void printSpots(const PlaceOptions& options, const SpotSearchResult& result, double scaleToMm) {
   for (std::size_t i = 0; i < result.spots.size(); ++i) {
     const OfferedSpot& spot = result.spots[i];
     fmt::print(
@@ -100,6 +116,10 @@ void printSpots(const SpotSearchResult& result, double scaleToMm) {
         spot.needsDirection ? " --direction" : "  direction", joined(spot.direction, kDirectionDecimals),
         std::floor(spot.largestMm * 100) / 100, std::floor(spot.guaranteedMm * 100) / 100, spot.quality.worstAngleDeg,
         std::floor(spot.aimToleranceDeg));
+    if (!options.prints(spot))
+      fmt::print("   {}\n",
+                 sentenceAndHint(message("spot-too-small-to-print", with::lengthMm("nozzle", options.printer.nozzleMm),
+                                         with::lengthMm("needed", std::ceil(10 * options.leastPrintableMm) / 10))));
   }
 }
 
@@ -119,8 +139,10 @@ int findSpots(PlaceOptions& options) {
   auto job = SpotSearchJob::create(model, options.request);
   if (!job) return printError(job.error(), file);
   if (const Status done = runWithProgress(**job, options.quiet); !done) return printError(done.error(), file);
-  const SpotSearchResult result = (*job)->takeResult();
-  printSpots(result, input->scaleToMm);
+  SpotSearchResult result = (*job)->takeResult();
+  std::stable_partition(result.spots.begin(), result.spots.end(),
+                        [&](const OfferedSpot& spot) { return options.prints(spot); });
+  printSpots(options, result, input->scaleToMm);
   if (result.spots.size() < options.request.count)
     fmt::print(stderr, "qrelief: warning: {}: {} spots were asked for, {} found\n", file, options.request.count,
                result.spots.size());
@@ -147,7 +169,8 @@ std::function<int()> addPlaceCommand(CLI::App& app) {
   o->flags.add(*c, "text", "a longer text needs less quiet zone: ");
   o->flags.addGroup(*c, "symbol");
   o->flags.addGroup(*c, "placement");
-  o->flags.add(*c, "minWallMm");
+  for (const char* key : {"pattern", "finderPattern", "minWallMm", "process", "nozzleMm", "layerMm"})
+    o->flags.add(*c, key);
   c->add_option("--views", request.views, fmt::format("directions looked from [{}]", request.views))
       ->check(CLI::Range(200, 10000));
   c->add_flag("--quiet", o->quiet, "no progress");

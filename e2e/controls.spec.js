@@ -51,6 +51,19 @@ const kOfTheModel = {
     await expect(app.facts).toHaveText(before);
     await app.expectReady();
   },
+  height: async ({ app, at }) => {
+    const before = await app.facts.innerText(), height = await at('height').inputValue();
+    await at('height').fill(String(2 * Number(height)));
+    await at('height').press('Tab');
+    await expect(at('unit')).toHaveValue('2');
+    await expect(app.facts).not.toHaveText(before);
+    await at('height').fill('-3');
+    await at('height').press('Tab');
+    await expect(at('height')).toHaveValue(String(2 * Number(height)));
+    await at('unit').selectOption('1');
+    await expect(app.facts).toHaveText(before);
+    await app.expectReady();
+  },
   'up-axis': async ({ app, at }) => {
     await at('up-axis').selectOption('y');
     await app.expectReady();

@@ -26,7 +26,7 @@ test('A suggested spot takes a code of the size that it promises, and is engrave
   const proposed = await app.centre();
   await app.suggest();
   await expect(page.getByRole('button', { name: 'Sizes' })).toHaveAttribute('aria-pressed', 'true');
-  await expect(page.getByLabel('Colours of the model')).toContainText(/Largest code that fits\s*0 mm\s*[\d.]+ mm\s*\d+ mm/);
+  await expect(page.getByLabel('Colours of the model')).toContainText(/Largest code that fits and prints\s*0 mm\s*[\d.]+ mm\s*\d+ mm/);
 
   expect(await app.spots.count()).toBeGreaterThanOrEqual(3);
   await expect(app.spots.locator('canvas.drawn')).toHaveCount(await app.spots.count());

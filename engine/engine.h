@@ -70,8 +70,8 @@ class Engine {
   /// {stage, fraction, done}; one bounded piece of work. When done the sizes are shown on the model.
   std::string advanceSpotSearch();
   void cancelSpotSearch();
-  /// {spots: [{centre, sizeMm}], topMm}: best first, with the largest size there; `topMm` is the size that has the last
-  /// colour of the map. Empty before a search is done.
+  /// {spots: [{centre, sizeMm}], leastMm, topMm}: best first, with the largest size there; `leastMm` is the smallest
+  /// that the printer makes, `topMm` the size that has the last colour of the map. Empty before a search is done.
   std::string spots() const;
   /// {centre}; the spot becomes the code's centre, with the direction that was found for it.
   std::string chooseSpot(std::size_t index);

@@ -145,7 +145,7 @@ std::string Engine::spots() const {
     spots.push_back({{"centre", jsonOf(spot.centreMm)},
                      {"aimToleranceDeg", spot.aimToleranceDeg},
                      {"sizeMm", offers_.offeredMm(spot)}});
-  return textOf({{"ok", true}, {"spots", spots}, {"topMm", offers_.topMm()}});
+  return textOf({{"ok", true}, {"spots", spots}, {"leastMm", offers_.leastMm()}, {"topMm", offers_.topMm()}});
 }
 
 std::string Engine::chooseSpot(std::size_t index) {

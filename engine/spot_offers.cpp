@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "verification/printability.h"
 #include "viewer/heat_mesh.h"
 
 namespace qrelief {
@@ -22,6 +23,8 @@ Status SpotOffers::start(const PlacementTask& task) {
   request_.placement.upHint = task.upHint;
   request_.modules = modules;
   request_.minWallMm = settings.minWallMm;
+  leastMm_ = modules * leastPrintableModuleMm(*task.wanted.symbol(), settings.modulePattern, settings.finderPattern,
+                                              settings.printer);
   model_ = task.model.engravable;
   auto job = SpotSearchJob::create(model_, request_);
   if (!job) return tl::unexpected(job.error());
@@ -40,11 +43,14 @@ void SpotOffers::finish() {
   const SpotSearchResult found = job_->takeResult();
   job_.reset();
   spots_ = found.spots;
+  std::stable_partition(spots_.begin(), spots_.end(),
+                        [&](const OfferedSpot& spot) { return offeredMm(spot) >= leastMm_; });
   // The map knows squares with the quiet zone, the legend the symbol in them.
   const double outer = request_.outerFactor();
   const double largest = static_cast<double>(*std::max_element(found.map.sizeMm.begin(), found.map.sizeMm.end()));
   topMm_ = std::max(kLegendStepMm, std::ceil(largest / outer / kLegendStepMm) * kLegendStepMm);
-  sizesDisplay_ = std::make_shared<const GpuMesh>(heatMesh(model_->prepared.mesh, found.map, topMm_ * outer));
+  sizesDisplay_ =
+      std::make_shared<const GpuMesh>(heatMesh(model_->prepared.mesh, found.map, leastMm_ * outer, topMm_ * outer));
 }
 
 double SpotOffers::offeredMm(const OfferedSpot& spot) const {

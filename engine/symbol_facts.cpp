@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/symbol_facts.h"
 
-#include <cmath>
-
 #include "engine/answers.h"
 #include "qr/codewords.h"
 #include "qr/segmentation.h"
@@ -10,11 +8,6 @@
 
 namespace qrelief {
 namespace {
-
-/// Deep enough for any printer, for what depends on the depth is not known before carving; no overflow when summed.
-constexpr double kAnyDepthMm = 1e6;
-constexpr double kModuleStepMm = 0.01;
-constexpr int kMostNozzles = 100;  // any pattern's pockets are open with modules of so many nozzle widths
 
 Json rowsOf(const Symbol& symbol) {
   Json rows = Json::array();
@@ -47,28 +40,6 @@ int roomIn(int version, ErrorCorrection level, const std::string& text) {
   return room;
 }
 
-CarvedFeatures withModulesOf(CarvedFeatures features, double moduleMm) {
-  const double factor = moduleMm / features.moduleMm;
-  features.moduleMm *= factor;
-  features.pocketMm *= factor;
-  features.gapMm *= factor;
-  return features;
-}
-
-/// By bisection: what is advised against at one size is advised against at any smaller one.
-double leastModuleMm(const Symbol& symbol, const EngraveRequest& request) {
-  const SubmoduleMask mask = submodulesToCarve(symbol, request.modulePattern, request.finderPattern);
-  const std::vector<double> depths(mask.carved.size(), kAnyDepthMm);
-  const CarvedFeatures features = measureFeatures(symbol, mask.carved, depths, 1);
-  int tooSmall = 0, enough = static_cast<int>(std::ceil(kMostNozzles * request.printer.nozzleMm / kModuleStepMm));
-  while (enough - tooSmall > 1) {
-    const int middle = tooSmall + (enough - tooSmall) / 2;
-    const bool printable = advisePrinting(withModulesOf(features, middle * kModuleStepMm), request.printer).empty();
-    (printable ? enough : tooSmall) = middle;
-  }
-  return enough * kModuleStepMm;
-}
-
 bool isSize(double mm) { return mm > 0 && mm < 1000; }
 
 }  // namespace
@@ -86,7 +57,9 @@ std::string describeSymbol(const EngraveRequest& request) {
                    {"rows", rowsOf(*symbol)},
                    {"bytes", request.text.size()},
                    {"room", roomIn(symbol->version, request.symbol.errorCorrection, request.text)},
-                   {"leastModuleMm", isPrinter ? Json(leastModuleMm(*symbol, request)) : Json()}}}});
+                   {"leastModuleMm", isPrinter ? Json(leastPrintableModuleMm(*symbol, request.modulePattern,
+                                                                             request.finderPattern, request.printer))
+                                               : Json()}}}});
 }
 
 }  // namespace qrelief

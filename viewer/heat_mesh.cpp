@@ -29,11 +29,13 @@ void smooth(const Mesh& mesh, std::vector<float>& values, int rounds) {
 
 }  // namespace
 
-GpuMesh heatMesh(const Mesh& model, const SizeMap& map, double topMm) {
+GpuMesh heatMesh(const Mesh& model, const SizeMap& map, double leastMm, double topMm) {
   const Mesh& shown = map.isCoarser ? model : map.mesh;
   std::vector<float> values(shown.positions.size());
-  for (std::size_t v = 0; v < values.size(); ++v)
-    values[v] = map.sizeMm[map.isCoarser ? map.vertexOf[v] : v] / static_cast<float>(topMm);
+  for (std::size_t v = 0; v < values.size(); ++v) {
+    const float sizeMm = map.sizeMm[map.isCoarser ? map.vertexOf[v] : v];
+    values[v] = static_cast<double>(sizeMm) < leastMm ? 0 : sizeMm / static_cast<float>(topMm);
+  }
   // A round carries values over one edge; so many model edges lie in one of the map.
   const double edges = std::sqrt(static_cast<double>(values.size()) / static_cast<double>(map.sizeMm.size()));
   smooth(shown, values, std::min(kMostRounds, 1 + static_cast<int>(std::ceil(edges))));

@@ -106,6 +106,19 @@ std::optional<ModulePattern> recognised(const Symbol& symbol, const Mask& mask) 
   return best;
 }
 
+/// Deep enough for any printer, for what depends on the depth is not known before carving; no overflow when summed.
+constexpr double kAnyDepthMm = 1e6;
+constexpr double kModuleStepMm = 0.01;
+constexpr int kMostNozzles = 100;  // any pattern's pockets are open with modules of so many nozzle widths
+
+CarvedFeatures withModulesOf(CarvedFeatures features, double moduleMm) {
+  const double factor = moduleMm / features.moduleMm;
+  features.moduleMm *= factor;
+  features.pocketMm *= factor;
+  features.gapMm *= factor;
+  return features;
+}
+
 /// Rounded up to a twentieth of a millimetre.
 double inTwentieths(double mm) { return std::ceil(mm * 20 - 1e-6) / 20; }
 
@@ -201,5 +214,20 @@ double printableNozzleMm(const CarvedFeatures& features) {
 }
 
 double printableLayerMm(const CarvedFeatures& features) { return features.leastDepthMm / kMinDepthLayers; }
+
+double leastPrintableModuleMm(const Symbol& symbol, ModulePattern modules, FinderPattern finders,
+                              const Printer& printer) {
+  const SubmoduleMask mask = submodulesToCarve(symbol, modules, finders);
+  const std::vector<double> depths(mask.carved.size(), kAnyDepthMm);
+  const CarvedFeatures features = measureFeatures(symbol, mask.carved, depths, 1);
+  // By bisection: what is advised against at one size is advised against at any smaller one.
+  int tooSmall = 0, enough = static_cast<int>(std::ceil(kMostNozzles * printer.nozzleMm / kModuleStepMm));
+  while (enough - tooSmall > 1) {
+    const int middle = tooSmall + (enough - tooSmall) / 2;
+    const bool printable = advisePrinting(withModulesOf(features, middle * kModuleStepMm), printer).empty();
+    (printable ? enough : tooSmall) = middle;
+  }
+  return enough * kModuleStepMm;
+}
 
 }  // namespace qrelief

@@ -40,4 +40,9 @@ double printableModuleMm(const CarvedFeatures& features, double nozzleMm);
 double printableNozzleMm(const CarvedFeatures& features);
 double printableLayerMm(const CarvedFeatures& features);
 
+/// Before anything is carved: the least module of a symbol against whose width nothing speaks, mm, to a hundredth.
+/// @param printer  of a nozzle between 0 and 1000 mm
+double leastPrintableModuleMm(const Symbol& symbol, ModulePattern modules, FinderPattern finders,
+                              const Printer& printer);
+
 }  // namespace qrelief

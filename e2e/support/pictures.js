@@ -29,6 +29,23 @@ const expect = expectFrom.configure({ timeout: 60_000 });
 /** @param {Page} page @param {string} name */
 const press = (page, name) => page.getByRole('button', { name, exact: true }).click();
 
+/** @param {Engraver} app @param {Page} page */
+async function engraveAndPrint(app, page) {
+  await app.engrave();
+  await expect(page.locator('.verdict .under-way')).toHaveCount(0);
+}
+
+const kPlate = '?sample=plate&text=QRelief';
+
+/** @param {Engraver} app @param {Page} page @param {Record<string, string>} settings  by the names of their controls */
+async function seePrint(app, page, settings) {
+  await app.openSettings();
+  for (const [name, value] of Object.entries(settings)) await app.setting(name).selectOption(value);
+  await engraveAndPrint(app, page);
+  await press(page, 'Reader’s view');
+  await press(page, 'As printed');
+}
+
 /**
  * Each begins with the page freshly opened, and ends with what is to be seen.
  * @type {Record<string, { query?: string, walk: Walk, wholePage?: boolean }>}
@@ -57,8 +74,9 @@ const kStates = {
       await expect(app.status).toContainText('Finding the depth');
     },
   },
-  result: { walk: async (app) => app.engrave() },
-  'result-page': { walk: async (app) => app.engrave(), wholePage: true },
+  result: { walk: engraveAndPrint },
+  'result-page': { walk: engraveAndPrint, wholePage: true },
+  printing: { walk: async (app) => app.engrave() },
   depths: {
     walk: async (app, page) => {
       await app.engrave();
@@ -77,6 +95,11 @@ const kStates = {
       await press(page, 'Reader’s view');
     },
   },
+  printed: { walk: (app, page) => seePrint(app, page, {}) },
+  'printed-standing': { query: kPlate, walk: (app, page) => seePrint(app, page, { 'Up on the printer': 'code-upright' }) },
+  'printed-lying': { query: kPlate, walk: (app, page) => seePrint(app, page, { 'Up on the printer': 'code-up' }) },
+  'printed-fine': { query: kPlate, walk: (app, page) => seePrint(app, page, { Process: 'fdm-0.25/0.1', 'Up on the printer': 'code-up' }) },
+  'printed-resin': { query: kPlate, walk: (app, page) => seePrint(app, page, { Process: 'resin-0.05', 'Up on the printer': 'code-up' }) },
   unread: {
     query: '?sample=bunny&text=too%20small',
     walk: async (app) => {
@@ -106,11 +129,15 @@ const kShown = [
   { file: 'web/guide/pictures/place.jpg', state: 'ready', look: 'view' },
   { file: 'web/guide/pictures/carved.jpg', state: 'result', look: 'view' },
   { file: 'web/guide/pictures/read.jpg', state: 'reader', look: 'view' },
+  { file: 'web/guide/pictures/printed_standing.jpg', state: 'printed-standing', look: 'view' },
+  { file: 'web/guide/pictures/printed_lying.jpg', state: 'printed-lying', look: 'view' },
+  { file: 'web/guide/pictures/printed_fine.jpg', state: 'printed-fine', look: 'view' },
+  { file: 'web/guide/pictures/printed_resin.jpg', state: 'printed-resin', look: 'view' },
 ];
 
 /** @param {Page} page @param {string} file */
 async function takeView(page, file) {
-  await page.addStyleTag({ content: '.tools, .view-cube, .reader-view p { visibility: hidden; }' });
+  await page.addStyleTag({ content: '.tools, .view-cube, .reader-view p, .of-print { visibility: hidden; }' });
   const clip = await page.getByRole('main').boundingBox();
   if (!clip) throw new Error('there is no view');
   await page.screenshot({ path: file, clip, type: 'jpeg', quality: 82 });

@@ -25,6 +25,28 @@ TEST_F(PlaceCommandTest, OffersSpotsThatEngraveTakesAsPrinted) {
   EXPECT_EQ(engraved.status, 0) << at << engraved.err;
 }
 
+TEST_F(PlaceCommandTest, SaysWhereThePrinterMakesNoCodeAndWhatWould) {
+  const std::string model = writeModel("ball.stl", shapes::icosphere(20, 4));
+  const auto place = [&](std::vector<std::string> more) {
+    std::vector<std::string> all = {"place", model, "--count", "2", "--json", path("spots.json"), "--quiet"};
+    all.insert(all.end(), more.begin(), more.end());
+    return run(all);
+  };
+  const Outcome fine = place({});
+  ASSERT_EQ(fine.status, 0) << fine.err;
+  EXPECT_EQ(fine.out.find("nozzle"), std::string::npos);
+  const Outcome coarse = place({"--nozzle", "1.5"});  // modules of 2.25 mm, 21 of them
+  ASSERT_EQ(coarse.status, 0) << coarse.err;
+  EXPECT_NE(coarse.out.find("A nozzle of 1.5 mm does not make so small a code"), std::string::npos) << coarse.out;
+  EXPECT_NE(coarse.out.find("with room for 47.3 mm"), std::string::npos) << coarse.out;
+  const auto json = nlohmann::json::parse(contentOf(path("spots.json")));
+  EXPECT_NEAR(json["parameters"]["leastPrintableMm"], 47.25, 1e-9);
+  for (const auto& spot : json["spots"]) EXPECT_EQ(spot["prints"], false);
+  const Outcome impossible = place({"--nozzle", "0.2", "--layer", "0.5"});
+  EXPECT_EQ(impossible.status, 2);
+  EXPECT_NE(impossible.err.find("No nozzle of 0.2 mm lays layers of 0.5 mm"), std::string::npos) << impossible.err;
+}
+
 TEST_F(PlaceCommandTest, ExitsWithFourAndTheLargestSizeWhereNothingFits) {
   const std::string model = writeModel("ball.stl", shapes::icosphere(20, 4));
   const Outcome outcome = run({"place", model, "--size", "50", "--quiet"});

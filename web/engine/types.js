@@ -63,8 +63,9 @@
 /** @typedef {'front' | 'back' | 'left' | 'right' | 'top' | 'bottom' | 'iso'} StandardView */
 
 /**
- * @typedef {{ spots: { centre: [number, number, number], sizeMm: number, aimToleranceDeg: number }[], topMm: number }} Spots
- *   best first, with the largest size there; `topMm`: the size of the map's last colour
+ * @typedef {{ spots: { centre: [number, number, number], sizeMm: number, aimToleranceDeg: number }[], leastMm: number, topMm: number }} Spots
+ *   best first, with the largest size there; `leastMm`: of the smallest code that the printer makes; `topMm`: the
+ *   size of the map's last colour
  */
 
 /**

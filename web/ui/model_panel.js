@@ -4,7 +4,7 @@ import { onLanguage, text, textOr } from '../i18n/catalogue.js';
 import { hintOf, sentenceOf, writtenValue } from '../i18n/messages.js';
 import { choiceLabel } from '../i18n/setting_names.js';
 import { byId } from '../dom/dom.js';
-import { formatBox } from '../i18n/format.js';
+import { formatBox, formatPlain } from '../i18n/format.js';
 import { showFindings } from './messages.js';
 import { showStep } from './steps.js';
 
@@ -32,6 +32,7 @@ export class ModelPanel {
     this.file_ = byId('file', HTMLInputElement);
     this.unit_ = byId('unit', HTMLSelectElement);
     this.upAxis_ = byId('up-axis', HTMLSelectElement);
+    this.height_ = byId('height', HTMLInputElement);
     this.drop_ = byId('drop', HTMLElement);
     this.sample_.addEventListener('change', () => this.sample_.value && listener.onSample(this.sample_.value));
     this.file_.addEventListener('change', () => {
@@ -39,7 +40,11 @@ export class ModelPanel {
       if (file) listener.onFile(file);
     });
     this.unit_.addEventListener('change', () => listener.onScale(this.scaleToMm));
-    this.upAxis_.addEventListener('change', () => listener.onUpAxis(this.upAxis));
+    this.upAxis_.addEventListener('change', () => {
+      this.showHeight_();
+      listener.onUpAxis(this.upAxis);
+    });
+    this.height_.addEventListener('change', () => this.takeHeight_());
     this.listenForDrops_(listener);
     /** @type {Sample[]} */ this.samples_ = [];
     /** @type {{ model: ModelInfo, source: ShownSource } | undefined} */ this.shown_ = undefined;
@@ -68,12 +73,41 @@ export class ModelPanel {
    */
   show(model, source) {
     this.shown_ = { model, source };
-    this.unit_.value = String(source.scaleToMm);
+    this.showScale_(source.scaleToMm);
     this.upAxis_.value = source.upAxis;
+    this.showHeight_();
     if (source.sampleId !== undefined) this.file_.value = '';
     byId('credit', HTMLElement).textContent = source.credit;
     showStep('model', model.engravable ? 'done' : 'bad', () => text('page.modelState', { name: this.nameOf_(source), size: formatBox(model.sizeMm) }));
     this.showTexts_();
+  }
+
+  /** The unit's name, or the factor where it is no unit's. @param {number} scaleToMm */
+  showScale_(scaleToMm) {
+    const value = String(scaleToMm);
+    this.unit_.querySelector('.own')?.remove();
+    if (![...this.unit_.options].some((option) => option.value === value)) {
+      const own = new Option(text('settings.ownScale', { factor: formatPlain(scaleToMm, 3) }), value);
+      own.className = 'own';
+      this.unit_.append(own);
+    }
+    this.unit_.value = value;
+  }
+
+  /** @returns {number}  of the model, mm; 0: there is none */
+  get heightMm_() {
+    return this.shown_?.model.sizeMm[this.upAxis === 'y' ? 1 : 2] ?? 0;
+  }
+
+  showHeight_() {
+    this.height_.value = this.heightMm_ > 0 ? String(Number(this.heightMm_.toPrecision(4))) : '';
+  }
+
+  /** The model becomes as high as was typed; what is no height is put back. */
+  takeHeight_() {
+    const wanted = this.height_.valueAsNumber;
+    if (this.shown_ && this.height_.validity.valid && this.heightMm_ > 0) this.listener_.onScale(this.shown_.source.scaleToMm * wanted / this.heightMm_);
+    else this.showHeight_();
   }
 
   /** @param {ShownSource} source */

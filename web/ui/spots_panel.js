@@ -21,6 +21,7 @@ export class SpotsPanel {
     this.sizes_ = byId('show-sizes', HTMLButtonElement);
     this.legend_ = legend;
     this.topMm_ = 0;
+    this.leastMm_ = 0;
     this.onSpot_ = onSpot;
     /** @type {Spots['spots']} */ this.spots_ = [];
     onLanguage(() => this.nameSpots_());
@@ -38,8 +39,9 @@ export class SpotsPanel {
   }
 
   /** @param {Spots} found */
-  show({ spots, topMm }) {
+  show({ spots, leastMm, topMm }) {
     this.spots_ = spots;
+    this.leastMm_ = leastMm;
     this.list_.replaceChildren(...spots.map((_, index) => {
       const picture = make('canvas');
       picture.setAttribute('aria-hidden', 'true');
@@ -58,7 +60,13 @@ export class SpotsPanel {
 
   nameSpots_() {
     [...this.list_.querySelectorAll('.name')].forEach((name, index) => name.replaceChildren(text('page.spot', { index: index + 1 }),
-      make('span', { text: factsOf(this.spots_[index]) })));
+      make('span', { text: factsOf(this.spots_[index]) }), ...this.warnings_(this.spots_[index])));
+  }
+
+  /** Why the printer makes no code there. @param {Spots['spots'][number]} spot */
+  warnings_({ sizeMm }) {
+    if (sizeMm >= this.leastMm_) return [];
+    return [make('span', { className: 'warning', text: text('page.spotTooSmall', { size: `${formatPlain(Math.ceil(10 * this.leastMm_) / 10)} mm` }) })];
   }
 
   /** The code on a spot, as its reader sees it. @param {number} index @param {import('../engine/types.js').ColourImage} picture */

@@ -54,6 +54,7 @@ export const page = {
     aimLittle: 'Here a phone must be held straight: it reads from {deg}° aside at most. A smaller code or a flatter place forgives more.',
     spot: 'Spot {index}',
     upTo: 'up to {size}, {deg}°\u00a0aside',
+    spotTooSmall: 'too small for your printer, which needs {size}',
 
     carve: 'Carve',
     carveState: '{preset}, {nozzle} mm nozzle',
@@ -171,6 +172,7 @@ export const page = {
     aimLittle: 'Hier muss ein Telefon gerade davor sein: Es liest ihn höchstens {deg}° von der Seite. Ein kleinerer Code oder eine flachere Stelle verzeiht mehr.',
     spot: 'Stelle {index}',
     upTo: 'bis {size}, {deg}°\u00a0seitlich',
+    spotTooSmall: 'zu klein für den Drucker, der {size} braucht',
 
     carve: 'Gravur',
     carveState: '{preset}, Düse {nozzle} mm',
