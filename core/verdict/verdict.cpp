@@ -23,7 +23,7 @@ constexpr double kMisplacedModules = 1.5;
 /// of thumb, 45° below the level.
 constexpr double kSteepestOverhangDeg = 135;
 /// Fewer tries on a print are luck: of the prints below it fewer than three of five decoder families mostly read none
-/// (bench/printing/agreement.md).
+/// (bench/printing).
 constexpr double kLeastPrintedFraction = 1.0 / 6;
 
 /// Why a code that was found, or not, does not read.
