@@ -61,12 +61,14 @@ std::vector<Remedy> readingRemedies(const EngraveRequest& request, const Engrave
   return remedies;
 }
 
-std::vector<Remedy> printingRemedies(const EngraveRequest& request, const EngraveResult& result) {
+std::vector<Remedy> printingRemedies(const EngraveRequest& request, const EngraveResult& result, bool wasPrinted) {
   const CarvedFeatures features = featuresOf(result);
   std::vector<Remedy> remedies;
+  if (wasPrinted) addDarkerModules(request, remedies);
   const double leastModuleMm = printableModuleMm(features, request.printer.nozzleMm);
-  if (features.moduleMm < leastModuleMm - kRoundingMm) {
-    addLargerCode(request, result, leastModuleMm, remedies);
+  const bool isTooFine = features.moduleMm < leastModuleMm - kRoundingMm;
+  if (wasPrinted || isTooFine) addLargerCode(request, result, leastModuleMm, remedies);
+  if (isTooFine) {
     if (request.modulePattern != ModulePattern::ThickPlus) {
       const char* pattern = request.modulePattern == ModulePattern::ThinPlus ? "square" : "thick-plus";
       remedies.push_back({message("remedy-pattern", with::choice("pattern", "pattern", pattern)), "pattern", pattern});
@@ -80,7 +82,7 @@ std::vector<Remedy> printingRemedies(const EngraveRequest& request, const Engrav
   }
   const double thickestLayerMm = printableLayerMm(features);
   if (thickestLayerMm < request.printer.layerMm - kRoundingMm) {
-    addDarkerModules(request, remedies);
+    if (!wasPrinted) addDarkerModules(request, remedies);
     const auto thinner = std::find_if(kLayersMm.begin(), kLayersMm.end(),
                                       [&](double mm) { return mm <= thickestLayerMm + kRoundingMm; });
     if (thinner != kLayersMm.end())

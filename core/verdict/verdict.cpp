@@ -229,7 +229,8 @@ Verdict judge(const EngraveRequest& request, const EngraveResult& result, const 
     verdict.reads.remedies = readingRemedies(request, result);
   }
   verdict.prints = judgePrinting(featuresOf(result), request.printer, request.minWallMm, printed, request.text);
-  if (verdict.prints.level != Level::Good) verdict.prints.remedies = printingRemedies(request, result);
+  if (verdict.prints.level != Level::Good)
+    verdict.prints.remedies = printingRemedies(request, result, printed != nullptr);
   verdict.solid = judgeSolidity(result.solidity, result.inheritedSelfIntersections);
   if (result.inlay)
     for (const Message& failure : judgeSolidity(result.inlaySolidity, 0).failed)

@@ -145,7 +145,7 @@ TEST_F(VerdictTest, AsPrintedItReadsBarelyReadsOrDoesNotAndPassesAsAdvice) {
   EXPECT_EQ(barely.summary.code, "barely-reads-as-printed");
   EXPECT_EQ(facing(barely), "facing-aside");
   EXPECT_GT(barely.reasons.size(), 1u) << "advice, too";
-  EXPECT_FALSE(barely.remedies.empty());
+  EXPECT_EQ(settingsOf(barely.remedies).front(), "preset=robust");
   EXPECT_EQ(printed(12, 0).level, Level::Barely);
   const Aspect bad = printed(11, 45);
   EXPECT_EQ(bad.level, Level::Bad);
