@@ -59,3 +59,26 @@ test('The print is simulated beside the result, seen in the reader’s view, and
     expect((await app.report()).verification.printed).toBeNull();
   });
 });
+
+test('What does not read as printed is tried in other ways, and one press takes what reads', async ({ page }) => {
+  const app = new Engraver(page);
+  await app.open('?sample=saddle&text=HELLO');
+  await app.expectReady();
+  await app.openSettings();
+  await app.setting('At most (mm)').fill('8');
+  await app.setting('At most (mm)').press('Tab');
+  await app.expectReady();
+  await app.engrave();
+  const line = app.result.getByRole('list', { name: 'Verdict' }).locator('> li').nth(1);
+  await expect(line).toContainText('Does not read as printed', kPrinted);
+  await expect(page.locator('#check-state')).toHaveText('Reads, but may not print');
+  await line.getByRole('button', { name: 'Try other ways of printing' }).click();
+  await expect(line).toContainText(/Print 1 of 5: \d+ %/);
+  await expect(line.locator('.print-trials li')).toHaveCount(5, { timeout: 180_000 });
+  await expect(line).not.toContainText(/Print \d of 5/);
+  await expect(line.locator('.print-trials')).toContainText('as an upright wall (0.4 mm nozzle, 0.2 mm layers)');
+  await line.getByRole('button', { name: 'Take it: Resin, layers 0.05 mm' }).click();
+  await expect(app.setting('Process')).toHaveValue('resin-0.05');
+  await expect(app.setting('Layer (mm)')).toHaveValue('0.05');
+  await expect(app.result).toContainText('Engrave again to update it');
+});

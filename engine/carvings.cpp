@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/carvings.h"
 
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "base/clock.h"
@@ -8,6 +9,7 @@
 #include "io/write_checked.h"
 #include "pipeline/add_inlay.h"
 #include "pipeline/carved_objects.h"
+#include "settings/setting_json.h"
 #include "verification/baked_light.h"
 #include "verification/reading_variants.h"
 #include "viewer/depth_colours.h"
@@ -177,8 +179,27 @@ Verdict Carvings::verdict() const {
   return judge(current_.request, *current_.result, current_.reading, current_.printed ? &*current_.printed : nullptr);
 }
 
-Result<std::optional<PrintedViewRequest>> Carvings::printedView() const {
-  return printedViewOf(verifyRequestOf(current_.request, *current_.result));
+Result<EngraveRequest> Carvings::printedAs(const std::string& changed) const {
+  auto settings = nlohmann::json::parse(settingsJson(current_.request));
+  const auto changes = nlohmann::json::parse(changed);
+  if (changes.contains("process"))  // which brings its own
+    for (const char* key : {"nozzleMm", "layerMm", "lineWidthMm"}) settings.erase(key);
+  settings.update(changes);
+  return requestFromJson(settings.dump());
+}
+
+Result<std::optional<PrintedViewRequest>> Carvings::printedView(const std::string& changed) const {
+  const auto request = printedAs(changed);
+  if (!request) return tl::unexpected(request.error());
+  return printedViewOf(verifyRequestOf(*request, *current_.result));
+}
+
+Result<Aspect> Carvings::judgePrint(const std::string& changed, const std::vector<std::string>& texts,
+                                    double facingDeg) const {
+  const auto request = printedAs(changed);
+  if (!request) return tl::unexpected(request.error());
+  const PrintedEvidence printed{evidenceOf(texts, request->text, true), {}, facingDeg};
+  return judge(*request, *current_.result, current_.reading, &printed).prints;
 }
 
 void Carvings::setPrintedReadings(const std::vector<std::string>& texts, double facingDeg) {

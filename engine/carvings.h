@@ -59,9 +59,12 @@ class Carvings {
   /// @returns what the carving comes to with that
   Verdict setReadings(const std::vector<std::string>& texts, const std::string& reader);
   /// What has to be made to see it printed; null: that is not asked for. There must be a carving.
-  Result<std::optional<PrintedViewRequest>> printedView() const;
+  /// @param changed  settings of the printing that are other than those carved with, see requestFromJson()
+  Result<std::optional<PrintedViewRequest>> printedView(const std::string& changed) const;
   /// What decoders made of the print's frontalPictures(), try by try. There must be a carving with a printedView().
   void setPrintedReadings(const std::vector<std::string>& texts, double facingDeg);
+  /// What a print with changed settings would come to; nothing is kept. There must be a carving.
+  Result<Aspect> judgePrint(const std::string& changed, const std::vector<std::string>& texts, double facingDeg) const;
   /// Looks from where else it reads; null before startViewTrials(). There must be a carving.
   ViewTrials& startViewTrials();
   ViewTrials* viewTrials() { return current_.viewTrials ? &*current_.viewTrials : nullptr; }
@@ -104,6 +107,7 @@ class Carvings {
                                               const PlacementSearch* placed);
   void forgetCurrent();
   Verdict verdict() const;
+  Result<EngraveRequest> printedAs(const std::string& changed) const;
 
   std::shared_ptr<const LuminancePrograms> programs_;  // once there was an engraving
   std::optional<bool> timerQueries_;                   // none: passes are not timed

@@ -111,11 +111,14 @@ class Engine {
 
   /// {order}: what PrintedCode::start() takes beside the model to see the carving printed; null where that is not asked
   /// for. An error before an engraving is done.
-  std::string printOrder() const;
+  /// @param changed  settings of the printing that are other than those carved with, as JSON: "{}" for none
+  std::string printOrder(const std::string& changed) const;
   /// What the tries on the print's pictures come to is in the report from now on.
-  /// @param texts   as of setReadings()
+  /// @param texts      as of setReadings()
   /// @param facingDeg  see PrintedCode::advance()
   std::string setPrintedReadings(const std::string& texts, double facingDeg);
+  /// {prints}: what a print with changed settings comes to; the report does not change.
+  std::string judgePrint(const std::string& changed, const std::string& texts, double facingDeg) const;
 
   /// {tried, all}: starts looking from where else the code reads (verification/view_trials.h).
   std::string startViewTrials();

@@ -4,6 +4,7 @@
 #include "engine/engine.h"
 #include "engine/printed_code.h"
 #include "projection/bend.h"
+#include "report/json_parts.h"
 
 namespace qrelief {
 namespace {
@@ -89,9 +90,9 @@ std::string Engine::setReadings(const std::string& texts, const std::string& rea
   return textOf({{"ok", true}, {"passed", verdict.reads.passed()}, {"next", next ? Json(presetName(*next)) : Json()}});
 }
 
-std::string Engine::printOrder() const {
+std::string Engine::printOrder(const std::string& changed) const {
   if (!carvings_.result()) return answer(kNoResult);
-  const auto wanted = carvings_.printedView();
+  const auto wanted = carvings_.printedView(changed);
   if (!wanted) return answer(wanted.error());
   return textOf({{"ok", true}, {"order", *wanted ? jsonOf(**wanted) : Json()}});
 }
@@ -100,6 +101,13 @@ std::string Engine::setPrintedReadings(const std::string& texts, double facingDe
   if (!carvings_.result() || !carvings_.request().process) return answer(kNoResult);
   carvings_.setPrintedReadings(Json::parse(texts).get<std::vector<std::string>>(), facingDeg);
   return done();
+}
+
+std::string Engine::judgePrint(const std::string& changed, const std::string& texts, double facingDeg) const {
+  if (!carvings_.result()) return answer(kNoResult);
+  const auto prints = carvings_.judgePrint(changed, Json::parse(texts).get<std::vector<std::string>>(), facingDeg);
+  if (!prints) return answer(prints.error());
+  return textOf({{"ok", true}, {"prints", describeAspect(*prints, {})}});
 }
 
 std::string Engine::startViewTrials() {

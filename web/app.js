@@ -211,6 +211,7 @@ export class App {
       onDownload: (format) => this.guard_(() => this.carving_.download(format)),
       onSaveReport: () => this.guard_(() => this.carving_.saveReport()),
       onPrint: (wanted) => this.carving_.print(wanted),
+      onTryPrints: () => this.guard_(() => this.carving_.tryPrints()),
       onRemedy: (remedy, label) => this.guard_(() => this.session_.remedy(remedy, label)),
       onTryViews: async (...options) => {
         /** @type {import('./engine/types.js').ViewTrials | undefined} */ let trials;

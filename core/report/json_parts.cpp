@@ -14,20 +14,6 @@ Json describeGrade(const Grade& grade) { return {{"value", grade.value}, {"grade
 
 Json lengthOrNull(double mm) { return std::isfinite(mm) ? Json(mm) : Json(nullptr); }
 
-Json describeAspect(const Aspect& aspect, const Wording& wording) {
-  Json remedies = Json::array();
-  for (const Remedy& remedy : aspect.remedies) {
-    Json one = describeMessage(remedy.message, wording);
-    if (!remedy.setting.empty()) one["change"] = {{"setting", remedy.setting}, {"value", remedy.value}};
-    remedies.push_back(std::move(one));
-  }
-  return {{"level", levelName(aspect.level)},
-          {"passed", aspect.passed()},
-          {"summary", describeMessage(aspect.summary, wording)},
-          {"reasons", describeMessages(aspect.reasons, wording)},
-          {"remedies", std::move(remedies)}};
-}
-
 }  // namespace
 
 GradeReports describeGrades(const SymbolGrades& grades) {
@@ -59,6 +45,20 @@ Json describeMessages(const std::vector<Message>& messages, const Wording& wordi
   Json list = Json::array();
   for (const Message& message : messages) list.push_back(describeMessage(message, wording));
   return list;
+}
+
+Json describeAspect(const Aspect& aspect, const Wording& wording) {
+  Json remedies = Json::array();
+  for (const Remedy& remedy : aspect.remedies) {
+    Json one = describeMessage(remedy.message, wording);
+    if (!remedy.setting.empty()) one["change"] = {{"setting", remedy.setting}, {"value", remedy.value}};
+    remedies.push_back(std::move(one));
+  }
+  return {{"level", levelName(aspect.level)},
+          {"passed", aspect.passed()},
+          {"summary", describeMessage(aspect.summary, wording)},
+          {"reasons", describeMessages(aspect.reasons, wording)},
+          {"remedies", std::move(remedies)}};
 }
 
 Json describeVerdict(const Verdict& verdict, const Wording& wording) {

@@ -34,6 +34,7 @@ nlohmann::ordered_json describeMessages(const std::vector<Message>& messages, co
 
 /// {"passed", "reads": {"level", "passed", "summary", "reasons", "remedies"}, "prints", "solid"}; a remedy is a message
 /// with {"change": {"setting", "value"}}, which is absent where another place has to be chosen.
+nlohmann::ordered_json describeAspect(const Aspect& aspect, const Wording& wording);
 nlohmann::ordered_json describeVerdict(const Verdict& verdict, const Wording& wording);
 
 /// {"process", "facingDeg", "tries", "reads", "readsNeeded", "read"}. @returns null if it was not found out

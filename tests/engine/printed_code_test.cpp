@@ -29,7 +29,7 @@ class PrintedCodeTest : public GlTest {
   }
   /// @returns the last answer
   Json print(PrintedCode& print) const {
-    const Json order = Json::parse(engine_->printOrder())["order"];
+    const Json order = Json::parse(engine_->printOrder("{}"))["order"];
     Json said = Json::parse(print.start(engine_->carvings().result()->stl, order.dump()));
     double before = 0;
     while (said["ok"] == true && said["done"] != true) {
@@ -94,10 +94,25 @@ TEST_F(PrintedCodeTest, WhatWasReadOfThePrintIsInTheReportOfThatCarving) {
   EXPECT_EQ(Json::parse(engine_->report())["verification"]["printed"]["reads"], 1);
 }
 
+TEST_F(PrintedCodeTest, AnotherWayOfPrintingIsTriedWithoutAnotherCarving) {
+  carve(25.2, "fdm-0.4/0.2");
+  const std::string changed = R"({"process": "fdm-0.25/0.1", "buildUp": "code-upright"})";
+  const Json order = Json::parse(engine_->printOrder(changed))["order"];
+  EXPECT_EQ(order["process"]["layerMm"], 0.1);
+  EXPECT_EQ(order["process"]["finestMm"], 0.25);
+  EXPECT_NEAR(order["buildUp"][2].get<double>(), 0, 1e-12);
+  const Json judged = Json::parse(engine_->judgePrint(changed, R"(["QRELIEF"])", 90));
+  ASSERT_EQ(judged["ok"], true) << judged;
+  EXPECT_EQ(judged["prints"]["level"], "good");
+  EXPECT_EQ(judged["prints"]["summary"]["values"]["printing"]["cause"]["values"]["nozzle"]["lengthMm"], 0.25);
+  EXPECT_TRUE(Json::parse(engine_->report())["verification"]["printed"].is_null());
+  EXPECT_EQ(Json::parse(engine_->printOrder(R"({"process": "clay"})"))["ok"], false);
+}
+
 TEST_F(PrintedCodeTest, WithoutAProcessNothingIsToBePrinted) {
-  EXPECT_EQ(Json::parse(engine_->printOrder())["ok"], false);  // nothing is carved yet
+  EXPECT_EQ(Json::parse(engine_->printOrder("{}"))["ok"], false);  // nothing is carved yet
   carve(25.2, "none");
-  const Json order = Json::parse(engine_->printOrder());
+  const Json order = Json::parse(engine_->printOrder("{}"));
   EXPECT_EQ(order["ok"], true);
   EXPECT_TRUE(order["order"].is_null());
   EXPECT_EQ(Json::parse(engine_->setPrintedReadings(R"(["QRELIEF"])", 0))["ok"], false);

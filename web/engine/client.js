@@ -205,8 +205,22 @@ export class EngineClient {
    */
   setReadings(texts, reader) { return this.call_('setReadings', texts, reader); }
 
-  /** What makes the carving's print; null: none is asked for. @returns {Promise<import('./types.js').PrintJob | null>} */
-  printJob() { return this.call_('printJob'); }
+  /**
+   * What makes the carving's print; null: none is asked for.
+   * @param {import('./types.js').PrintChange} [changed]  of the settings carved with
+   * @returns {Promise<import('./types.js').PrintJob | null>}
+   */
+  printJob(changed = {}) { return this.call_('printJob', changed); }
+
+  /**
+   * What a print with changed settings comes to.
+   * @param {number} number     of the carving that was printed
+   * @param {import('./types.js').PrintChange} changed
+   * @param {string[]} texts    what each try on the print's pictures read
+   * @param {number} facingDeg  see Print
+   * @returns {Promise<import('./types.js').Aspect | null>}  null if another carving is there now
+   */
+  judgePrint(number, changed, texts, facingDeg) { return this.call_('judgePrint', number, changed, texts, facingDeg); }
 
   /**
    * @param {number} number     of the carving that was printed

@@ -201,9 +201,9 @@ export class EngineHost {
     readingPictures: () => this.engine_.readingPictures().map(copyOf),
     /** @param {string[]} texts @param {string} reader */
     setReadings: (texts, reader) => parseAnswer(this.engine_.setReadings(JSON.stringify(texts), reader)),
-    /** @returns {import('./types.js').PrintJob | null} */
-    printJob: () => {
-      const { order } = parseAnswer(this.engine_.printOrder());
+    /** @param {import('./types.js').PrintChange} changed @returns {import('./types.js').PrintJob | null} */
+    printJob: (changed) => {
+      const { order } = parseAnswer(this.engine_.printOrder(JSON.stringify(changed)));
       return order && { order, stl: this.engine_.exportModel('stl').slice() };
     },
     /** @param {number} number  of the carving @param {string[]} texts @param {number} facingDeg */
@@ -212,6 +212,9 @@ export class EngineHost {
       parseAnswer(this.engine_.setPrintedReadings(JSON.stringify(texts), facingDeg));
       return parseAnswer(this.engine_.report());
     },
+    /** @param {number} number  of the carving @param {import('./types.js').PrintChange} changed @param {string[]} texts @param {number} facingDeg */
+    judgePrint: (number, changed, texts, facingDeg) => (this.engine_.carving() === number
+      ? parseAnswer(this.engine_.judgePrint(JSON.stringify(changed), JSON.stringify(texts), facingDeg)).prints : null),
     startViewTrials: () => parseAnswer(this.engine_.startViewTrials()).all,
     viewTrialPictures: () => this.engine_.viewTrialPictures().map(copyOf),
     /** @param {boolean} read */

@@ -126,9 +126,16 @@
  *   has lost; `pictures` for readers; `picture`: the symbol from the front with 6 modules around it
  */
 
+/** @typedef {{ process?: string, buildUp?: string }} PrintChange  as settings files write it */
+/**
+ * Other ways of printing the same carving: how many were made, of how many, and what they came to; `fraction` of the one that
+ * is being made, none when it is over.
+ * @typedef {{ tried: { change: PrintChange, prints: Aspect }[], all: number, fraction?: number }} PrintTrials
+ */
+
 /**
  * How far the print of a carving is.
- * @typedef {{ state: 'none' } | { state: 'made', print: Print } | { state: 'under-way', fraction: number } | { state: 'stopped' } |
+ * @typedef {{ state: 'none' } | { state: 'made', print: Print, trials?: PrintTrials } | { state: 'under-way', fraction: number } | { state: 'stopped' } |
  *   { state: 'failed', error: EngineError }} Printed
  *   none: it is not asked for
  */
@@ -172,7 +179,8 @@
  * @property {(name: JobMapName) => JobMap | null} jobMap
  * @property {() => GreyImage[]} readingPictures
  * @property {(texts: string, reader: string) => string} setReadings
- * @property {() => string} printOrder
+ * @property {(changed: string) => string} printOrder
+ * @property {(changed: string, texts: string, facingDeg: number) => string} judgePrint
  * @property {(texts: string, facingDeg: number) => string} setPrintedReadings
  * @property {() => string} startViewTrials
  * @property {() => GreyImage[]} viewTrialPictures

@@ -6,6 +6,7 @@ import { text } from '../i18n/catalogue.js';
 import { messageWords } from '../i18n/message_words.js';
 import { worded } from '../i18n/messages.js';
 import { saveFile } from '../dom/save_file.js';
+import { otherPrints } from './other_prints.js';
 import { sameWork } from './work.js';
 
 /** @typedef {import('./work.js').Work} Work */
@@ -228,6 +229,17 @@ export class Carving {
       if (this.carved !== carved) return;
       this.panel_.update();
       if (report) this.onPrinted_();
+    });
+  }
+
+  /** Prints what is carved in other ways, until one of them is told to stop. */
+  async tryPrints() {
+    const { carved } = this;
+    if (carved?.printed?.state !== 'made') return;
+    const { printed } = carved;
+    await this.printing_.tryOthers(carved.number, otherPrints(carved.made.values), (trials) => {
+      printed.trials = trials;
+      if (this.carved === carved) this.panel_.update();
     });
   }
 

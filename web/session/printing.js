@@ -5,12 +5,14 @@ import { describeThrown } from '../engine/engine_error.js';
 import { makePrint } from '../engine/printer.js';
 
 /** @typedef {import('../engine/types.js').Printed} Printed */
+/** @typedef {import('../engine/types.js').PrintChange} PrintChange */
+/** @typedef {import('../engine/types.js').PrintTrials} PrintTrials */
 /** @typedef {import('../engine/types.js').Report} Report */
 
 export class Printing {
   /**
    * @param {object} options
-   * @param {Pick<import('../engine/client.js').EngineClient, 'printJob' | 'setPrintedReadings'>} options.client
+   * @param {Pick<import('../engine/client.js').EngineClient, 'printJob' | 'setPrintedReadings' | 'judgePrint'>} options.client
    * @param {typeof makePrint} [options.make]
    * @param {typeof readEach} [options.read]
    */
@@ -49,6 +51,36 @@ export class Printing {
     } catch (thrown) {
       if (!signal.aborted) tell({ state: 'failed', error: describeThrown(thrown) });
     } finally {
+      if (this.abort_ === abort) this.abort_ = undefined;
+    }
+  }
+
+  /**
+   * Prints the same carving in other ways, one after the other.
+   * @param {number} number  of the carving
+   * @param {PrintChange[]} changes  of the settings carved with
+   * @param {(trials: PrintTrials) => void} tell  how far it is
+   */
+  async tryOthers(number, changes, tell) {
+    this.stop();
+    const abort = new AbortController();
+    this.abort_ = abort;
+    const { signal } = abort;
+    const all = changes.length;
+    /** @type {PrintTrials['tried']} */ let tried = [];
+    try {
+      for (const change of changes) {
+        tell({ tried, all, fraction: 0 });
+        const job = await this.client_.printJob(change);
+        const print = job && await this.make_(job, { signal, onProgress: (fraction) => tell({ tried, all, fraction }) });
+        if (!print || signal.aborted) break;
+        const texts = await this.read_(print.pictures);
+        const prints = await this.client_.judgePrint(number, change, texts, print.facingDeg);
+        if (!prints || signal.aborted) break;
+        tried = [...tried, { change, prints }];
+      }
+    } finally {
+      tell({ tried, all });
       if (this.abort_ === abort) this.abort_ = undefined;
     }
   }

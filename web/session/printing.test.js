@@ -92,3 +92,26 @@ test('A print of a carving that is gone is told to nobody', async () => {
   await run;
   assert.deepEqual(states(), ['under-way', 'under-way']);
 });
+
+test('Other ways are printed one after the other, and what each comes to is told', async () => {
+  client.answers.judgePrint = async (/** @type {number} */ _, /** @type {any} */ change) => ({ level: change.buildUp ? 'good' : 'bad' });
+  made.resolve(print());
+  /** @type {any[]} */ const trials = [];
+  await printing.tryOthers(7, [{ buildUp: 'code-up' }, { process: 'resin-0.05' }], (one) => void trials.push(one));
+  assert.deepEqual(trials[0], { tried: [], all: 2, fraction: 0 });
+  assert.deepEqual(trials.at(-1), {
+    tried: [{ change: { buildUp: 'code-up' }, prints: { level: 'good' } }, { change: { process: 'resin-0.05' }, prints: { level: 'bad' } }], all: 2,
+  });
+});
+
+test('Stopped, what was tried so far stays', async () => {
+  client.answers.judgePrint = async () => ({ level: 'good' });
+  /** @type {any[]} */ const trials = [];
+  const run = printing.tryOthers(7, [{ buildUp: 'code-up' }, { buildUp: 'code-upright' }], (one) => {
+    trials.push(one);
+    if (one.tried.length === 1) printing.stop();
+  });
+  made.resolve(print());
+  await run;
+  assert.deepEqual(trials.at(-1), { tried: [{ change: { buildUp: 'code-up' }, prints: { level: 'good' } }], all: 2 });
+});

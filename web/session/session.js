@@ -175,7 +175,7 @@ export class Session {
   async remedy({ change }, label) {
     if (!change) return this.parts_.spots.suggest();
     const { id, value } = this.parts_.form.controlFor(change);
-    this.write({ text: this.parts_.code.text, values: { ...this.parts_.form.values, [id]: value } });
+    this.write({ text: this.parts_.code.text, values: this.parts_.form.valuesAfter(change) });
     await this.changeSettings();
     if (!this.parts_.placing.placement) return undefined;  // it was said why not
     return this.parts_.messages.say(() => text('check.done', { label, control: controlName(id), value: shownValue(id, value) }));

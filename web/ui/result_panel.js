@@ -6,7 +6,7 @@ import { formatMm, formatSeconds } from '../i18n/format.js';
 import { GradesPanel } from './grades_panel.js';
 import { showFindings } from './messages.js';
 import { markStep, showStep } from './steps.js';
-import { isUnderWay, printingWords, verdictLines } from './verdict_lines.js';
+import { isUnderWay, printingWords, tryingWords, verdictLines } from './verdict_lines.js';
 
 /** @typedef {import('../engine/types.js').Report} Report */
 /** @typedef {import('../engine/types.js').Verdict} Verdict */
@@ -22,9 +22,10 @@ export class ResultPanel {
    * @param {() => void} listener.onSaveReport
    * @param {(remedy: Remedy, label: string) => void} listener.onRemedy
    * @param {(wanted: boolean) => void} listener.onPrint  the print is to be made, or not
+   * @param {() => void} listener.onTryPrints  others are to be made
    * @param {ViewTrier} listener.onTryViews
    */
-  constructor({ onDownload, onSaveReport, onRemedy, onPrint, onTryViews }) {
+  constructor({ onDownload, onSaveReport, onRemedy, onPrint, onTryPrints, onTryViews }) {
     this.region_ = byId('result', HTMLElement);
     this.verdict_ = byId('verdict', HTMLElement);
     this.numbers_ = byId('numbers', HTMLElement);
@@ -32,6 +33,7 @@ export class ResultPanel {
     this.grades_ = new GradesPanel(onTryViews);
     this.onRemedy_ = onRemedy;
     this.onPrint_ = onPrint;
+    this.onTryPrints_ = onTryPrints;
     /** @type {Result | undefined} */ this.result_ = undefined;
     this.outdated_ = false;
     const format = byId('format', HTMLSelectElement);
@@ -52,8 +54,12 @@ export class ResultPanel {
   /** More is known of the result that is shown. */
   update() {
     const { printed } = this.result_ ?? {};
-    const heading = this.verdict_.querySelector('.printing');
+    const heading = this.verdict_.querySelector('.printing'), trying = this.verdict_.querySelector('.trying-prints');
+    const trials = printed?.state === 'made' ? printed.trials : undefined;
+    const isSameTrial = trials?.fraction !== undefined && this.verdict_.querySelectorAll('.print-trials li').length === trials.tried.length;
+    // What is pressed must not be replaced under the finger.
     if (heading && isUnderWay(printed)) heading.textContent = printingWords(printed);
+    else if (trying && isSameTrial) trying.textContent = tryingWords(trials);
     else this.render_();
   }
 
@@ -94,7 +100,7 @@ export class ResultPanel {
     else showStep('check', kMarks[worstOf(verdict)], () => text(summaryOf(verdict)));
     this.region_.classList.toggle('outdated', this.outdated_);
     showFindings(this.notes_, this.outdated_ ? [{ severity: 'warning', found: text('page.outdated'), help: '' }] : []);
-    this.verdict_.replaceChildren(...verdictLines(report, printed, { onRemedy: this.onRemedy_, onPrint: this.onPrint_ }));
+    this.verdict_.replaceChildren(...verdictLines(report, printed, { onRemedy: this.onRemedy_, onPrint: this.onPrint_, onTryPrints: this.onTryPrints_ }));
     this.numbers_.replaceChildren(
       ...row(text('page.size'), text('page.sizeValue', { width: formatMm(size.symbolMm), module: formatMm(size.moduleMm) })),
       ...row(text('page.depth'), text('page.depthValue', { mean: formatMm(depth.meanMm), max: formatMm(depth.maxMm) })),

@@ -24,7 +24,7 @@ export class SettingsForm {
     for (const control of this.controls_) {
       prepare(control);
       control.addEventListener('change', () => {
-        if (keyOf(control) === 'process') this.takeProcess_(control.value);
+        if (keyOf(control) === 'process') this.values = this.valuesAfter({ setting: 'process', value: control.value });
         this.nameSizeField_();
         onChange(control.id);
       });
@@ -62,7 +62,6 @@ export class SettingsForm {
   /** As if the user had typed them, at once. @param {Values} values */
   change(values) {
     this.values = values;
-    if (typeof values.process === 'string') this.takeProcess_(values.process);
     this.onChange_(Object.keys(values)[0]);
   }
 
@@ -90,13 +89,12 @@ export class SettingsForm {
     return { id: control.id, value: hasAuto ? 'auto' : value };
   }
 
-  /** Nozzle and layer as the process has them. @param {string} process */
-  takeProcess_(process) {
-    const own = kProcesses[process];
-    for (const control of own ? this.controls_ : []) {
-      const key = keyOf(control);
-      if (key === 'nozzleMm' || key === 'layerMm') control.value = String(own[key]);
-    }
+  /** What the controls hold after a change of a setting. @param {{ setting: string, value: string }} change @returns {Values} */
+  valuesAfter(change) {
+    const { id, value } = this.controlFor(change);
+    const own = change.setting === 'process' ? kProcesses[value] : undefined;
+    const brought = own ? this.controls_.filter((control) => keyOf(control) in own) : [];
+    return { ...this.values, [id]: value, ...Object.fromEntries(brought.map((control) => [control.id, String(own?.[/** @type {'nozzleMm' | 'layerMm'} */ (keyOf(control))])])) };
   }
 
   nameAll_() {

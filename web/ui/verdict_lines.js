@@ -2,6 +2,7 @@
 // The verdict in three lines, each with its reasons and what one click would change.
 import { text } from '../i18n/catalogue.js';
 import { asSentence, hintOf, sentenceOf } from '../i18n/messages.js';
+import { choiceLabel } from '../i18n/setting_names.js';
 import { make } from '../dom/dom.js';
 import { formatPlain } from '../i18n/format.js';
 import { remedyButtons } from './messages.js';
@@ -11,16 +12,18 @@ import { remedyButtons } from './messages.js';
 /** @typedef {import('../engine/types.js').Remedy} Remedy */
 /** @typedef {(remedy: Remedy, label: string) => void} OnRemedy */
 /** @typedef {import('../engine/types.js').Printed} Printed */
-/** @typedef {{ onRemedy: OnRemedy, onPrint: (wanted: boolean) => void }} Listener  `onPrint`: the print is to be made, or not */
+/** @typedef {{ onRemedy: OnRemedy, onPrint: (wanted: boolean) => void, onTryPrints: () => void }} Listener
+ *   `onPrint`: the print is to be made, or not; `onTryPrints`: others are to be made */
 
 const kUnlinkedLength = 80;
 
 /** @param {Report} report @param {Printed | undefined} printed  none: nothing is known of it yet @param {Listener} listener */
-export function verdictLines({ text: wanted, verification: { verdict } }, printed, { onRemedy, onPrint }) {
+export function verdictLines({ text: wanted, verification: { verdict } }, printed, listener) {
+  const { onRemedy, onPrint } = listener;
   return [
     line(verdict.reads, readsHeading(wanted, verdict.reads), onRemedy),
     isUnderWay(printed) ? printingLine(printed, onPrint)
-      : line(verdict.prints, [sentenceOf(verdict.prints.summary)], onRemedy, printNotes(printed, onPrint)),
+      : line(verdict.prints, [sentenceOf(verdict.prints.summary)], onRemedy, printNotes(printed, verdict.prints, listener)),
     line(verdict.solid, [sentenceOf(verdict.solid.summary)], onRemedy),
   ];
 }
@@ -37,12 +40,36 @@ const printingLine = (printed, onPrint) => make('li', { className: 'under-way' }
   make('p', { text: text('check.printingWhy') }),
   ...remedyButtons([{ label: text('check.stopPrint'), run: () => onPrint(false) }]));
 
-/** Why the print is not in the verdict, and how it comes to be. @param {Printed} printed @param {Listener['onPrint']} onPrint */
-function printNotes(printed, onPrint) {
+/** What can be done about the print. @param {Printed} printed @param {Aspect} prints @param {Listener} listener @returns {Node[]} */
+function printNotes(printed, prints, listener) {
+  const { onPrint } = listener;
+  if (printed.state === 'made') return prints.level === 'good' && !printed.trials ? [] : trialNotes(printed.trials, listener);
   if (printed.state !== 'stopped' && printed.state !== 'failed') return [];
   const why = printed.state === 'failed' ? [text('check.printFailed'), sentenceOf(printed.error)] : [text('check.printStopped')];
   return [make('p', { text: why.map(asSentence).join(' ') }),
     ...remedyButtons([{ label: text('check.makePrint'), run: () => onPrint(true) }])];
+}
+
+/** @param {import('../engine/types.js').PrintTrials} trials */
+export const tryingWords = ({ tried, all, fraction = 0 }) =>
+  text('check.tryingPrints', { number: Math.min(tried.length + 1, all), all, percent: Math.round(100 * fraction) });
+
+/** Other ways of printing it: asked for, under way, and what they came to. @param {import('../engine/types.js').PrintTrials | undefined} trials @param {Listener} listener @returns {Node[]} */
+function trialNotes(trials, { onRemedy, onPrint, onTryPrints }) {
+  if (!trials) return remedyButtons([{ label: text('check.tryPrints'), run: onTryPrints }]);
+  const { tried, fraction } = trials;
+  const results = make('ul', { className: 'print-trials' }, ...tried.map(({ change, prints }) => make('li', { className: prints.level },
+    make('span', { text: asSentence(sentenceOf(prints.summary)) }), ...remedyButtons(remedyOf(change, prints.level, onRemedy)))));
+  if (fraction === undefined) return [results];
+  return [results, make('p', { className: 'trying-prints', text: tryingWords(trials) }),
+    ...remedyButtons([{ label: text('check.stopPrint'), run: () => onPrint(false) }])];
+}
+
+/** @param {import('../engine/types.js').PrintChange} change @param {Aspect['level']} level @param {OnRemedy} onRemedy */
+function remedyOf(change, level, onRemedy) {
+  const [[setting, value]] = Object.entries(change);
+  const label = text('check.takePrint', { choice: choiceLabel(/** @type {import('../generated/settings.js').SettingKey} */ (setting), value) });
+  return level === 'bad' ? [] : [{ label, run: () => onRemedy({ code: '', values: {}, change: { setting, value } }, label) }];
 }
 
 /** @param {Aspect} aspect @param {(Node | string)[]} heading @param {OnRemedy} onRemedy @param {Node[]} [notes] */

@@ -19,6 +19,9 @@ export const check = {
     printFailed: 'The print could not be simulated',
     stopPrint: 'Stop',
     makePrint: 'Simulate the print',
+    tryPrints: 'Try other ways of printing',
+    tryingPrints: 'Print {number} of {all}: {percent} %',
+    takePrint: 'Take it: {choice}',
 
     done: '{label}: set “{control}” to {value}. Engrave again.',
 
@@ -72,6 +75,9 @@ export const check = {
     printFailed: 'Der Druck konnte nicht simuliert werden',
     stopPrint: 'Abbrechen',
     makePrint: 'Druck simulieren',
+    tryPrints: 'Andere Wege zu drucken probieren',
+    tryingPrints: 'Druck {number} von {all}: {percent} %',
+    takePrint: 'Nehmen: {choice}',
 
     done: '{label}: „{control}“ ist jetzt {value}. Neu gravieren.',
 

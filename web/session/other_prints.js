@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which other ways of printing are worth a try: what costs least first.
+import { kProcesses, kSettings } from '../generated/settings.js';
+
+/** @typedef {import('../engine/types.js').PrintChange} PrintChange */
+
+/**
+ * The other poses, then the processes of finer layers, the coarsest of them first.
+ * @param {import('../storage/last_work.js').Values} values  of the controls, carved with
+ * @returns {PrintChange[]}
+ */
+export function otherPrints({ process, 'build-up': pose, layer }) {
+  const poses = (kSettings.buildUp.choices ?? []).filter((one) => one !== pose);
+  const finer = Object.entries(kProcesses).filter(([name, { layerMm }]) => name !== process && name !== 'powder' && layerMm < Number(layer))
+    .sort(([, a], [, b]) => b.layerMm - a.layerMm);
+  return [...poses.map((buildUp) => ({ buildUp })), ...finer.map(([name]) => ({ process: name }))];
+}
