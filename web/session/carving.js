@@ -237,7 +237,7 @@ export class Carving {
     const { carved } = this;
     if (carved?.printed?.state !== 'made') return;
     const { printed } = carved;
-    await this.printing_.tryOthers(carved.number, otherPrints(carved.made.values), (trials) => {
+    await this.printing_.tryOthers(carved.number, otherPrints(carved.made.values, printed.print.facingDeg), (trials) => {
       printed.trials = trials;
       if (this.carved === carved) this.panel_.update();
     });
