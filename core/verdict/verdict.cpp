@@ -22,7 +22,7 @@ constexpr double kMisplacedModules = 1.5;
 /// Between a surface's normal and the printer's vertical: beyond it plastic sags, or stands on supports; printers' rule
 /// of thumb, 45° below the level.
 constexpr double kSteepestOverhangDeg = 135;
-/// Fewer tries on a print are luck: of the prints below it fewer than three of five decoder families mostly read none
+/// Fewer tries on a print are luck: 23 of 27 such prints were read by fewer than three of five families of decoders
 /// (bench/printing).
 constexpr double kLeastPrintedFraction = 1.0 / 6;
 

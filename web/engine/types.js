@@ -129,8 +129,8 @@
 /** @typedef {{ process?: string, buildUp?: string }} PrintChange  as settings files write it */
 /**
  * Other ways of printing the same carving: how many were made, of how many, and what they came to; `fraction` of the one that
- * is being made, none when it is over.
- * @typedef {{ tried: { change: PrintChange, prints: Aspect }[], all: number, fraction?: number }} PrintTrials
+ * is being made, none when it is over; `error`: why it ended.
+ * @typedef {{ tried: { change: PrintChange, prints: Aspect }[], all: number, fraction?: number, error?: EngineError }} PrintTrials
  */
 
 /**

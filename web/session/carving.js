@@ -237,7 +237,9 @@ export class Carving {
     const { carved } = this;
     if (carved?.printed?.state !== 'made') return;
     const { printed } = carved;
-    await this.printing_.tryOthers(carved.number, otherPrints(carved.made.values, printed.print.facingDeg), (trials) => {
+    const { facing } = carved.report.verification.verdict.prints.summary.values;
+    const changes = otherPrints(carved.made.values, facing && 'cause' in facing ? facing.cause.code : undefined);
+    await this.printing_.tryOthers(carved.number, changes, (trials) => {
       printed.trials = trials;
       if (this.carved === carved) this.panel_.update();
     });

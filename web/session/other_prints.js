@@ -4,18 +4,17 @@ import { kProcesses, kSettings } from '../generated/settings.js';
 
 /** @typedef {import('../engine/types.js').PrintChange} PrintChange */
 
-/** The angle between the code's normal and the printer's vertical that these poses make. @type {Record<string, number>} */
-const kFacingDeg = { 'code-up': 0, 'code-upright': 90 };
-const kAlikeDeg = 15;
+/** How the verdict says that a code faces in these poses. @type {Record<string, string>} */
+const kFacing = { 'code-up': 'facing-up', 'code-upright': 'facing-aside' };
 
 /**
  * The other poses, then the processes of finer layers, the coarsest of them first.
  * @param {import('../storage/last_work.js').Values} values  of the controls, carved with
- * @param {number} facingDeg  how the code faces as it was printed
+ * @param {string | undefined} facing  how the code faces as it was printed, in the verdict's words
  * @returns {PrintChange[]}
  */
-export function otherPrints({ process, 'build-up': pose, layer }, facingDeg) {
-  const isOther = (/** @type {string} */ one) => one !== pose && !(Math.abs(kFacingDeg[one] - facingDeg) <= kAlikeDeg);
+export function otherPrints({ process, 'build-up': pose, layer }, facing) {
+  const isOther = (/** @type {string} */ one) => one !== pose && (facing === undefined || kFacing[one] !== facing);
   const poses = (kSettings.buildUp.choices ?? []).filter(isOther);
   const finer = Object.entries(kProcesses).filter(([name, { layerMm }]) => name !== process && name !== 'powder' && layerMm < Number(layer))
     .sort(([, a], [, b]) => b.layerMm - a.layerMm);

@@ -79,8 +79,10 @@ export class Printing {
         if (!prints || signal.aborted) break;
         tried = [...tried, { change, prints }];
       }
-    } finally {
       tell({ tried, all });
+    } catch (thrown) {
+      tell({ tried, all, ...(signal.aborted ? {} : { error: describeThrown(thrown) }) });
+    } finally {
       if (this.abort_ === abort) this.abort_ = undefined;
     }
   }

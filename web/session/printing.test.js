@@ -115,3 +115,13 @@ test('Stopped, what was tried so far stays', async () => {
   await run;
   assert.deepEqual(trials.at(-1), { tried: [{ change: { buildUp: 'code-up' }, prints: { level: 'good' } }], all: 2 });
 });
+
+test('A trial that goes wrong is told with what was tried so far, and the engine is not blamed', async () => {
+  made.promise.catch(() => {});
+  made.reject(crashed());
+  /** @type {any[]} */ const trials = [];
+  await printing.tryOthers(7, [{ buildUp: 'code-up' }], (one) => void trials.push(one));
+  const { tried, error } = trials.at(-1);
+  assert.deepEqual(tried, []);
+  assert.equal(error.code, 'engine-crashed');
+});

@@ -45,10 +45,12 @@ function printNotes(printed, prints, listener) {
   const { onPrint } = listener;
   if (printed.state === 'made') return prints.level === 'good' && !printed.trials ? [] : trialNotes(printed.trials, listener);
   if (printed.state !== 'stopped' && printed.state !== 'failed') return [];
-  const why = printed.state === 'failed' ? [text('check.printFailed'), sentenceOf(printed.error)] : [text('check.printStopped')];
-  return [make('p', { text: why.map(asSentence).join(' ') }),
+  return [make('p', { text: printed.state === 'failed' ? failureWords(printed.error) : asSentence(text('check.printStopped')) }),
     ...remedyButtons([{ label: text('check.makePrint'), run: () => onPrint(true) }])];
 }
+
+/** @param {import('../engine/types.js').EngineError} error */
+const failureWords = (error) => [text('check.printFailed'), sentenceOf(error)].map(asSentence).join(' ');
 
 /** @param {import('../engine/types.js').PrintTrials} trials */
 export const tryingWords = ({ tried, all, fraction = 0 }) =>
@@ -57,10 +59,10 @@ export const tryingWords = ({ tried, all, fraction = 0 }) =>
 /** Other ways of printing it: asked for, under way, and what they came to. @param {import('../engine/types.js').PrintTrials | undefined} trials @param {Listener} listener @returns {Node[]} */
 function trialNotes(trials, { onRemedy, onPrint, onTryPrints }) {
   if (!trials) return remedyButtons([{ label: text('check.tryPrints'), run: onTryPrints }]);
-  const { tried, fraction } = trials;
+  const { tried, fraction, error } = trials;
   const results = make('ul', { className: 'print-trials' }, ...tried.map(({ change, prints }) => make('li', { className: prints.level },
     make('span', { text: asSentence(sentenceOf(prints.summary)) }), ...remedyButtons(remedyOf(change, prints.level, onRemedy)))));
-  if (fraction === undefined) return [results];
+  if (fraction === undefined) return [results, ...(error ? [make('p', { text: failureWords(error) })] : [])];
   return [results, make('p', { className: 'trying-prints', text: tryingWords(trials) }),
     ...remedyButtons([{ label: text('check.stopPrint'), run: () => onPrint(false) }])];
 }
