@@ -12,6 +12,8 @@ namespace {
 constexpr double kRidgeSlope = 0.6;
 /// A line shorter than this many of its widths is not laid.
 constexpr double kShortestLine = 0.5;
+/// So many steps farther than a distance is asked for it has to be known, so that a line can be drawn along it.
+constexpr double kMoreSteps = 2;
 
 LayerGrid emptyGrid(const LayerWindow& window, double distanceMm) {
   LayerGrid grid{window.origin, window.stepMm, window.columns, window.rows, {}};
@@ -23,43 +25,6 @@ LayerGrid emptyGrid(const LayerWindow& window, double distanceMm) {
 /// First node at or beyond a coordinate, 0 … count.
 int nodeFrom(double coordinate, double origin, double stepMm, int count) {
   return static_cast<int>(std::clamp(std::ceil((coordinate - origin) / stepMm), 0.0, static_cast<double>(count)));
-}
-
-/// How often each node is enclosed: counted along the vertical line through the corner, then along every row.
-std::vector<std::int16_t> windingNumbers(std::span<const Segment2> outline, const LayerGrid& grid, Vec2 corner,
-                                         int winding) {
-  std::vector<std::int16_t> numbers(grid.distanceMm.size(), 0);
-  std::vector<int> atRow(static_cast<std::size_t>(grid.rows) + 1, 0);  // changes on the way up
-  const auto add = [&](int column, int row, int change) {
-    if (column < grid.columns)
-      numbers[grid.index(column, row)] = static_cast<std::int16_t>(numbers[grid.index(column, row)] + change);
-  };
-  for (const auto& [a, b] : outline) {
-    const auto crossing = [](double from, double to, double at, double fromOther, double toOther) {
-      return fromOther + (toOther - fromOther) * ((at - from) / (to - from));
-    };
-    if ((a.x <= corner.x) != (b.x <= corner.x)) {
-      const double y = crossing(a.x, b.x, corner.x, a.y, b.y);
-      if (y > corner.y)
-        atRow[static_cast<std::size_t>(nodeFrom(y, grid.origin.y, grid.stepMm, grid.rows))] += b.x > a.x ? 1 : -1;
-    }
-    const int begin = nodeFrom(std::min(a.y, b.y), grid.origin.y, grid.stepMm, grid.rows);
-    const int end = nodeFrom(std::max(a.y, b.y), grid.origin.y, grid.stepMm, grid.rows);
-    for (int row = begin; row < end; ++row) {
-      const double x = crossing(a.y, b.y, grid.node(0, row).y, a.x, b.x);
-      if (x > corner.x) add(nodeFrom(x, grid.origin.x, grid.stepMm, grid.columns), row, b.y > a.y ? -1 : 1);
-    }
-  }
-  int left = winding;
-  for (int row = 0; row < grid.rows; ++row) {
-    left += atRow[static_cast<std::size_t>(row)];
-    int number = left;
-    for (int column = 0; column < grid.columns; ++column) {
-      number += numbers[grid.index(column, row)];
-      numbers[grid.index(column, row)] = static_cast<std::int16_t>(number);
-    }
-  }
-  return numbers;
 }
 
 /// The segments with air on one side: where solids overlap, others run through plastic.
@@ -134,9 +99,9 @@ std::vector<Ridge> thinRidges(const LayerGrid& solid, const LayerGrid& laid, dou
   return ridges;
 }
 
-/// Lowers distances to those from a disc.
-void addDisc(LayerGrid& grid, Vec2 centre, double radiusMm) {
-  const double reach = radiusMm + kLaidReachMm;
+/// Lowers distances to those from a disc, where they are at most `beyondMm`.
+void addDisc(LayerGrid& grid, Vec2 centre, double radiusMm, double beyondMm) {
+  const double reach = radiusMm + beyondMm;
   const Vec2 low = (centre - grid.origin - reach) / grid.stepMm, high = (centre - grid.origin + reach) / grid.stepMm;
   for (int row = std::max(0, static_cast<int>(std::ceil(low.y))); row <= std::min(grid.rows - 1.0, high.y); ++row)
     for (int column = std::max(0, static_cast<int>(std::ceil(low.x))); column <= std::min(grid.columns - 1.0, high.x);
@@ -148,10 +113,11 @@ void addDisc(LayerGrid& grid, Vec2 centre, double radiusMm) {
 
 /// What remains of a solid when everything within a distance of its outline is taken away and put back round what is
 /// left; a negative distance adds first and takes away then.
-/// @param solid    distances exact up to the distance
-/// @param byMm     not 0
-LayerGrid opened(const LayerGrid& solid, double byMm) {
-  const double reach = std::abs(byMm) + kLaidReachMm + 2 * solid.stepMm;
+/// @param solid     distances exact up to the distance
+/// @param byMm      not 0
+/// @param beyondMm  distances from what remains are exact up to this
+LayerGrid opened(const LayerGrid& solid, double byMm, double beyondMm) {
+  const double reach = std::max(byMm + beyondMm, std::abs(byMm)) + kMoreSteps * solid.stepMm;
   LayerGrid result = solid;
   std::fill(result.distanceMm.begin(), result.distanceMm.end(), static_cast<float>(reach));
   lowerToDistance(result, contourOf(solid, -byMm), reach);
@@ -164,26 +130,66 @@ LayerGrid opened(const LayerGrid& solid, double byMm) {
 
 }  // namespace
 
+std::vector<std::int16_t> windingNumbers(std::span<const Segment2> outline, const LayerWindow& window, Vec2 corner,
+                                         int winding) {
+  const auto index = [&](int column, int row) {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(window.columns) + static_cast<std::size_t>(column);
+  };
+  std::vector<std::int16_t> numbers(index(0, window.rows), 0);
+  std::vector<int> atRow(static_cast<std::size_t>(window.rows) + 1, 0);  // changes on the way up
+  const auto add = [&](int column, int row, int change) {
+    if (column < window.columns)
+      numbers[index(column, row)] = static_cast<std::int16_t>(numbers[index(column, row)] + change);
+  };
+  for (const auto& [a, b] : outline) {
+    const auto crossing = [](double from, double to, double at, double fromOther, double toOther) {
+      return fromOther + (toOther - fromOther) * ((at - from) / (to - from));
+    };
+    if ((a.x <= corner.x) != (b.x <= corner.x)) {
+      const double y = crossing(a.x, b.x, corner.x, a.y, b.y);
+      if (y > corner.y)
+        atRow[static_cast<std::size_t>(nodeFrom(y, window.origin.y, window.stepMm, window.rows))] += b.x > a.x ? 1 : -1;
+    }
+    const int begin = nodeFrom(std::min(a.y, b.y), window.origin.y, window.stepMm, window.rows);
+    const int end = nodeFrom(std::max(a.y, b.y), window.origin.y, window.stepMm, window.rows);
+    for (int row = begin; row < end; ++row) {
+      const double x = crossing(a.y, b.y, window.origin.y + window.stepMm * row, a.x, b.x);
+      if (x > corner.x) add(nodeFrom(x, window.origin.x, window.stepMm, window.columns), row, b.y > a.y ? -1 : 1);
+    }
+  }
+  int left = winding;
+  for (int row = 0; row < window.rows; ++row) {
+    left += atRow[static_cast<std::size_t>(row)];
+    int number = left;
+    for (int column = 0; column < window.columns; ++column) {
+      number += numbers[index(column, row)];
+      numbers[index(column, row)] = static_cast<std::int16_t>(number);
+    }
+  }
+  return numbers;
+}
+
 LayerGrid layOutline(std::span<const Segment2> outline, const LayerWindow& window, Vec2 corner, int winding,
                      const PrintProcess& process) {
-  const double reach = process.cornerRadiusMm + kLaidReachMm + 2 * window.stepMm;
+  const double reach = process.cornerRadiusMm + kMoreSteps * window.stepMm;
   LayerGrid solid = emptyGrid(window, reach);
-  const std::vector<std::int16_t> numbers = windingNumbers(outline, solid, corner, winding);
+  const std::vector<std::int16_t> numbers = windingNumbers(outline, window, corner, winding);
   lowerToDistance(solid, outsideOnly(outline, solid, numbers), reach);
   for (std::size_t i = 0; i < numbers.size(); ++i)
     if (numbers[i] > 0) solid.distanceMm[i] = -solid.distanceMm[i];
 
-  LayerGrid laid = opened(solid, process.cornerRadiusMm);
+  const double closingMm = process.pocketRadiusMm + kMoreSteps * window.stepMm;
+  LayerGrid laid = opened(solid, process.cornerRadiusMm, closingMm);
   if (process.thinnestLineMm > 0)
     for (const Ridge& ridge : thinRidges(solid, laid, process.thinnestWallMm)) {
       if (ridge.lengthMm < kShortestLine * process.thinnestLineMm) continue;
       for (const std::size_t i : ridge.nodes) {
         const auto columns = static_cast<std::size_t>(window.columns);
         addDisc(laid, laid.node(static_cast<int>(i % columns), static_cast<int>(i / columns)),
-                std::max(process.thinnestLineMm / 2, static_cast<double>(-solid.distanceMm[i])));
+                std::max(process.thinnestLineMm / 2, static_cast<double>(-solid.distanceMm[i])), closingMm);
       }
     }
-  return opened(laid, -process.pocketRadiusMm);
+  return opened(laid, -process.pocketRadiusMm, kLaidReachMm);
 }
 
 }  // namespace qrelief

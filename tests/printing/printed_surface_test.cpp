@@ -107,6 +107,26 @@ TEST(PrintedSurface, ItDoesNotMatterHowTheModelLiesInItsFile) {
   EXPECT_LT(static_cast<double>(apart) / static_cast<double>(a.size()), 0.03);
 }
 
+TEST(PrintedSurface, AWiderViewShowsTheSame) {
+  // Where a layer's tiles end depends on the view: nothing of them may show.
+  Mesh block = shapes::translated(shapes::box({60, 60, 10}), {0, 0, 5});
+  for (int k = -12; k <= 12; ++k)
+    block = shapes::together(block, shapes::translated(shapes::box({0.45, 40, 2}), {1.1 * k + 0.07, 0, 10}));
+  const auto narrow = printSurface(block, {kProcess, above(0, 0, 10), 12, {0, 0, 1}});
+  const auto wide = printSurface(block, {kProcess, above(0, 0, 10), 17.2, {0, 0, 1}});
+  ASSERT_TRUE(narrow && wide);
+  ASSERT_NEAR(narrow->texelMm, wide->texelMm, 1e-9);
+  const int border = (wide->texels - narrow->texels) / 2;
+  const std::vector<double> a = heightsOf(*narrow), b = heightsOf(*wide);
+  std::size_t apart = 0;  // nodes lie elsewhere: rims may differ by a little
+  for (int row = 0; row < narrow->texels; ++row)
+    for (int column = 0; column < narrow->texels; ++column) {
+      const double there = b[static_cast<std::size_t>((row + border) * wide->texels + column + border)];
+      apart += std::abs(a[static_cast<std::size_t>(row * narrow->texels + column)] - there) > 0.02;
+    }
+  EXPECT_LT(static_cast<double>(apart) / static_cast<double>(a.size()), 0.005);
+}
+
 TEST(PrintedSurface, ItsMeshPassesThroughItsPointsAndFacesTheEye) {
   const Mesh block = shapes::translated(shapes::box({20, 20, 4}), {0, 0, 2});
   const auto surface = printSurface(block, {kProcess, above(9, 0, 4), 4, {0, 0, 1}});  // the block ends at x = 10

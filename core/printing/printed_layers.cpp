@@ -1,0 +1,317 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "printing/printed_layers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/parallel.h"
+#include "printing/cross_sections.h"
+#include "printing/laid_outline.h"
+
+namespace qrelief {
+namespace {
+
+using Corners = PrintedLayers::Corners;
+using Polygon = PrintedLayers::Polygon;
+
+constexpr double kNodesPerFinest = 6;
+constexpr double kNearestStepMm = 0.004;  // of a ray that grazes plastic
+constexpr double kHitMm = 5e-4;
+constexpr double kMaxNodes = 4e7;  // however large the code and fine the process: what memory allows
+/// Edge of a tile of a layer, in what the process can shape and in halos; tiles along the edge of what is looked at.
+constexpr double kTileFinest = 10, kTileHalos = 4, kMaxTiles = 64;
+
+/// The part of a convex polygon on the side that a plane's normal points to [Sutherland, Hodgman 1974].
+Polygon clipped(const Polygon& polygon, Vec3 origin, Vec3 normal) {
+  Polygon kept;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec3 a = polygon[i], b = polygon[(i + 1) % polygon.size()];
+    const double overA = glm::dot(a - origin, normal), overB = glm::dot(b - origin, normal);
+    if (overA >= 0) kept.push_back(a);
+    if ((overA >= 0) != (overB >= 0)) kept.push_back(a + (b - a) * (overA / (overA - overB)));
+  }
+  return kept;
+}
+
+/// What the eye sees of a triangle through the square, if it faces the eye; at first no hidden part is left out.
+Polygon seenPart(const Corners& triangle, const ProjectionFrame& frame, double extentMm) {
+  if (glm::dot(glm::cross(triangle[1] - triangle[0], triangle[2] - triangle[0]), frame.eye() - triangle[0]) <= 0)
+    return {};
+  Polygon part(triangle.begin(), triangle.end());
+  for (const Vec3 side : {frame.right, -frame.right, frame.up, -frame.up}) {
+    // The plane through the eye and the square's edge on that side.
+    part = clipped(part, frame.eye(), frame.normal * -(extentMm / 2) - side * frame.eyeDistance);
+    if (part.empty()) return part;
+  }
+  return part;
+}
+
+struct Rectangle {
+  Vec2 low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
+
+  void add(Vec3 p) {
+    low = glm::min(low, Vec2(p.x, p.y));
+    high = glm::max(high, Vec2(p.x, p.y));
+  }
+};
+
+/// A grid without the nodes near its border.
+LayerGrid cropped(const LayerGrid& grid, int border) {
+  LayerGrid kept{grid.node(border, border), grid.stepMm, grid.columns - 2 * border, grid.rows - 2 * border, {}};
+  kept.distanceMm.reserve(static_cast<std::size_t>(kept.columns) * static_cast<std::size_t>(kept.rows));
+  for (int row = 0; row < kept.rows; ++row) {
+    const auto from = grid.distanceMm.begin() + static_cast<std::ptrdiff_t>(grid.index(border, row + border));
+    kept.distanceMm.insert(kept.distanceMm.end(), from, from + kept.columns);
+  }
+  return kept;
+}
+
+}  // namespace
+
+PrintedLayers::PrintedLayers(std::vector<Corners> triangles, const ProjectionFrame& frame, double extentMm,
+                             const PrintProcess& process)
+    : process_(process), frame_(frame), triangles_(std::move(triangles)) {
+  bedMm_ = std::numeric_limits<double>::infinity();
+  for (const Corners& triangle : triangles_)
+    for (const Vec3& corner : triangle) bedMm_ = std::min(bedMm_, corner.z);
+  findTiles(extentMm);
+  lay();
+}
+
+double PrintedLayers::firstMeeting(Vec2 at) const {
+  if (layers_.empty()) return 0;
+  const Vec3 direction = frame_.rayDirection(at);
+  const Vec3 eye = frame_.eye();
+  const double top = topOf(static_cast<int>(layers_.size()) - 1), bottom = topOf(-1);
+  double begin = nearestMm_, end = farthestMm_;
+  if (direction.z != 0) {
+    const double a = (top - eye.z) / direction.z, b = (bottom - eye.z) / direction.z;
+    begin = std::max(begin, std::min(a, b));
+    end = std::min(end, std::max(a, b));
+  } else if (eye.z >= top || eye.z < bottom) {
+    return 0;
+  }
+  int layer = layerAt(eye.z + direction.z * (begin + 1e-9));
+  while (begin < end && layer >= 0 && layer < static_cast<int>(layers_.size())) {
+    double leaves = end;
+    if (direction.z != 0) leaves = std::min(end, (topOf(direction.z > 0 ? layer : layer - 1) - eye.z) / direction.z);
+    if (const double met = meetingInLayer(layer, direction, begin, leaves); met > 0) return met;
+    begin = std::max(begin, leaves);
+    if (direction.z == 0) break;
+    layer += direction.z > 0 ? 1 : -1;
+  }
+  return 0;
+}
+
+int PrintedLayers::layerAt(double z) const {
+  return std::clamp(static_cast<int>(std::floor((z - bedMm_) / process_.layerMm)) - firstLayer_, 0,
+                    static_cast<int>(layers_.size()) - 1);
+}
+
+/// Which tiles of which layers are looked at.
+void PrintedLayers::findTiles(double extentMm) {
+  std::vector<Polygon> parts;
+  Rectangle all;
+  double least = std::numeric_limits<double>::infinity(), most = -least;
+  nearestMm_ = least;
+  farthestMm_ = 0;
+  const double h = process_.layerMm, margin = 2 * process_.cornerRadiusMm + h;
+  for (const Corners& triangle : triangles_) {
+    Polygon part = seenPart(triangle, frame_, extentMm);
+    if (part.empty()) continue;
+    for (const Vec3& corner : part) {
+      least = std::min(least, corner.z);
+      most = std::max(most, corner.z);
+      all.add(corner);
+      nearestMm_ = std::min(nearestMm_, frame_.distanceAlongAxis(corner));  // a corner need not be the nearest point
+      farthestMm_ = std::max(farthestMm_, glm::distance(corner, frame_.eye()));
+    }
+    parts.push_back(std::move(part));
+  }
+  if (parts.empty()) return;
+  nearestMm_ -= 2 * margin;
+  farthestMm_ += 2 * margin;
+  firstLayer_ = std::max(0, static_cast<int>(std::floor((least - bedMm_) / h)) - 2);
+  const int lastLayer = static_cast<int>(std::floor((most - bedMm_) / h)) + 2;
+  layers_.resize(static_cast<std::size_t>(lastLayer - firstLayer_ + 1));
+
+  const Vec2 extent = all.high - all.low + 2 * margin;
+  tileMm_ =
+      std::max({kTileFinest * process_.finestMm, kTileHalos * haloMm(), glm::max(extent.x, extent.y) / kMaxTiles});
+  // Off every grid that a model may have been drawn on: no vertex stands straight above a tile's corner.
+  origin_ = all.low - margin - tileMm_ * Vec2(0.00381966011, 0.00414213562);
+  tileColumns_ = static_cast<int>(std::floor((extent.x + margin) / tileMm_)) + 1;
+  tileRows_ = static_cast<int>(std::floor((extent.y + margin) / tileMm_)) + 1;
+  for (const Polygon& part : parts) addToLayers(part, margin);
+}
+
+/// A layer is shaped by what lies up to one and a half layers from it.
+void PrintedLayers::addToLayers(const Polygon& part, double marginMm) {
+  const double h = process_.layerMm;
+  double least = part.front().z, most = part.front().z;
+  for (const Vec3& corner : part) {
+    least = std::min(least, corner.z);
+    most = std::max(most, corner.z);
+  }
+  const int begin = std::max(0, static_cast<int>(std::floor((least - bedMm_) / h - 1.5)) - firstLayer_);
+  const int end = std::min(static_cast<int>(layers_.size()),
+                           static_cast<int>(std::floor((most - bedMm_) / h + 1.5)) - firstLayer_ + 1);
+  for (int layer = begin; layer < end; ++layer) {
+    Polygon within = clipped(part, Vec3(0, 0, topOf(layer) - 2.5 * h), Vec3(0, 0, 1));
+    if (!within.empty()) within = clipped(within, Vec3(0, 0, topOf(layer) + 1.5 * h), Vec3(0, 0, -1));
+    if (!within.empty()) addTiles(layers_[static_cast<std::size_t>(layer)], within, marginMm);
+  }
+}
+
+void PrintedLayers::addTiles(Layer& layer, const Polygon& within, double marginMm) const {
+  if (layer.numbers.empty())
+    layer.numbers.assign(static_cast<std::size_t>(tileColumns_) * static_cast<std::size_t>(tileRows_), kNoTile);
+  const auto boundsOf = [](const Polygon& polygon) {
+    Rectangle bounds;
+    for (const Vec3& corner : polygon) bounds.add(corner);
+    return bounds;
+  };
+  const auto tileAt = [&](double coordinate, int axis, int count) {
+    return std::clamp(static_cast<int>(std::floor((coordinate - origin_[axis]) / tileMm_)), 0, count - 1);
+  };
+  const Rectangle all = boundsOf(within);
+  const int firstRow = tileAt(all.low.y - marginMm, 1, tileRows_),
+            lastRow = tileAt(all.high.y + marginMm, 1, tileRows_);
+  for (int row = firstRow; row <= lastRow; ++row) {
+    Rectangle strip = all;
+    if (lastRow > firstRow) {
+      const double low = origin_.y + row * tileMm_ - marginMm;
+      Polygon part = clipped(within, Vec3(0, low, 0), Vec3(0, 1, 0));
+      if (!part.empty()) part = clipped(part, Vec3(0, low + tileMm_ + 2 * marginMm, 0), Vec3(0, -1, 0));
+      if (part.empty()) continue;
+      strip = boundsOf(part);
+    }
+    const int lastColumn = tileAt(strip.high.x + marginMm, 0, tileColumns_);
+    for (int column = tileAt(strip.low.x - marginMm, 0, tileColumns_); column <= lastColumn; ++column) {
+      int& number = layer.numbers[static_cast<std::size_t>(row * tileColumns_ + column)];
+      if (number == kNoTile) {
+        number = static_cast<int>(layer.tiles.size());
+        layer.tiles.push_back({});
+      }
+    }
+  }
+}
+
+/// How far beyond a tile its outline is looked at, so that the tile does not depend on where it ends.
+double PrintedLayers::haloMm() const { return 2 * process_.cornerRadiusMm + kLaidReachMm; }
+
+void PrintedLayers::lay() {
+  std::size_t tiles = 0;
+  for (const Layer& layer : layers_) tiles += layer.tiles.size();
+  if (tiles == 0) return;
+  const double finest = std::max(process_.finestMm / kNodesPerFinest,
+                                 std::sqrt(static_cast<double>(tiles) * tileMm_ * tileMm_ / kMaxNodes));
+  const int steps = std::max(1, static_cast<int>(std::floor(tileMm_ / finest)));
+  const CuttingPlanes planes{bedMm_ + (firstLayer_ + 0.5) * process_.layerMm, process_.layerMm,
+                             static_cast<int>(layers_.size())};
+  const Vec2 corner = origin_ - (haloMm() + 2 * tileMm_) * Vec2(1.00381966011, 1.00414213562);
+  const CrossSections sections =
+      cutByPlanes(triangles_, planes, corner, origin_ + tileMm_ * Vec2(tileColumns_, tileRows_) + haloMm());
+  parallelFor(layers_.size(), [&](std::size_t k) {
+    if (!layers_[k].tiles.empty()) layLayer(layers_[k], sections.outlines[k], corner, sections.windings[k], steps);
+  });
+}
+
+void PrintedLayers::layLayer(Layer& layer, std::span<const Segment2> outline, Vec2 corner, int winding,
+                             int steps) const {
+  const double step = tileMm_ / steps;
+  const int halo = static_cast<int>(std::ceil(haloMm() / step));
+  // The windows' lower left corners, a little beyond their halos, as a grid of its own.
+  const Vec2 first = origin_ - step * Vec2(halo + 0.38196601125, halo + 0.41421356237);
+  const std::vector<std::int16_t> windings =
+      windingNumbers(outline, {first, tileMm_, tileColumns_, tileRows_}, corner, winding);
+  const std::vector<std::vector<Segment2>> near = nearTiles(layer, outline, first, step * (2 * halo + 1));
+  for (std::size_t tile = 0; tile < layer.numbers.size(); ++tile) {
+    if (layer.numbers[tile] == kNoTile) continue;
+    const Vec2 place(static_cast<double>(tile % static_cast<std::size_t>(tileColumns_)),
+                     static_cast<double>(tile / static_cast<std::size_t>(tileColumns_)));
+    const Vec2 low = origin_ + tileMm_ * place;
+    const int nodes = steps + 1 + 2 * halo;
+    const auto number = static_cast<std::size_t>(layer.numbers[tile]);
+    layer.tiles[number] = cropped(layOutline(near[number], {low - step * halo, step, nodes, nodes},
+                                             first + tileMm_ * place, windings[tile], process_),
+                                  halo);
+  }
+}
+
+/// The segments that touch each tile's window.
+/// @param first   lower left corner of the first tile's window
+/// @param beyond  by how much a window is wider than a tile
+std::vector<std::vector<Segment2>> PrintedLayers::nearTiles(const Layer& layer, std::span<const Segment2> outline,
+                                                            Vec2 first, double beyond) const {
+  std::vector<std::vector<Segment2>> near(layer.tiles.size());
+  for (const Segment2& segment : outline) {
+    const Vec2 low = (glm::min(segment[0], segment[1]) - first - tileMm_ - beyond) / tileMm_;
+    const Vec2 high = (glm::max(segment[0], segment[1]) - first) / tileMm_;
+    const int lastRow = static_cast<int>(std::min(std::floor(high.y), tileRows_ - 1.0));
+    const int lastColumn = static_cast<int>(std::min(std::floor(high.x), tileColumns_ - 1.0));
+    for (int row = static_cast<int>(std::max(0.0, std::ceil(low.y))); row <= lastRow; ++row)
+      for (int column = static_cast<int>(std::max(0.0, std::ceil(low.x))); column <= lastColumn; ++column)
+        if (const int number = layer.numbers[static_cast<std::size_t>(row * tileColumns_ + column)]; number != kNoTile)
+          near[static_cast<std::size_t>(number)].push_back(segment);
+  }
+  return near;
+}
+
+/// Distance of a point of a layer from its plastic, no greater than it is.
+double PrintedLayers::distanceIn(const LayerGrid& tile, int layer, Vec3 p) const {
+  const double h = process_.layerMm;
+  const double v = (p.z - (topOf(layer) - h / 2)) / (h / 2);
+  return tile.at(Vec2(p.x, p.y)) + process_.grooveMm * (1 - std::sqrt(std::max(0.0, 1 - v * v)));
+}
+
+/// Null where nothing is seen.
+const LayerGrid* PrintedLayers::tileAt(int layer, Vec2 at) const {
+  const Vec2 place = (at - origin_) / tileMm_;
+  if (!(place.x >= 0 && place.y >= 0 && place.x < tileColumns_ && place.y < tileRows_)) return nullptr;
+  const Layer& of = layers_[static_cast<std::size_t>(layer)];
+  const int number =
+      of.numbers[static_cast<std::size_t>(static_cast<int>(place.y) * tileColumns_ + static_cast<int>(place.x))];
+  return number == kNoTile ? nullptr : &of.tiles[static_cast<std::size_t>(number)];
+}
+
+/// How far along a ray the tile ends in which a point lies.
+double PrintedLayers::wayOutOfTile(Vec2 at, Vec3 direction) const {
+  double way = std::numeric_limits<double>::infinity();
+  for (int axis = 0; axis < 2; ++axis) {
+    const double place = (at[axis] - origin_[axis]) / tileMm_;
+    const double rest = direction[axis] > 0 ? std::floor(place) + 1 - place : place - std::floor(place);
+    if (direction[axis] != 0) way = std::min(way, rest * tileMm_ / std::abs(direction[axis]));
+  }
+  return way;
+}
+
+double PrintedLayers::meetingInLayer(int layer, Vec3 direction, double begin, double end) const {
+  if (layers_[static_cast<std::size_t>(layer)].tiles.empty() || begin >= end) return 0;
+  // How fast the distance may fall along the ray; the flanks are steeper only where they are all but met.
+  const double fall = std::hypot(direction.x, direction.y) + std::abs(direction.z);
+  double before = begin;
+  for (double t = begin;;) {
+    const Vec3 p = frame_.eye() + direction * t;
+    const LayerGrid* tile = tileAt(layer, Vec2(p.x, p.y));
+    const double distance = tile ? distanceIn(*tile, layer, p) : 0;
+    if (tile && distance < kHitMm) return t == begin ? t : refined(layer, direction, before, t);
+    if (t >= end) return 0;
+    before = t;
+    const double step = tile ? distance / fall : wayOutOfTile(Vec2(p.x, p.y), direction);
+    t = std::min(end, t + std::max(step, kNearestStepMm));
+  }
+}
+
+double PrintedLayers::refined(int layer, Vec3 direction, double outside, double inside) const {
+  for (int k = 0; k < 6; ++k) {
+    const double middle = (outside + inside) / 2;
+    const Vec3 p = frame_.eye() + direction * middle;
+    const LayerGrid* tile = tileAt(layer, Vec2(p.x, p.y));
+    (tile && distanceIn(*tile, layer, p) < kHitMm ? inside : outside) = middle;
+  }
+  return inside;
+}
+
+}  // namespace qrelief
