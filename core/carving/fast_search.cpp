@@ -36,7 +36,14 @@ FastSearch::FastSearch(CarvingTarget target, const FastSearchOptions& options)
       neighbours_(*target_.symbol),
       sky_(*target_.mask, target_.symbolMm / target_.mask->size) {
   depths_ = {target_.mask->size, target_.symbolMm, std::vector<double>(target_.mask->carved.size(), 0)};
-  for (const std::uint32_t i : sky_.carved()) limitMm_.push_back(target_.limitMm[i]);
+  const int modules = target_.symbol->size;
+  for (const std::uint32_t i : sky_.carved()) {
+    limitMm_.push_back(target_.limitMm[i]);
+    const int row = static_cast<int>(i) / depths_.size / kN, column = static_cast<int>(i) % depths_.size / kN;
+    fractionAsked_.push_back(1 - (options_.contrastOfModule.empty()
+                                      ? options_.contrast
+                                      : options_.contrastOfModule[static_cast<std::size_t>(row * modules + column)]));
+  }
   const std::size_t count = sky_.carved().size();
   solvedMm_.assign(count, kFirstDepthModules * target_.symbolMm / target_.symbol->size);
   difference_.assign(count, std::log(1 - std::min(options_.albedo, kMaxAlbedo)));
@@ -56,8 +63,7 @@ void FastSearch::solve() {
   for (std::size_t k = 0; k < states_.size(); ++k) {
     const double margin = states_[k] == State::TooBright ? lastAim : kAimFraction;
     const double allowance = kChangeFraction * std::min(differenceChange_[k], kMaxChange);
-    fractions.push_back(
-        fractionOfDarkness(darkness((1 - options_.contrast) * (1 - margin)) + allowance - difference_[k]));
+    fractions.push_back(fractionOfDarkness(darkness(fractionAsked_[k] * (1 - margin)) + allowance - difference_[k]));
   }
   sky_.solve(fractions, limitMm_, solvedMm_, isDue_, kSweepsPerPass);
   for (std::size_t k = 0; k < states_.size(); ++k) {
@@ -66,7 +72,7 @@ void FastSearch::solve() {
     const bool isFree = iterations_ < kFreePasses;
     if (!isFree && states_[k] == State::TooBright)
       depth = quantisedDepth(std::max(next, depth + kDepthQuantumMm), limitMm_[k]);
-    else if (isFree || (next > depth && expectedFraction(k, depth, solvedMm_) > 1 - options_.contrast))
+    else if (isFree || (next > depth && expectedFraction(k, depth, solvedMm_) > fractionAsked_[k]))
       depth = next;
   }
 }
@@ -95,7 +101,7 @@ void FastSearch::chooseDue(const std::vector<double>& depthsBefore) {
     for (int near = 0; near < 9; ++near) due = due || moved(row - 1 + near / 3, column - 1 + near % 3);
     if (!due && states_[k] == State::Done) {
       const double expected = expectedFraction(k, depths[k], depths);
-      due = expected + (expected - seenFraction_[k]) > 1 - options_.contrast;
+      due = expected + (expected - seenFraction_[k]) > fractionAsked_[k];
     }
     isDue_[k] = due;
     if (due) dueInMask_.push_back(i);
@@ -109,7 +115,6 @@ void FastSearch::update(std::span<const double> luminance) {
   std::vector<double> depths;
   for (const std::uint32_t i : sky_.carved()) depths.push_back(depths_.depthMm[i]);
 
-  const double aim = darkness((1 - options_.contrast) * (1 - kAimFraction));
   std::size_t module = std::numeric_limits<std::size_t>::max();
   double around = 1;
   for (std::size_t k = 0; k < states_.size(); ++k) {
@@ -125,11 +130,12 @@ void FastSearch::update(std::span<const double> luminance) {
     const double difference = darkness(fraction) - darkness(sky_.fraction(k, depths[k], depths));
     if (iterations_ > 0) differenceChange_[k] = std::abs(difference - difference_[k]);
     difference_[k] = difference;
-    if (fraction > 1 - options_.contrast) {
+    if (fraction > fractionAsked_[k]) {
       states_[k] =
           quantisedDepth(depths[k] + kDepthQuantumMm, limitMm_[k]) > depths[k] ? State::TooBright : State::Limited;
     } else {
       const double less = std::max(depths[k] - options_.slackMm, 0.0);
+      const double aim = darkness(fractionAsked_[k] * (1 - kAimFraction));
       const bool couldBeLess =
           iterations_ + 1 < kFreePasses && less > 0 && darkness(sky_.fraction(k, less, depths)) + difference_[k] > aim;
       states_[k] = couldBeLess ? State::TooDeep : State::Done;

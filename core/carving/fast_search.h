@@ -12,6 +12,8 @@ namespace qrelief {
 
 struct FastSearchOptions {
   double contrast = 0.3;  ///< c: a carved submodule must be darker than its surroundings by this fraction, 0 … 1
+  /// c of each module, row-major from the symbol's top left, where modules differ; empty: that above for all.
+  std::vector<double> contrastOfModule = {};
   double slackMm = 0.05;  ///< a submodule is no deeper than it must be by more than about this, > 0
   double albedo = 0.7;    ///< of the material, 0 … 1: what interreflection is expected to be at first
   int maxIterations = 24;
@@ -57,6 +59,7 @@ class FastSearch final : public DepthSolver {
   DepthField depths_;
   // Per carved submodule, in the order of sky_.carved():
   std::vector<double> limitMm_, solvedMm_;
+  std::vector<double> fractionAsked_;     // 1 − c: greatest LS/AL
   std::vector<double> difference_;        // between what was seen and what the plane says
   std::vector<double> differenceChange_;  // by how much that changed when it was last measured
   std::vector<double> seenFraction_;      // LS/AL when it was last measured

@@ -17,6 +17,9 @@
 #include "mesh/weld.h"
 #include "pipeline/add_inlay.h"
 #include "pipeline/carved_parts.h"
+#include "pipeline/contrast_for_print.h"
+#include "pipeline/printed_view.h"
+#include "pipeline/verify.h"
 #include "projection/room.h"
 #include "settings/settings.h"
 
@@ -96,7 +99,7 @@ CarvedFeatures featuresOf(const EngraveResult& result) {
 
 /// The stages in their order; each `advance` does one step of the current one.
 struct EngraveJob::State {
-  enum class Stage { Placing, Mapping, Searching, Embedding, Checking, Viewing, Done };
+  enum class Stage { Placing, Mapping, Searching, Embedding, Printing, Checking, Viewing, Done };
 
   std::shared_ptr<const EngravableModel> model;
   EngraveRequest request;
@@ -112,16 +115,21 @@ struct EngraveJob::State {
   std::optional<PlacementSearch> placing;
   SurfaceMaps maps;
   std::optional<LuminancePass> light;
+  CarvingTarget target;
   std::unique_ptr<DepthSolver> search;
   std::vector<float> means;  // luminance of every cell of the map
   EmbedResult embedded;
+  std::unique_ptr<PrintedViewJob> printing;
+  bool isPrinted = false;  // the depths are those that the print asked for
   EngraveResult result;
 
   Status place();
   void take(const PlacementSearch& found);
   Status map();
+  std::unique_ptr<DepthSolver> makeSearch(std::vector<double> contrastOfModule) const;
   Status searchOnce();
   Status embed();
+  Status print();
   Status check();
   Status view();
   Result<std::vector<double>> depthLimits();
@@ -138,10 +146,15 @@ Progress EngraveJob::State::progress() {
         return {message("finding-direction-and-size"), 0.05};
       case Stage::Mapping:
         return {message("measuring-surface"), 0.15};
-      case Stage::Searching:
-        return {message("finding-depth"), 0.25 + 0.45 * search->doneFraction()};
+      case Stage::Searching: {
+        const double done = search->doneFraction();
+        if (!request.isForPrint()) return {message("finding-depth"), 0.25 + 0.45 * done};
+        return {message("finding-depth"), isPrinted ? 0.55 + 0.15 * done : 0.25 + 0.15 * done};
+      }
+      case Stage::Printing:
+        return {message("printing"), 0.45};
       case Stage::Embedding:
-        return {message("carving-mesh"), 0.7};
+        return {message("carving-mesh"), request.isForPrint() && !isPrinted ? 0.4 : 0.7};
       case Stage::Checking:
         return {message("checking-solid"), 0.8};
       case Stage::Viewing:
@@ -234,24 +247,27 @@ Status EngraveJob::State::map() {
   auto limits = depthLimits();
   if (!limits) return tl::unexpected(limits.error());
   if (request.recordSearch) startRecord(*limits);
-  CarvingTarget target{&symbol, &mask, placement.symbolMm, std::move(*limits)};
-  if (request.objective == DepthObjective::Reading) {
-    search = std::make_unique<ReadingSearch>(std::move(target), request.reading);
-  } else if (request.solver == ContrastSolver::Fast) {
-    FastSearchOptions searchOptions;
-    searchOptions.contrast = request.contrastAsked();
-    searchOptions.slackMm = std::min(request.printer.layerMm, kDepthStepMm) / 2;
-    searchOptions.albedo = static_cast<double>(request.albedo);
-    search = std::make_unique<FastSearch>(std::move(target), searchOptions);
-  } else {
-    DepthSearchOptions searchOptions;
-    searchOptions.contrast = request.contrastAsked();
-    searchOptions.initialDepthMm = std::min(request.printer.layerMm, kDepthStepMm);
-    search = std::make_unique<DepthSearch>(std::move(target), searchOptions);
-  }
+  target = {&symbol, &mask, placement.symbolMm, std::move(*limits)};
+  search = makeSearch({});
   result.timingsMs.surface = millisecondsSince(start);
   stage = Stage::Searching;
   return {};
+}
+
+std::unique_ptr<DepthSolver> EngraveJob::State::makeSearch(std::vector<double> contrastOfModule) const {
+  if (request.objective == DepthObjective::Reading) return std::make_unique<ReadingSearch>(target, request.reading);
+  if (request.solver == ContrastSolver::PaperSteps) {
+    DepthSearchOptions options;
+    options.contrast = request.contrastAsked();
+    options.initialDepthMm = std::min(request.printer.layerMm, kDepthStepMm);
+    return std::make_unique<DepthSearch>(target, options);
+  }
+  FastSearchOptions options;
+  options.contrast = request.contrastAsked();
+  options.contrastOfModule = std::move(contrastOfModule);
+  options.slackMm = std::min(request.printer.layerMm, kDepthStepMm) / 2;
+  options.albedo = static_cast<double>(request.albedo);
+  return std::make_unique<FastSearch>(target, options);
 }
 
 /// Luminance of the engraved submodules that the search asks for, at its depths.
@@ -313,10 +329,11 @@ Status EngraveJob::State::searchOnce() {
   if (request.recordSearch) recordPass(tried, luminance, ms);
   if (!search->finished()) return {};
   result.depths = search->depths();
-  result.searchIterations = search->iterations();
+  result.searchIterations += search->iterations();
   result.limitedSubmodules = search->limitedCount();
   result.luminance = std::move(luminance);
   const std::vector<Received> received = light->readReceived();
+  result.received.clear();
   for (int row = 0; row < edge; ++row)
     for (int column = 0; column < edge; ++column) result.received.push_back(received[layout.ofQuietZone(row, column)]);
   if (summarise(result.depths).maxMm == 0)
@@ -332,8 +349,35 @@ Status EngraveJob::State::embed() {
   if (!made) return tl::unexpected(made.error());
   embedded = std::move(*made);
   result.keptTriangles = embedded.keptTriangles;
-  result.timingsMs.embed = millisecondsSince(start);
-  stage = Stage::Checking;
+  result.timingsMs.embed += millisecondsSince(start);
+  stage = request.isForPrint() && !isPrinted ? Stage::Printing : Stage::Checking;
+  return {};
+}
+
+/// Looks at what the printer would make of it, a piece at a time, and searches again for what that lacks.
+Status EngraveJob::State::print() {
+  const auto start = Clock::now();
+  if (!printing) {
+    VerifyRequest printed = verifyRequestOf(request, result);
+    printed.symbol = symbol;
+    auto wanted = printedViewOf(printed);
+    if (!wanted) return tl::unexpected(wanted.error());
+    (*wanted)->isRough = true;
+    auto job = PrintedViewJob::create(embedded.mesh, **wanted);
+    if (!job) return tl::unexpected(job.error());
+    printing = std::move(*job);
+  }
+  const auto progress = printing->advance();
+  if (!progress) return tl::unexpected(progress.error());
+  if (progress->done) {
+    search = makeSearch(
+        contrastForPrint(symbol, result.luminance, printing->takeResult().submodules, request.contrastAsked()));
+    printing.reset();
+    embedded = {};
+    isPrinted = true;
+    stage = Stage::Searching;
+  }
+  result.timingsMs.forPrint += millisecondsSince(start);
   return {};
 }
 
@@ -451,6 +495,9 @@ Result<Progress> EngraveJob::advance() {
       break;
     case Stage::Embedding:
       done = s.embed();
+      break;
+    case Stage::Printing:
+      done = s.print();
       break;
     case Stage::Checking:
       done = s.check();

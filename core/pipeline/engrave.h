@@ -39,7 +39,8 @@ PlacementRequest searchedPlacement(const EngraveRequest& request, int modules);
 /// Milliseconds spent in each stage.
 struct StageTimings {
   double direction = 0, size = 0, surface = 0, depthSearch = 0, embed = 0, verify = 0;
-  double print = 0;  ///< to find out how it comes off the printer; 0: that was not done
+  double forPrint = 0;  ///< to find out what the printer would make of the depths of a first search
+  double print = 0;     ///< to find out how it comes off the printer; 0: that was not done
 };
 
 /// The carved solid and everything that is known of it.
@@ -54,7 +55,7 @@ struct EngraveResult {
   Symbol symbol;
   Placement placement;
   DepthField depths;
-  int searchIterations = 0;
+  int searchIterations = 0;           ///< of both searches, where the print asked for a second one
   std::size_t limitedSubmodules = 0;  ///< that a limit kept from being dark enough
   /// Of every submodule of symbol and quiet zone, at the depths found; row-major from the quiet zone's top left.
   std::vector<double> luminance;

@@ -15,6 +15,8 @@ namespace {
 
 constexpr int kPaths = 8;
 constexpr int kRowsAStep = 16;
+constexpr int kRoughPaths = 2;  // more change little: a module has a hundred texels
+constexpr double kRoughness = 1.5;
 constexpr float kBackground = 0.35f;  // luminance of what is not the model
 
 }  // namespace
@@ -55,7 +57,8 @@ Status PrintedViewJob::State::print() {
   auto surface = printSurface(*model, {.process = request.process,
                                        .frame = request.frame,
                                        .extentMm = request.symbolMm / request.symbol.size * edgeModules(),
-                                       .buildUp = request.buildUp});
+                                       .buildUp = request.buildUp,
+                                       .roughness = request.isRough ? kRoughness : 1});
   if (!surface) return tl::unexpected(surface.error());
   printed = surface->mesh();
   stage = Stage::Preparing;
@@ -67,7 +70,7 @@ void PrintedViewJob::State::prepare() {
   light.emplace(*tree, request.frame,
                 BakeOptions{.texelMm = request.symbolMm / request.symbol.size / kBakedPixels,
                             .texels = kBakedPixels * edgeModules(),
-                            .paths = kPaths,
+                            .paths = request.isRough ? kRoughPaths : kPaths,
                             .albedo = request.albedo,
                             .lamp = {.strength = 0}});
   stage = Stage::Light;
@@ -86,7 +89,8 @@ void PrintedViewJob::State::look() {
   const int texels = light->options().texels;
   seen.pixelsPerModule = kBakedPixels;
   seen.clean = photograph(seen.luminance, texels);
-  result.misread = misreadModules(measureModules(request.symbol, submoduleLight(*light, request.symbol.size)));
+  result.submodules = submoduleLight(*light, request.symbol.size);
+  result.misread = misreadModules(measureModules(request.symbol, result.submodules));
   const double cosine = glm::dot(request.frame.normal, glm::normalize(request.buildUp));
   result.facingDeg = toDegrees(std::acos(std::clamp(cosine, -1.0, 1.0)));
   stage = Stage::Done;

@@ -70,13 +70,13 @@ LayerGrid cropped(const LayerGrid& grid, int border) {
 }  // namespace
 
 PrintedLayers::PrintedLayers(std::vector<Corners> triangles, const ProjectionFrame& frame, double extentMm,
-                             const PrintProcess& process)
+                             const PrintProcess& process, double roughness)
     : process_(process), frame_(frame), triangles_(std::move(triangles)) {
   bedMm_ = std::numeric_limits<double>::infinity();
   for (const Corners& triangle : triangles_)
     for (const Vec3& corner : triangle) bedMm_ = std::min(bedMm_, corner.z);
   findTiles(extentMm);
-  lay();
+  lay(roughness);
 }
 
 double PrintedLayers::firstMeeting(Vec2 at) const {
@@ -201,11 +201,11 @@ void PrintedLayers::addTiles(Layer& layer, const Polygon& within, double marginM
 /// How far beyond a tile its outline is looked at, so that the tile does not depend on where it ends.
 double PrintedLayers::haloMm() const { return 2 * process_.cornerRadiusMm + kLaidReachMm; }
 
-void PrintedLayers::lay() {
+void PrintedLayers::lay(double roughness) {
   std::size_t tiles = 0;
   for (const Layer& layer : layers_) tiles += layer.tiles.size();
   if (tiles == 0) return;
-  const double finest = std::max(process_.finestMm / kNodesPerFinest,
+  const double finest = std::max(roughness * process_.finestMm / kNodesPerFinest,
                                  std::sqrt(static_cast<double>(tiles) * tileMm_ * tileMm_ / kMaxNodes));
   const int steps = std::max(1, static_cast<int>(std::floor(tileMm_ / finest)));
   const CuttingPlanes planes{bedMm_ + (firstLayer_ + 0.5) * process_.layerMm, process_.layerMm,

@@ -26,8 +26,9 @@ class PrintedLayers {
   /// @param triangles  of a solid, anticlockwise seen from outside
   /// @param frame      of the code: the eye, and
   /// @param extentMm   the edge of the square of its QR plane that is looked through
+  /// @param roughness  see PrintRequest
   PrintedLayers(std::vector<Corners> triangles, const ProjectionFrame& frame, double extentMm,
-                const PrintProcess& process);
+                const PrintProcess& process, double roughness);
 
   /// Distance from the eye at which the ray to a point of the QR plane meets plastic; 0: it meets nothing.
   double firstMeeting(Vec2 at) const;
@@ -45,7 +46,7 @@ class PrintedLayers {
   void findTiles(double extentMm);
   void addToLayers(const Polygon& part, double marginMm);
   void addTiles(Layer& layer, const Polygon& within, double marginMm) const;
-  void lay();
+  void lay(double roughness);
   void layLayer(Layer& layer, std::span<const Segment2> outline, Vec2 corner, int winding, int steps) const;
   std::vector<std::vector<Segment2>> nearTiles(const Layer& layer, std::span<const Segment2> outline, Vec2 first,
                                                double beyond) const;

@@ -121,13 +121,14 @@ Result<PrintedSurface> printSurface(const Mesh& mesh, const PrintRequest& reques
   for (std::size_t t = 0; t < triangles.size(); ++t)
     for (int k = 0; k < 3; ++k) triangles[t][static_cast<std::size_t>(k)] = space.to(mesh.corner(t, k));
   const ProjectionFrame frame = inBuildSpace(request.frame, space);
-  const PrintedLayers layers(std::move(triangles), frame, request.extentMm, request.process);
+  const PrintedLayers layers(std::move(triangles), frame, request.extentMm, request.process, request.roughness);
 
   PrintedSurface surface;
   surface.frame = request.frame;
   const PrintProcess& process = request.process;
   double texelMm = process.finestMm / kTexelsPerFinest;
   if (process.grooveMm > 0) texelMm = std::min(texelMm, process.layerMm / kTexelsPerLayer);
+  texelMm *= request.roughness;
   surface.texels = static_cast<int>(std::min(kMaxTexels, std::ceil(request.extentMm / texelMm)));
   surface.texelMm = request.extentMm / surface.texels;
   surface.distanceMm.assign(static_cast<std::size_t>(surface.texels) * static_cast<std::size_t>(surface.texels), 0);

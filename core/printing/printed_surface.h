@@ -16,6 +16,7 @@ struct PrintRequest {
   ProjectionFrame frame;  ///< of the code, in the model's space
   double extentMm = 50;   ///< edge of the square of the QR plane that is looked at, centred on the code
   Vec3 buildUp{0, 0, 1};  ///< the printer's vertical in the model's space, of any length > 0
+  double roughness = 1;   ///< how much wider texels and nodes are than what shows everything, ≥ 1
 };
 
 /// The surface that a printer leaves, as the reader's eye sees it.

@@ -113,6 +113,7 @@ std::string makeReport(const EngraveRequest& request, const EngravableModel& mod
                      {"features", describeFeatures(features, printer)},
                      {"objective", request.objective == DepthObjective::Reading ? "reading" : "contrast"},
                      {"lights", describeLights(request.lights)},
+                     {"carvedFor", request.isForPrint() ? "print" : "design"},
                      {"solver", solverName(request)}};
   if (request.objective == DepthObjective::Contrast) report["depth"]["contrast"] = request.contrastAsked();
   if (!request.contrast) {
@@ -150,9 +151,11 @@ std::string makeReport(const EngraveRequest& request, const EngravableModel& mod
   report["verification"]["printability"] =
       describeMessages(advisePrinting(features, printer, request.minWallMm), context.wording);
   const StageTimings& t = result.timingsMs;
-  report["timingsMs"] = {{"load", context.loadMs},   {"prepare", context.prepareMs}, {"direction", t.direction},
-                         {"size", t.size},           {"surface", t.surface},         {"depthSearch", t.depthSearch},
-                         {"embed", t.embed},         {"verify", t.verify},           {"print", t.print},
+  report["timingsMs"] = {{"load", context.loadMs},   {"prepare", context.prepareMs},
+                         {"direction", t.direction}, {"size", t.size},
+                         {"surface", t.surface},     {"depthSearch", t.depthSearch},
+                         {"forPrint", t.forPrint},   {"embed", t.embed},
+                         {"verify", t.verify},       {"print", t.print},
                          {"write", context.writeMs}, {"total", context.totalMs}};
   if (context.spotMs > 0) report["timingsMs"]["spot"] = context.spotMs;
   report["gl"] = {{"renderer", context.gl.renderer}, {"version", context.gl.version}};

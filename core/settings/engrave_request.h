@@ -30,6 +30,12 @@ enum class ContrastSolver : std::uint8_t {
   PaperSteps  ///< as published: carving/depth_search.h
 };
 
+/// Which surface has to be dark enough.
+enum class CarveFor : std::uint8_t {
+  Design,  ///< the carved one, as the file has it
+  Print    ///< what the printer leaves of it, too: pipeline/contrast_for_print.h
+};
+
 /// Everything that decides what comes out. What a person can set of it stands in the table of settings/settings.h.
 struct EngraveRequest {
   std::string text;  ///< UTF-8, not empty
@@ -44,6 +50,8 @@ struct EngraveRequest {
   std::optional<double> contrast;
   ContrastSolver solver = ContrastSolver::Fast;
   ReadingOptions reading;
+  /// Print counts for ContrastSolver::Fast without lamps, if a process is known; else Design does.
+  CarveFor carveFor = CarveFor::Design;
   std::optional<double> maxDepthMm;      ///< none: 1.2 modules
   double minWallMm = 0.8;                ///< material that stays behind every floor, ≥ 0
   float albedo = 0.7f;                   ///< of the printed material
@@ -55,6 +63,11 @@ struct EngraveRequest {
   BuildDirection buildUp;                        ///< how the model stands on it
   bool inlay = false;         ///< make the body that fills the pockets as well, for printing in two colours
   bool recordSearch = false;  ///< keep what every pass of the search for depths saw, in EngraveResult::search
+
+  bool isForPrint() const {
+    return carveFor == CarveFor::Print && process && lights.empty() && objective == DepthObjective::Contrast &&
+           solver == ContrastSolver::Fast;
+  }
 
   /// That of the preset, unless one is asked for by itself.
   double contrastAsked() const { return contrast.value_or(presetContrast(preset)); }

@@ -169,6 +169,16 @@ Setting contrast() {
   return setting;
 }
 
+Setting carveFor() {
+  Setting setting = choice(
+      "carveFor", "depth", [](auto& r) -> auto& { return r.carveFor; },
+      [] {
+        return std::vector<std::string>{"design", "print"};
+      });
+  setting.since = kSincePrinting;
+  return setting;
+}
+
 Setting size() {
   Setting setting = made("size", "placement", Kind::ChoiceOrNumber);
   setting.choices = sizeModeNames();
@@ -293,6 +303,7 @@ std::vector<Setting> makeSettings() {
           "finderPattern", "depth", [](auto& r) -> auto& { return r.finderPattern; },
           [] { return namesOf(5, [](int i) { return finderPatternName(static_cast<FinderPattern>(i)); }); }),
       contrast(),
+      carveFor(),
       choice(
           "objective", "depth", [](auto& r) -> auto& { return r.objective; },
           [] {
@@ -424,6 +435,7 @@ const Setting* findSetting(std::string_view key) {
 EngraveRequest defaultRequest() {
   EngraveRequest request;
   request.symbol.raiseErrorCorrection = true;
+  request.carveFor = CarveFor::Print;
   return request;
 }
 

@@ -71,7 +71,7 @@ std::span<const Setting> settings();
 const Setting* findSetting(std::string_view key);
 
 /// What a request is before a person has said anything: that of its initialisers, and error correction is raised where
-/// that costs nothing.
+/// that costs nothing, and the print has to be dark enough.
 EngraveRequest defaultRequest();
 
 /// Whether the setting takes the value. @returns BadUsage naming the setting, what it is and what it may be

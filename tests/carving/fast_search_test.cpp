@@ -84,6 +84,30 @@ TEST_F(FastSearchTest, ReachesThePapersGoalWithHalfTheMeasuringAndNoDeeper) {
   EXPECT_EQ(fast.limitedCount(), 0u);
 }
 
+TEST_F(FastSearchTest, AModuleOfWhichMoreIsAskedGetsAllOfItAndOthersHardlyMore) {
+  FastSearchOptions options{.contrast = kContrast};
+  options.contrastOfModule.assign(symbol_.dark.size(), kContrast);
+  const auto isAsked = [&](int row, int column) { return (row / 5 + column / 5) % 2 == 0; };  // a chessboard of modules
+  for (int row = 0; row < symbol_.size; ++row)
+    for (int column = 0; column < symbol_.size; ++column)
+      if (isAsked(5 * row, 5 * column))
+        options.contrastOfModule[static_cast<std::size_t>(row * symbol_.size + column)] = 0.45;
+  FastSearch uneven(target(5), options), even(target(5), {.contrast = kContrast});
+  run(uneven);
+  run(even);
+  const std::vector<double> all = luminances(uneven.depths());
+  const SubmoduleLuminances seen(all, symbol_.size);
+  double asked = 0, askedBefore = 0, others = 0, othersBefore = 0;
+  for (const std::uint32_t i : sky_.carved()) {
+    const int row = static_cast<int>(i) / mask_.size, column = static_cast<int>(i) % mask_.size;
+    EXPECT_LE(seen.of(row, column), 1 - (isAsked(row, column) ? 0.45 : kContrast));
+    (isAsked(row, column) ? asked : others) += uneven.depths().depthMm[i];
+    (isAsked(row, column) ? askedBefore : othersBefore) += even.depths().depthMm[i];
+  }
+  EXPECT_GT(asked, 1.3 * askedBefore);
+  EXPECT_LT(others, 1.15 * othersBefore);
+}
+
 TEST_F(FastSearchTest, NeedsNoLuminanceButThatOfWhatIsDueAndLooksAtAllInTheEnd) {
   FastSearch fast(target(5), {.contrast = kContrast});
   const int edge = 5 * (symbol_.size + 8);

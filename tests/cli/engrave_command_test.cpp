@@ -242,9 +242,10 @@ TEST_F(EngraveCommandTest, WhatDoesNotReadAsShallowAsAskedForIsCarvedDeeper) {
   const Mesh valley = shapes::plate({60, 60}, 60, 2, 2, [&](double x, double) { return slope * std::abs(x); });
   const std::string model = writeModel("valley.stl", valley);
   const auto engrave = [&](std::vector<std::string> options) {
-    std::vector<std::string> words = {"engrave",     model,           "--text",   "HELLO",          "--at",   "0,0,0",
-                                      "--direction", "0,0,1",         "--up",     "0,1,0",          "--size", "30",
-                                      "-o",          path("out.stl"), "--report", path("out.json"), "--quiet"};
+    std::vector<std::string> words = {"engrave",        model,         "--text",      "HELLO",         "--at",
+                                      "0,0,0",          "--direction", "0,0,1",       "--up",          "0,1,0",
+                                      "--size",         "30",          "-o",          path("out.stl"), "--report",
+                                      path("out.json"), "--quiet",     "--carve-for", "design"};
     words.insert(words.end(), options.begin(), options.end());
     return run(words);
   };

@@ -14,7 +14,7 @@ using VerifyCommandTest = CommandTest;
 TEST_F(VerifyCommandTest, ReadsWhatEngraveWroteAndSaysWhatIsWrongWithOtherModels) {
   const std::string model = writeModel("box.stl", shapes::box({40, 40, 8}));
   ASSERT_EQ(run({"engrave", model, "--text", "HELLO", "--at", "0,0,4", "--size", "25.2", "-o", path("out.3mf"),
-                 "--report", path("out.json"), "--quiet"})
+                 "--report", path("out.json"), "--carve-for", "design", "--quiet"})
                 .status,
             0);
   const Outcome good = run({"verify", path("out.3mf"), "--report", path("out.json"), "--json", path("verified.json"),

@@ -21,7 +21,7 @@
  * @property {Readonly<Record<string, Words>>} [partLabels]   of the parts that it is set by
  */
 
-/** @typedef {'text' | 'ecc' | 'raiseEcc' | 'version' | 'mask' | 'breakUp' | 'preset' | 'keepPreset' | 'pattern' | 'finderPattern' | 'contrast' | 'objective' | 'solver' | 'maxDepthMm' | 'minWallMm' | 'dataContrast' | 'finderContrast' | 'blurModules' | 'tolerance' | 'maxPasses' | 'size' | 'maxSizeMm' | 'quietZone' | 'up' | 'rotateDeg' | 'direction' | 'eyeDistanceMm' | 'light' | 'albedo' | 'surface' | 'inlay' | 'process' | 'nozzleMm' | 'layerMm' | 'lineWidthMm' | 'buildUp'} SettingKey */
+/** @typedef {'text' | 'ecc' | 'raiseEcc' | 'version' | 'mask' | 'breakUp' | 'preset' | 'keepPreset' | 'pattern' | 'finderPattern' | 'contrast' | 'carveFor' | 'objective' | 'solver' | 'maxDepthMm' | 'minWallMm' | 'dataContrast' | 'finderContrast' | 'blurModules' | 'tolerance' | 'maxPasses' | 'size' | 'maxSizeMm' | 'quietZone' | 'up' | 'rotateDeg' | 'direction' | 'eyeDistanceMm' | 'light' | 'albedo' | 'surface' | 'inlay' | 'process' | 'nozzleMm' | 'layerMm' | 'lineWidthMm' | 'buildUp'} SettingKey */
 
 /** @type {Readonly<Record<SettingKey, Setting>>} */
 export const kSettings = {
@@ -36,6 +36,7 @@ export const kSettings = {
   pattern: {"group":"depth","kind":"choice","choices":["none","square","thin-plus","diamond","thick-plus"],"default":"thick-plus","since":"0.1.0","label":{"de":"Module","en":"Modules"},"choiceNames":{"diamond":{"de":"Raute","en":"Diamond"},"none":{"de":"Voll","en":"Full"},"square":{"de":"Quadrat","en":"Square"},"thick-plus":{"de":"Dickes Plus","en":"Thick plus"},"thin-plus":{"de":"Dünnes Plus","en":"Thin plus"}}},
   finderPattern: {"group":"depth","kind":"choice","choices":["none","as-modules","diamond","thick-plus","thick-plus-sharp"],"default":"thick-plus-sharp","since":"0.1.0","label":{"de":"Eckmarken","en":"Corner marks"},"choiceNames":{"as-modules":{"de":"Wie die Module","en":"As the modules"},"diamond":{"de":"Raute","en":"Diamond"},"none":{"de":"Voll","en":"Full"},"thick-plus":{"de":"Dickes Plus, gerundet","en":"Thick plus, rounded"},"thick-plus-sharp":{"de":"Dickes Plus","en":"Thick plus"}}},
   contrast: {"group":"depth","kind":"number","min":0.01,"max":0.99,"step":0.01,"mayBeEmpty":true,"default":null,"since":"0.1.0","label":{"de":"Kontrast","en":"Contrast"}},
+  carveFor: {"group":"depth","kind":"choice","choices":["design","print"],"default":"print","since":"0.2.0","label":{"de":"Gravieren für","en":"Carve for"},"choiceNames":{"design":{"de":"Den Entwurf allein","en":"The design alone"},"print":{"de":"Auch den Druck","en":"The print, too"}}},
   objective: {"group":"depth","kind":"choice","choices":["contrast","reading"],"default":"contrast","since":"0.1.0","label":{"de":"Ziel","en":"Objective"},"choiceNames":{"contrast":{"de":"Kontrast","en":"Contrast"},"reading":{"de":"Lesbarkeit","en":"Reading"}}},
   solver: {"group":"depth","kind":"choice","choices":["fast","paper-steps"],"default":"fast","since":"0.1.0","label":{"de":"Verfahren","en":"Solver"},"choiceNames":{"fast":{"de":"Schnell","en":"Fast"},"paper-steps":{"de":"Wie veröffentlicht","en":"As published"}}},
   maxDepthMm: {"group":"depth","kind":"number","unit":"mm","min":0.1,"max":1000.0,"step":0.1,"mayBeEmpty":true,"default":null,"since":"0.1.0","label":{"de":"Größte Tiefe","en":"Deepest"}},

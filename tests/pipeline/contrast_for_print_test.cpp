@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/contrast_for_print.h"
+
+#include <cmath>
+#include <functional>
+
+#include "pipeline/engrave.h"
+#include "pipeline/printed_view.h"
+#include "qr/module_pattern.h"
+#include "settings/settings.h"
+#include "support/gl_test.h"
+#include "support/shapes.h"
+
+namespace qrelief {
+namespace {
+
+constexpr double kContrast = 0.3;
+
+/// Light of the submodules if light modules are fully lit and dark ones have a contrast each.
+std::vector<double> lit(const Symbol& symbol, const std::function<double(int row, int column)>& contrastOf) {
+  const int edge = kSubmodulesPerModule * (symbol.size + 2 * kQuietZoneModules);
+  std::vector<double> light(static_cast<std::size_t>(edge * edge), 1);
+  for (int y = 0; y < edge; ++y)
+    for (int x = 0; x < edge; ++x) {
+      const int row = y / kSubmodulesPerModule - kQuietZoneModules;
+      const int column = x / kSubmodulesPerModule - kQuietZoneModules;
+      const bool within = row >= 0 && column >= 0 && row < symbol.size && column < symbol.size;
+      if (within && symbol.isDark(row, column))
+        light[static_cast<std::size_t>(y * edge + x)] = 1 - contrastOf(row, column);
+    }
+  return light;
+}
+
+TEST(ContrastForPrint, AsksForWhatThePrintLacksOfTwoThirds) {
+  const Symbol symbol = *encodeSymbol("QRELIEF", {});
+  const auto designed = lit(symbol, [](int, int) { return 0.3; });
+  // Columns keep ever more of the design's contrast, from nothing to all of it.
+  const auto kept = [&](int column) { return static_cast<double>(column) / (symbol.size - 1); };
+  const auto printed = lit(symbol, [&](int, int column) { return 0.3 * kept(column); });
+  const std::vector<double> asked = contrastForPrint(symbol, designed, printed, kContrast);
+  ASSERT_EQ(asked.size(), symbol.dark.size());
+  for (int row = 0; row < symbol.size; ++row)
+    for (int column = 0; column < symbol.size; ++column) {
+      const double lacks = symbol.isDark(row, column) ? std::max(0.0, kPrintedShare - kept(column)) : 0;
+      EXPECT_NEAR(asked[static_cast<std::size_t>(row * symbol.size + column)], kContrast * (1 + lacks), 1e-9)
+          << row << ", " << column;
+    }
+}
+
+TEST(ContrastForPrint, FindersAndOtherModulesAreComparedWithTheirOwn) {
+  const Symbol symbol = *encodeSymbol("QRELIEF", {});
+  const auto isFinder = [&](int row, int column) { return symbol.role(row, column) == ModuleRole::Finder; };
+  // Square modules, say: a third of the finders' contrast as designed. Finders print with a half of theirs, others with
+  // all.
+  const auto designed = lit(symbol, [&](int row, int column) { return isFinder(row, column) ? 0.3 : 0.1; });
+  const auto printed = lit(symbol, [&](int row, int column) { return isFinder(row, column) ? 0.15 : 0.1; });
+  const std::vector<double> asked = contrastForPrint(symbol, designed, printed, kContrast);
+  for (int row = 0; row < symbol.size; ++row)
+    for (int column = 0; column < symbol.size; ++column) {
+      const double lacks = isFinder(row, column) && symbol.isDark(row, column) ? kPrintedShare - 0.5 : 0;
+      EXPECT_NEAR(asked[static_cast<std::size_t>(row * symbol.size + column)], kContrast * (1 + lacks), 1e-9);
+    }
+}
+
+TEST(ContrastForPrint, IsAtMostTwiceWhatIsAskedOfAllAndNeverMoreThanAPocketCanHave) {
+  const Symbol symbol = *encodeSymbol("QRELIEF", {});
+  const auto designed = lit(symbol, [](int, int) { return 0.3; });
+  const auto brighter = lit(symbol, [](int, int) { return -0.5; });  // the print's pits shine, grooves around are dark
+  for (const auto& [contrast, most] : {std::pair{0.3, 0.6}, {0.5, 0.8}, {0.9, 0.9}}) {
+    const std::vector<double> asked = contrastForPrint(symbol, designed, brighter, contrast);
+    EXPECT_EQ(*std::max_element(asked.begin(), asked.end()), most);
+    EXPECT_EQ(*std::min_element(asked.begin(), asked.end()), contrast);
+  }
+}
+
+class CarvedForPrintTest : public GlTest {
+ protected:
+  CarvedForPrintTest() {
+    // A dome: the layers' steps are wide on top and narrow at the rim.
+    model_ = EngravableModel::upload(
+        *prepareModel(shapes::soupOf(shapes::plate({50, 50}, 12, 100, 100,
+                                                   [](double x, double y) { return -0.008 * (x * x + y * y); })),
+                      {}));
+    request_.text = "QRELIEF";
+    request_.placement.centreMm = {0, 0, 0};
+    request_.placement.upHint = {0, 1, 0};
+    request_.placement.sizeMode = SizeMode::Fixed;
+    request_.placement.sizeMm = 21;  // modules of a millimetre
+    request_.buildUp.pose = BuildPose::CodeUp;
+  }
+
+  EngraveResult carved(const EngraveRequest& request) const { return *engrave(model_, request); }
+
+  /// How much more is to be asked of the dark modules for their print, on average.
+  double lacks(const EngraveResult& result) const {
+    auto job = PrintedViewJob::create(result.mesh, **printedViewOf(verifyRequestOf(request_, result)));
+    const PrintedView printed = *runToEnd(**job);
+    const std::vector<double> ink = lit(result.symbol, [](int, int) { return kContrast; });
+    const std::vector<double> asked = contrastForPrint(result.symbol, ink, printed.submodules, kContrast);
+    double sum = 0, dark = 0;
+    for (std::size_t module = 0; module < asked.size(); ++module) {
+      sum += asked[module] - kContrast;
+      dark += result.symbol.dark[module];
+    }
+    return sum / dark;
+  }
+
+  std::shared_ptr<const EngravableModel> model_;
+  EngraveRequest request_;
+};
+
+TEST_F(CarvedForPrintTest, ThePrintLacksLittleOfWhatIsAskedForAtLittleMoreDepth) {
+  const EngraveResult forDesign = carved(request_);
+  request_.carveFor = CarveFor::Print;
+  const EngraveResult forPrint = carved(request_);
+  EXPECT_GT(lacks(forDesign), 0.04);
+  EXPECT_LT(lacks(forPrint), 0.6 * lacks(forDesign));
+  EXPECT_TRUE(forPrint.solidity.solid());
+  EXPECT_LT(summarise(forPrint.depths).meanMm, 1.3 * summarise(forDesign.depths).meanMm);
+  for (std::size_t i = 0; i < forPrint.depths.depthMm.size(); ++i)
+    EXPECT_EQ(forPrint.depths.depthMm[i] > 0, forDesign.depths.depthMm[i] > 0);
+  EXPECT_GT(forPrint.timingsMs.forPrint, 0);
+  EXPECT_EQ(forDesign.timingsMs.forPrint, 0);
+}
+
+TEST_F(CarvedForPrintTest, WhereNoPrintCanBeAskedTheDesignAloneDecides) {
+  request_.placement.sizeMm = 12;
+  const auto depthsBy = [&](const std::function<void(EngraveRequest&)>& change, CarveFor carveFor) {
+    EngraveRequest changed = request_;
+    change(changed);
+    changed.carveFor = carveFor;
+    return carved(changed).depths.depthMm;
+  };
+  const std::function<void(EngraveRequest&)> changes[] = {
+      [](EngraveRequest& r) { r.process.reset(); },
+      [](EngraveRequest& r) {
+        r.lights = {{30, 45, 1}};
+      },
+      [](EngraveRequest& r) { r.solver = ContrastSolver::PaperSteps; },
+      [](EngraveRequest& r) { r.objective = DepthObjective::Reading; }};
+  for (const auto& change : changes) EXPECT_EQ(depthsBy(change, CarveFor::Print), depthsBy(change, CarveFor::Design));
+  const auto none = [](EngraveRequest&) {};
+  EXPECT_NE(depthsBy(none, CarveFor::Print), depthsBy(none, CarveFor::Design));
+}
+
+TEST_F(CarvedForPrintTest, ProgressNeverGoesBackAndItEndsAtAnyPoint) {
+  request_.carveFor = CarveFor::Print;
+  request_.placement.sizeMm = 12;
+  auto job = EngraveJob::create(model_, request_);
+  ASSERT_TRUE(job);
+  double before = 0;
+  bool printed = false;
+  for (;;) {
+    const auto progress = (*job)->advance();
+    ASSERT_TRUE(progress) << progress.error().message;
+    EXPECT_GE(progress->fraction, before);
+    before = progress->fraction;
+    printed = printed || progress->stage.code == "printing";
+    if (progress->done) break;
+  }
+  EXPECT_EQ(before, 1);
+  EXPECT_TRUE(printed);
+}
+
+TEST(CarveFor, IsThePrintUnlessAPersonSaysOtherwise) {
+  EXPECT_EQ(defaultRequest().carveFor, CarveFor::Print);
+  EXPECT_TRUE(defaultRequest().isForPrint());
+}
+
+}  // namespace
+}  // namespace qrelief
