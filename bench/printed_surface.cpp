@@ -12,6 +12,7 @@
 #include "base/clock.h"
 #include "io/read_model.h"
 #include "io/write_stl.h"
+#include "mesh/ray_tree.h"
 #include "native/zxing_reader.h"
 #include "pipeline/verify.h"
 #include "verdict/verdict.h"

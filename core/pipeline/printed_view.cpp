@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "math/angle.h"
+#include "printing/printed_rays.h"
 #include "verification/baked_light.h"
 #include "verification/reading_sweep.h"
 
@@ -35,13 +36,12 @@ Result<std::optional<PrintedViewRequest>> printedViewOf(const VerifyRequest& req
 
 /// The stages in their order; each `advance` does one step of the current one.
 struct PrintedViewJob::State {
-  enum class Stage { Printing, Preparing, Light, Done };
+  enum class Stage { Printing, Light, Done };
 
   const Mesh* model;
   PrintedViewRequest request;
   Stage stage = Stage::Printing;
-  Mesh printed;
-  std::optional<RayTree> tree;
+  std::optional<PrintedRays> printed;
   std::optional<BakedLight> light;
   int bakedRows = 0;
   PrintedView result;
@@ -60,14 +60,13 @@ Status PrintedViewJob::State::print() {
                                        .buildUp = request.buildUp,
                                        .roughness = request.isRough ? kRoughness : 1});
   if (!surface) return tl::unexpected(surface.error());
-  printed = surface->mesh();
-  stage = Stage::Preparing;
+  printed.emplace(*surface);
+  prepare();
   return {};
 }
 
 void PrintedViewJob::State::prepare() {
-  tree.emplace(printed);
-  light.emplace(*tree, request.frame,
+  light.emplace(*printed, request.frame,
                 BakeOptions{.texelMm = request.symbolMm / request.symbol.size / kBakedPixels,
                             .texels = kBakedPixels * edgeModules(),
                             .paths = request.isRough ? kRoughPaths : kPaths,
@@ -117,15 +116,11 @@ Result<Progress> PrintedViewJob::advance() {
     case Stage::Printing:
       doing = message("printing");
       if (const Status printed = s.print(); !printed) return tl::unexpected(printed.error());
-      fraction = 0.2;
-      break;
-    case Stage::Preparing:
-      s.prepare();
-      fraction = 0.35;
+      fraction = 0.4;
       break;
     case Stage::Light:
       s.bake();
-      fraction = 0.35 + 0.65 * std::min(1.0, static_cast<double>(s.bakedRows) / s.light->options().texels);
+      fraction = 0.4 + 0.6 * std::min(1.0, static_cast<double>(s.bakedRows) / s.light->options().texels);
       break;
     case Stage::Done:
       assert(false && "advance() after done");

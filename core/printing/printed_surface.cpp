@@ -83,6 +83,15 @@ void roughen(PrintedSurface& surface, double deviationMm) {
 
 }  // namespace
 
+float PrintedSurface::height(int column, int row) const {
+  const double distance = static_cast<double>(
+      distanceMm[static_cast<std::size_t>(row) * static_cast<std::size_t>(texels) + static_cast<std::size_t>(column)]);
+  if (distance <= 0) return -std::numeric_limits<float>::infinity();
+  const Vec2 at = planePoint(column, row);
+  const double eye = frame.eyeDistance, way = std::sqrt(at.x * at.x + at.y * at.y + eye * eye);  // to the QR plane
+  return static_cast<float>(eye * way / distance - eye);
+}
+
 Mesh PrintedSurface::mesh() const {
   Mesh mesh;
   constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
@@ -101,8 +110,8 @@ Mesh PrintedSurface::mesh() const {
                         above = i + static_cast<std::size_t>(texels);
       const std::array<std::uint32_t, 4> quad = {vertices[i], vertices[i + 1], vertices[above + 1], vertices[above]};
       if (std::find(quad.begin(), quad.end(), kNone) != quad.end()) continue;
-      // Along the diagonal whose ends are nearer to one height.
-      if (std::abs(distanceMm[i] - distanceMm[above + 1]) <= std::abs(distanceMm[i + 1] - distanceMm[above])) {
+      if (std::abs(height(column, row) - height(column + 1, row + 1)) <=
+          std::abs(height(column + 1, row) - height(column, row + 1))) {
         mesh.triangles.push_back({quad[0], quad[1], quad[2]});
         mesh.triangles.push_back({quad[0], quad[2], quad[3]});
       } else {

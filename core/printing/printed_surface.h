@@ -30,7 +30,12 @@ struct PrintedSurface {
     return {(column + 0.5 - texels / 2.0) * texelMm, (row + 0.5 - texels / 2.0) * texelMm};
   }
 
-  /// The points joined to triangles: a surface with a border, right for rendering, and no solid.
+  /// eyeDistance²/depth − eyeDistance, mm: close to the height over the QR plane, and linear over whatever is plane in
+  /// space. −infinity where nothing is met.
+  float height(int column, int row) const;
+
+  /// The points joined to triangles, along the diagonals whose ends are nearer to one height: a surface with a border,
+  /// right for rendering, and no solid.
   Mesh mesh() const;
 };
 

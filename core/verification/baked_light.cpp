@@ -36,8 +36,8 @@ bool sameFloor(Vec3 a, Vec3 normalA, Vec3 b, Vec3 normalB, double texelMm) {
 
 }  // namespace
 
-BakedLight::BakedLight(const RayTree& tree, const ProjectionFrame& frame, const BakeOptions& options)
-    : tree_(&tree), frame_(frame), options_(options) {
+BakedLight::BakedLight(const RaySurface& surface, const ProjectionFrame& frame, const BakeOptions& options)
+    : surface_(&surface), frame_(frame), options_(options) {
   assert(options.texels > 0 && options.paths > 0 && options.texelMm > 0);
   const std::size_t count = static_cast<std::size_t>(options.texels) * static_cast<std::size_t>(options.texels);
   texels_.resize(count);
@@ -54,7 +54,7 @@ SurfaceLight BakedLight::traced(const SurfacePoint& at, Vec3 seen, int row, int 
   SurfaceLight sum;
   for (int i = 1; i <= options_.paths; ++i) {
     const auto point = halton23(static_cast<std::uint32_t>(first + i));
-    const LightPath one = traceLight(*tree_, at, seen, {wrapped(point[0] + shiftU), wrapped(point[1] + shiftV)},
+    const LightPath one = traceLight(*surface_, at, seen, {wrapped(point[0] + shiftU), wrapped(point[1] + shiftV)},
                                      options_.albedo, std::span(&options_.lamp, 1), random);
     sum.sky += one.sky;
     sum.lamp += one.lamp;
@@ -69,9 +69,9 @@ void BakedLight::bakeTexel(std::size_t texel) {
   const Vec2 at{(static_cast<double>(column) + 0.5 - middle) * options_.texelMm,
                 (static_cast<double>(row) + 0.5 - middle) * options_.texelMm};
   const Vec3 ray = frame_.rayDirection(at);
-  const auto hit = tree_->firstHit(frame_.eye(), ray);
+  const auto hit = surface_->firstHit(frame_.eye(), ray);
   if (!hit) return;
-  const Vec3 normal = triangleNormal(tree_->mesh(), hit->triangle);
+  const Vec3 normal = surface_->normalAt(*hit);
   texels_[texel] = {hit->position, glm::dot(normal, ray) > 0 ? -normal : normal};
   light_[texel] = traced(*hit, ray, static_cast<int>(row), static_cast<int>(column));
 }
@@ -121,7 +121,7 @@ SurfaceLight BakedLight::lightAt(const SurfacePoint& at, Vec3 seen, int row, int
           static_cast<std::size_t>(y) * static_cast<std::size_t>(options_.texels) + static_cast<std::size_t>(x);
       const Texel& baked = texels_[texel];
       const bool near = glm::length(baked.position - at.position) < kNearTexels * options_.texelMm;
-      const Vec3 normal = triangleNormal(tree_->mesh(), at.triangle);
+      const Vec3 normal = surface_->normalAt(at);
       if (near && sameFloor(baked.position, baked.normal, at.position, normal, options_.texelMm)) return light_[texel];
     }
   }
@@ -138,7 +138,7 @@ LinearPicture BakedLight::picture(const ProjectionFrame& camera, int texels, dou
       const Vec2 at{(static_cast<double>(column) + 0.5 - middle) * texelMm,
                     (static_cast<double>(row) + 0.5 - middle) * texelMm};
       const Vec3 ray = camera.rayDirection(at);
-      const auto hit = tree_->firstHit(camera.eye(), ray);
+      const auto hit = surface_->firstHit(camera.eye(), ray);
       if (!hit) continue;
       const std::size_t pixel = row * static_cast<std::size_t>(texels) + column;
       const SurfaceLight light = lightAt(*hit, ray, static_cast<int>(row), static_cast<int>(column));

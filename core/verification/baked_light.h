@@ -36,8 +36,8 @@ struct LinearPicture {
 /// Independent of the maps that carving works on: it knows the mesh, the eye and nothing else. Deterministic.
 class BakedLight {
  public:
-  /// @param tree  kept by reference
-  BakedLight(const RayTree& tree, const ProjectionFrame& frame, const BakeOptions& options);
+  /// @param surface  kept by reference
+  BakedLight(const RaySurface& surface, const ProjectionFrame& frame, const BakeOptions& options);
 
   /// Bakes the next rows, on all cores. @returns whether that was the last
   /// Cost: rows × texels × paths × (bounces + 1) rays each for sky and lamp.
@@ -66,7 +66,7 @@ class BakedLight {
   SurfaceLight traced(const SurfacePoint& at, Vec3 seen, int row, int column) const;
   SurfaceLight lightAt(const SurfacePoint& at, Vec3 seen, int row, int column) const;
 
-  const RayTree* tree_;
+  const RaySurface* surface_;
   ProjectionFrame frame_;
   BakeOptions options_;
   std::vector<Texel> texels_;

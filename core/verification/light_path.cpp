@@ -25,13 +25,13 @@ Vec3 directionAbout(Vec3 axis, double height, double turn) {
 }
 
 /// Facet normal on the side that the ray comes from.
-Vec3 facing(const Mesh& mesh, const SurfacePoint& at, Vec3 direction) {
-  const Vec3 normal = triangleNormal(mesh, at.triangle);
+Vec3 facing(const RaySurface& surface, const SurfacePoint& at, Vec3 direction) {
+  const Vec3 normal = surface.normalAt(at);
   return glm::dot(normal, direction) > 0 ? -normal : normal;
 }
 
 /// By one point of each lamp's disc, chosen at random.
-double lampIrradiance(const RayTree& tree, Vec3 at, Vec3 normal, std::span<const Lamp> lamps, Random& random) {
+double lampIrradiance(const RaySurface& surface, Vec3 at, Vec3 normal, std::span<const Lamp> lamps, Random& random) {
   double sum = 0;
   for (const Lamp& lamp : lamps) {
     if (lamp.strength <= 0) continue;
@@ -42,26 +42,26 @@ double lampIrradiance(const RayTree& tree, Vec3 at, Vec3 normal, std::span<const
       to = directionAbout(lamp.towards, height, random.uniform());
     }
     const double cosine = glm::dot(normal, to);
-    if (cosine > 0 && !tree.firstHit(at, to, kLeaveSurfaceMm)) sum += lamp.strength * cosine;
+    if (cosine > 0 && !surface.firstHit(at, to, kLeaveSurfaceMm)) sum += lamp.strength * cosine;
   }
   return sum;
 }
 
 }  // namespace
 
-LightPath traceLight(const RayTree& tree, SurfacePoint at, Vec3 seen, std::array<double, 2> first, double albedo,
+LightPath traceLight(const RaySurface& surface, SurfacePoint at, Vec3 seen, std::array<double, 2> first, double albedo,
                      std::span<const Lamp> lamps, Random& random) {
   LightPath path;
   double throughput = 1;
   for (int bounce = 0;; ++bounce) {
-    const Vec3 normal = facing(tree.mesh(), at, seen);
-    const double lamp = lampIrradiance(tree, at.position, normal, lamps, random);
+    const Vec3 normal = facing(surface, at, seen);
+    const double lamp = lampIrradiance(surface, at.position, normal, lamps, random);
     if (bounce == 0) path.lampDirect = lamp;
     path.lamp += throughput * lamp;
     const double u = bounce == 0 ? first[0] : random.uniform();
     const double v = bounce == 0 ? first[1] : random.uniform();
     const Vec3 direction = directionAbout(normal, std::sqrt(1 - u), v);
-    const auto hit = tree.firstHit(at.position, direction, kLeaveSurfaceMm);
+    const auto hit = surface.firstHit(at.position, direction, kLeaveSurfaceMm);
     if (!hit) {
       path.seesSky = bounce == 0;
       path.sky = throughput;

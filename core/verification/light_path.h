@@ -5,7 +5,7 @@
 #include <span>
 
 #include "base/random.h"
-#include "mesh/ray_tree.h"
+#include "mesh/ray_surface.h"
 
 namespace qrelief {
 
@@ -26,11 +26,11 @@ struct LightPath {
 
 /// One path of light, traced back from a point of the surface to sky and lamps, with every bounce (Russian roulette
 /// after the third) and the lamps asked at each [Kajiya 1986]: its mean over many paths is the surface's light.
-/// @param at      a point of the tree's mesh
+/// @param at      a point of the surface
 /// @param seen    direction in which it is seen: the light on that side of the facet counts
 /// @param first   in [0, 1)²: choose the first direction, cosine-weighted
 /// @param albedo  of the matte material, 0 … 1
-LightPath traceLight(const RayTree& tree, SurfacePoint at, Vec3 seen, std::array<double, 2> first, double albedo,
+LightPath traceLight(const RaySurface& surface, SurfacePoint at, Vec3 seen, std::array<double, 2> first, double albedo,
                      std::span<const Lamp> lamps, Random& random);
 
 }  // namespace qrelief

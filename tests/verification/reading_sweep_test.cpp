@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
+#include "mesh/ray_tree.h"
 #include "support/shapes.h"
 
 namespace qrelief {
