@@ -8,6 +8,7 @@
 #include "cli/model_input.h"
 #include "cli/progress_bar.h"
 #include "cli/setting_flags.h"
+#include "cli/tried_print.h"
 #include "io/write_checked.h"
 #include "messages/sentences.h"
 #include "native/egl_context.h"
@@ -18,6 +19,8 @@
 #include "pipeline/spot_search.h"
 #include "report/report.h"
 #include "settings/preset.h"
+#include "settings/settings.h"
+#include "verdict/other_prints.h"
 
 namespace qrelief {
 namespace {
@@ -27,7 +30,7 @@ struct EngraveOptions {
   std::string output, report, preview;
   SettingFlags flags;
   std::vector<double> at;
-  bool ascii = false, quiet = false;
+  bool ascii = false, tryPrints = false, quiet = false;
   EngraveRequest request;
 };
 
@@ -176,6 +179,22 @@ void printSummary(const EngraveOptions& options, const EngraveResult& result, co
   }
 }
 
+/// Carves the code for other ways of printing, and says of each what becomes of it. Nothing of that is written.
+Status tryOtherPrints(const std::shared_ptr<const EngravableModel>& model, const EngraveOptions& options,
+                      const EngraveResult& result) {
+  fmt::print("carved for other ways of printing:\n");
+  for (const OtherPrint& other : otherPrints(verifyRequestOf(options.request, result))) {
+    EngraveOptions changed = options;
+    findSetting(other.setting)->write(changed.request, other.value);
+    auto carved = carve(model, changed);
+    if (!carved) return tl::unexpected(carved.error());
+    if (const Status printed = print(changed, *carved); !printed) return printed;
+    fmt::print("  {} {}: {}\n", flagOf(other.setting), other.value,
+               triedPrint(carved->verdict.prints, *carved->printed));
+  }
+  return {};
+}
+
 int engraveModel(EngraveOptions& options) {
   const auto start = Clock::now();
   if (const Status completed = completeRequest(options); !completed) return printError(completed.error());
@@ -219,6 +238,8 @@ int engraveModel(EngraveOptions& options) {
   if (const Status written = writeOutputs(options, *model, result, input->partNames, context, start); !written)
     return printError(written.error());
   printSummary(options, result, context);
+  if (options.tryPrints && context.printed && context.verdict.prints.level != Level::Good)
+    if (const Status tried = tryOtherPrints(model, options, result); !tried) return printError(tried.error());
   return printFailed(context.verdict);
 }
 
@@ -237,6 +258,9 @@ std::function<int()> addEngraveCommand(CLI::App& app) {
   o->flags.addAll(*c);
   c->add_option("--report", o->report, "write everything that was found and measured as JSON");
   c->add_option("--preview", o->preview, "write the result as the reader sees it as PNG");
+  c->add_flag(
+      "--try-prints", o->tryPrints,
+      "where it does not read well as printed, find out whether other poses and finer processes print it better");
   c->add_flag("--quiet", o->quiet, "no progress");
   return [o] { return engraveModel(*o); };
 }

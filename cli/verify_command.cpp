@@ -7,11 +7,13 @@
 #include "cli/model_input.h"
 #include "cli/progress_bar.h"
 #include "cli/setting_flags.h"
+#include "cli/tried_print.h"
 #include "io/read_model.h"
 #include "messages/sentences.h"
 #include "native/read_carving.h"
 #include "native/zxing_reader.h"
 #include "report/verify_report.h"
+#include "verdict/other_prints.h"
 
 namespace qrelief {
 namespace {
@@ -21,7 +23,7 @@ struct VerifyOptions {
   SettingFlags flags;
   std::optional<double> scale;
   std::vector<double> at;
-  bool quick = false, quiet = false;
+  bool quick = false, tryPrints = false, quiet = false;
 };
 
 /// Place, size and text from the command line.
@@ -96,6 +98,20 @@ void printResult(const std::string& name, const VerifyRequest& request, const Ve
     for (const Message& reason : verdict.solid.reasons) fmt::print("{}\n", sentence(reason));
 }
 
+/// Prints the same model in other ways, in simulation, and says of each what becomes of the code.
+Status tryOtherPrints(const VerifyRequest& request, const Mesh& carved, bool quiet) {
+  fmt::print("the same model printed otherwise:\n");
+  for (const OtherPrint& other : otherPrints(request)) {
+    const VerifyRequest changed = printedOtherwise(request, other);
+    ProgressBar bar(quiet);
+    const auto printed = readPrinted(changed, carved, [&](const Progress& progress) { bar.show(progress); });
+    if (!printed) return tl::unexpected(printed.error());
+    const Aspect prints = judgePrinted(**printed, changed.printer, changed.text);
+    fmt::print("  {} {}: {}\n", flagOf(other.setting), other.value, triedPrint(prints, **printed));
+  }
+  return {};
+}
+
 int verifyModel(const VerifyOptions& options) {
   const auto start = Clock::now();
   auto request = requestFrom(options);
@@ -126,6 +142,9 @@ int verifyModel(const VerifyOptions& options) {
   }
   const Verdict verdict = judge(*request, result, printed ? &*printed : nullptr);
   printResult(name, *request, result, verdict, printed.has_value());
+  if (options.tryPrints && printed && verdict.prints.level != Level::Good)
+    if (const Status tried = tryOtherPrints(*request, *mesh, options.quiet); !tried)
+      return printError(tried.error(), name);
   const int status = printFailed(verdict);
   if (!options.json.empty()) {
     const double total = millisecondsSince(start);
@@ -158,6 +177,9 @@ std::function<int()> addVerifyCommand(CLI::App& app) {
   o->flags.addGroup(*c, "printing");
   o->flags.add(*c, "minWallMm");
   c->add_flag("--quick", o->quick, "do not find out from how far, and how tilted or blurred, it reads");
+  c->add_flag(
+      "--try-prints", o->tryPrints,
+      "where it does not read well as printed, find out whether other poses and finer processes print it better");
   c->add_option("--json", o->json, "write everything that was found as JSON");
   c->add_flag("--quiet", o->quiet, "no progress");
   return [o] { return verifyModel(*o); };

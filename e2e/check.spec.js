@@ -57,6 +57,7 @@ test('A carving too fine for the nozzle comes with remedies, of which one click 
   await app.expectReady();
   await app.openSettings();
   await app.setting('Modules').selectOption('Full');
+  await app.setting('Carve for').selectOption('The design alone');
   await app.setting('Nozzle (mm)').fill('1.2');
   await app.setting('Nozzle (mm)').press('Tab');
   await app.expectReady();

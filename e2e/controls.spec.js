@@ -25,6 +25,7 @@ const kSettings = /** @type {Record<string, { value: string | boolean, saved: Re
   pattern: { value: 'square', saved: { pattern: 'square' }, reported: ({ depth }) => depth.features.pattern },
   'finder-pattern': { value: 'diamond', saved: { finderPattern: 'diamond' } },
   contrast: { value: '0.28', saved: { contrast: 0.28 }, reported: ({ depth }) => depth.contrast },
+  'carve-for': { value: 'design', saved: { carveFor: 'design' }, reported: ({ depth }) => depth.carvedFor },
   'min-wall': { value: '1.5', saved: { minWallMm: 1.5 } },
   'max-depth': { value: '1.4', saved: { maxDepthMm: 1.4 } },
   process: { value: 'resin-0.05', saved: { process: 'resin-0.05' } },

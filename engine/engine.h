@@ -118,6 +118,9 @@ class Engine {
   /// @param facingDeg  see PrintedCode::advance()
   std::string setPrintedReadings(const std::string& texts, double facingDeg);
   /// {prints}: what a print with changed settings comes to; the report does not change.
+  /// Other ways of printing the carving that are worth a try (verdict/other_prints.h): {ok, others: [{setting:
+  /// value}]}.
+  std::string otherPrints() const;
   std::string judgePrint(const std::string& changed, const std::string& texts, double facingDeg) const;
 
   /// {tried, all}: starts looking from where else the code reads (verification/view_trials.h).

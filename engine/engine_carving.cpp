@@ -5,6 +5,7 @@
 #include "engine/printed_code.h"
 #include "projection/bend.h"
 #include "report/json_parts.h"
+#include "verdict/other_prints.h"
 
 namespace qrelief {
 namespace {
@@ -101,6 +102,14 @@ std::string Engine::setPrintedReadings(const std::string& texts, double facingDe
   if (!carvings_.result() || !carvings_.request().process) return answer(kNoResult);
   carvings_.setPrintedReadings(Json::parse(texts).get<std::vector<std::string>>(), facingDeg);
   return done();
+}
+
+std::string Engine::otherPrints() const {
+  if (!carvings_.result()) return answer(kNoResult);
+  Json others = Json::array();
+  for (const OtherPrint& other : qrelief::otherPrints(verifyRequestOf(carvings_.request(), *carvings_.result())))
+    others.push_back({{other.setting, other.value}});
+  return textOf({{"ok", true}, {"others", others}});
 }
 
 std::string Engine::judgePrint(const std::string& changed, const std::string& texts, double facingDeg) const {

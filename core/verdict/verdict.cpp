@@ -96,28 +96,6 @@ Message printing(const Printer& printer) {
                  with::lengthMm("layer", printer.layerMm));
 }
 
-/// @param advice  what published prints say against it
-Aspect judgePrinted(const PrintedEvidence& printed, const Printer& printer, const std::string& wanted,
-                    std::vector<Message> advice) {
-  const ReadingCount& count = printed.reading.count;
-  const bool some = count.reads >= kLeastPrintedFraction * count.tries && printed.reading.text == wanted;
-  Aspect aspect;
-  const bool hangs = printed.facingDeg > kSteepestOverhangDeg;
-  aspect.level = !some ? Level::Bad : count.enough() && !hangs ? Level::Good : Level::Barely;
-  const Message how = facing(printed.facingDeg), by = printing(printer);
-  if (aspect.level == Level::Good)
-    aspect.summary = message("reads-as-printed", with::cause("facing", how), with::cause("printing", by));
-  else if (aspect.level == Level::Barely)
-    aspect.summary = message("barely-reads-as-printed", with::cause("facing", how), with::cause("printing", by));
-  else
-    aspect.summary = message("reads-not-as-printed", with::cause("facing", how), with::cause("printing", by));
-  aspect.reasons.push_back(message("tries-on-printed-pictures", with::count("reads", count.reads),
-                                   with::count("tries", count.tries), with::count("needed", count.needed())));
-  if (hangs) aspect.reasons.push_back(message("faces-down"));
-  if (aspect.level != Level::Good) aspect.reasons.insert(aspect.reasons.end(), advice.begin(), advice.end());
-  return aspect;
-}
-
 /// @param printed  null: by what published prints say alone
 Aspect judgePrinting(const CarvedFeatures& features, const Printer& printer, double minWallMm,
                      const PrintedEvidence* printed, const std::string& wanted) {
@@ -190,6 +168,27 @@ std::vector<Message> shapeFailures(const VerifyResult& result) {
 }
 
 }  // namespace
+
+Aspect judgePrinted(const PrintedEvidence& printed, const Printer& printer, const std::string& wanted,
+                    std::vector<Message> advice) {
+  const ReadingCount& count = printed.reading.count;
+  const bool some = count.reads >= kLeastPrintedFraction * count.tries && printed.reading.text == wanted;
+  Aspect aspect;
+  const bool hangs = printed.facingDeg > kSteepestOverhangDeg;
+  aspect.level = !some ? Level::Bad : count.enough() && !hangs ? Level::Good : Level::Barely;
+  const Message how = facing(printed.facingDeg), by = printing(printer);
+  if (aspect.level == Level::Good)
+    aspect.summary = message("reads-as-printed", with::cause("facing", how), with::cause("printing", by));
+  else if (aspect.level == Level::Barely)
+    aspect.summary = message("barely-reads-as-printed", with::cause("facing", how), with::cause("printing", by));
+  else
+    aspect.summary = message("reads-not-as-printed", with::cause("facing", how), with::cause("printing", by));
+  aspect.reasons.push_back(message("tries-on-printed-pictures", with::count("reads", count.reads),
+                                   with::count("tries", count.tries), with::count("needed", count.needed())));
+  if (hangs) aspect.reasons.push_back(message("faces-down"));
+  if (aspect.level != Level::Good) aspect.reasons.insert(aspect.reasons.end(), advice.begin(), advice.end());
+  return aspect;
+}
 
 const char* levelName(Level level) {
   constexpr std::array<const char*, 3> kNames = {"good", "barely", "bad"};

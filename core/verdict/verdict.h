@@ -80,6 +80,13 @@ Verdict judge(const EngraveRequest& request, const EngraveResult& result, const 
 /// A file that was verified.
 Verdict judge(const VerifyRequest& request, const VerifyResult& result, const PrintedEvidence* printed = nullptr);
 
+/// What a print comes to by itself; no remedies.
+/// @param printer  it was printed with
+/// @param wanted   text
+/// @param advice   what published prints say against it
+Aspect judgePrinted(const PrintedEvidence& printed, const Printer& printer, const std::string& wanted,
+                    std::vector<Message> advice = {});
+
 /// The next deeper preset to carve with, where the code does not read and the request allows another one.
 std::optional<Preset> presetToTryNext(const EngraveRequest& request, const Verdict& verdict);
 

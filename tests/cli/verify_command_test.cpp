@@ -55,6 +55,27 @@ TEST_F(VerifyCommandTest, ReadsWhatEngraveWroteAndSaysWhatIsWrongWithOtherModels
   EXPECT_EQ(plain.out.find("printed"), std::string::npos) << plain.out;
 }
 
+TEST_F(VerifyCommandTest, FindsOutWhichOtherWayOfPrintingWouldDo) {
+  const std::string model = writeModel("box.stl", shapes::box({20, 20, 8}));
+  const auto engrave = [&](const std::string& process) {
+    return run({"engrave", model, "--text", "HELLO", "--at", "0,0,4", "--size", "10.5", "--process", process, "-o",
+                path("out.stl"), "--report", path("out.json"), "--try-prints", "--quiet"});
+  };
+  const auto expectWays = [](const Outcome& outcome, const char* heading, const char* reads) {
+    for (const char* way : {heading, "--build-up code-upright: ", "--process fdm-0.4/0.2: ", "--process fdm-0.4/0.12: ",
+                            "--process fdm-0.25/0.1: ", "--process resin-0.05: ", reads})
+      EXPECT_NE(outcome.out.find(way), std::string::npos) << way << "\n" << outcome.out;
+  };
+  const Outcome coarse = engrave("fdm-0.6/0.3");  // modules narrower than the nozzle
+  EXPECT_EQ(coarse.status, 0) << coarse.err;
+  expectWays(coarse, "carved for other ways", "--process resin-0.05: Reads as printed");
+  const Outcome same = run({"verify", path("out.stl"), "--report", path("out.json"), "--process", "fdm-0.6/0.3",
+                            "--try-prints", "--quick", "--quiet"});
+  expectWays(same, "the same model printed otherwise", "");
+  const Outcome fine = engrave("resin-0.05");
+  EXPECT_EQ(fine.out.find("other"), std::string::npos) << fine.out;
+}
+
 TEST_F(VerifyCommandTest, NeedsToKnowTheCodesPlace) {
   const std::string model = writeModel("box.stl", shapes::box({40, 40, 8}));
   const Outcome nowhere = run({"verify", model, "--text", "HELLO", "--quiet"});

@@ -213,6 +213,13 @@ export class EngineClient {
   printJob(changed = {}) { return this.call_('printJob', changed); }
 
   /**
+   * Other ways of printing a carving that are worth a try, what costs least first.
+   * @param {number} number  of the carving
+   * @returns {Promise<import('./types.js').PrintChange[]>}  none if another carving is there now
+   */
+  otherPrints(number) { return this.call_('otherPrints', number); }
+
+  /**
    * What a print with changed settings comes to.
    * @param {number} number     of the carving that was printed
    * @param {import('./types.js').PrintChange} changed

@@ -212,6 +212,8 @@ export class EngineHost {
       parseAnswer(this.engine_.setPrintedReadings(JSON.stringify(texts), facingDeg));
       return parseAnswer(this.engine_.report());
     },
+    /** @param {number} number  of the carving @returns {import('./types.js').PrintChange[]} */
+    otherPrints: (number) => (this.engine_.carving() === number ? parseAnswer(this.engine_.otherPrints()).others : []),
     /** @param {number} number  of the carving @param {import('./types.js').PrintChange} changed @param {string[]} texts @param {number} facingDeg */
     judgePrint: (number, changed, texts, facingDeg) => (this.engine_.carving() === number
       ? parseAnswer(this.engine_.judgePrint(JSON.stringify(changed), JSON.stringify(texts), facingDeg)).prints : null),

@@ -180,6 +180,7 @@
  * @property {() => GreyImage[]} readingPictures
  * @property {(texts: string, reader: string) => string} setReadings
  * @property {(changed: string) => string} printOrder
+ * @property {() => string} otherPrints
  * @property {(changed: string, texts: string, facingDeg: number) => string} judgePrint
  * @property {(texts: string, facingDeg: number) => string} setPrintedReadings
  * @property {() => string} startViewTrials

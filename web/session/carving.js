@@ -6,7 +6,6 @@ import { text } from '../i18n/catalogue.js';
 import { messageWords } from '../i18n/message_words.js';
 import { worded } from '../i18n/messages.js';
 import { saveFile } from '../dom/save_file.js';
-import { otherPrints } from './other_prints.js';
 import { sameWork } from './work.js';
 
 /** @typedef {import('./work.js').Work} Work */
@@ -237,9 +236,7 @@ export class Carving {
     const { carved } = this;
     if (carved?.printed?.state !== 'made') return;
     const { printed } = carved;
-    const { facing } = carved.report.verification.verdict.prints.summary.values;
-    const changes = otherPrints(carved.made.values, facing && 'cause' in facing ? facing.cause.code : undefined);
-    await this.printing_.tryOthers(carved.number, changes, (trials) => {
+    await this.printing_.tryOthers(carved.number, (trials) => {
       printed.trials = trials;
       if (this.carved === carved) this.panel_.update();
     });

@@ -12,7 +12,7 @@ import { makePrint } from '../engine/printer.js';
 export class Printing {
   /**
    * @param {object} options
-   * @param {Pick<import('../engine/client.js').EngineClient, 'printJob' | 'setPrintedReadings' | 'judgePrint'>} options.client
+   * @param {Pick<import('../engine/client.js').EngineClient, 'printJob' | 'setPrintedReadings' | 'otherPrints' | 'judgePrint'>} options.client
    * @param {typeof makePrint} [options.make]
    * @param {typeof readEach} [options.read]
    */
@@ -58,17 +58,18 @@ export class Printing {
   /**
    * Prints the same carving in other ways, one after the other.
    * @param {number} number  of the carving
-   * @param {PrintChange[]} changes  of the settings carved with
    * @param {(trials: PrintTrials) => void} tell  how far it is
    */
-  async tryOthers(number, changes, tell) {
+  async tryOthers(number, tell) {
     this.stop();
     const abort = new AbortController();
     this.abort_ = abort;
     const { signal } = abort;
-    const all = changes.length;
     /** @type {PrintTrials['tried']} */ let tried = [];
+    let all = 0;
     try {
+      const changes = await this.client_.otherPrints(number);
+      all = changes.length;
       for (const change of changes) {
         tell({ tried, all, fraction: 0 });
         const job = await this.client_.printJob(change);

@@ -97,7 +97,8 @@ test('Other ways are printed one after the other, and what each comes to is told
   client.answers.judgePrint = async (/** @type {number} */ _, /** @type {any} */ change) => ({ level: change.buildUp ? 'good' : 'bad' });
   made.resolve(print());
   /** @type {any[]} */ const trials = [];
-  await printing.tryOthers(7, [{ buildUp: 'code-up' }, { process: 'resin-0.05' }], (one) => void trials.push(one));
+  client.answers.otherPrints = async () => [{ buildUp: 'code-up' }, { process: 'resin-0.05' }];
+  await printing.tryOthers(7, (one) => void trials.push(one));
   assert.deepEqual(trials[0], { tried: [], all: 2, fraction: 0 });
   assert.deepEqual(trials.at(-1), {
     tried: [{ change: { buildUp: 'code-up' }, prints: { level: 'good' } }, { change: { process: 'resin-0.05' }, prints: { level: 'bad' } }], all: 2,
@@ -107,7 +108,8 @@ test('Other ways are printed one after the other, and what each comes to is told
 test('Stopped, what was tried so far stays', async () => {
   client.answers.judgePrint = async () => ({ level: 'good' });
   /** @type {any[]} */ const trials = [];
-  const run = printing.tryOthers(7, [{ buildUp: 'code-up' }, { buildUp: 'code-upright' }], (one) => {
+  client.answers.otherPrints = async () => [{ buildUp: 'code-up' }, { buildUp: 'code-upright' }];
+  const run = printing.tryOthers(7, (one) => {
     trials.push(one);
     if (one.tried.length === 1) printing.stop();
   });
@@ -120,7 +122,8 @@ test('A trial that goes wrong is told with what was tried so far, and the engine
   made.promise.catch(() => {});
   made.reject(crashed());
   /** @type {any[]} */ const trials = [];
-  await printing.tryOthers(7, [{ buildUp: 'code-up' }], (one) => void trials.push(one));
+  client.answers.otherPrints = async () => [{ buildUp: 'code-up' }];
+  await printing.tryOthers(7, (one) => void trials.push(one));
   const { tried, error } = trials.at(-1);
   assert.deepEqual(tried, []);
   assert.equal(error.code, 'engine-crashed');

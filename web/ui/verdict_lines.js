@@ -61,17 +61,17 @@ function trialNotes(trials, { onRemedy, onPrint, onTryPrints }) {
   if (!trials) return remedyButtons([{ label: text('check.tryPrints'), run: onTryPrints }]);
   const { tried, fraction, error } = trials;
   const results = make('ul', { className: 'print-trials' }, ...tried.map(({ change, prints }) => make('li', { className: prints.level },
-    make('span', { text: asSentence(sentenceOf(prints.summary)) }), ...remedyButtons(remedyOf(change, prints.level, onRemedy)))));
-  if (fraction === undefined) return [results, ...(error ? [make('p', { text: failureWords(error) })] : [])];
+    make('span', { text: asSentence(sentenceOf(prints.summary)) }), ...remedyButtons([remedyOf(change, onRemedy)]))));
+  if (fraction === undefined) return [results, make('p', { text: text('check.triedSame') }), ...(error ? [make('p', { text: failureWords(error) })] : [])];
   return [results, make('p', { className: 'trying-prints', text: tryingWords(trials) }),
     ...remedyButtons([{ label: text('check.stopPrint'), run: () => onPrint(false) }])];
 }
 
-/** @param {import('../engine/types.js').PrintChange} change @param {Aspect['level']} level @param {OnRemedy} onRemedy */
-function remedyOf(change, level, onRemedy) {
+/** @param {import('../engine/types.js').PrintChange} change @param {OnRemedy} onRemedy */
+function remedyOf(change, onRemedy) {
   const [[setting, value]] = Object.entries(change);
   const label = text('check.takePrint', { choice: choiceLabel(/** @type {import('../generated/settings.js').SettingKey} */ (setting), value) });
-  return level === 'bad' ? [] : [{ label, run: () => onRemedy({ code: '', values: {}, change: { setting, value } }, label) }];
+  return { label, run: () => onRemedy({ code: '', values: {}, change: { setting, value } }, label) };
 }
 
 /** @param {Aspect} aspect @param {(Node | string)[]} heading @param {OnRemedy} onRemedy @param {Node[]} [notes] */

@@ -20,6 +20,7 @@ export const check = {
     stopPrint: 'Stop',
     makePrint: 'Simulate the print',
     tryPrints: 'Try other ways of printing',
+    triedSame: 'This carving was printed each time. Choose a way, and the code is carved anew for it.',
     tryingPrints: 'Print {number} of {all}: {percent} %',
     takePrint: 'Take it: {choice}',
 
@@ -76,6 +77,7 @@ export const check = {
     stopPrint: 'Abbrechen',
     makePrint: 'Druck simulieren',
     tryPrints: 'Andere Wege zu drucken probieren',
+    triedSame: 'Gedruckt wurde jedes Mal diese Gravur. Für den gewählten Weg wird der Code neu graviert.',
     tryingPrints: 'Druck {number} von {all}: {percent} %',
     takePrint: 'Nehmen: {choice}',
 
