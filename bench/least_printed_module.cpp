@@ -6,9 +6,9 @@
 //
 // Modules become smaller by a tenth until two sizes in a row do not read as printed; the least is the one before the
 // first that does not. A print reads if at least two in five tries succeed (verification/frontal_reading.h). Version 2,
-// contrast of the preset `balanced`. Depth: mean over the carved submodules, mm, there.
+// contrast of the preset `balanced`, carved for the print that is looked at. Depth: mean over the carved submodules,
+// mm, there.
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <string>
@@ -29,36 +29,20 @@ struct Least {
   double moduleMm = 0, depthMm = 0;  // 0: not even the largest reads
 };
 
-/// @returns the tries that read, for the code lying and standing
-Result<std::array<ReadingCount, 2>> readsAsPrinted(EngraveRequest& request, const EngraveResult& carved) {
-  std::array<ReadingCount, 2> counts;
-  constexpr std::array kPoses = {BuildPose::CodeUp, BuildPose::CodeUpright};
-  for (std::size_t k = 0; k < kPoses.size(); ++k) {
-    request.buildUp.pose = kPoses[k];
-    const auto printed = readPrinted(verifyRequestOf(request, carved), carved.mesh, [](const Progress&) {});
-    if (!printed) return tl::unexpected(printed.error());
-    counts[k] = (*printed)->reading.count;
-  }
-  return counts;
-}
-
-Result<std::array<Least, 2>> leastModules(const std::shared_ptr<const EngravableModel>& model, EngraveRequest request) {
-  std::array<Least, 2> least;
-  std::array<int, 2> failures{};
+Result<Least> leastModule(const std::shared_ptr<const EngravableModel>& model, EngraveRequest request, BuildPose pose) {
+  Least least;
+  int failures = 0;
+  request.buildUp.pose = pose;
   const double nozzle = request.printer.nozzleMm;
-  for (double module = kLargestNozzles * nozzle; module > kSmallestNozzles * nozzle; module *= kStep) {
+  for (double module = kLargestNozzles * nozzle; module > kSmallestNozzles * nozzle && failures < 2; module *= kStep) {
     request.placement.sizeMm = module * kModules;
     const auto carved = engrave(model, request);
     if (!carved) return tl::unexpected(carved.error());
-    const auto counts = readsAsPrinted(request, *carved);
-    if (!counts) return tl::unexpected(counts.error());
-    for (std::size_t k = 0; k < least.size(); ++k) {
-      if (failures[k] == 0 && (*counts)[k].enough())
-        least[k] = {module, summarise(carved->depths).meanMm};
-      else if (!(*counts)[k].enough())
-        ++failures[k];
-    }
-    if (failures[0] >= 2 && failures[1] >= 2) break;
+    const auto printed = readPrinted(verifyRequestOf(request, *carved), carved->mesh, [](const Progress&) {});
+    if (!printed) return tl::unexpected(printed.error());
+    const bool reads = (*printed)->reading.count.enough();
+    failures += !reads;
+    if (reads && failures == 0) least = {module, summarise(carved->depths).meanMm};
   }
   return least;
 }
@@ -84,6 +68,7 @@ int run(std::vector<std::string> processes) {
     for (int pattern = 0; pattern < 5; ++pattern)
       for (int finder = 0; finder < 5; ++finder) {
         EngraveRequest request;
+        request.carveFor = CarveFor::Print;
         request.text = "https://example.org/p/2026";
         request.symbol.version = kVersion;
         request.placement.centreMm = {0, 0, 0};
@@ -93,13 +78,14 @@ int run(std::vector<std::string> processes) {
         request.finderPattern = static_cast<FinderPattern>(finder);
         request.process = p;
         request.printer = named.printer;
-        const auto least = leastModules(model, request);
-        if (!least) return failed("plate", least.error());
         fmt::print("| {} | {} | {} |", named.name, modulePatternName(request.modulePattern),
                    finderPatternName(request.finderPattern));
-        for (const auto& [moduleMm, depthMm] : *least)
-          fmt::print(" {} | {} |", moduleMm > 0 ? fmt::format("{:.2f}", moduleMm) : "–",
-                     moduleMm > 0 ? fmt::format("{:.2f}", depthMm) : "–");
+        for (const BuildPose pose : {BuildPose::CodeUp, BuildPose::CodeUpright}) {
+          const auto least = leastModule(model, request, pose);
+          if (!least) return failed("plate", least.error());
+          const auto shown = [&](double mm) { return least->moduleMm > 0 ? fmt::format("{:.2f}", mm) : "–"; };
+          fmt::print(" {} | {} |", shown(least->moduleMm), shown(least->depthMm));
+        }
         fmt::print("\n");
         std::fflush(stdout);
       }

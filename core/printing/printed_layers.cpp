@@ -229,8 +229,9 @@ void PrintedLayers::layLayer(Layer& layer, std::span<const Segment2> outline, Ve
   const std::vector<std::vector<Segment2>> near = nearTiles(layer, outline, first, step * (2 * halo + 1));
   for (std::size_t tile = 0; tile < layer.numbers.size(); ++tile) {
     if (layer.numbers[tile] == kNoTile) continue;
-    const Vec2 place(static_cast<double>(tile % static_cast<std::size_t>(tileColumns_)),
-                     static_cast<double>(tile / static_cast<std::size_t>(tileColumns_)));
+    const std::size_t row = tile / static_cast<std::size_t>(tileColumns_);
+    const Vec2 place(static_cast<double>(tile - row * static_cast<std::size_t>(tileColumns_)),
+                     static_cast<double>(row));
     const Vec2 low = origin_ + tileMm_ * place;
     const int nodes = steps + 1 + 2 * halo;
     const auto number = static_cast<std::size_t>(layer.numbers[tile]);

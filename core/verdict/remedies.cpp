@@ -47,6 +47,12 @@ void addDarkerModules(const EngraveRequest& request, std::vector<Remedy>& remedi
   }
 }
 
+void addCarvingForPrint(EngraveRequest request, std::vector<Remedy>& remedies) {
+  if (request.isForPrint()) return;
+  request.carveFor = CarveFor::Print;
+  if (request.isForPrint()) remedies.push_back({message("remedy-carve-for-print"), "carveFor", "print"});
+}
+
 }  // namespace
 
 Remedy anotherSpot() { return {message("remedy-another-spot"), "", ""}; }
@@ -64,9 +70,12 @@ std::vector<Remedy> readingRemedies(const EngraveRequest& request, const Engrave
 std::vector<Remedy> printingRemedies(const EngraveRequest& request, const EngraveResult& result, bool wasPrinted) {
   const CarvedFeatures features = featuresOf(result);
   std::vector<Remedy> remedies;
-  if (wasPrinted) addDarkerModules(request, remedies);
   const double leastModuleMm = printableModuleMm(features, request.printer.nozzleMm);
   const bool isTooFine = features.moduleMm < leastModuleMm - kRoundingMm;
+  if (wasPrinted && !isTooFine) {  // depth helps where the printer makes the modules
+    addCarvingForPrint(request, remedies);
+    addDarkerModules(request, remedies);
+  }
   if (wasPrinted || isTooFine) addLargerCode(request, result, leastModuleMm, remedies);
   if (isTooFine) {
     if (request.modulePattern != ModulePattern::ThickPlus) {

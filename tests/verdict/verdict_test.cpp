@@ -145,9 +145,16 @@ TEST_F(VerdictTest, AsPrintedItReadsBarelyReadsOrDoesNotAndPassesAsAdvice) {
   EXPECT_EQ(barely.summary.code, "barely-reads-as-printed");
   EXPECT_EQ(facing(barely), "facing-aside");
   EXPECT_GT(barely.reasons.size(), 1u) << "advice, too";
-  EXPECT_EQ(settingsOf(barely.remedies).front(), "preset=robust");
+  EXPECT_EQ(settingsOf(barely.remedies).front(), "size=best") << "modules of 0.3 mm: depth does not help";
   EXPECT_EQ(printed(12, 0).level, Level::Barely);
   const Aspect bad = printed(11, 45);
+  EXPECT_EQ(settingsOf(bad.remedies).front(), "carveFor=print");
+  request_.carveFor = CarveFor::Print;
+  EXPECT_EQ(settingsOf(printed(11, 45).remedies).front(), "preset=robust") << "that is done already";
+  request_.carveFor = CarveFor::Design;
+  request_.lights = {{}};
+  EXPECT_EQ(settingsOf(printed(11, 45).remedies).front(), "preset=robust") << "with lamps the design decides";
+  request_.lights.clear();
   EXPECT_EQ(bad.level, Level::Bad);
   EXPECT_EQ(bad.summary.code, "reads-not-as-printed");
   EXPECT_EQ(facing(bad), "facing-slanted");
