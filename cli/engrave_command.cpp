@@ -100,24 +100,29 @@ Result<Carved> carve(std::shared_ptr<const EngravableModel> model, const Engrave
   return Carved{std::move(*result), *evidence, {}, std::move(verdict)};
 }
 
-/// With the preset asked for, or the next deeper ones where the code does not read with it; `options` then name that.
-/// Where it reads with none of them, as asked for.
+/// As asked for; where the code does not read so, for the design alone, and with the next deeper presets; `options`
+/// then say that. Where it reads with none of them, as asked for.
 Result<Carved> carveToRead(const std::shared_ptr<const EngravableModel>& model, EngraveOptions& options) {
   auto asked = carve(model, options);
   if (!asked) return asked;
   EngraveRequest& request = options.request;
-  const Preset wanted = request.preset;
-  for (auto next = presetToTryNext(request, asked->verdict); next;) {
-    request.preset = *next;
+  const EngraveRequest wanted = request;
+  for (auto next = changeToTryNext(request, asked->verdict); next;) {
+    apply(*next, request);
     auto carved = carve(model, options);
     if (!carved) break;  // what is asked for can be carved: better than nothing
-    next = presetToTryNext(request, carved->verdict);
+    next = changeToTryNext(request, carved->verdict);
     if (!carved->verdict.reads.passed()) continue;
-    fmt::print("carved as {}: as {} the code did not read reliably in the simulated pictures\n",
-               presetName(request.preset), presetName(wanted));
+    if (request.preset != wanted.preset)
+      fmt::print("carved as {}: as {} the code did not read reliably in the simulated pictures\n",
+                 presetName(request.preset), presetName(wanted.preset));
+    else
+      fmt::print(
+          "carved for the design alone: for the print, too, the code did not read reliably in the simulated "
+          "pictures\n");
     return carved;
   }
-  request.preset = wanted;
+  request = wanted;
   return asked;
 }
 
@@ -183,9 +188,9 @@ void printSummary(const EngraveOptions& options, const EngraveResult& result, co
 Status tryOtherPrints(const std::shared_ptr<const EngravableModel>& model, const EngraveOptions& options,
                       const EngraveResult& result) {
   fmt::print("carved for other ways of printing:\n");
-  for (const OtherPrint& other : otherPrints(verifyRequestOf(options.request, result))) {
+  for (const SettingChange& other : otherPrints(verifyRequestOf(options.request, result))) {
     EngraveOptions changed = options;
-    findSetting(other.setting)->write(changed.request, other.value);
+    apply(other, changed.request);
     auto carved = carve(model, changed);
     if (!carved) return tl::unexpected(carved.error());
     if (const Status printed = print(changed, *carved); !printed) return printed;

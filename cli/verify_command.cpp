@@ -101,7 +101,7 @@ void printResult(const std::string& name, const VerifyRequest& request, const Ve
 /// Prints the same model in other ways, in simulation, and says of each what becomes of the code.
 Status tryOtherPrints(const VerifyRequest& request, const Mesh& carved, bool quiet) {
   fmt::print("the same model printed otherwise:\n");
-  for (const OtherPrint& other : otherPrints(request)) {
+  for (const SettingChange& other : otherPrints(request)) {
     const VerifyRequest changed = printedOtherwise(request, other);
     ProgressBar bar(quiet);
     const auto printed = readPrinted(changed, carved, [&](const Progress& progress) { bar.show(progress); });

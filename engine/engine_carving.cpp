@@ -87,8 +87,10 @@ std::vector<GreyImage> Engine::readingPictures() const {
 std::string Engine::setReadings(const std::string& texts, const std::string& reader) {
   if (!carvings_.result()) return answer(kNoResult);
   const Verdict verdict = carvings_.setReadings(Json::parse(texts).get<std::vector<std::string>>(), reader);
-  const std::optional<Preset> next = presetToTryNext(carvings_.request(), verdict);
-  return textOf({{"ok", true}, {"passed", verdict.reads.passed()}, {"next", next ? Json(presetName(*next)) : Json()}});
+  Json next;
+  if (const auto change = changeToTryNext(carvings_.request(), verdict))
+    next = {{"setting", change->setting}, {"value", change->value}};
+  return textOf({{"ok", true}, {"passed", verdict.reads.passed()}, {"next", next}});
 }
 
 std::string Engine::printOrder(const std::string& changed) const {
@@ -107,7 +109,7 @@ std::string Engine::setPrintedReadings(const std::string& texts, double facingDe
 std::string Engine::otherPrints() const {
   if (!carvings_.result()) return answer(kNoResult);
   Json others = Json::array();
-  for (const OtherPrint& other : qrelief::otherPrints(verifyRequestOf(carvings_.request(), *carvings_.result())))
+  for (const SettingChange& other : qrelief::otherPrints(verifyRequestOf(carvings_.request(), *carvings_.result())))
     others.push_back({{other.setting, other.value}});
   return textOf({{"ok", true}, {"others", others}});
 }

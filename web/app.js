@@ -226,6 +226,7 @@ export class App {
       printing: new Printing({ client: this.client_ }),
       work: () => this.session_.work(),
       settings: () => this.session_.settings(),
+      valuesAfter: (change) => this.form_.valuesAfter(change),
       write: (values) => this.session_.write({ text: this.code_.text, values }),
       onStart: () => this.spotsPanel_.setSizesShown(false),
       onDone: () => this.undo_.record(),

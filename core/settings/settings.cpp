@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <type_traits>
 
@@ -430,6 +431,12 @@ const Setting* findSetting(std::string_view key) {
   for (const Setting& setting : settings())
     if (setting.key == key) return &setting;
   return nullptr;
+}
+
+void apply(const SettingChange& change, EngraveRequest& request) {
+  const Setting* setting = findSetting(change.setting);
+  assert(setting && setting->takesChoice());
+  setting->write(request, change.value);
 }
 
 EngraveRequest defaultRequest() {

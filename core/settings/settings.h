@@ -70,6 +70,16 @@ std::span<const Setting> settings();
 /// @returns null if there is no such setting
 const Setting* findSetting(std::string_view key);
 
+/// A change of one setting, by its key; a choice by its name.
+struct SettingChange {
+  std::string setting, value;
+
+  bool operator==(const SettingChange&) const = default;
+};
+
+/// @param change  of a setting that takes choices, to one of them
+void apply(const SettingChange& change, EngraveRequest& request);
+
 /// What a request is before a person has said anything: that of its initialisers, and error correction is raised where
 /// that costs nothing, and the print has to be dark enough.
 EngraveRequest defaultRequest();

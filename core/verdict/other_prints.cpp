@@ -6,7 +6,6 @@
 
 #include "math/angle.h"
 #include "printing/build_direction.h"
-#include "settings/settings.h"
 
 namespace qrelief {
 namespace {
@@ -17,8 +16,8 @@ bool isAlike(Vec3 a, Vec3 b) { return glm::dot(glm::normalize(a), glm::normalize
 
 }  // namespace
 
-std::vector<OtherPrint> otherPrints(const VerifyRequest& printed) {
-  std::vector<OtherPrint> others;
+std::vector<SettingChange> otherPrints(const VerifyRequest& printed) {
+  std::vector<SettingChange> others;
   std::vector<Vec3> stood = {printed.buildUp};
   for (const BuildPose pose : {BuildPose::AsModelled, BuildPose::CodeUp, BuildPose::CodeUpright}) {
     const Vec3 up = BuildDirection{pose}.resolve(printed.frame);
@@ -37,12 +36,12 @@ std::vector<OtherPrint> otherPrints(const VerifyRequest& printed) {
   return others;
 }
 
-VerifyRequest printedOtherwise(VerifyRequest request, const OtherPrint& other) {
+VerifyRequest printedOtherwise(VerifyRequest request, const SettingChange& other) {
   EngraveRequest settings;
   settings.printer = request.printer;
   settings.process = request.process;
   settings.buildUp.up = request.buildUp;
-  findSetting(other.setting)->write(settings, other.value);
+  apply(other, settings);
   request.printer = settings.printer;
   request.process = settings.process;
   request.buildUp = settings.buildUp.resolve(request.frame);

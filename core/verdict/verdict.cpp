@@ -263,9 +263,12 @@ Verdict judge(const VerifyRequest& request, const VerifyResult& result, const Pr
   return verdict;
 }
 
-std::optional<Preset> presetToTryNext(const EngraveRequest& request, const Verdict& verdict) {
+std::optional<SettingChange> changeToTryNext(const EngraveRequest& request, const Verdict& verdict) {
+  if (verdict.reads.passed()) return std::nullopt;
+  if (request.isForPrint()) return SettingChange{"carveFor", "design"};
   const bool mayGoDeeper = !request.contrast && !request.keepPreset && request.objective == DepthObjective::Contrast;
-  return mayGoDeeper && !verdict.reads.passed() ? deeperPreset(request.preset) : std::nullopt;
+  const std::optional<Preset> deeper = mayGoDeeper ? deeperPreset(request.preset) : std::nullopt;
+  return deeper ? std::optional(SettingChange{"preset", presetName(*deeper)}) : std::nullopt;
 }
 
 }  // namespace qrelief

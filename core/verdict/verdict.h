@@ -7,6 +7,7 @@
 
 #include "pipeline/engrave.h"
 #include "pipeline/verify.h"
+#include "settings/settings.h"
 #include "verification/frontal_reading.h"
 
 namespace qrelief {
@@ -87,7 +88,9 @@ Verdict judge(const VerifyRequest& request, const VerifyResult& result, const Pr
 Aspect judgePrinted(const PrintedEvidence& printed, const Printer& printer, const std::string& wanted,
                     std::vector<Message> advice = {});
 
-/// The next deeper preset to carve with, where the code does not read and the request allows another one.
-std::optional<Preset> presetToTryNext(const EngraveRequest& request, const Verdict& verdict);
+/// What to carve with next where the code does not read: for the design alone, then the next deeper presets, if the
+/// request allows that. Carving for the print makes some modules deeper than walls let others be, and can cost the
+/// design.
+std::optional<SettingChange> changeToTryNext(const EngraveRequest& request, const Verdict& verdict);
 
 }  // namespace qrelief

@@ -21,9 +21,9 @@ class OtherPrintsTest : public testing::Test {
 
 TEST_F(OtherPrintsTest, PosesComeBeforeProcessesAndNothingCoarserOrTheSame) {
   EXPECT_THAT(otherPrints(request_),
-              ElementsAre(OtherPrint{"buildUp", "code-up"}, OtherPrint{"buildUp", "code-upright"},
-                          OtherPrint{"process", "fdm-0.4/0.12"}, OtherPrint{"process", "fdm-0.25/0.1"},
-                          OtherPrint{"process", "resin-0.05"}));
+              ElementsAre(SettingChange{"buildUp", "code-up"}, SettingChange{"buildUp", "code-upright"},
+                          SettingChange{"process", "fdm-0.4/0.12"}, SettingChange{"process", "fdm-0.25/0.1"},
+                          SettingChange{"process", "resin-0.05"}));
 }
 
 TEST_F(OtherPrintsTest, APoseThatHardlyTurnsTheModelIsNoOtherWay) {
@@ -31,16 +31,16 @@ TEST_F(OtherPrintsTest, APoseThatHardlyTurnsTheModelIsNoOtherWay) {
     if (named.name == "resin-0.05") request_.printer = named.printer;  // none is finer
   request_.buildUp = request_.frame.normal + 0.1 * request_.frame.up;
   EXPECT_THAT(otherPrints(request_),
-              ElementsAre(OtherPrint{"buildUp", "as-modelled"}, OtherPrint{"buildUp", "code-upright"}));
+              ElementsAre(SettingChange{"buildUp", "as-modelled"}, SettingChange{"buildUp", "code-upright"}));
   request_.frame = makeFrame({0, 0, 0}, {0.1, 0, 1}, {0, 1, 0}, 250);  // faces up as it was modelled
   request_.buildUp = {0, 0, 1};
-  EXPECT_THAT(otherPrints(request_), ElementsAre(OtherPrint{"buildUp", "code-upright"}));
+  EXPECT_THAT(otherPrints(request_), ElementsAre(SettingChange{"buildUp", "code-upright"}));
 }
 
 TEST_F(OtherPrintsTest, NoWayLetsTheCodeFaceDown) {
   request_.frame = makeFrame({0, 0, 0}, {0.5, 0, -1}, {0, 1, 0}, 250);
   request_.buildUp = request_.frame.normal;
-  EXPECT_EQ(otherPrints(request_).front(), (OtherPrint{"buildUp", "code-upright"}));
+  EXPECT_EQ(otherPrints(request_).front(), (SettingChange{"buildUp", "code-upright"}));
 }
 
 TEST_F(OtherPrintsTest, AnotherWayChangesPoseOrProcessAndNothingElse) {

@@ -93,20 +93,33 @@ TEST_F(VerdictTest, AWeakGradeIsSaidAndPasses) {
 }
 
 TEST_F(VerdictTest, TheNextDeeperPresetIsTriedUntilTheLastUnlessTheRequestKeepsIt) {
-  EXPECT_EQ(presetToTryNext(request_, judged(28)), Preset::Robust);
-  EXPECT_EQ(presetToTryNext(request_, judged(29)), std::nullopt);
+  const auto preset = [](const char* name) { return SettingChange{"preset", name}; };
+  EXPECT_EQ(changeToTryNext(request_, judged(28)), preset("robust"));
+  EXPECT_EQ(changeToTryNext(request_, judged(29)), std::nullopt);
   request_.preset = Preset::Shallow;
-  EXPECT_EQ(presetToTryNext(request_, judged(0)), Preset::Balanced);
+  EXPECT_EQ(changeToTryNext(request_, judged(0)), preset("balanced"));
   request_.keepPreset = true;
-  EXPECT_EQ(presetToTryNext(request_, judged(0)), std::nullopt);
+  EXPECT_EQ(changeToTryNext(request_, judged(0)), std::nullopt);
   request_ = {};
   request_.text = "HELLO";
   request_.contrast = 0.2;
-  EXPECT_EQ(presetToTryNext(request_, judged(0)), std::nullopt);
+  EXPECT_EQ(changeToTryNext(request_, judged(0)), std::nullopt);
   request_ = {};
   request_.text = "HELLO";
   request_.preset = Preset::Robust;
-  EXPECT_EQ(presetToTryNext(request_, judged(0)), std::nullopt);
+  EXPECT_EQ(changeToTryNext(request_, judged(0)), std::nullopt);
+}
+
+TEST_F(VerdictTest, WhatWasCarvedForThePrintIsTriedForTheDesignAloneFirst) {
+  request_.carveFor = CarveFor::Print;
+  EXPECT_EQ(changeToTryNext(request_, judged(29)), std::nullopt);
+  for (const bool keepPreset : {false, true}) {
+    request_.keepPreset = keepPreset;
+    EXPECT_EQ(changeToTryNext(request_, judged(28)), (SettingChange{"carveFor", "design"}));
+  }
+  request_.keepPreset = false;
+  apply({"carveFor", "design"}, request_);
+  EXPECT_EQ(changeToTryNext(request_, judged(28)), (SettingChange{"preset", "robust"}));
 }
 
 TEST_F(VerdictTest, ReadingRemediesAreDepthSizeAndAnotherSpot) {

@@ -97,7 +97,7 @@
  * @typedef {Message & { change?: { setting: string, value: string } }} Remedy  `value`: as settings files write it; '': the default
  * @typedef {{ level: Level, passed: boolean, summary: Message, reasons: Message[], remedies: Remedy[] }} Aspect
  * @typedef {{ passed: boolean, reads: Aspect, prints: Aspect, solid: Aspect }} Verdict
- * @typedef {{ passed: boolean, next: 'balanced' | 'robust' | null }} ReadingResult  `next`: the preset to carve with
+ * @typedef {{ passed: boolean, next: { setting: string, value: string } | null }} ReadingResult  `next`: what to carve with instead
  * @typedef {{ tilts: { tiltDeg: number, reads: number, all: number }[], safeTiltDeg: number, forgiving: boolean,
  *   pixelsPerModule: number | null, distanceMm: number | null }} ViewTrials
  *   `tilts`: up to the first from which nothing is read; `forgiving`: read from as far aside as hands hold a phone without taking

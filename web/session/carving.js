@@ -24,6 +24,7 @@ import { sameWork } from './work.js';
  * @property {import('./printing.js').Printing} printing
  * @property {() => Work} work
  * @property {() => import('../engine/types.js').Settings} settings  of the work
+ * @property {(change: { setting: string, value: string }) => Work['values']} valuesAfter  what the controls hold then
  * @property {(values: Work['values']) => void} write  into the controls
  * @property {() => void} onStart
  * @property {() => void} onDone
@@ -33,7 +34,7 @@ import { sameWork } from './work.js';
 
 export class Carving {
   /** @param {CarvingOptions} options */
-  constructor({ client, jobs, model, placing, messages, panel, printing, work, settings, write, onStart, onDone, onShown, onPrinted }) {
+  constructor({ client, jobs, model, placing, messages, panel, printing, work, settings, valuesAfter, write, onStart, onDone, onShown, onPrinted }) {
     this.client_ = client;
     this.jobs_ = jobs;
     this.model_ = model;
@@ -43,6 +44,7 @@ export class Carving {
     this.printing_ = printing;
     this.work_ = work;
     this.settings_ = settings;
+    this.valuesAfter_ = valuesAfter;
     this.write_ = write;
     this.onStart_ = onStart;
     this.onDone_ = onDone;
@@ -134,7 +136,7 @@ export class Carving {
   }
 
   /**
-   * Carves as asked for; what does not read then, with the next deeper presets.
+   * Carves as asked for; what does not read then, for the design alone and with the next deeper presets.
    * @param {AbortSignal} signal
    * @param {string} [overrides]
    */
@@ -162,11 +164,11 @@ export class Carving {
         const isAsked = made === asked || (!reading.passed && first !== undefined && await this.keep_(first, started));
         if (made === asked || !isAsked) await this.finish_(performance.now() - started, made);
         this.messages_.say(() => (overrides ? text('inspector.engraved', { overrides })
-          : text(isAsked ? 'page.engraved' : 'page.engravedDeeper')));
+          : text(isAsked ? 'page.engraved' : made.values.preset === asked.values.preset ? 'page.engravedForDesign' : 'page.engravedDeeper')));
         return;
       }
       first ??= { made, number: await this.client_.carving(), texts: reading.texts };
-      this.write_({ ...made.values, preset: next });
+      this.write_(this.valuesAfter_(next));
       made = this.work_();
       await this.client_.configure(this.settings_());
     }

@@ -49,7 +49,7 @@ beforeEach(() => {
     readingPictures: async () => [1, 2, 3].map(() => ({ width: 8, height: 8, pixels: new Uint8Array(64) })),
     setReadings: async (/** @type {string[]} */ texts) => {
       const passed = texts.every((one) => one === kText);
-      return { passed, next: passed || values.preset === 'robust' ? null : 'robust' };
+      return { passed, next: passed || values.preset === 'robust' ? null : { setting: 'preset', value: 'robust' } };
     },
     report: async () => ({ text: kText, symbol: { modules: 21 }, verification: {} }),
   });
@@ -64,6 +64,7 @@ beforeEach(() => {
   carving = new Carving({
     client, jobs, placing, panel, messages: /** @type {any} */ (messages), model: /** @type {any} */ ({ engravable: true }),
     work: () => /** @type {any} */ ({ text: kText, values, centreMm: undefined }), settings: () => /** @type {any} */ ({}),
+    valuesAfter: ({ setting, value }) => ({ ...values, [setting]: value }),
     write: (now) => void (values = /** @type {any} */ (now)), onStart: () => {}, onDone: () => {},
     onShown: (exists, seen) => void shown.push([exists, seen]), printing, onPrinted: () => void (printsSeen += 1),
   });
@@ -134,11 +135,23 @@ test('What does not read is carved with the next deeper preset', async () => {
   FakeReader.found = '';
   client.answers.setReadings = async () => {
     const passed = values.preset === 'robust';
-    return { passed, next: passed ? null : 'robust' };
+    return { passed, next: passed ? null : { setting: 'preset', value: 'robust' } };
   };
   await carving.engrave();
   assert.equal(values.preset, 'robust');
   assert.equal(made()?.number, 2);
+});
+
+test('What does not read as carved for the print is carved for the design alone, and that is said', async () => {
+  values = { preset: 'balanced', carveFor: 'print' };
+  client.answers.setReadings = async () => {
+    const passed = values.carveFor === 'design';
+    return { passed, next: passed ? null : { setting: 'carveFor', value: 'design' } };
+  };
+  await carving.engrave();
+  assert.deepEqual(values, { preset: 'balanced', carveFor: 'design' });
+  assert.equal(made()?.number, 2);
+  assert.match(messages.said.at(-1) ?? '', /^Engraved for the design alone/);
 });
 
 test('What reads with no preset stays as it was asked for', async () => {
@@ -154,7 +167,7 @@ test('Cancelled while it is carved deeper, what was asked for stays, as it was c
   values = { preset: 'shallow' };
   FakeReader.found = '';
   const deeper = new Pending();
-  client.answers.setReadings = async () => ({ passed: false, next: 'balanced' });
+  client.answers.setReadings = async () => ({ passed: false, next: { setting: 'preset', value: 'balanced' } });
   const { engrave } = client.answers;
   client.answers.engrave = (/** @type {{ signal: AbortSignal }} */ { signal }) => {
     if (values.preset === 'shallow') return engrave();
