@@ -39,7 +39,7 @@ export const guide = {
     belowWhy: 'The first layer is squeezed into the pockets, and supports fill them. If it must be, block supports over the code.',
 
     printed: 'As it comes off the printer',
-    printedWhat: 'After carving QRelief prints the code in simulation: it makes every layer as the nozzle can lay it, lets light fall on what comes out, and reads it. Modules that come out too bright are carved deeper first. Process and pose are chosen under “Pattern, depth, printer”. This is the test plate, each time as the phone sees it; a frame marks a module that the print has lost.',
+    printedWhat: 'After carving QRelief prints the code in simulation: it makes every layer as the nozzle can lay it, lets light fall on what comes out, and reads it. Modules that come out too bright are carved deeper first. Process and pose are chosen under “Pattern, depth, printer”. This is the test plate, each time as the phone sees it; were a module lost, a frame would mark it.',
     printedStanding: 'Nozzle 0.4 mm, layers 0.2 mm, standing: every layer leaves a groove, and the pockets’ edges are steps.',
     printedLying: 'The same, lying: the nozzle rounds every corner, and a pocket’s floor lies on a whole layer.',
     printedFine: 'Nozzle 0.25 mm, layers 0.1 mm, lying.',
@@ -114,7 +114,7 @@ export const guide = {
     belowWhy: 'Die erste Schicht quillt in die Taschen, und Stützen füllen sie. Wenn es sein muss, Stützen am Code sperren.',
 
     printed: 'Wie er aus dem Drucker kommt',
-    printedWhat: 'Nach dem Gravieren druckt QRelief den Code in der Simulation: Jede Schicht wird so gelegt, wie die Düse es kann, Licht fällt auf das Ergebnis, und es wird gelesen. Module, die zu hell gerieten, sind vorher tiefer graviert worden. Verfahren und Lage stehen unter „Muster, Tiefe, Drucker“. Dies ist die Prüfplatte, jeweils wie das Telefon sie sieht; ein Rahmen zeigt ein Modul, das der Druck verloren hat.',
+    printedWhat: 'Nach dem Gravieren druckt QRelief den Code in der Simulation: Jede Schicht wird so gelegt, wie die Düse es kann, Licht fällt auf das Ergebnis, und es wird gelesen. Module, die zu hell gerieten, sind vorher tiefer graviert worden. Verfahren und Lage stehen unter „Muster, Tiefe, Drucker“. Dies ist die Prüfplatte, jeweils wie das Telefon sie sieht; ginge ein Modul verloren, zeigte es ein Rahmen.',
     printedStanding: 'Düse 0,4 mm, Schichten 0,2 mm, stehend: Jede Schicht hinterlässt eine Rille, und die Ränder der Taschen sind Stufen.',
     printedLying: 'Dasselbe liegend: Die Düse rundet jede Ecke, und der Boden einer Tasche liegt auf einer ganzen Schicht.',
     printedFine: 'Düse 0,25 mm, Schichten 0,1 mm, liegend.',
