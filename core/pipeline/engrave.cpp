@@ -5,11 +5,9 @@
 #include <cassert>
 #include <cmath>
 #include <fmt/format.h>
-#include <limits>
 
 #include "base/clock.h"
 #include "carving/submodule_luminances.h"
-#include "carving/wall_limit.h"
 #include "embedding/embed.h"
 #include "io/read_model.h"
 #include "io/write_stl.h"
@@ -17,7 +15,9 @@
 #include "mesh/weld.h"
 #include "pipeline/add_inlay.h"
 #include "pipeline/carved_parts.h"
+#include "pipeline/cell_layout.h"
 #include "pipeline/contrast_for_print.h"
+#include "pipeline/depth_limits.h"
 #include "pipeline/printed_view.h"
 #include "pipeline/verify.h"
 #include "projection/room.h"
@@ -34,21 +34,6 @@ constexpr double kDepthStepMm = 0.1;  // of a search for depths, as published; t
 constexpr int kMaxMapTexels = 2048;
 constexpr int kHorizonsPerModule = 2;
 constexpr LuminanceSampling kUncarvedSampling{1, 4};  // smooth, but for the model's own edges
-
-/// Where the symbol's submodules lie in a map of cells (one cell a submodule) with a margin all round.
-struct CellLayout {
-  int modules = 0;
-
-  int cells() const { return kN * (modules + 2 * (kQuietZoneModules + kOcclusionMarginModules)); }
-  /// @param row, column  from the quiet zone's top left; maps count rows from the bottom
-  std::uint32_t ofQuietZone(int row, int column) const {
-    const int offset = kN * kOcclusionMarginModules;
-    return static_cast<std::uint32_t>((cells() - 1 - (row + offset)) * cells() + column + offset);
-  }
-  std::uint32_t ofSymbol(int row, int column) const {
-    return ofQuietZone(row + kN * kQuietZoneModules, column + kN * kQuietZoneModules);
-  }
-};
 
 /// What carving must not bring into a model. Crossings count where it had none: facets that crossed others before may
 /// have been cut.
@@ -132,7 +117,6 @@ struct EngraveJob::State {
   Status print();
   Status check();
   Status view();
-  Result<std::vector<double>> depthLimits();
   void measure();
   void startRecord(std::span<const double> limitMm);
   void recordPass(const DepthField& tried, std::span<const double> luminance, double ms);
@@ -181,37 +165,6 @@ void EngraveJob::State::take(const PlacementSearch& found) {
   stage = Stage::Mapping;
 }
 
-/// Greatest depth of every submodule: the one asked for, distance to the other side of the material in any direction,
-/// and thickness along every texel's ray, which meets what is too fine for the former's samples.
-Result<std::vector<double>> EngraveJob::State::depthLimits() {
-  const Placement& placement = result.placement;
-  auto back = pass->renderBack(model->gpu, placement.frame, maps.window);
-  if (!back) return tl::unexpected(back.error());
-  const std::vector<float> behind = back->framebuffer.readRed();
-  const std::vector<float> ahead = maps.framebuffer.readRgba(1);
-  const int perCell = maps.window.texels / layout.cells();
-  std::vector<double> thickness(mask.carved.size(), std::numeric_limits<double>::infinity());
-  for (int row = 0; row < mask.size; ++row) {
-    for (int column = 0; column < mask.size; ++column) {
-      const auto cell = static_cast<int>(layout.ofSymbol(row, column));
-      const auto i = static_cast<std::size_t>(row * mask.size + column);
-      for (int t = 0; t < perCell * perCell; ++t) {
-        const int y = cell / layout.cells() * perCell + t / perCell;
-        const int x = cell % layout.cells() * perCell + t % perCell;
-        const auto texel = static_cast<std::size_t>(y * maps.window.texels + x);
-        const float front = ahead[4 * texel + 3];
-        if (front > 0 && behind[texel] > 0) thickness[i] = std::min<double>(thickness[i], behind[texel] - front);
-      }
-    }
-  }
-  const double maxDepth = request.maxDepthMm.value_or(kMaxDepthModules * placement.moduleMm);
-  std::vector<double> limits = wallLimits(model->prepared.mesh, placement.patch, placement.frame, mask,
-                                          {placement.symbolMm, maxDepth, request.minWallMm});
-  for (std::size_t i = 0; i < limits.size(); ++i)
-    limits[i] = std::max(0.0, std::min(limits[i], thickness[i] - request.minWallMm));
-  return limits;
-}
-
 Status EngraveJob::State::map() {
   const auto start = Clock::now();
   const Placement& placement = result.placement;
@@ -244,10 +197,13 @@ Status EngraveJob::State::map() {
   for (std::uint32_t i = 0; i < mask.carved.size(); ++i)
     if (mask.carved[i]) allCarved.push_back(i);
 
-  auto limits = depthLimits();
-  if (!limits) return tl::unexpected(limits.error());
-  if (request.recordSearch) startRecord(*limits);
-  target = {&symbol, &mask, placement.symbolMm, std::move(*limits)};
+  const auto back = pass->renderBack(model->gpu, placement.frame, maps.window);
+  if (!back) return tl::unexpected(back.error());
+  std::vector<double> limits =
+      depthLimits(model->prepared.mesh, placement, mask, {maps, *back, layout},
+                  {request.maxDepthMm.value_or(kMaxDepthModules * placement.moduleMm), request.minWallMm});
+  if (request.recordSearch) startRecord(limits);
+  target = {&symbol, &mask, placement.symbolMm, std::move(limits)};
   search = makeSearch({});
   result.timingsMs.surface = millisecondsSince(start);
   stage = Stage::Searching;

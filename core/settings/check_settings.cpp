@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which values a setting takes: the checks of settings.h.
+#include <cmath>
+
+#include "settings/settings.h"
+
+namespace qrelief {
+namespace {
+
+using Kind = Setting::Kind;
+using Unit = Setting::Unit;
+
+bool isWithin(double value, double min, double max) { return value >= min && value <= max; }  // no NaN
+
+/// A number of a setting, or of a part of it.
+Status checkNumber(const std::string& key, Unit unit, double value, double min, double max) {
+  if (isWithin(value, min, max)) return {};
+  switch (unit) {
+    case Unit::Millimetre:
+      return fail(ErrorKind::BadUsage,
+                  message("setting-out-of-range", with::setting("setting", key), with::lengthMm("value", value),
+                          with::lengthMm("min", min), with::lengthMm("max", max)));
+    case Unit::Degree:
+      return fail(ErrorKind::BadUsage,
+                  message("setting-out-of-range", with::setting("setting", key), with::angleDeg("value", value),
+                          with::angleDeg("min", min), with::angleDeg("max", max)));
+    case Unit::None:
+    case Unit::Module:
+    case Unit::Sky:
+      break;
+  }
+  return fail(ErrorKind::BadUsage,
+              message("setting-out-of-range", with::setting("setting", key), with::number("value", value),
+                      with::number("min", min), with::number("max", max)));
+}
+
+Status checkLamps(const Setting& setting, const std::vector<DirectionalLight>& lamps) {
+  if (lamps.size() > kMaxLights)
+    return fail(ErrorKind::BadUsage, message("setting-too-many", with::setting("setting", setting.key),
+                                             with::count("count", lamps.size()), with::count("max", kMaxLights)));
+  for (const DirectionalLight& lamp : lamps)
+    for (const LampPart& part : lampParts())
+      if (const Status checked = checkNumber(setting.key, part.unit, lamp.*part.value, part.min, part.max); !checked)
+        return checked;
+  return {};
+}
+
+Status checkVector(const Setting& setting, const Vec3& vector) {
+  const double length = glm::length(vector);
+  if (length > 0 && std::isfinite(length)) return {};
+  return fail(ErrorKind::BadUsage,
+              message("setting-no-length", with::setting("setting", setting.key), with::place("vector", vector)));
+}
+
+std::string joined(const std::vector<std::string>& names) {
+  std::string list;
+  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+  return list;
+}
+
+}  // namespace
+
+Status checkValue(const Setting& setting, const SettingValue& value) {
+  if (const double* n = std::get_if<double>(&value); n && setting.takesNumber()) {
+    if (const Status checked = checkNumber(setting.key, setting.unit, *n, setting.min, setting.max); !checked)
+      return checked;
+    if (setting.isWhole && *n != std::floor(*n))
+      return fail(ErrorKind::BadUsage,
+                  message("setting-not-whole", with::setting("setting", setting.key), with::number("value", *n)));
+    return {};
+  }
+  if (const std::string* name = std::get_if<std::string>(&value)) {
+    const bool isKnown = setting.kind == Kind::Text ||
+                         std::find(setting.choices.begin(), setting.choices.end(), *name) != setting.choices.end();
+    return isKnown ? Status() : tl::unexpected(wrongKind(setting, *name));
+  }
+  if (const Vec3* vector = std::get_if<Vec3>(&value); vector && setting.takesVector())
+    return checkVector(setting, *vector);
+  if (const auto* list = std::get_if<std::vector<DirectionalLight>>(&value); list && setting.kind == Kind::Lamps)
+    return checkLamps(setting, *list);
+  if (std::holds_alternative<bool>(value) && setting.kind == Kind::Switch) return {};
+  if (std::holds_alternative<std::monostate>(value) && setting.mayBeEmpty) return {};
+  return tl::unexpected(wrongKind(setting, ""));
+}
+
+Status checkSettings(const EngraveRequest& request) {
+  for (const Setting& setting : settings())
+    if (const Status checked = checkValue(setting, setting.read(request)); !checked) return checked;
+  if (!request.process) return {};
+  const auto process = processOf(request.printer);
+  return process ? Status() : tl::unexpected(process.error());
+}
+
+Error wrongKind(const Setting& setting, std::string_view found) {
+  const std::string choices = joined(setting.choices);
+  switch (setting.kind) {
+    case Kind::Text:
+      return {ErrorKind::BadUsage,
+              message("setting-no-text", with::setting("setting", setting.key), with::term("found", found))};
+    case Kind::Switch:
+      return {ErrorKind::BadUsage,
+              message("setting-no-switch", with::setting("setting", setting.key), with::term("found", found))};
+    case Kind::Number:
+      return {ErrorKind::BadUsage,
+              message("setting-no-number", with::setting("setting", setting.key), with::term("found", found))};
+    case Kind::Choice:
+      return {ErrorKind::BadUsage, message("setting-no-choice", with::setting("setting", setting.key),
+                                           with::term("found", found), with::term("choices", choices))};
+    case Kind::ChoiceOrNumber:
+      return {ErrorKind::BadUsage, message("setting-no-choice-or-number", with::setting("setting", setting.key),
+                                           with::term("found", found), with::term("choices", choices))};
+    case Kind::ChoiceOrVector:
+      return {ErrorKind::BadUsage, message("setting-no-choice-or-vector", with::setting("setting", setting.key),
+                                           with::term("found", found), with::term("choices", choices))};
+    case Kind::Vector:
+      return {ErrorKind::BadUsage,
+              message("setting-no-vector", with::setting("setting", setting.key), with::term("found", found))};
+    case Kind::Lamps:
+      break;
+  }
+  return {ErrorKind::BadUsage,
+          message("setting-no-lamps", with::setting("setting", setting.key), with::term("found", found))};
+}
+
+}  // namespace qrelief
