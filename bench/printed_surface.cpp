@@ -128,8 +128,9 @@ void compare(const Seen& ours, const Seen& other) {
   const double modules = static_cast<double>(light.size());
   fmt::print(
       "heights apart: median {:.3f}, 95 % {:.3f} mm; modules' luminance apart: mean {:.3f} (signed {:+.3f}), 95 % "
-      "{:.3f}\n",
-      quantile(heights, 0.5), quantile(heights, 0.95), sum / modules, signedSum / modules, quantile(light, 0.95));
+      "{:.3f}, over 0.08 {} of {}\n",
+      quantile(heights, 0.5), quantile(heights, 0.95), sum / modules, signedSum / modules, quantile(light, 0.95),
+      std::count_if(light.begin(), light.end(), [](double apart) { return apart > 0.08; }), light.size());
 }
 
 int run(int argc, char** argv) {
