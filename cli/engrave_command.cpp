@@ -4,7 +4,6 @@
 
 #include "base/clock.h"
 #include "cli/commands.h"
-#include "cli/files.h"
 #include "cli/model_input.h"
 #include "cli/progress_bar.h"
 #include "cli/setting_flags.h"
@@ -12,6 +11,7 @@
 #include "io/write_checked.h"
 #include "messages/sentences.h"
 #include "native/egl_context.h"
+#include "native/files.h"
 #include "native/png_file.h"
 #include "native/read_carving.h"
 #include "native/zxing_reader.h"

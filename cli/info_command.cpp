@@ -4,9 +4,9 @@
 
 #include "base/message_json.h"
 #include "cli/commands.h"
-#include "cli/files.h"
 #include "cli/model_input.h"
 #include "messages/sentences.h"
+#include "native/files.h"
 
 namespace qrelief {
 namespace {

@@ -3,8 +3,8 @@
 
 #include "base/clock.h"
 #include "cli/commands.h"
-#include "cli/files.h"
 #include "io/read_model.h"
+#include "native/files.h"
 
 namespace qrelief {
 void addModelFlags(CLI::App& command, ModelFlags& flags) {

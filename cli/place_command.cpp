@@ -6,12 +6,12 @@
 
 #include "base/clock.h"
 #include "cli/commands.h"
-#include "cli/files.h"
 #include "cli/model_input.h"
 #include "cli/progress_bar.h"
 #include "cli/setting_flags.h"
 #include "messages/sentences.h"
 #include "native/egl_context.h"
+#include "native/files.h"
 #include "pipeline/spot_search.h"
 #include "settings/setting_text.h"
 #include "verification/printability.h"

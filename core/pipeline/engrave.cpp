@@ -399,7 +399,7 @@ Result<std::unique_ptr<EngraveJob>> EngraveJob::create(std::shared_ptr<const Eng
                                                        EngraveRequest request, const Known& known) {
   if (const Status checked = checkSettings(request); !checked) return tl::unexpected(checked.error());
   if (const Status engravable = model->prepared.engravable(); !engravable) return tl::unexpected(engravable.error());
-  auto symbol = encodeSymbol(request.text, request.symbol);
+  auto symbol = known.symbol ? Result<Symbol>(*known.symbol) : encodeSymbol(request.text, request.symbol);
   if (!symbol) return tl::unexpected(symbol.error());
   const CodeRoom room{symbol->size, roomFactor(symbol->size, request.placement.quietZone)};
   if (const Status large = checkRoom(model->prepared, room, request.placement.eyeDistanceMm); !large)

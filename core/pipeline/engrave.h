@@ -102,6 +102,7 @@ class EngraveJob {
     const PlacementSearch* placed = nullptr;
     std::shared_ptr<const GeometryPass> pass;
     std::shared_ptr<const LuminancePrograms> programs;
+    const Symbol* symbol = nullptr;  ///< carved in place of what the request's text and options give
   };
   /// @returns BadUsage or BadInput for a request that cannot be carried out whatever the geometry, or for a model with
   ///          blocking findings

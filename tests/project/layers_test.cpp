@@ -56,7 +56,8 @@ const std::map<std::string, std::vector<std::string>> kRooms = {
     {"native", {"core"}},
     {"messages", {"core"}},
     {"generate", {"core", "messages"}},
-    {"cli", {"core", "native", "messages", "generate"}}};
+    {"cli", {"core", "native", "messages", "generate"}},
+    {"study", {"core", "native", "messages", "support"}}};
 
 /// Where a quoted include leads: "core", another top-level folder, or nothing for a header beside the file.
 std::string roomOf(const std::string& path) {

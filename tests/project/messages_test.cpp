@@ -38,7 +38,7 @@ struct Made {
 
 /// The page shows what these make; the others belong to the command.
 const std::vector<std::string> kOfPage = {"core", "engine", "viewer", "inspector", "wasm", "web"};
-const std::vector<std::string> kOfCommand = {"cli", "native"};
+const std::vector<std::string> kOfCommand = {"cli", "native", "study"};
 
 bool isQuote(char c) { return c == '"' || c == '\'' || c == '`'; }
 

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "study/experiments/experiments.h"
+
+#include <fmt/format.h>
+
+namespace qrelief::study {
+
+std::vector<Experiment> allExperiments() {
+  return {leastModule(), guaranteedSize(), patternDepths(), methodComparison(), frontier(),
+          symbolFlips(), lampDepths(),     lightAngles(),   robustness()};
+}
+
+std::string shown(double value, int decimals) { return fmt::format("{:.{}f}", value, decimals); }
+
+Row readingColumns() { return {"depth_mm", "removed_mm", "designed", "printed"}; }
+
+Row readingRow(const Judged& judged) {
+  return {shown(judged.depth.meanMm, 3), shown(judged.removedMm, 3), std::to_string(judged.designed.reads),
+          std::to_string(judged.printed.reads)};
+}
+
+}  // namespace qrelief::study

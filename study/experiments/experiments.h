@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "study/experiment.h"
+
+namespace qrelief::study {
+
+// One a file; its head says what it shows.
+Experiment leastModule();
+Experiment guaranteedSize();
+Experiment patternDepths();
+Experiment methodComparison();
+Experiment frontier();
+Experiment symbolFlips();
+Experiment lampDepths();
+Experiment lightAngles();
+Experiment robustness();
+
+}  // namespace qrelief::study

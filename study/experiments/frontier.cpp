@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Reading against depth: every method from shallow to deep at the eight models' centres, as designed and as printed
+// lying by the first process.
+#include "study/experiments/experiments.h"
+#include "study/methods/methods.h"
+
+namespace qrelief::study {
+namespace {
+
+Result<Row> measure(const Row& key, Workshop& workshop) {
+  const Method& method = *findMethod(key[1]);
+  const auto spot = workshop.usualSpot(key[0], method.direction);
+  if (!spot) return tl::unexpected(spot.error());
+  const auto code = method.carve(**spot, std::stod(key[2]));
+  if (!code) return tl::unexpected(code.error());
+  const auto judged = workshop.judge(**spot, *code);
+  if (!judged) return tl::unexpected(judged.error());
+  return readingRow(*judged);
+}
+
+}  // namespace
+
+Experiment frontier() {
+  Experiment experiment{"frontier", {"model", "method", "level"}, readingColumns(), {}, measure};
+  for (const std::string& model : Workshop::models())
+    for (const Method& method : methods())
+      for (const double level : method.levels) experiment.cases.push_back({model, method.name, shown(level, 2)});
+  return experiment;
+}
+
+}  // namespace qrelief::study

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How large a code each way to find the direction allows at the eight models' centres [Papp 2022, figures 13 and 14]:
+// at every rotation, upright, and turned by 45°. Edge of a symbol of version 3 without quiet zone, which has to fit,
+// too.
+#include "study/experiments/experiments.h"
+
+namespace qrelief::study {
+namespace {
+
+constexpr double kLargestMm = 100;
+
+Result<double> largestMm(Workshop& workshop, const Row& key, SizeMode mode, double rotateDeg) {
+  const auto model = workshop.model(key[0]);
+  if (!model) return tl::unexpected(model.error());
+  auto request = workshop.usualRequest(key[0]);
+  if (!request) return tl::unexpected(request.error());
+  PlacementRequest& place = request->placement;
+  place.sizeMode = mode;
+  place.maxSizeMm = kLargestMm;
+  place.rotateDeg = rotateDeg;
+  place.directionMethod = byName<DirectionMethod>(key[1], directionMethodName);
+  const auto spot = findSpot(key[0], *model, *request);
+  if (!spot) return tl::unexpected(spot.error());
+  return spot->placement.symbolMm;
+}
+
+Result<Row> measure(const Row& key, Workshop& workshop) {
+  Row row;
+  for (const auto& [mode, rotateDeg] :
+       {std::pair(SizeMode::Free, 0.0), std::pair(SizeMode::Oriented, 0.0), std::pair(SizeMode::Oriented, 45.0)}) {
+    const auto mm = largestMm(workshop, key, mode, rotateDeg);
+    if (!mm) return tl::unexpected(mm.error());
+    row.push_back(shown(*mm, 2));
+  }
+  return row;
+}
+
+}  // namespace
+
+Experiment guaranteedSize() {
+  Experiment experiment{
+      "guaranteed_size", {"model", "direction"}, {"guaranteed_mm", "upright_mm", "turned_45_mm"}, {}, measure};
+  for (const std::string& model : Workshop::models())
+    for (int i = 0; i < 4; ++i)
+      experiment.cases.push_back({model, directionMethodName(static_cast<DirectionMethod>(i))});
+  return experiment;
+}
+
+}  // namespace qrelief::study

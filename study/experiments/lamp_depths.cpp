@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Depth by the number of lamps beside the sky, with patterns and without, at the eight models' centres [Papp 2022,
+// figure 21], by the published steps. Each lamp is as strong as the sky and stands 33° over the code (123° in the
+// paper's measure), the first at its top, the second on its left.
+#include "study/experiments/experiments.h"
+#include "study/methods/by_engine.h"
+
+namespace qrelief::study {
+namespace {
+
+constexpr double kElevationDeg = 33;
+
+Result<Row> measure(const Row& key, Workshop& workshop) {
+  const auto spot = workshop.usualSpot(key[0]);
+  if (!spot) return tl::unexpected(spot.error());
+  EngraveRequest request = (*spot)->request;
+  request.solver = ContrastSolver::PaperSteps;
+  request.modulePattern = byName<ModulePattern>(key[1], modulePatternName);
+  request.finderPattern = request.modulePattern == ModulePattern::None ? FinderPattern::None : FinderPattern::ThickPlus;
+  for (int lamp = 0; lamp < std::stoi(key[2]); ++lamp)
+    request.lights.push_back({.azimuthDeg = lamp == 0 ? 90.0 : 180.0, .elevationDeg = kElevationDeg, .strength = 1});
+  const auto code = carveByEngine(**spot, request);
+  if (!code) return tl::unexpected(code.error());
+  return Row{shown(summarise(code->depths).meanMm, 3), std::to_string(code->limited)};
+}
+
+}  // namespace
+
+Experiment lampDepths() {
+  Experiment experiment{"lamp_depths", {"model", "modules", "lamps"}, {"depth_mm", "limited"}, {}, measure};
+  for (const std::string& model : Workshop::models())
+    for (const char* modules : {"none", "square"})
+      for (const char* lamps : {"0", "1", "2"}) experiment.cases.push_back({model, modules, lamps});
+  return experiment;
+}
+
+}  // namespace qrelief::study

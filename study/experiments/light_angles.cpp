@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A code carved under the sky and one lamp, read under the sky and a lamp that stands higher or lower [Papp 2022,
+// figure 22], on a plate, by the published steps. The lamp stands at the symbol's top and is as strong as the sky.
+//
+// Angles are elevations over the code; the paper measures between the light's way and the normal: 98° is a lamp 8° over
+// the code, 123° one 33° over it. `sky` is no lamp.
+#include "native/zxing_reader.h"
+#include "study/carved_surface.h"
+#include "study/experiments/experiments.h"
+#include "study/methods/by_engine.h"
+#include "verdict/verdict.h"
+
+namespace qrelief::study {
+namespace {
+
+constexpr double kAzimuthDeg = 90, kStrength = 1;
+constexpr int kPixelsPerModule = 8, kMarginModules = 6;
+
+std::vector<DirectionalLight> lampAt(const std::string& elevation) {
+  if (elevation == "sky") return {};
+  return {{.azimuthDeg = kAzimuthDeg, .elevationDeg = std::stod(elevation), .strength = kStrength}};
+}
+
+Result<Row> measure(const Row& key, Workshop& workshop) {
+  const auto spot = workshop.usualSpot("plate");
+  if (!spot) return tl::unexpected(spot.error());
+  EngraveRequest request = (*spot)->request;
+  request.solver = ContrastSolver::PaperSteps;
+  request.modulePattern = byName<ModulePattern>(key[0], modulePatternName);
+  request.finderPattern = request.modulePattern == ModulePattern::None ? FinderPattern::None : FinderPattern::ThickPlus;
+  request.lights = lampAt(key[1]);
+  const auto code = carveByEngine(**spot, request);
+  if (!code) return tl::unexpected(code.error());
+  const auto surface = CarvedSurface::make(**spot, code->depths);
+  if (!surface) return tl::unexpected(surface.error());
+  const GpuMesh carved(surface->mesh(), vertexNormals(surface->mesh()));
+  const int across = code->symbol.size + 2 * kMarginModules;
+  const DepthSummary depth = summarise(code->depths);
+  ReaderViewOptions options;
+  options.extentMm = (*spot)->placement.moduleMm * across;
+  options.texels = kPixelsPerModule * across;
+  options.reliefMm = static_cast<float>(depth.maxMm);
+  options.radiusMm = 8 * options.reliefMm;
+  options.lights = lampAt(key[2]);
+  auto view = renderReaderView(*(*spot)->pass, carved, (*spot)->placement.frame, options);
+  if (!view) return tl::unexpected(view.error());
+  view->pixelsPerModule = kPixelsPerModule;
+  return Row{shown(depth.meanMm, 3), std::to_string(evidenceOf(readFrontal(*view), request.text).count.reads)};
+}
+
+}  // namespace
+
+Experiment lightAngles() {
+  Experiment experiment{"light_angles", {"modules", "carved_at", "read_at"}, {"depth_mm", "reads"}, {}, measure};
+  for (const char* modules : {"none", "square"})
+    for (const char* carved : {"sky", "8", "33"})
+      for (const char* read : {"4", "8", "15", "23", "33", "38", "48", "63", "78", "88"})
+        experiment.cases.push_back({modules, carved, read});
+  return experiment;
+}
+
+}  // namespace qrelief::study

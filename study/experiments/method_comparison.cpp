@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every method at its published setting, ours at its default, at the eight models' centres: depth [Papp 2022, figure
+// 20], reading as designed and as printed lying, how far the method's own idea of the light in the carved submodules is
+// from path tracing of the carved mesh, and how long it took.
+//
+// Light: luminance of a submodule, 1 = an unoccluded surface; the error is own − traced, its mean and the mean of its
+// size. Traced with 64 paths a submodule, seed 1.
+#include <cmath>
+
+#include "study/carved_surface.h"
+#include "study/experiments/experiments.h"
+#include "study/methods/methods.h"
+#include "verification/path_tracer.h"
+
+namespace qrelief::study {
+namespace {
+
+constexpr int kPaths = 64;
+
+struct LightError {
+  double mean = 0, meanSize = 0;
+};
+
+Result<LightError> lightError(const Spot& spot, const CarvedCode& code) {
+  const auto surface = CarvedSurface::make(spot, code.depths);
+  if (!surface) return tl::unexpected(surface.error());
+  std::vector<SeenCell> cells;
+  for (const std::uint32_t i : carvedOf(code.mask)) {
+    const Vec2 corner = code.depths.corner(static_cast<int>(i) / code.mask.size, static_cast<int>(i) % code.mask.size);
+    const double h = code.depths.submoduleMm();
+    cells.push_back({{corner.x, corner.y - h}, {corner.x + h, corner.y}});
+  }
+  const std::vector<CellLight> traced =
+      traceCells(surface->tree(), spot.placement.frame, cells,
+                 {.paths = kPaths, .albedo = static_cast<double>(spot.request.albedo), .seed = 1});
+  LightError error;
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    const double apart = code.ownEstimate[k] - traced[k].luminance.mean;
+    error.mean += apart / static_cast<double>(cells.size());
+    error.meanSize += std::abs(apart) / static_cast<double>(cells.size());
+  }
+  return error;
+}
+
+Result<Row> measure(const Row& key, Workshop& workshop) {
+  const Method& method = *findMethod(key[1]);
+  const auto spot = workshop.usualSpot(key[0], method.direction);
+  if (!spot) return tl::unexpected(spot.error());
+  const auto code = method.carve(**spot, method.usual);
+  if (!code) return tl::unexpected(code.error());
+  const auto judged = workshop.judge(**spot, *code);
+  if (!judged) return tl::unexpected(judged.error());
+  const auto error = lightError(**spot, *code);
+  if (!error) return tl::unexpected(error.error());
+  Row row = readingRow(*judged);
+  for (const std::string& value : {std::to_string(code->passes), std::to_string(code->limited), shown(error->mean, 3),
+                                   shown(error->meanSize, 3), shown(code->milliseconds, 0)})
+    row.push_back(value);
+  return row;
+}
+
+}  // namespace
+
+Experiment methodComparison() {
+  Row measures = readingColumns();
+  for (const char* column : {"passes", "limited", "light_error", "light_error_size", "search_ms"})
+    measures.emplace_back(column);
+  Experiment experiment{"method_comparison", {"model", "method"}, measures, {}, measure};
+  for (const std::string& model : Workshop::models())
+    for (const Method& method : methods()) experiment.cases.push_back({model, method.name});
+  return experiment;
+}
+
+}  // namespace qrelief::study

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Depth by module pattern and finder pattern at the eight models' centres [Papp 2022, figures 15 and 16], by the
+// published steps and our default contrast, and how that reads, as designed and as printed lying.
+#include "study/experiments/experiments.h"
+#include "study/methods/by_engine.h"
+
+namespace qrelief::study {
+namespace {
+
+Result<Row> measure(const Row& key, Workshop& workshop) {
+  const auto spot = workshop.usualSpot(key[0]);
+  if (!spot) return tl::unexpected(spot.error());
+  EngraveRequest request = (*spot)->request;
+  request.solver = ContrastSolver::PaperSteps;
+  request.modulePattern = byName<ModulePattern>(key[1], modulePatternName);
+  request.finderPattern = byName<FinderPattern>(key[2], finderPatternName);
+  const auto code = carveByEngine(**spot, request);
+  if (!code) return tl::unexpected(code.error());
+  const auto judged = workshop.judge(**spot, *code);
+  if (!judged) return tl::unexpected(judged.error());
+  return readingRow(*judged);
+}
+
+}  // namespace
+
+Experiment patternDepths() {
+  Experiment experiment{"pattern_depths", {"model", "modules", "finders"}, readingColumns(), {}, measure};
+  for (const std::string& model : Workshop::models())
+    for (int pattern = 0; pattern < 5; ++pattern)
+      for (int finder = 0; finder < 5; ++finder)
+        experiment.cases.push_back({model, std::string(modulePatternName(static_cast<ModulePattern>(pattern))),
+                                    std::string(finderPatternName(static_cast<FinderPattern>(finder)))});
+  return experiment;
+}
+
+}  // namespace qrelief::study

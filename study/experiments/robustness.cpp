@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a carved code survives: blur, distance and tilt, by module pattern and finder pattern [Papp 2022, §8], by the
+// published steps and by our default, on a plate, a cylinder and the bumpy sphere. Pictures and readers are those of
+// `verify` (verification/reading_sweep.h); a value is empty where it does not read even from near and in front.
+#include "native/zxing_reader.h"
+#include "pipeline/verify.h"
+#include "study/carved_surface.h"
+#include "study/experiments/experiments.h"
+#include "study/methods/by_engine.h"
+
+namespace qrelief::study {
+namespace {
+
+std::string shownIfAny(const std::optional<double>& value, int decimals) {
+  return value ? shown(*value, decimals) : std::string();
+}
+
+Result<Row> measure(const Row& key, Workshop& workshop) {
+  const auto spot = workshop.usualSpot(key[0]);
+  if (!spot) return tl::unexpected(spot.error());
+  EngraveRequest request = (*spot)->request;
+  request.solver = key[1] == "ours" ? ContrastSolver::Fast : ContrastSolver::PaperSteps;
+  request.modulePattern = byName<ModulePattern>(key[2], modulePatternName);
+  request.finderPattern = byName<FinderPattern>(key[3], finderPatternName);
+  const auto code = carveByEngine(**spot, request);
+  if (!code) return tl::unexpected(code.error());
+  const auto surface = CarvedSurface::make(**spot, code->depths);
+  if (!surface) return tl::unexpected(surface.error());
+  EngraveResult result;
+  result.placement = (*spot)->placement;
+  result.symbol = code->symbol;
+  VerifyRequest wanted = verifyRequestOf(request, result);
+  wanted.ranges = true;
+  auto job = VerifyJob::create(surface->mesh(), wanted, zxingReaders());
+  if (!job) return tl::unexpected(job.error());
+  const auto verified = runToEnd(**job);
+  if (!verified) return tl::unexpected(verified.error());
+  const ReadingSummary& reading = verified->reading;
+  return Row{shown(summarise(code->depths).meanMm, 3), std::to_string(reading.frontal.reads),
+             shownIfAny(reading.blurModules, 2),       shownIfAny(reading.pixelsPerModule, 1),
+             shownIfAny(reading.tiltDeg, 0),           shownIfAny(reading.tiltDegLamp, 0)};
+}
+
+}  // namespace
+
+Experiment robustness() {
+  Experiment experiment{"robustness",
+                        {"model", "search", "modules", "finders"},
+                        {"depth_mm", "designed", "blur_modules", "pixels_per_module", "tilt_deg", "tilt_lamp_deg"},
+                        {},
+                        measure};
+  for (const char* model : {"plate", "cylinder", "bumpy-sphere"}) {
+    experiment.cases.push_back({model, "papp-2022", "none", "none"});
+    for (const char* modules : {"square", "thin-plus", "diamond", "thick-plus"})
+      for (const char* finders : {"diamond", "thick-plus"})
+        experiment.cases.push_back({model, "papp-2022", modules, finders});
+    experiment.cases.push_back({model, "ours", "thick-plus", "thick-plus-sharp"});
+  }
+  return experiment;
+}
+
+}  // namespace qrelief::study

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Dark areas broken up within the error correction: not at all, as Peng 2019 does, and as we do, for the search of 2019
+// and for ours, whole modules, level H, version 3.
+#include <algorithm>
+
+#include "qr/symbol_shaping.h"
+#include "study/experiments/experiments.h"
+#include "study/methods/by_engine.h"
+#include "study/methods/self_shadow_2019.h"
+#include "study/methods/symbol_flips_2019.h"
+
+namespace qrelief::study {
+namespace {
+
+Result<CarvedCode> carve(const Spot& spot, const std::string& flips, const std::string& search) {
+  EngraveRequest request = spot.request;
+  request.symbol.errorCorrection = ErrorCorrection::H;
+  auto symbol = encodeSymbol(request.text, request.symbol);
+  if (!symbol) return tl::unexpected(symbol.error());
+  if (flips == "peng-2019") flipModules2019(*symbol);
+  if (flips == "ours") breakUpDarkAreas(*symbol);
+  const SubmoduleMask mask = submodulesToCarve(*symbol, ModulePattern::None, FinderPattern::None);
+  if (search == "self-shadow-2019") return carveSelfShadow2019(spot, *symbol, mask, {});
+  request.modulePattern = ModulePattern::None;
+  request.finderPattern = FinderPattern::None;
+  return carveByEngine(spot, request, &*symbol);
+}
+
+Result<Row> measure(const Row& key, Workshop& workshop) {
+  const auto spot = workshop.usualSpot(key[0]);
+  if (!spot) return tl::unexpected(spot.error());
+  const auto code = carve(**spot, key[2], key[1]);
+  if (!code) return tl::unexpected(code.error());
+  const auto judged = workshop.judge(**spot, *code);
+  if (!judged) return tl::unexpected(judged.error());
+  Row row = {std::to_string(std::count(code->symbol.flipped.begin(), code->symbol.flipped.end(), 1))};
+  for (std::string& value : readingRow(*judged)) row.push_back(std::move(value));
+  return row;
+}
+
+}  // namespace
+
+Experiment symbolFlips() {
+  Row measures = readingColumns();
+  measures.insert(measures.begin(), "flipped_modules");
+  Experiment experiment{"symbol_flips", {"model", "search", "flips"}, measures, {}, measure};
+  for (const char* model : {"plate", "cylinder", "bumpy-sphere"})
+    for (const char* search : {"self-shadow-2019", "ours"})
+      for (const char* flips : {"none", "peng-2019", "ours"}) experiment.cases.push_back({model, search, flips});
+  return experiment;
+}
+
+}  // namespace qrelief::study

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Measures the study's tables; see study/README.md. script/study runs it.
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <unistd.h>
+
+#include "base/clock.h"
+#include "messages/sentences.h"
+#include "native/egl_context.h"
+#include "study/experiment.h"
+#include "study/table.h"
+
+namespace qrelief::study {
+namespace {
+
+/// Every `of`-th case, from `index` on.
+struct Shard {
+  std::size_t index = 0, of = 1;
+
+  std::string fileOf(const std::string& path) const {
+    return of == 1 ? path : fmt::format("{}.{}-of-{}", path, index, of);
+  }
+};
+
+int failed(const std::string& what, const Error& error) {
+  fmt::print(stderr, "{}: {}\n", what, sentenceAndHint(error.message));
+  return 1;
+}
+
+Row measured(const Experiment& experiment, const Row& key, Workshop& workshop) {
+  auto values = experiment.measure(key, workshop);
+  if (values) {
+    values->emplace_back();
+    return std::move(*values);
+  }
+  Row none(experiment.measures.size());
+  none.push_back(values.error().message.code);
+  return none;
+}
+
+std::string durationInWords(double seconds) {
+  return seconds < 90 ? fmt::format("{:.0f} s", seconds) : fmt::format("{:.0f} min", seconds / 60);
+}
+
+/// Measures what the table lacks; takes the rows of other shards' files over, and removes these once all is there.
+Status run(const Experiment& experiment, const std::string& path, const Shard& shard, Workshop& workshop) {
+  auto table = Table::open(experiment, shard.fileOf(path));
+  if (!table) return tl::unexpected(table.error());
+  std::vector<std::string> parts;
+  if (shard.of == 1) {
+    const std::filesystem::path whole(path);
+    for (const auto& entry : std::filesystem::directory_iterator(whole.parent_path()))
+      if (entry.path().filename().string().starts_with(whole.filename().string() + ".")) parts.push_back(entry.path());
+  } else {
+    parts.push_back(path);
+  }
+  for (const std::string& part : parts) {
+    const auto other = Table::open(experiment, part);
+    if (!other) return tl::unexpected(other.error());
+    table->take(*other);
+  }
+  std::vector<const Row*> missing;
+  for (std::size_t i = shard.index; i < experiment.cases.size(); i += shard.of)
+    if (!table->find(experiment.cases[i])) missing.push_back(&experiment.cases[i]);
+  const bool isTerminal = ::isatty(STDERR_FILENO);
+  const auto start = Clock::now();
+  for (std::size_t i = 0; i < missing.size(); ++i) {
+    const double left =
+        i == 0 ? 0 : millisecondsSince(start) / 1000 / static_cast<double>(i) * static_cast<double>(missing.size() - i);
+    if (isTerminal)
+      fmt::print(stderr, "\r\033[K{}: {} of {}{} ", experiment.name, i + 1, missing.size(),
+                 i == 0 ? "" : ", " + durationInWords(left) + " left");
+    if (const Status added = table->add(*missing[i], measured(experiment, *missing[i], workshop)); !added) return added;
+  }
+  fmt::print(stderr, "{}{}: {} rows, {} of them measured now, {}\n", isTerminal ? "\r\033[K" : "", experiment.name,
+             experiment.cases.size(), missing.size(), durationInWords(millisecondsSince(start) / 1000));
+  if (shard.of > 1) return {};
+  const Status written = table->write(experiment);
+  if (written)
+    for (const std::string& part : parts) std::filesystem::remove(part);
+  return written;
+}
+
+/// How far two values of a table are apart: 0 = alike, 1 = as far as the column's values are, or words that differ.
+double apart(const std::string& kept, const std::string& now, double range) {
+  char *endKept = nullptr, *endNow = nullptr;
+  const double a = std::strtod(kept.c_str(), &endKept), b = std::strtod(now.c_str(), &endNow);
+  if (kept.empty() || now.empty() || *endKept || *endNow) return kept == now ? 0 : 1;
+  return range > 0 ? std::abs(a - b) / range : 0;
+}
+
+double rangeOf(const Experiment& experiment, const Table& table, std::size_t column) {
+  double least = INFINITY, most = -INFINITY;
+  for (const Row& key : experiment.cases)
+    if (const Row* row = table.find(key); row && !(*row)[column].empty()) {
+      const double value = std::strtod((*row)[column].c_str(), nullptr);
+      least = std::min(least, value);
+      most = std::max(most, value);
+    }
+  return std::max(0.0, most - least);
+}
+
+/// Measures some cases of a kept table once more. @returns how many values are off
+int check(const Experiment& experiment, const std::string& path, int count, Workshop& workshop) {
+  constexpr double kAlike = 0.1;  // of the column's range
+  const auto table = Table::open(experiment, path);
+  if (!table) return failed(experiment.name, table.error());
+  int off = 0;
+  const std::size_t step = std::max<std::size_t>(1, experiment.cases.size() / static_cast<std::size_t>(count));
+  for (std::size_t i = 0; i < experiment.cases.size() && i / step < static_cast<std::size_t>(count); i += step) {
+    const Row& key = experiment.cases[i];
+    const Row* kept = table->find(key);
+    if (!kept) {
+      fmt::print("{}: no row {}\n", experiment.name, fmt::join(key, ","));
+      ++off;
+      continue;
+    }
+    const Row now = measured(experiment, key, workshop);
+    for (std::size_t column = 0; column < now.size(); ++column) {
+      const bool isTime = column < experiment.measures.size() && experiment.measures[column].ends_with("_ms");
+      if (isTime || apart((*kept)[column], now[column], rangeOf(experiment, *table, column)) <= kAlike) continue;
+      fmt::print("{}, {}: {} was {}, is {}\n", experiment.name, fmt::join(key, ","),
+                 column < experiment.measures.size() ? experiment.measures[column] : kFailedColumn, (*kept)[column],
+                 now[column]);
+      ++off;
+    }
+  }
+  return off;
+}
+
+int run(int argc, char** argv) {
+  CLI::App app("Measures the tables of the study");
+  std::vector<std::string> names;
+  std::string folder, samples, shardText;
+  int checked = 0;
+  app.add_option("NAME", names, "experiments; all if none is named");
+  app.add_option("--results", folder, "folder of the tables")->required();
+  app.add_option("--samples", samples, "folder of the page's sample models")->required();
+  app.add_option("--shard", shardText, "I/N: every N-th case from the I-th on, 0 … N-1, into a file of its own");
+  app.add_option("--check", checked, "measure this many cases of each kept table once more and compare");
+  CLI11_PARSE(app, argc, argv);
+  Shard shard;
+  if (!shardText.empty() &&
+      (std::sscanf(shardText.c_str(), "%zu/%zu", &shard.index, &shard.of) != 2 || shard.index >= shard.of)) {
+    fmt::print(stderr, "--shard is I/N with 0 ≤ I < N, not {}\n", shardText);
+    return 2;
+  }
+  const auto context = EglContext::create();
+  if (!context) return failed("EGL", context.error());
+  Workshop workshop(samples);
+  const std::vector<Experiment> all = allExperiments();
+  for (const std::string& name : names)
+    if (std::none_of(all.begin(), all.end(), [&](const Experiment& e) { return e.name == name; })) {
+      fmt::print(stderr, "there is no experiment {}; there are:", name);
+      for (const Experiment& experiment : all) fmt::print(stderr, " {}", experiment.name);
+      fmt::print(stderr, "\n");
+      return 2;
+    }
+  int off = 0;
+  for (const Experiment& experiment : all) {
+    if (!names.empty() && std::find(names.begin(), names.end(), experiment.name) == names.end()) continue;
+    const std::string path = folder + "/" + experiment.name + ".csv";
+    if (checked > 0)
+      off += check(experiment, path, checked, workshop);
+    else if (const Status done = run(experiment, path, shard, workshop); !done)
+      return failed(experiment.name, done.error());
+  }
+  if (checked > 0) fmt::print("{} values are off\n", off);
+  return off > 0 ? 1 : 0;
+}
+
+}  // namespace
+}  // namespace qrelief::study
+
+int main(int argc, char** argv) { return qrelief::study::run(argc, argv); }

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "study/methods/by_engine.h"
+
+#include "carving/submodule_luminances.h"
+
+namespace qrelief::study {
+
+Result<CarvedCode> carveByEngine(const Spot& spot, const EngraveRequest& request, const Symbol* symbol) {
+  auto job = EngraveJob::create(spot.model, request, {spot.search.get(), spot.pass, nullptr, symbol});
+  if (!job) return tl::unexpected(job.error());
+  auto result = runToEnd(**job);
+  if (!result) return tl::unexpected(result.error());
+  CarvedCode code;
+  code.mask = submodulesToCarve(result->symbol, request.modulePattern, request.finderPattern);
+  code.symbol = std::move(result->symbol);
+  const SubmoduleLuminances luminance(result->luminance, code.symbol.size);
+  for (const std::uint32_t i : carvedOf(code.mask))
+    code.ownEstimate.push_back(
+        luminance.of(static_cast<int>(i) / code.mask.size, static_cast<int>(i) % code.mask.size));
+  code.depths = std::move(result->depths);
+  code.passes = result->searchIterations;
+  code.limited = result->limitedSubmodules;
+  code.milliseconds = result->timingsMs.surface + result->timingsMs.depthSearch + result->timingsMs.forPrint;
+  return code;
+}
+
+}  // namespace qrelief::study

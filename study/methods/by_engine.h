@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/result.h"
+#include "study/carved_code.h"
+#include "study/spot.h"
+
+namespace qrelief::study {
+
+/// What the program itself makes of a spot: its own methods, and the published steps of Papp 2022.
+/// @param request  the spot's, with other depths, patterns or symbols of the same size; the place stays
+/// @param symbol   carved in place of the request's, of the same size; null: the request's
+Result<CarvedCode> carveByEngine(const Spot& spot, const EngraveRequest& request, const Symbol* symbol = nullptr);
+
+}  // namespace qrelief::study

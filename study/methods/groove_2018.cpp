@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "study/methods/groove_2018.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/clock.h"
+#include "base/parallel.h"
+#include "study/carved_surface.h"
+
+namespace qrelief::study {
+namespace {
+
+/// 1 = nothing near.
+double obscurance(const CarvedSurface& surface, const SurfacePoint& at, double falloffMm, int rays,
+                  std::uint64_t seed) {
+  double sum = 0;
+  const auto add = [&](double cosine, const std::optional<double>& metMm) {
+    sum += 2 * cosine / rays * (metMm ? 1 - std::exp(-*metMm / falloffMm) : 1);
+  };
+  overHemisphere(surface, at, rays, seed, add);
+  return sum;
+}
+
+}  // namespace
+
+std::vector<double> bSplineValues(const std::vector<double>& control, int size) {
+  const auto along = [size](const std::vector<double>& values, int rowStep, int columnStep) {
+    const auto at = [&](int row, int column) {
+      if (row < 0 || column < 0 || row >= size || column >= size) return 0.0;
+      return values[static_cast<std::size_t>(row * size + column)];
+    };
+    std::vector<double> smooth;
+    for (int row = 0; row < size; ++row)
+      for (int column = 0; column < size; ++column)
+        smooth.push_back(
+            (at(row - rowStep, column - columnStep) + 4 * at(row, column) + at(row + rowStep, column + columnStep)) /
+            6);
+    return smooth;
+  };
+  return along(along(control, 1, 0), 0, 1);
+}
+
+Result<CarvedCode> carveGrooves2018(const Spot& spot, const Symbol& symbol, const SubmoduleMask& mask,
+                                    const GrooveOptions& options) {
+  const auto start = Clock::now();
+  // A groove runs out over its neighbours: these are carved as well.
+  std::vector<double> reach(mask.carved.begin(), mask.carved.end());
+  reach = bSplineValues(reach, mask.size);
+  SubmoduleMask grooved = mask;
+  for (std::size_t i = 0; i < reach.size(); ++i) grooved.carved[i] = reach[i] > 0;
+  const double moduleMm = spot.placement.moduleMm;
+  const std::vector<double> limitMm = spot.limitsMm(grooved, options.maxDepthModules * moduleMm);
+  CarvedCode code{symbol, mask, {mask.size, spot.placement.symbolMm, {}}, {}};
+  code.depths.depthMm.assign(mask.carved.size(), 0);
+  const std::vector<std::uint32_t> dark = carvedOf(mask);
+  std::vector<std::uint32_t> light;
+  for (std::uint32_t i = 0; i < mask.carved.size(); ++i)
+    if (!grooved.carved[i]) light.push_back(i);
+
+  const auto measured = [&](const CarvedSurface& surface, const std::vector<std::uint32_t>& submodules) {
+    std::vector<double> values(submodules.size(), 1);
+    parallelFor(submodules.size(), [&](std::size_t k) {
+      const std::uint64_t seed = options.seed * 1000003 + submodules[k];
+      if (const auto at = surface.middleOf(submodules[k]))
+        values[k] = obscurance(surface, *at, options.falloffModules * moduleMm, options.rays, seed);
+    });
+    return values;
+  };
+  double open = 0;
+  {
+    const auto uncarved = CarvedSurface::make(spot, code.depths);
+    if (!uncarved) return tl::unexpected(uncarved.error());
+    for (const double value : measured(*uncarved, light)) open += value / static_cast<double>(light.size());
+  }
+  std::vector<double> control(mask.carved.size(), 0);
+  const double stepMm = options.stepModules * moduleMm;
+  for (const std::uint32_t i : dark) control[i] = stepMm;
+  for (bool deepened = true; deepened && code.passes < options.maxPasses;) {
+    ++code.passes;
+    const std::vector<double> wantedMm = bSplineValues(control, mask.size);
+    for (std::size_t i = 0; i < wantedMm.size(); ++i)
+      code.depths.depthMm[i] = wantedMm[i] > 0 ? quantisedDepth(wantedMm[i], limitMm[i]) : 0;
+    const auto carved = CarvedSurface::make(spot, code.depths);
+    if (!carved) return tl::unexpected(carved.error());
+    code.ownEstimate = measured(*carved, dark);
+    deepened = false;
+    code.limited = 0;
+    for (std::size_t k = 0; k < dark.size(); ++k) {
+      code.ownEstimate[k] /= open;
+      if (code.ownEstimate[k] <= 1 - options.contrast) continue;
+      const bool isAtLimit = wantedMm[dark[k]] >= limitMm[dark[k]];
+      code.limited += isAtLimit;
+      if (isAtLimit) continue;
+      control[dark[k]] += stepMm;
+      deepened = true;
+    }
+  }
+  code.milliseconds = millisecondsSince(start);
+  return code;
+}
+
+}  // namespace qrelief::study

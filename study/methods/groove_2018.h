@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/result.h"
+#include "study/carved_code.h"
+#include "study/spot.h"
+
+namespace qrelief::study {
+
+/// The grooves of Kikuchi, Yoshikawa, Jayaraman, Zheng, Maekawa, "Embedding QR codes onto B-spline surfaces for 3D
+/// printing", CAD 102 (2018), on a mesh: knots are inserted, the control points of dark modules are moved down until
+/// each groove point is obscure enough, and the surface stays a smooth B-spline.
+///
+/// Only the abstract and what Papp 2022, §2 and §7 say of it could be had. Chosen therefore:
+///   - knots: one control point a submodule; the carving depth is the uniform bicubic B-spline of theirs, as our
+///     embedding has it, one depth a submodule. Grooves so run out over half a module of their light neighbours, which
+///     are carved, too;
+///   - obscurance at a submodule's middle [Zhukov, Iones, Kronin 1998]: 1/π ∫ ρ(d) cos ω, d the distance of what a ray
+///     meets, ρ(d) = 1 − exp(−d/d₀), 1 where it meets nothing; d₀ = one module. It is asked of the dark submodules;
+///   - wanted: obscurance ≤ (1 − contrast) of the mean over the light submodules;
+///   - step: a tenth of a module; limits as for the other methods.
+/// Its direction of projection, by principal components, is DirectionMethod::Pca.
+struct GrooveOptions {
+  double contrast = 0.3;
+  double falloffModules = 1;  ///< d₀
+  double stepModules = 0.1;
+  double maxDepthModules = 8;
+  int rays = 256;
+  int maxPasses = 80;
+  std::uint64_t seed = 1;
+};
+
+Result<CarvedCode> carveGrooves2018(const Spot& spot, const Symbol& symbol, const SubmoduleMask& mask,
+                                    const GrooveOptions& options);
+
+/// Values of the uniform bicubic B-spline at its control points: weights 1/6, 4/6, 1/6 along both axes; beyond the
+/// border 0.
+/// @param control  size × size, row-major
+std::vector<double> bSplineValues(const std::vector<double>& control, int size);
+
+}  // namespace qrelief::study

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "study/methods/methods.h"
+
+#include <algorithm>
+
+#include "study/methods/by_engine.h"
+#include "study/methods/groove_2018.h"
+#include "study/methods/one_light_2020.h"
+#include "study/methods/self_shadow_2019.h"
+#include "study/methods/symbol_flips_2019.h"
+
+namespace qrelief::study {
+namespace {
+
+SubmoduleMask wholeModules(const Symbol& symbol) {
+  return submodulesToCarve(symbol, ModulePattern::None, FinderPattern::None);
+}
+
+Result<CarvedCode> groove2018(const Spot& spot, double contrast) {
+  GrooveOptions options;
+  options.contrast = contrast;
+  return carveGrooves2018(spot, spot.symbol, wholeModules(spot.symbol), options);
+}
+
+Result<CarvedCode> selfShadow2019(const Spot& spot, double contrast) {
+  auto symbol = symbolAtLevel(spot, ErrorCorrection::H);
+  if (!symbol) return tl::unexpected(symbol.error());
+  flipModules2019(*symbol);
+  SelfShadowOptions options;
+  options.functionContrast = options.dataContrast = contrast;
+  return carveSelfShadow2019(spot, *symbol, wholeModules(*symbol), options);
+}
+
+Result<CarvedCode> oneLight2020(const Spot& spot, double contrast) {
+  auto symbol = symbolAtLevel(spot, ErrorCorrection::H);
+  if (!symbol) return tl::unexpected(symbol.error());
+  breakUpRuns2020(*symbol);
+  OneLightOptions options;
+  options.contrast = contrast;
+  return carveOneLight2020(spot, *symbol, wholeModules(*symbol), options);
+}
+
+/// Papp 2022 with a module pattern and its finders.
+auto paper2022(ModulePattern modules, FinderPattern finders) {
+  return [modules, finders](const Spot& spot, double contrast) {
+    EngraveRequest request = spot.request;
+    request.solver = ContrastSolver::PaperSteps;
+    request.modulePattern = modules;
+    request.finderPattern = finders;
+    request.contrast = contrast;
+    return carveByEngine(spot, request);
+  };
+}
+
+auto ours(CarveFor carveFor) {
+  return [carveFor](const Spot& spot, double contrast) {
+    EngraveRequest request = spot.request;
+    request.carveFor = carveFor;
+    request.contrast = contrast;
+    return carveByEngine(spot, request);
+  };
+}
+
+}  // namespace
+
+Result<Symbol> symbolAtLevel(const Spot& spot, ErrorCorrection level) {
+  SymbolOptions options = spot.request.symbol;
+  options.errorCorrection = level;
+  options.raiseErrorCorrection = false;
+  return encodeSymbol(spot.request.text, options);
+}
+
+const std::vector<Method>& methods() {
+  static const std::vector<double> kContrasts = {0.1, 0.15, 0.2, 0.3, 0.4, 0.55};
+  static const double usual = EngraveRequest{}.contrastAsked();
+  static const std::vector<Method> kAll = {
+      {"groove-2018", kContrasts, 0.3, DirectionMethod::Pca, groove2018},
+      {"self-shadow-2019", {0.05, 0.08, 0.12, 0.16, 0.2}, 0.2, DirectionMethod::MeanNormal, selfShadow2019},
+      {"one-light-2020", {0.05, 0.08, 0.12, 0.16, 0.2}, 0.2, DirectionMethod::MeanNormal, oneLight2020},
+      {"papp-2022", kContrasts, usual, DirectionMethod::DepthBalanced,
+       paper2022(ModulePattern::Square, FinderPattern::ThickPlus)},
+      {"papp-2022-whole-modules", kContrasts, usual, DirectionMethod::DepthBalanced,
+       paper2022(ModulePattern::None, FinderPattern::None)},
+      {"ours-for-design", kContrasts, usual, DirectionMethod::DepthBalanced, ours(CarveFor::Design)},
+      {"ours-for-print", kContrasts, usual, DirectionMethod::DepthBalanced, ours(CarveFor::Print)},
+  };
+  return kAll;
+}
+
+const Method* findMethod(const std::string& name) {
+  const auto found = std::find_if(methods().begin(), methods().end(), [&](const Method& m) { return m.name == name; });
+  return found == methods().end() ? nullptr : &*found;
+}
+
+}  // namespace qrelief::study

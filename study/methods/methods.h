@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "study/carved_code.h"
+#include "study/spot.h"
+
+namespace qrelief::study {
+
+/// One way to carve a code, as the tables name it.
+struct Method {
+  std::string name;
+  /// What the method calls contrast, from shallow to deep; the published one, or our default, is `usual`.
+  std::vector<double> levels;
+  double usual = 0;
+  DirectionMethod direction = DirectionMethod::DepthBalanced;
+  std::function<Result<CarvedCode>(const Spot&, double level)> carve;
+};
+
+/// Those that are compared, the oldest first, ours last.
+const std::vector<Method>& methods();
+
+/// @returns null if there is none of that name
+const Method* findMethod(const std::string& name);
+
+/// The spot's symbol at another level of error correction, in the same version and mask rule.
+Result<Symbol> symbolAtLevel(const Spot& spot, ErrorCorrection level);
+
+}  // namespace qrelief::study

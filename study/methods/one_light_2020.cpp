@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "study/methods/one_light_2020.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "base/clock.h"
+#include "base/parallel.h"
+#include "qr/codewords.h"
+#include "render/directional_light.h"
+#include "study/carved_surface.h"
+#include "study/methods/symbol_flips_2019.h"
+#include "study/methods/white_reference.h"
+
+namespace qrelief::study {
+namespace {
+
+constexpr double kGreyScale = 255;
+
+/// L·n where a lamp is seen, else 0: the mean over a submodule.
+double lampOn(const CarvedSurface& surface, std::uint32_t submodule, Vec3 towardsLamp) {
+  double sum = 0;
+  int hits = 0;
+  for (int i = 0; i < kLampPoints * kLampPoints; ++i) {
+    const Vec2 place((i % kLampPoints + 0.5) / kLampPoints, (i / kLampPoints + 0.5) / kLampPoints);
+    const auto at = surface.pointOf(submodule, place);
+    if (!at) continue;
+    const double cosine = glm::dot(surface.normalAt(*at), towardsLamp);
+    if (cosine > 0 && surface.isOpen(*at, towardsLamp)) sum += cosine;
+    ++hits;
+  }
+  return hits > 0 ? sum / hits : 1;
+}
+
+Vec3 inModel(const ProjectionFrame& frame, double azimuthDeg, double elevationDeg) {
+  const Vec3 to = towards({azimuthDeg, elevationDeg, 1});
+  return frame.right * to.x + frame.up * to.y + frame.normal * to.z;
+}
+
+bool isLight(const Symbol& symbol, int row, int column) {
+  return row < 0 || column < 0 || row >= symbol.size || column >= symbol.size || !symbol.isDark(row, column);
+}
+
+bool isLightAround(const Symbol& symbol, int row, int column) {
+  return isLight(symbol, row, column) && isLight(symbol, row - 1, column) && isLight(symbol, row + 1, column) &&
+         isLight(symbol, row, column - 1) && isLight(symbol, row, column + 1);
+}
+
+}  // namespace
+
+int oneLightGrey(double sky, double lamp) {
+  return static_cast<int>(19.6 * std::pow(0.87 * (24 * sky + 456 * lamp), 0.3441) + 21.24);
+}
+
+void breakUpRuns2020(Symbol& symbol) {
+  const CodewordLayout layout = layoutCodewords(symbol);
+  std::vector<int> left(static_cast<std::size_t>(layout.structure.blocks), flipBudget2019(symbol));
+  std::vector<char> isSpoilt(layout.blockOfCodeword.size(), 0);
+  symbol.flipped.assign(symbol.dark.size(), 0);
+  const auto flip = [&](int row, int column) {
+    const auto module = static_cast<std::size_t>(row * symbol.size + column);
+    if (symbol.roles[module] != ModuleRole::Data) return false;
+    if (const int codeword = layout.codewordOfModule[module]; codeword >= 0) {
+      int& budget = left[static_cast<std::size_t>(layout.blockOfCodeword[static_cast<std::size_t>(codeword)])];
+      char& spoilt = isSpoilt[static_cast<std::size_t>(codeword)];
+      if (!spoilt && budget == 0) return false;
+      budget -= !spoilt;
+      spoilt = 1;
+    }
+    symbol.dark[module] = 0;
+    symbol.flipped[module] = 1;
+    return true;
+  };
+  for (int row = 0; row < symbol.size; ++row)
+    for (int begin = 0, end = 0; begin < symbol.size; begin = std::max(end, begin + 1)) {
+      for (end = begin; end < symbol.size && symbol.isDark(row, end);) ++end;
+      const int length = end - begin;
+      if (length <= 3) continue;
+      const int at = begin + (length >= 6 ? 3 : length / 2);
+      if (flip(row, at)) end = at + 1;  // what is right of it is a run of its own
+    }
+}
+
+std::vector<std::uint8_t> lockedModules2020(const Symbol& symbol) {
+  const CodewordLayout layout = layoutCodewords(symbol);
+  const int needed = layout.structure.correctable() + 1;
+  std::vector<std::uint8_t> locked(symbol.dark.size(), 0);
+  std::vector<char> isSpoilt(layout.blockOfCodeword.size(), 0);
+  int spoilt = 0;
+  Symbol withLock = symbol;
+  for (int row = 0; row < symbol.size; ++row)
+    for (int column = 0; column < symbol.size && spoilt < needed; ++column) {
+      const auto module = static_cast<std::size_t>(row * symbol.size + column);
+      const int codeword = layout.codewordOfModule[module];
+      if (codeword < 0 || layout.blockOfCodeword[static_cast<std::size_t>(codeword)] != 0) continue;
+      if (isSpoilt[static_cast<std::size_t>(codeword)] || !isLightAround(withLock, row, column)) continue;
+      isSpoilt[static_cast<std::size_t>(codeword)] = 1;
+      ++spoilt;
+      locked[module] = withLock.dark[module] = 1;
+    }
+  return spoilt < needed ? std::vector<std::uint8_t>() : locked;
+}
+
+Result<CarvedCode> carveOneLight2020(const Spot& spot, const Symbol& symbol, const SubmoduleMask& mask,
+                                     const OneLightOptions& options) {
+  const auto start = Clock::now();
+  CarvedCode code{symbol, mask, {mask.size, spot.placement.symbolMm, {}}, {}};
+  const std::vector<std::uint8_t> locked = options.lock ? lockedModules2020(symbol) : std::vector<std::uint8_t>();
+  const auto moduleOf = [&](std::uint32_t i) {
+    const auto row = i / static_cast<std::uint32_t>(mask.size) / kSubmodulesPerModule,
+               column = i % static_cast<std::uint32_t>(mask.size) / kSubmodulesPerModule;
+    return row * static_cast<std::uint32_t>(symbol.size) + column;
+  };
+  for (std::uint32_t i = 0; i < mask.carved.size() && !locked.empty(); ++i)
+    if (locked[moduleOf(i)]) code.mask.carved[i] = 1;
+  const std::vector<double> limitMm = spot.limitsMm(code.mask, options.maxDepthModules * spot.placement.moduleMm);
+  const double stepMm = options.stepSubmodules * spot.submoduleMm();
+  code.depths.depthMm.assign(mask.carved.size(), 0);
+  const std::vector<std::uint32_t> dark = carvedOf(code.mask);
+  std::vector<std::uint32_t> light;
+  for (std::uint32_t i = 0; i < mask.carved.size(); ++i)
+    if (!symbol.dark[moduleOf(i)] && !code.mask.carved[i]) light.push_back(i);
+
+  const Vec3 upper = inModel(spot.placement.frame, options.azimuthDeg, options.upperElevationDeg),
+             lower = inModel(spot.placement.frame, options.azimuthDeg, options.lowerElevationDeg);
+  double wanted = 0;
+  {
+    const auto uncarved = CarvedSurface::make(spot, code.depths);
+    if (!uncarved) return tl::unexpected(uncarved.error());
+    std::vector<double> greys(light.size());
+    parallelFor(light.size(), [&](std::size_t k) {
+      const auto at = uncarved->middleOf(light[k]);
+      const std::uint64_t seed = options.seed * 1000003 + light[k];
+      const double sky = at ? skySeen(*uncarved, *at, options.rays, seed).cosineWeighted : 1;
+      greys[k] = oneLightGrey(sky, lampOn(*uncarved, light[k], upper));
+    });
+    wanted = whiteReference(std::move(greys)) - kGreyScale * options.contrast;
+  }
+  for (const std::uint32_t i : dark) code.depths.depthMm[i] = quantisedDepth(stepMm, limitMm[i]);
+  for (bool deepened = true; deepened && code.passes < options.maxPasses;) {
+    ++code.passes;
+    const auto carved = CarvedSurface::make(spot, code.depths);
+    if (!carved) return tl::unexpected(carved.error());
+    std::vector<double> lamp(dark.size());
+    parallelFor(dark.size(), [&](std::size_t k) {
+      const bool isLocked = !locked.empty() && locked[moduleOf(dark[k])];
+      lamp[k] = lampOn(*carved, dark[k], isLocked ? lower : upper);
+    });
+    deepened = false;
+    code.limited = 0;
+    code.ownEstimate.clear();
+    for (std::size_t k = 0; k < dark.size(); ++k) {
+      code.ownEstimate.push_back((24 + 456 * lamp[k]) / (24 + 456 * glm::dot(upper, spot.placement.frame.normal)));
+      if (oneLightGrey(1, lamp[k]) <= wanted) continue;
+      double& depth = code.depths.depthMm[dark[k]];
+      const double deeper = quantisedDepth(depth + stepMm, limitMm[dark[k]]);
+      deepened = deepened || deeper > depth;
+      code.limited += deeper <= depth;
+      depth = std::max(depth, deeper);
+    }
+  }
+  code.milliseconds = millisecondsSince(start);
+  return code;
+}
+
+}  // namespace qrelief::study

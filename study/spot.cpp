@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "study/spot.h"
+
+#include "carving/wall_limit.h"
+#include "pipeline/placement.h"
+
+namespace qrelief::study {
+
+std::vector<double> Spot::limitsMm(const SubmoduleMask& mask, double maxDepthMm) const {
+  return wallLimits(model->prepared.mesh, placement.patch, placement.frame, mask,
+                    {placement.symbolMm, maxDepthMm, request.minWallMm});
+}
+
+Result<Spot> findSpot(std::string name, std::shared_ptr<const EngravableModel> model, const EngraveRequest& request) {
+  auto symbol = encodeSymbol(request.text, request.symbol);
+  if (!symbol) return tl::unexpected(symbol.error());
+  auto pass = GeometryPass::create();
+  if (!pass) return tl::unexpected(pass.error());
+  Spot spot{std::move(name), std::move(model), request, {}, std::move(*symbol), {}, {}};
+  spot.pass = std::make_shared<const GeometryPass>(std::move(*pass));
+  const int modules = spot.symbol.size;
+  const auto search = std::make_shared<PlacementSearch>(spot.model->prepared, spot.model->gpu, *spot.pass, modules,
+                                                        searchedPlacement(request, modules));
+  for (;;) {
+    const auto done = search->step();
+    if (!done) return tl::unexpected(done.error());
+    if (*done) break;
+  }
+  spot.placement = search->placement();
+  spot.search = search;
+  return spot;
+}
+
+}  // namespace qrelief::study

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "study/spot.h"
+#include "support/gl_test.h"
+#include "support/shapes.h"
+
+namespace qrelief::study {
+
+/// Tests of methods on a plate, 70 × 70 mm and so thick that no wall is in the way; modules of 1.2 mm.
+class PlateTest : public GlTest {
+ protected:
+  static Spot plateSpot(int version) {
+    auto prepared = prepareModel(shapes::soupOf(shapes::plate({70, 70}, 30, 4, 4)), {});
+    EXPECT_TRUE(prepared.has_value());
+    EngraveRequest request;
+    request.text = "https://example.org/p/1";
+    request.symbol.version = version;
+    request.placement.centreMm = {0, 0, 0};
+    request.placement.upHint = {0, 1, 0};
+    request.placement.sizeMode = SizeMode::Fixed;
+    request.placement.sizeMm = 1.2 * (17 + 4 * version);
+    auto spot = findSpot("plate", EngravableModel::upload(std::move(*prepared)), request);
+    EXPECT_TRUE(spot.has_value());
+    return std::move(*spot);
+  }
+
+  /// The spot's symbol with all modules light but one of data, the middle one.
+  static Symbol withOneDarkModule(const Spot& spot) {
+    Symbol symbol = spot.symbol;
+    symbol.dark.assign(symbol.dark.size(), 0);
+    symbol.roles.assign(symbol.dark.size(), ModuleRole::Data);
+    symbol.dark[symbol.dark.size() / 2] = 1;
+    return symbol;
+  }
+};
+
+}  // namespace qrelief::study
