@@ -52,6 +52,22 @@ auto paper2022(ModulePattern modules, FinderPattern finders) {
   };
 }
 
+/// As deep everywhere as asked for, mm, but for walls.
+Result<CarvedCode> evenDepth(const Spot& spot, double depthMm) {
+  EngraveRequest request = spot.request;
+  request.maxDepthMm = depthMm;
+  request.contrast = 0.95;  // never reached: everything goes to the limit
+  return carveByEngine(spot, request);
+}
+
+Result<CarvedCode> oursReading(const Spot& spot, double contrast) {
+  EngraveRequest request = spot.request;
+  request.objective = DepthObjective::Reading;
+  request.reading.dataContrast = contrast;
+  request.reading.finderContrast = 1.5 * contrast;
+  return carveByEngine(spot, request);
+}
+
 auto ours(CarveFor carveFor) {
   return [carveFor](const Spot& spot, double contrast) {
     EngraveRequest request = spot.request;
@@ -81,6 +97,8 @@ const std::vector<Method>& methods() {
        paper2022(ModulePattern::Square, FinderPattern::ThickPlus)},
       {"papp-2022-whole-modules", kContrasts, usual, DirectionMethod::DepthBalanced,
        paper2022(ModulePattern::None, FinderPattern::None)},
+      {"even-depth", {0.15, 0.25, 0.35, 0.45, 0.6, 0.8}, 0.45, DirectionMethod::DepthBalanced, evenDepth},
+      {"ours-reading", {0.03, 0.05, 0.08, 0.12, 0.2}, 0.08, DirectionMethod::DepthBalanced, oursReading},
       {"ours-for-design", kContrasts, usual, DirectionMethod::DepthBalanced, ours(CarveFor::Design)},
       {"ours-for-print", kContrasts, usual, DirectionMethod::DepthBalanced, ours(CarveFor::Print)},
   };

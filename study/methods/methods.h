@@ -13,7 +13,8 @@ namespace qrelief::study {
 /// One way to carve a code, as the tables name it.
 struct Method {
   std::string name;
-  /// What the method calls contrast, from shallow to deep; the published one, or our default, is `usual`.
+  /// What the method calls contrast, or depth in mm (even-depth), from shallow to deep; the published one, or our
+  /// default, is `usual`.
   std::vector<double> levels;
   double usual = 0;
   DirectionMethod direction = DirectionMethod::DepthBalanced;
