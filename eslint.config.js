@@ -23,7 +23,7 @@ const kRules = {
 const kAtBuild = ['web/offline/{app_icon,build_plugin,icons,png}.js', 'web/samples/*.js', 'web/i18n/fill.js'];
 
 /** Files that a person runs at a terminal, and tests, which tell what they measured. */
-const kOnTerminal = ['bench/**/*.mjs', 'cmake/*.js', 'e2e/**/*.js', 'wasm/**/*.js', 'web/offline/icons.js', 'web/samples/generate.js', '*.js'];
+const kOnTerminal = ['bench/**/*.mjs', 'study/**/*.mjs', 'cmake/*.js', 'e2e/**/*.js', 'wasm/**/*.js', 'web/offline/icons.js', 'web/samples/generate.js', '*.js'];
 
 export default [
   { ignores: ['build/', 'dist/', 'e2e/results/'] },
@@ -40,7 +40,7 @@ export default [
   // What e2e hands to the browser stands in the same files as what runs under Node.
   { files: ['e2e/**/*.js'], languageOptions: { globals: { ...globals.node, ...globals.browser } } },
   {
-    files: ['bench/**/*.mjs', 'cmake/*.js', 'wasm/**/*.js', '*.js', '**/*.test.js', 'web/session/testing.js', ...kAtBuild],
+    files: ['bench/**/*.mjs', 'study/**/*.mjs', 'cmake/*.js', 'wasm/**/*.js', '*.js', '**/*.test.js', 'web/session/testing.js', ...kAtBuild],
     languageOptions: { globals: globals.node },
   },
   // The console of the page is only for faults of the program, for those who look into them.
