@@ -7,61 +7,10 @@
 // decoder gets the picture as it is, once, with its own thorough settings and no others.
 import { execFileSync, spawnSync } from 'node:child_process';
 import { readFileSync, readdirSync, writeFileSync } from 'node:fs';
-import { createRequire } from 'node:module';
-import { pathToFileURL } from 'node:url';
+import { npmDecoders, readPicture } from '../decoders.mjs';
 
 const [folder, peers] = process.argv.slice(2);
 const outAt = process.argv.indexOf('--out');
-const require = createRequire(`${peers}/package.json`);
-const imported = (/** @type {string} */ name) => import(pathToFileURL(require.resolve(name)).href);
-
-/** @typedef {{ width: number, height: number, grey: Uint8Array, rgba: Uint8ClampedArray }} Picture */
-
-/** @returns {Picture} */
-function readPicture(/** @type {string} */ file) {
-  const { width, height, data } = require('pngjs').PNG.sync.read(readFileSync(file));
-  const grey = new Uint8Array(width * height);
-  for (let i = 0; i < grey.length; i += 1) grey[i] = data[4 * i];
-  return { width, height, grey, rgba: new Uint8ClampedArray(data) };
-}
-
-/** Decoders of npm: from a picture to its text, or nothing. */
-async function npmDecoders() {
-  const jsqr = require('jsqr');
-  const zxing = require('@zxing/library');
-  const zxingWasm = await imported('zxing-wasm/reader');
-  zxingWasm.prepareZXingModule({
-    overrides: { wasmBinary: readFileSync(`${peers}/node_modules/zxing-wasm/dist/reader/zxing_reader.wasm`).buffer },
-  });
-  const qr = await imported('qr/decode.js');
-  const zbar = await imported('@undecaf/zbar-wasm');
-  const version = (/** @type {string} */ name) => JSON.parse(readFileSync(`${peers}/node_modules/${name}/package.json`, 'utf8')).version;
-  return {
-    [`jsqr ${version('jsqr')} (npm)`]: (p) => (jsqr.default ?? jsqr)(p.rgba, p.width, p.height)?.data,
-    [`@zxing/library ${version('@zxing/library')} (npm)`]: (p) => {
-      const source = new zxing.RGBLuminanceSource(new Uint8ClampedArray(p.grey), p.width, p.height);
-      const hints = new Map([[zxing.DecodeHintType.TRY_HARDER, true]]);
-      try {
-        return new zxing.QRCodeReader().decode(new zxing.BinaryBitmap(new zxing.HybridBinarizer(source)), hints).getText();
-      } catch {
-        return undefined;
-      }
-    },
-    [`zxing-wasm ${version('zxing-wasm')} (npm)`]: async (p) =>
-      (await zxingWasm.readBarcodes({ data: p.rgba, width: p.width, height: p.height }, { formats: ['QRCode'], tryHarder: true }))
-        .find((found) => found.isValid)?.text,
-    [`qr ${version('qr')} (npm)`]: (p) => {
-      try {
-        return qr.default({ width: p.width, height: p.height, data: p.rgba });
-      } catch {
-        return undefined;
-      }
-    },
-    [`@undecaf/zbar-wasm ${version('@undecaf/zbar-wasm')} (npm)`]: async (p) =>
-      (await zbar.scanGrayBuffer(p.grey.buffer, p.width, p.height)).find((found) => found.typeName === 'ZBAR_QRCODE')?.decode(),
-  };
-}
-
 const debianVersion = (/** @type {string} */ name) =>
   execFileSync('dpkg-query', ['--show', '--showformat=${Version}', name], { encoding: 'utf8' }).split(/[+-]/)[0];
 
@@ -99,8 +48,8 @@ function count(/** @type {string} */ decoder, line, text) {
   rows.set(key, row);
 }
 
-for (const [name, decode] of Object.entries(await npmDecoders())) {
-  for (const line of truth) count(name, line, await decode(readPicture(`${folder}/pictures/${line.picture}`)));
+for (const [name, decode] of Object.entries(await npmDecoders(peers))) {
+  for (const line of truth) count(name, line, await decode(readPicture(peers, `${folder}/pictures/${line.picture}`)));
   console.error(`${name}: ${truth.length} pictures`);
 }
 for (const [name, decode] of Object.entries(debianDecoders)) {
