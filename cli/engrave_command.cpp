@@ -176,6 +176,7 @@ void printSummary(const EngraveOptions& options, const EngraveResult& result, co
                result.limitedSubmodules);
   const ReadingEvidence& reading = context.reading;
   if (!reading.text.empty()) fmt::print("reads as: {}\n", reading.text);
+  for (const Message& warning : context.verdict.reads.warnings) fmt::print("{}\n", sentenceAndHint(warning));
   for (const Aspect* aspect : {&context.verdict.reads, &context.verdict.prints, &context.verdict.solid}) {
     const bool foundOut = aspect == &context.verdict.prints && context.printed;
     if ((aspect->level == Level::Good && !foundOut) || !aspect->passed()) continue;

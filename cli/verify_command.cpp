@@ -57,6 +57,10 @@ Result<VerifyRequest> requestFrom(const VerifyOptions& options) {
   request->process = settings->process;
   request->buildUp = settings->buildUp.resolve(request->frame);
   request->minWallMm = settings->minWallMm;
+  if (settings->lights.size() > 1)
+    return fail(ErrorKind::BadUsage, message("setting-too-many", with::setting("setting", "light"),
+                                             with::count("count", settings->lights.size()), with::count("max", 1)));
+  if (!settings->lights.empty()) request->oneLight = settings->lights.front();
   return request;
 }
 
@@ -82,6 +86,7 @@ void printResult(const std::string& name, const VerifyRequest& request, const Ve
     fmt::print("{}\n", sentence(verdict.reads.summary));
   fmt::print("{} of {} tries from the front read ({} are needed)\n", reading.frontal.reads, reading.frontal.tries,
              reading.frontal.needed());
+  for (const Message& warning : verdict.reads.warnings) fmt::print("{}\n", sentenceAndHint(warning));
   if (const std::string range = rangeOf(reading); reading.frontal.enough() && !range.empty())
     fmt::print("reads {}\n", range);
   if (result.features)
@@ -176,6 +181,7 @@ std::function<int()> addVerifyCommand(CLI::App& app) {
   o->flags.addGroup(*c, "symbol");
   o->flags.addGroup(*c, "printing");
   o->flags.add(*c, "minWallMm");
+  o->flags.add(*c, "light", "the one light that it is to read under, instead of the report's: ");
   c->add_flag("--quick", o->quick, "do not find out from how far, and how tilted or blurred, it reads");
   c->add_flag(
       "--try-prints", o->tryPrints,

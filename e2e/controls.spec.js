@@ -26,6 +26,7 @@ const kSettings = /** @type {Record<string, { value: string | boolean, saved: Re
   'finder-pattern': { value: 'diamond', saved: { finderPattern: 'diamond' } },
   contrast: { value: '0.28', saved: { contrast: 0.28 }, reported: ({ depth }) => depth.contrast },
   'carve-for': { value: 'design', saved: { carveFor: 'design' }, reported: ({ depth }) => depth.carvedFor },
+  floor: { value: 'wavy', saved: { floor: 'wavy' }, reported: ({ depth }) => depth.floor },
   'min-wall': { value: '1.5', saved: { minWallMm: 1.5 } },
   'max-depth': { value: '1.4', saved: { maxDepthMm: 1.4 } },
   process: { value: 'resin-0.05', saved: { process: 'resin-0.05' } },
@@ -97,6 +98,13 @@ async function placeAt(app, field, value, confirm) {
 
 /** @type {Effects} */
 const kOfThePlace = {
+  objective: async ({ app, at }) => {
+    await at('objective').selectOption('one-light');
+    await app.expectReady();
+    expect((await settingsFile(app)).settings.objective).toBe('one-light');
+    await at('objective').selectOption('contrast');
+    await app.expectReady();
+  },
   'content-kind': async ({ app, at }) => {
     await at('content-kind').selectOption('Wi-Fi access');
     await expect(app.setting('Network name')).toBeVisible();

@@ -30,6 +30,8 @@ PrintedViewRequest requestOf(const Json& order) {
   request.symbolMm = order["symbolMm"];
   request.buildUp = vectorOf(order["buildUp"]);
   request.albedo = order["albedo"];
+  if (const Json& lamp = order["oneLight"]; !lamp.is_null())
+    request.oneLight = {lamp["azimuthDeg"], lamp["elevationDeg"], lamp["strength"]};
   return request;
 }
 
@@ -38,6 +40,9 @@ PrintedViewRequest requestOf(const Json& order) {
 Json jsonOf(const PrintedViewRequest& request) {
   const PrintProcess& process = request.process;
   const ProjectionFrame& frame = request.frame;
+  Json oneLight;
+  if (const auto& lamp = request.oneLight)
+    oneLight = {{"azimuthDeg", lamp->azimuthDeg}, {"elevationDeg", lamp->elevationDeg}, {"strength", lamp->strength}};
   return {{"process",
            {{"layerMm", process.layerMm},
             {"cornerRadiusMm", process.cornerRadiusMm},
@@ -57,7 +62,8 @@ Json jsonOf(const PrintedViewRequest& request) {
           {"dark", request.symbol.dark},
           {"symbolMm", request.symbolMm},
           {"buildUp", jsonOf(request.buildUp)},
-          {"albedo", request.albedo}};
+          {"albedo", request.albedo},
+          {"oneLight", std::move(oneLight)}};
 }
 
 std::string PrintedCode::start(std::vector<std::uint8_t> stl, const std::string& order) {

@@ -16,8 +16,8 @@ constexpr const char* kHead = R"(# Options
 
 Every setting of an engraving: the flag of `qrelief engrave`, and the key that reports, settings files and the page have
 for it. `place` takes those of Symbol and Placement, the patterns, `--min-wall`, `--process`, `--nozzle` and `--layer`;
-`verify` those of Symbol and Printing, `--direction`, `--up`, `--size`, `--eye-distance` and `--min-wall`. What concerns
-files and repairs is in the [README](../README.md#the-command-line), and `--help` says everything.
+`verify` those of Symbol and Printing, `--direction`, `--up`, `--size`, `--eye-distance`, `--light` and `--min-wall`. What
+concerns files and repairs is in the [README](../README.md#the-command-line), and `--help` says everything.
 )";
 
 /// A bar would end the cell of a table.

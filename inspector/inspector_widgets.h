@@ -19,7 +19,7 @@ namespace qrelief {
 /// The colours of the inspector beside ImGui's own, for dark and light pages.
 struct InspectorPalette {
   ImU32 ink, soft, line, accent;
-  std::array<ImU32, 3> curves;  ///< told apart by anyone who sees light and dark [Okabe, Ito 2008]
+  std::array<ImU32, 5> curves;  ///< told apart by anyone who sees light and dark [Okabe, Ito 2008]
 
   static InspectorPalette of(bool dark);
 };

@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 
 #include "base/clock.h"
+#include "carving/one_light_search.h"
+#include "carving/shaped_floor_search.h"
 #include "carving/submodule_luminances.h"
 #include "embedding/embed.h"
 #include "io/read_model.h"
@@ -52,7 +54,10 @@ PlacementRequest searchedPlacement(const EngraveRequest& request, int modules) {
   place.beyondMm = request.minWallMm + request.maxDepthMm.value_or(kMaxDepthModules * largest / modules);
   const bool isReading = request.objective == DepthObjective::Reading;
   const double contrast = isReading ? request.reading.dataContrast : request.contrastAsked();
-  if (contrast > 0 && contrast < 1) place.pockets = {request.minWallMm, pitDepth(contrast)};  // else refused later
+  if (contrast <= 0 || contrast >= 1) return place;  // refused later
+  const bool isOneLight = request.objective == DepthObjective::OneLight;
+  const double depth = isOneLight ? shadowDepth(contrast, request.lamps().front()) : pitDepth(contrast);
+  place.pockets = {request.minWallMm, depth};
   return place;
 }
 
@@ -177,7 +182,7 @@ Status EngraveJob::State::map() {
   LuminanceOptions options;
   options.cellTexels = perCell;
   options.albedo = request.albedo;
-  options.lights = request.lights;
+  options.lights = request.lamps();
   options.horizonSamples = kHorizonsPerModule * layout.cells() / kN;
   options.horizonStartMm = static_cast<float>(placement.moduleMm);
   options.radiusMm = static_cast<float>(kLeastReachModules * placement.moduleMm);
@@ -212,6 +217,13 @@ Status EngraveJob::State::map() {
 
 std::unique_ptr<DepthSolver> EngraveJob::State::makeSearch(std::vector<double> contrastOfModule) const {
   if (request.objective == DepthObjective::Reading) return std::make_unique<ReadingSearch>(target, request.reading);
+  if (request.objective == DepthObjective::OneLight)
+    return std::make_unique<OneLightSearch>(
+        target, OneLightOptions{.lamp = request.lamps().front(), .contrast = request.contrastAsked()});
+  const double slackMm = std::min(request.printer.layerMm, kDepthStepMm) / 2;
+  if (request.floor != FloorShape::Flat)
+    return std::make_unique<ShapedFloorSearch>(
+        target, ShapedFloorOptions{.shape = request.floor, .contrast = request.contrastAsked(), .slackMm = slackMm});
   if (request.solver == ContrastSolver::PaperSteps) {
     DepthSearchOptions options;
     options.contrast = request.contrastAsked();
@@ -221,7 +233,7 @@ std::unique_ptr<DepthSolver> EngraveJob::State::makeSearch(std::vector<double> c
   FastSearchOptions options;
   options.contrast = request.contrastAsked();
   options.contrastOfModule = std::move(contrastOfModule);
-  options.slackMm = std::min(request.printer.layerMm, kDepthStepMm) / 2;
+  options.slackMm = slackMm;
   options.albedo = static_cast<double>(request.albedo);
   return std::make_unique<FastSearch>(target, options);
 }
@@ -376,7 +388,7 @@ Status EngraveJob::State::view() {
   options.reliefMm = static_cast<float>(summarise(result.depths).maxMm);
   options.radiusMm = static_cast<float>(kReachPerDepth / 2) * options.reliefMm;
   options.albedo = request.albedo;
-  options.lights = request.lights;
+  options.lights = request.lamps();
   auto seen = renderReaderView(*pass, carved, result.placement.frame, options, programs);
   if (!seen) return tl::unexpected(seen.error());
   result.readerView = std::move(*seen);

@@ -31,7 +31,8 @@ Result<std::optional<PrintedViewRequest>> printedViewOf(const VerifyRequest& req
                             .symbol = request.symbol,
                             .symbolMm = request.symbolMm,
                             .buildUp = request.buildUp,
-                            .albedo = request.albedo};
+                            .albedo = request.albedo,
+                            .oneLight = request.oneLight};
 }
 
 /// The stages in their order; each `advance` does one step of the current one.
@@ -71,7 +72,8 @@ void PrintedViewJob::State::prepare() {
                             .texels = kBakedPixels * edgeModules(),
                             .paths = request.isRough ? kRoughPaths : kPaths,
                             .albedo = request.albedo,
-                            .lamp = {.strength = 0}});
+                            .lamp = request.oneLight ? lampOf(*request.oneLight, request.frame, kOneLightRadiusDeg)
+                                                     : Lamp{.strength = 0}});
   stage = Stage::Light;
 }
 
@@ -84,11 +86,12 @@ void PrintedViewJob::State::look() {
   light->smooth();
   ReaderView& seen = result.seen;
   for (const SurfaceLight& texel : light->light())
-    seen.luminance.push_back(texel.sky < 0 ? kBackground : static_cast<float>(texel.sky));
+    seen.luminance.push_back(texel.sky < 0 ? kBackground
+                                           : static_cast<float>((texel.sky + texel.lamp) / light->openLight()));
   const int texels = light->options().texels;
   seen.pixelsPerModule = kBakedPixels;
   seen.clean = photograph(seen.luminance, texels);
-  result.submodules = submoduleLight(*light, request.symbol.size);
+  result.submodules = submoduleLight(*light, request.symbol.size, request.oneLight.has_value());
   result.misread = misreadModules(measureModules(request.symbol, result.submodules));
   const double cosine = glm::dot(request.frame.normal, glm::normalize(request.buildUp));
   result.facingDeg = toDegrees(std::acos(std::clamp(cosine, -1.0, 1.0)));

@@ -14,12 +14,13 @@ namespace qrelief {
 
 struct PrintedViewRequest {
   PrintProcess process;
-  ProjectionFrame frame;  ///< of the code, mm in the model's frame
-  Symbol symbol;          ///< of which size and colours are used
-  double symbolMm = 0;    ///< edge without quiet zone, on the QR plane, > 0
-  Vec3 buildUp{0, 0, 1};  ///< the printer's vertical, of any length > 0
-  double albedo = 0.7;    ///< of the printed material
-  bool isRough = false;   ///< as exactly as the means over modules need, in half the time; no picture to read
+  ProjectionFrame frame;                          ///< of the code, mm in the model's frame
+  Symbol symbol;                                  ///< of which size and colours are used
+  double symbolMm = 0;                            ///< edge without quiet zone, on the QR plane, > 0
+  Vec3 buildUp{0, 0, 1};                          ///< the printer's vertical, of any length > 0
+  double albedo = 0.7;                            ///< of the printed material
+  std::optional<DirectionalLight> oneLight = {};  ///< see VerifyRequest
+  bool isRough = false;  ///< as exactly as the means over modules need, in half the time; no picture to read
 };
 
 /// The print of what is to be verified; none: how it prints is not asked for.
@@ -28,7 +29,8 @@ Result<std::optional<PrintedViewRequest>> printedViewOf(const VerifyRequest& req
 
 /// A code as it comes off a printer.
 struct PrintedView {
-  ReaderView seen;  ///< from the front, under the sky, its light traced on the printed surface; without a `picture`
+  ReaderView seen;       ///< from the front, under the sky, or the one light; its light traced on the printed surface;
+                         ///< without a `picture`
   double facingDeg = 0;  ///< between the code's normal and the printer's vertical: 0 = it faces up, 90 = it stands
   /// Mean light of the submodules of symbol and quiet zone, row-major from the quiet zone's top left, 1 = unoccluded.
   std::vector<double> submodules;

@@ -12,6 +12,7 @@
 #include "mesh/weld.h"
 #include "pipeline/engrave.h"
 #include "settings/settings.h"
+#include "verification/light_path.h"
 
 namespace qrelief {
 namespace {
@@ -55,6 +56,10 @@ EngraveRequest settingsOf(const VerifyRequest& request) {
   engraving.printer = request.printer;
   engraving.buildUp.up = request.buildUp;
   engraving.minWallMm = request.minWallMm;
+  if (request.oneLight) {
+    engraving.objective = DepthObjective::OneLight;
+    engraving.lights = {*request.oneLight};
+  }
   return engraving;
 }
 
@@ -71,6 +76,7 @@ VerifyRequest verifyRequestOf(const EngraveRequest& request, const EngraveResult
   wanted.buildUp = request.buildUp.resolve(wanted.frame);
   wanted.minWallMm = request.minWallMm;
   wanted.albedo = std::round(1e6 * static_cast<double>(request.albedo)) / 1e6;  // as it was given: a float of it is not
+  if (request.objective == DepthObjective::OneLight) wanted.oneLight = request.lamps().front();
   wanted.ranges = false;
   wanted.inheritedSelfIntersections = result.inheritedSelfIntersections;
   return wanted;
@@ -135,7 +141,8 @@ void VerifyJob::State::measureShape() {
                             .texels = kBakedPixels * (request.symbol.size + 2 * kPictureMarginModules),
                             .paths = kPaths,
                             .albedo = request.albedo,
-                            .lamp = roomLamp(request.frame)});
+                            .lamp = request.oneLight ? lampOf(*request.oneLight, request.frame, kOneLightRadiusDeg)
+                                                     : roomLamp(request.frame)});
   stage = Stage::Light;
 }
 
@@ -145,10 +152,12 @@ bool VerifyJob::State::bake() {
   if (!light->bakeRows(kRowsAStep)) return false;
   light->smooth();
   if (result.profile.pose == SymbolPose::AsWanted) {
-    const ModuleReflectances measured = measureModules(request.symbol, submoduleLight(*light, request.symbol.size));
+    const ModuleReflectances measured =
+        measureModules(request.symbol, submoduleLight(*light, request.symbol.size, request.oneLight.has_value()));
     result.grades = gradeSymbol(measured, request.albedo);
   }
-  sweep.emplace(*light, request.frame, request.symbol.size, request.symbolMm, request.text, readers, request.ranges);
+  sweep.emplace(*light, request.frame, request.symbol.size, request.symbolMm, request.text, readers,
+                SweepOptions{.ranges = request.ranges, .underLamp = request.oneLight.has_value()});
   stage = Stage::Reading;
   return true;
 }

@@ -11,6 +11,7 @@
 #include "base/result.h"
 #include "mesh/polygon_soup.h"
 #include "mesh/ray_tree.h"
+#include "render/directional_light.h"
 #include "verification/carving_profile.h"
 #include "verification/grades.h"
 #include "verification/printability.h"
@@ -29,10 +30,16 @@ struct VerifyRequest {
   std::optional<std::size_t> process;  ///< which of namedPrinters() that is; none: how it prints is not found out
   Vec3 buildUp{0, 0, 1};               ///< the printer's vertical
   double minWallMm = 0.8;
-  double albedo = 0.7;                         ///< of the printed material
+  double albedo = 0.7;  ///< of the printed material
+  /// Beside the sky, and nothing else: the light that it is to read under, see DepthObjective::OneLight. None: it is to
+  /// read under the sky.
+  std::optional<DirectionalLight> oneLight;
   bool ranges = true;                          ///< find out how far it can be tilted, blurred and so on, too
   std::size_t inheritedSelfIntersections = 0;  ///< pairs of crossing triangles that the model had before, as reported
 };
+
+/// A phone's lamp from a hand's breadth away; the sun's is half of that.
+inline constexpr double kOneLightRadiusDeg = 0.5;
 
 struct EngraveRequest;
 struct EngraveResult;

@@ -57,6 +57,7 @@ Json describeAspect(const Aspect& aspect, const Wording& wording) {
   return {{"level", levelName(aspect.level)},
           {"passed", aspect.passed()},
           {"summary", describeMessage(aspect.summary, wording)},
+          {"warnings", describeMessages(aspect.warnings, wording)},
           {"reasons", describeMessages(aspect.reasons, wording)},
           {"remedies", std::move(remedies)}};
 }
@@ -66,6 +67,14 @@ Json describeVerdict(const Verdict& verdict, const Wording& wording) {
           {"reads", describeAspect(verdict.reads, wording)},
           {"prints", describeAspect(verdict.prints, wording)},
           {"solid", describeAspect(verdict.solid, wording)}};
+}
+
+Json describeLights(const std::vector<DirectionalLight>& lights) {
+  Json list = Json::array();
+  for (const DirectionalLight& light : lights)
+    list.push_back(
+        {{"azimuthDeg", light.azimuthDeg}, {"elevationDeg", light.elevationDeg}, {"strength", light.strength}});
+  return list;
 }
 
 Json describePrinted(const std::optional<PrintedEvidence>& printed) {

@@ -32,10 +32,13 @@ struct Wording {
 nlohmann::ordered_json describeMessage(const Message& message, const Wording& wording);
 nlohmann::ordered_json describeMessages(const std::vector<Message>& messages, const Wording& wording);
 
-/// {"passed", "reads": {"level", "passed", "summary", "reasons", "remedies"}, "prints", "solid"}; a remedy is a message
-/// with {"change": {"setting", "value"}}, which is absent where another place has to be chosen.
+/// {"passed", "reads": {"level", "passed", "summary", "warnings", "reasons", "remedies"}, "prints", "solid"}; a remedy
+/// is a message with {"change": {"setting", "value"}}, which is absent where another place has to be chosen.
 nlohmann::ordered_json describeAspect(const Aspect& aspect, const Wording& wording);
 nlohmann::ordered_json describeVerdict(const Verdict& verdict, const Wording& wording);
+
+/// [{"azimuthDeg", "elevationDeg", "strength"}]
+nlohmann::ordered_json describeLights(const std::vector<DirectionalLight>& lights);
 
 /// {"process", "facingDeg", "tries", "reads", "readsNeeded", "read"}. @returns null if it was not found out
 nlohmann::ordered_json describePrinted(const std::optional<PrintedEvidence>& printed);

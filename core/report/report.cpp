@@ -30,6 +30,8 @@ Json describeInput(const EngravableModel& model, const ReportContext& context) {
 
 const char* solverName(const EngraveRequest& request) {
   if (request.objective == DepthObjective::Reading) return "secant";
+  if (request.objective == DepthObjective::OneLight) return "one-light";
+  if (request.floor != FloorShape::Flat) return "shaped-floor";
   return request.solver == ContrastSolver::Fast ? "fast" : "paper-steps";
 }
 
@@ -70,14 +72,6 @@ Json describeProjection(const EngraveRequest& request, const Placement& placemen
           {"iterations", iterations}};
 }
 
-Json describeLights(const std::vector<DirectionalLight>& lights) {
-  Json list = Json::array();
-  for (const DirectionalLight& light : lights)
-    list.push_back(
-        {{"azimuthDeg", light.azimuthDeg}, {"elevationDeg", light.elevationDeg}, {"strength", light.strength}});
-  return list;
-}
-
 /// Of the luminance that the depth search ended with, not of a picture.
 void addGrades(Json& verification, const EngraveRequest& request, const EngraveResult& result) {
   GradeReports grades =
@@ -111,11 +105,12 @@ std::string makeReport(const EngraveRequest& request, const EngravableModel& mod
                      {"iterations", result.searchIterations},
                      {"limitedSubmodules", result.limitedSubmodules},
                      {"features", describeFeatures(features, printer)},
-                     {"objective", request.objective == DepthObjective::Reading ? "reading" : "contrast"},
-                     {"lights", describeLights(request.lights)},
+                     {"objective", depthObjectiveName(request.objective)},
+                     {"floor", floorShapeName(request.floor)},
+                     {"lights", describeLights(request.lamps())},
                      {"carvedFor", request.isForPrint() ? "print" : "design"},
                      {"solver", solverName(request)}};
-  if (request.objective == DepthObjective::Contrast) report["depth"]["contrast"] = request.contrastAsked();
+  if (request.objective != DepthObjective::Reading) report["depth"]["contrast"] = request.contrastAsked();
   if (!request.contrast) {
     report["depth"]["preset"] = presetName(request.preset);
     report["depth"]["askedPreset"] = presetName(context.askedPreset.value_or(request.preset));
@@ -138,7 +133,7 @@ std::string makeReport(const EngraveRequest& request, const EngravableModel& mod
       {"tries", reading.count.tries},
       {"reads", reading.count.reads},
       {"readsNeeded", reading.count.needed()},
-      {"views", Json::array({{{"light", request.lights.empty() ? "sky" : "sky+lights"},
+      {"views", Json::array({{{"light", request.lamps().empty() ? "sky" : "sky+lights"},
                               {"tiltDeg", 0},
                               {"picture", reading.traced ? "simulated phone, traced" : "simulated phone, drawn"},
                               {"tries", reading.count.tries},

@@ -17,6 +17,11 @@ Vec3 vectorFrom(const Json& json) {
   return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
 }
 
+DirectionalLight lampFrom(const Json& json) {
+  return {json.at("azimuthDeg").get<double>(), json.at("elevationDeg").get<double>(),
+          json.at("strength").get<double>()};
+}
+
 const char* nameOf(SymbolPose pose) {
   switch (pose) {
     case SymbolPose::AsWanted:
@@ -54,6 +59,9 @@ Result<VerifyRequest> readRequest(const Json& report) {
   auto listed = withModules(std::move(*encoded), symbol.at("rows").get<std::vector<std::string>>());
   if (!listed) return tl::unexpected(listed.error());
   request.symbol = std::move(*listed);
+  if (const auto depth = report.find("depth"); depth != report.end())
+    if (depth->value("objective", std::string()) == depthObjectiveName(DepthObjective::OneLight))
+      request.oneLight = lampFrom(depth->at("lights").at(0));
   if (const auto mesh = report.find("mesh"); mesh != report.end())
     request.inheritedSelfIntersections = mesh->value("inheritedSelfIntersections", std::size_t{0});
   return request;
@@ -162,6 +170,8 @@ std::string makeVerifyReport(const VerifyRequest& request, const VerifyResult& r
   report["carving"] = {
       {"pose", nameOf(result.profile.pose)}, {"fit", result.profile.fit}, {"meanDepthMm", result.profile.meanDepthMm}};
   if (result.features) report["carving"]["features"] = describeFeatures(*result.features, request.printer);
+  report["lights"] =
+      describeLights(request.oneLight ? std::vector{*request.oneLight} : std::vector<DirectionalLight>());
   report["verification"] = describeReading(request, result, context);
   report["timingsMs"] = {{"total", context.totalMs}};
   // Text that is no UTF-8 (a file name, say) must not lose the report.

@@ -10,8 +10,8 @@
 
 namespace qrelief {
 
-/// What an engraver's report (core/report/report.h) says of place, size, text and modules; nothing else of it is
-/// believed.
+/// What an engraver's report (core/report/report.h) says of place, size, text and modules, and of the one light that it
+/// was carved for; nothing else of it is believed.
 /// @param json  the report
 /// @returns BadInput naming the key that is missing or of the wrong kind
 Result<VerifyRequest> requestFromReport(std::string_view json);

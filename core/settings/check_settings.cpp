@@ -52,6 +52,26 @@ Status checkVector(const Setting& setting, const Vec3& vector) {
               message("setting-no-length", with::setting("setting", setting.key), with::place("vector", vector)));
 }
 
+/// Settings that do not go together.
+Status checkTogether(const EngraveRequest& request) {
+  const auto exclude = [](const char* setting, const char* value, const char* other, const char* otherValue) {
+    return fail(ErrorKind::BadUsage,
+                message("settings-exclude", with::setting("setting", setting), with::choice("value", setting, value),
+                        with::setting("other", other), with::choice("otherValue", other, otherValue)));
+  };
+  if (request.floor != FloorShape::Flat) {
+    const char* floor = floorShapeName(request.floor);
+    if (request.objective != DepthObjective::Contrast)
+      return exclude("floor", floor, "objective", depthObjectiveName(request.objective));
+    if (request.solver == ContrastSolver::PaperSteps) return exclude("floor", floor, "solver", "paper-steps");
+  }
+  if (request.objective == DepthObjective::OneLight && request.lamps().size() > 1)
+    return fail(ErrorKind::BadUsage,
+                message("one-light-has-several", with::setting("objective", "objective"),
+                        with::choice("value", "objective", "one-light"), with::count("count", request.lights.size())));
+  return {};
+}
+
 std::string joined(const std::vector<std::string>& names) {
   std::string list;
   for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
@@ -86,6 +106,7 @@ Status checkValue(const Setting& setting, const SettingValue& value) {
 Status checkSettings(const EngraveRequest& request) {
   for (const Setting& setting : settings())
     if (const Status checked = checkValue(setting, setting.read(request)); !checked) return checked;
+  if (const Status together = checkTogether(request); !together) return together;
   if (!request.process) return {};
   const auto process = processOf(request.printer);
   return process ? Status() : tl::unexpected(process.error());

@@ -17,9 +17,9 @@ using V = SettingValue;
 using Kind = Setting::Kind;
 using Unit = Setting::Unit;
 
-constexpr double kMaxMm = 1e4;                   // of an edge: no printer is larger
-constexpr double kMaxWallMm = 1000;              // of a wall and a depth
-constexpr const char* kSincePrinting = "0.2.0";  // files of settings from before lack these
+constexpr double kMaxMm = 1e4;                 // of an edge: no printer is larger
+constexpr double kMaxWallMm = 1000;            // of a wall and a depth
+constexpr const char* kSinceSecond = "0.2.0";  // files of settings from before lack these
 
 struct Range {
   double min, max, step;
@@ -176,7 +176,23 @@ Setting carveFor() {
       [] {
         return std::vector<std::string>{"design", "print"};
       });
-  setting.since = kSincePrinting;
+  setting.since = kSinceSecond;
+  return setting;
+}
+
+Setting objective() {
+  Setting setting = choice(
+      "objective", "depth", [](auto& r) -> auto& { return r.objective; },
+      [] { return namesOf(3, [](int i) { return depthObjectiveName(static_cast<DepthObjective>(i)); }); });
+  setting.since = kSinceSecond;
+  return setting;
+}
+
+Setting floor() {
+  Setting setting = choice(
+      "floor", "depth", [](auto& r) -> auto& { return r.floor; },
+      [] { return namesOf(3, [](int i) { return floorShapeName(static_cast<FloorShape>(i)); }); });
+  setting.since = kSinceSecond;
   return setting;
 }
 
@@ -235,7 +251,7 @@ std::vector<std::string> processNames() {
 Setting process() {
   Setting setting = made("process", "printing", Kind::Choice);
   setting.choices = processNames();
-  setting.since = kSincePrinting;
+  setting.since = kSinceSecond;
   setting.read = [](const R& r) -> V { return processNames()[r.process ? *r.process + 1 : 0]; };
   setting.write = [](R& r, const V& v) {
     const std::size_t chosen = indexIn(processNames(), v);
@@ -251,14 +267,14 @@ Setting lineWidth() {
   Setting setting = optionalNumber(
       "lineWidthMm", "printing", Unit::Millimetre, {0.01, 10, 0.05},
       [](auto& r) -> auto& { return r.printer.lineWidthMm; });
-  setting.since = kSincePrinting;
+  setting.since = kSinceSecond;
   return setting;
 }
 
 Setting buildUp() {
   Setting setting = made("buildUp", "printing", Kind::ChoiceOrVector);
   setting.choices = buildPoseNames();
-  setting.since = kSincePrinting;
+  setting.since = kSinceSecond;
   setting.read = [](const R& r) -> V {
     if (r.buildUp.up) return *r.buildUp.up;
     return std::string(buildPoseName(r.buildUp.pose));
@@ -305,11 +321,8 @@ std::vector<Setting> makeSettings() {
           [] { return namesOf(5, [](int i) { return finderPatternName(static_cast<FinderPattern>(i)); }); }),
       contrast(),
       carveFor(),
-      choice(
-          "objective", "depth", [](auto& r) -> auto& { return r.objective; },
-          [] {
-            return std::vector<std::string>{"contrast", "reading"};
-          }),
+      floor(),
+      objective(),
       choice(
           "solver", "depth", [](auto& r) -> auto& { return r.solver; },
           [] {
@@ -389,6 +402,11 @@ void apply(const SettingChange& change, EngraveRequest& request) {
   const Setting* setting = findSetting(change.setting);
   assert(setting && setting->takesChoice());
   setting->write(request, change.value);
+}
+
+const char* depthObjectiveName(DepthObjective objective) {
+  constexpr std::array<const char*, 3> kNames = {"contrast", "reading", "one-light"};
+  return kNames[static_cast<std::size_t>(objective)];
 }
 
 EngraveRequest defaultRequest() {

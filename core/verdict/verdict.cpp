@@ -42,6 +42,32 @@ std::vector<Message> readingFailures(const ReadingEvidence& reading, const std::
                   with::count("needed", count.needed()))};
 }
 
+/// What a code that is read under one lamp must not be offered without.
+Message oneLightNeeded(const DirectionalLight& lamp) {
+  const auto from = [&] {
+    const double azimuth = lamp.azimuthDeg - 360 * std::floor(lamp.azimuthDeg / 360);
+    switch (static_cast<int>(std::floor((azimuth + 22.5) / 45)) % 8) {
+      case 0:
+        return message("light-from-right");
+      case 1:
+        return message("light-from-top-right");
+      case 2:
+        return message("light-from-top");
+      case 3:
+        return message("light-from-top-left");
+      case 4:
+        return message("light-from-left");
+      case 5:
+        return message("light-from-bottom-left");
+      case 6:
+        return message("light-from-bottom");
+      default:
+        return message("light-from-bottom-right");
+    }
+  };
+  return message("needs-one-light", with::cause("from", from()), with::angleDeg("elevation", lamp.elevationDeg));
+}
+
 Message readingSummary(const ReadingEvidence& reading, const std::string& wanted, Level level) {
   if (reading.text.empty()) return message("reads-not");
   if (reading.text != wanted) return message("reads-wrong", with::quoted("text", reading.text));
@@ -222,6 +248,7 @@ Verdict judge(const EngraveRequest& request, const EngraveResult& result, const 
       gradeSymbol(measureModules(result.symbol, result.luminance), static_cast<double>(request.albedo));
   Verdict verdict;
   verdict.reads = judgeReading(reading, request.text, summarise(result.depths).meanMm, &grades);
+  if (request.objective == DepthObjective::OneLight) verdict.reads.warnings = {oneLightNeeded(request.lamps().front())};
   if (verdict.reads.level != Level::Good) {
     if (result.limitedSubmodules > 0)
       verdict.reads.reasons.push_back(message("submodules-limited", with::count("count", result.limitedSubmodules)));
@@ -244,6 +271,7 @@ Verdict judge(const VerifyRequest& request, const VerifyResult& result, const Pr
   const ReadingEvidence evidence{reading.frontal, reading.frontal.reads > 0 ? request.text : reading.otherText, true};
   Verdict verdict;
   verdict.reads = judgeReading(evidence, request.text, profile.meanDepthMm, result.grades ? &*result.grades : nullptr);
+  if (request.oneLight) verdict.reads.warnings = {oneLightNeeded(*request.oneLight)};
   std::vector<Message> failed = shapeFailures(result);
   const bool isExplained = profile.pose == SymbolPose::Mirrored || profile.meanDepthMm <= kFlatMm;
   if (!reading.otherText.empty())
@@ -266,7 +294,7 @@ Verdict judge(const VerifyRequest& request, const VerifyResult& result, const Pr
 std::optional<SettingChange> changeToTryNext(const EngraveRequest& request, const Verdict& verdict) {
   if (verdict.reads.passed()) return std::nullopt;
   if (request.isForPrint()) return SettingChange{"carveFor", "design"};
-  const bool mayGoDeeper = !request.contrast && !request.keepPreset && request.objective == DepthObjective::Contrast;
+  const bool mayGoDeeper = !request.contrast && !request.keepPreset && request.objective != DepthObjective::Reading;
   const std::optional<Preset> deeper = mayGoDeeper ? deeperPreset(request.preset) : std::nullopt;
   return deeper ? std::optional(SettingChange{"preset", presetName(*deeper)}) : std::nullopt;
 }

@@ -27,10 +27,11 @@ struct Remedy {
 /// One of the three questions about a carved code.
 struct Aspect {
   Level level = Level::Good;
-  Message summary;               ///< "Reads as …"
-  std::vector<Message> reasons;  ///< what the summary rests on
-  std::vector<Message> failed;   ///< checks that did not pass; empty: passed
-  std::vector<Remedy> remedies;  ///< empty if the level is Good
+  Message summary;                ///< "Reads as …"
+  std::vector<Message> warnings;  ///< to be told whatever the level
+  std::vector<Message> reasons;   ///< what the summary rests on
+  std::vector<Message> failed;    ///< checks that did not pass; empty: passed
+  std::vector<Remedy> remedies;   ///< empty if the level is Good
 
   bool passed() const { return failed.empty(); }
 };

@@ -131,7 +131,8 @@ SurfaceLight BakedLight::lightAt(const SurfacePoint& at, Vec3 seen, int row, int
 LinearPicture BakedLight::picture(const ProjectionFrame& camera, int texels, double texelMm) const {
   assert(baked_ == options_.texels);
   const std::size_t count = static_cast<std::size_t>(texels) * static_cast<std::size_t>(texels);
-  LinearPicture picture{texels, std::vector<float>(count, kBackground), std::vector<float>(count, 0)};
+  const float addedBackground = kBackground * static_cast<float>(openLight() - 1);
+  LinearPicture picture{texels, std::vector<float>(count, kBackground), std::vector<float>(count, addedBackground)};
   parallelFor(static_cast<std::size_t>(texels), [&](std::size_t row) {
     for (std::size_t column = 0; column < static_cast<std::size_t>(texels); ++column) {
       const double middle = texels / 2.0;
@@ -147,6 +148,10 @@ LinearPicture BakedLight::picture(const ProjectionFrame& camera, int texels, dou
     }
   });
   return picture;
+}
+
+double BakedLight::openLight() const {
+  return 1 + options_.lamp.strength * std::max(glm::dot(frame_.normal, options_.lamp.towards), 0.0);
 }
 
 ProjectionFrame tilted(const ProjectionFrame& frame, double tiltDeg, double azimuthDeg) {

@@ -22,7 +22,8 @@ struct BakeOptions {
   Lamp lamp = {};
 };
 
-/// Linear picture, 1 = an unoccluded surface under the sky alone; row 0 at the bottom. What is no model is 0.35.
+/// Linear picture, 1 = an unoccluded surface under the sky alone; row 0 at the bottom. What is no model is 0.35 of the
+/// open light.
 struct LinearPicture {
   int width = 0;             ///< = height
   std::vector<float> sky;    ///< under the sky alone
@@ -55,6 +56,8 @@ class BakedLight {
   /// Of the baked square, row-major from the lower left; negative where the model is missed.
   const std::vector<SurfaceLight>& light() const { return light_; }
   const BakeOptions& options() const { return options_; }
+  /// Of an unoccluded surface in the QR plane under sky and lamp.
+  double openLight() const;
 
  private:
   struct Texel {

@@ -49,6 +49,11 @@ double lampIrradiance(const RaySurface& surface, Vec3 at, Vec3 normal, std::span
 
 }  // namespace
 
+Lamp lampOf(const DirectionalLight& light, const ProjectionFrame& frame, double radiusDeg) {
+  const Vec3 to = towards(light);
+  return {frame.right * to.x + frame.up * to.y + frame.normal * to.z, light.strength, radiusDeg};
+}
+
 LightPath traceLight(const RaySurface& surface, SurfacePoint at, Vec3 seen, std::array<double, 2> first, double albedo,
                      std::span<const Lamp> lamps, Random& random) {
   LightPath path;

@@ -5,7 +5,9 @@
 #include <span>
 
 #include "base/random.h"
+#include "math/frame.h"
 #include "mesh/ray_surface.h"
+#include "render/directional_light.h"
 
 namespace qrelief {
 
@@ -15,6 +17,9 @@ struct Lamp {
   double strength = 0.5;  ///< irradiance of a surface that faces it, 1 = that of the whole sky; ≥ 0
   double radiusDeg = 20;  ///< 0 … 90, as seen from the model; 0: a point, with sharp shadows
 };
+
+/// A lamp of a code, in model space. @param radiusDeg  see Lamp
+Lamp lampOf(const DirectionalLight& light, const ProjectionFrame& frame, double radiusDeg);
 
 /// What one path brings. 1 = the irradiance of an unoccluded surface under the sky alone.
 struct LightPath {

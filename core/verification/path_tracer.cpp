@@ -70,10 +70,7 @@ std::vector<CellLight> traceCells(const RayTree& tree, const ProjectionFrame& fr
                                   const PathTraceOptions& options) {
   assert(options.paths >= kEstimates);
   std::vector<Lamp> lamps;
-  for (const DirectionalLight& light : options.lights) {
-    const Vec3 to = towards(light);
-    lamps.push_back({frame.right * to.x + frame.up * to.y + frame.normal * to.z, light.strength, 0});
-  }
+  for (const DirectionalLight& light : options.lights) lamps.push_back(lampOf(light, frame, 0));
   std::vector<std::uint64_t> seeds(cells.size());
   Random random(options.seed);
   for (std::uint64_t& seed : seeds) seed = random.next();

@@ -20,11 +20,14 @@ constexpr double kStrayLight = 0.05;
 constexpr double kPhoneBlurPx = 0.6;
 constexpr std::array kBlurs = {0.1, 0.2, 0.3, 0.4, 0.5};
 
-std::vector<ReadingView> plannedViews(bool ranges) {
+std::vector<ReadingView> plannedViews(const SweepOptions& options) {
   std::vector<ReadingView> views;
   for (const FrontalView& view : kFrontalViews)
-    views.push_back({.pixelsPerModule = view.pixelsPerModule, .phase = view.phase, .blurModules = view.blurModules});
-  if (!ranges) return views;
+    views.push_back({.lamp = options.underLamp,
+                     .pixelsPerModule = view.pixelsPerModule,
+                     .phase = view.phase,
+                     .blurModules = view.blurModules});
+  if (!options.ranges) return views;
   for (const double distance : kDistancesPx)
     views.push_back(
         {.test = ReadingTest::Distance, .pixelsPerModule = distance, .blurModules = kPhoneBlurPx / distance});
@@ -32,10 +35,12 @@ std::vector<ReadingView> plannedViews(bool ranges) {
   for (const double noise : {0.05, 0.1}) views.push_back({.test = ReadingTest::Noise, .noise = noise});
   for (const double exposure : {0.3, 1.2}) views.push_back({.test = ReadingTest::Exposure, .exposure = exposure});
   for (const double blur : {0.07, 0.2}) views.push_back({.test = ReadingTest::Lamp, .lamp = true, .blurModules = blur});
+  for (ReadingView& view : views) view.lamp = view.lamp || options.underLamp;
   for (const double tilt : kTiltsDeg)
     for (const double azimuth : kAzimuthsDeg)
       for (const bool lamp : {false, true})
-        views.push_back({.test = ReadingTest::Tilt, .lamp = lamp, .tiltDeg = tilt, .azimuthDeg = azimuth});
+        if (lamp || !options.underLamp)
+          views.push_back({.test = ReadingTest::Tilt, .lamp = lamp, .tiltDeg = tilt, .azimuthDeg = azimuth});
   return views;
 }
 
@@ -59,15 +64,15 @@ std::string_view readingTestName(ReadingTest test) {
 }
 
 ReadingSweep::ReadingSweep(const BakedLight& light, const ProjectionFrame& frame, int modules, double symbolMm,
-                           std::string text, std::vector<SymbolReader> readers, bool ranges)
+                           std::string text, std::vector<SymbolReader> readers, const SweepOptions& options)
     : light_(&light),
       frame_(frame),
       modules_(modules),
       symbolMm_(symbolMm),
       text_(std::move(text)),
       readers_(std::move(readers)),
-      ranges_(ranges),
-      views_(plannedViews(ranges)) {
+      options_(options),
+      views_(plannedViews(options)) {
   assert(!readers_.empty());
 }
 
@@ -140,7 +145,7 @@ ReadingSummary ReadingSweep::summary() const {
     summary.frontal.reads += view.reads;
   }
   summary.cornerErrorModules = cornerError_;
-  if (!ranges_) return summary;
+  if (!options_.ranges) return summary;
   const auto allRead = [&](ReadingTest test, const auto& chosen) {
     return std::all_of(views_.begin(), views_.end(),
                        [&](const ReadingView& v) { return v.test != test || !chosen(v) || v.read(); });
@@ -156,7 +161,7 @@ ReadingSummary ReadingSweep::summary() const {
                        })
         .value_or(0);
   };
-  summary.tiltDeg = tilt(false);
+  if (!options_.underLamp) summary.tiltDeg = tilt(false);
   summary.tiltDegLamp = tilt(true);
   summary.pixelsPerModule = lastReading(kDistancesPx, [&](double pixels) {
     return allRead(ReadingTest::Distance, [&](const ReadingView& v) { return v.pixelsPerModule == pixels; });
@@ -167,10 +172,11 @@ ReadingSummary ReadingSweep::summary() const {
   return summary;
 }
 
-std::vector<double> submoduleLight(const BakedLight& light, int modules) {
+std::vector<double> submoduleLight(const BakedLight& light, int modules, bool underLamp) {
   constexpr int kN = kSubmodulesPerModule, kPerSubmodule = kBakedPixels / kN;
   const int edge = kN * (modules + 2 * kQuietZoneModules), texels = light.options().texels;
   const int margin = kBakedPixels * (kPictureMarginModules - kQuietZoneModules);
+  const double open = underLamp ? light.openLight() : 1;
   std::vector<double> means;
   for (int row = 0; row < edge; ++row)
     for (int column = 0; column < edge; ++column) {
@@ -178,8 +184,8 @@ std::vector<double> submoduleLight(const BakedLight& light, int modules) {
       for (int k = 0; k < kPerSubmodule * kPerSubmodule; ++k) {
         const int y = texels - 1 - margin - kPerSubmodule * row - k / kPerSubmodule;
         const int x = margin + kPerSubmodule * column + k % kPerSubmodule;
-        const double sky = light.light()[static_cast<std::size_t>(y * texels + x)].sky;
-        sum += sky < 0 ? 1 : sky;
+        const SurfaceLight& texel = light.light()[static_cast<std::size_t>(y * texels + x)];
+        sum += texel.sky < 0 ? 1 : (texel.sky + (underLamp ? texel.lamp : 0)) / open;
       }
       means.push_back(sum / (kPerSubmodule * kPerSubmodule));
     }

@@ -39,11 +39,17 @@ struct ReadingSummary {
   ReadingCount frontal;  ///< all tries in the frontal pictures
   bool mirrored = false;
   std::string otherText;              ///< that was read instead of the wanted one; empty: none
-  std::optional<double> tiltDeg;      ///< up to which every azimuth reads under the sky; none: not even from the front
+  std::optional<double> tiltDeg;      ///< up to which every azimuth reads under the sky; none: not even from the front,
+                                      ///< or SweepOptions::underLamp
   std::optional<double> tiltDegLamp;  ///< the same under sky and lamp
   std::optional<double> pixelsPerModule;     ///< least with which it reads, without a gap from the nearest
   std::optional<double> blurModules;         ///< greatest standard deviation with which it reads, without a gap
   std::optional<double> cornerErrorModules;  ///< between where it was found and where it should be, the worst corner
+};
+
+struct SweepOptions {
+  bool ranges = true;      ///< find out how far it can be tilted, blurred and so on, too; else only whether it reads
+  bool underLamp = false;  ///< every picture is taken under sky and lamp: the code is meant for nothing else
 };
 
 /// Pictures of a baked surface, a few at a time, and what readers make of them.
@@ -52,9 +58,8 @@ class ReadingSweep {
   /// @param light    baked and smoothed, at kBakedPixels a module; kept by reference
   /// @param modules  along the symbol's edge
   /// @param readers  tried one after the other on each picture, each counts; not empty
-  /// @param ranges   find out how far it can be tilted, blurred and so on, too; else only whether it reads
   ReadingSweep(const BakedLight& light, const ProjectionFrame& frame, int modules, double symbolMm, std::string text,
-               std::vector<SymbolReader> readers, bool ranges);
+               std::vector<SymbolReader> readers, const SweepOptions& options);
 
   /// Takes the next picture and reads it. @returns whether that was the last
   bool step();
@@ -74,7 +79,7 @@ class ReadingSweep {
   double symbolMm_;
   std::string text_;
   std::vector<SymbolReader> readers_;
-  bool ranges_;
+  SweepOptions options_;
   std::vector<ReadingView> views_;
   std::size_t next_ = 0;
   LinearPicture seen_;  // by the camera of the view before
@@ -85,11 +90,12 @@ class ReadingSweep {
 /// Texels of the bake, and pixels of the pictures before they are resampled, along a module's edge.
 inline constexpr int kBakedPixels = 10;
 
-/// Means over the submodules of symbol and quiet zone, row-major from the quiet zone's top left. What lies beside the
-/// model counts as open.
+/// Means over the submodules of symbol and quiet zone, row-major from the quiet zone's top left, 1 = unoccluded. What
+/// lies beside the model counts as open.
 /// @param light    baked at kBakedPixels a module, with the margin of a picture
 /// @param modules  along the symbol's edge
-std::vector<double> submoduleLight(const BakedLight& light, int modules);
+/// @param underLamp  of sky and lamp; else of the sky alone
+std::vector<double> submoduleLight(const BakedLight& light, int modules, bool underLamp);
 
 /// Modules that the pictures show beyond the symbol on each side: quiet zone and something else.
 inline constexpr int kPictureMarginModules = 6;

@@ -146,6 +146,43 @@ TEST(SettingsTable, ErrorCorrectionThatIsAskedForIsNotRaisedUnlessThatIsAskedFor
   EXPECT_EQ(request.symbol, defaultRequest().symbol);
 }
 
+TEST(SettingsTable, AShapedFloorIsForContrastByTheFastSolver) {
+  EngraveRequest request = defaultRequest();
+  request.floor = FloorShape::Wavy;
+  EXPECT_TRUE(checkSettings(request));
+  EXPECT_FALSE(request.isForPrint());
+  request.solver = ContrastSolver::PaperSteps;
+  const Status solver = checkSettings(request);
+  ASSERT_FALSE(solver);
+  EXPECT_EQ(solver.error().kind, ErrorKind::BadUsage);
+  EXPECT_EQ(sentence(solver.error().message), "--floor is wavy, which does not go with --solver paper-steps");
+  EXPECT_EQ(hint(solver.error().message), "Choose another --floor or another --solver");
+  request.solver = ContrastSolver::Fast;
+  for (const DepthObjective objective : {DepthObjective::Reading, DepthObjective::OneLight}) {
+    request.objective = objective;
+    EXPECT_EQ(checkSettings(request).error().message.code, "settings-exclude");
+  }
+  request.floor = FloorShape::Flat;
+  EXPECT_TRUE(checkSettings(request));
+}
+
+TEST(SettingsTable, OneLightHasOneLampOfItsOwnUnlessOneIsGiven) {
+  EngraveRequest request = defaultRequest();
+  EXPECT_TRUE(request.lamps().empty());
+  request.objective = DepthObjective::OneLight;
+  EXPECT_EQ(request.lamps(), std::vector{kOneLight});
+  EXPECT_FALSE(request.isForPrint());
+  const DirectionalLight own{.azimuthDeg = 10, .elevationDeg = 20, .strength = 5};
+  request.lights = {own};
+  EXPECT_EQ(request.lamps(), std::vector{own});
+  EXPECT_TRUE(checkSettings(request));
+  request.lights.push_back(kOneLight);
+  const Status checked = checkSettings(request);
+  ASSERT_FALSE(checked);
+  EXPECT_EQ(sentence(checked.error().message), "--objective is one-light, but 2 lamps are given");
+  EXPECT_THAT(hint(checked.error().message), HasSubstr("--light once"));
+}
+
 TEST(SettingsTable, WithoutAContrastThatOfThePresetCounts) {
   EngraveRequest request = defaultRequest();
   const Setting& contrast = *findSetting("contrast");

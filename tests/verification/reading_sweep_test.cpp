@@ -6,6 +6,7 @@
 
 #include "mesh/ray_tree.h"
 #include "support/shapes.h"
+#include "verification/view_trials.h"
 
 namespace qrelief {
 namespace {
@@ -21,8 +22,8 @@ class ReadingSweepTest : public testing::Test {
     }
   }
 
-  ReadingSweep sweep(std::vector<SymbolReader> readers, bool ranges = true) {
-    ReadingSweep made(light_, frame_, kModules, kSymbolMm, "WANTED", std::move(readers), ranges);
+  ReadingSweep sweep(std::vector<SymbolReader> readers, const SweepOptions& options = {}) {
+    ReadingSweep made(light_, frame_, kModules, kSymbolMm, "WANTED", std::move(readers), options);
     while (!made.step()) {
     }
     return made;
@@ -69,7 +70,8 @@ TEST_F(ReadingSweepTest, AReaderThatNeverReadsReadsNowhere) {
 }
 
 TEST_F(ReadingSweepTest, AllTriesOfAllReadersCount) {
-  const ReadingSummary summary = sweep({wanted, [](const GreyImage&) { return std::nullopt; }}, false).summary();
+  const ReadingSummary summary =
+      sweep({wanted, [](const GreyImage&) { return std::nullopt; }}, {.ranges = false}).summary();
   EXPECT_EQ(summary.frontal, (ReadingCount{72, 36}));
   EXPECT_TRUE(summary.frontal.enough());
   EXPECT_EQ(summary.tiltDeg, std::nullopt);  // was not asked for
@@ -91,7 +93,7 @@ TEST_F(ReadingSweepTest, MirroredAndOtherTextsAreNoReads) {
     read.mirrored = true;
     return std::optional(read);
   };
-  const ReadingSummary first = sweep({mirrored}, false).summary();
+  const ReadingSummary first = sweep({mirrored}, {.ranges = false}).summary();
   EXPECT_EQ(first.frontal.reads, 0);
   EXPECT_TRUE(first.mirrored);
   const auto other = [](const GreyImage& picture) {
@@ -99,7 +101,7 @@ TEST_F(ReadingSweepTest, MirroredAndOtherTextsAreNoReads) {
     read.text = "OTHER";
     return std::optional(read);
   };
-  const ReadingSummary second = sweep({other}, false).summary();
+  const ReadingSummary second = sweep({other}, {.ranges = false}).summary();
   EXPECT_EQ(second.frontal.reads, 0);
   EXPECT_EQ(second.otherText, "OTHER");
 }
@@ -110,11 +112,19 @@ TEST_F(ReadingSweepTest, ASymbolElsewhereIsMeasuredInModules) {
     for (Vec2& corner : read.corners) corner.x += 3.0 * picture.width / (kModules + 2 * kPictureMarginModules);
     return std::optional(read);
   };
-  EXPECT_NEAR(sweep({shifted}, false).summary().cornerErrorModules.value_or(0), 3, 0.1);
+  EXPECT_NEAR(sweep({shifted}, {.ranges = false}).summary().cornerErrorModules.value_or(0), 3, 0.1);
+}
+
+TEST_F(ReadingSweepTest, UnderALampEveryPictureHasItsLight) {
+  const ReadingSweep done = sweep({wanted}, {.underLamp = true});
+  for (const ReadingView& view : done.views()) EXPECT_TRUE(view.lamp);
+  EXPECT_EQ(done.summary().tiltDegLamp, 45);
+  EXPECT_EQ(done.summary().tiltDeg, std::nullopt);
+  EXPECT_EQ(done.views().size(), sweep({wanted}).views().size() - kTiltsDeg.size() * kAzimuthsDeg.size());
 }
 
 TEST_F(ReadingSweepTest, PicturesDifferInScalePhaseAndBlur) {
-  const ReadingSweep done = sweep({wanted}, false);
+  const ReadingSweep done = sweep({wanted}, {.ranges = false});
   EXPECT_EQ(done.views().size(), kFrontalViews.size());
   EXPECT_TRUE(std::all_of(done.views().begin(), done.views().end(),
                           [](const ReadingView& view) { return view.test == ReadingTest::Frontal; }));

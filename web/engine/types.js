@@ -95,7 +95,7 @@
 /**
  * What would help: without a change, another place for the code.
  * @typedef {Message & { change?: { setting: string, value: string } }} Remedy  `value`: as settings files write it; '': the default
- * @typedef {{ level: Level, passed: boolean, summary: Message, reasons: Message[], remedies: Remedy[] }} Aspect
+ * @typedef {{ level: Level, passed: boolean, summary: Message, warnings: Message[], reasons: Message[], remedies: Remedy[] }} Aspect
  * @typedef {{ passed: boolean, reads: Aspect, prints: Aspect, solid: Aspect }} Verdict
  * @typedef {{ passed: boolean, next: { setting: string, value: string } | null }} ReadingResult  `next`: what to carve with instead
  * @typedef {{ tilts: { tiltDeg: number, reads: number, all: number }[], safeTiltDeg: number, forgiving: boolean,

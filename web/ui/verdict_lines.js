@@ -75,13 +75,17 @@ function remedyOf(change, onRemedy) {
 }
 
 /** @param {Aspect} aspect @param {(Node | string)[]} heading @param {OnRemedy} onRemedy @param {Node[]} [notes] */
-const line = ({ level, reasons, remedies }, heading, onRemedy, notes = []) => make('li', { className: level },
+const line = ({ level, warnings, reasons, remedies }, heading, onRemedy, notes = []) => make('li', { className: level },
   make('strong', {}, ...heading),
-  make('p', { text: reasons.flatMap((reason) => [sentenceOf(reason), hintOf(reason)]).filter(Boolean).map(asSentence).join(' ') }),
+  ...warnings.map((warning) => make('p', { className: 'warning', text: wordsOf([warning]) })),
+  make('p', { text: wordsOf(reasons) }),
   ...remedyButtons(remedies.map((remedy) => {
     const label = sentenceOf(remedy);
     return { label, run: () => onRemedy(remedy, label) };
   })), ...notes);
+
+/** @param {import('../engine/types.js').Message[]} messages */
+const wordsOf = (messages) => messages.flatMap((one) => [sentenceOf(one), hintOf(one)]).filter(Boolean).map(asSentence).join(' ');
 
 /** The summary, its text as a link where it is one. @param {string} wanted @param {Aspect} aspect */
 function readsHeading(wanted, { summary }) {
