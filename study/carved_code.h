@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "carving/depth_field.h"
 #include "qr/module_pattern.h"
 #include "qr/symbol.h"
+#include "render/directional_light.h"
 
 namespace qrelief::study {
 
@@ -17,6 +19,7 @@ struct CarvedCode {
   /// Share of the unoccluded light that the method itself believes to reach each submodule of the mask's carved ones,
   /// in their order; empty if it does not say.
   std::vector<double> ownEstimate;
+  std::optional<DirectionalLight> readUnder = {};  ///< the one lamp that it is made for; none: the sky
   int passes = 0;
   std::size_t limited = 0;  ///< submodules that a wall kept from being dark enough
   double milliseconds = 0;  ///< to find the depths

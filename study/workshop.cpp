@@ -119,6 +119,7 @@ Result<Judged> Workshop::judge(const Spot& spot, const CarvedCode& code) const {
   result.symbol = code.symbol;
   VerifyRequest request = verifyRequestOf(spot.request, result);
   request.ranges = false;
+  request.oneLight = code.readUnder;
   auto job = VerifyJob::create(carved->mesh, request, zxingReaders());
   if (!job) return tl::unexpected(job.error());
   const auto verified = runToEnd(**job);

@@ -39,7 +39,8 @@ class Workshop {
   Result<const Spot*> usualSpot(const std::string& modelName,
                                 DirectionMethod direction = DirectionMethod::DepthBalanced);
 
-  /// Carves and reads it: light is traced on the design and on what the spot's process leaves of it.
+  /// Carves and reads it, under the light that it is made for: light is traced on the design and on what the spot's
+  /// process leaves of it.
   Result<Judged> judge(const Spot& spot, const CarvedCode& code) const;
 
  private:

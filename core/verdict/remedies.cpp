@@ -47,6 +47,12 @@ void addDarkerModules(const EngraveRequest& request, std::vector<Remedy>& remedi
   }
 }
 
+/// One lamp lights a curved surface itself unevenly; carved for the sky it reads there.
+void addCarvingForAnyLight(const EngraveRequest& request, std::vector<Remedy>& remedies) {
+  if (request.objective == DepthObjective::OneLight)
+    remedies.push_back({message("remedy-any-light"), "objective", depthObjectiveName(DepthObjective::Contrast)});
+}
+
 void addCarvingForPrint(EngraveRequest request, std::vector<Remedy>& remedies) {
   if (request.isForPrint()) return;
   request.carveFor = CarveFor::Print;
@@ -59,6 +65,7 @@ Remedy anotherSpot() { return {message("remedy-another-spot"), "", ""}; }
 
 std::vector<Remedy> readingRemedies(const EngraveRequest& request, const EngraveResult& result) {
   std::vector<Remedy> remedies;
+  addCarvingForAnyLight(request, remedies);
   addDarkerModules(request, remedies);
   addLargerCode(request, result, 0, remedies);
   if (request.symbol.errorCorrection == ErrorCorrection::L && !request.symbol.raiseErrorCorrection)
@@ -73,6 +80,7 @@ std::vector<Remedy> printingRemedies(const EngraveRequest& request, const Engrav
   const double leastModuleMm = printableModuleMm(features, request.printer.nozzleMm);
   const bool isTooFine = features.moduleMm < leastModuleMm - kRoundingMm;
   if (wasPrinted && !isTooFine) {  // depth helps where the printer makes the modules
+    addCarvingForAnyLight(request, remedies);
     addCarvingForPrint(request, remedies);
     addDarkerModules(request, remedies);
   }

@@ -6,7 +6,7 @@
 //
 // The cylinder stands, the code looks at the reader, who walks round it at one distance: seven symbol widths, as 250 mm
 // for 35 mm. The arc is what the symbol's width takes of the circumference. A pixel is a quarter of a module at most;
-// blur 0.3 modules, noise 2 %, seeded. Tilts go up in steps of 5° until two in a row are not read; the table has the
+// blur 0.3 modules, shot noise of 2 % at white, seeded. Tilts go up in steps of 5° until two in a row are not read; the table has the
 // last that was read before; empty: not even in front.
 import { createRequire } from 'node:module';
 import { writeFileSync } from 'node:fs';
@@ -99,7 +99,7 @@ function seenByCamera(/** @type {Float32Array} */ sharp, /** @type {number} */ f
     const row = Math.floor(i / width) * kSamples, column = (i % width) * kSamples;
     let mean = 0;
     for (let k = 0; k < kSamples * kSamples; k += 1) mean += soft[(row + Math.floor(k / kSamples)) * fine + column + (k % kSamples)] / kSamples ** 2;
-    const noise = kNoise * Math.sqrt(3) * (2 * random() - 1);
+    const noise = kNoise * Math.sqrt(3 * mean) * (2 * random() - 1); // shot noise: its square grows with the light
     grey[i] = Math.round(255 * Math.min(1, Math.max(0, mean + noise)) ** (1 / 2.2));
   }
   return pictureOf(grey, width, width);

@@ -18,6 +18,7 @@ Result<CarvedCode> carveByEngine(const Spot& spot, const EngraveRequest& request
     code.ownEstimate.push_back(
         luminance.of(static_cast<int>(i) / code.mask.size, static_cast<int>(i) % code.mask.size));
   code.depths = std::move(result->depths);
+  if (request.objective == DepthObjective::OneLight) code.readUnder = request.lamps().front();
   code.passes = result->searchIterations;
   code.limited = result->limitedSubmodules;
   code.milliseconds = result->timingsMs.surface + result->timingsMs.depthSearch + result->timingsMs.forPrint;

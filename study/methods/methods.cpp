@@ -68,6 +68,25 @@ Result<CarvedCode> oursReading(const Spot& spot, double contrast) {
   return carveByEngine(spot, request);
 }
 
+/// Papp 2021: whole modules with a tilted or a wavy floor.
+auto floors2021(FloorShape shape) {
+  return [shape](const Spot& spot, double contrast) {
+    EngraveRequest request = spot.request;
+    request.floor = shape;
+    request.modulePattern = ModulePattern::None;
+    request.finderPattern = FinderPattern::None;
+    request.contrast = contrast;
+    return carveByEngine(spot, request);
+  };
+}
+
+Result<CarvedCode> oursOneLight(const Spot& spot, double contrast) {
+  EngraveRequest request = spot.request;
+  request.objective = DepthObjective::OneLight;
+  request.contrast = contrast;
+  return carveByEngine(spot, request);
+}
+
 auto ours(CarveFor carveFor) {
   return [carveFor](const Spot& spot, double contrast) {
     EngraveRequest request = spot.request;
@@ -93,12 +112,15 @@ const std::vector<Method>& methods() {
       {"groove-2018", kContrasts, 0.3, DirectionMethod::Pca, groove2018},
       {"self-shadow-2019", {0.05, 0.08, 0.12, 0.16, 0.2}, 0.2, DirectionMethod::MeanNormal, selfShadow2019},
       {"one-light-2020", {0.05, 0.08, 0.12, 0.16, 0.2}, 0.2, DirectionMethod::MeanNormal, oneLight2020},
+      {"tilted-2021", kContrasts, usual, DirectionMethod::MeanNormal, floors2021(FloorShape::Tilted)},
+      {"wavy-2021", kContrasts, usual, DirectionMethod::MeanNormal, floors2021(FloorShape::Wavy)},
       {"papp-2022", kContrasts, usual, DirectionMethod::DepthBalanced,
        paper2022(ModulePattern::Square, FinderPattern::ThickPlus)},
       {"papp-2022-whole-modules", kContrasts, usual, DirectionMethod::DepthBalanced,
        paper2022(ModulePattern::None, FinderPattern::None)},
       {"even-depth", {0.15, 0.25, 0.35, 0.45, 0.6, 0.8}, 0.45, DirectionMethod::DepthBalanced, evenDepth},
       {"ours-reading", {0.03, 0.05, 0.08, 0.12, 0.2}, 0.08, DirectionMethod::DepthBalanced, oursReading},
+      {"ours-one-light", {0.1, 0.15, 0.2, 0.3, 0.4}, usual, DirectionMethod::DepthBalanced, oursOneLight},
       {"ours-for-design", kContrasts, usual, DirectionMethod::DepthBalanced, ours(CarveFor::Design)},
       {"ours-for-print", kContrasts, usual, DirectionMethod::DepthBalanced, ours(CarveFor::Print)},
   };

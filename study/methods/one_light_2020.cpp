@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "base/clock.h"
+#include "base/halton.h"
 #include "base/parallel.h"
 #include "qr/codewords.h"
 #include "render/directional_light.h"
@@ -17,14 +18,15 @@ namespace qrelief::study {
 namespace {
 
 constexpr double kGreyScale = 255;
+constexpr double kLampToSky = 456.0 / 24;  // as the grey model has them
 
 /// L·n where a lamp is seen, else 0: the mean over a submodule.
 double lampOn(const CarvedSurface& surface, std::uint32_t submodule, Vec3 towardsLamp) {
   double sum = 0;
   int hits = 0;
-  for (int i = 0; i < kLampPoints * kLampPoints; ++i) {
-    const Vec2 place((i % kLampPoints + 0.5) / kLampPoints, (i / kLampPoints + 0.5) / kLampPoints);
-    const auto at = surface.pointOf(submodule, place);
+  for (std::uint32_t i = 1; i <= kLampPoints; ++i) {
+    const auto place = halton23(i);
+    const auto at = surface.pointOf(submodule, {place[0], place[1]});
     if (!at) continue;
     const double cosine = glm::dot(surface.normalAt(*at), towardsLamp);
     if (cosine > 0 && surface.isOpen(*at, towardsLamp)) sum += cosine;
@@ -160,6 +162,7 @@ Result<CarvedCode> carveOneLight2020(const Spot& spot, const Symbol& symbol, con
       depth = std::max(depth, deeper);
     }
   }
+  code.readUnder = DirectionalLight{options.azimuthDeg, options.upperElevationDeg, kLampToSky};
   code.milliseconds = millisecondsSince(start);
   return code;
 }

@@ -18,7 +18,7 @@ namespace qrelief::study {
 ///   step        a fifth of a submodule's edge
 /// The runs of dark modules along the lamp's rows are broken up before (breakUpRuns2020).
 ///
-/// Chosen where it is silent: the lamp is asked for at 5 × 5 points of a submodule, as floors are steps here and each
+/// Chosen where it is silent: the lamp is asked for at 32 points of a submodule, as floors are steps here and each
 /// step shades the next; light modules that the lamp does not reach are no reason to give up.
 struct OneLightOptions {
   double contrast = 0.20;  ///< of the grey scale
@@ -26,14 +26,14 @@ struct OneLightOptions {
   double azimuthDeg = 180;  ///< 180: the lamp stands on the left
   bool lock = false;        ///< add modules that are dark under the lower lamp alone (lockedModules2020)
   double stepSubmodules = 0.2;
-  double maxDepthModules = 8;
+  double maxDepthModules = 10;
   int rays = 500;
-  int maxPasses = 120;
+  int maxPasses = 300;
   std::uint64_t seed = 1;
 };
 
-/// Points along a submodule's edge at which the lamp is asked for.
-inline constexpr int kLampPoints = 5;
+/// Points of a submodule at which the lamp is asked for: the first of the Halton sequence.
+inline constexpr int kLampPoints = 32;
 
 /// Grey level of a share of the sky and L·n where the lamp is seen, else 0.
 int oneLightGrey(double sky, double lamp);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <gmock/gmock.h>
 
+#include "base/halton.h"
 #include "math/angle.h"
 #include "math/tolerance.h"
 #include "qr/symbol_shaping.h"
@@ -36,8 +37,8 @@ TEST_F(OneLight2020, LoneModuleIsAsDeepAsItsShadowIsLong) {
   std::vector<double> depths;  // by column
   const auto litShare = [&](double depth) {
     int lit = 0;
-    for (int point = 0; point < kLampPoints; ++point) {
-      const double x = (static_cast<double>(depths.size()) + (point + 0.5) / kLampPoints) * h;
+    for (std::uint32_t point = 1; point <= kLampPoints; ++point) {
+      const double x = (static_cast<double>(depths.size()) + halton23(point)[0]) * h;
       bool isShaded = false;
       for (std::size_t edge = 0; edge <= depths.size(); ++edge) {
         const double above = edge == 0 ? 0 : depths[edge - 1];

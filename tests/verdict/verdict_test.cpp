@@ -129,6 +129,8 @@ TEST_F(VerdictTest, ReadingRemediesAreDepthSizeAndAnotherSpot) {
   EXPECT_THAT(settingsOf(judged(0).reads.remedies), ElementsAre("contrast=", "="));
   request_.placement.maxSizeMm = 30;  // the bound is what keeps it small
   EXPECT_THAT(settingsOf(judged(0).reads.remedies), ElementsAre("contrast=", "maxSizeMm=38", "="));
+  request_.objective = DepthObjective::OneLight;
+  EXPECT_EQ(settingsOf(judged(0).reads.remedies).front(), "objective=contrast");
 }
 
 TEST_F(VerdictTest, PrintingRemediesAreTheFirstThatAreSoldAndWouldDo) {
