@@ -40,7 +40,9 @@ export default [
   // What e2e hands to the browser stands in the same files as what runs under Node.
   { files: ['e2e/**/*.js'], languageOptions: { globals: { ...globals.node, ...globals.browser } } },
   {
-    files: ['bench/**/*.mjs', 'study/**/*.mjs', 'cmake/*.js', 'wasm/**/*.js', '*.js', '**/*.test.js', 'web/session/testing.js', ...kAtBuild],
+    files: [
+      'bench/**/*.mjs', 'study/**/*.mjs', 'study/**/*.js', 'cmake/*.js', 'wasm/**/*.js', '*.js', '**/*.test.js', 'web/session/testing.js', ...kAtBuild,
+    ],
     languageOptions: { globals: globals.node },
   },
   // The console of the page is only for faults of the program, for those who look into them.

@@ -2,6 +2,7 @@
 import { existsSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
+import { study } from './study/page/build_plugin.js';
 import { offline } from './web/offline/build_plugin.js';
 import { oneLanguage } from './web/i18n/cut_language.js';
 import { fillTexts } from './web/i18n/fill.js';
@@ -59,11 +60,14 @@ export default defineConfig({
       'qrelief-inspector-wasm': `${moduleFolder}/qrelief_inspector.wasm?url`,
     },
   },
-  plugins: [requireModule(), texts(), oneLanguage(), contentSecurityPolicy(), offline({ site: process.env.QRELIEF_SITE })],
+  plugins: [
+    requireModule(), texts(), oneLanguage(), study({ tables: `${root}study/results` }), contentSecurityPolicy(),
+    offline({ site: process.env.QRELIEF_SITE }),
+  ],
   worker: { format: 'es' },
   build: {
     outDir: `${root}dist`, emptyOutDir: true, target: 'es2022', assetsInlineLimit: 0, modulePreload: { polyfill: false },
-    rolldownOptions: { input: ['index', 'guide', 'method'].map((page) => `${root}web/${page}.html`) },
+    rolldownOptions: { input: ['index', 'guide', 'method', 'study'].map((page) => `${root}web/${page}.html`) },
   },
   server: { fs: { allow: [root, moduleFolder] } },
 });

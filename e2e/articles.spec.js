@@ -68,3 +68,40 @@ test('The method page computes its pictures, and reads the one that the phone se
   await expectNoViolations(page, 'method');
   expect(complaints).toEqual([]);
 });
+
+test('The study shows figures with tables to download, in the language and the width of the page', async ({ page }) => {
+  const complaints = listen(page);
+  await page.goto('./guide.html');
+  await page.getByRole('link', { name: 'What was measured' }).click();
+  await expect(page.getByRole('heading', { level: 1 })).toHaveText('What was measured');
+  const width = test.info().project.name === 'phone' ? 'narrow' : 'wide';
+
+  /** @param {string} language */
+  const expectFigures = async (language) => {
+    const figures = page.getByRole('figure');
+    expect(await figures.count()).toBeGreaterThan(0);
+    for (const figure of await figures.all()) {
+      const picture = figure.getByRole('img');
+      await picture.scrollIntoViewIfNeeded();
+      const shown = await picture.evaluate(async (element) => {
+        const image = /** @type {HTMLImageElement} */ (element);
+        await image.decode();
+        return { source: image.currentSrc, wide: image.naturalWidth, alt: image.alt };
+      });
+      expect(shown.source).toContain(`.${language}.${width}.svg`);
+      expect(shown.wide).toBeGreaterThan(200);
+      expect(shown.alt).not.toBe('');
+      const table = await figure.getByRole('link', { name: 'CSV' }).getAttribute('href');
+      const rows = (await (await page.request.get(String(table))).text()).trim().split('\n');
+      await expect(figure.getByRole('link', { name: 'CSV' })).toContainText(String(rows.length - 1));
+    }
+    await expectNoSidewaysScroll(page);
+  };
+  await expectFigures('en');
+  await expectNoViolations(page, 'study');
+  await page.getByLabel('Language').selectOption('de');
+  await expect(page.getByRole('heading', { level: 1 })).toHaveText('Was gemessen wurde');
+  await expectFigures('de');
+  await expectNoViolations(page, 'study, German');
+  expect(complaints).toEqual([]);
+});

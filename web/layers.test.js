@@ -19,7 +19,7 @@ const kLayers = [
   'view',      // the model on the screen
   'ui',        // the panels
   'session',   // what is worked on, and what goes on with it
-  'guide', 'method',  // articles
+  'guide', 'method', 'study',  // articles
   'app.js',   // composes all of it
   'main.js',  // begins
 ];

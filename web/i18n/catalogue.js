@@ -19,7 +19,10 @@ import { view } from './parts/view.js';
 
 const kParts = { check, code, help, inspector, keep, links, page, samples, settings, take, view };
 
-/** @typedef {{ guide: typeof import('./parts/guide.js').guide, method: typeof import('./parts/method.js').method }} Articles */
+/**
+ * @typedef {{ guide: typeof import('./parts/guide.js').guide, method: typeof import('./parts/method.js').method,
+ *   study: typeof import('./parts/study.js').study, figures: typeof import('./parts/figures.js').figures }} Articles
+ */
 /** @typedef {typeof kParts & Articles} Parts */
 /** @typedef {{ [P in keyof Parts]: `${P}.${string & keyof Parts[P]['en']}` }[keyof Parts]} Key */
 
@@ -74,15 +77,23 @@ function entry(of, key) {
  * @param {Record<string, string | number>} [values]
  * @throws {Error} for a key or a value that is not there
  */
-export function text(key, values = {}) {
-  const found = entry(language, key);
-  if (found === undefined) throw new Error(`There is no text "${key}" in "${language}"`);
+export const text = (key, values = {}) => textIn(language, key, values);
+
+/**
+ * As `text`, in a language that need not be the one chosen.
+ * @param {Language} of
+ * @param {Key} key
+ * @param {Record<string, string | number>} [values]
+ */
+export function textIn(of, key, values = {}) {
+  const found = entry(of, key);
+  if (found === undefined) throw new Error(`There is no text "${key}" in "${of}"`);
   const template = typeof found === 'string' ? found
-    : found[new Intl.PluralRules(language).select(Number(values.count)) === 'one' ? 'one' : 'other'];
+    : found[new Intl.PluralRules(of).select(Number(values.count)) === 'one' ? 'one' : 'other'];
   return template.replace(/\{(\w+)\}/g, (_, name) => {
     const value = values[name];
     if (value === undefined) throw new Error(`The text "${key}" lacks the value "${name}"`);
-    return typeof value === 'number' ? value.toLocaleString(language) : value;
+    return typeof value === 'number' ? value.toLocaleString(of) : value;
   });
 }
 

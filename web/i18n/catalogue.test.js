@@ -2,10 +2,12 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { addTexts, allParts, kLanguages, setLanguage, text } from './catalogue.js';
+import { figures } from './parts/figures.js';
 import { guide } from './parts/guide.js';
 import { method } from './parts/method.js';
+import { study } from './parts/study.js';
 
-addTexts({ guide, method });
+addTexts({ figures, guide, method, study });
 
 /** @param {unknown} entry  a text, or its forms */
 const forms = (entry) => (typeof entry === 'string' ? [entry] : Object.values(/** @type {object} */ (entry)));

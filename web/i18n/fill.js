@@ -3,11 +3,12 @@
 import { addTexts, text } from './catalogue.js';
 import { guide } from './parts/guide.js';
 import { method } from './parts/method.js';
+import { study } from './parts/study.js';
 
-addTexts({ guide, method });
+addTexts({ guide, method, study });
 
 /** @param {string} words */
-const escaped = (words) => words.replaceAll('&', '&amp;').replaceAll('<', '&lt;').replaceAll('"', '&quot;');
+export const escaped = (words) => words.replaceAll('&', '&amp;').replaceAll('<', '&lt;').replaceAll('"', '&quot;');
 
 /** @param {string} key */
 const textOf = (key) => escaped(text(/** @type {import('./catalogue.js').Key} */ (key)));

@@ -6,10 +6,12 @@ export const links = {
     toApp: 'Open the app',
     toMethod: 'How it works',
     toGuide: 'How to print it',
+    toStudy: 'What was measured',
   },
   de: {
     toApp: 'Zur App',
     toMethod: 'So funktioniert es',
     toGuide: 'So wird es gedruckt',
+    toStudy: 'Was gemessen wurde',
   },
 };

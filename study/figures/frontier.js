@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Reads against depth, every method from shallow to deep.
+import { frontierAt, groupBy, tally } from '../page/compare.js';
+import { kColours } from '../page/figure.js';
+import { models, name, said } from '../page/say.js';
+import { kNeeded, kTries } from '../page/tries.js';
+
+/** @typedef {import('../page/table.js').Row} Row */
+/** @typedef {import('../page/compare.js').Point} Point */
+
+const kOurs = /^ours-/;
+const kDefault = 'ours-for-print';
+const kStyles = {
+  'groove-2018': [kColours.olive, 'triangle-down', []],
+  'self-shadow-2019': [kColours.purple, 'square', []],
+  'one-light-2020': [kColours.orange, 'diamond', []],
+  'papp-2022': [kColours.blue, 'circle', []],
+  'papp-2022-whole-modules': [kColours.blue, 'circle', [4, 3]],
+  'even-depth': [kColours.grey, 'cross', [2, 3]],
+  'ours-reading': [kColours.green, 'triangle-right', [2, 3]],
+  'ours-for-design': [kColours.green, 'triangle-up', [5, 3]],
+  'ours-for-print': [kColours.green, 'triangle-up', []],
+};
+
+/** A method's levels on one model. @param {Row[]} ofModel @param {string} method @param {string} measure @returns {Point[]} */
+const levelsOf = (ofModel, method, measure) => ofModel.filter((row) => row.method === method).map((row) => [row.depth_mm, row[measure]]);
+
+/**
+ * Methods, none of ours, that reach more reads than our default at no more depth.
+ * @param {Row[]} ofModel      of the frontier
+ * @param {Row | undefined} ours  our default there
+ * @returns {string[] | undefined}  undefined where our default was not measured
+ */
+export function betterThanDefault(ofModel, ours) {
+  if (!ours) return undefined;
+  return [...new Set(ofModel.map(({ method }) => method))].filter((method) => !kOurs.test(method)
+    && (frontierAt(levelsOf(ofModel, method, 'printed'), ours.depth_mm) ?? -1) > ours.printed);
+}
+
+/** The least mean depth at which a method reads as printed, at one of its levels. @param {Row[]} ofModel @param {string} method */
+export function leastDepthThatReads(ofModel, method) {
+  const depths = ofModel.filter((row) => row.method === method && row.printed >= kNeeded).map((row) => row.depth_mm);
+  return depths.length > 0 ? Math.min(...depths) : undefined;
+}
+
+/** @param {'designed' | 'printed'} measure @returns {import('../page/figure.js').Figure['draw']} */
+const draw = (measure) => (rows, look) => {
+  const sorted = [...groupBy(rows, 'model').values()].flat();
+  const { rows: values, order } = look.named(sorted.map((row) => ({ ...row, id: row.method })), { model: 'model', method: 'method' });
+  const styles = [...new Set(sorted.map(({ method }) => method))].map((method) => /** @type {any} */ (kStyles)[method] ?? [kColours.ink, 'circle', []]);
+  const columns = look.narrow ? 2 : 4;
+  const names = order('method');
+  const legend = { title: null };
+  return /** @type {any} */ ({
+    data: { values }, columns,
+    facet: { field: 'model', type: 'nominal', sort: order('model') },
+    spec: {
+      width: look.plotWidth(columns), height: 150,
+      layer: [
+        { mark: { type: 'rule', strokeDash: [5, 4], color: kColours.soft }, encoding: { y: { datum: kNeeded } } },
+        {
+          mark: { type: 'line', strokeWidth: 1.6, point: { size: 26 } },
+          encoding: {
+            x: { field: 'depth_mm', type: 'quantitative', title: look.word('axisDepth'), scale: { type: 'log', nice: false }, axis: { values: [0.1, 0.2, 0.5, 1, 2], grid: false } },
+            y: { field: measure, type: 'quantitative', title: look.word('axisReads', { of: kTries }), scale: { domain: [0, kTries] }, axis: { values: [0, 20, 40, 60] } },
+            order: { field: 'level' },
+            color: { field: 'method', type: 'nominal', scale: { domain: names, range: styles.map(([color]) => color) }, legend },
+            shape: { field: 'method', type: 'nominal', scale: { domain: names, range: styles.map(([, shape]) => shape) }, legend },
+            strokeDash: { field: 'method', type: 'nominal', scale: { domain: names, range: styles.map(([,, dash]) => dash) }, legend },
+          },
+        },
+      ],
+    },
+  });
+};
+
+/** @type {import('../page/figure.js').Figure} */
+export const frontierPrinted = {
+  name: 'frontierPrinted', table: 'frontier', measures: ['depth_mm', 'printed'],
+  draw: draw('printed'),
+  find: (rows, { method_comparison: comparison = [] }) => {
+    const ours = new Map(comparison.filter(({ method }) => method === kDefault).map((row) => [row.model, row]));
+    const beaten = [...groupBy(rows, 'model')].map(([model, ofModel]) => betterThanDefault(ofModel, ours.get(model)));
+    const onOrAbove = tally(beaten, (by) => by && by.length === 0);
+    const lost = [...new Set(beaten.flatMap((by) => by ?? []))].map((method) =>
+      said('frontierBy', { method: name('method', method), cases: models(tally(beaten, (by) => by?.includes(method))) }));
+    const shallowest = tally(groupBy(rows, 'model').values(), (ofModel) => {
+      const least = [...new Set(ofModel.map(({ method }) => method))].map((method) => ({ method, depth: leastDepthThatReads(ofModel, method) ?? Infinity }))
+        .sort((a, b) => a.depth - b.depth);
+      return least.length > 0 && least[0].depth < Infinity ? kOurs.test(least[0].method) : undefined;
+    });
+    return [
+      ...(onOrAbove.of > 0 ? [said('frontierDefault', { cases: models(onOrAbove) })] : []),
+      ...(lost.length > 0 ? [said('frontierLost', { list: lost })] : []),
+      ...(shallowest.of > 0 ? [said('frontierShallowest', { cases: models(shallowest), needed: kNeeded, tries: kTries })] : []),
+      said('frontierPaper'),
+    ];
+  },
+};
+
+/** @type {import('../page/figure.js').Figure} */
+export const frontierDesigned = {
+  name: 'frontierDesigned', table: 'frontier', measures: ['depth_mm', 'designed'],
+  draw: draw('designed'),
+  find: (rows) => {
+    const lost = tally(rows.filter(({ designed }) => designed >= kNeeded), ({ printed }) => printed < kNeeded);
+    return [said('frontierLostInPrint', { holds: lost.holds, of: lost.of })];
+  },
+};

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Depth by the number of lamps [Papp 2022, figure 21].
+import { median, onModels, rises, valuesBy } from '../page/compare.js';
+import { kColours, series } from '../page/figure.js';
+import { mm, models, said } from '../page/say.js';
+
+/** @typedef {import('../page/table.js').Row} Row */
+
+/** By lamps: none, one, two. @param {Row[]} ofModel @param {string} pattern */
+const depthsOf = (ofModel, pattern) => {
+  const depths = valuesBy(ofModel.filter(({ modules }) => modules === pattern), 'lamps', 'depth_mm');
+  return [0, 1, 2].map((lamps) => depths[lamps]);
+};
+
+/** Whether each lamp more makes codes deeper. @param {Row[]} ofModel @param {string} pattern */
+export const lampsDeepen = (ofModel, pattern) => rises(depthsOf(ofModel, pattern));
+
+/** Whether each lamp more makes codes shallower. @param {Row[]} ofModel @param {string} pattern */
+export const lampsMakeShallower = (ofModel, pattern) => rises(depthsOf(ofModel, pattern).reverse());
+
+/** @type {import('../page/figure.js').Figure} */
+export const lampDepths = {
+  name: 'lampDepths', table: 'lamp_depths', measures: ['depth_mm'],
+  draw: (rows, look) => {
+    const { rows: values, order } = look.named(rows, { model: 'model', modules: 'pattern' });
+    const columns = look.narrow ? 2 : 4;
+    return {
+      data: { values }, columns,
+      facet: { field: 'model', type: 'nominal', sort: order('model') },
+      spec: {
+        width: look.plotWidth(columns), height: 110,
+        mark: { type: 'line', point: { size: 44 }, strokeWidth: 2 },
+        encoding: {
+          x: { field: 'lamps', type: 'ordinal', title: look.word('axisLamps'), axis: { labelAngle: 0 } },
+          y: { field: 'depth_mm', type: 'quantitative', title: look.word('axisDepth') },
+          ...series('modules', order('modules'), [kColours.orange, kColours.blue], ['circle', 'square']),
+        },
+      },
+    };
+  },
+  find: (rows) => {
+    const typical = (/** @type {string} */ pattern, /** @type {number} */ lamps) =>
+      mm(median(rows.filter((row) => row.modules === pattern && row.lamps === lamps).map(({ depth_mm: depth }) => depth)));
+    const [deeper, shallower] = [onModels(rows, (ofModel) => lampsDeepen(ofModel, 'square')), onModels(rows, (ofModel) => lampsMakeShallower(ofModel, 'none'))];
+    const fails = deeper.holds < deeper.of || shallower.holds < shallower.of;
+    return [
+      said('lampsPattern', { cases: models(deeper), none: typical('square', 0), one: typical('square', 1), two: typical('square', 2) }),
+      said('lampsWhole', { cases: models(shallower), none: typical('none', 0), one: typical('none', 1), two: typical('none', 2) }),
+      ...(fails ? [said('lampsWhy')] : []),
+    ];
+  },
+};

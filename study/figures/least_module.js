@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The least module that reads as printed [Papp 2022, figure 11].
+import { groupBy, tally } from '../page/compare.js';
+import { kColours, series } from '../page/figure.js';
+import { cases, mm, name, said } from '../page/say.js';
+
+/** @typedef {import('../page/table.js').Row} Row */
+
+/** The row with the least module of those that read at all. @param {Row[]} rows @returns {Row | undefined} */
+export const leastOf = (rows) => rows.filter((row) => row.module_mm !== null).sort((a, b) => a.module_mm - b.module_mm)[0];
+
+/** Rows by all that is the same in them but a column. @param {Row[]} rows @param {string} column @param {string[]} keys */
+const pairs = (rows, column, keys) => [...groupBy(rows.map((row) => ({ ...row, key: keys.filter((key) => key !== column).map((key) => row[key]).join(' ') })), 'key').values()]
+  .map((group) => new Map(group.map((row) => [row[column], row.module_mm ?? Infinity])));
+
+const kKeys = ['process', 'modules', 'finders', 'pose'];
+
+/**
+ * How often one value of a column allows a module at least as small as another, all else the same.
+ * @param {Row[]} rows @param {string} column @param {string} one @param {string} other
+ */
+export const asSmall = (rows, column, one, other) => tally(pairs(rows, column, kKeys), (sizes) => {
+  const [a, b] = [sizes.get(one), sizes.get(other)];
+  return a === undefined || b === undefined || (a === Infinity && b === Infinity) ? undefined : a <= b;
+});
+
+/** @type {import('../page/figure.js').Figure} */
+export const leastModule = {
+  name: 'leastModule', table: 'least_module', measures: ['module_mm'],
+  draw: (rows, look) => {
+    const labelled = rows.map((row) => ({ ...row, print: look.word('printAs', { process: name('process', row.process), pose: name('pose', row.pose) }) }));
+    const { rows: values, order } = look.named(labelled, { modules: 'pattern', finders: 'finder' });
+    const columns = look.narrow ? 1 : 2;
+    return {
+      data: { values }, columns,
+      facet: { field: 'print', type: 'nominal', sort: order('print') },
+      spec: {
+        width: look.plotWidth(columns), height: { step: 22 },
+        mark: { type: 'point', size: 40, strokeWidth: 1.6 },
+        encoding: {
+          y: { field: 'modules', type: 'nominal', sort: order('modules'), title: null, axis: { grid: true } },
+          x: { field: 'module_mm', type: 'quantitative', title: look.word('axisModule') },
+          ...series('finders', order('finders'), [kColours.grey, kColours.ink, kColours.orange, kColours.blue, kColours.green],
+            ['circle', 'square', 'diamond', 'cross', 'triangle-up'], look.word('legendFinders')),
+        },
+      },
+    };
+  },
+  find: (rows) => {
+    const least = [...groupBy(rows, 'process').values()].flatMap((ofProcess) => {
+      const row = leastOf(ofProcess);
+      return row ? [said('leastOne', { process: name('process', row.process), module: mm(row.module_mm), pattern: name('pattern', row.modules), finders: name('finder', row.finders), pose: name('pose', row.pose) })] : [];
+    });
+    const unread = rows.filter((row) => row.module_mm === null).length;
+    return [
+      ...least,
+      said('leastThick', { thin: cases(asSmall(rows, 'modules', 'thick-plus', 'thin-plus')), square: cases(asSmall(rows, 'modules', 'thick-plus', 'square')) }),
+      said('leastFinders', { cases: cases(asSmall(rows, 'finders', 'none', 'as-modules')) }),
+      said('leastStanding', { cases: cases(asSmall(rows, 'pose', 'code-upright', 'code-up')) }),
+      said('leastNozzle', { cases: cases(asSmall(rows, 'process', 'fdm-0.25/0.1', 'fdm-0.4/0.2')) }),
+      ...(unread > 0 ? [said('leastUnread', { count: unread, of: rows.length })] : []),
+      said('leastPaper'),
+    ];
+  },
+};

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Reads against the angle of the reading lamp, by the angle of the lamp that was carved for [Papp 2022, figure 22].
+import { tally } from '../page/compare.js';
+import { kColours, series } from '../page/figure.js';
+import { cases, said } from '../page/say.js';
+import { kNeeded, kTries } from '../page/tries.js';
+
+/** @typedef {import('../page/table.js').Row} Row */
+
+/** Angles the paper's codes were carved for, with how much higher its reading lamp might stand, in degrees. */
+export const kPaper = [{ carvedAt: 33, higher: 30 }, { carvedAt: 8, higher: 15 }];
+
+/** Rows of one carving. @param {Row[]} rows @param {string} modules @param {number | string} carvedAt */
+const carving = (rows, modules, carvedAt) => rows.filter((row) => row.modules === modules && row.carved_at === carvedAt);
+
+/** Where the reading lamp may stand, in degrees: every angle that was tried and reads. @param {Row[]} rows @returns {number[]} */
+export const readAngles = (rows) => rows.filter(({ reads }) => reads >= kNeeded).map((row) => row.read_at).sort((a, b) => a - b);
+
+/** Whether it reads with the lamp that it was carved for, and as much higher as the paper has it. @param {Row[]} rows  of one carving @param {number} carvedAt @param {number} higher */
+export const tolerates = (rows, carvedAt, higher) => {
+  const tried = rows.filter((row) => row.read_at >= carvedAt && row.read_at <= carvedAt + higher);
+  return tried.length > 0 && tried.every(({ reads }) => reads >= kNeeded);
+};
+
+/** Whether no lower lamp keeps it from being read. @param {Row[]} rows  of one carving @param {number} carvedAt */
+export const lowerNeverHurts = (rows, carvedAt) => rows.filter((row) => row.read_at < carvedAt).every(({ reads }) => reads >= kNeeded);
+
+/** @param {number[]} angles */
+const span = (angles) => (angles.length > 0 ? said('anglesFromTo', { from: angles[0], to: angles[angles.length - 1], count: angles.length }) : said('anglesNone'));
+
+/** @type {import('../page/figure.js').Figure} */
+export const lightAngles = {
+  name: 'lightAngles', table: 'light_angles', measures: ['reads'],
+  draw: (rows, look) => {
+    const { rows: values, order } = look.named(rows, { modules: 'pattern', carved_at: 'carvedAt' });
+    const columns = look.narrow ? 1 : 2;
+    return {
+      data: { values }, columns,
+      facet: { field: 'modules', type: 'nominal', sort: order('modules') },
+      spec: {
+        width: look.plotWidth(columns), height: 170,
+        layer: [
+          { mark: { type: 'rule', strokeDash: [5, 4], color: kColours.soft }, encoding: { y: { datum: kNeeded } } },
+          {
+            mark: { type: 'line', point: { size: 44 }, strokeWidth: 2 },
+            encoding: {
+              x: { field: 'read_at', type: 'quantitative', title: look.word('axisLamp'), scale: { domain: [0, 90] }, axis: { values: [0, 15, 30, 45, 60, 75, 90], grid: false } },
+              y: { field: 'reads', type: 'quantitative', title: look.word('axisReads', { of: kTries }), scale: { domain: [0, kTries] } },
+              ...series('carved_at', order('carved_at'), [kColours.grey, kColours.orange, kColours.blue], ['circle', 'square', 'triangle-up']),
+            },
+          },
+        ],
+      },
+    };
+  },
+  find: (rows) => {
+    const whole = kPaper.map(({ carvedAt, higher }) => ({ carvedAt, higher, rows: carving(rows, 'none', carvedAt) }));
+    if (whole.some(({ rows: { length } }) => length === 0)) return [];
+    const [one, other] = whole;
+    return [
+      said('anglesWhole', { oneAt: one.carvedAt, one: span(readAngles(one.rows)), otherAt: other.carvedAt, other: span(readAngles(other.rows)) }),
+      said('anglesPaper', {
+        oneHigher: one.higher, otherHigher: other.higher, onePaper: 90 + one.carvedAt, otherPaper: 90 + other.carvedAt,
+        higher: cases(tally(whole, ({ carvedAt, higher, rows: ofOne }) => tolerates(ofOne, carvedAt, higher))),
+        lower: cases(tally(whole, ({ carvedAt, rows: ofOne }) => lowerNeverHurts(ofOne, carvedAt))),
+      }),
+      said('anglesPattern', { one: span(readAngles(carving(rows, 'square', one.carvedAt))), other: span(readAngles(carving(rows, 'square', other.carvedAt))) }),
+      said('anglesWhy'),
+    ];
+  },
+};

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { lowerNeverHurts, readAngles, tolerates } from './light_angles.js';
+
+const rows = (/** @type {Record<number, number>} */ reads) => Object.entries(reads).map(([at, count]) => ({ read_at: Number(at), reads: count }));
+
+test('angles that read are those with 29 of 72 tries', () => {
+  assert.deepEqual(readAngles(rows({ 33: 40, 8: 29, 15: 28 })), [8, 33]);
+});
+
+test('a tolerance needs every angle from the lamp’s own up to it', () => {
+  assert.equal(tolerates(rows({ 4: 0, 8: 30, 15: 30, 23: 29, 33: 0 }), 8, 15), true);
+  assert.equal(tolerates(rows({ 8: 30, 15: 10, 23: 29 }), 8, 15), false);
+  assert.equal(tolerates(rows({ 8: 10, 15: 30, 23: 29 }), 8, 15), false);
+  assert.equal(tolerates([], 8, 15), false);
+});
+
+test('a lower lamp hurts if one of them keeps the code from being read', () => {
+  assert.equal(lowerNeverHurts(rows({ 4: 30, 8: 40, 33: 0 }), 33), true);
+  assert.equal(lowerNeverHurts(rows({ 4: 20, 8: 40, 33: 60 }), 33), false);
+});

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How far each method's own idea of the light is from path tracing.
+import { name, said } from '../page/say.js';
+import { methodStrips } from '../page/strips.js';
+import { typical } from './method_depths.js';
+
+/** @typedef {import('../page/table.js').Row} Row */
+
+/** Methods by the size of their error, the least first; medians over the models. @param {Row[]} rows @returns {{ method: string, size: number, mean: number }[]} */
+export const byError = (rows) => [...new Set(rows.filter((row) => row.light_error_size !== null).map(({ method }) => method))]
+  .map((method) => ({ method, size: typical(rows, method, 'light_error_size'), mean: typical(rows, method, 'light_error') }))
+  .sort((a, b) => a.size - b.size);
+
+/** @type {import('../page/figure.js').Figure} */
+export const lightErrors = {
+  name: 'lightErrors', table: 'method_comparison', measures: ['light_error', 'light_error_size'],
+  draw: (rows, look) => methodStrips(rows.filter((row) => row.light_error_size !== null), look, [
+    { measure: 'light_error_size', title: look.word('axisErrorSize') }, { measure: 'light_error', title: look.word('axisError') },
+  ]),
+  find: (rows) => {
+    const errors = byError(rows);
+    const [least, most] = [errors[0], errors[errors.length - 1]];
+    const ours = errors.find(({ method }) => method === 'ours-for-print');
+    const digits = 3;
+    return [
+      said('errorsRange', { least: name('method', least.method), leastError: { number: least.size, digits }, most: name('method', most.method), mostError: { number: most.size, digits } }),
+      ...(ours ? [said(ours.mean < 0 ? 'errorsOursDark' : 'errorsOursBright', { size: { number: ours.size, digits }, mean: { number: Math.abs(ours.mean), digits } })] : []),
+      said('errorsWhy'),
+    ];
+  },
+};

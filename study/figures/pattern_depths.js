@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Depth by module pattern and finder pattern [Papp 2022, figures 15 and 16].
+import { groupBy, median, onModels, tally, valuesBy } from '../page/compare.js';
+import { kColours, series } from '../page/figure.js';
+import { cases, mm, models, said } from '../page/say.js';
+import { kNeeded } from '../page/tries.js';
+
+/** @typedef {import('../page/table.js').Row} Row */
+
+/** By module pattern, the whole code in it. @param {Row[]} ofModel */
+const depthsOf = (ofModel) => {
+  const depths = valuesBy(ofModel.filter(({ finders }) => finders === 'as-modules'), 'modules', 'depth_mm');
+  return ['none', 'square', 'thin-plus', 'diamond', 'thick-plus'].every((pattern) => depths[pattern] !== undefined)
+    ? /** @type {Record<string, number>} */ (depths) : undefined;
+};
+
+/** Whether the two patterns that do not connect are the shallowest. @param {Row[]} ofModel */
+export function looseAreShallowest(ofModel) {
+  const depths = depthsOf(ofModel);
+  return depths && Math.max(depths.square, depths['thin-plus']) < Math.min(depths.none, depths.diamond, depths['thick-plus']);
+}
+
+/** @param {Row[]} ofModel */
+export function thinPlusIsShallowest(ofModel) {
+  const depths = depthsOf(ofModel);
+  return depths && Object.values(depths).every((depth) => depth >= depths['thin-plus']);
+}
+
+/** Of the patterns; whole modules are none. @param {Row[]} ofModel */
+export function thickPlusIsDeepest(ofModel) {
+  const depths = depthsOf(ofModel);
+  return depths && ['square', 'thin-plus', 'diamond'].every((pattern) => depths[pattern] <= depths['thick-plus']);
+}
+
+/** Cases with a finder pattern, beside whole finders: whether they are shallower. @param {Row[]} rows */
+export function findersLowerDepth(rows) {
+  const whole = new Map(rows.filter(({ finders }) => finders === 'none').map((row) => [`${row.model} ${row.modules}`, row.depth_mm]));
+  return tally(rows.filter(({ finders }) => ['diamond', 'thick-plus'].includes(finders)), (row) => {
+    const depth = whole.get(`${row.model} ${row.modules}`);
+    return depth === undefined ? undefined : row.depth_mm < depth;
+  });
+}
+
+/** The largest difference between the paper's two finder patterns, in mm. @param {Row[]} rows @returns {number} */
+export const findersApart = (rows) => Math.max(...[...groupBy(rows.map((row) => ({ ...row, key: `${row.model} ${row.modules}` })), 'key').values()].map((group) => {
+  const { diamond, 'thick-plus': thickPlus } = valuesBy(group, 'finders', 'depth_mm');
+  return diamond === undefined || thickPlus === undefined ? 0 : Math.abs(diamond - thickPlus);
+}));
+
+/** @type {import('../page/figure.js').Figure} */
+export const patternDepths = {
+  name: 'patternDepths', table: 'pattern_depths', measures: ['depth_mm', 'designed', 'printed'],
+  draw: (rows, look) => {
+    const { rows: values, order } = look.named(rows, { model: 'model', modules: 'pattern', finders: 'finder' });
+    const columns = look.narrow ? 2 : 4;
+    return {
+      data: { values }, columns,
+      facet: { field: 'model', type: 'nominal', sort: order('model') },
+      spec: {
+        width: look.plotWidth(columns), height: { step: 20 },
+        mark: { type: 'point', size: 34, strokeWidth: 1.6 },
+        encoding: {
+          y: { field: 'modules', type: 'nominal', sort: order('modules'), title: null, axis: { grid: true } },
+          x: { field: 'depth_mm', type: 'quantitative', title: look.word('axisDepth') },
+          ...series('finders', order('finders'), [kColours.grey, kColours.ink, kColours.orange, kColours.blue, kColours.green],
+            ['circle', 'square', 'diamond', 'cross', 'triangle-up'], look.word('legendFinders')),
+        },
+      },
+    };
+  },
+  find: (rows) => {
+    const finders = findersLowerDepth(rows);
+    const reads = (/** @type {string} */ pattern) => median(rows.filter(({ modules }) => modules === pattern).map(({ printed }) => printed));
+    const alike = rows.filter((row) => row.finders === 'as-modules' && row.modules !== 'none');
+    return [
+      said('patternsLoose', { cases: models(onModels(rows, looseAreShallowest)) }),
+      said('patternsBest', { best: models(onModels(rows, thinPlusIsShallowest)), last: models(onModels(rows, thickPlusIsDeepest)) }),
+      ...(finders.of > 0 ? [said('patternsFinders', { cases: cases(finders), apart: mm(findersApart(rows)) })] : []),
+      ...(alike.length > 0 ? [said('patternsWhole', { cases: cases(tally(alike, ({ designed }) => designed >= kNeeded)), printed: cases(tally(alike, ({ printed }) => printed >= kNeeded)) })] : []),
+      said('patternsReads', { thin: Math.round(reads('thin-plus')), square: Math.round(reads('square')), diamond: Math.round(reads('diamond')), thick: Math.round(reads('thick-plus')), whole: Math.round(reads('none')) }),
+    ];
+  },
+};

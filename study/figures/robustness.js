@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What codes survive: blur, distance and tilt, by pattern [Papp 2022, section 8].
+import { groupBy, median, tally } from '../page/compare.js';
+import { kColours, series } from '../page/figure.js';
+import { mm, name, said } from '../page/say.js';
+
+/** @typedef {import('../page/table.js').Row} Row */
+
+const kPanels = /** @type {const} */ ([['blur_modules', 'axisBlur'], ['pixels_per_module', 'axisPixels'], ['tilt_deg', 'axisTilt']]);
+
+/** Submodules of 25 that a pattern carves, the paper's order of robustness. */
+const kCarved = ['thin-plus', 'square', 'diamond', 'thick-plus', 'none'];
+
+/** Median of a measure by module pattern, of the published search. @param {Row[]} rows @param {string} measure @returns {Record<string, number>} */
+export const byPattern = (rows, measure) => Object.fromEntries([...groupBy(rows.filter((row) => row.search !== 'ours' && row[measure] !== null), 'modules')]
+  .map(([modules, ofPattern]) => [modules, median(ofPattern.map((row) => row[measure]))]));
+
+/**
+ * Whether patterns that carve more survive more, over pairs of patterns: fewer submodules, no more of the measure.
+ * @param {Record<string, number>} values  by pattern
+ */
+export function moreCarvedSurvivesMore(values) {
+  const known = kCarved.filter((pattern) => values[pattern] !== undefined);
+  return tally(known.flatMap((less, at) => known.slice(at + 1).map((more) => [less, more])), ([less, more]) => values[less] <= values[more]);
+}
+
+/** @type {import('../page/figure.js').Figure} */
+export const robustness = {
+  name: 'robustness', table: 'robustness', measures: ['blur_modules'],
+  draw: (rows, look) => {
+    const labelled = rows.map((row) => ({ ...row, carving: row.search === 'ours' ? look.word('carvingOurs')
+      : look.word('carvingPattern', { modules: name('pattern', row.modules), finders: name('finder', row.finders) }) }));
+    const { rows: values, order } = look.named(labelled, { model: 'model' });
+    const across = look.narrow ? 1 : 3;
+    return /** @type {any} */ ({
+      data: { values }, columns: across, spacing: 16,
+      concat: kPanels.map(([measure, title], at) => ({
+        width: look.plotWidth(across), height: { step: 22 },
+        mark: { type: 'point', size: 44, strokeWidth: 1.7 },
+        encoding: {
+          y: { field: 'carving', type: 'nominal', sort: order('carving'), title: null, axis: { grid: true, labels: look.narrow || at === 0 } },
+          x: { field: measure, type: 'quantitative', title: look.word(title) },
+          ...series('model', order('model'), [kColours.grey, kColours.blue, kColours.orange], ['circle', 'square', 'triangle-up']),
+        },
+      })),
+    });
+  },
+  find: (rows) => {
+    const blur = byPattern(rows, 'blur_modules');
+    const pairs = moreCarvedSurvivesMore(blur);
+    const unread = rows.filter((row) => row.blur_modules === null).length;
+    const ours = rows.filter((row) => row.search === 'ours' && row.blur_modules !== null);
+    return [
+      ...(pairs.of > 0 ? [said('robustPairs', { holds: pairs.holds, of: pairs.of })] : []),
+      said('robustBlur', { list: kCarved.filter((pattern) => blur[pattern] !== undefined).map((pattern) => said('robustOf', { pattern: name('pattern', pattern), blur: mm(blur[pattern]) })) }),
+      ...(ours.length > 0 ? [said('robustOurs', { blur: mm(median(ours.map((row) => row.blur_modules))), tilt: Math.round(median(ours.map((row) => row.tilt_deg ?? 0))) })] : []),
+      ...(unread > 0 ? [said('robustUnread', { count: unread, of: rows.length })] : []),
+      said('robustPaper'),
+    ];
+  },
+};

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { byPattern, moreCarvedSurvivesMore } from './robustness.js';
+
+test('medians are of the published search, by pattern, without what does not read', () => {
+  const row = (/** @type {string} */ search, /** @type {string} */ modules, /** @type {number | null} */ blur) => ({ search, modules, blur_modules: blur });
+  assert.deepEqual(byPattern([row('papp-2022', 'square', 0.2), row('papp-2022', 'square', 0.4), row('papp-2022', 'none', null), row('ours', 'none', 1)], 'blur_modules'),
+    { square: 0.30000000000000004 });
+});
+
+test('pairs of patterns are judged by how much they carve', () => {
+  assert.deepEqual(moreCarvedSurvivesMore({ none: 0.5, 'thick-plus': 0.6, square: 0.5 }), { holds: 2, of: 3 });
+  assert.deepEqual(moreCarvedSurvivesMore({ none: 0.5 }), { holds: 0, of: 0 });
+});

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of the build: draws the figures of study.html from the tables that were measured, says what was found, and puts
+// figures and tables beside the page.
+import { kLanguages } from '../../web/i18n/catalogue.js';
+import { drawFigure } from './draw.js';
+import { kWidths } from './figure.js';
+import { kFigures } from './figures.js';
+import { figureMarkup, missingMarkup } from './markup.js';
+import { measured, readTables } from './table.js';
+
+/** @typedef {import('./table.js').Row} Row */
+/** @typedef {import('./table.js').Table} Table */
+
+const kFolder = 'study';
+
+/** Rows that have a value in one of the figure's columns at least. @param {import('./figure.js').Figure} figure @param {Row[]} rows */
+const isShowable = ({ measures }, rows) => measures.every((measure) => rows.some((row) => row[measure] !== null && row[measure] !== undefined));
+
+/**
+ * What the page shows of these tables.
+ * @param {Record<string, Table>} tables  by name
+ * @returns {Promise<{ files: Map<string, string>, markup: Map<string, string> }>}  contents by path, markup by figure
+ */
+export async function makeStudy(tables) {
+  /** @type {Map<string, string>} */ const files = new Map(Object.entries(tables).map(([table, { csv }]) => [`${kFolder}/${table}.csv`, csv]));
+  /** @type {Map<string, string>} */ const markup = new Map();
+  const rowsOf = Object.fromEntries(Object.entries(tables).map(([table, { rows }]) => [table, measured(rows)]));
+  for (const figure of kFigures) {
+    const rows = rowsOf[figure.table] ?? [];
+    if (!isShowable(figure, rows)) {
+      markup.set(figure.name, missingMarkup());
+      continue;
+    }
+    /** @type {any} */ const drawn = {};
+    for (const language of kLanguages) {
+      drawn[language] = {};
+      for (const width of /** @type {(keyof typeof kWidths)[]} */ (Object.keys(kWidths))) {
+        const { svg, ...size } = await drawFigure(figure, rows, language, width);
+        const path = `${kFolder}/${figure.name}.${language}.${width}.svg`;
+        files.set(path, svg);
+        drawn[language][width] = { path, ...size };
+      }
+    }
+    const all = tables[figure.table].rows.length;
+    markup.set(figure.name, figureMarkup({ figure, drawn, found: figure.find(rows, rowsOf), table: { path: `${kFolder}/${figure.table}.csv`, cases: all, failed: all - rows.length } }));
+  }
+  return { files, markup };
+}
+
+/**
+ * Fills elements that name a figure and are empty.
+ * @param {string} html
+ * @param {Map<string, string>} markup  by figure
+ * @throws {Error} for a figure that is not there
+ */
+export const fillFigures = (html, markup) => html.replace(/<div data-figure="(\w+)"><\/div>/g, (_, figure) => {
+  const found = markup.get(figure);
+  if (found === undefined) throw new Error(`There is no figure "${figure}"`);
+  return found;
+});
+
+/**
+ * @param {{ tables: string }} options  folder of the tables
+ * @returns {import('vite').Plugin}
+ */
+export function study({ tables }) {
+  /** @type {ReturnType<typeof makeStudy> | undefined} */ let made;
+  const make = () => (made ??= makeStudy(readTables(tables)));
+  return {
+    name: 'qrelief-study',
+    transformIndexHtml: {
+      order: 'post',  // Vite looks for the pictures itself otherwise
+      handler: async (html, { path }) => (path.endsWith('study.html') ? fillFigures(html, (await make()).markup) : html),
+    },
+    async generateBundle() {
+      for (const [fileName, source] of (await make()).files) this.emitFile({ type: 'asset', fileName, source });
+    },
+    configureServer(server) {
+      server.middlewares.use(`/${kFolder}`, async (request, response, next) => {
+        const path = `${kFolder}${(request.url ?? '').split('?')[0]}`;
+        const content = path.endsWith('.svg') || path.endsWith('.csv') ? (await make()).files.get(path) : undefined;
+        if (content === undefined) next();
+        else response.setHeader('Content-Type', path.endsWith('.svg') ? 'image/svg+xml' : 'text/csv').end(content);
+      });
+    },
+  };
+}

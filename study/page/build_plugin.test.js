@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { test } from 'node:test';
+import { fillFigures, makeStudy } from './build_plugin.js';
+import { kFigures } from './figures.js';
+import { kWidths } from './figure.js';
+import { isKnown, models, said, sentence } from './say.js';
+import { parseTable } from './table.js';
+import { kNeeded, kTries } from './tries.js';
+
+const kFlips = 'model,search,flips,flipped_modules,depth_mm,removed_mm,designed,printed,failed\n'
+  + ['plate', 'cylinder'].flatMap((model) => ['self-shadow-2019', 'ours'].flatMap((search) =>
+    [['none', 0, '1.000'], ['peng-2019', 16, '0.900'], ['ours', 53, '0.800']].map(([flips, flipped, depth]) => `${model},${search},${flips},${flipped},${depth},0.4,50,40,\n`))).join('')
+  + 'star,ours,none,,,,,,no-place\n';
+
+const tableOf = (/** @type {string} */ csv) => ({ csv, rows: parseTable(csv) });
+
+test('a table becomes figures of both widths in both languages, sentences with its numbers, and a file', async () => {
+  const { files, markup } = await makeStudy({ symbol_flips: tableOf(kFlips) });
+  assert.equal(files.get('study/symbol_flips.csv'), kFlips);
+  for (const language of ['en', 'de']) {
+    for (const [width, pixels] of Object.entries(kWidths)) {
+      const svg = files.get(`study/symbolFlips.${language}.${width}.svg`) ?? '';
+      assert.ok(Math.abs(Number(/<svg[^>]* width="(\d+)/.exec(svg)?.[1]) - pixels) < 12, `${language} ${width}`);
+      assert.doesNotMatch(svg, /NaN|undefined/);
+    }
+  }
+  const shown = markup.get('symbolFlips') ?? '';
+  assert.match(shown, /by 10 % and 20 %, with ours by 10 % and 20 %/);
+  assert.match(shown, /um 10 % und 20 % flacher/);
+  assert.match(shown, /1 of 13 cases could not be carved and is left out/);
+  assert.match(shown, /<a href="study\/symbol_flips\.csv" download>Table with 13 rows, CSV<\/a>/);
+});
+
+test('where a table is missing or empty the figure is left out, and the page says so', async () => {
+  const { files, markup } = await makeStudy({ symbol_flips: tableOf('model,search,flips,flipped_modules,depth_mm,removed_mm,designed,printed,failed\nstar,ours,none,,,,,,no-place\n') });
+  assert.deepEqual([...files.keys()], ['study/symbol_flips.csv']);
+  assert.deepEqual([...markup.keys()], kFigures.map(({ name }) => name));
+  for (const shown of markup.values()) assert.match(shown, /has not been measured yet/);
+});
+
+test('sentences that lack a number are not said', () => {
+  assert.equal(isKnown(said('flipsReads', { tries: NaN })), false);
+  assert.equal(isKnown(said('patternsLoose', { cases: models({ holds: 0, of: 0 }) })), false);
+  assert.equal(isKnown(said('lampsWhy')), true);
+  assert.equal(isKnown(said('frontierLost', { list: [] })), false);
+});
+
+test('how often a statement holds is said in words', () => {
+  const words = (/** @type {number} */ holds) => sentence('en', models({ holds, of: 8 }));
+  assert.deepEqual([0, 7, 8].map(words), ['on none of the 8 models', 'on 7 of 8 models', 'on all 8 models']);
+  assert.equal(sentence('de', said('robustOf', { pattern: said('pattern-square'), blur: { number: 0.5, digits: 2 } })), 'Quadrat 0,50');
+});
+
+test('every figure stands on the page once, and one that is not there fails the build', () => {
+  const page = readFileSync(new URL('../../web/study.html', import.meta.url), 'utf8');
+  assert.deepEqual([...page.matchAll(/data-figure="(\w+)"/g)].map(([, name]) => name).sort(), kFigures.map(({ name }) => name).sort());
+  assert.throws(() => fillFigures('<div data-figure="nothing"></div>', new Map()), /no figure "nothing"/);
+});
+
+test('a figure’s table is one that an experiment makes, with the columns it shows', () => {
+  const folder = new URL('../experiments/', import.meta.url);
+  for (const { table, measures } of kFigures) {
+    const source = readFileSync(new URL(`${table}.cpp`, folder), 'utf8') + readFileSync(new URL('experiments.cpp', folder), 'utf8');
+    for (const measure of measures) assert.ok(source.includes(`"${measure}"`), `${table}: ${measure}`);
+  }
+});
+
+test('the line that figures mark is the core’s', () => {
+  assert.equal(kNeeded, 29);
+  assert.match(readFileSync(new URL('../../core/verification/frontal_reading.h', import.meta.url), 'utf8'), /needed\(int tries\) \{ return \(2 \* tries \+ 4\) \/ 5; \}/);
+  assert.match(readFileSync(new URL('../README.md', import.meta.url), 'utf8'), new RegExp(`: ${kTries}; ${kNeeded} are needed`));
+});

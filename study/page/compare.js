@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What tables are asked: how often a statement holds, medians, and what lies between measured points.
+
+/** @typedef {import('./table.js').Row} Row */
+/** How often a statement holds, and of how many. @typedef {{ holds: number, of: number }} Tally */
+
+/** Of an even count the mean of the middle two; NaN of none. @param {number[]} values */
+export function median(values) {
+  const sorted = [...values].sort((a, b) => a - b);
+  const half = sorted.length / 2;
+  return (sorted[Math.ceil(half) - 1] + sorted[Math.floor(half)]) / 2;
+}
+
+/** Rows by the value of a column, in the order of appearance. @param {Row[]} rows @param {string} column @returns {Map<any, Row[]>} */
+export function groupBy(rows, column) {
+  /** @type {Map<any, Row[]>} */ const groups = new Map();
+  for (const row of rows) groups.set(row[column], [...(groups.get(row[column]) ?? []), row]);
+  return groups;
+}
+
+/** One measure by a column's value. @param {Row[]} rows @param {string} column @param {string} measure @returns {Record<string, number | undefined>} */
+export const valuesBy = (rows, column, measure) =>
+  Object.fromEntries(rows.filter((row) => row[measure] !== null).map((row) => [row[column], row[measure]]));
+
+/**
+ * @template T
+ * @param {Iterable<T>} items
+ * @param {(item: T) => boolean | undefined} judge  undefined: it cannot be said of this one, which does not count then
+ * @returns {Tally}
+ */
+export function tally(items, judge) {
+  const judged = [...items].map(judge).filter((answer) => answer !== undefined);
+  return { holds: judged.filter(Boolean).length, of: judged.length };
+}
+
+/** Of the models of a table. @param {Row[]} rows @param {(ofModel: Row[]) => boolean | undefined} judge */
+export const onModels = (rows, judge) => tally(groupBy(rows, 'model').values(), judge);
+
+/** Whether values rise from each to the next; undefined if one is missing. @param {(number | undefined)[]} values */
+export const rises = (values) =>
+  (values.includes(undefined) ? undefined : values.every((value, at) => at === 0 || /** @type {number} */ (value) > /** @type {number} */ (values[at - 1])));
+
+/** @typedef {[depth: number, reads: number]} Point */
+
+/**
+ * The most reads that are reached at no more than this depth: levels are joined by straight lines, and whoever may carve
+ * deeper may as well carve less deep. Undefined where even the shallowest level is deeper.
+ * @param {Point[]} levels
+ * @param {number} depth
+ */
+export function frontierAt(levels, depth) {
+  const sorted = [...levels].sort(([a], [b]) => a - b);
+  if (sorted.length === 0 || depth < sorted[0][0]) return undefined;
+  const reached = sorted.filter(([at]) => at <= depth).map(([, reads]) => reads);
+  const next = sorted[reached.length];
+  if (next) {
+    const [from, reads] = sorted[reached.length - 1];
+    reached.push(reads + (next[1] - reads) * (depth - from) / (next[0] - from));
+  }
+  return Math.max(...reached);
+}

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import * as vega from 'vega';
+import { compile } from 'vega-lite';
+import { kWidths, Look } from './figure.js';
+
+/** @typedef {import('./figure.js').Figure} Figure */
+/** @typedef {{ svg: string, width: number, height: number }} Drawing  in CSS pixels */
+
+const kLetterEm = 0.57;  // mean width of a letter; nothing measures text when the page is built
+
+// Its types do not name it.
+/** @type {any} */ (vega).textMetrics.width = (/** @type {{ fontSize?: number }} */ { fontSize = 11 }, /** @type {unknown} */ text) => kLetterEm * fontSize * String(text ?? '').length;
+
+/** @param {Figure} figure @param {import('./table.js').Row[]} rows @param {Look} look @returns {Promise<Drawing>} */
+async function drawn(figure, rows, look) {
+  const spec = /** @type {any} */ (figure.draw(rows, look));
+  const { spec: drawing } = compile({ padding: 2, ...spec, config: look.config });
+  const view = new vega.View(vega.parse(drawing), { renderer: 'none' });
+  const svg = (await view.toSVG()).replace(/\d+\.\d{3,}/g, (number) => String(Number(Number(number).toFixed(2))));
+  view.finalize();
+  const [width, height] = ['width', 'height'].map((side) => Math.round(Number(new RegExp(`<svg[^>]*\\b${side}="([\\d.]+)"`).exec(svg)?.[1])));
+  return { svg, width, height };
+}
+
+/**
+ * A figure as an SVG file of its own.
+ * @param {Figure} figure
+ * @param {import('./table.js').Row[]} rows  of its table, measured
+ * @param {import('./figure.js').Language} language
+ * @param {keyof typeof kWidths} width  that it fills
+ */
+export async function drawFigure(figure, rows, language, width) {
+  const whole = kWidths[width];
+  const beside = (await drawn(figure, rows, new Look(language, width, whole))).width - whole;  // labels and what parts the plots
+  return drawn(figure, rows, new Look(language, width, whole - beside));
+}

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the figures have in common: measures, colours, names in the language of the reader.
+import { sentence } from './say.js';
+
+/** @typedef {import('./table.js').Row} Row */
+/** @typedef {import('./say.js').Said} Said */
+/** @typedef {import('./say.js').Word} Word */
+/** @typedef {import('../../web/i18n/catalogue.js').Language} Language */
+/** @typedef {import('vega-lite').TopLevelSpec} Spec */
+
+/**
+ * A figure of the page, from one table. Rows are those that could be measured.
+ * @typedef {object} Figure
+ * @property {string} name    of its files, and of its words: NAMEAlt, NAMEShown
+ * @property {string} table
+ * @property {string[]} measures  columns that it shows; without a value in one of them there is no figure
+ * @property {(rows: Row[], look: Look) => Spec} draw
+ * @property {(rows: Row[], tables: Record<string, Row[]>) => Said[]} find  what is said of it; `tables` are all, as measured
+ */
+
+/** CSS pixels. A wide one fits the column of the page, a narrow one a phone of 360. */
+export const kWidths = { wide: 712, narrow: 328 };
+
+/** Colours that all eyes tell apart, 3:1 on white at least; dark pages turn their lightness round (article.css). */
+export const kColours = { blue: '#0072b2', orange: '#c85200', green: '#007a58', purple: '#a6427f', grey: '#75797d', olive: '#80751a', ink: '#1c1f21', soft: '#575d61', line: '#d9d9d2' };
+
+export class Look {
+  /** @param {Language} language @param {keyof typeof kWidths} width @param {number} room  for the plots of a row, without what stands beside them */
+  constructor(language, width, room) {
+    this.language = language;
+    this.narrow = width === 'narrow';
+    this.room = room;
+  }
+
+  /** @param {Word} word @param {Record<string, import('./say.js').Value>} [values] */
+  word(word, values) {
+    return sentence(this.language, { say: word, with: values });
+  }
+
+  /** @param {string} kind @param {string} value */
+  name(kind, value) {
+    return this.word(/** @type {Word} */ (`${kind}-${value}`));
+  }
+
+  /**
+   * Rows with names in place of a column's values, and these names in the rows' order.
+   * @param {Row[]} rows
+   * @param {Record<string, string>} kinds  of names, by column
+   */
+  named(rows, kinds) {
+    const named = rows.map((row) => ({ ...row,
+      ...Object.fromEntries(Object.entries(kinds).map(([column, kind]) => [column, this.name(kind, row[column])])) }));
+    /** @param {string} column */
+    const order = (column) => [...new Set(named.map((row) => /** @type {any} */ (row)[column]))];
+    return { rows: named, order };
+  }
+
+  /** Width of one of several plots side by side. @param {number} columns */
+  plotWidth(columns) {
+    return Math.floor(this.room / columns);
+  }
+
+  get config() {
+    const size = this.narrow ? 10 : 11;
+    return {
+      font: 'system-ui, "Noto Sans", "Liberation Sans", sans-serif',
+      background: 'transparent',
+      aria: false,  // an <img> has its words beside it
+      locale: { number: this.language === 'de' ? { decimal: ',', thousands: '.', grouping: [3], currency: ['', ' €'] }
+        : { decimal: '.', thousands: ',', grouping: [3], currency: ['$', ''] } },
+      view: { stroke: null },
+      axis: {
+        labelFontSize: size, titleFontSize: size, titleFontWeight: 500, labelColor: kColours.ink, titleColor: kColours.soft, titlePadding: 6,
+        gridColor: kColours.line, domainColor: kColours.grey, tickColor: kColours.grey, labelLimit: 160, tickCount: 4,
+      },
+      axisY: { domain: false, ticks: false },
+      legend: {
+        orient: 'top', labelFontSize: size, labelColor: kColours.ink, labelLimit: 240, symbolSize: 60, symbolStrokeWidth: 2,
+        titleFontSize: size, titleFontWeight: 600, titleColor: kColours.ink, columnPadding: 12, offset: 6, columns: this.narrow ? 2 : 5,
+      },
+      header: { labelFontSize: size + 1, labelFontWeight: 600, labelColor: kColours.ink, title: null, labelPadding: 4 },
+      facet: { spacing: this.narrow ? 14 : 18 },
+    };
+  }
+}
+
+/** A series by colour and shape at once. @param {string} field @param {string[]} names @param {string[]} colours @param {string[]} shapes @param {string | null} [title] */
+export const series = (field, names, colours, shapes, title = null) => {
+  const of = { field, type: /** @type {const} */ ('nominal'), legend: { title } };
+  return { color: { ...of, scale: { domain: names, range: colours } }, shape: { ...of, scale: { domain: names, range: shapes } } };
+};

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every figure, by the name that study.html has.
+import { frontierDesigned, frontierPrinted } from '../figures/frontier.js';
+import { guaranteedSize } from '../figures/guaranteed_size.js';
+import { lampDepths } from '../figures/lamp_depths.js';
+import { leastModule } from '../figures/least_module.js';
+import { lightAngles } from '../figures/light_angles.js';
+import { lightErrors } from '../figures/light_errors.js';
+import { methodDepths } from '../figures/method_depths.js';
+import { patternDepths } from '../figures/pattern_depths.js';
+import { robustness } from '../figures/robustness.js';
+import { searchTimes } from '../figures/search_times.js';
+import { symbolFlips } from '../figures/symbol_flips.js';
+
+/** @type {readonly import('./figure.js').Figure[]} */
+export const kFigures = [leastModule, guaranteedSize, patternDepths, methodDepths, frontierPrinted, frontierDesigned, searchTimes, lightErrors, lampDepths,
+  lightAngles, robustness, symbolFlips];

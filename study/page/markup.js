@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Figures and what is said of them as markup, in every language; article.css shows that of the page's.
+import { kLanguages } from '../../web/i18n/catalogue.js';
+import { escaped } from '../../web/i18n/fill.js';
+import { isKnown, said, sentence } from './say.js';
+
+/** @typedef {import('../../web/i18n/catalogue.js').Language} Language */
+/** @typedef {import('./figure.js').Figure} Figure */
+/** @typedef {import('./say.js').Said} Said */
+/** @typedef {{ path: string, width: number, height: number }} Drawn */
+/**
+ * @typedef {object} Shown
+ * @property {Figure} figure
+ * @property {Record<Language, { wide: Drawn, narrow: Drawn }>} drawn
+ * @property {Said[]} found
+ * @property {{ path: string, cases: number, failed: number }} table
+ */
+
+const kNarrowest = '(max-width: 760px)';  // of pages whose column is narrower than a wide figure
+
+/** An element in each language, of which one is shown. @param {string} tag @param {(language: Language) => string} content */
+const inEach = (tag, content) => kLanguages.map((language) => `<${tag} lang="${language}" class="in-${language}">${content(language)}</${tag}>`).join('\n');
+
+/** @param {Language} language @param {Said[]} sentences */
+const paragraph = (language, sentences) => escaped(sentences.map((one) => sentence(language, one)).join(' '));
+
+/** @param {Shown} shown @param {Language} language */
+function picture({ figure, drawn }, language) {
+  const { wide, narrow } = drawn[language];
+  const alt = escaped(sentence(language, said(/** @type {any} */ (`${figure.name}Alt`))));
+  return `<picture>
+<source media="${kNarrowest}" srcset="${narrow.path}" width="${narrow.width}" height="${narrow.height}" />
+<img src="${wide.path}" width="${wide.width}" height="${wide.height}" alt="${alt}" loading="lazy" />
+</picture>`;
+}
+
+/** @param {Shown} shown @returns {string} */
+export function figureMarkup(shown) {
+  const { figure, found, table } = shown;
+  const caption = (/** @type {Language} */ language) => `${paragraph(language, [said(/** @type {any} */ (`${figure.name}Shown`))])} `
+    + `<a href="${table.path}" download>${paragraph(language, [said('download', { count: table.cases })])}</a>`;
+  const sentences = [...found.filter(isKnown), ...(table.failed > 0 ? [said('failed', { count: table.failed, of: table.cases })] : [])];
+  return `${inEach('p', (language) => paragraph(language, sentences))}
+${inEach('figure', (language) => `<div class="chart">${picture(shown, language)}</div>\n<figcaption>${caption(language)}</figcaption>`)}`;
+}
+
+/** Where a table is not there yet. */
+export const missingMarkup = () => inEach('p', (language) => paragraph(language, [said('notMeasured')]));
