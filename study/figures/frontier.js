@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Reads against depth, every method from shallow to deep.
 import { frontierAt, groupBy, tally } from '../page/compare.js';
-import { kColours } from '../page/figure.js';
+import { inOrder, kColours, series } from '../page/figure.js';
 import { models, name, said } from '../page/say.js';
 import { kNeeded, kTries } from '../page/tries.js';
 
@@ -10,17 +10,19 @@ import { kNeeded, kTries } from '../page/tries.js';
 
 const kOurs = /^ours-/;
 const kDefault = 'ours-for-print';
+/** @type {Record<string, [colour: string, shape: string, dash: number[]]>} */
 const kStyles = {
   'groove-2018': [kColours.olive, 'triangle-down', []],
   'self-shadow-2019': [kColours.purple, 'square', []],
   'one-light-2020': [kColours.orange, 'diamond', []],
   'papp-2022': [kColours.blue, 'circle', []],
-  'papp-2022-whole-modules': [kColours.blue, 'circle', [4, 3]],
-  'even-depth': [kColours.grey, 'cross', [2, 3]],
+  'papp-2022-whole-modules': [kColours.blue, 'square', [4, 3]],
+  'even-depth': [kColours.grey, 'cross', []],
   'ours-reading': [kColours.green, 'triangle-right', [2, 3]],
-  'ours-for-design': [kColours.green, 'triangle-up', [5, 3]],
+  'ours-for-design': [kColours.green, 'circle', [5, 3]],
   'ours-for-print': [kColours.green, 'triangle-up', []],
 };
+const kThin = 1.2, kThick = 2.6;  // lines; the thick one is our default
 
 /** A method's levels on one model. @param {Row[]} ofModel @param {string} method @param {string} measure @returns {Point[]} */
 const levelsOf = (ofModel, method, measure) => ofModel.filter((row) => row.method === method).map((row) => [row.depth_mm, row[measure]]);
@@ -45,33 +47,36 @@ export function leastDepthThatReads(ofModel, method) {
 
 /** @param {'designed' | 'printed'} measure @returns {import('../page/figure.js').Figure['draw']} */
 const draw = (measure) => (rows, look) => {
-  const sorted = [...groupBy(rows, 'model').values()].flat();
-  const { rows: values, order } = look.named(sorted.map((row) => ({ ...row, id: row.method })), { model: 'model', method: 'method' });
-  const styles = [...new Set(sorted.map(({ method }) => method))].map((method) => /** @type {any} */ (kStyles)[method] ?? [kColours.ink, 'circle', []]);
-  const columns = look.narrow ? 2 : 4;
+  const { rows: values, order } = look.named(rows.filter((row) => row.depth_mm > 0), { model: 'model', method: 'method' });  // of 0 there is no logarithm
+  const methods = inOrder(rows, 'method', 'method');
+  const styles = methods.map((method) => kStyles[method] ?? [kColours.ink, 'circle', []]);
   const names = order('method');
-  const legend = { title: null };
-  return /** @type {any} */ ({
+  const columns = look.narrow ? 2 : 4;
+  /** @type {any} */
+  const at = {
+    x: { field: 'depth_mm', type: 'quantitative', title: look.word('axisDepth'), scale: { type: 'log', nice: false }, axis: { values: [0.1, 0.2, 0.5, 1, 2], grid: false } },
+    y: { field: measure, type: 'quantitative', title: look.word('axisReads', { of: kTries }), scale: { domain: [0, kTries] }, axis: { values: [0, 20, 40, 60] } },
+    order: { field: 'level' },
+  };
+  return {
     data: { values }, columns,
     facet: { field: 'model', type: 'nominal', sort: order('model') },
     spec: {
       width: look.plotWidth(columns), height: 150,
       layer: [
         { mark: { type: 'rule', strokeDash: [5, 4], color: kColours.soft }, encoding: { y: { datum: kNeeded } } },
+        ...methods.map((method, index) => ({
+          transform: [{ filter: { field: 'method', equal: names[index] } }],
+          mark: { type: /** @type {const} */ ('line'), color: styles[index][0], strokeDash: styles[index][2], strokeWidth: method === kDefault ? kThick : kThin },
+          encoding: at,
+        })),
         {
-          mark: { type: 'line', strokeWidth: 1.6, point: { size: 26 } },
-          encoding: {
-            x: { field: 'depth_mm', type: 'quantitative', title: look.word('axisDepth'), scale: { type: 'log', nice: false }, axis: { values: [0.1, 0.2, 0.5, 1, 2], grid: false } },
-            y: { field: measure, type: 'quantitative', title: look.word('axisReads', { of: kTries }), scale: { domain: [0, kTries] }, axis: { values: [0, 20, 40, 60] } },
-            order: { field: 'level' },
-            color: { field: 'method', type: 'nominal', scale: { domain: names, range: styles.map(([color]) => color) }, legend },
-            shape: { field: 'method', type: 'nominal', scale: { domain: names, range: styles.map(([, shape]) => shape) }, legend },
-            strokeDash: { field: 'method', type: 'nominal', scale: { domain: names, range: styles.map(([,, dash]) => dash) }, legend },
-          },
+          mark: { type: 'point', filled: true, size: 26, opacity: 1 },
+          encoding: { ...at, ...series('method', names, styles.map(([colour]) => colour), styles.map(([, shape]) => shape)) },
         },
       ],
     },
-  });
+  };
 };
 
 /** @type {import('../page/figure.js').Figure} */

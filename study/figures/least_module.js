@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The least module that reads as printed [Papp 2022, figure 11].
 import { groupBy, tally } from '../page/compare.js';
-import { kColours, series } from '../page/figure.js';
+import { inOrder, kColours, series } from '../page/figure.js';
 import { cases, mm, name, said } from '../page/say.js';
 
 /** @typedef {import('../page/table.js').Row} Row */
@@ -28,12 +28,14 @@ export const asSmall = (rows, column, one, other) => tally(pairs(rows, column, k
 export const leastModule = {
   name: 'leastModule', table: 'least_module', measures: ['module_mm'],
   draw: (rows, look) => {
-    const labelled = rows.map((row) => ({ ...row, print: look.word('printAs', { process: name('process', row.process), pose: name('pose', row.pose) }) }));
-    const { rows: values, order } = look.named(labelled, { modules: 'pattern', finders: 'finder' });
+    /** @param {any} process @param {any} pose */
+    const print = (process, pose) => look.word('printAs', { process: name('process', process), pose: name('pose', pose) });
+    const prints = inOrder(rows, 'process', 'process').flatMap((process) => inOrder(rows, 'pose', 'pose').map((pose) => print(process, pose)));
+    const { rows: values, order } = look.named(rows.map((row) => ({ ...row, print: print(row.process, row.pose) })), { modules: 'pattern', finders: 'finder' });
     const columns = look.narrow ? 1 : 2;
     return {
       data: { values }, columns,
-      facet: { field: 'print', type: 'nominal', sort: order('print') },
+      facet: { field: 'print', type: 'nominal', sort: prints },
       spec: {
         width: look.plotWidth(columns), height: { step: 22 },
         mark: { type: 'point', size: 40, strokeWidth: 1.6 },

@@ -45,7 +45,7 @@ export const lightAngles = {
             mark: { type: 'line', point: { size: 44 }, strokeWidth: 2 },
             encoding: {
               x: { field: 'read_at', type: 'quantitative', title: look.word('axisLamp'), scale: { domain: [0, 90] }, axis: { values: [0, 15, 30, 45, 60, 75, 90], grid: false } },
-              y: { field: 'reads', type: 'quantitative', title: look.word('axisReads', { of: kTries }), scale: { domain: [0, kTries] } },
+              y: { field: 'reads', type: 'quantitative', title: look.word('axisReads', { of: kTries }), scale: { domain: [0, kTries], nice: false }, axis: { values: [0, 20, 40, 60] } },
               ...series('carved_at', order('carved_at'), [kColours.grey, kColours.orange, kColours.blue], ['circle', 'square', 'triangle-up']),
             },
           },

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What codes survive: blur, distance and tilt, by pattern [Papp 2022, section 8].
 import { groupBy, median, tally } from '../page/compare.js';
-import { kColours, series } from '../page/figure.js';
+import { inOrder, kColours, series } from '../page/figure.js';
 import { mm, name, said } from '../page/say.js';
 
 /** @typedef {import('../page/table.js').Row} Row */
@@ -28,9 +28,11 @@ export function moreCarvedSurvivesMore(values) {
 export const robustness = {
   name: 'robustness', table: 'robustness', measures: ['blur_modules'],
   draw: (rows, look) => {
-    const labelled = rows.map((row) => ({ ...row, carving: row.search === 'ours' ? look.word('carvingOurs')
-      : look.word('carvingPattern', { modules: name('pattern', row.modules), finders: name('finder', row.finders) }) }));
-    const { rows: values, order } = look.named(labelled, { model: 'model' });
+    const carving = (/** @type {Row} */ row) => (row.search === 'ours' ? look.word('carvingOurs')
+      : look.word('carvingPattern', { modules: name('pattern', row.modules), finders: name('finder', row.finders) }));
+    const carvings = [...new Set(inOrder(rows, 'search', 'search').flatMap((search) => inOrder(rows, 'modules', 'pattern').flatMap((modules) =>
+      rows.filter((row) => row.search === search && row.modules === modules).map(carving))))];
+    const { rows: values, order } = look.named(rows.map((row) => ({ ...row, carving: carving(row) })), { model: 'model' });
     const across = look.narrow ? 1 : 3;
     return /** @type {any} */ ({
       data: { values }, columns: across, spacing: 16,
@@ -38,7 +40,7 @@ export const robustness = {
         width: look.plotWidth(across), height: { step: 22 },
         mark: { type: 'point', size: 44, strokeWidth: 1.7 },
         encoding: {
-          y: { field: 'carving', type: 'nominal', sort: order('carving'), title: null, axis: { grid: true, labels: look.narrow || at === 0 } },
+          y: { field: 'carving', type: 'nominal', sort: carvings, title: null, axis: { grid: true, labels: look.narrow || at === 0 } },
           x: { field: measure, type: 'quantitative', title: look.word(title) },
           ...series('model', order('model'), [kColours.grey, kColours.blue, kColours.orange], ['circle', 'square', 'triangle-up']),
         },

@@ -22,7 +22,7 @@ const isShowable = ({ measures }, rows) => measures.every((measure) => rows.some
  * @returns {Promise<{ files: Map<string, string>, markup: Map<string, string> }>}  contents by path, markup by figure
  */
 export async function makeStudy(tables) {
-  /** @type {Map<string, string>} */ const files = new Map(Object.entries(tables).map(([table, { csv }]) => [`${kFolder}/${table}.csv`, csv]));
+  /** @type {Map<string, string>} */ const files = new Map();
   /** @type {Map<string, string>} */ const markup = new Map();
   const rowsOf = Object.fromEntries(Object.entries(tables).map(([table, { rows }]) => [table, measured(rows)]));
   for (const figure of kFigures) {
@@ -41,8 +41,10 @@ export async function makeStudy(tables) {
         drawn[language][width] = { path, ...size };
       }
     }
-    const all = tables[figure.table].rows.length;
-    markup.set(figure.name, figureMarkup({ figure, drawn, found: figure.find(rows, rowsOf), table: { path: `${kFolder}/${figure.table}.csv`, cases: all, failed: all - rows.length } }));
+    const { csv, rows: { length: cases } } = tables[figure.table];
+    const path = `${kFolder}/${figure.table}.csv`;
+    files.set(path, csv);
+    markup.set(figure.name, figureMarkup({ figure, drawn, found: figure.find(rows, rowsOf), table: { path, cases, failed: cases - rows.length } }));
   }
   return { files, markup };
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the figures have in common: measures, colours, names in the language of the reader.
+import { figures } from '../../web/i18n/parts/figures.js';
 import { sentence } from './say.js';
 
 /** @typedef {import('./table.js').Row} Row */
@@ -24,6 +25,19 @@ export const kWidths = { wide: 712, narrow: 328 };
 /** Colours that all eyes tell apart, 3:1 on white at least; dark pages turn their lightness round (article.css). */
 export const kColours = { blue: '#0072b2', orange: '#c85200', green: '#007a58', purple: '#a6427f', grey: '#75797d', olive: '#80751a', ink: '#1c1f21', soft: '#575d61', line: '#d9d9d2' };
 
+/**
+ * A column's values, each once, in the order of their words.
+ * @param {Row[]} rows
+ * @param {string} column
+ * @param {string} kind  of name
+ * @returns {any[]}
+ */
+export function inOrder(rows, column, kind) {
+  const words = Object.keys(figures.en);
+  const at = (/** @type {any} */ value) => words.indexOf(`${kind}-${value}`);
+  return [...new Set(rows.map((row) => row[column]))].sort((a, b) => at(a) - at(b));
+}
+
 export class Look {
   /** @param {Language} language @param {keyof typeof kWidths} width @param {number} room  for the plots of a row, without what stands beside them */
   constructor(language, width, room) {
@@ -43,7 +57,7 @@ export class Look {
   }
 
   /**
-   * Rows with names in place of a column's values, and these names in the rows' order.
+   * Rows with names in place of a column's values, and these names in the order of the words.
    * @param {Row[]} rows
    * @param {Record<string, string>} kinds  of names, by column
    */
@@ -51,7 +65,7 @@ export class Look {
     const named = rows.map((row) => ({ ...row,
       ...Object.fromEntries(Object.entries(kinds).map(([column, kind]) => [column, this.name(kind, row[column])])) }));
     /** @param {string} column */
-    const order = (column) => [...new Set(named.map((row) => /** @type {any} */ (row)[column]))];
+    const order = (column) => inOrder(rows, column, kinds[column]).map((value) => this.name(kinds[column], value));
     return { rows: named, order };
   }
 

@@ -13,6 +13,7 @@ export const study = {
     howReads: 'Whether a carving reads is counted in tries: pictures of it from the front, of several scales and blurs, are read by ZXing in several ways. A code counts as read if two tries in five succeed; figures mark that line by dashes.',
     howPrinted: '“As designed” is the surface that was carved. “As printed” is what a nozzle of 0.4 mm leaves of it in layers of 0.2 mm, the code facing up. Both are simulated, no print was made; so the numbers compare methods and do not promise what a certain printer makes.',
     howPaper: '“The paper” is Papp, Hoffmann and Papp, “Embedding QR Code onto Triangulated Meshes using Horizon Based Ambient Occlusion” (2022). The other methods are Kikuchi 2018 (grooves in a smooth surface), Peng 2019 (self-shadows), Peng 2020 (shadows of one lamp), and an even depth everywhere. Papp 2022 is carved with square modules unless it says “whole”. What their publications leave open was chosen by us; the head of each method’s source says what.',
+    howOurs: '“QRelief, print” is what the app does unless told otherwise: it carves so that the print gets the contrast that is asked for. “QRelief, design” asks it of the designed surface alone, and “QRelief, by reading” makes each module as dark as a blurred picture of it needs.',
 
     module: 'The least module',
     size: 'How large a code fits',
@@ -41,6 +42,7 @@ export const study = {
     howReads: 'Ob sich eine Gravur lesen lässt, wird in Versuchen gezählt: Bilder von vorn, in mehreren Maßstäben und Unschärfen, werden von ZXing auf mehrere Arten gelesen. Ein Code gilt als lesbar, wenn zwei von fünf Versuchen gelingen; in den Abbildungen ist diese Grenze gestrichelt.',
     howPrinted: '„Im Entwurf“ ist die gravierte Fläche selbst. „Im Druck“ ist, was eine Düse von 0,4 mm davon in Schichten von 0,2 mm übrig lässt, mit dem Code nach oben. Beides ist simuliert, gedruckt wurde nichts; die Zahlen vergleichen also Verfahren und versprechen nicht, was ein bestimmter Drucker schafft.',
     howPaper: '„Der Artikel“ ist Papp, Hoffmann und Papp, „Embedding QR Code onto Triangulated Meshes using Horizon Based Ambient Occlusion“ (2022). Die anderen Verfahren sind Kikuchi 2018 (Rillen in einer glatten Fläche), Peng 2019 (Selbstschatten), Peng 2020 (Schatten einer einzigen Lampe) und eine überall gleiche Tiefe. Papp 2022 wird mit quadratischen Modulen graviert, wo nicht „ganz“ dabeisteht. Was die Veröffentlichungen offenlassen, haben wir gewählt; was es ist, steht am Anfang des Quelltexts jedes Verfahrens.',
+    howOurs: '„QRelief, Druck“ ist, was die App tut, wenn man nichts anderes wählt: Sie graviert so, dass der Druck den verlangten Kontrast bekommt. „QRelief, Entwurf“ verlangt ihn nur von der entworfenen Fläche, und „QRelief, nach Lesung“ macht jedes Modul so dunkel, wie ein unscharfes Bild davon es braucht.',
 
     module: 'Das kleinste Modul',
     size: 'Wie groß ein Code sein kann',
