@@ -56,10 +56,11 @@ export const leastModule = {
     const unread = rows.filter((row) => row.module_mm === null).length;
     return [
       ...least,
-      said('leastThick', { thin: cases(asSmall(rows, 'modules', 'thick-plus', 'thin-plus')), square: cases(asSmall(rows, 'modules', 'thick-plus', 'square')) }),
+      said('leastThick', { thin: cases(asSmall(rows, 'modules', 'thick-plus', 'thin-plus')) }),
       said('leastFinders', { cases: cases(asSmall(rows, 'finders', 'none', 'as-modules')) }),
-      said('leastStanding', { cases: cases(asSmall(rows, 'pose', 'code-upright', 'code-up')) }),
-      said('leastNozzle', { cases: cases(asSmall(rows, 'process', 'fdm-0.25/0.1', 'fdm-0.4/0.2')) }),
+      said('leastPrint', {
+        standing: cases(asSmall(rows, 'pose', 'code-upright', 'code-up')), finer: cases(asSmall(rows, 'process', 'fdm-0.25/0.1', 'fdm-0.4/0.2')),
+      }),
       ...(unread > 0 ? [said('leastUnread', { count: unread, of: rows.length })] : []),
       said('leastPaper'),
     ];

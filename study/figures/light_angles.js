@@ -13,8 +13,19 @@ export const kPaper = [{ carvedAt: 33, higher: 30 }, { carvedAt: 8, higher: 15 }
 /** Rows of one carving. @param {Row[]} rows @param {string} modules @param {number | string} carvedAt */
 const carving = (rows, modules, carvedAt) => rows.filter((row) => row.modules === modules && row.carved_at === carvedAt);
 
-/** Where the reading lamp may stand, in degrees: every angle that was tried and reads. @param {Row[]} rows @returns {number[]} */
-export const readAngles = (rows) => rows.filter(({ reads }) => reads >= kNeeded).map((row) => row.read_at).sort((a, b) => a - b);
+/**
+ * Where the reading lamp may stand: runs of angles that were tried, one beside the other, and read.
+ * @param {Row[]} rows  of one carving
+ * @returns {number[][]}  in degrees
+ */
+export function readRuns(rows) {
+  /** @type {number[][]} */ const runs = [[]];
+  for (const { read_at: angle, reads } of [...rows].sort((a, b) => a.read_at - b.read_at)) {
+    if (reads >= kNeeded) runs[runs.length - 1].push(angle);
+    else runs.push([]);
+  }
+  return runs.filter(({ length }) => length > 0);
+}
 
 /** Whether it reads with the lamp that it was carved for, and as much higher as the paper has it. @param {Row[]} rows  of one carving @param {number} carvedAt @param {number} higher */
 export const tolerates = (rows, carvedAt, higher) => {
@@ -25,8 +36,12 @@ export const tolerates = (rows, carvedAt, higher) => {
 /** Whether no lower lamp keeps it from being read. @param {Row[]} rows  of one carving @param {number} carvedAt */
 export const lowerNeverHurts = (rows, carvedAt) => rows.filter((row) => row.read_at < carvedAt).every(({ reads }) => reads >= kNeeded);
 
-/** @param {number[]} angles */
-const span = (angles) => (angles.length > 0 ? said('anglesFromTo', { from: angles[0], to: angles[angles.length - 1], count: angles.length }) : said('anglesNone'));
+/** @param {Row[]} rows  of one carving */
+function spans(rows) {
+  const runs = readRuns(rows);
+  return runs.length === 0 ? said('anglesNone')
+    : said('anglesWith', { list: runs.map((run) => said('anglesFromTo', { from: run[0], to: run[run.length - 1], count: run.length })) });
+}
 
 /** @type {import('../page/figure.js').Figure} */
 export const lightAngles = {
@@ -58,13 +73,14 @@ export const lightAngles = {
     if (whole.some(({ rows: { length } }) => length === 0)) return [];
     const [one, other] = whole;
     return [
-      said('anglesWhole', { oneAt: one.carvedAt, one: span(readAngles(one.rows)), otherAt: other.carvedAt, other: span(readAngles(other.rows)) }),
+      said('anglesWhole', { oneAt: one.carvedAt, one: spans(one.rows), otherAt: other.carvedAt, other: spans(other.rows) }),
       said('anglesPaper', {
         oneHigher: one.higher, otherHigher: other.higher, onePaper: 90 + one.carvedAt, otherPaper: 90 + other.carvedAt,
         higher: cases(tally(whole, ({ carvedAt, higher, rows: ofOne }) => tolerates(ofOne, carvedAt, higher))),
         lower: cases(tally(whole, ({ carvedAt, rows: ofOne }) => lowerNeverHurts(ofOne, carvedAt))),
+        own: cases(tally(whole, ({ carvedAt, rows: ofOne }) => tolerates(ofOne, carvedAt, 0))),
       }),
-      said('anglesPattern', { one: span(readAngles(carving(rows, 'square', one.carvedAt))), other: span(readAngles(carving(rows, 'square', other.carvedAt))) }),
+      said('anglesPattern', { one: spans(carving(rows, 'square', one.carvedAt)), other: spans(carving(rows, 'square', other.carvedAt)) }),
       said('anglesWhy'),
     ];
   },

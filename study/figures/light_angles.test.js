@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { lowerNeverHurts, readAngles, tolerates } from './light_angles.js';
+import { lowerNeverHurts, readRuns, tolerates } from './light_angles.js';
 
 const rows = (/** @type {Record<number, number>} */ reads) => Object.entries(reads).map(([at, count]) => ({ read_at: Number(at), reads: count }));
 
-test('angles that read are those with 29 of 72 tries', () => {
-  assert.deepEqual(readAngles(rows({ 33: 40, 8: 29, 15: 28 })), [8, 33]);
+test('angles that read are those with 29 of 72 tries, in runs of neighbours', () => {
+  assert.deepEqual(readRuns(rows({ 33: 40, 23: 30, 15: 28, 8: 29, 88: 0 })), [[8], [23, 33]]);
+  assert.deepEqual(readRuns(rows({ 8: 28 })), []);
 });
 
 test('a tolerance needs every angle from the lamp’s own up to it', () => {
