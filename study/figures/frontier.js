@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Reads against depth, every method from shallow to deep.
-import { frontierAt, groupBy, tally } from '../page/compare.js';
+import { distinct, frontierAt, groupBy, tally } from '../page/compare.js';
 import { inOrder, kColours, series } from '../page/figure.js';
 import { models, name, said } from '../page/say.js';
 import { kNeeded, kTries } from '../page/tries.js';
@@ -35,7 +35,7 @@ const levelsOf = (ofModel, method, measure) => ofModel.filter((row) => row.metho
  */
 export function betterThanDefault(ofModel, ours) {
   if (!ours) return undefined;
-  return [...new Set(ofModel.map(({ method }) => method))].filter((method) => !kOurs.test(method)
+  return distinct(ofModel, 'method').filter((method) => !kOurs.test(method)
     && (frontierAt(levelsOf(ofModel, method, 'printed'), ours.depth_mm) ?? -1) > ours.printed);
 }
 
@@ -47,15 +47,22 @@ export function leastDepthThatReads(ofModel, method) {
 
 /** @param {'designed' | 'printed'} measure @returns {import('../page/figure.js').Figure['draw']} */
 const draw = (measure) => (rows, look) => {
-  const { rows: values, order } = look.named(rows.filter((row) => row.depth_mm > 0), { model: 'model', method: 'method' });  // of 0 there is no logarithm
-  const methods = inOrder(rows, 'method', 'method');
+  const deep = rows.filter((row) => row.depth_mm > 0);  // of 0 there is no logarithm
+  const { rows: values, order } = look.named(deep, { model: 'model', method: 'method' });
+  const methods = inOrder(deep, 'method', 'method');
   const styles = methods.map((method) => kStyles[method] ?? [kColours.ink, 'circle', []]);
   const names = order('method');
   const columns = look.narrow ? 2 : 4;
   /** @type {any} */
   const at = {
-    x: { field: 'depth_mm', type: 'quantitative', title: look.word('axisDepth'), scale: { type: 'log', nice: false }, axis: { values: [0.1, 0.2, 0.5, 1, 2], grid: false } },
-    y: { field: measure, type: 'quantitative', title: look.word('axisReads', { of: kTries }), scale: { domain: [0, kTries] }, axis: { values: [0, 20, 40, 60] } },
+    x: {
+      field: 'depth_mm', type: 'quantitative', title: look.word('axisDepth'), scale: { type: 'log', nice: false },
+      axis: { values: [0.1, 0.2, 0.5, 1, 2], grid: false },
+    },
+    y: {
+      field: measure, type: 'quantitative', title: look.word('axisReads', { of: kTries }), scale: { domain: [0, kTries] },
+      axis: { values: [0, 20, 40, 60] },
+    },
     order: { field: 'level' },
   };
   return {
@@ -67,7 +74,10 @@ const draw = (measure) => (rows, look) => {
         { mark: { type: 'rule', strokeDash: [5, 4], color: kColours.soft }, encoding: { y: { datum: kNeeded } } },
         ...methods.map((method, index) => ({
           transform: [{ filter: { field: 'method', equal: names[index] } }],
-          mark: { type: /** @type {const} */ ('line'), color: styles[index][0], strokeDash: styles[index][2], strokeWidth: method === kDefault ? kThick : kThin },
+          mark: {
+            type: /** @type {const} */ ('line'), color: styles[index][0], strokeDash: styles[index][2],
+            strokeWidth: method === kDefault ? kThick : kThin,
+          },
           encoding: at,
         })),
         {
@@ -90,14 +100,14 @@ export const frontierPrinted = {
     const lost = [...new Set(beaten.flatMap((by) => by ?? []))].map((method) =>
       said('frontierBy', { method: name('method', method), cases: models(tally(beaten, (by) => by?.includes(method))) }));
     const shallowest = tally(groupBy(rows, 'model').values(), (ofModel) => {
-      const least = [...new Set(ofModel.map(({ method }) => method))].map((method) => ({ method, depth: leastDepthThatReads(ofModel, method) ?? Infinity }))
-        .sort((a, b) => a.depth - b.depth);
-      return least.length > 0 && least[0].depth < Infinity ? kOurs.test(least[0].method) : undefined;
+      const least = (/** @type {boolean} */ ours) => Math.min(...distinct(ofModel, 'method').filter((method) => kOurs.test(method) === ours)
+        .map((method) => leastDepthThatReads(ofModel, method) ?? Infinity));
+      return Math.min(least(true), least(false)) === Infinity ? undefined : least(true) <= least(false);
     });
     return [
-      ...(onOrAbove.of > 0 ? [said('frontierDefault', { cases: models(onOrAbove) })] : []),
-      ...(lost.length > 0 ? [said('frontierLost', { list: lost })] : []),
-      ...(shallowest.of > 0 ? [said('frontierShallowest', { cases: models(shallowest), needed: kNeeded, tries: kTries })] : []),
+      said('frontierDefault', { cases: models(onOrAbove) }),
+      said('frontierLost', { list: lost }),
+      said('frontierShallowest', { cases: models(shallowest), needed: kNeeded, tries: kTries }),
       said('frontierPaper'),
     ];
   },

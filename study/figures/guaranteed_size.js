@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How large a code each way to find the direction allows [Papp 2022, figures 13 and 14].
-import { median, onModels, valuesBy } from '../page/compare.js';
+import { groupBy, median, onModels, tally, valuesBy } from '../page/compare.js';
 import { kColours, series } from '../page/figure.js';
 import { mm, models, name, said } from '../page/say.js';
 
@@ -8,6 +8,7 @@ import { mm, models, name, said } from '../page/say.js';
 
 const kMeasures = ['guaranteed_mm', 'upright_mm', 'turned_45_mm'];
 const kSameFraction = 0.02;  // differences below it nobody sees on a model
+const kShownFraction = 0.001;  // below it a loss would be said to be 0.0 %
 
 /** What depth adds to the guaranteed size, as a fraction of that by normals alone. @param {Row[]} ofModel @returns {number | undefined} */
 export function gainByDepth(ofModel) {
@@ -45,15 +46,17 @@ export const guaranteedSize = {
     };
   },
   find: (rows) => {
-    const gains = [...new Set(rows.map(({ model }) => model))].map((model) => ({ model, gain: gainByDepth(rows.filter((row) => row.model === model)) }))
-      .flatMap(({ model, gain }) => (gain === undefined ? [] : [{ model, gain }])).sort((a, b) => b.gain - a.gain);
+    const gains = [...groupBy(rows, 'model')].map(([model, ofModel]) => ({ model, gain: gainByDepth(ofModel) ?? NaN }))
+      .filter(({ gain }) => Number.isFinite(gain)).sort((a, b) => b.gain - a.gain);
     if (gains.length === 0) return [];
+    const same = tally(gains, ({ gain }) => Math.abs(gain) < kSameFraction);
+    const percent = (/** @type {number} */ fraction) => ({ number: 100 * fraction, digits: 1 });
     const [most, least] = [gains[0], gains[gains.length - 1]];
     const turned = median(rows.filter(({ direction }) => direction === 'depth-balanced').map((row) => row.upright_mm / row.guaranteed_mm));
     return [
-      said('sizesSame', { cases: models({ holds: gains.filter(({ gain }) => Math.abs(gain) < kSameFraction).length, of: gains.length }), percent: 100 * kSameFraction }),
-      said('sizesMost', { model: name('model', most.model), percent: { number: 100 * most.gain, digits: 1 } }),
-      ...(least.gain < -0.001 ? [said('sizesLeast', { model: name('model', least.model), percent: { number: 100 * -least.gain, digits: 1 } })] : []),
+      said('sizesSame', { cases: models(same), percent: 100 * kSameFraction }),
+      said('sizesMost', { model: name('model', most.model), percent: percent(most.gain) }),
+      ...(least.gain < -kShownFraction ? [said('sizesLeast', { model: name('model', least.model), percent: percent(-least.gain) })] : []),
       said('sizesOptimal', { cases: models(onModels(rows, optimalIsLargest)) }),
       said('sizesTurned', { times: mm(turned) }),
       said('sizesPaper'),

@@ -3,7 +3,8 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { gainByDepth, optimalIsLargest } from './guaranteed_size.js';
 
-const sizes = (/** @type {Record<string, number>} */ byDirection) => Object.entries(byDirection).map(([direction, mm]) => ({ direction, guaranteed_mm: mm }));
+const sizes = (/** @type {Record<string, number>} */ byDirection) =>
+  Object.entries(byDirection).map(([direction, mm]) => ({ direction, guaranteed_mm: mm }));
 
 test('what depth adds is a fraction of the size by normals alone', () => {
   assert.equal(gainByDepth(sizes({ 'mean-normal': 40, 'depth-balanced': 50 })), 0.25);

@@ -41,7 +41,8 @@ export const lampDepths = {
   find: (rows) => {
     const typical = (/** @type {string} */ pattern, /** @type {number} */ lamps) =>
       mm(median(rows.filter((row) => row.modules === pattern && row.lamps === lamps).map(({ depth_mm: depth }) => depth)));
-    const [deeper, shallower] = [onModels(rows, (ofModel) => lampsDeepen(ofModel, 'square')), onModels(rows, (ofModel) => lampsMakeShallower(ofModel, 'none'))];
+    const deeper = onModels(rows, (ofModel) => lampsDeepen(ofModel, 'square'));
+    const shallower = onModels(rows, (ofModel) => lampsMakeShallower(ofModel, 'none'));
     const fails = deeper.holds < deeper.of || shallower.holds < shallower.of;
     return [
       said('lampsPattern', { cases: models(deeper), none: typical('square', 0), one: typical('square', 1), two: typical('square', 2) }),

@@ -9,17 +9,20 @@ import { cases, mm, name, said } from '../page/say.js';
 /** The row with the least module of those that read at all. @param {Row[]} rows @returns {Row | undefined} */
 export const leastOf = (rows) => rows.filter((row) => row.module_mm !== null).sort((a, b) => a.module_mm - b.module_mm)[0];
 
-/** Rows by all that is the same in them but a column. @param {Row[]} rows @param {string} column @param {string[]} keys */
-const pairs = (rows, column, keys) => [...groupBy(rows.map((row) => ({ ...row, key: keys.filter((key) => key !== column).map((key) => row[key]).join(' ') })), 'key').values()]
-  .map((group) => new Map(group.map((row) => [row[column], row.module_mm ?? Infinity])));
-
 const kKeys = ['process', 'modules', 'finders', 'pose'];
+
+/** The least modules by a column's value, for all else the same. @param {Row[]} rows @param {string} column */
+function sizesBy(rows, column) {
+  const others = kKeys.filter((key) => key !== column);
+  const groups = groupBy(rows.map((row) => ({ ...row, others: others.map((key) => row[key]).join(' ') })), 'others');
+  return [...groups.values()].map((group) => new Map(group.map((row) => [row[column], row.module_mm ?? Infinity])));
+}
 
 /**
  * How often one value of a column allows a module at least as small as another, all else the same.
  * @param {Row[]} rows @param {string} column @param {string} one @param {string} other
  */
-export const asSmall = (rows, column, one, other) => tally(pairs(rows, column, kKeys), (sizes) => {
+export const asSmall = (rows, column, one, other) => tally(sizesBy(rows, column), (sizes) => {
   const [a, b] = [sizes.get(one), sizes.get(other)];
   return a === undefined || b === undefined || (a === Infinity && b === Infinity) ? undefined : a <= b;
 });
@@ -30,8 +33,10 @@ export const leastModule = {
   draw: (rows, look) => {
     /** @param {any} process @param {any} pose */
     const print = (process, pose) => look.word('printAs', { process: name('process', process), pose: name('pose', pose) });
-    const prints = inOrder(rows, 'process', 'process').flatMap((process) => inOrder(rows, 'pose', 'pose').map((pose) => print(process, pose)));
-    const { rows: values, order } = look.named(rows.map((row) => ({ ...row, print: print(row.process, row.pose) })), { modules: 'pattern', finders: 'finder' });
+    const prints = inOrder(rows, 'process', 'process')
+      .flatMap((process) => inOrder(rows, 'pose', 'pose').map((pose) => print(process, pose)));
+    const labelled = rows.map((row) => ({ ...row, print: print(row.process, row.pose) }));
+    const { rows: values, order } = look.named(labelled, { modules: 'pattern', finders: 'finder' });
     const columns = look.narrow ? 1 : 2;
     return {
       data: { values }, columns,
@@ -51,7 +56,10 @@ export const leastModule = {
   find: (rows) => {
     const least = [...groupBy(rows, 'process').values()].flatMap((ofProcess) => {
       const row = leastOf(ofProcess);
-      return row ? [said('leastOne', { process: name('process', row.process), module: mm(row.module_mm), pattern: name('pattern', row.modules), finders: name('finder', row.finders), pose: name('pose', row.pose) })] : [];
+      return row ? [said('leastOne', {
+        process: name('process', row.process), module: mm(row.module_mm), pattern: name('pattern', row.modules),
+        finders: name('finder', row.finders), pose: name('pose', row.pose),
+      })] : [];
     });
     const unread = rows.filter((row) => row.module_mm === null).length;
     return [
@@ -59,7 +67,8 @@ export const leastModule = {
       said('leastThick', { thin: cases(asSmall(rows, 'modules', 'thick-plus', 'thin-plus')) }),
       said('leastFinders', { cases: cases(asSmall(rows, 'finders', 'none', 'as-modules')) }),
       said('leastPrint', {
-        standing: cases(asSmall(rows, 'pose', 'code-upright', 'code-up')), finer: cases(asSmall(rows, 'process', 'fdm-0.25/0.1', 'fdm-0.4/0.2')),
+        standing: cases(asSmall(rows, 'pose', 'code-upright', 'code-up')),
+        finer: cases(asSmall(rows, 'process', 'fdm-0.25/0.1', 'fdm-0.4/0.2')),
       }),
       ...(unread > 0 ? [said('leastUnread', { count: unread, of: rows.length })] : []),
       said('leastPaper'),

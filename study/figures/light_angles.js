@@ -27,7 +27,12 @@ export function readRuns(rows) {
   return runs.filter(({ length }) => length > 0);
 }
 
-/** Whether it reads with the lamp that it was carved for, and as much higher as the paper has it. @param {Row[]} rows  of one carving @param {number} carvedAt @param {number} higher */
+/**
+ * Whether it reads with the lamp that it was carved for, and up to so much higher.
+ * @param {Row[]} rows  of one carving
+ * @param {number} carvedAt
+ * @param {number} higher
+ */
 export const tolerates = (rows, carvedAt, higher) => {
   const tried = rows.filter((row) => row.read_at >= carvedAt && row.read_at <= carvedAt + higher);
   return tried.length > 0 && tried.every(({ reads }) => reads >= kNeeded);
@@ -59,9 +64,16 @@ export const lightAngles = {
           {
             mark: { type: 'line', point: { size: 44 }, strokeWidth: 2 },
             encoding: {
-              x: { field: 'read_at', type: 'quantitative', title: look.word('axisLamp'), scale: { domain: [0, 90] }, axis: { values: [0, 15, 30, 45, 60, 75, 90], grid: false } },
-              y: { field: 'reads', type: 'quantitative', title: look.word('axisReads', { of: kTries }), scale: { domain: [0, kTries], nice: false }, axis: { values: [0, 20, 40, 60] } },
-              ...series('carved_at', order('carved_at'), [kColours.grey, kColours.orange, kColours.blue], ['circle', 'square', 'triangle-up']),
+              x: {
+                field: 'read_at', type: 'quantitative', title: look.word('axisLamp'), scale: { domain: [0, 90] },
+                axis: { values: [0, 15, 30, 45, 60, 75, 90], grid: false },
+              },
+              y: {
+                field: 'reads', type: 'quantitative', title: look.word('axisReads', { of: kTries }),
+                scale: { domain: [0, kTries], nice: false }, axis: { values: [0, 20, 40, 60] },
+              },
+              ...series('carved_at', order('carved_at'), [kColours.grey, kColours.orange, kColours.blue],
+                ['circle', 'square', 'triangle-up']),
             },
           },
         ],

@@ -3,7 +3,8 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { lowerNeverHurts, readRuns, tolerates } from './light_angles.js';
 
-const rows = (/** @type {Record<number, number>} */ reads) => Object.entries(reads).map(([at, count]) => ({ read_at: Number(at), reads: count }));
+const rows = (/** @type {Record<number, number>} */ reads) =>
+  Object.entries(reads).map(([at, count]) => ({ read_at: Number(at), reads: count }));
 
 test('angles that read are those with 29 of 72 tries, in runs of neighbours', () => {
   assert.deepEqual(readRuns(rows({ 33: 40, 23: 30, 15: 28, 8: 29, 88: 0 })), [[8], [23, 33]]);

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How far each method's own idea of the light is from path tracing.
+import { distinct } from '../page/compare.js';
 import { name, said } from '../page/say.js';
 import { methodStrips } from '../page/strips.js';
 import { typical } from './method_depths.js';
 
 /** @typedef {import('../page/table.js').Row} Row */
 
-/** Methods by the size of their error, the least first; medians over the models. @param {Row[]} rows @returns {{ method: string, size: number, mean: number }[]} */
-export const byError = (rows) => [...new Set(rows.filter((row) => row.light_error_size !== null).map(({ method }) => method))]
+/**
+ * Methods by the size of their error, the least first; medians over the models.
+ * @param {Row[]} rows
+ * @returns {{ method: string, size: number, mean: number }[]}
+ */
+export const byError = (rows) => distinct(rows.filter((row) => row.light_error_size !== null), 'method')
   .map((method) => ({ method, size: typical(rows, method, 'light_error_size'), mean: typical(rows, method, 'light_error') }))
   .sort((a, b) => a.size - b.size);
 
@@ -21,10 +26,13 @@ export const lightErrors = {
     const errors = byError(rows);
     const [least, most] = [errors[0], errors[errors.length - 1]];
     const ours = errors.find(({ method }) => method === 'ours-for-print');
-    const digits = 3;
+    const fraction = (/** @type {number} */ number) => ({ number, digits: 3 });
     return [
-      said('errorsRange', { least: name('method', least.method), leastError: { number: least.size, digits }, most: name('method', most.method), mostError: { number: most.size, digits } }),
-      ...(ours ? [said(ours.mean < 0 ? 'errorsOursDark' : 'errorsOursBright', { size: { number: ours.size, digits }, mean: { number: Math.abs(ours.mean), digits } })] : []),
+      said('errorsRange', {
+        least: name('method', least.method), leastError: fraction(least.size),
+        most: name('method', most.method), mostError: fraction(most.size),
+      }),
+      ...(ours ? [said(ours.mean < 0 ? 'errorsOursDark' : 'errorsOursBright', { size: fraction(ours.size), mean: fraction(Math.abs(ours.mean)) })] : []),
       said('errorsWhy'),
     ];
   },

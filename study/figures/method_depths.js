@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Depth by method, each at its published setting [Papp 2022, figure 20].
-import { median, onModels, rises, valuesBy } from '../page/compare.js';
+import { distinct, groupBy, median, onModels, rises, valuesBy } from '../page/compare.js';
 import { mm, models, name, said } from '../page/say.js';
 import { methodStrips } from '../page/strips.js';
 import { kNeeded } from '../page/tries.js';
@@ -28,22 +28,22 @@ export function wholeIsAsSelfShadows(ofModel) {
 }
 
 /** Median over the models. @param {Row[]} rows @param {string} method @param {string} measure */
-export const typical = (rows, method, measure) => median(rows.filter((row) => row.method === method && row[measure] !== null).map((row) => row[measure]));
+export const typical = (rows, method, measure) =>
+  median(rows.filter((row) => row.method === method && row[measure] !== null).map((row) => row[measure]));
 
 /** @type {import('../page/figure.js').Figure} */
 export const methodDepths = {
   name: 'methodDepths', table: 'method_comparison', measures: ['depth_mm', 'designed', 'printed'],
   draw: (rows, look) => methodStrips(rows, look, [{ measure: 'depth_mm', title: look.word('axisDepth') }]),
   find: (rows) => {
-    const times = [...new Set(rows.map(({ model }) => model))].map((model) => selfShadowsTimesWhole(rows.filter((row) => row.model === model)))
-      .filter((value) => value !== undefined);
+    const times = [...groupBy(rows, 'model').values()].map(selfShadowsTimesWhole).filter((value) => value !== undefined);
     const alike = onModels(rows, wholeIsAsSelfShadows);
     const depth = (/** @type {string} */ method) => mm(typical(rows, method, 'depth_mm'));
-    const unread = [...new Set(rows.map(({ method }) => method))].filter((method) => typical(rows, method, 'printed') < kNeeded);
+    const unread = distinct(rows, 'method').filter((method) => typical(rows, method, 'printed') < kNeeded);
     const order = onModels(rows, isPaperOrder);
     return [
-      ...(order.of > 0 ? [said('methodsOrder', { cases: models(order), light: depth('one-light-2020'), papp: depth('papp-2022'), shadow: depth('self-shadow-2019') })] : []),
-      ...(alike.of > 0 ? [said('methodsWhole', { cases: models(alike), times: { number: median(times), digits: 1 }, percent: 100 * kAlikeFraction })] : []),
+      said('methodsOrder', { cases: models(order), light: depth('one-light-2020'), papp: depth('papp-2022'), shadow: depth('self-shadow-2019') }),
+      said('methodsWhole', { cases: models(alike), times: { number: median(times), digits: 1 }, percent: 100 * kAlikeFraction }),
       ...(alike.holds < alike.of || order.holds < order.of ? [said('methodsWhy')] : []),
       unread.length > 0 ? said('methodsUnread', { list: unread.map((method) => name('method', method)) }) : said('methodsAllRead'),
     ];

@@ -3,7 +3,8 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { isPaperOrder, selfShadowsTimesWhole, typical, wholeIsAsSelfShadows } from './method_depths.js';
 
-const depths = (/** @type {Record<string, number>} */ byMethod) => Object.entries(byMethod).map(([method, mm]) => ({ method, depth_mm: mm }));
+const depths = (/** @type {Record<string, number>} */ byMethod) =>
+  Object.entries(byMethod).map(([method, mm]) => ({ method, depth_mm: mm }));
 
 test('the paper’s order of methods is by depth', () => {
   assert.equal(isPaperOrder(depths({ 'one-light-2020': 0.2, 'papp-2022': 0.4, 'self-shadow-2019': 0.9 })), true);

@@ -42,10 +42,13 @@ export function findersLowerDepth(rows) {
 }
 
 /** The largest difference between the paper's two finder patterns, in mm. @param {Row[]} rows @returns {number} */
-export const findersApart = (rows) => Math.max(...[...groupBy(rows.map((row) => ({ ...row, key: `${row.model} ${row.modules}` })), 'key').values()].map((group) => {
-  const { diamond, 'thick-plus': thickPlus } = valuesBy(group, 'finders', 'depth_mm');
-  return diamond === undefined || thickPlus === undefined ? 0 : Math.abs(diamond - thickPlus);
-}));
+export function findersApart(rows) {
+  const groups = groupBy(rows.map((row) => ({ ...row, others: `${row.model} ${row.modules}` })), 'others');
+  return Math.max(...[...groups.values()].map((group) => {
+    const { diamond, 'thick-plus': thickPlus } = valuesBy(group, 'finders', 'depth_mm');
+    return diamond === undefined || thickPlus === undefined ? 0 : Math.abs(diamond - thickPlus);
+  }));
+}
 
 /** @type {import('../page/figure.js').Figure} */
 export const patternDepths = {
@@ -70,14 +73,19 @@ export const patternDepths = {
   },
   find: (rows) => {
     const finders = findersLowerDepth(rows);
-    const reads = (/** @type {string} */ pattern) => median(rows.filter(({ modules }) => modules === pattern).map(({ printed }) => printed));
+    const reads = (/** @type {string} */ pattern) =>
+      Math.round(median(rows.filter(({ modules }) => modules === pattern).map(({ printed }) => printed)));
     const alike = rows.filter((row) => row.finders === 'as-modules' && row.modules !== 'none');
     return [
       said('patternsLoose', { cases: models(onModels(rows, looseAreShallowest)) }),
       said('patternsBest', { best: models(onModels(rows, thinPlusIsShallowest)), last: models(onModels(rows, thickPlusIsDeepest)) }),
-      ...(finders.of > 0 ? [said('patternsFinders', { cases: cases(finders), apart: mm(findersApart(rows)) })] : []),
-      ...(alike.length > 0 ? [said('patternsWhole', { cases: cases(tally(alike, ({ designed }) => designed >= kNeeded)), printed: cases(tally(alike, ({ printed }) => printed >= kNeeded)) })] : []),
-      said('patternsReads', { thin: Math.round(reads('thin-plus')), square: Math.round(reads('square')), diamond: Math.round(reads('diamond')), thick: Math.round(reads('thick-plus')), whole: Math.round(reads('none')) }),
+      said('patternsFinders', { cases: cases(finders), apart: mm(findersApart(rows)) }),
+      said('patternsWhole', {
+        cases: cases(tally(alike, ({ designed }) => designed >= kNeeded)), printed: cases(tally(alike, ({ printed }) => printed >= kNeeded)),
+      }),
+      said('patternsReads', {
+        thin: reads('thin-plus'), square: reads('square'), diamond: reads('diamond'), thick: reads('thick-plus'), whole: reads('none'),
+      }),
     ];
   },
 };

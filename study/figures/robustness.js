@@ -11,9 +11,16 @@ const kPanels = /** @type {const} */ ([['blur_modules', 'axisBlur'], ['pixels_pe
 /** Submodules of 25 that a pattern carves, the paper's order of robustness. */
 const kCarved = ['thin-plus', 'square', 'diamond', 'thick-plus', 'none'];
 
-/** Median of a measure by module pattern, of the published search. @param {Row[]} rows @param {string} measure @returns {Record<string, number>} */
-export const byPattern = (rows, measure) => Object.fromEntries([...groupBy(rows.filter((row) => row.search !== 'ours' && row[measure] !== null), 'modules')]
-  .map(([modules, ofPattern]) => [modules, median(ofPattern.map((row) => row[measure]))]));
+/**
+ * Median of a measure by module pattern, of the published search.
+ * @param {Row[]} rows
+ * @param {string} measure
+ * @returns {Record<string, number>}
+ */
+export function byPattern(rows, measure) {
+  const groups = groupBy(rows.filter((row) => row.search !== 'ours' && row[measure] !== null), 'modules');
+  return Object.fromEntries([...groups].map(([modules, ofPattern]) => [modules, median(ofPattern.map((row) => row[measure]))]));
+}
 
 /**
  * Whether patterns that carve more survive more, over pairs of patterns: fewer submodules, no more of the measure.
@@ -21,7 +28,8 @@ export const byPattern = (rows, measure) => Object.fromEntries([...groupBy(rows.
  */
 export function moreCarvedSurvivesMore(values) {
   const known = kCarved.filter((pattern) => values[pattern] !== undefined);
-  return tally(known.flatMap((less, at) => known.slice(at + 1).map((more) => [less, more])), ([less, more]) => values[less] <= values[more]);
+  const pairs = known.flatMap((less, at) => known.slice(at + 1).map((more) => [less, more]));
+  return tally(pairs, ([less, more]) => values[less] <= values[more]);
 }
 
 /** @type {import('../page/figure.js').Figure} */
@@ -30,8 +38,9 @@ export const robustness = {
   draw: (rows, look) => {
     const carving = (/** @type {Row} */ row) => (row.search === 'ours' ? look.word('carvingOurs')
       : look.word('carvingPattern', { modules: name('pattern', row.modules), finders: name('finder', row.finders) }));
-    const carvings = [...new Set(inOrder(rows, 'search', 'search').flatMap((search) => inOrder(rows, 'modules', 'pattern').flatMap((modules) =>
-      rows.filter((row) => row.search === search && row.modules === modules).map(carving))))];
+    const byRank = inOrder(rows, 'search', 'search').flatMap((search) => inOrder(rows, 'modules', 'pattern')
+      .flatMap((modules) => rows.filter((row) => row.search === search && row.modules === modules)));
+    const carvings = [...new Set(byRank.map(carving))];
     const { rows: values, order } = look.named(rows.map((row) => ({ ...row, carving: carving(row) })), { model: 'model' });
     const across = look.narrow ? 1 : 3;
     return /** @type {any} */ ({
@@ -49,13 +58,16 @@ export const robustness = {
   },
   find: (rows) => {
     const blur = byPattern(rows, 'blur_modules');
+    const shown = kCarved.filter((pattern) => blur[pattern] !== undefined);
     const pairs = moreCarvedSurvivesMore(blur);
     const unread = rows.filter((row) => row.blur_modules === null).length;
     const ours = rows.filter((row) => row.search === 'ours' && row.blur_modules !== null);
     return [
-      ...(pairs.of > 0 ? [said('robustPairs', { holds: pairs.holds, of: pairs.of })] : []),
-      said('robustBlur', { list: kCarved.filter((pattern) => blur[pattern] !== undefined).map((pattern) => said('robustOf', { pattern: name('pattern', pattern), blur: mm(blur[pattern]) })) }),
-      ...(ours.length > 0 ? [said('robustOurs', { blur: mm(median(ours.map((row) => row.blur_modules))), tilt: Math.round(median(ours.map((row) => row.tilt_deg ?? 0))) })] : []),
+      said('robustPairs', { holds: pairs.holds, of: pairs.of }),
+      said('robustBlur', { list: shown.map((pattern) => said('robustOf', { pattern: name('pattern', pattern), blur: mm(blur[pattern]) })) }),
+      said('robustOurs', {
+        blur: mm(median(ours.map((row) => row.blur_modules))), tilt: Math.round(median(ours.map((row) => row.tilt_deg ?? 0))),
+      }),
       ...(unread > 0 ? [said('robustUnread', { count: unread, of: rows.length })] : []),
       said('robustPaper'),
     ];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How long each method takes to find the depths.
-import { median } from '../page/compare.js';
+import { distinct, median } from '../page/compare.js';
 import { name, said } from '../page/say.js';
 import { methodStrips } from '../page/strips.js';
 import { typical } from './method_depths.js';
@@ -16,17 +16,22 @@ const shown = (seconds) => ({ number: seconds, digits: seconds < 1 ? 2 : seconds
 /** @type {import('../page/figure.js').Figure} */
 export const searchTimes = {
   name: 'searchTimes', table: 'method_comparison', measures: ['search_ms'],
-  draw: (rows, look) => methodStrips(rows.filter((row) => row.search_ms > 0).map((row) => ({ ...row, seconds: row.search_ms / 1000 })), look,
-    [{ measure: 'seconds', title: look.word('axisSeconds'), log: true }]),
+  draw: (rows, look) => {
+    const timed = rows.filter((row) => row.search_ms > 0).map((row) => ({ ...row, seconds: row.search_ms / 1000 }));
+    return methodStrips(timed, look, [{ measure: 'seconds', title: look.word('axisSeconds'), log: true }]);
+  },
   find: (rows) => {
-    const methods = [...new Set(rows.map(({ method }) => method))].map((method) => ({ method, seconds: secondsOf(rows, method) })).sort((a, b) => a.seconds - b.seconds);
+    const methods = distinct(rows, 'method').map((method) => ({ method, seconds: secondsOf(rows, method) }))
+      .sort((a, b) => a.seconds - b.seconds);
     const [fastest, slowest] = [methods[0], methods[methods.length - 1]];
     const peng = median(['self-shadow-2019', 'one-light-2020'].map((method) => secondsOf(rows, method)));
     const papp = secondsOf(rows, 'papp-2022');
     return [
-      said('timesRange', { fastest: name('method', fastest.method), least: shown(fastest.seconds), slowest: name('method', slowest.method), most: shown(slowest.seconds) }),
-      ...(Number.isFinite(peng) && Number.isFinite(papp)
-        ? [peng > papp ? said('timesPaperHolds', { papp: shown(papp), peng: shown(peng) }) : said('timesPaperFails', { papp: shown(papp), peng: shown(peng) })] : []),
+      said('timesRange', {
+        fastest: name('method', fastest.method), least: shown(fastest.seconds),
+        slowest: name('method', slowest.method), most: shown(slowest.seconds),
+      }),
+      said(peng > papp ? 'timesPaperHolds' : 'timesPaperFails', { papp: shown(papp), peng: shown(peng) }),
       said('timesWhy'),
     ];
   },

@@ -1,29 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Dark areas broken up within the error correction: what it saves and what it costs.
-import { median, valuesBy } from '../page/compare.js';
+import { groupBy, median, valuesBy } from '../page/compare.js';
 import { kColours, series } from '../page/figure.js';
 import { said } from '../page/say.js';
 
 /** @typedef {import('../page/table.js').Row} Row */
 
-/** How much shallower flips make codes, as a fraction; median over the models. @param {Row[]} rows @param {string} search @param {string} flips */
-export function savedByFlips(rows, search, flips) {
-  const saved = [...new Set(rows.map(({ model }) => model))].flatMap((model) => {
-    const depths = valuesBy(rows.filter((row) => row.model === model && row.search === search), 'flips', 'depth_mm');
-    const [before, after] = [depths.none, depths[flips]];
-    return before === undefined || after === undefined ? [] : [1 - after / before];
-  });
-  return median(saved);
-}
+/**
+ * What flips change, median over the models that have both.
+ * @param {Row[]} rows
+ * @param {string} search
+ * @param {string} flips
+ * @param {string} measure
+ * @param {(before: number, after: number) => number} change
+ */
+const changeBy = (rows, search, flips, measure, change) => median([...groupBy(rows, 'model').values()].flatMap((ofModel) => {
+  const values = valuesBy(ofModel.filter((row) => row.search === search), 'flips', measure);
+  const [before, after] = [values.none, values[flips]];
+  return before === undefined || after === undefined ? [] : [change(before, after)];
+}));
 
-/** Tries that flips lose or win as printed; median over the models. @param {Row[]} rows @param {string} search @param {string} flips */
-export function triesByFlips(rows, search, flips) {
-  return median([...new Set(rows.map(({ model }) => model))].flatMap((model) => {
-    const reads = valuesBy(rows.filter((row) => row.model === model && row.search === search), 'flips', 'printed');
-    const [before, after] = [reads.none, reads[flips]];
-    return before === undefined || after === undefined ? [] : [after - before];
-  }));
-}
+/** How much shallower they make codes, as a fraction. @param {Row[]} rows @param {string} search @param {string} flips */
+export const savedByFlips = (rows, search, flips) => changeBy(rows, search, flips, 'depth_mm', (before, after) => 1 - after / before);
+
+/** Tries that they win as printed. @param {Row[]} rows @param {string} search @param {string} flips */
+export const triesByFlips = (rows, search, flips) => changeBy(rows, search, flips, 'printed', (before, after) => after - before);
 
 /** @type {import('../page/figure.js').Figure} */
 export const symbolFlips = {
@@ -46,12 +47,17 @@ export const symbolFlips = {
     };
   },
   find: (rows) => {
-    const flipped = (/** @type {string} */ flips) => Math.round(median(rows.filter((row) => row.flips === flips).map((row) => row.flipped_modules)));
+    const flipped = (/** @type {string} */ flips) =>
+      Math.round(median(rows.filter((row) => row.flips === flips).map((row) => row.flipped_modules)));
     const percent = (/** @type {string} */ search, /** @type {string} */ flips) => Math.round(100 * savedByFlips(rows, search, flips));
-    const tries = ['self-shadow-2019', 'ours'].flatMap((search) => ['peng-2019', 'ours'].map((flips) => Math.abs(triesByFlips(rows, search, flips))));
+    const tries = ['self-shadow-2019', 'ours']
+      .flatMap((search) => ['peng-2019', 'ours'].map((flips) => Math.abs(triesByFlips(rows, search, flips))));
     return [
       said('flipsCount', { peng: flipped('peng-2019'), ours: flipped('ours') }),
-      said('flipsSaved', { peng2019: percent('self-shadow-2019', 'peng-2019'), ours2019: percent('self-shadow-2019', 'ours'), peng: percent('ours', 'peng-2019'), ours: percent('ours', 'ours') }),
+      said('flipsSaved', {
+        peng2019: percent('self-shadow-2019', 'peng-2019'), ours2019: percent('self-shadow-2019', 'ours'),
+        peng: percent('ours', 'peng-2019'), ours: percent('ours', 'ours'),
+      }),
       said('flipsReads', { tries: Math.round(Math.max(...tries)) }),
     ];
   },

@@ -13,8 +13,8 @@ import { measured, readTables } from './table.js';
 
 const kFolder = 'study';
 
-/** Rows that have a value in one of the figure's columns at least. @param {import('./figure.js').Figure} figure @param {Row[]} rows */
-const isShowable = ({ measures }, rows) => measures.every((measure) => rows.some((row) => row[measure] !== null && row[measure] !== undefined));
+/** Whether each of the figure's columns has a value. @param {import('./figure.js').Figure} figure @param {Row[]} rows */
+const isShowable = ({ measures }, rows) => measures.every((measure) => rows.some((row) => (row[measure] ?? null) !== null));
 
 /**
  * What the page shows of these tables.
@@ -44,7 +44,8 @@ export async function makeStudy(tables) {
     const { csv, rows: { length: cases } } = tables[figure.table];
     const path = `${kFolder}/${figure.table}.csv`;
     files.set(path, csv);
-    markup.set(figure.name, figureMarkup({ figure, drawn, found: figure.find(rows, rowsOf), table: { path, cases, failed: cases - rows.length } }));
+    const found = figure.find(rows, rowsOf);
+    markup.set(figure.name, figureMarkup({ figure, drawn, found, table: { path, cases, failed: cases - rows.length } }));
   }
   return { files, markup };
 }

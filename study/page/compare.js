@@ -18,7 +18,16 @@ export function groupBy(rows, column) {
   return groups;
 }
 
-/** One measure by a column's value. @param {Row[]} rows @param {string} column @param {string} measure @returns {Record<string, number | undefined>} */
+/** A column's values, each once, in the order of appearance. @param {Row[]} rows @param {string} column @returns {any[]} */
+export const distinct = (rows, column) => [...new Set(rows.map((row) => row[column]))];
+
+/**
+ * One measure by a column's value; what is empty is not there.
+ * @param {Row[]} rows
+ * @param {string} column
+ * @param {string} measure
+ * @returns {Record<string, number | undefined>}
+ */
 export const valuesBy = (rows, column, measure) =>
   Object.fromEntries(rows.filter((row) => row[measure] !== null).map((row) => [row[column], row[measure]]));
 
@@ -37,8 +46,10 @@ export function tally(items, judge) {
 export const onModels = (rows, judge) => tally(groupBy(rows, 'model').values(), judge);
 
 /** Whether values rise from each to the next; undefined if one is missing. @param {(number | undefined)[]} values */
-export const rises = (values) =>
-  (values.includes(undefined) ? undefined : values.every((value, at) => at === 0 || /** @type {number} */ (value) > /** @type {number} */ (values[at - 1])));
+export function rises(values) {
+  const known = values.filter((value) => value !== undefined);
+  return known.length < values.length ? undefined : known.every((value, at) => at === 0 || value > known[at - 1]);
+}
 
 /** @typedef {[depth: number, reads: number]} Point */
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { frontierAt, groupBy, median, onModels, rises, tally, valuesBy } from './compare.js';
+import { distinct, frontierAt, groupBy, median, onModels, rises, tally, valuesBy } from './compare.js';
 
 test('the median is the middle one, or the mean of the middle two', () => {
   assert.equal(median([3, 1, 2]), 2);
@@ -12,6 +12,7 @@ test('the median is the middle one, or the mean of the middle two', () => {
 test('rows are grouped in their order, and a measure is found by a key; what is empty is not there', () => {
   const rows = [{ model: 'b', level: 1, mm: 0.5 }, { model: 'a', level: 1, mm: 0.25 }, { model: 'b', level: 2, mm: null }];
   assert.deepEqual([...groupBy(rows, 'model').keys()], ['b', 'a']);
+  assert.deepEqual(distinct(rows, 'level'), [1, 2]);
   assert.deepEqual(valuesBy(rows.filter(({ model }) => model === 'b'), 'level', 'mm'), { 1: 0.5 });
   assert.deepEqual(onModels(rows, (ofModel) => ofModel.length > 1), { holds: 1, of: 2 });
 });

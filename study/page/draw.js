@@ -9,7 +9,8 @@ import { kWidths, Look } from './figure.js';
 const kLetterEm = 0.57;  // mean width of a letter; nothing measures text when the page is built
 
 // Its types do not name it.
-/** @type {any} */ (vega).textMetrics.width = (/** @type {{ fontSize?: number }} */ { fontSize = 11 }, /** @type {unknown} */ text) => kLetterEm * fontSize * String(text ?? '').length;
+/** @type {any} */ (vega).textMetrics.width = (/** @type {{ fontSize?: number }} */ { fontSize = 11 }, /** @type {unknown} */ text) =>
+  kLetterEm * fontSize * String(text ?? '').length;
 
 /** @param {Figure} figure @param {import('./table.js').Row[]} rows @param {Look} look @returns {Promise<Drawing>} */
 async function drawn(figure, rows, look) {
@@ -18,8 +19,8 @@ async function drawn(figure, rows, look) {
   const view = new vega.View(vega.parse(drawing), { renderer: 'none' });
   const svg = (await view.toSVG()).replace(/\d+\.\d{3,}/g, (number) => String(Number(Number(number).toFixed(2))));
   view.finalize();
-  const [width, height] = ['width', 'height'].map((side) => Math.round(Number(new RegExp(`<svg[^>]*\\b${side}="([\\d.]+)"`).exec(svg)?.[1])));
-  return { svg, width, height };
+  const pixels = (/** @type {string} */ side) => Math.round(Number(new RegExp(`<svg[^>]*\\b${side}="([\\d.]+)"`).exec(svg)?.[1]));
+  return { svg, width: pixels('width'), height: pixels('height') };
 }
 
 /**

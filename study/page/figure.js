@@ -23,7 +23,10 @@ import { sentence } from './say.js';
 export const kWidths = { wide: 712, narrow: 328 };
 
 /** Colours that all eyes tell apart, 3:1 on white at least; dark pages turn their lightness round (article.css). */
-export const kColours = { blue: '#0072b2', orange: '#c85200', green: '#007a58', purple: '#a6427f', grey: '#75797d', olive: '#80751a', ink: '#1c1f21', soft: '#575d61', line: '#d9d9d2' };
+export const kColours = {
+  blue: '#0072b2', orange: '#c85200', green: '#007a58', purple: '#a6427f', grey: '#75797d', olive: '#80751a',
+  ink: '#1c1f21', soft: '#575d61', line: '#d9d9d2',
+};
 
 /**
  * A column's values, each once, in the order of their words.
@@ -39,7 +42,11 @@ export function inOrder(rows, column, kind) {
 }
 
 export class Look {
-  /** @param {Language} language @param {keyof typeof kWidths} width @param {number} room  for the plots of a row, without what stands beside them */
+  /**
+   * @param {Language} language
+   * @param {keyof typeof kWidths} width
+   * @param {number} room  for the plots of a row, without what stands beside them
+   */
   constructor(language, width, room) {
     this.language = language;
     this.narrow = width === 'narrow';
@@ -84,8 +91,8 @@ export class Look {
         : { decimal: '.', thousands: ',', grouping: [3], currency: ['$', ''] } },
       view: { stroke: null },
       axis: {
-        labelFontSize: size, titleFontSize: size, titleFontWeight: 500, labelColor: kColours.ink, titleColor: kColours.soft, titlePadding: 6,
-        gridColor: kColours.line, domainColor: kColours.grey, tickColor: kColours.grey, labelLimit: 160, tickCount: 4,
+        labelFontSize: size, labelColor: kColours.ink, titleFontSize: size, titleFontWeight: 500, titleColor: kColours.soft,
+        titlePadding: 6, gridColor: kColours.line, domainColor: kColours.grey, tickColor: kColours.grey, labelLimit: 160, tickCount: 4,
       },
       axisY: { domain: false, ticks: false },
       legend: {
@@ -98,7 +105,14 @@ export class Look {
   }
 }
 
-/** A series by colour and shape at once. @param {string} field @param {string[]} names @param {string[]} colours @param {string[]} shapes @param {string | null} [title] */
+/**
+ * A series by colour and shape at once.
+ * @param {string} field
+ * @param {string[]} names
+ * @param {string[]} colours
+ * @param {string[]} shapes
+ * @param {string | null} [title]
+ */
 export const series = (field, names, colours, shapes, title = null) => {
   const of = { field, type: /** @type {const} */ ('nominal'), legend: { title } };
   return { color: { ...of, scale: { domain: names, range: colours } }, shape: { ...of, scale: { domain: names, range: shapes } } };

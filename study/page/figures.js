@@ -13,5 +13,7 @@ import { searchTimes } from '../figures/search_times.js';
 import { symbolFlips } from '../figures/symbol_flips.js';
 
 /** @type {readonly import('./figure.js').Figure[]} */
-export const kFigures = [leastModule, guaranteedSize, patternDepths, methodDepths, frontierPrinted, frontierDesigned, searchTimes, lightErrors, lampDepths,
-  lightAngles, robustness, symbolFlips];
+export const kFigures = [
+  leastModule, guaranteedSize, patternDepths, methodDepths, frontierPrinted, frontierDesigned, searchTimes, lightErrors, lampDepths,
+  lightAngles, robustness, symbolFlips,
+];

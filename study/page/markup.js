@@ -19,7 +19,8 @@ import { isKnown, said, sentence } from './say.js';
 const kNarrowest = '(max-width: 760px)';  // of pages whose column is narrower than a wide figure
 
 /** An element in each language, of which one is shown. @param {string} tag @param {(language: Language) => string} content */
-const inEach = (tag, content) => kLanguages.map((language) => `<${tag} lang="${language}" class="in-${language}">${content(language)}</${tag}>`).join('\n');
+const inEach = (tag, content) => kLanguages
+  .map((language) => `<${tag} lang="${language}" class="in-${language}">${content(language)}</${tag}>`).join('\n');
 
 /** @param {Language} language @param {Said[]} sentences */
 const paragraph = (language, sentences) => escaped(sentences.map((one) => sentence(language, one)).join(' '));
@@ -37,7 +38,8 @@ function picture({ figure, drawn }, language) {
 /** @param {Shown} shown @returns {string} */
 export function figureMarkup(shown) {
   const { figure, found, table } = shown;
-  const caption = (/** @type {Language} */ language) => `${paragraph(language, [said(/** @type {any} */ (`${figure.name}Shown`))])} `
+  const what = said(/** @type {any} */ (`${figure.name}Shown`));
+  const caption = (/** @type {Language} */ language) => `${paragraph(language, [what])} `
     + `<a href="${table.path}" download>${paragraph(language, [said('download', { count: table.cases })])}</a>`;
   const sentences = [...found.filter(isKnown), ...(table.failed > 0 ? [said('failed', { count: table.failed, of: table.cases })] : [])];
   return `${inEach('p', (language) => paragraph(language, sentences))}

@@ -11,10 +11,13 @@ const kOurs = /^ours-/;
  * @returns {import('./figure.js').Spec}
  */
 export function methodStrips(rows, look, panels) {
-  const { rows: values, order } = look.named(rows.map((row) => ({ ...row, isOurs: kOurs.test(row.method) })), { model: 'model', method: 'method' });
+  const marked = rows.map((row) => ({ ...row, isOurs: kOurs.test(row.method) }));
+  const { rows: values, order } = look.named(marked, { model: 'model', method: 'method' });
   const across = look.narrow ? 1 : panels.length;
   /** @type {any} */
-  const color = { field: 'isOurs', type: 'nominal', scale: { domain: [false, true], range: [kColours.blue, kColours.green] }, legend: null };
+  const color = {
+    field: 'isOurs', type: 'nominal', scale: { domain: [false, true], range: [kColours.blue, kColours.green] }, legend: null,
+  };
   return /** @type {import('./figure.js').Spec} */ ({
     data: { values }, columns: across, spacing: 18,
     concat: panels.map(({ measure, title, log }, at) => ({
