@@ -5,7 +5,7 @@ import { test } from 'node:test';
 import { fillFigures, makeStudy } from './build_plugin.js';
 import { kFigures } from './figures.js';
 import { kWidths } from './figure.js';
-import { isKnown, models, said, sentence } from './say.js';
+import { isKnown, models, name, said, sentence } from './say.js';
 import { parseTable } from './table.js';
 import { kNeeded, kTries } from './tries.js';
 
@@ -66,6 +66,21 @@ test('a figure’s table is one that an experiment makes, with the columns it sh
     const source = readFileSync(new URL(`${table}.cpp`, folder), 'utf8') + readFileSync(new URL('experiments.cpp', folder), 'utf8');
     for (const measure of measures) assert.ok(source.includes(`"${measure}"`), `${table}: ${measure}`);
   }
+});
+
+test('every model, method and pattern of the tables has a name', () => {
+  const source = (/** @type {string} */ path) => readFileSync(new URL(path, import.meta.url), 'utf8');
+  const quoted = (/** @type {string | undefined} */ code) => [...(code ?? '').matchAll(/"([\w-]+)"/g)].map(([, word]) => word);
+  const found = {
+    model: quoted(/kNames = \{([^}]*)\}/.exec(source('../workshop.cpp'))?.[1]),
+    method: [...source('../methods/methods.cpp').matchAll(/^ {6}\{"([\w-]+)",/gm)].map(([, method]) => method),
+    pattern: ['none', 'square', 'thin-plus', 'diamond', 'thick-plus'],
+  };
+  assert.ok(found.model.length >= 8 && found.method.length >= 9);
+  for (const [kind, values] of Object.entries(found)) {
+    for (const value of values) assert.notEqual(name(kind, value).say, 'asIs', `${kind} ${value}`);
+  }
+  assert.equal(sentence('en', name('method', 'new-one')), 'new-one');
 });
 
 test('the line that figures mark is the core’s', () => {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the figures have in common: measures, colours, names in the language of the reader.
 import { figures } from '../../web/i18n/parts/figures.js';
-import { sentence } from './say.js';
+import { name, sentence } from './say.js';
 
 /** @typedef {import('./table.js').Row} Row */
 /** @typedef {import('./say.js').Said} Said */
@@ -60,7 +60,7 @@ export class Look {
 
   /** @param {string} kind @param {string} value */
   name(kind, value) {
-    return this.word(/** @type {Word} */ (`${kind}-${value}`));
+    return sentence(this.language, name(kind, value));
   }
 
   /**

@@ -17,8 +17,16 @@ export const said = (word, values) => (values ? { say: word, with: values } : { 
 /** @param {number} value @returns {Measured} */
 export const mm = (value) => ({ number: value, digits: 2 });
 
-/** A name from a table, such as `name('model', 'bunny')`. @param {string} kind @param {string} value @returns {Said} */
-export const name = (kind, value) => said(/** @type {Word} */ (`${kind}-${value}`));
+/**
+ * A name from a table, such as `name('model', 'bunny')`; one without words stands as the table has it.
+ * @param {string} kind
+ * @param {string} value
+ * @returns {Said}
+ */
+export function name(kind, value) {
+  const word = /** @type {Word} */ (`${kind}-${value}`);
+  return word in figures.en ? said(word) : said('asIs', { value });
+}
 
 /** "on all 8 models", "on 3 of 8 models". @param {import('./compare.js').Tally} tally @returns {Said} */
 export const models = ({ holds, of }) => said(holds === of ? 'onAllModels' : holds === 0 ? 'onNoModel' : 'onSomeModels', { holds, of });

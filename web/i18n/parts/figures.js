@@ -25,6 +25,7 @@ export const figures = {
     axisErrorSize: 'error of the light, size', axisError: 'error of the light, own − traced', axisSeconds: 'seconds', axisBlur: 'blur, modules',
     axisPixels: 'pixels per module', axisTilt: 'tilt, °', axisModule: 'least module, mm',
 
+    asIs: '{value}',
     onAllModels: 'on all {of} models', onSomeModels: 'on {holds} of {of} models', onNoModel: 'on none of the {of} models',
     inAllCases: 'in all {of} cases', inSomeCases: 'in {holds} of {of} cases', inNoCase: 'in none of {of} cases',
     download: { one: 'Table with {count} row, CSV', other: 'Table with {count} rows, CSV' },
@@ -143,6 +144,7 @@ export const figures = {
     axisErrorSize: 'Fehler des Lichts, Betrag', axisError: 'Fehler des Lichts, eigenes − verfolgtes', axisSeconds: 'Sekunden', axisBlur: 'Unschärfe, Module',
     axisPixels: 'Pixel je Modul', axisTilt: 'Neigung, °', axisModule: 'kleinstes Modul, mm',
 
+    asIs: '{value}',
     onAllModels: 'bei allen {of} Modellen', onSomeModels: 'bei {holds} von {of} Modellen', onNoModel: 'bei keinem der {of} Modelle',
     inAllCases: 'in allen {of} Fällen', inSomeCases: 'in {holds} von {of} Fällen', inNoCase: 'in keinem von {of} Fällen',
     download: { one: 'Tabelle mit {count} Zeile, CSV', other: 'Tabelle mit {count} Zeilen, CSV' },
