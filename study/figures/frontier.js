@@ -10,6 +10,7 @@ import { kNeeded, kTries } from '../page/tries.js';
 
 const kOurs = /^ours-/;
 const kDefault = 'ours-for-print';
+const kUnderLamp = new Set(['one-light-2020', 'ours-one-light']);  // carved for one lamp, and read under it
 /** @type {Record<string, [colour: string, shape: string, dash: number[]]>} */
 const kStyles = {
   'groove-2018': [kColours.olive, 'triangle-down', []],
@@ -17,8 +18,11 @@ const kStyles = {
   'one-light-2020': [kColours.orange, 'diamond', []],
   'papp-2022': [kColours.blue, 'circle', []],
   'papp-2022-whole-modules': [kColours.blue, 'square', [4, 3]],
+  'tilted-2021': [kColours.teal, 'triangle-left', []],
+  'wavy-2021': [kColours.teal, 'triangle-up', [2, 3]],
   'even-depth': [kColours.grey, 'cross', []],
   'ours-reading': [kColours.green, 'triangle-right', [2, 3]],
+  'ours-one-light': [kColours.green, 'diamond', [1, 3]],
   'ours-for-design': [kColours.green, 'circle', [5, 3]],
   'ours-for-print': [kColours.green, 'triangle-up', []],
 };
@@ -96,17 +100,20 @@ export const frontierPrinted = {
   find: (rows, { method_comparison: comparison = [] }) => {
     const ours = new Map(comparison.filter(({ method }) => method === kDefault).map((row) => [row.model, row]));
     const beaten = [...groupBy(rows, 'model')].map(([model, ofModel]) => betterThanDefault(ofModel, ours.get(model)));
-    const onOrAbove = tally(beaten, (by) => by && by.length === 0);
-    const lost = [...new Set(beaten.flatMap((by) => by ?? []))].map((method) =>
+    const onOrAbove = tally(beaten, (by) => by?.every((method) => kUnderLamp.has(method)));
+    const byLamp = tally(beaten, (by) => by?.includes('one-light-2020'));
+    const lost = [...new Set(beaten.flatMap((by) => by ?? []))].filter((method) => !kUnderLamp.has(method)).map((method) =>
       said('frontierBy', { method: name('method', method), cases: models(tally(beaten, (by) => by?.includes(method))) }));
     const shallowest = tally(groupBy(rows, 'model').values(), (ofModel) => {
-      const least = (/** @type {boolean} */ ours) => Math.min(...distinct(ofModel, 'method').filter((method) => kOurs.test(method) === ours)
+      const least = (/** @type {boolean} */ ours) => Math.min(...distinct(ofModel, 'method')
+        .filter((method) => !kUnderLamp.has(method) && kOurs.test(method) === ours)
         .map((method) => leastDepthThatReads(ofModel, method) ?? Infinity));
       return Math.min(least(true), least(false)) === Infinity ? undefined : least(true) <= least(false);
     });
     return [
       said('frontierDefault', { cases: models(onOrAbove) }),
       said('frontierLost', { list: lost }),
+      ...(rows.some(({ method }) => method === 'one-light-2020') ? [said('frontierLamp', { cases: models(byLamp) })] : []),
       said('frontierShallowest', { cases: models(shallowest), needed: kNeeded, tries: kTries }),
       said('frontierPaper'),
     ];

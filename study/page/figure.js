@@ -24,7 +24,7 @@ export const kWidths = { wide: 712, narrow: 328 };
 
 /** Colours that all eyes tell apart, 3:1 on white at least; dark pages turn their lightness round (article.css). */
 export const kColours = {
-  blue: '#0072b2', orange: '#c85200', green: '#007a58', purple: '#a6427f', grey: '#75797d', olive: '#80751a',
+  blue: '#0072b2', orange: '#c85200', green: '#007a58', purple: '#a6427f', grey: '#75797d', olive: '#80751a', teal: '#00899e',
   ink: '#1c1f21', soft: '#575d61', line: '#d9d9d2',
 };
 
