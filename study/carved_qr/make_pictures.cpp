@@ -267,7 +267,7 @@ int run(int argc, char** argv) {
   fs::create_directories(folder + "/pictures");
   fs::create_directories(folder + "/truth");
   for (std::size_t k = first; k < carvings; k += std::max<std::size_t>(1, step)) {
-    const std::string name = fmt::format("{:05}", k), part = folder + "/truth/" + name + ".jsonl";
+    const std::string name = fmt::format("{:05}", k), part = fmt::format("{}/truth/{}.jsonl", folder, name);
     if (fs::exists(part)) continue;
     const auto lines = makeCarving(seed * 1000003 + k, name, workshop, folder + "/pictures");
     if (!lines) return failed(name, lines.error());
