@@ -8,7 +8,6 @@
 
 #include "base/clock.h"
 #include "carving/one_light_search.h"
-#include "carving/shaped_floor_search.h"
 #include "carving/submodule_luminances.h"
 #include "embedding/embed.h"
 #include "io/read_model.h"
@@ -20,6 +19,7 @@
 #include "pipeline/cell_layout.h"
 #include "pipeline/contrast_for_print.h"
 #include "pipeline/depth_limits.h"
+#include "pipeline/depth_solver_of.h"
 #include "pipeline/printed_view.h"
 #include "pipeline/verify.h"
 #include "projection/room.h"
@@ -32,7 +32,6 @@ constexpr int kN = kSubmodulesPerModule;
 constexpr double kMaxDepthModules = 1.2;
 constexpr double kReachPerDepth = 8;  // a wall seen from eight times its height away hides 0.4 % of the sky
 constexpr double kLeastReachModules = 3;
-constexpr double kDepthStepMm = 0.1;  // of a search for depths, as published; thicker layers need no coarser one
 constexpr int kMaxMapTexels = 2048;
 constexpr int kHorizonsPerModule = 2;
 constexpr LuminanceSampling kUncarvedSampling{1, 4};  // smooth, but for the model's own edges
@@ -116,7 +115,6 @@ struct EngraveJob::State {
   Status place();
   void take(const PlacementSearch& found);
   Status map();
-  std::unique_ptr<DepthSolver> makeSearch(std::vector<double> contrastOfModule) const;
   Status searchOnce();
   Status embed();
   Status print();
@@ -209,33 +207,10 @@ Status EngraveJob::State::map() {
                   {request.maxDepthMm.value_or(kMaxDepthModules * placement.moduleMm), request.minWallMm});
   if (request.recordSearch) startRecord(limits);
   target = {&symbol, &mask, placement.symbolMm, std::move(limits)};
-  search = makeSearch({});
+  search = makeDepthSolver(request, target);
   result.timingsMs.surface = millisecondsSince(start);
   stage = Stage::Searching;
   return {};
-}
-
-std::unique_ptr<DepthSolver> EngraveJob::State::makeSearch(std::vector<double> contrastOfModule) const {
-  if (request.objective == DepthObjective::Reading) return std::make_unique<ReadingSearch>(target, request.reading);
-  if (request.objective == DepthObjective::OneLight)
-    return std::make_unique<OneLightSearch>(
-        target, OneLightOptions{.lamp = request.lamps().front(), .contrast = request.contrastAsked()});
-  const double slackMm = std::min(request.printer.layerMm, kDepthStepMm) / 2;
-  if (request.floor != FloorShape::Flat)
-    return std::make_unique<ShapedFloorSearch>(
-        target, ShapedFloorOptions{.shape = request.floor, .contrast = request.contrastAsked(), .slackMm = slackMm});
-  if (request.solver == ContrastSolver::PaperSteps) {
-    DepthSearchOptions options;
-    options.contrast = request.contrastAsked();
-    options.initialDepthMm = std::min(request.printer.layerMm, kDepthStepMm);
-    return std::make_unique<DepthSearch>(target, options);
-  }
-  FastSearchOptions options;
-  options.contrast = request.contrastAsked();
-  options.contrastOfModule = std::move(contrastOfModule);
-  options.slackMm = slackMm;
-  options.albedo = static_cast<double>(request.albedo);
-  return std::make_unique<FastSearch>(target, options);
 }
 
 /// Luminance of the engraved submodules that the search asks for, at its depths.
@@ -338,7 +313,8 @@ Status EngraveJob::State::print() {
   const auto progress = printing->advance();
   if (!progress) return tl::unexpected(progress.error());
   if (progress->done) {
-    search = makeSearch(
+    search = makeDepthSolver(
+        request, target,
         contrastForPrint(symbol, result.luminance, printing->takeResult().submodules, request.contrastAsked()));
     printing.reset();
     embedded = {};

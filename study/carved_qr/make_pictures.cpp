@@ -80,9 +80,11 @@ Result<EngraveRequest> drawnRequest(Random& random, Workshop& workshop, const st
 
 Lamp drawnLamp(Random& random, const ProjectionFrame& frame) {
   const DirectionalLight light{random.uniform(0, 360), random.uniform(15, 75), random.uniform(0.1, 1)};
-  const Vec3 to = towards(light);
-  return {frame.right * to.x + frame.up * to.y + frame.normal * to.z, light.strength, random.uniform(0, 20)};
+  return lampOf(light, frame, random.uniform(0, 20));
 }
+
+/// To three decimals, as the truth has numbers.
+double rounded(double x) { return std::round(1000 * x) / 1000; }
 
 /// A carving, as its pictures need it.
 struct Carving {
@@ -93,16 +95,16 @@ struct Carving {
 };
 
 /// Corners of the symbol in a picture, clockwise from the symbol's top left, pixels from the picture's top left.
+/// @param middle  of what the camera sees, likewise
 Json cornersIn(const Carving& carving, const RayTree& uncarved, const ProjectionFrame& camera, double pixelsPerMm,
-               int width) {
+               Vec2 middle) {
   const ProjectionFrame& frame = carving.spot.placement.frame;
   const double half = carving.spot.placement.symbolMm / 2;
   Json corners = Json::array();
   for (const Vec2 corner : {Vec2(-half, half), Vec2(half, half), Vec2(half, -half), Vec2(-half, -half)}) {
     const auto hit = uncarved.firstHit(frame.eye(), frame.rayDirection(corner));
     const Vec2 seen = camera.project(hit ? hit->position : frame.onPlane(corner)) * pixelsPerMm;
-    const auto rounded = [](double x) { return std::round(100 * x) / 100; };
-    corners.push_back({rounded(seen.x + width / 2.0), rounded(width / 2.0 - seen.y)});
+    corners.push_back({rounded(middle.x + seen.x), rounded(middle.y - seen.y)});
   }
   return corners;
 }
@@ -136,7 +138,6 @@ Result<Json> takePicture(Random& random, const Carving& carving, const BakedLigh
     return tl::unexpected(written.error());
   Json line = {{"picture", name}};
   line.update(carving.truth);
-  const auto rounded = [](double x) { return std::round(1000 * x) / 1000; };
   line["lamp"] = isLit;
   line["tiltDeg"] = rounded(tiltDeg);
   line["azimuthDeg"] = rounded(azimuthDeg);
@@ -145,11 +146,10 @@ Result<Json> takePicture(Random& random, const Carving& carving, const BakedLigh
   line["blurModules"] = rounded(blur);
   line["noise"] = rounded(camera.noise);
   line["exposure"] = rounded(camera.exposure);
-  // The grid of sensor cells begins at the picture's corner, and what does not fill a cell is left out at its far end.
-  const double left = (seen.width / coarser - width) / 2;
-  line["corners"] = cornersIn(carving, uncarved, eye, pixels / moduleMm, width);
-  for (Json& corner : line["corners"]) corner[0] = rounded(corner[0].get<double>() + left);
-  for (Json& corner : line["corners"]) corner[1] = rounded(corner[1].get<double>() - left);
+  // The grid of sensor cells begins at the seen square's lower left; what does not fill a cell is left out at its far
+  // ends.
+  const double half = seen.width / coarser / 2;
+  line["corners"] = cornersIn(carving, uncarved, eye, pixels / moduleMm, {half, width - half});
   return line;
 }
 
@@ -172,7 +172,6 @@ Result<Carving> carve(Random& random, Workshop& workshop) {
       modules += carving.code.symbol.isDark(row, column) ? '1' : '0';
     matrix.push_back(std::move(modules));
   }
-  const auto rounded = [](double x) { return std::round(1000 * x) / 1000; };
   carving.truth = {{"text", request->text},
                    {"version", carving.code.symbol.version},
                    {"errorCorrection", errorCorrectionName(carving.code.symbol.errorCorrection)},

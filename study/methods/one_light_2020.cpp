@@ -9,10 +9,10 @@
 #include "base/halton.h"
 #include "base/parallel.h"
 #include "qr/codewords.h"
-#include "render/directional_light.h"
 #include "study/carved_surface.h"
 #include "study/methods/symbol_flips_2019.h"
 #include "study/methods/white_reference.h"
+#include "verification/light_path.h"
 
 namespace qrelief::study {
 namespace {
@@ -33,11 +33,6 @@ double lampOn(const CarvedSurface& surface, std::uint32_t submodule, Vec3 toward
     ++hits;
   }
   return hits > 0 ? sum / hits : 1;
-}
-
-Vec3 inModel(const ProjectionFrame& frame, double azimuthDeg, double elevationDeg) {
-  const Vec3 to = towards({azimuthDeg, elevationDeg, 1});
-  return frame.right * to.x + frame.up * to.y + frame.normal * to.z;
 }
 
 bool isLight(const Symbol& symbol, int row, int column) {
@@ -124,8 +119,10 @@ Result<CarvedCode> carveOneLight2020(const Spot& spot, const Symbol& symbol, con
   for (std::uint32_t i = 0; i < mask.carved.size(); ++i)
     if (!symbol.dark[moduleOf(i)] && !code.mask.carved[i]) light.push_back(i);
 
-  const Vec3 upper = inModel(spot.placement.frame, options.azimuthDeg, options.upperElevationDeg),
-             lower = inModel(spot.placement.frame, options.azimuthDeg, options.lowerElevationDeg);
+  const auto lampFrom = [&](double elevationDeg) {
+    return lampOf({options.azimuthDeg, elevationDeg, kLampToSky}, spot.placement.frame, 0).towards;
+  };
+  const Vec3 upper = lampFrom(options.upperElevationDeg), lower = lampFrom(options.lowerElevationDeg);
   double wanted = 0;
   {
     const auto uncarved = CarvedSurface::make(spot, code.depths);
