@@ -67,13 +67,13 @@ Status PrintedViewJob::State::print() {
 }
 
 void PrintedViewJob::State::prepare() {
-  light.emplace(*printed, request.frame,
-                BakeOptions{.texelMm = request.symbolMm / request.symbol.size / kBakedPixels,
-                            .texels = kBakedPixels * edgeModules(),
-                            .paths = request.isRough ? kRoughPaths : kPaths,
-                            .albedo = request.albedo,
-                            .lamp = request.oneLight ? lampOf(*request.oneLight, request.frame, kOneLightRadiusDeg)
-                                                     : Lamp{.strength = 0}});
+  light.emplace(
+      *printed, request.frame,
+      BakeOptions{.texelMm = request.symbolMm / request.symbol.size / kBakedPixels,
+                  .texels = kBakedPixels * edgeModules(),
+                  .paths = request.isRough ? kRoughPaths : kPaths,
+                  .albedo = request.albedo,
+                  .lamp = request.oneLight ? lampOf(*request.oneLight, request.frame, kOneLightRadiusDeg) : kNoLamp});
   stage = Stage::Light;
 }
 

@@ -23,14 +23,15 @@ constexpr int kPaths = 16;
 /// A code is raised or carved if it is so by more than this, mm: less is the grain of a model.
 constexpr double kFlatMm = 0.02;
 
-/// A large weak lamp on the right, as in a room: elevation and azimuth over the QR plane (0 = right, 90 = top).
+/// A large weak lamp on the right, as in a room, which only the ranges are read under: elevation and azimuth over the
+/// QR plane (0 = right, 90 = top).
 constexpr double kLampElevationDeg = 55, kLampAzimuthDeg = -30;
 
-Lamp roomLamp(const ProjectionFrame& frame) {
+Lamp roomLamp(const ProjectionFrame& frame, bool isOn) {
   const double elevation = toRadians(kLampElevationDeg);
   const double azimuth = toRadians(kLampAzimuthDeg);
   const Vec3 side = frame.right * std::cos(azimuth) + frame.up * std::sin(azimuth);
-  return {side * std::cos(elevation) + frame.normal * std::sin(elevation), 0.5, 20};
+  return {side * std::cos(elevation) + frame.normal * std::sin(elevation), isOn ? 0.5 : 0, 20};
 }
 
 /// Least way through the material from the floors on along the rays. Pockets run along rays, too, so that none is met.
@@ -142,7 +143,7 @@ void VerifyJob::State::measureShape() {
                             .paths = kPaths,
                             .albedo = request.albedo,
                             .lamp = request.oneLight ? lampOf(*request.oneLight, request.frame, kOneLightRadiusDeg)
-                                                     : roomLamp(request.frame)});
+                                                     : roomLamp(request.frame, request.ranges)});
   stage = Stage::Light;
 }
 

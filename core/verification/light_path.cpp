@@ -30,17 +30,17 @@ Vec3 facing(const RaySurface& surface, const SurfacePoint& at, Vec3 direction) {
   return glm::dot(normal, direction) > 0 ? -normal : normal;
 }
 
-/// By one point of each lamp's disc, chosen at random.
+/// By one point of each lamp's disc, chosen at random; also for a lamp that is off, so that paths stay the same.
 double lampIrradiance(const RaySurface& surface, Vec3 at, Vec3 normal, std::span<const Lamp> lamps, Random& random) {
   double sum = 0;
   for (const Lamp& lamp : lamps) {
-    if (lamp.strength <= 0) continue;
     Vec3 to = lamp.towards;
     if (lamp.radiusDeg > 0) {
       const double edge = std::cos(toRadians(lamp.radiusDeg));
       const double height = 1 - random.uniform() * (1 - edge);
       to = directionAbout(lamp.towards, height, random.uniform());
     }
+    if (lamp.strength <= 0) continue;
     const double cosine = glm::dot(normal, to);
     if (cosine > 0 && !surface.firstHit(at, to, kLeaveSurfaceMm)) sum += lamp.strength * cosine;
   }

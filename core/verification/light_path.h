@@ -11,12 +11,16 @@
 
 namespace qrelief {
 
-/// A lamp beside the uniform sky: a disc, far away.
+/// A lamp beside the uniform sky: a disc, far away. One of strength 0 brings nothing and costs no rays; paths are the
+/// same as with it on.
 struct Lamp {
   Vec3 towards{0, 0, 1};  ///< unit, model space
   double strength = 0.5;  ///< irradiance of a surface that faces it, 1 = that of the whole sky; ≥ 0
   double radiusDeg = 20;  ///< 0 … 90, as seen from the model; 0: a point, with sharp shadows
 };
+
+/// Of BakeOptions, where there is to be none.
+inline constexpr Lamp kNoLamp{.strength = 0, .radiusDeg = 0};
 
 /// A lamp of a code, in model space. @param radiusDeg  see Lamp
 Lamp lampOf(const DirectionalLight& light, const ProjectionFrame& frame, double radiusDeg);
