@@ -2,10 +2,11 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
-#include "mesh/bvh.h"
 #include "mesh/mesh.h"
 #include "mesh/ray_surface.h"
+#include "mesh/wide_bvh.h"
 
 namespace qrelief {
 
@@ -25,8 +26,11 @@ class RayTree final : public RaySurface {
   const Mesh& mesh() const { return *mesh_; }
 
  private:
+  RayTree(const Mesh& mesh, const Bvh& tree);
+
   const Mesh* mesh_;
-  Bvh tree_;
+  std::vector<std::uint32_t> order_;  // of the triangles, leaf after leaf
+  WideBvh tree_;
 };
 
 }  // namespace qrelief
