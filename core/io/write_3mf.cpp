@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <iterator>
 
+#include "base/utf8.h"
 #include "io/zip_writer.h"
 
 namespace qrelief {
@@ -14,31 +15,18 @@ namespace {
 constexpr std::string_view kXml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
 constexpr std::size_t kPieceBytes = 256 * 1024;
 
-/// Length of the well-formed UTF-8 sequence that text begins with; 0 if it begins with none.
-std::size_t sequenceLength(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const unsigned lead = byte(0);
-  const std::size_t length = lead < 0x80                   ? 1
-                             : lead >= 0xc2 && lead < 0xe0 ? 2
-                             : lead >= 0xe0 && lead < 0xf0 ? 3
-                             : lead >= 0xf0 && lead < 0xf5 ? 4
-                                                           : 0;
-  if (length == 0 || text.size() < length) return 0;
-  for (std::size_t i = 1; i < length; ++i)
-    if ((byte(i) & 0xc0) != 0x80) return 0;
-  const bool overlong = (lead == 0xe0 && byte(1) < 0xa0) || (lead == 0xf0 && byte(1) < 0x90);
-  const bool noCharacter = (lead == 0xed && byte(1) > 0x9f) || (lead == 0xf4 && byte(1) > 0x8f) ||
-                           (lead == 0xef && byte(1) == 0xbf && byte(2) > 0xbd);
-  return overlong || noCharacter ? 0 : length;
-}
+/// Characters that XML 1.0 has no place for, though UTF-8 has: U+FFFE and U+FFFF.
+bool isNoCharacter(std::string_view sequence) { return sequence == "\xEF\xBF\xBE" || sequence == "\xEF\xBF\xBF"; }
 
 /// As the value of an attribute; what XML cannot hold becomes a question mark.
 std::string escaped(std::string_view text) {
   std::string result;
   while (!text.empty()) {
-    const std::size_t length = sequenceLength(text);
+    const std::size_t length = utf8SequenceLength(text);
     const char c = text.front();
-    if (length > 1)
+    if (length > 1 && isNoCharacter(text.substr(0, length)))
+      result += "???";
+    else if (length > 1)
       result += text.substr(0, length);
     else if (length == 0 || (c >= 0 && c < ' '))
       result += '?';

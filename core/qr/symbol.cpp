@@ -9,6 +9,7 @@
 #include <qrencode.h>
 #include <string>
 
+#include "base/utf8.h"
 #include "qr/segmentation.h"
 #include "qr/symbol_shaping.h"
 
@@ -25,33 +26,11 @@ constexpr unsigned kDarkBit = 1, kFormatBit = 4, kVersionBit = 8, kTimingBit = 1
 using InputHandle = std::unique_ptr<QRinput, decltype(&QRinput_free)>;
 using CodeHandle = std::unique_ptr<QRcode, decltype(&QRcode_free)>;
 
-/// Length of the well-formed UTF-8 sequence at the start of `bytes` [Unicode 15, table 3-7]; 0 if there is none.
-std::size_t utf8SequenceLength(std::string_view bytes) {
-  const auto at = [&](std::size_t i) { return i < bytes.size() ? static_cast<unsigned char>(bytes[i]) : 0u; };
-  const auto within = [&](std::size_t i, unsigned low, unsigned high) { return at(i) >= low && at(i) <= high; };
-  const auto continues = [&](std::size_t i) { return within(i, 0x80, 0xBF); };
-  const unsigned lead = at(0);
-  if (lead < 0x80) return 1;
-  if (lead >= 0xC2 && lead <= 0xDF) return continues(1) ? 2 : 0;
-  if (lead >= 0xE0 && lead <= 0xEF) {
-    const bool second = within(1, lead == 0xE0 ? 0xA0 : 0x80, lead == 0xED ? 0x9F : 0xBF);  // overlong, surrogates
-    return second && continues(2) ? 3 : 0;
-  }
-  if (lead >= 0xF0 && lead <= 0xF4) {
-    const bool second = within(1, lead == 0xF0 ? 0x90 : 0x80, lead == 0xF4 ? 0x8F : 0xBF);  // overlong, too large
-    return second && continues(2) && continues(3) ? 4 : 0;
-  }
-  return 0;
-}
-
 Status checkCharacters(std::string_view text) {
   if (text.empty()) return fail(ErrorKind::BadInput, message("text-empty"));
-  for (std::size_t i = 0; i < text.size();) {
-    if (text[i] == '\0') return fail(ErrorKind::BadInput, message("text-holds-nul", with::count("byte", i + 1)));
-    const std::size_t length = utf8SequenceLength(text.substr(i));
-    if (length == 0) return fail(ErrorKind::BadInput, message("text-no-utf8", with::count("byte", i + 1)));
-    i += length;
-  }
+  const std::size_t nul = text.find('\0'), broken = firstNoUtf8(text);
+  if (nul < broken) return fail(ErrorKind::BadInput, message("text-holds-nul", with::count("byte", nul + 1)));
+  if (broken != text.npos) return fail(ErrorKind::BadInput, message("text-no-utf8", with::count("byte", broken + 1)));
   return {};
 }
 
@@ -213,6 +192,18 @@ Result<Symbol> encodeSymbol(std::string_view text, const SymbolOptions& options)
   if (options.maskRule == MaskRule::Shadiest) symbol = withShadiestMask(symbol);
   if (options.breakUpDarkAreas) breakUpDarkAreas(symbol);
   return symbol;
+}
+
+int VersionsByLength::smallest(std::string_view text) {
+  if (text.empty() || text.size() > kMostCharacters) return 0;
+  std::array<int, 3> bits{};
+  for (std::size_t group = 0, version = 1; group < bits.size(); ++group) {
+    bits[group] = segmentBits(segmentText(text, static_cast<int>(version)), static_cast<int>(version));
+    version = static_cast<std::size_t>(lastVersionOfGroup(static_cast<int>(version))) + 1;
+  }
+  const auto [found, isNew] = known_.try_emplace(bits, 0);
+  if (isNew) found->second = smallestVersion(text, level_);
+  return found->second;
 }
 
 }  // namespace qrelief

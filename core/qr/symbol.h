@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -64,5 +66,19 @@ inline constexpr int kQuietZoneModules = 4;
 /// @returns BadInput if the text is empty, no UTF-8, or too long for the version and level asked for (says how long it
 ///          is and what would hold it); BadUsage if there is no such version or mask
 Result<Symbol> encodeSymbol(std::string_view text, const SymbolOptions& options = {});
+
+/// The smallest version that holds a text, by the bits that its segments take; 0: none does.
+/// Cost: microseconds a text, milliseconds the first time that so many bits occur.
+class VersionsByLength {
+ public:
+  explicit VersionsByLength(ErrorCorrection level) : level_(level) {}
+
+  /// @param text  as for encodeSymbol()
+  int smallest(std::string_view text);
+
+ private:
+  ErrorCorrection level_;
+  std::map<std::array<int, 3>, int> known_;  ///< by bits in each group of versions with the same length fields
+};
 
 }  // namespace qrelief
