@@ -3,20 +3,19 @@
 #include <fmt/format.h>
 
 #include "base/clock.h"
+#include "cli/choose_spot.h"
 #include "cli/commands.h"
 #include "cli/model_input.h"
 #include "cli/progress_bar.h"
 #include "cli/setting_flags.h"
 #include "cli/tried_print.h"
-#include "io/write_checked.h"
+#include "io/sniff_format.h"
 #include "messages/sentences.h"
 #include "native/egl_context.h"
+#include "native/engraver.h"
 #include "native/files.h"
 #include "native/png_file.h"
-#include "native/read_carving.h"
 #include "native/zxing_reader.h"
-#include "pipeline/carved_objects.h"
-#include "pipeline/spot_search.h"
 #include "report/report.h"
 #include "settings/preset.h"
 #include "settings/settings.h"
@@ -53,106 +52,11 @@ Status completeRequest(EngraveOptions& options) {
   return {};
 }
 
-/// Without --at: the best spot for the size asked for, or the one that takes the largest.
-Status chooseSpot(std::shared_ptr<const EngravableModel> model, EngraveOptions& options, double scaleToMm) {
-  EngraveRequest& request = options.request;
-  const auto symbol = encodeSymbol(request.text, request.symbol);
-  if (!symbol) return tl::unexpected(symbol.error());
-  auto job = SpotSearchJob::create(std::move(model), {.placement = searchedPlacement(request, symbol->size),
-                                                      .modules = symbol->size,
-                                                      .minWallMm = request.minWallMm,
-                                                      .count = 3,
-                                                      .scaleToMm = scaleToMm});
-  if (!job) return tl::unexpected(job.error());
-  if (const Status done = runWithProgress(**job, options.quiet); !done) return done;
-  const OfferedSpot spot = (*job)->takeResult().spots.front();
-  request.placement.centreMm = spot.centreMm;
-  if (spot.needsDirection) request.placement.direction = spot.direction;
-  const int decimals = centreDecimals(scaleToMm);
-  fmt::print("placed at {:.{}f},{:.{}f},{:.{}f}\n", spot.centreFileUnits.x, decimals, spot.centreFileUnits.y, decimals,
-             spot.centreFileUnits.z, decimals);
-  return {};
-}
-
-Result<EngraveResult> runJob(std::shared_ptr<const EngravableModel> model, const EngraveOptions& options) {
-  auto job = EngraveJob::create(std::move(model), options.request);
-  if (!job) return tl::unexpected(job.error());
-  if (const Status done = runWithProgress(**job, options.quiet); !done) return tl::unexpected(done.error());
-  return (*job)->takeResult();
-}
-
-struct Carved {
-  EngraveResult result;
-  ReadingEvidence reading;
-  std::optional<PrintedEvidence> printed = {};
-  Verdict verdict;
-};
-
-Result<Carved> carve(std::shared_ptr<const EngravableModel> model, const EngraveOptions& options) {
-  auto result = runJob(std::move(model), options);
-  if (!result) return tl::unexpected(result.error());
-  const auto reading = Clock::now();
-  ProgressBar bar(options.quiet);
-  const auto evidence = readCarving(options.request, *result, [&](const Progress& progress) { bar.show(progress); });
-  if (!evidence) return tl::unexpected(evidence.error());
-  result->timingsMs.verify += millisecondsSince(reading);
-  Verdict verdict = judge(options.request, *result, *evidence);
-  return Carved{std::move(*result), *evidence, {}, std::move(verdict)};
-}
-
-/// As asked for; where the code does not read so, for the design alone, and with the next deeper presets; `options`
-/// then say that. Where it reads with none of them, as asked for.
-Result<Carved> carveToRead(const std::shared_ptr<const EngravableModel>& model, EngraveOptions& options) {
-  auto asked = carve(model, options);
-  if (!asked) return asked;
-  EngraveRequest& request = options.request;
-  const EngraveRequest wanted = request;
-  for (auto next = changeToTryNext(request, asked->verdict); next;) {
-    apply(*next, request);
-    auto carved = carve(model, options);
-    if (!carved) break;  // what is asked for can be carved: better than nothing
-    next = changeToTryNext(request, carved->verdict);
-    if (!carved->verdict.reads.passed()) continue;
-    if (request.preset != wanted.preset)
-      fmt::print("carved as {}: as {} the code did not read reliably in the simulated pictures\n",
-                 presetName(request.preset), presetName(wanted.preset));
-    else
-      fmt::print(
-          "carved for the design alone: for the print, too, the code did not read reliably in the simulated "
-          "pictures\n");
-    return carved;
-  }
-  request = wanted;
-  return asked;
-}
-
-/// Finds out how the carving that was decided for comes off the printer.
-Status print(const EngraveOptions& options, Carved& carved) {
-  const auto start = Clock::now();
-  ProgressBar bar(options.quiet);
-  auto printed = readPrinted(verifyRequestOf(options.request, carved.result), carved.result.mesh,
-                             [&](const Progress& progress) { bar.show(progress); });
-  if (!printed) return tl::unexpected(printed.error());
-  if (!*printed) return {};
-  carved.printed = std::move(*printed);
-  carved.result.timingsMs.print = millisecondsSince(start);
-  carved.verdict = judge(options.request, carved.result, carved.reading, &*carved.printed);
-  return {};
-}
-
-/// The carved model in the format that the output's name asks for.
-Result<std::vector<std::uint8_t>> encodeModel(const EngraveOptions& options, const EngraveResult& result,
-                                              const std::vector<std::string>& partNames) {
-  const ModelFormat format = formatOfName(options.output);
-  if (format == ModelFormat::Stl && !options.ascii) return result.stl;
-  return writeChecked(carvedObjects(result, partNames, options.request.inlay), format,
-                      {.title = fileNameOf(options.model.path), .ascii = options.ascii});
-}
-
 Status writeOutputs(const EngraveOptions& options, const EngravableModel& model, const EngraveResult& result,
                     const std::vector<std::string>& partNames, ReportContext& context, Clock::time_point start) {
   const auto writing = Clock::now();
-  const auto bytes = encodeModel(options, result, partNames);
+  const auto bytes = encodeCarved(result, partNames, options.output, options.request.inlay,
+                                  fileNameOf(options.model.path), options.ascii);
   if (!bytes) return tl::unexpected(bytes.error());
   if (const Status written = writeFileAtomically(options.output, *bytes); !written) return written;
   if (!options.preview.empty()) {
@@ -185,16 +89,25 @@ void printSummary(const EngraveOptions& options, const EngraveResult& result, co
   }
 }
 
+/// Where it did not read as asked for: what was done about it.
+void tellWhatWasCarved(const EngraveRequest& asked, const EngraveRequest& carved) {
+  if (carved.preset != asked.preset)
+    fmt::print("carved as {}: as {} the code did not read reliably in the simulated pictures\n",
+               presetName(carved.preset), presetName(asked.preset));
+  else if (carved != asked)
+    fmt::print(
+        "carved for the design alone: for the print, too, the code did not read reliably in the simulated pictures\n");
+}
+
 /// Carves the code for other ways of printing, and says of each what becomes of it. Nothing of that is written.
-Status tryOtherPrints(const std::shared_ptr<const EngravableModel>& model, const EngraveOptions& options,
-                      const EngraveResult& result) {
+Status tryOtherPrints(const Engraver& engraver, const EngraveOptions& options, const EngraveResult& result) {
   fmt::print("carved for other ways of printing:\n");
   for (const SettingChange& other : otherPrints(verifyRequestOf(options.request, result))) {
-    EngraveOptions changed = options;
-    apply(other, changed.request);
-    auto carved = carve(model, changed);
+    EngraveRequest changed = options.request;
+    apply(other, changed);
+    ProgressBar bar(options.quiet);
+    const auto carved = engraver.engraveOnce(changed, [&](const Progress& progress) { bar.show(progress); });
     if (!carved) return tl::unexpected(carved.error());
-    if (const Status printed = print(changed, *carved); !printed) return printed;
     fmt::print("  {} {}: {}\n", flagOf(other.setting), other.value,
                triedPrint(carved->verdict.prints, *carved->printed));
   }
@@ -225,19 +138,25 @@ int engraveModel(EngraveOptions& options) {
 
   const auto choosing = Clock::now();
   if (options.at.empty()) {
-    if (const Status chosen = chooseSpot(model, options, input->scaleToMm); !chosen)
+    if (const Status chosen = chooseSpot(model, options.request, input->scaleToMm, options.quiet); !chosen)
       return printError(chosen.error(), context.fileName);
     context.spotMs = millisecondsSince(choosing);
   }
-  const Preset askedPreset = options.request.preset;
-  auto carved = carveToRead(model, options);
+  const auto engraver = Engraver::create(model);
+  if (!engraver) return printError(engraver.error());
+  const EngraveRequest asked = options.request;
+  auto carved = [&] {
+    ProgressBar bar(options.quiet);
+    return engraver->engrave(asked, [&](const Progress& progress) { bar.show(progress); });
+  }();
   if (!carved) return printError(carved.error(), context.fileName);
-  if (const Status printed = print(options, *carved); !printed) return printError(printed.error(), context.fileName);
+  options.request = carved->request;
+  tellWhatWasCarved(asked, carved->request);
   const EngraveResult& result = carved->result;
   context.printed = carved->printed;
   context.reading = carved->reading;
   context.verdict = carved->verdict;
-  context.askedPreset = askedPreset;
+  context.askedPreset = asked.preset;
   context.wording = commandWording();
   context.reader = zxingName();
 
@@ -245,7 +164,7 @@ int engraveModel(EngraveOptions& options) {
     return printError(written.error());
   printSummary(options, result, context);
   if (options.tryPrints && context.printed && context.verdict.prints.level != Level::Good)
-    if (const Status tried = tryOtherPrints(model, options, result); !tried) return printError(tried.error());
+    if (const Status tried = tryOtherPrints(*engraver, options, result); !tried) return printError(tried.error());
   return printFailed(context.verdict);
 }
 

@@ -60,6 +60,13 @@ PlacementRequest searchedPlacement(const EngraveRequest& request, int modules) {
   return place;
 }
 
+Status checkEngraving(const EngravableModel& model, const EngraveRequest& request, const Symbol& symbol) {
+  if (const Status checked = checkSettings(request); !checked) return checked;
+  if (const Status engravable = model.prepared.engravable(); !engravable) return engravable;
+  const CodeRoom room{symbol.size, roomFactor(symbol.size, request.placement.quietZone)};
+  return checkRoom(model.prepared, room, request.placement.eyeDistanceMm);
+}
+
 std::shared_ptr<const EngravableModel> EngravableModel::upload(PreparedModel prepared) {
   auto model = std::make_shared<EngravableModel>();
   model->gpu = GpuMesh(prepared.mesh, prepared.normals);
@@ -386,12 +393,9 @@ Result<std::unique_ptr<EngraveJob>> EngraveJob::create(std::shared_ptr<const Eng
 Result<std::unique_ptr<EngraveJob>> EngraveJob::create(std::shared_ptr<const EngravableModel> model,
                                                        EngraveRequest request, const Known& known) {
   if (const Status checked = checkSettings(request); !checked) return tl::unexpected(checked.error());
-  if (const Status engravable = model->prepared.engravable(); !engravable) return tl::unexpected(engravable.error());
   auto symbol = known.symbol ? Result<Symbol>(*known.symbol) : encodeSymbol(request.text, request.symbol);
   if (!symbol) return tl::unexpected(symbol.error());
-  const CodeRoom room{symbol->size, roomFactor(symbol->size, request.placement.quietZone)};
-  if (const Status large = checkRoom(model->prepared, room, request.placement.eyeDistanceMm); !large)
-    return tl::unexpected(large.error());
+  if (const Status good = checkEngraving(*model, request, *symbol); !good) return tl::unexpected(good.error());
   std::shared_ptr<const GeometryPass> pass = known.pass;
   if (!pass) {
     auto made = GeometryPass::create();

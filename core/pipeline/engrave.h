@@ -36,6 +36,10 @@ struct EngravableModel {
 /// @param modules  of the symbol along its edge
 PlacementRequest searchedPlacement(const EngraveRequest& request, int modules);
 
+/// Whether a request can be carried out, as far as can be told without looking at the geometry under the code.
+/// @returns BadUsage or BadInput if not, or for a model with blocking findings
+Status checkEngraving(const EngravableModel& model, const EngraveRequest& request, const Symbol& symbol);
+
 /// Milliseconds spent in each stage.
 struct StageTimings {
   double direction = 0, size = 0, surface = 0, depthSearch = 0, embed = 0, verify = 0;
@@ -104,8 +108,7 @@ class EngraveJob {
     std::shared_ptr<const LuminancePrograms> programs;
     const Symbol* symbol = nullptr;  ///< carved in place of what the request's text and options give
   };
-  /// @returns BadUsage or BadInput for a request that cannot be carried out whatever the geometry, or for a model with
-  ///          blocking findings
+  /// @returns what checkEngraving() does
   static Result<std::unique_ptr<EngraveJob>> create(std::shared_ptr<const EngravableModel> model,
                                                     EngraveRequest request, const Known& known);
   static Result<std::unique_ptr<EngraveJob>> create(std::shared_ptr<const EngravableModel> model,

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <list>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/progress.h"
+#include "pipeline/engrave.h"
+#include "verdict/verdict.h"
+
+namespace qrelief {
+
+/// A carving, and what was found out about it.
+struct Engraved {
+  EngraveRequest request;  ///< as it was carved, which may be deeper than was asked for
+  EngraveResult result;
+  ReadingEvidence reading;
+  std::optional<PrintedEvidence> printed;  ///< none: the request names no process
+  Verdict verdict;
+};
+
+/// Engraves code after code into one model, each with all its checks. What codes share is made once: programs, and
+/// places that they are asked for alike. Needs the GL context of the model.
+class Engraver {
+ public:
+  using Tell = std::function<void(const Progress&)>;
+
+  /// @param model  checked: see PreparedModel::engravable()
+  static Result<Engraver> create(std::shared_ptr<const EngravableModel> model);
+
+  /// As asked for; where the code does not read so, for the design alone, and with the next deeper presets
+  /// (changeToTryNext()); where it reads with none of them, as asked for.
+  Result<Engraved> engrave(const EngraveRequest& request, const Tell& tell) const;
+
+  /// The same once, without anything deeper.
+  Result<Engraved> engraveOnce(const EngraveRequest& request, const Tell& tell) const;
+
+  const EngravableModel& model() const { return *model_; }
+
+ private:
+  struct Place {
+    int modules;
+    PlacementRequest request;
+    PlacementSearch found;
+  };
+
+  Engraver() = default;
+  Result<const PlacementSearch*> placeOf(const EngraveRequest& request, int modules) const;
+  Result<Engraved> carve(const EngraveRequest& request, const Tell& tell) const;
+  Status print(Engraved& engraved, const Tell& tell) const;
+
+  std::shared_ptr<const EngravableModel> model_;
+  std::shared_ptr<const GeometryPass> pass_;
+  std::shared_ptr<const LuminancePrograms> programs_;
+  mutable std::list<Place> places_;  // the latest first
+};
+
+/// The carved model in the format of a file's name. @param ascii  see WriteOptions
+Result<std::vector<std::uint8_t>> encodeCarved(const EngraveResult& result, std::span<const std::string> partNames,
+                                               const std::string& fileName, bool withInlay, const std::string& title,
+                                               bool ascii = false);
+
+}  // namespace qrelief
