@@ -2,6 +2,7 @@
 // Depth by the number of lamps [Papp 2022, figure 21].
 import { median, onModels, rises, valuesBy } from '../page/compare.js';
 import { kColours, series } from '../page/figure.js';
+import { linePlots } from '../page/plots.js';
 import { mm, models, said } from '../page/say.js';
 
 /** @typedef {import('../page/table.js').Row} Row */
@@ -23,20 +24,11 @@ export const lampDepths = {
   name: 'lampDepths', table: 'lamp_depths', measures: ['depth_mm'],
   draw: (rows, look) => {
     const { rows: values, order } = look.named(rows, { model: 'model', modules: 'pattern' });
-    const columns = look.narrow ? 2 : 4;
-    return {
-      data: { values }, columns,
-      facet: { field: 'model', type: 'nominal', sort: order('model') },
-      spec: {
-        width: look.plotWidth(columns), height: 110,
-        mark: { type: 'line', point: { size: 44 }, strokeWidth: 2 },
-        encoding: {
-          x: { field: 'lamps', type: 'ordinal', title: look.word('axisLamps'), axis: { labelAngle: 0 } },
-          y: { field: 'depth_mm', type: 'quantitative', title: look.word('axisDepth') },
-          ...series('modules', order('modules'), [kColours.orange, kColours.blue], ['circle', 'square']),
-        },
-      },
-    };
+    return linePlots(values, look, {
+      plots: { field: 'model', names: order('model') }, columns: look.narrow ? 2 : 4, height: 110,
+      x: { field: 'lamps', title: look.word('axisLamps') }, y: { field: 'depth_mm', title: look.word('axisDepth') },
+      lines: series('modules', order('modules'), [kColours.orange, kColours.blue], ['circle', 'square']),
+    });
   },
   find: (rows) => {
     const typical = (/** @type {string} */ pattern, /** @type {number} */ lamps) =>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The least module that reads as printed [Papp 2022, figure 11].
 import { groupBy, tally } from '../page/compare.js';
-import { inOrder, kColours, series } from '../page/figure.js';
+import { inOrder } from '../page/figure.js';
+import { patternPlots } from '../page/plots.js';
 import { cases, mm, name, said } from '../page/say.js';
 
 /** @typedef {import('../page/table.js').Row} Row */
@@ -36,22 +37,9 @@ export const leastModule = {
     const prints = inOrder(rows, 'process', 'process')
       .flatMap((process) => inOrder(rows, 'pose', 'pose').map((pose) => print(process, pose)));
     const labelled = rows.map((row) => ({ ...row, print: print(row.process, row.pose) }));
-    const { rows: values, order } = look.named(labelled, { modules: 'pattern', finders: 'finder' });
-    const columns = look.narrow ? 1 : 2;
-    return {
-      data: { values }, columns,
-      facet: { field: 'print', type: 'nominal', sort: prints },
-      spec: {
-        width: look.plotWidth(columns), height: { step: 22 },
-        mark: { type: 'point', size: 40, strokeWidth: 1.6 },
-        encoding: {
-          y: { field: 'modules', type: 'nominal', sort: order('modules'), title: null, axis: { grid: true } },
-          x: { field: 'module_mm', type: 'quantitative', title: look.word('axisModule') },
-          ...series('finders', order('finders'), [kColours.grey, kColours.ink, kColours.orange, kColours.blue, kColours.green],
-            ['circle', 'square', 'diamond', 'cross', 'triangle-up'], look.word('legendFinders')),
-        },
-      },
-    };
+    return patternPlots(labelled, look, {
+      plots: { field: 'print', names: prints }, columns: look.narrow ? 1 : 2, x: { field: 'module_mm', title: look.word('axisModule') },
+    });
   },
   find: (rows) => {
     const least = [...groupBy(rows, 'process').values()].flatMap((ofProcess) => {

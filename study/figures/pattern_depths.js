@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Depth by module pattern and finder pattern [Papp 2022, figures 15 and 16].
 import { groupBy, median, onModels, tally, valuesBy } from '../page/compare.js';
-import { kColours, series } from '../page/figure.js';
+import { patternPlots } from '../page/plots.js';
 import { cases, mm, models, said } from '../page/say.js';
 import { kNeeded } from '../page/tries.js';
 
@@ -54,22 +54,10 @@ export function findersApart(rows) {
 export const patternDepths = {
   name: 'patternDepths', table: 'pattern_depths', measures: ['depth_mm', 'designed', 'printed'],
   draw: (rows, look) => {
-    const { rows: values, order } = look.named(rows, { model: 'model', modules: 'pattern', finders: 'finder' });
-    const columns = look.narrow ? 2 : 4;
-    return {
-      data: { values }, columns,
-      facet: { field: 'model', type: 'nominal', sort: order('model') },
-      spec: {
-        width: look.plotWidth(columns), height: { step: 20 },
-        mark: { type: 'point', size: 34, strokeWidth: 1.6 },
-        encoding: {
-          y: { field: 'modules', type: 'nominal', sort: order('modules'), title: null, axis: { grid: true } },
-          x: { field: 'depth_mm', type: 'quantitative', title: look.word('axisDepth') },
-          ...series('finders', order('finders'), [kColours.grey, kColours.ink, kColours.orange, kColours.blue, kColours.green],
-            ['circle', 'square', 'diamond', 'cross', 'triangle-up'], look.word('legendFinders')),
-        },
-      },
-    };
+    const { rows: values, order } = look.named(rows, { model: 'model' });
+    return patternPlots(values, look, {
+      plots: { field: 'model', names: order('model') }, columns: look.narrow ? 2 : 4, x: { field: 'depth_mm', title: look.word('axisDepth') },
+    });
   },
   find: (rows) => {
     const finders = findersLowerDepth(rows);
