@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every figure, by the name that study.html has.
+import { aside } from '../figures/aside.js';
 import { frontierDesigned, frontierPrinted } from '../figures/frontier.js';
 import { guaranteedSize } from '../figures/guaranteed_size.js';
 import { lampDepths } from '../figures/lamp_depths.js';
@@ -15,5 +16,5 @@ import { symbolFlips } from '../figures/symbol_flips.js';
 /** @type {readonly import('./figure.js').Figure[]} */
 export const kFigures = [
   leastModule, guaranteedSize, patternDepths, methodDepths, frontierPrinted, frontierDesigned, searchTimes, lightErrors, lampDepths,
-  lightAngles, robustness, symbolFlips,
+  lightAngles, robustness, aside, symbolFlips,
 ];

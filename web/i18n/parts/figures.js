@@ -20,11 +20,13 @@ export const figures = {
     'flips-none': 'No flips', 'flips-peng-2019': 'Peng 2019', 'flips-ours': 'QRelief',
     'process-fdm-0.4/0.2': 'Nozzle 0.4 mm', 'process-fdm-0.25/0.1': 'Nozzle 0.25 mm',
     'pose-code-up': 'lying', 'pose-code-upright': 'standing',
+    'decoder-jsqr': 'jsQR', 'decoder-@zxing/library': 'ZXing (JS)', 'decoder-zxing-wasm': 'ZXing-C++', 'decoder-qr': 'qr', 'decoder-@undecaf/zbar-wasm': 'ZBar',
+    'layout-projected': 'Projected, as carved', 'layout-halfway': 'Half-way', 'layout-wrapped': 'Wrapped like a label',
     carvingOurs: 'QRelief', legendFinders: 'Finder patterns', carvingPattern: '{modules} / {finders}', printAs: '{process}, {pose}',
 
     axisDepth: 'mean depth, mm', axisEdge: 'edge of the code, mm', axisLamps: 'lamps', axisLamp: 'elevation of the reading lamp, °', axisReads: 'reads of {of}',
     axisErrorSize: 'error of the light, size', axisError: 'error of the light, own − traced', axisSeconds: 'seconds', axisBlur: 'blur, modules',
-    axisPixels: 'pixels per module', axisTilt: 'tilt, °', axisModule: 'least module, mm',
+    axisPixels: 'pixels per module', axisTilt: 'tilt, °', axisModule: 'least module, mm', axisArc: 'arc of the code, °', axisAside: 'read up to, °',
 
     asIs: '{value}',
     onAllModels: 'on all {of} models', onSomeModels: 'on {holds} of {of} models', onNoModel: 'on none of the {of} models',
@@ -117,6 +119,15 @@ export const figures = {
     robustUnread: { one: '{count} of {of} carvings does not read even from the front and is not shown.', other: '{count} of {of} carvings do not read even from the front and are not shown.' },
     robustPaper: 'The paper finds that codes bear less the less of them is carved, but only a little: its app took a second or two longer. Here a picture is read or not, so small losses show, too.',
 
+    asideAlt: 'A plot for each decoder: how far aside codes are read against the arc of the cylinder that they take, a line for each way they lie on it.',
+    asideShown: 'How far aside painted codes on a cylinder are read by decoders of npm, by the arc of the circumference that they take: medians of all versions. They are projected, as QRelief carves them, wrapped round the cylinder like a label, or half-way between. A point is missing where half of the versions or more are not read even from the front.',
+    asideArcs: 'Projected codes that take {narrow}° of the circumference are read {narrowTilt}, those that take {wide}° {wideTilt}, in the median of all decoders and versions.',
+    asideUpTo: 'up to {tilt}° aside', asideOnlyFront: 'only from the front', asideUnread: 'not even from the front',
+    asideLayouts: 'Projected codes are read at least as far aside as wrapped ones {cases} in which either is read.',
+    asideFront: 'From the front projected codes are read {projected}, half-way ones {halfway}, wrapped ones {wrapped}.',
+    asideMarks: 'From version {version} on a code has six alignment patterns instead of one, and they show how it bends: at every arc such codes are read farther aside by {list}.',
+    asidePaper: 'The codes are painted, so this is what the bent surface alone does to them, whatever is carved. The paper has no such experiment.',
+
     symbolFlipsAlt: 'Two plots, of the search of 2019 and of ours: mean depth without flips, with those of Peng 2019 and with ours, a sign for each model.',
     symbolFlipsShown: 'Mean depth of whole modules at error correction H, when dark modules in wide dark areas are made light and readers restore them.',
     flipsCount: 'Peng 2019 makes {peng} modules light, QRelief {ours}, as it spends more of the error correction.',
@@ -141,11 +152,13 @@ export const figures = {
     'flips-none': 'Keine', 'flips-peng-2019': 'Peng 2019', 'flips-ours': 'QRelief',
     'process-fdm-0.4/0.2': 'Düse 0,4 mm', 'process-fdm-0.25/0.1': 'Düse 0,25 mm',
     'pose-code-up': 'liegend', 'pose-code-upright': 'stehend',
+    'decoder-jsqr': 'jsQR', 'decoder-@zxing/library': 'ZXing (JS)', 'decoder-zxing-wasm': 'ZXing-C++', 'decoder-qr': 'qr', 'decoder-@undecaf/zbar-wasm': 'ZBar',
+    'layout-projected': 'Projiziert, wie graviert', 'layout-halfway': 'Dazwischen', 'layout-wrapped': 'Gewickelt wie ein Etikett',
     carvingOurs: 'QRelief', legendFinders: 'Suchmuster', carvingPattern: '{modules} / {finders}', printAs: '{process}, {pose}',
 
     axisDepth: 'mittlere Tiefe, mm', axisEdge: 'Kante des Codes, mm', axisLamps: 'Lampen', axisLamp: 'Höhe der Leselampe, °', axisReads: 'gelesen von {of}',
     axisErrorSize: 'Fehler des Lichts, Betrag', axisError: 'Fehler des Lichts, eigenes − verfolgtes', axisSeconds: 'Sekunden', axisBlur: 'Unschärfe, Module',
-    axisPixels: 'Pixel je Modul', axisTilt: 'Neigung, °', axisModule: 'kleinstes Modul, mm',
+    axisPixels: 'Pixel je Modul', axisTilt: 'Neigung, °', axisModule: 'kleinstes Modul, mm', axisArc: 'Bogen des Codes, °', axisAside: 'gelesen bis, °',
 
     asIs: '{value}',
     onAllModels: 'bei allen {of} Modellen', onSomeModels: 'bei {holds} von {of} Modellen', onNoModel: 'bei keinem der {of} Modelle',
@@ -237,6 +250,15 @@ export const figures = {
     robustOurs: 'QRelief verträgt mit seiner üblichen Einstellung im Median {blur} Module Unschärfe und {tilt}° Neigung.',
     robustUnread: { one: '{count} von {of} Gravuren ist nicht einmal von vorn lesbar und nicht gezeigt.', other: '{count} von {of} Gravuren sind nicht einmal von vorn lesbar und nicht gezeigt.' },
     robustPaper: 'Im Artikel vertragen Codes weniger, je weniger graviert ist, aber nur wenig: Seine App brauchte ein, zwei Sekunden länger. Hier wird ein Bild gelesen oder nicht, daher zeigen sich auch kleine Verluste.',
+
+    asideAlt: 'Ein Diagramm je Leser: wie weit von der Seite Codes gelesen werden, über dem Bogen des Zylinders, den sie einnehmen, eine Linie für jede Art, auf ihm zu liegen.',
+    asideShown: 'Wie weit von der Seite Leser von npm gemalte Codes auf einem Zylinder lesen, nach dem Bogen des Umfangs, den sie einnehmen: Mediane aller Versionen. Sie sind projiziert, wie QRelief sie graviert, wie ein Etikett um den Zylinder gewickelt, oder halbwegs dazwischen. Ein Punkt fehlt, wo die Hälfte der Versionen oder mehr nicht einmal von vorn gelesen wird.',
+    asideArcs: 'Projizierte Codes, die {narrow}° des Umfangs einnehmen, werden im Median aller Leser und Versionen {narrowTilt} gelesen, solche, die {wide}° einnehmen, {wideTilt}.',
+    asideUpTo: 'bis {tilt}° von der Seite', asideOnlyFront: 'nur von vorn', asideUnread: 'nicht einmal von vorn',
+    asideLayouts: 'Projizierte werden {cases}, in denen eine der beiden Arten gelesen wird, mindestens so weit von der Seite gelesen wie gewickelte.',
+    asideFront: 'Von vorn werden projizierte Codes {projected} gelesen, solche dazwischen {halfway}, gewickelte {wrapped}.',
+    asideMarks: 'Von Version {version} an hat ein Code sechs Ausrichtungsmuster statt eines, und sie zeigen, wie er sich biegt: Bei jedem Bogen lesen solche Codes von weiter seitlich: {list}.',
+    asidePaper: 'Die Codes sind gemalt; das ist also, was die gebogene Fläche allein mit ihnen macht, was immer graviert ist. Der Artikel hat keinen solchen Versuch.',
 
     symbolFlipsAlt: 'Zwei Diagramme, zur Suche von 2019 und zu unserer: mittlere Tiefe ohne Umkehren, mit dem von Peng 2019 und mit unserem, ein Zeichen je Modell.',
     symbolFlipsShown: 'Mittlere Tiefe ganzer Module mit Fehlerkorrektur H, wenn dunkle Module in weiten dunklen Flächen hell bleiben und Leser sie wiederherstellen.',

@@ -26,6 +26,7 @@ export const study = {
     lamps: 'Lamps beside the sky',
     angles: 'Another lamp than expected',
     robust: 'Blur, distance and tilt',
+    aside: 'From aside, on a cylinder',
     flips: 'Modules made light',
 
     again: 'Measure it again',
@@ -55,6 +56,7 @@ export const study = {
     lamps: 'Lampen neben dem Himmel',
     angles: 'Eine andere Lampe als erwartet',
     robust: 'Unschärfe, Abstand und Neigung',
+    aside: 'Von der Seite, auf einem Zylinder',
     flips: 'Module, die hell bleiben',
 
     again: 'Selbst nachmessen',
