@@ -2,15 +2,14 @@
 // Reads against depth, every method from shallow to deep.
 import { distinct, frontierAt, groupBy, tally } from '../page/compare.js';
 import { inOrder, kColours, series } from '../page/figure.js';
+import { isForOneLamp, isOurs } from '../page/methods.js';
 import { models, name, said } from '../page/say.js';
 import { kNeeded, kTries } from '../page/tries.js';
 
 /** @typedef {import('../page/table.js').Row} Row */
 /** @typedef {import('../page/compare.js').Point} Point */
 
-const kOurs = /^ours-/;
 const kDefault = 'ours-for-print';
-const kUnderLamp = new Set(['one-light-2020', 'ours-one-light']);  // carved for one lamp, and read under it
 /** @type {Record<string, [colour: string, shape: string, dash: number[]]>} */
 const kStyles = {
   'groove-2018': [kColours.olive, 'triangle-down', []],
@@ -39,7 +38,7 @@ const levelsOf = (ofModel, method, measure) => ofModel.filter((row) => row.metho
  */
 export function betterThanDefault(ofModel, ours) {
   if (!ours) return undefined;
-  return distinct(ofModel, 'method').filter((method) => !kOurs.test(method)
+  return distinct(ofModel, 'method').filter((method) => !isOurs(method)
     && (frontierAt(levelsOf(ofModel, method, 'printed'), ours.depth_mm) ?? -1) > ours.printed);
 }
 
@@ -100,13 +99,13 @@ export const frontierPrinted = {
   find: (rows, { method_comparison: comparison = [] }) => {
     const ours = new Map(comparison.filter(({ method }) => method === kDefault).map((row) => [row.model, row]));
     const beaten = [...groupBy(rows, 'model')].map(([model, ofModel]) => betterThanDefault(ofModel, ours.get(model)));
-    const onOrAbove = tally(beaten, (by) => by?.every((method) => kUnderLamp.has(method)));
+    const onOrAbove = tally(beaten, (by) => by?.every(isForOneLamp));
     const byLamp = tally(beaten, (by) => by?.includes('one-light-2020'));
-    const lost = [...new Set(beaten.flatMap((by) => by ?? []))].filter((method) => !kUnderLamp.has(method)).map((method) =>
+    const lost = [...new Set(beaten.flatMap((by) => by ?? []))].filter((method) => !isForOneLamp(method)).map((method) =>
       said('frontierBy', { method: name('method', method), cases: models(tally(beaten, (by) => by?.includes(method))) }));
     const shallowest = tally(groupBy(rows, 'model').values(), (ofModel) => {
       const least = (/** @type {boolean} */ ours) => Math.min(...distinct(ofModel, 'method')
-        .filter((method) => !kUnderLamp.has(method) && kOurs.test(method) === ours)
+        .filter((method) => !isForOneLamp(method) && isOurs(method) === ours)
         .map((method) => leastDepthThatReads(ofModel, method) ?? Infinity));
       return Math.min(least(true), least(false)) === Infinity ? undefined : least(true) <= least(false);
     });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Depth by method, each at its published setting [Papp 2022, figure 20].
-import { distinct, groupBy, median, onModels, rises, valuesBy } from '../page/compare.js';
+import { distinct, groupBy, median, onModels, rises, tally, valuesBy } from '../page/compare.js';
 import { mm, models, name, said } from '../page/say.js';
 import { methodStrips } from '../page/strips.js';
 import { kNeeded } from '../page/tries.js';
@@ -27,6 +27,9 @@ export function wholeIsAsSelfShadows(ofModel) {
   return times === undefined ? undefined : Math.abs(Math.log(times)) <= Math.log(1 + kAlikeFraction);
 }
 
+/** On how many models a method's codes are read as designed. @param {Row[]} rows @param {string} method */
+export const readsAsDesigned = (rows, method) => tally(rows.filter((row) => row.method === method), ({ designed }) => designed >= kNeeded);
+
 /** Median over the models. @param {Row[]} rows @param {string} method @param {string} measure */
 export const typical = (rows, method, measure) =>
   median(rows.filter((row) => row.method === method && row[measure] !== null).map((row) => row[measure]));
@@ -41,10 +44,12 @@ export const methodDepths = {
     const depth = (/** @type {string} */ method) => mm(typical(rows, method, 'depth_mm'));
     const unread = distinct(rows, 'method').filter((method) => typical(rows, method, 'printed') < kNeeded);
     const order = onModels(rows, isPaperOrder);
+    const lamps = ['one-light-2020', 'ours-one-light'].map((method) => readsAsDesigned(rows, method));
     return [
       said('methodsOrder', { cases: models(order), light: depth('one-light-2020'), papp: depth('papp-2022'), shadow: depth('self-shadow-2019') }),
       said('methodsWhole', { cases: models(alike), times: { number: median(times), digits: 1 }, percent: 100 * kAlikeFraction }),
       ...(alike.holds < alike.of || order.holds < order.of ? [said('methodsWhy')] : []),
+      ...(lamps.some(({ holds, of }) => holds < of) ? [said('methodsLamp', { peng: models(lamps[0]), ours: models(lamps[1]) })] : []),
       unread.length > 0 ? said('methodsUnread', { list: unread.map((method) => name('method', method)) }) : said('methodsAllRead'),
     ];
   },

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { isPaperOrder, selfShadowsTimesWhole, typical, wholeIsAsSelfShadows } from './method_depths.js';
+import { isPaperOrder, readsAsDesigned, selfShadowsTimesWhole, typical, wholeIsAsSelfShadows } from './method_depths.js';
 
 const depths = (/** @type {Record<string, number>} */ byMethod) =>
   Object.entries(byMethod).map(([method, mm]) => ({ method, depth_mm: mm }));
@@ -17,6 +17,12 @@ test('whole modules are as deep as those of 2019 within a quarter, up or down', 
   assert.deepEqual([0.63, 0.65, 0.99, 1.01].map(judged), [false, true, true, false]);
   assert.equal(selfShadowsTimesWhole(depths({ 'self-shadow-2019': 2, 'papp-2022-whole-modules': 0.8 })), 2.5);
   assert.equal(wholeIsAsSelfShadows(depths({ 'self-shadow-2019': 2 })), undefined);
+});
+
+test('a method’s codes are read where two in five tries are, on models that have been measured', () => {
+  const rows = [28, 29, 72].map((designed) => ({ method: 'a', designed }));
+  assert.deepEqual(readsAsDesigned(rows, 'a'), { holds: 2, of: 3 });
+  assert.deepEqual(readsAsDesigned(rows, 'b'), { holds: 0, of: 0 });
 });
 
 test('a median is over the models that have a value', () => {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One row a method, a dot a model, a bar at their median.
 import { kColours } from './figure.js';
-
-const kOurs = /^ours-/;
+import { isOurs } from './methods.js';
 
 /**
  * @param {import('./table.js').Row[]} rows  one a model and method
@@ -11,7 +10,7 @@ const kOurs = /^ours-/;
  * @returns {import('./figure.js').Spec}
  */
 export function methodStrips(rows, look, panels) {
-  const marked = rows.map((row) => ({ ...row, isOurs: kOurs.test(row.method) }));
+  const marked = rows.map((row) => ({ ...row, isOurs: isOurs(row.method) }));
   const { rows: values, order } = look.named(marked, { model: 'model', method: 'method' });
   const across = look.narrow ? 1 : panels.length;
   /** @type {any} */

@@ -66,6 +66,7 @@ export const figures = {
     methodsOrder: 'The paper’s order, Peng 2020 shallowest, then Papp 2022, then Peng 2019, holds {cases}; the medians are {light}, {papp} and {shadow} mm.',
     methodsWhole: 'The paper finds its search without patterns about as deep as Peng 2019. Within {percent} % that holds {cases}: in the median Peng 2019 carves {times} times as deep.',
     methodsWhy: 'Methods stop at different darkness: Peng’s limit is a fifth of a grey scale that was fitted to photographs, and asks for much more contrast than a fifth of the light; ours, with which Papp 2022 is carved here, is a fraction of the light itself, which is computed for the exact sky with what the walls reflect. Floors are steps here, not the meshes of the originals.',
+    methodsLamp: 'Codes for one lamp are read under it as designed {peng} if carved by Peng 2020, {ours} if by QRelief: a low lamp lights curved ground unevenly, and ground that slopes away from it steeply not at all.',
     methodsAllRead: 'As printed each of them reads in the median.',
     methodsUnread: 'In the median these do not read as printed: {list}.',
 
@@ -93,7 +94,7 @@ export const figures = {
     errorsRange: '{least} is nearest with {leastError} in the median, {most} farthest with {mostError}.',
     errorsOursDark: 'QRelief is {size} off, and on average believes the pockets darker by {mean}.',
     errorsOursBright: 'QRelief is {size} off, and on average believes the pockets brighter by {mean}.',
-    errorsWhy: 'Kikuchi, Peng and “QRelief (one light)” measure what is seen of the sky or of a lamp; that is another measure than light and no fault of their programs. Papp 2021, Papp 2022 and the even depth are carved here with our idea of the light. The paper has no such comparison.',
+    errorsWhy: 'Kikuchi and Peng 2019 measure what is seen of the sky; that is another measure than light and no fault of their programs. Papp 2021, Papp 2022 and the even depth are carved here with our idea of the light. Methods for one lamp are left out, as the light is traced under the sky alone. The paper has no such comparison.',
 
     lampDepthsAlt: 'A plot for each model: mean depth with no lamp, one and two, for square modules and for whole ones.',
     lampDepthsShown: 'Mean depth by the number of lamps, each as strong as the sky and 33° over the code, found by the published steps; figure 21 of the paper.',
@@ -198,6 +199,7 @@ export const figures = {
     methodsOrder: 'Die Reihenfolge des Artikels, Peng 2020 am flachsten, dann Papp 2022, dann Peng 2019, gilt {cases}; die Mediane sind {light}, {papp} und {shadow} mm.',
     methodsWhole: 'Im Artikel graviert seine Suche ohne Muster etwa so tief wie Peng 2019. Auf {percent} % genau gilt das {cases}: Im Median graviert Peng 2019 {times}-mal so tief.',
     methodsWhy: 'Die Verfahren hören bei verschiedener Dunkelheit auf: Pengs Grenze ist ein Fünftel einer Grauskala, die an Fotos angepasst wurde, und verlangt viel mehr Kontrast als ein Fünftel des Lichts; unsere, mit der hier auch Papp 2022 graviert wird, ist ein Anteil am Licht selbst, berechnet für den genauen Himmel und mit dem, was die Wände zurückwerfen. Die Böden sind hier Stufen und nicht die Netze der Originale.',
+    methodsLamp: 'Codes für eine Lampe werden unter ihr im Entwurf {peng} gelesen, wenn Peng 2020 sie graviert, {ours}, wenn QRelief: Eine niedrige Lampe beleuchtet gewölbten Grund ungleichmäßig, und Grund, der steil von ihr abfällt, gar nicht.',
     methodsAllRead: 'Im Druck sind sie alle im Median lesbar.',
     methodsUnread: 'Im Median sind diese im Druck nicht lesbar: {list}.',
 
@@ -225,7 +227,7 @@ export const figures = {
     errorsRange: '{least} ist mit {leastError} im Median am genauesten, {most} mit {mostError} am ungenauesten.',
     errorsOursDark: 'QRelief liegt um {size} daneben und hält die Taschen im Mittel für um {mean} dunkler.',
     errorsOursBright: 'QRelief liegt um {size} daneben und hält die Taschen im Mittel für um {mean} heller.',
-    errorsWhy: 'Kikuchi, Peng und „QRelief (eine Lampe)“ messen, was vom Himmel oder von einer Lampe zu sehen ist; das ist ein anderes Maß als Licht und kein Fehler ihrer Programme. Papp 2021, Papp 2022 und die gleiche Tiefe werden hier mit unserer Vorstellung vom Licht graviert. Der Artikel hat keinen solchen Vergleich.',
+    errorsWhy: 'Kikuchi und Peng 2019 messen, was vom Himmel zu sehen ist; das ist ein anderes Maß als Licht und kein Fehler ihrer Programme. Papp 2021, Papp 2022 und die gleiche Tiefe werden hier mit unserer Vorstellung vom Licht graviert. Verfahren für eine Lampe fehlen, weil das Licht nur unter dem Himmel verfolgt wird. Der Artikel hat keinen solchen Vergleich.',
 
     lampDepthsAlt: 'Ein Diagramm je Modell: mittlere Tiefe ohne Lampe, mit einer und mit zweien, für quadratische und für ganze Module.',
     lampDepthsShown: 'Mittlere Tiefe nach der Zahl der Lampen, jede so stark wie der Himmel und 33° über dem Code, mit den veröffentlichten Schritten gefunden; Abbildung 21 des Artikels.',

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which of the methods (study/methods/methods.cpp) are ours, and which are for one lamp.
+
+/** @param {string} method */
+export const isOurs = (method) => method.startsWith('ours-');
+
+const kForOneLamp = ['one-light-2020', 'ours-one-light'];
+
+/** Carved for one lamp, and read under it. @param {string} method */
+export const isForOneLamp = (method) => kForOneLamp.includes(method);
