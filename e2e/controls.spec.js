@@ -99,11 +99,24 @@ async function placeAt(app, field, value, confirm) {
 /** @type {Effects} */
 const kOfThePlace = {
   objective: async ({ app, at }) => {
+    await expect(at('light')).toBeHidden();
     await at('objective').selectOption('one-light');
     await app.expectReady();
     expect((await settingsFile(app)).settings.objective).toBe('one-light');
-    await at('objective').selectOption('contrast');
+  },
+  light: async ({ app, at }) => {
+    await at('light').fill('from the left');
+    await at('light').press('Tab');
+    await expect(app.alert).toContainText('“Lamp” is “from the left”, which is no lamp. Give AZIMUTH,ELEVATION,STRENGTH');
+    await at('light').fill('180,30,10');
+    await at('light').press('Tab');
     await app.expectReady();
+    await expect(app.alert).toBeHidden();
+    expect((await settingsFile(app)).settings.light).toEqual([{ azimuthDeg: 180, elevationDeg: 30, strength: 10 }]);
+    await at('objective').selectOption('contrast');
+    await expect(at('light')).toBeHidden();
+    await app.expectReady();
+    expect((await settingsFile(app)).settings.light).toBeUndefined();
   },
   'content-kind': async ({ app, at }) => {
     await at('content-kind').selectOption('Wi-Fi access');

@@ -37,6 +37,7 @@
  * @property {number} layerMm
  * @property {number} [maxDepthMm]
  * @property {number} eyeDistanceMm
+ * @property {import('./lamps.js').Lamp[]} [light]   beside the sky
  */
 
 /**

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Settings as a file: all that decides what is carved, and on which model, but for the model itself.
 import { EngineFailure } from '../engine/engine_error.js';
+import { areLamps } from '../engine/lamps.js';
 import { message } from '../engine/message.js';
 import { kSettings } from '../generated/settings.js';
 
@@ -33,7 +34,8 @@ export const fileKeys = (controls) => kKeys.filter((key) => kSettings[key].kind 
 /** What a file may leave out: what counts then, the control begins with. @param {SettingKey} key */
 function mayBeMissing(key) {
   const { default: initial, since } = kSettings[key];
-  return initial === null || initial === 'auto' || since !== kFirstRelease;
+  const isEmpty = initial === null || initial === 'auto' || (Array.isArray(initial) && initial.length === 0);
+  return isEmpty || since !== kFirstRelease;
 }
 
 /** @param {SettingsFile} file */
@@ -83,6 +85,8 @@ function checkSetting(name, value) {
     if (typeof value !== 'string') refuse(message('settings-wrong-text', { value: { term: shown(value) } }));
   } else if (kind === 'switch') {
     if (typeof value !== 'boolean') refuse(message('settings-wrong-switch', { name: { term: name }, value: { term: shown(value) } }));
+  } else if (kind === 'lamps') {
+    if (!areLamps(value)) refuse(message('settings-wrong-lamps', { name: { term: name }, value: { term: shown(value) } }));
   } else if (kind === 'number' || (kind === 'choice-or-number' && isNumber(value))) {
     checkNumber(name, value, [min, max]);
   } else {

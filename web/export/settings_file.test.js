@@ -32,9 +32,10 @@ const changed = (change) => JSON.stringify({ ...JSON.parse(writeSettingsFile({ s
 const withSettings = (change) => changed({ settings: { ...kSettings, ...change } });
 
 test('what is written is read again, with and without a model', () => {
-  const whole = { settings: { ...kSettings, ecc: /** @type {const} */ ('Q'), contrast: 0.3, maxDepthMm: 1.5 }, model: kModel };
+  const whole = { settings: { ...kSettings, ecc: /** @type {const} */ ('Q'), contrast: 0.3, maxDepthMm: 1.5, light: [{ azimuthDeg: 135, elevationDeg: 20, strength: 19 }] }, model: kModel };
   assert.deepEqual(readSettingsFile(writeSettingsFile(whole), 'x.json'), whole);
   assert.deepEqual(readSettingsFile(`\ufeff${writeSettingsFile({ settings: kSettings })}`, 'x.json'), { settings: kSettings });
+  assert.equal(readSettingsFile(withSettings({ light: undefined }), 'x.json').settings.light, undefined);
   for (const size of /** @type {const} */ (['free', 'oriented', 'best'])) {
     assert.equal(readSettingsFile(withSettings({ size }), 'x.json').settings.size, size);
   }
@@ -63,7 +64,7 @@ test('every wrong setting is named with its value', () => {
     [{ size: 0.05 }, /size must be a number from 0.1 to 10000, not 0.05/], [{ rotateDeg: '0' }, /rotateDeg must be a number/], [{ ecc: null }, /ecc must be one of/],
     [{ nozzleMm: null }, /nozzleMm must be a number/], [{ contrast: 1 }, /contrast must be a number from 0.01 to 0.99, not 1/],
     [{ pattern: undefined }, /pattern is missing/], [{ colour: 'red' }, /no setting "colour"/], [{ ['__proto__x']: 1 }, /no setting/],
-    [{ pattern: ['square'] }, /pattern must be one of/], [{ preset: `${'x'.repeat(1000)}` }, /not "x{38}…/],
+    [{ pattern: ['square'] }, /pattern must be one of/], [{ light: '135,20,19' }, /light must be lamps with azimuthDeg, .*not "135,20,19"/], [{ light: [{ azimuthDeg: 1 }] }, /light must be lamps/], [{ preset: `${'x'.repeat(1000)}` }, /not "x{38}…/],
   ];
   for (const [change, message] of wrong) {
     assert.throws(() => readSettingsFile(withSettings(/** @type {any} */ (change)), 'x.json'), refusedWith(/** @type {RegExp} */ (message)));

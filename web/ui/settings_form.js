@@ -2,6 +2,7 @@
 // Every control that carries `data-setting`, the key of its setting: what it offers, what it says, and what the module is
 // to do with it.
 import { EngineFailure } from '../engine/engine_error.js';
+import { areLamps, lampsFrom, lampsText } from '../engine/lamps.js';
 import { message } from '../engine/message.js';
 import { kProcesses, kSettings } from '../generated/settings.js';
 import { onLanguage } from '../i18n/catalogue.js';
@@ -16,6 +17,9 @@ import { byId, make } from '../dom/dom.js';
 /** The choice beside which a number counts. */
 const kFixed = 'fixed';
 
+/** The objective that a lamp is for. */
+const kOneLight = 'one-light';
+
 export class SettingsForm {
   /** @param {(id: string) => void} onChange  the control that was changed */
   constructor(onChange) {
@@ -24,8 +28,7 @@ export class SettingsForm {
     for (const control of this.controls_) {
       prepare(control);
       control.addEventListener('change', () => {
-        if (keyOf(control) === 'process') this.values = this.valuesAfter({ setting: 'process', value: control.value });
-        this.nameSizeField_();
+        this.values = this.brought_({ setting: keyOf(control), value: control.value });
         onChange(control.id);
       });
     }
@@ -46,7 +49,7 @@ export class SettingsForm {
       if (isCheck(control)) control.checked = Boolean(value);
       else control.value = String(value);
     }
-    this.nameSizeField_();
+    this.follow_();
   }
 
   /** What there is a control for. @returns {SettingKey[]} */
@@ -92,19 +95,35 @@ export class SettingsForm {
   /** What the controls hold after a change of a setting. @param {{ setting: string, value: string }} change @returns {Values} */
   valuesAfter(change) {
     const { id, value } = this.controlFor(change);
-    const own = change.setting === 'process' ? kProcesses[value] : undefined;
-    const brought = own ? this.controls_.filter((control) => keyOf(control) in own) : [];
-    return { ...this.values, [id]: value, ...Object.fromEntries(brought.map((control) => [control.id, String(own?.[/** @type {'nozzleMm' | 'layerMm'} */ (keyOf(control))])])) };
+    return { ...this.values, [id]: value, ...this.brought_({ ...change, value }) };
+  }
+
+  /** @param {{ setting: string, value: string }} change @returns {Values} */
+  brought_(change) {
+    return Object.fromEntries(Object.entries(broughtBy(change)).map(([setting, value]) => [this.controlFor({ setting, value }).id, value]));
   }
 
   nameAll_() {
     this.controls_.forEach(name);
-    this.nameSizeField_();
+    this.follow_();
   }
 
-  nameSizeField_() {
+  /** What depends on what others hold. */
+  follow_() {
     byId('size-mm-label', HTMLElement).textContent = controlName(sizeKey());
+    byId('light-field', HTMLElement).hidden = choice('objective') !== kOneLight && byId('light', HTMLInputElement).value === '';
   }
+}
+
+/**
+ * What other controls hold after a choice: the printer of a process, and no lamp where what was carved for it alone is not
+ * any more.
+ * @param {{ setting: string, value: string }} change
+ * @returns {Record<string, string>}  by setting
+ */
+export function broughtBy({ setting, value }) {
+  if (setting === 'process') return Object.fromEntries(Object.entries(kProcesses[value] ?? {}).map(([key, held]) => [key, String(held)]));
+  return setting === 'objective' && value !== kOneLight ? { light: '' } : {};
 }
 
 /**
@@ -119,7 +138,7 @@ export function controlValues(settings, controls, defaults) {
   const given = /** @type {Record<string, unknown>} */ (fixed ? { ...settings, size: kFixed, maxSizeMm: settings.size } : settings);
   return Object.fromEntries(controls.map(({ id, key }) => {
     const value = given[key];
-    return [id, value === undefined ? defaults[id] : typeof value === 'boolean' ? value : String(value)];
+    return [id, value === undefined ? defaults[id] : typeof value === 'boolean' ? value : areLamps(value) ? lampsText(value) : String(value)];
   }));
 }
 
@@ -140,7 +159,7 @@ function prepare(control) {
     control.append(...values.map((value) => Object.assign(make('option'), { value, defaultSelected: value === initial })));
   } else if (isCheck(control)) {
     control.defaultChecked = Boolean(initial);
-  } else {
+  } else if (kind === 'number') {
     Object.assign(control, { min: String(min), max: String(max) });
     // What may be empty begins so; a value of the page's own stands in the markup.
     if (control.required && !control.defaultValue) control.defaultValue = String(initial);
@@ -157,14 +176,22 @@ function name(control) {
 
 /**
  * @param {Control} control
- * @returns {string | number | boolean | undefined}  undefined: left empty
- * @throws {EngineFailure} if a number is missing or out of range
+ * @returns {string | number | boolean | import('../engine/lamps.js').Lamp[] | undefined}  undefined: left empty
+ * @throws {EngineFailure} if a number is missing or out of range, or a lamp is none
  */
 function valueOf(control) {
   if (control instanceof HTMLSelectElement) return control.value;
   if (isCheck(control)) return control.checked;
   if (!control.validity.valid) throw new EngineFailure({ kind: 'BadUsage', ...whyInvalid(control) });
+  if (kSettings[keyOf(control)].kind === 'lamps') return lampsOf(control);
   return control.value === '' ? undefined : control.valueAsNumber;
+}
+
+/** @param {HTMLInputElement} control @returns {import('../engine/lamps.js').Lamp[] | undefined} */
+function lampsOf(control) {
+  const { value } = control, lamps = lampsFrom(value);
+  if (lamps) return lamps.length > 0 ? lamps : undefined;
+  throw new EngineFailure({ kind: 'BadUsage', ...message('setting-no-lamps', { setting: { setting: keyOf(control) }, found: { quoted: value } }) });
 }
 
 /** @param {HTMLInputElement} input */

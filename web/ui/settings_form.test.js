@@ -2,8 +2,9 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
-import { kSettings } from '../generated/settings.js';
-import { controlValues } from './settings_form.js';
+import { kProcesses, kSettings } from '../generated/settings.js';
+import { settings as kWords } from '../i18n/parts/settings.js';
+import { broughtBy, controlValues } from './settings_form.js';
 
 /** @typedef {import('../generated/settings.js').SettingKey} SettingKey */
 
@@ -21,7 +22,7 @@ const kGiven = {
 };
 const kHeld = {
   preset: 'robust', pattern: 'square', 'finder-pattern': 'diamond', size: 'best', 'size-mm': '35', 'quiet-zone': false, direction: 'pca',
-  rotate: '-12.5', 'min-wall': '0', nozzle: '0.25', layer: '0.15', 'eye-distance': '300', ecc: 'auto', contrast: '', 'max-depth': '',
+  rotate: '-12.5', 'min-wall': '0', nozzle: '0.25', layer: '0.15', 'eye-distance': '300', ecc: 'auto', contrast: '', 'max-depth': '', light: '',
 };
 
 /** @param {Partial<import('../engine/types.js').Settings>} [change] */
@@ -38,4 +39,30 @@ test('What is given is not left out', () => {
 
 test('A size in mm is exact, and the control of the largest size holds it', () => {
   assert.deepEqual(held({ size: 31.5 }), { ...held(), size: 'fixed', 'size-mm': '31.5' });
+});
+
+test('Lamps are held as they are typed', () => {
+  const light = [{ azimuthDeg: 90, elevationDeg: 45, strength: 1 }, { azimuthDeg: 180, elevationDeg: 30 }];
+  assert.deepEqual(held({ light }), { ...held(), light: '90,45,1 180,30' });
+});
+
+test('A process brings its printer, an objective for any light takes the lamp away, and all else brings nothing', () => {
+  assert.deepEqual(broughtBy({ setting: 'process', value: 'resin-0.05' }),
+    Object.fromEntries(Object.entries(kProcesses['resin-0.05']).map(([key, value]) => [key, String(value)])));
+  assert.deepEqual(broughtBy({ setting: 'process', value: 'none' }), {});
+  assert.deepEqual(['contrast', 'reading'].map((value) => broughtBy({ setting: 'objective', value })), [{ light: '' }, { light: '' }]);
+  assert.deepEqual(broughtBy({ setting: 'objective', value: 'one-light' }), {});
+  assert.deepEqual(broughtBy({ setting: 'contrast', value: '0.3' }), {});
+});
+
+test('What is brought has a control', () => {
+  const brought = [...Object.keys(kProcesses).map((value) => ({ setting: 'process', value })), { setting: 'objective', value: 'contrast' }].map(broughtBy);
+  for (const key of brought.flatMap(Object.keys)) assert.ok(kControls.some((control) => control.key === key), key);
+});
+
+test('The lamp that stands where none is given is the core’s', () => {
+  const source = readFileSync(new URL('../../core/settings/engrave_request.h', import.meta.url), 'utf8');
+  const [, ...lamp] = /kOneLight = \{\.azimuthDeg = (\d+), \.elevationDeg = (\d+), \.strength = (\d+)\}/.exec(source) ?? [];
+  assert.equal(lamp.length, 3);
+  for (const { lampHint } of Object.values(kWords)) assert.ok(lampHint.includes(`: ${lamp.join()},`), lampHint);
 });

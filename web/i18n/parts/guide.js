@@ -54,7 +54,7 @@ export const guide = {
     lightEven: 'Even light is best: daylight, or a lamp that is not right beside the code. The code is dark because the sky is hidden, not because a lamp casts shadows.',
     lightPreset: 'Under “How deep”, “Shallow” is meant for even light from the front, “Balanced” for a lamp beside it, too, and “Robust” for more of both.',
     lightPhone: 'Hold the phone straight in front of the code, about 25 cm away. The code is carved for an eye there; another distance can be set. From aside a code on a curved surface is bent, however deep it is: a smaller one, or a flatter place, forgives more.',
-    lightOne: 'Under “Pattern, depth, printer”, “Dark by” can be “Shadow of one lamp”: the shallowest way. Such a code reads reliably only while one light shines on it from the side that the result names: a phone’s lamp, or the sun.',
+    lightOne: 'Under “Pattern, depth, printer”, “Dark by” can be “Shadow of one lamp”: the shallowest way. Such a code reads reliably only while one light shines on it from the side that the result names: a phone’s lamp, or the sun. “Lamp” below it says where that light stands.',
 
     coupon: 'A test plate',
     couponWhat: 'Before a long print, print a small one: a plate of 44 × 44 × 4 mm with a short code. It shows what your printer, your material and your light can do.',
@@ -130,7 +130,7 @@ export const guide = {
     lightEven: 'Gleichmäßiges Licht ist am besten: Tageslicht oder eine Lampe, die nicht dicht neben dem Code steht. Der Code ist dunkel, weil der Himmel verdeckt ist, nicht weil eine Lampe Schatten wirft.',
     lightPreset: 'Unter „Wie tief“ ist „Flach“ für gleichmäßiges Licht von vorn gedacht, „Ausgewogen“ auch für eine Lampe daneben und „Robust“ für mehr von beidem.',
     lightPhone: 'Das Telefon gerade vor den Code halten, etwa 25 cm entfernt. Für ein Auge dort ist der Code graviert; ein anderer Abstand lässt sich einstellen. Von der Seite gesehen verzieht sich ein Code auf gewölbter Oberfläche, wie tief er auch ist: Ein kleinerer oder eine flachere Stelle verzeiht mehr.',
-    lightOne: 'Unter „Muster, Tiefe, Drucker“ gibt es bei „Dunkel durch“ den „Schatten einer Lampe“: der flachste Weg. Ein solcher Code ist nur verlässlich lesbar, solange ein Licht von der Seite scheint, die das Ergebnis nennt: eine Handylampe oder die Sonne.',
+    lightOne: 'Unter „Muster, Tiefe, Drucker“ gibt es bei „Dunkel durch“ den „Schatten einer Lampe“: der flachste Weg. Ein solcher Code ist nur verlässlich lesbar, solange ein Licht von der Seite scheint, die das Ergebnis nennt: eine Handylampe oder die Sonne. Wo dieses Licht steht, sagt „Lampe“ darunter.',
 
     coupon: 'Eine Prüfplatte',
     couponWhat: 'Vor einem langen Druck einen kleinen machen: eine Platte von 44 × 44 × 4 mm mit einem kurzen Code. Sie zeigt, was Drucker, Material und Licht hergeben.',

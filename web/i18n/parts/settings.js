@@ -24,6 +24,7 @@ export const settings = {
     pattern: 'Pattern',
     depth: 'Depth',
     auto: 'auto',
+    lampHint: 'Degrees round the code anticlockwise from its right, degrees above it, strength beside the sky. Empty: 135,20,19, low over the top left corner.',
     printer: 'Printer',
   },
   de: {
@@ -48,6 +49,7 @@ export const settings = {
     pattern: 'Muster',
     depth: 'Tiefe',
     auto: 'auto',
+    lampHint: 'Grad um den Code von rechts gegen den Uhrzeigersinn, Grad über ihm, Stärke neben dem Himmel. Leer: 135,20,19, niedrig über der linken oberen Ecke.',
     printer: 'Drucker',
   },
 };
