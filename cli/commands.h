@@ -31,6 +31,7 @@ Wording commandWording();
 int printFailed(const Verdict& verdict);
 
 /// Each adds its options to the program and returns what runs it.
+std::function<int()> addBatchCommand(CLI::App& app);
 std::function<int()> addEngraveCommand(CLI::App& app);
 std::function<int()> addInfoCommand(CLI::App& app);
 std::function<int()> addPlaceCommand(CLI::App& app);

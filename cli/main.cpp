@@ -68,6 +68,7 @@ int run(int argc, char** argv) {
   app.set_version_flag("--version", "qrelief " QRELIEF_VERSION);
   app.require_subcommand(1);
   const auto engraveModel = addEngraveCommand(app);
+  const auto engraveList = addBatchCommand(app);
   const auto describeModel = addInfoCommand(app);
   const auto findSpots = addPlaceCommand(app);
   const auto verifyModel = addVerifyCommand(app);
@@ -77,6 +78,7 @@ int run(int argc, char** argv) {
     return app.exit(error) == 0 ? kEngraved : kBadUsage;
   }
   if (app.got_subcommand("engrave")) return engraveModel();
+  if (app.got_subcommand("batch")) return engraveList();
   if (app.got_subcommand("verify")) return verifyModel();
   return app.got_subcommand("place") ? findSpots() : describeModel();
 }

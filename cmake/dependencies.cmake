@@ -24,7 +24,7 @@ add_library(qrelief::headers ALIAS qrelief_headers)
 if(EMSCRIPTEN)
   # emcc's optimiser looks for the JavaScript parser acorn, which Debian keeps where only its own Node looks.
   set(CMAKE_CXX_LINKER_LAUNCHER ${CMAKE_COMMAND} -E env NODE_PATH=/usr/share/nodejs)
-  include(wasm_sources)  # qrelief::qrencode, zlib, expat and imgui from source
+  include(wasm_sources)  # qrelief::qrencode, zlib, expat, csv and imgui from source
   add_library(qrelief_gles INTERFACE)
 else()
   find_package(PkgConfig REQUIRED)
@@ -34,6 +34,13 @@ else()
   add_library(qrelief::zlib ALIAS PkgConfig::zlib)
   pkg_check_modules(expat REQUIRED IMPORTED_TARGET expat)
   add_library(qrelief::expat ALIAS PkgConfig::expat)
+  # libcsv comes without a .pc file.
+  find_path(csv_include csv.h REQUIRED)
+  find_library(csv_library csv REQUIRED)
+  add_library(qrelief_csv INTERFACE)
+  target_include_directories(qrelief_csv SYSTEM INTERFACE ${csv_include})
+  target_link_libraries(qrelief_csv INTERFACE ${csv_library})
+  add_library(qrelief::csv ALIAS qrelief_csv)
   pkg_check_modules(gles REQUIRED IMPORTED_TARGET glesv2)
   pkg_check_modules(egl REQUIRED IMPORTED_TARGET egl)
   add_library(qrelief_gles INTERFACE)

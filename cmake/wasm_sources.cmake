@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# qrelief::qrencode, qrelief::zlib, qrelief::expat and qrelief::imgui for WebAssembly, from the sources that
+# qrelief::qrencode, qrelief::zlib, qrelief::expat, qrelief::csv and qrelief::imgui for WebAssembly, from the sources that
 # script/fetch-sources put into build/deps.
 set(deps ${PROJECT_SOURCE_DIR}/build/deps)
-foreach(folder qrencode-4.1.1 zlib-1.2.13.dfsg expat-2.5.0 imgui-1.86)
+foreach(folder qrencode-4.1.1 zlib-1.2.13.dfsg expat-2.5.0 libcsv-3.0.3+dfsg imgui-1.86)
   if(NOT IS_DIRECTORY ${deps}/${folder})
     message(FATAL_ERROR "build/deps/${folder} is missing: run script/setup (or script/fetch-sources alone)")
   endif()
@@ -49,6 +49,12 @@ file(WRITE ${CMAKE_BINARY_DIR}/expat/expat_config.h "")
 target_include_directories(qrelief_expat PRIVATE ${CMAKE_BINARY_DIR}/expat)
 target_compile_options(qrelief_expat PRIVATE -w)
 add_library(qrelief::expat ALIAS qrelief_expat)
+
+set(folder ${deps}/libcsv-3.0.3+dfsg)
+add_library(qrelief_csv STATIC ${folder}/libcsv.c)
+target_include_directories(qrelief_csv SYSTEM PUBLIC ${folder})
+target_compile_options(qrelief_csv PRIVATE -w)
+add_library(qrelief::csv ALIAS qrelief_csv)
 
 set(folder ${deps}/imgui-1.86)
 add_library(qrelief_imgui STATIC

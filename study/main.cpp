@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "base/clock.h"
+#include "batch/shard.h"
 #include "messages/sentences.h"
 #include "native/egl_context.h"
 #include "study/experiment.h"
@@ -18,14 +19,10 @@
 namespace qrelief::study {
 namespace {
 
-/// Every `of`-th case, from `index` on.
-struct Shard {
-  std::size_t index = 0, of = 1;
-
-  std::string fileOf(const std::string& path) const {
-    return of == 1 ? path : fmt::format("{}.{}-of-{}", path, index, of);
-  }
-};
+/// Of the table that a share is written to.
+std::string fileOf(const std::string& path, const Shard& shard) {
+  return shard.isWhole() ? path : fmt::format("{}.{}", path, shard.name());
+}
 
 int failed(const std::string& what, const Error& error) {
   fmt::print(stderr, "{}: {}\n", what, sentenceAndHint(error.message));
@@ -49,10 +46,10 @@ std::string durationInWords(double seconds) {
 
 /// Measures what the table lacks; takes the rows of other shards' files over, and removes these once all is there.
 Status run(const Experiment& experiment, const std::string& path, const Shard& shard, Workshop& workshop) {
-  auto table = Table::open(experiment, shard.fileOf(path));
+  auto table = Table::open(experiment, fileOf(path, shard));
   if (!table) return tl::unexpected(table.error());
   std::vector<std::string> parts;
-  if (shard.of == 1) {
+  if (shard.isWhole()) {
     const std::filesystem::path whole(path);
     for (const auto& entry : std::filesystem::directory_iterator(whole.parent_path()))
       if (entry.path().filename().string().starts_with(whole.filename().string() + ".")) parts.push_back(entry.path());
@@ -65,7 +62,7 @@ Status run(const Experiment& experiment, const std::string& path, const Shard& s
     table->take(*other);
   }
   std::vector<const Row*> missing;
-  for (std::size_t i = shard.index; i < experiment.cases.size(); i += shard.of)
+  for (std::size_t i = shard.index; i < experiment.cases.size(); i += shard.count)
     if (!table->find(experiment.cases[i])) missing.push_back(&experiment.cases[i]);
   const bool isTerminal = ::isatty(STDERR_FILENO);
   const auto start = Clock::now();
@@ -79,7 +76,7 @@ Status run(const Experiment& experiment, const std::string& path, const Shard& s
   }
   fmt::print(stderr, "{}{}: {} rows, {} of them measured now, {}\n", isTerminal ? "\r\033[K" : "", experiment.name,
              experiment.cases.size(), missing.size(), durationInWords(millisecondsSince(start) / 1000));
-  if (shard.of > 1) return {};
+  if (!shard.isWhole()) return {};
   const Status written = table->write(experiment);
   if (written)
     for (const std::string& part : parts) std::filesystem::remove(part);
@@ -144,12 +141,12 @@ int run(int argc, char** argv) {
   app.add_option("--shard", shardText, "I/N: every N-th case from the I-th on, 0 … N-1, into a file of its own");
   app.add_option("--check", checked, "measure this many cases of each kept table once more and compare");
   CLI11_PARSE(app, argc, argv);
-  Shard shard;
-  if (!shardText.empty() &&
-      (std::sscanf(shardText.c_str(), "%zu/%zu", &shard.index, &shard.of) != 2 || shard.index >= shard.of)) {
+  const std::optional<Shard> given = shardText.empty() ? Shard() : Shard::parse(shardText);
+  if (!given) {
     fmt::print(stderr, "--shard is I/N with 0 ≤ I < N, not {}\n", shardText);
     return 2;
   }
+  const Shard shard = *given;
   const auto context = EglContext::create();
   if (!context) return failed("EGL", context.error());
   Workshop workshop(samples);

@@ -1,0 +1,337 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cstdio>
+#include <fmt/format.h>
+#include <iostream>
+#include <iterator>
+
+#include "base/clock.h"
+#include "batch/batch_plan.h"
+#include "batch/manifest.h"
+#include "cli/choose_spot.h"
+#include "cli/commands.h"
+#include "cli/model_input.h"
+#include "cli/progress_bar.h"
+#include "cli/setting_flags.h"
+#include "cli/shard_flags.h"
+#include "messages/sentences.h"
+#include "native/batch_folder.h"
+#include "native/egl_context.h"
+#include "native/engraver.h"
+#include "native/files.h"
+#include "native/sha256.h"
+#include "native/zxing_reader.h"
+#include "report/report.h"
+
+namespace qrelief {
+namespace {
+
+struct BatchOptions {
+  ModelFlags model;
+  SettingFlags flags;
+  std::string list, folder, name, shardFlag;
+  std::vector<double> at;
+  std::size_t count = 0, shards = 0;
+  bool merge = false, retryFailed = false, stream = false, reports = false, quiet = false;
+};
+
+Result<std::vector<std::uint8_t>> readList(const std::string& path) {
+  if (path != "-") return readFile(path);
+  return std::vector<std::uint8_t>(std::istreambuf_iterator<char>(std::cin), {});
+}
+
+/// The list's rows, or those of --count.
+Result<BatchList> listOf(const BatchOptions& options) {
+  if (options.list.empty() == (options.count == 0)) return fail(ErrorKind::BadUsage, message("batch-list-or-count"));
+  if (options.count > 0) return countedBatchList(options.count);
+  const auto bytes = readList(options.list);
+  if (!bytes) return tl::unexpected(bytes.error());
+  return readBatchList(*bytes);
+}
+
+/// Everything that decides a row's output and that its request does not say.
+std::string otherSettings(const BatchOptions& options) {
+  const RepairFlags& r = options.model.repair;
+  return fmt::format("{} {} {} {} {}", options.model.units, options.model.scale.value_or(0), r.weldTolerance, r.maxHole,
+                     fmt::join(r.without, ","));
+}
+
+/// Carves the rows of one process.
+class BatchRun {
+ public:
+  BatchRun(const BatchOptions& options, BatchFolder folder) : options_(&options), folder_(std::move(folder)) {}
+
+  /// Loads the model, and finds the place that all rows share. @param first  of the rows
+  Status prepare(EngraveRequest& all) {
+    fileName_ = fileNameOf(options_->model.path);
+    const auto hash = sha256OfFile(options_->model.path);
+    if (!hash) return tl::unexpected(hash.error());
+    input_ = *hash;
+    auto loaded = loadEngravable(options_->model);
+    if (!loaded) return tl::unexpected(loaded.error());
+    partNames_ = loaded->partNames;
+    report_.fileName = fileName_;
+    report_.format = loaded->format;
+    report_.scaleToMm = loaded->scaleToMm;
+    auto gl = EglContext::create();
+    if (!gl) return tl::unexpected(gl.error());
+    gl_ = std::move(*gl);
+    const auto capabilities = gl::queryCapabilities();
+    if (!capabilities) return tl::unexpected(capabilities.error());
+    report_.gl = *capabilities;
+    report_.wording = commandWording();
+    report_.reader = zxingName();
+    model_ = EngravableModel::upload(std::move(loaded->prepared));
+    auto engraver = Engraver::create(model_);
+    if (!engraver) return tl::unexpected(engraver.error());
+    engraver_.emplace(std::move(*engraver));
+    if (!options_->at.empty()) {
+      all.placement.centreMm = Vec3(options_->at[0], options_->at[1], options_->at[2]) * report_.scaleToMm;
+      return {};
+    }
+    return chooseSpot(model_, all, report_.scaleToMm, options_->quiet);
+  }
+
+  /// What is to be done for a row, and done. @returns an error only if nothing more can be written
+  /// @param placed  has the place that prepare() found
+  Result<ManifestEntry> make(BatchRow row, const EngraveRequest& placed) {
+    row.request.placement.centreMm = placed.placement.centreMm;
+    if (!row.request.placement.direction) row.request.placement.direction = placed.placement.direction;
+    RowHashes hashes{input_, sha256(settingsToHash(row, otherSettings(*options_))), {}};
+    const BatchFolder::Known known = folder_.known(row.number, row.file, hashes);
+    using State = BatchFolder::Known::State;
+    if (known.state == State::Done) return ++kept_, known.entry;
+    ManifestEntry entry{row.number, row.id, row.request.text, row.file, hashes, RowStatus::Failed, {}, {}};
+    if (known.state == State::Changed && !options_->retryFailed) {
+      entry.reason = sentenceAndHint(message("file-changed"));
+      return tell(entry);
+    }
+    if (known.state == State::Failed && !options_->retryFailed) return ++failed_, known.entry;
+    const auto start = Clock::now();
+    if (const Status written = carve(row, entry, start); !written)
+      entry.reason = sentenceAndHint(written.error().message);
+    return tell(entry);
+  }
+
+  std::size_t made() const { return made_; }
+  std::size_t kept() const { return kept_; }
+  std::size_t failed() const { return failed_; }
+  BatchFolder& folder() { return folder_; }
+
+ private:
+  Status carve(const BatchRow& row, ManifestEntry& entry, Clock::time_point start) {
+    const auto engraved = engraver_->engrave(row.request, [](const Progress&) {});
+    if (!engraved) return tl::unexpected(engraved.error());
+    entry.details = describeRow(engraved->request, engraved->result, engraved->verdict, millisecondsSince(start));
+    for (const Message& failure : engraved->verdict.failed())
+      entry.reason += (entry.reason.empty() ? "" : "; ") + sentenceAndHint(failure);
+    if (!engraved->verdict.passed()) return {};
+    const auto bytes = encodeCarved(engraved->result, partNames_, row.file, row.request.inlay, row.id);
+    if (!bytes) return tl::unexpected(bytes.error());
+    if (const Status written = writeFileAtomically(folder_.pathOf(row.file), *bytes); !written) return written;
+    if (options_->reports)
+      if (const Status written = writeReport(row, *engraved, start); !written) return written;
+    entry.sha256.output = sha256(*bytes);
+    entry.status = RowStatus::Done;
+    return {};
+  }
+
+  Status writeReport(const BatchRow& row, const Engraved& engraved, Clock::time_point start) {
+    ReportContext context = report_;
+    context.printed = engraved.printed;
+    context.reading = engraved.reading;
+    context.verdict = engraved.verdict;
+    context.askedPreset = row.request.preset;
+    context.totalMs = millisecondsSince(start);
+    return writeFileAtomically(folder_.pathOf(row.file) + ".json",
+                               makeReport(engraved.request, *model_, engraved.result, context));
+  }
+
+  Result<ManifestEntry> tell(const ManifestEntry& entry) {
+    ++(entry.status == RowStatus::Done ? made_ : failed_);
+    if (const Status added = folder_.append(entry); !added) return tl::unexpected(added.error());
+    return entry;
+  }
+
+  const BatchOptions* options_;
+  BatchFolder folder_;
+  std::unique_ptr<EglContext> gl_;  // outlives what lies in it
+  std::shared_ptr<const EngravableModel> model_;
+  std::optional<Engraver> engraver_;
+  std::vector<std::string> partNames_;
+  std::string fileName_, input_;
+  ReportContext report_;
+  std::size_t made_ = 0, kept_ = 0, failed_ = 0;
+};
+
+int printProblems(const BatchPlan& plan, const std::string& list) {
+  for (const Message& problem : plan.problems()) printError({ErrorKind::BadInput, problem}, list);
+  if (plan.problems().size() == BatchPlan::kMostProblems)
+    fmt::print(stderr, "qrelief: there may be more; the first {} are named\n", BatchPlan::kMostProblems);
+  return kBadInput;
+}
+
+std::string durationInWords(double seconds) {
+  return seconds < 90 ? fmt::format("{:.0f} s", seconds) : fmt::format("{:.0f} min", seconds / 60);
+}
+
+/// @returns exit status
+int finish(const BatchFolder& folder, const BatchPlan& plan) {
+  std::map<std::size_t, ManifestEntry> entries = folder.entries();
+  std::erase_if(entries, [&](const auto& entry) { return entry.first > plan.size(); });  // of a longer list before
+  std::size_t failed = 0;
+  for (const auto& [number, entry] : entries) {
+    if (entry.status == RowStatus::Done) continue;
+    ++failed;
+    fmt::print(stderr, "qrelief: row {} ({}) {}: {}\n", number, entry.id, rowStatusName(entry.status), entry.reason);
+  }
+  if (const Status written = folder.writeManifest(entries); !written) return printError(written.error());
+  const std::size_t missing = plan.size() - entries.size();
+  fmt::print("{} rows: {} done, {} failed, {} missing\n", plan.size(), entries.size() - failed, failed, missing);
+  return failed + missing == 0 ? kEngraved : kCheckFailed;
+}
+
+/// Joins what the processes of a batch have written.
+int merge(const BatchOptions& options, const BatchPlan& plan) {
+  const auto folder = BatchFolder::open(options.folder, {});
+  if (!folder) return printError(folder.error());
+  const std::map<std::size_t, ManifestEntry> entries = folder->entries();
+  for (std::size_t number = 1, told = 0; number <= plan.size() && told < BatchPlan::kMostProblems; ++number)
+    if (!entries.contains(number)) {
+      fmt::print(stderr, "qrelief: row {} ({}) is missing\n", number, plan.row(number - 1).id);
+      ++told;
+    }
+  std::size_t lost = 0;
+  for (const auto& [number, entry] : entries) {
+    if (entry.status != RowStatus::Done || number > plan.size()) continue;
+    const auto output = sha256OfFile(folder->pathOf(entry.file));
+    if (output && *output == entry.sha256.output) continue;
+    fmt::print(stderr, "qrelief: row {}: {} {}\n", number, entry.file, output ? "was changed" : "is not there");
+    ++lost;
+  }
+  const std::vector<std::size_t> doubles = folder->doubles();
+  for (const std::size_t number : doubles) fmt::print(stderr, "qrelief: row {} was made by two shares\n", number);
+  const int status = finish(*folder, plan);
+  return lost == 0 ? status : kCheckFailed;
+}
+
+int runRows(const BatchOptions& options, const GivenShard& given, const BatchRequest& request, BatchList list) {
+  const BatchPlan plan = BatchPlan::make(std::move(list), request);
+  if (!plan.problems().empty()) return printProblems(plan, options.list);
+  if (!plan.unusedColumns().empty())
+    fmt::print(stderr, "qrelief: warning: columns that nothing asks for: {}\n", fmt::join(plan.unusedColumns(), ", "));
+  if (options.merge) return merge(options, plan);
+  auto folder = BatchFolder::open(options.folder, given.shard);
+  if (!folder) return printError(folder.error());
+  if (!given.shard.isWhole())
+    fmt::print(stderr, "share {} of {} ({})\n", given.shard.index, given.shard.count, given.from);
+  BatchRun run(options, std::move(*folder));
+  EngraveRequest first = plan.row(0).request;
+  if (const Status prepared = run.prepare(first); !prepared) return printError(prepared.error(), options.model.path);
+
+  const auto start = Clock::now();
+  const std::size_t mine = (plan.size() + given.shard.count - 1 - given.shard.index) / given.shard.count;
+  for (std::size_t i = given.shard.index, at = 1; i < plan.size(); i += given.shard.count, ++at) {
+    const BatchRow row = plan.row(i);
+    const std::size_t keptBefore = run.kept();
+    const auto entry = run.make(row, first);
+    if (!entry) return printError(entry.error());
+    if (options.quiet || run.kept() > keptBefore) continue;
+    const double seconds = millisecondsSince(start) / 1000;
+    const std::size_t done = run.made() + run.failed();
+    fmt::print(stderr, "{}/{} {}: {}{}; {} left\n", at, mine, row.id, rowStatusName(entry->status),
+               entry->reason.empty() ? "" : ", " + entry->reason,
+               durationInWords(seconds / static_cast<double>(done) * static_cast<double>(mine - at)));
+  }
+  if (given.shard.isWhole()) return finish(run.folder(), plan);
+  fmt::print("{} rows of {}: {} made now, {} before, {} failed\n", mine, plan.size(), run.made(), run.kept(),
+             run.failed());
+  return run.failed() == 0 ? kEngraved : kCheckFailed;
+}
+
+/// A stream's request as a row. @param number  of the row, if its name is not one that the folder knows
+Result<BatchRow> rowOf(const std::string& line, BatchRequest request, std::size_t number) {
+  auto list = readBatchList(std::span(reinterpret_cast<const std::uint8_t*>(line.data()), line.size()));
+  if (!list) return tl::unexpected(list.error());
+  request.firstNumber = number;
+  const BatchPlan plan = BatchPlan::make(std::move(*list), request);
+  if (!plan.problems().empty()) return fail(ErrorKind::BadInput, plan.problems().front());
+  return plan.row(0);
+}
+
+/// Requests as they come, one JSON object a line, and an answer to each: its line of the manifest. The numbers go on
+/// where the folder's end; a request whose file is there already is answered by what was said of it.
+int runStream(const BatchOptions& options, const BatchRequest& request) {
+  auto folder = BatchFolder::open(options.folder, {});
+  if (!folder) return printError(folder.error());
+  const std::map<std::size_t, ManifestEntry> before = folder->entries();
+  std::map<std::string, std::pair<std::size_t, std::string>> known;  // number and text by file
+  for (const auto& [number, entry] : before) known[entry.file] = {number, entry.text};
+  std::size_t next = before.empty() ? 1 : before.rbegin()->first + 1;
+  BatchRun run(options, std::move(*folder));
+  std::optional<EngraveRequest> placed;
+  for (std::string line; std::getline(std::cin, line);) {
+    auto row = rowOf(line, request, next);
+    const auto same = row ? known.find(row->file) : known.end();
+    if (same != known.end() && same->second.second != row->request.text)
+      row = fail(ErrorKind::BadInput,
+                 message("name-taken", with::quoted("name", row->file), with::quoted("text", same->second.second)));
+    if (!row) {
+      std::cout << manifestLine({next, {}, {}, {}, {}, RowStatus::Refused, sentenceAndHint(row.error().message), {}})
+                << std::endl;
+      continue;
+    }
+    if (!placed) {
+      placed = row->request;
+      if (const Status prepared = run.prepare(*placed); !prepared)
+        return printError(prepared.error(), options.model.path);
+    }
+    if (same != known.end())
+      row->number = same->second.first;
+    else
+      known[row->file] = {next++, row->request.text};
+    const auto entry = run.make(*row, *placed);
+    if (!entry) return printError(entry.error());
+    std::cout << manifestLine(*entry) << std::endl;  // whoever asks waits for it
+  }
+  return run.failed() == 0 ? kEngraved : kCheckFailed;
+}
+
+int runBatch(const BatchOptions& options) {
+  const auto all = options.flags.request();
+  if (!all) return printError(all.error());
+  const BatchRequest request{*all, options.name};
+  if (options.stream) return runStream(options, request);
+  const auto given = shardFrom(options.merge ? "0/1" : options.shardFlag, options.merge ? 0 : options.shards);
+  if (!given) return printError(given.error());
+  auto list = listOf(options);
+  if (!list) return printError(list.error(), options.list);
+  return runRows(options, *given, request, std::move(*list));
+}
+
+}  // namespace
+
+std::function<int()> addBatchCommand(CLI::App& app) {
+  auto o = std::make_shared<BatchOptions>();
+  CLI::App* c = app.add_subcommand("batch", "Engrave a code of its own into every copy of a model");
+  addModelFlags(*c, o->model);
+  c->add_option("--list", o->list, "rows as CSV or JSON lines; - for standard input");
+  c->add_option("--count", o->count, "this many rows without a list; {n} in --text is the number");
+  o->flags.add(*c, "text", "template with columns in braces, {n:05} is the number in five digits [{text}]: ");
+  c->add_option("-o", o->folder, "folder that everything is written to")->required();
+  c->add_option("--name", o->name, "template of the files' names [{file}, if the list has it, else {id}.stl]");
+  c->add_option("--at", o->at, "X,Y,Z: centre in file units, moved to the nearest surface point [best spot found]")
+      ->delimiter(',')
+      ->expected(3);
+  c->add_option("--shard", o->shardFlag, "I/N: every N-th row, from the I-th on, counting from 0");
+  c->add_option("--shards", o->shards, "N processes share the work; an engine's variable says which this is");
+  c->add_flag("--merge", o->merge, "join the manifests of all shares, and say what is missing or double");
+  c->add_flag("--retry-failed", o->retryFailed, "try rows again that failed, and write over files that were changed");
+  c->add_flag("--stream", o->stream, "answer each line of standard input by its line of the manifest, as it comes");
+  c->add_flag("--reports", o->reports, "write each row's report, too, as FILE.json");
+  c->add_flag("--quiet", o->quiet, "no progress");
+  o->flags.addAll(*c);
+  return [o] { return runBatch(*o); };
+}
+
+}  // namespace qrelief

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "batch/batch_plan.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <functional>
+
+#include "io/sniff_format.h"
+#include "settings/setting_text.h"
+
+namespace qrelief {
+namespace {
+
+constexpr std::string_view kId = "id", kText = "text", kFile = "file", kNumber = "n";
+constexpr std::size_t kMostNameBytes = 200;  // file systems take 255, and a name of ours may get a suffix
+
+std::string lowered(std::string_view text) {
+  std::string low(text);
+  for (char& c : low)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return low;
+}
+
+/// Names that Windows keeps for devices, whatever their extension.
+bool isDeviceName(std::string_view name) {
+  const std::string stem = lowered(name.substr(0, name.find('.')));
+  if (stem.size() == 4 && (stem.starts_with("com") || stem.starts_with("lpt"))) return stem[3] >= '1' && stem[3] <= '9';
+  constexpr std::array<std::string_view, 4> kDevices = {"con", "prn", "aux", "nul"};
+  return std::find(kDevices.begin(), kDevices.end(), stem) != kDevices.end();
+}
+
+tl::unexpected<Error> bad(Message message) { return fail(ErrorKind::BadInput, std::move(message)); }
+
+}  // namespace
+
+std::optional<Message> whyNoPlainName(std::string_view name) {
+  if (name.empty()) return message("name-empty");
+  const bool hasControls = std::any_of(name.begin(), name.end(), [](char c) { return c >= 0 && c < ' '; });
+  if (hasControls || name.find_first_of("/\\<>:\"|?*\x7f") != name.npos || name.starts_with('.') || isDeviceName(name))
+    return message("name-no-plain-name", with::quoted("name", name));
+  if (name.size() > kMostNameBytes)
+    return message("name-too-long", with::count("count", name.size()), with::count("limit", kMostNameBytes));
+  const ModelFormat format = formatOfName(name);
+  if (format != ModelFormat::Stl && format != ModelFormat::Obj && format != ModelFormat::Ply &&
+      format != ModelFormat::ThreeMf)
+    return message("name-not-writable", with::quoted("name", name));
+  return std::nullopt;
+}
+
+BatchPlan BatchPlan::make(BatchList list, const BatchRequest& request) {
+  BatchPlan plan;
+  plan.list_ = std::move(list);
+  plan.all_ = request.all;
+  plan.firstNumber_ = request.firstNumber;
+  const std::string text = request.all.text.empty() ? "{text}" : request.all.text;
+  const bool hasFile = plan.list_.find(kFile).has_value();
+  const std::string name = !request.name.empty() ? request.name : hasFile ? "{file}" : "{id}.stl";
+  const auto textTemplate = TextTemplate::parse(text), nameTemplate = TextTemplate::parse(name);
+  for (const auto* parsed : {&textTemplate, &nameTemplate})
+    if (!*parsed) plan.problems_.push_back(parsed->error().message);
+  if (!plan.problems_.empty()) return plan;
+  plan.text_ = *textTemplate;
+  plan.name_ = *nameTemplate;
+  if (const Status prepared = plan.prepare(); !prepared)
+    plan.problems_.push_back(prepared.error().message);
+  else
+    plan.checkRows();
+  return plan;
+}
+
+/// Finds out what each column is for.
+Status BatchPlan::prepare() {
+  for (const TextTemplate* wanted : {&text_, &name_})
+    if (const Status known = checkNames(*wanted); !known) return known;
+  const std::vector<std::string>& columns = list_.columns();
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const bool isNamed = std::find(text_.names().begin(), text_.names().end(), columns[i]) != text_.names().end() ||
+                         std::find(name_.names().begin(), name_.names().end(), columns[i]) != name_.names().end();
+    const Setting* setting = findSetting(columns[i]);
+    if (setting && setting->kind == Setting::Kind::Text) setting = nullptr;
+    if (setting) settings_.push_back({i, setting});
+    if (!isNamed && !setting && columns[i] != kId) unused_.push_back(columns[i]);
+  }
+  return {};
+}
+
+Status BatchPlan::checkNames(const TextTemplate& wanted) const {
+  for (const std::string& name : wanted.names()) {
+    if (name == kNumber || name == kId || list_.find(name)) continue;
+    if (list_.columns().empty()) return bad(message("template-without-list", with::quoted("name", name)));
+    std::string columns;
+    for (const std::string& column : list_.columns()) columns += (columns.empty() ? "" : ", ") + column;
+    if (name == kText) return bad(message("list-without-text", with::quoted("columns", columns)));
+    return bad(message("list-without-column", with::quoted("name", name), with::quoted("columns", columns)));
+  }
+  return {};
+}
+
+std::string BatchPlan::valueOf(std::size_t index, std::string_view name) const {
+  if (const auto column = list_.find(name)) return std::string(list_.cell(index, *column));
+  assert(name == kNumber || name == kId);
+  return std::to_string(firstNumber_ + index);
+}
+
+/// But for the version that all have.
+Result<BatchRow> BatchPlan::made(std::size_t index) const {
+  BatchRow row{.number = firstNumber_ + index,
+               .line = list_.line(index),
+               .id = valueOf(index, kId),
+               .file = {},
+               .request = all_};
+  if (row.id.empty()) return bad(message("row-without-id"));
+  const auto value = [&](std::string_view name) { return valueOf(index, name); };
+  auto text = text_.filled(value);
+  if (!text) return tl::unexpected(text.error());
+  if (text->empty()) return bad(message("row-without-text"));
+  row.request.text = std::move(*text);
+  auto file = name_.filled(value);
+  if (!file) return tl::unexpected(file.error());
+  if (auto why = whyNoPlainName(*file)) return bad(std::move(*why));
+  row.file = std::move(*file);
+  for (const auto& [column, setting] : settings_) {
+    const std::string cell(list_.cell(index, column));
+    if (cell.empty()) continue;
+    const auto given = valueFromText(*setting, std::span(&cell, 1));
+    if (!given) return tl::unexpected(given.error());
+    if (const Status good = checkValue(*setting, *given); !good) return tl::unexpected(good.error());
+    setting->write(row.request, *given);
+  }
+  return row;
+}
+
+void BatchPlan::add(std::uint32_t line, Message problem) {
+  if (problems_.size() < kMostProblems)
+    problems_.push_back(message("list-line", with::count("line", line), with::cause("problem", std::move(problem))));
+}
+
+void BatchPlan::checkRows() {
+  std::map<ErrorCorrection, VersionsByLength> versions;
+  int largest = 1;
+  for (std::size_t i = 0; i < size(); ++i) {
+    const auto row = made(i);
+    if (!row) {
+      add(list_.line(i), row.error().message);
+      continue;
+    }
+    const SymbolOptions& symbol = row->request.symbol;
+    const int needed =
+        versions.try_emplace(symbol.errorCorrection, symbol.errorCorrection).first->second.smallest(row->request.text);
+    if (needed == 0 || (symbol.version && needed > *symbol.version)) {
+      const auto encoded = encodeSymbol(row->request.text, symbol);
+      if (!encoded) add(row->line, encoded.error().message);
+    } else if (!symbol.version) {
+      largest = std::max(largest, needed);
+    }
+    if (!settings_.empty() || i == 0)
+      if (const Status good = checkSettings(row->request); !good) add(row->line, good.error().message);
+  }
+  if (!problems_.empty()) return;
+  if (!all_.symbol.version) all_.symbol.version = largest;
+  checkTwice([](const BatchRow& row) { return row.request.text; },
+             [](const BatchRow& row, std::uint32_t other) {
+               return message("text-twice", with::quoted("text", row.request.text), with::count("other", other));
+             });
+  checkTwice([](const BatchRow& row) { return lowered(row.file); },
+             [](const BatchRow& row, std::uint32_t other) {
+               return message("name-twice", with::quoted("name", row.file), with::count("other", other));
+             });
+  checkTwice([](const BatchRow& row) { return row.id; },
+             [](const BatchRow& row, std::uint32_t other) {
+               return message("id-twice", with::quoted("id", row.id), with::count("other", other));
+             });
+}
+
+/// By hashes, as all texts of a million rows would take too much; where hashes agree, by what they are of.
+void BatchPlan::checkTwice(std::string (*of)(const BatchRow&),
+                           Message (*problem)(const BatchRow&, std::uint32_t otherLine)) {
+  std::vector<std::pair<std::size_t, std::uint32_t>> hashes;
+  hashes.reserve(size());
+  for (std::size_t i = 0; i < size(); ++i)
+    hashes.emplace_back(std::hash<std::string>()(of(*made(i))), static_cast<std::uint32_t>(i));
+  std::sort(hashes.begin(), hashes.end());
+  for (std::size_t i = 1; i < hashes.size(); ++i) {
+    if (hashes[i].first != hashes[i - 1].first) continue;
+    const auto row = made(hashes[i].second), before = made(hashes[i - 1].second);
+    if (of(*row) == of(*before)) add(row->line, problem(*row, before->line));
+  }
+}
+
+BatchRow BatchPlan::row(std::size_t index) const {
+  assert(problems_.empty());
+  return *made(index);
+}
+
+}  // namespace qrelief

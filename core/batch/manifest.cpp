@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "batch/manifest.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <csv.h>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "pipeline/engrave.h"
+#include "settings/setting_json.h"
+
+namespace qrelief {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::array<std::string_view, 3> kStatusNames = {"done", "failed", "refused"};
+constexpr std::array<const char*, 7> kOwnKeys = {"number", "id", "text", "file", "sha256", "status", "reason"};
+
+/// Text that is no UTF-8 must not lose the line.
+std::string dumped(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+/// @returns none if it is no line of a manifest
+std::optional<ManifestEntry> entryOf(std::string_view line) {
+  Json json = Json::parse(line, nullptr, false);
+  if (!json.is_object()) return std::nullopt;
+  try {
+    ManifestEntry entry;
+    entry.number = json.at("number").get<std::size_t>();
+    entry.id = json.at("id").get<std::string>();
+    entry.text = json.at("text").get<std::string>();
+    entry.file = json.at("file").get<std::string>();
+    const Json& hashes = json.at("sha256");
+    entry.sha256 = {hashes.at("input").get<std::string>(), hashes.at("settings").get<std::string>(),
+                    hashes.value("output", "")};
+    const auto name = json.at("status").get<std::string>();
+    const auto status = std::find(kStatusNames.begin(), kStatusNames.end(), name);
+    if (status == kStatusNames.end()) return std::nullopt;
+    entry.status = static_cast<RowStatus>(status - kStatusNames.begin());
+    entry.reason = json.value("reason", "");
+    for (const char* key : kOwnKeys) json.erase(key);
+    if (!json.empty()) entry.details = dumped(json);
+    return entry;
+  } catch (const Json::exception&) {
+    return std::nullopt;
+  }
+}
+
+std::string csvCell(std::string_view text) {
+  if (text.find_first_of(",\"\r\n") == text.npos) return std::string(text);
+  std::string cell(2 * text.size() + 2, '\0');
+  cell.resize(csv_write(cell.data(), cell.size(), text.data(), text.size()));
+  return cell;
+}
+
+/// A value of the details, as a table shows it; empty if it is not there.
+std::string detail(const Json& details, const char* pointer) {
+  const Json::json_pointer at(pointer);
+  if (!details.contains(at)) return {};
+  const Json& value = details.at(at);
+  return value.is_string() ? value.get<std::string>() : value.is_null() ? "" : dumped(value);
+}
+
+double rounded(double value) { return std::round(1e4 * value) / 1e4; }
+
+}  // namespace
+
+std::string_view rowStatusName(RowStatus status) { return kStatusNames[static_cast<std::size_t>(status)]; }
+
+std::string manifestLine(const ManifestEntry& entry) {
+  Json json = {{"number", entry.number},
+               {"id", entry.id},
+               {"text", entry.text},
+               {"file", entry.file},
+               {"sha256", {{"input", entry.sha256.input}, {"settings", entry.sha256.settings}}},
+               {"status", rowStatusName(entry.status)}};
+  if (!entry.sha256.output.empty()) json["sha256"]["output"] = entry.sha256.output;
+  if (!entry.reason.empty()) json["reason"] = entry.reason;
+  std::string line = dumped(json);
+  if (!entry.details.empty()) line.replace(line.size() - 1, 1, "," + entry.details.substr(1));
+  return line;
+}
+
+Result<std::map<std::size_t, ManifestEntry>> readManifest(std::string_view text) {
+  std::map<std::size_t, ManifestEntry> entries;
+  for (std::size_t number = 1; !text.empty(); ++number) {
+    const std::size_t end = text.find('\n');
+    if (end == text.npos) break;
+    auto entry = entryOf(text.substr(0, end));
+    if (!entry) return fail(ErrorKind::BadInput, message("manifest-line", with::count("line", number)));
+    entries[entry->number] = std::move(*entry);
+    text.remove_prefix(end + 1);
+  }
+  return entries;
+}
+
+std::string manifestCsv(const std::map<std::size_t, ManifestEntry>& entries) {
+  std::string table =
+      "number,id,text,file,status,reason,reads,prints,solid,meanDepthMm,maxDepthMm,iso29158,totalMs,sha256\r\n";
+  for (const auto& [number, e] : entries) {
+    const Json details = e.details.empty() ? Json::object() : Json::parse(e.details);
+    table += std::to_string(number);
+    for (const std::string& cell :
+         {e.id, e.text, e.file, std::string(rowStatusName(e.status)), e.reason, detail(details, "/verdict/reads"),
+          detail(details, "/verdict/prints"), detail(details, "/verdict/solid"), detail(details, "/depth/meanMm"),
+          detail(details, "/depth/maxMm"), detail(details, "/grades/iso29158"), detail(details, "/timingsMs/total"),
+          e.sha256.output})
+      table += ',' + csvCell(cell);
+    table += "\r\n";
+  }
+  return table;
+}
+
+std::string settingsToHash(const BatchRow& row, std::string_view others) {
+  const Vec3 centre = row.request.placement.centreMm;
+  return fmt::format("qrelief {}\n{}\n{} {} {}\n{}\n{}\n", QRELIEF_VERSION, settingsJson(row.request), centre.x,
+                     centre.y, centre.z, row.file, others);
+}
+
+std::string describeRow(const EngraveRequest& request, const EngraveResult& result, const Verdict& verdict,
+                        double totalMs) {
+  const DepthSummary depth = summarise(result.depths);
+  const SymbolGrades grades =
+      gradeSymbol(measureModules(result.symbol, result.luminance), static_cast<double>(request.albedo));
+  return dumped({{"symbol",
+                  {{"version", result.symbol.version},
+                   {"errorCorrection", errorCorrectionName(result.symbol.errorCorrection)},
+                   {"mask", result.symbol.mask},
+                   {"symbolMm", result.placement.symbolMm}}},
+                 {"verdict",
+                  {{"passed", verdict.passed()},
+                   {"reads", levelName(verdict.reads.level)},
+                   {"prints", levelName(verdict.prints.level)},
+                   {"solid", levelName(verdict.solid.level)}}},
+                 {"grades", {{"iso15415", grades.iso15415}, {"iso29158", grades.iso29158}}},
+                 {"depth",
+                  {{"meanMm", rounded(depth.meanMm)},
+                   {"maxMm", rounded(depth.maxMm)},
+                   {"p95Mm", rounded(depth.p95Mm)},
+                   {"preset", presetName(request.preset)}}},
+                 {"timingsMs", {{"total", std::round(totalMs)}}}});
+}
+
+}  // namespace qrelief

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "batch/batch_plan.h"
+#include "verdict/verdict.h"
+
+namespace qrelief {
+
+enum class RowStatus : std::uint8_t {
+  Done,    ///< written, and every check passed
+  Failed,  ///< nothing is written: it could not be carved, or a check did not pass
+  Refused  ///< a request of a stream that says nothing that could be carved
+};
+
+/// "done", "failed", "refused".
+std::string_view rowStatusName(RowStatus status);
+
+/// Lower-case hexadecimal SHA-256 of what a row comes from and of what came of it.
+struct RowHashes {
+  std::string input;     ///< of the model's file
+  std::string settings;  ///< of everything else that decides the output, see settingsToHash()
+  std::string output;    ///< of the file; empty unless Done
+
+  bool operator==(const RowHashes&) const = default;
+};
+
+/// A line of a manifest: what became of a row.
+struct ManifestEntry {
+  std::size_t number = 1;
+  std::string id, text, file;
+  RowHashes sha256;
+  RowStatus status = RowStatus::Failed;
+  std::string reason;   ///< why it is not Done, in words; empty if it is
+  std::string details;  ///< a JSON object, see describeRow(); or empty
+};
+
+/// A line of JSON without its end:
+/// {"number", "id", "text", "file", "sha256": {"input", "settings", "output"}, "status", "reason", …details}
+std::string manifestLine(const ManifestEntry& entry);
+
+/// What a manifest says of each row; the last line about a row counts. A last line without its end, which a process
+/// that was ended has left, says nothing.
+/// @returns BadInput naming the first line that is none of a manifest
+Result<std::map<std::size_t, ManifestEntry>> readManifest(std::string_view text);
+
+/// The same as a table that spreadsheets open: a row a line, [RFC 4180].
+std::string manifestCsv(const std::map<std::size_t, ManifestEntry>& entries);
+
+/// What is to be hashed as RowHashes::settings: version, settings, centre, and what else the command was told.
+/// @param others  e.g. how the model was repaired and scaled
+std::string settingsToHash(const BatchRow& row, std::string_view others);
+
+/// What became of a row that was carved: {"symbol", "verdict", "grades", "depth", "timingsMs"}.
+std::string describeRow(const EngraveRequest& request, const EngraveResult& result, const Verdict& verdict,
+                        double totalMs);
+
+}  // namespace qrelief

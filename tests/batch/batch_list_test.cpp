@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "batch/batch_list.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace qrelief {
+namespace {
+
+using testing::ElementsAre;
+using namespace std::string_literals;
+
+Result<BatchList> read(const std::string& text) {
+  return readBatchList(std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+}
+
+/// Cells of a row, or the refusal's code.
+std::vector<std::string> row(const Result<BatchList>& list, std::size_t index) {
+  if (!list) return {list.error().message.code};
+  std::vector<std::string> cells;
+  for (std::size_t i = 0; i < list->columns().size(); ++i) cells.emplace_back(list->cell(index, i));
+  return cells;
+}
+
+TEST(BatchList, ReadsTablesWithEachSeparatorAndLineEnd) {
+  for (const std::string separator : {",", ";", "\t"})
+    for (const std::string end : {"\n", "\r\n", "\r"})
+      for (const std::string mark : {"", "\xEF\xBB\xBF"}) {
+        const auto list = read(mark + "id" + separator + "text" + end + "7" + separator + "a b" + end + end + "8" +
+                               separator + "\"c" + separator + "\"\"d\"\"\"" + end);
+        ASSERT_TRUE(list) << list.error().message;
+        EXPECT_THAT(list->columns(), ElementsAre("id", "text"));
+        ASSERT_EQ(list->size(), 2u);
+        EXPECT_THAT(row(list, 0), ElementsAre("7", "a b"));
+        EXPECT_THAT(row(list, 1), ElementsAre("8", "c" + separator + "\"d\""));
+        EXPECT_EQ(list->line(0), 2u);
+        EXPECT_EQ(list->line(1), 4u);
+      }
+}
+
+TEST(BatchList, CountsTheLinesOfTextsThatHaveSeveral) {
+  const auto list = read("text\n\"one\ntwo\n\nthree\"\nfour\n");
+  ASSERT_TRUE(list) << list.error().message;
+  EXPECT_THAT(row(list, 0), ElementsAre("one\ntwo\n\nthree"));
+  EXPECT_EQ(list->line(0), 2u);
+  EXPECT_EQ(list->line(1), 6u);
+}
+
+TEST(BatchList, PassesOverSpacesRoundCellsAndRowsOfEmptyCells) {
+  const auto list = read("id , text\n 7 , a \n,\n , \n8,\n");
+  ASSERT_TRUE(list) << list.error().message;
+  ASSERT_EQ(list->size(), 2u);
+  EXPECT_THAT(row(list, 0), ElementsAre("7", "a"));
+  EXPECT_THAT(row(list, 1), ElementsAre("8", ""));
+}
+
+TEST(BatchList, ReadsJsonLinesWithAnyKeysInAnyOrder) {
+  const auto list = read(R"({"id": 7, "text": "a"}
+
+{"text": "ü", "inlay": true, "minWallMm": 1.5, "direction": [0, 0, 1], "id": null})");
+  ASSERT_TRUE(list) << list.error().message;
+  EXPECT_THAT(list->columns(), ElementsAre("id", "text", "inlay", "minWallMm", "direction"));
+  EXPECT_THAT(row(list, 0), ElementsAre("7", "a", "", "", ""));
+  EXPECT_THAT(row(list, 1), ElementsAre("", "ü", "on", "1.5", "0,0,1"));
+  EXPECT_EQ(list->line(1), 3u);
+}
+
+TEST(BatchList, ReadsWhatWasWrittenInAHundredThousandRows) {
+  std::string text = "id,text\n";
+  for (int i = 0; i < 100000; ++i) text += std::to_string(i) + ",https://example.org/" + std::to_string(i) + "\n";
+  const auto list = read(text);
+  ASSERT_TRUE(list);
+  ASSERT_EQ(list->size(), 100000u);
+  for (std::size_t i = 0; i < list->size(); i += 997)
+    EXPECT_THAT(row(list, i), ElementsAre(std::to_string(i), "https://example.org/" + std::to_string(i)));
+}
+
+TEST(BatchList, CountedHasRowsWithoutCells) {
+  const BatchList list = countedBatchList(3);
+  EXPECT_EQ(list.size(), 3u);
+  EXPECT_EQ(list.line(2), 3u);
+  EXPECT_TRUE(list.columns().empty());
+}
+
+struct Malformed {
+  const char* what;
+  std::string text;
+  const char* code;
+  double line = 0;  ///< that the refusal names; 0: none
+};
+
+TEST(BatchList, RefusesWhatIsMalformedAndSaysWhere) {
+  const std::string cell(kMostCellBytes + 1, 'x');
+  const std::vector<Malformed> all = {
+      {"nothing", "", "list-empty"},
+      {"a mark alone", "\xEF\xBB\xBF", "list-no-rows"},
+      {"blank lines", "\n\n  \n", "list-no-rows"},
+      {"names alone", "id,text\n", "list-no-rows"},
+      {"UTF-16", "\xFF\xFEi\0d\0\n\0"s, "list-encoding"},
+      {"UTF-16, other end", "\xFE\xFF\0i\0d\0\n"s, "list-encoding"},
+      {"a workbook", "PK\x03\x04 and more", "list-spreadsheet"},
+      {"an old workbook", "\xD0\xCF\x11\xE0 and more", "list-spreadsheet"},
+      {"Latin-1", "id,text\n1,caf\xE9\n", "list-no-utf8", 2},
+      {"a sequence cut off", "text\nok\nab\xC3", "list-no-utf8", 3},
+      {"overlong UTF-8", "text\n\xC0\xAF\n", "list-no-utf8", 2},
+      {"a NUL", "text\na\0b\n"s, "list-holds-nul", 2},
+      {"an open quotation", "id,text\n1,\"abc\n2,def\n", "list-quote-open", 2},
+      {"a quotation mark within", "id,text\n1,a\"b\n", "list-quote", 2},
+      {"text behind a quotation", "id,text\n1,\"a\"b\n", "list-quote", 2},
+      {"an unnamed column", "id,,text\n1,2,3\n", "list-column-unnamed"},
+      {"two columns of one name", "text,text\n1,2\n", "list-column-twice"},
+      {"too many cells", "id,text\n1,a,b\n", "list-row-length", 2},
+      {"too few cells", "id,text\n1,a\n2\n", "list-row-length", 3},
+      {"a formula", "id,text\n1,\"=HYPERLINK(\"\"x\"\")\"\n", "list-cell-formula", 2},
+      {"a formula by hand", "id,text\n1,=A1\n", "list-cell-formula", 2},
+      {"a long cell", "id,text\n1," + cell + "\n", "list-cell-too-long", 2},
+      {"a quotation over many lines", "text\n\"" + std::string(3 * kMostCellBytes, '\n') + "\"\n", "list-cell-too-long",
+       2},
+      {"a line without end", "text\n" + std::string(3 << 20, 'x'), "list-line-too-long", 2},
+      {"no object", "{\"text\": \"a\"}\n[1]\n", "list-no-object", 2},
+      {"an object cut off", "{\"text\": \"a\"}\n{\"text\": \"b\n", "list-no-object", 2},
+      {"an object over two lines", "{\n\"text\": \"a\"}\n", "list-no-object", 1},
+      {"a value that is an object", "{\"text\": {\"a\": 1}}\n", "list-value-kind", 1},
+      {"a list of texts", "{\"text\": [\"a\"]}\n", "list-value-kind", 1},
+      {"a key without name", "{\"\": \"a\"}\n", "list-column-unnamed"},
+      {"a long value", "{\"text\": \"" + cell + "\"}\n", "list-cell-too-long", 1},
+      {"UTF-8 that is none, in an object", "{\"text\": \"\xFF\"}\n", "list-no-utf8", 1},
+  };
+  for (const auto& [what, text, code, line] : all) {
+    const auto list = read(text);
+    ASSERT_FALSE(list) << what;
+    EXPECT_EQ(list.error().kind, ErrorKind::BadInput) << what;
+    EXPECT_EQ(list.error().message.code, code) << what;
+    if (line == 0) continue;
+    ASSERT_FALSE(list.error().message.values.empty()) << what;
+    EXPECT_EQ(list.error().message.values[0].name, "line") << what;
+    EXPECT_EQ(list.error().message.values[0].numbers[0], line) << what;
+  }
+}
+
+TEST(BatchList, SurvivesEveryTruncationAndFlippedByte) {
+  const std::string good = "id;text;minWallMm\r\n7;\"a;\"\"b\"\"\";1.5\r\n8;\"c\nd\";\r\n";
+  ASSERT_TRUE(read(good));
+  for (std::size_t i = 0; i < good.size(); ++i) {
+    (void)read(good.substr(0, i));
+    for (const int flip : {1, 2, 4, 8, 16, 32, 64, 128}) {
+      std::string broken = good;
+      broken[i] = static_cast<char>(broken[i] ^ flip);
+      const auto list = read(broken);
+      EXPECT_TRUE(!list || list->size() > 0);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace qrelief

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "batch/batch_plan.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace qrelief {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+BatchPlan planOf(const std::string& list, const std::string& text = "", const std::string& name = "") {
+  BatchRequest request;
+  request.all = defaultRequest();
+  request.all.text = text;
+  request.name = name;
+  auto rows = readBatchList(std::span(reinterpret_cast<const std::uint8_t*>(list.data()), list.size()));
+  return BatchPlan::make(rows ? std::move(*rows) : BatchList(), request);
+}
+
+/// Codes of the problems; of one in a line, the line and the code: "3 text-twice".
+std::vector<std::string> problemsOf(const BatchPlan& plan) {
+  std::vector<std::string> codes;
+  for (const Message& problem : plan.problems()) {
+    const bool ofLine = problem.code == "list-line";
+    codes.push_back(ofLine ? std::to_string(static_cast<int>(problem.values[0].numbers[0])) + " " +
+                                 problem.values[1].cause.front().code
+                           : problem.code);
+  }
+  return codes;
+}
+
+TEST(BatchPlan, TakesIdTextAndFileFromTheirColumns) {
+  const BatchPlan plan = planOf("file,id,text\na.stl,7,hello\nb.3mf,8,world\n");
+  ASSERT_THAT(problemsOf(plan), IsEmpty());
+  ASSERT_EQ(plan.size(), 2u);
+  const BatchRow row = plan.row(1);
+  EXPECT_EQ(row.number, 2u);
+  EXPECT_EQ(row.line, 3u);
+  EXPECT_EQ(row.id, "8");
+  EXPECT_EQ(row.file, "b.3mf");
+  EXPECT_EQ(row.request.text, "world");
+}
+
+TEST(BatchPlan, FillsTemplatesFromColumnsAndNumbers) {
+  const BatchPlan plan = planOf("id,lot\nx,A\ny,B\n", "https://example.org/{lot}/{n:03}", "{lot}-{id}.ply");
+  ASSERT_THAT(problemsOf(plan), IsEmpty());
+  EXPECT_EQ(plan.row(1).request.text, "https://example.org/B/002");
+  EXPECT_EQ(plan.row(1).file, "B-y.ply");
+  EXPECT_THAT(plan.unusedColumns(), IsEmpty());
+}
+
+TEST(BatchPlan, CountsWithoutAList) {
+  BatchRequest request;
+  request.all.text = "part {n:04}";
+  request.firstNumber = 500;
+  const BatchPlan plan = BatchPlan::make(countedBatchList(3), request);
+  ASSERT_THAT(problemsOf(plan), IsEmpty());
+  EXPECT_EQ(plan.row(2).request.text, "part 0502");
+  EXPECT_EQ(plan.row(2).file, "502.stl");
+}
+
+TEST(BatchPlan, SetsWhatColumnsOfSettingsSay) {
+  const BatchPlan plan = planOf("id,text,minWallMm,preset\n1,a,1.5,robust\n2,b,,\n");
+  ASSERT_THAT(problemsOf(plan), IsEmpty());
+  EXPECT_EQ(plan.row(0).request.minWallMm, 1.5);
+  EXPECT_EQ(plan.row(0).request.preset, Preset::Robust);
+  EXPECT_EQ(plan.row(1).request.minWallMm, defaultRequest().minWallMm);
+  EXPECT_EQ(plan.row(1).request.preset, defaultRequest().preset);
+}
+
+TEST(BatchPlan, GivesAllTheVersionOfTheLongestText) {
+  const std::string longest(60, 'x');
+  const BatchPlan plan = planOf("id,text,version\n1,a,\n2," + longest + ",\n3,c,7\n");
+  ASSERT_THAT(problemsOf(plan), IsEmpty());
+  const auto symbol = encodeSymbol(longest);
+  ASSERT_TRUE(symbol);
+  EXPECT_EQ(plan.row(0).request.symbol.version, symbol->version);
+  EXPECT_EQ(plan.row(1).request.symbol.version, symbol->version);
+  EXPECT_EQ(plan.row(2).request.symbol.version, 7);
+}
+
+TEST(BatchPlan, SaysWhichColumnsNothingAsksFor) {
+  EXPECT_THAT(planOf("id,text,presett,note\n1,a,robust,x\n").unusedColumns(), ElementsAre("presett", "note"));
+}
+
+TEST(BatchPlan, RefusesWhatColumnsLack) {
+  EXPECT_THAT(problemsOf(planOf("id,name\n1,a\n")), ElementsAre("list-without-text"));
+  EXPECT_THAT(problemsOf(planOf("id,text\n1,a\n", "{lot}")), ElementsAre("list-without-column"));
+  EXPECT_THAT(problemsOf(planOf("id,text\n1,a\n", "", "{lot}.stl")), ElementsAre("list-without-column"));
+  EXPECT_THAT(problemsOf(planOf("id,text\n1,a\n", "{text")), ElementsAre("template-brace"));
+  BatchRequest request;
+  request.all.text = "{id} {lot}";
+  EXPECT_THAT(problemsOf(BatchPlan::make(countedBatchList(2), request)), ElementsAre("template-without-list"));
+}
+
+TEST(BatchPlan, RefusesTextsNamesAndIdsThatStandTwice) {
+  EXPECT_THAT(problemsOf(planOf("id,text\n1,a\n2,b\n3,a\n")), ElementsAre("4 text-twice"));
+  EXPECT_THAT(problemsOf(planOf("id,text,file\n1,a,x.stl\n2,b,X.STL\n")), ElementsAre("3 name-twice"));
+  EXPECT_THAT(problemsOf(planOf("id,text,file\n1,a,x.stl\n1,b,y.stl\n")), ElementsAre("3 id-twice"));
+  EXPECT_THAT(problemsOf(planOf("id,text\n1,a\n2,b\n", "the same")), ElementsAre("3 text-twice"));
+}
+
+TEST(BatchPlan, RefusesRowsThatCannotBeCarved) {
+  const std::string tooLong(200, 'x');
+  EXPECT_THAT(
+      problemsOf(planOf("id,text,version,minWallMm,preset\n,a,,,\n2,,,,\n3," + tooLong +
+                        ",3,,\n4,d,99,,\n5,e,,thick,\n6,f,,-1,\n7,g,,,deep\n")),
+      ElementsAre("2 row-without-id", "3 row-without-text", "4 text-too-long-for-version", "5 setting-out-of-range",
+                  "6 setting-no-number", "7 setting-out-of-range", "8 setting-no-choice"));
+}
+
+TEST(BatchPlan, NamesTwentyProblemsAtMost) {
+  std::string list = "id,text\n";
+  for (int i = 0; i < 100; ++i) list += std::to_string(i) + ",\n";
+  EXPECT_EQ(planOf(list).problems().size(), BatchPlan::kMostProblems);
+}
+
+TEST(BatchPlan, WritesToPlainNamesOnly) {
+  for (const char* name : {"../x.stl", "a/b.stl", "/etc/x.stl", "..\\x.stl", "C:x.stl", ".x.stl", "..", "a\nb.stl",
+                           "con.stl", "NUL.3mf", "lpt1.stl", "a?.stl", "a|b.stl", "\x7f.stl"})
+    EXPECT_EQ(whyNoPlainName(name).value_or(Message()).code, "name-no-plain-name") << name;
+  EXPECT_EQ(whyNoPlainName("")->code, "name-empty");
+  EXPECT_EQ(whyNoPlainName("a.txt")->code, "name-not-writable");
+  EXPECT_EQ(whyNoPlainName("a")->code, "name-not-writable");
+  EXPECT_EQ(whyNoPlainName(std::string(300, 'x') + ".stl")->code, "name-too-long");
+  for (const char* name : {"1.stl", "Teil 7 (ä).3mf", "a..b.obj", "console.ply", "com10.stl", "x.STL"})
+    EXPECT_FALSE(whyNoPlainName(name)) << name;
+}
+
+}  // namespace
+}  // namespace qrelief

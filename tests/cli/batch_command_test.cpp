@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "cli/command_fixture.h"
+#include "support/shapes.h"
+
+namespace qrelief {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::Contains;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using Json = nlohmann::json;
+
+class BatchCommandTest : public CommandTest {
+ protected:
+  void SetUp() override {
+    CommandTest::SetUp();
+    model_ = writeModel("plate.stl", shapes::plate({40, 40}, 5, 4, 4));
+  }
+
+  std::string writeText(const std::string& name, const std::string& text) const {
+    return writeBytes(name, std::vector<std::uint8_t>(text.begin(), text.end()));
+  }
+
+  /// The cheapest codes: small, and not printed.
+  std::vector<std::string> arguments(std::vector<std::string> more, const std::string& folder = "out") const {
+    std::vector<std::string> all = {"batch",  model_, "-o",        path(folder), "--at",   "0,0,5",
+                                    "--size", "21",   "--process", "none",       "--quiet"};
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  }
+
+  std::vector<std::string> filesIn(const std::string& folder) const {
+    std::vector<std::string> names;
+    if (fs::exists(path(folder)))
+      for (const auto& entry : fs::directory_iterator(path(folder))) names.push_back(entry.path().filename());
+    std::sort(names.begin(), names.end());
+    return names;
+  }
+
+  std::vector<Json> linesOf(const std::string& text) const {
+    std::vector<Json> lines;
+    std::istringstream stream(text);
+    for (std::string line; std::getline(stream, line);) lines.push_back(Json::parse(line));
+    return lines;
+  }
+  std::vector<Json> manifest(const std::string& folder = "out") const {
+    return linesOf(contentOf(path(folder + "/manifest.jsonl")));
+  }
+
+  std::string model_;
+};
+
+TEST_F(BatchCommandTest, CarvesAModelARowAndSaysWhatBecameOfEach) {
+  const std::string list = writeText("l.csv", "id;text\nA 1;first\nB2;\"second; quoted\"\n");
+  const Outcome made = run(arguments({"--list", list, "--reports"}));
+  ASSERT_EQ(made.status, 0) << made.err;
+  EXPECT_THAT(made.out, HasSubstr("2 rows: 2 done, 0 failed, 0 missing"));
+  EXPECT_EQ(filesIn("out"), (std::vector<std::string>{"A 1.stl", "A 1.stl.json", "B2.stl", "B2.stl.json",
+                                                      "manifest.csv", "manifest.jsonl"}));
+  const std::vector<Json> rows = manifest();
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_EQ(rows[1]["id"], "B2");
+  EXPECT_EQ(rows[1]["text"], "second; quoted");
+  EXPECT_EQ(rows[1]["file"], "B2.stl");
+  EXPECT_EQ(rows[1]["status"], "done");
+  EXPECT_EQ(rows[1]["verdict"]["reads"], "good");
+  EXPECT_GT(rows[1]["depth"]["meanMm"].get<double>(), 0.1);
+  EXPECT_EQ(rows[1]["sha256"]["output"].get<std::string>().size(), 64u);
+  const Json report = Json::parse(contentOf(path("out/B2.stl.json")));
+  EXPECT_EQ(report["verification"]["text"], "second; quoted");
+
+  // The same as `engrave` makes of the same text.
+  const Outcome alone = run({"engrave", model_, "--text", "second; quoted", "-o", path("alone.stl"), "--at", "0,0,5",
+                             "--size", "21", "--process", "none", "--quiet"});
+  ASSERT_EQ(alone.status, 0) << alone.err;
+  EXPECT_EQ(contentOf(path("alone.stl")), contentOf(path("out/B2.stl")));
+}
+
+TEST_F(BatchCommandTest, GoesOnWhereItWasAndNoticesWhatWasChanged) {
+  const std::string list = writeText("l.csv", "text\none\ntwo\nthree\n");
+  ASSERT_EQ(run(arguments({"--list", list})).status, 0);
+  const std::string first = contentOf(path("out/1.stl")), second = contentOf(path("out/2.stl"));
+  const fs::file_time_type written = fs::last_write_time(path("out/1.stl"));
+
+  fs::remove(path("out/3.stl"));
+  writeText("out/2.stl", "changed");
+  const Outcome again = run(arguments({"--list", list}));
+  EXPECT_EQ(again.status, 1);
+  EXPECT_THAT(again.err, HasSubstr("row 2 (2) failed: The file was changed since it was written"));
+  EXPECT_EQ(contentOf(path("out/2.stl")), "changed");
+  EXPECT_TRUE(fs::exists(path("out/3.stl")));
+  EXPECT_EQ(fs::last_write_time(path("out/1.stl")), written);
+
+  const Outcome retried = run(arguments({"--list", list, "--retry-failed"}));
+  EXPECT_EQ(retried.status, 0) << retried.err;
+  EXPECT_EQ(contentOf(path("out/2.stl")), second);
+  EXPECT_EQ(contentOf(path("out/1.stl")), first);
+}
+
+TEST_F(BatchCommandTest, SharesGiveTheFilesOfOneRun) {
+  const std::vector<std::string> rows = {"--count", "3", "--text", "part {n:03}"};
+  ASSERT_EQ(run(arguments(rows)).status, 0);
+  for (const char* shard : {"0/2", "1/2"}) {
+    std::vector<std::string> share = rows;
+    share.insert(share.end(), {"--shard", shard});
+    ASSERT_EQ(run(arguments(share, "shared")).status, 0);
+    if (std::string(shard) == "0/2") {
+      std::vector<std::string> merge = rows;
+      merge.push_back("--merge");
+      const Outcome early = run(arguments(merge, "shared"));
+      EXPECT_EQ(early.status, 1);
+      EXPECT_THAT(early.err, HasSubstr("row 2 (2) is missing"));
+    }
+  }
+  std::vector<std::string> merge = rows;
+  merge.push_back("--merge");
+  const Outcome merged = run(arguments(merge, "shared"));
+  EXPECT_EQ(merged.status, 0) << merged.err;
+  for (const char* file : {"1.stl", "2.stl", "3.stl"})
+    EXPECT_EQ(contentOf(path("out/" + std::string(file))), contentOf(path("shared/" + std::string(file))));
+  EXPECT_EQ(manifest("shared").size(), 3u);
+}
+
+TEST_F(BatchCommandTest, ARowThatFailsStopsNoOther) {
+  const std::string list = writeText("l.csv", "text,size\na,\nb,39\nc,\n");
+  const Outcome made = run(arguments({"--list", list}));
+  EXPECT_EQ(made.status, 1);
+  EXPECT_THAT(made.out, HasSubstr("3 rows: 2 done, 1 failed"));
+  EXPECT_THAT(made.err, HasSubstr("row 2 (2) failed: "));
+  EXPECT_FALSE(fs::exists(path("out/2.stl")));
+  EXPECT_TRUE(fs::exists(path("out/3.stl")));
+  EXPECT_THAT(manifest()[1]["reason"].get<std::string>(), HasSubstr("mm"));
+}
+
+TEST_F(BatchCommandTest, RefusesAListBeforeAnythingIsWritten) {
+  for (const auto& [text, says] : std::vector<std::pair<std::string, std::string>>{
+           {"text\na\na\n", "Line 3: The text \"a\" stands in line 2, too"},
+           {"text,file\na,../x.stl\n", "Line 2: \"../x.stl\" is no plain file name"},
+           {"id,words\n1,a\n", "The list has no column “text”"},
+           {"text\n\"a\n", "A quotation mark in line 2"}}) {
+    const Outcome refused = run(arguments({"--list", writeText("l.csv", text)}));
+    EXPECT_EQ(refused.status, 3) << text;
+    EXPECT_THAT(refused.err, HasSubstr(says));
+    EXPECT_THAT(filesIn("out"), IsEmpty());
+  }
+  EXPECT_EQ(run(arguments({"--count", "2"})).status, 3);
+  EXPECT_EQ(run(arguments({"--text", "x"})).status, 2);
+  EXPECT_EQ(run(arguments({"--count", "2", "--text", "{n}", "--shard", "2/2"})).status, 2);
+  EXPECT_EQ(run(arguments({"--count", "2", "--text", "{n}", "--shards", "2"})).status, 2);
+  EXPECT_THAT(filesIn("out"), IsEmpty());
+}
+
+TEST_F(BatchCommandTest, TakesItsShareFromTheEngineThatRunsIt) {
+  const std::vector<std::pair<std::vector<const char*>, std::string>> engines = {
+      {{"SLURM_ARRAY_TASK_ID=12", "SLURM_ARRAY_TASK_MIN=10", "SLURM_ARRAY_TASK_COUNT=3"}, "share 2 of 3"},
+      {{"AWS_BATCH_JOB_ARRAY_INDEX=2", "AWS_BATCH_JOB_ARRAY_SIZE=3"}, "share 2 of 3"},
+      {{"JOB_COMPLETION_INDEX=2"}, "share 2 of 3"}};
+  for (const auto& [variables, says] : engines) {
+    std::vector<std::string> names;
+    for (const std::string variable : variables) {
+      const std::size_t equals = variable.find('=');
+      names.push_back(variable.substr(0, equals));
+      ::setenv(names.back().c_str(), variable.substr(equals + 1).c_str(), 1);
+    }
+    std::vector<std::string> rows = {"--count", "2", "--text", "{n}"};  // nothing is left for the third
+    if (names[0] == "JOB_COMPLETION_INDEX") rows.insert(rows.end(), {"--shards", "3"});
+    const Outcome made = run(arguments(rows));
+    for (const std::string& name : names) ::unsetenv(name.c_str());
+    EXPECT_EQ(made.status, 0) << made.err;
+    EXPECT_THAT(made.err, HasSubstr(says));
+    EXPECT_THAT(filesIn("out"), Contains("manifest.2-of-3.jsonl"));
+  }
+}
+
+TEST_F(BatchCommandTest, AnswersEachRequestOfAStream) {
+  writeText("requests", R"({"id": "a", "text": "first"}
+nonsense
+{"id": "b", "text": "second", "minWallMm": -3}
+{"id": "a", "text": "first"}
+{"id": "a", "text": "another"}
+)");
+  std::vector<std::string> stream = arguments({"--stream"});
+  stream.back() += "' <'" + path("requests");  // the fixture's quotes go round it
+  const Outcome made = run(stream);
+  EXPECT_EQ(made.status, 0) << made.err;
+  const std::vector<Json> answers = linesOf(made.out);
+  ASSERT_EQ(answers.size(), 5u);
+  EXPECT_EQ(answers[0]["status"], "done");
+  EXPECT_EQ(answers[1]["status"], "refused");
+  EXPECT_EQ(answers[2]["status"], "refused");
+  EXPECT_EQ(answers[3], answers[0]);
+  EXPECT_EQ(answers[4]["status"], "refused");
+  EXPECT_THAT(answers[4]["reason"].get<std::string>(), HasSubstr("is there already"));
+  EXPECT_EQ(filesIn("out"), (std::vector<std::string>{"a.stl", "manifest.jsonl"}));
+}
+
+}  // namespace
+}  // namespace qrelief
