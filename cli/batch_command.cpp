@@ -4,16 +4,19 @@
 #include <fmt/format.h>
 #include <iostream>
 #include <iterator>
+#include <optional>
 
 #include "base/clock.h"
 #include "batch/batch_plan.h"
 #include "batch/manifest.h"
+#include "batch/plate_layout.h"
 #include "cli/choose_spot.h"
 #include "cli/commands.h"
 #include "cli/model_input.h"
 #include "cli/progress_bar.h"
 #include "cli/setting_flags.h"
 #include "cli/shard_flags.h"
+#include "io/write_checked.h"
 #include "messages/sentences.h"
 #include "native/batch_folder.h"
 #include "native/egl_context.h"
@@ -21,6 +24,7 @@
 #include "native/files.h"
 #include "native/sha256.h"
 #include "native/zxing_reader.h"
+#include "pipeline/carved_objects.h"
 #include "report/report.h"
 
 namespace qrelief {
@@ -31,7 +35,7 @@ struct BatchOptions {
   SettingFlags flags;
   std::string list, folder, name, shardFlag;
   std::vector<double> at;
-  std::size_t count = 0, shards = 0;
+  std::size_t count = 0, shards = 0, perPlate = 0;
   bool merge = false, retryFailed = false, stream = false, reports = false, quiet = false;
 };
 
@@ -92,25 +96,49 @@ class BatchRun {
     return chooseSpot(model_, all, report_.scaleToMm, options_->quiet);
   }
 
-  /// What is to be done for a row, and done. @returns an error only if nothing more can be written
+  /// Carves what is not yet there of some rows: of one, or of all of a plate. Their lines are written last.
   /// @param placed  has the place that prepare() found
-  Result<ManifestEntry> make(BatchRow row, const EngraveRequest& placed) {
-    row.request.placement.centreMm = placed.placement.centreMm;
-    if (!row.request.placement.direction) row.request.placement.direction = placed.placement.direction;
-    RowHashes hashes{input_, sha256(settingsToHash(row, otherSettings(*options_))), {}};
-    const BatchFolder::Known known = folder_.known(row.number, row.file, hashes);
+  /// @param plate   name of the plate's file; empty: none
+  /// @returns an entry a row; an error only if nothing more can be written
+  Result<std::vector<ManifestEntry>> make(std::vector<BatchRow> rows, const EngraveRequest& placed,
+                                          const std::string& plate = {}) {
     using State = BatchFolder::Known::State;
-    if (known.state == State::Done) return ++kept_, known.entry;
-    ManifestEntry entry{row.number, row.id, row.request.text, row.file, hashes, RowStatus::Failed, {}, {}};
-    if (known.state == State::Changed && !options_->retryFailed) {
-      entry.reason = sentenceAndHint(message("file-changed"));
-      return tell(entry);
+    std::string others = otherSettings(*options_);
+    for (BatchRow& row : rows) {
+      row.request.placement.centreMm = placed.placement.centreMm;
+      if (!row.request.placement.direction) row.request.placement.direction = placed.placement.direction;
+      if (!plate.empty()) others += sha256(settingsToHash(row, {}));
     }
-    if (known.state == State::Failed && !options_->retryFailed) return ++failed_, known.entry;
-    const auto start = Clock::now();
-    if (const Status written = carve(row, entry, start); !written)
-      entry.reason = sentenceAndHint(written.error().message);
-    return tell(entry);
+    std::vector<ManifestEntry> entries, changed;
+    bool isNew = false;
+    for (const BatchRow& row : rows) {
+      ManifestEntry entry;
+      entry.number = row.number;
+      entry.id = row.id;
+      entry.text = row.request.text;
+      entry.file = isFiled() ? row.file : plate;
+      entry.plate = isFiled() ? plate : std::string();
+      entry.sha256 = {input_, sha256(settingsToHash(row, others)), {}, {}};
+      const BatchFolder::Known known = folder_.known(entry);
+      if (known.state == State::Done || (known.state == State::Failed && !options_->retryFailed)) {
+        entry = known.entry;
+      } else if (known.state == State::Changed && !options_->retryFailed) {
+        entry.reason = sentenceAndHint(message("file-changed"));
+        changed.push_back(entry);
+      } else {
+        isNew = true;
+      }
+      entries.push_back(std::move(entry));
+    }
+    if (isNew)
+      if (const Status carved = carveAll(rows, entries, plate); !carved) return tl::unexpected(carved.error());
+    for (const ManifestEntry& entry : entries) {
+      const bool isDone = entry.status == RowStatus::Done;
+      ++(!isDone ? failed_ : isNew ? made_ : kept_);
+    }
+    for (const ManifestEntry& entry : isNew ? entries : changed)
+      if (const Status added = folder_.append(entry); !added) return tl::unexpected(added.error());
+    return entries;
   }
 
   std::size_t made() const { return made_; }
@@ -119,21 +147,58 @@ class BatchRun {
   BatchFolder& folder() { return folder_; }
 
  private:
-  Status carve(const BatchRow& row, ManifestEntry& entry, Clock::time_point start) {
-    const auto engraved = engraver_->engrave(row.request, [](const Progress&) {});
-    if (!engraved) return tl::unexpected(engraved.error());
-    entry.details = describeRow(engraved->request, engraved->result, engraved->verdict, millisecondsSince(start));
-    for (const Message& failure : engraved->verdict.failed())
-      entry.reason += (entry.reason.empty() ? "" : "; ") + sentenceAndHint(failure);
-    if (!engraved->verdict.passed()) return {};
-    const auto bytes = encodeCarved(engraved->result, partNames_, row.file, row.request.inlay, row.id);
+  /// Whether each row has a file of its own.
+  bool isFiled() const { return options_->perPlate == 0 || !options_->name.empty(); }
+
+  /// Fills the entries. @returns an error only if nothing more can be written
+  Status carveAll(const std::vector<BatchRow>& rows, std::vector<ManifestEntry>& entries, const std::string& plate) {
+    std::vector<ModelObject> objects;
+    const std::vector<Vec3> offsets = plateOffsets(model_->gpu.box(), rows.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      ManifestEntry& entry = entries[i];
+      entry.status = RowStatus::Failed;
+      entry.reason.clear();
+      const auto carved = carve(rows[i], entry);
+      if (!carved) {
+        entry.reason = sentenceAndHint(carved.error().message);
+        continue;
+      }
+      entry.status = RowStatus::Done;
+      if (plate.empty()) continue;
+      for (ModelObject object : carvedObjects(carved->result, partNames_, rows[i].request.inlay)) {
+        object.name = object.name.empty() ? rows[i].id : rows[i].id + " " + object.name;
+        object.description = rows[i].request.text;
+        object.offsetMm = offsets[i];
+        objects.push_back(std::move(object));
+      }
+    }
+    if (objects.empty()) return {};
+    const auto bytes = writeChecked(objects, ModelFormat::ThreeMf, {.title = plate});
     if (!bytes) return tl::unexpected(bytes.error());
-    if (const Status written = writeFileAtomically(folder_.pathOf(row.file), *bytes); !written) return written;
-    if (options_->reports)
-      if (const Status written = writeReport(row, *engraved, start); !written) return written;
-    entry.sha256.output = sha256(*bytes);
-    entry.status = RowStatus::Done;
+    if (const Status written = writeFileAtomically(folder_.pathOf(plate), *bytes); !written) return written;
+    for (ManifestEntry& entry : entries)
+      if (entry.status == RowStatus::Done) (isFiled() ? entry.sha256.plate : entry.sha256.output) = sha256(*bytes);
     return {};
+  }
+
+  /// Carves a row, and writes its file if it has one. @returns an error if it is not done, and the entry's details
+  Result<Engraved> carve(const BatchRow& row, ManifestEntry& entry) {
+    const auto start = Clock::now();
+    auto engraved = engraver_->engrave(row.request, [](const Progress&) {});
+    if (!engraved) return engraved;
+    entry.details = describeRow(engraved->request, engraved->result, engraved->verdict, millisecondsSince(start));
+    if (const std::vector<Message> failures = engraved->verdict.failed(); !failures.empty())
+      return fail(ErrorKind::NoSolution, failures.front());
+    if (isFiled()) {
+      const auto bytes = encodeCarved(engraved->result, partNames_, row.file, row.request.inlay, row.id);
+      if (!bytes) return tl::unexpected(bytes.error());
+      if (const Status written = writeFileAtomically(folder_.pathOf(row.file), *bytes); !written)
+        return tl::unexpected(written.error());
+      entry.sha256.output = sha256(*bytes);
+    }
+    if (options_->reports)
+      if (const Status written = writeReport(row, *engraved, start); !written) return tl::unexpected(written.error());
+    return engraved;
   }
 
   Status writeReport(const BatchRow& row, const Engraved& engraved, Clock::time_point start) {
@@ -145,12 +210,6 @@ class BatchRun {
     context.totalMs = millisecondsSince(start);
     return writeFileAtomically(folder_.pathOf(row.file) + ".json",
                                makeReport(engraved.request, *model_, engraved.result, context));
-  }
-
-  Result<ManifestEntry> tell(const ManifestEntry& entry) {
-    ++(entry.status == RowStatus::Done ? made_ : failed_);
-    if (const Status added = folder_.append(entry); !added) return tl::unexpected(added.error());
-    return entry;
   }
 
   const BatchOptions* options_;
@@ -173,6 +232,11 @@ int printProblems(const BatchPlan& plan, const std::string& list) {
 
 std::string durationInWords(double seconds) {
   return seconds < 90 ? fmt::format("{:.0f} s", seconds) : fmt::format("{:.0f} min", seconds / 60);
+}
+
+/// @param plate  from 0
+std::string plateName(std::size_t plate, std::size_t plates) {
+  return fmt::format("plate-{:0{}}.3mf", plate + 1, std::max<std::size_t>(3, std::to_string(plates).size()));
 }
 
 /// @returns exit status
@@ -204,9 +268,10 @@ int merge(const BatchOptions& options, const BatchPlan& plan) {
   std::size_t lost = 0;
   for (const auto& [number, entry] : entries) {
     if (entry.status != RowStatus::Done || number > plan.size()) continue;
-    const auto output = sha256OfFile(folder->pathOf(entry.file));
-    if (output && *output == entry.sha256.output) continue;
-    fmt::print(stderr, "qrelief: row {}: {} {}\n", number, entry.file, output ? "was changed" : "is not there");
+    const auto known = folder->known(entry);
+    if (known.state == BatchFolder::Known::State::Done) continue;
+    fmt::print(stderr, "qrelief: row {}: {} {}\n", number, entry.file,
+               known.state == BatchFolder::Known::State::Changed ? "was changed" : "is not there");
     ++lost;
   }
   const std::vector<std::size_t> doubles = folder->doubles();
@@ -230,18 +295,26 @@ int runRows(const BatchOptions& options, const GivenShard& given, const BatchReq
   if (const Status prepared = run.prepare(first); !prepared) return printError(prepared.error(), options.model.path);
 
   const auto start = Clock::now();
-  const std::size_t mine = (plan.size() + given.shard.count - 1 - given.shard.index) / given.shard.count;
-  for (std::size_t i = given.shard.index, at = 1; i < plan.size(); i += given.shard.count, ++at) {
-    const BatchRow row = plan.row(i);
+  const std::size_t together = std::max<std::size_t>(options.perPlate, 1);
+  const std::size_t units = (plan.size() + together - 1) / together;
+  std::size_t mine = 0, at = 0;
+  for (std::size_t unit = given.shard.index; unit < units; unit += given.shard.count)
+    mine += std::min(together, plan.size() - unit * together);
+  for (std::size_t unit = given.shard.index; unit < units; unit += given.shard.count) {
+    std::vector<BatchRow> rows;
+    for (std::size_t i = unit * together; i < std::min((unit + 1) * together, plan.size()); ++i)
+      rows.push_back(plan.row(i));
     const std::size_t keptBefore = run.kept();
-    const auto entry = run.make(row, first);
-    if (!entry) return printError(entry.error());
+    const auto entries = run.make(std::move(rows), first, options.perPlate > 0 ? plateName(unit, units) : "");
+    if (!entries) return printError(entries.error());
+    at += entries->size();
     if (options.quiet || run.kept() > keptBefore) continue;
     const double seconds = millisecondsSince(start) / 1000;
-    const std::size_t done = run.made() + run.failed();
-    fmt::print(stderr, "{}/{} {}: {}{}; {} left\n", at, mine, row.id, rowStatusName(entry->status),
-               entry->reason.empty() ? "" : ", " + entry->reason,
-               durationInWords(seconds / static_cast<double>(done) * static_cast<double>(mine - at)));
+    const auto done = static_cast<double>(run.made() + run.failed());
+    for (const ManifestEntry& entry : *entries)
+      fmt::print(stderr, "{}/{} {}: {}{}; {} left\n", at, mine, entry.id, rowStatusName(entry.status),
+                 entry.reason.empty() ? "" : ", " + entry.reason,
+                 durationInWords(seconds / done * static_cast<double>(mine - at)));
   }
   if (given.shard.isWhole()) return finish(run.folder(), plan);
   fmt::print("{} rows of {}: {} made now, {} before, {} failed\n", mine, plan.size(), run.made(), run.kept(),
@@ -277,8 +350,11 @@ int runStream(const BatchOptions& options, const BatchRequest& request) {
       row = fail(ErrorKind::BadInput,
                  message("name-taken", with::quoted("name", row->file), with::quoted("text", same->second.second)));
     if (!row) {
-      std::cout << manifestLine({next, {}, {}, {}, {}, RowStatus::Refused, sentenceAndHint(row.error().message), {}})
-                << std::endl;
+      ManifestEntry refused;
+      refused.number = next;
+      refused.status = RowStatus::Refused;
+      refused.reason = sentenceAndHint(row.error().message);
+      std::cout << manifestLine(refused) << std::endl;
       continue;
     }
     if (!placed) {
@@ -290,9 +366,9 @@ int runStream(const BatchOptions& options, const BatchRequest& request) {
       row->number = same->second.first;
     else
       known[row->file] = {next++, row->request.text};
-    const auto entry = run.make(*row, *placed);
-    if (!entry) return printError(entry.error());
-    std::cout << manifestLine(*entry) << std::endl;  // whoever asks waits for it
+    const auto entries = run.make({*row}, *placed);
+    if (!entries) return printError(entries.error());
+    std::cout << manifestLine(entries->front()) << std::endl;  // whoever asks waits for it
   }
   return run.failed() == 0 ? kEngraved : kCheckFailed;
 }
@@ -325,6 +401,8 @@ std::function<int()> addBatchCommand(CLI::App& app) {
       ->expected(3);
   c->add_option("--shard", o->shardFlag, "I/N: every N-th row, from the I-th on, counting from 0");
   c->add_option("--shards", o->shards, "N processes share the work; an engine's variable says which this is");
+  c->add_option("--per-plate", o->perPlate, "3MF files of N named parts side by side; with --name, a file a row, too")
+      ->check(CLI::PositiveNumber);
   c->add_flag("--merge", o->merge, "join the manifests of all shares, and say what is missing or double");
   c->add_flag("--retry-failed", o->retryFailed, "try rows again that failed, and write over files that were changed");
   c->add_flag("--stream", o->stream, "answer each line of standard input by its line of the manifest, as it comes");

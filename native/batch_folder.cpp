@@ -101,20 +101,29 @@ Status BatchFolder::readManifests() {
   return {};
 }
 
-BatchFolder::Known BatchFolder::known(std::size_t number, const std::string& file, const RowHashes& sha256) const {
+/// @returns none if it is not there; empty for no file
+std::optional<std::string> BatchFolder::hashOf(const std::string& file) const {
+  if (file.empty()) return "";
+  const auto hash = sha256OfFile(pathOf(file));
+  return hash ? std::optional(*hash) : std::nullopt;
+}
+
+BatchFolder::Known BatchFolder::known(const ManifestEntry& wanted) const {
   Known best;
   for (const auto& [name, rows] : manifests_) {
-    const auto found = rows.find(number);
+    const auto found = rows.find(wanted.number);
     if (found == rows.end()) continue;
     const ManifestEntry& entry = found->second;
-    if (entry.file != file || entry.sha256.input != sha256.input || entry.sha256.settings != sha256.settings) continue;
+    if (entry.file != wanted.file || entry.plate != wanted.plate || entry.sha256.input != wanted.sha256.input ||
+        entry.sha256.settings != wanted.sha256.settings)
+      continue;
     if (entry.status != RowStatus::Done) {
       if (best.state == Known::State::New) best = {Known::State::Failed, entry};
       continue;
     }
-    const auto output = fs::exists(pathOf(file)) ? sha256OfFile(pathOf(file)) : Result<std::string>(std::string());
-    if (!output || output->empty()) continue;  // it is not there any more: made again
-    if (*output == entry.sha256.output) return {Known::State::Done, entry};
+    const auto file = hashOf(entry.file), plate = hashOf(entry.plate);
+    if (!file || !plate) continue;  // it is not there any more: made again
+    if (*file == entry.sha256.output && *plate == entry.sha256.plate) return {Known::State::Done, entry};
     best = {Known::State::Changed, entry};
   }
   return best;

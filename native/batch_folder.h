@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,10 +40,9 @@ class BatchFolder {
     ManifestEntry entry;  ///< of Done and Failed: the manifest's; of Changed: what now is to be said
   };
 
-  /// Cost: reading the row's file.
-  /// @param file    of the row; may be the file of several rows
-  /// @param sha256  that the row would have, without output
-  Known known(std::size_t number, const std::string& file, const RowHashes& sha256) const;
+  /// Cost: reading the row's file and plate.
+  /// @param wanted  number, file, plate, and hashes but for those of what was written
+  Known known(const ManifestEntry& wanted) const;
 
   /// Adds a line to this process's manifest.
   Status append(const ManifestEntry& entry);
@@ -59,6 +59,7 @@ class BatchFolder {
  private:
   BatchFolder() = default;
   Status readManifests();
+  std::optional<std::string> hashOf(const std::string& file) const;
 
   std::string path_, own_;
   int file_ = -1;                                                          // this process's manifest, locked

@@ -18,7 +18,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::array<std::string_view, 3> kStatusNames = {"done", "failed", "refused"};
-constexpr std::array<const char*, 7> kOwnKeys = {"number", "id", "text", "file", "sha256", "status", "reason"};
+constexpr std::array<const char*, 8> kOwnKeys = {"number", "id", "text", "file", "plate", "sha256", "status", "reason"};
 
 /// Text that is no UTF-8 must not lose the line.
 std::string dumped(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
@@ -34,8 +34,9 @@ std::optional<ManifestEntry> entryOf(std::string_view line) {
     entry.text = json.at("text").get<std::string>();
     entry.file = json.at("file").get<std::string>();
     const Json& hashes = json.at("sha256");
+    entry.plate = json.value("plate", "");
     entry.sha256 = {hashes.at("input").get<std::string>(), hashes.at("settings").get<std::string>(),
-                    hashes.value("output", "")};
+                    hashes.value("output", ""), hashes.value("plate", "")};
     const auto name = json.at("status").get<std::string>();
     const auto status = std::find(kStatusNames.begin(), kStatusNames.end(), name);
     if (status == kStatusNames.end()) return std::nullopt;
@@ -77,7 +78,9 @@ std::string manifestLine(const ManifestEntry& entry) {
                {"file", entry.file},
                {"sha256", {{"input", entry.sha256.input}, {"settings", entry.sha256.settings}}},
                {"status", rowStatusName(entry.status)}};
+  if (!entry.plate.empty()) json["plate"] = entry.plate;
   if (!entry.sha256.output.empty()) json["sha256"]["output"] = entry.sha256.output;
+  if (!entry.sha256.plate.empty()) json["sha256"]["plate"] = entry.sha256.plate;
   if (!entry.reason.empty()) json["reason"] = entry.reason;
   std::string line = dumped(json);
   if (!entry.details.empty()) line.replace(line.size() - 1, 1, "," + entry.details.substr(1));
@@ -99,15 +102,15 @@ Result<std::map<std::size_t, ManifestEntry>> readManifest(std::string_view text)
 
 std::string manifestCsv(const std::map<std::size_t, ManifestEntry>& entries) {
   std::string table =
-      "number,id,text,file,status,reason,reads,prints,solid,meanDepthMm,maxDepthMm,iso29158,totalMs,sha256\r\n";
+      "number,id,text,file,plate,status,reason,reads,prints,solid,meanDepthMm,maxDepthMm,iso29158,totalMs,sha256\r\n";
   for (const auto& [number, e] : entries) {
     const Json details = e.details.empty() ? Json::object() : Json::parse(e.details);
     table += std::to_string(number);
     for (const std::string& cell :
-         {e.id, e.text, e.file, std::string(rowStatusName(e.status)), e.reason, detail(details, "/verdict/reads"),
-          detail(details, "/verdict/prints"), detail(details, "/verdict/solid"), detail(details, "/depth/meanMm"),
-          detail(details, "/depth/maxMm"), detail(details, "/grades/iso29158"), detail(details, "/timingsMs/total"),
-          e.sha256.output})
+         {e.id, e.text, e.file, e.plate, std::string(rowStatusName(e.status)), e.reason,
+          detail(details, "/verdict/reads"), detail(details, "/verdict/prints"), detail(details, "/verdict/solid"),
+          detail(details, "/depth/meanMm"), detail(details, "/depth/maxMm"), detail(details, "/grades/iso29158"),
+          detail(details, "/timingsMs/total"), e.sha256.output})
       table += ',' + csvCell(cell);
     table += "\r\n";
   }

@@ -24,6 +24,7 @@ struct RowHashes {
   std::string input;     ///< of the model's file
   std::string settings;  ///< of everything else that decides the output, see settingsToHash()
   std::string output;    ///< of the file; empty unless Done
+  std::string plate;     ///< of the plate, if there is one beside the file; empty unless Done
 
   bool operator==(const RowHashes&) const = default;
 };
@@ -31,7 +32,9 @@ struct RowHashes {
 /// A line of a manifest: what became of a row.
 struct ManifestEntry {
   std::size_t number = 1;
-  std::string id, text, file;
+  std::string id, text;
+  std::string file;   ///< of the row alone; without such files, the plate
+  std::string plate;  ///< that it is on, too; empty: none beside `file`
   RowHashes sha256;
   RowStatus status = RowStatus::Failed;
   std::string reason;   ///< why it is not Done, in words; empty if it is
@@ -39,7 +42,8 @@ struct ManifestEntry {
 };
 
 /// A line of JSON without its end:
-/// {"number", "id", "text", "file", "sha256": {"input", "settings", "output"}, "status", "reason", …details}
+/// {"number", "id", "text", "file", "plate", "sha256": {"input", "settings", "output", "plate"}, "status", "reason",
+/// …details}; what is empty is left out
 std::string manifestLine(const ManifestEntry& entry);
 
 /// What a manifest says of each row; the last line about a row counts. A last line without its end, which a process
@@ -50,8 +54,8 @@ Result<std::map<std::size_t, ManifestEntry>> readManifest(std::string_view text)
 /// The same as a table that spreadsheets open: a row a line, [RFC 4180].
 std::string manifestCsv(const std::map<std::size_t, ManifestEntry>& entries);
 
-/// What is to be hashed as RowHashes::settings: version, settings, centre, and what else the command was told.
-/// @param others  e.g. how the model was repaired and scaled
+/// What is to be hashed as RowHashes::settings: version, settings, centre, name, and what else the command was told.
+/// @param others  how the model was repaired and scaled, and which other rows are on its plate
 std::string settingsToHash(const BatchRow& row, std::string_view others);
 
 /// What became of a row that was carved: {"symbol", "verdict", "grades", "depth", "timingsMs"}.

@@ -57,6 +57,7 @@ struct NumberedObject {
   std::string name;
   std::size_t id;  ///< of the body itself if there is one only
   std::vector<NumberedBody> bodies;
+  const ModelObject* object;
 };
 
 /// Everything's numbers: colour group 1, then bodies and objects from 2 on.
@@ -68,6 +69,7 @@ struct Numbering {
     std::size_t nextId = 2;
     for (const ModelObject& object : objectsToWrite) {
       NumberedObject numbered;
+      numbered.object = &object;
       numbered.name = !object.name.empty()         ? object.name
                       : objectsToWrite.size() == 1 ? title
                                                    : fmt::format("Object {}", objects.size() + 1);
@@ -124,6 +126,18 @@ void putBody(const NumberedBody& body, bool coloured, PartText& text) {
   text.add(FMT_COMPILE("    </triangles>\n   </mesh>\n  </object>\n"));
 }
 
+void putItem(const NumberedObject& numbered, PartText& text) {
+  const Vec3 offset = numbered.object->offsetMm;
+  const std::string transform =
+      offset == Vec3(0) ? "" : fmt::format(" transform=\"1 0 0 0 1 0 0 0 1 {} {} {}\"", offset.x, offset.y, offset.z);
+  if (numbered.object->description.empty())
+    text.add(FMT_COMPILE("  <item objectid=\"{}\"{}/>\n"), numbered.id, transform);
+  else
+    text.add(FMT_COMPILE("  <item objectid=\"{}\"{}>\n   <metadatagroup><metadata name=\"Description\">{}</metadata>"
+                         "</metadatagroup>\n  </item>\n"),
+             numbered.id, transform, escaped(numbered.object->description));
+}
+
 void putModel(const Numbering& numbering, const std::string& title, ZipWriter& zip) {
   zip.begin("3D/3dmodel.model");
   PartText text(zip);
@@ -153,8 +167,7 @@ void putModel(const Numbering& numbering, const std::string& title, ZipWriter& z
     text.add(FMT_COMPILE("   </components>\n  </object>\n"));
   }
   text.add(FMT_COMPILE(" </resources>\n <build>\n"));
-  for (const NumberedObject& object : numbering.objects)
-    text.add(FMT_COMPILE("  <item objectid=\"{}\"/>\n"), object.id);
+  for (const NumberedObject& object : numbering.objects) putItem(object, text);
   text.add(FMT_COMPILE(" </build>\n</model>\n"));
   text.finish();
 }

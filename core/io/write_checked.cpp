@@ -1,12 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/write_checked.h"
 
+#include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
+#include <limits>
 
 #include "io/read_model.h"
 
 namespace qrelief {
 namespace {
+
+/// Bit for bit; of an object that is moved, but for the last digit: the file has the fewest digits that give the number
+/// again, and their sum with the offset may round the other way.
+bool isEqual(Vec3 read, Vec3f written, Vec3 offset) {
+  if (offset == Vec3(0)) return Vec3f(read) == written;
+  const Vec3 expected = Vec3(written) + offset;
+  for (int axis = 0; axis < 3; ++axis) {
+    constexpr double kLastDigit = std::numeric_limits<float>::epsilon();
+    const double largest = std::max({std::abs(static_cast<double>(written[axis])), std::abs(offset[axis]), 1e-30});
+    if (!(std::abs(read[axis] - expected[axis]) <= kLastDigit * largest)) return false;
+  }
+  return true;
+}
 
 /// How many triangles of the soup, in its order, are those of the bodies; all of them if it is what was written.
 std::size_t countEqual(const PolygonSoup& soup, std::span<const ModelObject> objects) {
@@ -16,7 +32,8 @@ std::size_t countEqual(const PolygonSoup& soup, std::span<const ModelObject> obj
       for (const Triangle& triangle : body.mesh.triangles) {
         if (equal == soup.triangles.size()) return equal;
         for (std::size_t k = 0; k < 3; ++k)
-          if (Vec3f(soup.positions[soup.triangles[equal][k]]) != body.mesh.positions[triangle[k]]) return equal;
+          if (!isEqual(soup.positions[soup.triangles[equal][k]], body.mesh.positions[triangle[k]], object.offsetMm))
+            return equal;
         ++equal;
       }
   return equal;

@@ -5,7 +5,8 @@
 
 namespace qrelief {
 
-/// writeModel(), and the very bytes read back: every triangle must come out in its place, its corners bit for bit.
+/// writeModel(), and the very bytes read back: every triangle must come out in its place, its corners bit for bit;
+/// those of an object that is moved, but for the last digit.
 /// Welded by equal positions, as every reader of a solid does, they then are the same solid as what was written.
 ///
 /// Cost: that of writing and of reading.

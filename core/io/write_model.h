@@ -29,6 +29,8 @@ struct ModelBody {
 struct ModelObject {
   std::string name;  ///< UTF-8; may be empty
   std::vector<ModelBody> bodies;
+  std::string description = {};  ///< UTF-8; 3MF has it as the item's metadata, other formats have no place for it
+  Vec3 offsetMm{0};              ///< from where its bodies' coordinates are to where it stands; 3MF only, else 0
 };
 
 struct WriteOptions {

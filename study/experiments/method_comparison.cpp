@@ -30,9 +30,9 @@ Result<LightError> lightError(const Spot& spot, const CarvedCode& code) {
     const double h = code.depths.submoduleMm();
     cells.push_back({{corner.x, corner.y - h}, {corner.x + h, corner.y}});
   }
-  const std::vector<CellLight> traced =
-      traceCells(surface->tree(), spot.placement.frame, cells,
-                 {.paths = kPaths, .albedo = static_cast<double>(spot.request.albedo), .seed = 1});
+  PathTraceOptions options{.paths = kPaths, .albedo = static_cast<double>(spot.request.albedo), .seed = 1};
+  if (code.readUnder) options.lights = {*code.readUnder};
+  const std::vector<CellLight> traced = traceCells(surface->tree(), spot.placement.frame, cells, options);
   LightError error;
   for (std::size_t k = 0; k < cells.size(); ++k) {
     const double apart = code.ownEstimate[k] - traced[k].luminance.mean;

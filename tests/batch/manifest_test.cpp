@@ -11,7 +11,8 @@ ManifestEntry entry(std::size_t number, RowStatus status) {
           "id" + std::to_string(number),
           "a \"text\", with commas\nand ü",
           "f.stl",
-          {"aa", "bb", status == RowStatus::Done ? "cc" : ""},
+          number % 2 ? "plate-1.3mf" : "",
+          {"aa", "bb", status == RowStatus::Done ? "cc" : "", status == RowStatus::Done ? "dd" : ""},
           status,
           status == RowStatus::Done ? "" : "because",
           R"({"verdict":{"reads":"good","prints":"barely","solid":"good"},"depth":{"meanMm":0.5}})"};
@@ -22,6 +23,7 @@ void expectEqual(const ManifestEntry& a, const ManifestEntry& b) {
   EXPECT_EQ(a.id, b.id);
   EXPECT_EQ(a.text, b.text);
   EXPECT_EQ(a.file, b.file);
+  EXPECT_EQ(a.plate, b.plate);
   EXPECT_EQ(a.sha256, b.sha256);
   EXPECT_EQ(a.status, b.status);
   EXPECT_EQ(a.reason, b.reason);
@@ -69,9 +71,10 @@ TEST(Manifest, RefusesLinesOfSomethingElse) {
 
 TEST(Manifest, IsATableForSpreadsheets) {
   const std::string table = manifestCsv({{7, entry(7, RowStatus::Failed)}});
-  EXPECT_EQ(table,
-            "number,id,text,file,status,reason,reads,prints,solid,meanDepthMm,maxDepthMm,iso29158,totalMs,sha256\r\n"
-            "7,id7,\"a \"\"text\"\", with commas\nand ü\",f.stl,failed,because,good,barely,good,0.5,,,,\r\n");
+  EXPECT_EQ(
+      table,
+      "number,id,text,file,plate,status,reason,reads,prints,solid,meanDepthMm,maxDepthMm,iso29158,totalMs,sha256\r\n"
+      "7,id7,\"a \"\"text\"\", with commas\nand ü\",f.stl,plate-1.3mf,failed,because,good,barely,good,0.5,,,,\r\n");
 }
 
 TEST(Manifest, HashesEverySettingNameAndPlace) {

@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "cli/command_fixture.h"
+#include "math/box.h"
 #include "support/shapes.h"
 
 namespace qrelief {
@@ -124,6 +125,41 @@ TEST_F(BatchCommandTest, SharesGiveTheFilesOfOneRun) {
   for (const char* file : {"1.stl", "2.stl", "3.stl"})
     EXPECT_EQ(contentOf(path("out/" + std::string(file))), contentOf(path("shared/" + std::string(file))));
   EXPECT_EQ(manifest("shared").size(), 3u);
+}
+
+TEST_F(BatchCommandTest, PutsNamedPartsSideBySideOnPlates) {
+  const std::string list = writeText("l.csv", "id,text\nA,one & only\nB,two\nC,three\n");
+  const Outcome made = run(arguments({"--list", list, "--per-plate", "2"}));
+  ASSERT_EQ(made.status, 0) << made.err;
+  EXPECT_EQ(filesIn("out"),
+            (std::vector<std::string>{"manifest.csv", "manifest.jsonl", "plate-001.3mf", "plate-002.3mf"}));
+  EXPECT_EQ(manifest()[1]["file"], "plate-001.3mf");
+  EXPECT_EQ(manifest()[2]["file"], "plate-002.3mf");
+  const auto plate = readBack("out/plate-001.3mf");
+  ASSERT_TRUE(plate);
+  ASSERT_EQ(plate->parts.size(), 2u);
+  EXPECT_EQ(plate->parts[0].name, "A");
+  EXPECT_EQ(plate->parts[1].name, "B");
+  Box3 box;
+  for (const Vec3 p : plate->positions) box.add(p);
+  EXPECT_LT(glm::length(box.min), 1e-6);
+  EXPECT_LT(glm::length(box.max - Vec3(85, 40, 5)), 1e-6);  // two plates of 40 mm, 5 mm apart
+
+  // One that fails leaves the others on their plate, and a plate is made again as a whole.
+  const std::string failing = writeText("l.csv", "id,text,size\nA,one & only,\nB,two,39\nC,three,\n");
+  const Outcome partly = run(arguments({"--list", failing, "--per-plate", "2", "--name", "{id}.stl"}, "partly"));
+  EXPECT_EQ(partly.status, 1);
+  EXPECT_EQ(filesIn("partly"), (std::vector<std::string>{"A.stl", "C.stl", "manifest.csv", "manifest.jsonl",
+                                                         "plate-001.3mf", "plate-002.3mf"}));
+  EXPECT_EQ(manifest("partly")[0]["plate"], "plate-001.3mf");
+  EXPECT_EQ(readBack("partly/plate-001.3mf")->parts.size(), 1u);
+  const std::string before = contentOf(path("partly/plate-001.3mf"));
+  writeText("partly/A.stl", "changed");
+  EXPECT_EQ(
+      run(arguments({"--list", failing, "--per-plate", "2", "--name", "{id}.stl", "--retry-failed"}, "partly")).status,
+      1);
+  EXPECT_NE(contentOf(path("partly/A.stl")), "changed");
+  EXPECT_EQ(contentOf(path("partly/plate-001.3mf")), before);
 }
 
 TEST_F(BatchCommandTest, ARowThatFailsStopsNoOther) {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "io/read_model.h"
+#include "io/write_checked.h"
 #include "io/zip_archive.h"
 #include "support/shapes.h"
 
@@ -47,6 +48,19 @@ TEST(Write3mf, PutsBodiesOfOneObjectTogetherAsComponents) {
   EXPECT_THAT(model, HasSubstr("<object id=\"5\" name=\"beside\" type=\"model\" pid=\"1\" pindex=\"0\">"));
   EXPECT_THAT(model, HasSubstr("<build>\n  <item objectid=\"4\"/>\n  <item objectid=\"5\"/>\n </build>"));
   EXPECT_THAT(model, HasSubstr("unit=\"millimeter\""));
+}
+
+TEST(Write3mf, SaysWhereObjectsStandAndWhatTheyAre) {
+  const std::vector<ModelObject> objects = {
+      {"A", {{"", shapes::box({1, 1, 1}), {}}}, "https://example.org/?a=1&b=<2>", {0.1, 20, -3}},
+      {"B", {{"", shapes::box({1, 1, 1}), {}}}}};
+  const auto bytes = writeChecked(objects, ModelFormat::ThreeMf);
+  ASSERT_TRUE(bytes);
+  EXPECT_THAT(
+      partOf(*bytes, "3D/3dmodel.model"),
+      HasSubstr("  <item objectid=\"2\" transform=\"1 0 0 0 1 0 0 0 1 0.1 20 -3\">\n   <metadatagroup><metadata "
+                "name=\"Description\">https://example.org/?a=1&amp;b=&lt;2&gt;</metadata></metadatagroup>\n"
+                "  </item>\n  <item objectid=\"3\"/>\n"));
 }
 
 TEST(Write3mf, SaysTheColoursInTheWayOfEverySlicer) {

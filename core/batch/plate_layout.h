@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "math/box.h"
+
+namespace qrelief {
+
+/// Where copies of one model stand side by side on a plate: rows of about as many as there are rows, apart by `gapMm`,
+/// the lowest corner of the first at the origin.
+/// @param box   of the model, mm
+/// @returns what each copy is to be moved by, mm, to 0.01 mm upwards
+std::vector<Vec3> plateOffsets(const Box3& box, std::size_t copies, double gapMm = 5);
+
+}  // namespace qrelief
