@@ -7,7 +7,7 @@ namespace qrelief::study {
 
 std::vector<Experiment> allExperiments() {
   return {leastModule(), guaranteedSize(), patternDepths(), methodComparison(), frontier(),
-          symbolFlips(), lampDepths(),     lightAngles(),   robustness()};
+          equalDepth(),  symbolFlips(),    lampDepths(),    lightAngles(),      robustness()};
 }
 
 std::string shown(double value, int decimals) { return fmt::format("{:.{}f}", value, decimals); }

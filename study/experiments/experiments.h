@@ -11,6 +11,7 @@ Experiment guaranteedSize();
 Experiment patternDepths();
 Experiment methodComparison();
 Experiment frontier();
+Experiment equalDepth();
 Experiment symbolFlips();
 Experiment lampDepths();
 Experiment lightAngles();

@@ -1,29 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How far each method's own idea of the light is from path tracing.
 import { distinct } from '../page/compare.js';
-import { isForOneLamp } from '../page/methods.js';
 import { name, said } from '../page/say.js';
 import { methodStrips } from '../page/strips.js';
 import { typical } from './method_depths.js';
 
 /** @typedef {import('../page/table.js').Row} Row */
 
-/** What is compared: the tracing has the sky alone. @param {Row[]} rows */
-export const underTheSky = (rows) => rows.filter((row) => row.light_error_size !== null && !isForOneLamp(row.method));
+/** @param {Row[]} rows */
+const compared = (rows) => rows.filter((row) => row.light_error_size !== null);
 
 /**
  * Methods by the size of their error, the least first; medians over the models.
  * @param {Row[]} rows
  * @returns {{ method: string, size: number, mean: number }[]}
  */
-export const byError = (rows) => distinct(underTheSky(rows), 'method')
+export const byError = (rows) => distinct(compared(rows), 'method')
   .map((method) => ({ method, size: typical(rows, method, 'light_error_size'), mean: typical(rows, method, 'light_error') }))
   .sort((a, b) => a.size - b.size);
 
 /** @type {import('../page/figure.js').Figure} */
 export const lightErrors = {
   name: 'lightErrors', table: 'method_comparison', measures: ['light_error', 'light_error_size'],
-  draw: (rows, look) => methodStrips(underTheSky(rows), look, [
+  draw: (rows, look) => methodStrips(compared(rows), look, [
     { measure: 'light_error_size', title: look.word('axisErrorSize') }, { measure: 'light_error', title: look.word('axisError') },
   ]),
   find: (rows) => {

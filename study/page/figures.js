@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every figure, by the name that study.html has.
 import { aside } from '../figures/aside.js';
+import { equalDepth } from '../figures/equal_depth.js';
 import { frontierDesigned, frontierPrinted } from '../figures/frontier.js';
 import { guaranteedSize } from '../figures/guaranteed_size.js';
 import { lampDepths } from '../figures/lamp_depths.js';
@@ -15,6 +16,6 @@ import { symbolFlips } from '../figures/symbol_flips.js';
 
 /** @type {readonly import('./figure.js').Figure[]} */
 export const kFigures = [
-  leastModule, guaranteedSize, patternDepths, methodDepths, frontierPrinted, frontierDesigned, searchTimes, lightErrors, lampDepths,
+  leastModule, guaranteedSize, patternDepths, methodDepths, frontierPrinted, frontierDesigned, equalDepth, searchTimes, lightErrors, lampDepths,
   lightAngles, robustness, aside, symbolFlips,
 ];

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The words of all messages, of the core and of the page: every file of messages/ but the command’s, which a test holds. The
 // page fetches them by message_words.js.
+import batch from '../../messages/batch.json' with { type: 'json' };
 import engine from '../../messages/engine.json' with { type: 'json' };
 import files from '../../messages/files.json' with { type: 'json' };
 import graphics from '../../messages/graphics.json' with { type: 'json' };
@@ -17,6 +18,6 @@ import verdict from '../../messages/verdict.json' with { type: 'json' };
 
 /** @type {import('./message_words.js').Catalogue} */
 export const catalogue = {
-  ...engine, ...files, ...graphics, ...model, ...pageEngine, ...pageSettings, ...pipeline, ...place, ...printing, ...settingsErrors, ...stages, ...text,
-  ...verdict,
+  ...batch, ...engine, ...files, ...graphics, ...model, ...pageEngine, ...pageSettings, ...pipeline, ...place, ...printing, ...settingsErrors, ...stages,
+  ...text, ...verdict,
 };

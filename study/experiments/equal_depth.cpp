@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Reading at one depth: the default, and those methods that come near it in the frontier, each carved as deep on
+// average as the default carves the same model, for several texts; as designed and as printed lying by the first
+// process. One text alone says little: another mask, and a few more or fewer tries read.
+//
+// The level that brings the depth is found for the first text, by interpolating the logarithm of the depth until it is
+// within kAlike of the default's, and kept for the others.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "study/experiments/experiments.h"
+#include "study/methods/methods.h"
+
+namespace qrelief::study {
+namespace {
+
+constexpr std::array kTexts = {kText, "https://example.org/p/2", "https://example.org/q/37",
+                               "https://example.org/r/581"};
+constexpr const char* kDefault = "ours-for-print";
+constexpr double kAlike = 0.02;
+constexpr int kCorrections = 3;
+
+/// The same place with another text of the same version.
+Result<Spot> spotFor(const Spot& usual, const std::string& text) {
+  Spot spot = usual;
+  spot.request.text = text;
+  auto symbol = encodeSymbol(text, spot.request.symbol);
+  if (!symbol) return tl::unexpected(symbol.error());
+  spot.symbol = std::move(*symbol);
+  return spot;
+}
+
+/// Mean over the carved submodules, mm.
+Result<double> depthAt(const Method& method, const Spot& spot, double level) {
+  const auto code = method.carve(spot, level);
+  if (!code) return tl::unexpected(code.error());
+  return summarise(code->depths).meanMm;
+}
+
+Result<double> levelFor(const Method& method, const Spot& spot, double depthMm) {
+  struct Tried {
+    double level, logDepth;
+  };
+  std::array<Tried, 2> tried{};
+  const std::array<double, 2> first = {method.levels[1], method.levels[method.levels.size() - 2]};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto depth = depthAt(method, spot, first[i]);
+    if (!depth) return tl::unexpected(depth.error());
+    tried[i] = {first[i], std::log(*depth)};
+  }
+  const double wanted = std::log(depthMm);
+  for (int i = 0;; ++i) {
+    const auto [a, b] = tried;
+    if (a.logDepth == b.logDepth) return b.level;  // walls decide
+    const double level =
+        std::clamp(a.level + (b.level - a.level) * (wanted - a.logDepth) / (b.logDepth - a.logDepth), 0.02, 0.9);
+    if (i == kCorrections) return level;
+    const auto depth = depthAt(method, spot, level);
+    if (!depth) return tl::unexpected(depth.error());
+    if (std::abs(*depth / depthMm - 1) <= kAlike) return level;
+    tried[std::abs(wanted - a.logDepth) > std::abs(wanted - b.logDepth) ? 0 : 1] = {level, std::log(*depth)};
+  }
+}
+
+Result<Row> measure(const Row& key, Workshop& workshop) {
+  const Method& method = *findMethod(key[1]);
+  const Method& usual = *findMethod(kDefault);
+  const auto ours = workshop.usualSpot(key[0], usual.direction);
+  if (!ours) return tl::unexpected(ours.error());
+  const auto place = workshop.usualSpot(key[0], method.direction);
+  if (!place) return tl::unexpected(place.error());
+  static std::map<std::string, double> levels;  // by model and method
+  const auto [known, isNew] = levels.try_emplace(key[0] + " " + key[1], usual.usual);
+  if (isNew && &method != &usual) {
+    const auto depth = depthAt(usual, **ours, usual.usual);
+    if (!depth) return tl::unexpected(depth.error());
+    const auto level = levelFor(method, **place, *depth);
+    if (!level) {
+      levels.erase(known);
+      return tl::unexpected(level.error());
+    }
+    known->second = *level;
+  }
+  const auto spot = spotFor(**place, kTexts[std::stoul(key[2]) - 1]);
+  if (!spot) return tl::unexpected(spot.error());
+  const auto code = method.carve(*spot, known->second);
+  if (!code) return tl::unexpected(code.error());
+  const auto judged = workshop.judge(*spot, *code);
+  if (!judged) return tl::unexpected(judged.error());
+  Row row = readingRow(*judged);
+  row.push_back(shown(known->second, 3));
+  return row;
+}
+
+}  // namespace
+
+Experiment equalDepth() {
+  Row measures = readingColumns();
+  measures.emplace_back("level");
+  Experiment experiment{"equal_depth", {"model", "method", "text"}, measures, {}, measure};
+  for (std::size_t text = 1; text <= kTexts.size(); ++text)
+    for (const std::string& model : Workshop::models())
+      for (const char* method :
+           {kDefault, "ours-for-design", "papp-2022", "papp-2022-whole-modules", "tilted-2021", "groove-2018"})
+        experiment.cases.push_back({model, method, std::to_string(text)});
+  return experiment;
+}
+
+}  // namespace qrelief::study

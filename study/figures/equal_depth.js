@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Reads at the default's depth, for several texts.
+import { distinct, groupBy, median, tally } from '../page/compare.js';
+import { isOurs } from '../page/methods.js';
+import { models, name, said } from '../page/say.js';
+import { methodStrips } from '../page/strips.js';
+import { kTries } from '../page/tries.js';
+
+/** @typedef {import('../page/table.js').Row} Row */
+
+const kDefault = 'ours-for-print';
+
+/** Median of a method's reads over the texts. @param {Row[]} ofModel @param {string} method @returns {number} */
+export const readsOf = (ofModel, method) => median(ofModel.filter((row) => row.method === method).map(({ printed }) => printed));
+
+/** How far apart one code's reads are from text to text: median over models and methods. @param {Row[]} rows */
+export const spreadOf = (rows) => median([...groupBy(rows, 'model').values()].flatMap((ofModel) =>
+  [...groupBy(ofModel, 'method').values()].map((of) => Math.max(...of.map(({ printed }) => printed)) - Math.min(...of.map(({ printed }) => printed)))));
+
+/** Methods that are read more often than the default. @param {Row[]} ofModel @returns {string[]} */
+export const oftener = (ofModel) => distinct(ofModel, 'method').filter((method) => readsOf(ofModel, method) > readsOf(ofModel, kDefault));
+
+/** @type {import('../page/figure.js').Figure} */
+export const equalDepth = {
+  name: 'equalDepth', table: 'equal_depth', measures: ['depth_mm', 'printed'],
+  draw: (rows, look) => methodStrips(rows, look, [{ measure: 'printed', title: look.word('axisReads', { of: kTries }) }]),
+  find: (rows) => {
+    const ofModels = [...groupBy(rows, 'model').values()];
+    const holds = (/** @type {(method: string) => boolean} */ counts) =>
+      models(tally(ofModels, (ofModel) => oftener(ofModel).filter(counts).length === 0));
+    const others = distinct(rows, 'method').filter((method) => method !== kDefault);
+    return [
+      said('equalDepthOthers', { cases: holds((method) => !isOurs(method)) }),
+      said('equalDepthList', {
+        list: others.map((method) => said('equalDepthBy', {
+          method: name('method', method), cases: models(tally(ofModels, (ofModel) => oftener(ofModel).includes(method))),
+          reads: { number: median(ofModels.map((ofModel) => readsOf(ofModel, method))), digits: 1 },
+        })),
+        reads: { number: median(ofModels.map((ofModel) => readsOf(ofModel, kDefault))), digits: 1 },
+      }),
+      said('equalDepthSpread', { spread: { number: spreadOf(rows), digits: 1 } }),
+    ];
+  },
+};
