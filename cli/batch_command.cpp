@@ -35,7 +35,7 @@ struct BatchOptions {
   SettingFlags flags;
   std::string list, folder, name, shardFlag;
   std::vector<double> at;
-  std::size_t count = 0, shards = 0, perPlate = 0;
+  std::size_t count = 0, shards = 0, perPlate = 0, printEvery = 1;
   bool merge = false, retryFailed = false, stream = false, reports = false, quiet = false;
 };
 
@@ -184,9 +184,12 @@ class BatchRun {
   /// Carves a row, and writes its file if it has one. @returns an error if it is not done, and the entry's details
   Result<Engraved> carve(const BatchRow& row, ManifestEntry& entry) {
     const auto start = Clock::now();
-    auto engraved = engraver_->engrave(row.request, [](const Progress&) {});
+    const bool looksAtPrint = (row.number - 1) % options_->printEvery == 0;
+    auto engraved = engraver_->engrave(
+        row.request, [](const Progress&) {}, looksAtPrint);
     if (!engraved) return engraved;
-    entry.details = describeRow(engraved->request, engraved->result, engraved->verdict, millisecondsSince(start));
+    entry.details = describeRow({engraved->request, engraved->result, engraved->reading, engraved->printed,
+                                 engraved->verdict, millisecondsSince(start)});
     if (const std::vector<Message> failures = engraved->verdict.failed(); !failures.empty())
       return fail(ErrorKind::NoSolution, failures.front());
     if (isFiled()) {
@@ -402,6 +405,9 @@ std::function<int()> addBatchCommand(CLI::App& app) {
   c->add_option("--shard", o->shardFlag, "I/N: every N-th row, from the I-th on, counting from 0");
   c->add_option("--shards", o->shards, "N processes share the work; an engine's variable says which this is");
   c->add_option("--per-plate", o->perPlate, "3MF files of N named parts side by side; with --name, a file a row, too")
+      ->check(CLI::PositiveNumber);
+  c->add_option("--print-every", o->printEvery,
+                "look at the print of every N-th row only; all are carved for the print alike [1]")
       ->check(CLI::PositiveNumber);
   c->add_flag("--merge", o->merge, "join the manifests of all shares, and say what is missing or double");
   c->add_flag("--retry-failed", o->retryFailed, "try rows again that failed, and write over files that were changed");

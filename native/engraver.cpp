@@ -85,7 +85,7 @@ Result<Engraved> Engraver::engraveOnce(const EngraveRequest& request, const Tell
   return carved;
 }
 
-Result<Engraved> Engraver::engrave(const EngraveRequest& request, const Tell& tell) const {
+Result<Engraved> Engraver::engrave(const EngraveRequest& request, const Tell& tell, bool looksAtPrint) const {
   auto asked = carve(request, tell);
   if (!asked) return asked;
   EngraveRequest deeper = request;
@@ -98,6 +98,7 @@ Result<Engraved> Engraver::engrave(const EngraveRequest& request, const Tell& te
     asked = std::move(carved);
     break;
   }
+  if (!looksAtPrint) return asked;
   if (const Status printed = print(*asked, tell); !printed) return tl::unexpected(printed.error());
   return asked;
 }

@@ -20,7 +20,7 @@ struct Engraved {
   EngraveRequest request;  ///< as it was carved, which may be deeper than was asked for
   EngraveResult result;
   ReadingEvidence reading;
-  std::optional<PrintedEvidence> printed;  ///< none: the request names no process
+  std::optional<PrintedEvidence> printed;  ///< none: the request names no process, or it was not to be looked at
   Verdict verdict;
 };
 
@@ -35,7 +35,8 @@ class Engraver {
 
   /// As asked for; where the code does not read so, for the design alone, and with the next deeper presets
   /// (changeToTryNext()); where it reads with none of them, as asked for.
-  Result<Engraved> engrave(const EngraveRequest& request, const Tell& tell) const;
+  /// @param looksAtPrint  find out how it comes off the printer, too, which takes a third of the time
+  Result<Engraved> engrave(const EngraveRequest& request, const Tell& tell, bool looksAtPrint = true) const;
 
   /// The same once, without anything deeper.
   Result<Engraved> engraveOnce(const EngraveRequest& request, const Tell& tell) const;

@@ -123,28 +123,32 @@ std::string settingsToHash(const BatchRow& row, std::string_view others) {
                      centre.y, centre.z, row.file, others);
 }
 
-std::string describeRow(const EngraveRequest& request, const EngraveResult& result, const Verdict& verdict,
-                        double totalMs) {
+std::string describeRow(const CarvedRow& row) {
+  const auto& [request, result, reading, printed, verdict, totalMs] = row;
+  const auto counted = [](const ReadingEvidence& evidence) {
+    return Json{{"tries", evidence.count.tries}, {"reads", evidence.count.reads}, {"traced", evidence.traced}};
+  };
   const DepthSummary depth = summarise(result.depths);
   const SymbolGrades grades =
       gradeSymbol(measureModules(result.symbol, result.luminance), static_cast<double>(request.albedo));
-  return dumped({{"symbol",
-                  {{"version", result.symbol.version},
-                   {"errorCorrection", errorCorrectionName(result.symbol.errorCorrection)},
-                   {"mask", result.symbol.mask},
-                   {"symbolMm", result.placement.symbolMm}}},
-                 {"verdict",
-                  {{"passed", verdict.passed()},
-                   {"reads", levelName(verdict.reads.level)},
-                   {"prints", levelName(verdict.prints.level)},
-                   {"solid", levelName(verdict.solid.level)}}},
-                 {"grades", {{"iso15415", grades.iso15415}, {"iso29158", grades.iso29158}}},
-                 {"depth",
-                  {{"meanMm", rounded(depth.meanMm)},
-                   {"maxMm", rounded(depth.maxMm)},
-                   {"p95Mm", rounded(depth.p95Mm)},
-                   {"preset", presetName(request.preset)}}},
-                 {"timingsMs", {{"total", std::round(totalMs)}}}});
+  Json details = {{"symbol",
+                   {{"version", result.symbol.version},
+                    {"errorCorrection", errorCorrectionName(result.symbol.errorCorrection)},
+                    {"mask", result.symbol.mask},
+                    {"symbolMm", result.placement.symbolMm}}},
+                  {"reading", counted(reading)}};
+  if (printed) details["printed"] = counted(printed->reading);
+  details["verdict"] = {{"passed", verdict.passed()},
+                        {"reads", levelName(verdict.reads.level)},
+                        {"prints", levelName(verdict.prints.level)},
+                        {"solid", levelName(verdict.solid.level)}};
+  details["grades"] = {{"iso15415", grades.iso15415}, {"iso29158", grades.iso29158}};
+  details["depth"] = {{"meanMm", rounded(depth.meanMm)},
+                      {"maxMm", rounded(depth.maxMm)},
+                      {"p95Mm", rounded(depth.p95Mm)},
+                      {"preset", presetName(request.preset)}};
+  details["timingsMs"] = {{"total", std::round(totalMs)}};
+  return dumped(details);
 }
 
 }  // namespace qrelief

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -58,8 +59,17 @@ std::string manifestCsv(const std::map<std::size_t, ManifestEntry>& entries);
 /// @param others  how the model was repaired and scaled, and which other rows are on its plate
 std::string settingsToHash(const BatchRow& row, std::string_view others);
 
-/// What became of a row that was carved: {"symbol", "verdict", "grades", "depth", "timingsMs"}.
-std::string describeRow(const EngraveRequest& request, const EngraveResult& result, const Verdict& verdict,
-                        double totalMs);
+/// A row that was carved, and what was found out about it.
+struct CarvedRow {
+  const EngraveRequest& request;
+  const EngraveResult& result;
+  const ReadingEvidence& reading;
+  const std::optional<PrintedEvidence>& printed;  ///< none: its print was not looked at
+  const Verdict& verdict;
+  double totalMs;
+};
+
+/// {"symbol", "reading", "printed", "verdict", "grades", "depth", "timingsMs"}; "printed" only if it was looked at.
+std::string describeRow(const CarvedRow& row);
 
 }  // namespace qrelief

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -160,6 +161,18 @@ TEST_F(BatchCommandTest, PutsNamedPartsSideBySideOnPlates) {
       1);
   EXPECT_NE(contentOf(path("partly/A.stl")), "changed");
   EXPECT_EQ(contentOf(path("partly/plate-001.3mf")), before);
+}
+
+TEST_F(BatchCommandTest, LooksAtThePrintOfEveryNthRow) {
+  std::vector<std::string> rows = arguments({"--count", "3", "--text", "part {n}", "--print-every", "2"});
+  rows.erase(std::find(rows.begin(), rows.end(), "--process"));
+  rows.erase(std::find(rows.begin(), rows.end(), "none"));
+  ASSERT_EQ(run(rows).status, 0);
+  const std::vector<Json> made = manifest();
+  EXPECT_TRUE(made[0].contains("printed"));
+  EXPECT_FALSE(made[1].contains("printed"));
+  EXPECT_EQ(made[2]["printed"]["tries"], 72);
+  EXPECT_EQ(made[1]["reading"]["tries"], 72);
 }
 
 TEST_F(BatchCommandTest, ARowThatFailsStopsNoOther) {
