@@ -24,6 +24,8 @@ const kStyles = {
   'ours-one-light': [kColours.green, 'diamond', [1, 3]],
   'ours-for-design': [kColours.green, 'circle', [5, 3]],
   'ours-for-print': [kColours.green, 'triangle-up', []],
+  'ours-broken-up': [kColours.green, 'cross', [8, 3]],
+  'ours-whole-modules': [kColours.green, 'square', [4, 3]],
 };
 const kThin = 1.2, kThick = 2.6;  // lines; the thick one is our default
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "qr/symbol_shaping.h"
 #include "study/methods/by_engine.h"
 #include "study/methods/groove_2018.h"
 #include "study/methods/one_light_2020.h"
@@ -11,6 +12,8 @@
 
 namespace qrelief::study {
 namespace {
+
+constexpr double kDeepModules = 4;  // more than any contrast here asks for
 
 SubmoduleMask wholeModules(const Symbol& symbol) {
   return submodulesToCarve(symbol, ModulePattern::None, FinderPattern::None);
@@ -96,6 +99,21 @@ auto ours(CarveFor carveFor) {
   };
 }
 
+/// For the print, with large dark areas broken up, as deep as walls allow.
+auto brokenUp(ModulePattern modules, FinderPattern finders) {
+  return [modules, finders](const Spot& spot, double contrast) {
+    EngraveRequest request = spot.request;
+    request.carveFor = CarveFor::Print;
+    request.modulePattern = modules;
+    request.finderPattern = finders;
+    request.contrast = contrast;
+    request.maxDepthMm = kDeepModules * spot.placement.moduleMm;
+    Symbol symbol = spot.symbol;
+    breakUpDarkAreas(symbol);
+    return carveByEngine(spot, request, &symbol);
+  };
+}
+
 }  // namespace
 
 Result<Symbol> symbolAtLevel(const Spot& spot, ErrorCorrection level) {
@@ -123,6 +141,10 @@ const std::vector<Method>& methods() {
       {"ours-one-light", {0.1, 0.15, 0.2, 0.3, 0.4}, usual, DirectionMethod::DepthBalanced, oursOneLight},
       {"ours-for-design", kContrasts, usual, DirectionMethod::DepthBalanced, ours(CarveFor::Design)},
       {"ours-for-print", kContrasts, usual, DirectionMethod::DepthBalanced, ours(CarveFor::Print)},
+      {"ours-broken-up", kContrasts, usual, DirectionMethod::DepthBalanced,
+       brokenUp(EngraveRequest{}.modulePattern, EngraveRequest{}.finderPattern)},
+      {"ours-whole-modules", kContrasts, usual, DirectionMethod::DepthBalanced,
+       brokenUp(ModulePattern::None, FinderPattern::None)},
   };
   return kAll;
 }
