@@ -242,19 +242,22 @@ std::string plateName(std::size_t plate, std::size_t plates) {
   return fmt::format("plate-{:0{}}.3mf", plate + 1, std::max<std::size_t>(3, std::to_string(plates).size()));
 }
 
-/// @returns exit status
+/// Writes the manifest of all, and what became of them. @returns exit status
 int finish(const BatchFolder& folder, const BatchPlan& plan) {
-  std::map<std::size_t, ManifestEntry> entries = folder.entries();
-  std::erase_if(entries, [&](const auto& entry) { return entry.first > plan.size(); });  // of a longer list before
-  std::size_t failed = 0;
-  for (const auto& [number, entry] : entries) {
-    if (entry.status == RowStatus::Done) continue;
+  std::size_t known = 0, failed = 0;
+  const Status read = folder.forEach([&](const ManifestEntry& entry) -> Status {
+    if (entry.number > plan.size()) return {};  // of a longer list before
+    ++known;
+    if (entry.status == RowStatus::Done) return {};
     ++failed;
-    fmt::print(stderr, "qrelief: row {} ({}) {}: {}\n", number, entry.id, rowStatusName(entry.status), entry.reason);
-  }
-  if (const Status written = folder.writeManifest(entries); !written) return printError(written.error());
-  const std::size_t missing = plan.size() - entries.size();
-  fmt::print("{} rows: {} done, {} failed, {} missing\n", plan.size(), entries.size() - failed, failed, missing);
+    fmt::print(stderr, "qrelief: row {} ({}) {}: {}\n", entry.number, entry.id, rowStatusName(entry.status),
+               entry.reason);
+    return {};
+  });
+  if (!read) return printError(read.error());
+  if (const Status written = folder.writeManifest(plan.size()); !written) return printError(written.error());
+  const std::size_t missing = plan.size() - known;
+  fmt::print("{} rows: {} done, {} failed, {} missing\n", plan.size(), known - failed, failed, missing);
   return failed + missing == 0 ? kEngraved : kCheckFailed;
 }
 
@@ -262,21 +265,25 @@ int finish(const BatchFolder& folder, const BatchPlan& plan) {
 int merge(const BatchOptions& options, const BatchPlan& plan) {
   const auto folder = BatchFolder::open(options.folder, {});
   if (!folder) return printError(folder.error());
-  const std::map<std::size_t, ManifestEntry> entries = folder->entries();
-  for (std::size_t number = 1, told = 0; number <= plan.size() && told < BatchPlan::kMostProblems; ++number)
-    if (!entries.contains(number)) {
-      fmt::print(stderr, "qrelief: row {} ({}) is missing\n", number, plan.row(number - 1).id);
-      ++told;
-    }
-  std::size_t lost = 0;
-  for (const auto& [number, entry] : entries) {
-    if (entry.status != RowStatus::Done || number > plan.size()) continue;
+  std::size_t next = 1, told = 0, lost = 0;
+  const auto tellMissing = [&](std::size_t end) {
+    for (; next < end && told < BatchPlan::kMostProblems; ++next, ++told)
+      fmt::print(stderr, "qrelief: row {} ({}) is missing\n", next, plan.row(next - 1).id);
+  };
+  const Status read = folder->forEach([&](const ManifestEntry& entry) -> Status {
+    if (entry.number > plan.size()) return {};
+    tellMissing(entry.number);
+    next = entry.number + 1;
+    if (entry.status != RowStatus::Done) return {};
     const auto known = folder->known(entry);
-    if (known.state == BatchFolder::Known::State::Done) continue;
-    fmt::print(stderr, "qrelief: row {}: {} {}\n", number, entry.file,
+    if (known.state == BatchFolder::Known::State::Done) return {};
+    fmt::print(stderr, "qrelief: row {}: {} {}\n", entry.number, entry.file,
                known.state == BatchFolder::Known::State::Changed ? "was changed" : "is not there");
     ++lost;
-  }
+    return {};
+  });
+  if (!read) return printError(read.error());
+  tellMissing(plan.size() + 1);
   const std::vector<std::size_t> doubles = folder->doubles();
   for (const std::size_t number : doubles) fmt::print(stderr, "qrelief: row {} was made by two shares\n", number);
   const int status = finish(*folder, plan);
@@ -340,10 +347,14 @@ Result<BatchRow> rowOf(const std::string& line, BatchRequest request, std::size_
 int runStream(const BatchOptions& options, const BatchRequest& request) {
   auto folder = BatchFolder::open(options.folder, {});
   if (!folder) return printError(folder.error());
-  const std::map<std::size_t, ManifestEntry> before = folder->entries();
   std::map<std::string, std::pair<std::size_t, std::string>> known;  // number and text by file
-  for (const auto& [number, entry] : before) known[entry.file] = {number, entry.text};
-  std::size_t next = before.empty() ? 1 : before.rbegin()->first + 1;
+  std::size_t next = 1;
+  const Status read = folder->forEach([&](const ManifestEntry& entry) -> Status {
+    known[entry.file] = {entry.number, entry.text};
+    next = entry.number + 1;
+    return {};
+  });
+  if (!read) return printError(read.error());
   BatchRun run(options, std::move(*folder));
   std::optional<EngraveRequest> placed;
   for (std::string line; std::getline(std::cin, line);) {

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "native/batch_folder.h"
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
 #include <filesystem>
 #include <fmt/format.h>
-#include <set>
+#include <fstream>
 #include <sys/file.h>
 #include <unistd.h>
 #include <utility>
@@ -44,14 +46,32 @@ Status writeWhole(int file, std::string_view text, const std::string& path) {
 }
 
 /// What a process that was ended has left behind the last line's end would spoil the next line.
-Status dropUnfinishedLine(int file, const std::string& path) {
-  const auto bytes = readFile(path);
-  if (!bytes) return tl::unexpected(bytes.error());
-  const std::string_view text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
-  const std::size_t end = text.rfind('\n');
-  const std::size_t whole = end == text.npos ? 0 : end + 1;
-  if (whole < text.size() && ::ftruncate(file, static_cast<off_t>(whole)) != 0) return notWritten(path);
-  return {};
+/// @returns where the next line begins
+Result<std::uint64_t> dropUnfinishedLine(int file, const std::string& path) {
+  std::array<char, 65536> block;
+  const off_t size = ::lseek(file, 0, SEEK_END);
+  if (size < 0) return notWritten(path);
+  off_t end = size;
+  while (end > 0) {
+    const off_t begin = std::max<off_t>(0, end - static_cast<off_t>(block.size()));
+    const ssize_t n = ::pread(file, block.data(), static_cast<std::size_t>(end - begin), begin);
+    if (n != end - begin) return notWritten(path);
+    const std::size_t lineEnd = std::string_view(block.data(), static_cast<std::size_t>(n)).rfind('\n');
+    end = lineEnd == std::string_view::npos ? begin : begin + static_cast<off_t>(lineEnd) + 1;
+    if (lineEnd != std::string_view::npos) break;
+  }
+  if (end < size && ::ftruncate(file, end) != 0) return notWritten(path);
+  return static_cast<std::uint64_t>(end);
+}
+
+/// Whether rows of one share can be in the manifest of another: not if there are as many shares.
+bool mayHaveRowsOf(const std::string& name, const Shard& shard) {
+  return shard.isWhole() || name == manifestName(shard) || !name.ends_with(fmt::format("-of-{}.jsonl", shard.count));
+}
+
+tl::unexpected<Error> notRead(const std::string& name, Message problem) {
+  return fail(ErrorKind::BadInput,
+              message("manifest-not-read", with::quoted("name", name), with::cause("problem", std::move(problem))));
 }
 
 }  // namespace
@@ -60,6 +80,7 @@ BatchFolder::BatchFolder(BatchFolder&& other) noexcept
     : path_(std::move(other.path_)),
       own_(std::move(other.own_)),
       file_(std::exchange(other.file_, -1)),
+      end_(other.end_),
       manifests_(std::move(other.manifests_)) {}
 
 BatchFolder::~BatchFolder() {
@@ -81,24 +102,43 @@ Result<BatchFolder> BatchFolder::open(const std::string& path, const Shard& shar
   if (folder.file_ < 0) return notWritten(own);
   if (::flock(folder.file_, LOCK_EX | LOCK_NB) != 0)
     return fail(ErrorKind::BadInput, message("batch-folder-in-use", with::quoted("name", own)));
-  if (const Status clean = dropUnfinishedLine(folder.file_, own); !clean) return tl::unexpected(clean.error());
-  if (const Status read = folder.readManifests(); !read) return tl::unexpected(read.error());
+  const auto end = dropUnfinishedLine(folder.file_, own);
+  if (!end) return tl::unexpected(end.error());
+  folder.end_ = *end;
+  if (const Status read = folder.readManifests(shard); !read) return tl::unexpected(read.error());
   return folder;
 }
 
-Status BatchFolder::readManifests() {
+Status BatchFolder::readManifests(const Shard& shard) {
   for (const fs::directory_entry& entry : fs::directory_iterator(path_)) {
     const std::string name = entry.path().filename().string();
-    if (!isManifest(name)) continue;
-    const auto bytes = readFile(entry.path().string());
-    if (!bytes) return tl::unexpected(bytes.error());
-    auto rows = readManifest({reinterpret_cast<const char*>(bytes->data()), bytes->size()});
-    if (!rows)
-      return fail(rows.error().kind, message("manifest-not-read", with::quoted("name", name),
-                                             with::cause("problem", rows.error().message)));
-    manifests_[name] = std::move(*rows);
+    if (!isManifest(name) || !mayHaveRowsOf(name, shard)) continue;
+    std::ifstream stream(entry.path(), std::ios::binary);
+    if (!stream) return notRead(name, message("file-not-opened", with::term("why", std::strerror(errno))));
+    std::map<std::size_t, Line>& rows = manifests_[name];
+    std::uint64_t begin = 0;
+    std::size_t number = 1;
+    // A last line without its end, which a process that was ended has left, says nothing.
+    for (std::string line; std::getline(stream, line) && !stream.eof(); begin += line.size() + 1, ++number) {
+      const auto read = readManifestLine(line);
+      if (!read) return notRead(name, message("manifest-line", with::count("line", number)));
+      rows[read->number] = {begin, static_cast<std::uint32_t>(line.size()), read->status};
+    }
   }
   return {};
+}
+
+Result<ManifestEntry> BatchFolder::entryAt(const std::string& name, const Line& line) const {
+  // Each time anew, as there may be more manifests than a process may have files open.
+  const int file = name == own_ ? file_ : ::open(pathOf(name).c_str(), O_RDONLY | O_CLOEXEC);
+  std::string text(line.bytes, '\0');
+  const ssize_t n = file < 0 ? -1 : ::pread(file, text.data(), text.size(), static_cast<off_t>(line.begin));
+  const std::string why = n < 0 ? std::strerror(errno) : "";
+  if (file >= 0 && file != file_) ::close(file);
+  if (n < 0) return notRead(name, message("file-not-opened", with::term("why", why)));
+  auto entry = readManifestLine(std::string_view(text).substr(0, static_cast<std::size_t>(n)));
+  if (!entry) return notRead(name, message("file-changed"));
+  return std::move(*entry);
 }
 
 /// @returns none if it is not there; empty for no file
@@ -113,7 +153,9 @@ BatchFolder::Known BatchFolder::known(const ManifestEntry& wanted) const {
   for (const auto& [name, rows] : manifests_) {
     const auto found = rows.find(wanted.number);
     if (found == rows.end()) continue;
-    const ManifestEntry& entry = found->second;
+    const auto read = entryAt(name, found->second);
+    if (!read) continue;
+    const ManifestEntry& entry = *read;
     if (entry.file != wanted.file || entry.plate != wanted.plate || entry.sha256.input != wanted.sha256.input ||
         entry.sha256.settings != wanted.sha256.settings)
       continue;
@@ -130,35 +172,61 @@ BatchFolder::Known BatchFolder::known(const ManifestEntry& wanted) const {
 }
 
 Status BatchFolder::append(const ManifestEntry& entry) {
-  manifests_[own_][entry.number] = entry;
-  return writeWhole(file_, manifestLine(entry) + "\n", pathOf(own_));
+  const std::string line = manifestLine(entry);
+  if (const Status written = writeWhole(file_, line + "\n", pathOf(own_)); !written) return written;
+  manifests_[own_][entry.number] = {end_, static_cast<std::uint32_t>(line.size()), entry.status};
+  end_ += line.size() + 1;
+  return {};
 }
 
-std::map<std::size_t, ManifestEntry> BatchFolder::entries() const {
-  std::map<std::size_t, ManifestEntry> all;
+/// All lines, those about a row side by side.
+std::vector<BatchFolder::Found> BatchFolder::found() const {
+  std::vector<Found> all;
+  std::size_t count = 0;
+  for (const auto& [name, rows] : manifests_) count += rows.size();
+  all.reserve(count);
   for (const auto& [name, rows] : manifests_)
-    for (const auto& [number, entry] : rows) {
-      const auto [known, isNew] = all.try_emplace(number, entry);
-      if (!isNew && known->second.status != RowStatus::Done) known->second = entry;
-    }
+    for (const auto& [number, line] : rows) all.push_back({number, &name, line});
+  std::stable_sort(all.begin(), all.end(), [](const Found& a, const Found& b) { return a.number < b.number; });
   return all;
 }
 
-std::vector<std::size_t> BatchFolder::doubles() const {
-  std::set<std::size_t> once, twice;
-  for (const auto& [name, rows] : manifests_) {
-    if (name == kWhole) continue;  // it was merged from the others
-    for (const auto& [number, entry] : rows)
-      if (entry.status == RowStatus::Done && !once.insert(number).second) twice.insert(number);
+Status BatchFolder::forEach(const std::function<Status(const ManifestEntry&)>& visit) const {
+  const std::vector<Found> all = found();
+  for (auto it = all.begin(); it != all.end();) {
+    auto best = it;
+    for (const std::size_t number = it->number; it != all.end() && it->number == number; ++it)
+      if (best->line.status != RowStatus::Done) best = it;
+    const auto entry = entryAt(*best->name, best->line);
+    if (!entry) return tl::unexpected(entry.error());
+    if (const Status visited = visit(*entry); !visited) return visited;
   }
-  return {twice.begin(), twice.end()};
+  return {};
 }
 
-Status BatchFolder::writeManifest(const std::map<std::size_t, ManifestEntry>& entries) const {
-  std::string lines;
-  for (const auto& [number, entry] : entries) lines += manifestLine(entry) + "\n";
-  if (const Status written = writeFileAtomically(pathOf(kWhole), lines); !written) return written;
-  return writeFileAtomically(pathOf(kTable), manifestCsv(entries));
+std::vector<std::size_t> BatchFolder::doubles() const {
+  std::vector<std::size_t> twice;
+  std::optional<std::size_t> done;
+  for (const Found& line : found()) {
+    if (*line.name == kWhole || line.line.status != RowStatus::Done) continue;  // it was merged from the others
+    if (done == line.number && (twice.empty() || twice.back() != line.number)) twice.push_back(line.number);
+    done = line.number;
+  }
+  return twice;
+}
+
+Status BatchFolder::writeManifest(std::size_t lastNumber) const {
+  auto lines = AtomicFile::create(pathOf(kWhole)), table = AtomicFile::create(pathOf(kTable));
+  if (!lines || !table) return tl::unexpected((lines ? table : lines).error());
+  if (const Status begun = table->write(manifestCsvHeader()); !begun) return begun;
+  const Status written = forEach([&](const ManifestEntry& entry) -> Status {
+    if (entry.number > lastNumber) return {};
+    if (const Status added = lines->write(manifestLine(entry) + "\n"); !added) return added;
+    return table->write(manifestCsvLine(entry));
+  });
+  if (!written) return written;
+  if (const Status finished = lines->finish(); !finished) return finished;
+  return table->finish();
 }
 
 }  // namespace qrelief

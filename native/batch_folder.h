@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -19,7 +21,8 @@ namespace qrelief {
 /// returns: a process that is killed loses the row that it is at.
 class BatchFolder {
  public:
-  /// Makes the folder if need be. @returns BadInput if it cannot be made or written to, if a manifest in it cannot be
+  /// Makes the folder if need be. What other shares of as many have is not asked for: it is none of this share's.
+  /// @returns BadInput if it cannot be made or written to, if a manifest in it cannot be
   /// read, or if another process has this share
   static Result<BatchFolder> open(const std::string& path, const Shard& shard);
   ~BatchFolder();
@@ -47,23 +50,41 @@ class BatchFolder {
   /// Adds a line to this process's manifest.
   Status append(const ManifestEntry& entry);
 
-  /// Every row that a manifest knows, as the last line about it has it; one that is done before one that is not.
-  std::map<std::size_t, ManifestEntry> entries() const;
+  /// Visits every row that a manifest knows, in their order, as the last line about it has it; one that is done before
+  /// one that is not. Cost: reading its line, and little memory.
+  /// @returns BadInput if a line cannot be read any more, or what `visit` returns if it is an error
+  Status forEach(const std::function<Status(const ManifestEntry&)>& visit) const;
 
   /// Rows that manifests of several shares call done.
   std::vector<std::size_t> doubles() const;
 
-  /// Writes manifest.jsonl and manifest.csv of these rows, in their order.
-  Status writeManifest(const std::map<std::size_t, ManifestEntry>& entries) const;
+  /// Writes manifest.jsonl and manifest.csv of the rows that forEach() visits, up to a number.
+  Status writeManifest(std::size_t lastNumber) const;
 
  private:
+  /// Where a manifest's last line about a row stands.
+  struct Line {
+    std::uint64_t begin;
+    std::uint32_t bytes;
+    RowStatus status;
+  };
+  /// A line of the manifest of some name.
+  struct Found {
+    std::size_t number;
+    const std::string* name;
+    Line line;
+  };
+
   BatchFolder() = default;
-  Status readManifests();
+  Status readManifests(const Shard& shard);
+  Result<ManifestEntry> entryAt(const std::string& name, const Line& line) const;
+  std::vector<Found> found() const;
   std::optional<std::string> hashOf(const std::string& file) const;
 
   std::string path_, own_;
-  int file_ = -1;                                                          // this process's manifest, locked
-  std::map<std::string, std::map<std::size_t, ManifestEntry>> manifests_;  // by file
+  int file_ = -1;                                                 // this process's manifest, locked
+  std::uint64_t end_ = 0;                                         // of it
+  std::map<std::string, std::map<std::size_t, Line>> manifests_;  // by file; a million rows take 80 MB
 };
 
 }  // namespace qrelief

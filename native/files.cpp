@@ -9,26 +9,14 @@
 #include <fstream>
 #include <sys/stat.h>
 #include <unistd.h>
+#include <utility>
 
 #include "io/read_model.h"
 
 namespace qrelief {
 namespace {
 
-/// Removes the temporary file unless it was kept.
-class TemporaryFile {
- public:
-  explicit TemporaryFile(std::string path) : path_(std::move(path)) {}
-  ~TemporaryFile() {
-    if (!kept_) ::unlink(path_.c_str());
-  }
-  const std::string& path() const { return path_; }
-  void keep() { kept_ = true; }
-
- private:
-  std::string path_;
-  bool kept_ = false;
-};
+constexpr std::size_t kWaitingBytes = 1 << 20;  // to be written at once
 
 }  // namespace
 
@@ -49,33 +37,66 @@ Result<std::vector<std::uint8_t>> readFile(const std::string& path) {
   return bytes;
 }
 
-Status writeFileAtomically(const std::string& path, std::span<const std::uint8_t> bytes) {
-  const auto failed = [&] {
-    return fail(ErrorKind::BadInput,
-                message("file-not-written", with::term("path", path), with::term("why", std::strerror(errno))));
-  };
-  TemporaryFile temporary(fmt::format("{}.{}.part", path, ::getpid()));
-  const int file = ::open(temporary.path().c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  if (file < 0) return failed();
-  std::size_t written = 0;
-  while (written < bytes.size()) {
-    const ssize_t n = ::write(file, bytes.data() + written, bytes.size() - written);
+AtomicFile::AtomicFile(std::string path)
+    : path_(std::move(path)), temporary_(fmt::format("{}.{}.part", path_, ::getpid())) {}
+
+AtomicFile::AtomicFile(AtomicFile&& other) noexcept
+    : path_(std::move(other.path_)),
+      temporary_(std::move(other.temporary_)),
+      waiting_(std::move(other.waiting_)),
+      file_(std::exchange(other.file_, -1)) {}
+
+AtomicFile::~AtomicFile() {
+  if (file_ < 0) return;
+  ::close(file_);
+  ::unlink(temporary_.c_str());
+}
+
+tl::unexpected<Error> AtomicFile::failed() const {
+  return fail(ErrorKind::BadInput,
+              message("file-not-written", with::term("path", path_), with::term("why", std::strerror(errno))));
+}
+
+Result<AtomicFile> AtomicFile::create(const std::string& path) {
+  AtomicFile file(path);
+  file.file_ = ::open(file.temporary_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (file.file_ < 0) return file.failed();
+  return file;
+}
+
+Status AtomicFile::flush() {
+  std::string_view left = waiting_;
+  while (!left.empty()) {
+    const ssize_t n = ::write(file_, left.data(), left.size());
     if (n < 0 && errno == EINTR) continue;
-    if (n < 0) {
-      const Status error = failed();
-      ::close(file);
-      return error;
-    }
-    written += static_cast<std::size_t>(n);
+    if (n < 0) return failed();
+    left.remove_prefix(static_cast<std::size_t>(n));
   }
-  if (::close(file) != 0) return failed();
-  if (std::rename(temporary.path().c_str(), path.c_str()) != 0) return failed();
-  temporary.keep();
+  waiting_.clear();
+  return {};
+}
+
+Status AtomicFile::write(std::string_view bytes) {
+  waiting_ += bytes;
+  return waiting_.size() < kWaitingBytes ? Status() : flush();
+}
+
+Status AtomicFile::finish() {
+  if (const Status flushed = flush(); !flushed) return flushed;
+  if (::fsync(file_) != 0 || std::rename(temporary_.c_str(), path_.c_str()) != 0) return failed();
+  ::close(std::exchange(file_, -1));
   return {};
 }
 
 Status writeFileAtomically(const std::string& path, const std::string& text) {
-  return writeFileAtomically(path, std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+  auto file = AtomicFile::create(path);
+  if (!file) return tl::unexpected(file.error());
+  if (const Status written = file->write(text); !written) return written;
+  return file->finish();
+}
+
+Status writeFileAtomically(const std::string& path, std::span<const std::uint8_t> bytes) {
+  return writeFileAtomically(path, std::string(bytes.begin(), bytes.end()));
 }
 
 std::string fileNameOf(const std::string& path) { return std::filesystem::path(path).filename().string(); }

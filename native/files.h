@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/result.h"
@@ -13,7 +14,29 @@ namespace qrelief {
 /// The whole file; BadInput if it cannot be read or is larger than the readers take.
 Result<std::vector<std::uint8_t>> readFile(const std::string& path);
 
-/// Writes under a temporary name beside `path` and renames: there is never half a file.
+/// A file that is written as it comes, under a temporary name beside its own: there is never half a file.
+class AtomicFile {
+ public:
+  static Result<AtomicFile> create(const std::string& path);
+  ~AtomicFile();
+  AtomicFile(AtomicFile&& other) noexcept;
+  AtomicFile& operator=(AtomicFile&&) = delete;
+
+  Status write(std::string_view bytes);
+
+  /// Gives the file its name when all of it is on the disk.
+  Status finish();
+
+ private:
+  explicit AtomicFile(std::string path);
+  Status flush();
+  tl::unexpected<Error> failed() const;
+
+  std::string path_, temporary_, waiting_;
+  int file_ = -1;
+};
+
+/// The whole of an AtomicFile.
 Status writeFileAtomically(const std::string& path, std::span<const std::uint8_t> bytes);
 Status writeFileAtomically(const std::string& path, const std::string& text);
 

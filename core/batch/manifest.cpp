@@ -24,32 +24,6 @@ constexpr std::array<const char*, 8> kOwnKeys = {"number", "id", "text", "file",
 std::string dumped(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
 /// @returns none if it is no line of a manifest
-std::optional<ManifestEntry> entryOf(std::string_view line) {
-  Json json = Json::parse(line, nullptr, false);
-  if (!json.is_object()) return std::nullopt;
-  try {
-    ManifestEntry entry;
-    entry.number = json.at("number").get<std::size_t>();
-    entry.id = json.at("id").get<std::string>();
-    entry.text = json.at("text").get<std::string>();
-    entry.file = json.at("file").get<std::string>();
-    const Json& hashes = json.at("sha256");
-    entry.plate = json.value("plate", "");
-    entry.sha256 = {hashes.at("input").get<std::string>(), hashes.at("settings").get<std::string>(),
-                    hashes.value("output", ""), hashes.value("plate", "")};
-    const auto name = json.at("status").get<std::string>();
-    const auto status = std::find(kStatusNames.begin(), kStatusNames.end(), name);
-    if (status == kStatusNames.end()) return std::nullopt;
-    entry.status = static_cast<RowStatus>(status - kStatusNames.begin());
-    entry.reason = json.value("reason", "");
-    for (const char* key : kOwnKeys) json.erase(key);
-    if (!json.empty()) entry.details = dumped(json);
-    return entry;
-  } catch (const Json::exception&) {
-    return std::nullopt;
-  }
-}
-
 std::string csvCell(std::string_view text) {
   if (text.find_first_of(",\"\r\n") == text.npos) return std::string(text);
   std::string cell(2 * text.size() + 2, '\0');
@@ -87,34 +61,47 @@ std::string manifestLine(const ManifestEntry& entry) {
   return line;
 }
 
-Result<std::map<std::size_t, ManifestEntry>> readManifest(std::string_view text) {
-  std::map<std::size_t, ManifestEntry> entries;
-  for (std::size_t number = 1; !text.empty(); ++number) {
-    const std::size_t end = text.find('\n');
-    if (end == text.npos) break;
-    auto entry = entryOf(text.substr(0, end));
-    if (!entry) return fail(ErrorKind::BadInput, message("manifest-line", with::count("line", number)));
-    entries[entry->number] = std::move(*entry);
-    text.remove_prefix(end + 1);
+std::optional<ManifestEntry> readManifestLine(std::string_view line) {
+  Json json = Json::parse(line, nullptr, false);
+  if (!json.is_object()) return std::nullopt;
+  try {
+    ManifestEntry entry;
+    entry.number = json.at("number").get<std::size_t>();
+    entry.id = json.at("id").get<std::string>();
+    entry.text = json.at("text").get<std::string>();
+    entry.file = json.at("file").get<std::string>();
+    const Json& hashes = json.at("sha256");
+    entry.plate = json.value("plate", "");
+    entry.sha256 = {hashes.at("input").get<std::string>(), hashes.at("settings").get<std::string>(),
+                    hashes.value("output", ""), hashes.value("plate", "")};
+    const auto name = json.at("status").get<std::string>();
+    const auto status = std::find(kStatusNames.begin(), kStatusNames.end(), name);
+    if (status == kStatusNames.end()) return std::nullopt;
+    entry.status = static_cast<RowStatus>(status - kStatusNames.begin());
+    entry.reason = json.value("reason", "");
+    for (const char* key : kOwnKeys) json.erase(key);
+    if (!json.empty()) entry.details = dumped(json);
+    return entry;
+  } catch (const Json::exception&) {
+    return std::nullopt;
   }
-  return entries;
 }
 
-std::string manifestCsv(const std::map<std::size_t, ManifestEntry>& entries) {
-  std::string table =
-      "number,id,text,file,plate,status,reason,reads,prints,solid,meanDepthMm,maxDepthMm,iso29158,totalMs,sha256\r\n";
-  for (const auto& [number, e] : entries) {
-    const Json details = e.details.empty() ? Json::object() : Json::parse(e.details);
-    table += std::to_string(number);
-    for (const std::string& cell :
-         {e.id, e.text, e.file, e.plate, std::string(rowStatusName(e.status)), e.reason,
-          detail(details, "/verdict/reads"), detail(details, "/verdict/prints"), detail(details, "/verdict/solid"),
-          detail(details, "/depth/meanMm"), detail(details, "/depth/maxMm"), detail(details, "/grades/iso29158"),
-          detail(details, "/timingsMs/total"), e.sha256.output})
-      table += ',' + csvCell(cell);
-    table += "\r\n";
-  }
-  return table;
+std::string manifestCsvHeader() {
+  return "number,id,text,file,plate,status,reason,reads,prints,solid,meanDepthMm,maxDepthMm,iso29158,totalMs,"
+         "sha256\r\n";
+}
+
+std::string manifestCsvLine(const ManifestEntry& entry) {
+  const Json details = entry.details.empty() ? Json::object() : Json::parse(entry.details);
+  std::string line = std::to_string(entry.number);
+  for (const std::string& cell :
+       {entry.id, entry.text, entry.file, entry.plate, std::string(rowStatusName(entry.status)), entry.reason,
+        detail(details, "/verdict/reads"), detail(details, "/verdict/prints"), detail(details, "/verdict/solid"),
+        detail(details, "/depth/meanMm"), detail(details, "/depth/maxMm"), detail(details, "/grades/iso29158"),
+        detail(details, "/timingsMs/total"), entry.sha256.output})
+    line += ',' + csvCell(cell);
+  return line + "\r\n";
 }
 
 std::string settingsToHash(const BatchRow& row, std::string_view others) {

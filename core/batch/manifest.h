@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -47,13 +46,12 @@ struct ManifestEntry {
 /// …details}; what is empty is left out
 std::string manifestLine(const ManifestEntry& entry);
 
-/// What a manifest says of each row; the last line about a row counts. A last line without its end, which a process
-/// that was ended has left, says nothing.
-/// @returns BadInput naming the first line that is none of a manifest
-Result<std::map<std::size_t, ManifestEntry>> readManifest(std::string_view text);
+/// @returns none if it is no line of a manifest
+std::optional<ManifestEntry> readManifestLine(std::string_view line);
 
-/// The same as a table that spreadsheets open: a row a line, [RFC 4180].
-std::string manifestCsv(const std::map<std::size_t, ManifestEntry>& entries);
+/// The same as a table that spreadsheets open, [RFC 4180]: its first line, and that of a row.
+std::string manifestCsvHeader();
+std::string manifestCsvLine(const ManifestEntry& entry);
 
 /// What is to be hashed as RowHashes::settings: version, settings, centre, name, and what else the command was told.
 /// @param others  how the model was repaired and scaled, and which other rows are on its plate
