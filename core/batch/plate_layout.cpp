@@ -14,10 +14,11 @@ std::vector<Vec3> plateOffsets(const Box3& box, std::size_t copies, double gapMm
   const auto columns = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(copies))));
   const Vec3 size = box.size();
   std::vector<Vec3> offsets;
-  for (std::size_t i = 0; i < copies; ++i)
-    offsets.emplace_back(roundedUp(static_cast<double>(i % columns) * (size.x + gapMm) - box.min.x),
-                         roundedUp(static_cast<double>(i / columns) * (size.y + gapMm) - box.min.y),
-                         roundedUp(-box.min.z));
+  for (std::size_t i = 0; i < copies; ++i) {
+    const std::size_t column = i % columns, row = i / columns;
+    offsets.emplace_back(roundedUp(static_cast<double>(column) * (size.x + gapMm) - box.min.x),
+                         roundedUp(static_cast<double>(row) * (size.y + gapMm) - box.min.y), roundedUp(-box.min.z));
+  }
   return offsets;
 }
 

@@ -9,7 +9,7 @@ import { kNeeded, kTries } from '../page/tries.js';
 /** @typedef {import('../page/table.js').Row} Row */
 /** @typedef {import('../page/compare.js').Point} Point */
 
-const kDefault = 'ours-for-print';
+const kDefault = 'ours-for-print', kWhole = 'ours-whole-modules';
 /** @type {Record<string, [colour: string, shape: string, dash: number[]]>} */
 const kStyles = {
   'groove-2018': [kColours.olive, 'triangle-down', []],
@@ -111,8 +111,13 @@ export const frontierPrinted = {
         .map((method) => leastDepthThatReads(ofModel, method) ?? Infinity));
       return Math.min(least(true), least(false)) === Infinity ? undefined : least(true) <= least(false);
     });
+    const whole = tally(groupBy(rows, 'model'), ([model, ofModel]) => {
+      const usual = ours.get(model), reads = usual && frontierAt(levelsOf(ofModel, kWhole, 'printed'), usual.depth_mm);
+      return usual && reads !== undefined ? reads >= usual.printed : undefined;
+    });
     return [
       said('frontierDefault', { cases: models(onOrAbove) }),
+      ...(whole.of > 0 ? [said('frontierWhole', { cases: models(whole) })] : []),
       said('frontierLost', { list: lost }),
       ...(rows.some(({ method }) => method === 'one-light-2020') ? [said('frontierLamp', { cases: models(byLamp) })] : []),
       said('frontierShallowest', { cases: models(shallowest), needed: kNeeded, tries: kTries }),
