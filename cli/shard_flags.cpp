@@ -39,10 +39,12 @@ Result<GivenShard> shardFrom(const std::string& flag, std::size_t shards) {
                   message("shard-unknown", with::quoted("shard", flag), with::term("from", "--shard")));
     return GivenShard{*shard, "--shard"};
   }
+  const auto counted = [&](const char* name) { return shards > 0 ? std::to_string(shards) : variable(name); };
   if (const std::string index = variable("SLURM_ARRAY_TASK_ID"); !index.empty())
-    return shardOf(index, variable("SLURM_ARRAY_TASK_MIN"), variable("SLURM_ARRAY_TASK_COUNT"), "SLURM_ARRAY_TASK_ID");
+    return shardOf(index, shards > 0 ? "0" : variable("SLURM_ARRAY_TASK_MIN"), counted("SLURM_ARRAY_TASK_COUNT"),
+                   "SLURM_ARRAY_TASK_ID");
   if (const std::string index = variable("AWS_BATCH_JOB_ARRAY_INDEX"); !index.empty())
-    return shardOf(index, "0", variable("AWS_BATCH_JOB_ARRAY_SIZE"), "AWS_BATCH_JOB_ARRAY_INDEX");
+    return shardOf(index, "0", counted("AWS_BATCH_JOB_ARRAY_SIZE"), "AWS_BATCH_JOB_ARRAY_INDEX");
   if (const std::string index = variable("JOB_COMPLETION_INDEX"); !index.empty() && shards > 0)
     return shardOf(index, "0", std::to_string(shards), "JOB_COMPLETION_INDEX");
   if (shards > 1) return fail(ErrorKind::BadUsage, message("shards-without-index"));

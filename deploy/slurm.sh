@@ -3,8 +3,8 @@
 # sbatch --array=0-99 deploy/slurm.sh MODEL --list FILE -o FOLDER [more of `qrelief batch`]
 # A batch as a Slurm array: each task takes its share from Slurm's variables. FOLDER lies where all nodes see it. When all
 # have ended: `qrelief batch … --merge`, as a job by `sbatch --dependency=afterany:ID --wrap '…'`.
-# A single share is run again by `scontrol requeue ID_INDEX`, never as an array of its own: that would be of one task, and
-# take the whole batch.
+# A single share is run again by `scontrol requeue ID_INDEX`; as an array of its own (--array=5) only with --shards N beside it,
+# since to Slurm that array has one task, which would take the whole batch.
 #SBATCH --job-name=qrelief
 #SBATCH --array=0-7
 #SBATCH --cpus-per-task=1

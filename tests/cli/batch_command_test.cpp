@@ -207,17 +207,21 @@ TEST_F(BatchCommandTest, RefusesAListBeforeAnythingIsWritten) {
 TEST_F(BatchCommandTest, TakesItsShareFromTheEngineThatRunsIt) {
   const std::vector<std::pair<std::vector<const char*>, std::string>> engines = {
       {{"SLURM_ARRAY_TASK_ID=12", "SLURM_ARRAY_TASK_MIN=10", "SLURM_ARRAY_TASK_COUNT=3"}, "share 2 of 3"},
+      {{"SLURM_ARRAY_TASK_ID=2", "SLURM_ARRAY_TASK_MIN=2", "SLURM_ARRAY_TASK_COUNT=1", "--shards"}, "share 2 of 3"},
       {{"AWS_BATCH_JOB_ARRAY_INDEX=2", "AWS_BATCH_JOB_ARRAY_SIZE=3"}, "share 2 of 3"},
-      {{"JOB_COMPLETION_INDEX=2"}, "share 2 of 3"}};
+      {{"JOB_COMPLETION_INDEX=2", "--shards"}, "share 2 of 3"}};
   for (const auto& [variables, says] : engines) {
     std::vector<std::string> names;
+    std::vector<std::string> rows = {"--count", "2", "--text", "{n}"};  // nothing is left for the third
     for (const std::string variable : variables) {
       const std::size_t equals = variable.find('=');
+      if (equals == variable.npos) {
+        rows.insert(rows.end(), {variable, "3"});
+        continue;
+      }
       names.push_back(variable.substr(0, equals));
       ::setenv(names.back().c_str(), variable.substr(equals + 1).c_str(), 1);
     }
-    std::vector<std::string> rows = {"--count", "2", "--text", "{n}"};  // nothing is left for the third
-    if (names[0] == "JOB_COMPLETION_INDEX") rows.insert(rows.end(), {"--shards", "3"});
     const Outcome made = run(arguments(rows));
     for (const std::string& name : names) ::unsetenv(name.c_str());
     EXPECT_EQ(made.status, 0) << made.err;
