@@ -65,7 +65,7 @@ class BatchRun {
  public:
   BatchRun(const BatchOptions& options, BatchFolder folder) : options_(&options), folder_(std::move(folder)) {}
 
-  /// Loads the model, and finds the place that all rows share. @param first  of the rows
+  /// Loads the model, and finds the place that all rows share. @param all  a row's; then has the place
   Status prepare(EngraveRequest& all) {
     fileName_ = fileNameOf(options_->model.path);
     const auto hash = sha256OfFile(options_->model.path);
@@ -93,7 +93,7 @@ class BatchRun {
       all.placement.centreMm = Vec3(options_->at[0], options_->at[1], options_->at[2]) * report_.scaleToMm;
       return {};
     }
-    return chooseSpot(model_, all, report_.scaleToMm, options_->quiet);
+    return chooseSpot(model_, all, report_.scaleToMm, options_->quiet, stderr);  // stdout is for answers
   }
 
   /// Carves what is not yet there of some rows: of one, or of all of a plate. Their lines are written last.

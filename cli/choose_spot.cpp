@@ -8,7 +8,8 @@
 
 namespace qrelief {
 
-Status chooseSpot(std::shared_ptr<const EngravableModel> model, EngraveRequest& request, double scaleToMm, bool quiet) {
+Status chooseSpot(std::shared_ptr<const EngravableModel> model, EngraveRequest& request, double scaleToMm, bool quiet,
+                  std::FILE* to) {
   const auto symbol = encodeSymbol(request.text, request.symbol);
   if (!symbol) return tl::unexpected(symbol.error());
   auto job = SpotSearchJob::create(std::move(model), {.placement = searchedPlacement(request, symbol->size),
@@ -22,8 +23,8 @@ Status chooseSpot(std::shared_ptr<const EngravableModel> model, EngraveRequest& 
   request.placement.centreMm = spot.centreMm;
   if (spot.needsDirection) request.placement.direction = spot.direction;
   const int decimals = centreDecimals(scaleToMm);
-  fmt::print("placed at {:.{}f},{:.{}f},{:.{}f}\n", spot.centreFileUnits.x, decimals, spot.centreFileUnits.y, decimals,
-             spot.centreFileUnits.z, decimals);
+  fmt::print(to, "placed at {:.{}f},{:.{}f},{:.{}f}\n", spot.centreFileUnits.x, decimals, spot.centreFileUnits.y,
+             decimals, spot.centreFileUnits.z, decimals);
   return {};
 }
 

@@ -138,7 +138,7 @@ int engraveModel(EngraveOptions& options) {
 
   const auto choosing = Clock::now();
   if (options.at.empty()) {
-    if (const Status chosen = chooseSpot(model, options.request, input->scaleToMm, options.quiet); !chosen)
+    if (const Status chosen = chooseSpot(model, options.request, input->scaleToMm, options.quiet, stdout); !chosen)
       return printError(chosen.error(), context.fileName);
     context.spotMs = millisecondsSince(choosing);
   }
