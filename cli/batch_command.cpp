@@ -161,6 +161,7 @@ class BatchRun {
       const auto carved = carve(rows[i], entry);
       if (!carved) {
         entry.reason = sentenceAndHint(carved.error().message);
+        if (isFiled()) folder_.removeOutdated(entry);
         continue;
       }
       entry.status = RowStatus::Done;

@@ -171,6 +171,17 @@ BatchFolder::Known BatchFolder::known(const ManifestEntry& wanted) const {
   return best;
 }
 
+void BatchFolder::removeOutdated(const ManifestEntry& failed) const {
+  for (const auto& [name, rows] : manifests_) {
+    const auto found = rows.find(failed.number);
+    if (found == rows.end()) continue;
+    const auto entry = entryAt(name, found->second);
+    if (!entry || entry->status != RowStatus::Done || entry->file != failed.file) continue;
+    const auto file = hashOf(failed.file);
+    if (file && *file == entry->sha256.output) ::unlink(pathOf(failed.file).c_str());
+  }
+}
+
 Status BatchFolder::append(const ManifestEntry& entry) {
   const std::string line = manifestLine(entry);
   if (const Status written = writeWhole(file_, line + "\n", pathOf(own_)); !written) return written;

@@ -47,6 +47,10 @@ class BatchFolder {
   /// @param wanted  number, file, plate, and hashes but for those of what was written
   Known known(const ManifestEntry& wanted) const;
 
+  /// Removes the file of a row that has now failed, if it is one that a manifest says was made of the row with other
+  /// hashes: a code that is not wanted any more is not to lie among the others. What somebody has changed stays.
+  void removeOutdated(const ManifestEntry& failed) const;
+
   /// Adds a line to this process's manifest.
   Status append(const ManifestEntry& entry);
 

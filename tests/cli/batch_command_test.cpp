@@ -184,6 +184,11 @@ TEST_F(BatchCommandTest, ARowThatFailsStopsNoOther) {
   EXPECT_FALSE(fs::exists(path("out/2.stl")));
   EXPECT_TRUE(fs::exists(path("out/3.stl")));
   EXPECT_THAT(manifest()[1]["reason"].get<std::string>(), HasSubstr("mm"));
+
+  // Nor does it leave what was made of it with other settings; what somebody has changed stays.
+  writeText("out/3.stl", "changed");
+  EXPECT_EQ(run(arguments({"--list", writeText("l.csv", "text,size\na,39\nb,39\nc,39\n")})).status, 1);
+  EXPECT_EQ(filesIn("out"), (std::vector<std::string>{"3.stl", "manifest.csv", "manifest.jsonl"}));
 }
 
 TEST_F(BatchCommandTest, RefusesAListBeforeAnythingIsWritten) {
