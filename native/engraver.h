@@ -35,7 +35,7 @@ class Engraver {
 
   /// As asked for; where the code does not read so, for the design alone, and with the next deeper presets
   /// (changeToTryNext()); where it reads with none of them, as asked for.
-  /// @param looksAtPrint  find out how it comes off the printer, too, which takes a third of the time
+  /// @param looksAtPrint  find out how it comes off the printer, too, which takes two fifths of the time
   Result<Engraved> engrave(const EngraveRequest& request, const Tell& tell, bool looksAtPrint = true) const;
 
   /// The same once, without anything deeper.
