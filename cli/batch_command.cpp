@@ -234,10 +234,6 @@ int printProblems(const BatchPlan& plan, const std::string& list) {
   return kBadInput;
 }
 
-std::string durationInWords(double seconds) {
-  return seconds < 90 ? fmt::format("{:.0f} s", seconds) : fmt::format("{:.0f} min", seconds / 60);
-}
-
 /// @param plate  from 0
 std::string plateName(std::size_t plate, std::size_t plates) {
   return fmt::format("plate-{:0{}}.3mf", plate + 1, std::max<std::size_t>(3, std::to_string(plates).size()));

@@ -146,6 +146,10 @@ std::string sentenceAndHint(const Message& message) {
   return helps.empty() ? sentence(message) : fmt::format("{} ({})", sentence(message), helps);
 }
 
+std::string durationInWords(double seconds) {
+  return seconds < 90 ? fmt::format("{:.0f} s", seconds) : fmt::format("{:.0f} min", seconds / 60);
+}
+
 std::string flagOf(std::string_view key) {
   for (const std::string_view unit : {"Mm", "Deg"})
     if (key.ends_with(unit)) key.remove_suffix(unit.size());

@@ -35,6 +35,9 @@ std::string hint(const Message& message, const nlohmann::json& words);
 /// Both in a line, for programs that only report: "The text is empty (Give the text or link to be engraved)".
 std::string sentenceAndHint(const Message& message);
 
+/// How long something takes, for programs that report: "85 s", "12 min".
+std::string durationInWords(double seconds);
+
 /// The command's name of a setting: "minWallMm" → "--min-wall". The unit is said where the value is asked for.
 std::string flagOf(std::string_view key);
 

@@ -88,7 +88,7 @@ Status AtomicFile::finish() {
   return {};
 }
 
-Status writeFileAtomically(const std::string& path, const std::string& text) {
+Status writeFileAtomically(const std::string& path, std::string_view text) {
   auto file = AtomicFile::create(path);
   if (!file) return tl::unexpected(file.error());
   if (const Status written = file->write(text); !written) return written;
@@ -96,7 +96,7 @@ Status writeFileAtomically(const std::string& path, const std::string& text) {
 }
 
 Status writeFileAtomically(const std::string& path, std::span<const std::uint8_t> bytes) {
-  return writeFileAtomically(path, std::string(bytes.begin(), bytes.end()));
+  return writeFileAtomically(path, std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
 }
 
 std::string fileNameOf(const std::string& path) { return std::filesystem::path(path).filename().string(); }

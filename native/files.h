@@ -38,7 +38,7 @@ class AtomicFile {
 
 /// The whole of an AtomicFile.
 Status writeFileAtomically(const std::string& path, std::span<const std::uint8_t> bytes);
-Status writeFileAtomically(const std::string& path, const std::string& text);
+Status writeFileAtomically(const std::string& path, std::string_view text);
 
 /// The part of a path after the last slash.
 std::string fileNameOf(const std::string& path);

@@ -40,10 +40,6 @@ Row measured(const Experiment& experiment, const Row& key, Workshop& workshop) {
   return none;
 }
 
-std::string durationInWords(double seconds) {
-  return seconds < 90 ? fmt::format("{:.0f} s", seconds) : fmt::format("{:.0f} min", seconds / 60);
-}
-
 /// Measures what the table lacks; takes the rows of other shards' files over, and removes these once all is there.
 Status run(const Experiment& experiment, const std::string& path, const Shard& shard, Workshop& workshop) {
   auto table = Table::open(experiment, fileOf(path, shard));

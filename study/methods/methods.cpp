@@ -43,14 +43,20 @@ Result<CarvedCode> oneLight2020(const Spot& spot, double contrast) {
   return carveOneLight2020(spot, *symbol, wholeModules(*symbol), options);
 }
 
+/// The spot's request with patterns and a contrast of its own.
+EngraveRequest patterned(const Spot& spot, ModulePattern modules, FinderPattern finders, double contrast) {
+  EngraveRequest request = spot.request;
+  request.modulePattern = modules;
+  request.finderPattern = finders;
+  request.contrast = contrast;
+  return request;
+}
+
 /// Papp 2022 with a module pattern and its finders.
 auto paper2022(ModulePattern modules, FinderPattern finders) {
   return [modules, finders](const Spot& spot, double contrast) {
-    EngraveRequest request = spot.request;
+    EngraveRequest request = patterned(spot, modules, finders, contrast);
     request.solver = ContrastSolver::PaperSteps;
-    request.modulePattern = modules;
-    request.finderPattern = finders;
-    request.contrast = contrast;
     return carveByEngine(spot, request);
   };
 }
@@ -74,11 +80,8 @@ Result<CarvedCode> oursReading(const Spot& spot, double contrast) {
 /// Papp 2021: whole modules with a tilted or a wavy floor.
 auto floors2021(FloorShape shape) {
   return [shape](const Spot& spot, double contrast) {
-    EngraveRequest request = spot.request;
+    EngraveRequest request = patterned(spot, ModulePattern::None, FinderPattern::None, contrast);
     request.floor = shape;
-    request.modulePattern = ModulePattern::None;
-    request.finderPattern = FinderPattern::None;
-    request.contrast = contrast;
     return carveByEngine(spot, request);
   };
 }
@@ -102,11 +105,8 @@ auto ours(CarveFor carveFor) {
 /// For the print, with large dark areas broken up, as deep as walls allow.
 auto brokenUp(ModulePattern modules, FinderPattern finders) {
   return [modules, finders](const Spot& spot, double contrast) {
-    EngraveRequest request = spot.request;
+    EngraveRequest request = patterned(spot, modules, finders, contrast);
     request.carveFor = CarveFor::Print;
-    request.modulePattern = modules;
-    request.finderPattern = finders;
-    request.contrast = contrast;
     request.maxDepthMm = kDeepModules * spot.placement.moduleMm;
     Symbol symbol = spot.symbol;
     breakUpDarkAreas(symbol);
