@@ -7,37 +7,15 @@
 #include <optional>
 
 #include "base/clock.h"
-#include "batch/batch_plan.h"
 #include "batch/manifest.h"
-#include "batch/plate_layout.h"
-#include "cli/choose_spot.h"
+#include "cli/batch_run.h"
 #include "cli/commands.h"
-#include "cli/model_input.h"
-#include "cli/progress_bar.h"
-#include "cli/setting_flags.h"
 #include "cli/shard_flags.h"
-#include "io/write_checked.h"
 #include "messages/sentences.h"
-#include "native/batch_folder.h"
-#include "native/egl_context.h"
-#include "native/engraver.h"
 #include "native/files.h"
-#include "native/sha256.h"
-#include "native/zxing_reader.h"
-#include "pipeline/carved_objects.h"
-#include "report/report.h"
 
 namespace qrelief {
 namespace {
-
-struct BatchOptions {
-  ModelFlags model;
-  SettingFlags flags;
-  std::string list, folder, name, shardFlag;
-  std::vector<double> at;
-  std::size_t count = 0, shards = 0, perPlate = 0, printEvery = 1;
-  bool merge = false, retryFailed = false, stream = false, reports = false, quiet = false;
-};
 
 Result<std::vector<std::uint8_t>> readList(const std::string& path) {
   if (path != "-") return readFile(path);
@@ -52,180 +30,6 @@ Result<BatchList> listOf(const BatchOptions& options) {
   if (!bytes) return tl::unexpected(bytes.error());
   return readBatchList(*bytes);
 }
-
-/// Everything that decides a row's output and that its request does not say.
-std::string otherSettings(const BatchOptions& options) {
-  const RepairFlags& r = options.model.repair;
-  return fmt::format("{} {} {} {} {}", options.model.units, options.model.scale.value_or(0), r.weldTolerance, r.maxHole,
-                     fmt::join(r.without, ","));
-}
-
-/// Carves the rows of one process.
-class BatchRun {
- public:
-  BatchRun(const BatchOptions& options, BatchFolder folder) : options_(&options), folder_(std::move(folder)) {}
-
-  /// Loads the model, and finds the place that all rows share. @param all  a row's; then has the place
-  Status prepare(EngraveRequest& all) {
-    fileName_ = fileNameOf(options_->model.path);
-    const auto hash = sha256OfFile(options_->model.path);
-    if (!hash) return tl::unexpected(hash.error());
-    input_ = *hash;
-    auto loaded = loadEngravable(options_->model);
-    if (!loaded) return tl::unexpected(loaded.error());
-    partNames_ = loaded->partNames;
-    report_.fileName = fileName_;
-    report_.format = loaded->format;
-    report_.scaleToMm = loaded->scaleToMm;
-    auto gl = EglContext::create();
-    if (!gl) return tl::unexpected(gl.error());
-    gl_ = std::move(*gl);
-    const auto capabilities = gl::queryCapabilities();
-    if (!capabilities) return tl::unexpected(capabilities.error());
-    report_.gl = *capabilities;
-    report_.wording = commandWording();
-    report_.reader = zxingName();
-    model_ = EngravableModel::upload(std::move(loaded->prepared));
-    auto engraver = Engraver::create(model_);
-    if (!engraver) return tl::unexpected(engraver.error());
-    engraver_.emplace(std::move(*engraver));
-    if (!options_->at.empty()) {
-      all.placement.centreMm = Vec3(options_->at[0], options_->at[1], options_->at[2]) * report_.scaleToMm;
-      return {};
-    }
-    return chooseSpot(model_, all, report_.scaleToMm, options_->quiet, stderr);  // stdout is for answers
-  }
-
-  /// Carves what is not yet there of some rows: of one, or of all of a plate. Their lines are written last.
-  /// @param placed  has the place that prepare() found
-  /// @param plate   name of the plate's file; empty: none
-  /// @returns an entry a row; an error only if nothing more can be written
-  Result<std::vector<ManifestEntry>> make(std::vector<BatchRow> rows, const EngraveRequest& placed,
-                                          const std::string& plate = {}) {
-    using State = BatchFolder::Known::State;
-    std::string others = otherSettings(*options_);
-    for (BatchRow& row : rows) {
-      row.request.placement.centreMm = placed.placement.centreMm;
-      if (!row.request.placement.direction) row.request.placement.direction = placed.placement.direction;
-      if (!plate.empty()) others += sha256(settingsToHash(row, {}));
-    }
-    std::vector<ManifestEntry> entries, changed;
-    bool isNew = false;
-    for (const BatchRow& row : rows) {
-      ManifestEntry entry;
-      entry.number = row.number;
-      entry.id = row.id;
-      entry.text = row.request.text;
-      entry.file = isFiled() ? row.file : plate;
-      entry.plate = isFiled() ? plate : std::string();
-      entry.sha256 = {input_, sha256(settingsToHash(row, others)), {}, {}};
-      const BatchFolder::Known known = folder_.known(entry);
-      if (known.state == State::Done || (known.state == State::Failed && !options_->retryFailed)) {
-        entry = known.entry;
-      } else if (known.state == State::Changed && !options_->retryFailed) {
-        entry.reason = sentenceAndHint(message("file-changed"));
-        changed.push_back(entry);
-      } else {
-        isNew = true;
-      }
-      entries.push_back(std::move(entry));
-    }
-    if (isNew)
-      if (const Status carved = carveAll(rows, entries, plate); !carved) return tl::unexpected(carved.error());
-    for (const ManifestEntry& entry : entries) {
-      const bool isDone = entry.status == RowStatus::Done;
-      ++(!isDone ? failed_ : isNew ? made_ : kept_);
-    }
-    for (const ManifestEntry& entry : isNew ? entries : changed)
-      if (const Status added = folder_.append(entry); !added) return tl::unexpected(added.error());
-    return entries;
-  }
-
-  std::size_t made() const { return made_; }
-  std::size_t kept() const { return kept_; }
-  std::size_t failed() const { return failed_; }
-  BatchFolder& folder() { return folder_; }
-
- private:
-  /// Whether each row has a file of its own.
-  bool isFiled() const { return options_->perPlate == 0 || !options_->name.empty(); }
-
-  /// Fills the entries. @returns an error only if nothing more can be written
-  Status carveAll(const std::vector<BatchRow>& rows, std::vector<ManifestEntry>& entries, const std::string& plate) {
-    std::vector<ModelObject> objects;
-    const std::vector<Vec3> offsets = plateOffsets(model_->gpu.box(), rows.size());
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      ManifestEntry& entry = entries[i];
-      entry.status = RowStatus::Failed;
-      entry.reason.clear();
-      const auto carved = carve(rows[i], entry);
-      if (!carved) {
-        entry.reason = sentenceAndHint(carved.error().message);
-        if (isFiled()) folder_.removeOutdated(entry);
-        continue;
-      }
-      entry.status = RowStatus::Done;
-      if (plate.empty()) continue;
-      for (ModelObject object : carvedObjects(carved->result, partNames_, rows[i].request.inlay)) {
-        object.name = object.name.empty() ? rows[i].id : rows[i].id + " " + object.name;
-        object.description = rows[i].request.text;
-        object.offsetMm = offsets[i];
-        objects.push_back(std::move(object));
-      }
-    }
-    if (objects.empty()) return {};
-    const auto bytes = writeChecked(objects, ModelFormat::ThreeMf, {.title = plate});
-    if (!bytes) return tl::unexpected(bytes.error());
-    if (const Status written = writeFileAtomically(folder_.pathOf(plate), *bytes); !written) return written;
-    for (ManifestEntry& entry : entries)
-      if (entry.status == RowStatus::Done) (isFiled() ? entry.sha256.plate : entry.sha256.output) = sha256(*bytes);
-    return {};
-  }
-
-  /// Carves a row, and writes its file if it has one. @returns an error if it is not done, and the entry's details
-  Result<Engraved> carve(const BatchRow& row, ManifestEntry& entry) {
-    const auto start = Clock::now();
-    const bool looksAtPrint = (row.number - 1) % options_->printEvery == 0;
-    auto engraved = engraver_->engrave(
-        row.request, [](const Progress&) {}, looksAtPrint);
-    if (!engraved) return engraved;
-    entry.details = describeRow({engraved->request, engraved->result, engraved->reading, engraved->printed,
-                                 engraved->verdict, millisecondsSince(start)});
-    if (const std::vector<Message> failures = engraved->verdict.failed(); !failures.empty())
-      return fail(ErrorKind::NoSolution, failures.front());
-    if (isFiled()) {
-      const auto bytes = encodeCarved(engraved->result, partNames_, row.file, row.request.inlay, row.id);
-      if (!bytes) return tl::unexpected(bytes.error());
-      if (const Status written = writeFileAtomically(folder_.pathOf(row.file), *bytes); !written)
-        return tl::unexpected(written.error());
-      entry.sha256.output = sha256(*bytes);
-    }
-    if (options_->reports)
-      if (const Status written = writeReport(row, *engraved, start); !written) return tl::unexpected(written.error());
-    return engraved;
-  }
-
-  Status writeReport(const BatchRow& row, const Engraved& engraved, Clock::time_point start) {
-    ReportContext context = report_;
-    context.printed = engraved.printed;
-    context.reading = engraved.reading;
-    context.verdict = engraved.verdict;
-    context.askedPreset = row.request.preset;
-    context.totalMs = millisecondsSince(start);
-    return writeFileAtomically(folder_.pathOf(row.file) + ".json",
-                               makeReport(engraved.request, *model_, engraved.result, context));
-  }
-
-  const BatchOptions* options_;
-  BatchFolder folder_;
-  std::unique_ptr<EglContext> gl_;  // outlives what lies in it
-  std::shared_ptr<const EngravableModel> model_;
-  std::optional<Engraver> engraver_;
-  std::vector<std::string> partNames_;
-  std::string fileName_, input_;
-  ReportContext report_;
-  std::size_t made_ = 0, kept_ = 0, failed_ = 0;
-};
 
 int printProblems(const BatchPlan& plan, const std::string& list) {
   for (const Message& problem : plan.problems()) printError({ErrorKind::BadInput, problem}, list);
