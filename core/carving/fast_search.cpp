@@ -2,6 +2,7 @@
 #include "carving/fast_search.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -17,7 +18,7 @@ constexpr double kMaxAimFraction = 0.2;
 constexpr double kChangeFraction = 0.4;  // of a floor's last change of difference: so much more darkness is aimed at
 constexpr double kMaxChange = 0.3;       // of a difference that counts
 constexpr int kSweepsPerPass = 3;
-constexpr int kFreePasses = 3;  // after these nothing becomes less deep: that ends
+constexpr int kFreePasses = 3, kFreePassesAfterAnother = 1;
 constexpr double kMaxAlbedo = 0.95;
 
 /// log((1 − V)/V)
@@ -30,11 +31,12 @@ double fractionOfDarkness(double darkness) { return 1 / (1 + std::exp(darkness))
 
 }  // namespace
 
-FastSearch::FastSearch(CarvingTarget target, const FastSearchOptions& options)
+FastSearch::FastSearch(CarvingTarget target, const FastSearchOptions& options, const FastSearch* before)
     : target_(std::move(target)),
       options_(options),
       neighbours_(*target_.symbol),
-      sky_(*target_.mask, target_.symbolMm / target_.mask->size) {
+      sky_(*target_.mask, target_.symbolMm / target_.mask->size),
+      freePasses_(before ? kFreePassesAfterAnother : kFreePasses) {
   depths_ = {target_.mask->size, target_.symbolMm, std::vector<double>(target_.mask->carved.size(), 0)};
   const int modules = target_.symbol->size;
   for (const std::uint32_t i : sky_.carved()) {
@@ -52,13 +54,18 @@ FastSearch::FastSearch(CarvingTarget target, const FastSearchOptions& options)
   states_.assign(count, State::TooBright);
   isDue_.assign(count, 1);
   isStale_.assign(count, 1);
+  if (before) {
+    assert(before->difference_.size() == count);
+    solvedMm_ = before->solvedMm_;
+    difference_ = before->difference_;
+  }
   solve();
 }
 
 void FastSearch::solve() {
   // The few that stay too bright are those that the plane says too little of.
   const double lastAim =
-      std::min(kAimFraction * std::pow(3.0, std::max(0, iterations_ - kFreePasses + 1)), kMaxAimFraction);
+      std::min(kAimFraction * std::pow(3.0, std::max(0, iterations_ - freePasses_ + 1)), kMaxAimFraction);
   std::vector<double> fractions;
   for (std::size_t k = 0; k < states_.size(); ++k) {
     const double margin = states_[k] == State::TooBright ? lastAim : kAimFraction;
@@ -69,7 +76,7 @@ void FastSearch::solve() {
   for (std::size_t k = 0; k < states_.size(); ++k) {
     double& depth = depths_.depthMm[sky_.carved()[k]];
     const double next = quantisedDepth(std::max(solvedMm_[k], kDepthQuantumMm), limitMm_[k]);
-    const bool isFree = iterations_ < kFreePasses;
+    const bool isFree = iterations_ < freePasses_;
     if (!isFree && states_[k] == State::TooBright)
       depth = quantisedDepth(std::max(next, depth + kDepthQuantumMm), limitMm_[k]);
     else if (isFree || (next > depth && expectedFraction(k, depth, solvedMm_) > fractionAsked_[k]))
@@ -86,7 +93,7 @@ double FastSearch::expectedFraction(std::size_t k, double depthMm, std::span<con
 /// the plane says; while all may still move, all.
 void FastSearch::chooseDue(const std::vector<double>& depthsBefore) {
   dueInMask_.clear();
-  if (iterations_ < kFreePasses) return;
+  if (iterations_ < freePasses_) return;
   std::vector<double> depths;
   for (const std::uint32_t i : sky_.carved()) depths.push_back(depths_.depthMm[i]);
   const auto moved = [&](int row, int column) {
@@ -137,14 +144,14 @@ void FastSearch::update(std::span<const double> luminance) {
       const double less = std::max(depths[k] - options_.slackMm, 0.0);
       const double aim = darkness(fractionAsked_[k] * (1 - kAimFraction));
       const bool couldBeLess =
-          iterations_ + 1 < kFreePasses && less > 0 && darkness(sky_.fraction(k, less, depths)) + difference_[k] > aim;
+          iterations_ + 1 < freePasses_ && less > 0 && darkness(sky_.fraction(k, less, depths)) + difference_[k] > aim;
       states_[k] = couldBeLess ? State::TooDeep : State::Done;
     }
   }
   ++iterations_;
   const bool allDone = std::all_of(states_.begin(), states_.end(),
                                    [](State state) { return state == State::Done || state == State::Limited; });
-  if (allAreDue() && (allDone || iterations_ > kFreePasses)) allRemeasured_ = true;
+  if (allAreDue() && (allDone || iterations_ > freePasses_)) allRemeasured_ = true;
   finished_ = iterations_ >= options_.maxIterations;
   if (finished_) return;
   if (allDone) {

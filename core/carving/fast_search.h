@@ -30,7 +30,8 @@ struct FastSearchOptions {
 /// are measured once more, and then again those that see what had to move, as far as the plane tells.
 class FastSearch final : public DepthSolver {
  public:
-  FastSearch(CarvingTarget target, const FastSearchOptions& options);
+  /// @param before  of the same target, with another contrast: it begins at what that found; null: at what a plane says
+  FastSearch(CarvingTarget target, const FastSearchOptions& options, const FastSearch* before = nullptr);
 
   void update(std::span<const double> luminance) override;
 
@@ -68,6 +69,7 @@ class FastSearch final : public DepthSolver {
   std::vector<char> isStale_;             // something it sees has moved since it was measured
   std::vector<std::uint32_t> dueInMask_;  // none: all
   int iterations_ = 0;
+  int freePasses_ = 0;  // after these nothing becomes less deep: that ends
   bool allRemeasured_ = false;
   bool finished_ = false;
 };

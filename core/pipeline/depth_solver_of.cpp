@@ -13,11 +13,12 @@ namespace qrelief {
 namespace {
 
 constexpr double kDepthStepMm = 0.1;  // of a search, as published; thicker layers need no coarser one
+constexpr int kPassesBeforePrint = 4;
 
 }  // namespace
 
 std::unique_ptr<DepthSolver> makeDepthSolver(const EngraveRequest& request, CarvingTarget target,
-                                             std::vector<double> contrastOfModule) {
+                                             std::vector<double> contrastOfModule, const DepthSolver* before) {
   if (request.objective == DepthObjective::Reading)
     return std::make_unique<ReadingSearch>(std::move(target), request.reading);
   if (request.objective == DepthObjective::OneLight)
@@ -39,7 +40,9 @@ std::unique_ptr<DepthSolver> makeDepthSolver(const EngraveRequest& request, Carv
   options.contrastOfModule = std::move(contrastOfModule);
   options.slackMm = slackMm;
   options.albedo = static_cast<double>(request.albedo);
-  return std::make_unique<FastSearch>(std::move(target), options);
+  const bool isBeforePrint = request.isForPrint() && options.contrastOfModule.empty();
+  if (isBeforePrint) options.maxIterations = kPassesBeforePrint;
+  return std::make_unique<FastSearch>(std::move(target), options, dynamic_cast<const FastSearch*>(before));
 }
 
 }  // namespace qrelief

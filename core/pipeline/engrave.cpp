@@ -322,7 +322,8 @@ Status EngraveJob::State::print() {
   if (progress->done) {
     search = makeDepthSolver(
         request, target,
-        contrastForPrint(symbol, result.luminance, printing->takeResult().submodules, request.contrastAsked()));
+        contrastForPrint(symbol, result.luminance, printing->takeResult().submodules, request.contrastAsked()),
+        search.get());
     printing.reset();
     embedded = {};
     isPrinted = true;

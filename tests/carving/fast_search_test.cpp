@@ -108,6 +108,26 @@ TEST_F(FastSearchTest, AModuleOfWhichMoreIsAskedGetsAllOfItAndOthersHardlyMore) 
   EXPECT_LT(others, 1.15 * othersBefore);
 }
 
+TEST_F(FastSearchTest, BeginningAtWhatAnotherFoundItMeasuresLessAndEndsNoDeeper) {
+  FastSearchOptions options{.contrast = kContrast};
+  options.contrastOfModule.assign(symbol_.dark.size(), kContrast);
+  for (std::size_t module = 0; module < symbol_.dark.size(); module += 3) options.contrastOfModule[module] = 0.33;
+  FastSearch before(target(5), {.contrast = kContrast, .maxIterations = 4});
+  run(before);
+  FastSearch after(target(5), options, &before), anew(target(5), options);
+  const std::size_t measured = run(after), measuredAnew = run(anew);
+  EXPECT_LT(static_cast<double>(measured), 0.75 * static_cast<double>(measuredAnew));
+  EXPECT_LT(meanMm(after.depths()), 1.01 * meanMm(anew.depths()));
+  EXPECT_EQ(after.limitedCount(), 0u);
+  const std::vector<double> all = luminances(after.depths());
+  const SubmoduleLuminances seen(all, symbol_.size);
+  for (const std::uint32_t i : sky_.carved()) {
+    const int row = static_cast<int>(i) / mask_.size, column = static_cast<int>(i) % mask_.size;
+    const auto module = static_cast<std::size_t>(row / 5 * symbol_.size + column / 5);
+    EXPECT_LE(seen.of(row, column), 1 - options.contrastOfModule[module]);
+  }
+}
+
 TEST_F(FastSearchTest, NeedsNoLuminanceButThatOfWhatIsDueAndLooksAtAllInTheEnd) {
   FastSearch fast(target(5), {.contrast = kContrast});
   const int edge = 5 * (symbol_.size + 8);
