@@ -221,7 +221,8 @@ int run(const std::string& folder, const std::string& centres, int cellCount, in
     if (!engraved) return tl::unexpected(engraved.error());
     std::vector<Cell> cells = drawCells(*engraved, cellCount, centre.modelNumber);
     trace(*engraved, paths, cells);
-    printRow(fmt::format("{}, {}", centre.name, kPatternNames[static_cast<std::size_t>(request.modulePattern)]), cells);
+    printRow(fmt::format("{}, {}", centre.name, kPatternNames[static_cast<std::size_t>(*request.modulePattern)]),
+             cells);
     all.insert(all.end(), cells.begin(), cells.end());
     return {};
   };

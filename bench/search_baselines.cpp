@@ -38,7 +38,6 @@ namespace {
 
 constexpr int kN = kSubmodulesPerModule;
 constexpr double kLayerMm = 0.1;
-constexpr double kMaxDepthModules = 1.2;
 
 struct Row {
   std::string name;
@@ -165,11 +164,12 @@ Result<Spot> placedSpot(const std::vector<std::uint8_t>& bytes, const std::strin
   request.placement.sizeMm = sizeMm;
   auto result = engrave(spot.model, request);
   if (!result) return tl::unexpected(result.error());
+  request = std::move(result->request);  // with what it left open
   spot.placement = std::move(result->placement);
   spot.symbol = std::move(result->symbol);
-  spot.mask = submodulesToCarve(spot.symbol, request.modulePattern, request.finderPattern);
+  spot.mask = submodulesToCarve(spot.symbol, *request.modulePattern, *request.finderPattern);
   spot.limitMm = wallLimits(spot.model->prepared.mesh, spot.placement.patch, spot.placement.frame, spot.mask,
-                            {spot.placement.symbolMm, kMaxDepthModules * spot.placement.moduleMm, request.minWallMm});
+                            {spot.placement.symbolMm, *request.maxDepthMm, request.minWallMm});
   return spot;
 }
 

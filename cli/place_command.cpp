@@ -12,6 +12,7 @@
 #include "messages/sentences.h"
 #include "native/egl_context.h"
 #include "native/files.h"
+#include "pipeline/small_modules.h"
 #include "pipeline/spot_search.h"
 #include "settings/setting_text.h"
 #include "verification/printability.h"
@@ -55,8 +56,7 @@ Status completeRequest(PlaceOptions& options) {
   if (const auto process = processOf(engraving->printer); !process) return tl::unexpected(process.error());
   request.modules = symbol->size;
   options.printer = engraving->printer;
-  options.leastPrintableMm = symbol->size * leastPrintableModuleMm(*symbol, engraving->modulePattern,
-                                                                   engraving->finderPattern, options.printer);
+  options.leastPrintableMm = symbol->size * leastPrintableModuleMm(*symbol, *engraving);
   request.minWallMm = engraving->minWallMm;
   request.placement = searchedPlacement(*engraving, request.modules);
   return {};

@@ -136,7 +136,7 @@ test('A change of model is undone, with its unit and the centre on it; Start ove
     await startOver.click();
     await expect(app.facts).toContainText('Stanford bunny');
     await expect(app.text).toHaveValue(text);
-    await expect(app.setting('Modules')).toHaveValue('thick-plus');
+    await expect(app.setting('Modules')).toHaveValue('auto');
     await expect(undo).toBeEnabled();
     await undo.click();
     await expect(app.facts).toContainText('Star');

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "verification/printability.h"
+#include "pipeline/small_modules.h"
 #include "viewer/heat_mesh.h"
 
 namespace qrelief {
@@ -23,8 +23,7 @@ Status SpotOffers::start(const PlacementTask& task) {
   request_.placement.upHint = task.upHint;
   request_.modules = modules;
   request_.minWallMm = settings.minWallMm;
-  leastMm_ = modules * leastPrintableModuleMm(*task.wanted.symbol(), settings.modulePattern, settings.finderPattern,
-                                              settings.printer);
+  leastMm_ = modules * leastPrintableModuleMm(*task.wanted.symbol(), settings);
   model_ = task.model.engravable;
   auto job = SpotSearchJob::create(model_, request_);
   if (!job) return tl::unexpected(job.error());

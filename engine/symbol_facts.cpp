@@ -2,9 +2,9 @@
 #include "engine/symbol_facts.h"
 
 #include "engine/answers.h"
+#include "pipeline/small_modules.h"
 #include "qr/codewords.h"
 #include "qr/segmentation.h"
-#include "verification/printability.h"
 
 namespace qrelief {
 namespace {
@@ -57,9 +57,7 @@ std::string describeSymbol(const EngraveRequest& request) {
                    {"rows", rowsOf(*symbol)},
                    {"bytes", request.text.size()},
                    {"room", roomIn(symbol->version, request.symbol.errorCorrection, request.text)},
-                   {"leastModuleMm", isPrinter ? Json(leastPrintableModuleMm(*symbol, request.modulePattern,
-                                                                             request.finderPattern, request.printer))
-                                               : Json()}}}});
+                   {"leastModuleMm", isPrinter ? Json(leastPrintableModuleMm(*symbol, request)) : Json()}}}});
 }
 
 }  // namespace qrelief

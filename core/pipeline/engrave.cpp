@@ -21,6 +21,7 @@
 #include "pipeline/depth_limits.h"
 #include "pipeline/depth_solver_of.h"
 #include "pipeline/printed_view.h"
+#include "pipeline/small_modules.h"
 #include "pipeline/verify.h"
 #include "projection/room.h"
 #include "settings/settings.h"
@@ -29,7 +30,6 @@ namespace qrelief {
 namespace {
 
 constexpr int kN = kSubmodulesPerModule;
-constexpr double kMaxDepthModules = 1.2;
 constexpr double kReachPerDepth = 8;  // a wall seen from eight times its height away hides 0.4 % of the sky
 constexpr double kLeastReachModules = 3;
 constexpr int kMaxMapTexels = 2048;
@@ -50,7 +50,9 @@ Status checkNewDefects(SolidityReport solidity, const PreparedModel& before) {
 PlacementRequest searchedPlacement(const EngraveRequest& request, int modules) {
   PlacementRequest place = request.placement;
   const double largest = place.sizeMode == SizeMode::Fixed ? place.sizeMm : place.maxSizeMm;
-  place.beyondMm = request.minWallMm + request.maxDepthMm.value_or(kMaxDepthModules * largest / modules);
+  const double smallModuleMm = std::min(largest / modules, kSmallModuleNozzles * request.printer.nozzleMm);
+  place.beyondMm = request.minWallMm + request.maxDepthMm.value_or(std::max(kMaxDepthModules * largest / modules,
+                                                                            kMaxDepthSmallModules * smallModuleMm));
   const bool isReading = request.objective == DepthObjective::Reading;
   const double contrast = isReading ? request.reading.dataContrast : request.contrastAsked();
   if (contrast <= 0 || contrast >= 1) return place;  // refused later
@@ -172,6 +174,10 @@ void EngraveJob::State::take(const PlacementSearch& found) {
   result.placement = found.placement();
   result.timingsMs.direction = found.directionMs();
   result.timingsMs.size = found.sizeMs();
+  SizedCode code = codeOfSize(request, std::move(symbol), result.placement.moduleMm);
+  request = std::move(code.request);
+  symbol = std::move(code.symbol);
+  mask = submodulesToCarve(symbol, *request.modulePattern, *request.finderPattern);
   stage = Stage::Mapping;
 }
 
@@ -209,9 +215,8 @@ Status EngraveJob::State::map() {
 
   const auto back = pass->renderBack(model->gpu, placement.frame, maps.window);
   if (!back) return tl::unexpected(back.error());
-  std::vector<double> limits =
-      depthLimits(model->prepared.mesh, placement, mask, {maps, *back, layout},
-                  {request.maxDepthMm.value_or(kMaxDepthModules * placement.moduleMm), request.minWallMm});
+  std::vector<double> limits = depthLimits(model->prepared.mesh, placement, mask, {maps, *back, layout},
+                                           {*request.maxDepthMm, request.minWallMm});
   if (request.recordSearch) startRecord(limits);
   target = {&symbol, &mask, placement.symbolMm, std::move(limits)};
   search = makeDepthSolver(request, target);
@@ -416,7 +421,6 @@ Result<std::unique_ptr<EngraveJob>> EngraveJob::create(std::shared_ptr<const Eng
   state->pass = std::move(pass);
   state->programs = std::move(programs);
   state->symbol = std::move(*symbol);
-  state->mask = submodulesToCarve(state->symbol, state->request.modulePattern, state->request.finderPattern);
   state->layout = {state->symbol.size};
   if (known.placed)
     state->take(*known.placed);
@@ -465,6 +469,7 @@ Result<Progress> EngraveJob::advance() {
 EngraveResult EngraveJob::takeResult() {
   assert(state_->stage == State::Stage::Done);
   state_->result.symbol = state_->symbol;
+  state_->result.request = state_->request;
   return std::move(state_->result);
 }
 

@@ -56,6 +56,7 @@ struct EngraveResult {
   /// under the centre; empty: one part only.
   std::vector<std::uint32_t> partOfTriangle;
   std::uint32_t carvedPart = 0;
+  EngraveRequest request;  ///< as it was carved: with what the size of a module decides (pipeline/small_modules.h)
   Symbol symbol;
   Placement placement;
   DepthField depths;
@@ -106,7 +107,7 @@ class EngraveJob {
     const PlacementSearch* placed = nullptr;
     std::shared_ptr<const GeometryPass> pass;
     std::shared_ptr<const LuminancePrograms> programs;
-    const Symbol* symbol = nullptr;  ///< carved in place of what the request's text and options give
+    const Symbol* symbol = nullptr;  ///< in place of what the request's text and options give
   };
   /// @returns what checkEngraving() does
   static Result<std::unique_ptr<EngraveJob>> create(std::shared_ptr<const EngravableModel> model,

@@ -110,7 +110,7 @@ std::string makeReport(const EngraveRequest& request, const EngravableModel& mod
                      {"lights", describeLights(request.lamps())},
                      {"carvedFor", request.isForPrint() ? "print" : "design"},
                      {"solver", solverName(request)}};
-  if (request.objective != DepthObjective::Reading) report["depth"]["contrast"] = request.contrastAsked();
+  if (request.objective != DepthObjective::Reading) report["depth"]["contrast"] = result.request.contrastAsked();
   if (!request.contrast) {
     report["depth"]["preset"] = presetName(request.preset);
     report["depth"]["askedPreset"] = presetName(context.askedPreset.value_or(request.preset));

@@ -118,6 +118,24 @@ Setting choice(const char* key, const char* group, Part, Names) {
   return setting;
 }
 
+/// A choice that may be left to the program, as "auto".
+template <class Part, class Names>
+Setting choiceOrAuto(const char* key, const char* group, Part, Names) {
+  Setting setting = made(key, group, Kind::Choice);
+  setting.choices = Names{}();
+  setting.choices.insert(setting.choices.begin(), "auto");
+  setting.read = [](const R& r) -> V {
+    const auto chosen = Part{}(r);
+    return chosen ? Names{}()[static_cast<std::size_t>(*chosen)] : std::string("auto");
+  };
+  setting.write = [](R& r, const V& v) {
+    Part{}(r).reset();
+    using Choice = typename std::decay_t<decltype(Part{}(r))>::value_type;
+    if (std::get<std::string>(v) != "auto") Part{}(r) = static_cast<Choice>(indexIn(Names{}(), v));
+  };
+  return setting;
+}
+
 Setting text() {
   Setting setting = made("text", "symbol", Kind::Text);
   setting.read = [](const R& r) -> V { return r.text; };
@@ -313,10 +331,10 @@ std::vector<Setting> makeSettings() {
           [] { return namesOf(3, [](int i) { return presetName(static_cast<Preset>(i)); }); }),
       toggle(
           "keepPreset", "depth", [](auto& r) -> auto& { return r.keepPreset; }),
-      choice(
+      choiceOrAuto(
           "pattern", "depth", [](auto& r) -> auto& { return r.modulePattern; },
           [] { return namesOf(5, [](int i) { return modulePatternName(static_cast<ModulePattern>(i)); }); }),
-      choice(
+      choiceOrAuto(
           "finderPattern", "depth", [](auto& r) -> auto& { return r.finderPattern; },
           [] { return namesOf(5, [](int i) { return finderPatternName(static_cast<FinderPattern>(i)); }); }),
       contrast(),

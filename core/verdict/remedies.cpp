@@ -86,7 +86,7 @@ std::vector<Remedy> printingRemedies(const EngraveRequest& request, const Engrav
   }
   if (wasPrinted || isTooFine) addLargerCode(request, result, leastModuleMm, remedies);
   if (isTooFine) {
-    if (request.modulePattern != ModulePattern::ThickPlus) {
+    if (request.modulePattern && request.modulePattern != ModulePattern::ThickPlus) {
       const char* pattern = request.modulePattern == ModulePattern::ThinPlus ? "square" : "thick-plus";
       remedies.push_back({message("remedy-pattern", with::choice("pattern", "pattern", pattern)), "pattern", pattern});
     }

@@ -11,7 +11,7 @@ Result<CarvedCode> carveByEngine(const Spot& spot, const EngraveRequest& request
   auto result = runToEnd(**job);
   if (!result) return tl::unexpected(result.error());
   CarvedCode code;
-  code.mask = submodulesToCarve(result->symbol, request.modulePattern, request.finderPattern);
+  code.mask = submodulesToCarve(result->symbol, *result->request.modulePattern, *result->request.finderPattern);
   code.symbol = std::move(result->symbol);
   const SubmoduleLuminances luminance(result->luminance, code.symbol.size);
   for (const std::uint32_t i : carvedOf(code.mask))

@@ -13,7 +13,11 @@
 namespace qrelief::study {
 namespace {
 
+/// Of modules that are not small beside the nozzle.
+constexpr ModulePattern kOurModules = ModulePattern::ThickPlus;
+constexpr FinderPattern kOurFinders = FinderPattern::ThickPlusSharp;
 constexpr double kDeepModules = 4;  // more than any contrast here asks for
+constexpr double kUsualWhole = 0.25;
 
 SubmoduleMask wholeModules(const Symbol& symbol) {
   return submodulesToCarve(symbol, ModulePattern::None, FinderPattern::None);
@@ -63,9 +67,8 @@ auto paper2022(ModulePattern modules, FinderPattern finders) {
 
 /// As deep everywhere as asked for, mm, but for walls.
 Result<CarvedCode> evenDepth(const Spot& spot, double depthMm) {
-  EngraveRequest request = spot.request;
+  EngraveRequest request = patterned(spot, kOurModules, kOurFinders, 0.95);  // never reached: all goes to the limit
   request.maxDepthMm = depthMm;
-  request.contrast = 0.95;  // never reached: everything goes to the limit
   return carveByEngine(spot, request);
 }
 
@@ -95,9 +98,8 @@ Result<CarvedCode> oursOneLight(const Spot& spot, double contrast) {
 
 auto ours(CarveFor carveFor) {
   return [carveFor](const Spot& spot, double contrast) {
-    EngraveRequest request = spot.request;
+    EngraveRequest request = patterned(spot, kOurModules, kOurFinders, contrast);
     request.carveFor = carveFor;
-    request.contrast = contrast;
     return carveByEngine(spot, request);
   };
 }
@@ -141,9 +143,12 @@ const std::vector<Method>& methods() {
       {"ours-one-light", {0.1, 0.15, 0.2, 0.3, 0.4}, usual, DirectionMethod::DepthBalanced, oursOneLight},
       {"ours-for-design", kContrasts, usual, DirectionMethod::DepthBalanced, ours(CarveFor::Design)},
       {"ours-for-print", kContrasts, usual, DirectionMethod::DepthBalanced, ours(CarveFor::Print)},
-      {"ours-broken-up", kContrasts, usual, DirectionMethod::DepthBalanced,
-       brokenUp(EngraveRequest{}.modulePattern, EngraveRequest{}.finderPattern)},
-      {"ours-whole-modules", kContrasts, usual, DirectionMethod::DepthBalanced,
+      {"ours-broken-up", kContrasts, usual, DirectionMethod::DepthBalanced, brokenUp(kOurModules, kOurFinders)},
+      // What the size of these modules decides, see pipeline/small_modules.h.
+      {"ours-whole-modules",
+       {0.1, 0.15, 0.2, 0.25, 0.3, 0.4, 0.55},
+       kUsualWhole,
+       DirectionMethod::DepthBalanced,
        brokenUp(ModulePattern::None, FinderPattern::None)},
   };
   return kAll;

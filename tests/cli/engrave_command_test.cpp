@@ -222,7 +222,7 @@ TEST_F(EngraveCommandTest, PresetsDifferInDepthAndGiveWayToWhatIsSaid) {
   const std::string model = writeModel("box.stl", shapes::box({40, 40, 8}));
   const auto meanDepth = [&](std::vector<std::string> options) {
     std::vector<std::string> words = {"engrave", model, "--text", "HELLO",         "--at",     "0,0,4",
-                                      "--size",  "21",  "-o",     path("out.stl"), "--report", path("out.json"),
+                                      "--size",  "25",  "-o",     path("out.stl"), "--report", path("out.json"),
                                       "--quiet"};
     words.insert(words.end(), options.begin(), options.end());
     const Outcome outcome = run(words);

@@ -82,6 +82,8 @@ class CarvedForPrintTest : public GlTest {
                                                    [](double x, double y) { return -0.008 * (x * x + y * y); })),
                       {}));
     request_.text = "QRELIEF";
+    request_.modulePattern = ModulePattern::ThickPlus;
+    request_.finderPattern = FinderPattern::ThickPlusSharp;
     request_.placement.centreMm = {0, 0, 0};
     request_.placement.upHint = {0, 1, 0};
     request_.placement.sizeMode = SizeMode::Fixed;

@@ -10,6 +10,7 @@
 
 #include "messages/sentences.h"
 #include "native/zxing_reader.h"
+#include "pipeline/small_modules.h"
 #include "report/report.h"
 #include "support/brute_force.h"
 #include "support/gl_test.h"
@@ -83,7 +84,8 @@ TEST_F(EngraveTest, RecordsEveryPassOfTheSearchIfItIsAskedTo) {
   EXPECT_EQ(result->depths.depthMm, plain->depths.depthMm);  // looking changes nothing
   const SearchRecord& record = result->search;
   ASSERT_EQ(record.passes.size(), static_cast<std::size_t>(result->searchIterations));
-  const SubmoduleMask mask = submodulesToCarve(result->symbol, wanted.modulePattern, wanted.finderPattern);
+  const SubmoduleMask mask =
+      submodulesToCarve(result->symbol, *result->request.modulePattern, *result->request.finderPattern);
   ASSERT_EQ(record.carved.size(), static_cast<std::size_t>(std::count(mask.carved.begin(), mask.carved.end(), 1)));
   EXPECT_THAT(record.luminance, testing::Pointwise(testing::FloatEq(), std::vector<float>(result->luminance.begin(),
                                                                                           result->luminance.end())));
@@ -102,12 +104,30 @@ TEST_F(EngraveTest, RecordsEveryPassOfTheSearchIfItIsAskedTo) {
   EXPECT_NE(record.passes.front().depthMm, last.depthMm);
 }
 
+TEST_F(EngraveTest, SmallModulesAreCarvedAsTheSameSettingsSaidByThemselves) {
+  const auto model = upload(shapes::icosphere(40, 5));
+  EngraveRequest left = request({0, 0, 40}, 20);  // modules of less than a millimetre
+  const auto small = engrave(model, left);
+  ASSERT_TRUE(small.has_value()) << small.error().message;
+  ASSERT_LT(small->placement.moduleMm, kSmallModuleNozzles * left.printer.nozzleMm);
+  EngraveRequest said = left;
+  said.modulePattern = ModulePattern::None;
+  said.finderPattern = FinderPattern::None;
+  said.symbol.breakUpDarkAreas = true;
+  said.contrast = small->request.contrast;
+  said.maxDepthMm = kMaxDepthSmallModules * small->placement.moduleMm;
+  const auto same = engrave(model, said);
+  ASSERT_TRUE(same.has_value()) << same.error().message;
+  EXPECT_EQ(small->stl, same->stl);
+  EXPECT_EQ(small->symbol.dark, same->symbol.dark);
+}
+
 TEST_F(EngraveTest, TheDepthVariesBySubmoduleAndOnlyMaskedSubmodulesAreCarved) {
   EngraveRequest wanted = request({0, 0, 40}, 25);
   wanted.modulePattern = ModulePattern::Square;
   const auto result = engrave(upload(shapes::icosphere(40, 5)), wanted);
   ASSERT_TRUE(result.has_value()) << result.error().message;
-  const SubmoduleMask mask = submodulesToCarve(result->symbol, ModulePattern::Square, wanted.finderPattern);
+  const SubmoduleMask mask = submodulesToCarve(result->symbol, ModulePattern::Square, *result->request.finderPattern);
   std::set<double> depths;
   for (int row = 0; row < mask.size; ++row) {
     for (int column = 0; column < mask.size; ++column) {

@@ -23,7 +23,8 @@ std::vector<std::string> settingsOf(const std::vector<Remedy>& remedies) {
 EngraveResult carved(const EngraveRequest& request, double symbolMm, double depthMm) {
   EngraveResult result;
   result.symbol = *encodeSymbol("HELLO", {.version = 1});
-  const SubmoduleMask mask = submodulesToCarve(result.symbol, request.modulePattern, request.finderPattern);
+  const SubmoduleMask mask = submodulesToCarve(result.symbol, request.modulePattern.value_or(ModulePattern::ThickPlus),
+                                               request.finderPattern.value_or(FinderPattern::ThickPlusSharp));
   result.depths = {mask.size, symbolMm, {}};
   for (const std::uint8_t one : mask.carved) result.depths.depthMm.push_back(one ? depthMm : 0);
   result.placement.symbolMm = symbolMm;

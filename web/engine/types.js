@@ -16,8 +16,8 @@
 
 /** @typedef {'y' | 'z'} UpAxis */
 
-/** @typedef {'none' | 'square' | 'thin-plus' | 'diamond' | 'thick-plus'} ModulePattern */
-/** @typedef {'none' | 'as-modules' | 'diamond' | 'thick-plus' | 'thick-plus-sharp'} FinderPattern */
+/** @typedef {'auto' | 'none' | 'square' | 'thin-plus' | 'diamond' | 'thick-plus'} ModulePattern */
+/** @typedef {'auto' | 'none' | 'as-modules' | 'diamond' | 'thick-plus' | 'thick-plus-sharp'} FinderPattern */
 
 /**
  * @typedef {object} Settings

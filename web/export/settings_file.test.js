@@ -63,7 +63,7 @@ test('every wrong setting is named with its value', () => {
     [{ preset: 'deep' }, /preset must be one of shallow, balanced, robust, not "deep"/], [{ size: 'huge' }, /size must be one of free, oriented, best/],
     [{ size: 0.05 }, /size must be a number from 0.1 to 10000, not 0.05/], [{ rotateDeg: '0' }, /rotateDeg must be a number/], [{ ecc: null }, /ecc must be one of/],
     [{ nozzleMm: null }, /nozzleMm must be a number/], [{ contrast: 1 }, /contrast must be a number from 0.01 to 0.99, not 1/],
-    [{ pattern: undefined }, /pattern is missing/], [{ colour: 'red' }, /no setting "colour"/], [{ ['__proto__x']: 1 }, /no setting/],
+    [{ preset: undefined }, /preset is missing/], [{ colour: 'red' }, /no setting "colour"/], [{ ['__proto__x']: 1 }, /no setting/],
     [{ pattern: ['square'] }, /pattern must be one of/], [{ light: '135,20,19' }, /light must be lamps with azimuthDeg, .*not "135,20,19"/], [{ light: [{ azimuthDeg: 1 }] }, /light must be lamps/], [{ preset: `${'x'.repeat(1000)}` }, /not "x{38}…/],
   ];
   for (const [change, message] of wrong) {
@@ -95,7 +95,7 @@ test('a file has what the page has controls for, and the text', () => {
 });
 
 test('what files of the first release had must be there, but for what is empty or automatic at first', () => {
-  const had = ['text', 'preset', 'pattern', 'finderPattern', 'size', 'maxSizeMm', 'quietZone', 'direction', 'rotateDeg', 'minWallMm',
+  const had = ['text', 'preset', 'size', 'maxSizeMm', 'quietZone', 'direction', 'rotateDeg', 'minWallMm',
     'nozzleMm', 'layerMm', 'eyeDistanceMm'];
   for (const key of had) {
     assert.throws(() => readSettingsFile(withSettings({ [key]: undefined }), 'x.json'), refusedWith(new RegExp(`${key} is missing`)));
