@@ -9,7 +9,6 @@ namespace {
 
 constexpr ModulePattern kLargeModulePattern = ModulePattern::ThickPlus;
 constexpr FinderPattern kLargeFinderPattern = FinderPattern::ThickPlusSharp;
-constexpr double kSmallModuleContrast = 5.0 / 6;  // of the preset's
 
 bool carvesSmallModulesWhole(const EngraveRequest& request) {
   return !request.modulePattern && request.process && request.objective == DepthObjective::Contrast &&

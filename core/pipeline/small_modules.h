@@ -11,6 +11,9 @@ inline constexpr double kSmallModuleNozzles = 2.6;
 /// The deepest pocket that a request allows by itself, in modules, and that of small modules.
 inline constexpr double kMaxDepthModules = 1.2, kMaxDepthSmallModules = 4;
 
+/// The contrast of small modules, in that of the preset.
+inline constexpr double kSmallModuleContrast = 5.0 / 6;
+
 /// A request and its symbol once the size of a module is known.
 struct SizedCode {
   EngraveRequest request;  ///< with both patterns

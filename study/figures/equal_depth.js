@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Reads at the default's depth, for several texts.
 import { distinct, groupBy, median, tally } from '../page/compare.js';
-import { isOurs } from '../page/methods.js';
+import { isOurs, kDefaultMethod } from '../page/methods.js';
 import { models, name, said } from '../page/say.js';
 import { methodStrips } from '../page/strips.js';
 import { kTries } from '../page/tries.js';
 
 /** @typedef {import('../page/table.js').Row} Row */
-
-const kDefault = 'ours-for-print';
 
 /** Median of a method's reads over the texts. @param {Row[]} ofModel @param {string} method @returns {number} */
 export const readsOf = (ofModel, method) => median(ofModel.filter((row) => row.method === method).map(({ printed }) => printed));
@@ -18,7 +16,7 @@ export const spreadOf = (rows) => median([...groupBy(rows, 'model').values()].fl
   [...groupBy(ofModel, 'method').values()].map((of) => Math.max(...of.map(({ printed }) => printed)) - Math.min(...of.map(({ printed }) => printed)))));
 
 /** Methods that are read more often than the default. @param {Row[]} ofModel @returns {string[]} */
-export const oftener = (ofModel) => distinct(ofModel, 'method').filter((method) => readsOf(ofModel, method) > readsOf(ofModel, kDefault));
+export const oftener = (ofModel) => distinct(ofModel, 'method').filter((method) => readsOf(ofModel, method) > readsOf(ofModel, kDefaultMethod));
 
 /** @type {import('../page/figure.js').Figure} */
 export const equalDepth = {
@@ -28,7 +26,7 @@ export const equalDepth = {
     const ofModels = [...groupBy(rows, 'model').values()];
     const holds = (/** @type {(method: string) => boolean} */ counts) =>
       models(tally(ofModels, (ofModel) => oftener(ofModel).filter(counts).length === 0));
-    const others = distinct(rows, 'method').filter((method) => method !== kDefault);
+    const others = distinct(rows, 'method').filter((method) => method !== kDefaultMethod);
     return [
       said('equalDepthOthers', { cases: holds((method) => !isOurs(method)) }),
       said('equalDepthList', {
@@ -36,7 +34,7 @@ export const equalDepth = {
           method: name('method', method), cases: models(tally(ofModels, (ofModel) => oftener(ofModel).includes(method))),
           reads: { number: median(ofModels.map((ofModel) => readsOf(ofModel, method))), digits: 1 },
         })),
-        reads: { number: median(ofModels.map((ofModel) => readsOf(ofModel, kDefault))), digits: 1 },
+        reads: { number: median(ofModels.map((ofModel) => readsOf(ofModel, kDefaultMethod))), digits: 1 },
       }),
       said('equalDepthSpread', { spread: { number: spreadOf(rows), digits: 1 } }),
     ];

@@ -2,14 +2,13 @@
 // Reads against depth, every method from shallow to deep.
 import { distinct, frontierAt, groupBy, tally } from '../page/compare.js';
 import { inOrder, kColours, series } from '../page/figure.js';
-import { isForOneLamp, isOurs } from '../page/methods.js';
+import { isForOneLamp, isOurs, kDefaultMethod, kDefaultOfLarge } from '../page/methods.js';
 import { models, name, said } from '../page/say.js';
 import { kNeeded, kTries } from '../page/tries.js';
 
 /** @typedef {import('../page/table.js').Row} Row */
 /** @typedef {import('../page/compare.js').Point} Point */
 
-const kDefault = 'ours-for-print', kWhole = 'ours-whole-modules';
 /** @type {Record<string, [colour: string, shape: string, dash: number[]]>} */
 const kStyles = {
   'groove-2018': [kColours.olive, 'triangle-down', []],
@@ -81,7 +80,7 @@ const draw = (measure) => (rows, look) => {
           transform: [{ filter: { field: 'method', equal: names[index] } }],
           mark: {
             type: /** @type {const} */ ('line'), color: styles[index][0], strokeDash: styles[index][2],
-            strokeWidth: method === kDefault ? kThick : kThin,
+            strokeWidth: method === kDefaultMethod ? kThick : kThin,
           },
           encoding: at,
         })),
@@ -99,7 +98,7 @@ export const frontierPrinted = {
   name: 'frontierPrinted', table: 'frontier', measures: ['depth_mm', 'printed'],
   draw: draw('printed'),
   find: (rows, { method_comparison: comparison = [] }) => {
-    const ours = new Map(comparison.filter(({ method }) => method === kDefault).map((row) => [row.model, row]));
+    const ours = new Map(comparison.filter(({ method }) => method === kDefaultMethod).map((row) => [row.model, row]));
     const beaten = [...groupBy(rows, 'model')].map(([model, ofModel]) => betterThanDefault(ofModel, ours.get(model)));
     const onOrAbove = tally(beaten, (by) => by?.every(isForOneLamp));
     const byLamp = tally(beaten, (by) => by?.includes('one-light-2020'));
@@ -111,13 +110,13 @@ export const frontierPrinted = {
         .map((method) => leastDepthThatReads(ofModel, method) ?? Infinity));
       return Math.min(least(true), least(false)) === Infinity ? undefined : least(true) <= least(false);
     });
-    const whole = tally(groupBy(rows, 'model'), ([model, ofModel]) => {
-      const usual = ours.get(model), reads = usual && frontierAt(levelsOf(ofModel, kWhole, 'printed'), usual.depth_mm);
-      return usual && reads !== undefined ? reads >= usual.printed : undefined;
+    const patterned = tally(groupBy(rows, 'model'), ([model, ofModel]) => {
+      const usual = ours.get(model), reads = usual && frontierAt(levelsOf(ofModel, kDefaultOfLarge, 'printed'), usual.depth_mm);
+      return usual && reads !== undefined ? usual.printed >= reads : undefined;
     });
     return [
       said('frontierDefault', { cases: models(onOrAbove) }),
-      ...(whole.of > 0 ? [said('frontierWhole', { cases: models(whole) })] : []),
+      ...(patterned.of > 0 ? [said('frontierThickPlus', { cases: models(patterned) })] : []),
       said('frontierLost', { list: lost }),
       ...(rows.some(({ method }) => method === 'one-light-2020') ? [said('frontierLamp', { cases: models(byLamp) })] : []),
       said('frontierShallowest', { cases: models(shallowest), needed: kNeeded, tries: kTries }),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How far each method's own idea of the light is from path tracing.
 import { distinct } from '../page/compare.js';
+import { kDefaultMethod } from '../page/methods.js';
 import { name, said } from '../page/say.js';
 import { methodStrips } from '../page/strips.js';
 import { typical } from './method_depths.js';
@@ -28,7 +29,7 @@ export const lightErrors = {
   find: (rows) => {
     const errors = byError(rows);
     const [least, most] = [errors[0], errors[errors.length - 1]];
-    const ours = errors.find(({ method }) => method === 'ours-for-print');
+    const ours = errors.find(({ method }) => method === kDefaultMethod);
     const fraction = (/** @type {number} */ number) => ({ number, digits: 3 });
     return [
       said('errorsRange', {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "pipeline/small_modules.h"
 #include "qr/symbol_shaping.h"
 #include "study/methods/by_engine.h"
 #include "study/methods/groove_2018.h"
@@ -16,8 +17,6 @@ namespace {
 /// Of modules that are not small beside the nozzle.
 constexpr ModulePattern kOurModules = ModulePattern::ThickPlus;
 constexpr FinderPattern kOurFinders = FinderPattern::ThickPlusSharp;
-constexpr double kDeepModules = 4;  // more than any contrast here asks for
-constexpr double kUsualWhole = 0.25;
 
 SubmoduleMask wholeModules(const Symbol& symbol) {
   return submodulesToCarve(symbol, ModulePattern::None, FinderPattern::None);
@@ -109,7 +108,7 @@ auto brokenUp(ModulePattern modules, FinderPattern finders) {
   return [modules, finders](const Spot& spot, double contrast) {
     EngraveRequest request = patterned(spot, modules, finders, contrast);
     request.carveFor = CarveFor::Print;
-    request.maxDepthMm = kDeepModules * spot.placement.moduleMm;
+    request.maxDepthMm = kMaxDepthSmallModules * spot.placement.moduleMm;
     Symbol symbol = spot.symbol;
     breakUpDarkAreas(symbol);
     return carveByEngine(spot, request, &symbol);
@@ -144,10 +143,10 @@ const std::vector<Method>& methods() {
       {"ours-for-design", kContrasts, usual, DirectionMethod::DepthBalanced, ours(CarveFor::Design)},
       {"ours-for-print", kContrasts, usual, DirectionMethod::DepthBalanced, ours(CarveFor::Print)},
       {"ours-broken-up", kContrasts, usual, DirectionMethod::DepthBalanced, brokenUp(kOurModules, kOurFinders)},
-      // What the size of these modules decides, see pipeline/small_modules.h.
+      // The default at the size of these modules (pipeline/small_modules.h).
       {"ours-whole-modules",
        {0.1, 0.15, 0.2, 0.25, 0.3, 0.4, 0.55},
-       kUsualWhole,
+       kSmallModuleContrast * usual,
        DirectionMethod::DepthBalanced,
        brokenUp(ModulePattern::None, FinderPattern::None)},
   };
