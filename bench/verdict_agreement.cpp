@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether `engrave` and `verify` say the same of what was carved: reads, on pictures drawn by the GPU and traced.
+// Whether `engrave` and `verify` say the same of what was carved: reads, on pictures drawn by the GPU and traced. At
+// the end, how far apart the tries are that read in drawn and in traced pictures: what isUndecided() rests on.
+#include <algorithm>
 #include <array>
 #include <fmt/format.h>
 
@@ -12,6 +14,8 @@
 
 namespace qrelief {
 namespace {
+
+constexpr int kNone = 1000;  // more than there are tries
 
 struct Case {
   ModulePattern pattern;
@@ -27,7 +31,7 @@ int run(const GeometryPass&, const bench::TableArguments& arguments) {
                                       {ModulePattern::Diamond, FinderPattern::None, Preset::Balanced, true},
                                       {ModulePattern::None, FinderPattern::ThickPlusSharp, Preset::Shallow},
                                       {ModulePattern::ThinPlus, FinderPattern::AsModules, Preset::Robust}}};
-  int number = 0, agreeing = 0;
+  int number = 0, agreeing = 0, leastMore = kNone, mostMore = -kNone;
   const int status = bench::forEachCentre(
       arguments.folder, arguments.centresFile, arguments.kinds,
       [&](const std::shared_ptr<const EngravableModel>& model, const bench::Centre& centre) -> Status {
@@ -57,15 +61,20 @@ int run(const GeometryPass&, const bench::TableArguments& arguments) {
                      verifies = judge(wanted, *verified).passed();
           agreeing += engraves == verifies;
           ++number;
-          fmt::print("{} {}: {:.1f} mm, engrave {} ({} of {}{}), verify {} ({} of {}){}\n", centre.name, k,
+          const ReadingEvidence drawn = evidenceOf(readFrontal(result->readerView), request.text);
+          const int more = verified->reading.frontal.reads - drawn.count.reads;
+          leastMore = std::min(leastMore, more);
+          mostMore = std::max(mostMore, more);
+          fmt::print("{} {}: {:.1f} mm, engrave {} ({} of {}{}), verify {} ({} of {}), drawn {}{}\n", centre.name, k,
                      wanted.symbolMm, engraves, reading->count.reads, reading->count.tries,
                      reading->traced ? ", traced" : "", verifies, verified->reading.frontal.reads,
-                     verified->reading.frontal.tries, engraves == verifies ? "" : " DIFFER");
+                     verified->reading.frontal.tries, drawn.count.reads, engraves == verifies ? "" : " DIFFER");
           std::fflush(stdout);
         }
         return {};
       });
   fmt::print("{} of {} results: engrave and verify agree\n", agreeing, number);
+  if (number > 0) fmt::print("traced less drawn: {} to {} tries\n", leastMore, mostMore);
   return status;
 }
 
