@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/clock.h"
+#include "batch/manifest.h"
 #include "engine/symbol_print.h"
 #include "io/write_checked.h"
 #include "pipeline/add_inlay.h"
@@ -205,6 +206,13 @@ Result<Aspect> Carvings::judgePrint(const std::string& changed, const std::vecto
 void Carvings::setPrintedReadings(const std::vector<std::string>& texts, double facingDeg) {
   current_.printed = {evidenceOf(texts, current_.request.text, true),
                       std::string(namedPrinters()[*current_.request.process].name), facingDeg};
+}
+
+Carvings::Row Carvings::row(double totalMs) const {
+  Verdict judged = verdict();
+  std::string details =
+      describeRow({current_.request, *current_.result, current_.reading, current_.printed, judged, totalMs});
+  return {std::move(judged), std::move(details)};
 }
 
 ViewTrials& Carvings::startViewTrials() {

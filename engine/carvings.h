@@ -65,6 +65,12 @@ class Carvings {
   void setPrintedReadings(const std::vector<std::string>& texts, double facingDeg);
   /// What a print with changed settings would come to; nothing is kept. There must be a carving.
   Result<Aspect> judgePrint(const std::string& changed, const std::vector<std::string>& texts, double facingDeg) const;
+  /// What the manifest of a batch says of it. There must be a carving.
+  struct Row {
+    Verdict verdict;
+    std::string details;  ///< see describeRow() in batch/manifest.h
+  };
+  Row row(double totalMs) const;
   /// Looks from where else it reads; null before startViewTrials(). There must be a carving.
   ViewTrials& startViewTrials();
   ViewTrials* viewTrials() { return current_.viewTrials ? &*current_.viewTrials : nullptr; }

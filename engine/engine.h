@@ -48,8 +48,9 @@ class Engine {
   /// The same with the surface point nearest to a point in mm.
   std::string setCentre(double x, double y, double z);
 
-  /// {placement: {centre, normal, up, symbolMm, moduleMm, guaranteedMm, rotationDeg, version, modules}}, and shows the
-  /// symbol there. Where none fits, what of it does is shown.
+  /// {placement: {centre, direction, normal, up, symbolMm, moduleMm, guaranteedMm, rotationDeg, version, modules}}, and
+  /// shows the symbol there; `direction` is the one that the centre came with (chooseSpot), else null. Where none fits,
+  /// what of it does is shown.
   std::string placement();
 
   /// {hit: false}, {hit: true, onCode: true} over the code that has its place, else {hit: true, onCode: false, code};
@@ -122,6 +123,9 @@ class Engine {
   /// value}]}.
   std::string otherPrints() const;
   std::string judgePrint(const std::string& changed, const std::string& texts, double facingDeg) const;
+  /// {passed, failed: [message], details}: what the manifest of a batch says of the carving, see describeRow() in
+  /// batch/manifest.h, and the checks that did not pass. @param totalMs  that it took altogether
+  std::string describeRow(double totalMs) const;
 
   /// {tried, all}: starts looking from where else the code reads (verification/view_trials.h).
   std::string startViewTrials();

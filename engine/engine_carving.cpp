@@ -121,6 +121,17 @@ std::string Engine::judgePrint(const std::string& changed, const std::string& te
   return textOf({{"ok", true}, {"prints", describeAspect(*prints, {})}});
 }
 
+std::string Engine::describeRow(double totalMs) const {
+  if (!carvings_.result()) return answer(kNoResult);
+  const auto row = carvings_.row(totalMs);
+  Json failed = Json::array();
+  for (const Message& check : row.verdict.failed()) failed.push_back(jsonOf(check));
+  return textOf({{"ok", true},
+                 {"passed", row.verdict.passed()},
+                 {"failed", std::move(failed)},
+                 {"details", Json::parse(row.details)}});
+}
+
 std::string Engine::startViewTrials() {
   if (!carvings_.result()) return answer(kNoResult);
   return textOf({{"ok", true}, {"tried", 0}, {"all", carvings_.startViewTrials().all()}});

@@ -40,6 +40,7 @@ std::string Engine::describePlacement() const {
   return textOf({{"ok", true},
                  {"placement",
                   {{"centre", jsonOf(placement.frame.centre)},
+                   {"direction", wanted_.direction() ? jsonOf(*wanted_.direction()) : Json()},
                    {"normal", jsonOf(placement.frame.normal)},
                    {"up", jsonOf(placement.frame.up)},
                    {"symbolMm", placement.symbolMm},

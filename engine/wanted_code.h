@@ -19,6 +19,7 @@ class WantedCode {
   /// @param direction  that the centre needs, instead of one found from there
   void choose(std::optional<Vec3> centreMm, std::optional<Vec3> direction = {});
   const std::optional<Vec3>& centreMm() const { return centreMm_; }
+  const std::optional<Vec3>& direction() const { return direction_; }  ///< that the centre needs
 
   /// What is engraved at the centre, which must be chosen.
   /// @param upHint  the axis that is up in the scene

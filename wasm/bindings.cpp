@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The module's only door: the verbs of the engine, of the inspector over it, and of the print beside it, by name.
+// The module's only door: the verbs of the engine, of the inspector over it, and of the print and the batch beside
+// it, by name.
 #include <GLES3/gl3.h>
 #include <emscripten/bind.h>
 #include <emscripten/html5_webgl.h>
@@ -11,6 +12,7 @@
 #include <utility>
 
 #include "engine/guarded.h"
+#include "engine/planned_batch.h"
 #include "engine/printed_code.h"
 #include "inspector/inspected_engine.h"
 
@@ -26,7 +28,7 @@
   verb(Engine, useCarving) verb(Engine, report) verb(Engine, readerImage) verb(Engine, jobMap) \
   verb(Engine, readingPictures) verb(Engine, setReadings) verb(Engine, startViewTrials) \
   verb(Engine, viewTrialPictures) verb(Engine, noteViewTrial) verb(Engine, exportModel) verb(Engine, printOrder) \
-  verb(Engine, setPrintedReadings) verb(Engine, otherPrints) verb(Engine, judgePrint) \
+  verb(Engine, setPrintedReadings) verb(Engine, otherPrints) verb(Engine, judgePrint) verb(Engine, describeRow) \
   verb(InspectedEngine, resize) verb(InspectedEngine, setTheme) verb(Engine, setUpAxis) \
   verb(Engine, showCarved) verb(Engine, orbit) verb(Engine, pan) verb(Engine, zoom) verb(Engine, fit) \
   verb(Engine, standardView) verb(Engine, readerView) verb(Engine, faceCode) verb(Engine, showSection) \
@@ -38,6 +40,9 @@
   verb(InspectedEngine, inspectorState)
 #define QRELIEF_PRINT_VERBS(verb) \
   verb(PrintedCode, start) verb(PrintedCode, advance) verb(PrintedCode, readingPictures) verb(PrintedCode, picture)
+#define QRELIEF_BATCH_VERBS(verb) \
+  verb(PlannedBatch, plan) verb(PlannedBatch, rows) verb(PlannedBatch, row) verb(PlannedBatch, toHash) \
+  verb(PlannedBatch, manifestLine) verb(PlannedBatch, manifestCsv)
 // clang-format on
 
 namespace qrelief {
@@ -125,14 +130,15 @@ Owner& partOf(InspectedEngine& engine) {
     return engine;
 }
 
+/// Whose verbs stand in an object of their own; all others stand in the engine's.
 template <class Owner>
-Owner& partOf(PrintedCode& print) {
-  return print;
-}
+constexpr bool kStandsAlone = std::is_same_v<Owner, PrintedCode> || std::is_same_v<Owner, PlannedBatch>;
 
-/// Whose verbs stand in one object of the page's.
 template <class Owner>
-using BoundObject = std::conditional_t<std::is_same_v<Owner, PrintedCode>, PrintedCode, InspectedEngine>;
+requires kStandsAlone<Owner> Owner& partOf(Owner& object) { return object; }
+
+template <class Owner>
+using BoundObject = std::conditional_t<kStandsAlone<Owner>, Owner, InspectedEngine>;
 
 template <auto verb, class Owner, class Answer, class... Given>
 struct BoundVerb {
@@ -188,6 +194,11 @@ EMSCRIPTEN_BINDINGS(qrelief) {
   print.constructor<>();
 #define QRELIEF_BIND(Owner, verb) print.function(#verb, &Verb<&Owner::verb>::call);
   QRELIEF_PRINT_VERBS(QRELIEF_BIND)
+#undef QRELIEF_BIND
+  const auto batch = emscripten::class_<PlannedBatch>("PlannedBatch");
+  batch.constructor<>();
+#define QRELIEF_BIND(Owner, verb) batch.function(#verb, &Verb<&Owner::verb>::call);
+  QRELIEF_BATCH_VERBS(QRELIEF_BIND)
 #undef QRELIEF_BIND
 }
 

@@ -63,6 +63,21 @@ TEST_F(EngineCarvingsTest, TheOneBeforeTheLastComesBackBitForBitAndWithWhatWasRe
   EXPECT_EQ(engine_->exportModel("stl"), secondFile);
 }
 
+TEST_F(EngineCarvingsTest, SaysWhatTheManifestHasOfACarving) {
+  EXPECT_EQ(Json::parse(engine_->describeRow(0))["error"]["code"], "nothing-engraved");
+  carve("part 7");
+  const Json unread = Json::parse(engine_->describeRow(12.4));
+  EXPECT_EQ(unread["passed"], false);
+  EXPECT_FALSE(unread["failed"].empty());
+  engine_->setReadings(Json(std::vector<std::string>(engine_->readingPictures().size(), "part 7")).dump(), "a reader");
+  const Json row = Json::parse(engine_->describeRow(12.4));
+  EXPECT_EQ(row["passed"], true) << row;
+  EXPECT_TRUE(row["failed"].empty());
+  EXPECT_EQ(row["details"]["timingsMs"]["total"], 12);
+  EXPECT_EQ(row["details"]["verdict"]["reads"], "good");
+  EXPECT_GT(row["details"]["depth"]["meanMm"], 0.1);
+}
+
 TEST_F(EngineCarvingsTest, OlderOnesAreForgotten) {
   const int first = carve("a");
   const int second = carve("b");

@@ -37,13 +37,15 @@ export class EngineClient {
    * @param {() => HTMLCanvasElement} options.makeCanvas  a fresh canvas in place of the last one
    * @param {(event: HostEvent) => void} options.onEvent  context lost, or a failure outside any verb
    * @param {(state: import('./types.js').ViewState) => void} [options.onView]  after a frame that shows something else
-   * @param {() => void} options.onReplaced               the module was replaced: it knows no model, no settings
+   * @param {() => void} [options.onReplaced]             the module was replaced: it knows no model, no settings
+   * @param {boolean} [options.draws]                     whether anybody sees the canvas
    */
-  constructor({ makeCanvas, onEvent, onView = () => {}, onReplaced }) {
+  constructor({ makeCanvas, onEvent, onView = () => {}, onReplaced = () => {}, draws = true }) {
     this.makeCanvas_ = makeCanvas;
     this.onEvent_ = onEvent;
     this.onView_ = onView;
     this.onReplaced_ = onReplaced;
+    this.draws_ = draws;
     /** @type {Backend | undefined} */ this.backend_ = undefined;
     /** @type {((progress: EngraveProgress) => void) | undefined} */ this.onProgress_ = undefined;
   }
@@ -55,10 +57,15 @@ export class EngineClient {
     return this.call_('capabilities');
   }
 
-  /** Ends the worker, however busy, and starts anew. */
-  async replace() {
+  /** Ends the worker, however busy: what was asked of it is rejected, as `isReplaced` tells. */
+  end() {
     this.backend_?.end();
     this.backend_ = undefined;
+  }
+
+  /** Ends the worker, however busy, and starts anew. */
+  async replace() {
+    this.end();
     try {
       await this.start();
     } catch (thrown) {
@@ -249,6 +256,36 @@ export class EngineClient {
   /** @param {string} format @returns {Promise<Uint8Array<ArrayBuffer>>} */
   exportModel(format) { return this.call_('exportModel', format); }
 
+  /**
+   * Reads a list and checks it as a whole; its rows are those of the verbs that follow.
+   * @param {Uint8Array} list  stays usable: the worker gets a copy
+   * @param {import('./types.js').WantedBatch} wanted
+   * @returns {Promise<import('./types.js').BatchPlan>}
+   */
+  planBatch(list, wanted) { return this.call_('planBatch', list, wanted); }
+
+  /** @param {number} from @param {number} count  at most @returns {Promise<import('./types.js').BatchRowName[]>} */
+  batchRows(from, count) { return this.call_('batchRows', from, count); }
+
+  /** @param {number} index  from 0 @returns {Promise<import('./types.js').BatchRow>} */
+  batchRow(index) { return this.call_('batchRow', index); }
+
+  /**
+   * @param {number} index
+   * @param {{ centre: number[], others: string }} placed  what else decides the row's file
+   * @returns {Promise<string>}  whose hash the manifest has as that of the row's settings
+   */
+  batchRowToHash(index, placed) { return this.call_('batchRowToHash', index, placed); }
+
+  /** @param {import('./types.js').ManifestEntry} entry @returns {Promise<string>}  without its end */
+  manifestLine(entry) { return this.call_('manifestLine', entry); }
+
+  /** @param {string} lines  of a manifest @param {boolean} withHeader @returns {Promise<string>}  the same as a table */
+  manifestCsv(lines, withHeader) { return this.call_('manifestCsv', lines, withHeader); }
+
+  /** What the manifest has of the carving that is there. @param {number} totalMs @returns {Promise<import('./types.js').DescribedRow>} */
+  describeRow(totalMs) { return this.call_('describeRow', totalMs); }
+
   /** The view as it is now. @returns {Promise<Uint8Array<ArrayBuffer>>}  a PNG */
   picture() { return this.call_('picture'); }
 
@@ -298,7 +335,7 @@ export class EngineClient {
       const canvas = this.makeCanvas_().transferControlToOffscreen();
       const backend = new WorkerBackend((event) => this.receive_(event));
       try {
-        await backend.send('start', [canvas], [canvas]);
+        await backend.send('start', [canvas, { draws: this.draws_ }], [canvas]);
         return backend;
       } catch (thrown) {
         backend.end();
@@ -307,7 +344,7 @@ export class EngineClient {
       }
     }
     const { EngineHost } = await import('./engine_host.js');
-    return new PageBackend(await EngineHost.create(this.makeCanvas_(), (event) => this.receive_(event)));
+    return new PageBackend(await EngineHost.create(this.makeCanvas_(), (event) => this.receive_(event), { draws: this.draws_ }));
   }
 
   /** @param {HostEvent} event */

@@ -59,6 +59,15 @@ afterEach(() => {
   Object.assign(globalThis, real);
 });
 
+test('Ended, it rejects what was asked, and starts no other worker', async () => {
+  const asked = client.report();
+  client.end();
+  await assert.rejects(asked, { code: 'engine-replaced' });
+  await assert.rejects(client.report(), { code: 'engine-replaced' });
+  assert.equal(worker().ended, true);
+  assert.deepEqual([FakeWorker.all.length, replacements, events.length], [1, 0, 0]);
+});
+
 test('A verb is asked of the worker, and its answer given', async () => {
   const picked = client.pick(3, 4);
   assert.deepEqual(worker().asked[0].args, [3, 4]);

@@ -55,8 +55,9 @@ export class EngineHost {
    * @param {HTMLCanvasElement | OffscreenCanvas} options.canvas
    * @param {WebGL2RenderingContext} options.gl  of the canvas
    * @param {(event: HostEvent) => void} options.notify
+   * @param {boolean} options.draws  whether anybody sees the canvas
    */
-  constructor({ module, loadInspector, canvas, gl, notify }) {
+  constructor({ module, loadInspector, canvas, gl, notify, draws }) {
     this.module_ = module;
     this.loadInspector_ = loadInspector;
     /** @type {Engine} */ this.engine_ = new module.Engine();
@@ -64,6 +65,8 @@ export class EngineHost {
     this.gl_ = gl;
     /** @type {WebGLSync | null} */ this.fence_ = null;  // behind the last frame
     this.notify_ = notify;
+    this.draws_ = draws;
+    /** @type {import('./types.js').PlannedBatch | undefined} */ this.batch_ = undefined;
     this.frameRequested_ = false;
     /** @type {Job | undefined} */ this.job_ = undefined;
     this.lost_ = false;
@@ -82,14 +85,15 @@ export class EngineHost {
   /**
    * @param {HTMLCanvasElement | OffscreenCanvas} canvas
    * @param {(event: HostEvent) => void} notify
+   * @param {{ draws?: boolean }} [options]  `draws`: whether anybody sees the canvas
    */
-  static async create(canvas, notify) {
+  static async create(canvas, notify, { draws = true } = {}) {
     const gl = /** @type {WebGL2RenderingContext | null} */ (canvas.getContext('webgl2', kContextAttributes));
     if (!gl) throw new EngineFailure(internal(message('no-webgl2')));
     gl.getExtension('EXT_color_buffer_float');
     const { module, loadInspector } = await loadModule();
     module.GL.makeContextCurrent(module.GL.registerContext(gl, { majorVersion: 2 }));
-    const host = new EngineHost({ module, loadInspector, canvas, gl, notify });
+    const host = new EngineHost({ module, loadInspector, canvas, gl, notify, draws });
     canvas.addEventListener('webglcontextlost', (event) => {
       event.preventDefault();
       host.lost_ = true;
@@ -228,6 +232,21 @@ export class EngineHost {
       throw new EngineFailure(internal(message('model-not-written', { format: { term: format.toUpperCase() } })));
     },
 
+    /** @param {Uint8Array} list @param {import('./types.js').WantedBatch} wanted */
+    planBatch: (list, wanted) => parseAnswer(this.planned_().plan(list, JSON.stringify(wanted))),
+    /** @param {number} from @param {number} count */
+    batchRows: (from, count) => parseAnswer(this.planned_().rows(from, count)).rows,
+    /** @param {number} index */
+    batchRow: (index) => parseAnswer(this.planned_().row(index)).row,
+    /** @param {number} index @param {{ centre: number[], others: string }} placed */
+    batchRowToHash: (index, placed) => parseAnswer(this.planned_().toHash(index, JSON.stringify(placed))).text,
+    /** @param {import('./types.js').ManifestEntry} entry */
+    manifestLine: (entry) => parseAnswer(this.planned_().manifestLine(JSON.stringify(entry))).line,
+    /** @param {string} lines @param {boolean} withHeader */
+    manifestCsv: (lines, withHeader) => parseAnswer(this.planned_().manifestCsv(lines, withHeader)).csv,
+    /** @param {number} totalMs */
+    describeRow: (totalMs) => parseAnswer(this.engine_.describeRow(totalMs)),
+
     picture: () => this.picture_(),
 
     /** @param {boolean} dark */
@@ -258,6 +277,12 @@ export class EngineHost {
     /** @param {ViewAction} action */
     act: (action) => this.act_(action),
   };
+
+  /** Made when it is first needed. */
+  planned_() {
+    this.batch_ ??= new this.module_.PlannedBatch();
+    return this.batch_;
+  }
 
   /** @param {ViewAction} action */
   act_(action) {
@@ -403,7 +428,7 @@ export class EngineHost {
 
   /** Asks for one frame; many asks before it cost one frame. */
   invalidate_() {
-    if (this.frameRequested_ || this.lost_) return;
+    if (this.frameRequested_ || this.lost_ || !this.draws_) return;
     this.frameRequested_ = true;
     onNextFrame(() => {
       this.frameRequested_ = false;

@@ -43,7 +43,8 @@
 /**
  * @typedef {{ centre: [number, number, number], normal: [number, number, number], up: [number, number, number],
  *   symbolMm: number, moduleMm: number, guaranteedMm: number, version: number, modules: number, rotationDeg: number,
- *   aimToleranceDeg: number, forgiving: boolean }} Placement  `aimToleranceDeg`: from how far aside, to every side, it can be read at most
+ *   direction: [number, number, number] | null, aimToleranceDeg: number, forgiving: boolean }} Placement
+ *   `direction` that the centre came with, as a spot that was suggested; `aimToleranceDeg`: from how far aside, to every side, it can be read at most
  *   `rotationDeg`: of the symbol's top from upwards, anticlockwise
  */
 
@@ -119,6 +120,19 @@
  * @property {{ total: number } & Record<string, number>} timingsMs
  */
 
+/**
+ * What a batch is asked for: what all rows have, the templates of text and file name ('' where the list's columns say
+ * them), and how many rows are numbered without a list, else 0.
+ * @typedef {{ settings: Settings, text: string, name: string, count: number }} WantedBatch
+ * @typedef {{ rows: number, problems: Message[], mayBeMore: boolean, unused: string[], version?: number, modules?: number }} BatchPlan
+ *   with a problem there are no rows; `unused`: columns that nothing asks for
+ * @typedef {{ number: number, line: number, id: string, text: string, file: string }} BatchRowName
+ * @typedef {BatchRowName & { settings: Partial<Settings> & Record<string, unknown> }} BatchRow  `settings` that are not those of all
+ * @typedef {{ passed: boolean, failed: Message[], details: object }} DescribedRow  `failed`: checks
+ * @typedef {{ number: number, id: string, text: string, file: string, status: 'done' | 'failed', reason?: string,
+ *   sha256: { input: string, settings: string, output?: string } }} ManifestEntry  with the details of DescribedRow beside
+ */
+
 /** @typedef {{ order: object, stl: Uint8Array<ArrayBuffer> }} PrintJob  the carved model, and what is to be made of it */
 /**
  * A carved code as the printer leaves it.
@@ -184,6 +198,7 @@
  * @property {() => string} otherPrints
  * @property {(changed: string, texts: string, facingDeg: number) => string} judgePrint
  * @property {(texts: string, facingDeg: number) => string} setPrintedReadings
+ * @property {(totalMs: number) => string} describeRow
  * @property {() => string} startViewTrials
  * @property {() => GreyImage[]} viewTrialPictures
  * @property {(read: boolean) => string} noteViewTrial
@@ -226,6 +241,17 @@
  */
 
 /**
+ * The class `PlannedBatch` of the module: a list's rows, and the manifest's lines; it needs neither canvas nor model.
+ * @typedef {object} PlannedBatch
+ * @property {(list: Uint8Array, wanted: string) => string} plan
+ * @property {(from: number, count: number) => string} rows
+ * @property {(index: number) => string} row
+ * @property {(index: number, placed: string) => string} toHash
+ * @property {(entry: string) => string} manifestLine
+ * @property {(lines: string, withHeader: boolean) => string} manifestCsv
+ */
+
+/**
  * Emscripten's tables from the names C++ has to WebGL's objects; null where one was deleted.
  * @typedef {Record<'buffers' | 'programs' | 'framebuffers' | 'renderbuffers' | 'textures' | 'shaders' | 'vaos' | 'queries' | 'syncs',
  *   (object | null)[]>} GlTables
@@ -235,6 +261,7 @@
  * @typedef {object} QReliefModule
  * @property {new () => Engine} Engine
  * @property {new () => PrintedCode} PrintedCode
+ * @property {new () => PlannedBatch} PlannedBatch
  * @property {{ registerContext: (gl: WebGL2RenderingContext, attributes: { majorVersion: number }) => number,
  *   makeContextCurrent: (handle: number) => boolean } & GlTables} GL
  * @property {Uint8Array} HEAPU8

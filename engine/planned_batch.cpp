@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/planned_batch.h"
+
+#include <cmath>
+#include <sstream>
+#include <utility>
+
+#include "batch/batch_list.h"
+#include "batch/manifest.h"
+#include "engine/answers.h"
+#include "settings/setting_json.h"
+
+namespace qrelief {
+namespace {
+
+const Error kNoRow = {ErrorKind::BadUsage, message("no-such-row")};
+
+/// What the manifest and the page's table have of a row.
+Json nameOf(const BatchRow& row) {
+  return {{"number", row.number}, {"line", row.line}, {"id", row.id}, {"text", row.request.text}, {"file", row.file}};
+}
+
+/// The settings in which a request differs from another, and those that every row has of its own.
+Json ownSettings(const EngraveRequest& request, const EngraveRequest& all) {
+  const Json given = Json::parse(settingsJson(request)), common = Json::parse(settingsJson(all));
+  Json own = Json::object();
+  for (const auto& [key, value] : given.items())
+    if (value != common[key] || key == "text" || key == "version") own[key] = value;
+  return own;
+}
+
+Result<BatchList> listOf(const std::vector<std::uint8_t>& bytes, std::size_t count) {
+  return count > 0 ? Result<BatchList>(countedBatchList(count)) : readBatchList(bytes);
+}
+
+}  // namespace
+
+std::string PlannedBatch::plan(const std::vector<std::uint8_t>& bytes, const std::string& wanted) {
+  plan_.reset();
+  const Json asked = Json::parse(wanted);
+  auto request = requestFromJson(asked["settings"].dump());
+  if (!request) return answer(request.error());
+  request->text = asked["text"].get<std::string>();
+  all_ = *request;
+  auto list = listOf(bytes, asked["count"].get<std::size_t>());
+  if (!list) return answer(list.error());
+  BatchPlan plan = BatchPlan::make(std::move(*list), {std::move(*request), asked["name"].get<std::string>()});
+  Json problems = Json::array();
+  for (const Message& problem : plan.problems()) problems.push_back(jsonOf(problem));
+  Json told = {{"ok", true},
+               {"rows", problems.empty() ? plan.size() : 0},
+               {"mayBeMore", problems.size() == BatchPlan::kMostProblems},
+               {"unused", plan.unusedColumns()}};
+  if (problems.empty()) {
+    const int version = *plan.row(0).request.symbol.version;
+    told["version"] = version;
+    told["modules"] = 17 + 4 * version;
+    plan_ = std::move(plan);
+  }
+  told["problems"] = std::move(problems);
+  return textOf(told);
+}
+
+std::optional<BatchRow> PlannedBatch::at(double index) const {
+  if (!plan_ || !(index >= 0) || !(index < static_cast<double>(plan_->size()))) return std::nullopt;
+  return plan_->row(static_cast<std::size_t>(index));
+}
+
+std::string PlannedBatch::rows(double from, double count) const {
+  Json rows = Json::array();
+  for (double index = from; index < from + count; ++index)
+    if (const auto row = at(index)) rows.push_back(nameOf(*row));
+  return textOf({{"ok", true}, {"rows", std::move(rows)}});
+}
+
+std::string PlannedBatch::row(double index) const {
+  const auto row = at(index);
+  if (!row) return answer(kNoRow);
+  Json told = nameOf(*row);
+  told["settings"] = ownSettings(row->request, all_);
+  return textOf({{"ok", true}, {"row", std::move(told)}});
+}
+
+std::string PlannedBatch::toHash(double index, const std::string& placed) const {
+  auto row = at(index);
+  if (!row) return answer(kNoRow);
+  const Json given = Json::parse(placed);
+  const Json& centre = given["centre"];
+  row->request.placement.centreMm = {centre[0].get<double>(), centre[1].get<double>(), centre[2].get<double>()};
+  return textOf({{"ok", true}, {"text", settingsToHash(*row, given["others"].get<std::string>())}});
+}
+
+std::string PlannedBatch::manifestLine(const std::string& entry) const {
+  const auto read = readManifestLine(entry);
+  if (!read) return answer(ErrorKind::BadUsage, message("no-manifest-line"));
+  return textOf({{"ok", true}, {"line", qrelief::manifestLine(*read)}});
+}
+
+std::string PlannedBatch::manifestCsv(const std::string& lines, bool withHeader) const {
+  std::string csv = withHeader ? manifestCsvHeader() : "";
+  std::istringstream stream(lines);
+  for (std::string line; std::getline(stream, line);)
+    if (const auto entry = readManifestLine(line)) csv += manifestCsvLine(*entry);
+  return textOf({{"ok", true}, {"csv", csv}});
+}
+
+}  // namespace qrelief

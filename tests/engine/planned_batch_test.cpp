@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/planned_batch.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "batch/manifest.h"
+#include "settings/setting_json.h"
+
+namespace qrelief {
+namespace {
+
+using Json = nlohmann::json;
+
+std::vector<std::uint8_t> bytesOf(const std::string& text) { return {text.begin(), text.end()}; }
+
+Json planned(PlannedBatch& batch, const std::string& list, const Json& wanted = Json::object()) {
+  Json asked = {{"settings", {{"text", "of one code"}}}, {"text", ""}, {"name", ""}, {"count", 0}};
+  asked.update(wanted);
+  return Json::parse(batch.plan(bytesOf(list), asked.dump()));
+}
+
+TEST(PlannedBatch, HasTheRowsOfAListAndTheirCommonVersion) {
+  PlannedBatch batch;
+  const Json plan = planned(batch, "id,text,colour\na,one,red\nb,a text that just needs version 3,blue\n");
+  ASSERT_EQ(plan["ok"], true) << plan;
+  EXPECT_EQ(plan["rows"], 2);
+  EXPECT_EQ(plan["problems"], Json::array());
+  EXPECT_EQ(plan["unused"], Json({"colour"}));
+  EXPECT_EQ(plan["version"], 3);
+  EXPECT_EQ(plan["modules"], 29);
+  const Json rows = Json::parse(batch.rows(1, 20))["rows"];
+  ASSERT_EQ(rows.size(), 1u);
+  EXPECT_EQ(rows[0]["number"], 2);
+  EXPECT_EQ(rows[0]["line"], 3);
+  EXPECT_EQ(rows[0]["id"], "b");
+  EXPECT_EQ(rows[0]["file"], "b.stl");
+}
+
+TEST(PlannedBatch, NumbersRowsWithoutAList) {
+  PlannedBatch batch;
+  const Json plan =
+      planned(batch, "", {{"count", 12}, {"text", "https://example.org/p/{n:05}"}, {"name", "part-{n}.3mf"}});
+  ASSERT_EQ(plan["rows"], 12) << plan;
+  const Json row = Json::parse(batch.row(11))["row"];
+  EXPECT_EQ(row["text"], "https://example.org/p/00012");
+  EXPECT_EQ(row["file"], "part-12.3mf");
+  EXPECT_EQ(Json::parse(batch.row(12))["error"]["code"], "no-such-row");
+}
+
+TEST(PlannedBatch, GivesARowTheSettingsInWhichItDiffersFromAll) {
+  PlannedBatch batch;
+  ASSERT_EQ(planned(batch, "text,preset\none,\ntwo,robust\n", {{"settings", {{"text", ""}, {"sizeMm", 0}}}})["ok"],
+            false);
+  const Json all = {{"text", ""}, {"pattern", "square"}};
+  ASSERT_EQ(planned(batch, "text,preset\none,\ntwo,robust\n", {{"settings", all}})["rows"], 2);
+  EXPECT_EQ(Json::parse(batch.row(0))["row"]["settings"], Json({{"text", "one"}, {"version", 1}}));
+  EXPECT_EQ(Json::parse(batch.row(1))["row"]["settings"],
+            Json({{"text", "two"}, {"version", 1}, {"preset", "robust"}}));
+}
+
+TEST(PlannedBatch, RefusesAListWithItsProblemsAndThenHasNoRows) {
+  PlannedBatch batch;
+  ASSERT_EQ(planned(batch, "id,text\na,one\n")["rows"], 1);
+  const Json plan = planned(batch, "id,text\na,one\nb,one\n");
+  EXPECT_EQ(plan["ok"], true);
+  EXPECT_EQ(plan["rows"], 0);
+  ASSERT_EQ(plan["problems"].size(), 1u);
+  EXPECT_EQ(plan["problems"][0]["code"], "list-line");
+  EXPECT_EQ(plan["problems"][0]["values"]["line"]["count"], 3);
+  EXPECT_EQ(plan["mayBeMore"], false);
+  EXPECT_EQ(Json::parse(batch.row(0))["error"]["code"], "no-such-row");
+  EXPECT_EQ(planned(batch, "id,text\n\"a,one\n")["error"]["code"], "list-quote-open");
+}
+
+TEST(PlannedBatch, HashesWhatTheCommandHashes) {
+  PlannedBatch batch;
+  planned(batch, "id,text\na,one\n");
+  const Json told = Json::parse(batch.toHash(0, R"({"centre": [1, 2.5, -3], "others": "z 1"})"));
+  BatchRow row;
+  row.file = "a.stl";
+  row.request = *requestFromJson(R"({"text": "one", "version": 1})");
+  row.request.placement.centreMm = {1, 2.5, -3};
+  EXPECT_EQ(told["text"], settingsToHash(row, "z 1"));
+}
+
+TEST(PlannedBatch, WritesTheManifestAsTheCommandDoes) {
+  ManifestEntry entry;
+  entry.number = 3;
+  entry.id = "a \"quoted\" id";
+  entry.text = "one, two";
+  entry.file = "a.stl";
+  entry.sha256 = {"11", "22", "33", ""};
+  entry.status = RowStatus::Done;
+  entry.details = R"({"verdict":{"reads":"good"},"timingsMs":{"total":7.0}})";
+  const std::string line = manifestLine(entry);
+  const PlannedBatch batch;
+  EXPECT_EQ(Json::parse(batch.manifestLine(nlohmann::ordered_json::parse(line).dump(2)))["line"], line);
+  EXPECT_EQ(Json::parse(batch.manifestLine("{}"))["error"]["code"], "no-manifest-line");
+  EXPECT_EQ(Json::parse(batch.manifestCsv(line + "\nno line\n", true))["csv"],
+            manifestCsvHeader() + manifestCsvLine(entry));
+  EXPECT_EQ(Json::parse(batch.manifestCsv(line, false))["csv"], manifestCsvLine(entry));
+}
+
+}  // namespace
+}  // namespace qrelief
