@@ -16,6 +16,7 @@ const kLayers = [
   'decoder',   // reads pictures of codes
   'contents',  // what a code can hold
   'export',    // the files that can be saved
+  'batch',     // a code for every part: rows, the engines that carve them, what is kept of them
   'view',      // the model on the screen
   'ui',        // the panels
   'session',   // what is worked on, and what goes on with it

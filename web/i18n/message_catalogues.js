@@ -6,6 +6,7 @@ import engine from '../../messages/engine.json' with { type: 'json' };
 import files from '../../messages/files.json' with { type: 'json' };
 import graphics from '../../messages/graphics.json' with { type: 'json' };
 import model from '../../messages/model.json' with { type: 'json' };
+import pageBatch from '../../messages/page_batch.json' with { type: 'json' };
 import pageEngine from '../../messages/page_engine.json' with { type: 'json' };
 import pageSettings from '../../messages/page_settings.json' with { type: 'json' };
 import pipeline from '../../messages/pipeline.json' with { type: 'json' };
@@ -18,6 +19,6 @@ import verdict from '../../messages/verdict.json' with { type: 'json' };
 
 /** @type {import('./message_words.js').Catalogue} */
 export const catalogue = {
-  ...batch, ...engine, ...files, ...graphics, ...model, ...pageEngine, ...pageSettings, ...pipeline, ...place, ...printing, ...settingsErrors, ...stages,
-  ...text, ...verdict,
+  ...batch, ...engine, ...files, ...graphics, ...model, ...pageBatch, ...pageEngine, ...pageSettings, ...pipeline, ...place, ...printing,
+  ...settingsErrors, ...stages, ...text, ...verdict,
 };

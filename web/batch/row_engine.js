@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Carves row after row of a batch, in a worker of its own: model, place and list are given to it once.
+import { EngineClient, isReplaced } from '../engine/client.js';
+import { EngineFailure, describeThrown, internal, isFatal } from '../engine/engine_error.js';
+import { message } from '../engine/message.js';
+import { makePrint } from '../engine/printer.js';
+import { kReaderName, readEach } from '../decoder/reader.js';
+import { sha256 } from './hashes.js';
+
+/** @typedef {import('../engine/types.js').Settings} Settings */
+/** @typedef {import('../engine/types.js').ManifestEntry} ManifestEntry */
+/** @typedef {import('../engine/message.js').Message} Message */
+
+/**
+ * What all rows share.
+ * @typedef {object} BatchJob
+ * @property {{ bytes: Uint8Array, fileName: string, scaleToMm: number, upAxis: import('../engine/types.js').UpAxis }} model
+ * @property {string} input  SHA-256 of the model's file
+ * @property {[number, number, number]} centreMm
+ * @property {Uint8Array} list  none: empty
+ * @property {import('../engine/types.js').WantedBatch} wanted
+ */
+
+/**
+ * What became of a row.
+ * @typedef {{ entry: ManifestEntry, bytes: Uint8Array<ArrayBuffer> } | { entry: ManifestEntry, why: Message }} CarvedRow  `why` it failed
+ */
+
+/**
+ * @typedef {object} RowEngineParts
+ * @property {EngineClient} client
+ * @property {typeof readEach} [read]
+ * @property {typeof makePrint} [print]
+ */
+
+/** Whether the module must not be used any more. @param {unknown} thrown */
+export const isLost = (thrown) => isFatal(thrown) || isReplaced(thrown) || (thrown instanceof EngineFailure && thrown.code === 'engine-hung');
+
+/** An engine whose canvas nobody sees. What befalls it outside of any verb ends it. */
+export function makeHiddenClient() {
+  /** @type {EngineClient} */ const client = new EngineClient({
+    makeCanvas: () => Object.assign(document.createElement('canvas'), { width: 1, height: 1 }),
+    onEvent: ({ event }) => {
+      if (event === 'contextlost' || event === 'failure') client.end();
+    },
+    draws: false,
+  });
+  return client;
+}
+
+export class RowEngine {
+  /** @param {BatchJob} job @param {RowEngineParts} [parts] */
+  constructor(job, { client, read = readEach, print = makePrint } = { client: makeHiddenClient() }) {
+    this.job_ = job;
+    this.client_ = client;
+    this.read_ = read;
+    this.print_ = print;
+    this.ended_ = new AbortController();
+  }
+
+  /** Gives it everything that rows share. */
+  async start() {
+    const { model, centreMm, list, wanted } = this.job_;
+    const { problems } = await this.client_.start();
+    if (problems.length > 0) throw new EngineFailure(internal(message('no-graphics', { why: { cause: problems[0] } })));
+    await this.client_.setUpAxis(model.upAxis);
+    await this.client_.loadModel(model.bytes, model.fileName, model.scaleToMm);
+    await this.client_.planBatch(list, wanted);
+    await this.client_.setCentre(centreMm);
+  }
+
+  /** However busy: what it is at is rejected, as `isLost` tells. */
+  end() {
+    this.ended_.abort();
+    this.client_.end();
+  }
+
+  /**
+   * @param {number} index  from 0
+   * @param {boolean} looksAtPrint  find out how it comes off the printer, too
+   * @returns {Promise<CarvedRow>}
+   */
+  async carve(index, looksAtPrint) {
+    const begun = performance.now();
+    const { settings: own, ...row } = await this.client_.batchRow(index);
+    const settings = /** @type {Settings & { inlay?: boolean }} */ ({ ...this.job_.wanted.settings, ...own });
+    const { number, id, text, file } = row;
+    /** @type {ManifestEntry} */
+    const entry = { number, id, text, file, status: 'failed', sha256: { input: this.job_.input, settings: await this.hashOf(index) } };
+    try {
+      await this.carveUntilItReads_(settings);
+      if (looksAtPrint) await this.lookAtPrint_();
+      const { passed, failed, details } = await this.client_.describeRow(performance.now() - begun);
+      if (!passed) return { entry: { ...entry, ...details }, why: failed[0] };
+      const bytes = await this.client_.exportModel(formatOf(file, settings.inlay ?? false));
+      const output = await sha256(bytes);
+      return { entry: { ...entry, ...details, status: 'done', sha256: { ...entry.sha256, output } }, bytes };
+    } catch (thrown) {
+      if (isLost(thrown)) throw thrown;
+      return { entry, why: describeThrown(thrown) };
+    }
+  }
+
+  /** Of what decides the row's file beside the model, as the manifest has it. @param {number} index */
+  async hashOf(index) {
+    const { model: { scaleToMm, upAxis }, centreMm } = this.job_;
+    return sha256(await this.client_.batchRowToHash(index, { centre: centreMm, others: `${scaleToMm} ${upAxis}` }));
+  }
+
+  /** As asked for; where it does not read so, as the module proposes next, if it reads with that. @param {Settings} asked */
+  async carveUntilItReads_(asked) {
+    let settings = asked;
+    for (let next = await this.carveOnce_(settings); next; ) {
+      settings = { ...settings, [next.setting]: next.value };
+      next = await this.carveOnce_(settings);
+    }
+  }
+
+  /** @param {Settings} settings @returns {Promise<import('../engine/types.js').ReadingResult['next']>}  what to carve with instead */
+  async carveOnce_(settings) {
+    await this.client_.configure(settings);
+    await this.client_.placement();
+    await this.client_.engrave({ signal: this.ended_.signal, onProgress: () => {} });
+    if (this.ended_.signal.aborted) throw new EngineFailure(internal(message('engine-replaced')));
+    const texts = await this.read_(await this.client_.readingPictures());
+    return (await this.client_.setReadings(texts, kReaderName)).next;
+  }
+
+  async lookAtPrint_() {
+    const job = await this.client_.printJob();
+    if (!job) return;
+    const print = await this.print_(job, { signal: this.ended_.signal, onProgress: () => {} });
+    if (!print) throw new EngineFailure(internal(message('engine-replaced')));
+    await this.client_.setPrintedReadings(await this.client_.carving(), await this.read_(print.pictures), print.facingDeg);
+  }
+}
+
+/** @param {string} file @param {boolean} withInlay */
+function formatOf(file, withInlay) {
+  const extension = file.slice(file.lastIndexOf('.') + 1).toLowerCase();
+  return extension === '3mf' && withInlay ? '3mf-inlay' : extension;
+}

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import assert from 'node:assert/strict';
+import { beforeEach, test } from 'node:test';
+import { EngineFailure, internal } from '../engine/engine_error.js';
+import { message } from '../engine/message.js';
+import { sha256 } from './hashes.js';
+import { RowEngine } from './row_engine.js';
+
+const kJob = /** @type {any} */ ({
+  model: { bytes: new Uint8Array(3), fileName: 'cube.stl', scaleToMm: 25.4, upAxis: 'y' }, input: 'aa', centreMm: [1, 2, 3],
+  list: new Uint8Array(), wanted: { settings: { text: '', preset: 'balanced' }, text: '', name: '', count: 2 },
+});
+
+/** @type {string[]} */ let calls;
+/** @type {any[]} */ let configured;
+/** @type {any[]} */ let nexts;
+/** @type {any} */ let answers;
+/** @type {RowEngine} */ let engine;
+
+beforeEach(() => {
+  calls = [];
+  configured = [];
+  nexts = [null];
+  answers = {
+    start: { problems: [] },
+    batchRow: { number: 2, line: 3, id: 'b', text: 'two', file: 'b.3mf', settings: { text: 'two', version: 1 } },
+    batchRowToHash: 'hash me',
+    setReadings: () => ({ passed: true, next: nexts.shift() }),
+    configure: (/** @type {any} */ settings) => void configured.push(settings),
+    describeRow: { passed: true, failed: [], details: { grades: 'A' } },
+    exportModel: new Uint8Array([1, 2]),
+    printJob: { order: {}, stl: new Uint8Array() },
+    carving: 7,
+  };
+  const client = new Proxy({}, { get: (_, name) => async (/** @type {any[]} */ ...args) => {
+    calls.push([name, ...args.filter((arg) => typeof arg !== 'object')].join(' '));
+    const answer = answers[name];
+    if (answer instanceof Error) throw answer;
+    return typeof answer === 'function' ? answer(...args) : answer;
+  } });
+  engine = new RowEngine(kJob, {
+    client: /** @type {any} */ (client), read: async () => ['two'], print: async () => /** @type {any} */ ({ pictures: [], facingDeg: 12 }),
+  });
+});
+
+test('An engine is given what all rows share, once', async () => {
+  await engine.start();
+  assert.deepEqual(calls, ['start', 'setUpAxis y', 'loadModel cube.stl 25.4', 'planBatch', 'setCentre']);
+});
+
+test('A row is carved with the settings of all and its own, and its line has the hashes of what it comes from', async () => {
+  const carved = /** @type {any} */ (await engine.carve(1, false));
+  assert.deepEqual(configured, [{ text: 'two', preset: 'balanced', version: 1 }]);
+  assert.deepEqual(carved.entry, {
+    number: 2, id: 'b', text: 'two', file: 'b.3mf', status: 'done', grades: 'A',
+    sha256: { input: 'aa', settings: await sha256('hash me'), output: await sha256(new Uint8Array([1, 2])) },
+  });
+  assert.deepEqual([...carved.bytes], [1, 2]);
+  assert.ok(calls.includes('exportModel 3mf'));
+  assert.ok(!calls.includes('printJob'));
+});
+
+test('The print is looked at where that is asked for', async () => {
+  await engine.carve(1, true);
+  assert.ok(calls.includes('setPrintedReadings 7 12'));
+});
+
+test('What does not read is carved as the module proposes', async () => {
+  nexts = [{ setting: 'preset', value: 'robust' }, null];
+  assert.equal((await engine.carve(1, false)).entry.status, 'done');
+  assert.deepEqual(configured.map(({ preset }) => preset), ['balanced', 'robust']);
+});
+
+test('A row whose checks do not pass has no file, and says which', async () => {
+  answers.describeRow = { passed: false, failed: [message('row-without-text')], details: { grades: 'F' } };
+  const carved = /** @type {any} */ (await engine.carve(1, false));
+  assert.deepEqual([carved.entry.status, carved.entry.grades, carved.why.code, carved.bytes], ['failed', 'F', 'row-without-text', undefined]);
+});
+
+test('A row that cannot be carved fails; an engine that is beyond use is told', async () => {
+  answers.engrave = new EngineFailure({ kind: 'NoSolution', ...message('no-centre') });
+  const carved = /** @type {any} */ (await engine.carve(1, false));
+  assert.deepEqual([carved.entry.status, carved.why.code], ['failed', 'no-centre']);
+  answers.engrave = new EngineFailure(internal(message('engine-crashed', { detail: { term: 'unreachable' } })));
+  await assert.rejects(engine.carve(1, false), { code: 'engine-crashed' });
+});
+
+test('An inlay is written where a row asks for it', async () => {
+  answers.batchRow.settings.inlay = true;
+  await engine.carve(1, false);
+  assert.ok(calls.includes('exportModel 3mf-inlay'));
+});

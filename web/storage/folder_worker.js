@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The worker's side of a folder: only here can every browser write to a file in place. What a verb has answered is on the disk.
+
+/** @typedef {{ id: number, verb: 'write' | 'append', folder: string, file: string, bytes: Uint8Array }} Request */
+/** @typedef {{ getSize: () => number, truncate: (size: number) => void, write: (bytes: Uint8Array, options?: { at: number }) => number,
+ *   read: (bytes: Uint8Array, options?: { at: number }) => number, flush: () => void, close: () => void }} Access */
+
+const scope = /** @type {any} */ (globalThis);
+const kLineEnd = 10;
+
+/** @param {string} folder @param {string} file @param {(access: Access) => void} use */
+async function withFile(folder, file, use) {
+  const root = await navigator.storage.getDirectory();
+  const directory = await root.getDirectoryHandle(folder, { create: true });
+  const handle = /** @type {any} */ (await directory.getFileHandle(file, { create: true }));
+  /** @type {Access} */ const access = await handle.createSyncAccessHandle();
+  try {
+    use(access);
+    access.flush();
+  } finally {
+    access.close();
+  }
+}
+
+/** All of it. @param {Access} access @param {Uint8Array} bytes @param {number} at */
+function put(access, bytes, at) {
+  for (let written = 0; written < bytes.length;) {
+    const more = access.write(bytes.subarray(written), { at: at + written });
+    if (more === 0) throw new DOMException('nothing more was written', 'QuotaExceededError');
+    written += more;
+  }
+}
+
+const verbs = {
+  /** In place of what the file has. @param {Access} access @param {Uint8Array} bytes */
+  write(access, bytes) {
+    access.truncate(0);
+    put(access, bytes, 0);
+  },
+  /** A line, on a line of its own even if the one before it was cut off. @param {Access} access @param {Uint8Array} bytes */
+  append(access, bytes) {
+    const size = access.getSize(), last = new Uint8Array(1);
+    if (size > 0) access.read(last, { at: size - 1 });
+    const isCut = size > 0 && last[0] !== kLineEnd;
+    if (isCut) put(access, Uint8Array.of(kLineEnd), size);
+    put(access, bytes, size + Number(isCut));
+  },
+};
+
+/** One after the other: a file can be open once only. @type {Promise<void>} */
+let queue = Promise.resolve();
+
+scope.onmessage = (/** @type {MessageEvent} */ { data }) => {
+  const { id, verb, folder, file, bytes } = /** @type {Request} */ (data);
+  queue = queue.then(async () => {
+    try {
+      await withFile(folder, file, (access) => verbs[verb](access, bytes));
+      scope.postMessage({ id });
+    } catch (thrown) {
+      const { name, message } = thrown instanceof Error || thrown instanceof DOMException ? thrown : { name: '', message: String(thrown) };
+      scope.postMessage({ id, problem: { name, message } });
+    }
+  });
+};
+
+export {};
