@@ -4,8 +4,12 @@ import { EngineClient } from './engine/client.js';
 import { holdsSecret } from './contents/secrets.js';
 import { Continuing } from './session/continuing.js';
 import { Database } from './storage/database.js';
+import { Folder } from './storage/folder.js';
 import { LastWork } from './storage/last_work.js';
 import { prepareReader } from './decoder/reader.js';
+import { BatchStore } from './batch/batch_store.js';
+import { BatchCarving } from './session/batch_carving.js';
+import { Batching, plannedWords } from './session/batching.js';
 import { Carving } from './session/carving.js';
 import { Centre } from './session/centre.js';
 import { Inspecting } from './session/inspecting.js';
@@ -24,12 +28,14 @@ import { ExportPanel } from './ui/export_panel.js';
 import { Exporting } from './session/exporting.js';
 import { text } from './i18n/catalogue.js';
 import { messageWords } from './i18n/message_words.js';
+import { BatchPanel } from './ui/batch_panel.js';
 import { CarvePanel } from './ui/carve_panel.js';
 import { CodePanel } from './ui/code_panel.js';
 import { byId } from './dom/dom.js';
 import { HelpSheet } from './ui/help_sheet.js';
 import { Messages } from './ui/messages.js';
 import { ModelPanel } from './ui/model_panel.js';
+import { PartsPanel } from './ui/parts_panel.js';
 import { PlacePanel } from './ui/place_panel.js';
 import { Theme, offerLanguages } from './ui/preferences.js';
 import { ResultPanel } from './ui/result_panel.js';
@@ -71,6 +77,8 @@ export class App {
     });
     this.form_ = new SettingsForm((id) => this.guard_(() => this.session_.changeSettings(id)));
     this.code_ = this.makeCode_();
+    this.batchPanel_ = this.makeBatchPanel_();
+    this.batching_ = this.makeBatching_();
     this.workPanel_ = new WorkPanel({ onEngrave: () => this.guard_(() => this.session_.engrave()), onCancel: () => this.jobs_.cancel() });
     this.carvePanel_ = new CarvePanel();
     this.jobs_ = new Jobs({ panel: this.workPanel_, messages: this.messages_, onBusy: (busy) => this.session_.allowWork(!busy) });
@@ -85,6 +93,8 @@ export class App {
     this.spotsPanel_ = this.makeSpotsPanel_();
     this.spots_ = this.makeSpotFinding_();
     this.carving_ = this.makeCarving_();
+    this.partsPanel_ = this.makePartsPanel_();
+    this.batchCarving_ = this.makeBatchCarving_(notices);
     this.exportPanel_ = this.makeExportPanel_();
     this.exporting_ = this.makeExporting_();
     this.kept_ = this.makeContinuing_(notices);
@@ -96,7 +106,7 @@ export class App {
       toolbar: this.toolbar_, inspecting: this.inspecting_, form: this.form_, code: this.code_,
       workPanel: this.workPanel_, carvePanel: this.carvePanel_, jobs: this.jobs_, messages: this.messages_,
       model: this.model_, centre: this.centre_, placing: this.placing_, spotsPanel: this.spotsPanel_, spots: this.spots_,
-      carving: this.carving_, exporting: this.exporting_, kept: this.kept_, undo: this.undo_, recovery: this.recovery_,
+      carving: this.carving_, batching: this.batching_, batchPanel: this.batchPanel_, batchCarving: this.batchCarving_, exporting: this.exporting_, kept: this.kept_, undo: this.undo_, recovery: this.recovery_,
     });
   }
 
@@ -150,8 +160,55 @@ export class App {
   makeCode_() {
     return new CodePanel({
       onChange: () => this.guard_(() => this.session_.changeSettings('text')),
-      settings: (content) => this.form_.settings(content),
+      settings: (content) => (this.batching_?.input ? this.batching_.settings(content) : this.form_.settings(content)),
       symbolOf: (settings) => this.client_.symbol(settings),
+    });
+  }
+
+  makeBatchPanel_() {
+    return new BatchPanel({
+      onChange: () => this.guard_(() => this.session_.changeParts()),
+      onFile: (file) => this.guard_(() => this.batching_.openList(file)),
+    });
+  }
+
+  /** @returns {Batching} */
+  makeBatching_() {
+    return new Batching({
+      client: this.client_, panel: this.batchPanel_, messages: this.messages_,
+      settings: (content) => this.form_.settings(content),
+      isLocked: () => this.batchCarving_.isOpen,
+      onPlanned: (planned) => {
+        this.code_.showParts(planned && { words: () => plannedWords(planned), isWrong: planned.problems.length > 0, first: planned.first });
+        this.workPanel_.nameEngrave(planned ? 'batch.engraveFirst' : 'page.engrave');
+        this.batchCarving_.show();
+      },
+    });
+  }
+
+  /** @returns {PartsPanel} */
+  makePartsPanel_() {
+    return new PartsPanel({
+      onBegin: (printEvery) => this.guard_(() => this.batchCarving_.begin(printEvery)),
+      onPause: () => this.batchCarving_.pause(),
+      onResume: () => this.batchCarving_.resume(),
+      onStop: () => this.batchCarving_.stop(),
+      onRetry: () => this.batchCarving_.retry(),
+      onDownload: () => this.guard_(() => this.batchCarving_.download()),
+      onDiscard: () => this.batchCarving_.discard(),
+      nameOf: (index) => this.batchCarving_.nameOf(index),
+    });
+  }
+
+  /** @param {import('./ui/notices.js').Notices} notices @returns {BatchCarving} */
+  makeBatchCarving_(notices) {
+    return new BatchCarving({
+      client: this.client_, store: new BatchStore(new Folder('batch')), batching: this.batching_, carving: this.carving_,
+      placing: this.placing_, model: this.model_, centre: this.centre_, panel: this.partsPanel_, notices, messages: this.messages_,
+      currentWork: () => this.session_.currentWork(),
+      onContinue: (work) => this.session_.continueWith(work),
+      onLock: (locked) => this.batchPanel_.lock(locked),
+      guard: (action) => this.guard_(action),
     });
   }
 
@@ -173,7 +230,7 @@ export class App {
   makePlacing_() {
     return new Placing({
       client: this.client_, model: this.model_, centre: this.centre_, messages: this.messages_, panel: this.placePanel_,
-      settings: () => this.session_.settings(),
+      settings: () => this.session_.plannedSettings(),
       mayMove: () => !this.jobs_.busy,
       onMoved: () => this.guard_(() => this.session_.leaveCarved()),
       onPlaced: (placement) => {
@@ -227,6 +284,7 @@ export class App {
       work: () => this.session_.work(),
       settings: () => this.session_.settings(),
       valuesAfter: (change) => this.form_.valuesAfter(change),
+      isFree: (setting) => !this.batching_.decides(setting),
       write: (values) => this.session_.write({ text: this.code_.text, values }),
       onStart: () => this.spotsPanel_.setSizesShown(false),
       onDone: () => this.undo_.record(),
@@ -247,6 +305,7 @@ export class App {
     return new Exporting({
       client: this.client_, model: this.model_, centre: this.centre_, placing: this.placing_, messages: this.messages_,
       settings: () => this.session_.settings(),
+      settingsToSave: () => this.form_.settings(this.code_.text),
       settingKeys: () => this.form_.keys,
       onSettings: (settings) => this.session_.write({ text: settings.text, values: this.form_.valuesFor(settings) }),
       onChanged: () => this.session_.changeSettings(),

@@ -8,12 +8,12 @@ import { inflateRawSync } from 'node:zlib';
 /**
  * The files of an archive, by its central directory.
  * @param {Uint8Array} bytes
- * @returns {Map<string, string>}
+ * @returns {Map<string, Buffer>}
  */
-export function unzip(bytes) {
+export function filesOf(bytes) {
   const data = Buffer.from(bytes);
   const end = data.lastIndexOf('PK\x05\x06');
-  /** @type {Map<string, string>} */ const files = new Map();
+  /** @type {Map<string, Buffer>} */ const files = new Map();
   let at = data.readUInt32LE(end + 16);
   for (let left = data.readUInt16LE(end + 10); left > 0; left -= 1) {
     const [packedSize, nameSize, extraSize, commentSize, header] = [
@@ -23,11 +23,14 @@ export function unzip(bytes) {
     const begin = header + 30 + data.readUInt16LE(header + 26) + data.readUInt16LE(header + 28);
     const packed = data.subarray(begin, begin + packedSize);
     const content = data.readUInt16LE(at + 10) === 8 ? inflateRawSync(packed) : packed;
-    files.set(data.toString('utf8', at + 46, at + 46 + nameSize), content.toString('utf8'));
+    files.set(data.toString('utf8', at + 46, at + 46 + nameSize), content);
     at += 46 + nameSize + extraSize + commentSize;
   }
   return files;
 }
+
+/** The same as texts. @param {Uint8Array} bytes */
+export const unzip = (bytes) => new Map([...filesOf(bytes)].map(([name, content]) => [name, content.toString('utf8')]));
 
 /**
  * Attributes of every element of that name.

@@ -135,8 +135,8 @@ export class RowEngine {
   }
 }
 
-/** @param {string} file @param {boolean} withInlay */
-function formatOf(file, withInlay) {
+/** As Engine.exportModel() calls it. @param {string} file @param {boolean} withInlay */
+export function formatOf(file, withInlay) {
   const extension = file.slice(file.lastIndexOf('.') + 1).toLowerCase();
   return extension === '3mf' && withInlay ? '3mf-inlay' : extension;
 }

@@ -2,6 +2,7 @@
 // Every text of the app in every language. A part of the page keeps its texts in parts/, all languages side by side; an
 // article brings its own along.
 import { recall, remember } from '../storage/remembered.js';
+import { batch } from './parts/batch.js';
 import { check } from './parts/check.js';
 import { code } from './parts/code.js';
 import { help } from './parts/help.js';
@@ -17,7 +18,7 @@ import { view } from './parts/view.js';
 /** @typedef {'en' | 'de'} Language */
 /** @typedef {string | { one: string, other: string }} Entry  chosen by the value `count`; `{name}` stands for a value */
 
-const kParts = { check, code, help, inspector, keep, links, page, samples, settings, take, view };
+const kParts = { batch, check, code, help, inspector, keep, links, page, samples, settings, take, view };
 
 /**
  * @typedef {{ guide: typeof import('./parts/guide.js').guide, method: typeof import('./parts/method.js').method,

@@ -25,6 +25,7 @@ import { sameWork } from './work.js';
  * @property {() => Work} work
  * @property {() => import('../engine/types.js').Settings} settings  of the work
  * @property {(change: { setting: string, value: string }) => Work['values']} valuesAfter  what the controls hold then
+ * @property {(setting: string) => boolean} [isFree]  whether a control decides it
  * @property {(values: Work['values']) => void} write  into the controls
  * @property {() => void} onStart
  * @property {() => void} onDone
@@ -34,7 +35,7 @@ import { sameWork } from './work.js';
 
 export class Carving {
   /** @param {CarvingOptions} options */
-  constructor({ client, jobs, model, placing, messages, panel, printing, work, settings, valuesAfter, write, onStart, onDone, onShown, onPrinted }) {
+  constructor({ client, jobs, model, placing, messages, panel, printing, work, settings, valuesAfter, isFree = () => true, write, onStart, onDone, onShown, onPrinted }) {
     this.client_ = client;
     this.jobs_ = jobs;
     this.model_ = model;
@@ -45,6 +46,7 @@ export class Carving {
     this.work_ = work;
     this.settings_ = settings;
     this.valuesAfter_ = valuesAfter;
+    this.isFree_ = isFree;
     this.write_ = write;
     this.onStart_ = onStart;
     this.onDone_ = onDone;
@@ -122,6 +124,11 @@ export class Carving {
     return true;
   }
 
+  /** Whether what is carved is what would be carved now. */
+  get isCurrent() {
+    return this.carved !== undefined && sameWork(this.carved.made, this.work_());
+  }
+
   /** Whether the model or the settings have changed since. */
   compare() {
     if (this.carved) this.panel_.setOutdated(!sameWork(this.carved.made, this.work_()));
@@ -159,7 +166,7 @@ export class Carving {
         return;
       }
       const mayChange = overrides === undefined && sameWork(made, this.work_());
-      const next = mayChange ? reading.next : null;
+      const next = mayChange && reading.next && this.isFree_(reading.next.setting) ? reading.next : null;
       if (!next) {
         const isAsked = made === asked || (!reading.passed && first !== undefined && await this.keep_(first, started));
         if (made === asked || !isAsked) await this.finish_(performance.now() - started, made);

@@ -17,7 +17,8 @@ import { symbolPng, symbolSvg } from '../export/symbol_file.js';
  * @property {import('./centre.js').Centre} centre
  * @property {import('./placing.js').Placing} placing
  * @property {import('../ui/messages.js').Messages} messages
- * @property {() => import('../engine/types.js').Settings} settings
+ * @property {() => import('../engine/types.js').Settings} settings  of the code that is shown
+ * @property {() => import('../engine/types.js').Settings} settingsToSave
  * @property {() => import('../ui/settings_form.js').SettingKey[]} settingKeys  what there is a control for
  * @property {(settings: import('../engine/types.js').Settings) => void} onSettings  shows them in the controls
  * @property {() => Promise<void>} onChanged   they decide from now on
@@ -26,13 +27,14 @@ import { symbolPng, symbolSvg } from '../export/symbol_file.js';
 
 export class Exporting {
   /** @param {ExportingOptions} options */
-  constructor({ client, model, centre, placing, messages, settings, settingKeys, onSettings, onChanged, untilIdle }) {
+  constructor({ client, model, centre, placing, messages, settings, settingsToSave, settingKeys, onSettings, onChanged, untilIdle }) {
     this.client_ = client;
     this.model_ = model;
     this.centre_ = centre;
     this.placing_ = placing;
     this.messages_ = messages;
     this.settings_ = settings;
+    this.settingsToSave_ = settingsToSave;
     this.settingKeys_ = settingKeys;
     this.onSettings_ = onSettings;
     this.onChanged_ = onChanged;
@@ -54,7 +56,7 @@ export class Exporting {
   }
 
   saveSettings() {
-    const file = writeSettingsFile({ settings: this.settings_(), model: this.modelChoice_() });
+    const file = writeSettingsFile({ settings: this.settingsToSave_(), model: this.modelChoice_() });
     saveFile(new Blob([file], { type: 'application/json' }), this.nameOf_('settings', 'json'));
   }
 

@@ -16,7 +16,7 @@ import { hintOf, sentenceOf } from '../i18n/messages.js';
  * @property {import('./centre.js').Centre} centre
  * @property {import('../ui/messages.js').Messages} messages
  * @property {import('../ui/place_panel.js').PlacePanel} panel
- * @property {() => Settings} settings                  throws an EngineFailure
+ * @property {() => Settings | Promise<Settings>} settings  throws an EngineFailure
  * @property {() => boolean} mayMove                    nothing is at work that needs the centre
  * @property {() => void} onMoved                       another centre was chosen
  * @property {(placement: Placement | undefined) => void} onPlaced
@@ -96,7 +96,7 @@ export class Placing {
       if (!this.model_.engravable) return;
       try {
         if (this.mayMove_() && this.centre_.mm) this.messages_.say(() => text('page.placing'));  // at once: “Ready” holds no more
-        await this.client_.configure(this.settings_());
+        await this.client_.configure(await this.settings_());
         if (this.centre_.mm === undefined) {
           this.messages_.say(() => text('page.askForCentre'));
           return;

@@ -5,6 +5,7 @@ import { message } from '../engine/message.js';
 import { looksLikeSettings } from '../export/settings_file.js';
 import { text } from '../i18n/catalogue.js';
 import { controlName, shownValue } from '../ui/verdict_lines.js';
+import { looksLikeList } from './batching.js';
 import { fetchJson } from './fetch_file.js';
 
 const kAsked = ['sample', 'text', 'engrave'];  // in the address
@@ -30,6 +31,9 @@ const kAsked = ['sample', 'text', 'engrave'];  // in the address
  * @property {import('../ui/spots_panel.js').SpotsPanel} spotsPanel
  * @property {import('./spot_finding.js').SpotFinding} spots
  * @property {import('./carving.js').Carving} carving
+ * @property {import('./batching.js').Batching} batching
+ * @property {import('./batch_carving.js').BatchCarving} batchCarving
+ * @property {import('../ui/batch_panel.js').BatchPanel} batchPanel
  * @property {import('./exporting.js').Exporting} exporting
  * @property {import('./continuing.js').Continuing} kept
  * @property {import('./undo.js').Undo} undo
@@ -51,12 +55,15 @@ export class Session {
     if (!source) return undefined;
     const { bytes, sampleId, fileName, scaleToMm, upAxis } = source;
     const place = { fileName, scaleToMm, upAxis, centreMm: this.parts_.centre.chosenMm };
-    return { ...(sampleId ? { sampleId } : { bytes }), ...place, text: this.parts_.code.text, values: this.parts_.form.values };
+    const { input: batch } = this.parts_.batching;
+    return {
+      ...(sampleId ? { sampleId } : { bytes }), ...place, text: this.parts_.code.text, values: this.parts_.form.values, ...(batch && { batch }),
+    };
   }
 
   /** @param {import('../storage/last_work.js').Work} work */
-  async continueWith({ text: content, values, sampleId, bytes, ...place }) {
-    this.write({ text: content ?? this.parts_.code.text, values });
+  async continueWith({ text: content, values, sampleId, bytes, batch, ...place }) {
+    this.write({ text: content ?? this.parts_.code.text, values, batch });
     const { centreMm, ...file } = place;
     if (sampleId) await this.parts_.model.openSample(sampleId, place);
     else if (bytes) await this.parts_.model.load({ ...file, bytes, credit: '' }, centreMm);
@@ -65,18 +72,26 @@ export class Session {
   /** @returns {import('./work.js').Work} */
   work() {
     const { mm: centreMm, isGuess: centreIsGuess } = this.parts_.centre;
-    return { source: this.parts_.model.source, text: this.parts_.code.text, values: this.parts_.form.values, centreMm, centreIsGuess };
+    return { source: this.parts_.model.source, text: this.parts_.code.text, values: this.parts_.form.values, centreMm, centreIsGuess, batch: this.parts_.batching.input };
   }
 
-  /** Into the controls, without any effect yet. @param {Pick<import('./work.js').Work, 'text' | 'values'>} state */
-  write({ text: content, values }) {
+  /** Into the controls, without any effect yet; without a word of the parts they stay. @param {Pick<import('./work.js').Work, 'text' | 'values' | 'batch'>} state */
+  write({ text: content, values, ...state }) {
     this.parts_.code.text = content;
     this.parts_.form.values = values;
+    if ('batch' in state) this.parts_.batching.input = state.batch;
     this.parts_.carvePanel.show();
   }
 
+  /** Of the code that is worked on: the only one, or that of the first part. */
   settings() {
-    return this.parts_.form.settings(this.parts_.code.text);
+    return this.parts_.batching.settings(this.parts_.code.text);
+  }
+
+  /** The same once the list is checked that the controls hold now. */
+  async plannedSettings() {
+    await this.parts_.batching.ready();
+    return this.settings();
   }
 
   /** @param {URLSearchParams} address */
@@ -90,7 +105,8 @@ export class Session {
     }
     await this.guard_(async () => {
       await this.parts_.model.openSample(address.get('sample') ?? undefined);
-      await this.parts_.kept.begin(!kAsked.some((name) => address.has(name)));  // who asked for something gets that
+      const isOffered = await this.parts_.batchCarving.offer();
+      await this.parts_.kept.begin(!isOffered && !kAsked.some((name) => address.has(name)));  // who asked for something gets that
       if (address.get('engrave') === '1') await this.parts_.carving.engrave();
     });
   }
@@ -122,6 +138,7 @@ export class Session {
     this.fileChosen_ = true;
     if (!(await this.started_)) return;  // it was said why not
     if (looksLikeSettings(file)) await this.useSettings_(file);
+    else if (looksLikeList(file)) await this.parts_.batching.openList(file);
     else await this.parts_.model.openFile(file);
   }
 
@@ -139,7 +156,9 @@ export class Session {
   }
 
   async engrave() {
-    if (this.parts_.code.incomplete) this.parts_.code.reveal();
+    await this.parts_.batching.ready();
+    if (this.parts_.batching.incomplete) this.parts_.batchPanel.reveal();
+    else if (this.parts_.code.incomplete) this.parts_.code.reveal();
     else await this.parts_.carving.engrave();
   }
 
@@ -167,8 +186,16 @@ export class Session {
     this.parts_.code.refresh();
     this.parts_.undo.record(field);
     this.parts_.carving.compare();
+    this.parts_.batchCarving.show();
+    await this.parts_.batching.ready();
     await this.parts_.spots.forget();
     await this.parts_.placing.place();
+  }
+
+  /** The list is another, or one code is wanted again. */
+  async changeParts() {
+    await this.parts_.batching.ready();
+    await this.changeSettings('parts');
   }
 
   /** @param {import('../engine/types.js').Remedy} remedy @param {string} label */
@@ -186,6 +213,7 @@ export class Session {
     this.parts_.kept.note();
     this.parts_.undo.record('centre');
     this.parts_.carving.compare();
+    this.parts_.batchCarving.show();
     this.parts_.spotsPanel.mark();
     await this.parts_.carving.show(false);
   }
@@ -195,7 +223,7 @@ export class Session {
     this.parts_.jobs.abort();
     this.parts_.undo.keep();
     await this.parts_.undo.asOne(async () => {
-      this.write({ text: this.initialText_, values: this.parts_.form.defaults });
+      this.write({ text: this.initialText_, values: this.parts_.form.defaults, batch: undefined });
       await this.parts_.model.openSample();
     });
   }
@@ -218,6 +246,7 @@ export class Session {
     this.parts_.tools.reader.show(shown ? this.parts_.carving.carved?.report.verification.text : undefined);
     this.parts_.tools.set({ carved: shown });
     this.notePrinted();
+    this.parts_.batchCarving.show();
     if (!shown) this.parts_.legend.hide('depths');
     else if (this.parts_.toolbar.depthsShown) void this.guard_(() => this.showDepths(true));
   }
@@ -255,6 +284,7 @@ export class Session {
   /** Gives a new module what the last one knew. */
   async restore() {
     await this.parts_.carving.dropForGood();
+    this.parts_.batching.forget();
     this.parts_.view.announceSize();
     await this.parts_.client.setTheme(this.parts_.theme.dark);
     await this.parts_.inspecting.restore();

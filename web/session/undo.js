@@ -12,7 +12,7 @@ import { sameCentre, sameModel, sameWork } from './work.js';
 /**
  * @typedef {object} UndoOptions
  * @property {() => Work} work
- * @property {(values: Pick<Work, 'text' | 'values'>) => void} write  into the controls
+ * @property {(values: Pick<Work, 'text' | 'values' | 'batch'>) => void} write  into the controls
  * @property {import('../engine/client.js').EngineClient} client
  * @property {import('./jobs.js').Jobs} jobs
  * @property {import('./model_session.js').ModelSession} model

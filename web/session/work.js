@@ -4,7 +4,8 @@
 /** @typedef {import('./model_session.js').Source} Source */
 /** @typedef {[number, number, number]} Point */
 /** @typedef {{ source: Source | undefined, text: string, values: import('../ui/settings_form.js').Values,
- *   centreMm: Point | undefined, centreIsGuess: boolean }} Work */
+ *   centreMm: Point | undefined, centreIsGuess: boolean, batch?: import('../storage/last_work.js').BatchInput }} Work
+ *   `batch`: none: one code; the same object until something changes */
 
 /** Whether it is the same file, read the same way. @param {Source | undefined} a @param {Source | undefined} b */
 export const sameModel = (a, b) => a?.bytes === b?.bytes && a?.scaleToMm === b?.scaleToMm;
@@ -13,7 +14,7 @@ export const sameModel = (a, b) => a?.bytes === b?.bytes && a?.scaleToMm === b?.
 export const sameCentre = (a, b) => a?.join() === b?.join();
 
 /** @param {Work} a @param {Work} b */
-export const sameWork = (a, b) => sameModel(a.source, b.source) && a.source?.upAxis === b.source?.upAxis && a.text === b.text &&
+export const sameWork = (a, b) => sameModel(a.source, b.source) && a.source?.upAxis === b.source?.upAxis && a.text === b.text && a.batch === b.batch &&
   sameCentre(a.centreMm, b.centreMm) && Object.entries(a.values).every(([id, value]) => b.values[id] === value);
 
 /**

@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Keeps what is being worked on, to offer it when the page is opened again: the model's file, unit and up axis, the code's
-// text and settings, and the centre. Of a sample only its name is kept, of a file up to kMaxBytes.
+// text or the list of texts, the settings, and the centre. Of a sample only its name is kept, of a file up to kMaxBytes.
 
 /** @typedef {import('../engine/types.js').UpAxis} UpAxis */
 /** @typedef {Record<string, string | boolean>} Values  what the controls hold, by their ids */
 /** @typedef {[number, number, number]} Point */
+
+/**
+ * Where the parts of a batch come from, and what makes their texts and file names ('' where the list's columns do).
+ * @typedef {{ from: 'list' | 'count', list: Uint8Array, listName: string, count: number, text: string, name: string }} BatchInput
+ *   `listName` '': it was pasted
+ */
 
 /**
  * @typedef {object} Work
@@ -16,6 +22,7 @@
  * @property {string} [text]       left out where it holds a password
  * @property {Values} values       of the settings
  * @property {Point} [centreMm]
+ * @property {BatchInput} [batch]  none: one code; left out, too, where it holds a password
  */
 
 /** @typedef {{ get: (key: string) => Promise<any>, put: (values: Record<string, any>) => Promise<boolean> }} Store */
@@ -26,8 +33,11 @@ const kFormat = 1;      // of what is kept; another one is not offered
 const kState = 'last work';
 const kModel = 'last model';
 
-/** Everything but the file's bytes. @param {Work} work */
-const brief = (work) => JSON.stringify({ ...work, bytes: work.bytes?.length });
+/** Everything but the bytes of files. @param {Work} work */
+const brief = (work) => JSON.stringify({ ...work, bytes: work.bytes?.length, batch: work.batch && { ...work.batch, list: work.batch.list.length } });
+
+/** What may be a text of a code, or the beginning of one. @param {BatchInput} batch */
+const textsOf = ({ text, list }) => [text, ...new TextDecoder().decode(list).split(/[\n",;\t]+(?=\s*WIFI:)|\n/i)];
 
 export class LastWork {
   /**
@@ -39,6 +49,7 @@ export class LastWork {
     this.holdsSecret_ = holdsSecret;
     /** @type {string | undefined} */ this.seen_ = undefined;        // the work as it was last, in short
     /** @type {Uint8Array | undefined} */ this.seenBytes_ = undefined;
+    /** @type {Uint8Array | undefined} */ this.seenList_ = undefined;
     /** @type {Uint8Array | undefined} */ this.keptBytes_ = undefined;  // of the file that is stored
     /** @type {Work | undefined} */ this.next_ = undefined;
     /** @type {ReturnType<typeof setTimeout> | undefined} */ this.pause_ = undefined;
@@ -51,14 +62,16 @@ export class LastWork {
   openedWith(work) {
     this.seen_ = work && brief(work);
     this.seenBytes_ = work?.bytes;
+    this.seenList_ = work?.batch?.list;
   }
 
   /** What is there now. It is kept when something has changed, a moment after the last change. @param {Work} work */
   note(work) {
     const now = brief(work);
-    if (now === this.seen_ && work.bytes === this.seenBytes_) return;
+    if (now === this.seen_ && work.bytes === this.seenBytes_ && work.batch?.list === this.seenList_) return;
     this.seen_ = now;
     this.seenBytes_ = work.bytes;
+    this.seenList_ = work.batch?.list;
     this.next_ = work;
     clearTimeout(this.pause_);
     this.pause_ = setTimeout(() => void this.flush(), kPauseMs);
@@ -74,7 +87,7 @@ export class LastWork {
   }
 
   /** @param {Work} work */
-  async write_({ bytes, text, ...rest }) {
+  async write_({ bytes, text, batch, ...rest }) {
     if (bytes && bytes.length > kMaxBytes) {
       await this.forget();  // else the one before it would be offered
       return;
@@ -84,6 +97,7 @@ export class LastWork {
     const state = {
       ...rest, format: kFormat, ...(bytes && { modelId: this.modelId_ }),
       ...(text !== undefined && !this.holdsSecret_(text) && { text }),
+      ...(batch && !textsOf(batch).some(this.holdsSecret_) && { batch }),
     };
     const model = bytes && { id: this.modelId_, bytes };
     this.replaced_ = true;

@@ -144,3 +144,23 @@ test('discarding the last visit’s work leaves what this visit has put in its p
   await later.discard();
   assert.equal(await later.recall(), undefined);
 });
+
+/** @param {string} list */
+const batchOf = (list) => ({ from: /** @type {const} */ ('list'), list: new TextEncoder().encode(list), listName: 'parts.csv', count: 100, text: '', name: '{id}.3mf' });
+
+test('the list of a batch comes back; another list of the same length takes its place', async () => {
+  const { store, last } = visit();
+  await keep(last, { ...opened, batch: batchOf('text\nA\n') });
+  await keep(last, { ...opened, batch: batchOf('text\nB\n') });
+  assert.deepEqual(await new LastWork(store, noSecrets).recall(), { ...opened, batch: batchOf('text\nB\n') });
+});
+
+test('a list in which a text holds a secret is not kept', async () => {
+  const { last } = visit({ isSecret: (text) => /^\s*WIFI:/.test(text) });
+  for (const list of ['text\nWIFI:S:a;P:b;;\n', 'id,text\n1,WIFI:S:a;P:b;;\n', '{"text": "WIFI:S:a;P:b;;"}\n']) {
+    await keep(last, { ...opened, batch: batchOf(list) });
+    assert.equal((await last.recall())?.batch, undefined, list);
+  }
+  await keep(last, { ...opened, batch: { ...batchOf('pass\nb\n'), text: 'WIFI:S:a;P:{pass};;' } });
+  assert.equal((await last.recall())?.batch, undefined);
+});

@@ -8,6 +8,7 @@ import { showStep } from './steps.js';
 
 /** @typedef {import('../engine/types.js').Placement} Placement */
 /** @typedef {import('../engine/types.js').SymbolFacts} SymbolFacts */
+/** @typedef {{ words: () => string, isWrong: boolean, first?: { text: string } }} Parts  of a batch, and the first of them if there is one */
 
 const kTypingPauseMs = 250;
 
@@ -26,6 +27,8 @@ export class CodePanel {
     this.content_ = '';
     this.plain_ = '';  // before a builder wrote the text
     this.builderWrote_ = false;
+    /** @type {Parts | undefined} */ this.parts_ = undefined;
+    /** @type {Placement | undefined} */ this.placement_ = undefined;
     /** @type {ReturnType<typeof setTimeout> | undefined} */ this.pause_ = undefined;
     this.builder_ = new ContentPanel({ onPayload: (payload) => this.take_(payload), onPlain: () => this.leaveBuilder_() });
     this.symbol_ = new SymbolPanel({
@@ -55,7 +58,14 @@ export class CodePanel {
 
   /** Whether a builder still lacks something. */
   get incomplete() {
-    return this.builder_.incomplete;
+    return this.parts_ === undefined && this.builder_.incomplete;
+  }
+
+  /** Instead of one code. @param {Parts | undefined} parts */
+  showParts(parts) {
+    this.parts_ = parts;
+    this.symbol_.setAdvising(parts === undefined);
+    this.showPlaced(this.placement_);
   }
 
   /** Shows what the builder lacks. */
@@ -65,14 +75,16 @@ export class CodePanel {
 
   /** The settings or the module are others. */
   refresh() {
-    this.symbol_.show(this.content_);
+    this.symbol_.show(this.parts_ ? this.parts_.first?.text ?? '' : this.content_);
   }
 
   /** @param {Placement | undefined} placement  of the symbol */
   showPlaced(placement) {
+    this.placement_ = placement;
     this.symbol_.setRoom(placement);
     this.refresh();
-    if (this.incomplete) showStep('code', 'open', () => text('code.incomplete'));
+    if (this.parts_) showStep('code', this.parts_.isWrong ? 'bad' : this.parts_.first ? 'done' : 'open', this.parts_.words);
+    else if (this.incomplete) showStep('code', 'open', () => text('code.incomplete'));
     else if (placement) showStep('code', 'done', () => text('page.codeState', { version: placement.version, modules: placement.modules }));
     else showStep('code', 'open', () => '');
   }
@@ -81,7 +93,7 @@ export class CodePanel {
   set_(content) {
     this.content_ = content;
     if (this.text_.value !== content) this.text_.value = content;
-    this.symbol_.show(content);
+    this.refresh();
   }
 
   /** @param {string} content */

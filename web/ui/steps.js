@@ -4,11 +4,11 @@ import { write } from '../i18n/live.js';
 import { byId } from '../dom/dom.js';
 
 /** @typedef {import('../i18n/live.js').Words} Words */
-/** @typedef {'model' | 'code' | 'place' | 'carve' | 'check'} Step */
+/** @typedef {'model' | 'code' | 'place' | 'carve' | 'check' | 'parts'} Step */
 /** @typedef {'open' | 'done' | 'warn' | 'bad'} State */
 
 /** @type {Record<Step, string>} */
-const kLines = { model: 'model-state', code: 'code-state', place: 'placement-facts', carve: 'carve-state', check: 'check-state' };
+const kLines = { model: 'model-state', code: 'code-state', place: 'placement-facts', carve: 'carve-state', check: 'check-state', parts: 'parts-state' };
 
 /** @param {Step} step @param {State} state */
 export function markStep(step, state) {

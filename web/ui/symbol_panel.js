@@ -41,6 +41,7 @@ export class SymbolPanel {
     this.facts_ = byId('symbol-facts', HTMLElement);
     this.lines_ = byId('symbol-advice', HTMLElement);
     this.content_ = '';
+    this.advises_ = true;
     /** @type {Room | undefined} */ this.room_ = undefined;
     /** @type {Shown | undefined} */ this.shown_ = undefined;
     /** @type {import('../engine/message.js').Message | undefined} */ this.problem_ = undefined;
@@ -62,6 +63,12 @@ export class SymbolPanel {
     this.pause_ = setTimeout(() => void this.ask_(), kPauseMs);
   }
 
+  /** @param {boolean} advises  on the text, and on shorter ones */
+  setAdvising(advises) {
+    this.advises_ = advises;
+    this.render_();
+  }
+
   /** @param {Room | undefined} room */
   setRoom(room) {
     this.room_ = room;
@@ -79,7 +86,7 @@ export class SymbolPanel {
       this.shown_ = facts && { content, settings, facts, shorter: [] };
       this.problem_ = undefined;
       this.render_();
-      if (this.shown_) await this.findShorter_(this.shown_, isNewest);
+      if (this.shown_ && this.advises_) await this.findShorter_(this.shown_, isNewest);
     } catch (thrown) {
       if (!isNewest() || isReplaced(thrown) || isFatal(thrown)) return;  // a new module is asked anew
       this.shown_ = undefined;
@@ -120,6 +127,7 @@ export class SymbolPanel {
 
   /** @returns {Line[]} */
   advice_() {
+    if (!this.advises_) return this.sizeLines_(true);
     const ofText = adviseText(this.content_).map(({ severity, key, values, fixed, fixKey }) => ({
       severity, words: text(key, values),
       ...(fixed !== undefined && fixKey ? { action: { words: text(fixKey), run: () => this.onReplace_(fixed) } } : {}),

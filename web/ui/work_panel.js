@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Engrave, Cancel and how far the work has come.
+import { text } from '../i18n/catalogue.js';
 import { byId } from '../dom/dom.js';
 
 export class WorkPanel {
@@ -16,6 +17,12 @@ export class WorkPanel {
     document.addEventListener('keydown', (event) => {
       if (event.key === 'Escape' && !this.cancel_.hidden && !document.querySelector('dialog[open]')) onCancel();
     });
+  }
+
+  /** What Engrave is called. @param {'page.engrave' | 'batch.engraveFirst'} key */
+  nameEngrave(key) {
+    this.engrave_.dataset.text = key;  // for another language
+    this.engrave_.textContent = text(key);
   }
 
   /** @param {boolean} allowed */

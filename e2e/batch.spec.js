@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A code for every part: from the list to the ZIP.
+import { expect, test } from '@playwright/test';
+import { createHash } from 'node:crypto';
+import { expectNoViolations } from './support/axe.js';
+import { Engraver } from './support/engraver.js';
+import { filesOf } from './support/three_mf.js';
+import { holdWorkers } from './support/workers.js';
+
+const kTexts = ['https://example.org/p/1', 'https://example.org/p/2', 'Teil drei, „ö“', 'https://example.org/p/4', 'https://example.org/p/5'];
+/** @param {string[]} texts */
+const csv = (texts) => `id;text;bin\n${texts.map((text, i) => `P-${i + 1};${text};A${i}\n`).join('')}`;
+
+/** As if the file were dropped onto the page. @param {import('@playwright/test').Page} page @param {string} name @param {string} content */
+const drop = (page, name, content) => page.evaluate(([fileName, text]) => {
+  const dataTransfer = new DataTransfer();
+  dataTransfer.items.add(new File([text], fileName, { type: 'text/csv' }));
+  document.body.dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }));
+}, [name, content]);
+
+test('A list becomes a code for every part, over a reload, and the parts and their manifest are saved as a ZIP', async ({ page }) => {
+  await page.addInitScript(() => {
+    Object.assign(window, { showSaveFilePicker: undefined });  // its dialog is the system’s
+  });
+  await page.addInitScript(holdWorkers);
+  const app = new Engraver(page);
+  const press = (/** @type {string} */ name) => page.getByRole('button', { name, exact: true }).click();
+  const state = page.locator('#parts-state'), plan = page.locator('#code-state');
+  const problems = page.getByRole('list', { name: 'Problems of the list' }).getByRole('listitem');
+  const rows = page.getByRole('table', { name: 'Parts' }).getByRole('row');
+  const finished = async () => Number(/(\d+) of 5/.exec(await state.innerText())?.[1] ?? 0);
+  await app.open('?sample=plate');
+  await app.expectReady();
+
+  await test.step('a list with mistakes is refused, with their lines, and nothing is carved', async () => {
+    await drop(page, 'parts.csv', csv(kTexts).replace('p/5', 'p/4') + 'P-6;"not closed;A\n');
+    await expect(page.getByRole('radio', { name: 'A code for every part' })).toBeChecked();
+    await expect(problems).toHaveText([/^A quotation mark in line 7 of the list is never closed\./]);
+    await drop(page, 'parts.csv', csv(kTexts).replace('p/5', 'p/4'));
+    await expect(problems).toHaveText([/^Line 6: The text “https:\/\/example\.org\/p\/4” stands in line 5, too\. Give every part/, /“bin”|bin/]);
+    await expect(plan).toHaveText('The list has a problem');
+    await expectNoViolations(page, 'a list with mistakes');
+    await press('Engrave the first part');
+    await expect(page.getByRole('list', { name: 'Problems of the list' })).toBeFocused();
+    await expect(app.progress).toHaveCount(0);
+  });
+
+  await test.step('the first part is carved and shown before the others can be', async () => {
+    await drop(page, 'parts.csv', csv(kTexts));
+    await expect(plan).toHaveText('5 parts, version 2, 25 × 25 modules');
+    await expect(problems).toHaveText(['Columns that nothing asks for: bin.']);
+    await expect(page.getByText('This is the code of part P-1: https://example.org/p/1')).toBeVisible();
+    await app.expectReady();
+    await expect(page.getByRole('button', { name: 'Carve all 5 parts' })).toBeDisabled();
+    await press('Engrave the first part');
+    await app.expectResult();
+    await expect(app.result).toContainText('Reads as https://example.org/p/1');
+    await expect(page.getByRole('button', { name: 'Carve all 5 parts' })).toBeEnabled();
+  });
+
+  await test.step('all are carved side by side; paused, no other is begun', async () => {
+    await press('Carve all 5 parts');
+    await expect.poll(finished).toBeGreaterThan(0);
+    expect(await page.evaluate(() => /** @type {any} */ (window).workers.length), 'the page’s own engine, and two').toBe(3);
+    await press('Pause');
+    await expect(state).toHaveText(/^Paused: \d of 5/);
+    const before = await finished();
+    expect(before).toBeLessThan(5);
+    await expect(rows.filter({ hasText: 'Done' })).toHaveCount(before);
+    await expect(page.getByRole('radio', { name: 'One code' })).toBeDisabled();
+    await expectNoViolations(page, 'parts, paused');
+  });
+
+  await test.step('after a reload it goes on, and what is carved is not carved again', async () => {
+    const before = await finished();
+    await page.reload();
+    await expect(page.getByText(`${before} of 5 parts of plate.stl are carved. Go on?`)).toBeVisible();
+    await page.getByRole('button', { name: 'Go on' }).click();
+    await expect(rows.filter({ hasText: 'Done' })).not.toHaveCount(0);
+    expect(await finished()).toBeGreaterThanOrEqual(before);
+    await expect(state).toHaveText('5 parts are carved');
+    await expect(rows.filter({ hasText: 'Done' })).toHaveCount(5);
+    await expect(rows.nth(3)).toContainText('P-3');
+    await expect(rows.nth(3)).toContainText('Teil drei, „ö“');
+    await expect(rows.nth(3)).toContainText('P-3.stl');
+  });
+
+  await test.step('the ZIP has each part’s file and the manifest as the command writes it', async () => {
+    const { name, bytes } = await app.download('Download as ZIP');
+    expect(name).toBe('plate-qr-parts.zip');
+    const files = filesOf(bytes);
+    expect([...files.keys()]).toEqual(['manifest.jsonl', 'manifest.csv', ...kTexts.map((_, i) => `P-${i + 1}.stl`)]);
+    const entries = String(files.get('manifest.jsonl')).trimEnd().split('\n').map((line) => JSON.parse(line));
+    expect(entries.map(({ text }) => text)).toEqual(kTexts);
+    for (const { file, sha256, status, verdict, symbol } of entries) {
+      expect(status).toBe('done');
+      expect(verdict).toMatchObject({ passed: true, solid: 'good' });
+      expect(symbol.version).toBe(2);
+      expect(createHash('sha256').update(/** @type {Buffer} */ (files.get(file))).digest('hex')).toBe(sha256.output);
+    }
+    expect(entries.map(({ printed }) => printed !== undefined)).toEqual([true, false, false, false, false]);
+    const table = String(files.get('manifest.csv')).trimEnd().split('\r\n');
+    expect(table[0]).toMatch(/^number,id,text,file,plate,status,/);
+    expect(table).toHaveLength(6);
+    expect(table[3]).toContain('"Teil drei, „ö“"');
+  });
+
+  await test.step('discarded, nothing of it is left', async () => {
+    await press('Discard the parts');
+    await expectNoViolations(page, 'parts, carved');
+    await page.getByText('Discard 5 carved parts?').locator('..').getByRole('button', { name: 'Discard the parts' }).click();
+    await expect(page.getByRole('button', { name: 'Carve all 5 parts' })).toBeVisible();
+    await expect(page.getByRole('radio', { name: 'One code' })).toBeEnabled();
+    expect(await page.evaluate(async () => {
+      const names = [];
+      for await (const name of /** @type {any} */ (await navigator.storage.getDirectory()).keys()) names.push(name);
+      return names;
+    })).toEqual([]);
+  });
+});

@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Carves all parts of a batch once the first was carved and looked at, keeps them, and goes on after a reload.
+import { saveArchive } from '../batch/archive.js';
+import { BatchRun } from '../batch/batch_run.js';
+import { sha256 } from '../batch/hashes.js';
+import { RowEngine, formatOf } from '../batch/row_engine.js';
+import { RowStates } from '../batch/row_states.js';
+import { EngineFailure, describeThrown, internal } from '../engine/engine_error.js';
+import { message } from '../engine/message.js';
+import { fileNameOf } from '../export/file_names.js';
+import { text } from '../i18n/catalogue.js';
+
+/** @typedef {import('../batch/batch_store.js').BatchRecord} BatchRecord */
+/** @typedef {import('../batch/row_engine.js').BatchJob} BatchJob */
+/** @typedef {import('../storage/last_work.js').Work} Work */
+/** @typedef {import('../ui/parts_panel.js').Phase} Phase */
+
+const kLock = 'qrelief-batch';
+const kNotice = 'batch';
+const kOfferNotice = 'batch-offer';
+const kMostEngines = 2;    // each has the model and a module of its own
+const kLeastMemoryGb = 4;  // of the device, for more than one
+const kRoomLeft = 0.95;    // of what the browser gives
+
+/** Of batches, the one that is open: kept, and gone on with. @typedef {{ record: BatchRecord, job: BatchJob, states: RowStates, release: () => void }} Open */
+
+/**
+ * @typedef {object} BatchCarvingOptions
+ * @property {import('../engine/client.js').EngineClient} client
+ * @property {import('../batch/batch_store.js').BatchStore} store
+ * @property {import('./batching.js').Batching} batching
+ * @property {import('./carving.js').Carving} carving
+ * @property {import('./placing.js').Placing} placing
+ * @property {import('./model_session.js').ModelSession} model
+ * @property {import('./centre.js').Centre} centre
+ * @property {import('../ui/parts_panel.js').PartsPanel} panel
+ * @property {import('../ui/notices.js').Notices} notices
+ * @property {import('../ui/messages.js').Messages} messages
+ * @property {() => Work | undefined} currentWork
+ * @property {(work: Work) => Promise<void>} onContinue  brings what was worked on back
+ * @property {(locked: boolean) => void} onLock          the list must stay as it is
+ * @property {(action: () => Promise<unknown>) => Promise<void>} guard
+ * @property {(job: BatchJob) => RowEngine} [makeEngine]
+ */
+
+export class BatchCarving {
+  /** @param {BatchCarvingOptions} options */
+  constructor(options) {
+    this.options_ = options;
+    /** @type {Open | undefined} */ this.open_ = undefined;
+    /** @type {BatchRun | undefined} */ this.run_ = undefined;
+    this.isStarting_ = false;
+  }
+
+  /** Whether parts are kept that came from the list. */
+  get isOpen() {
+    return this.open_ !== undefined || this.isStarting_;
+  }
+
+  /** The first part, or what it was carved from, is another. */
+  show() {
+    if (this.open_ || !this.options_.batching.input) return;
+    const { carving, batching, panel } = this.options_;
+    const { carved } = carving;
+    const isOf = carved !== undefined && carving.isCurrent;
+    const first = !isOf ? 'none' : carved.report.verification.verdict.passed ? 'good' : 'bad';
+    panel.showBegin({ count: batching.planned?.plan?.rows ?? 0, first });
+  }
+
+  /** All parts, like the first. @param {number} printEvery */
+  async begin(printEvery) {
+    const { batching, placing, model: { source }, centre, client, store, currentWork } = this.options_;
+    const { planned } = batching;
+    const work = currentWork();
+    if (this.isOpen || !planned?.plan || !planned.first || !source || !work || !centre.mm) return;
+    this.isStarting_ = true;
+    /** @type {(() => void) | undefined} */ let release;
+    try {
+      release = await holdLock();
+      const count = planned.plan.rows;
+      await this.checkRoom_(count, planned.first);
+      const settings = { ...planned.wanted.settings, ...(placing.placement?.direction && { direction: placing.placement.direction }) };
+      /** @type {BatchJob} */
+      const job = {
+        model: source, input: await sha256(/** @type {Uint8Array<ArrayBuffer>} */ (source.bytes)), centreMm: centre.mm, list: planned.input.list,
+        wanted: { ...planned.wanted, settings: /** @type {any} */ (settings) },
+      };
+      const { bytes: _, batch, ...kept } = work;
+      /** @type {BatchRecord} */
+      const record = {
+        work: { ...kept, ...(batch && { batch: { ...batch, list: new Uint8Array() } }) }, rows: count, printEvery, centreMm: job.centreMm, wanted: job.wanted, input: job.input,
+        settingsOfFirst: await new RowEngine(job, { client }).hashOf(0),
+      };
+      await store.begin(record, { model: source.bytes, list: job.list });
+      void navigator.storage.persist?.();
+      this.open_ = { record, job, states: new RowStates(count), release };
+    } catch (thrown) {
+      release?.();
+      throw thrown;
+    } finally {
+      this.isStarting_ = false;
+    }
+    this.options_.onLock(true);
+    this.carve_();
+    this.options_.panel.reveal();
+  }
+
+  /** Whether there is room for files like the first. @param {number} count @param {import('../engine/types.js').BatchRow} first */
+  async checkRoom_(count, { file, settings }) {
+    const { quota = Infinity, usage = 0 } = await navigator.storage?.estimate?.() ?? {};
+    const bytes = await this.options_.client.exportModel(formatOf(file, settings.inlay === true));
+    const [needed, room] = [count * bytes.length, kRoomLeft * (quota - usage)].map((size) => Math.round(size / 1e6));
+    if (needed <= room) return;
+    throw new EngineFailure(internal(message('storage-too-small', { count: { count }, needed: { count: needed }, room: { count: room } })));
+  }
+
+  /** The rows that are still to be carved. */
+  carve_() {
+    const { open_: open } = this;
+    if (!open || this.run_) return;
+    const { job, states, record } = open;
+    const { client, store, messages, makeEngine = (/** @type {BatchJob} */ given) => new RowEngine(given) } = this.options_;
+    const lineOf = (/** @type {import('../engine/types.js').ManifestEntry} */ entry) => client.manifestLine(entry);
+    const run = new BatchRun({
+      states, engines: engineCount(), printEvery: record.printEvery,
+      makeEngine: () => makeEngine(job),
+      save: (carved) => store.save(carved, lineOf),
+      saveLost: async (index, why) => {
+        const { number, id, text: content, file } = await client.batchRow(index);
+        return store.save({ entry: { number, id, text: content, file, status: 'failed', sha256: { input: job.input, settings: '' } }, why }, lineOf);
+      },
+      onChange: () => this.showProgress_(),
+    });
+    this.run_ = run;
+    messages.say(() => text('batch.getReady'));
+    void run.run().then(() => {
+      if (this.run_ !== run) return;
+      this.run_ = undefined;
+      if (this.open_ === open) this.showEnd_(run);
+    });
+    this.showProgress_();
+  }
+
+  /** @param {BatchRun} run */
+  showEnd_({ problem }) {
+    const { messages } = this.options_;
+    this.showProgress_();
+    if (problem) messages.showError(problem);
+    const { finished, size: count } = /** @type {Open} */ (this.open_).states;
+    messages.say(() => (this.phase_ === 'over' ? text('batch.over', { count }) : text('batch.stopped', { finished, count })));
+  }
+
+  /** @returns {Phase} */
+  get phase_() {
+    const { counts, finished, size } = /** @type {Open} */ (this.open_).states;
+    if (!this.run_ || this.run_.ended) return finished === size ? 'over' : 'stopped';
+    if (this.run_.paused) return counts.running > 0 ? 'pausing' : 'paused';
+    return counts.running === 0 && finished < size ? 'starting' : 'carving';
+  }
+
+  showProgress_() {
+    if (this.open_) this.options_.panel.showProgress({ states: this.open_.states, phase: this.phase_, remainingMs: this.run_?.remainingMs });
+  }
+
+  pause() {
+    this.run_?.pause();
+  }
+
+  resume() {
+    if (this.run_) this.run_.resume();
+    else this.carve_();
+  }
+
+  /** At once; what is carved stays. */
+  stop() {
+    this.run_?.end();
+  }
+
+  /** Rows that failed are to be carved again. */
+  retry() {
+    const states = this.open_?.states;
+    if (!states || this.run_) return;
+    for (let index = states.next('failed'); index >= 0; index = states.next('failed', index)) states.set(index, 'waiting');
+    this.carve_();
+  }
+
+  /** What is there so far. */
+  async download() {
+    const { store, client, panel, messages } = this.options_;
+    if (!this.open_) return;
+    const { fileName } = this.open_.record.work;
+    panel.setSaving(true);
+    try {
+      const name = fileNameOf({ modelFile: fileName, text: '', addition: 'parts', extension: 'zip' });
+      messages.say(() => text('batch.downloading'));
+      const isSaved = await saveArchive(store, client, name);
+      messages.say(() => (isSaved ? text('batch.downloaded') : ''));
+    } finally {
+      panel.setSaving(false);
+    }
+  }
+
+  /** After a question. */
+  discard() {
+    const { open_: open, options_: { notices } } = this;
+    if (!open) return;
+    notices.show(kNotice, text('batch.askDiscard', { count: open.states.counts.done }), [
+      { label: text('batch.keepThem'), run: () => {} },
+      { label: text('batch.discard'), run: () => void this.options_.guard(() => this.discardNow_()), primary: true },
+    ]);
+  }
+
+  async discardNow_() {
+    const { store, onLock } = this.options_;
+    const { open_: open, run_: run } = this;
+    this.open_ = undefined;
+    this.run_ = undefined;
+    run?.end();
+    await store.discard();
+    open?.release();
+    onLock(false);
+    this.show();
+  }
+
+  /**
+   * Offers what the last visit left.
+   * @returns {Promise<boolean>}  whether there was something
+   */
+  async offer() {
+    const { store, notices, guard } = this.options_;
+    const record = await store.recall();
+    if (!record) return false;
+    /** @type {() => void} */ let release;
+    try {
+      release = await holdLock();
+    } catch {
+      return false;  // another tab is at it
+    }
+    const states = new RowStates(record.rows);
+    await store.readStates(states);
+    const isOver = states.finished === record.rows;
+    const values = { done: states.counts.done, count: record.rows, name: record.work.fileName };
+    notices.show(kOfferNotice, text(isOver ? 'batch.offerOver' : 'batch.offer', values), [
+      { label: text('keep.discard'), run: () => void guard(() => store.discard().finally(release)) },
+      { label: text(isOver ? 'batch.showThem' : 'batch.goOn'), run: () => void guard(() => this.goOn_(record, states, release)), primary: true },
+    ]);
+    return true;
+  }
+
+  /** @param {BatchRecord} record @param {RowStates} states @param {() => void} release */
+  async goOn_(record, states, release) {
+    const { store, client, onContinue, batching, panel, onLock } = this.options_;
+    const { model: bytes, list } = await store.files();
+    const { work } = record;
+    await onContinue({ ...work, ...(work.sampleId === undefined && { bytes }), ...(work.batch && { batch: { ...work.batch, list } }) });
+    await batching.ready();
+    const { centreMm, wanted, input } = record;
+    const job = { model: { bytes, fileName: work.fileName, scaleToMm: work.scaleToMm, upAxis: work.upAxis }, input, centreMm, list, wanted };
+    const settingsOfFirst = await new RowEngine(job, { client }).hashOf(0);
+    const isSame = settingsOfFirst === record.settingsOfFirst;  // else another version of the program would carve the rest
+    const now = { ...record, settingsOfFirst };
+    if (!isSame) await store.begin(now, { model: bytes, list });
+    this.open_ = { record: now, job, states: isSame ? states : new RowStates(record.rows), release };
+    onLock(true);
+    this.showProgress_();
+    panel.reveal();
+    if (this.phase_ !== 'over') this.carve_();
+  }
+
+  /** What the table has of a row. @param {number} index @returns {Promise<import('../engine/types.js').BatchRowName | undefined>} */
+  async nameOf(index) {
+    const [name] = await this.options_.client.batchRows(index, 1).catch(() => []);  // a module that is replaced learns it again
+    return name;
+  }
+}
+
+/** How many engines carve side by side. */
+function engineCount() {
+  const memory = /** @type {{ deviceMemory?: number }} */ (navigator).deviceMemory ?? kLeastMemoryGb;
+  return memory < kLeastMemoryGb ? 1 : Math.max(1, Math.min(kMostEngines, navigator.hardwareConcurrency || 1));
+}
+
+/**
+ * No other tab carves into the same folder meanwhile.
+ * @returns {Promise<() => void>}  gives it back
+ */
+async function holdLock() {
+  if (!navigator.locks) return () => {};
+  return new Promise((resolve, reject) => {
+    navigator.locks.request(kLock, { ifAvailable: true }, (lock) => {
+      if (!lock) {
+        reject(new EngineFailure({ kind: 'BadUsage', ...message('batch-elsewhere') }));
+        return undefined;
+      }
+      return new Promise((release) => resolve(() => release(undefined)));
+    }).catch((thrown) => reject(new EngineFailure(describeThrown(thrown))));
+  });
+}

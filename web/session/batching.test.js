@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import assert from 'node:assert/strict';
+import { beforeEach, test } from 'node:test';
+import { EngineFailure } from '../engine/engine_error.js';
+import { message } from '../engine/message.js';
+import { Batching, looksLikeList, plannedWords } from './batching.js';
+import { FakeMessages, replaced } from './testing.js';
+
+const kInput = /** @type {any} */ ({ from: 'list', list: new Uint8Array(4), listName: 'a.csv', count: 100, text: '', name: '' });
+const kPlan = { rows: 12, problems: [], mayBeMore: false, unused: [], version: 2, modules: 25 };
+
+/** @type {any} */ let panel;
+/** @type {any} */ let answer;
+/** @type {any[]} */ let wanted;
+/** @type {any[]} */ let planned;
+/** @type {FakeMessages} */ let messages;
+let preset = 'balanced', locked = false;
+/** @type {Batching} */ let batching;
+
+beforeEach(() => {
+  panel = { input: kInput, show: () => {}, takeList: (/** @type {any} */ list, /** @type {string} */ listName) => void (panel.taken = [list.length, listName]) };
+  answer = kPlan;
+  wanted = [];
+  planned = [];
+  preset = 'balanced';
+  locked = false;
+  messages = new FakeMessages();
+  batching = new Batching({
+    client: /** @type {any} */ ({
+      planBatch: async (/** @type {any} */ _, /** @type {any} */ asked) => {
+        wanted.push(asked);
+        if (answer instanceof Error) throw answer;
+        return answer;
+      },
+      batchRow: async () => ({ number: 1, id: 'a', text: 'first', settings: { text: 'first', version: 2, pattern: 'square' } }),
+    }),
+    panel, messages: /** @type {any} */ (messages), settings: (text) => /** @type {any} */ ({ text, preset, pattern: 'none' }),
+    isLocked: () => locked, onPlanned: (now) => void planned.push(now),
+  });
+});
+
+test('Without a list there is one code', async () => {
+  panel.input = undefined;
+  await batching.ready();
+  assert.deepEqual([wanted, planned, batching.incomplete], [[], [], false]);
+  assert.deepEqual(batching.settings('mine'), { text: 'mine', preset: 'balanced', pattern: 'none' });
+});
+
+test('The first part of a list is worked on as one code is, with what the list says of it', async () => {
+  assert.equal(batching.incomplete, true);
+  await batching.ready();
+  assert.equal(batching.incomplete, false);
+  assert.deepEqual(batching.settings('mine'), { text: 'first', preset: 'balanced', pattern: 'square', version: 2 });
+  assert.deepEqual([batching.decides('pattern'), batching.decides('preset')], [true, false]);
+  assert.equal(plannedWords(planned[0]), '12 parts, version 2, 25 × 25 modules');
+});
+
+test('A list is planned again when it or the settings are others, and only then', async () => {
+  await batching.ready();
+  await batching.ready();
+  assert.equal(wanted.length, 1);
+  preset = 'robust';
+  await batching.ready();
+  panel.input = { ...kInput, from: 'count', text: '{n}' };
+  await batching.ready();
+  assert.deepEqual(wanted.map(({ settings, text, count }) => [settings.preset, text, count]), [['balanced', '', 0], ['robust', '', 0], ['robust', '{n}', 100]]);
+  batching.forget();
+  await batching.ready();
+  assert.equal(wanted.length, 4);
+});
+
+test('A list with problems has no first part', async () => {
+  answer = { ...kPlan, rows: 0, problems: [message('row-without-text'), message('row-without-id')], mayBeMore: true };
+  await batching.ready();
+  assert.equal(batching.incomplete, true);
+  assert.equal(plannedWords(planned[0]), 'The list has 2 problems or more');
+  assert.equal(batching.settings('mine').text, 'mine');
+});
+
+test('A list that cannot be read is a problem; a module that is lost is not', async () => {
+  answer = new EngineFailure({ kind: 'BadInput', ...message('list-no-rows') });
+  await batching.ready();
+  assert.deepEqual(planned[0].problems.map((/** @type {any} */ { code }) => code), ['list-no-rows']);
+  assert.equal(plannedWords(planned[0]), 'The list has a problem');
+  batching.forget();
+  answer = replaced();
+  await assert.rejects(batching.ready(), { code: 'engine-replaced' });
+});
+
+test('Nothing is asked of a module without a list', async () => {
+  panel.input = { ...kInput, list: new Uint8Array() };
+  await batching.ready();
+  assert.deepEqual([wanted.length, batching.incomplete], [0, true]);
+  assert.equal(plannedWords(planned[0]), 'Open, drop or paste a list');
+});
+
+test('While its parts are carved a list stays as it is', async () => {
+  locked = true;
+  const other = { ...kInput };
+  batching.input = other;
+  await batching.openList(new File(['text\nA\n'], 'b.csv'));
+  assert.equal(panel.input, kInput);
+  assert.equal(panel.taken, undefined);
+  locked = false;
+  batching.input = other;
+  assert.equal(panel.input, other);
+  await batching.openList(new File(['text\nA\n'], 'b.csv'));
+  assert.deepEqual(panel.taken, [7, 'b.csv']);
+});
+
+test('A list that is too large is refused before it is read', async () => {
+  await batching.openList(/** @type {any} */ ({ name: 'huge.csv', size: 1e9 }));
+  assert.equal(messages.problem.found(), 'huge.csv has 954 MiB; this page reads lists up to 64 MiB');
+  assert.equal(panel.taken, undefined);
+});
+
+test('Lists are told from models by their names', () => {
+  for (const name of ['a.csv', 'a.TSV', 'a.jsonl', 'a.ndjson', 'a.txt']) assert.equal(looksLikeList({ name, type: '' }), true, name);
+  for (const name of ['a.stl', 'a.json', 'csv']) assert.equal(looksLikeList({ name, type: '' }), false, name);
+});

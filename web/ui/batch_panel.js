@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One code, or a code for every part: the list or the numbers that the parts come from, and what is wrong with them.
+import { onLanguage, text } from '../i18n/catalogue.js';
+import { formatNumber } from '../i18n/format.js';
+import { hintOf, sentenceOf } from '../i18n/messages.js';
+import { byId } from '../dom/dom.js';
+import { showFindings } from './messages.js';
+
+/** @typedef {import('../storage/last_work.js').BatchInput} BatchInput */
+/** @typedef {import('../engine/types.js').BatchPlan} BatchPlan */
+/** @typedef {import('../engine/types.js').BatchRow} BatchRow */
+
+const kTypingPauseMs = 250;
+const kMostShownBytes = 20_000;  // a longer list is shown by its name
+const kNumberedText = 'https://example.org/p/{n:05}';
+const kPasted = '';  // the name of a list that is no file
+
+/** What the panel holds before anything was typed. @type {BatchInput} */
+export const kEmptyInput = Object.freeze({ from: 'list', list: new Uint8Array(), listName: kPasted, count: 100, text: '', name: '' });
+
+export class BatchPanel {
+  /**
+   * @param {object} listener
+   * @param {() => void} listener.onChange    the input is another, or is not looked at any more
+   * @param {(file: File) => void} listener.onFile  a list was chosen
+   */
+  constructor({ onChange, onFile }) {
+    this.onChange_ = onChange;
+    this.isMany_ = byId('code-for-many', HTMLInputElement);
+    this.isOne_ = byId('code-for-one', HTMLInputElement);
+    this.fields_ = byId('batch', HTMLFieldSetElement);
+    this.from_ = byId('batch-from', HTMLSelectElement);
+    this.pasted_ = byId('batch-list', HTMLTextAreaElement);
+    this.count_ = byId('batch-count', HTMLInputElement);
+    this.text_ = byId('batch-text', HTMLInputElement);
+    this.name_ = byId('batch-name', HTMLInputElement);
+    this.problems_ = byId('batch-problems', HTMLElement);
+    this.first_ = byId('batch-first', HTMLElement);
+    /** @type {BatchInput} */ this.input_ = kEmptyInput;
+    /** @type {ReturnType<typeof setTimeout> | undefined} */ this.pause_ = undefined;
+    /** @type {() => void} */ this.writeFindings_ = () => {};
+    for (const radio of [this.isOne_, this.isMany_]) radio.addEventListener('change', () => this.changed_());
+    this.from_.addEventListener('change', () => {
+      this.text_.value = this.from_.value === 'count' ? this.text_.value || kNumberedText : this.text_.value === kNumberedText ? '' : this.text_.value;
+      this.take_();
+    });
+    for (const field of [this.pasted_, this.count_, this.text_, this.name_]) {
+      field.addEventListener('input', () => this.takeSoon_());
+      field.addEventListener('change', () => this.take_());
+      field.addEventListener('keydown', (event) => {
+        const isEnter = event instanceof KeyboardEvent && event.key === 'Enter';
+        if (isEnter && field !== this.pasted_) event.preventDefault();  // else it would engrave before it is planned
+        if (isEnter && field !== this.pasted_) this.take_();
+      });
+    }
+    const file = byId('batch-open-file', HTMLInputElement);
+    file.addEventListener('change', () => {
+      const [chosen] = file.files ?? [];
+      if (chosen) onFile(chosen);
+      file.value = '';  // the same again, once it was corrected
+    });
+    byId('batch-file-remove', HTMLButtonElement).addEventListener('click', () => {
+      this.put_({ ...this.input_, list: new Uint8Array(), listName: kPasted });
+      this.pasted_.focus();
+      this.onChange_();
+    });
+    onLanguage(() => this.showTexts_());
+    this.showTexts_();
+    this.showFields_();
+  }
+
+  /** None: one code. The same object until something changes. @returns {BatchInput | undefined} */
+  get input() {
+    return this.isMany_.checked ? this.input_ : undefined;
+  }
+
+  set input(input) {
+    this.isMany_.checked = input !== undefined;
+    this.isOne_.checked = input === undefined;
+    if (input && input !== this.input_) this.put_(input);
+    this.showFields_();
+  }
+
+  /** Another list, by its file. @param {Uint8Array} list @param {string} listName */
+  takeList(list, listName) {
+    this.isMany_.checked = true;
+    this.from_.value = 'list';
+    const isNumbered = this.text_.value === kNumberedText;
+    this.put_({ ...this.input_, from: 'list', list, listName, text: isNumbered ? '' : this.text_.value, name: this.name_.value });
+    this.changed_();
+  }
+
+  /** While parts are carved the list must stay. @param {boolean} locked */
+  lock(locked) {
+    this.fields_.disabled = locked;
+    this.isOne_.disabled = locked;
+    this.isMany_.disabled = locked;
+    this.fields_.title = locked ? text('batch.locked') : '';
+  }
+
+  /** Goes to what is wrong, or missing. */
+  reveal() {
+    if (this.problems_.childElementCount > 0) this.problems_.focus();
+    else (this.from_.value === 'count' ? this.count_ : this.pasted_).focus();
+  }
+
+  /**
+   * What the input comes to.
+   * @param {{ plan?: BatchPlan, problems: import('../engine/message.js').Message[], first?: BatchRow }} planned
+   */
+  show({ plan, problems, first }) {
+    this.writeFindings_ = () => {
+      const unused = plan?.unused.length ? [{ severity: 'warning', found: text('batch.unused', { columns: plan.unused.join(', ') }), help: '' }] : [];
+      showFindings(this.problems_, [
+        ...problems.map((problem) => ({ severity: 'blocking', found: sentenceOf(problem), help: hintOf(problem) })), ...unused,
+      ]);
+      this.first_.hidden = first === undefined;
+      this.first_.textContent = first ? text('batch.firstShown', { id: first.id, text: first.text }) : '';
+    };
+    this.writeFindings_();
+  }
+
+  /** @param {BatchInput} input */
+  put_(input) {
+    this.input_ = input;
+    this.from_.value = input.from;
+    this.count_.value = String(input.count);
+    this.text_.value = input.text;
+    this.name_.value = input.name;
+    const isShown = input.listName === kPasted && input.list.length <= kMostShownBytes;
+    this.pasted_.value = isShown ? new TextDecoder().decode(input.list) : '';
+    this.showFields_();
+  }
+
+  takeSoon_() {
+    clearTimeout(this.pause_);
+    this.pause_ = setTimeout(() => this.take_(), kTypingPauseMs);
+  }
+
+  /** What the controls hold, if it is something else. */
+  take_() {
+    clearTimeout(this.pause_);
+    const { list, listName } = this.input_;
+    const isFile = listName !== kPasted;
+    const count = this.count_.validity.valid ? this.count_.valueAsNumber : 0;
+    /** @type {BatchInput} */
+    const now = { from: this.from_.value === 'count' ? 'count' : 'list', list, listName, count, text: this.text_.value, name: this.name_.value };
+    const pasted = isFile ? list : new TextEncoder().encode(this.pasted_.value);
+    const isSameList = pasted.length === list.length && pasted.every((byte, i) => byte === list[i]);
+    if (!isSameList) now.list = pasted;
+    const isSame = (/** @type {keyof BatchInput} */ key) => now[key] === this.input_[key];
+    if (/** @type {(keyof BatchInput)[]} */ (Object.keys(now)).every(isSame)) return;
+    this.input_ = now;
+    this.changed_();
+  }
+
+  changed_() {
+    this.showFields_();
+    this.onChange_();
+  }
+
+  showFields_() {
+    const isMany = this.isMany_.checked, isList = this.from_.value === 'list', isFile = this.input_.listName !== kPasted;
+    byId('one-code', HTMLElement).hidden = isMany;
+    byId('step-parts', HTMLElement).hidden = !isMany;
+    this.fields_.hidden = !isMany;
+    byId('batch-list-fields', HTMLElement).hidden = !isList;
+    byId('batch-count-fields', HTMLElement).hidden = isList;
+    byId('batch-pasted', HTMLElement).hidden = isFile;
+    byId('batch-file', HTMLElement).hidden = !isFile;
+    if (!isMany) this.show({ problems: [] });
+    this.showTexts_();
+  }
+
+  /** What has values in it. */
+  showTexts_() {
+    byId('batch-hint', HTMLElement).textContent = text('batch.hint', { plain: '{n}', padded: '{n:05}' });
+    this.text_.placeholder = this.from_.value === 'count' ? kNumberedText : text('batch.textAuto');
+    byId('batch-file-name', HTMLElement).textContent =
+      text('batch.listIs', { name: this.input_.listName, size: formatNumber(Math.max(1, this.input_.list.length / 1000)) });
+    this.writeFindings_();
+  }
+}
+
+/** @param {BatchInput} input */
+export const isEmptyInput = ({ from, list, count }) => (from === 'list' ? list.length === 0 : count < 1);

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// All parts of a batch: how they are begun, how far they are, and what can be taken away.
+import { onLanguage, text } from '../i18n/catalogue.js';
+import { write } from '../i18n/live.js';
+import { byId } from '../dom/dom.js';
+import { PartsTable } from './parts_table.js';
+import { showStep } from './steps.js';
+
+/** @typedef {import('../batch/row_states.js').RowStates} RowStates */
+
+/**
+ * Before anything is carved: how many parts there are, and whether the first was carved and passed.
+ * @typedef {{ count: number, first: 'none' | 'bad' | 'good' }} Begin
+ * @typedef {'starting' | 'carving' | 'pausing' | 'paused' | 'stopped' | 'over'} Phase
+ * @typedef {{ states: RowStates, phase: Phase, remainingMs?: number }} Progress
+ */
+
+const kTableMs = 500;  // between two changes of the table: it is read
+
+/**
+ * @typedef {object} PartsListener
+ * @property {(printEvery: number) => void} onBegin
+ * @property {() => void} onPause
+ * @property {() => void} onResume  or go on with what was stopped
+ * @property {() => void} onStop
+ * @property {() => void} onRetry
+ * @property {() => void} onDownload
+ * @property {() => void} onDiscard
+ * @property {(index: number) => Promise<import('../engine/types.js').BatchRowName | undefined>} nameOf
+ */
+
+export class PartsPanel {
+  /** @param {PartsListener} listener */
+  constructor({ onBegin, onPause, onResume, onStop, onRetry, onDownload, onDiscard, nameOf }) {
+    this.how_ = byId('parts-how', HTMLElement);
+    this.every_ = byId('print-every', HTMLInputElement);
+    this.begin_ = byId('carve-all', HTMLButtonElement);
+    this.pause_ = byId('parts-pause', HTMLButtonElement);
+    this.resume_ = byId('parts-resume', HTMLButtonElement);
+    this.stop_ = byId('parts-stop', HTMLButtonElement);
+    this.retry_ = byId('parts-retry', HTMLButtonElement);
+    this.download_ = byId('parts-download', HTMLButtonElement);
+    this.discard_ = byId('parts-discard', HTMLButtonElement);
+    this.progress_ = byId('parts-progress', HTMLProgressElement);
+    this.table_ = new PartsTable(byId('parts-table', HTMLElement), nameOf);
+    /** @type {RowStates | undefined} */ this.states_ = undefined;
+    /** @type {ReturnType<typeof setTimeout> | undefined} */ this.tableTimer_ = undefined;
+    this.isSaving_ = false;
+    /** @type {() => void} */ this.renew_ = () => {};
+    this.begin_.addEventListener('click', () => {
+      if (this.every_.reportValidity()) onBegin(this.every_.valueAsNumber);
+    });
+    this.every_.addEventListener('keydown', (event) => {
+      if (event.key === 'Enter') event.preventDefault();  // else it would engrave the first part
+    });
+    for (const [button, act] of /** @type {const} */ ([
+      [this.pause_, onPause], [this.resume_, onResume], [this.stop_, onStop], [this.retry_, onRetry], [this.download_, onDownload],
+      [this.discard_, onDiscard],
+    ])) button.addEventListener('click', act);
+    onLanguage(() => this.renew_());
+  }
+
+  /** Nothing is carved yet. @param {Begin} begin */
+  showBegin({ count, first }) {
+    this.renew_ = () => this.showBegin({ count, first });
+    byId('parts-begin', HTMLElement).hidden = false;
+    byId('parts-run', HTMLElement).hidden = true;
+    this.begin_.disabled = count === 0 || first !== 'good';
+    this.begin_.textContent = text('batch.carveAll', { count });
+    write(this.how_, () => text(first === 'good' ? 'batch.ready' : first === 'bad' ? 'batch.firstDoesNotPass' : 'batch.askForFirst'));
+    this.how_.hidden = false;
+    showStep('parts', 'open', () => (count === 0 ? '' : text('batch.state', { count, finished: 0 })));
+  }
+
+  /** @param {Progress} progress */
+  showProgress({ states, phase, remainingMs }) {
+    this.renew_ = () => this.showProgress({ states, phase, remainingMs });
+    const { counts, size: count, finished } = states;
+    const isUnderWay = phase === 'starting' || phase === 'carving' || phase === 'pausing';
+    byId('parts-begin', HTMLElement).hidden = true;
+    byId('parts-run', HTMLElement).hidden = false;
+    this.how_.hidden = true;
+    this.progress_.max = count;
+    this.progress_.value = finished;
+    this.progress_.hidden = phase === 'over';
+    const focused = document.activeElement;
+    this.pause_.hidden = !isUnderWay;
+    this.pause_.disabled = phase === 'pausing';
+    this.resume_.hidden = phase !== 'paused' && phase !== 'stopped';
+    this.stop_.hidden = phase === 'stopped' || phase === 'over';
+    this.retry_.hidden = !(phase === 'over' || phase === 'stopped') || counts.failed === 0;
+    this.download_.disabled = counts.done === 0 || this.isSaving_;
+    if (focused instanceof HTMLElement && focused.hidden) [this.resume_, this.pause_, this.download_].find(({ hidden }) => !hidden)?.focus();
+    const failed = counts.failed > 0 ? text('batch.failedCount', { count: counts.failed }) : '';
+    const left = phase === 'carving' && remainingMs !== undefined ? text('batch.left', { time: durationOf(remainingMs) }) : '';
+    const words = phase === 'over' && failed ? text('batch.overFailed', { done: counts.done, failed: counts.failed })
+      : phase === 'over' ? text('batch.over', { count })
+        : [phase === 'pausing' ? text('batch.pausing') : text(`batch.${phase}`, { count, finished }), failed, left].filter(Boolean).join('; ');
+    showStep('parts', phase !== 'over' ? 'open' : counts.failed > 0 ? 'warn' : 'done', () => words);
+    this.showTable_(states);
+  }
+
+  /** @param {boolean} isSaving  the ZIP is being written */
+  setSaving(isSaving) {
+    this.isSaving_ = isSaving;
+    this.renew_();
+  }
+
+  /** To where the parts are carved. */
+  reveal() {
+    byId('step-parts', HTMLElement).scrollIntoView({ block: 'start' });
+    byId('parts-heading', HTMLElement).focus({ preventScroll: true });
+  }
+
+  /** @param {RowStates} states */
+  showTable_(states) {
+    if (states !== this.states_) {
+      this.states_ = states;
+      this.table_.show(states);
+      return;
+    }
+    this.tableTimer_ ??= setTimeout(() => {
+      this.tableTimer_ = undefined;
+      void this.table_.update();
+    }, kTableMs);
+  }
+}
+
+/** As people say it: 40 seconds, 12 minutes, 3 hours. @param {number} ms */
+export function durationOf(ms) {
+  const seconds = Math.max(1, Math.round(ms / 1000));
+  if (seconds < 90) return text('batch.seconds', { count: seconds < 20 ? seconds : Math.round(seconds / 10) * 10 });
+  if (seconds < 90 * 60) return text('batch.minutes', { count: Math.round(seconds / 60) });
+  return text('batch.hours', { count: Math.round(seconds / 3600) });
+}

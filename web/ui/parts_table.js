@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The parts of a batch, a page of rows at a time: however many there are, the page holds few.
+import { onLanguage, text } from '../i18n/catalogue.js';
+import { formatNumber } from '../i18n/format.js';
+import { localise } from '../i18n/catalogue.js';
+import { make } from '../dom/dom.js';
+
+/** @typedef {import('../engine/types.js').BatchRowName} BatchRowName */
+/** @typedef {import('../batch/row_states.js').RowStates} RowStates */
+/** @typedef {import('../batch/row_states.js').RowState} RowState */
+
+const kRows = 10;
+/** @type {readonly (RowState | 'all')[]} */
+const kShown = ['all', 'failed', 'done', 'running', 'waiting'];
+
+export class PartsTable {
+  /**
+   * @param {HTMLElement} mount
+   * @param {(index: number) => Promise<BatchRowName | undefined>} nameOf
+   */
+  constructor(mount, nameOf) {
+    this.nameOf_ = nameOf;
+    /** @type {RowStates | undefined} */ this.states_ = undefined;
+    this.page_ = 0;
+    this.asked_ = 0;
+    this.filter_ = make('select');
+    this.filter_.id = 'parts-shown';
+    const label = make('label');
+    label.htmlFor = this.filter_.id;
+    label.dataset.text = 'batch.show';
+    for (const shown of kShown) {
+      const option = new Option('', shown);
+      option.dataset.text = `batch.${shown}`;
+      this.filter_.append(option);
+    }
+    this.body_ = make('tbody');
+    const caption = make('caption', { className: 'hidden' });
+    caption.dataset.text = 'batch.table';
+    const head = make('tr', {}, ...(/** @type {const} */ (['number', 'part', 'rowState'])).map((key) => {
+      const cell = make('th');
+      cell.scope = 'col';
+      cell.dataset.text = `batch.${key}`;
+      return cell;
+    }));
+    this.previous_ = makeButton('batch.previous', () => this.turn_(-1));
+    this.next_ = makeButton('batch.next', () => this.turn_(1));
+    this.range_ = make('span');
+    this.range_.setAttribute('aria-live', 'polite');
+    this.pages_ = make('div', { className: 'parts-pages' }, this.previous_, this.range_, this.next_);
+    this.pages_.setAttribute('role', 'group');
+    this.pages_.dataset.textLabel = 'batch.pages';
+    mount.append(make('div', { className: 'field parts-filter' }, label, this.filter_),
+      make('table', {}, caption, make('thead', {}, head), this.body_), this.pages_);
+    localise(mount);
+    this.filter_.addEventListener('change', () => {
+      this.page_ = 0;
+      void this.update();
+    });
+    onLanguage(() => void this.update());
+  }
+
+  /** @param {RowStates | undefined} states */
+  show(states) {
+    this.states_ = states;
+    this.page_ = 0;
+    this.filter_.value = 'all';
+    void this.update();
+  }
+
+  /** As the states are now. */
+  async update() {
+    const { states_: states } = this;
+    if (!states) return;
+    const shown = /** @type {RowState | 'all'} */ (this.filter_.value);
+    const count = shown === 'all' ? states.size : states.counts[shown];
+    this.page_ = Math.max(0, Math.min(this.page_, Math.ceil(count / kRows) - 1));
+    const first = this.page_ * kRows;
+    const indices = states.page(shown, first, kRows);
+    const asked = this.asked_ += 1;
+    const names = await Promise.all(indices.map((index) => this.nameOf_(index)));
+    if (asked !== this.asked_) return;
+    this.body_.replaceChildren(...indices.map((index, i) => rowOf(index, names[i], states)));
+    this.range_.textContent = count === 0 ? text('batch.none')
+      : text('batch.range', { from: formatNumber(first + 1), to: formatNumber(first + indices.length), count: formatNumber(count) });
+    this.previous_.disabled = first === 0;
+    this.next_.disabled = first + kRows >= count;
+    this.pages_.hidden = states.size <= kRows;
+  }
+
+  /** @param {number} step */
+  turn_(step) {
+    this.page_ += step;
+    void this.update();
+  }
+}
+
+/** @param {number} index @param {BatchRowName | undefined} name @param {RowStates} states */
+function rowOf(index, name, states) {
+  const state = states.of(index), reason = states.reasonOf(index);
+  const row = make('tr', { className: state },
+    make('td', { text: formatNumber(name?.number ?? index + 1) }),
+    make('td', {}, make('strong', { text: name?.id ?? '' }), make('span', { text: name?.text ?? '' }), make('span', { text: name?.file ?? '' })),
+    make('td', {}, make('span', { className: 'row-state', text: text(`batch.${state}`) }), ...(reason ? [make('span', { text: reason })] : [])));
+  return row;
+}
+
+/** @param {import('../i18n/catalogue.js').Key} label @param {() => void} onClick */
+function makeButton(label, onClick) {
+  const button = make('button', { className: 'quiet' });
+  button.type = 'button';
+  button.dataset.text = label;
+  button.addEventListener('click', onClick);
+  return button;
+}
