@@ -8,6 +8,7 @@
 
 #include "base/clock.h"
 #include "batch/manifest.h"
+#include "batch/plate_layout.h"
 #include "cli/batch_run.h"
 #include "cli/commands.h"
 #include "cli/shard_flags.h"
@@ -36,11 +37,6 @@ int printProblems(const BatchPlan& plan, const std::string& list) {
   if (plan.problems().size() == BatchPlan::kMostProblems)
     fmt::print(stderr, "qrelief: there may be more; the first {} are named\n", BatchPlan::kMostProblems);
   return kBadInput;
-}
-
-/// @param plate  from 0
-std::string plateName(std::size_t plate, std::size_t plates) {
-  return fmt::format("plate-{:0{}}.3mf", plate + 1, std::max<std::size_t>(3, std::to_string(plates).size()));
 }
 
 /// Writes the manifest of all, and what became of them. @returns exit status

@@ -5,11 +5,12 @@ import { createHash } from 'node:crypto';
 import { expectNoViolations } from './support/axe.js';
 import { Engraver } from './support/engraver.js';
 import { filesOf } from './support/three_mf.js';
-import { holdWorkers } from './support/workers.js';
+import { freeze, holdWorkers, thaw } from './support/workers.js';
 
 const kTexts = ['https://example.org/p/1', 'https://example.org/p/2', 'Teil drei, „ö“', 'https://example.org/p/4', 'https://example.org/p/5'];
+const kTooLarge = 3;  // whose code no plate has room for
 /** @param {string[]} texts */
-const csv = (texts) => `id;text;bin\n${texts.map((text, i) => `P-${i + 1};${text};A${i}\n`).join('')}`;
+const csv = (texts) => `id;text;size;bin\n${texts.map((text, i) => `P-${i + 1};${text};${i === kTooLarge ? 200 : ''};A${i}\n`).join('')}`;
 
 /** As if the file were dropped onto the page. @param {import('@playwright/test').Page} page @param {string} name @param {string} content */
 const drop = (page, name, content) => page.evaluate(([fileName, text]) => {
@@ -33,7 +34,7 @@ test('A list becomes a code for every part, over a reload, and the parts and the
   await app.expectReady();
 
   await test.step('a list with mistakes is refused, with their lines, and nothing is carved', async () => {
-    await drop(page, 'parts.csv', csv(kTexts).replace('p/5', 'p/4') + 'P-6;"not closed;A\n');
+    await drop(page, 'parts.csv', csv(kTexts).replace('p/5', 'p/4') + 'P-6;"not closed;;A\n');
     await expect(page.getByRole('radio', { name: 'A code for every part' })).toBeChecked();
     await expect(problems).toHaveText([/^A quotation mark in line 7 of the list is never closed\./]);
     await drop(page, 'parts.csv', csv(kTexts).replace('p/5', 'p/4'));
@@ -59,6 +60,7 @@ test('A list becomes a code for every part, over a reload, and the parts and the
   });
 
   await test.step('all are carved side by side; paused, no other is begun', async () => {
+    await page.getByLabel('Simulate the print of every … part').fill('4');
     await press('Carve all 5 parts');
     await expect.poll(finished).toBeGreaterThan(0);
     expect(await page.evaluate(() => /** @type {any} */ (window).workers.length), 'the page’s own engine, and two').toBe(3);
@@ -66,49 +68,68 @@ test('A list becomes a code for every part, over a reload, and the parts and the
     await expect(state).toHaveText(/^Paused: \d of 5/);
     const before = await finished();
     expect(before).toBeLessThan(5);
-    await expect(rows.filter({ hasText: 'Done' })).toHaveCount(before);
+    await expect(rows.filter({ hasText: /Done|Failed/ })).toHaveCount(before);
     await expect(page.getByRole('radio', { name: 'One code' })).toBeDisabled();
     await expectNoViolations(page, 'parts, paused');
+    await press('Go on');
+    await expect(state).toHaveText(/^Carving/);
+    await press('Stop');
+    await expect(state).toHaveText(/^Stopped: \d of 5/);
+    await expect(rows.filter({ hasText: 'Carving' })).toHaveCount(0);
   });
 
   await test.step('after a reload it goes on, and what is carved is not carved again', async () => {
     const before = await finished();
     await page.reload();
-    await expect(page.getByText(`${before} of 5 parts of plate.stl are carved. Go on?`)).toBeVisible();
+    await expect(page.getByText(/^\d of 5 parts of plate\.stl are carved\. Go on\?/)).toBeVisible();
     await page.getByRole('button', { name: 'Go on' }).click();
     await expect(rows.filter({ hasText: 'Done' })).not.toHaveCount(0);
-    expect(await finished()).toBeGreaterThanOrEqual(before);
-    await expect(state).toHaveText('5 parts are carved');
-    await expect(rows.filter({ hasText: 'Done' })).toHaveCount(5);
-    await expect(rows.nth(3)).toContainText('P-3');
-    await expect(rows.nth(3)).toContainText('Teil drei, „ö“');
-    await expect(rows.nth(3)).toContainText('P-3.stl');
+    await expect.poll(finished).toBeGreaterThanOrEqual(before);
+    await expect(state).toHaveText('4 carved, 1 failed');
+    await expect(rows.filter({ hasText: 'Done' })).toHaveCount(4);
+    for (const words of ['P-3', 'Teil drei, „ö“', 'P-3.stl']) await expect(rows.nth(3)).toContainText(words);
+  });
+
+  await test.step('the part that failed says why, has failed again when it is tried again, and stopped no other', async () => {
+    await page.getByLabel('Show', { exact: true }).selectOption('Failed');
+    await expect(rows).toHaveCount(2);
+    await expect(rows.nth(1)).toContainText('P-4');
+    await expect(rows.nth(1)).toContainText(/Failed.*200 mm/);
+    await freeze(page);
+    await press('Try the failed ones again');
+    await expect(state).toHaveText('Getting ready: 4 of 5');
+    await expect(page.getByRole('button', { name: 'Try the failed ones again' })).toBeHidden();
+    await thaw(page);
+    await expect(state).toHaveText('4 carved, 1 failed');
   });
 
   await test.step('the ZIP has each part’s file and the manifest as the command writes it', async () => {
     const { name, bytes } = await app.download('Download as ZIP');
     expect(name).toBe('plate-qr-parts.zip');
     const files = filesOf(bytes);
-    expect([...files.keys()]).toEqual(['manifest.jsonl', 'manifest.csv', ...kTexts.map((_, i) => `P-${i + 1}.stl`)]);
+    expect([...files.keys()]).toEqual(['manifest.jsonl', 'manifest.csv', 'P-1.stl', 'P-2.stl', 'P-3.stl', 'P-5.stl']);
     const entries = String(files.get('manifest.jsonl')).trimEnd().split('\n').map((line) => JSON.parse(line));
     expect(entries.map(({ text }) => text)).toEqual(kTexts);
+    const [failed] = entries.splice(kTooLarge, 1);
+    expect(failed).toMatchObject({ number: 4, id: 'P-4', file: 'P-4.stl', status: 'failed', reason: expect.stringContaining('200 mm') });
     for (const { file, sha256, status, verdict, symbol } of entries) {
       expect(status).toBe('done');
       expect(verdict).toMatchObject({ passed: true, solid: 'good' });
       expect(symbol.version).toBe(2);
       expect(createHash('sha256').update(/** @type {Buffer} */ (files.get(file))).digest('hex')).toBe(sha256.output);
     }
-    expect(entries.map(({ printed }) => printed !== undefined)).toEqual([true, false, false, false, false]);
+    expect(entries.map(({ printed }) => printed !== undefined)).toEqual([true, false, false, true]);
     const table = String(files.get('manifest.csv')).trimEnd().split('\r\n');
     expect(table[0]).toMatch(/^number,id,text,file,plate,status,/);
     expect(table).toHaveLength(6);
     expect(table[3]).toContain('"Teil drei, „ö“"');
+    expect(table[4]).toContain(',failed,');
   });
 
   await test.step('discarded, nothing of it is left', async () => {
     await press('Discard the parts');
     await expectNoViolations(page, 'parts, carved');
-    await page.getByText('Discard 5 carved parts?').locator('..').getByRole('button', { name: 'Discard the parts' }).click();
+    await page.getByText('Discard 4 carved parts?').locator('..').getByRole('button', { name: 'Discard the parts' }).click();
     await expect(page.getByRole('button', { name: 'Carve all 5 parts' })).toBeVisible();
     await expect(page.getByRole('radio', { name: 'One code' })).toBeEnabled();
     expect(await page.evaluate(async () => {

@@ -303,6 +303,65 @@ const kOfThePage = {
   },
 };
 
+/** @param {string} text @param {string} [name] */
+const listFile = (text, name = 'parts.csv') => ({ name, mimeType: 'text/csv', buffer: Buffer.from(text) });
+
+/** @type {Effects} */
+const kOfTheParts = {
+  'code-for-many': async ({ at, page }) => {
+    await at('code-for-many').check();
+    await expect(page.getByRole('group', { name: 'A code for every part' })).toBeVisible();
+    await expect(at('code-state')).toHaveText('Open, drop or paste a list');
+  },
+  'batch-list': async ({ at }) => {
+    await at('batch-list').fill('text\nA\nB\n');
+    await expect(at('code-state')).toHaveText(/^2 parts/);
+  },
+  'batch-open-file': async ({ at }) => {
+    await at('batch-open-file').setInputFiles(listFile('text\nA\nB\nC\n'));
+    await expect(at('code-state')).toHaveText(/^3 parts/);
+    await expect(at('batch-file-name')).toHaveText('parts.csv, 1 kB');
+  },
+  'batch-file-remove': async ({ at, press }) => {
+    await press('batch-file-remove');
+    await expect(at('batch-list')).toBeFocused();
+    await expect(at('code-state')).toHaveText('Open, drop or paste a list');
+  },
+  'batch-from': async ({ at }) => {
+    await at('batch-from').selectOption('count');
+    await expect(at('code-state')).toHaveText(/^100 parts, version 2/);
+  },
+  'batch-count': async ({ at }) => {
+    await at('batch-count').fill('7');
+    await expect(at('code-state')).toHaveText(/^7 parts/);
+  },
+  'batch-text': async ({ at }) => {
+    await at('batch-text').fill('{n}');
+    await expect(at('code-state')).toHaveText(/^7 parts, version 1,/);
+  },
+  'batch-files': async ({ at }) => {
+    await at('batch-files').selectOption('plates');
+    await expect(at('code-state')).toHaveText(/^7 parts on 1 plate, version 1,/);
+  },
+  'batch-per-plate': async ({ at }) => {
+    await at('batch-per-plate').fill('3');
+    await expect(at('code-state')).toHaveText(/^7 parts on 3 plates,/);
+    await at('batch-files').selectOption('each');
+  },
+  'batch-name': async ({ at, page }) => {
+    await at('batch-name').fill('a/{n}.stl');
+    await expect(page.getByRole('list', { name: 'Problems of the list' })).toContainText('“a/1.stl” is no plain file name');
+  },
+  'code-for-one': async ({ at, app }) => {
+    await at('code-for-one').check();
+    await expect(app.text).toBeVisible();
+    await app.expectReady();
+  },
+};
+
+/** While all parts are carved; batch.spec.js sees what each does. */
+const kOfTheRun = ['print-every', 'carve-all', 'parts-pause', 'parts-resume', 'parts-stop', 'parts-retry', 'parts-shown', 'parts-download', 'parts-discard'];
+
 /** @param {Page} page @returns {Promise<Hands>} */
 async function open(page) {
   await page.addInitScript(holdWorkers);
@@ -341,12 +400,12 @@ async function tryAll(hands, ...parts) {
 
 test('Every control before the carving has its effect, and none of the page is left out', async ({ page }) => {
   const hands = await open(page);
-  await tryAll(hands, kOfTheModel, kOfThePlace, kOfTheView, kOfThePage);
+  await tryAll(hands, kOfTheModel, kOfTheParts, kOfThePlace, kOfTheView, kOfThePage);
 
   const all = await page.evaluate(() => [...document.querySelectorAll('button, input, select, textarea')]
     .filter((control) => control.id || control.closest('.views-menu'))
     .map((control) => control.id || String(control.getAttribute('data-view'))));
-  const tested = [kOfTheModel, kOfThePlace, kOfTheView, kOfTheCarving, kOfThePage, kSettings].flatMap((part) => Object.keys(part));
+  const tested = [kOfTheModel, kOfTheParts, kOfThePlace, kOfTheView, kOfTheCarving, kOfThePage, kSettings].flatMap((part) => Object.keys(part)).concat(kOfTheRun);
   expect(all.filter((id) => !tested.includes(id))).toEqual([]);
   expect(tested.filter((id) => !all.includes(id))).toEqual([]);
 });

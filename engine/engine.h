@@ -11,6 +11,7 @@
 #include "engine/carvings.h"
 #include "engine/job_map.h"
 #include "engine/placed_code.h"
+#include "engine/plate.h"
 #include "engine/scene.h"
 #include "engine/spot_offers.h"
 #include "engine/wanted_code.h"
@@ -138,6 +139,13 @@ class Engine {
   /// else, and if the pockets cannot be filled by a solid body.
   std::vector<std::uint8_t> exportModel(const std::string& format);
 
+  /// Begins a plate of copies of the model, each carved with a code of its own; an earlier one is forgotten.
+  std::string startPlate(int copies);
+  /// Puts the carving that is there on it. @param place  from 0 @param id  the copy's name
+  std::string addToPlate(int place, const std::string& id);
+  /// The plate as 3MF, read back and compared; it is empty then. Empty bytes if nothing is on it.
+  std::vector<std::uint8_t> exportPlate(const std::string& title) { return plate_.taken(title); }
+
   void resize(double width, double height, double devicePixelRatio) { scene_.resize(width, height, devicePixelRatio); }
   void setTheme(bool dark) { scene_.setTheme(dark); }
   /// "y" or "z": the model's up axis, for the view and as the direction the code's top points to.
@@ -209,6 +217,7 @@ class Engine {
   PlacedCode placedCode_;
   SpotOffers offers_;
   Carvings carvings_;
+  Plate plate_;
   Scene scene_;
 };
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How the engine engraves, and what it says of what came out.
+#include <algorithm>
+
 #include "engine/answers.h"
 #include "engine/engine.h"
 #include "engine/printed_code.h"
@@ -162,6 +164,18 @@ std::string Engine::noteViewTrial(bool read) {
 
 std::vector<std::uint8_t> Engine::exportModel(const std::string& format) {
   return carvings_.result() ? carvings_.exported(*model_, format) : std::vector<std::uint8_t>();
+}
+
+std::string Engine::startPlate(int copies) {
+  if (!model_) return answer(kNoModel);
+  plate_.start(*model_, static_cast<std::size_t>(std::max(copies, 0)));
+  return done();
+}
+
+std::string Engine::addToPlate(int place, const std::string& id) {
+  if (!carvings_.result()) return answer(kNoResult);
+  plate_.add(*model_, *carvings_.result(), carvings_.request(), static_cast<std::size_t>(std::max(place, 0)), id);
+  return done();
 }
 
 std::optional<JobMap> Engine::jobMap(const std::string& name) const {

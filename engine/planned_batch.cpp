@@ -7,6 +7,7 @@
 
 #include "batch/batch_list.h"
 #include "batch/manifest.h"
+#include "batch/plate_layout.h"
 #include "engine/answers.h"
 #include "settings/setting_json.h"
 
@@ -16,8 +17,8 @@ namespace {
 const Error kNoRow = {ErrorKind::BadUsage, message("no-such-row")};
 
 /// What the manifest and the page's table have of a row.
-Json nameOf(const BatchRow& row) {
-  return {{"number", row.number}, {"line", row.line}, {"id", row.id}, {"text", row.request.text}, {"file", row.file}};
+Json nameOf(const BatchRow& row, const std::string& file) {
+  return {{"number", row.number}, {"line", row.line}, {"id", row.id}, {"text", row.request.text}, {"file", file}};
 }
 
 /// The settings in which a request differs from another, and those that every row has of its own.
@@ -42,6 +43,7 @@ std::string PlannedBatch::plan(const std::vector<std::uint8_t>& bytes, const std
   if (!request) return answer(request.error());
   request->text = asked["text"].get<std::string>();
   all_ = *request;
+  perPlate_ = asked["perPlate"].get<std::size_t>();
   auto list = listOf(bytes, asked["count"].get<std::size_t>());
   if (!list) return answer(list.error());
   BatchPlan plan = BatchPlan::make(std::move(*list), {std::move(*request), asked["name"].get<std::string>()});
@@ -66,17 +68,23 @@ std::optional<BatchRow> PlannedBatch::at(double index) const {
   return plan_->row(static_cast<std::size_t>(index));
 }
 
+/// Its own, or that of its plate.
+std::string PlannedBatch::fileOf(const BatchRow& row) const {
+  if (perPlate_ == 0) return row.file;
+  return plateName((row.number - 1) / perPlate_, (plan_->size() + perPlate_ - 1) / perPlate_);
+}
+
 std::string PlannedBatch::rows(double from, double count) const {
   Json rows = Json::array();
   for (double index = from; index < from + count; ++index)
-    if (const auto row = at(index)) rows.push_back(nameOf(*row));
+    if (const auto row = at(index)) rows.push_back(nameOf(*row, fileOf(*row)));
   return textOf({{"ok", true}, {"rows", std::move(rows)}});
 }
 
 std::string PlannedBatch::row(double index) const {
   const auto row = at(index);
   if (!row) return answer(kNoRow);
-  Json told = nameOf(*row);
+  Json told = nameOf(*row, fileOf(*row));
   told["settings"] = ownSettings(row->request, all_);
   return textOf({{"ok", true}, {"row", std::move(told)}});
 }

@@ -17,11 +17,13 @@ class PlannedBatch {
   /// {rows, problems: [message], mayBeMore, unused: [column], version, modules}: see BatchPlan. With a problem there
   /// are no rows; `version` and `modules` are those of the first row. An error for a list that cannot be read.
   /// @param list    its file; not looked at where there is a count
-  /// @param wanted  {"settings": {…}, "text", "name", "count"}: what all rows have, the templates, "" where the list's
-  ///                columns say it, and how many rows are numbered without a list, or 0
+  /// @param wanted  {"settings": {…}, "text", "name", "count", "perPlate"}: what all rows have, the templates, "" where
+  /// the
+  ///                list's columns say it, how many rows are numbered without a list, and how many stand on a plate, or
+  ///                0
   std::string plan(const std::vector<std::uint8_t>& list, const std::string& wanted);
 
-  /// {rows: [{number, line, id, text, file}]}: at most `count`, from 0 on.
+  /// {rows: [{number, line, id, text, file}]}: at most `count`, from 0 on. Rows of a plate have its name as `file`.
   std::string rows(double from, double count) const;
   /// {row: {number, line, id, text, file, settings}}: `settings` in which the row differs from those that all have,
   /// its text and version always among them. @param index  from 0
@@ -37,9 +39,11 @@ class PlannedBatch {
 
  private:
   std::optional<BatchRow> at(double index) const;
+  std::string fileOf(const BatchRow& row) const;
 
   std::optional<BatchPlan> plan_;  // none: with problems
   EngraveRequest all_;
+  std::size_t perPlate_ = 0;
 };
 
 }  // namespace qrelief

@@ -29,6 +29,7 @@
   verb(Engine, readingPictures) verb(Engine, setReadings) verb(Engine, startViewTrials) \
   verb(Engine, viewTrialPictures) verb(Engine, noteViewTrial) verb(Engine, exportModel) verb(Engine, printOrder) \
   verb(Engine, setPrintedReadings) verb(Engine, otherPrints) verb(Engine, judgePrint) verb(Engine, describeRow) \
+  verb(Engine, startPlate) verb(Engine, addToPlate) verb(Engine, exportPlate) \
   verb(InspectedEngine, resize) verb(InspectedEngine, setTheme) verb(Engine, setUpAxis) \
   verb(Engine, showCarved) verb(Engine, orbit) verb(Engine, pan) verb(Engine, zoom) verb(Engine, fit) \
   verb(Engine, standardView) verb(Engine, readerView) verb(Engine, faceCode) verb(Engine, showSection) \

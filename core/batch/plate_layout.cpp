@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "batch/plate_layout.h"
 
+#include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 
 namespace qrelief {
 namespace {
@@ -20,6 +22,10 @@ std::vector<Vec3> plateOffsets(const Box3& box, std::size_t copies, double gapMm
                          roundedUp(static_cast<double>(row) * (size.y + gapMm) - box.min.y), roundedUp(-box.min.z));
   }
   return offsets;
+}
+
+std::string plateName(std::size_t plate, std::size_t plates) {
+  return fmt::format("plate-{:0{}}.3mf", plate + 1, std::max<std::size_t>(3, std::to_string(plates).size()));
 }
 
 }  // namespace qrelief

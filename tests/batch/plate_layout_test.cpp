@@ -24,6 +24,11 @@ TEST(PlateLayout, PutsCopiesSideBySideWithGapsAndNoneOverAnother) {
   }
 }
 
+TEST(PlateLayout, NamesOfPlatesStandInTheirOrder) {
+  EXPECT_EQ(plateName(0, 4), "plate-001.3mf");
+  EXPECT_EQ(plateName(6, 1200), "plate-0007.3mf");
+}
+
 TEST(PlateLayout, IsAboutSquareInCopies) {
   const std::vector<Vec3> offsets = plateOffsets({Vec3(0), Vec3(10, 10, 5)}, 9);
   EXPECT_EQ(offsets[0], Vec3(0));

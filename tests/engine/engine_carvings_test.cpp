@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/engine.h"
+#include "io/read_model.h"
 #include "io/write_stl.h"
 #include "support/gl_test.h"
 #include "support/shapes.h"
@@ -76,6 +77,26 @@ TEST_F(EngineCarvingsTest, SaysWhatTheManifestHasOfACarving) {
   EXPECT_EQ(row["details"]["timingsMs"]["total"], 12);
   EXPECT_EQ(row["details"]["verdict"]["reads"], "good");
   EXPECT_GT(row["details"]["depth"]["meanMm"], 0.1);
+}
+
+TEST_F(EngineCarvingsTest, StandSideBySideOnAPlate) {
+  EXPECT_EQ(Json::parse(engine_->startPlate(2))["ok"], true);
+  EXPECT_EQ(Json::parse(engine_->addToPlate(0, "none"))["error"]["code"], "nothing-engraved");
+  EXPECT_TRUE(engine_->exportPlate("plate").empty());
+  carve("first");
+  engine_->addToPlate(0, "P-1");
+  carve("second");
+  engine_->addToPlate(1, "P-2");
+  const auto bytes = engine_->exportPlate("plate");
+  const auto plate = readModel(bytes, "plate.3mf");
+  ASSERT_TRUE(plate.has_value());
+  ASSERT_EQ(plate->parts.size(), 2u);
+  EXPECT_EQ(plate->parts[0].name, "P-1");
+  EXPECT_EQ(plate->parts[1].name, "P-2");
+  double right = 0;
+  for (const Vec3& position : plate->positions) right = std::max(right, position.x);
+  EXPECT_NEAR(right, 60 + 5 + 60, 0.01);
+  EXPECT_TRUE(engine_->exportPlate("plate").empty());
 }
 
 TEST_F(EngineCarvingsTest, OlderOnesAreForgotten) {

@@ -16,7 +16,7 @@ using Json = nlohmann::json;
 std::vector<std::uint8_t> bytesOf(const std::string& text) { return {text.begin(), text.end()}; }
 
 Json planned(PlannedBatch& batch, const std::string& list, const Json& wanted = Json::object()) {
-  Json asked = {{"settings", {{"text", "of one code"}}}, {"text", ""}, {"name", ""}, {"count", 0}};
+  Json asked = {{"settings", {{"text", "of one code"}}}, {"text", ""}, {"name", ""}, {"count", 0}, {"perPlate", 0}};
   asked.update(wanted);
   return Json::parse(batch.plan(bytesOf(list), asked.dump()));
 }
@@ -47,6 +47,18 @@ TEST(PlannedBatch, NumbersRowsWithoutAList) {
   EXPECT_EQ(row["text"], "https://example.org/p/00012");
   EXPECT_EQ(row["file"], "part-12.3mf");
   EXPECT_EQ(Json::parse(batch.row(12))["error"]["code"], "no-such-row");
+}
+
+TEST(PlannedBatch, RowsOfAPlateHaveItsName) {
+  PlannedBatch batch;
+  const Json plan = planned(batch, "", {{"count", 5}, {"text", "part {n}"}, {"perPlate", 2}});
+  ASSERT_EQ(plan["rows"], 5) << plan;
+  std::vector<std::string> files;
+  const Json rows = Json::parse(batch.rows(0, 5))["rows"];
+  for (const Json& row : rows) files.push_back(row["file"]);
+  EXPECT_THAT(
+      files, testing::ElementsAre("plate-001.3mf", "plate-001.3mf", "plate-002.3mf", "plate-002.3mf", "plate-003.3mf"));
+  EXPECT_EQ(Json::parse(batch.row(4))["row"]["file"], "plate-003.3mf");
 }
 
 TEST(PlannedBatch, GivesARowTheSettingsInWhichItDiffersFromAll) {

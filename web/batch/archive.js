@@ -33,19 +33,22 @@ async function* asTable(pieces, client) {
 }
 
 /**
- * Everything in it: a model a row that is done, and the manifest of all rows that were tried, as lines and as a table.
+ * Everything in it: the models of rows that are done, and the manifest of all rows that were tried, as lines and as a table.
  * @param {BatchStore} store @param {Client} client
  */
 export async function* archiveContents(store, client) {
   const { file, spans } = await store.lastLines();
   if (!file) return;
+  /** @type {Set<string>} */ const there = new Set();  // of plates: rows share them
   yield { name: kManifest, input: linesInOrder(file, spans) };
   yield { name: 'manifest.csv', input: asTable(linesInOrder(file, spans), client) };
   for await (const lines of linesInOrder(file, spans)) {
     for (const line of lines.trimEnd().split('\n')) {
       const entry = entryOf(line);
-      const model = entry?.status === 'done' ? await store.file(entry.file) : undefined;
-      if (entry && model) yield { name: entry.file, input: model };
+      if (entry?.status !== 'done' || there.has(entry.file)) continue;
+      const model = await store.file(entry.file);
+      there.add(entry.file);
+      if (model) yield { name: entry.file, input: model };
     }
   }
 }

@@ -3,8 +3,7 @@
 import { describeThrown } from '../engine/engine_error.js';
 import { isLost } from './row_engine.js';
 
-/** @typedef {import('./row_engine.js').CarvedRow} CarvedRow */
-/** @typedef {import('../engine/types.js').ManifestEntry} ManifestEntry */
+/** @typedef {import('./row_engine.js').CarvedUnit} CarvedUnit */
 /** @typedef {import('../engine/message.js').Message} Message */
 /** @typedef {{ promise: Promise<void>, resolve: () => void }} Pause */
 /** @typedef {Pick<import('./row_engine.js').RowEngine, 'start' | 'end' | 'carve'>} Engine */
@@ -17,25 +16,27 @@ const kMostLosses = 3;  // of engines without a row between them
  * @property {() => Engine} makeEngine
  * @property {number} engines                 how many
  * @property {number} printEvery              whose print is looked at: each so many-th, from the first on
- * @property {(carved: CarvedRow) => Promise<string>} save  what is lost with the page otherwise; returns why it failed, '' if it did not
- * @property {(index: number, why: Message) => Promise<string>} saveLost  the same of a row that engines are lost with
+ * @property {number} perPlate                rows that share a file; 0: none do
+ * @property {(carved: CarvedUnit) => Promise<string[]>} save  what is lost with the page otherwise; returns why each row failed, '' if it did not
+ * @property {(indices: number[], why: Message) => Promise<string[]>} saveLost  the same of rows that engines are lost with
  * @property {() => void} onChange
  * @property {() => number} [now]  ms
  */
 
 export class BatchRun {
   /** @param {BatchRunOptions} options */
-  constructor({ states, makeEngine, engines, printEvery, save, saveLost, onChange, now = () => performance.now() }) {
+  constructor({ states, makeEngine, engines, printEvery, perPlate, save, saveLost, onChange, now = () => performance.now() }) {
     this.states_ = states;
     this.makeEngine_ = makeEngine;
     this.engines_ = engines;
     this.printEvery_ = printEvery;
+    this.perPlate_ = perPlate;
     this.save_ = save;
     this.saveLost_ = saveLost;
     this.onChange_ = onChange;
     this.now_ = now;
     /** @type {Set<Engine>} */ this.working_ = new Set();
-    /** @type {Set<number>} */ this.lost_ = new Set();  // rows that an engine was lost with
+    /** @type {Set<number>} */ this.lost_ = new Set();  // the first rows of units that an engine was lost with
     this.losses_ = 0;
     this.ended = false;
     /** @type {Pause | undefined} */ this.pause_ = undefined;
@@ -106,7 +107,7 @@ export class BatchRun {
         continue;
       }
       const index = this.ended || this.paused ? -1 : this.states_.next('waiting');  // others may have taken the last
-      if (index >= 0 && !(await this.carve_(engine, index))) {
+      if (index >= 0 && !(await this.carve_(engine, this.unitOf_(index)))) {
         this.drop_(engine);
         engine = undefined;
       }
@@ -114,17 +115,25 @@ export class BatchRun {
     if (engine) this.drop_(engine);
   }
 
-  /** @param {Engine} engine @param {number} index @returns {Promise<boolean>}  whether the engine can go on */
-  async carve_(engine, index) {
-    this.states_.set(index, 'running');
+  /** The row, and those on the same plate: what is new on a plate makes all of it new. @param {number} index */
+  unitOf_(index) {
+    if (this.perPlate_ === 0) return [index];
+    const first = index - (index % this.perPlate_);
+    return Array.from({ length: Math.min(this.perPlate_, this.states_.size - first) }, (_, place) => first + place);
+  }
+
+  /** @param {Engine} engine @param {number[]} unit  rows @returns {Promise<boolean>}  whether the engine can go on */
+  async carve_(engine, unit) {
+    unit.forEach((index) => this.states_.set(index, 'running'));
     this.onChange_();
     try {
-      const carved = await engine.carve(index, index % this.printEvery_ === 0);
-      await this.settle_(index, carved.entry.status, await this.save_(carved));
+      const carved = await engine.carve(unit, (index) => index % this.printEvery_ === 0);
+      const reasons = await this.save_(carved);
+      this.settle_(unit, carved.rows.map(({ entry }, i) => ({ state: entry.status, reason: reasons[i] })));
       return true;
     } catch (thrown) {
-      this.states_.set(index, 'waiting');
-      if (!this.ended) await this.lose_(index, thrown);
+      unit.forEach((index) => this.states_.set(index, 'waiting'));
+      if (!this.ended) await this.lose_(unit, thrown);
       return false;
     } finally {
       this.onChange_();
@@ -149,19 +158,20 @@ export class BatchRun {
     this.working_.delete(engine);
   }
 
-  /** @param {number} index @param {'done' | 'failed'} state @param {string} reason */
-  settle_(index, state, reason) {
-    this.carved_ += 1;
+  /** @param {number[]} unit @param {{ state: 'done' | 'failed', reason: string }[]} came  of each row */
+  settle_(unit, came) {
+    this.carved_ += unit.length;
     this.losses_ = 0;
-    this.states_.set(index, state, reason);
+    unit.forEach((index, i) => this.states_.set(index, came[i].state, came[i].reason));
   }
 
   /**
-   * The engine was lost, or what was carved could not be kept. A row is carved once more by a new engine; what was lost with
+   * The engine was lost, or what was carved could not be kept. Rows are carved once more by a new engine; what was lost with
    * it again fails. What befalls every row ends the batch.
-   * @param {number} index @param {unknown} thrown
+   * @param {number[]} unit @param {unknown} thrown
    */
-  async lose_(index, thrown) {
+  async lose_(unit, thrown) {
+    const [index] = unit;
     const isAgain = this.lost_.has(index);
     this.lost_.add(index);
     this.losses_ += 1;
@@ -169,7 +179,8 @@ export class BatchRun {
       this.fail_(thrown);
     } else if (isAgain) {
       try {
-        this.settle_(index, 'failed', await this.saveLost_(index, describeThrown(thrown)));
+        const reasons = await this.saveLost_(unit, describeThrown(thrown));
+        this.settle_(unit, reasons.map((reason) => ({ state: 'failed', reason })));
       } catch (unsaved) {
         this.fail_(unsaved);
       }

@@ -17,6 +17,7 @@ class FakeEngine {
   constructor() {
     this.ended = false;
     /** @type {[number, boolean][]} */ this.carved = [];
+    /** @type {number[][]} */ this.units = [];
     FakeEngine.all.push(this);
   }
   async start() {
@@ -26,11 +27,12 @@ class FakeEngine {
     this.ended = true;
     this.reject?.(lost());
   }
-  /** @param {number} index @param {boolean} looksAtPrint @returns {Promise<any>} */
-  carve(index, looksAtPrint) {
-    this.carved.push([index, looksAtPrint]);
+  /** @param {number[]} unit @param {(index: number) => boolean} looksAtPrint @returns {Promise<any>} */
+  carve(unit, looksAtPrint) {
+    this.units.push(unit);
+    for (const index of unit) this.carved.push([index, looksAtPrint(index)]);
     return new Promise((resolve, reject) => {
-      this.finish = (/** @type {'done' | 'failed'} */ status = 'done') => resolve({ entry: { number: index + 1, status } });
+      this.finish = (/** @type {'done' | 'failed'} */ status = 'done') => resolve({ rows: unit.map((index) => ({ entry: { number: index + 1, status } })) });
       this.reject = reject;
     });
   }
@@ -48,15 +50,15 @@ let now = 0;
 function runOf(rows, options = {}) {
   states = new RowStates(rows);
   return new BatchRun({
-    states, engines: 2, printEvery: 3, onChange: () => {}, now: () => now, makeEngine: () => /** @type {any} */ (new FakeEngine()),
+    states, engines: 2, printEvery: 3, perPlate: 0, onChange: () => {}, now: () => now, makeEngine: () => /** @type {any} */ (new FakeEngine()),
     save: async (carved) => {
       if (failSave) throw failSave();
-      saved.push(carved.entry.number);
-      return carved.entry.status === 'failed' ? 'it does not read' : '';
+      saved.push(...carved.rows.map(({ entry }) => entry.number));
+      return carved.rows.map(({ entry }) => (entry.status === 'failed' ? 'it does not read' : ''));
     },
-    saveLost: async (index, { code }) => {
-      saved.push(`${index + 1} ${code}`);
-      return code;
+    saveLost: async (indices, { code }) => {
+      saved.push(...indices.map((index) => `${index + 1} ${code}`));
+      return indices.map(() => code);
     },
     ...options,
   });
@@ -220,4 +222,13 @@ test('The time that is left follows from the pace so far, pauses apart', async (
   assert.equal(run.remainingMs, 4000);
   run.resume();
   await finishAll(ran);
+});
+
+test('Rows of a plate are carved together, all of them if one is new', async () => {
+  const run = runOf(8, { engines: 1, perPlate: 3 });
+  for (const index of [0, 1, 2, 4]) states.set(index, 'done');
+  await finishAll(run.run());
+  assert.deepEqual(engines()[0].units, [[3, 4, 5], [6, 7]]);
+  assert.equal(states.counts.done, 8);
+  assert.deepEqual(saved, [4, 5, 6, 7, 8]);
 });

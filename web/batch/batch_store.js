@@ -6,7 +6,7 @@ import { hintOf, sentenceOf } from '../i18n/messages.js';
 
 /** @typedef {import('../storage/folder.js').Folder} Folder */
 /** @typedef {import('../storage/last_work.js').Work} Work */
-/** @typedef {import('./row_engine.js').CarvedRow} CarvedRow */
+/** @typedef {import('./row_engine.js').CarvedUnit} CarvedUnit */
 /** @typedef {import('./row_states.js').RowStates} RowStates */
 /** @typedef {import('../engine/types.js').ManifestEntry} ManifestEntry */
 
@@ -55,22 +55,22 @@ export class BatchStore {
   }
 
   /**
-   * The row's file, then its line.
-   * @param {CarvedRow} carved
+   * The file of the rows, then their lines.
+   * @param {CarvedUnit} carved
    * @param {(entry: ManifestEntry) => Promise<string>} lineOf
-   * @returns {Promise<string>}  why it failed, in words; '' if it did not
+   * @returns {Promise<string[]>}  why each row failed, in words; '' if it did not
    */
-  async save(carved, lineOf) {
-    if ('bytes' in carved) {
-      await this.folder_.write(carved.entry.file, carved.bytes);
-      await this.folder_.append(kManifest, await lineOf(carved.entry));
-      return '';
-    }
+  async save({ rows, file, bytes }, lineOf) {
+    if (bytes) await this.folder_.write(file, bytes);
     await messageWords.come();
-    const hint = hintOf(carved.why);
-    const reason = sentenceOf(carved.why) + (hint ? ` (${hint})` : '');
-    await this.folder_.append(kManifest, await lineOf({ ...carved.entry, reason }));
-    return reason;
+    /** @type {string[]} */ const reasons = [];
+    for (const { entry, why } of rows) {
+      const hint = why ? hintOf(why) : '';
+      const reason = why ? sentenceOf(why) + (hint ? ` (${hint})` : '') : '';
+      await this.folder_.append(kManifest, await lineOf({ ...entry, ...(why && { reason }) }));
+      reasons.push(reason);
+    }
+    return reasons;
   }
 
   /** What the manifest says of the rows. @param {RowStates} states  none is done yet */

@@ -14,9 +14,9 @@ const lineOf = async (/** @type {any} */ entry) => JSON.stringify(entry);
 /** @type {BatchStore} */ let store;
 const bytesOf = (/** @type {string} */ text) => new TextEncoder().encode(text);
 const done = (/** @type {number} */ number, bytes = `model ${number}`) =>
-  store.save(/** @type {any} */ ({ entry: { number, file: `${number}.stl`, status: 'done' }, bytes: bytesOf(bytes) }), lineOf);
+  store.save(/** @type {any} */ ({ rows: [{ entry: { number, file: `${number}.stl`, status: 'done' } }], file: `${number}.stl`, bytes: bytesOf(bytes) }), lineOf);
 const failed = (/** @type {number} */ number) =>
-  store.save(/** @type {any} */ ({ entry: { number, file: `${number}.stl`, status: 'failed' }, why: message('row-without-text') }), lineOf);
+  store.save(/** @type {any} */ ({ rows: [{ entry: { number, file: `${number}.stl`, status: 'failed' }, why: message('row-without-text') }], file: `${number}.stl` }), lineOf);
 /** @param {AsyncGenerator<{ name: string, input: any }>} contents */
 async function read(contents) {
   /** @type {Record<string, string>} */ const files = {};
@@ -81,6 +81,14 @@ test('The archive has the files of rows that are done, and both manifests in the
   assert.deepEqual(lines.map(({ number, status }) => `${number} ${status}`), ['1 done', '2 done', '3 failed']);
   assert.deepEqual(headers, [true]);
   assert.equal(files['manifest.csv'].split('\n').length, 4);
+});
+
+test('A plate is in the archive once, though several rows have it', async () => {
+  const rows = [1, 2].map((number) => ({ entry: { number, file: 'plate-001.3mf', status: 'done' } }));
+  assert.deepEqual(await store.save(/** @type {any} */ ({ rows, file: 'plate-001.3mf', bytes: bytesOf('both') }), lineOf), ['', '']);
+  const files = await read(archiveContents(store, { manifestCsv: async () => '' }));
+  assert.deepEqual(Object.keys(files), ['manifest.jsonl', 'manifest.csv', 'plate-001.3mf']);
+  assert.equal(files['manifest.jsonl'].split('\n').length, 3);
 });
 
 test('Long manifests are read and written piece by piece', async () => {

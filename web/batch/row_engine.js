@@ -22,8 +22,10 @@ import { sha256 } from './hashes.js';
  */
 
 /**
- * What became of a row.
- * @typedef {{ entry: ManifestEntry, bytes: Uint8Array<ArrayBuffer> } | { entry: ManifestEntry, why: Message }} CarvedRow  `why` it failed
+ * What became of a row, and why it failed if it did.
+ * @typedef {{ entry: ManifestEntry, why?: Message }} CarvedRow
+ * What became of rows with one file: of one row, or of those on a plate. `bytes`: none if all failed.
+ * @typedef {{ rows: CarvedRow[], file: string, bytes?: Uint8Array<ArrayBuffer> }} CarvedUnit
  */
 
 /**
@@ -76,35 +78,73 @@ export class RowEngine {
   }
 
   /**
-   * @param {number} index  from 0
-   * @param {boolean} looksAtPrint  find out how it comes off the printer, too
-   * @returns {Promise<CarvedRow>}
+   * One row, or all of a plate.
+   * @param {number[]} indices  from 0
+   * @param {(index: number) => boolean} looksAtPrint  whether to find out how it comes off the printer, too
+   * @returns {Promise<CarvedUnit>}
    */
-  async carve(index, looksAtPrint) {
+  async carve(indices, looksAtPrint) {
+    const isPlate = this.job_.wanted.perPlate > 0;
+    if (isPlate) await this.client_.startPlate(indices.length);
+    const others = isPlate ? (await Promise.all(indices.map((index) => this.hashOf(index)))).join('') : '';
+    /** @type {CarvedRow[]} */ const rows = [];
+    /** @type {Uint8Array<ArrayBuffer> | undefined} */ let bytes;
+    for (const [place, index] of indices.entries()) {
+      const carved = await this.carveRow_(index, others, looksAtPrint(index));
+      const { row, withInlay } = carved;
+      const { id, status, file } = row.entry;
+      rows.push(row);
+      if (status === 'done' && isPlate) await this.client_.addToPlate(place, id);
+      else if (status === 'done') bytes = await this.written_([row], () => this.client_.exportModel(formatOf(file, withInlay)));
+    }
+    const [{ entry: { file } }] = rows, done = rows.filter(({ entry }) => entry.status === 'done');
+    if (isPlate && done.length > 0) bytes = await this.written_(done, () => this.client_.exportPlate(file));
+    return { rows, file, ...(bytes && { bytes }) };
+  }
+
+  /**
+   * The file of rows that are done; without it they have failed.
+   * @param {CarvedRow[]} rows
+   * @param {() => Promise<Uint8Array<ArrayBuffer>>} write
+   */
+  async written_(rows, write) {
+    try {
+      const bytes = await write();
+      const output = await sha256(bytes);
+      for (const { entry } of rows) entry.sha256.output = output;
+      return bytes;
+    } catch (thrown) {
+      if (isLost(thrown)) throw thrown;
+      for (const row of rows) Object.assign(row, { entry: { ...row.entry, status: 'failed' }, why: describeThrown(thrown) });
+      return undefined;
+    }
+  }
+
+  /** @param {number} index @param {string} others  what else its file's hash is of @param {boolean} looksAtPrint @returns {Promise<{ row: CarvedRow, withInlay: boolean }>} */
+  async carveRow_(index, others, looksAtPrint) {
     const begun = performance.now();
-    const { settings: own, ...row } = await this.client_.batchRow(index);
+    const { settings: own, ...name } = await this.client_.batchRow(index);
     const settings = /** @type {Settings & { inlay?: boolean }} */ ({ ...this.job_.wanted.settings, ...own });
-    const { number, id, text, file } = row;
+    const { number, id, text, file } = name;
     /** @type {ManifestEntry} */
-    const entry = { number, id, text, file, status: 'failed', sha256: { input: this.job_.input, settings: await this.hashOf(index) } };
+    const entry = { number, id, text, file, status: 'failed', sha256: { input: this.job_.input, settings: await this.hashOf(index, others) } };
+    const withInlay = settings.inlay ?? false;
     try {
       await this.carveUntilItReads_(settings);
       if (looksAtPrint) await this.lookAtPrint_();
       const { passed, failed, details } = await this.client_.describeRow(performance.now() - begun);
-      if (!passed) return { entry: { ...entry, ...details }, why: failed[0] };
-      const bytes = await this.client_.exportModel(formatOf(file, settings.inlay ?? false));
-      const output = await sha256(bytes);
-      return { entry: { ...entry, ...details, status: 'done', sha256: { ...entry.sha256, output } }, bytes };
+      if (!passed) return { row: { entry: { ...entry, ...details }, why: failed[0] }, withInlay };
+      return { row: { entry: { ...entry, ...details, status: 'done' } }, withInlay };
     } catch (thrown) {
       if (isLost(thrown)) throw thrown;
-      return { entry, why: describeThrown(thrown) };
+      return { row: { entry, why: describeThrown(thrown) }, withInlay };
     }
   }
 
-  /** Of what decides the row's file beside the model, as the manifest has it. @param {number} index */
-  async hashOf(index) {
+  /** Of what decides the row's file beside the model, as the manifest has it. @param {number} index @param {string} [others] */
+  async hashOf(index, others = '') {
     const { model: { scaleToMm, upAxis }, centreMm } = this.job_;
-    return sha256(await this.client_.batchRowToHash(index, { centre: centreMm, others: `${scaleToMm} ${upAxis}` }));
+    return sha256(await this.client_.batchRowToHash(index, { centre: centreMm, others: `${scaleToMm} ${upAxis}${others}` }));
   }
 
   /** As asked for; where it does not read so, as the module proposes next, if it reads with that. @param {Settings} asked */

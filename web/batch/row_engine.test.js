@@ -8,7 +8,7 @@ import { RowEngine } from './row_engine.js';
 
 const kJob = /** @type {any} */ ({
   model: { bytes: new Uint8Array(3), fileName: 'cube.stl', scaleToMm: 25.4, upAxis: 'y' }, input: 'aa', centreMm: [1, 2, 3],
-  list: new Uint8Array(), wanted: { settings: { text: '', preset: 'balanced' }, text: '', name: '', count: 2 },
+  list: new Uint8Array(), wanted: { settings: { text: '', preset: 'balanced' }, text: '', name: '', count: 2, perPlate: 0 },
 });
 
 /** @type {string[]} */ let calls;
@@ -16,6 +16,11 @@ const kJob = /** @type {any} */ ({
 /** @type {any[]} */ let nexts;
 /** @type {any} */ let answers;
 /** @type {RowEngine} */ let engine;
+/** What became of the second row. @param {boolean} looks */
+const carveSecond = async (looks = false) => {
+  const { rows: [row], bytes, file } = await engine.carve([1], () => looks);
+  return { ...row, bytes, file };
+};
 
 beforeEach(() => {
   calls = [];
@@ -49,44 +54,65 @@ test('An engine is given what all rows share, once', async () => {
 });
 
 test('A row is carved with the settings of all and its own, and its line has the hashes of what it comes from', async () => {
-  const carved = /** @type {any} */ (await engine.carve(1, false));
+  const carved = await carveSecond();
   assert.deepEqual(configured, [{ text: 'two', preset: 'balanced', version: 1 }]);
   assert.deepEqual(carved.entry, {
     number: 2, id: 'b', text: 'two', file: 'b.3mf', status: 'done', grades: 'A',
     sha256: { input: 'aa', settings: await sha256('hash me'), output: await sha256(new Uint8Array([1, 2])) },
   });
-  assert.deepEqual([...carved.bytes], [1, 2]);
+  assert.deepEqual([...carved.bytes ?? []], [1, 2]);
   assert.ok(calls.includes('exportModel 3mf'));
   assert.ok(!calls.includes('printJob'));
 });
 
 test('The print is looked at where that is asked for', async () => {
-  await engine.carve(1, true);
+  await carveSecond(true);
   assert.ok(calls.includes('setPrintedReadings 7 12'));
 });
 
 test('What does not read is carved as the module proposes', async () => {
   nexts = [{ setting: 'preset', value: 'robust' }, null];
-  assert.equal((await engine.carve(1, false)).entry.status, 'done');
+  assert.equal((await carveSecond()).entry.status, 'done');
   assert.deepEqual(configured.map(({ preset }) => preset), ['balanced', 'robust']);
 });
 
 test('A row whose checks do not pass has no file, and says which', async () => {
   answers.describeRow = { passed: false, failed: [message('row-without-text')], details: { grades: 'F' } };
-  const carved = /** @type {any} */ (await engine.carve(1, false));
-  assert.deepEqual([carved.entry.status, carved.entry.grades, carved.why.code, carved.bytes], ['failed', 'F', 'row-without-text', undefined]);
+  const carved = await carveSecond();
+  assert.deepEqual([carved.entry.status, /** @type {any} */ (carved.entry).grades, carved.why?.code, carved.bytes], ['failed', 'F', 'row-without-text', undefined]);
 });
 
 test('A row that cannot be carved fails; an engine that is beyond use is told', async () => {
   answers.engrave = new EngineFailure({ kind: 'NoSolution', ...message('no-centre') });
-  const carved = /** @type {any} */ (await engine.carve(1, false));
-  assert.deepEqual([carved.entry.status, carved.why.code], ['failed', 'no-centre']);
+  const carved = await carveSecond();
+  assert.deepEqual([carved.entry.status, carved.why?.code], ['failed', 'no-centre']);
   answers.engrave = new EngineFailure(internal(message('engine-crashed', { detail: { term: 'unreachable' } })));
-  await assert.rejects(engine.carve(1, false), { code: 'engine-crashed' });
+  await assert.rejects(carveSecond(), { code: 'engine-crashed' });
 });
 
 test('An inlay is written where a row asks for it', async () => {
   answers.batchRow.settings.inlay = true;
-  await engine.carve(1, false);
+  await carveSecond();
   assert.ok(calls.includes('exportModel 3mf-inlay'));
+});
+
+test('A row whose file cannot be written fails', async () => {
+  answers.exportModel = new EngineFailure(internal(message('model-not-written', { format: { term: 'STL' } })));
+  const carved = await carveSecond();
+  assert.deepEqual([carved.entry.status, carved.why?.code, carved.bytes], ['failed', 'model-not-written', undefined]);
+});
+
+test('Rows of a plate share its file, without those that failed', async () => {
+  const job = { ...kJob, wanted: { ...kJob.wanted, perPlate: 3 } };
+  engine = new RowEngine(job, { client: /** @type {any} */ (engine).client_, read: async () => ['two'], print: async () => undefined });
+  answers.batchRow = (/** @type {number} */ index) => ({ number: index + 1, id: `P${index}`, text: 't', file: 'plate-001.3mf', settings: {} });
+  let described = 0;
+  answers.describeRow = () => ({ passed: (described += 1) !== 2, failed: [message('row-without-text')], details: {} });
+  answers.exportPlate = new Uint8Array([9]);
+  const { rows, file, bytes } = await engine.carve([0, 1, 2], () => false);
+  assert.deepEqual([file, [...bytes ?? []]], ['plate-001.3mf', [9]]);
+  const output = await sha256(new Uint8Array([9]));
+  assert.deepEqual(rows.map(({ entry }) => [entry.status, entry.sha256.output]), [['done', output], ['failed', undefined], ['done', output]]);
+  assert.deepEqual(calls.filter((call) => /Plate/.test(call)), ['startPlate 3', 'addToPlate 0 P0', 'addToPlate 2 P2', 'exportPlate plate-001.3mf']);
+  assert.equal(new Set(rows.map(({ entry }) => entry.sha256.settings)).size, 1);  // of all that stand on it: here their own are alike
 });

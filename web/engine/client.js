@@ -283,6 +283,15 @@ export class EngineClient {
   /** @param {string} lines  of a manifest @param {boolean} withHeader @returns {Promise<string>}  the same as a table */
   manifestCsv(lines, withHeader) { return this.call_('manifestCsv', lines, withHeader); }
 
+  /** Begins a plate, in place of an earlier one. @param {number} copies  that stand on it @returns {Promise<void>} */
+  startPlate(copies) { return this.call_('startPlate', copies); }
+
+  /** Puts the carving that is there on it. @param {number} place  from 0 @param {string} id @returns {Promise<void>} */
+  addToPlate(place, id) { return this.call_('addToPlate', place, id); }
+
+  /** The plate as 3MF; it is empty then. @param {string} title @returns {Promise<Uint8Array<ArrayBuffer>>} */
+  exportPlate(title) { return this.call_('exportPlate', title); }
+
   /** What the manifest has of the carving that is there. @param {number} totalMs @returns {Promise<import('./types.js').DescribedRow>} */
   describeRow(totalMs) { return this.call_('describeRow', totalMs); }
 

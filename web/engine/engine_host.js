@@ -244,6 +244,16 @@ export class EngineHost {
     manifestLine: (entry) => parseAnswer(this.planned_().manifestLine(JSON.stringify(entry))).line,
     /** @param {string} lines @param {boolean} withHeader */
     manifestCsv: (lines, withHeader) => parseAnswer(this.planned_().manifestCsv(lines, withHeader)).csv,
+    /** @param {number} copies */
+    startPlate: (copies) => void parseAnswer(this.engine_.startPlate(copies)),
+    /** @param {number} place @param {string} id */
+    addToPlate: (place, id) => void parseAnswer(this.engine_.addToPlate(place, id)),
+    /** @param {string} title */
+    exportPlate: (title) => {
+      const bytes = this.engine_.exportPlate(title);
+      if (bytes.length > 0) return bytes.slice();
+      throw new EngineFailure(internal(message('model-not-written', { format: { term: '3MF' } })));
+    },
     /** @param {number} totalMs */
     describeRow: (totalMs) => parseAnswer(this.engine_.describeRow(totalMs)),
 

@@ -122,8 +122,8 @@
 
 /**
  * What a batch is asked for: what all rows have, the templates of text and file name ('' where the list's columns say
- * them), and how many rows are numbered without a list, else 0.
- * @typedef {{ settings: Settings, text: string, name: string, count: number }} WantedBatch
+ * them), how many rows are numbered without a list, else 0, and how many stand on a plate; 0: each has a file of its own.
+ * @typedef {{ settings: Settings, text: string, name: string, count: number, perPlate: number }} WantedBatch
  * @typedef {{ rows: number, problems: Message[], mayBeMore: boolean, unused: string[], version?: number, modules?: number }} BatchPlan
  *   with a problem there are no rows; `unused`: columns that nothing asks for
  * @typedef {{ number: number, line: number, id: string, text: string, file: string }} BatchRowName
@@ -199,6 +199,9 @@
  * @property {(changed: string, texts: string, facingDeg: number) => string} judgePrint
  * @property {(texts: string, facingDeg: number) => string} setPrintedReadings
  * @property {(totalMs: number) => string} describeRow
+ * @property {(copies: number) => string} startPlate
+ * @property {(place: number, id: string) => string} addToPlate
+ * @property {(title: string) => Uint8Array} exportPlate
  * @property {() => string} startViewTrials
  * @property {() => GreyImage[]} viewTrialPictures
  * @property {(read: boolean) => string} noteViewTrial

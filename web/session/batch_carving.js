@@ -122,12 +122,14 @@ export class BatchCarving {
     const { client, store, messages, makeEngine = (/** @type {BatchJob} */ given) => new RowEngine(given) } = this.options_;
     const lineOf = (/** @type {import('../engine/types.js').ManifestEntry} */ entry) => client.manifestLine(entry);
     const run = new BatchRun({
-      states, engines: engineCount(), printEvery: record.printEvery,
+      states, engines: engineCount(), printEvery: record.printEvery, perPlate: job.wanted.perPlate,
       makeEngine: () => makeEngine(job),
       save: (carved) => store.save(carved, lineOf),
-      saveLost: async (index, why) => {
-        const { number, id, text: content, file } = await client.batchRow(index);
-        return store.save({ entry: { number, id, text: content, file, status: 'failed', sha256: { input: job.input, settings: '' } }, why }, lineOf);
+      saveLost: async (indices, why) => {
+        const names = await client.batchRows(indices[0], indices.length);
+        const rows = names.map(({ number, id, text: content, file }) =>
+          ({ entry: { number, id, text: content, file, status: /** @type {const} */ ('failed'), sha256: { input: job.input, settings: '' } }, why }));
+        return store.save({ rows, file: names[0].file }, lineOf);
       },
       onChange: () => this.showProgress_(),
     });
@@ -274,8 +276,9 @@ export class BatchCarving {
   }
 }
 
-/** How many engines carve side by side. */
+/** How many engines carve side by side: where none has a worker of its own, the page itself must not stand still for two. */
 function engineCount() {
+  if (typeof OffscreenCanvas !== 'function') return 1;
   const memory = /** @type {{ deviceMemory?: number }} */ (navigator).deviceMemory ?? kLeastMemoryGb;
   return memory < kLeastMemoryGb ? 1 : Math.max(1, Math.min(kMostEngines, navigator.hardwareConcurrency || 1));
 }

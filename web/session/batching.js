@@ -80,7 +80,7 @@ export class Batching {
       return;
     }
     /** @type {WantedBatch} */
-    const wanted = { settings: this.settings_(''), text: input.text, name: input.name, count: input.from === 'count' ? input.count : 0 };
+    const wanted = { settings: this.settings_(''), text: input.text, name: input.name, count: input.from === 'count' ? input.count : 0, perPlate: input.perPlate };
     const isSame = this.planned?.input === input && JSON.stringify(this.planned.wanted) === JSON.stringify(wanted);
     if (isSame) return;
     this.planning_ = this.plan_(input, wanted).finally(() => { this.planning_ = undefined; });
@@ -126,7 +126,10 @@ export class Batching {
 export function plannedWords({ input, plan, problems }) {
   if (isEmptyInput(input)) return text('batch.listMissing');
   if (problems.length > 0) return text(plan?.mayBeMore ? 'batch.problemsAtLeast' : 'batch.problems', { count: problems.length });
-  return text('batch.planned', { count: plan?.rows ?? 0, version: plan?.version ?? 0, modules: plan?.modules ?? 0 });
+  const { rows = 0, version = 0, modules = 0 } = plan ?? {};
+  if (input.perPlate === 0) return text('batch.planned', { count: rows, version, modules });
+  const parts = text('batch.parts', { count: rows }), plates = text('batch.plateCount', { count: Math.ceil(rows / input.perPlate) });
+  return text('batch.plannedPlates', { parts, plates, version, modules });
 }
 
 /** Whether a file may be a list rather than a model. @param {{ name: string, type: string }} file */

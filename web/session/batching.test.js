@@ -6,7 +6,7 @@ import { message } from '../engine/message.js';
 import { Batching, looksLikeList, plannedWords } from './batching.js';
 import { FakeMessages, replaced } from './testing.js';
 
-const kInput = /** @type {any} */ ({ from: 'list', list: new Uint8Array(4), listName: 'a.csv', count: 100, text: '', name: '' });
+const kInput = /** @type {any} */ ({ from: 'list', list: new Uint8Array(4), listName: 'a.csv', count: 100, text: '', name: '', perPlate: 0 });
 const kPlan = { rows: 12, problems: [], mayBeMore: false, unused: [], version: 2, modules: 25 };
 
 /** @type {any} */ let panel;
@@ -67,6 +67,13 @@ test('A list is planned again when it or the settings are others, and only then'
   batching.forget();
   await batching.ready();
   assert.equal(wanted.length, 4);
+});
+
+test('On plates, it is said how many', async () => {
+  panel.input = { ...kInput, perPlate: 5 };
+  await batching.ready();
+  assert.equal(plannedWords(planned[0]), '12 parts on 3 plates, version 2, 25 × 25 modules');
+  assert.equal(wanted[0].perPlate, 5);
 });
 
 test('A list with problems has no first part', async () => {

@@ -8,8 +8,8 @@
 
 /**
  * Where the parts of a batch come from, and what makes their texts and file names ('' where the list's columns do).
- * @typedef {{ from: 'list' | 'count', list: Uint8Array, listName: string, count: number, text: string, name: string }} BatchInput
- *   `listName` '': it was pasted
+ * @typedef {{ from: 'list' | 'count', list: Uint8Array, listName: string, count: number, text: string, name: string, perPlate: number }} BatchInput
+ *   `listName` '': it was pasted; `perPlate` 0: each part has a file of its own
  */
 
 /**

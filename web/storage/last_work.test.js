@@ -146,7 +146,7 @@ test('discarding the last visit’s work leaves what this visit has put in its p
 });
 
 /** @param {string} list */
-const batchOf = (list) => ({ from: /** @type {const} */ ('list'), list: new TextEncoder().encode(list), listName: 'parts.csv', count: 100, text: '', name: '{id}.3mf' });
+const batchOf = (list) => ({ from: /** @type {const} */ ('list'), list: new TextEncoder().encode(list), listName: 'parts.csv', count: 100, text: '', name: '{id}.3mf', perPlate: 0 });
 
 test('the list of a batch comes back; another list of the same length takes its place', async () => {
   const { store, last } = visit();

@@ -13,10 +13,11 @@ import { showFindings } from './messages.js';
 const kTypingPauseMs = 250;
 const kMostShownBytes = 20_000;  // a longer list is shown by its name
 const kNumberedText = 'https://example.org/p/{n:05}';
+const kPerPlate = 12;  // while what is typed is no number of parts
 const kPasted = '';  // the name of a list that is no file
 
 /** What the panel holds before anything was typed. @type {BatchInput} */
-export const kEmptyInput = Object.freeze({ from: 'list', list: new Uint8Array(), listName: kPasted, count: 100, text: '', name: '' });
+export const kEmptyInput = Object.freeze({ from: 'list', list: new Uint8Array(), listName: kPasted, count: 100, text: '', name: '', perPlate: 0 });
 
 export class BatchPanel {
   /**
@@ -34,6 +35,8 @@ export class BatchPanel {
     this.count_ = byId('batch-count', HTMLInputElement);
     this.text_ = byId('batch-text', HTMLInputElement);
     this.name_ = byId('batch-name', HTMLInputElement);
+    this.files_ = byId('batch-files', HTMLSelectElement);
+    this.perPlate_ = byId('batch-per-plate', HTMLInputElement);
     this.problems_ = byId('batch-problems', HTMLElement);
     this.first_ = byId('batch-first', HTMLElement);
     /** @type {BatchInput} */ this.input_ = kEmptyInput;
@@ -44,7 +47,8 @@ export class BatchPanel {
       this.text_.value = this.from_.value === 'count' ? this.text_.value || kNumberedText : this.text_.value === kNumberedText ? '' : this.text_.value;
       this.take_();
     });
-    for (const field of [this.pasted_, this.count_, this.text_, this.name_]) {
+    this.files_.addEventListener('change', () => this.take_());
+    for (const field of [this.pasted_, this.count_, this.text_, this.name_, this.perPlate_]) {
       field.addEventListener('input', () => this.takeSoon_());
       field.addEventListener('change', () => this.take_());
       field.addEventListener('keydown', (event) => {
@@ -127,6 +131,8 @@ export class BatchPanel {
     this.count_.value = String(input.count);
     this.text_.value = input.text;
     this.name_.value = input.name;
+    this.files_.value = input.perPlate > 0 ? 'plates' : 'each';
+    if (input.perPlate > 0) this.perPlate_.value = String(input.perPlate);
     const isShown = input.listName === kPasted && input.list.length <= kMostShownBytes;
     this.pasted_.value = isShown ? new TextDecoder().decode(input.list) : '';
     this.showFields_();
@@ -144,7 +150,10 @@ export class BatchPanel {
     const isFile = listName !== kPasted;
     const count = this.count_.validity.valid ? this.count_.valueAsNumber : 0;
     /** @type {BatchInput} */
-    const now = { from: this.from_.value === 'count' ? 'count' : 'list', list, listName, count, text: this.text_.value, name: this.name_.value };
+    const now = {
+      from: this.from_.value === 'count' ? 'count' : 'list', list, listName, count, text: this.text_.value, name: this.name_.value,
+      perPlate: this.files_.value !== 'plates' ? 0 : this.perPlate_.validity.valid ? this.perPlate_.valueAsNumber : this.input_.perPlate || kPerPlate,
+    };
     const pasted = isFile ? list : new TextEncoder().encode(this.pasted_.value);
     const isSameList = pasted.length === list.length && pasted.every((byte, i) => byte === list[i]);
     if (!isSameList) now.list = pasted;
@@ -166,6 +175,8 @@ export class BatchPanel {
     this.fields_.hidden = !isMany;
     byId('batch-list-fields', HTMLElement).hidden = !isList;
     byId('batch-count-fields', HTMLElement).hidden = isList;
+    byId('batch-per-plate-field', HTMLElement).hidden = this.files_.value !== 'plates';
+    byId('batch-name-field', HTMLElement).hidden = this.files_.value === 'plates';
     byId('batch-pasted', HTMLElement).hidden = isFile;
     byId('batch-file', HTMLElement).hidden = !isFile;
     if (!isMany) this.show({ problems: [] });

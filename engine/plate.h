@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "engine/loaded_model.h"
+#include "io/write_model.h"
+
+namespace qrelief {
+
+/// Carved copies of a model side by side, as `qrelief batch --per-plate` writes them.
+class Plate {
+ public:
+  /// Empties it. @param copies  that it has room for
+  void start(const LoadedModel& model, std::size_t copies);
+  /// @param place  below copies; @param id  names the copy, whose text goes with it
+  void add(const LoadedModel& model, const EngraveResult& result, const EngraveRequest& request, std::size_t place,
+           const std::string& id);
+  /// A 3MF, read back and compared; empty if nothing is on it or the file would say anything else. Empties it.
+  std::vector<std::uint8_t> taken(const std::string& title);
+
+ private:
+  std::vector<Vec3> offsets_;
+  std::vector<ModelObject> objects_;
+};
+
+}  // namespace qrelief
