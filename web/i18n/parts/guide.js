@@ -56,6 +56,13 @@ export const guide = {
     lightPhone: 'Hold the phone straight in front of the code, about 25 cm away. The code is carved for an eye there; another distance can be set. From aside a code on a curved surface is bent, however deep it is: a smaller one, or a flatter place, forgives more.',
     lightOne: 'Under “Pattern, depth, printer”, “Dark by” can be “Shadow of one lamp”: the shallowest way. Such a code reads reliably only while one light shines on it from the side that the result names: a phone’s lamp, or the sun. “Lamp” below it says where that light stands.',
 
+    parts: 'A code for every part',
+    partsWhat: 'Parts of a series can each say which they are: a serial number, a link of its own. Choose “A code for every part” under “Code”.',
+    partsList: 'Give a list as CSV, as spreadsheets save it, with a column “text”, or number the parts. Two parts with the same text, a text that is too long, and the like are said with their lines before anything is carved. All codes have the size that the longest text takes.',
+    partsFirst: 'Engrave the first part, look at it, and best print it.',
+    partsAll: 'Then carve all. It goes on beside your work, and after the page was closed or reloaded. Every part is read back; one that does not read is left out, and the table says why.',
+    partsManifest: 'The ZIP has a model for each part, and a manifest, manifest.csv, that says which file holds which text and what was found out about it.',
+
     coupon: 'A test plate',
     couponWhat: 'Before a long print, print a small one: a plate of 44 × 44 × 4 mm with a short code. It shows what your printer, your material and your light can do.',
     couponOpen: 'Open the plate, carved',
@@ -131,6 +138,13 @@ export const guide = {
     lightPreset: 'Unter „Wie tief“ ist „Flach“ für gleichmäßiges Licht von vorn gedacht, „Ausgewogen“ auch für eine Lampe daneben und „Robust“ für mehr von beidem.',
     lightPhone: 'Das Telefon gerade vor den Code halten, etwa 25 cm entfernt. Für ein Auge dort ist der Code graviert; ein anderer Abstand lässt sich einstellen. Von der Seite gesehen verzieht sich ein Code auf gewölbter Oberfläche, wie tief er auch ist: Ein kleinerer oder eine flachere Stelle verzeiht mehr.',
     lightOne: 'Unter „Muster, Tiefe, Drucker“ gibt es bei „Dunkel durch“ den „Schatten einer Lampe“: der flachste Weg. Ein solcher Code ist nur verlässlich lesbar, solange ein Licht von der Seite scheint, die das Ergebnis nennt: eine Handylampe oder die Sonne. Wo dieses Licht steht, sagt „Lampe“ darunter.',
+
+    parts: 'Ein Code je Teil',
+    partsWhat: 'Jedes Teil einer Serie kann sagen, welches es ist: mit einer Seriennummer oder einem eigenen Link. Dazu unter „Code“ „Ein Code je Teil“ wählen.',
+    partsList: 'Eine Liste als CSV angeben, wie Tabellenprogramme sie sichern, mit einer Spalte „text“, oder die Teile nummerieren. Zwei Teile mit gleichem Text, ein zu langer Text und Ähnliches werden mit ihren Zeilen genannt, bevor etwas graviert wird. Alle Codes haben die Größe, die der längste Text braucht.',
+    partsFirst: 'Das erste Teil gravieren, ansehen und am besten drucken.',
+    partsAll: 'Dann alle gravieren. Das geht neben anderer Arbeit weiter, auch wenn die Seite inzwischen geschlossen oder neu geladen wurde. Jedes Teil wird zurückgelesen; eines, das sich nicht liest, bleibt weg, und die Tabelle sagt, warum.',
+    partsManifest: 'Das ZIP hat für jedes Teil ein Modell und eine Übersicht, manifest.csv, die sagt, welche Datei welchen Text trägt und was über sie gefunden wurde.',
 
     coupon: 'Eine Prüfplatte',
     couponWhat: 'Vor einem langen Druck einen kleinen machen: eine Platte von 44 × 44 × 4 mm mit einem kurzen Code. Sie zeigt, was Drucker, Material und Licht hergeben.',
