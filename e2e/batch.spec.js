@@ -4,7 +4,7 @@ import { expect, test } from '@playwright/test';
 import { createHash } from 'node:crypto';
 import { expectNoViolations } from './support/axe.js';
 import { Engraver } from './support/engraver.js';
-import { filesOf } from './support/three_mf.js';
+import { bodiesOf, filesOf, unzip } from './support/three_mf.js';
 import { freeze, holdWorkers, thaw } from './support/workers.js';
 
 const kTexts = ['https://example.org/p/1', 'https://example.org/p/2', 'Teil drei, „ö“', 'https://example.org/p/4', 'https://example.org/p/5'];
@@ -138,4 +138,45 @@ test('A list becomes a code for every part, over a reload, and the parts and the
       return names;
     })).toEqual([]);
   });
+});
+
+test('Numbered parts stand on plates, and the ZIP is written to a file that the user chose', async ({ page }) => {
+  await page.addInitScript(() => {
+    // Where the browser lets the page write to a file of the user's: one of its own stands for it here.
+    Object.assign(window, {
+      showSaveFilePicker: async (/** @type {{ suggestedName: string }} */ { suggestedName }) =>
+        (await navigator.storage.getDirectory()).getFileHandle(suggestedName, { create: true }),
+    });
+  });
+  const app = new Engraver(page);
+  await app.open('?sample=plate&lang=de');
+  await page.getByRole('radio', { name: 'Ein Code je Teil' }).check();
+  await page.getByLabel('Die Teile kommen aus').selectOption('Nummern, ohne Liste');
+  await page.getByLabel('Anzahl der Teile').fill('3');
+  await page.getByLabel('Text jedes Codes').fill('Nr. {n:03}');
+  await page.getByLabel('Dateien', { exact: true }).selectOption('3MF-Platten mit mehreren Teilen');
+  await page.getByLabel('Je Platte').fill('2');
+  await expect(page.locator('#code-state')).toHaveText('3 Teile auf 2 Platten, Version 1, 21 × 21 Module');
+  await expect(app.status).toHaveText('Bereit.');
+  await page.getByRole('button', { name: 'Erstes Teil gravieren' }).click();
+  await page.getByRole('button', { name: 'Alle 3 Teile gravieren' }).click({ timeout: 240_000 });
+  await expect(page.locator('#parts-state')).toHaveText('3 Teile sind graviert');
+
+  await page.getByRole('button', { name: 'Als ZIP herunterladen' }).click();
+  await expect(app.status).toHaveText('Das ZIP ist gespeichert.');
+  const bytes = await page.evaluate(async () => {
+    const file = await (await (await navigator.storage.getDirectory()).getFileHandle('plate-qr-parts.zip')).getFile();
+    return [...new Uint8Array(await file.arrayBuffer())];
+  });
+  const files = filesOf(Uint8Array.from(bytes));
+  expect([...files.keys()]).toEqual(['manifest.jsonl', 'manifest.csv', 'plate-001.3mf', 'plate-002.3mf']);
+  const namesOn = (/** @type {string} */ plate) => {
+    const model = unzip(/** @type {Buffer} */ (files.get(plate))).get('3D/3dmodel.model') ?? '';
+    return [...bodiesOf(model).values()].map(({ name }) => name);
+  };
+  expect(namesOn('plate-001.3mf')).toEqual(['1', '2']);
+  expect(namesOn('plate-002.3mf')).toEqual(['3']);
+  const lines = String(files.get('manifest.jsonl')).trimEnd().split('\n').map((line) => JSON.parse(line));
+  expect(lines.map(({ text, file }) => `${text} ${file}`)).toEqual(['Nr. 001 plate-001.3mf', 'Nr. 002 plate-001.3mf', 'Nr. 003 plate-002.3mf']);
+  expect(lines[0].sha256.output).toBe(lines[1].sha256.output);
 });

@@ -25,7 +25,7 @@ test('A file that cannot be used is refused in words, and the model before it st
   await test.step('a file dropped on the page is opened', async () => {
     await app.canvas.drop({ files: saddleFile });
     await expect(app.facts).toContainText('my saddle.stl, 90.0 × 90.0 × 40.0 mm');
-    await expect(page.getByText('Drop the model to open it')).toBeHidden();
+    await expect(page.getByText('Drop the model, or a list of texts, to open it')).toBeHidden();
     await app.expectReady();
     await expect(app.alert).toHaveCount(0);
   });

@@ -13,12 +13,12 @@ const kLinesAtOnce = 200;
 
 /**
  * The manifest's last line about each row, in the order of the rows, some at a time.
- * @param {File} file @param {Span[]} spans
+ * @param {Blob} manifest @param {Span[]} spans
  * @returns {AsyncGenerator<string>}
  */
-async function* linesInOrder(file, spans) {
+async function* linesInOrder(manifest, spans) {
   for (let from = 0; from < spans.length; from += kLinesAtOnce) {
-    const lines = await Promise.all(spans.slice(from, from + kLinesAtOnce).map(({ begin, end }) => file.slice(begin, end).text()));
+    const lines = await Promise.all(spans.slice(from, from + kLinesAtOnce).map(({ begin, end }) => manifest.slice(begin, end).text()));
     yield lines.map((line) => `${line}\n`).join('');
   }
 }
@@ -37,12 +37,11 @@ async function* asTable(pieces, client) {
  * @param {BatchStore} store @param {Client} client
  */
 export async function* archiveContents(store, client) {
-  const { file, spans } = await store.lastLines();
-  if (!file) return;
+  const { lines: manifest, spans } = await store.lastLines();
   /** @type {Set<string>} */ const there = new Set();  // of plates: rows share them
-  yield { name: kManifest, input: linesInOrder(file, spans) };
-  yield { name: 'manifest.csv', input: asTable(linesInOrder(file, spans), client) };
-  for await (const lines of linesInOrder(file, spans)) {
+  yield { name: kManifest, input: linesInOrder(manifest, spans) };
+  yield { name: 'manifest.csv', input: asTable(linesInOrder(manifest, spans), client) };
+  for await (const lines of linesInOrder(manifest, spans)) {
     for (const line of lines.trimEnd().split('\n')) {
       const entry = entryOf(line);
       if (entry?.status !== 'done' || there.has(entry.file)) continue;

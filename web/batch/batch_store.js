@@ -29,7 +29,7 @@ const kFormat = 1;  // of what is kept; another one is not gone on with
 const kLineEnd = 10;
 
 export class BatchStore {
-  /** @param {Pick<Folder, 'write' | 'append' | 'read' | 'remove'>} folder */
+  /** @param {Pick<Folder, 'write' | 'append' | 'copy' | 'read' | 'remove'>} folder */
   constructor(folder) {
     this.folder_ = folder;
   }
@@ -83,17 +83,15 @@ export class BatchStore {
     }
   }
 
-  /** The manifest's file, and where the last line about each row stands, in the order of the rows. @returns {Promise<{ file: File | undefined, spans: Span[] }>} */
+  /** The manifest as it is now, and where the last line about each row stands, in the order of the rows. @returns {Promise<{ lines: Blob, spans: Span[] }>} */
   async lastLines() {
-    const file = await this.folder_.read(kManifest);
+    const lines = new Blob([await this.folder_.copy(kManifest)]);
     /** @type {Map<number, Span>} */ const last = new Map();
-    if (file) {
-      for await (const { text, ...span } of linesOf(file)) {
-        const entry = entryOf(text);
-        if (entry) last.set(entry.number, span);
-      }
+    for await (const { text, ...span } of linesOf(lines)) {
+      const entry = entryOf(text);
+      if (entry) last.set(entry.number, span);
     }
-    return { file, spans: [...last].sort(([a], [b]) => a - b).map(([, span]) => span) };
+    return { lines, spans: [...last].sort(([a], [b]) => a - b).map(([, span]) => span) };
   }
 
   /** A row's file. @param {string} name */

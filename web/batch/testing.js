@@ -15,6 +15,11 @@ export class FakeFolder {
   }
 
   /** @param {string} name */
+  async copy(name) {
+    return /** @type {Uint8Array<ArrayBuffer>} */ (this.files.get(name) ?? new Uint8Array());
+  }
+
+  /** @param {string} name */
   async read(name) {
     const bytes = this.files.get(name);
     return bytes && new File([/** @type {Uint8Array<ArrayBuffer>} */ (bytes)], name);

@@ -100,6 +100,7 @@ export class Session {
     this.started_ = started;
     if (!(await started)) return;
     if (this.fileChosen_) {  // by who was quicker than the module
+      await this.parts_.batchCarving.offer();
       await this.parts_.kept.begin(false);
       return;
     }

@@ -4,7 +4,7 @@
 import { EngineFailure, internal } from '../engine/engine_error.js';
 import { message } from '../engine/message.js';
 
-/** @typedef {{ resolve: () => void, reject: (reason: unknown) => void }} Pending */
+/** @typedef {{ resolve: (value: any) => void, reject: (reason: unknown) => void }} Pending */
 
 /** @returns {Promise<FileSystemDirectoryHandle>}  of all folders */
 async function rootFolder() {
@@ -45,6 +45,11 @@ export class Folder {
     return this.send_('append', file, new TextEncoder().encode(`${line}\n`), []);
   }
 
+  /** What a file has that may be written to meanwhile: what `read` gives is of no use then. @param {string} file @returns {Promise<Uint8Array<ArrayBuffer>>} */
+  copy(file) {
+    return this.send_('copy', file, new Uint8Array(), []);
+  }
+
   /** @param {string} file @returns {Promise<File | undefined>}  not read yet; none: it is not there */
   async read(file) {
     try {
@@ -62,25 +67,24 @@ export class Folder {
     await root.removeEntry(this.name_, { recursive: true }).catch(() => {});  // it is not there
   }
 
-  /** @param {'write' | 'append'} verb @param {string} file @param {Uint8Array} bytes @param {Transferable[]} transfer */
+  /** @param {'write' | 'append' | 'copy'} verb @param {string} file @param {Uint8Array} bytes @param {Transferable[]} transfer @returns {Promise<any>} */
   async send_(verb, file, bytes, transfer) {
     await rootFolder();
     const worker = this.worker_ ??= this.start_();
-    /** @type {Promise<void>} */ const written = new Promise((resolve, reject) => {
+    return new Promise((resolve, reject) => {
       const id = this.nextId_++;
       this.pending_.set(id, { resolve, reject });
       worker.postMessage({ id, verb, folder: this.name_, file, bytes }, transfer);
     });
-    return written;
   }
 
   start_() {
     const worker = new Worker(new URL('./folder_worker.js', import.meta.url), { type: 'module', name: 'folder' });
-    worker.onmessage = ({ data: { id, problem } }) => {
+    worker.onmessage = ({ data: { id, value, problem } }) => {
       const pending = this.pending_.get(id);
       this.pending_.delete(id);
       if (problem) pending?.reject(failureOf(problem));
-      else pending?.resolve();
+      else pending?.resolve(value);
     };
     worker.onerror = (event) => {
       event.preventDefault();

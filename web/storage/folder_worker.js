@@ -1,22 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The worker's side of a folder: only here can every browser write to a file in place. What a verb has answered is on the disk.
 
-/** @typedef {{ id: number, verb: 'write' | 'append', folder: string, file: string, bytes: Uint8Array }} Request */
+/** @typedef {{ id: number, verb: 'write' | 'append' | 'copy', folder: string, file: string, bytes: Uint8Array }} Request */
 /** @typedef {{ getSize: () => number, truncate: (size: number) => void, write: (bytes: Uint8Array, options?: { at: number }) => number,
  *   read: (bytes: Uint8Array, options?: { at: number }) => number, flush: () => void, close: () => void }} Access */
 
 const scope = /** @type {any} */ (globalThis);
 const kLineEnd = 10;
 
-/** @param {string} folder @param {string} file @param {(access: Access) => void} use */
+/**
+ * @template T
+ * @param {string} folder @param {string} file @param {(access: Access) => T} use
+ */
 async function withFile(folder, file, use) {
   const root = await navigator.storage.getDirectory();
   const directory = await root.getDirectoryHandle(folder, { create: true });
   const handle = /** @type {any} */ (await directory.getFileHandle(file, { create: true }));
   /** @type {Access} */ const access = await handle.createSyncAccessHandle();
   try {
-    use(access);
+    const value = use(access);
     access.flush();
+    return value;
   } finally {
     access.close();
   }
@@ -45,6 +49,12 @@ const verbs = {
     if (isCut) put(access, Uint8Array.of(kLineEnd), size);
     put(access, bytes, size + Number(isCut));
   },
+  /** What the file has between two writes. @param {Access} access */
+  copy(access) {
+    const bytes = new Uint8Array(access.getSize());
+    access.read(bytes, { at: 0 });
+    return bytes;
+  },
 };
 
 /** One after the other: a file can be open once only. @type {Promise<void>} */
@@ -54,8 +64,8 @@ scope.onmessage = (/** @type {MessageEvent} */ { data }) => {
   const { id, verb, folder, file, bytes } = /** @type {Request} */ (data);
   queue = queue.then(async () => {
     try {
-      await withFile(folder, file, (access) => verbs[verb](access, bytes));
-      scope.postMessage({ id });
+      const value = await withFile(folder, file, (access) => verbs[verb](access, bytes));
+      scope.postMessage({ id, value }, value ? [value.buffer] : []);
     } catch (thrown) {
       const { name, message } = thrown instanceof Error || thrown instanceof DOMException ? thrown : { name: '', message: String(thrown) };
       scope.postMessage({ id, problem: { name, message } });

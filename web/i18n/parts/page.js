@@ -17,7 +17,7 @@ export const page = {
     fit: 'Fit',
     inspector: 'Inspector',
     legend: 'Colours of the model',
-    drop: 'Drop the model to open it',
+    drop: 'Drop the model, or a list of texts, to open it',
     dismiss: 'Dismiss',
     clickModel: 'Click the model where the code should go',
 
@@ -136,7 +136,7 @@ export const page = {
     fit: 'Alles zeigen',
     inspector: 'Inspektor',
     legend: 'Farben des Modells',
-    drop: 'Modell hier ablegen, um es zu öffnen',
+    drop: 'Modell oder Liste von Texten hier ablegen',
     dismiss: 'Schließen',
     clickModel: 'Auf das Modell klicken, wo der Code hin soll',
 
