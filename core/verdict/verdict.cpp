@@ -11,7 +11,8 @@
 namespace qrelief {
 namespace {
 
-constexpr double kUndecidedFraction = 0.16;  // about the limit: as far as drawn and traced pictures were apart
+/// About the limit, of the tries: as many more as read in traced pictures, and as many fewer (docs/decisions/0014).
+constexpr double kMostMoreTraced = 0.24, kMostFewerTraced = 0.1;
 /// Contrast of dark and light modules (ISO/IEC 29158, CC) that grade A asks for.
 constexpr double kGoodContrast = 0.3;
 constexpr double kLeastGrade = 1;  // D
@@ -239,7 +240,8 @@ ReadingEvidence evidenceOf(const std::vector<std::string>& texts, const std::str
 
 bool isUndecided(const ReadingEvidence& drawn) {
   const ReadingCount& count = drawn.count;
-  return std::abs(count.reads - count.needed()) <= kUndecidedFraction * count.tries;
+  const int spare = count.reads - count.needed();
+  return -spare <= kMostMoreTraced * count.tries && spare <= kMostFewerTraced * count.tries;
 }
 
 Verdict judge(const EngraveRequest& request, const EngraveResult& result, const ReadingEvidence& reading,

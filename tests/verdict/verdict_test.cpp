@@ -63,9 +63,10 @@ TEST(EvidenceOf, TheWantedTextCountsAndStandsBeforeOthers) {
 TEST(IsUndecided, AboutTheLimitOnly) {
   EXPECT_TRUE(isUndecided(evidence(29)));
   EXPECT_TRUE(isUndecided(evidence(20)));
-  EXPECT_TRUE(isUndecided(evidence(40)));
-  EXPECT_FALSE(isUndecided(evidence(17)));
-  EXPECT_FALSE(isUndecided(evidence(41)));
+  EXPECT_TRUE(isUndecided(evidence(12)));
+  EXPECT_TRUE(isUndecided(evidence(36)));
+  EXPECT_FALSE(isUndecided(evidence(11)));
+  EXPECT_FALSE(isUndecided(evidence(37)));
 }
 
 class VerdictTest : public testing::Test {
