@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Owns the module and its canvas, in the worker or, where there is no OffscreenCanvas, in the page.
 import { copyOf, parseAnswer } from './answers.js';
+import { makeBatchVerbs } from './batch_verbs.js';
 import { EngineFailure, describeThrown, internal } from './engine_error.js';
 import { drawGlyphs } from './glyphs.js';
 import { message } from './message.js';
@@ -66,7 +67,6 @@ export class EngineHost {
     /** @type {WebGLSync | null} */ this.fence_ = null;  // behind the last frame
     this.notify_ = notify;
     this.draws_ = draws;
-    /** @type {import('./types.js').PlannedBatch | undefined} */ this.batch_ = undefined;
     this.frameRequested_ = false;
     /** @type {Job | undefined} */ this.job_ = undefined;
     this.lost_ = false;
@@ -232,30 +232,7 @@ export class EngineHost {
       throw new EngineFailure(internal(message('model-not-written', { format: { term: format.toUpperCase() } })));
     },
 
-    /** @param {Uint8Array} list @param {import('./types.js').WantedBatch} wanted */
-    planBatch: (list, wanted) => parseAnswer(this.planned_().plan(list, JSON.stringify(wanted))),
-    /** @param {number} from @param {number} count */
-    batchRows: (from, count) => parseAnswer(this.planned_().rows(from, count)).rows,
-    /** @param {number} index */
-    batchRow: (index) => parseAnswer(this.planned_().row(index)).row,
-    /** @param {number} index @param {{ centre: number[], others: string }} placed */
-    batchRowToHash: (index, placed) => parseAnswer(this.planned_().toHash(index, JSON.stringify(placed))).text,
-    /** @param {import('./types.js').ManifestEntry} entry */
-    manifestLine: (entry) => parseAnswer(this.planned_().manifestLine(JSON.stringify(entry))).line,
-    /** @param {string} lines @param {boolean} withHeader */
-    manifestCsv: (lines, withHeader) => parseAnswer(this.planned_().manifestCsv(lines, withHeader)).csv,
-    /** @param {number} copies */
-    startPlate: (copies) => void parseAnswer(this.engine_.startPlate(copies)),
-    /** @param {number} place @param {string} id */
-    addToPlate: (place, id) => void parseAnswer(this.engine_.addToPlate(place, id)),
-    /** @param {string} title */
-    exportPlate: (title) => {
-      const bytes = this.engine_.exportPlate(title);
-      if (bytes.length > 0) return bytes.slice();
-      throw new EngineFailure(internal(message('model-not-written', { format: { term: '3MF' } })));
-    },
-    /** @param {number} totalMs */
-    describeRow: (totalMs) => parseAnswer(this.engine_.describeRow(totalMs)),
+    ...makeBatchVerbs(() => this.engine_, () => new this.module_.PlannedBatch()),
 
     picture: () => this.picture_(),
 
@@ -287,12 +264,6 @@ export class EngineHost {
     /** @param {ViewAction} action */
     act: (action) => this.act_(action),
   };
-
-  /** Made when it is first needed. */
-  planned_() {
-    this.batch_ ??= new this.module_.PlannedBatch();
-    return this.batch_;
-  }
 
   /** @param {ViewAction} action */
   act_(action) {
