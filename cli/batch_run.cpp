@@ -117,12 +117,10 @@ Status BatchRun::carveAll(const std::vector<BatchRow>& rows, std::vector<Manifes
     }
     entry.status = RowStatus::Done;
     if (plate.empty()) continue;
-    for (ModelObject object : carvedObjects(carved->result, partNames_, rows[i].request.inlay)) {
-      object.name = object.name.empty() ? rows[i].id : rows[i].id + " " + object.name;
-      object.description = rows[i].request.text;
-      object.offsetMm = offsets[i];
+    const BatchRow& row = rows[i];
+    for (ModelObject& object : copyOnPlate(carvedObjects(carved->result, partNames_, row.request.inlay), row.id,
+                                           row.request.text, offsets[i]))
       objects.push_back(std::move(object));
-    }
   }
   if (objects.empty()) return {};
   const auto bytes = writeChecked(objects, ModelFormat::ThreeMf, {.title = plate});

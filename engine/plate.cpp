@@ -17,12 +17,9 @@ void Plate::start(const LoadedModel& model, std::size_t copies) {
 void Plate::add(const LoadedModel& model, const EngraveResult& result, const EngraveRequest& request, std::size_t place,
                 const std::string& id) {
   if (place >= offsets_.size()) return;
-  for (ModelObject object : carvedObjects(result, model.partNames, request.inlay)) {
-    object.name = object.name.empty() ? id : id + " " + object.name;
-    object.description = request.text;
-    object.offsetMm = offsets_[place];
+  for (ModelObject& object :
+       copyOnPlate(carvedObjects(result, model.partNames, request.inlay), id, request.text, offsets_[place]))
     objects_.push_back(std::move(object));
-  }
 }
 
 std::vector<std::uint8_t> Plate::taken(const std::string& title) {

@@ -29,4 +29,14 @@ std::vector<ModelObject> carvedObjects(const EngraveResult& result, std::span<co
   return objects;
 }
 
+std::vector<ModelObject> copyOnPlate(std::vector<ModelObject> objects, const std::string& id, const std::string& text,
+                                     Vec3 offsetMm) {
+  for (ModelObject& object : objects) {
+    object.name = object.name.empty() ? id : id + " " + object.name;
+    object.description = text;
+    object.offsetMm = offsetMm;
+  }
+  return objects;
+}
+
 }  // namespace qrelief

@@ -16,4 +16,9 @@ namespace qrelief {
 std::vector<ModelObject> carvedObjects(const EngraveResult& result, std::span<const std::string> partNames,
                                        bool withInlay);
 
+/// The same as one of several copies on a plate (batch/plate_layout.h): every object's name begins with the copy's id,
+/// and its description is the code's text.
+std::vector<ModelObject> copyOnPlate(std::vector<ModelObject> objects, const std::string& id, const std::string& text,
+                                     Vec3 offsetMm);
+
 }  // namespace qrelief

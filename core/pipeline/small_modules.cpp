@@ -10,20 +10,17 @@ namespace {
 constexpr ModulePattern kLargeModulePattern = ModulePattern::ThickPlus;
 constexpr FinderPattern kLargeFinderPattern = FinderPattern::ThickPlusSharp;
 
-bool carvesSmallModulesWhole(const EngraveRequest& request) {
-  return !request.modulePattern && request.process && request.objective == DepthObjective::Contrast &&
-         request.solver == ContrastSolver::Fast && request.floor == FloorShape::Flat && request.lights.empty();
-}
-
-bool isSmall(const EngraveRequest& request, double moduleMm) {
-  return moduleMm < kSmallModuleNozzles * request.printer.nozzleMm;
+bool isCarvedWhole(const EngraveRequest& request, double moduleMm) {
+  return moduleMm < kSmallModuleNozzles * request.printer.nozzleMm && !request.modulePattern && request.process &&
+         request.objective == DepthObjective::Contrast && request.solver == ContrastSolver::Fast &&
+         request.floor == FloorShape::Flat && request.lights.empty();
 }
 
 }  // namespace
 
 SizedCode codeOfSize(EngraveRequest request, Symbol symbol, double moduleMm) {
-  const bool isWhole = carvesSmallModulesWhole(request) && isSmall(request, moduleMm);
-  request.maxDepthMm = maxDepthMm(request, moduleMm);
+  const bool isWhole = isCarvedWhole(request, moduleMm);
+  if (!request.maxDepthMm) request.maxDepthMm = (isWhole ? kMaxDepthSmallModules : kMaxDepthModules) * moduleMm;
   if (isWhole) {
     if (!request.contrast) request.contrast = kSmallModuleContrast * request.contrastAsked();
     if (!request.symbol.breakUpDarkAreas) breakUpDarkAreas(symbol);
@@ -37,11 +34,6 @@ SizedCode codeOfSize(EngraveRequest request, Symbol symbol, double moduleMm) {
 double leastPrintableModuleMm(const Symbol& symbol, const EngraveRequest& request) {
   return leastPrintableModuleMm(symbol, request.modulePattern.value_or(kLargeModulePattern),
                                 request.finderPattern.value_or(kLargeFinderPattern), request.printer);
-}
-
-double maxDepthMm(const EngraveRequest& request, double moduleMm) {
-  const bool isWhole = carvesSmallModulesWhole(request) && isSmall(request, moduleMm);
-  return request.maxDepthMm.value_or((isWhole ? kMaxDepthSmallModules : kMaxDepthModules) * moduleMm);
 }
 
 }  // namespace qrelief

@@ -36,7 +36,4 @@ SizedCode codeOfSize(EngraveRequest request, Symbol symbol, double moduleMm);
 /// Of a symbol before its size is known, by what published prints say (verification/printability.h).
 double leastPrintableModuleMm(const Symbol& symbol, const EngraveRequest& request);
 
-/// The deepest pocket that a request allows, mm.
-double maxDepthMm(const EngraveRequest& request, double moduleMm);
-
 }  // namespace qrelief

@@ -63,7 +63,6 @@ TEST_F(SmallModulesTest, WhatTheRequestSaysItselfStays) {
   EXPECT_EQ(small.request.finderPattern, FinderPattern::Diamond);
   EXPECT_EQ(small.request.contrast, 0.4);
   EXPECT_EQ(small.request.maxDepthMm, 0.9);
-  EXPECT_EQ(maxDepthMm(request_, kSmallMm), 0.9);
 }
 
 TEST_F(SmallModulesTest, ANamedPatternOrAnotherWayOfCarvingChangesNothingElse) {
