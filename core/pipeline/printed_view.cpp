@@ -18,6 +18,9 @@ constexpr int kPaths = 8;
 constexpr int kRowsAStep = 16;
 constexpr int kRoughPaths = 2;  // more change little: a module has a hundred texels
 constexpr double kRoughness = 1.5;
+/// Beyond a symbol what stands there is printed, too, but lit only as far as modules are compared with it
+/// (LightNeighbours): two modules, and the texels that these are smoothed with.
+constexpr int kRoughBorder = kBakedPixels * (kPictureMarginModules - 2) - 1;
 constexpr float kBackground = 0.35f;  // luminance of what is not the model
 
 }  // namespace
@@ -52,6 +55,7 @@ struct PrintedViewJob::State {
   void prepare();
   void bake();
   void look();
+  void photographSeen();
 };
 
 Status PrintedViewJob::State::print() {
@@ -71,6 +75,7 @@ void PrintedViewJob::State::prepare() {
       *printed, request.frame,
       BakeOptions{.texelMm = request.symbolMm / request.symbol.size / kBakedPixels,
                   .texels = kBakedPixels * edgeModules(),
+                  .border = request.isRough ? kRoughBorder : 0,
                   .paths = request.isRough ? kRoughPaths : kPaths,
                   .albedo = request.albedo,
                   .lamp = request.oneLight ? lampOf(*request.oneLight, request.frame, kOneLightRadiusDeg) : kNoLamp});
@@ -84,18 +89,21 @@ void PrintedViewJob::State::bake() {
 
 void PrintedViewJob::State::look() {
   light->smooth();
-  ReaderView& seen = result.seen;
-  for (const SurfaceLight& texel : light->light())
-    seen.luminance.push_back(texel.sky < 0 ? kBackground
-                                           : static_cast<float>((texel.sky + texel.lamp) / light->openLight()));
-  const int texels = light->options().texels;
-  seen.pixelsPerModule = kBakedPixels;
-  seen.clean = photograph(seen.luminance, texels);
+  if (!request.isRough) photographSeen();
   result.submodules = submoduleLight(*light, request.symbol.size, request.oneLight.has_value());
   result.misread = misreadModules(measureModules(request.symbol, result.submodules));
   const double cosine = glm::dot(request.frame.normal, glm::normalize(request.buildUp));
   result.facingDeg = toDegrees(std::acos(std::clamp(cosine, -1.0, 1.0)));
   stage = Stage::Done;
+}
+
+void PrintedViewJob::State::photographSeen() {
+  ReaderView& seen = result.seen;
+  for (const SurfaceLight& texel : light->light())
+    seen.luminance.push_back(texel.sky < 0 ? kBackground
+                                           : static_cast<float>((texel.sky + texel.lamp) / light->openLight()));
+  seen.pixelsPerModule = kBakedPixels;
+  seen.clean = photograph(seen.luminance, light->options().texels);
 }
 
 PrintedViewJob::PrintedViewJob(std::unique_ptr<State> state) : state_(std::move(state)) {}

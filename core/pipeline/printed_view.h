@@ -30,7 +30,7 @@ Result<std::optional<PrintedViewRequest>> printedViewOf(const VerifyRequest& req
 /// A code as it comes off a printer.
 struct PrintedView {
   ReaderView seen;       ///< from the front, under the sky, or the one light; its light traced on the printed surface;
-                         ///< without a `picture`
+                         ///< without a `picture`; empty if it was to be rough
   double facingDeg = 0;  ///< between the code's normal and the printer's vertical: 0 = it faces up, 90 = it stands
   /// Mean light of the submodules of symbol and quiet zone, row-major from the quiet zone's top left, 1 = unoccluded.
   std::vector<double> submodules;

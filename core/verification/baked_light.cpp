@@ -38,7 +38,7 @@ bool sameFloor(Vec3 a, Vec3 normalA, Vec3 b, Vec3 normalB, double texelMm) {
 
 BakedLight::BakedLight(const RaySurface& surface, const ProjectionFrame& frame, const BakeOptions& options)
     : surface_(&surface), frame_(frame), options_(options) {
-  assert(options.texels > 0 && options.paths > 0 && options.texelMm > 0);
+  assert(options.texels > 2 * options.border && options.border >= 0 && options.paths > 0 && options.texelMm > 0);
   const std::size_t count = static_cast<std::size_t>(options.texels) * static_cast<std::size_t>(options.texels);
   texels_.resize(count);
   light_.resize(count, {-1, -1});
@@ -81,7 +81,9 @@ bool BakedLight::bakeRows(int rows) {
   const auto edge = static_cast<std::size_t>(options_.texels);
   parallelFor(static_cast<std::size_t>(end - baked_), [&](std::size_t i) {
     const std::size_t row = static_cast<std::size_t>(baked_) + i;
-    for (std::size_t column = 0; column < edge; ++column) bakeTexel(row * edge + column);
+    const auto border = static_cast<std::size_t>(options_.border);
+    if (row < border || row >= edge - border) return;
+    for (std::size_t column = border; column < edge - border; ++column) bakeTexel(row * edge + column);
   });
   baked_ = end;
   return baked_ == options_.texels;

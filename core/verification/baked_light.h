@@ -17,6 +17,7 @@ struct SurfaceLight {
 struct BakeOptions {
   double texelMm = 0.1;  ///< on the QR plane
   int texels = 400;      ///< along the edge of the square that is baked, centred on the code
+  int border = 0;        ///< so many texels along each edge are left out, as if the rays missed the model
   int paths = 16;        ///< a texel, ≥ 1
   double albedo = 0.7;   ///< of the matte material, 0 … 1
   Lamp lamp = {};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verification/baked_light.h"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
@@ -63,6 +64,20 @@ TEST(BakedLight, TheMiddleOfAPitSeesWhatTheClosedFormSays) {
   const BakedLight light = baked(tree, {.texelMm = 0.05, .texels = 20, .paths = 256, .albedo = 0});
   const double rim = radius + grid / 2;
   EXPECT_NEAR(meanOfMiddle(light, 0.1).sky, rim * rim / (rim * rim + depth * depth), 0.01);
+}
+
+TEST(BakedLight, LeavesTheBorderOutAndChangesNothingWithinIt) {
+  const Mesh pit = plateWithPit(0.6, 0.5);
+  const RayTree tree(pit);
+  constexpr int kEdge = 20, kBorder = 4;
+  const BakedLight all = baked(tree, {.texelMm = 0.1, .texels = kEdge});
+  const BakedLight part = baked(tree, {.texelMm = 0.1, .texels = kEdge, .border = kBorder});
+  for (int row = 0; row < kEdge; ++row)
+    for (int column = 0; column < kEdge; ++column) {
+      const bool within = std::min({row, column, kEdge - 1 - row, kEdge - 1 - column}) >= kBorder;
+      const auto texel = static_cast<std::size_t>(row * kEdge + column);
+      EXPECT_EQ(part.light()[texel].sky, within ? all.light()[texel].sky : -1) << row << ' ' << column;
+    }
 }
 
 TEST(BakedLight, ALowLampLeavesThePitDark) {
