@@ -35,18 +35,19 @@ FastSearch::FastSearch(CarvingTarget target, const FastSearchOptions& options, c
     : target_(std::move(target)),
       options_(options),
       neighbours_(*target_.symbol),
-      sky_(*target_.mask, target_.symbolMm / target_.mask->size),
+      sky_(before ? before->sky_
+                  : std::make_shared<const PocketSky>(*target_.mask, target_.symbolMm / target_.mask->size)),
       freePasses_(before ? kFreePassesAfterAnother : kFreePasses) {
   depths_ = {target_.mask->size, target_.symbolMm, std::vector<double>(target_.mask->carved.size(), 0)};
   const int modules = target_.symbol->size;
-  for (const std::uint32_t i : sky_.carved()) {
+  for (const std::uint32_t i : sky_->carved()) {
     limitMm_.push_back(target_.limitMm[i]);
     const int row = static_cast<int>(i) / depths_.size / kN, column = static_cast<int>(i) % depths_.size / kN;
     fractionAsked_.push_back(1 - (options_.contrastOfModule.empty()
                                       ? options_.contrast
                                       : options_.contrastOfModule[static_cast<std::size_t>(row * modules + column)]));
   }
-  const std::size_t count = sky_.carved().size();
+  const std::size_t count = sky_->carved().size();
   solvedMm_.assign(count, kFirstDepthModules * target_.symbolMm / target_.symbol->size);
   difference_.assign(count, std::log(1 - std::min(options_.albedo, kMaxAlbedo)));
   differenceChange_.assign(count, 0);
@@ -72,9 +73,9 @@ void FastSearch::solve() {
     const double allowance = kChangeFraction * std::min(differenceChange_[k], kMaxChange);
     fractions.push_back(fractionOfDarkness(darkness(fractionAsked_[k] * (1 - margin)) + allowance - difference_[k]));
   }
-  sky_.solve(fractions, limitMm_, solvedMm_, isDue_, kSweepsPerPass);
+  sky_->solve(fractions, limitMm_, solvedMm_, isDue_, kSweepsPerPass);
   for (std::size_t k = 0; k < states_.size(); ++k) {
-    double& depth = depths_.depthMm[sky_.carved()[k]];
+    double& depth = depths_.depthMm[sky_->carved()[k]];
     const double next = quantisedDepth(std::max(solvedMm_[k], kDepthQuantumMm), limitMm_[k]);
     const bool isFree = iterations_ < freePasses_;
     if (!isFree && states_[k] == State::TooBright)
@@ -86,7 +87,7 @@ void FastSearch::solve() {
 
 /// LS/AL of a floor by what the plane says and what was seen to differ from it.
 double FastSearch::expectedFraction(std::size_t k, double depthMm, std::span<const double> depthsMm) const {
-  return fractionOfDarkness(darkness(sky_.fraction(k, depthMm, depthsMm)) + difference_[k]);
+  return fractionOfDarkness(darkness(sky_->fraction(k, depthMm, depthsMm)) + difference_[k]);
 }
 
 /// What has moved or touches what has, and what may be too bright for it, were the change since it was seen twice what
@@ -95,14 +96,14 @@ void FastSearch::chooseDue(const std::vector<double>& depthsBefore) {
   dueInMask_.clear();
   if (iterations_ < freePasses_) return;
   std::vector<double> depths;
-  for (const std::uint32_t i : sky_.carved()) depths.push_back(depths_.depthMm[i]);
+  for (const std::uint32_t i : sky_->carved()) depths.push_back(depths_.depthMm[i]);
   const auto moved = [&](int row, int column) {
     if (row < 0 || column < 0 || row >= depths_.size || column >= depths_.size) return false;
     const auto i = static_cast<std::size_t>(row * depths_.size + column);
     return depths_.depthMm[i] != depthsBefore[i];
   };
   for (std::size_t k = 0; k < isDue_.size(); ++k) {
-    const std::uint32_t i = sky_.carved()[k];
+    const std::uint32_t i = sky_->carved()[k];
     const int row = static_cast<int>(i) / depths_.size, column = static_cast<int>(i) % depths_.size;
     bool due = false;
     for (int near = 0; near < 9; ++near) due = due || moved(row - 1 + near / 3, column - 1 + near % 3);
@@ -120,21 +121,21 @@ void FastSearch::update(std::span<const double> luminance) {
   const SubmoduleLuminances seen(luminance, m);
   const std::vector<double> modules = seen.moduleMeans();
   std::vector<double> depths;
-  for (const std::uint32_t i : sky_.carved()) depths.push_back(depths_.depthMm[i]);
+  for (const std::uint32_t i : sky_->carved()) depths.push_back(depths_.depthMm[i]);
 
   std::size_t module = std::numeric_limits<std::size_t>::max();
   double around = 1;
   for (std::size_t k = 0; k < states_.size(); ++k) {
     if (!isDue_[k]) continue;
     isStale_[k] = 0;
-    const int row = static_cast<int>(sky_.carved()[k]) / depths_.size;
-    const int column = static_cast<int>(sky_.carved()[k]) % depths_.size;
+    const int row = static_cast<int>(sky_->carved()[k]) / depths_.size;
+    const int column = static_cast<int>(sky_->carved()[k]) % depths_.size;
     const auto of = static_cast<std::size_t>(row / kN * m + column / kN);
     if (of != module) around = neighbours_.darkestMean(of, modules);
     module = of;
     const double fraction = seen.of(row, column) / around;
     seenFraction_[k] = fraction;
-    const double difference = darkness(fraction) - darkness(sky_.fraction(k, depths[k], depths));
+    const double difference = darkness(fraction) - darkness(sky_->fraction(k, depths[k], depths));
     if (iterations_ > 0) differenceChange_[k] = std::abs(difference - difference_[k]);
     difference_[k] = difference;
     if (fraction > fractionAsked_[k]) {
@@ -144,7 +145,7 @@ void FastSearch::update(std::span<const double> luminance) {
       const double less = std::max(depths[k] - options_.slackMm, 0.0);
       const double aim = darkness(fractionAsked_[k] * (1 - kAimFraction));
       const bool couldBeLess =
-          iterations_ + 1 < freePasses_ && less > 0 && darkness(sky_.fraction(k, less, depths)) + difference_[k] > aim;
+          iterations_ + 1 < freePasses_ && less > 0 && darkness(sky_->fraction(k, less, depths)) + difference_[k] > aim;
       states_[k] = couldBeLess ? State::TooDeep : State::Done;
     }
   }
@@ -170,16 +171,16 @@ void FastSearch::chooseStale() {
   isDue_ = isStale_;
   dueInMask_.clear();
   for (std::size_t k = 0; k < isDue_.size(); ++k)
-    if (isDue_[k]) dueInMask_.push_back(sky_.carved()[k]);
+    if (isDue_[k]) dueInMask_.push_back(sky_->carved()[k]);
   finished_ = dueInMask_.empty();
   if (dueInMask_.size() == isDue_.size()) dueInMask_.clear();
 }
 
 void FastSearch::markStale(const std::vector<double>& depthsBefore) {
   for (std::size_t k = 0; k < isStale_.size(); ++k) {
-    if (depths_.depthMm[sky_.carved()[k]] == depthsBefore[sky_.carved()[k]]) continue;
+    if (depths_.depthMm[sky_->carved()[k]] == depthsBefore[sky_->carved()[k]]) continue;
     isStale_[k] = 1;
-    for (const std::uint32_t other : sky_.seenFrom(k)) isStale_[other] = 1;
+    for (const std::uint32_t other : sky_->seenFrom(k)) isStale_[other] = 1;
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -56,9 +57,9 @@ class FastSearch final : public DepthSolver {
   CarvingTarget target_;
   FastSearchOptions options_;
   LightNeighbours neighbours_;
-  PocketSky sky_;
+  std::shared_ptr<const PocketSky> sky_;
   DepthField depths_;
-  // Per carved submodule, in the order of sky_.carved():
+  // Per carved submodule, in the order of sky_->carved():
   std::vector<double> limitMm_, solvedMm_;
   std::vector<double> fractionAsked_;     // 1 − c: greatest LS/AL
   std::vector<double> difference_;        // between what was seen and what the plane says
