@@ -25,13 +25,16 @@ constexpr int kPreparedSteps = 2;   // of an engraving: the surface, and the sea
 }  // namespace
 
 Result<std::unique_ptr<EngraveJob>> Carvings::makeJob(const Ground& ground, const EngraveRequest& request,
-                                                      const PlacementSearch* placed) {
+                                                      const PlacementSearch* placed,
+                                                      std::shared_ptr<MeasuredPlace> measured) {
   if (!programs_) {
     auto compiled = LuminancePrograms::create();
     if (!compiled) return tl::unexpected(compiled.error());
     programs_ = std::move(*compiled);
   }
-  return EngraveJob::create(ground.model.engravable, request, {placed, ground.pass, programs_});
+  return EngraveJob::create(
+      ground.model.engravable, request,
+      {.placed = placed, .pass = ground.pass, .programs = programs_, .measured = std::move(measured)});
 }
 
 bool Carvings::prepare(const Ground& ground, EngraveRequest request, const PlacementSearch* placed) {
@@ -41,8 +44,8 @@ bool Carvings::prepare(const Ground& ground, EngraveRequest request, const Place
   if (!placed || (prepared_ && prepared_->steps == kPreparedSteps)) return true;
   const auto start = Clock::now();
   if (!prepared_) {
-    auto job = makeJob(ground, request, placed);
-    if (!job) return true;  // engraving says why
+    auto job = makeJob(ground, request, placed, nullptr);  // the last carving's is shown
+    if (!job) return true;                                 // engraving says why
     prepared_ = {std::move(request), std::move(*job)};
   } else if (prepared_->job->advance()) {
     ++prepared_->steps;
@@ -63,7 +66,7 @@ Result<Progress> Carvings::start(const Ground& ground, EngraveRequest request, c
     job_ = std::move(prepared->job);
     current_.ms += prepared->ms;
   } else {
-    auto job = makeJob(ground, current_.request, placed);
+    auto job = makeJob(ground, current_.request, placed, std::exchange(measured_, nullptr));
     if (!job) return tl::unexpected(job.error());
     job_ = std::move(*job);
   }
@@ -85,6 +88,7 @@ Result<Progress> Carvings::advance() {
   if (progress->done) {
     runs_ = false;  // the job itself stays: the inspector shows its maps
     current_.result = job_->takeResult();
+    measured_ = job_->measuredPlace();
     current_.number = ++finished_;
   }
   current_.ms += millisecondsSince(start);
@@ -118,6 +122,7 @@ void Carvings::cancel() {
 void Carvings::forgetAll() {
   earlier_.reset();
   prepared_.reset();
+  measured_.reset();
   forgetCurrent();
 }
 

@@ -110,7 +110,7 @@ class Carvings {
     std::optional<ViewTrials> viewTrials;
   };
   Result<std::unique_ptr<EngraveJob>> makeJob(const Ground& ground, const EngraveRequest& request,
-                                              const PlacementSearch* placed);
+                                              const PlacementSearch* placed, std::shared_ptr<MeasuredPlace> measured);
   void forgetCurrent();
   Verdict verdict() const;
   Result<EngraveRequest> printedAs(const std::string& changed) const;
@@ -121,6 +121,7 @@ class Carvings {
   int started_ = 0, finished_ = 0;
   std::optional<Prepared> prepared_;  // of the next engraving, if that is asked for as it is now
   std::unique_ptr<EngraveJob> job_;
+  std::shared_ptr<MeasuredPlace> measured_;  // by the job that was the last to end, for the next
   bool runs_ = false;
   Carving current_;
   std::optional<Carving> earlier_;  // the one before: more would cost memory without end

@@ -26,19 +26,19 @@ Result<Engraver> Engraver::create(std::shared_ptr<const EngravableModel> model) 
   return engraver;
 }
 
-Result<const PlacementSearch*> Engraver::placeOf(const EngraveRequest& request, int modules) const {
+Result<Engraver::Place*> Engraver::placeOf(const EngraveRequest& request, int modules) const {
   const PlacementRequest wanted = searchedPlacement(request, modules);
-  for (const Place& place : places_)
-    if (place.modules == modules && place.request == wanted) return &place.found;
+  for (Place& place : places_)
+    if (place.modules == modules && place.request == wanted) return &place;
   PlacementSearch search(model_->prepared, model_->gpu, *pass_, modules, wanted);
   for (;;) {
     const Result<bool> done = search.step();
     if (!done) return tl::unexpected(done.error());
     if (*done) break;
   }
-  places_.push_front({modules, wanted, std::move(search)});
+  places_.push_front({modules, wanted, std::move(search), nullptr});
   if (places_.size() > kPlaces) places_.pop_back();
-  return &places_.front().found;
+  return &places_.front();
 }
 
 Result<Engraved> Engraver::carve(const EngraveRequest& request, const Tell& tell) const {
@@ -48,8 +48,10 @@ Result<Engraved> Engraver::carve(const EngraveRequest& request, const Tell& tell
   if (const Status good = checkEngraving(*model_, request, *symbol); !good) return tl::unexpected(good.error());
   const auto place = placeOf(request, symbol->size);
   if (!place) return tl::unexpected(place.error());
-  auto job =
-      EngraveJob::create(model_, request, {.placed = *place, .pass = pass_, .programs = programs_, .symbol = &*symbol});
+  Place& known = **place;
+  auto job = EngraveJob::create(
+      model_, request,
+      {.placed = &known.found, .pass = pass_, .programs = programs_, .symbol = &*symbol, .measured = known.measured});
   if (!job) return tl::unexpected(job.error());
   for (;;) {
     const auto progress = (*job)->advance();
@@ -58,6 +60,7 @@ Result<Engraved> Engraver::carve(const EngraveRequest& request, const Tell& tell
     if (progress->done) break;
   }
   EngraveResult result = (*job)->takeResult();
+  known.measured = (*job)->measuredPlace();
   const auto start = Clock::now();
   const auto evidence = readCarving(request, result, tell);
   if (!evidence) return tl::unexpected(evidence.error());

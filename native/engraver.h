@@ -25,7 +25,7 @@ struct Engraved {
 };
 
 /// Engraves code after code into one model, each with all its checks. What codes share is made once: programs, and
-/// places that they are asked for alike. Needs the GL context of the model.
+/// places that they are asked for alike, with what was measured there. Needs the GL context of the model.
 class Engraver {
  public:
   using Tell = std::function<void(const Progress&)>;
@@ -48,10 +48,11 @@ class Engraver {
     int modules;
     PlacementRequest request;
     PlacementSearch found;
+    std::shared_ptr<MeasuredPlace> measured;  ///< by the last carving there
   };
 
   Engraver() = default;
-  Result<const PlacementSearch*> placeOf(const EngraveRequest& request, int modules) const;
+  Result<Place*> placeOf(const EngraveRequest& request, int modules) const;
   Result<Engraved> carve(const EngraveRequest& request, const Tell& tell) const;
   Status print(Engraved& engraved, const Tell& tell) const;
 

@@ -24,6 +24,8 @@ struct ProjectionFrame {
   Vec3 normal{0, 0, 1};      ///< towards the reader
   double eyeDistance = 250;  ///< mm
 
+  bool operator==(const ProjectionFrame&) const = default;
+
   Vec3 eye() const { return centre + normal * eyeDistance; }
 
   /// Point of the QR plane in space.

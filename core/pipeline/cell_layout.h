@@ -14,6 +14,8 @@ struct CellLayout {
   int modules = 0;  ///< along the symbol's edge
   static constexpr int kN = kSubmodulesPerModule;
 
+  bool operator==(const CellLayout&) const = default;
+
   int cells() const { return kN * (modules + 2 * (kQuietZoneModules + kOcclusionMarginModules)); }
   /// @param row, column  from the quiet zone's top left; maps count rows from the bottom
   std::uint32_t ofQuietZone(int row, int column) const {

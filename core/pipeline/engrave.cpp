@@ -32,9 +32,6 @@ namespace {
 constexpr int kN = kSubmodulesPerModule;
 constexpr double kReachPerDepth = 8;  // a wall seen from eight times its height away hides 0.4 % of the sky
 constexpr double kLeastReachModules = 3;
-constexpr int kMaxMapTexels = 2048;
-constexpr int kHorizonsPerModule = 2;
-constexpr LuminanceSampling kUncarvedSampling{1, 4};  // smooth, but for the model's own edges
 
 /// What carving must not bring into a model. Crossings count where it had none: facets that crossed others before may
 /// have been cut.
@@ -111,8 +108,8 @@ struct EngraveJob::State {
   std::vector<std::uint32_t> allCarved;  // indices in the mask
   CellLayout layout;
   std::optional<PlacementSearch> placing;
-  SurfaceMaps maps;
-  std::optional<LuminancePass> light;
+  std::shared_ptr<MeasuredPlace> measured;  // before its stage, one that may be that of this place
+  bool isMeasured = false;
   CarvingTarget target;
   std::unique_ptr<DepthSolver> search;
   std::vector<float> means;  // luminance of every cell of the map
@@ -184,38 +181,19 @@ void EngraveJob::State::take(const PlacementSearch& found) {
 Status EngraveJob::State::map() {
   const auto start = Clock::now();
   const Placement& placement = result.placement;
-  const int perCell = std::clamp(kMaxMapTexels / layout.cells(), 1, 4);
-  const double extent = placement.moduleMm * layout.cells() / kN;
-  auto rendered = pass->render(model->gpu, placement.frame, {extent, perCell * layout.cells()});
-  if (!rendered) return tl::unexpected(rendered.error());
-  maps = std::move(*rendered);
-
-  LuminanceOptions options;
-  options.cellTexels = perCell;
-  options.albedo = request.albedo;
-  options.lights = request.lamps();
-  options.horizonSamples = kHorizonsPerModule * layout.cells() / kN;
-  options.horizonStartMm = static_cast<float>(placement.moduleMm);
-  options.radiusMm = static_cast<float>(kLeastReachModules * placement.moduleMm);
-  const auto around =
-      pass->render(model->gpu, placement.frame, surroundingsOf(maps.window, placement.frame, model->gpu.box()));
-  if (!around) return tl::unexpected(around.error());
-  auto made = LuminancePass::create(maps, &*around, placement.frame.eyeDistance, options, programs);
-  if (!made) return tl::unexpected(made.error());
-  light.emplace(std::move(*made));
-  // The surroundings are lit once: pockets lie below the light modules and take no sky from them.
-  light->setSampling(kUncarvedSampling);
-  light->setRadius(options.horizonStartMm);  // what lies farther is in the horizon
-  light->run();
-  means = light->readLuminance();
-  light->setSampling({});
+  const MeasuredPlace::Request wanted{placement.frame, placement.moduleMm, layout, request.albedo, request.lamps()};
+  if (measured && measured->request() == wanted) {
+    measured->uncarve();
+  } else {
+    auto made = MeasuredPlace::create(model->gpu, *pass, programs, wanted);
+    if (!made) return tl::unexpected(made.error());
+    measured = std::move(*made);
+  }
+  isMeasured = true;
 
   for (std::uint32_t i = 0; i < mask.carved.size(); ++i)
     if (mask.carved[i]) allCarved.push_back(i);
-
-  const auto back = pass->renderBack(model->gpu, placement.frame, maps.window);
-  if (!back) return tl::unexpected(back.error());
-  std::vector<double> limits = depthLimits(model->prepared.mesh, placement, mask, {maps, *back, layout},
+  std::vector<double> limits = depthLimits(model->prepared.mesh, placement, mask, measured->thicknessMm(),
                                            {*request.maxDepthMm, request.minWallMm});
   if (request.recordSearch) startRecord(limits);
   target = {&symbol, &mask, placement.symbolMm, std::move(limits)};
@@ -231,7 +209,8 @@ void EngraveJob::State::measure() {
   std::vector<std::uint32_t> cells;
   for (const std::uint32_t i : due)
     cells.push_back(layout.ofSymbol(static_cast<int>(i) / mask.size, static_cast<int>(i) % mask.size));
-  light->selectCells(cells);
+  LuminancePass& light = measured->light();
+  light.selectCells(cells);
   std::vector<float> depths(static_cast<std::size_t>(layout.cells()) * static_cast<std::size_t>(layout.cells()), 0.0f);
   double deepest = 0;
   for (int row = 0; row < mask.size; ++row) {
@@ -241,11 +220,11 @@ void EngraveJob::State::measure() {
       deepest = std::max(deepest, depth);
     }
   }
-  light->setDepths(depths);
-  light->setRadius(
+  light.setDepths(depths);
+  light.setRadius(
       static_cast<float>(std::max(kLeastReachModules * result.placement.moduleMm, kReachPerDepth * deepest)));
-  light->run();
-  means = light->readLuminance();
+  light.run();
+  means = light.readLuminance();
 }
 
 void EngraveJob::State::startRecord(std::span<const double> limitMm) {
@@ -287,7 +266,7 @@ Status EngraveJob::State::searchOnce() {
   result.searchIterations += search->iterations();
   result.limitedSubmodules = search->limitedCount();
   result.luminance = std::move(luminance);
-  const std::vector<Received> received = light->readReceived();
+  const std::vector<Received> received = measured->light().readReceived();
   result.received.clear();
   for (int row = 0; row < edge; ++row)
     for (int column = 0; column < edge; ++column) result.received.push_back(received[layout.ofQuietZone(row, column)]);
@@ -422,6 +401,7 @@ Result<std::unique_ptr<EngraveJob>> EngraveJob::create(std::shared_ptr<const Eng
   state->programs = std::move(programs);
   state->symbol = std::move(*symbol);
   state->layout = {state->symbol.size};
+  state->measured = known.measured;
   if (known.placed)
     state->take(*known.placed);
   else
@@ -475,13 +455,18 @@ EngraveResult EngraveJob::takeResult() {
 
 InspectorMaps EngraveJob::inspectorMaps() const {
   InspectorMaps maps;
-  if (!state_->light) return maps;
-  maps.surface = &state_->maps;
-  maps.luminance = &state_->light->luminance();
-  maps.depths = &state_->light->depths();
+  if (!state_->isMeasured) return maps;
+  const MeasuredPlace& measured = *state_->measured;
+  maps.surface = &measured.maps();
+  maps.luminance = &measured.light().luminance();
+  maps.depths = &measured.light().depths();
   maps.symbol = &state_->symbol;
   maps.search = &state_->result.search;
   return maps;
+}
+
+std::shared_ptr<MeasuredPlace> EngraveJob::measuredPlace() const {
+  return state_->isMeasured ? state_->measured : nullptr;
 }
 
 Result<EngraveResult> engrave(std::shared_ptr<const EngravableModel> model, const EngraveRequest& request) {

@@ -12,6 +12,7 @@
 #include "carving/fast_search.h"
 #include "carving/search_record.h"
 #include "mesh/prepare.h"
+#include "pipeline/measured_place.h"
 #include "pipeline/placement.h"
 #include "qr/symbol.h"
 #include "render/geometry_pass.h"
@@ -105,9 +106,11 @@ class EngraveJob {
   struct Known {
     /// The place: a search of this model for searchedPlacement(request, …) that is done.
     const PlacementSearch* placed = nullptr;
-    std::shared_ptr<const GeometryPass> pass;
-    std::shared_ptr<const LuminancePrograms> programs;
+    std::shared_ptr<const GeometryPass> pass = nullptr;
+    std::shared_ptr<const LuminancePrograms> programs = nullptr;
     const Symbol* symbol = nullptr;  ///< in place of what the request's text and options give
+    /// Of the same model, by a job that is over; measured anew where this one's place is another.
+    std::shared_ptr<MeasuredPlace> measured = nullptr;
   };
   /// @returns what checkEngraving() does
   static Result<std::unique_ptr<EngraveJob>> create(std::shared_ptr<const EngravableModel> model,
@@ -124,6 +127,9 @@ class EngraveJob {
 
   /// The result, once, after `done`.
   EngraveResult takeResult();
+
+  /// Null before the surface was measured.
+  std::shared_ptr<MeasuredPlace> measuredPlace() const;
 
   InspectorMaps inspectorMaps() const;
 

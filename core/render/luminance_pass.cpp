@@ -200,4 +200,10 @@ std::vector<Received> LuminancePass::readReceived() const {
   return received;
 }
 
+void LuminancePass::setReceived(std::span<const Received> received) {
+  static_assert(sizeof(Received) == 4 * sizeof(float));  // what a texel of the means holds
+  assert(received.size() == static_cast<std::size_t>(cells_) * static_cast<std::size_t>(cells_));
+  means_.upload(received.data());
+}
+
 }  // namespace qrelief

@@ -72,8 +72,10 @@ class LuminancePass {
   void selectCells(std::span<const std::uint32_t> cells);
 
   void run();
-  std::vector<float> readLuminance() const;                    ///< means of the cells², row-major from the lower left
-  std::vector<Received> readReceived() const;                  ///< likewise
+  std::vector<float> readLuminance() const;    ///< means of the cells², row-major from the lower left
+  std::vector<Received> readReceived() const;  ///< likewise
+  /// Takes back what cells have received, as `readReceived` gave it; the next `run` adds the chosen cells to it.
+  void setReceived(std::span<const Received> received);
   const gl::Texture& luminance() const { return luminance_; }  ///< R32F, one texel a cell
   const gl::Texture& depths() const { return depths_; }
 

@@ -64,6 +64,22 @@ TEST_F(EngineCarvingsTest, TheOneBeforeTheLastComesBackBitForBitAndWithWhatWasRe
   EXPECT_EQ(engine_->exportModel("stl"), secondFile);
 }
 
+TEST_F(EngineCarvingsTest, ACodeIsTheSameAfterAnotherOneInItsPlaceAndAfterAnotherModel) {
+  carve("https://example.org/first");
+  const auto alone = engine_->exportModel("stl");
+  carve("https://example.org/other");
+  EXPECT_NE(engine_->exportModel("stl"), alone);
+  carve("https://example.org/first");
+  EXPECT_EQ(engine_->exportModel("stl"), alone);
+
+  engine_->loadModel(writeStl(shapes::box({60, 50, 20.5})), "another.stl", 1);
+  engine_->setCentre(0, 0, 10.25);
+  carve("https://example.org/other");
+  load();
+  carve("https://example.org/first");
+  EXPECT_EQ(engine_->exportModel("stl"), alone);
+}
+
 TEST_F(EngineCarvingsTest, SaysWhatTheManifestHasOfACarving) {
   EXPECT_EQ(Json::parse(engine_->describeRow(0))["error"]["code"], "nothing-engraved");
   carve("part 7");

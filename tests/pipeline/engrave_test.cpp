@@ -71,6 +71,32 @@ TEST_F(EngraveTest, ABumpySphereTakesACodeThatReadsAndStaysASolid) {
   EXPECT_LT(result->solidity.volumeMm3, signedVolume(model->prepared.mesh));
 }
 
+TEST_F(EngraveTest, APlaceThatAnotherCodeWasCarvedInIsMeasuredNoMore) {
+  const auto model = upload(shapes::bumpySphere(40, 1.5, 5, 5));
+  const auto carve = [&](EngraveRequest wanted, std::shared_ptr<MeasuredPlace> measured) {
+    auto job = EngraveJob::create(model, std::move(wanted), {.measured = std::move(measured)});
+    EXPECT_TRUE(job.has_value());
+    EXPECT_EQ((*job)->measuredPlace(), nullptr);
+    EXPECT_TRUE(runToEnd(**job).has_value());
+    return std::move(*job);
+  };
+  EngraveRequest wanted = request({0, 0, 40}, 25), other = wanted;
+  other.text = "https://example.org/abcde";  // as long: the same place
+  const auto expected = engrave(model, wanted);
+  ASSERT_TRUE(expected.has_value());
+  const auto before = carve(other, nullptr)->measuredPlace();
+  auto job = EngraveJob::create(model, wanted, {.measured = before});
+  ASSERT_TRUE(job.has_value());
+  const auto result = runToEnd(**job);
+  ASSERT_TRUE(result.has_value());
+  EXPECT_EQ((*job)->measuredPlace(), before);
+  EXPECT_EQ(result->stl, expected->stl);
+  EXPECT_EQ(result->luminance, expected->luminance);
+
+  wanted.albedo = 0.5f;  // what is not of that place is not taken
+  EXPECT_NE(carve(wanted, before)->measuredPlace(), before);
+}
+
 TEST_F(EngraveTest, RecordsEveryPassOfTheSearchIfItIsAskedTo) {
   const auto model = upload(shapes::icosphere(40, 5));
   EngraveRequest wanted = request({0, 0, 40}, 25);
