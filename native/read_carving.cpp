@@ -23,7 +23,9 @@ Result<ReadingEvidence> readCarving(const EngraveRequest& request, const Engrave
                                     const std::function<void(const Progress&)>& progress) {
   const ReadingEvidence drawn = evidenceOf(readFrontal(result.readerView), request.text);
   if (!isUndecided(drawn)) return drawn;
-  auto job = VerifyJob::create(result.mesh, verifyRequestOf(request, result), zxingReaders());
+  VerifyRequest wanted = verifyRequestOf(request, result);
+  wanted.isReadingOnly = true;
+  auto job = VerifyJob::create(result.mesh, std::move(wanted), zxingReaders());
   if (!job) return tl::unexpected(job.error());
   const auto verified = runTelling(**job, progress);
   if (!verified) return tl::unexpected(verified.error());

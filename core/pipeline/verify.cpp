@@ -117,6 +117,7 @@ struct VerifyJob::State {
   double moduleMm() const { return request.symbolMm / request.symbol.size; }
   Status checkSolid();
   void measureShape();
+  void prepareLight();
   bool bake();
   bool read();
 };
@@ -137,6 +138,10 @@ void VerifyJob::State::measureShape() {
     const double wall = leastWall(tree, request.frame, profile);
     if (std::isfinite(wall)) result.features->wallMm = wall;
   }
+  prepareLight();
+}
+
+void VerifyJob::State::prepareLight() {
   light.emplace(tree, request.frame,
                 BakeOptions{.texelMm = moduleMm() / kBakedPixels,
                             .texels = kBakedPixels * (request.symbol.size + 2 * kPictureMarginModules),
@@ -152,7 +157,7 @@ bool VerifyJob::State::bake() {
   bakedRows += kRowsAStep;
   if (!light->bakeRows(kRowsAStep)) return false;
   light->smooth();
-  if (result.profile.pose == SymbolPose::AsWanted) {
+  if (!request.isReadingOnly && result.profile.pose == SymbolPose::AsWanted) {
     const ModuleReflectances measured =
         measureModules(request.symbol, submoduleLight(*light, request.symbol.size, request.oneLight.has_value()));
     result.grades = gradeSymbol(measured, request.albedo);
@@ -180,8 +185,9 @@ Result<std::unique_ptr<VerifyJob>> VerifyJob::create(Mesh mesh, VerifyRequest re
   if (!(std::abs(glm::length(request.frame.normal) - 1) < 1e-6))
     return fail(ErrorKind::BadUsage, message("verify-no-direction"));
   if (const Status checked = checkSettings(settingsOf(request)); !checked) return tl::unexpected(checked.error());
-  return std::unique_ptr<VerifyJob>(
-      new VerifyJob(std::make_unique<State>(std::move(mesh), std::move(request), std::move(readers))));
+  auto state = std::make_unique<State>(std::move(mesh), std::move(request), std::move(readers));
+  if (state->request.isReadingOnly) state->prepareLight();
+  return std::unique_ptr<VerifyJob>(new VerifyJob(std::move(state)));
 }
 
 Result<Progress> VerifyJob::advance() {

@@ -34,7 +34,9 @@ struct VerifyRequest {
   /// Beside the sky, and nothing else: the light that it is to read under, see DepthObjective::OneLight. None: it is to
   /// read under the sky.
   std::optional<DirectionalLight> oneLight;
-  bool ranges = true;                          ///< find out how far it can be tilted, blurred and so on, too
+  bool ranges = true;  ///< find out how far it can be tilted, blurred and so on, too
+  /// Nothing but whether it reads is asked for: neither whether it is solid nor what its shape and grades are.
+  bool isReadingOnly = false;
   std::size_t inheritedSelfIntersections = 0;  ///< pairs of crossing triangles that the model had before, as reported
 };
 
@@ -53,7 +55,7 @@ Result<Mesh> meshAsFound(const PolygonSoup& soup, double scaleToMm);
 
 /// Everything that could be found out about an engraved model from the model itself; what it comes to says
 /// verdict/verdict.h.
-struct VerifyResult {
+struct VerifyResult {  // of VerifyRequest::isReadingOnly: reading and views
   SolidityReport solidity;
   CarvingProfile profile;
   std::optional<CarvedFeatures> features;  ///< if the symbol is carved there
