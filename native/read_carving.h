@@ -10,7 +10,7 @@
 namespace qrelief {
 
 /// What ZXing makes of a carving: of pictures drawn by the GPU; where these do not decide (isUndecided), of pictures
-/// whose light is traced on the mesh, as `verify` traces it.
+/// whose light is traced on the mesh: by few paths, and where these do not decide, as `verify` traces it.
 /// @param progress  of the tracing
 Result<ReadingEvidence> readCarving(const EngraveRequest& request, const EngraveResult& result,
                                     const std::function<void(const Progress&)>& progress);

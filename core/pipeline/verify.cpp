@@ -18,7 +18,6 @@ namespace qrelief {
 namespace {
 
 constexpr int kRowsAStep = 16;
-constexpr int kPaths = 16;
 
 /// A code is raised or carved if it is so by more than this, mm: less is the grain of a model.
 constexpr double kFlatMm = 0.02;
@@ -145,7 +144,7 @@ void VerifyJob::State::prepareLight() {
   light.emplace(tree, request.frame,
                 BakeOptions{.texelMm = moduleMm() / kBakedPixels,
                             .texels = kBakedPixels * (request.symbol.size + 2 * kPictureMarginModules),
-                            .paths = kPaths,
+                            .paths = request.paths,
                             .albedo = request.albedo,
                             .lamp = request.oneLight ? lampOf(*request.oneLight, request.frame, kOneLightRadiusDeg)
                                                      : roomLamp(request.frame, request.ranges)});

@@ -37,6 +37,7 @@ struct VerifyRequest {
   bool ranges = true;  ///< find out how far it can be tilted, blurred and so on, too
   /// Nothing but whether it reads is asked for: neither whether it is solid nor what its shape and grades are.
   bool isReadingOnly = false;
+  int paths = 16;                              ///< of light, traced from every texel of the pictures, ≥ 1
   std::size_t inheritedSelfIntersections = 0;  ///< pairs of crossing triangles that the model had before, as reported
 };
 
