@@ -103,14 +103,18 @@ Result<const Spot*> Workshop::usualSpot(const std::string& modelName, DirectionM
   return &spots_.emplace(key, std::move(*spot)).first->second;
 }
 
+DepthSummary depthOf(const CarvedCode& code) {
+  DepthField masked = code.depths;
+  for (std::size_t i = 0; i < masked.depthMm.size(); ++i)
+    if (!code.mask.carved[i]) masked.depthMm[i] = 0;
+  return summarise(masked);
+}
+
 Result<Judged> Workshop::judge(const Spot& spot, const CarvedCode& code) const {
   Judged judged;
-  DepthField masked = code.depths;
-  for (std::size_t i = 0; i < masked.depthMm.size(); ++i) {
-    judged.removedMm += masked.depthMm[i] / static_cast<double>(masked.depthMm.size());
-    if (!code.mask.carved[i]) masked.depthMm[i] = 0;
-  }
-  judged.depth = summarise(masked);
+  const std::vector<double>& depths = code.depths.depthMm;
+  for (const double depth : depths) judged.removedMm += depth / static_cast<double>(depths.size());
+  judged.depth = depthOf(code);
   const auto carved =
       embedDepthField(spot.model->prepared.mesh, spot.placement.frame, spot.placement.patch.triangles, code.depths);
   if (!carved) return tl::unexpected(carved.error());

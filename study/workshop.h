@@ -12,6 +12,9 @@
 
 namespace qrelief::study {
 
+/// Depth of the mask's submodules alone: smooth pockets reach beyond it.
+DepthSummary depthOf(const CarvedCode& code);
+
 /// What decoders make of a carving, as designed and as printed, and how deep it is.
 struct Judged {
   DepthSummary depth;    ///< over the submodules that the mask has carved

@@ -36,7 +36,7 @@ Result<Spot> spotFor(const Spot& usual, const std::string& text) {
 Result<double> depthAt(const Method& method, const Spot& spot, double level) {
   const auto code = method.carve(spot, level);
   if (!code) return tl::unexpected(code.error());
-  return summarise(code->depths).meanMm;
+  return depthOf(*code).meanMm;
 }
 
 Result<double> levelFor(const Method& method, const Spot& spot, double depthMm) {
