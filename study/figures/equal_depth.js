@@ -11,6 +11,10 @@ import { kTries } from '../page/tries.js';
 /** Median of a method's reads over the texts. @param {Row[]} ofModel @param {string} method @returns {number} */
 export const readsOf = (ofModel, method) => median(ofModel.filter((row) => row.method === method).map(({ printed }) => printed));
 
+/** Median of that over the models that have rows of the method. @param {Row[]} rows @param {string} method @returns {number} */
+export const readsOverModels = (rows, method) =>
+  median([...groupBy(rows.filter((row) => row.method === method), 'model').values()].map((ofModel) => readsOf(ofModel, method)));
+
 /** How far apart one code's reads are from text to text: median over models and methods. @param {Row[]} rows */
 export const spreadOf = (rows) => median([...groupBy(rows, 'model').values()].flatMap((ofModel) =>
   [...groupBy(ofModel, 'method').values()].map((of) => Math.max(...of.map(({ printed }) => printed)) - Math.min(...of.map(({ printed }) => printed)))));
@@ -32,9 +36,9 @@ export const equalDepth = {
       said('equalDepthList', {
         list: others.map((method) => said('equalDepthBy', {
           method: name('method', method), cases: models(tally(ofModels, (ofModel) => oftener(ofModel).includes(method))),
-          reads: { number: median(ofModels.map((ofModel) => readsOf(ofModel, method))), digits: 1 },
+          reads: { number: readsOverModels(rows, method), digits: 1 },
         })),
-        reads: { number: median(ofModels.map((ofModel) => readsOf(ofModel, kDefaultMethod))), digits: 1 },
+        reads: { number: readsOverModels(rows, kDefaultMethod), digits: 1 },
       }),
       said('equalDepthSpread', { spread: { number: spreadOf(rows), digits: 1 } }),
     ];
