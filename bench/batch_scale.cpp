@@ -80,7 +80,7 @@ Status measure(const std::string& path, std::size_t rows, std::size_t shares) {
   if (!list) return tl::unexpected(list.error());
   stages.end("list");
   const BatchPlan plan = BatchPlan::make(std::move(*list), {});
-  if (!plan.problems().empty()) return fail(ErrorKind::BadInput, plan.problems().front());
+  if (!plan.problems().empty()) return badInput(plan.problems().front());
   stages.end("plan");
   const std::string input = sha256(path);
   for (std::size_t index = 0; index < shares; ++index) {

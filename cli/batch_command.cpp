@@ -135,7 +135,7 @@ Result<BatchRow> rowOf(const std::string& line, BatchRequest request, std::size_
   if (!list) return tl::unexpected(list.error());
   request.firstNumber = number;
   const BatchPlan plan = BatchPlan::make(std::move(*list), request);
-  if (!plan.problems().empty()) return fail(ErrorKind::BadInput, plan.problems().front());
+  if (!plan.problems().empty()) return badInput(plan.problems().front());
   return plan.row(0);
 }
 
@@ -158,8 +158,7 @@ int runStream(const BatchOptions& options, const BatchRequest& request) {
     auto row = rowOf(line, request, next);
     const auto same = row ? known.find(row->file) : known.end();
     if (same != known.end() && same->second.second != row->request.text)
-      row = fail(ErrorKind::BadInput,
-                 message("name-taken", with::quoted("name", row->file), with::quoted("text", same->second.second)));
+      row = badInput(message("name-taken", with::quoted("name", row->file), with::quoted("text", same->second.second)));
     if (!row) {
       ManifestEntry refused;
       refused.number = next;

@@ -10,7 +10,7 @@
 namespace qrelief {
 namespace {
 
-constexpr const char* kHead = R"(# Options
+constexpr const char* kPageHead = R"(# Options
 
 <!-- Written by build/release/bin/qrelief_generate from core/settings and messages/settings: do not edit. -->
 
@@ -37,7 +37,7 @@ std::string rowOf(const Setting& setting) {
 }  // namespace
 
 std::string optionsPage() {
-  std::string page = kHead, group;
+  std::string page = kPageHead, group;
   for (const Setting& setting : settings()) {
     if (setting.group != group) {
       group = setting.group;

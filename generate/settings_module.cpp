@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kHead = R"(// SPDX-License-Identifier: GPL-3.0-or-later
+constexpr const char* kModuleHead = R"(// SPDX-License-Identifier: GPL-3.0-or-later
 // Written by build/release/bin/qrelief_generate from core/settings and messages/settings: do not edit.
 
 /** @typedef {{ en: string, de: string }} Words  in every language of the page */
@@ -122,7 +122,7 @@ std::string settingsModule() {
     all[setting.key] = describe(setting, defaults);
     keys += fmt::format("{}'{}'", keys.empty() ? "" : " | ", setting.key);
   }
-  return fmt::format("{}/** @typedef {{{}}} SettingKey */\n\n", kHead, keys) +
+  return fmt::format("{}/** @typedef {{{}}} SettingKey */\n\n", kModuleHead, keys) +
          constant("kSettings", "Readonly<Record<SettingKey, Setting>>", all) + "\n" +
          constant("kProcesses", "Readonly<Record<string, { nozzleMm: number, layerMm: number }>>", processes()) + "\n" +
          constant("kSettingGroups", "Readonly<Record<string, Words>>", Json(settingWords().at("groups"))) + "\n" +

@@ -14,7 +14,7 @@ namespace {
 
 constexpr float kMostWidth = 400, kMostHeight = 720;  // of the window when it opens
 constexpr float kScrollLinePx = 40;
-constexpr float kDragPx = 6;
+constexpr float kScrollDragPx = 6;
 
 const char* cursorName() {
   switch (ImGui::GetMouseCursor()) {
@@ -254,7 +254,7 @@ void Inspector::scrollBody() {
   if (hovered && !mapIsHovered_ && io.MouseWheel != 0)
     ImGui::SetScrollY(ImGui::GetScrollY() - io.MouseWheel * kScrollLinePx);
   if (ImGui::IsMouseClicked(0)) scrolls_ = hovered && !ImGui::IsAnyItemHovered() && !ImGui::IsAnyItemActive();
-  if (scrolls_ && ImGui::IsMouseDragging(0, kDragPx)) ImGui::SetScrollY(ImGui::GetScrollY() - io.MouseDelta.y);
+  if (scrolls_ && ImGui::IsMouseDragging(0, kScrollDragPx)) ImGui::SetScrollY(ImGui::GetScrollY() - io.MouseDelta.y);
 }
 
 void Inspector::drawWindow(const Engine& engine) {

@@ -13,8 +13,7 @@ namespace {
 constexpr double kCutShare = 0.01;
 constexpr double kMostZoom = 64;
 constexpr double kWheelZoom = 1.2, kButtonZoom = 1.6;
-constexpr int kBars = 64;
-constexpr float kDragPx = 4;
+constexpr float kPanDragPx = 4;
 constexpr float kBesideMapPx = 300, kLeastMapPx = 200;  // height left for what is told of the map; edge of the map
 
 ImTextureID textureId(const gl::Texture& texture) {
@@ -115,7 +114,7 @@ void Inspector::moveMap(Vec2 pointer, float edge) {
     }
   }
   if (ImGui::IsItemActivated()) mapMoved_ = false;
-  if (ImGui::IsItemActive() && ImGui::IsMouseDragging(0, kDragPx)) {
+  if (ImGui::IsItemActive() && ImGui::IsMouseDragging(0, kPanDragPx)) {
     mapMoved_ = true;
     mapCentre_ -= Vec2(io.MouseDelta.x, io.MouseDelta.y) / (mapZoom_ * edge);
   }

@@ -7,8 +7,6 @@
 namespace qrelief {
 namespace {
 
-constexpr int kBars = 64;
-
 template <class Value>
 std::vector<double> valuesOf(const std::vector<PassSummary>& passes, Value value) {
   std::vector<double> values;

@@ -63,6 +63,9 @@ struct Curve {
 int plotCurves(const char* name, std::span<const Curve> curves, const char* unit, int marked,
                const InspectorPalette& palette);
 
+/// Parts of a histogram that the panel has room for.
+inline constexpr int kBars = 64;
+
 struct Bars {
   std::vector<int> counts;
   ImU32 colour;

@@ -3,14 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "math/angle.h"
 
 namespace qrelief {
 namespace {
-
-constexpr float kNothing = std::numeric_limits<float>::quiet_NaN();
 
 /// Exact for small angles, too, as the arc cosine is not.
 float angleDeg(const float* normal) {
@@ -36,7 +33,7 @@ ValueMap surfaceMap(const SurfaceMaps& maps, const BackDistanceMap* back, double
       const float* const at = &front[4 * texel];
       const bool isSurface = at[0] * at[0] + at[1] * at[1] + at[2] * at[2] > 0.25f;
       const float behindHere = needsBack ? behind[texel] : 0;
-      float value = kNothing;
+      float value = ValueMap::kNothing;
       if (isSurface && isNormal)
         value = angleDeg(at);
       else if (isSurface && !needsBack)

@@ -5,7 +5,6 @@
 #include <array>
 #include <cassert>
 #include <cmath>
-#include <limits>
 
 #include "carving/light_neighbours.h"
 #include "carving/submodule_luminances.h"
@@ -15,7 +14,6 @@ namespace {
 
 constexpr int kN = kSubmodulesPerModule;
 constexpr int kQuiet = kN * kQuietZoneModules;
-constexpr float kNothing = std::numeric_limits<float>::quiet_NaN();
 
 }  // namespace
 
@@ -31,7 +29,7 @@ SearchView::SearchView(const Symbol& symbol, SearchRecord record, double contras
   const std::vector<double> luminance(record_.luminance.begin(), record_.luminance.end());
   const std::vector<double> modules = SubmoduleLuminances(luminance, symbol_.size).moduleMeans();
   const LightNeighbours neighbours(symbol_);
-  around_.assign(symbol_.dark.size(), kNothing);
+  around_.assign(symbol_.dark.size(), ValueMap::kNothing);
   for (std::size_t module = 0; module < symbol_.dark.size(); ++module)
     if (symbol_.dark[module]) around_[module] = static_cast<float>(neighbours.darkestMean(module, modules));
   const int size = kN * symbol_.size;
@@ -78,7 +76,7 @@ std::size_t SearchView::inMap(std::uint32_t submodule) const {
 }
 
 ValueMap SearchView::mapOf(std::span<const float> ofCarved) const {
-  ValueMap map{edge_, edge_, std::vector<float>(record_.luminance.size(), kNothing), {}};
+  ValueMap map{edge_, edge_, std::vector<float>(record_.luminance.size(), ValueMap::kNothing), {}};
   for (std::size_t k = 0; k < record_.carved.size(); ++k) map.values[inMap(record_.carved[k])] = ofCarved[k];
   return map;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -11,8 +12,10 @@ namespace qrelief {
 
 /// A picture of numbers over symbol and quiet zone, as the reader sees it: row 0 at the top.
 struct ValueMap {
+  static constexpr float kNothing = std::numeric_limits<float>::quiet_NaN();
+
   int columns = 0, rows = 0;
-  std::vector<float> values;  ///< row-major; not a number where there is nothing
+  std::vector<float> values;  ///< row-major; kNothing where there is no value
   std::vector<Vec3f>
       directions;  ///< unit vectors (right, up, to the reader) that the values are angles of; may be empty
 

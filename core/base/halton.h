@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cassert>
+#include <cmath>
 #include <cstdint>
 
 namespace qrelief {
@@ -27,5 +28,8 @@ inline double radicalInverse(std::uint32_t index, std::uint32_t base) {
 inline std::array<double, 2> halton23(std::uint32_t index) {
   return {radicalInverse(index, 2), radicalInverse(index, 3)};
 }
+
+/// The part of a number behind the point, in [0, 1): it turns a shifted point back into the unit square.
+inline double wrapped(double x) { return x - std::floor(x); }
 
 }  // namespace qrelief

@@ -27,9 +27,10 @@ template <class T>
 using Result = tl::expected<T, Error>;
 using Status = Result<void>;
 
-/// `return fail(ErrorKind::BadInput, message("stl-empty"));` from any function returning Result.
+/// `return badInput(message("stl-empty"));` from any function returning Result.
 inline tl::unexpected<Error> fail(ErrorKind kind, Message message) {
   return tl::unexpected<Error>(Error{kind, std::move(message)});
 }
+inline tl::unexpected<Error> badInput(Message message) { return fail(ErrorKind::BadInput, std::move(message)); }
 
 }  // namespace qrelief

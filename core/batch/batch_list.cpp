@@ -19,26 +19,25 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t kMostLineBytes = 1 << 20;
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
-tl::unexpected<Error> bad(Message message) { return fail(ErrorKind::BadInput, std::move(message)); }
-
 /// Bytes that no text begins with.
 Status checkIsText(std::span<const std::uint8_t> bytes, std::string_view text) {
-  if (text.empty()) return bad(message("list-empty"));
+  if (text.empty()) return badInput(message("list-empty"));
   if (const std::string_view wide = wideEncodingOf(bytes); !wide.empty())
-    return bad(message("list-encoding", with::term("encoding", wide)));
-  if (text.starts_with("PK\x03\x04") || text.starts_with("\xD0\xCF\x11\xE0")) return bad(message("list-spreadsheet"));
+    return badInput(message("list-encoding", with::term("encoding", wide)));
+  if (text.starts_with("PK\x03\x04") || text.starts_with("\xD0\xCF\x11\xE0"))
+    return badInput(message("list-spreadsheet"));
   return {};
 }
 
 /// @param line  without its end
 Status checkLine(std::string_view line, std::uint32_t number) {
   if (line.size() > kMostLineBytes)
-    return bad(message("list-line-too-long", with::count("line", number), with::count("count", line.size()),
-                       with::count("limit", kMostLineBytes)));
+    return badInput(message("list-line-too-long", with::count("line", number), with::count("count", line.size()),
+                            with::count("limit", kMostLineBytes)));
   if (const std::size_t nul = line.find('\0'); nul != line.npos)
-    return bad(message("list-holds-nul", with::count("line", number), with::count("byte", nul + 1)));
+    return badInput(message("list-holds-nul", with::count("line", number), with::count("byte", nul + 1)));
   if (const std::size_t broken = firstNoUtf8(line); broken != line.npos)
-    return bad(message("list-no-utf8", with::count("line", number), with::count("byte", broken + 1)));
+    return badInput(message("list-no-utf8", with::count("line", number), with::count("byte", broken + 1)));
   return {};
 }
 
@@ -56,10 +55,10 @@ std::string_view withoutEnd(std::string_view line) {
 
 Status checkColumns(std::span<const std::string> columns) {
   for (std::size_t i = 0; i < columns.size(); ++i) {
-    if (columns[i].empty()) return bad(message("list-column-unnamed", with::count("column", i + 1)));
+    if (columns[i].empty()) return badInput(message("list-column-unnamed", with::count("column", i + 1)));
     if (std::find(columns.begin(), columns.begin() + static_cast<std::ptrdiff_t>(i), columns[i]) !=
         columns.begin() + static_cast<std::ptrdiff_t>(i))
-      return bad(message("list-column-twice", with::quoted("name", columns[i])));
+      return badInput(message("list-column-twice", with::quoted("name", columns[i])));
   }
   return {};
 }
@@ -90,15 +89,15 @@ class CsvReader {
       if (const Status good = checkLine(withoutEnd(whole), line); !good) return tl::unexpected(good.error());
       if (parser_.pstate == kBetweenRows) rowLine_ = line;
       const std::size_t taken = csv_parse(&parser_, whole.data(), whole.size(), &takeCell, &takeRow, this);
-      if (problem_) return bad(std::move(*problem_));
+      if (problem_) return badInput(std::move(*problem_));
       if (taken < whole.size())
-        return bad(message("list-quote", with::count("line", line), with::count("byte", taken + 1)));
-      if (parser_.entry_pos > kMostCellBytes) return bad(cellTooLong(parser_.entry_pos));  // an open quotation
+        return badInput(message("list-quote", with::count("line", line), with::count("byte", taken + 1)));
+      if (parser_.entry_pos > kMostCellBytes) return badInput(cellTooLong(parser_.entry_pos));  // an open quotation
       text.remove_prefix(whole.size());
     }
     if (csv_fini(&parser_, &takeCell, &takeRow, this) != 0)
-      return bad(message("list-quote-open", with::count("line", rowLine_)));
-    if (problem_) return bad(std::move(*problem_));
+      return badInput(message("list-quote-open", with::count("line", rowLine_)));
+    if (problem_) return badInput(std::move(*problem_));
     return std::move(list_);
   }
 
@@ -175,16 +174,16 @@ Result<BatchList> readJsonLines(std::string_view text) {
     if (line.find_first_not_of(" \t") == line.npos) continue;
     const Json object = Json::parse(line, nullptr, false);
     if (object.is_discarded() || !object.is_object())
-      return bad(message("list-no-object", with::count("line", number)));
+      return badInput(message("list-no-object", with::count("line", number)));
     auto& cells = rows.emplace_back(number, std::vector<std::string>(columns.size())).second;
     for (const auto& [key, value] : object.items()) {
       const auto at = static_cast<std::size_t>(std::find(columns.begin(), columns.end(), key) - columns.begin());
       if (at == columns.size()) columns.push_back(key), cells.emplace_back();
       const auto cell = cellOf(value);
-      if (!cell) return bad(message("list-value-kind", with::count("line", number), with::quoted("name", key)));
+      if (!cell) return badInput(message("list-value-kind", with::count("line", number), with::quoted("name", key)));
       if (cell->size() > kMostCellBytes)
-        return bad(message("list-cell-too-long", with::count("line", number), with::count("column", at + 1),
-                           with::count("count", cell->size()), with::count("limit", kMostCellBytes)));
+        return badInput(message("list-cell-too-long", with::count("line", number), with::count("column", at + 1),
+                                with::count("count", cell->size()), with::count("limit", kMostCellBytes)));
       cells[at] = *cell;
     }
   }
@@ -226,7 +225,7 @@ Result<BatchList> readBatchList(std::span<const std::uint8_t> bytes) {
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   auto list = first != text.npos && text[first] == '{' ? readJsonLines(text) : CsvReader().read(text);
-  if (list && list->size() == 0) return bad(message("list-no-rows"));
+  if (list && list->size() == 0) return badInput(message("list-no-rows"));
   return list;
 }
 

@@ -30,8 +30,6 @@ bool isDeviceName(std::string_view name) {
   return std::find(kDevices.begin(), kDevices.end(), stem) != kDevices.end();
 }
 
-tl::unexpected<Error> bad(Message message) { return fail(ErrorKind::BadInput, std::move(message)); }
-
 }  // namespace
 
 std::optional<Message> whyNoPlainName(std::string_view name) {
@@ -88,11 +86,11 @@ Status BatchPlan::prepare() {
 Status BatchPlan::checkNames(const TextTemplate& wanted) const {
   for (const std::string& name : wanted.names()) {
     if (name == kNumber || name == kId || list_.find(name)) continue;
-    if (list_.columns().empty()) return bad(message("template-without-list", with::quoted("name", name)));
+    if (list_.columns().empty()) return badInput(message("template-without-list", with::quoted("name", name)));
     std::string columns;
     for (const std::string& column : list_.columns()) columns += (columns.empty() ? "" : ", ") + column;
-    if (name == kText) return bad(message("list-without-text", with::quoted("columns", columns)));
-    return bad(message("list-without-column", with::quoted("name", name), with::quoted("columns", columns)));
+    if (name == kText) return badInput(message("list-without-text", with::quoted("columns", columns)));
+    return badInput(message("list-without-column", with::quoted("name", name), with::quoted("columns", columns)));
   }
   return {};
 }
@@ -110,15 +108,15 @@ Result<BatchRow> BatchPlan::made(std::size_t index) const {
                .id = valueOf(index, kId),
                .file = {},
                .request = all_};
-  if (row.id.empty()) return bad(message("row-without-id"));
+  if (row.id.empty()) return badInput(message("row-without-id"));
   const auto value = [&](std::string_view name) { return valueOf(index, name); };
   auto text = text_.filled(value);
   if (!text) return tl::unexpected(text.error());
-  if (text->empty()) return bad(message("row-without-text"));
+  if (text->empty()) return badInput(message("row-without-text"));
   row.request.text = std::move(*text);
   auto file = name_.filled(value);
   if (!file) return tl::unexpected(file.error());
-  if (auto why = whyNoPlainName(*file)) return bad(std::move(*why));
+  if (auto why = whyNoPlainName(*file)) return badInput(std::move(*why));
   row.file = std::move(*file);
   for (const auto& [column, setting] : settings_) {
     const std::string cell(list_.cell(index, column));

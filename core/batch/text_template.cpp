@@ -63,8 +63,7 @@ Result<std::string> TextTemplate::filled(const std::function<std::string(std::st
     std::string value = valueOf(piece.text);
     if (piece.digits > 0) {
       if (!isDigits(value))
-        return fail(ErrorKind::BadInput,
-                    message("template-no-number", with::quoted("name", piece.text), with::quoted("value", value)));
+        return badInput(message("template-no-number", with::quoted("name", piece.text), with::quoted("value", value)));
       if (value.size() < piece.digits) value.insert(0, piece.digits - value.size(), '0');
     }
     text += value;

@@ -14,7 +14,7 @@ namespace qrelief {
 namespace {
 
 /// Points along a submodule's edge less one.
-constexpr int kSteps = 2;
+constexpr int kStepsPerEdge = 2;
 
 /// A point of the surface over the symbol.
 struct Sample {
@@ -141,7 +141,7 @@ double limitOf(const Sides& sides, const Sample& sample, const WallLimitOptions&
 class SampleGrid {
  public:
   SampleGrid(const SubmoduleMask& carved, double symbolMm)
-      : carved_(carved), symbolMm_(symbolMm), side_(kSteps * carved.size + 1) {
+      : carved_(carved), symbolMm_(symbolMm), side_(kStepsPerEdge * carved.size + 1) {
     used_.assign(static_cast<std::size_t>(side_ * side_), 0);
     forEachCarved([&](std::size_t, std::size_t point) { used_[point] = 1; });
   }
@@ -151,10 +151,10 @@ class SampleGrid {
   void forEachCarved(const Visit& visit) const {
     for (int row = 0; row < carved_.size; ++row)
       for (int column = 0; column < carved_.size; ++column)
-        for (int k = 0; carved_.isCarved(row, column) && k < (kSteps + 1) * (kSteps + 1); ++k)
-          visit(
-              static_cast<std::size_t>(row * carved_.size + column),
-              static_cast<std::size_t>((kSteps * row + k / (kSteps + 1)) * side_ + kSteps * column + k % (kSteps + 1)));
+        for (int k = 0; carved_.isCarved(row, column) && k < (kStepsPerEdge + 1) * (kStepsPerEdge + 1); ++k)
+          visit(static_cast<std::size_t>(row * carved_.size + column),
+                static_cast<std::size_t>((kStepsPerEdge * row + k / (kStepsPerEdge + 1)) * side_ +
+                                         kStepsPerEdge * column + k % (kStepsPerEdge + 1)));
   }
 
   std::size_t size() const { return used_.size(); }

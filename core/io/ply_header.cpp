@@ -64,8 +64,7 @@ class HeaderReader {
 
  private:
   tl::unexpected<Error> failHere(Message what) const {
-    return fail(ErrorKind::BadInput,
-                message("ply-header-line", with::count("line", line_), with::cause("cause", std::move(what))));
+    return badInput(message("ply-header-line", with::count("line", line_), with::cause("cause", std::move(what))));
   }
 
   Status readFormat() {

@@ -15,9 +15,9 @@ Status checkPositions(const std::vector<Vec3>& positions, const std::string& for
   for (std::size_t i = 0; i < positions.size(); ++i) {
     const Vec3& p = positions[i];
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
-      return fail(ErrorKind::BadInput, message("file-vertex-not-finite", with::count("vertex", i + 1),
-                                               with::count("vertices", positions.size()), with::term("format", format),
-                                               with::term("at", coordinates(p))));
+      return badInput(message("file-vertex-not-finite", with::count("vertex", i + 1),
+                              with::count("vertices", positions.size()), with::term("format", format),
+                              with::term("at", coordinates(p))));
   }
   return {};
 }
@@ -45,7 +45,7 @@ bool triangulateFace(const PolygonList& list, std::span<const std::uint32_t> fac
 }  // namespace
 
 tl::unexpected<Error> tooManyTriangles(std::size_t limit) {
-  return fail(ErrorKind::BadInput, message("file-too-many-triangles", with::count("limit", limit)));
+  return badInput(message("file-too-many-triangles", with::count("limit", limit)));
 }
 
 Status PolygonList::reserve(std::uint64_t vertices, std::uint64_t faces) {
@@ -69,8 +69,7 @@ Result<PolygonSoup> triangulated(PolygonList&& list, std::string format) {
                      [&](std::uint32_t v) { return v < list.positions.size(); }));
   if (Status s = checkPositions(list.positions, format); !s) return tl::unexpected(s.error());
   if (list.triangles == 0)
-    return fail(ErrorKind::BadInput,
-                message("file-no-face", with::term("format", format), with::count("count", list.positions.size())));
+    return badInput(message("file-no-face", with::term("format", format), with::count("count", list.positions.size())));
 
   PolygonSoup soup;
   Noted tooSmall, notSimple;

@@ -24,26 +24,26 @@ Result<PolygonSoup> readAs(ModelFormat format, std::span<const std::uint8_t> byt
     case ModelFormat::ThreeMf:
       return read3mf(bytes, limits);
     case ModelFormat::Gltf:
-      return fail(ErrorKind::BadInput, message("format-unreadable", with::term("format", nameOf(format))));
+      return badInput(message("format-unreadable", with::term("format", nameOf(format))));
     case ModelFormat::Unknown:
       break;
   }
-  return fail(ErrorKind::BadInput, message("format-unknown"));
+  return badInput(message("format-unknown"));
 }
 
 }  // namespace
 
 Result<PolygonSoup> readModel(std::span<const std::uint8_t> bytes, std::string_view fileName,
                               const ReadLimits& limits) {
-  if (bytes.empty()) return fail(ErrorKind::BadInput, message("file-empty"));
+  if (bytes.empty()) return badInput(message("file-empty"));
   if (bytes.size() > limits.maxBytes)
-    return fail(ErrorKind::BadInput,
-                message("file-too-large", with::count("bytes", bytes.size()), with::count("limit", limits.maxBytes)));
+    return badInput(
+        message("file-too-large", with::count("bytes", bytes.size()), with::count("limit", limits.maxBytes)));
   const ModelFormat named = formatOfName(fileName);
   const ModelFormat found = formatOfContent(bytes);
   if (found == ModelFormat::Unknown)
     if (const std::string_view encoding = wideEncodingOf(bytes); !encoding.empty())
-      return fail(ErrorKind::BadInput, message("text-encoding", with::term("encoding", encoding)));
+      return badInput(message("text-encoding", with::term("encoding", encoding)));
   if (found == ModelFormat::Unknown || found == named) return readAs(named, bytes, limits);
   Result<PolygonSoup> soup = readAs(found, bytes, limits);
   if (soup && named != ModelFormat::Unknown)

@@ -70,8 +70,7 @@ class VettedStatements : public std::streambuf {
   }
 
   Status failHere(Message what) const {
-    return fail(ErrorKind::BadInput,
-                message("obj-line", with::count("line", line_), with::cause("cause", std::move(what))));
+    return badInput(message("obj-line", with::count("line", line_), with::cause("cause", std::move(what))));
   }
 
   Status failAtVertex(Message what) const {
@@ -145,7 +144,7 @@ void takeFace(void* user, tinyobj::index_t* indices, int count) {
 
 Result<PolygonSoup> readObj(std::span<const std::uint8_t> bytes, const ReadLimits& limits) {
   VettedStatements statements(textOf(bytes));
-  if (statements.vertices() == 0) return fail(ErrorKind::BadInput, message("obj-no-vertex"));
+  if (statements.vertices() == 0) return badInput(message("obj-no-vertex"));
   Collector collector{statements, {}, {}};
   collector.list.maxTriangles = limits.maxTriangles;
   if (Status s = collector.list.reserve(statements.vertices(), 0); !s) return tl::unexpected(s.error());
@@ -156,8 +155,7 @@ Result<PolygonSoup> readObj(std::span<const std::uint8_t> bytes, const ReadLimit
   std::istream stream(&statements);
   const bool parsed = tinyobj::LoadObjWithCallback(stream, callbacks, &collector);
   if (!statements.status()) return tl::unexpected(statements.status().error());
-  if (!parsed || collector.list.positions.size() != statements.vertices())
-    return fail(ErrorKind::BadInput, message("obj-not-parsed"));
+  if (!parsed || collector.list.positions.size() != statements.vertices()) return badInput(message("obj-not-parsed"));
   return triangulated(std::move(collector.list), "OBJ");
 }
 

@@ -41,8 +41,7 @@ class OffReader {
 
  private:
   tl::unexpected<Error> failHere(Message what) const {
-    return fail(ErrorKind::BadInput,
-                message("off-line", with::count("line", scanner_.line()), with::cause("cause", std::move(what))));
+    return badInput(message("off-line", with::count("line", scanner_.line()), with::cause("cause", std::move(what))));
   }
 
   Status readKeyword() {
@@ -50,9 +49,9 @@ class OffReader {
     if (keyword.empty()) return failHere(message("off-keyword-missing"));
     if (!isOffKeyword(keyword)) return failHere(message("off-keyword", with::quoted("word", excerpt(keyword))));
     if (keyword.find('4') != std::string_view::npos || keyword.find('n') != std::string_view::npos)
-      return fail(ErrorKind::BadInput, message("off-dimension", with::term("keyword", keyword)));
+      return badInput(message("off-dimension", with::term("keyword", keyword)));
     const TextScanner before = scanner_;
-    if (scanner_.wordOnLine() == "BINARY") return fail(ErrorKind::BadInput, message("off-binary"));
+    if (scanner_.wordOnLine() == "BINARY") return badInput(message("off-binary"));
     scanner_ = before;
     return {};
   }
@@ -65,8 +64,8 @@ class OffReader {
   /// The shortest vertex takes six bytes ("0 0 0" and a line end), the shortest face two ("0").
   Status checkRoom(std::uint64_t vertices, std::uint64_t faces) const {
     if (vertices <= (left() + 1) / 6 && faces <= (left() + 1) / 2) return {};
-    return fail(ErrorKind::BadInput, message("off-announces", with::count("vertices", vertices),
-                                             with::count("faces", faces), with::count("bytes", left())));
+    return badInput(message("off-announces", with::count("vertices", vertices), with::count("faces", faces),
+                            with::count("bytes", left())));
   }
 
   std::size_t left() const { return text_.size() - scanner_.position(); }  ///< bytes not yet read

@@ -33,8 +33,8 @@ class TextValues {
 
   /// @param what  about the value read last
   tl::unexpected<Error> failHere(Message what) const {
-    return fail(ErrorKind::BadInput, message("at-line", with::count("line", headerLines_ + scanner_.line()),
-                                             with::cause("cause", std::move(what))));
+    return badInput(
+        message("at-line", with::count("line", headerLines_ + scanner_.line()), with::cause("cause", std::move(what))));
   }
 
   Status skip(PlyType type, std::uint64_t count) {
@@ -96,8 +96,7 @@ class BinaryValues {
   }
 
   tl::unexpected<Error> failHere(Message what) const {
-    return fail(ErrorKind::BadInput,
-                message("at-byte", with::count("byte", valueBegin_), with::cause("cause", std::move(what))));
+    return badInput(message("at-byte", with::count("byte", valueBegin_), with::cause("cause", std::move(what))));
   }
 
  private:
@@ -140,9 +139,9 @@ class PlyReader {
       strips |= element.name == "tristrips";
     }
     if (vertexElements == 1 && faceElements == 1) return {};
-    if (faceElements == 0 && strips) return fail(ErrorKind::BadInput, message("ply-strips"));
-    return fail(ErrorKind::BadInput, message("ply-elements", with::count("vertexElements", vertexElements),
-                                             with::count("faceElements", faceElements)));
+    if (faceElements == 0 && strips) return badInput(message("ply-strips"));
+    return badInput(message("ply-elements", with::count("vertexElements", vertexElements),
+                            with::count("faceElements", faceElements)));
   }
 
   /// Nothing is reserved for a count that the file's size does not bear out.
@@ -151,9 +150,9 @@ class PlyReader {
     for (const PlyProperty& property : element.properties)
       smallest += Values::shortest(property.countType ? *property.countType : property.type);
     if (smallest == 0 || element.count <= values_.room() / smallest) return {};
-    return fail(ErrorKind::BadInput, message("ply-announces", with::count("elements", element.count),
-                                             with::quoted("element", excerpt(element.name)),
-                                             with::count("size", smallest), with::count("bytes", values_.left())));
+    return badInput(message("ply-announces", with::count("elements", element.count),
+                            with::quoted("element", excerpt(element.name)), with::count("size", smallest),
+                            with::count("bytes", values_.left())));
   }
 
   static tl::unexpected<Error> failAt(const PlyElement& element, std::uint64_t number, const Error& error) {
@@ -197,7 +196,7 @@ class PlyReader {
       const std::string name(1, static_cast<char>('x' + axis));
       const std::optional<std::size_t> at = element.find(name);
       if (!at || element.properties[*at].countType)
-        return fail(ErrorKind::BadInput, message("ply-no-coordinate", with::term("axis", name)));
+        return badInput(message("ply-no-coordinate", with::term("axis", name)));
       axisOf[*at] = axis;
     }
     if (Status s = list_.reserve(element.count, 0); !s) return s;
@@ -221,7 +220,7 @@ class PlyReader {
     const std::optional<std::size_t> plural = element.find("vertex_indices");
     const std::optional<std::size_t> at = plural ? plural : element.find("vertex_index");
     if (!at || !element.properties[*at].countType || isFloating(element.properties[*at].type))
-      return fail(ErrorKind::BadInput, message("ply-no-index-list"));
+      return badInput(message("ply-no-index-list"));
     if (Status s = list_.reserve(0, element.count); !s) return s;
     for (std::uint64_t i = 0; i < element.count; ++i)
       for (std::size_t k = 0; k < element.properties.size(); ++k) {

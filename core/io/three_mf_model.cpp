@@ -26,8 +26,6 @@ struct Unit {
 constexpr std::array<Unit, 6> kUnits = {
     {{"micron", 0.001}, {"millimeter", 1}, {"centimeter", 10}, {"inch", 25.4}, {"foot", 304.8}, {"meter", 1000}}};
 
-tl::unexpected<Error> bad(Message what) { return fail(ErrorKind::BadInput, std::move(what)); }
-
 class ModelHandler : public XmlHandler {
  public:
   explicit ModelHandler(const ReadLimits& limits) : limits_(limits) {}
@@ -62,7 +60,7 @@ class ModelHandler : public XmlHandler {
       case Place::Item:
         return takeInstance(element, model_.items);
       default:
-        return parent == Place::Outside ? bad(message("3mf-not-a-model")) : Status();
+        return parent == Place::Outside ? badInput(message("3mf-not-a-model")) : Status();
     }
   }
 
@@ -116,7 +114,7 @@ class ModelHandler : public XmlHandler {
   }
 
   tl::unexpected<Error> badObject(Message what) const {
-    return bad(message("3mf-object", with::count("object", objectId_), with::cause("cause", std::move(what))));
+    return badInput(message("3mf-object", with::count("object", objectId_), with::cause("cause", std::move(what))));
   }
 
   tl::unexpected<Error> badVertex(Message what) const {
@@ -131,13 +129,13 @@ class ModelHandler : public XmlHandler {
 
   Status countEntry() {
     if (++entries_ <= kMaxEntries) return {};
-    return bad(message("3mf-too-many-entries", with::count("limit", kMaxEntries)));
+    return badInput(message("3mf-too-many-entries", with::count("limit", kMaxEntries)));
   }
 
   Status startModel(const XmlElement& element) {
     if (const auto unit = element.attribute("unit")) {
       const auto known = std::find_if(kUnits.begin(), kUnits.end(), [&](const Unit& u) { return u.name == *unit; });
-      if (known == kUnits.end()) return bad(message("3mf-unit", with::quoted("unit", excerpt(*unit))));
+      if (known == kUnits.end()) return badInput(message("3mf-unit", with::quoted("unit", excerpt(*unit))));
       model_.unitMm = known->mm;
     }
     // What a reader must understand to get the geometry right: colours and names of triangles are not among it.
@@ -145,10 +143,10 @@ class ModelHandler : public XmlHandler {
     for (std::string_view prefix = prefixes.word(); !prefix.empty(); prefix = prefixes.word()) {
       const auto space = spaces_.find(std::string(prefix));
       if (space == spaces_.end())
-        return bad(message("3mf-extension-undeclared", with::quoted("prefix", excerpt(prefix))));
+        return badInput(message("3mf-extension-undeclared", with::quoted("prefix", excerpt(prefix))));
       if (space->second != kProduction && space->second != kMaterial && space->second != kTriangleSets &&
           space->second != kCore)
-        return bad(message("3mf-extension", with::quoted("extension", excerpt(space->second, kLongestUri))));
+        return badInput(message("3mf-extension", with::quoted("extension", excerpt(space->second, kLongestUri))));
     }
     return {};
   }
@@ -156,11 +154,11 @@ class ModelHandler : public XmlHandler {
   static Result<std::uint32_t> idFrom(const XmlElement& element, std::string_view name) {
     const auto text = element.attribute(name);
     if (!text)
-      return bad(
+      return badInput(
           message("3mf-attribute-missing", with::quoted("element", element.name), with::term("attribute", name)));
     const auto id = parseInteger(*text);
     if (!id || *id < 1 || *id > 0x7fffffff)
-      return bad(message("3mf-id", with::quoted("word", excerpt(*text)), with::term("attribute", name)));
+      return badInput(message("3mf-id", with::quoted("word", excerpt(*text)), with::term("attribute", name)));
     return static_cast<std::uint32_t>(*id);
   }
 
@@ -221,8 +219,8 @@ class ModelHandler : public XmlHandler {
   bool hasVertex(std::int64_t index) const { return static_cast<std::uint64_t>(index) < object_->positions.size(); }
 
   static tl::unexpected<Error> badTransform(std::string_view text, Message what) {
-    return bad(message("3mf-transform", with::quoted("transform", excerpt(text, kLongestTransform)),
-                       with::cause("cause", std::move(what))));
+    return badInput(message("3mf-transform", with::quoted("transform", excerpt(text, kLongestTransform)),
+                            with::cause("cause", std::move(what))));
   }
 
   static Result<Affine> transformFrom(std::string_view text) {

@@ -38,8 +38,7 @@ struct Session {
 void XMLCALL onStart(void* user, const XML_Char* name, const XML_Char** attributes) {
   auto& session = *static_cast<Session*>(user);
   session.guarded([&]() -> Status {
-    if (++session.depth > kMaxDepth)
-      return fail(ErrorKind::BadInput, message("xml-too-deep", with::count("limit", kMaxDepth)));
+    if (++session.depth > kMaxDepth) return badInput(message("xml-too-deep", with::count("limit", kMaxDepth)));
     return session.handler.startElement(XmlElement(name, attributes));
   });
 }
@@ -61,7 +60,7 @@ void XMLCALL onSpace(void* user, const XML_Char* prefix, const XML_Char* uri) {
 }
 
 void XMLCALL onDoctype(void* user, const XML_Char*, const XML_Char*, const XML_Char*, int) {
-  static_cast<Session*>(user)->guarded([]() -> Status { return fail(ErrorKind::BadInput, message("xml-dtd")); });
+  static_cast<Session*>(user)->guarded([]() -> Status { return badInput(message("xml-dtd")); });
 }
 
 }  // namespace
@@ -99,9 +98,9 @@ Status readXml(ZipStream& stream, const std::string& part, XmlHandler& handler) 
   XML_SetStartNamespaceDeclHandler(parser.get(), onSpace);
   XML_SetStartDoctypeDeclHandler(parser.get(), onDoctype);
   const auto failHere = [&](Message what) {
-    return fail(ErrorKind::BadInput, message("3mf-part-line", with::quoted("part", excerpt(part)),
-                                             with::count("line", XML_GetCurrentLineNumber(parser.get())),
-                                             with::cause("cause", std::move(what))));
+    return badInput(message("3mf-part-line", with::quoted("part", excerpt(part)),
+                            with::count("line", XML_GetCurrentLineNumber(parser.get())),
+                            with::cause("cause", std::move(what))));
   };
 
   XML_Index fed = 0;

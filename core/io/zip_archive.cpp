@@ -27,13 +27,10 @@ constexpr std::uint32_t kLocalSignature = 0x04034b50;
 constexpr std::uint16_t kZip64Field = 0x0001;
 constexpr std::uint32_t kSee64 = 0xffffffff;  // "the number is in the ZIP64 record"
 constexpr std::uint16_t kEncrypted = 0x0001, kSizesFollow = 0x0008;
-constexpr std::uint16_t kStored = 0, kDeflated = 8;
 constexpr std::size_t kPieceBytes = 64 * 1024;
 
-using Bytes = std::span<const std::uint8_t>;
-
 tl::unexpected<Error> damaged(Message what) {
-  return fail(ErrorKind::BadInput, message("zip-damaged", with::cause("cause", std::move(what))));
+  return badInput(message("zip-damaged", with::cause("cause", std::move(what))));
 }
 
 /// @param what  follows the file's name
@@ -44,7 +41,7 @@ tl::unexpected<Error> damagedFile(const ZipEntry& entry, Message what) {
 /// Numbers of a record one after the other; whoever makes one has checked that the record is all there.
 class Fields {
  public:
-  explicit Fields(Bytes bytes) : bytes_(bytes) {}
+  explicit Fields(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
   std::uint16_t u16() { return take<std::uint16_t>(); }
   std::uint32_t u32() { return take<std::uint32_t>(); }
   std::uint64_t u64() { return take<std::uint64_t>(); }
@@ -58,7 +55,7 @@ class Fields {
     position_ += sizeof(T);
     return value;
   }
-  Bytes bytes_;
+  std::span<const std::uint8_t> bytes_;
   std::size_t position_ = 0;
 };
 
@@ -68,7 +65,7 @@ struct Directory {
 };
 
 /// The end record is the last thing in the file, but for a comment of the length it states.
-Result<std::size_t> findEndRecord(Bytes bytes) {
+Result<std::size_t> findEndRecord(std::span<const std::uint8_t> bytes) {
   if (bytes.size() < kEndRecordBytes) return damaged(message("zip-too-short", with::count("count", bytes.size())));
   const std::size_t last = bytes.size() - kEndRecordBytes;
   const std::size_t first = last - std::min(last, kLongestComment);
@@ -79,7 +76,7 @@ Result<std::size_t> findEndRecord(Bytes bytes) {
   return damaged(message("zip-no-directory"));
 }
 
-Result<Directory> findDirectory64(Bytes bytes, std::size_t endRecord) {
+Result<Directory> findDirectory64(std::span<const std::uint8_t> bytes, std::size_t endRecord) {
   const std::size_t locator = endRecord - kZip64LocatorBytes;
   Fields fields(bytes.subspan(locator));
   fields.skip(8);
@@ -98,7 +95,7 @@ Result<Directory> findDirectory64(Bytes bytes, std::size_t endRecord) {
   return directory;
 }
 
-Result<Directory> findDirectory(Bytes bytes) {
+Result<Directory> findDirectory(std::span<const std::uint8_t> bytes) {
   const Result<std::size_t> at = findEndRecord(bytes);
   if (!at) return tl::unexpected(at.error());
   const bool has64 =
@@ -132,7 +129,7 @@ struct Listed {
 };
 
 /// The numbers that did not fit into 32 bits, in this order.
-bool take64(Bytes extra, std::array<std::uint64_t*, 3> numbers) {
+bool take64(std::span<const std::uint8_t> extra, std::array<std::uint64_t*, 3> numbers) {
   for (Fields fields(extra); fields.left() >= 4;) {
     const std::uint16_t kind = fields.u16();
     const std::uint16_t size = fields.u16();
@@ -154,7 +151,7 @@ bool take64(Bytes extra, std::array<std::uint64_t*, 3> numbers) {
 }
 
 /// Reads one line and moves on to the next.
-Result<Listed> readListed(Bytes& lines, std::uint64_t number) {
+Result<Listed> readListed(std::span<const std::uint8_t>& lines, std::uint64_t number) {
   const auto bad = [&](Message what) {
     return damaged(
         message("zip-directory-line", with::count("line", number + 1), with::cause("cause", std::move(what))));
@@ -199,7 +196,7 @@ bool agrees(Fields header, const Listed& listed) {
 
 /// Finds the compressed bytes; the local header must speak of the same file.
 /// @param limit  where the directory begins
-Status findContent(Bytes bytes, std::uint64_t limit, Listed& listed) {
+Status findContent(std::span<const std::uint8_t> bytes, std::uint64_t limit, Listed& listed) {
   const auto bad = [&](Message what) { return damagedFile(listed.entry, std::move(what)); };
   const std::uint64_t at = listed.localHeader;
   if (at > limit || limit - at < kLocalHeaderBytes) return bad(message("zip-file-misplaced"));
@@ -210,7 +207,7 @@ Status findContent(Bytes bytes, std::uint64_t limit, Listed& listed) {
   const std::size_t nameSize = fields.u16(), extraSize = fields.u16();
   const std::uint64_t begin = at + kLocalHeaderBytes + nameSize + extraSize;
   if (begin > limit || limit - begin < listed.packedSize) return bad(message("zip-file-too-long"));
-  const Bytes name = bytes.subspan(static_cast<std::size_t>(at) + kLocalHeaderBytes, nameSize);
+  const std::span<const std::uint8_t> name = bytes.subspan(static_cast<std::size_t>(at) + kLocalHeaderBytes, nameSize);
   if (!std::equal(name.begin(), name.end(), listed.entry.name.begin(), listed.entry.name.end(),
                   [](std::uint8_t a, char b) { return a == static_cast<std::uint8_t>(b); }))
     return bad(message("zip-file-name"));
@@ -219,10 +216,10 @@ Status findContent(Bytes bytes, std::uint64_t limit, Listed& listed) {
 }
 
 /// Files packed into each other's bytes are how small archives expand without end.
-Status checkOverlap(Bytes bytes, std::vector<Listed>& files) {
+Status checkOverlap(std::span<const std::uint8_t> bytes, std::vector<Listed>& files) {
   std::sort(files.begin(), files.end(), [](const Listed& a, const Listed& b) { return a.localHeader < b.localHeader; });
   for (std::size_t i = 1; i < files.size(); ++i) {
-    const Bytes before = files[i - 1].entry.packed;
+    const std::span<const std::uint8_t> before = files[i - 1].entry.packed;
     if (static_cast<std::uint64_t>(before.data() - bytes.data()) + before.size() > files[i].localHeader)
       return damaged(message("zip-files-overlap", with::quoted("first", excerpt(files[i - 1].entry.name)),
                              with::quoted("second", excerpt(files[i].entry.name))));
@@ -255,7 +252,8 @@ std::string comparable(std::string_view name) {
 Result<ZipArchive> ZipArchive::open(std::span<const std::uint8_t> bytes) {
   const Result<Directory> directory = findDirectory(bytes);
   if (!directory) return tl::unexpected(directory.error());
-  Bytes lines = bytes.subspan(static_cast<std::size_t>(directory->offset), static_cast<std::size_t>(directory->size));
+  std::span<const std::uint8_t> lines =
+      bytes.subspan(static_cast<std::size_t>(directory->offset), static_cast<std::size_t>(directory->size));
   std::vector<Listed> files;
   for (std::uint64_t i = 0; i < directory->entries; ++i) {
     Result<Listed> listed = readListed(lines, i);
@@ -300,12 +298,12 @@ struct ZipStream::State {
 
   tl::unexpected<Error> bad(Message what) const { return damagedFile(*entry, std::move(what)); }
 
-  Bytes nextStored() {
+  std::span<const std::uint8_t> nextStored() {
     const auto from = static_cast<std::size_t>(given);
     return entry->packed.subspan(from, std::min(kPieceBytes, entry->packed.size() - from));
   }
 
-  Result<Bytes> nextInflated() {
+  Result<std::span<const std::uint8_t>> nextInflated() {
     z.next_out = piece.data();
     z.avail_out = static_cast<uInt>(piece.size());
     while (z.avail_out == piece.size() && !ended) {
@@ -316,7 +314,7 @@ struct ZipStream::State {
       else if (status != Z_OK)
         return bad(message("zip-file-unpacking"));
     }
-    return Bytes(piece.data(), piece.size() - z.avail_out);
+    return std::span<const std::uint8_t>(piece.data(), piece.size() - z.avail_out);
   }
 
   Status checkEnd() const {
@@ -334,16 +332,14 @@ ZipStream& ZipStream::operator=(ZipStream&&) noexcept = default;
 ZipStream::~ZipStream() = default;
 
 Result<ZipStream> ZipStream::open(const ZipEntry& entry, std::uint64_t maxBytes) {
-  if (entry.flags & kEncrypted)
-    return fail(ErrorKind::BadInput, message("zip-encrypted", with::quoted("file", excerpt(entry.name))));
+  if (entry.flags & kEncrypted) return badInput(message("zip-encrypted", with::quoted("file", excerpt(entry.name))));
   if (entry.method != kStored && entry.method != kDeflated)
-    return fail(ErrorKind::BadInput,
-                message("zip-method", with::quoted("file", excerpt(entry.name)), with::count("method", entry.method)));
+    return badInput(
+        message("zip-method", with::quoted("file", excerpt(entry.name)), with::count("method", entry.method)));
   if (entry.size > maxBytes || (entry.size > kFreeBytes && entry.size / kMaxRatio > entry.packed.size()))
-    return fail(
-        ErrorKind::BadInput,
-        message("zip-expands", with::quoted("file", excerpt(entry.name)), with::count("packed", entry.packed.size()),
-                with::count("bytes", entry.size), with::count("limit", maxBytes), with::count("ratio", kMaxRatio)));
+    return badInput(message("zip-expands", with::quoted("file", excerpt(entry.name)),
+                            with::count("packed", entry.packed.size()), with::count("bytes", entry.size),
+                            with::count("limit", maxBytes), with::count("ratio", kMaxRatio)));
   auto state = std::make_unique<State>();
   state->entry = &entry;
   if (entry.method == kStored && entry.size != entry.packed.size()) return state->bad(message("zip-file-two-sizes"));
@@ -359,7 +355,8 @@ Result<ZipStream> ZipStream::open(const ZipEntry& entry, std::uint64_t maxBytes)
 
 Result<std::span<const std::uint8_t>> ZipStream::next() {
   State& s = *state_;
-  const Result<Bytes> piece = s.inflating ? s.nextInflated() : Result<Bytes>(s.nextStored());
+  const Result<std::span<const std::uint8_t>> piece =
+      s.inflating ? s.nextInflated() : Result<std::span<const std::uint8_t>>(s.nextStored());
   if (!piece) return piece;
   s.given += piece->size();
   if (s.given > s.entry->size) return s.bad(message("zip-file-more"));

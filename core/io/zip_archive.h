@@ -12,11 +12,14 @@
 
 namespace qrelief {
 
+/// Ways to keep a file [PKWARE APPNOTE 6.3, §4.4.5].
+inline constexpr std::uint16_t kStored = 0, kDeflated = 8;
+
 /// One file of an archive.
 struct ZipEntry {
   std::string name;  ///< as the archive has it
   std::uint16_t flags = 0;
-  std::uint16_t method = 0;              ///< 0 stored, 8 deflated; others cannot be read
+  std::uint16_t method = 0;              ///< kStored or kDeflated; others cannot be read
   std::uint32_t crc = 0;                 ///< CRC-32 of the content
   std::uint64_t size = 0;                ///< of the content, bytes
   std::span<const std::uint8_t> packed;  ///< the compressed bytes

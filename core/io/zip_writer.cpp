@@ -8,13 +8,14 @@
 #include <string>
 #include <zlib.h>
 
+#include "io/zip_archive.h"
+
 namespace qrelief {
 namespace {
 
 constexpr std::uint16_t kVersionNeeded = 20;  // deflate
-constexpr std::uint16_t kDeflated = 8;
-constexpr std::uint16_t kDate = 1 << 5 | 1;  // 1 January 1980, the format's first day
-constexpr int kLevel = 4;                    // on the text of meshes 6 % larger than zlib's default, in half the time
+constexpr std::uint16_t kDate = 1 << 5 | 1;   // 1 January 1980, the format's first day
+constexpr int kLevel = 4;                     // on the text of meshes 6 % larger than zlib's default, in half the time
 constexpr int kMemoryLevel = 8;
 constexpr std::size_t kCrcInLocalHeader = 14;
 constexpr std::uint64_t kMaxBytes = 0xfffffffe;
@@ -30,29 +31,15 @@ void put(Bytes& bytes, T value) {
 
 void putText(Bytes& bytes, std::string_view text) { bytes.insert(bytes.end(), text.begin(), text.end()); }
 
-struct File {
-  std::string name;
-  std::uint64_t localHeader = 0, size = 0, packedSize = 0;
-  std::uint32_t crc = 0;
-};
-
-/// What the local header and the directory have in common.
-void putCommon(Bytes& bytes, const File& file) {
-  put<std::uint16_t>(bytes, kVersionNeeded);
-  put<std::uint16_t>(bytes, 0);  // flags
-  put<std::uint16_t>(bytes, kDeflated);
-  put<std::uint16_t>(bytes, 0);  // midnight
-  put<std::uint16_t>(bytes, kDate);
-  put<std::uint32_t>(bytes, file.crc);
-  put(bytes, static_cast<std::uint32_t>(file.packedSize));
-  put(bytes, static_cast<std::uint32_t>(file.size));
-  put(bytes, static_cast<std::uint16_t>(file.name.size()));
-  put<std::uint16_t>(bytes, 0);  // extra fields
-}
-
 }  // namespace
 
 struct ZipWriter::State {
+  struct File {
+    std::string name;
+    std::uint64_t localHeader = 0, size = 0, packedSize = 0;
+    std::uint32_t crc = 0;
+  };
+
   Bytes bytes;
   std::vector<File> files;
   z_stream z{};
@@ -63,6 +50,20 @@ struct ZipWriter::State {
   State& operator=(const State&) = delete;
   ~State() {
     if (open) deflateEnd(&z);
+  }
+
+  /// What the local header and the directory have in common.
+  void putCommon(const File& file) {
+    put<std::uint16_t>(bytes, kVersionNeeded);
+    put<std::uint16_t>(bytes, 0);  // flags
+    put<std::uint16_t>(bytes, kDeflated);
+    put<std::uint16_t>(bytes, 0);  // midnight
+    put<std::uint16_t>(bytes, kDate);
+    put<std::uint32_t>(bytes, file.crc);
+    put(bytes, static_cast<std::uint32_t>(file.packedSize));
+    put(bytes, static_cast<std::uint32_t>(file.size));
+    put(bytes, static_cast<std::uint16_t>(file.name.size()));
+    put<std::uint16_t>(bytes, 0);  // extra fields
   }
 
   void compress(std::string_view content, int flush) {
@@ -99,7 +100,7 @@ void ZipWriter::begin(std::string_view name) {
   s.close();
   s.files.push_back({std::string(name), s.bytes.size(), 0, 0, 0});
   put<std::uint32_t>(s.bytes, 0x04034b50);
-  putCommon(s.bytes, s.files.back());
+  s.putCommon(s.files.back());
   putText(s.bytes, name);
   s.z = {};
   if (deflateInit2(&s.z, kLevel, Z_DEFLATED, -MAX_WBITS, kMemoryLevel, Z_DEFAULT_STRATEGY) != Z_OK)
@@ -110,7 +111,7 @@ void ZipWriter::begin(std::string_view name) {
 void ZipWriter::append(std::string_view content) {
   State& s = *state_;
   assert(s.open);
-  File& file = s.files.back();
+  State::File& file = s.files.back();
   file.crc =
       static_cast<std::uint32_t>(crc32_z(file.crc, reinterpret_cast<const Bytef*>(content.data()), content.size()));
   file.size += content.size();
@@ -122,11 +123,11 @@ Result<std::vector<std::uint8_t>> ZipWriter::finish() {
   s.close();
   const std::uint64_t directory = s.bytes.size();
   bool tooLarge = false;
-  for (const File& file : s.files) {
+  for (const State::File& file : s.files) {
     tooLarge |= file.size > kMaxBytes;
     put<std::uint32_t>(s.bytes, 0x02014b50);
     put<std::uint16_t>(s.bytes, kVersionNeeded);  // made by
-    putCommon(s.bytes, file);
+    s.putCommon(file);
     put<std::uint16_t>(s.bytes, 0);  // comment
     put<std::uint16_t>(s.bytes, 0);  // disk
     put<std::uint16_t>(s.bytes, 0);  // attributes

@@ -28,16 +28,14 @@ Status checkSoup(const PolygonSoup& soup, const PrepareOptions& options) {
   for (const std::optional<double>& mm : {options.repair.weldToleranceMm, options.repair.maxHoleMm})
     if (mm && !(*mm >= 0 && std::isfinite(*mm)))
       return fail(ErrorKind::BadUsage, message("repair-tolerance-senseless", with::lengthMm("tolerance", *mm)));
-  if (soup.triangles.empty()) return fail(ErrorKind::BadInput, message("model-no-triangle"));
+  if (soup.triangles.empty()) return badInput(message("model-no-triangle"));
   if (soup.triangles.size() > kMaxTriangles || soup.positions.size() > 3 * kMaxTriangles)
-    return fail(ErrorKind::BadInput,
-                message("model-too-many-triangles", with::count("triangles", soup.triangles.size()),
-                        with::count("most", kMaxTriangles)));
+    return badInput(message("model-too-many-triangles", with::count("triangles", soup.triangles.size()),
+                            with::count("most", kMaxTriangles)));
   for (std::size_t i = 0; i < soup.positions.size(); ++i) {
     const Vec3 p = soup.positions[i];
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
-      return fail(ErrorKind::BadInput,
-                  message("model-vertex-not-finite", with::count("vertex", i + 1), with::place("at", p)));
+      return badInput(message("model-vertex-not-finite", with::count("vertex", i + 1), with::place("at", p)));
   }
   return {};
 }
@@ -55,13 +53,13 @@ Status checkExtent(const Box3& boxMm, double scaleToMm) {
   const double largest = std::max({size.x, size.y, size.z});
   const Vec3 far = glm::max(glm::abs(boxMm.min), glm::abs(boxMm.max));
   if (largest > kImplausibleMm)
-    return fail(ErrorKind::BadInput, message("model-implausibly-large", with::number("km", largest / kMmPerKm),
-                                             with::number("fileUnits", largest / scaleToMm)));
+    return badInput(message("model-implausibly-large", with::number("km", largest / kMmPerKm),
+                            with::number("fileUnits", largest / scaleToMm)));
   if (const double farthest = std::max({far.x, far.y, far.z}); farthest > kImplausibleMm)
-    return fail(ErrorKind::BadInput, message("model-too-far-away", with::number("km", farthest / kMmPerKm),
-                                             with::lengthMm("step", floatStepMm(farthest)),
-                                             with::number("maxKm", kImplausibleMm / kMmPerKm)));
-  if (largest == 0) return fail(ErrorKind::BadInput, message("model-no-extent"));
+    return badInput(message("model-too-far-away", with::number("km", farthest / kMmPerKm),
+                            with::lengthMm("step", floatStepMm(farthest)),
+                            with::number("maxKm", kImplausibleMm / kMmPerKm)));
+  if (largest == 0) return badInput(message("model-no-extent"));
   return {};
 }
 
@@ -153,7 +151,7 @@ const char* severityName(Finding::Severity severity) {
 
 Status PreparedModel::engravable() const {
   for (const Finding& finding : findings)
-    if (finding.severity == Finding::Severity::Blocking) return fail(ErrorKind::BadInput, finding.message);
+    if (finding.severity == Finding::Severity::Blocking) return badInput(finding.message);
   return {};
 }
 
@@ -166,7 +164,7 @@ Result<PreparedModel> prepareModel(const PolygonSoup& soup, const PrepareOptions
   const std::vector<std::uint32_t> parts = partsOf(soup);
   Result<Repaired> repaired = repairMesh(std::move(*welded), parts, options.repair);
   if (!repaired) return tl::unexpected(repaired.error());
-  if (repaired->mesh.triangles.empty()) return fail(ErrorKind::BadInput, nothingLeft(soup, repaired->cleaning));
+  if (repaired->mesh.triangles.empty()) return badInput(nothingLeft(soup, repaired->cleaning));
 
   PreparedModel model;
   model.scaleToMm = options.scaleToMm;

@@ -62,7 +62,7 @@ ProjectionFrame PlacementSearch::frameFor(Vec3 normal) const {
 
 Status PlacementSearch::start() {
   const auto surface = closestPoint(model_->mesh, request_.centreMm);
-  if (!surface) return fail(ErrorKind::BadInput, message("no-surface"));
+  if (!surface) return badInput(message("no-surface"));
   placement_.seed = surface->triangle;
   placement_.frame.centre = surface->position;
   surfaceNormal_ = surfaceNormalAt(model_->mesh, *surface);

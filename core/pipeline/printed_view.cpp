@@ -15,13 +15,11 @@ namespace qrelief {
 namespace {
 
 constexpr int kPaths = 8;
-constexpr int kRowsAStep = 16;
 constexpr int kRoughPaths = 2;  // more change little: a module has a hundred texels
 constexpr double kRoughness = 1.5;
 /// Beyond a symbol what stands there is printed, too, but lit only as far as modules are compared with it
 /// (LightNeighbours): two modules, and the texels that these are smoothed with.
 constexpr int kRoughBorder = kBakedPixels * (kPictureMarginModules - 2) - 1;
-constexpr float kBackground = 0.35f;  // luminance of what is not the model
 
 }  // namespace
 

@@ -17,11 +17,6 @@
 namespace qrelief {
 namespace {
 
-constexpr int kRowsAStep = 16;
-
-/// A code is raised or carved if it is so by more than this, mm: less is the grain of a model.
-constexpr double kFlatMm = 0.02;
-
 /// A large weak lamp on the right, as in a room, which only the ranges are read under: elevation and azimuth over the
 /// QR plane (0 = right, 90 = top).
 constexpr double kLampElevationDeg = 55, kLampAzimuthDeg = -30;
@@ -83,13 +78,13 @@ VerifyRequest verifyRequestOf(const EngraveRequest& request, const EngraveResult
 }
 
 Result<Mesh> meshAsFound(const PolygonSoup& soup, double scaleToMm) {
-  if (soup.triangles.empty()) return fail(ErrorKind::BadInput, message("no-triangle"));
+  if (soup.triangles.empty()) return badInput(message("no-triangle"));
   std::vector<Vec3f> corners;
   corners.reserve(soup.positions.size());
   for (const Vec3 position : soup.positions) {
     const Vec3f p(position * scaleToMm);
     if (!(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)))
-      return fail(ErrorKind::BadInput, message("coordinates-not-finite"));
+      return badInput(message("coordinates-not-finite"));
     corners.push_back(p);
   }
   return welded(corners, soup.triangles);

@@ -8,8 +8,8 @@
 namespace qrelief {
 namespace {
 
-constexpr int kBlock = 8;              // texels along the edge
-constexpr double kOnSurfaceMm = 1e-6;  // a ray that begins so near a triangle begins on it
+constexpr int kBlockTexels = 8;         // along the edge
+constexpr double kOnTriangleMm = 1e-6;  // a ray that begins so near a triangle begins on it
 constexpr float kNothing = -std::numeric_limits<float>::infinity();
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
@@ -35,7 +35,7 @@ double sideOf(const TexelCell& cell, double x, double y) { return cell.risingDia
 PrintedRays::PrintedRays(const PrintedSurface& surface)
     : frame_(surface.frame),
       texels_(surface.texels),
-      blocks_((surface.texels + kBlock - 1) / kBlock),
+      blocks_((surface.texels + kBlockTexels - 1) / kBlockTexels),
       texelMm_(surface.texelMm) {
   heights_.reserve(surface.distanceMm.size());
   for (int row = 0; row < texels_; ++row)
@@ -44,7 +44,7 @@ PrintedRays::PrintedRays(const PrintedSurface& surface)
   for (int row = 0; row < texels_; ++row)
     for (int column = 0; column < texels_; ++column)
       for (int k = 0; k < 4; ++k) {  // of each block whose cells it is a corner of
-        const int r = std::max(0, row - k / 2) / kBlock, c = std::max(0, column - k % 2) / kBlock;
+        const int r = std::max(0, row - k / 2) / kBlockTexels, c = std::max(0, column - k % 2) / kBlockTexels;
         float& top = blockTops_[static_cast<std::size_t>(r * blocks_ + c)];
         top = std::max(top, heightAt(column, row));
       }
@@ -83,7 +83,7 @@ std::optional<SurfacePoint> PrintedRays::firstHit(Vec3 origin, Vec3 direction, d
   ray.depth = -glm::dot(fromEye, frame_.normal);
   ray.depthStep = -glm::dot(direction, frame_.normal);
   const double eye = frame_.eyeDistance;
-  if (ray.depth < kOnSurfaceMm) return seenFromEye(direction, from);
+  if (ray.depth < kOnTriangleMm) return seenFromEye(direction, from);
   const Vec2 across(glm::dot(fromEye, frame_.right), glm::dot(fromEye, frame_.up));
   const Vec2 acrossStep(glm::dot(direction, frame_.right), glm::dot(direction, frame_.up));
   const Vec2 at = across * (eye / ray.depth / texelMm_) + (texels_ - 1) / 2.0;
@@ -134,19 +134,19 @@ std::optional<SurfacePoint> PrintedRays::walk(const MapRay& ray, double begin, d
   int column = cellOf(first.x, ray.step.x), row = cellOf(first.y, ray.step.y);
   bool isFirst = true, wasAbove = true, isKnown = false;  // whether it was above the surface so far
   for (double s = begin; s < end;) {
-    const int blockColumn = column / kBlock, blockRow = row / kBlock;
+    const int blockColumn = column / kBlockTexels, blockRow = row / kBlockTexels;
     const double top = static_cast<double>(blockTops_[static_cast<std::size_t>(blockRow * blocks_ + blockColumn)]);
-    const double outX = wayOut(ray.at.x, ray.step.x, blockColumn * kBlock, (blockColumn + 1) * kBlock);
-    const double outY = wayOut(ray.at.y, ray.step.y, blockRow * kBlock, (blockRow + 1) * kBlock);
+    const double outX = wayOut(ray.at.x, ray.step.x, blockColumn * kBlockTexels, (blockColumn + 1) * kBlockTexels);
+    const double outY = wayOut(ray.at.y, ray.step.y, blockRow * kBlockTexels, (blockRow + 1) * kBlockTexels);
     const double out = std::min({outX, outY, end});
     if (std::min(ray.point(s).z, ray.point(out).z) > top) {
       if (out >= end) return std::nullopt;
       const Vec3 there = ray.point(out);
-      const int lowColumn = blockColumn * kBlock, lowRow = blockRow * kBlock;
-      column = outX <= outY ? (ray.step.x > 0 ? lowColumn + kBlock : lowColumn - 1)
-                            : std::clamp(cellOf(there.x, ray.step.x), lowColumn, lowColumn + kBlock - 1);
-      row = outX <= outY ? std::clamp(cellOf(there.y, ray.step.y), lowRow, lowRow + kBlock - 1)
-                         : (ray.step.y > 0 ? lowRow + kBlock : lowRow - 1);
+      const int lowColumn = blockColumn * kBlockTexels, lowRow = blockRow * kBlockTexels;
+      column = outX <= outY ? (ray.step.x > 0 ? lowColumn + kBlockTexels : lowColumn - 1)
+                            : std::clamp(cellOf(there.x, ray.step.x), lowColumn, lowColumn + kBlockTexels - 1);
+      row = outX <= outY ? std::clamp(cellOf(there.y, ray.step.y), lowRow, lowRow + kBlockTexels - 1)
+                         : (ray.step.y > 0 ? lowRow + kBlockTexels : lowRow - 1);
       if (column < 0 || row < 0 || column > last || row > last) return std::nullopt;
       s = std::max(s, out);
       isFirst = false;
@@ -175,8 +175,8 @@ std::optional<SurfacePoint> PrintedRays::walk(const MapRay& ray, double begin, d
         const bool second = part == 0 && crosses ? sideIn > 0 : sideOut > 0;
         const double to = part == 0 ? middle : cellOut;
         const double overFrom = over(from, second), overTo = over(to, second);
-        if (isFirst && std::abs(overFrom) < kOnSurfaceMm) {
-          wasAbove = overTo > -kOnSurfaceMm;
+        if (isFirst && std::abs(overFrom) < kOnTriangleMm) {
+          wasAbove = overTo > -kOnTriangleMm;
         } else {
           if (!isKnown) wasAbove = overFrom >= 0;
           if (wasAbove && overTo < 0) {

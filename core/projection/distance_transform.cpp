@@ -21,9 +21,10 @@ std::vector<std::int32_t> columnDistances(std::span<const std::uint8_t> blocked,
 }
 
 /// The parabolas x ↦ (x - q)² + f(q) of one row, as far as they are lowest somewhere.
-class Envelope {
+class LowerEnvelope {
  public:
-  explicit Envelope(int texels) : vertex_(static_cast<std::size_t>(texels)), begin_(static_cast<std::size_t>(texels)) {}
+  explicit LowerEnvelope(int texels)
+      : vertex_(static_cast<std::size_t>(texels)), begin_(static_cast<std::size_t>(texels)) {}
 
   void replaceRow(std::int32_t* row, int texels) {
     height_.assign(row, row + texels);
@@ -70,7 +71,7 @@ std::vector<std::int32_t> squaredDistances(std::span<const std::uint8_t> blocked
          blocked.size() == static_cast<std::size_t>(texels) * static_cast<std::size_t>(texels));
   std::vector<std::int32_t> squared = columnDistances(blocked, texels);
   for (std::int32_t& d : squared) d *= d;
-  Envelope envelope(texels);
+  LowerEnvelope envelope(texels);
   for (int row = 0; row < texels; ++row) envelope.replaceRow(squared.data() + row * texels, texels);
   return squared;
 }

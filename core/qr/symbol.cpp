@@ -27,10 +27,10 @@ using InputHandle = std::unique_ptr<QRinput, decltype(&QRinput_free)>;
 using CodeHandle = std::unique_ptr<QRcode, decltype(&QRcode_free)>;
 
 Status checkCharacters(std::string_view text) {
-  if (text.empty()) return fail(ErrorKind::BadInput, message("text-empty"));
+  if (text.empty()) return badInput(message("text-empty"));
   const std::size_t nul = text.find('\0'), broken = firstNoUtf8(text);
-  if (nul < broken) return fail(ErrorKind::BadInput, message("text-holds-nul", with::count("byte", nul + 1)));
-  if (broken != text.npos) return fail(ErrorKind::BadInput, message("text-no-utf8", with::count("byte", broken + 1)));
+  if (nul < broken) return badInput(message("text-holds-nul", with::count("byte", nul + 1)));
+  if (broken != text.npos) return badInput(message("text-no-utf8", with::count("byte", broken + 1)));
   return {};
 }
 
@@ -56,9 +56,9 @@ CodeHandle encodeFrom(std::string_view text, int version, ErrorCorrection level)
   InputHandle input(QRinput_new2(version, toLibrary(level)), &QRinput_free);
   if (!input) return {nullptr, &QRcode_free};
   for (const Segment& segment : segmentText(text, version)) {
-    constexpr std::array<QRencodeMode, 3> kModes = {QR_MODE_NUM, QR_MODE_AN, QR_MODE_8};
+    constexpr std::array<QRencodeMode, 3> kLibraryModes = {QR_MODE_NUM, QR_MODE_AN, QR_MODE_8};
     const auto* bytes = reinterpret_cast<const unsigned char*>(text.data() + segment.begin);
-    const auto mode = kModes[static_cast<std::size_t>(segment.mode)];
+    const auto mode = kLibraryModes[static_cast<std::size_t>(segment.mode)];
     if (QRinput_append(input.get(), mode, static_cast<int>(segment.length), bytes) != 0) return {nullptr, &QRcode_free};
   }
   return {QRcode_encodeInput(input.get()), &QRcode_free};
@@ -101,13 +101,13 @@ Message whatWouldHold(std::string_view text, const SymbolOptions& options) {
 
 tl::unexpected<Error> tooLong(std::string_view text, const SymbolOptions& options) {
   if (options.version)
-    return fail(ErrorKind::BadInput, message("text-too-long-for-version", with::count("count", text.size()),
-                                             with::count("version", *options.version),
-                                             with::term("level", errorCorrectionName(options.errorCorrection)),
-                                             with::cause("held", whatWouldHold(text, options))));
-  return fail(ErrorKind::BadInput, message("text-too-long", with::count("count", text.size()),
-                                           with::term("level", errorCorrectionName(options.errorCorrection)),
-                                           with::cause("held", whatWouldHold(text, options))));
+    return badInput(message("text-too-long-for-version", with::count("count", text.size()),
+                            with::count("version", *options.version),
+                            with::term("level", errorCorrectionName(options.errorCorrection)),
+                            with::cause("held", whatWouldHold(text, options))));
+  return badInput(message("text-too-long", with::count("count", text.size()),
+                          with::term("level", errorCorrectionName(options.errorCorrection)),
+                          with::cause("held", whatWouldHold(text, options))));
 }
 
 bool isInFinder(int row, int column, int size) {

@@ -11,8 +11,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-tl::unexpected<Error> badReport(Message message) { return fail(ErrorKind::BadInput, std::move(message)); }
-
 Vec3 vectorFrom(const Json& json) {
   return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
 }
@@ -50,7 +48,7 @@ Result<VerifyRequest> readRequest(const Json& report) {
   request.symbolMm = report.at("size").at("symbolMm").get<double>();
   const Json& symbol = report.at("symbol");
   const auto level = errorCorrectionByName(symbol.at("ecc").get<std::string>());
-  if (!level) return badReport(message("report-ecc"));
+  if (!level) return badInput(message("report-ecc"));
   auto encoded = encodeSymbol(request.text, {.errorCorrection = *level,
                                              .version = symbol.at("version").get<int>(),
                                              .maskRule = MaskRule::Fixed,
@@ -118,10 +116,10 @@ Result<Symbol> withModules(Symbol symbol, const std::vector<std::string>& rows) 
   const auto size = static_cast<std::size_t>(symbol.size);
   std::vector<std::uint8_t> flipped(size * size, 0);
   if (rows.size() != size)
-    return badReport(message("report-rows", with::count("rows", rows.size()), with::count("wanted", size)));
+    return badInput(message("report-rows", with::count("rows", rows.size()), with::count("wanted", size)));
   for (std::size_t row = 0; row < size; ++row) {
     if (rows[row].size() != size || rows[row].find_first_not_of("01") != std::string::npos)
-      return badReport(message("report-row", with::count("row", row + 1), with::count("wanted", size)));
+      return badInput(message("report-row", with::count("row", row + 1), with::count("wanted", size)));
     for (std::size_t column = 0; column < size; ++column) {
       const bool dark = rows[row][column] == '1';
       flipped[row * size + column] = symbol.dark[row * size + column] && !dark;
@@ -136,7 +134,7 @@ Result<VerifyRequest> requestFromReport(std::string_view json) {
   try {
     return readRequest(Json::parse(json));
   } catch (const Json::exception& error) {
-    return badReport(message("report-not-understood", with::term("problem", error.what())));
+    return badInput(message("report-not-understood", with::term("problem", error.what())));
   }
 }
 

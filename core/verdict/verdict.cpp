@@ -16,8 +16,6 @@ constexpr double kMostMoreTraced = 0.24, kMostFewerTraced = 0.1;
 /// Contrast of dark and light modules (ISO/IEC 29158, CC) that grade A asks for.
 constexpr double kGoodContrast = 0.3;
 constexpr double kLeastGrade = 1;  // D
-/// A code is raised or carved if it is so by more than this, mm: less is the grain of a model.
-constexpr double kFlatMm = 0.02;
 /// Corners of the symbol farther than this from their places, in modules: it is somewhere else.
 constexpr double kMisplacedModules = 1.5;
 /// Between a surface's normal and the printer's vertical: beyond it plastic sags, or stands on supports; printers' rule
@@ -102,9 +100,9 @@ Aspect judgeReading(const ReadingEvidence& reading, const std::string& wanted, d
 
 /// How a code stands in the printer, within a sentence.
 Message facing(double facingDeg) {
-  constexpr double kAlikeDeg = 15;
-  if (facingDeg <= kAlikeDeg) return message("facing-up");
-  if (std::abs(facingDeg - 90) <= kAlikeDeg) return message("facing-aside");
+  constexpr double kFacingDeg = 15;
+  if (facingDeg <= kFacingDeg) return message("facing-up");
+  if (std::abs(facingDeg - 90) <= kFacingDeg) return message("facing-aside");
   return facingDeg < 90 ? message("facing-slanted", with::angleDeg("angle", std::round(facingDeg)))
                         : message("facing-down", with::angleDeg("angle", std::round(facingDeg)));
 }

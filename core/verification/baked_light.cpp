@@ -13,7 +13,6 @@
 namespace qrelief {
 namespace {
 
-constexpr float kBackground = 0.35f;
 /// A baked texel speaks for points this many texels away, as seen straight on: next to it, and over there on a steep
 /// surface.
 constexpr double kNearTexels = 3;
@@ -24,8 +23,6 @@ constexpr double kSameFloor = 0.3;
 constexpr int kBlock = 4;
 constexpr std::array<int, 16> kBlockOrder = {0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5};
 constexpr std::uint64_t kBlocksApart = 1u << 20;  // more than a picture has columns
-
-double wrapped(double x) { return x - std::floor(x); }
 
 /// Whether two points lie in each other's tangent planes.
 bool sameFloor(Vec3 a, Vec3 normalA, Vec3 b, Vec3 normalB, double texelMm) {

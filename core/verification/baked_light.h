@@ -14,6 +14,9 @@ struct SurfaceLight {
   double lamp = 0;  ///< what the lamp adds, all bounces
 };
 
+/// Rows that a job bakes in one step: between two steps it can be cancelled.
+inline constexpr int kRowsAStep = 16;
+
 struct BakeOptions {
   double texelMm = 0.1;  ///< on the QR plane
   int texels = 400;      ///< along the edge of the square that is baked, centred on the code
@@ -23,8 +26,11 @@ struct BakeOptions {
   Lamp lamp = {};
 };
 
-/// Linear picture, 1 = an unoccluded surface under the sky alone; row 0 at the bottom. What is no model is 0.35 of the
-/// open light.
+/// Luminance of what is not the model, as a fraction of an unoccluded surface's.
+inline constexpr float kBackground = 0.35f;
+
+/// Linear picture, 1 = an unoccluded surface under the sky alone; row 0 at the bottom. What is no model is kBackground
+/// of the open light.
 struct LinearPicture {
   int width = 0;             ///< = height
   std::vector<float> sky;    ///< under the sky alone

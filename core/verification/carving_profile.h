@@ -10,6 +10,9 @@
 
 namespace qrelief {
 
+/// A code is raised or carved if it is so by more than this, mm: less is the grain of a model.
+inline constexpr double kFlatMm = 0.02;
+
 /// How a symbol may lie in the place where it is looked for.
 enum class SymbolPose : std::uint8_t { AsWanted, Turned90, Turned180, Turned270, Mirrored, None };
 

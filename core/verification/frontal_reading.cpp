@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "verification/reader_view.h"
 #include "verification/reading_variants.h"
 #include "verification/resample.h"
 
@@ -10,7 +11,6 @@ namespace qrelief {
 namespace {
 
 constexpr double kNoise = 0.02;
-constexpr double kStrayLight = 0.05;
 
 }  // namespace
 

@@ -15,8 +15,6 @@ namespace {
 
 constexpr int kEstimates = 8;
 
-double wrapped(double x) { return x - std::floor(x); }
-
 struct Sums {
   double sky = 0, direct = 0, irradiance = 0;
 };

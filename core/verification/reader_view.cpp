@@ -6,13 +6,13 @@
 
 #include "base/random.h"
 #include "render/luminance_pass.h"
+#include "verification/baked_light.h"
 
 namespace qrelief {
 namespace {
 
 constexpr int kHorizonSamples = 64;
 constexpr double kEveryBorderTexels = 8;
-constexpr double kBackground = 0.35;  // luminance of what is not the model
 
 /// Of a square picture.
 std::vector<double> gaussianBlur(const std::vector<double>& image, int width, double sigma) {
@@ -112,7 +112,7 @@ Result<ReaderView> renderReaderView(const GeometryPass& pass, const GpuMesh& mes
   std::vector<float> luminance = luminancePass->readLuminance();
   const std::vector<float> surface = maps->framebuffer.readRgba(0);
   for (std::size_t i = 0; i < luminance.size(); ++i)
-    if (surface[4 * i + 2] <= 0) luminance[i] = static_cast<float>(kBackground);
+    if (surface[4 * i + 2] <= 0) luminance[i] = kBackground;
 
   ReaderView view;
   view.clean = photograph(luminance, options.texels);

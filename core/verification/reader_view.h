@@ -28,6 +28,9 @@ struct ReaderView {
   std::vector<float> luminance;  ///< linear, of the same width, row 0 at the bottom: what pictures are made of
 };
 
+/// Share of light that a phone's lens scatters over the picture.
+inline constexpr double kStrayLight = 0.05;
+
 struct ReaderViewOptions {
   double extentMm = 50;  ///< edge of the square on the QR plane that fills the picture
   int texels = 560;      ///< along its edge
@@ -37,7 +40,7 @@ struct ReaderViewOptions {
   std::vector<DirectionalLight> lights = {};  ///< beside the uniform sky, at most kMaxLights
   double blurPx = 1.0;                        ///< standard deviation, at 700 texels; scales with the size
   double noise = 0.02;                        ///< standard deviation at white, linear
-  double strayLight = 0.05;                   ///< share of light scattered in the lens
+  double strayLight = kStrayLight;            ///< share of light scattered in the lens
 };
 
 /// Renders the mesh itself (not the map that the depth search worked on), so that what the embedding made is what is

@@ -9,6 +9,7 @@
 
 #include "qr/module_pattern.h"
 #include "qr/symbol.h"
+#include "verification/reader_view.h"
 #include "verification/reading_variants.h"
 #include "verification/resample.h"
 #include "verification/view_trials.h"
@@ -16,7 +17,6 @@
 namespace qrelief {
 namespace {
 
-constexpr double kStrayLight = 0.05;
 constexpr double kPhoneBlurPx = 0.6;
 constexpr std::array kBlurs = {0.1, 0.2, 0.3, 0.4, 0.5};
 

@@ -25,6 +25,7 @@
 #include "study/methods/by_engine.h"
 #include "study/workshop.h"
 #include "verification/baked_light.h"
+#include "verification/reader_view.h"
 #include "verification/reading_sweep.h"
 #include "verification/resample.h"
 
@@ -35,7 +36,6 @@ using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
 constexpr int kPicturesOfASurface = 10, kPaths = 8;
-constexpr double kStrayLight = 0.05;
 
 /// Edge of a picture in modules: symbol and most of the quiet zone fit in at every roll that is drawn.
 int edgeModules(int modules) { return modules + 16; }

@@ -9,7 +9,7 @@ namespace qrelief {
 namespace {
 
 Result<int> half(int n) {
-  if (n % 2 != 0) return fail(ErrorKind::BadInput, message("text-no-utf8", with::count("byte", n)));
+  if (n % 2 != 0) return badInput(message("text-no-utf8", with::count("byte", n)));
   return n / 2;
 }
 

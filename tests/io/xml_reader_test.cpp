@@ -28,7 +28,7 @@ class Recorder : public XmlHandler {
     events.push_back("<" + std::string(element.space) + "|" + std::string(element.name) + " " +
                      std::string(element.attribute("a").value_or("-")) + " " +
                      std::string(element.attribute("urn:p", "a").value_or("-")));
-    if (element.name == refuse) return fail(ErrorKind::BadInput, message("3mf-two-objects"));
+    if (element.name == refuse) return badInput(message("3mf-two-objects"));
     if (element.name == throwAt) throw std::runtime_error("thrown");
     return {};
   }
