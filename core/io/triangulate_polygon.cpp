@@ -1,15 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/triangulate_polygon.h"
 
+#include <algorithm>
 #include <cmath>
+#include <compare>
+#include <functional>
+#include <queue>
+#include <utility>
 
 #include "math/tolerance.h"
 
 namespace qrelief {
 namespace {
 
-/// Corner tests before ear clipping gives up, about a second: only hostile outlines get there.
-constexpr std::size_t kMaxTests = 200'000'000;
+/// Nodes and corners that ear clipping looks at before it gives up. A spiral of a million corners takes 530 a corner;
+/// only a million spikes on one spot take more. The second pair holds once an outline has turned out not to be simple.
+constexpr std::size_t kMinTests = 100'000'000, kTestsPerCorner = 1000;
+constexpr std::size_t kMinCrossedTests = 1'000'000, kTestsPerCrossedCorner = 50;
+
+/// Larger outlines are clipped even if a fan is valid: all its triangles would lie at its apex, and whatever looks at
+/// triangles near each other would look at all pairs of them.
+constexpr std::size_t kMaxFan = 1000;
 
 Vec3 newellNormal(std::span<const Vec3> corners) {
   // About the first corner: far-away polygons would lose the area to cancellation.
@@ -32,9 +43,9 @@ std::vector<Vec2> flattened(std::span<const Vec3> corners, Vec3 normal) {
   return flat;
 }
 
-/// A left turn at b that is more than rounding.
-bool turnsLeft(Vec2 a, Vec2 b, Vec2 c) {
-  return cross2(b - a, c - b) > kStraightSine * glm::length(b - a) * glm::length(c - b);
+/// A left turn at b whose sine is more than `straightSine`.
+bool turnsLeft(Vec2 a, Vec2 b, Vec2 c, double straightSine = kStraightSine) {
+  return cross2(b - a, c - b) > straightSine * glm::length(b - a) * glm::length(c - b);
 }
 
 /// Fan about corner `apex`, if all its triangles have area and the right sense. Such triangles cover a simple outline
@@ -59,73 +70,221 @@ bool blocks(Vec2 p, Vec2 a, Vec2 b, Vec2 c) {
   return cross2(b - a, p - a) >= 0 && cross2(c - b, p - b) >= 0 && cross2(a - c, p - c) >= 0;
 }
 
-/// Ear clipping on a ring of corners.
+/// The reflex corners of an outline in a tree of boxes. A node is halved at the outline's middle or across its box,
+/// whichever gives the smaller boxes: the one suits long thin spikes side by side, the other all else. It knows how
+/// many of its corners are left.
+class ReflexTree {
+ public:
+  ReflexTree(std::span<const Vec2> flat, std::vector<std::uint32_t> reflex) : flat_(flat), order_(std::move(reflex)) {
+    if (order_.empty()) return;
+    leafOf_.assign(flat.size(), 0);
+    std::size_t leaves = 1;
+    while (leaves * kLeafSize < order_.size()) leaves *= 2;
+    nodes_.resize(2 * leaves);
+    build(1, 0, order_.size());
+  }
+
+  void remove(std::uint32_t corner) {
+    if (leafOf_.empty() || leafOf_[corner] == 0) return;
+    for (std::size_t node = std::exchange(leafOf_[corner], 0); node > 0; node /= 2) --nodes_[node].left;
+  }
+
+  /// Whether a reflex corner that is left lies in the counter-clockwise triangle or on its border.
+  /// @param tests  grows with the nodes and corners looked at
+  bool anyIn(Vec2 a, Vec2 b, Vec2 c, std::size_t& tests) const {
+    if (order_.empty()) return false;
+    std::array<std::size_t, 64> waiting;  // at most 32 levels, and one node waits on each
+    std::size_t count = 0;
+    waiting[count++] = 1;
+    while (count > 0) {
+      const std::size_t index = waiting[--count];
+      const Node& node = nodes_[index];
+      ++tests;
+      if (node.left == 0 || isOutside(node.box, a, b, c)) continue;
+      if (2 * index < nodes_.size()) {
+        waiting[count++] = 2 * index + 1;
+        waiting[count++] = 2 * index;
+        continue;
+      }
+      tests += node.end - node.begin;
+      for (std::size_t i = node.begin; i < node.end; ++i)
+        if (leafOf_[order_[i]] != 0 && blocks(flat_[order_[i]], a, b, c)) return true;
+    }
+    return false;
+  }
+
+ private:
+  static constexpr std::size_t kLeafSize = 8;
+
+  struct Box {
+    Vec2 min, max;
+
+    Vec2 size() const { return max - min; }
+    double area() const { return size().x * size().y; }
+  };
+
+  struct Node {
+    std::size_t begin, end, left;
+    Box box;
+  };
+
+  void build(std::size_t index, std::size_t begin, std::size_t end) {
+    nodes_[index] = {begin, end, end - begin, boxOf(begin, end)};
+    if (2 * index >= nodes_.size()) {
+      for (std::size_t i = begin; i < end; ++i) leafOf_[order_[i]] = static_cast<std::uint32_t>(index);
+      return;
+    }
+    const std::size_t middle = begin + (end - begin) / 2;
+    const auto at = [&](std::size_t i) { return order_.begin() + static_cast<std::ptrdiff_t>(i); };
+    const Vec2 size = nodes_[index].box.size();
+    const int axis = size.x >= size.y ? 0 : 1;
+    std::nth_element(at(begin), at(middle), at(end));
+    if (boxOf(begin, middle).area() + boxOf(middle, end).area() > size.x * size.y)
+      std::nth_element(at(begin), at(middle), at(end), [&](std::uint32_t i, std::uint32_t j) {
+        return std::pair(flat_[i][axis], i) < std::pair(flat_[j][axis], j);
+      });
+    build(2 * index, begin, middle);
+    build(2 * index + 1, middle, end);
+  }
+
+  Box boxOf(std::size_t begin, std::size_t end) const {
+    Box box{flat_[order_[begin]], flat_[order_[begin]]};
+    for (std::size_t i = begin; i < end; ++i) {
+      box.min = glm::min(box.min, flat_[order_[i]]);
+      box.max = glm::max(box.max, flat_[order_[i]]);
+    }
+    return box;
+  }
+
+  /// Whether the node's box lies beyond one edge. Rounding keeps the order of values, so the box's farthest corner
+  /// answers for all that is in it.
+  static bool isOutside(const Box& box, Vec2 a, Vec2 b, Vec2 c) {
+    const auto beyond = [&box](Vec2 from, Vec2 to) {
+      const Vec2 along = to - from;
+      const Vec2 farthest(along.y > 0 ? box.min.x : box.max.x, along.x > 0 ? box.max.y : box.min.y);
+      return cross2(along, farthest - from) < 0;
+    };
+    return beyond(a, b) || beyond(b, c) || beyond(c, a);
+  }
+
+  std::span<const Vec2> flat_;
+  std::vector<std::uint32_t> order_;   // reflex corners, those of a node side by side
+  std::vector<std::uint32_t> leafOf_;  // of each corner of the outline; 0: not in the tree
+  std::vector<Node> nodes_;            // node i has the children 2i and 2i + 1; the root is 1
+};
+
+/// Ear clipping on a ring of corners. A cut can make ears of its two neighbours only, so these alone are looked at
+/// again: a simple outline takes at most three looks a corner.
 class EarClipper {
  public:
-  explicit EarClipper(std::span<const Vec2> flat) : flat_(flat), left_(flat.size()) {
+  explicit EarClipper(std::span<const Vec2> flat)
+      : flat_(flat),
+        left_(flat.size()),
+        maxTests_(kMinTests + kTestsPerCorner * flat.size()),
+        isLarge_(flat.size() > kMaxFan) {
     const auto n = static_cast<std::uint32_t>(flat.size());
     for (std::uint32_t i = 0; i < n; ++i) {
       next_.push_back((i + 1) % n);
       previous_.push_back((i + n - 1) % n);
     }
+    std::vector<std::uint32_t> reflex;
     for (std::uint32_t i = 0; i < n; ++i)
-      if (!turnsLeft(at(previous_[i]), at(i), at(next_[i]))) reflex_.push_back(i);
-    clipped_.assign(n, false);
+      if (!isConvex(i)) reflex.push_back(i);
+    reflex_ = ReflexTree(flat, std::move(reflex));
+    turn_.assign(n, 0);
   }
 
   PolygonTriangles clipAll() {
     PolygonTriangles result;
-    std::uint32_t corner = 0;
-    std::size_t failures = 0;
-    while (left_ > 3 && tests_ < kMaxTests) {
-      const bool stuck = failures >= left_;
-      if (stuck) result.simple = false;
-      if (stuck || isEar(corner)) {
-        corner = clip(corner, result);
-        failures = 0;
-      } else {
-        corner = next_[corner];
-        ++failures;
-      }
+    std::uint32_t corner = 0;  // one that is left
+    while (left_ > 3 && tests_ < maxTests_) {
+      const std::size_t before = left_;
+      lookAtAll(corner);
+      clipEars(corner, result);
+      if (left_ < before || left_ <= 3 || tests_ >= maxTests_) continue;
+      if (std::exchange(straightSine_, 0.0) > 0) continue;  // very acute corners look straight, too
+      if (std::exchange(result.simple, false))
+        maxTests_ = std::min(maxTests_, tests_ + kMinCrossedTests + kTestsPerCrossedCorner * left_);
+      corner = clip(corner, result);
     }
     std::vector<std::uint32_t> rest;
     for (std::size_t i = 0; i < left_; ++i, corner = next_[corner]) rest.push_back(corner);
-    if (rest.size() > 3 || !turnsLeft(at(rest[0]), at(rest[1]), at(rest[2]))) result.simple = false;
+    const auto hasArea = [&](std::size_t k) {
+      return turnsLeft(at(rest[k]), at(rest[(k + 1) % 3]), at(rest[(k + 2) % 3]), straightSine_);
+    };
+    if (rest.size() > 3 || !(hasArea(0) || hasArea(1) || hasArea(2))) result.simple = false;
     appendFan(rest, 0, result.triangles);
+    result.tests = tests_;
     return result;
   }
 
  private:
+  /// A corner that may be an ear. Of a large outline the shortest cuts come first, which keeps the ears small and the
+  /// tree's answers near; of others the first entry.
+  struct Look {
+    double cut;
+    std::uint64_t entry;
+    std::uint32_t corner, turn;
+
+    auto operator<=>(const Look&) const = default;
+  };
+
   Vec2 at(std::uint32_t i) const { return flat_[i]; }
+  bool isConvex(std::uint32_t i) const { return turnsLeft(at(previous_[i]), at(i), at(next_[i]), straightSine_); }
 
   bool isEar(std::uint32_t i) {
-    const Vec2 a = at(previous_[i]);
-    const Vec2 b = at(i);
-    const Vec2 c = at(next_[i]);
-    if (!turnsLeft(a, b, c)) return false;
-    tests_ += reflex_.size();
-    for (const std::uint32_t r : reflex_)
-      if (!clipped_[r] && blocks(at(r), a, b, c)) return false;
-    return true;
+    ++tests_;
+    return isConvex(i) && !reflex_.anyIn(at(previous_[i]), at(i), at(next_[i]), tests_);
   }
 
-  /// Cuts the corner off and moves two on, so that the cuts are spread over the outline.
+  void lookAt(std::uint32_t i) {
+    const double cut = isLarge_ ? glm::distance(at(previous_[i]), at(next_[i])) : 0;
+    queue_.push({cut, entries_++, i, ++turn_[i]});
+  }
+
+  void lookAtAll(std::uint32_t from) {
+    queue_ = {};
+    for (std::size_t i = 0; i < left_; ++i, from = next_[from]) lookAt(from);
+  }
+
+  /// @param corner  becomes one that is left
+  void clipEars(std::uint32_t& corner, PolygonTriangles& result) {
+    for (; !queue_.empty() && left_ > 3 && tests_ < maxTests_;) {
+      const auto [cut, entry, i, turn] = queue_.top();
+      queue_.pop();
+      if (turn != turn_[i] || !isEar(i)) continue;  // it was clipped, or waits farther behind
+      corner = clip(i, result);
+    }
+  }
+
+  /// Cuts the corner off. Its neighbours go to the end of the queue, so that the cuts are spread over the outline.
+  /// @returns the corner after the next
   std::uint32_t clip(std::uint32_t i, PolygonTriangles& result) {
     const std::uint32_t before = previous_[i];
     const std::uint32_t after = next_[i];
     result.triangles.push_back({before, i, after});
     next_[before] = after;
     previous_[after] = before;
-    clipped_[i] = true;
+    ++turn_[i];
+    reflex_.remove(i);
     --left_;
+    for (const std::uint32_t neighbour : {before, after}) {
+      if (isConvex(neighbour)) reflex_.remove(neighbour);
+      lookAt(neighbour);
+    }
     return next_[after];
   }
 
   std::span<const Vec2> flat_;
-  std::vector<std::uint32_t> next_, previous_;
-  std::vector<std::uint32_t> reflex_;  // a convex corner never becomes reflex, so this list only goes stale
-  std::vector<bool> clipped_;
   std::size_t left_;
+  std::size_t maxTests_;
+  bool isLarge_;
+  double straightSine_ = kStraightSine;
+  std::vector<std::uint32_t> next_, previous_;
+  ReflexTree reflex_{{}, {}};  // a convex corner never becomes reflex
+  std::priority_queue<Look, std::vector<Look>, std::greater<>> queue_;
+  std::vector<std::uint32_t> turn_;  // of a corner's last entry; others do not count
+  std::uint64_t entries_ = 0;
   std::size_t tests_ = 0;
 };
 
@@ -143,7 +302,7 @@ PolygonTriangles triangulatePolygon(std::span<const Vec3> corners) {
     return result;
   }
   const std::vector<Vec2> flat = flattened(corners, sum / length);
-  const bool first = fanIsValid(flat, 0);
+  const bool first = corners.size() <= kMaxFan && fanIsValid(flat, 0);
   const bool second = corners.size() == 4 && fanIsValid(flat, 1);
   if (first || second) {
     const bool secondIsShorter =
