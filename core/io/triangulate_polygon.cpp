@@ -18,9 +18,8 @@ namespace {
 constexpr std::size_t kMinTests = 100'000'000, kTestsPerCorner = 1000;
 constexpr std::size_t kMinCrossedTests = 1'000'000, kTestsPerCrossedCorner = 50;
 
-/// Larger outlines are clipped even if a fan is valid: all its triangles would lie at its apex, and whatever looks at
-/// triangles near each other would look at all pairs of them.
-constexpr std::size_t kMaxFan = 1000;
+/// Of outlines with more corners the shortest cuts are made first: see EarClipper::Look.
+constexpr std::size_t kLargeOutline = 1000;
 
 Vec3 newellNormal(std::span<const Vec3> corners) {
   // About the first corner: far-away polygons would lose the area to cancellation.
@@ -181,7 +180,7 @@ class EarClipper {
       : flat_(flat),
         left_(flat.size()),
         maxTests_(kMinTests + kTestsPerCorner * flat.size()),
-        isLarge_(flat.size() > kMaxFan) {
+        isLarge_(flat.size() > kLargeOutline) {
     const auto n = static_cast<std::uint32_t>(flat.size());
     for (std::uint32_t i = 0; i < n; ++i) {
       next_.push_back((i + 1) % n);
@@ -302,7 +301,7 @@ PolygonTriangles triangulatePolygon(std::span<const Vec3> corners) {
     return result;
   }
   const std::vector<Vec2> flat = flattened(corners, sum / length);
-  const bool first = corners.size() <= kMaxFan && fanIsValid(flat, 0);
+  const bool first = fanIsValid(flat, 0);
   const bool second = corners.size() == 4 && fanIsValid(flat, 1);
   if (first || second) {
     const bool secondIsShorter =

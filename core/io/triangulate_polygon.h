@@ -19,9 +19,8 @@ struct PolygonTriangles {
 
 /// Triangulates a polygon in its own plane (Newell's normal): a fan where that is valid (of a quadrilateral's two the
 /// one with the shorter diagonal), else ear clipping [Meisters 1975] with the reflex corners in a tree of boxes.
-/// Polygons of more than a thousand corners are always clipped. Concave corners, straight corners and holes that are
-/// joined to the outline by a doubled edge are fine. The triangles always span the same closed outline, so neighbouring
-/// polygons stay joined even where one is not simple.
+/// Concave corners, straight corners and holes that are joined to the outline by a doubled edge are fine. The triangles
+/// always span the same closed outline, so neighbouring polygons stay joined even where one is not simple.
 ///
 /// Cost: O(n) for a fan, O(n log n) for ear clipping as a rule; never more than a fixed number of tests a corner, after
 /// which the rest is fanned and `simple` is false.
