@@ -39,6 +39,13 @@ std::vector<KeyedIndex> alongCurve(std::span<const FloatBox> boxes) {
   return order;
 }
 
+std::vector<FloatBox> boxesOf(const Mesh& mesh, std::span<const std::uint32_t> triangles) {
+  std::vector<FloatBox> boxes;
+  boxes.reserve(triangles.size());
+  for (const std::uint32_t t : triangles) boxes.push_back(boxOfTriangle(mesh, mesh.triangles[t]));
+  return boxes;
+}
+
 }  // namespace
 
 FloatBox boxOfTriangle(const Mesh& mesh, const Triangle& t) {
@@ -48,14 +55,14 @@ FloatBox boxOfTriangle(const Mesh& mesh, const Triangle& t) {
   return {glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c))};
 }
 
-BoxTree::BoxTree(const Mesh& mesh, std::span<const std::uint32_t> triangles) {
-  std::vector<FloatBox> boxes;
-  boxes.reserve(triangles.size());
-  for (const std::uint32_t t : triangles) boxes.push_back(boxOfTriangle(mesh, mesh.triangles[t]));
-  triangles_.reserve(triangles.size());
-  boxes_.reserve(triangles.size());
+BoxTree::BoxTree(const Mesh& mesh, std::span<const std::uint32_t> triangles)
+    : BoxTree(triangles, boxesOf(mesh, triangles)) {}
+
+BoxTree::BoxTree(std::span<const std::uint32_t> items, std::span<const FloatBox> boxes) {
+  triangles_.reserve(items.size());
+  boxes_.reserve(items.size());
   for (const KeyedIndex& item : alongCurve(boxes)) {
-    triangles_.push_back(triangles[item.index]);
+    triangles_.push_back(items[item.index]);
     boxes_.push_back(boxes[item.index]);
   }
 

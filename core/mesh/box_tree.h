@@ -32,6 +32,10 @@ class BoxTree {
   /// @param triangles  no two the same
   BoxTree(const Mesh& mesh, std::span<const std::uint32_t> triangles);
 
+  /// Of anything else that has boxes.
+  /// @param items  a number for each box, no two the same; a leaf's triangles are these
+  BoxTree(std::span<const std::uint32_t> items, std::span<const FloatBox> boxes);
+
   /// Box of all; meaningful if there is a leaf.
   const FloatBox& bounds() const { return nodes_.back(); }
 

@@ -2,6 +2,7 @@
 #include "mesh/fill_holes.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <optional>
 #include <tuple>
@@ -46,20 +47,19 @@ std::vector<HoleEdge> holeEdges(const Mesh& mesh, const EdgeTable& edges) {
 std::vector<Hole> findHoles(std::size_t vertexCount, const std::vector<HoleEdge>& edges) {
   constexpr std::size_t kOff = std::numeric_limits<std::size_t>::max();
   std::vector<Hole> holes;
-  std::vector<char> used(edges.size(), 0);
   std::vector<std::size_t> placeOnPath(vertexCount, kOff);
-  const auto unusedFrom = [&](std::uint32_t vertex) {
-    auto e = std::lower_bound(edges.begin(), edges.end(), vertex,
-                              [](const HoleEdge& edge, std::uint32_t v) { return edge.from < v; });
-    while (e != edges.end() && e->from == vertex && used[static_cast<std::size_t>(e - edges.begin())]) ++e;
-    return e != edges.end() && e->from == vertex ? static_cast<std::size_t>(e - edges.begin()) : kOff;
+  std::vector<std::size_t> nextFrom(vertexCount, kOff);  // the first edge from a vertex that was not used yet
+  for (std::size_t e = edges.size(); e-- > 0;) nextFrom[edges[e].from] = e;
+  const auto takeFrom = [&](std::uint32_t vertex) {
+    const std::size_t e = nextFrom[vertex];
+    if (e != kOff) nextFrom[vertex] = e + 1 < edges.size() && edges[e + 1].from == vertex ? e + 1 : kOff;
+    return e;
   };
   for (const HoleEdge& first : edges) {
     std::vector<std::uint32_t> path{first.from};
     std::vector<std::uint32_t> beside;
     placeOnPath[first.from] = 0;
-    for (std::size_t e = unusedFrom(path.back()); e != kOff; e = unusedFrom(path.back())) {
-      used[e] = 1;
+    for (std::size_t e = takeFrom(path.back()); e != kOff; e = takeFrom(path.back())) {
       beside.push_back(edges[e].triangle);
       const std::size_t place = placeOnPath[edges[e].to];
       if (place == kOff) {
@@ -91,10 +91,33 @@ double diameterOf(const Mesh& mesh, const Hole& hole) {
   return diameter;
 }
 
+/// Edges between corners of holes, by their lower vertex and then by the higher one.
+using NeighbourList = std::vector<std::array<std::uint32_t, 2>>;
+
+bool canBeFilled(const Mesh& mesh, const Hole& hole, double maxDiameterMm) {
+  return hole.corners.size() <= kMaxHoleEdges && diameterOf(mesh, hole) <= maxDiameterMm;
+}
+
+NeighbourList neighboursOnHoles(const Mesh& mesh, const EdgeTable& edges, std::span<const Hole> holes,
+                                double maxDiameterMm) {
+  std::vector<char> onHole(mesh.positions.size(), 0);
+  for (const Hole& hole : holes)
+    if (canBeFilled(mesh, hole, maxDiameterMm))
+      for (const std::uint32_t v : hole.corners) onHole[v] = 1;
+  NeighbourList neighbours;
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const std::uint32_t h = edges.at(e)[0];
+    const std::uint32_t a = mesh.triangles[h / 3][h % 3], b = mesh.triangles[h / 3][(h + 1) % 3];
+    if (onHole[a] && onHole[b]) neighbours.push_back({std::min(a, b), std::max(a, b)});
+  }
+  std::sort(neighbours.begin(), neighbours.end());
+  return neighbours;
+}
+
 /// Best triangulations of all runs of a hole's corners, from the short ones to the whole.
 class PatchSearch {
  public:
-  PatchSearch(const Mesh& mesh, const EdgeTable& edges, const Hole& hole)
+  PatchSearch(const Mesh& mesh, const NeighbourList& neighbours, const Hole& hole)
       : mesh_(mesh), hole_(hole), n_(hole.corners.size()), runs_(n_ * n_), isEdge_(n_ * n_, 0) {
     std::vector<std::pair<std::uint32_t, std::size_t>> places;
     for (std::size_t i = 0; i < n_; ++i) places.emplace_back(hole.corners[i], i);
@@ -103,13 +126,12 @@ class PatchSearch {
       const auto found = std::lower_bound(places.begin(), places.end(), std::pair(vertex, std::size_t{0}));
       return found != places.end() && found->first == vertex ? found->second : n_;
     };
-    for (std::size_t e = 0; e < edges.size(); ++e) {
-      const std::uint32_t h = edges.at(e)[0];
-      const std::size_t i = placeOf(mesh.triangles[h / 3][h % 3]);
-      if (i == n_) continue;
-      const std::size_t j = placeOf(mesh.triangles[h / 3][(h + 1) % 3]);
-      if (j < n_) isEdge_[std::min(i, j) * n_ + std::max(i, j)] = 1;
-    }
+    for (const auto& [vertex, i] : places)
+      for (auto edge = std::lower_bound(neighbours.begin(), neighbours.end(), std::array{vertex, std::uint32_t{0}});
+           edge != neighbours.end() && (*edge)[0] == vertex; ++edge) {
+        const std::size_t j = placeOf((*edge)[1]);
+        if (j < n_) isEdge_[std::min(i, j) * n_ + std::max(i, j)] = 1;
+      }
   }
 
   std::optional<std::vector<Triangle>> find() {
@@ -200,6 +222,7 @@ Result<std::vector<char>> findBadPatches(const Mesh& mesh, const std::vector<Pat
   };
   constexpr std::size_t kMaxCrossings = 100'000;
   const auto crossings = findSelfIntersections(filled, added, kMaxCrossings);
+  if (!crossings && crossings.error().kind == ErrorKind::NoSolution) return std::vector<char>(patches.size(), 1);
   if (!crossings) return tl::unexpected(crossings.error());
   if (crossings->size() == kMaxCrossings) return std::vector<char>(patches.size(), 1);
   for (const TrianglePair& pair : *crossings)
@@ -218,13 +241,14 @@ Result<HoleFilling> fillHoles(Mesh& mesh, double maxDiameterMm) {
   const EdgeTable edges = buildEdgeTable(mesh.triangles);
   const std::vector<Hole> holes = findHoles(mesh.positions.size(), holeEdges(mesh, edges));
   if (holes.size() > kMaxHoles) return result;
+  const NeighbourList neighbours = neighboursOnHoles(mesh, edges, holes, maxDiameterMm);
   std::vector<Patch> patches;
   const auto block = [&](std::uint32_t vertex) {
     if (result.blocked++ == 0) result.blockedAt = Vec3(mesh.positions[vertex]);
   };
   for (const Hole& hole : holes) {
     const double diameter = diameterOf(mesh, hole);
-    if (diameter > maxDiameterMm || hole.corners.size() > kMaxHoleEdges) {
+    if (!canBeFilled(mesh, hole, maxDiameterMm)) {
       ++result.tooLarge;
       if (diameter > result.largestLeftMm) {
         result.largestLeftMm = diameter;
@@ -233,7 +257,7 @@ Result<HoleFilling> fillHoles(Mesh& mesh, double maxDiameterMm) {
       }
       continue;
     }
-    auto triangles = hole.corners.size() < 3 ? std::nullopt : PatchSearch(mesh, edges, hole).find();
+    auto triangles = hole.corners.size() < 3 ? std::nullopt : PatchSearch(mesh, neighbours, hole).find();
     if (triangles)
       patches.push_back({std::move(*triangles), hole.triangles[0], diameter});
     else

@@ -14,13 +14,13 @@ OpenBorder::Found OpenBorder::find(const Mesh& mesh) {
     const std::uint32_t halfEdge = edges.at(e)[0];
     const Triangle& t = mesh.triangles[halfEdge / 3];
     found.halfEdges.push_back(halfEdge);
-    found.triangles.push_back(halfEdge / 3);
-    found.vertices.insert(found.vertices.end(), {t[halfEdge % 3], t[(halfEdge + 1) % 3]});
+    const std::uint32_t from = t[halfEdge % 3], to = t[(halfEdge + 1) % 3];
+    found.vertices.insert(found.vertices.end(), {from, to});
+    const Vec3f a = mesh.positions[from], b = mesh.positions[to];
+    found.boxes.push_back({glm::min(a, b), glm::max(a, b)});
   }
-  for (std::vector<std::uint32_t>* list : {&found.vertices, &found.triangles}) {
-    std::sort(list->begin(), list->end());
-    list->erase(std::unique(list->begin(), list->end()), list->end());
-  }
+  std::sort(found.vertices.begin(), found.vertices.end());
+  found.vertices.erase(std::unique(found.vertices.begin(), found.vertices.end()), found.vertices.end());
   return found;
 }
 
@@ -30,12 +30,12 @@ OpenBorder::OpenBorder(const Mesh& mesh, Found found)
     : halfEdges_(std::move(found.halfEdges)),
       vertices_(std::move(found.vertices)),
       isOpen_(mesh.positions.size(), 0),
-      tree_(mesh, found.triangles) {
+      tree_(halfEdges_, found.boxes) {
   for (const std::uint32_t v : vertices_) isOpen_[v] = 1;
 }
 
-void OpenBorder::findNear(Vec3 point, double reach, std::vector<std::uint32_t>& triangles) const {
-  triangles.clear();
+std::size_t OpenBorder::findNear(Vec3 point, double reach, std::vector<std::uint32_t>& halfEdges) const {
+  halfEdges.clear();
   // A little more than asked for, so that rounding to floats loses nothing.
   const Vec3 margin = reach + 1e-6 * (glm::abs(point) + reach);
   const FloatBox box{Vec3f(point - margin), Vec3f(point + margin)};
@@ -43,7 +43,8 @@ void OpenBorder::findNear(Vec3 point, double reach, std::vector<std::uint32_t>& 
   tree_.findLeaves(box, 0, leaves);
   for (const std::uint32_t leaf : leaves)
     for (std::size_t i = 0; i < tree_.trianglesIn(leaf).size(); ++i)
-      if (tree_.boxesIn(leaf)[i].overlaps(box)) triangles.push_back(tree_.trianglesIn(leaf)[i]);
+      if (tree_.boxesIn(leaf)[i].overlaps(box)) halfEdges.push_back(tree_.trianglesIn(leaf)[i]);
+  return BoxTree::kLeafSize * leaves.size();
 }
 
 }  // namespace qrelief

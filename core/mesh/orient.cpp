@@ -90,7 +90,8 @@ Outwardness orientOutwards(Mesh& mesh, Adjacency& adjacency, const Consistency& 
   const Shells& shells = consistency.shells;
   const std::vector<char> closed = closedShells(adjacency, shells);
   const std::vector<double> volumes = sixfoldVolumes(mesh, shells);
-  const auto enclosing = enclosingShells(mesh, shells, closed);
+  const ShellNesting nesting = enclosingShells(mesh, shells, closed);
+  const std::vector<std::vector<std::uint32_t>>& enclosing = nesting.enclosing;
 
   std::vector<char> wrong(shells.count, 0);  // by the number of shells around it
   for (std::size_t s = 0; s < shells.count; ++s)
@@ -103,6 +104,7 @@ Outwardness orientOutwards(Mesh& mesh, Adjacency& adjacency, const Consistency& 
   }
 
   Outwardness result;
+  result.nestingKnown = nesting.known;
   std::vector<char> seen(shells.count, 0);
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     const std::uint32_t s = shells.of[t];

@@ -33,6 +33,7 @@ struct Outwardness {
   std::size_t insideOut = 0;     ///< turned round
   std::size_t cavities = 0;      ///< closed shells inside others that face inwards
   std::size_t nestedSolids = 0;  ///< closed shells inside others that face outwards as those do; left as they are
+  bool nestingKnown = true;      ///< false: there was too much to look at, every shell counts as in no other
   std::optional<std::uint32_t> insideOutExample, cavityExample, nestedExample;  ///< a triangle of each
 };
 

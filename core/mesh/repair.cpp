@@ -57,6 +57,7 @@ void closeSeams(Repaired& r, std::span<const std::uint32_t> partOfTriangle, cons
   if (options.weldNear) {
     Mesh welded = r.mesh;
     const NearWelding welding = weldNear(welded, r.toleranceMm, partsNow(r, partOfTriangle));
+    r.seamsCutShort |= welding.cutShort;
     const Cleaning cleaning = welding.moved > 0 ? cleanTriangles(welded) : Cleaning{};
     EdgeTable after = buildEdgeTable(welded.triangles);
     if (welding.moved > 0 && countEdges(after, false) <= nonManifold) {
@@ -70,6 +71,7 @@ void closeSeams(Repaired& r, std::span<const std::uint32_t> partOfTriangle, cons
   if (options.splitTJunctions && countEdges(edges, true) > 0) {
     Mesh split = r.mesh;
     TJunctionSplit splitting = splitAtTJunctions(split, r.toleranceMm);
+    r.seamsCutShort |= splitting.cutShort;
     EdgeTable after = buildEdgeTable(split.triangles);
     if (splitting.vertices > 0 && countEdges(after, false) <= nonManifold) {
       r.mesh = std::move(split);
@@ -103,8 +105,10 @@ Status closeHoles(Repaired& r, EdgeTable& edges) {
 Result<Untangling> countCrossings(const Mesh& mesh) {
   constexpr std::size_t kMaxCounted = 1000;
   const auto pairs = findSelfIntersections(mesh, {}, kMaxCounted);
-  if (!pairs) return tl::unexpected(pairs.error());
   Untangling result;
+  result.tooCrowded = !pairs && pairs.error().kind == ErrorKind::NoSolution;
+  if (result.tooCrowded) return result;
+  if (!pairs) return tl::unexpected(pairs.error());
   result.pairs = pairs->size();
   result.atLeast = pairs->size() == kMaxCounted;
   if (!pairs->empty()) result.at = mesh.corner(pairs->front()[0], 0);

@@ -44,6 +44,7 @@ struct Repaired {
   Cleaning cleaning;
   NearWelding welding;
   TJunctionSplit split;
+  bool seamsCutShort = false;  ///< open edges lie in such heaps that not all of them were compared
   HoleFilling filling;
   Consistency consistency;
   Outwardness outwardness;

@@ -33,6 +33,7 @@ void reportSeams(const Repaired& repaired, FindingList& findings) {
   if (const TJunctionSplit& split = repaired.split; split.vertices > 0)
     findings.warn(message("t-junctions", with::count("count", split.vertices),
                           with::place("at", findings.inFile(split.at)), with::lengthMm("gap", split.largestGapMm)));
+  if (repaired.seamsCutShort) findings.warn(message("seams-too-crowded"));
 }
 
 void reportFilling(const Repaired& repaired, FindingList& findings) {
@@ -111,6 +112,8 @@ void reportOrientation(const Repaired& repaired, bool allowed, FindingList& find
   if (outwardness.cavities > 0)
     findings.note(message("cavities", with::count("count", outwardness.cavities),
                           with::place("at", placeOf(*outwardness.cavityExample))));
+  if (!outwardness.nestingKnown)
+    findings.note(message("nesting-not-found", with::count("count", consistency.shells.count)));
   if (consistency.shells.count > 1)
     findings.note(message("several-shells", with::count("count", consistency.shells.count)));
 }
@@ -122,6 +125,7 @@ Message crossingPairs(const Untangling& untangling) {
 
 /// Crossing triangles are no reason to refuse: carving away from them works all the same.
 void reportUntangling(const Untangling& untangling, FindingList& findings) {
+  if (untangling.tooCrowded) findings.warn(message("crossings-too-crowded"));
   if (untangling.pairs == 0) return;
   if (untangling.mended)
     findings.warn(message("self-intersections-mended", with::count("count", untangling.pairs),

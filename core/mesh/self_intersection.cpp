@@ -19,6 +19,10 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 constexpr std::size_t kLeavesAPiece = 4096;
 constexpr std::size_t kTrianglesAPiece = 1 << 16;
 
+/// Pairs of boxes looked at, where a pair of triangles that is tested counts as ten: some seconds for a model of few
+/// pieces, then 500 for each triangle of a piece of 4096 leaves. Scans take about 50.
+constexpr std::size_t kMaxLooks = 400'000'000, kMaxLooksAPiece = 8'000'000, kLooksATest = 10;
+
 Kernel::Point_3 pointOf(const Mesh& mesh, std::uint32_t vertex) {
   const Vec3f& p = mesh.positions[vertex];
   return {p.x, p.y, p.z};
@@ -104,18 +108,23 @@ bool meet(const Mesh& mesh, const Triangle& first, const Triangle& second) {
 /// Pairs in the order they are found in, up to a limit.
 class PairList {
  public:
-  PairList(const Mesh& mesh, std::size_t limit) : mesh_(mesh), limit_(limit) {}
+  PairList(const Mesh& mesh, std::size_t limit, std::size_t maxLooks)
+      : mesh_(mesh), limit_(limit), maxLooks_(maxLooks) {}
 
+  void look(std::size_t pairs) { looks_ += pairs; }
   void test(std::uint32_t t, std::uint32_t u) {
+    looks_ += kLooksATest;
     if (!full() && meet(mesh_, mesh_.triangles[std::min(t, u)], mesh_.triangles[std::max(t, u)]))
       pairs_.push_back({std::min(t, u), std::max(t, u)});
   }
-  bool full() const { return pairs_.size() >= limit_; }
+  bool full() const { return pairs_.size() >= limit_ || gaveUp(); }
+  bool gaveUp() const { return looks_ > maxLooks_; }
   const std::vector<TrianglePair>& pairs() const { return pairs_; }
 
  private:
   const Mesh& mesh_;
-  std::size_t limit_;
+  std::size_t limit_, maxLooks_;
+  std::size_t looks_ = 0;
   std::vector<TrianglePair> pairs_;
 };
 
@@ -127,6 +136,8 @@ void testAmongLeaves(const BoxTree& tree, std::size_t begin, std::size_t end, Pa
     const auto triangles = tree.trianglesIn(leaf);
     const auto boxes = tree.boxesIn(leaf);
     for (const std::uint32_t other : nearby) {
+      if (list.full()) break;
+      list.look(BoxTree::kLeafSize * BoxTree::kLeafSize);
       const auto others = tree.trianglesIn(other);
       const auto otherBoxes = tree.boxesIn(other);
       for (std::size_t i = 0; i < triangles.size(); ++i)
@@ -144,6 +155,7 @@ void testBystanders(const Mesh& mesh, const BoxTree& tree, std::span<const char>
     const FloatBox box = boxOfTriangle(mesh, mesh.triangles[t]);
     if (isSuspect[t] || !box.overlaps(tree.bounds())) continue;
     tree.findLeaves(box, 0, nearby);
+    list.look(BoxTree::kLeafSize * nearby.size());
     for (const std::uint32_t leaf : nearby) {
       const auto suspects = tree.trianglesIn(leaf);
       const auto boxes = tree.boxesIn(leaf);
@@ -154,7 +166,8 @@ void testBystanders(const Mesh& mesh, const BoxTree& tree, std::span<const char>
 }
 
 /// The work is cut into pieces that depend on the mesh alone; the limit keeps the first pairs of the first pieces.
-std::vector<TrianglePair> findPairs(const Mesh& mesh, std::span<const std::uint32_t> suspects, std::size_t limit) {
+Result<std::vector<TrianglePair>> findPairs(const Mesh& mesh, std::span<const std::uint32_t> suspects,
+                                            std::size_t limit, std::optional<std::size_t> maxLooks) {
   const BoxTree tree(mesh, suspects);
   const bool allSuspect = suspects.size() == mesh.triangles.size();
   std::vector<char> isSuspect(allSuspect ? 0 : mesh.triangles.size(), 0);
@@ -164,7 +177,9 @@ std::vector<TrianglePair> findPairs(const Mesh& mesh, std::span<const std::uint3
   const std::size_t leafPieces = (tree.leafCount() + kLeavesAPiece - 1) / kLeavesAPiece;
   const std::size_t bystanderPieces =
       allSuspect || suspects.empty() ? 0 : (mesh.triangles.size() + kTrianglesAPiece - 1) / kTrianglesAPiece;
-  std::vector<PairList> lists(leafPieces + bystanderPieces, PairList(mesh, limit));
+  const std::size_t pieces = leafPieces + bystanderPieces;
+  const std::size_t looksAPiece = std::max(kMaxLooksAPiece, kMaxLooks / std::max<std::size_t>(pieces, 1));
+  std::vector<PairList> lists(pieces, PairList(mesh, limit, maxLooks.value_or(looksAPiece)));
   parallelFor(lists.size(), [&](std::size_t piece) {
     if (piece < leafPieces) {
       const std::size_t begin = piece * kLeavesAPiece;
@@ -179,6 +194,8 @@ std::vector<TrianglePair> findPairs(const Mesh& mesh, std::span<const std::uint3
 
   std::vector<TrianglePair> pairs;
   for (const PairList& list : lists) pairs.insert(pairs.end(), list.pairs().begin(), list.pairs().end());
+  if (pairs.size() < limit && std::any_of(lists.begin(), lists.end(), [](const PairList& l) { return l.gaveUp(); }))
+    return fail(ErrorKind::NoSolution, message("crossings-too-crowded"));
   if (pairs.size() > limit) pairs.resize(limit);
   std::sort(pairs.begin(), pairs.end());
   return pairs;
@@ -187,11 +204,11 @@ std::vector<TrianglePair> findPairs(const Mesh& mesh, std::span<const std::uint3
 }  // namespace
 
 Result<std::vector<TrianglePair>> findSelfIntersections(const Mesh& mesh, std::span<const std::uint32_t> suspects,
-                                                        std::size_t limit) {
+                                                        std::size_t limit, std::optional<std::size_t> maxLooks) {
   std::vector<std::uint32_t> all(suspects.empty() ? mesh.triangles.size() : 0);
   std::iota(all.begin(), all.end(), 0u);
   try {
-    return findPairs(mesh, suspects.empty() ? all : suspects, limit);
+    return findPairs(mesh, suspects.empty() ? all : suspects, limit, maxLooks);
   } catch (const CGAL::Failure_exception& failure) {
     return fail(ErrorKind::Internal, message("crossing-test-failed", with::term("reason", failure.what())));
   }

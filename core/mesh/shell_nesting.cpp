@@ -48,8 +48,9 @@ Vec3 centroid(const Mesh& mesh, std::uint32_t t) {
   return (mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3.0;
 }
 
-/// Counts the crossings of all queries, ordered by x, with one shell.
-void countCrossings(const Mesh& mesh, const Shell& shell, std::vector<Query>& queries) {
+/// Counts the crossings of all queries, ordered by x, with one shell. @returns pairs looked at
+std::size_t countCrossings(const Mesh& mesh, const Shell& shell, std::vector<Query>& queries) {
+  std::size_t looks = 0;
   for (const std::uint32_t t : shell.triangles) {
     const Vec3 a = mesh.corner(t, 0);
     const Vec3 b = mesh.corner(t, 1);
@@ -57,9 +58,10 @@ void countCrossings(const Mesh& mesh, const Shell& shell, std::vector<Query>& qu
     const double right = std::max({a.x, b.x, c.x});
     auto query = std::lower_bound(queries.begin(), queries.end(), std::min({a.x, b.x, c.x}),
                                   [](const Query& q, double x) { return q.point.x < x; });
-    for (; query != queries.end() && query->point.x <= right; ++query)
+    for (; query != queries.end() && query->point.x <= right; ++query, ++looks)
       query->crossings += crossesAbove(a, b, c, query->point);
   }
+  return looks;
 }
 
 std::vector<Shell> gather(const Mesh& mesh, const Shells& shells, const std::vector<char>& closed) {
@@ -75,11 +77,15 @@ std::vector<Shell> gather(const Mesh& mesh, const Shells& shells, const std::vec
 
 }  // namespace
 
-std::vector<std::vector<std::uint32_t>> enclosingShells(const Mesh& mesh, const Shells& shells,
-                                                        const std::vector<char>& closed) {
-  std::vector<std::vector<std::uint32_t>> enclosing(shells.count);
+ShellNesting enclosingShells(const Mesh& mesh, const Shells& shells, const std::vector<char>& closed,
+                             std::size_t maxCrossings) {
+  ShellNesting nesting;
+  nesting.enclosing.resize(shells.count);
+  const ShellNesting unknown{nesting.enclosing, false};
   const auto closedCount = std::count(closed.begin(), closed.end(), 1);
-  if (closedCount < 2 || closedCount > static_cast<std::ptrdiff_t>(kMaxShells)) return enclosing;
+  if (closedCount < 2) return nesting;
+  if (closedCount > static_cast<std::ptrdiff_t>(kMaxShells)) return unknown;
+  std::size_t looks = 0;
   const std::vector<Shell> gathered = gather(mesh, shells, closed);
   for (std::uint32_t outer = 0; outer < shells.count; ++outer) {
     if (!closed[outer]) continue;
@@ -93,13 +99,14 @@ std::vector<std::vector<std::uint32_t>> enclosingShells(const Mesh& mesh, const 
     if (queries.empty()) continue;
     std::stable_sort(queries.begin(), queries.end(),
                      [](const Query& a, const Query& b) { return a.point.x < b.point.x; });
-    countCrossings(mesh, gathered[outer], queries);
+    looks += countCrossings(mesh, gathered[outer], queries);
+    if (looks > maxCrossings) return unknown;
     std::vector<int> votes(shells.count, 0);
     for (const Query& query : queries) votes[query.shell] += query.crossings & 1;
     for (std::uint32_t inner = 0; inner < shells.count; ++inner)
-      if (2 * votes[inner] > kPointsPerShell) enclosing[inner].push_back(outer);
+      if (2 * votes[inner] > kPointsPerShell) nesting.enclosing[inner].push_back(outer);
   }
-  return enclosing;
+  return nesting;
 }
 
 }  // namespace qrelief

@@ -23,36 +23,38 @@ struct Junction {
 };
 
 /// Junctions at one vertex, on edges whose triangles are no slivers: those would be turned over.
-void addJunctions(const Mesh& mesh, const OpenBorder& border, const std::vector<char>& isOpenEdge, std::uint32_t vertex,
-                  double tolerance, std::vector<std::uint32_t>& nearby, std::vector<Junction>& junctions) {
+void addJunctions(const Mesh& mesh, std::span<const std::uint32_t> nearby, std::uint32_t vertex, double tolerance,
+                  std::vector<Junction>& junctions) {
   const Vec3 p(mesh.positions[vertex]);
-  border.findNear(p, tolerance, nearby);
-  for (const std::uint32_t t : nearby)
-    for (std::uint32_t k = 0; k < 3; ++k) {
-      const Triangle& corners = mesh.triangles[t];
-      if (!isOpenEdge[3 * std::size_t{t} + k] || std::find(corners.begin(), corners.end(), vertex) != corners.end())
-        continue;
-      const Vec3 a = mesh.corner(t, static_cast<int>(k));
-      const Vec3 b = mesh.corner(t, static_cast<int>((k + 1) % 3));
-      const Vec3 c = mesh.corner(t, static_cast<int>((k + 2) % 3));
-      const double length = glm::distance(a, b);
-      const double along = glm::dot(p - a, b - a) / (length * length);
-      const double gap = glm::distance(p, a + (b - a) * along);
-      const double height = glm::length(glm::cross(b - a, c - a)) / length;
-      if (gap <= tolerance && along * length > tolerance && (1 - along) * length > tolerance && height > 2 * tolerance)
-        junctions.push_back({t, k, along, vertex, gap});
-    }
+  for (const std::uint32_t halfEdge : nearby) {
+    const std::uint32_t t = halfEdge / 3, k = halfEdge % 3;
+    const Triangle& corners = mesh.triangles[t];
+    if (std::find(corners.begin(), corners.end(), vertex) != corners.end()) continue;
+    const Vec3 a = mesh.corner(t, static_cast<int>(k));
+    const Vec3 b = mesh.corner(t, static_cast<int>((k + 1) % 3));
+    const Vec3 c = mesh.corner(t, static_cast<int>((k + 2) % 3));
+    const double length = glm::distance(a, b);
+    const double along = glm::dot(p - a, b - a) / (length * length);
+    const double gap = glm::distance(p, a + (b - a) * along);
+    const double height = glm::length(glm::cross(b - a, c - a)) / length;
+    if (gap <= tolerance && along * length > tolerance && (1 - along) * length > tolerance && height > 2 * tolerance)
+      junctions.push_back({t, k, along, vertex, gap});
+  }
 }
 
 /// In the order of triangles, edges and places along these.
-std::vector<Junction> findJunctions(const Mesh& mesh, double tolerance) {
+/// @param cutShort  becomes true if there is too much to look at
+std::vector<Junction> findJunctions(const Mesh& mesh, double tolerance, bool& cutShort) {
   const OpenBorder border(mesh);
-  std::vector<char> isOpenEdge(3 * mesh.triangles.size(), 0);
-  for (const std::uint32_t halfEdge : border.halfEdges()) isOpenEdge[halfEdge] = 1;
   std::vector<Junction> junctions;
   std::vector<std::uint32_t> nearby;
-  for (const std::uint32_t v : border.vertices())
-    addJunctions(mesh, border, isOpenEdge, v, tolerance, nearby, junctions);
+  std::size_t looks = 0;
+  for (const std::uint32_t v : border.vertices()) {
+    looks += border.findNear(Vec3(mesh.positions[v]), tolerance, nearby);
+    addJunctions(mesh, nearby, v, tolerance, junctions);
+    cutShort = looks > border.maxLooks();
+    if (cutShort) break;
+  }
   std::sort(junctions.begin(), junctions.end(), [](const Junction& a, const Junction& b) {
     return std::tie(a.triangle, a.edge, a.along, a.vertex) < std::tie(b.triangle, b.edge, b.along, b.vertex);
   });
@@ -86,12 +88,16 @@ TJunctionSplit splitAtTJunctions(Mesh& mesh, double toleranceMm) {
   result.origin.resize(mesh.triangles.size());
   std::iota(result.origin.begin(), result.origin.end(), 0u);
   Mesh split = mesh;
-  for (int round = 0; round < kMaxRounds; ++round) {
-    const std::vector<Junction> junctions = findJunctions(split, toleranceMm);
+  for (int round = 0; round < kMaxRounds && !result.cutShort; ++round) {
+    const std::vector<Junction> junctions = findJunctions(split, toleranceMm, result.cutShort);
     if (junctions.empty()) break;
     splitOnce(split, junctions, result);
   }
-  if (result.vertices == 0 || OpenBorder(split).halfEdges().size() >= OpenBorder(mesh).halfEdges().size()) return {};
+  if (result.vertices == 0 || OpenBorder(split).halfEdges().size() >= OpenBorder(mesh).halfEdges().size()) {
+    TJunctionSplit nothing;
+    nothing.cutShort = result.cutShort;
+    return nothing;
+  }
   mesh = std::move(split);
   return result;
 }

@@ -13,6 +13,7 @@ struct TJunctionSplit {
   std::size_t vertices = 0;  ///< vertices that lay on an edge without being one of its ends
   double largestGapMm = 0;   ///< how far beside it
   Vec3 at{0};
+  bool cutShort = false;              ///< not all vertices were looked at: too many open edges lie across each other
   std::vector<std::uint32_t> origin;  ///< for each triangle, the one it was part of; empty: nothing was split
 };
 
@@ -27,7 +28,7 @@ struct TJunctionSplit {
 ///
 /// Nothing is moved, and nothing done unless it leaves fewer open edges.
 ///
-/// Cost: O(T) for each round, as many as a triangle has open edges.
+/// Cost: O(T) for each round, as many as a triangle has open edges; bounded for each vertex on an open edge.
 /// @param toleranceMm  how far beside the edge and how near to its ends, ≥ 0
 TJunctionSplit splitAtTJunctions(Mesh& mesh, double toleranceMm);
 

@@ -124,12 +124,17 @@ bool allHaveArea(const Mesh& mesh) {
   });
 }
 
+bool isTooCrowded(const Result<std::vector<TrianglePair>>& pairs) {
+  return !pairs && pairs.error().kind == ErrorKind::NoSolution;
+}
+
 /// Parts the tangle by the shortest move that leaves none of its pairs and makes no other.
 /// @param work  triangles tested so far, in all tries
 /// @returns whether there is such a move
 Result<bool> part(Mesh& mesh, const std::vector<std::uint32_t>& tangle, double reach, std::size_t& work) {
   Surroundings around = surroundingsOf(mesh, tangle, reach);
   auto others = findSelfIntersections(around.mesh);
+  if (isTooCrowded(others)) return false;
   if (!others) return tl::unexpected(others.error());
   const auto ofTangle = [&](const TrianglePair& pair) {
     return usesAny(around.mesh.triangles[pair[0]], around.tangle) ||
@@ -144,6 +149,7 @@ Result<bool> part(Mesh& mesh, const std::vector<std::uint32_t>& tangle, double r
     if (work > kMaxWork) return false;
     const Vec3f from = std::exchange(around.mesh.positions[move.vertex], move.to);
     const auto left = findSelfIntersections(around.mesh);
+    if (isTooCrowded(left)) return false;
     if (!left) return tl::unexpected(left.error());
     if (std::includes(others->begin(), others->end(), left->begin(), left->end()) && allHaveArea(around.mesh)) {
       mesh.positions[around.vertices[move.vertex]] = move.to;
@@ -158,8 +164,10 @@ Result<bool> part(Mesh& mesh, const std::vector<std::uint32_t>& tangle, double r
 
 Result<Untangling> untangle(Mesh& mesh) {
   auto pairs = findSelfIntersections(mesh, {}, kMaxCounted);
-  if (!pairs) return tl::unexpected(pairs.error());
   Untangling result;
+  result.tooCrowded = isTooCrowded(pairs);
+  if (result.tooCrowded) return result;
+  if (!pairs) return tl::unexpected(pairs.error());
   result.pairs = pairs->size();
   result.atLeast = pairs->size() == kMaxCounted;
   if (pairs->empty()) return result;

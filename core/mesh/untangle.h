@@ -8,11 +8,12 @@ namespace qrelief {
 
 /// What became of a mesh's crossing triangles.
 struct Untangling {
-  std::size_t pairs = 0;  ///< how many crossed or touched, as findSelfIntersections counts them (not above its limit)
-  bool atLeast = false;   ///< the count stopped at that limit
-  Vec3 at{0};             ///< a corner of the first pair, before anything was moved
-  bool mended = false;    ///< no pair is left; otherwise the mesh is as it was
-  std::size_t moved = 0;  ///< vertices that lie elsewhere now
+  std::size_t pairs = 0;    ///< how many crossed or touched, as findSelfIntersections counts them (not above its limit)
+  bool atLeast = false;     ///< the count stopped at that limit
+  Vec3 at{0};               ///< a corner of the first pair, before anything was moved
+  bool tooCrowded = false;  ///< not all pairs could be looked at, so nothing was counted or moved
+  bool mended = false;      ///< no pair is left; otherwise the mesh is as it was
+  std::size_t moved = 0;    ///< vertices that lie elsewhere now
   double largestMoveMm = 0;
 };
 

@@ -14,29 +14,34 @@ namespace {
 /// A vertex of a shell of thousands of loose points has as many partners; so many are looked at, then no more.
 constexpr std::size_t kMaxPairs = 20'000'000;
 
+/// Vertices and triangles looked at while clusters are joined, about a second.
+constexpr std::size_t kMaxJoinWork = 200'000'000;
+
 struct Pair {
   double distance;
   std::uint32_t u, v;  // u < v
 };
 
 /// Open vertices of one part within the tolerance of each other; the nearest first, ties by index.
+/// @param cutShort  becomes true if there are too many to find them all
 std::vector<Pair> nearPairs(const Mesh& mesh, const OpenBorder& border, double tolerance,
-                            const std::vector<std::uint32_t>& partOfVertex) {
+                            const std::vector<std::uint32_t>& partOfVertex, bool& cutShort) {
   std::vector<Pair> pairs;
+  std::size_t looks = 0;
   std::vector<std::uint32_t> nearby, partners;
   for (const std::uint32_t u : border.vertices()) {
     const Vec3 p(mesh.positions[u]);
-    border.findNear(p, tolerance, nearby);
+    looks += border.findNear(p, tolerance, nearby);
     partners.clear();
-    for (const std::uint32_t t : nearby)
-      for (const std::uint32_t v : mesh.triangles[t])
-        if (v > u && border.isOpen(v) && partOfVertex[v] == partOfVertex[u] &&
-            glm::distance(Vec3(mesh.positions[v]), p) <= tolerance)
+    for (const std::uint32_t h : nearby)
+      for (const std::uint32_t v : {mesh.triangles[h / 3][h % 3], mesh.triangles[h / 3][(h + 1) % 3]})
+        if (v > u && partOfVertex[v] == partOfVertex[u] && glm::distance(Vec3(mesh.positions[v]), p) <= tolerance)
           partners.push_back(v);
     std::sort(partners.begin(), partners.end());
     partners.erase(std::unique(partners.begin(), partners.end()), partners.end());
     for (const std::uint32_t v : partners) pairs.push_back({glm::distance(Vec3(mesh.positions[v]), p), u, v});
-    if (pairs.size() > kMaxPairs) break;
+    cutShort = pairs.size() > kMaxPairs || looks > border.maxLooks();
+    if (cutShort) break;
   }
   std::sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) {
     return std::tie(a.distance, a.u, a.v) < std::tie(b.distance, b.u, b.v);
@@ -58,6 +63,7 @@ class Clusters {
   }
 
   std::uint32_t leadOf(std::uint32_t v) const { return lead_[v]; }
+  std::size_t work() const { return work_; }  ///< vertices and triangles looked at so far
 
   /// Joins the clusters of both unless a vertex would move too far or a triangle collapse.
   void join(std::uint32_t u, std::uint32_t v, double tolerance) {
@@ -66,6 +72,7 @@ class Clusters {
     if (low == high) return;
     const Vec3 target(mesh_.positions[low]);
     for (const std::uint32_t member : members_[high]) {
+      work_ += 1 + trianglesAt_[member].size();
       if (glm::distance(Vec3(mesh_.positions[member]), target) > tolerance) return;
       for (const std::uint32_t t : trianglesAt_[member])
         for (const std::uint32_t corner : mesh_.triangles[t])
@@ -80,6 +87,7 @@ class Clusters {
   const Mesh& mesh_;
   std::vector<std::uint32_t> lead_;
   std::vector<std::vector<std::uint32_t>> members_, trianglesAt_;
+  std::size_t work_ = 0;
 };
 
 std::vector<std::uint32_t> partsOfVertices(const Mesh& mesh, std::span<const std::uint32_t> partOfTriangle) {
@@ -96,8 +104,13 @@ NearWelding weldNear(Mesh& mesh, double toleranceMm, std::span<const std::uint32
   const OpenBorder border(mesh);
   if (border.vertices().empty() || !(toleranceMm > 0)) return result;
   Clusters clusters(mesh, border);
-  for (const Pair& pair : nearPairs(mesh, border, toleranceMm, partsOfVertices(mesh, partOfTriangle)))
+  for (const Pair& pair :
+       nearPairs(mesh, border, toleranceMm, partsOfVertices(mesh, partOfTriangle), result.cutShort)) {
     clusters.join(pair.u, pair.v, toleranceMm);
+    if (clusters.work() <= kMaxJoinWork) continue;
+    result.cutShort = true;
+    break;
+  }
   for (const std::uint32_t v : border.vertices()) {
     const std::uint32_t lead = clusters.leadOf(v);
     if (lead == v) continue;

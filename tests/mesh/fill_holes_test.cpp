@@ -108,6 +108,19 @@ TEST(FillHoles, TakesBackAPatchThatWouldCrossTheSurface) {
   EXPECT_EQ(mesh.triangles, before.triangles);
 }
 
+TEST(FillHoles, PassesOverAVertexOfVeryManyLooseTriangles) {
+  Mesh mesh;
+  mesh.positions.push_back({0, 0, 0});
+  for (std::uint32_t i = 0; i < 300'000; ++i) {
+    const auto at = static_cast<float>(i);
+    mesh.positions.insert(mesh.positions.end(), {{at, 1, 0}, {at, 1, 1}});
+    mesh.triangles.push_back({0, 2 * i + 1, 2 * i + 2});
+  }
+  const auto filling = fillHoles(mesh, 1e9);
+  ASSERT_TRUE(filling);
+  EXPECT_EQ(filling->filled + filling->blocked + filling->tooLarge, 0u);
+}
+
 TEST(FillHoles, LeavesAClosedMeshAsItIs) {
   Mesh mesh = shapes::box({1, 1, 1});
   EXPECT_EQ(fill(mesh, 10).filled, 0u);

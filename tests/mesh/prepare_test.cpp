@@ -177,6 +177,34 @@ TEST(PrepareModel, LeavesCrossingsAloneIfToldSo) {
   EXPECT_EQ(model->mesh.positions, mesh.positions);
 }
 
+TEST(PrepareModel, SaysThatThereAreTooManyShellsToFindCavities) {
+  Mesh mesh;
+  for (std::uint32_t i = 0; i < 4001; ++i) {
+    const Vec3f at(static_cast<float>(i % 100), static_cast<float>(i / 100), 0);
+    const Vec3f a(0.5f, 0, 0), b(0, 0.5f, 0), c(0, 0, 0.5f);
+    mesh.positions.insert(mesh.positions.end(), {at, at + a, at + b, at + c});
+    const std::uint32_t v = 4 * i;
+    mesh.triangles.insert(mesh.triangles.end(),
+                          {{v, v + 2, v + 1}, {v, v + 1, v + 3}, {v + 1, v + 2, v + 3}, {v + 2, v, v + 3}});
+  }
+  expectFinding(prepared(mesh), "nesting-not-found", Severity::Note, 4001);
+}
+
+TEST(PrepareModel, SaysThatNotAllOpenEdgesWereCompared) {
+  Mesh mesh = shapes::box({10, 10, 10});
+  for (std::uint32_t i = 0; i < 12'000; ++i) {
+    const auto v = static_cast<std::uint32_t>(mesh.positions.size());
+    const float at = static_cast<float>(i) * 1e-8f;
+    mesh.positions.insert(mesh.positions.end(), {{at, 0, 0}, {0, at + 1e-5f, 0}, {0, 0, at + 1e-5f}});
+    mesh.triangles.push_back({v, v + 1, v + 2});
+  }
+  const PreparedModel model = prepared(mesh);
+  const Finding* finding = find(model, "seams-too-crowded");
+  ASSERT_TRUE(finding);
+  EXPECT_EQ(finding->severity, Severity::Warning);
+  EXPECT_NE(hint(finding->message), "");
+}
+
 TEST(PrepareModel, KeepsWhichPartATriangleBelongsTo) {
   Mesh both = shapes::together(shapes::box({10, 10, 10}), shapes::translated(shapes::icosphere(5, 1), {20, 0, 0}));
   both.triangles.insert(both.triangles.begin(), {0, 0, 1});  // dropped, so the numbers move

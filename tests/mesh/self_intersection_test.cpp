@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <numbers>
+#include <numeric>
 
 #include "support/shapes.h"
 
@@ -107,6 +109,35 @@ TEST(FindSelfIntersections, FindsInALargeMeshWhatItFindsInItsParts) {
 }
 
 TEST(FindSelfIntersections, StopsAtTheLimit) { EXPECT_EQ(findSelfIntersections(crossingBoxes(), {}, 3)->size(), 3u); }
+
+/// Two cones with one base, of n triangles each round their apexes.
+Mesh bicone(std::uint32_t n) {
+  Mesh mesh;
+  mesh.positions = {{0, 0, 10}, {0, 0, -10}};
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const double angle = 2 * std::numbers::pi * i / n;
+    mesh.positions.emplace_back(50 * std::cos(angle), 50 * std::sin(angle), 0);
+    const std::uint32_t a = 2 + i, b = 2 + (i + 1) % n;
+    mesh.triangles.insert(mesh.triangles.end(), {{0, a, b}, {1, b, a}});
+  }
+  return mesh;
+}
+
+TEST(FindSelfIntersections, GivesUpWhereAllTrianglesLieAtOneVertex) {
+  const auto found = findSelfIntersections(bicone(2000), {}, 1000, 1'000'000);
+  ASSERT_FALSE(found);
+  EXPECT_EQ(found.error().kind, ErrorKind::NoSolution);
+  EXPECT_EQ(found.error().message.code, "crossings-too-crowded");
+  std::vector<std::uint32_t> suspects(1000);
+  std::iota(suspects.begin(), suspects.end(), 0u);
+  EXPECT_FALSE(findSelfIntersections(bicone(2000), suspects, 1000, 100'000));
+}
+
+TEST(FindSelfIntersections, LooksAtAllPairsOfAFineCone) {
+  const auto found = findSelfIntersections(bicone(2000));
+  ASSERT_TRUE(found);
+  EXPECT_TRUE(found->empty());
+}
 
 TEST(FindSelfIntersections, DecidesExactlyOnAGridOfNearlyTouchingPoints) {
   // A vertex moved by single float steps about the plane of a slanted triangle: on one side they cross, on the other

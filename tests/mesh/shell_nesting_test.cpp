@@ -14,13 +14,25 @@ Lists nesting(const Mesh& mesh) {
   std::vector<Triangle> triangles = mesh.triangles;
   Adjacency adjacency = buildAdjacency(triangles);
   const Shells shells = makeConsistent(triangles, adjacency).shells;
-  return enclosingShells(mesh, shells, std::vector<char>(shells.count, 1));
+  return enclosingShells(mesh, shells, std::vector<char>(shells.count, 1)).enclosing;
 }
 
 TEST(EnclosingShells, ListsEveryShellAround) {
   const Mesh dolls =
       shapes::together(shapes::together(shapes::box({2, 2, 2}), shapes::box({6, 6, 6})), shapes::box({4, 4, 4}));
   EXPECT_EQ(nesting(dolls), (Lists{{1, 2}, {}, {1}}));
+}
+
+TEST(EnclosingShells, GivesUpOnTooManyPairsOfPointsAndTriangles) {
+  Mesh dolls = shapes::icosphere(1, 3);
+  for (int i = 2; i < 12; ++i) dolls = shapes::together(dolls, shapes::icosphere(i, 3));
+  Adjacency adjacency = buildAdjacency(dolls.triangles);
+  const Shells shells = makeConsistent(dolls.triangles, adjacency).shells;
+  const std::vector<char> closed(shells.count, 1);
+  EXPECT_TRUE(enclosingShells(dolls, shells, closed).known);
+  const ShellNesting nesting = enclosingShells(dolls, shells, closed, 1000);
+  EXPECT_FALSE(nesting.known);
+  EXPECT_EQ(nesting.enclosing, Lists(11));
 }
 
 TEST(EnclosingShells, IsNotDeceivedByABoxInTheHoleOfATorus) {

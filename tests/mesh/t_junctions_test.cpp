@@ -31,6 +31,25 @@ Mesh boxWithJunctions(int count, float gap) {
   return mesh;
 }
 
+TEST(SplitAtTJunctions, SplitsAnEdgeWithVeryManyVertices) {
+  // Not the boxes of the slivers beside the edge are looked at, which all lie at its apex, but those of their edges.
+  Mesh mesh = boxWithJunctions(50'000, 0);
+  const TJunctionSplit split = splitAtTJunctions(mesh, 1e-6);
+  EXPECT_EQ(split.vertices, 50'000u);
+  EXPECT_FALSE(split.cutShort);
+  EXPECT_EQ(openEdges(mesh), 0u);
+}
+
+TEST(SplitAtTJunctions, GivesUpOnAHeapOfLooseTriangles) {
+  Mesh mesh;
+  for (std::uint32_t i = 0; i < 12'000; ++i) {
+    const auto at = static_cast<float>(i) * 1e-3f;
+    mesh.positions.insert(mesh.positions.end(), {{at, 0, 0}, {100 + at, 100, 100}, {-at, 50, 0}});
+    mesh.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+  }
+  EXPECT_TRUE(splitAtTJunctions(mesh, 1).cutShort);
+}
+
 TEST(SplitAtTJunctions, SplitsTheTriangleAtOneVertexOrSeveral) {
   for (const int count : {1, 2, 5}) {
     Mesh mesh = boxWithJunctions(count, 0);

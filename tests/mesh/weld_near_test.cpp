@@ -65,6 +65,17 @@ TEST(WeldNear, NeverCollapsesATriangle) {
   for (const Triangle& t : mesh.triangles) EXPECT_TRUE(t[0] != t[1] && t[1] != t[2] && t[2] != t[0]);
 }
 
+TEST(WeldNear, GivesUpOnAHeapOfLooseTriangles) {
+  // Each of 36,000 corners lies within the tolerance of all others.
+  Mesh mesh;
+  for (std::uint32_t i = 0; i < 12'000; ++i) {
+    const auto at = static_cast<float>(i) * 1e-6f;
+    mesh.positions.insert(mesh.positions.end(), {{at, 0, 0}, {at, 1e-3f, 0}, {at, 0, 1e-3f}});
+    mesh.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+  }
+  EXPECT_TRUE(weldNear(mesh, 1).cutShort);
+}
+
 TEST(WeldNear, KeepsPartsApart) {
   Mesh mesh;
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1e-4f, 0, 0}, {0, -1, 0}, {1, 0, 1e-4f}};
