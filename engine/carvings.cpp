@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/clock.h"
+#include "base/parse_json.h"
 #include "batch/manifest.h"
 #include "engine/symbol_print.h"
 #include "io/write_checked.h"
@@ -186,11 +187,12 @@ Verdict Carvings::verdict() const {
 }
 
 Result<EngraveRequest> Carvings::printedAs(const std::string& changed) const {
-  auto settings = nlohmann::json::parse(settingsJson(current_.request));
-  const auto changes = nlohmann::json::parse(changed);
-  if (changes.contains("process"))  // which brings its own
+  auto settings = nlohmann::ordered_json::parse(settingsJson(current_.request));
+  const auto changes = parseJson(changed);
+  if (!changes) return tl::unexpected(changes.error());
+  if (changes->contains("process"))  // which brings its own
     for (const char* key : {"nozzleMm", "layerMm", "lineWidthMm"}) settings.erase(key);
-  settings.update(changes);
+  settings.update(*changes);
   return requestFromJson(settings.dump());
 }
 

@@ -2,6 +2,7 @@
 // How the engine engraves, and what it says of what came out.
 #include <algorithm>
 
+#include "base/parse_json.h"
 #include "engine/answers.h"
 #include "engine/engine.h"
 #include "engine/printed_code.h"
@@ -88,7 +89,9 @@ std::vector<GreyImage> Engine::readingPictures() const {
 
 std::string Engine::setReadings(const std::string& texts, const std::string& reader) {
   if (!carvings_.result()) return answer(kNoResult);
-  const Verdict verdict = carvings_.setReadings(Json::parse(texts).get<std::vector<std::string>>(), reader);
+  const Result<Json> read = parseJson(texts);
+  if (!read) return answer(read.error());
+  const Verdict verdict = carvings_.setReadings(read->get<std::vector<std::string>>(), reader);
   Json next;
   if (const auto change = changeToTryNext(carvings_.request(), verdict))
     next = {{"setting", change->setting}, {"value", change->value}};
@@ -104,7 +107,9 @@ std::string Engine::printOrder(const std::string& changed) const {
 
 std::string Engine::setPrintedReadings(const std::string& texts, double facingDeg) {
   if (!carvings_.result() || !carvings_.request().process) return answer(kNoResult);
-  carvings_.setPrintedReadings(Json::parse(texts).get<std::vector<std::string>>(), facingDeg);
+  const Result<Json> read = parseJson(texts);
+  if (!read) return answer(read.error());
+  carvings_.setPrintedReadings(read->get<std::vector<std::string>>(), facingDeg);
   return done();
 }
 
@@ -118,7 +123,9 @@ std::string Engine::otherPrints() const {
 
 std::string Engine::judgePrint(const std::string& changed, const std::string& texts, double facingDeg) const {
   if (!carvings_.result()) return answer(kNoResult);
-  const auto prints = carvings_.judgePrint(changed, Json::parse(texts).get<std::vector<std::string>>(), facingDeg);
+  const Result<Json> read = parseJson(texts);
+  if (!read) return answer(read.error());
+  const auto prints = carvings_.judgePrint(changed, read->get<std::vector<std::string>>(), facingDeg);
   if (!prints) return answer(prints.error());
   return textOf({{"ok", true}, {"prints", describeAspect(*prints, {})}});
 }

@@ -5,6 +5,7 @@
 #include <sstream>
 #include <utility>
 
+#include "base/parse_json.h"
 #include "batch/batch_list.h"
 #include "batch/manifest.h"
 #include "batch/plate_layout.h"
@@ -38,7 +39,9 @@ Result<BatchList> listOf(const std::vector<std::uint8_t>& bytes, std::size_t cou
 
 std::string PlannedBatch::plan(const std::vector<std::uint8_t>& bytes, const std::string& wanted) {
   plan_.reset();
-  const Json asked = Json::parse(wanted);
+  const Result<Json> parsed = parseJson(wanted);
+  if (!parsed) return answer(parsed.error());
+  const Json& asked = *parsed;
   auto request = requestFromJson(asked["settings"].dump());
   if (!request) return answer(request.error());
   request->text = asked["text"].get<std::string>();
@@ -92,7 +95,9 @@ std::string PlannedBatch::row(double index) const {
 std::string PlannedBatch::toHash(double index, const std::string& placed) const {
   auto row = at(index);
   if (!row) return answer(kNoRow);
-  const Json given = Json::parse(placed);
+  const Result<Json> parsed = parseJson(placed);
+  if (!parsed) return answer(parsed.error());
+  const Json& given = *parsed;
   const Json& centre = given["centre"];
   row->request.placement.centreMm = {centre[0].get<double>(), centre[1].get<double>(), centre[2].get<double>()};
   return textOf({{"ok", true}, {"text", settingsToHash(*row, given["others"].get<std::string>())}});

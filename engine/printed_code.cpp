@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "base/parse_json.h"
 #include "io/read_model.h"
 #include "verification/frontal_reading.h"
 
@@ -73,7 +74,9 @@ std::string PrintedCode::start(std::vector<std::uint8_t> stl, const std::string&
   if (!mesh) return answer(mesh.error());
   carved_ = std::move(*mesh);
   view_ = {};
-  const PrintedViewRequest request = requestOf(Json::parse(order));
+  const Result<Json> wanted = parseJson(order);
+  if (!wanted) return answer(wanted.error());
+  const PrintedViewRequest request = requestOf(*wanted);
   modules_ = request.symbol.size;
   auto job = PrintedViewJob::create(carved_, request);
   if (!job) return answer(job.error());

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "base/parse_json.h"
 #include "base/utf8.h"
 #include "io/sniff_format.h"
 
@@ -16,7 +17,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kMostLineBytes = 1 << 20;
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 /// Bytes that no text begins with.
@@ -32,8 +32,7 @@ Status checkIsText(std::span<const std::uint8_t> bytes, std::string_view text) {
 /// @param line  without its end
 Status checkLine(std::string_view line, std::uint32_t number) {
   if (line.size() > kMostLineBytes)
-    return badInput(message("list-line-too-long", with::count("line", number), with::count("count", line.size()),
-                            with::count("limit", kMostLineBytes)));
+    return badInput(message("list-line-too-long", with::count("line", number), with::count("limit", kMostLineBytes)));
   if (const std::size_t nul = line.find('\0'); nul != line.npos)
     return badInput(message("list-holds-nul", with::count("line", number), with::count("byte", nul + 1)));
   if (const std::size_t broken = firstNoUtf8(line); broken != line.npos)
@@ -53,7 +52,10 @@ std::string_view withoutEnd(std::string_view line) {
   return line;
 }
 
+Message tooManyColumns() { return message("list-too-many-columns", with::count("limit", kMostColumns)); }
+
 Status checkColumns(std::span<const std::string> columns) {
+  if (columns.size() > kMostColumns) return badInput(tooManyColumns());
   for (std::size_t i = 0; i < columns.size(); ++i) {
     if (columns[i].empty()) return badInput(message("list-column-unnamed", with::count("column", i + 1)));
     if (std::find(columns.begin(), columns.begin() + static_cast<std::ptrdiff_t>(i), columns[i]) !=
@@ -172,12 +174,15 @@ Result<BatchList> readJsonLines(std::string_view text) {
     text.remove_prefix(whole.size());
     if (const Status good = checkLine(line, number); !good) return tl::unexpected(good.error());
     if (line.find_first_not_of(" \t") == line.npos) continue;
-    const Json object = Json::parse(line, nullptr, false);
-    if (object.is_discarded() || !object.is_object())
-      return badInput(message("list-no-object", with::count("line", number)));
+    const Result<Json> parsed = parseJson(line);
+    if (!parsed && parsed.error().message.code != "json-malformed")
+      return badInput(
+          message("list-line", with::count("line", number), with::cause("problem", parsed.error().message)));
+    if (!parsed || !parsed->is_object()) return badInput(message("list-no-object", with::count("line", number)));
     auto& cells = rows.emplace_back(number, std::vector<std::string>(columns.size())).second;
-    for (const auto& [key, value] : object.items()) {
+    for (const auto& [key, value] : parsed->items()) {
       const auto at = static_cast<std::size_t>(std::find(columns.begin(), columns.end(), key) - columns.begin());
+      if (at == kMostColumns) return badInput(tooManyColumns());
       if (at == columns.size()) columns.push_back(key), cells.emplace_back();
       const auto cell = cellOf(value);
       if (!cell) return badInput(message("list-value-kind", with::count("line", number), with::quoted("name", key)));

@@ -39,6 +39,12 @@ class BatchList {
 /// Longer cells are no text of a code: the largest symbol takes 7,089 digits.
 inline constexpr std::size_t kMostCellBytes = 16384;
 
+/// More columns are no list of parts; rows are kept with a cell for each.
+inline constexpr std::size_t kMostColumns = 1000;
+
+/// Longer lines are no rows but something else.
+inline constexpr std::size_t kMostLineBytes = 1 << 20;
+
 /// Reads a list: CSV [RFC 4180], separated by commas, semicolons or tabs, its first row naming the columns; or JSON
 /// lines, an object a line whose keys are columns and whose values are texts, numbers, switches or lists of numbers
 /// (what is missing is an empty cell). Which of them it is, its first character says. UTF-8, with or without a byte

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "base/parse_json.h"
 #include "pipeline/engrave.h"
 #include "settings/setting_json.h"
 
@@ -62,8 +63,9 @@ std::string manifestLine(const ManifestEntry& entry) {
 }
 
 std::optional<ManifestEntry> readManifestLine(std::string_view line) {
-  Json json = Json::parse(line, nullptr, false);
-  if (!json.is_object()) return std::nullopt;
+  Result<Json> parsed = parseJson(line);
+  if (!parsed || !parsed->is_object()) return std::nullopt;
+  Json& json = *parsed;
   try {
     ManifestEntry entry;
     entry.number = json.at("number").get<std::size_t>();

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include "base/parse_json.h"
 #include "report/json_parts.h"
 
 namespace qrelief {
@@ -131,8 +132,10 @@ Result<Symbol> withModules(Symbol symbol, const std::vector<std::string>& rows) 
 }
 
 Result<VerifyRequest> requestFromReport(std::string_view json) {
+  const Result<Json> report = parseJson(json);
+  if (!report) return badInput(message("report-not-understood", with::cause("problem", report.error().message)));
   try {
-    return readRequest(Json::parse(json));
+    return readRequest(*report);
   } catch (const Json::exception& error) {
     return badInput(message("report-not-understood", with::term("problem", error.what())));
   }

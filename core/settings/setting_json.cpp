@@ -4,6 +4,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "base/parse_json.h"
+
 namespace qrelief {
 namespace {
 
@@ -81,8 +83,11 @@ Json jsonOf(const SettingValue& value) {
 }  // namespace
 
 Result<EngraveRequest> requestFromJson(std::string_view json) {
-  const Json given = Json::parse(json, nullptr, false);
-  if (!given.is_object()) return fail(ErrorKind::BadUsage, message("settings-no-object"));
+  const Result<Json> parsed = parseJson(json);
+  if (!parsed && parsed.error().message.code != "json-malformed")
+    return fail(ErrorKind::BadUsage, parsed.error().message);
+  if (!parsed || !parsed->is_object()) return fail(ErrorKind::BadUsage, message("settings-no-object"));
+  const Json& given = *parsed;
   for (const auto& [key, value] : given.items())
     if (!findSetting(key)) return fail(ErrorKind::BadUsage, message("setting-unknown", with::quoted("key", key)));
   EngraveRequest request = defaultRequest();

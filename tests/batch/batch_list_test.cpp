@@ -82,6 +82,21 @@ TEST(BatchList, CountedHasRowsWithoutCells) {
   EXPECT_TRUE(list.columns().empty());
 }
 
+/// Names of columns, separated by commas.
+std::string names(std::size_t count) {
+  std::string line;
+  for (std::size_t i = 0; i < count; ++i) line += (i == 0 ? "c" : ",c") + std::to_string(i);
+  return line;
+}
+
+/// Keys with values, as an object has them.
+std::string keys(std::size_t first, std::size_t count) {
+  std::string list;
+  for (std::size_t i = first; i < first + count; ++i)
+    list += (i == first ? "\"c" : ",\"c") + std::to_string(i) + "\":1";
+  return list;
+}
+
 struct Malformed {
   const char* what;
   std::string text;
@@ -122,6 +137,12 @@ TEST(BatchList, RefusesWhatIsMalformedAndSaysWhere) {
       {"an object over two lines", "{\n\"text\": \"a\"}\n", "list-no-object", 1},
       {"a value that is an object", "{\"text\": {\"a\": 1}}\n", "list-value-kind", 1},
       {"a list of texts", "{\"text\": [\"a\"]}\n", "list-value-kind", 1},
+      {"a key twice", "{\"text\": \"a\"}\n{\"text\": \"b\", \"id\": 1, \"text\": \"c\"}\n", "list-line", 2},
+      {"a hundred thousand brackets", "{\"text\": " + std::string(100'000, '[') + "\n", "list-line", 1},
+      {"the same, closed", "{\"a\": " + std::string(100'000, '[') + std::string(100'000, ']') + "}\n", "list-line", 1},
+      {"very many columns", names(kMostColumns + 1) + "\n", "list-too-many-columns"},
+      {"very many keys", "{" + keys(0, kMostColumns + 1) + "}\n", "list-too-many-columns"},
+      {"new keys in every line", "{" + keys(0, 600) + "}\n{" + keys(600, 600) + "}\n", "list-too-many-columns"},
       {"a key without name", "{\"\": \"a\"}\n", "list-column-unnamed"},
       {"a long value", "{\"text\": \"" + cell + "\"}\n", "list-cell-too-long", 1},
       {"UTF-8 that is none, in an object", "{\"text\": \"\xFF\"}\n", "list-no-utf8", 1},
@@ -136,6 +157,20 @@ TEST(BatchList, RefusesWhatIsMalformedAndSaysWhere) {
     EXPECT_EQ(list.error().message.values[0].name, "line") << what;
     EXPECT_EQ(list.error().message.values[0].numbers[0], line) << what;
   }
+}
+
+TEST(BatchList, TakesAsManyColumnsAsAreAccepted) {
+  const auto list = read("{" + keys(0, kMostColumns) + "}\n");
+  ASSERT_TRUE(list) << list.error().message.code;
+  EXPECT_EQ(list->columns().size(), kMostColumns);
+}
+
+TEST(BatchList, NamesTheKeyThatALineHasTwice) {
+  const auto list = read("{\"text\": \"a\", \"text\": \"b\"}\n");
+  ASSERT_FALSE(list);
+  const Message& cause = list.error().message.values[1].cause.front();
+  EXPECT_EQ(cause.code, "json-key-twice");
+  EXPECT_EQ(cause.values[0].text, "text");
 }
 
 TEST(BatchList, SurvivesEveryTruncationAndFlippedByte) {

@@ -43,6 +43,7 @@ TEST(Manifest, RefusesLinesOfSomethingElse) {
                            R"({"number":"1","id":"","text":"","file":"","sha256":{},"status":"done"})"})
     EXPECT_FALSE(readManifestLine(line)) << line;
   const std::string whole = manifestLine(entry(1, RowStatus::Done));
+  EXPECT_FALSE(readManifestLine(std::string(100'000, '[')));
   for (std::size_t i = 0; i < whole.size(); ++i) EXPECT_FALSE(readManifestLine(whole.substr(0, i))) << i;
 }
 

@@ -35,6 +35,13 @@ TEST(SettingJson, EverySettingOfThePageArrives) {
   EXPECT_EQ(request->placement.eyeDistanceMm, 300);
 }
 
+TEST(SettingJson, RefusesDeepNestingAndKeysGivenTwice) {
+  const auto codeOf = [](const std::string& json) { return requestFromJson(json).error().message.code; };
+  EXPECT_EQ(codeOf("{\"text\": " + std::string(100'000, '[') + std::string(100'000, ']') + "}"), "json-too-deep");
+  EXPECT_EQ(codeOf(R"({"text": "a", "text": "b"})"), "json-key-twice");
+  EXPECT_EQ(codeOf("no JSON"), "settings-no-object");
+}
+
 TEST(SettingJson, APresetGivesWhatIsNotSaidItself) {
   const auto robust = requestFromJson(R"({"text": "x", "preset": "robust"})");
   ASSERT_TRUE(robust.has_value());

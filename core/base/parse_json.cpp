@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/parse_json.h"
+
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace qrelief {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Builds the value that nlohmann's parser, which does not recurse, tells piece by piece; ends it at the first fault.
+class Builder : public nlohmann::json_sax<Json> {
+ public:
+  Json take() { return std::move(root_); }
+  Message takeProblem() { return std::move(problem_); }
+
+  bool null() override { return add(nullptr); }
+  bool boolean(bool value) override { return add(value); }
+  bool number_integer(number_integer_t value) override { return add(value); }
+  bool number_unsigned(number_unsigned_t value) override { return add(value); }
+  bool number_float(number_float_t value, const string_t&) override { return add(value); }
+  bool string(string_t& value) override { return add(std::move(value)); }
+  bool binary(binary_t& value) override { return add(Json(std::move(value))); }
+
+  bool start_object(std::size_t) override { return open(Json::object()); }
+  bool start_array(std::size_t) override { return open(Json::array()); }
+  bool end_object() override { return close(); }
+  bool end_array() override { return close(); }
+
+  bool key(string_t& name) override {
+    if (!open_.back().keys.insert(name).second) {
+      problem_ = message("json-key-twice", with::quoted("key", name));
+      return false;
+    }
+    key_ = std::move(name);
+    return true;
+  }
+
+  bool parse_error(std::size_t byte, const std::string&, const nlohmann::detail::exception&) override {
+    problem_ = message("json-malformed", with::count("byte", byte));
+    return false;
+  }
+
+ private:
+  /// An array or object whose end was not reached yet. What it stands in does not grow meanwhile, so it stays in place.
+  struct Open {
+    Json* value;
+    std::set<std::string> keys;
+  };
+
+  Json& place(Json value) {
+    if (open_.empty()) return root_ = std::move(value);
+    Json& parent = *open_.back().value;
+    if (parent.is_array()) return parent.get_ref<Json::array_t&>().emplace_back(std::move(value));
+    // Not by operator[], which looks through all keys.
+    return parent.get_ref<Json::object_t&>().emplace_back(std::move(key_), std::move(value)).second;
+  }
+
+  bool add(Json value) {
+    place(std::move(value));
+    return true;
+  }
+
+  bool open(Json value) {
+    if (open_.size() == kMaxJsonDepth) {
+      problem_ = message("json-too-deep", with::count("limit", kMaxJsonDepth));
+      return false;
+    }
+    open_.push_back({&place(std::move(value)), {}});
+    return true;
+  }
+
+  bool close() {
+    open_.pop_back();
+    return true;
+  }
+
+  Json root_;
+  std::vector<Open> open_;
+  std::string key_;
+  Message problem_;
+};
+
+}  // namespace
+
+Result<Json> parseJson(std::string_view text) {
+  Builder builder;
+  if (!Json::sax_parse(text.begin(), text.end(), &builder)) return badInput(builder.takeProblem());
+  return builder.take();
+}
+
+}  // namespace qrelief
