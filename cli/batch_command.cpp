@@ -3,7 +3,6 @@
 #include <cstdio>
 #include <fmt/format.h>
 #include <iostream>
-#include <iterator>
 #include <optional>
 
 #include "base/clock.h"
@@ -14,13 +13,16 @@
 #include "cli/shard_flags.h"
 #include "messages/sentences.h"
 #include "native/files.h"
+#include "native/text_lines.h"
 
 namespace qrelief {
 namespace {
 
 Result<std::vector<std::uint8_t>> readList(const std::string& path) {
-  if (path != "-") return readFile(path);
-  return std::vector<std::uint8_t>(std::istreambuf_iterator<char>(std::cin), {});
+  if (path == "-") return readText(std::cin, kMostLineBytes);
+  Result<std::ifstream> stream = openFile(path);
+  if (!stream) return tl::unexpected(stream.error());
+  return readText(*stream, kMostLineBytes);
 }
 
 /// The list's rows, or those of --count.
@@ -154,8 +156,9 @@ int runStream(const BatchOptions& options, const BatchRequest& request) {
   if (!read) return printError(read.error());
   BatchRun run(options, std::move(*folder));
   std::optional<EngraveRequest> placed;
-  for (std::string line; std::getline(std::cin, line);) {
-    auto row = rowOf(line, request, next);
+  LineReader lines(std::cin, kMostLineBytes);
+  for (auto line = lines.next(); line; line = lines.next()) {
+    auto row = *line ? rowOf(**line, request, next) : tl::unexpected(line->error());
     const auto same = row ? known.find(row->file) : known.end();
     if (same != known.end() && same->second.second != row->request.text)
       row = badInput(message("name-taken", with::quoted("name", row->file), with::quoted("text", same->second.second)));

@@ -6,7 +6,6 @@
 #include <fcntl.h>
 #include <filesystem>
 #include <fmt/format.h>
-#include <fstream>
 #include <sys/stat.h>
 #include <unistd.h>
 #include <utility>
@@ -20,7 +19,7 @@ constexpr std::size_t kWaitingBytes = 1 << 20;  // to be written at once
 
 }  // namespace
 
-Result<std::vector<std::uint8_t>> readFile(const std::string& path) {
+Result<std::ifstream> openFile(const std::string& path) {
   std::error_code error;
   if (std::filesystem::is_directory(path, error)) return fail(ErrorKind::BadInput, message("path-is-folder"));
   std::ifstream stream(path, std::ios::binary);
@@ -29,10 +28,18 @@ Result<std::vector<std::uint8_t>> readFile(const std::string& path) {
   if (!error && size > ReadLimits{}.maxBytes)
     return fail(ErrorKind::BadInput,
                 message("file-too-large", with::count("bytes", size), with::count("limit", ReadLimits{}.maxBytes)));
+  return stream;
+}
+
+Result<std::vector<std::uint8_t>> readFile(const std::string& path) {
+  Result<std::ifstream> stream = openFile(path);
+  if (!stream) return tl::unexpected(stream.error());
+  std::error_code error;
+  const auto size = std::filesystem::file_size(path, error);
   std::vector<std::uint8_t> bytes(error ? 0 : static_cast<std::size_t>(size));
-  stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-  if (static_cast<std::size_t>(stream.gcount()) != bytes.size())
-    return fail(ErrorKind::BadInput, message("file-ended-early", with::count("read", stream.gcount()),
+  stream->read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  if (static_cast<std::size_t>(stream->gcount()) != bytes.size())
+    return fail(ErrorKind::BadInput, message("file-ended-early", with::count("read", stream->gcount()),
                                              with::count("announced", bytes.size())));
   return bytes;
 }

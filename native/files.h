@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <fstream>
 #include <span>
 #include <string>
 #include <string_view>
@@ -10,6 +11,9 @@
 #include "base/result.h"
 
 namespace qrelief {
+
+/// Opens a file for reading; BadInput if it cannot be opened or is larger than the readers take.
+Result<std::ifstream> openFile(const std::string& path);
 
 /// The whole file; BadInput if it cannot be read or is larger than the readers take.
 Result<std::vector<std::uint8_t>> readFile(const std::string& path);

@@ -236,7 +236,8 @@ TEST_F(BatchCommandTest, TakesItsShareFromTheEngineThatRunsIt) {
 }
 
 TEST_F(BatchCommandTest, AnswersEachRequestOfAStream) {
-  writeText("requests", R"({"id": "a", "text": "first"}
+  const std::string nested(100'000, '['), endless(3 << 20, 'x');
+  writeText("requests", nested + "\n" + endless + "\n" + R"({"id": "a", "text": "first"}
 nonsense
 {"id": "b", "text": "second", "minWallMm": -3}
 {"id": "a", "text": "first"}
@@ -248,8 +249,11 @@ nonsense
   stream.back() += "' <'" + path("requests");  // the fixture's quotes go round it
   const Outcome made = run(stream);
   EXPECT_EQ(made.status, 0) << made.err;
-  const std::vector<Json> answers = linesOf(made.out);
-  ASSERT_EQ(answers.size(), 5u);
+  std::vector<Json> answers = linesOf(made.out);
+  ASSERT_EQ(answers.size(), 7u);
+  for (std::size_t i = 0; i < 2; ++i) EXPECT_EQ(answers[i]["status"], "refused");
+  EXPECT_THAT(answers[1]["reason"].get<std::string>(), HasSubstr("more than"));
+  answers.erase(answers.begin(), answers.begin() + 2);
   EXPECT_EQ(answers[0]["status"], "done");
   EXPECT_EQ(answers[1]["status"], "refused");
   EXPECT_EQ(answers[2]["status"], "refused");
