@@ -222,6 +222,9 @@ class Builder {
     if (!object)
       return badInput(message("3mf-object-missing", with::quoted("asking", excerpt(asking)),
                               with::count("object", instance.object), with::quoted("part", excerpt(instance.path))));
+    if (object->isInSlices)
+      return badInput(
+          message("3mf-slices", with::count("object", instance.object), with::quoted("part", excerpt(instance.path))));
     if (extents_.size() > kMaxInstances)
       return badInput(message("3mf-too-many-objects", with::count("limit", kMaxInstances)));
     extents_.emplace(key, std::nullopt);  // while it is open: to find circles

@@ -16,6 +16,7 @@ constexpr std::string_view kCore = "http://schemas.microsoft.com/3dmanufacturing
 constexpr std::string_view kProduction = "http://schemas.microsoft.com/3dmanufacturing/production/2015/06";
 constexpr std::string_view kMaterial = "http://schemas.microsoft.com/3dmanufacturing/material/2015/02";
 constexpr std::string_view kTriangleSets = "http://schemas.microsoft.com/3dmanufacturing/trianglesets/2021/07";
+constexpr std::string_view kSlice = "http://schemas.microsoft.com/3dmanufacturing/slice/2015/07";
 constexpr std::size_t kLongestUri = 120, kLongestTransform = 120;  // in messages
 constexpr std::size_t kMaxEntries = 100'000;                       // objects, components and items of one part
 
@@ -138,14 +139,15 @@ class ModelHandler : public XmlHandler {
       if (known == kUnits.end()) return badInput(message("3mf-unit", with::quoted("unit", excerpt(*unit))));
       model_.unitMm = known->mm;
     }
-    // What a reader must understand to get the geometry right: colours and names of triangles are not among it.
+    // What a reader must understand to get the geometry right: colours and names of triangles are not among it, nor
+    // slices beside a full mesh.
     TextScanner prefixes(element.attribute("requiredextensions").value_or(""));
     for (std::string_view prefix = prefixes.word(); !prefix.empty(); prefix = prefixes.word()) {
       const auto space = spaces_.find(std::string(prefix));
       if (space == spaces_.end())
         return badInput(message("3mf-extension-undeclared", with::quoted("prefix", excerpt(prefix))));
       if (space->second != kProduction && space->second != kMaterial && space->second != kTriangleSets &&
-          space->second != kCore)
+          space->second != kSlice && space->second != kCore)
         return badInput(message("3mf-extension", with::quoted("extension", excerpt(space->second, kLongestUri))));
     }
     return {};
@@ -172,6 +174,7 @@ class ModelHandler : public XmlHandler {
     object_ = &at->second;
     object_->name = element.attribute("name").value_or("");
     object_->type = element.attribute("type").value_or("model");
+    object_->isInSlices = element.attribute(kSlice, "meshresolution") == "lowres";
     hasContent_ = verticesEnded_ = false;
     return {};
   }

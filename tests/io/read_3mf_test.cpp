@@ -237,6 +237,39 @@ TEST(ThreeMfReader, RefusesARequiredExtensionThatChangesTheGeometry) {
                       {}));
 }
 
+/// A box whose object tag has more attributes, of a model that knows the slice extension.
+std::string slicedBox(const std::string& attributes, const std::string& required = "") {
+  std::string object = boxObject(7, 1, 2, 3);
+  object.insert(object.find("id="), attributes + " ");
+  return modelPart("<s:slicestack id=\"3\" zbottom=\"0\"><s:slice ztop=\"1\"/></s:slicestack>" + object,
+                   "<item objectid=\"7\"/>",
+                   "xmlns:s=\"http://schemas.microsoft.com/3dmanufacturing/slice/2015/07\" " + required);
+}
+
+TEST(ThreeMfReader, RefusesAMeshThatStandsInForSlices) {
+  EXPECT_THAT(errorOf(slicedBox("s:slicestackid=\"3\" s:meshresolution=\"lowres\"")),
+              HasSubstr("object 7 in \"3D/3dmodel.model\" is a stack of slices"));
+  EXPECT_THAT(errorOf(slicedBox("s:slicestackid=\"3\" s:meshresolution=\"lowres\"", "requiredextensions=\"s\"")),
+              HasSubstr("stack of slices"));
+}
+
+TEST(ThreeMfReader, RefusesAComponentThatStandsInForSlices) {
+  std::string model = slicedBox("s:slicestackid=\"3\" s:meshresolution=\"lowres\"");
+  const std::string outer = "<object id=\"8\"><components><component objectid=\"7\"/></components></object>";
+  model.insert(model.find("</resources>"), outer);
+  model.replace(model.find("item objectid=\"7\""), 17, "item objectid=\"8\"");
+  EXPECT_THAT(errorOf(model), HasSubstr("object 7"));
+}
+
+TEST(ThreeMfReader, ReadsAFullMeshBesideSlices) {
+  for (const char* attributes : {"s:slicestackid=\"3\"", "s:slicestackid=\"3\" s:meshresolution=\"fullres\""})
+    for (const char* required : {"", "requiredextensions=\"s\""}) {
+      const auto soup = read3mf(threeMf(slicedBox(attributes, required)), {});
+      ASSERT_TRUE(soup) << sentence(soup.error().message);
+      EXPECT_EQ(volumeOf(*soup), 6);
+    }
+}
+
 TEST(ThreeMfReader, NamesLineAndObjectOfWhatIsMalformed) {
   const auto object = [](const std::string& content) {
     return errorOf(modelPart("<object id=\"5\">\n" + content + "</object>", "<item objectid=\"5\"/>"));
