@@ -74,20 +74,28 @@ void FastSearch::solve() {
     fractions.push_back(fractionOfDarkness(darkness(fractionAsked_[k] * (1 - margin)) + allowance - difference_[k]));
   }
   sky_->solve(fractions, limitMm_, solvedMm_, isDue_, kSweepsPerPass);
+  const PocketSky::Depths solved(*sky_, solvedMm_);
   for (std::size_t k = 0; k < states_.size(); ++k) {
     double& depth = depths_.depthMm[sky_->carved()[k]];
     const double next = quantisedDepth(std::max(solvedMm_[k], kDepthQuantumMm), limitMm_[k]);
     const bool isFree = iterations_ < freePasses_;
     if (!isFree && states_[k] == State::TooBright)
       depth = quantisedDepth(std::max(next, depth + kDepthQuantumMm), limitMm_[k]);
-    else if (isFree || (next > depth && expectedFraction(k, depth, solvedMm_) > fractionAsked_[k]))
+    else if (isFree || (next > depth && expectedFraction(k, solved.fraction(k, depth)) > fractionAsked_[k]))
       depth = next;
   }
 }
 
 /// LS/AL of a floor by what the plane says and what was seen to differ from it.
-double FastSearch::expectedFraction(std::size_t k, double depthMm, std::span<const double> depthsMm) const {
-  return fractionOfDarkness(darkness(sky_->fraction(k, depthMm, depthsMm)) + difference_[k]);
+double FastSearch::expectedFraction(std::size_t k, double planeFraction) const {
+  return fractionOfDarkness(darkness(planeFraction) + difference_[k]);
+}
+
+/// In the order of sky_->carved().
+std::vector<double> FastSearch::carvedDepths() const {
+  std::vector<double> depths;
+  for (const std::uint32_t i : sky_->carved()) depths.push_back(depths_.depthMm[i]);
+  return depths;
 }
 
 /// What has moved or touches what has, and what may be too bright for it, were the change since it was seen twice what
@@ -95,8 +103,8 @@ double FastSearch::expectedFraction(std::size_t k, double depthMm, std::span<con
 void FastSearch::chooseDue(const std::vector<double>& depthsBefore) {
   dueInMask_.clear();
   if (iterations_ < freePasses_) return;
-  std::vector<double> depths;
-  for (const std::uint32_t i : sky_->carved()) depths.push_back(depths_.depthMm[i]);
+  const std::vector<double> depths = carvedDepths();
+  const PocketSky::Depths onPlane(*sky_, depths);
   const auto moved = [&](int row, int column) {
     if (row < 0 || column < 0 || row >= depths_.size || column >= depths_.size) return false;
     const auto i = static_cast<std::size_t>(row * depths_.size + column);
@@ -108,7 +116,7 @@ void FastSearch::chooseDue(const std::vector<double>& depthsBefore) {
     bool due = false;
     for (int near = 0; near < 9; ++near) due = due || moved(row - 1 + near / 3, column - 1 + near % 3);
     if (!due && states_[k] == State::Done) {
-      const double expected = expectedFraction(k, depths[k], depths);
+      const double expected = expectedFraction(k, onPlane.fraction(k, depths[k]));
       due = expected + (expected - seenFraction_[k]) > fractionAsked_[k];
     }
     isDue_[k] = due;
@@ -120,9 +128,8 @@ void FastSearch::update(std::span<const double> luminance) {
   const int m = target_.symbol->size;
   const SubmoduleLuminances seen(luminance, m);
   const std::vector<double> modules = seen.moduleMeans();
-  std::vector<double> depths;
-  for (const std::uint32_t i : sky_->carved()) depths.push_back(depths_.depthMm[i]);
-
+  const std::vector<double> depths = carvedDepths();
+  const PocketSky::Depths onPlane(*sky_, depths);
   std::size_t module = std::numeric_limits<std::size_t>::max();
   double around = 1;
   for (std::size_t k = 0; k < states_.size(); ++k) {
@@ -135,17 +142,17 @@ void FastSearch::update(std::span<const double> luminance) {
     module = of;
     const double fraction = seen.of(row, column) / around;
     seenFraction_[k] = fraction;
-    const double difference = darkness(fraction) - darkness(sky_->fraction(k, depths[k], depths));
+    const double difference = darkness(fraction) - darkness(onPlane.fraction(k, depths[k]));
     if (iterations_ > 0) differenceChange_[k] = std::abs(difference - difference_[k]);
     difference_[k] = difference;
     if (fraction > fractionAsked_[k]) {
       states_[k] =
           quantisedDepth(depths[k] + kDepthQuantumMm, limitMm_[k]) > depths[k] ? State::TooBright : State::Limited;
     } else {
-      const double less = std::max(depths[k] - options_.slackMm, 0.0);
       const double aim = darkness(fractionAsked_[k] * (1 - kAimFraction));
+      const double less = std::max(depths[k] - options_.slackMm, 0.0);
       const bool couldBeLess =
-          iterations_ + 1 < freePasses_ && less > 0 && darkness(sky_->fraction(k, less, depths)) + difference_[k] > aim;
+          iterations_ + 1 < freePasses_ && less > 0 && darkness(onPlane.fraction(k, less)) + difference_[k] > aim;
       states_[k] = couldBeLess ? State::TooDeep : State::Done;
     }
   }
@@ -180,7 +187,7 @@ void FastSearch::markStale(const std::vector<double>& depthsBefore) {
   for (std::size_t k = 0; k < isStale_.size(); ++k) {
     if (depths_.depthMm[sky_->carved()[k]] == depthsBefore[sky_->carved()[k]]) continue;
     isStale_[k] = 1;
-    for (const std::uint32_t other : sky_->seenFrom(k)) isStale_[other] = 1;
+    sky_->forEachInSight(k, [&](std::uint32_t other) { isStale_[other] = 1; });
   }
 }
 

@@ -48,7 +48,8 @@ class FastSearch final : public DepthSolver {
   enum class State : std::uint8_t { TooBright, TooDeep, Done, Limited };
 
   void solve();
-  double expectedFraction(std::size_t k, double depthMm, std::span<const double> depthsMm) const;
+  std::vector<double> carvedDepths() const;
+  double expectedFraction(std::size_t k, double planeFraction) const;
   void chooseDue(const std::vector<double>& depthsBefore);
   void markStale(const std::vector<double>& depthsBefore);
   void chooseStale();

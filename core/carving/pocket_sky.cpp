@@ -10,7 +10,7 @@
 namespace qrelief {
 namespace {
 
-constexpr double kSettledMm = 2e-3;
+constexpr double kSettledMm = 2e-3, kShortStepMm = 1e-2;
 constexpr int kSteps = 24;
 // Where on a floor, in its width: Gauss and Legendre's two. (A low step beside it hardly darkens its middle.)
 constexpr double kPlaces[2] = {0.2113, 0.7887};
@@ -18,86 +18,64 @@ constexpr double kPlaces[2] = {0.2113, 0.7887};
 }  // namespace
 
 PocketSky::PocketSky(const SubmoduleMask& mask, double submoduleMm) {
-  std::vector<std::uint32_t> floorOf(mask.carved.size(), kLight);
+  const int stride = mask.size + 2;
+  floorOf_.assign(static_cast<std::size_t>(stride * stride), kLight);
   for (std::uint32_t i = 0; i < mask.carved.size(); ++i) {
     if (!mask.carved[i]) continue;
-    floorOf[i] = static_cast<std::uint32_t>(carved_.size());
+    const int row = static_cast<int>(i) / mask.size, column = static_cast<int>(i) % mask.size;
+    cell_.push_back(static_cast<std::uint32_t>((row + 1) * stride + column + 1));
+    floorOf_[cell_.back()] = static_cast<std::uint32_t>(carved_.size());
     carved_.push_back(i);
   }
-  for (const std::uint32_t i : carved_) {
-    const int row = static_cast<int>(i) / mask.size, column = static_cast<int>(i) % mask.size;
-    for (int k = 0; k < kDirections; ++k) {
-      begin_.push_back(static_cast<std::uint32_t>(steps_.size()));
-      // Between the axes and the diagonals.
-      const double angle = 2 * std::numbers::pi * (k + 0.5) / kDirections;
-      const Vec2 place(kPlaces[k % 2], kPlaces[(k + k / 2) % 2]);
-      GridMarch march({column, row}, place, {std::cos(angle), std::sin(angle)});
-      for (std::uint32_t floor = 0; floor != kLight;) {
-        const double distanceMm = march.step() * submoduleMm;
-        const glm::ivec2 cell = march.cell();
-        const bool inside = cell.x >= 0 && cell.y >= 0 && cell.x < mask.size && cell.y < mask.size;
-        floor = inside ? floorOf[static_cast<std::size_t>(cell.y * mask.size + cell.x)] : kLight;
-        steps_.push_back({floor, static_cast<float>(1 / distanceMm)});
-      }
+  for (std::size_t k = 0; k < kDirections; ++k) {
+    // Between the axes and the diagonals.
+    const double angle = 2 * std::numbers::pi * (static_cast<double>(k) + 0.5) / kDirections;
+    const Vec2 place(kPlaces[k % 2], kPlaces[(k + k / 2) % 2]);
+    GridMarch march({0, 0}, place, {std::cos(angle), std::sin(angle)});
+    for (;;) {  // a way through the whole mask
+      const double distanceMm = march.step() * submoduleMm;
+      const glm::ivec2 cell = march.cell();
+      if (std::max(std::abs(cell.x), std::abs(cell.y)) > mask.size) break;
+      directions_[k].push_back({cell.y * stride + cell.x, static_cast<float>(1 / distanceMm)});
     }
   }
-  begin_.push_back(static_cast<std::uint32_t>(steps_.size()));
-  listSeenFrom();
 }
 
-/// The steps the other way round.
-void PocketSky::listSeenFrom() {
-  seenFromBegin_.assign(carved_.size() + 1, 0);
-  for (const Step& step : steps_)
-    if (step.floor != kLight) ++seenFromBegin_[step.floor + 1];
-  for (std::size_t k = 0; k < carved_.size(); ++k) seenFromBegin_[k + 1] += seenFromBegin_[k];
-  seenFrom_.resize(seenFromBegin_.back());
-  std::vector<std::uint32_t> next(seenFromBegin_.begin(), seenFromBegin_.end() - 1);
-  for (std::size_t k = 0; k < carved_.size(); ++k)
-    for (std::uint32_t s = begin_[k * kDirections]; s < begin_[(k + 1) * kDirections]; ++s)
-      if (steps_[s].floor != kLight) seenFrom_[next[steps_[s].floor]++] = static_cast<std::uint32_t>(k);
-}
-
-double PocketSky::fraction(std::size_t k, double depthMm, std::span<const double> depthsMm) const {
-  double sum = 0;
-  for (std::size_t direction = k * kDirections; direction < (k + 1) * kDirections; ++direction) {
-    double steepest = 0;  // tangent of the horizon's elevation
-    for (std::uint32_t s = begin_[direction]; s < begin_[direction + 1]; ++s) {
-      const double top = steps_[s].floor == kLight ? 0 : depthsMm[steps_[s].floor];
-      steepest = std::max(steepest, (depthMm - top) * static_cast<double>(steps_[s].inverseDistanceMm));
-    }
-    sum += 1 / (1 + steepest * steepest);
-  }
-  return sum / kDirections;
+/// 0 in light cells.
+std::vector<float> PocketSky::onGrid(std::span<const double> values) const {
+  std::vector<float> grid(floorOf_.size(), 0);
+  for (std::size_t k = 0; k < cell_.size(); ++k) grid[cell_[k]] = static_cast<float>(values[k]);
+  return grid;
 }
 
 /// Fraction of the sky at a depth, and its change per mm of it.
-PocketSky::FractionAndSlope PocketSky::fractionAndSlope(std::size_t k, double depthMm,
-                                                        std::span<const double> depthsMm) const {
+PocketSky::FractionAndSlope PocketSky::fractionAndSlope(std::size_t k, float depthMm,
+                                                        const std::vector<float>& grid) const {
   FractionAndSlope sum;
-  for (std::size_t direction = k * kDirections; direction < (k + 1) * kDirections; ++direction) {
-    double steepest = 0, perMm = 0;
-    for (std::uint32_t s = begin_[direction]; s < begin_[direction + 1]; ++s) {
-      const double top = steps_[s].floor == kLight ? 0 : depthsMm[steps_[s].floor];
-      const auto inverse = static_cast<double>(steps_[s].inverseDistanceMm);
-      const double steep = (depthMm - top) * inverse;
-      perMm = steep > steepest ? inverse : perMm;
+  const float* const own = &grid[cell_[k]];
+  for (const std::vector<Step>& steps : directions_) {
+    float steepest = 0, perMm = 0;  // tangent of the horizon's elevation
+    for (const Step& step : steps) {
+      const float top = own[step.offset], steep = (depthMm - top) * step.perMm;
+      perMm = steep > steepest ? step.perMm : perMm;
       steepest = std::max(steepest, steep);
+      // Nothing behind a light cell is higher than it; farther on nothing can rise over what was passed.
+      if (top == 0 || depthMm * step.perMm <= steepest) break;
     }
-    const double seen = 1 / (1 + steepest * steepest);
+    const double seen = 1 / (1 + static_cast<double>(steepest * steepest));
     sum.fraction += seen / kDirections;
-    sum.perMm -= 2 * steepest * perMm * seen * seen / kDirections;
+    sum.perMm -= 2 * static_cast<double>(steepest * perMm) * seen * seen / kDirections;
   }
   return sum;
 }
 
 /// By Newton's steps in log h and y = log((1 − V)/V), in which a pocket whose walls are all of one height is a line of
 /// slope 2; between the depths that are known to be too bright and dark enough.
-double PocketSky::depthFor(std::size_t k, double wanted, double limitMm, std::span<const double> depthsMm) const {
+double PocketSky::depthFor(std::size_t k, double wanted, double limitMm, const std::vector<float>& grid) const {
   double low = 0, high = limitMm;
-  double depth = std::clamp(depthsMm[k], std::min(kSettledMm, limitMm), limitMm);
+  double depth = std::clamp(static_cast<double>(grid[cell_[k]]), std::min(kSettledMm, limitMm), limitMm);
   for (int i = 0; i < kSteps; ++i) {
-    const FractionAndSlope seen = fractionAndSlope(k, depth, depthsMm);
+    const FractionAndSlope seen = fractionAndSlope(k, static_cast<float>(depth), grid);
     if (seen.fraction > wanted) {
       if (depth >= limitMm) return limitMm;
       low = depth;
@@ -109,8 +87,11 @@ double PocketSky::depthFor(std::size_t k, double wanted, double limitMm, std::sp
     const double wantedMore = std::log((1 - wanted) / wanted * v / (1 - v));
     double next = perLogDepth > 0 ? depth * std::exp(wantedMore / perLogDepth) : high;
     if (next > high && high >= limitMm && low == depth) next = limitMm;
-    if (!(next > low && next < high) && next != limitMm) next = (low + high) / 2;
-    if (std::abs(next - depth) < kSettledMm / 4 || high - low < kSettledMm / 4) return std::min(next, limitMm);
+    const bool isStep = (next > low && next < high) || next == limitMm;
+    if (!isStep) next = (low + high) / 2;
+    // The error of a short Newton step is of the order of its square.
+    if (std::abs(next - depth) < (isStep ? kShortStepMm : kSettledMm / 4) || high - low < kSettledMm / 4)
+      return std::min(next, limitMm);
     depth = next;
   }
   return high;
@@ -118,18 +99,20 @@ double PocketSky::depthFor(std::size_t k, double wanted, double limitMm, std::sp
 
 void PocketSky::solve(std::span<const double> fractions, std::span<const double> limitsMm, std::span<double> depthsMm,
                       std::vector<char> isDue, int maxSweeps) const {
+  std::vector<float> grid = onGrid(depthsMm);
   for (int sweep = 0; sweep < maxSweeps; ++sweep) {
     bool moved = false;
     for (std::size_t i = 0; i < carved_.size(); ++i) {
       const std::size_t k = sweep % 2 == 0 ? i : carved_.size() - 1 - i;  // there and back
       if (!isDue[k]) continue;
       isDue[k] = 0;
-      const double depth = depthFor(k, fractions[k], limitsMm[k], depthsMm);
+      const double depth = depthFor(k, fractions[k], limitsMm[k], grid);
       const double change = std::abs(depth - depthsMm[k]);
       depthsMm[k] = depth;
+      grid[cell_[k]] = static_cast<float>(depth);
       if (change < kSettledMm) continue;
       moved = true;
-      for (const std::uint32_t other : seenFrom(k)) isDue[other] = 1;
+      forEachInSight(k, [&](std::uint32_t other) { isDue[other] = 1; });
     }
     if (!moved) return;
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -23,14 +24,35 @@ class PocketSky {
   /// Indices of the carved submodules in the mask, ascending; what follows counts in this order.
   const std::vector<std::uint32_t>& carved() const { return carved_; }
 
-  /// The floors that have floor `k` in sight. On a plane surface its depth changes how much sky they see, and no
-  /// other's.
-  std::span<const std::uint32_t> seenFrom(std::size_t k) const {
-    return std::span(seenFrom_).subspan(seenFromBegin_[k], seenFromBegin_[k + 1] - seenFromBegin_[k]);
+  /// The floors that floor `k` has in sight, and which have it in sight: its depth changes how much sky they see. In
+  /// any order, some twice.
+  template <class Visit>
+  void forEachInSight(std::size_t k, const Visit& visit) const {
+    for (const std::vector<Step>& steps : directions_)
+      for (const Step& step : steps) {
+        const std::uint32_t floor =
+            floorOf_[static_cast<std::size_t>(static_cast<std::int32_t>(cell_[k]) + step.offset)];
+        if (floor == kLight) break;
+        visit(floor);
+      }
   }
 
-  /// Fraction of the sky that floor `k` sees, 0 … 1, were its depth `depthMm` and those of the others `depthsMm`.
-  double fraction(std::size_t k, double depthMm, std::span<const double> depthsMm) const;
+  /// Depths of all floors, for many questions about them.
+  class Depths {
+   public:
+    /// @param sky       kept by reference
+    /// @param depthsMm  in the order of carved()
+    Depths(const PocketSky& sky, std::span<const double> depthsMm) : sky_(&sky), grid_(sky.onGrid(depthsMm)) {}
+
+    /// Fraction of the sky that floor `k` sees, 0 … 1, were it, and it alone, as deep as `depthMm`.
+    double fraction(std::size_t k, double depthMm) const {
+      return sky_->fractionAndSlope(k, static_cast<float>(depthMm), grid_).fraction;
+    }
+
+   private:
+    const PocketSky* sky_;
+    std::vector<float> grid_;
+  };
 
   /// Depths at which every floor sees no more than its fraction, or is as deep as it may be.
   ///
@@ -46,25 +68,26 @@ class PocketSky {
              std::vector<char> isDue, int maxSweeps) const;
 
  private:
+  /// A cell that floors look over in a direction, the same for all floors.
   struct Step {
-    std::uint32_t floor;  // the floor that begins here; kLight: the uncarved surface
-    float inverseDistanceMm;
+    std::int32_t offset = 0;  // in the grid, from the floor's own cell
+    float perMm = 0;          // 1 / distance of the border behind which it begins
   };
-  static constexpr std::uint32_t kLight = 0xffffffff;
-  static constexpr int kDirections = 16;
-
   struct FractionAndSlope {
     double fraction = 0, perMm = 0;
   };
+  static constexpr int kDirections = 16;
+  static constexpr std::uint32_t kLight = 0xffffffff;
 
-  void listSeenFrom();
-  FractionAndSlope fractionAndSlope(std::size_t k, double depthMm, std::span<const double> depthsMm) const;
-  double depthFor(std::size_t k, double fraction, double limitMm, std::span<const double> depthsMm) const;
+  std::vector<float> onGrid(std::span<const double> depthsMm) const;
+  FractionAndSlope fractionAndSlope(std::size_t k, float depthMm, const std::vector<float>& grid) const;
+  double depthFor(std::size_t k, double fraction, double limitMm, const std::vector<float>& grid) const;
 
   std::vector<std::uint32_t> carved_;
-  std::vector<Step> steps_;                              // by floor and direction, outwards
-  std::vector<std::uint32_t> begin_;                     // of the steps of floor and direction
-  std::vector<std::uint32_t> seenFrom_, seenFromBegin_;  // for each floor, those that have it among their steps
+  // A grid of cells, with light ones all round:
+  std::vector<std::uint32_t> cell_;     // of each floor
+  std::vector<std::uint32_t> floorOf_;  // of each cell; kLight: it is not carved
+  std::array<std::vector<Step>, kDirections> directions_;
 };
 
 }  // namespace qrelief

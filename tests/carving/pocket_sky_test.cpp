@@ -24,25 +24,25 @@ TEST(PocketSky, SeesOfASquarePitWhatTheFormFactorSays) {
       2 / (std::numbers::pi * x * x) *
       (std::log(root * root / std::sqrt(1 + 2 * x * x)) + 2 * x * root * std::atan(x / root) - 2 * x * std::atan(x));
   const PocketSky sky(maskOf(5, [](int row, int column) { return row == 2 && column == 2; }), 1);
-  const double depth[] = {0.5};
-  EXPECT_NEAR(sky.fraction(0, 0.5, depth), factor, 0.005);
+  EXPECT_NEAR(PocketSky::Depths(sky, std::vector<double>{0.5}).fraction(0, 0.5), factor, 0.005);
 }
 
 TEST(PocketSky, SeesOfALongTrenchWhatItsClosedFormSays) {
   // Floor of an infinite trench of width w and depth h: √(1 + (h/w)²) − h/w.
   const PocketSky sky(maskOf(101, [](int, int column) { return column == 50; }), 0.4);
   const std::vector<double> depths(101, 0.3);
-  EXPECT_NEAR(sky.fraction(50, 0.3, depths), std::hypot(1, 0.75) - 0.75, 0.01);
+  EXPECT_NEAR(PocketSky::Depths(sky, depths).fraction(50, 0.3), std::hypot(1, 0.75) - 0.75, 0.01);
 }
 
 TEST(PocketSky, StepsBetweenFloorsCountByTheirHeight) {
   const PocketSky sky(maskOf(9, [](int, int) { return true; }), 1);
   std::vector<double> depths(81, 0.0);
-  EXPECT_EQ(sky.fraction(40, 0.0, depths), 1);
-  const double alone = sky.fraction(40, 0.5, depths);
+  EXPECT_EQ(PocketSky::Depths(sky, depths).fraction(40, 0), 1);
+  const double alone = PocketSky::Depths(sky, depths).fraction(40, 0.5);
   EXPECT_LT(alone, 0.6);
   for (double& depth : depths) depth = 0.5;
-  EXPECT_GT(sky.fraction(40, 0.5, depths), 0.98);  // only the symbol's rim stands out, four and a half submodules away
+  EXPECT_GT(PocketSky::Depths(sky, depths).fraction(40, 0.5),
+            0.98);  // only the symbol's rim stands out, four and a half submodules away
 }
 
 class PocketSkySolve : public testing::Test {
@@ -64,10 +64,11 @@ class PocketSkySolve : public testing::Test {
 
 TEST_F(PocketSkySolve, EveryFloorSeesItsShareAndNoLess) {
   const std::vector<double> depths = solvedFrom(0.2);
+  const PocketSky::Depths solved(sky_, depths);
   for (std::size_t k = 0; k < depths.size(); ++k) {
     ASSERT_LT(depths[k], 2);
-    EXPECT_LE(sky_.fraction(k, depths[k] + 0.003, depths), shares_[k]) << k;
-    EXPECT_GE(sky_.fraction(k, depths[k] - 0.003, depths), shares_[k]) << k;
+    EXPECT_LE(solved.fraction(k, depths[k] + 0.003), shares_[k]) << k;
+    EXPECT_GE(solved.fraction(k, depths[k] - 0.003), shares_[k]) << k;
   }
 }
 

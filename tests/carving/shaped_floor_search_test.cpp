@@ -33,10 +33,11 @@ class ShapedFloorSearchTest : public testing::Test {
     const int edge = 5 * (symbol_.size + 8);
     std::vector<double> all(static_cast<std::size_t>(edge * edge), 1.0), depths;
     for (const std::uint32_t i : sky_.carved()) depths.push_back(field.depthMm[i]);
+    const PocketSky::Depths onPlane(sky_, depths);
     for (std::size_t k = 0; k < depths.size(); ++k) {
       const int row = static_cast<int>(sky_.carved()[k]) / mask_.size;
       const int column = static_cast<int>(sky_.carved()[k]) % mask_.size;
-      const double sky = sky_.fraction(k, depths[k], depths);
+      const double sky = onPlane.fraction(k, depths[k]);
       all[static_cast<std::size_t>((row + 20) * edge + column + 20)] = sky / (1 - 0.7 * (1 - sky));
     }
     return all;
