@@ -21,6 +21,7 @@
 #include "base/random.h"
 #include "bench/centres.h"
 #include "io/read_model.h"
+#include "mesh/ray_tree.h"
 #include "native/egl_context.h"
 #include "pipeline/engrave.h"
 #include "verification/path_tracer.h"

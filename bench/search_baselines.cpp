@@ -26,6 +26,7 @@
 #include "embedding/embed.h"
 #include "io/read_model.h"
 #include "io/write_stl.h"
+#include "mesh/ray_tree.h"
 #include "messages/sentences.h"
 #include "native/egl_context.h"
 #include "pipeline/engrave.h"

@@ -50,31 +50,29 @@ int run(const GeometryPass&, const bench::TableArguments& arguments) {
             fmt::print("{} {}: {}\n", centre.name, k, result.error().message.code);
             continue;
           }
-          const auto reading = readCarving(request, *result, [](const Progress&) {});
-          if (!reading) return tl::unexpected(reading.error());
-          const VerifyRequest wanted = verifyRequestOf(request, *result);
+          const ReadingEvidence reading = readCarving(request, *result);
+          VerifyRequest wanted = verifyRequestOf(request, *result);
+          wanted.isTraced = true;
           auto job = VerifyJob::create(result->mesh, wanted, zxingReaders());
           if (!job) return tl::unexpected(job.error());
           const auto verified = runToEnd(**job);
           if (!verified) return tl::unexpected(verified.error());
-          const bool engraves = judge(request, *result, *reading).passed(),
-                     verifies = judge(wanted, *verified).passed();
+          const bool engraves = judge(request, *result, reading).passed(), verifies = judge(wanted, *verified).passed();
           agreeing += engraves == verifies;
           ++number;
-          const ReadingEvidence drawn = evidenceOf(readFrontal(result->readerView), request.text);
-          const int more = verified->reading.frontal.reads - drawn.count.reads;
+          const int more = verified->reading.frontal.reads - reading.count.reads;
           leastMore = std::min(leastMore, more);
           mostMore = std::max(mostMore, more);
-          fmt::print("{} {}: {:.1f} mm, engrave {} ({} of {}{}), verify {} ({} of {}), drawn {}{}\n", centre.name, k,
-                     wanted.symbolMm, engraves, reading->count.reads, reading->count.tries,
-                     reading->traced ? ", traced" : "", verifies, verified->reading.frontal.reads,
-                     verified->reading.frontal.tries, drawn.count.reads, engraves == verifies ? "" : " DIFFER");
+          fmt::print("{} {}: {:.1f} mm, engrave {} ({} of {}), verify --traced {} ({} of {}){}\n", centre.name, k,
+                     wanted.symbolMm, engraves, reading.count.reads, reading.count.tries, verifies,
+                     verified->reading.frontal.reads, verified->reading.frontal.tries,
+                     engraves == verifies ? "" : " DIFFER");
           std::fflush(stdout);
         }
         return {};
       });
   fmt::print("{} of {} results: engrave and verify agree\n", agreeing, number);
-  if (number > 0) fmt::print("traced less drawn: {} to {} tries\n", leastMore, mostMore);
+  if (number > 0) fmt::print("traced less lit: {} to {} tries\n", leastMore, mostMore);
   return status;
 }
 

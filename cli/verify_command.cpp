@@ -23,7 +23,7 @@ struct VerifyOptions {
   SettingFlags flags;
   std::optional<double> scale;
   std::vector<double> at;
-  bool quick = false, tryPrints = false, quiet = false;
+  bool quick = false, traced = false, tryPrints = false, quiet = false;
 };
 
 /// Place, size and text from the command line.
@@ -122,6 +122,7 @@ int verifyModel(const VerifyOptions& options) {
   auto request = requestFrom(options);
   if (!request) return printError(request.error());
   request->ranges = !options.quick;
+  request->isTraced = options.traced;
   const auto scale = scaleFrom(options.scale, options.units);
   if (!scale) return printError(scale.error());
   const std::string name = fileNameOf(options.path);
@@ -183,6 +184,8 @@ std::function<int()> addVerifyCommand(CLI::App& app) {
   o->flags.add(*c, "minWallMm");
   o->flags.add(*c, "light", "the one light that it is to read under, instead of the report's: ");
   c->add_flag("--quick", o->quick, "do not find out from how far, and how tilted or blurred, it reads");
+  c->add_flag("--traced", o->traced,
+              "trace the light path by path, with every bounce: the yardstick, many times as slow");
   c->add_flag(
       "--try-prints", o->tryPrints,
       "where it does not read well as printed, find out whether other poses and finer processes print it better");

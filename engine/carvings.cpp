@@ -21,7 +21,7 @@ namespace qrelief {
 namespace {
 
 constexpr int kNormalTexels = 768;  // of the map that gives a carved surface its smooth normals
-constexpr int kPreparedSteps = 2;   // of an engraving: the surface, and the search's first pass, which looks everywhere
+constexpr int kPreparedSteps = 5;   // of an engraving: the surface, and the first passes of the search
 
 }  // namespace
 
@@ -35,7 +35,11 @@ Result<std::unique_ptr<EngraveJob>> Carvings::makeJob(const Ground& ground, cons
   }
   return EngraveJob::create(
       ground.model.engravable, request,
-      {.placed = placed, .pass = ground.pass, .programs = programs_, .measured = std::move(measured)});
+      {.placed = placed,
+       .pass = ground.pass,
+       .programs = programs_,
+       .measured = std::move(measured),
+       .lightBy = timerQueries_ ? LightBy::Shaders : LightBy::Renderer});  // whose passes are to be timed
 }
 
 bool Carvings::prepare(const Ground& ground, EngraveRequest request, const PlacementSearch* placed) {

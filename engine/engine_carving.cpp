@@ -186,7 +186,7 @@ std::string Engine::addToPlate(int place, const std::string& id) {
 }
 
 std::optional<JobMap> Engine::jobMap(const std::string& name) const {
-  return carvings_.job() ? qrelief::jobMap(carvings_.job()->inspectorMaps(), name) : std::nullopt;
+  return carvings_.job() ? qrelief::jobMap(*carvings_.job(), name) : std::nullopt;
 }
 
 }  // namespace qrelief

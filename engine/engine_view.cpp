@@ -90,7 +90,7 @@ std::string Engine::viewState() const {
 
 Result<BackDistanceMap> Engine::backDistances() const {
   const EngraveResult* result = carvings_.result();
-  const SurfaceMaps* maps = carvings_.job() ? carvings_.job()->inspectorMaps().surface : nullptr;
+  const SurfaceMaps* maps = carvings_.job() ? carvings_.job()->surfaceMaps() : nullptr;
   if (!result || !maps) return fail(ErrorKind::BadUsage, message("nothing-engraved"));
   return pass_->renderBack(model_->engravable->gpu, result->placement.frame, maps->window);
 }

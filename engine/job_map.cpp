@@ -3,9 +3,11 @@
 
 namespace qrelief {
 
-std::optional<JobMap> jobMap(const InspectorMaps& maps, std::string_view name) {
+std::optional<JobMap> jobMap(const EngraveJob& job, std::string_view name) {
+  const InspectorMaps maps = job.inspectorMaps();
   const gl::Texture* source = nullptr;
-  if (name == "surface" && maps.surface) source = &maps.surface->surface;
+  const SurfaceMaps* const surface = name == "surface" ? job.surfaceMaps() : nullptr;
+  if (surface) source = &surface->surface;
   if (name == "luminance") source = maps.luminance;
   if (name == "depths") source = maps.depths;
   if (!source) return std::nullopt;

@@ -18,6 +18,6 @@ struct JobMap {
 /// @param name  "surface": facet normal (right, up, normal) and height over the QR plane, four components, all zero
 ///              beside the model; "luminance": under a uniform sky; "depths": mm, one texel a submodule
 /// @returns nothing for another name, and before the job has that map
-std::optional<JobMap> jobMap(const InspectorMaps& maps, std::string_view name);
+std::optional<JobMap> jobMap(const EngraveJob& job, std::string_view name);
 
 }  // namespace qrelief

@@ -44,8 +44,8 @@ Result<LoadedModel> loadedModel(std::vector<std::uint8_t> bytes, const std::stri
     model.display = std::make_shared<const GpuMesh>(display.mesh, display.normals);
   }
   model.engravable = EngravableModel::upload(std::move(*prepared));
-  model.look = [raster = std::make_shared<const SurfaceRaster>(model.mesh())](
-                   const ProjectionFrame& frame, const MapWindow& window) -> Result<std::vector<float>> {
+  model.look = [raster = model.engravable->raster](const ProjectionFrame& frame,
+                                                   const MapWindow& window) -> Result<std::vector<float>> {
     return raster->draw(frame, window);
   };
   model.prepareMs = millisecondsSince(preparing);

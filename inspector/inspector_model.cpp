@@ -68,7 +68,7 @@ std::optional<SubmoduleFacts> InspectorModel::selected() const {
 
 std::optional<ValueMap> InspectorModel::read(const Engine& engine, MapChannel channel) const {
   if (isOfSurface(channel)) {
-    const SurfaceMaps* maps = engine.carvings().job() ? engine.carvings().job()->inspectorMaps().surface : nullptr;
+    const SurfaceMaps* maps = engine.carvings().job() ? engine.carvings().job()->surfaceMaps() : nullptr;
     if (!maps || !engine.carvings().result()) return {};
     const bool needsBack = channel == MapChannel::BackDistance || channel == MapChannel::Thickness;
     if (!needsBack) return surfaceMap(*maps, nullptr, engine.carvings().codeEdgeMm(), channel);

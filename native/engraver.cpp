@@ -41,7 +41,7 @@ Result<Engraver::Place*> Engraver::placeOf(const EngraveRequest& request, int mo
   return &places_.front();
 }
 
-Result<Engraved> Engraver::carve(const EngraveRequest& request, const Tell& tell) const {
+Result<Engraver::Carving> Engraver::carve(const EngraveRequest& request, const Tell& tell, bool looksAtPrint) const {
   const auto symbol = encodeSymbol(request.text, request.symbol);
   if (!symbol) return tl::unexpected(symbol.error());
   tell({message("finding-direction-and-size"), 0});
@@ -53,57 +53,70 @@ Result<Engraved> Engraver::carve(const EngraveRequest& request, const Tell& tell
       model_, request,
       {.placed = &known.found, .pass = pass_, .programs = programs_, .symbol = &*symbol, .measured = known.measured});
   if (!job) return tl::unexpected(job.error());
+  Carving carving;
   for (;;) {
     const auto progress = (*job)->advance();
     if (!progress) return tl::unexpected(progress.error());
     tell(*progress);
+    const EngraveResult* const checked = (*job)->checkedResult();
+    if (looksAtPrint && checked && !carving.print.valid())
+      carving.print = std::async(std::launch::async, printed, verifyRequestOf(request, *checked), checked->mesh);
     if (progress->done) break;
   }
   EngraveResult result = (*job)->takeResult();
   known.measured = (*job)->measuredPlace();
   const auto start = Clock::now();
-  const auto evidence = readCarving(request, result, tell);
-  if (!evidence) return tl::unexpected(evidence.error());
+  const ReadingEvidence evidence = readCarving(request, result);
   result.timingsMs.verify += millisecondsSince(start);
-  Verdict verdict = judge(request, result, *evidence);
-  return Engraved{request, std::move(result), *evidence, {}, std::move(verdict)};
+  Verdict verdict = judge(request, result, evidence);
+  carving.engraved = Engraved{request, std::move(result), evidence, {}, std::move(verdict)};
+  return carving;
 }
 
-/// Finds out how the carving that was decided for comes off the printer.
-Status Engraver::print(Engraved& engraved, const Tell& tell) const {
+/// How a carving comes off the printer. It needs no GL context, so that it can be found out beside other work.
+Result<Engraver::Print> Engraver::printed(const VerifyRequest& request, const Mesh& carved) {
   const auto start = Clock::now();
-  auto printed = readPrinted(verifyRequestOf(engraved.request, engraved.result), engraved.result.mesh, tell);
-  if (!printed) return tl::unexpected(printed.error());
-  if (!*printed) return {};
-  engraved.printed = std::move(*printed);
-  engraved.result.timingsMs.print = millisecondsSince(start);
-  engraved.verdict = judge(engraved.request, engraved.result, engraved.reading, &*engraved.printed);
-  return {};
+  auto evidence = readPrinted(request, carved, [](const Progress&) {});
+  if (!evidence) return tl::unexpected(evidence.error());
+  return Print{std::move(*evidence), millisecondsSince(start)};
+}
+
+Result<Engraved> Engraver::withPrint(Carving carving, const Tell& tell) const {
+  Engraved& engraved = carving.engraved;
+  tell({message("printing"), 1});
+  auto print = carving.print.valid()
+                   ? carving.print.get()
+                   : printed(verifyRequestOf(engraved.request, engraved.result), engraved.result.mesh);
+  if (!print) return tl::unexpected(print.error());
+  if (print->evidence) {
+    engraved.printed = std::move(print->evidence);
+    engraved.result.timingsMs.print = print->ms;
+    engraved.verdict = judge(engraved.request, engraved.result, engraved.reading, &*engraved.printed);
+  }
+  return std::move(engraved);
 }
 
 Result<Engraved> Engraver::engraveOnce(const EngraveRequest& request, const Tell& tell) const {
-  auto carved = carve(request, tell);
-  if (!carved) return carved;
-  if (const Status printed = print(*carved, tell); !printed) return tl::unexpected(printed.error());
-  return carved;
+  auto carved = carve(request, tell, true);
+  if (!carved) return tl::unexpected(carved.error());
+  return withPrint(std::move(*carved), tell);
 }
 
 Result<Engraved> Engraver::engrave(const EngraveRequest& request, const Tell& tell, bool looksAtPrint) const {
-  auto asked = carve(request, tell);
-  if (!asked) return asked;
+  auto asked = carve(request, tell, looksAtPrint);
+  if (!asked) return tl::unexpected(asked.error());
   EngraveRequest deeper = request;
-  for (auto next = changeToTryNext(deeper, asked->verdict); next;) {
+  for (auto next = changeToTryNext(deeper, asked->engraved.verdict); next;) {
     apply(*next, deeper);
-    auto carved = carve(deeper, tell);
+    auto carved = carve(deeper, tell, false);
     if (!carved) break;  // what is asked for can be carved: better than nothing
-    next = changeToTryNext(deeper, carved->verdict);
-    if (!carved->verdict.reads.passed()) continue;
+    next = changeToTryNext(deeper, carved->engraved.verdict);
+    if (!carved->engraved.verdict.reads.passed()) continue;
     asked = std::move(carved);
     break;
   }
-  if (!looksAtPrint) return asked;
-  if (const Status printed = print(*asked, tell); !printed) return tl::unexpected(printed.error());
-  return asked;
+  if (!looksAtPrint) return std::move(asked->engraved);
+  return withPrint(std::move(*asked), tell);
 }
 
 Result<std::vector<std::uint8_t>> encodeCarved(const EngraveResult& result, std::span<const std::string> partNames,

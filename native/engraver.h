@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <future>
 #include <list>
 #include <memory>
 #include <optional>
@@ -51,10 +52,20 @@ class Engraver {
     std::shared_ptr<MeasuredPlace> measured;  ///< by the last carving there
   };
 
+  struct Print {
+    std::optional<PrintedEvidence> evidence;  ///< none: the request names no process
+    double ms = 0;
+  };
+  struct Carving {
+    Engraved engraved;
+    std::future<Result<Print>> print;  ///< under way beside the reading of the design; not valid: it was not begun
+  };
+
   Engraver() = default;
   Result<Place*> placeOf(const EngraveRequest& request, int modules) const;
-  Result<Engraved> carve(const EngraveRequest& request, const Tell& tell) const;
-  Status print(Engraved& engraved, const Tell& tell) const;
+  Result<Carving> carve(const EngraveRequest& request, const Tell& tell, bool looksAtPrint) const;
+  static Result<Print> printed(const VerifyRequest& request, const Mesh& carved);
+  Result<Engraved> withPrint(Carving carving, const Tell& tell) const;
 
   std::shared_ptr<const EngravableModel> model_;
   std::shared_ptr<const GeometryPass> pass_;

@@ -9,11 +9,8 @@
 
 namespace qrelief {
 
-/// What ZXing makes of a carving: of pictures drawn by the GPU; where these do not decide (isUndecided), of pictures
-/// whose light is traced on the mesh: by few paths, and where these do not decide, as `verify` traces it.
-/// @param progress  of the tracing
-Result<ReadingEvidence> readCarving(const EngraveRequest& request, const EngraveResult& result,
-                                    const std::function<void(const Progress&)>& progress);
+/// Text that ZXing decodes from pictures of a carving.
+ReadingEvidence readCarving(const EngraveRequest& request, const EngraveResult& result);
 
 /// What ZXing makes of a carved model as it comes off the printer; nothing if the request names no process.
 /// @param carved    a solid

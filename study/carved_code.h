@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "carving/depth_field.h"
+#include "light/directional_light.h"
 #include "qr/module_pattern.h"
 #include "qr/symbol.h"
-#include "render/directional_light.h"
 
 namespace qrelief::study {
 

@@ -169,10 +169,8 @@ bool enableExtension(const char* name) {
 
 /// What draws: browsers say "WebKit WebGL" and the like unless asked by this extension.
 std::string rendererName() {
-  constexpr GLenum kUnmaskedRenderer = 0x9246;
   if (!enableExtension("WEBGL_debug_renderer_info")) return {};
-  const GLubyte* name = glGetString(kUnmaskedRenderer);
-  return name ? reinterpret_cast<const char*>(name) : "";
+  return gl::rendererName();
 }
 
 InspectedEngine* makeEngine() {

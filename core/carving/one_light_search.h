@@ -7,7 +7,7 @@
 
 #include "carving/depth_solver.h"
 #include "carving/light_neighbours.h"
-#include "render/directional_light.h"
+#include "light/directional_light.h"
 
 namespace qrelief {
 

@@ -257,9 +257,24 @@ void drawFullscreen() {
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
+std::string rendererName() {
+  constexpr GLenum kUnmaskedRenderer = 0x9246;  // WEBGL_debug_renderer_info
+  const auto* const unmasked = reinterpret_cast<const char*>(glGetString(kUnmaskedRenderer));
+  while (glGetError() != GL_NO_ERROR) {
+  }
+  return unmasked && *unmasked != 0 ? unmasked : glString(GL_RENDERER);
+}
+
+bool isSoftware(std::string_view rendererName) {
+  constexpr std::array<std::string_view, 5> kNames = {"llvmpipe", "softpipe", "SwiftShader", "Basic Render",
+                                                      "Software"};
+  return std::any_of(kNames.begin(), kNames.end(),
+                     [&](std::string_view name) { return rendererName.find(name) != rendererName.npos; });
+}
+
 Result<Capabilities> queryCapabilities() {
   Capabilities found;
-  found.renderer = glString(GL_RENDERER);
+  found.renderer = rendererName();
   found.version = glString(GL_VERSION);
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &found.maxTextureSize);
   const Texture probe(4, 4, Format::R32F);

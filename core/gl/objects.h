@@ -6,6 +6,7 @@
 #include <glm/vec4.hpp>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -150,6 +151,11 @@ struct Capabilities {
   std::string version;
   int maxTextureSize = 0;
 };
+
+/// Name of what draws, unmasked where a browser tells it.
+std::string rendererName();
+/// Whether the processor draws (llvmpipe, SwiftShader, WARP): what it can compute itself is slower as a shader then.
+bool isSoftware(std::string_view rendererName);
 
 /// @returns Internal if float render targets are missing, with what a user could do about it
 Result<Capabilities> queryCapabilities();

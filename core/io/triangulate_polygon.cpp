@@ -6,6 +6,7 @@
 #include <compare>
 #include <functional>
 #include <queue>
+#include <tuple>
 #include <utility>
 
 #include "math/tolerance.h"
@@ -225,7 +226,9 @@ class EarClipper {
     std::uint64_t entry;
     std::uint32_t corner, turn;
 
-    auto operator<=>(const Look&) const = default;
+    bool operator>(const Look& other) const {
+      return std::tie(cut, entry, corner, turn) > std::tie(other.cut, other.entry, other.corner, other.turn);
+    }
   };
 
   Vec2 at(std::uint32_t i) const { return flat_[i]; }

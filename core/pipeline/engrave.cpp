@@ -25,6 +25,8 @@
 #include "pipeline/verify.h"
 #include "projection/room.h"
 #include "settings/settings.h"
+#include "verification/mesh_luminance.h"
+#include "verification/reading_sweep.h"
 
 namespace qrelief {
 namespace {
@@ -32,6 +34,8 @@ namespace {
 constexpr int kN = kSubmodulesPerModule;
 constexpr double kReachPerDepth = 8;  // a wall seen from eight times its height away hides 0.4 % of the sky
 constexpr double kLeastReachModules = 3;
+/// Of the picture that is read: along its edge at most, for large symbols, and along a module's at least.
+constexpr int kMostPixels = 1200, kLeastPixelsPerModule = 5;
 
 /// What carving must not bring into a model. Crossings count where it had none: facets that crossed others before may
 /// have been cut.
@@ -70,6 +74,7 @@ std::shared_ptr<const EngravableModel> EngravableModel::upload(PreparedModel pre
   auto model = std::make_shared<EngravableModel>();
   model->gpu = GpuMesh(prepared.mesh, prepared.normals);
   model->prepared = std::move(prepared);
+  model->raster = std::make_shared<const SurfaceRaster>(model->prepared.mesh);
   return model;
 }
 
@@ -110,6 +115,7 @@ struct EngraveJob::State {
   std::optional<PlacementSearch> placing;
   std::shared_ptr<MeasuredPlace> measured;  // before its stage, one that may be that of this place
   bool isMeasured = false;
+  LightBy lightBy = LightBy::Renderer;
   CarvingTarget target;
   std::unique_ptr<DepthSolver> search;
   std::vector<float> means;  // luminance of every cell of the map
@@ -125,7 +131,7 @@ struct EngraveJob::State {
   Status embed();
   Status print();
   Status check();
-  Status view();
+  void view();
   void measure();
   void startRecord(std::span<const double> limitMm);
   void recordPass(const DepthField& tried, std::span<const double> luminance, double ms);
@@ -181,11 +187,12 @@ void EngraveJob::State::take(const PlacementSearch& found) {
 Status EngraveJob::State::map() {
   const auto start = Clock::now();
   const Placement& placement = result.placement;
-  const MeasuredPlace::Request wanted{placement.frame, placement.moduleMm, layout, request.albedo, request.lamps()};
+  const MeasuredPlace::Request wanted{placement.frame, placement.moduleMm, layout,
+                                      request.albedo,  request.lamps(),    lightBy};
   if (measured && measured->request() == wanted) {
-    measured->uncarve();
+    measured->light().uncarve();
   } else {
-    auto made = MeasuredPlace::create(model->gpu, *pass, programs, wanted);
+    auto made = MeasuredPlace::create(model, pass, programs, wanted);
     if (!made) return tl::unexpected(made.error());
     measured = std::move(*made);
   }
@@ -209,8 +216,6 @@ void EngraveJob::State::measure() {
   std::vector<std::uint32_t> cells;
   for (const std::uint32_t i : due)
     cells.push_back(layout.ofSymbol(static_cast<int>(i) / mask.size, static_cast<int>(i) % mask.size));
-  LuminancePass& light = measured->light();
-  light.selectCells(cells);
   std::vector<float> depths(static_cast<std::size_t>(layout.cells()) * static_cast<std::size_t>(layout.cells()), 0.0f);
   double deepest = 0;
   for (int row = 0; row < mask.size; ++row) {
@@ -220,11 +225,8 @@ void EngraveJob::State::measure() {
       deepest = std::max(deepest, depth);
     }
   }
-  light.setDepths(depths);
-  light.setRadius(
-      static_cast<float>(std::max(kLeastReachModules * result.placement.moduleMm, kReachPerDepth * deepest)));
-  light.run();
-  means = light.readLuminance();
+  means = measured->light().luminance(
+      cells, depths, std::max(kLeastReachModules * result.placement.moduleMm, kReachPerDepth * deepest));
 }
 
 void EngraveJob::State::startRecord(std::span<const double> limitMm) {
@@ -266,7 +268,7 @@ Status EngraveJob::State::searchOnce() {
   result.searchIterations += search->iterations();
   result.limitedSubmodules = search->limitedCount();
   result.luminance = std::move(luminance);
-  const std::vector<Received> received = measured->light().readReceived();
+  const std::vector<Received> received = measured->light().received();
   result.received.clear();
   for (int row = 0; row < edge; ++row)
     for (int column = 0; column < edge; ++column) result.received.push_back(received[layout.ofQuietZone(row, column)]);
@@ -338,6 +340,8 @@ Status EngraveJob::State::check() {
   result.carvedPart = partOf.empty() ? 0 : partOf[result.placement.seed];
   result.partOfTriangle =
       partsAfterCarving(model->prepared.mesh, partOf, result.mesh, result.keptTriangles, result.carvedPart);
+  result.symbol = symbol;
+  result.request = request;
   if (request.inlay)
     if (const Status made = addInlay(*model, request.surface, result); !made) return made;
   result.timingsMs.verify += millisecondsSince(start);
@@ -346,25 +350,29 @@ Status EngraveJob::State::check() {
   return {};
 }
 
-Status EngraveJob::State::view() {
+void EngraveJob::State::view() {
   const auto start = Clock::now();
-  const GpuMesh carved(result.mesh, vertexNormals(result.mesh));
   ReaderViewOptions options;
-  const int modulesAcross = symbol.size + 12;
+  const int modulesAcross = symbol.size + 2 * kPictureMarginModules;
+  const int pixels = std::clamp(kMostPixels / modulesAcross, kLeastPixelsPerModule, kBakedPixels);
   options.extentMm = result.placement.moduleMm * modulesAcross;
-  options.texels = std::clamp(8 * modulesAcross, 320, 1200);
+  options.texels = pixels * modulesAcross;
   options.reliefMm = static_cast<float>(summarise(result.depths).maxMm);
   options.radiusMm = static_cast<float>(kReachPerDepth / 2) * options.reliefMm;
   options.albedo = request.albedo;
   options.lights = request.lamps();
-  auto seen = renderReaderView(*pass, carved, result.placement.frame, options, programs);
-  if (!seen) return tl::unexpected(seen.error());
-  result.readerView = std::move(*seen);
+  result.readerView = photographed(meshLuminance(result.mesh, result.placement.frame,
+                                                 {.pixels = options.texels,
+                                                  .pixelMm = result.placement.moduleMm / pixels,
+                                                  .nearMm = kPictureMarginModules * result.placement.moduleMm,
+                                                  .albedo = static_cast<double>(request.albedo),
+                                                  .lamps = options.lights,
+                                                  .lampRadiusDeg = kOneLightRadiusDeg}),
+                                   options);
   result.readerOptions = options;
-  result.readerView.pixelsPerModule = static_cast<double>(options.texels) / modulesAcross;
+  result.readerView.pixelsPerModule = pixels;
   result.timingsMs.verify += millisecondsSince(start);
   stage = Stage::Done;
-  return {};
 }
 
 EngraveJob::EngraveJob(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -402,6 +410,7 @@ Result<std::unique_ptr<EngraveJob>> EngraveJob::create(std::shared_ptr<const Eng
   state->symbol = std::move(*symbol);
   state->layout = {state->symbol.size};
   state->measured = known.measured;
+  state->lightBy = known.lightBy;
   if (known.placed)
     state->take(*known.placed);
   else
@@ -436,7 +445,7 @@ Result<Progress> EngraveJob::advance() {
       done = s.check();
       break;
     case Stage::Viewing:
-      done = s.view();
+      s.view();
       break;
     case Stage::Done:
       assert(false && "advance() after done");
@@ -448,22 +457,25 @@ Result<Progress> EngraveJob::advance() {
 
 EngraveResult EngraveJob::takeResult() {
   assert(state_->stage == State::Stage::Done);
-  state_->result.symbol = state_->symbol;
-  state_->result.request = state_->request;
   return std::move(state_->result);
+}
+
+const EngraveResult* EngraveJob::checkedResult() const {
+  return state_->stage == State::Stage::Viewing ? &state_->result : nullptr;
 }
 
 InspectorMaps EngraveJob::inspectorMaps() const {
   InspectorMaps maps;
   if (!state_->isMeasured) return maps;
   const MeasuredPlace& measured = *state_->measured;
-  maps.surface = &measured.maps();
-  maps.luminance = &measured.light().luminance();
-  maps.depths = &measured.light().depths();
+  maps.luminance = &measured.light().luminanceTexture();
+  maps.depths = &measured.light().depthTexture();
   maps.symbol = &state_->symbol;
   maps.search = &state_->result.search;
   return maps;
 }
+
+const SurfaceMaps* EngraveJob::surfaceMaps() const { return state_->isMeasured ? state_->measured->maps() : nullptr; }
 
 std::shared_ptr<MeasuredPlace> EngraveJob::measuredPlace() const {
   return state_->isMeasured ? state_->measured : nullptr;

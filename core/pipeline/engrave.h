@@ -14,6 +14,7 @@
 #include "mesh/prepare.h"
 #include "pipeline/measured_place.h"
 #include "pipeline/placement.h"
+#include "projection/surface_raster.h"
 #include "qr/symbol.h"
 #include "render/geometry_pass.h"
 #include "render/luminance_pass.h"
@@ -28,6 +29,7 @@ namespace qrelief {
 struct EngravableModel {
   PreparedModel prepared;
   GpuMesh gpu;
+  std::shared_ptr<const SurfaceRaster> raster;  ///< of prepared.mesh
 
   /// @param prepared  blocking findings do not matter here; EngraveJob refuses them
   static std::shared_ptr<const EngravableModel> upload(PreparedModel prepared);
@@ -88,8 +90,7 @@ CarvedFeatures featuresOf(const EngraveResult& result);
 
 /// What the inspector shows of a running or finished job. Everything belongs to the job.
 struct InspectorMaps {
-  const SurfaceMaps* surface = nullptr;    ///< null before the surface was measured
-  const gl::Texture* luminance = nullptr;  ///< R32F
+  const gl::Texture* luminance = nullptr;  ///< R32F; null before the surface was measured
   const gl::Texture* depths = nullptr;     ///< R32F, one texel a submodule
   const Symbol* symbol = nullptr;
   const SearchRecord* search = nullptr;  ///< empty if it was not asked for; moves into the result when that is taken
@@ -111,6 +112,7 @@ class EngraveJob {
     const Symbol* symbol = nullptr;  ///< in place of what the request's text and options give
     /// Of the same model, by a job that is over; measured anew where this one's place is another.
     std::shared_ptr<MeasuredPlace> measured = nullptr;
+    LightBy lightBy = LightBy::Renderer;
   };
   /// @returns what checkEngraving() does
   static Result<std::unique_ptr<EngraveJob>> create(std::shared_ptr<const EngravableModel> model,
@@ -128,10 +130,16 @@ class EngraveJob {
   /// The result, once, after `done`.
   EngraveResult takeResult();
 
+  /// What is known of the result once the carved mesh is made and checked, before its picture is; else null. Belongs to
+  /// the job, until takeResult().
+  const EngraveResult* checkedResult() const;
+
   /// Null before the surface was measured.
   std::shared_ptr<MeasuredPlace> measuredPlace() const;
 
   InspectorMaps inspectorMaps() const;
+  /// Of the uncarved surface, drawn when they are first asked for; null before the surface was measured.
+  const SurfaceMaps* surfaceMaps() const;
 
  private:
   struct State;

@@ -4,75 +4,149 @@
 #include <algorithm>
 #include <limits>
 
+#include "pipeline/engrave.h"
+
 namespace qrelief {
 namespace {
 
 constexpr int kN = CellLayout::kN;
 constexpr int kMaxMapTexels = 2048;
-constexpr int kHorizonsPerModule = 2;
-constexpr double kFirstReachModules = 3;
-constexpr LuminanceSampling kUncarvedSampling{1, 4};  // smooth, but for the model's own edges
+constexpr int kTexelsPerCell = 4;       // of the shaders' maps, where they do not become too large
+constexpr int kDrawnTexelsPerCell = 2;  // by the processor: a cell's facets, and what is thin behind it
+
+/// Means over blocks of texels.
+HeightMap coarser(const HeightMap& fine, int texels) {
+  const int size = fine.size / texels;
+  const auto count = static_cast<std::size_t>(size) * static_cast<std::size_t>(size);
+  HeightMap map{size,
+                fine.patchMm * texels,
+                fine.eyeDistance,
+                std::vector<float>(count, HeightMap::kNothing),
+                std::vector<float>(count, 0.0f),
+                std::vector<float>(count, 0.0f)};
+  for (int row = 0; row < size; ++row)
+    for (int column = 0; column < size; ++column) {
+      float height = 0, slopeX = 0, slopeY = 0, seen = 0;
+      for (int k = 0; k < texels * texels; ++k) {
+        const auto texel =
+            static_cast<std::size_t>((row * texels + k / texels) * fine.size + column * texels + k % texels);
+        if (!fine.isSurface(texel)) continue;
+        height += fine.height[texel];
+        slopeX += fine.slopeX[texel];
+        slopeY += fine.slopeY[texel];
+        seen += 1;
+      }
+      if (seen == 0) continue;
+      const auto patch = static_cast<std::size_t>(row * size + column);
+      map.height[patch] = height / seen;
+      map.slopeX[patch] = slopeX / seen;
+      map.slopeY[patch] = slopeY / seen;
+    }
+  return map;
+}
+
+/// Distances from the eye along the rays, 0 where there is nothing.
+std::vector<float> distancesOf(const HeightMap& map) {
+  std::vector<float> distances(map.height.size(), 0.0f);
+  for (int row = 0; row < map.size; ++row)
+    for (int column = 0; column < map.size; ++column) {
+      const auto patch = static_cast<std::size_t>(row * map.size + column);
+      if (!map.isSurface(patch)) continue;
+      const Vec2 plane = Vec2(column + 0.5 - map.size / 2.0, row + 0.5 - map.size / 2.0) * map.patchMm;
+      const double way = std::sqrt(glm::dot(plane, plane) + map.eyeDistance * map.eyeDistance);  // to the QR plane
+      distances[patch] =
+          static_cast<float>(way * map.eyeDistance / (static_cast<double>(map.height[patch]) + map.eyeDistance));
+    }
+  return distances;
+}
 
 }  // namespace
 
-Result<std::shared_ptr<MeasuredPlace>> MeasuredPlace::create(const GpuMesh& model, const GeometryPass& pass,
+Result<std::shared_ptr<MeasuredPlace>> MeasuredPlace::create(std::shared_ptr<const EngravableModel> model,
+                                                             std::shared_ptr<const GeometryPass> pass,
                                                              std::shared_ptr<const LuminancePrograms> programs,
                                                              const Request& request) {
   auto place = std::make_shared<MeasuredPlace>();
   place->request_ = request;
-  const int cells = request.layout.cells();
-  const MapWindow window{request.moduleMm * cells / kN, std::clamp(kMaxMapTexels / cells, 1, 4) * cells};
-  auto maps = pass.render(model, request.frame, window);
-  if (!maps) return tl::unexpected(maps.error());
-  place->maps_ = std::move(*maps);
-  const auto around = pass.render(model, request.frame, surroundingsOf(window, request.frame, model.box()));
-  if (!around) return tl::unexpected(around.error());
-  if (const Status lit = place->measureLight(*around, std::move(programs)); !lit) return tl::unexpected(lit.error());
-  const auto back = pass.renderBack(model, request.frame, window);
-  if (!back) return tl::unexpected(back.error());
-  place->measureThickness(*back);
+  place->model_ = std::move(model);
+  place->pass_ = std::move(pass);
+  const bool isByProcessor = request.lightBy == LightBy::Processor ||
+                             (request.lightBy == LightBy::Renderer && gl::isSoftware(gl::rendererName()));
+  if (isByProcessor)
+    place->measureByProcessor();
+  else if (const Status measured = place->measureByShaders(std::move(programs)); !measured)
+    return tl::unexpected(measured.error());
   return place;
 }
 
-/// The surroundings are lit once: pockets lie below the light modules and take no sky from them.
-Status MeasuredPlace::measureLight(const SurfaceMaps& around, std::shared_ptr<const LuminancePrograms> programs) {
-  LuminanceOptions options;
-  options.cellTexels = maps_.window.texels / request_.layout.cells();
-  options.albedo = request_.albedo;
-  options.lights = request_.lights;
-  options.horizonSamples = kHorizonsPerModule * request_.layout.cells() / kN;
-  options.horizonStartMm = static_cast<float>(request_.moduleMm);
-  options.radiusMm = static_cast<float>(kFirstReachModules * request_.moduleMm);
-  auto made = LuminancePass::create(maps_, &around, request_.frame.eyeDistance, options, std::move(programs));
-  if (!made) return tl::unexpected(made.error());
-  light_.emplace(std::move(*made));
-  light_->setSampling(kUncarvedSampling);
-  light_->setRadius(options.horizonStartMm);  // what lies farther is in the horizon
-  light_->run();
-  light_->setSampling({});
-  uncarved_ = light_->readReceived();
+MapWindow MeasuredPlace::window(int texelsPerCell) const {
+  const int cells = request_.layout.cells();
+  return {request_.moduleMm * cells / kN, std::clamp(kMaxMapTexels / cells, 1, texelsPerCell) * cells};
+}
+
+PlaceLightOptions MeasuredPlace::lightOptions() const {
+  return {request_.layout.cells() / kN, request_.moduleMm, request_.albedo, request_.lights};
+}
+
+const SurfaceMaps* MeasuredPlace::maps() const {
+  if (!maps_) {
+    auto drawn = pass_->render(model_->gpu, request_.frame, window(kTexelsPerCell));
+    if (!drawn) return nullptr;
+    maps_ = std::move(*drawn);
+  }
+  return &*maps_;
+}
+
+Status MeasuredPlace::measureByShaders(std::shared_ptr<const LuminancePrograms> programs) {
+  const MapWindow map = window(kTexelsPerCell);
+  auto maps = pass_->render(model_->gpu, request_.frame, map);
+  if (!maps) return tl::unexpected(maps.error());
+  maps_ = std::move(*maps);
+  const auto around =
+      pass_->render(model_->gpu, request_.frame, surroundingsOf(map, request_.frame, model_->gpu.box()));
+  if (!around) return tl::unexpected(around.error());
+  auto light = lightByShaders(*maps_, *around, request_.frame.eyeDistance, lightOptions(), std::move(programs));
+  if (!light) return tl::unexpected(light.error());
+  light_ = std::move(*light);
+  const auto back = pass_->renderBack(model_->gpu, request_.frame, map);
+  if (!back) return tl::unexpected(back.error());
+  const std::vector<float> smooth = maps_->framebuffer.readRgba(1);
+  std::vector<float> front;
+  for (std::size_t texel = 0; texel < smooth.size() / 4; ++texel) front.push_back(smooth[4 * texel + 3]);
+  measureThickness(front, back->framebuffer.readRed(), map.texels / request_.layout.cells());
   return {};
 }
 
-void MeasuredPlace::measureThickness(const BackDistanceMap& back) {
-  const std::vector<float> behind = back.framebuffer.readRed();
-  const std::vector<float> ahead = maps_.framebuffer.readRgba(1);
-  const int texels = maps_.window.texels, cells = request_.layout.cells(), perCell = texels / cells;
+void MeasuredPlace::measureByProcessor() {
+  const ProjectionFrame& frame = request_.frame;
+  const SurfaceRaster& raster = *model_->raster;
+  const auto drawn = [&](const MapWindow& seen) {
+    return heightMapOf(raster.draw(frame, seen), seen.texels, seen.texelMm(), frame.eyeDistance);
+  };
+  const MapWindow map = window(kDrawnTexelsPerCell);
+  const int texelsPerCell = map.texels / request_.layout.cells();
+  const HeightMap surface = drawn(map);
+  measureThickness(distancesOf(surface), raster.drawBack(frame, map), texelsPerCell);
+  light_ = lightByProcessor(coarser(surface, texelsPerCell), drawn(surroundingsOf(map, frame, model_->gpu.box())),
+                            lightOptions());
+}
+
+void MeasuredPlace::measureThickness(std::span<const float> front, std::span<const float> back, int texelsPerCell) {
+  const int cells = request_.layout.cells(), texels = texelsPerCell * cells;
   const int edge = kN * request_.layout.modules;
   for (int row = 0; row < edge; ++row)
     for (int column = 0; column < edge; ++column) {
       const auto cell = static_cast<int>(request_.layout.ofSymbol(row, column));
       double least = std::numeric_limits<double>::infinity();
-      for (int t = 0; t < perCell * perCell; ++t) {
-        const int y = cell / cells * perCell + t / perCell, x = cell % cells * perCell + t % perCell;
+      for (int t = 0; t < texelsPerCell * texelsPerCell; ++t) {
+        const int y = cell / cells * texelsPerCell + t / texelsPerCell;
+        const int x = cell % cells * texelsPerCell + t % texelsPerCell;
         const auto texel = static_cast<std::size_t>(y * texels + x);
-        const float front = ahead[4 * texel + 3];
-        if (front > 0 && behind[texel] > 0) least = std::min<double>(least, behind[texel] - front);
+        if (front[texel] > 0 && back[texel] > 0)
+          least = std::min(least, static_cast<double>(back[texel] - front[texel]));
       }
       thicknessMm_.push_back(least);
     }
 }
-
-void MeasuredPlace::uncarve() { light_->setReceived(uncarved_); }
 
 }  // namespace qrelief

@@ -2,17 +2,27 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "base/result.h"
 #include "pipeline/cell_layout.h"
+#include "pipeline/place_light.h"
 #include "render/geometry_pass.h"
-#include "render/luminance_pass.h"
 
 namespace qrelief {
 
-/// What a place looks like before anything is carved there: maps of its surface, how thick the material is, and the
-/// light on it. The same for every symbol of a size, so that whoever carves many measures it once.
+struct EngravableModel;
+
+/// Who computes the light on a place.
+enum class LightBy : std::uint8_t {
+  Renderer,  ///< shaders on a GPU, the processor where it draws anyway
+  Shaders,
+  Processor
+};
+
+/// What a place looks like before anything is carved there: how thick the material is, and the light on it. The same
+/// for every symbol of a size, so that whoever carves many measures it once.
 class MeasuredPlace {
  public:
   struct Request {
@@ -21,35 +31,41 @@ class MeasuredPlace {
     CellLayout layout;    ///< of the symbol
     float albedo = 0.7f;  ///< of the material, 0 … 1
     std::vector<DirectionalLight> lights = {};
+    LightBy lightBy = LightBy::Renderer;
 
     bool operator==(const Request&) const = default;
   };
 
   /// @returns Internal if the GL implementation cannot make the maps
-  static Result<std::shared_ptr<MeasuredPlace>> create(const GpuMesh& model, const GeometryPass& pass,
+  static Result<std::shared_ptr<MeasuredPlace>> create(std::shared_ptr<const EngravableModel> model,
+                                                       std::shared_ptr<const GeometryPass> pass,
                                                        std::shared_ptr<const LuminancePrograms> programs,
                                                        const Request& request);
 
   const Request& request() const { return request_; }
-  const SurfaceMaps& maps() const { return maps_; }
+  /// Maps of the surface, drawn when they are first asked for; null if the GL implementation cannot draw them.
+  const SurfaceMaps* maps() const;
   /// Along the rays through each submodule of the symbol, the least, mm; infinite where no ray meets both sides.
   /// Row-major from the symbol's top left.
   const std::vector<double>& thicknessMm() const { return thicknessMm_; }
   /// On the place as something carves it; one at a time.
-  LuminancePass& light() { return *light_; }
-  const LuminancePass& light() const { return *light_; }
-  /// Takes all carving back from light().
-  void uncarve();
+  PlaceLight& light() { return *light_; }
+  const PlaceLight& light() const { return *light_; }
 
  private:
-  Status measureLight(const SurfaceMaps& around, std::shared_ptr<const LuminancePrograms> programs);
-  void measureThickness(const BackDistanceMap& back);
+  MapWindow window(int texelsPerCell) const;
+  PlaceLightOptions lightOptions() const;
+  Status measureByShaders(std::shared_ptr<const LuminancePrograms> programs);
+  void measureByProcessor();
+  /// @param front, back  distances from the eye along the rays of texelsPerCell² texels of every cell, 0: none
+  void measureThickness(std::span<const float> front, std::span<const float> back, int texelsPerCell);
 
   Request request_;
-  SurfaceMaps maps_;
+  std::shared_ptr<const EngravableModel> model_;
+  std::shared_ptr<const GeometryPass> pass_;
+  mutable std::optional<SurfaceMaps> maps_;
   std::vector<double> thicknessMm_;
-  std::optional<LuminancePass> light_;
-  std::vector<Received> uncarved_;  // by every cell
+  std::unique_ptr<PlaceLight> light_;
 };
 
 }  // namespace qrelief

@@ -4,22 +4,23 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <optional>
+#include <numbers>
 
+#include "light/height_light.h"
 #include "math/angle.h"
-#include "printing/printed_rays.h"
 #include "verification/baked_light.h"
+#include "verification/lit_picture.h"
 #include "verification/reading_sweep.h"
 
 namespace qrelief {
 namespace {
 
-constexpr int kPaths = 8;
-constexpr int kRoughPaths = 2;  // more change little: a module has a hundred texels
 constexpr double kRoughness = 1.5;
-/// Beyond a symbol what stands there is printed, too, but lit only as far as modules are compared with it
-/// (LightNeighbours): two modules, and the texels that these are smoothed with.
-constexpr int kRoughBorder = kBakedPixels * (kPictureMarginModules - 2) - 1;
+constexpr int kDirections = 16, kRoughDirections = 12;  // means over modules need fewer
+/// Beyond a symbol, as far as its modules are compared with what stands there (LightNeighbours) and a module more; what
+/// lies farther out counts as the border does.
+constexpr int kRoughMarginModules = 3;
+constexpr double kEveryPatch = 20;  // up to here a horizon looks at every patch
 
 }  // namespace
 
@@ -36,72 +37,57 @@ Result<std::optional<PrintedViewRequest>> printedViewOf(const VerifyRequest& req
                             .oneLight = request.oneLight};
 }
 
-/// The stages in their order; each `advance` does one step of the current one.
+/// The stages in their order; each `advance` does one of them.
 struct PrintedViewJob::State {
   enum class Stage { Printing, Light, Done };
 
   const Mesh* model;
   PrintedViewRequest request;
   Stage stage = Stage::Printing;
-  std::optional<PrintedRays> printed;
-  std::optional<BakedLight> light;
-  int bakedRows = 0;
+  HeightMap printed;
   PrintedView result;
 
   int edgeModules() const { return request.symbol.size + 2 * kPictureMarginModules; }
+  /// What is printed of it.
+  int printedModules() const { return request.isRough ? request.symbol.size + 2 * kRoughMarginModules : edgeModules(); }
   Status print();
-  void prepare();
-  void bake();
-  void look();
-  void photographSeen();
+  void light();
 };
 
 Status PrintedViewJob::State::print() {
   auto surface = printSurface(*model, {.process = request.process,
                                        .frame = request.frame,
-                                       .extentMm = request.symbolMm / request.symbol.size * edgeModules(),
+                                       .extentMm = request.symbolMm / request.symbol.size * printedModules(),
                                        .buildUp = request.buildUp,
                                        .roughness = request.isRough ? kRoughness : 1});
   if (!surface) return tl::unexpected(surface.error());
-  printed.emplace(*surface);
-  prepare();
+  printed = surface->heightMap();
+  stage = Stage::Light;
   return {};
 }
 
-void PrintedViewJob::State::prepare() {
-  light.emplace(
-      *printed, request.frame,
-      BakeOptions{.texelMm = request.symbolMm / request.symbol.size / kBakedPixels,
-                  .texels = kBakedPixels * edgeModules(),
-                  .border = request.isRough ? kRoughBorder : 0,
-                  .paths = request.isRough ? kRoughPaths : kPaths,
-                  .albedo = request.albedo,
-                  .lamp = request.oneLight ? lampOf(*request.oneLight, request.frame, kOneLightRadiusDeg) : kNoLamp});
-  stage = Stage::Light;
-}
-
-void PrintedViewJob::State::bake() {
-  bakedRows += kRowsAStep;
-  if (light->bakeRows(kRowsAStep)) look();
-}
-
-void PrintedViewJob::State::look() {
-  light->smooth();
-  if (!request.isRough) photographSeen();
-  result.submodules = submoduleLight(*light, request.symbol.size, request.oneLight.has_value());
+void PrintedViewJob::State::light() {
+  LightOptions options{.sampling = {.points = 1, .directions = request.isRough ? kRoughDirections : kDirections},
+                       .reachMm = printed.size * printed.patchMm * std::numbers::sqrt2,
+                       .everyPatchMm = kEveryPatch * printed.patchMm,
+                       .lampRadiusDeg = kOneLightRadiusDeg};
+  if (request.oneLight) options.lamps = {*request.oneLight};
+  const HeightLight surface(printed);
+  std::vector<Received> received;
+  surface.measure(options, {}, received);
+  const std::vector<float> luminance = surface.luminance(options, received, request.albedo);
+  const PictureGrid grid{request.symbolMm / request.symbol.size / kBakedPixels, kBakedPixels * edgeModules()};
+  if (!request.isRough) {
+    ReaderView& seen = result.seen;
+    seen.luminance = litPicture(printed, luminance, grid, kBackground);
+    seen.pixelsPerModule = kBakedPixels;
+    seen.clean = photograph(seen.luminance, grid.pixels);
+  }
+  result.submodules = submoduleMeans(litPicture(printed, luminance, grid, 1), request.symbol.size);
   result.misread = misreadModules(measureModules(request.symbol, result.submodules));
   const double cosine = glm::dot(request.frame.normal, glm::normalize(request.buildUp));
   result.facingDeg = toDegrees(std::acos(std::clamp(cosine, -1.0, 1.0)));
   stage = Stage::Done;
-}
-
-void PrintedViewJob::State::photographSeen() {
-  ReaderView& seen = result.seen;
-  for (const SurfaceLight& texel : light->light())
-    seen.luminance.push_back(texel.sky < 0 ? kBackground
-                                           : static_cast<float>((texel.sky + texel.lamp) / light->openLight()));
-  seen.pixelsPerModule = kBakedPixels;
-  seen.clean = photograph(seen.luminance, light->options().texels);
 }
 
 PrintedViewJob::PrintedViewJob(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -119,17 +105,16 @@ Result<std::unique_ptr<PrintedViewJob>> PrintedViewJob::create(const Mesh& mesh,
 Result<Progress> PrintedViewJob::advance() {
   using Stage = State::Stage;
   State& s = *state_;
-  Message doing = message("tracing-light-on-print");
+  Message doing = message("lighting-print");
   double fraction = 1;
   switch (s.stage) {
     case Stage::Printing:
       doing = message("printing");
       if (const Status printed = s.print(); !printed) return tl::unexpected(printed.error());
-      fraction = 0.4;
+      fraction = 0.8;
       break;
     case Stage::Light:
-      s.bake();
-      fraction = 0.4 + 0.6 * std::min(1.0, static_cast<double>(s.bakedRows) / s.light->options().texels);
+      s.light();
       break;
     case Stage::Done:
       assert(false && "advance() after done");

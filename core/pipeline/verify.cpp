@@ -13,20 +13,14 @@
 #include "pipeline/engrave.h"
 #include "settings/settings.h"
 #include "verification/light_path.h"
+#include "verification/mesh_luminance.h"
 
 namespace qrelief {
 namespace {
 
-/// A large weak lamp on the right, as in a room, which only the ranges are read under: elevation and azimuth over the
-/// QR plane (0 = right, 90 = top).
-constexpr double kLampElevationDeg = 55, kLampAzimuthDeg = -30;
-
-Lamp roomLamp(const ProjectionFrame& frame, bool isOn) {
-  const double elevation = toRadians(kLampElevationDeg);
-  const double azimuth = toRadians(kLampAzimuthDeg);
-  const Vec3 side = frame.right * std::cos(azimuth) + frame.up * std::sin(azimuth);
-  return {side * std::cos(elevation) + frame.normal * std::sin(elevation), isOn ? 0.5 : 0, 20};
-}
+/// A large weak lamp on the right, as in a room, which only the ranges are read under.
+constexpr DirectionalLight kRoomLamp{.azimuthDeg = -30, .elevationDeg = 55, .strength = 0.5};
+constexpr double kRoomLampRadiusDeg = 20;
 
 /// Least way through the material from the floors on along the rays. Pockets run along rays, too, so that none is met.
 double leastWall(const RayTree& tree, const ProjectionFrame& frame, const CarvingProfile& profile) {
@@ -112,6 +106,7 @@ struct VerifyJob::State {
   Status checkSolid();
   void measureShape();
   void prepareLight();
+  void lightMesh();
   bool bake();
   bool read();
 };
@@ -139,19 +134,43 @@ void VerifyJob::State::prepareLight() {
   light.emplace(tree, request.frame,
                 BakeOptions{.texelMm = moduleMm() / kBakedPixels,
                             .texels = kBakedPixels * (request.symbol.size + 2 * kPictureMarginModules),
+                            .isTraced = request.isTraced,
                             .paths = request.paths,
                             .albedo = request.albedo,
                             .lamp = request.oneLight ? lampOf(*request.oneLight, request.frame, kOneLightRadiusDeg)
-                                                     : roomLamp(request.frame, request.ranges)});
+                                    : request.ranges ? lampOf(kRoomLamp, request.frame, kRoomLampRadiusDeg)
+                                                     : kNoLamp});
   stage = Stage::Light;
+}
+
+/// Finds the light on the mesh as on a height map.
+void VerifyJob::State::lightMesh() {
+  MeshLuminanceOptions options{.pixels = light->options().texels,
+                               .pixelMm = light->options().texelMm,
+                               .nearMm = kPictureMarginModules * moduleMm(),
+                               .albedo = request.albedo};
+  const std::vector<float> sky = meshLuminance(mesh, request.frame, options);
+  std::vector<SurfaceLight> found;
+  for (const float luminance : sky) found.push_back({static_cast<double>(luminance), 0});
+  if (light->options().lamp.strength > 0) {
+    options.lamps = {request.oneLight.value_or(kRoomLamp)};
+    options.lampRadiusDeg = light->options().lamp.radiusDeg;
+    const std::vector<float> all = meshLuminance(mesh, request.frame, options);
+    for (std::size_t i = 0; i < found.size(); ++i)
+      found[i].lamp = static_cast<double>(all[i]) * light->openLight() - found[i].sky;
+  }
+  light->setLight(std::move(found));
 }
 
 /// @returns whether it is done
 bool VerifyJob::State::bake() {
   bakedRows += kRowsAStep;
   if (!light->bakeRows(kRowsAStep)) return false;
-  light->smooth();
-  if (!request.isReadingOnly && result.profile.pose == SymbolPose::AsWanted) {
+  if (request.isTraced)
+    light->smooth();
+  else
+    lightMesh();
+  if (result.profile.pose == SymbolPose::AsWanted) {
     const ModuleReflectances measured =
         measureModules(request.symbol, submoduleLight(*light, request.symbol.size, request.oneLight.has_value()));
     result.grades = gradeSymbol(measured, request.albedo);
@@ -180,7 +199,6 @@ Result<std::unique_ptr<VerifyJob>> VerifyJob::create(Mesh mesh, VerifyRequest re
     return fail(ErrorKind::BadUsage, message("verify-no-direction"));
   if (const Status checked = checkSettings(settingsOf(request)); !checked) return tl::unexpected(checked.error());
   auto state = std::make_unique<State>(std::move(mesh), std::move(request), std::move(readers));
-  if (state->request.isReadingOnly) state->prepareLight();
   return std::unique_ptr<VerifyJob>(new VerifyJob(std::move(state)));
 }
 

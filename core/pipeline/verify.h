@@ -9,9 +9,9 @@
 
 #include "base/progress.h"
 #include "base/result.h"
+#include "light/directional_light.h"
 #include "mesh/polygon_soup.h"
 #include "mesh/ray_tree.h"
-#include "render/directional_light.h"
 #include "verification/carving_profile.h"
 #include "verification/grades.h"
 #include "verification/printability.h"
@@ -34,10 +34,9 @@ struct VerifyRequest {
   /// Beside the sky, and nothing else: the light that it is to read under, see DepthObjective::OneLight. None: it is to
   /// read under the sky.
   std::optional<DirectionalLight> oneLight;
-  bool ranges = true;  ///< find out how far it can be tilted, blurred and so on, too
-  /// Nothing but whether it reads is asked for: neither whether it is solid nor what its shape and grades are.
-  bool isReadingOnly = false;
-  int paths = 16;                              ///< of light, traced from every texel of the pictures, ≥ 1
+  bool ranges = true;     ///< find out how far it can be tilted, blurred and so on, too
+  bool isTraced = false;  ///< light is traced path by path, which takes many times as long; else lit as a height map
+  int paths = 16;         ///< of traced light, from every texel of the pictures, ≥ 1
   std::size_t inheritedSelfIntersections = 0;  ///< pairs of crossing triangles that the model had before, as reported
 };
 
@@ -56,7 +55,7 @@ Result<Mesh> meshAsFound(const PolygonSoup& soup, double scaleToMm);
 
 /// Everything that could be found out about an engraved model from the model itself; what it comes to says
 /// verdict/verdict.h.
-struct VerifyResult {  // of VerifyRequest::isReadingOnly: reading and views
+struct VerifyResult {
   SolidityReport solidity;
   CarvingProfile profile;
   std::optional<CarvedFeatures> features;  ///< if the symbol is carved there
@@ -66,7 +65,7 @@ struct VerifyResult {  // of VerifyRequest::isReadingOnly: reading and views
 };
 
 /// Checks an engraved model, a bounded piece of work at a time; to cancel, stop calling. Needs no GL context: light is
-/// traced on the mesh itself.
+/// found on the mesh itself.
 class VerifyJob {
  public:
   /// @param mesh     see meshAsFound()

@@ -18,6 +18,10 @@ enum class BuildPose : std::uint8_t {
 /// "as-modelled", "code-up", "code-upright": names that scripts rely on.
 const char* buildPoseName(BuildPose pose);
 
+/// Angle between a surface's normal and the printer's vertical beyond which plastic sags or stands on supports: the
+/// rule of thumb of printers, 45° below the level.
+inline constexpr double kSteepestOverhangDeg = 135;
+
 struct BuildDirection {
   BuildPose pose = BuildPose::AsModelled;
   std::optional<Vec3> up = {};  ///< the printer's vertical in the model's space, of any length > 0; none: by the pose

@@ -12,8 +12,8 @@ namespace {
 constexpr double kRidgeSlope = 0.6;
 /// A line shorter than this many of its widths is not laid.
 constexpr double kShortestLine = 0.5;
-/// So many steps farther than a distance is asked for it has to be known, so that a line can be drawn along it.
-constexpr double kMoreSteps = 2;
+/// So many steps farther than a line lies distances have to be known for it to be drawn: over the diagonal of a cell.
+constexpr double kMoreSteps = 1.5;
 
 LayerGrid emptyGrid(const LayerWindow& window, double distanceMm) {
   LayerGrid grid{window.origin, window.stepMm, window.columns, window.rows, {}};
@@ -117,7 +117,8 @@ void addDisc(LayerGrid& grid, Vec2 centre, double radiusMm, double beyondMm) {
 /// @param byMm      not 0
 /// @param beyondMm  distances from what remains are exact up to this
 LayerGrid opened(const LayerGrid& solid, double byMm, double beyondMm) {
-  const double reach = std::max(byMm + beyondMm, std::abs(byMm)) + kMoreSteps * solid.stepMm;
+  // Outside what remains up to beyondMm, inside so far that its outline lies between known nodes.
+  const double reach = std::max(byMm + beyondMm, kMoreSteps * solid.stepMm - byMm);
   LayerGrid result = solid;
   std::fill(result.distanceMm.begin(), result.distanceMm.end(), static_cast<float>(reach));
   lowerToDistance(result, contourOf(solid, -byMm), reach);

@@ -35,7 +35,9 @@ std::vector<std::int16_t> windingNumbers(std::span<const Segment2> outline, cons
 ///
 /// Cost: O(nodes + segments · nodes near one).
 /// @param outline, corner, winding  see windingNumbers()
-/// @returns distances exact up to `kLaidReachMm` from the plastic, and more than that beyond
+/// @returns distances exact up to `kLaidReachMm` from the plastic, and no less beyond; within it exact beside the
+/// outline,
+///          and at least the pocket's radius below 0 farther in
 LayerGrid layOutline(std::span<const Segment2> outline, const LayerWindow& window, Vec2 corner, int winding,
                      const PrintProcess& process);
 

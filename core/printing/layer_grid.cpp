@@ -5,6 +5,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
+
+#include "printing/distance_rows.h"
 
 namespace qrelief {
 
@@ -28,20 +31,12 @@ void lowerToDistance(LayerGrid& grid, std::span<const Segment2> segments, double
     const int lastColumn = std::min(grid.columns - 1, static_cast<int>(std::floor(high.x)));
     const int firstRow = std::max(0, static_cast<int>(std::ceil(low.y)));
     const int lastRow = std::min(grid.rows - 1, static_cast<int>(std::floor(high.y)));
-    // Squares, from the segment's beginning, and no calls: most of a print's time is spent here.
-    const glm::vec2 along(segment[1] - segment[0]);
-    const float perLength = 1 / std::max(glm::dot(along, along), std::numeric_limits<float>::min());
-    const auto step = static_cast<float>(grid.stepMm);
-    for (int row = firstRow; row <= lastRow; ++row) {
-      const glm::vec2 first(grid.node(firstColumn, row) - segment[0]);
-      float* held = &grid.distanceMm[grid.index(firstColumn, row)];
-      for (int column = 0; column <= lastColumn - firstColumn; ++column) {
-        const float x = first.x + step * static_cast<float>(column);
-        const float t = std::clamp((x * along.x + first.y * along.y) * perLength, 0.0f, 1.0f);
-        const float dx = x - t * along.x, dy = first.y - t * along.y;
-        held[column] = std::min(held[column], dx * dx + dy * dy);
-      }
-    }
+    if (lastRow < firstRow || lastColumn < firstColumn) continue;
+    const Vec2 from = segment[0] - grid.node(firstColumn, firstRow), along = segment[1] - segment[0];
+    lowerRows({&grid.distanceMm[grid.index(firstColumn, firstRow)], static_cast<std::size_t>(grid.columns),
+               lastColumn - firstColumn + 1, lastRow - firstRow + 1, static_cast<float>(grid.stepMm),
+               static_cast<float>(from.x), static_cast<float>(from.y), static_cast<float>(along.x),
+               static_cast<float>(along.y)});
   }
   for (float& held : grid.distanceMm) held = std::sqrt(held);
 }
@@ -49,11 +44,13 @@ void lowerToDistance(LayerGrid& grid, std::span<const Segment2> segments, double
 std::vector<Segment2> contourOf(const LayerGrid& grid, double valueMm) {
   std::vector<Segment2> contour;
   const auto value = static_cast<float>(valueMm);
-  for (int row = 0; row + 1 < grid.rows; ++row)
+  for (int row = 0; row + 1 < grid.rows; ++row) {
+    const float* const lower = &grid.distanceMm[grid.index(0, row)];
+    const float* const upper = lower + grid.columns;
+    int belowLeft = (lower[0] < value) + (upper[0] < value);
     for (int column = 0; column + 1 < grid.columns; ++column) {
-      const float* corner = &grid.distanceMm[grid.index(column, row)];
-      const int below = (corner[0] < value) + (corner[1] < value) + (corner[grid.columns] < value) +
-                        (corner[grid.columns + 1] < value);
+      const int belowRight = (lower[column + 1] < value) + (upper[column + 1] < value);
+      const int below = std::exchange(belowLeft, belowRight) + belowRight;
       if (below == 0 || below == 4) continue;
       // Corners anticlockwise from the lower left; a crossing on each side whose ends differ.
       constexpr std::array<std::array<int, 2>, 4> kCorners = {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
@@ -78,6 +75,7 @@ std::vector<Segment2> contourOf(const LayerGrid& grid, double valueMm) {
         contour.push_back({crossings[2], crossings[joined ? 3 : 1]});
       }
     }
+  }
   return contour;
 }
 

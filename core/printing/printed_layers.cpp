@@ -16,8 +16,11 @@ using Corners = PrintedLayers::Corners;
 using Polygon = PrintedLayers::Polygon;
 
 constexpr double kNodesPerFinest = 6;
-constexpr double kNearestStepMm = 0.004;  // of a ray that grazes plastic
+constexpr double kNearestStepMm = 0.008;  // of a ray that grazes plastic
 constexpr double kHitMm = 5e-4;
+constexpr double kNearEnoughMm = 1e-3;
+constexpr int kRefinements = 6;
+constexpr int kFewTiles = 4;       // round a small triangle: all of them are made, without a closer look
 constexpr double kMaxNodes = 4e7;  // however large the code and fine the process: what memory allows
 /// Edge of a tile of a layer, in what the process can shape and in halos; tiles along the edge of what is looked at.
 constexpr double kTileFinest = 10, kTileHalos = 4, kMaxTiles = 64;
@@ -28,8 +31,8 @@ Polygon clipped(const Polygon& polygon, Vec3 origin, Vec3 normal) {
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vec3 a = polygon[i], b = polygon[(i + 1) % polygon.size()];
     const double overA = glm::dot(a - origin, normal), overB = glm::dot(b - origin, normal);
-    if (overA >= 0) kept.push_back(a);
-    if ((overA >= 0) != (overB >= 0)) kept.push_back(a + (b - a) * (overA / (overA - overB)));
+    if (overA >= 0) kept.add(a);
+    if ((overA >= 0) != (overB >= 0)) kept.add(a + (b - a) * (overA / (overA - overB)));
   }
   return kept;
 }
@@ -38,7 +41,13 @@ Polygon clipped(const Polygon& polygon, Vec3 origin, Vec3 normal) {
 Polygon seenPart(const Corners& triangle, const ProjectionFrame& frame, double extentMm) {
   if (glm::dot(glm::cross(triangle[1] - triangle[0], triangle[2] - triangle[0]), frame.eye() - triangle[0]) <= 0)
     return {};
-  Polygon part(triangle.begin(), triangle.end());
+  Polygon part(triangle);
+  const auto isInside = [&](Vec3 corner) {
+    const double depth = frame.distanceAlongAxis(corner), edge = extentMm / 2 * depth / frame.eyeDistance;
+    const Vec3 from = corner - frame.eye();
+    return depth > 0 && std::abs(glm::dot(from, frame.right)) <= edge && std::abs(glm::dot(from, frame.up)) <= edge;
+  };
+  if (std::all_of(triangle.begin(), triangle.end(), isInside)) return part;
   for (const Vec3 side : {frame.right, -frame.right, frame.up, -frame.up}) {
     // The plane through the eye and the square's edge on that side.
     part = clipped(part, frame.eye(), frame.normal * -(extentMm / 2) - side * frame.eyeDistance);
@@ -79,12 +88,12 @@ PrintedLayers::PrintedLayers(std::vector<Corners> triangles, const ProjectionFra
   lay(roughness);
 }
 
-double PrintedLayers::firstMeeting(Vec2 at) const {
+double PrintedLayers::firstMeeting(Vec2 at, double fromMm) const {
   if (layers_.empty()) return 0;
   const Vec3 direction = frame_.rayDirection(at);
   const Vec3 eye = frame_.eye();
   const double top = topOf(static_cast<int>(layers_.size()) - 1), bottom = topOf(-1);
-  double begin = nearestMm_, end = farthestMm_;
+  double begin = std::max(nearestMm_, fromMm), end = farthestMm_;
   if (direction.z != 0) {
     const double a = (top - eye.z) / direction.z, b = (bottom - eye.z) / direction.z;
     begin = std::max(begin, std::min(a, b));
@@ -127,7 +136,7 @@ void PrintedLayers::findTiles(double extentMm) {
       nearestMm_ = std::min(nearestMm_, frame_.distanceAlongAxis(corner));  // a corner need not be the nearest point
       farthestMm_ = std::max(farthestMm_, glm::distance(corner, frame_.eye()));
     }
-    parts.push_back(std::move(part));
+    parts.push_back(part);
   }
   if (parts.empty()) return;
   nearestMm_ -= 2 * margin;
@@ -157,44 +166,54 @@ void PrintedLayers::addToLayers(const Polygon& part, double marginMm) {
   const int begin = std::max(0, static_cast<int>(std::floor((least - bedMm_) / h - 1.5)) - firstLayer_);
   const int end = std::min(static_cast<int>(layers_.size()),
                            static_cast<int>(std::floor((most - bedMm_) / h + 1.5)) - firstLayer_ + 1);
+  const TileRange all = tilesRound(part, marginMm);
   for (int layer = begin; layer < end; ++layer) {
+    Layer& of = layers_[static_cast<std::size_t>(layer)];
+    if (all.count() <= kFewTiles) {
+      addRange(of, all);
+      continue;
+    }
     Polygon within = clipped(part, Vec3(0, 0, topOf(layer) - 2.5 * h), Vec3(0, 0, 1));
     if (!within.empty()) within = clipped(within, Vec3(0, 0, topOf(layer) + 1.5 * h), Vec3(0, 0, -1));
-    if (!within.empty()) addTiles(layers_[static_cast<std::size_t>(layer)], within, marginMm);
+    if (!within.empty()) addTiles(of, within, marginMm);
   }
 }
 
-void PrintedLayers::addTiles(Layer& layer, const Polygon& within, double marginMm) const {
-  if (layer.numbers.empty())
-    layer.numbers.assign(static_cast<std::size_t>(tileColumns_) * static_cast<std::size_t>(tileRows_), kNoTile);
-  const auto boundsOf = [](const Polygon& polygon) {
-    Rectangle bounds;
-    for (const Vec3& corner : polygon) bounds.add(corner);
-    return bounds;
-  };
+PrintedLayers::TileRange PrintedLayers::tilesRound(const Polygon& polygon, double marginMm) const {
+  Rectangle bounds;
+  for (const Vec3& corner : polygon) bounds.add(corner);
   const auto tileAt = [&](double coordinate, int axis, int count) {
     return std::clamp(static_cast<int>(std::floor((coordinate - origin_[axis]) / tileMm_)), 0, count - 1);
   };
-  const Rectangle all = boundsOf(within);
-  const int firstRow = tileAt(all.low.y - marginMm, 1, tileRows_),
-            lastRow = tileAt(all.high.y + marginMm, 1, tileRows_);
-  for (int row = firstRow; row <= lastRow; ++row) {
-    Rectangle strip = all;
-    if (lastRow > firstRow) {
+  return {tileAt(bounds.low.x - marginMm, 0, tileColumns_), tileAt(bounds.high.x + marginMm, 0, tileColumns_),
+          tileAt(bounds.low.y - marginMm, 1, tileRows_), tileAt(bounds.high.y + marginMm, 1, tileRows_)};
+}
+
+void PrintedLayers::addRange(Layer& layer, const TileRange& range) const {
+  if (layer.numbers.empty())
+    layer.numbers.assign(static_cast<std::size_t>(tileColumns_) * static_cast<std::size_t>(tileRows_), kNoTile);
+  for (int row = range.firstRow; row <= range.lastRow; ++row)
+    for (int column = range.firstColumn; column <= range.lastColumn; ++column) {
+      int& number = layer.numbers[static_cast<std::size_t>(row * tileColumns_ + column)];
+      if (number != kNoTile) continue;
+      number = static_cast<int>(layer.tiles.size());
+      layer.tiles.push_back({});
+    }
+}
+
+void PrintedLayers::addTiles(Layer& layer, const Polygon& within, double marginMm) const {
+  const TileRange all = tilesRound(within, marginMm);
+  for (int row = all.firstRow; row <= all.lastRow; ++row) {
+    TileRange strip = all;
+    if (all.lastRow > all.firstRow) {
       const double low = origin_.y + row * tileMm_ - marginMm;
       Polygon part = clipped(within, Vec3(0, low, 0), Vec3(0, 1, 0));
       if (!part.empty()) part = clipped(part, Vec3(0, low + tileMm_ + 2 * marginMm, 0), Vec3(0, -1, 0));
       if (part.empty()) continue;
-      strip = boundsOf(part);
+      strip = tilesRound(part, marginMm);
     }
-    const int lastColumn = tileAt(strip.high.x + marginMm, 0, tileColumns_);
-    for (int column = tileAt(strip.low.x - marginMm, 0, tileColumns_); column <= lastColumn; ++column) {
-      int& number = layer.numbers[static_cast<std::size_t>(row * tileColumns_ + column)];
-      if (number == kNoTile) {
-        number = static_cast<int>(layer.tiles.size());
-        layer.tiles.push_back({});
-      }
-    }
+    strip.firstRow = strip.lastRow = row;
+    addRange(layer, strip);
   }
 }
 
@@ -260,13 +279,6 @@ std::vector<std::vector<Segment2>> PrintedLayers::nearTiles(const Layer& layer, 
   return near;
 }
 
-/// Distance of a point of a layer from its plastic, no greater than it is.
-double PrintedLayers::distanceIn(const LayerGrid& tile, int layer, Vec3 p) const {
-  const double h = process_.layerMm;
-  const double v = (p.z - (topOf(layer) - h / 2)) / (h / 2);
-  return tile.at(Vec2(p.x, p.y)) + process_.grooveMm * (1 - std::sqrt(std::max(0.0, 1 - v * v)));
-}
-
 /// Null where nothing is seen.
 const LayerGrid* PrintedLayers::tileAt(int layer, Vec2 at) const {
   const Vec2 place = (at - origin_) / tileMm_;
@@ -288,29 +300,91 @@ double PrintedLayers::wayOutOfTile(Vec2 at, Vec3 direction) const {
   return way;
 }
 
+/// A ray within a tile of a layer: its plastic's distance along the way.
+class PrintedLayers::RayInTile {
+ public:
+  RayInTile(const LayerGrid& tile, Vec3 eye, Vec3 direction, double middleZ, const PrintProcess& process)
+      : tile_(&tile), grooveMm_(process.grooveMm) {
+    const double perStep = 1 / tile.stepMm;
+    u_ = (eye.x - tile.origin.x) * perStep;
+    v_ = (eye.y - tile.origin.y) * perStep;
+    uPerMm_ = direction.x * perStep;
+    vPerMm_ = direction.y * perStep;
+    w_ = (eye.z - middleZ) * (2 / process.layerMm);
+    wPerMm_ = direction.z * (2 / process.layerMm);
+  }
+
+  /// From the outline, in the layer's plane. @param t  along the ray, mm, within the tile
+  double distanceInPlane(double t) const {
+    const double u = u_ + uPerMm_ * t, v = v_ + vPerMm_ * t;
+    const int column = std::clamp(static_cast<int>(u), 0, tile_->columns - 2);
+    const int row = std::clamp(static_cast<int>(v), 0, tile_->rows - 2);
+    const auto right = static_cast<float>(u - column), up = static_cast<float>(v - row);
+    const float* const corner = &tile_->distanceMm[tile_->index(column, row)];
+    const float* const above = corner + tile_->columns;
+    const float low = corner[0] + right * (corner[1] - corner[0]), high = above[0] + right * (above[1] - above[0]);
+    return static_cast<double>(low + up * (high - low));
+  }
+
+  /// By how much the round flank stands back from the outline.
+  double groove(double t) const {
+    const double w = w_ + wPerMm_ * t;
+    return grooveMm_ * (1 - std::sqrt(std::max(0.0, 1 - w * w)));
+  }
+
+  double distance(double t) const { return distanceInPlane(t) + groove(t); }
+
+ private:
+  const LayerGrid* tile_;
+  double grooveMm_ = 0;
+  double u_ = 0, v_ = 0, w_ = 0, uPerMm_ = 0, vPerMm_ = 0, wPerMm_ = 0;  // in steps, and in half layers
+};
+
 double PrintedLayers::meetingInLayer(int layer, Vec3 direction, double begin, double end) const {
   if (layers_[static_cast<std::size_t>(layer)].tiles.empty() || begin >= end) return 0;
-  // How fast the distance may fall along the ray; the flanks are steeper only where they are all but met.
-  const double fall = std::hypot(direction.x, direction.y) + std::abs(direction.z);
+  // Before the outline is passed the plastic cannot be met. Between outline and flank, how fast the distance may fall
+  // along the ray; flanks are steeper only where they are all but met.
+  const double across = std::hypot(direction.x, direction.y);
+  const double perAcross = 1 / std::max(across, 1e-9), perFall = 1 / (across + std::abs(direction.z));
+  const Vec3 eye = frame_.eye();
+  const double middleZ = topOf(layer) - process_.layerMm / 2;
   double before = begin;
   for (double t = begin;;) {
-    const Vec3 p = frame_.eye() + direction * t;
-    const LayerGrid* tile = tileAt(layer, Vec2(p.x, p.y));
-    const double distance = tile ? distanceIn(*tile, layer, p) : 0;
-    if (tile && distance < kHitMm) return t == begin ? t : refined(layer, direction, before, t);
-    if (t >= end) return 0;
-    before = t;
-    const double step = tile ? distance / fall : wayOutOfTile(Vec2(p.x, p.y), direction);
-    t = std::min(end, t + std::max(step, kNearestStepMm));
+    const Vec2 at = Vec2(eye) + Vec2(direction) * t;
+    const double leaves = t + std::max(wayOutOfTile(at, direction), kNearestStepMm);
+    if (const LayerGrid* tile = tileAt(layer, at)) {
+      const RayInTile ray(*tile, eye, direction, middleZ, process_);
+      for (;;) {
+        const double inPlane = ray.distanceInPlane(t), distance = inPlane + ray.groove(t);
+        if (distance < kHitMm) return t == begin ? t : refined(layer, direction, before, t);
+        if (t >= end) return 0;
+        before = t;
+        t = std::min(end, t + std::max({inPlane * perAcross, distance * perFall, kNearestStepMm}));
+        if (t >= leaves) break;
+      }
+    } else {
+      if (t >= end) return 0;
+      before = t;
+      t = std::min(end, leaves);
+    }
   }
 }
 
+/// Where the distance falls to kHitMm between two points of a ray [regula falsi, as of Illinois].
 double PrintedLayers::refined(int layer, Vec3 direction, double outside, double inside) const {
-  for (int k = 0; k < 6; ++k) {
-    const double middle = (outside + inside) / 2;
-    const Vec3 p = frame_.eye() + direction * middle;
-    const LayerGrid* tile = tileAt(layer, Vec2(p.x, p.y));
-    (tile && distanceIn(*tile, layer, p) < kHitMm ? inside : outside) = middle;
+  const Vec3 eye = frame_.eye();
+  const double middleZ = topOf(layer) - process_.layerMm / 2;
+  const auto over = [&](double t) -> double {  // beside the tiles, anything above 0
+    const LayerGrid* tile = tileAt(layer, Vec2(eye) + Vec2(direction) * t);
+    return tile ? RayInTile(*tile, eye, direction, middleZ, process_).distance(t) - kHitMm : kNearestStepMm;
+  };
+  double overOutside = over(outside), overInside = over(inside);
+  for (int k = 0; k < kRefinements && inside - outside > kNearEnoughMm; ++k) {
+    const double t = outside + (inside - outside) * (overOutside / (overOutside - overInside));
+    const double found = over(t);
+    (found < 0 ? inside : outside) = t;
+    (found < 0 ? overInside : overOutside) = found;
+    (found < 0 ? overOutside : overInside) /= 2;  // so that both ends move
   }
   return inside;
 }

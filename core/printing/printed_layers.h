@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <span>
 #include <vector>
@@ -20,7 +21,27 @@ namespace qrelief {
 class PrintedLayers {
  public:
   using Corners = std::array<Vec3, 3>;
-  using Polygon = std::vector<Vec3>;
+  /// A triangle cut by a few planes, each of which adds a corner at most.
+  class Polygon {
+   public:
+    Polygon() = default;
+    explicit Polygon(const Corners& triangle) : size_(3) {
+      std::copy(triangle.begin(), triangle.end(), corners_.begin());
+    }
+
+    void add(Vec3 corner) { corners_[size_++] = corner; }
+    std::size_t size() const { return size_; }
+    bool empty() const { return size_ == 0; }
+    const Vec3& operator[](std::size_t i) const { return corners_[i]; }
+    const Vec3& front() const { return corners_[0]; }
+    const Vec3* begin() const { return corners_.data(); }
+    const Vec3* end() const { return corners_.data() + size_; }
+
+   private:
+    static constexpr std::size_t kMostPlanes = 8;
+    std::array<Vec3, 3 + kMostPlanes> corners_{};
+    std::size_t size_ = 0;
+  };
 
   /// Cost: O(triangles) and O(area seen / finest²); at most 40 million nodes, coarser ones where more would be needed.
   /// @param triangles  of a solid, anticlockwise seen from outside
@@ -31,13 +52,20 @@ class PrintedLayers {
                 const PrintProcess& process, double roughness);
 
   /// Distance from the eye at which the ray to a point of the QR plane meets plastic; 0: it meets nothing.
-  double firstMeeting(Vec2 at) const;
+  /// @param fromMm  nearer to the eye there is none
+  double firstMeeting(Vec2 at, double fromMm = 0) const;
 
  private:
+  class RayInTile;
   static constexpr int kNoTile = -1;
   struct Layer {
     std::vector<int> numbers;  ///< of each tile, row-major: where it stands in `tiles`; empty: nothing of it is seen
     std::vector<LayerGrid> tiles;
+  };
+
+  struct TileRange {
+    int firstColumn, lastColumn, firstRow, lastRow;
+    int count() const { return (lastColumn - firstColumn + 1) * (lastRow - firstRow + 1); }
   };
 
   double topOf(int layer) const { return bedMm_ + (firstLayer_ + layer + 1) * process_.layerMm; }
@@ -45,6 +73,8 @@ class PrintedLayers {
   double haloMm() const;
   void findTiles(double extentMm);
   void addToLayers(const Polygon& part, double marginMm);
+  TileRange tilesRound(const Polygon& polygon, double marginMm) const;
+  void addRange(Layer& layer, const TileRange& range) const;
   void addTiles(Layer& layer, const Polygon& within, double marginMm) const;
   void lay(double roughness);
   void layLayer(Layer& layer, std::span<const Segment2> outline, Vec2 corner, int winding, int steps) const;
@@ -52,7 +82,6 @@ class PrintedLayers {
                                                double beyond) const;
   const LayerGrid* tileAt(int layer, Vec2 at) const;
   double wayOutOfTile(Vec2 at, Vec3 direction) const;
-  double distanceIn(const LayerGrid& tile, int layer, Vec3 p) const;
   double meetingInLayer(int layer, Vec3 direction, double begin, double end) const;
   double refined(int layer, Vec3 direction, double outside, double inside) const;
 

@@ -9,12 +9,14 @@
 #include "base/parallel.h"
 #include "base/random.h"
 #include "printing/printed_layers.h"
+#include "projection/surface_raster.h"
 
 namespace qrelief {
 namespace {
 
 constexpr double kTexelsPerFinest = 6;
-constexpr double kTexelsPerLayer = 4;  // grooves between layers are seen
+constexpr double kTexelsPerFinestSeen = 4;  // of the solid before it is printed
+constexpr double kTexelsPerLayer = 4;       // grooves between layers are seen
 /// However large the code and fine the process: what memory allows. A code of 35 mm has 990 texels with layers of 0.2
 /// mm.
 constexpr double kMaxTexels = 1000;
@@ -74,6 +76,57 @@ void fillCrevices(PrintedSurface& surface, double radiusMm) {
   surface.distanceMm = rolled(surface.distanceMm, surface.texels, surface.texelMm, radiusMm, -1);
 }
 
+/// Least of each value and its neighbours up to `reach` texels along a row, written as columns: twice makes a square.
+std::vector<float> leastAlongRows(const std::vector<float>& values, int texels, int reach) {
+  std::vector<float> least(values.size());
+  for (int row = 0; row < texels; ++row)
+    for (int column = 0; column < texels; ++column) {
+      const auto first = values.begin() + static_cast<std::ptrdiff_t>(row) * texels;
+      least[static_cast<std::size_t>(column * texels + row)] =
+          *std::min_element(first + std::max(column - reach, 0), first + std::min(column + reach + 1, texels));
+    }
+  return least;
+}
+
+/// Distances from the eye before which no ray of a square meets plastic: layers end up to half their height over the
+/// solid, and thin lines are laid beside it.
+class NearestPlastic {
+ public:
+  NearestPlastic(const Mesh& mesh, const PrintRequest& request) : extentMm_(request.extentMm) {
+    const PrintProcess& process = request.process;
+    const double beyondMm = process.layerMm + process.thinnestLineMm / 2 + process.grooveMm;
+    texels_ = std::clamp(static_cast<int>(std::ceil(extentMm_ / (process.finestMm / kTexelsPerFinestSeen))), 3,
+                         static_cast<int>(kMaxTexels));
+    const MapWindow window{extentMm_, texels_};
+    const double eye = request.frame.eyeDistance;
+    const std::vector<float> surface = SurfaceRaster(mesh).draw(request.frame, window);
+    std::vector<float> distance(surface.size() / 4, std::numeric_limits<float>::infinity());
+    for (std::size_t i = 0; i < distance.size(); ++i) {
+      if (surface[4 * i] == 0 && surface[4 * i + 1] == 0 && surface[4 * i + 2] == 0) continue;
+      const auto at = window.planePoint(static_cast<int>(i % static_cast<std::size_t>(texels_)),
+                                        static_cast<int>(i / static_cast<std::size_t>(texels_)));
+      const double depth = eye - static_cast<double>(surface[4 * i + 3]);
+      distance[i] = static_cast<float>(depth / eye * std::sqrt(glm::dot(at, at) + eye * eye) - beyondMm);
+    }
+    const int reach = static_cast<int>(std::ceil(beyondMm / window.texelMm())) + 1;
+    distance_ = leastAlongRows(leastAlongRows(distance, texels_, reach), texels_, reach);
+  }
+
+  /// 0 where it is not known.
+  double distance(Vec2 at) const {
+    const Vec2 place = (at / extentMm_ + 0.5) * static_cast<double>(texels_);
+    const int column = std::clamp(static_cast<int>(place.x), 0, texels_ - 1);
+    const int row = std::clamp(static_cast<int>(place.y), 0, texels_ - 1);
+    const float found = distance_[static_cast<std::size_t>(row * texels_ + column)];
+    return std::isfinite(found) ? static_cast<double>(found) : 0;
+  }
+
+ private:
+  double extentMm_ = 0;
+  int texels_ = 0;
+  std::vector<float> distance_;
+};
+
 /// Moves every point along its ray by a little, the same on every run.
 void roughen(PrintedSurface& surface, double deviationMm) {
   Random random(1);
@@ -90,6 +143,36 @@ float PrintedSurface::height(int column, int row) const {
   const Vec2 at = planePoint(column, row);
   const double eye = frame.eyeDistance, way = std::sqrt(at.x * at.x + at.y * at.y + eye * eye);  // to the QR plane
   return static_cast<float>(eye * way / distance - eye);
+}
+
+HeightMap PrintedSurface::heightMap() const {
+  std::vector<float> heights;
+  heights.reserve(distanceMm.size());
+  for (int row = 0; row < texels; ++row)
+    for (int column = 0; column < texels; ++column) heights.push_back(height(column, row));
+  const int size = texels + 1;
+  const auto count = static_cast<std::size_t>(size) * static_cast<std::size_t>(size);
+  HeightMap map{size,
+                texelMm,
+                frame.eyeDistance,
+                std::vector<float>(count, HeightMap::kNothing),
+                std::vector<float>(count, 0.0f),
+                std::vector<float>(count, 0.0f),
+                true};
+  const auto perMm = static_cast<float>(0.5 / texelMm);
+  for (int row = 0; row < size; ++row)
+    for (int column = 0; column < size; ++column) {
+      const int left = std::max(column - 1, 0), right = std::min(column, texels - 1);
+      const float* const below = &heights[static_cast<std::size_t>(std::max(row - 1, 0) * texels)];
+      const float* const above = &heights[static_cast<std::size_t>(std::min(row, texels - 1) * texels)];
+      const float sum = below[left] + below[right] + above[left] + above[right];
+      if (!std::isfinite(sum)) continue;
+      const auto patch = static_cast<std::size_t>(row * size + column);
+      map.height[patch] = sum / 4;
+      map.slopeX[patch] = (below[right] - below[left] + above[right] - above[left]) * perMm;
+      map.slopeY[patch] = (above[left] - below[left] + above[right] - below[right]) * perMm;
+    }
+  return map;
 }
 
 Mesh PrintedSurface::mesh() const {
@@ -141,10 +224,12 @@ Result<PrintedSurface> printSurface(const Mesh& mesh, const PrintRequest& reques
   surface.texels = static_cast<int>(std::min(kMaxTexels, std::ceil(request.extentMm / texelMm)));
   surface.texelMm = request.extentMm / surface.texels;
   surface.distanceMm.assign(static_cast<std::size_t>(surface.texels) * static_cast<std::size_t>(surface.texels), 0);
+  const NearestPlastic nearest(mesh, request);
   parallelFor(static_cast<std::size_t>(surface.texels), [&](std::size_t row) {
     for (int column = 0; column < surface.texels; ++column) {
+      const Vec2 at = surface.planePoint(column, static_cast<int>(row));
       surface.distanceMm[row * static_cast<std::size_t>(surface.texels) + static_cast<std::size_t>(column)] =
-          static_cast<float>(layers.firstMeeting(surface.planePoint(column, static_cast<int>(row))));
+          static_cast<float>(layers.firstMeeting(at, nearest.distance(at)));
     }
   });
   if (process.grooveMm > 0) fillCrevices(surface, process.grooveMm);

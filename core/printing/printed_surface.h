@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "light/height_map.h"
 #include "math/frame.h"
 #include "mesh/mesh.h"
 #include "printing/print_process.h"
@@ -33,6 +34,10 @@ struct PrintedSurface {
   /// eyeDistance²/depth − eyeDistance, mm: close to the height over the QR plane, and linear over whatever is plane in
   /// space. −infinity where nothing is met.
   float height(int column, int row) const;
+
+  /// A patch for each square between four points, and half squares along the border: texels + 1 along the edge, each of
+  /// texelMm. Where one of the four is missing there is nothing.
+  HeightMap heightMap() const;
 
   /// The points joined to triangles, along the diagonals whose ends are nearer to one height: a surface with a border,
   /// right for rendering, and no solid.

@@ -98,8 +98,10 @@ class Canvas {
 
 SurfaceRaster::SurfaceRaster(const Mesh& mesh) : mesh_(&mesh), clustered_(clusterTriangles(mesh)) {}
 
-std::vector<float> SurfaceRaster::draw(const ProjectionFrame& frame, const MapWindow& window) const {
-  Canvas canvas(frame, window);
+/// Those that face the eye, or those that it sees from behind, turned round.
+template <class Canvas>
+void SurfaceRaster::drawFacets(Canvas& canvas, const ProjectionFrame& frame, const MapWindow& window,
+                               bool front) const {
   const ViewPyramid pyramid(frame, window.extentMm);
   const Vec3 eye = frame.eye();
   for (const TriangleCluster& cluster : clustered_.clusters) {
@@ -107,6 +109,7 @@ std::vector<float> SurfaceRaster::draw(const ProjectionFrame& frame, const MapWi
     for (std::uint32_t t = cluster.begin; t < cluster.end; ++t) {
       std::array<Vec3, 3> fromEye;
       for (std::size_t k = 0; k < 3; ++k) fromEye[k] = Vec3(mesh_->positions[clustered_.triangles[t][k]]) - eye;
+      if (!front) std::swap(fromEye[1], fromEye[2]);
       const Vec3 normal = glm::cross(fromEye[1] - fromEye[0], fromEye[2] - fromEye[0]);
       if (!(glm::dot(normal, fromEye[0]) < 0)) continue;  // faces away
       std::array<Corner, 3> facet;
@@ -116,7 +119,28 @@ std::vector<float> SurfaceRaster::draw(const ProjectionFrame& frame, const MapWi
       canvas.draw(facet, {glm::dot(normal, frame.right), glm::dot(normal, frame.up), glm::dot(normal, frame.normal)});
     }
   }
+}
+
+std::vector<float> SurfaceRaster::draw(const ProjectionFrame& frame, const MapWindow& window) const {
+  Canvas canvas(frame, window);
+  drawFacets(canvas, frame, window, true);
   return canvas.takeMap();
+}
+
+std::vector<float> SurfaceRaster::drawBack(const ProjectionFrame& frame, const MapWindow& window) const {
+  Canvas canvas(frame, window);
+  drawFacets(canvas, frame, window, false);
+  const std::vector<float> map = canvas.takeMap();
+  std::vector<float> distances(map.size() / 4, 0.0f);
+  for (std::size_t i = 0; i < distances.size(); ++i) {
+    if (map[4 * i] == 0 && map[4 * i + 1] == 0 && map[4 * i + 2] == 0) continue;
+    const auto column = static_cast<int>(i % static_cast<std::size_t>(window.texels));
+    const auto row = static_cast<int>(i / static_cast<std::size_t>(window.texels));
+    const double depth = frame.eyeDistance - static_cast<double>(map[4 * i + 3]);
+    distances[i] = static_cast<float>(depth / frame.eyeDistance *
+                                      glm::length(Vec3(window.planePoint(column, row), frame.eyeDistance)));
+  }
+  return distances;
 }
 
 }  // namespace qrelief

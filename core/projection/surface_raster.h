@@ -23,7 +23,14 @@ class SurfaceRaster {
   ///          row 0 at the bottom, all zero where the ray misses the model
   std::vector<float> draw(const ProjectionFrame& frame, const MapWindow& window) const;
 
+  /// Distance from the eye along each texel's ray to the first facet seen from behind, mm: what lies between it and the
+  /// front is material. 0 where there is none. texels² values, row 0 at the bottom; cost as draw().
+  std::vector<float> drawBack(const ProjectionFrame& frame, const MapWindow& window) const;
+
  private:
+  template <class Canvas>
+  void drawFacets(Canvas& canvas, const ProjectionFrame& frame, const MapWindow& window, bool front) const;
+
   const Mesh* mesh_;
   ClusteredTriangles clustered_;
 };

@@ -8,7 +8,8 @@
 
 #include "base/result.h"
 #include "gl/objects.h"
-#include "render/directional_light.h"
+#include "light/directional_light.h"
+#include "light/received.h"
 #include "render/geometry_pass.h"
 
 namespace qrelief {
@@ -30,12 +31,6 @@ struct LuminanceOptions {
   float horizonStartMm = 1;    ///< surface nearer than this is left to the march
   float albedo = 0.7f;         ///< of the material, 0 … 1; white plastic is about 0.7
   std::vector<DirectionalLight> lights = {};  ///< at most kMaxLights
-};
-
-/// What reaches a cell, its mean; 1 = what the whole sky brings to an unoccluded surface.
-struct Received {
-  float sky = 1, pastWalls = 1;  ///< fraction of a uniform sky, cosine-weighted; the same past pockets' walls alone
-  float lamps = 0, lampsUncarved = 0;  ///< by the lamps alone, without what is reflected
 };
 
 /// What every LuminancePass of a GL context may share: software renderers make machine code of each anew.

@@ -126,22 +126,21 @@ std::string makeReport(const EngraveRequest& request, const EngravableModel& mod
                     {"inheritedSelfIntersections", result.inheritedSelfIntersections},
                     {"volumeMm3", solid.volumeMm3}};
   const ReadingEvidence& reading = context.reading;
-  report["verification"] = {
-      {"decoded", context.verdict.reads.passed()},
-      {"text", reading.text},
-      {"reader", context.reader},
-      {"tries", reading.count.tries},
-      {"reads", reading.count.reads},
-      {"readsNeeded", reading.count.needed()},
-      {"views", Json::array({{{"light", request.lamps().empty() ? "sky" : "sky+lights"},
-                              {"tiltDeg", 0},
-                              {"picture", reading.traced ? "simulated phone, traced" : "simulated phone, drawn"},
-                              {"tries", reading.count.tries},
-                              {"reads", reading.count.reads},
-                              {"read", context.verdict.reads.passed()}}})},
-      {"printed", describePrinted(context.printed)},
-      {"failedChecks", describeMessages(context.verdict.failed(), context.wording)},
-      {"verdict", describeVerdict(context.verdict, context.wording)}};
+  report["verification"] = {{"decoded", context.verdict.reads.passed()},
+                            {"text", reading.text},
+                            {"reader", context.reader},
+                            {"tries", reading.count.tries},
+                            {"reads", reading.count.reads},
+                            {"readsNeeded", reading.count.needed()},
+                            {"views", Json::array({{{"light", request.lamps().empty() ? "sky" : "sky+lights"},
+                                                    {"tiltDeg", 0},
+                                                    {"picture", "simulated phone"},
+                                                    {"tries", reading.count.tries},
+                                                    {"reads", reading.count.reads},
+                                                    {"read", context.verdict.reads.passed()}}})},
+                            {"printed", describePrinted(context.printed)},
+                            {"failedChecks", describeMessages(context.verdict.failed(), context.wording)},
+                            {"verdict", describeVerdict(context.verdict, context.wording)}};
   addGrades(report["verification"], request, result);
   report["verification"]["printability"] =
       describeMessages(advisePrinting(features, printer, request.minWallMm), context.wording);

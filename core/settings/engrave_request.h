@@ -9,12 +9,12 @@
 #include "carving/reading_search.h"
 #include "carving/shaped_floor_search.h"
 #include "embedding/surface_mode.h"
+#include "light/directional_light.h"
 #include "printing/build_direction.h"
 #include "printing/print_process.h"
 #include "projection/placement_request.h"
 #include "qr/module_pattern.h"
 #include "qr/symbol.h"
-#include "render/directional_light.h"
 #include "settings/preset.h"
 
 namespace qrelief {

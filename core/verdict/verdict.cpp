@@ -5,22 +5,18 @@
 #include <array>
 #include <cmath>
 
+#include "printing/build_direction.h"
 #include "verdict/remedies.h"
 #include "verification/grades.h"
 
 namespace qrelief {
 namespace {
 
-/// About the limit, of the tries: as many more as read in traced pictures, and as many fewer (docs/decisions/0014).
-constexpr double kMostMoreTraced = 0.24, kMostFewerTraced = 0.1;
 /// Contrast of dark and light modules (ISO/IEC 29158, CC) that grade A asks for.
 constexpr double kGoodContrast = 0.3;
 constexpr double kLeastGrade = 1;  // D
 /// Corners of the symbol farther than this from their places, in modules: it is somewhere else.
 constexpr double kMisplacedModules = 1.5;
-/// Between a surface's normal and the printer's vertical: beyond it plastic sags, or stands on supports; printers' rule
-/// of thumb, 45° below the level.
-constexpr double kSteepestOverhangDeg = 135;
 /// Fewer tries on a print are luck: 23 of 27 such prints were read by fewer than three of five families of decoders
 /// (bench/printing).
 constexpr double kLeastPrintedFraction = 1.0 / 6;
@@ -236,12 +232,6 @@ ReadingEvidence evidenceOf(const std::vector<std::string>& texts, const std::str
   return evidence;
 }
 
-bool isUndecided(const ReadingEvidence& drawn) {
-  const ReadingCount& count = drawn.count;
-  const int spare = count.reads - count.needed();
-  return -spare <= kMostMoreTraced * count.tries && spare <= kMostFewerTraced * count.tries;
-}
-
 Verdict judge(const EngraveRequest& request, const EngraveResult& result, const ReadingEvidence& reading,
               const PrintedEvidence* printed) {
   const SymbolGrades grades =
@@ -268,7 +258,8 @@ Verdict judge(const EngraveRequest& request, const EngraveResult& result, const 
 Verdict judge(const VerifyRequest& request, const VerifyResult& result, const PrintedEvidence* printed) {
   const ReadingSummary& reading = result.reading;
   const CarvingProfile& profile = result.profile;
-  const ReadingEvidence evidence{reading.frontal, reading.frontal.reads > 0 ? request.text : reading.otherText, true};
+  const ReadingEvidence evidence{reading.frontal, reading.frontal.reads > 0 ? request.text : reading.otherText,
+                                 request.isTraced};
   Verdict verdict;
   verdict.reads = judgeReading(evidence, request.text, profile.meanDepthMm, result.grades ? &*result.grades : nullptr);
   if (request.oneLight) verdict.reads.warnings = {oneLightNeeded(*request.oneLight)};

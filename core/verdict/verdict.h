@@ -40,7 +40,7 @@ struct Aspect {
 struct ReadingEvidence {
   ReadingCount count;
   std::string text;     ///< that a try gave: the wanted one if any did, else another; empty: none
-  bool traced = false;  ///< the pictures' light was traced on the mesh; else drawn by the GPU
+  bool traced = false;  ///< the pictures' light was traced path by path; else found on height maps
 };
 
 /// What decoders made of frontalPictures() of the surface that a printer leaves (pipeline/printed_view.h).
@@ -69,11 +69,6 @@ struct Verdict {
 
 /// Counts the tries. @param texts  what each try gave, empty if nothing; a mirrored code is nothing
 ReadingEvidence evidenceOf(const std::vector<std::string>& texts, const std::string& wanted, bool traced = false);
-
-/// Whether drawn pictures are too near the limit to decide: then tracing the light does (verification/baked_light.h).
-/// Where they were not, over 174 results on shared models, tracing never decided otherwise
-/// (docs/decisions/0014-one-verdict.md).
-bool isUndecided(const ReadingEvidence& drawn);
 
 /// What was carved, with remedies among the request's settings.
 /// @param printed  null: it was not found out

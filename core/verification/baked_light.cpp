@@ -70,7 +70,7 @@ void BakedLight::bakeTexel(std::size_t texel) {
   if (!hit) return;
   const Vec3 normal = surface_->normalAt(*hit);
   texels_[texel] = {hit->position, glm::dot(normal, ray) > 0 ? -normal : normal};
-  light_[texel] = traced(*hit, ray, static_cast<int>(row), static_cast<int>(column));
+  if (options_.isTraced) light_[texel] = traced(*hit, ray, static_cast<int>(row), static_cast<int>(column));
 }
 
 bool BakedLight::bakeRows(int rows) {
@@ -84,6 +84,12 @@ bool BakedLight::bakeRows(int rows) {
   });
   baked_ = end;
   return baked_ == options_.texels;
+}
+
+void BakedLight::setLight(std::vector<SurfaceLight> light) {
+  assert(baked_ == options_.texels && light.size() == light_.size());
+  for (std::size_t texel = 0; texel < light.size(); ++texel)
+    light_[texel] = texels_[texel].normal == Vec3(0) ? SurfaceLight{-1, -1} : light[texel];
 }
 
 void BakedLight::smooth() {

@@ -21,7 +21,8 @@ struct BakeOptions {
   double texelMm = 0.1;  ///< on the QR plane
   int texels = 400;      ///< along the edge of the square that is baked, centred on the code
   int border = 0;        ///< so many texels along each edge are left out, as if the rays missed the model
-  int paths = 16;        ///< a texel, ≥ 1
+  bool isTraced = true;  ///< else setLight() brings the light that the eye sees, and only other light is traced
+  int paths = 16;        ///< of traced light, a texel, ≥ 1
   double albedo = 0.7;   ///< of the matte material, 0 … 1
   Lamp lamp = {};
 };
@@ -50,6 +51,9 @@ class BakedLight {
   /// Bakes the next rows, on all cores. @returns whether that was the last
   /// Cost: rows × texels × paths × (bounces + 1) rays each for sky and lamp.
   bool bakeRows(int rows);
+
+  /// Light found otherwise, of every texel; after the last row, where BakeOptions::isTraced is off.
+  void setLight(std::vector<SurfaceLight> light);
 
   /// Averages each texel with its neighbours on the same floor, which leaves a third of the noise. Once, after the last
   /// row.

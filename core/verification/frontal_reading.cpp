@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/parallel.h"
 #include "verification/reader_view.h"
 #include "verification/reading_variants.h"
 #include "verification/resample.h"
@@ -15,17 +16,20 @@ constexpr double kNoise = 0.02;
 }  // namespace
 
 std::vector<GreyImage> frontalPictures(const std::vector<float>& luminance, int width, double pixelsPerModule) {
-  std::vector<GreyImage> pictures;
-  std::uint64_t seed = 0;
-  for (const FrontalView& view : kFrontalViews) {
+  std::array<std::vector<GreyImage>, kFrontalViews.size()> variants;
+  parallelFor(kFrontalViews.size(), [&](std::size_t k) {
+    const FrontalView& view = kFrontalViews[k];
     const double pixels = pixelsPerModule * view.pixelsPerModule / kFrontalViews.front().pixelsPerModule;
     const double coarser = std::max(1.0, pixelsPerModule / std::min(pixels, view.pixelsPerModule));
     const double made = pixelsPerModule / coarser;
     const GreyImage picture =
         photograph(resampled(luminance, width, coarser, view.phase), resampledWidth(width, coarser),
-                   {.blurPx = view.blurModules * made, .noise = kNoise, .strayLight = kStrayLight, .seed = ++seed});
-    for (GreyImage& variant : readingVariants(picture, made)) pictures.push_back(std::move(variant));
-  }
+                   {.blurPx = view.blurModules * made, .noise = kNoise, .strayLight = kStrayLight, .seed = k + 1});
+    variants[k] = readingVariants(picture, made);
+  });
+  std::vector<GreyImage> pictures;
+  for (std::vector<GreyImage>& ofView : variants)
+    for (GreyImage& variant : ofView) pictures.push_back(std::move(variant));
   return pictures;
 }
 

@@ -5,9 +5,9 @@
 #include <span>
 
 #include "base/random.h"
+#include "light/directional_light.h"
 #include "math/frame.h"
 #include "mesh/ray_surface.h"
-#include "render/directional_light.h"
 
 namespace qrelief {
 

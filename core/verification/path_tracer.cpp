@@ -20,8 +20,8 @@ struct Sums {
 };
 
 /// Means over one set of Halton points with one random shift.
-Sums estimate(const RayTree& tree, const ProjectionFrame& frame, const SeenCell& cell, std::span<const Lamp> lamps,
-              double open, int paths, double albedo, Random& random) {
+Sums estimate(const RaySurface& surface, const ProjectionFrame& frame, const SeenCell& cell,
+              std::span<const Lamp> lamps, double open, int paths, double albedo, Random& random) {
   const std::array<double, 4> shift{random.uniform(), random.uniform(), random.uniform(), random.uniform()};
   Sums sums;
   for (int i = 1; i <= paths; ++i) {
@@ -29,10 +29,10 @@ Sums estimate(const RayTree& tree, const ProjectionFrame& frame, const SeenCell&
     const std::array<double, 2> place = halton23(index);
     const Vec2 at = cell.min + (cell.max - cell.min) * Vec2(wrapped(place[0] + shift[0]), wrapped(place[1] + shift[1]));
     const Vec3 ray = frame.rayDirection(at);
-    const auto hit = tree.firstHit(frame.eye(), ray);
+    const auto hit = surface.firstHit(frame.eye(), ray);
     LightPath path{true, 1, open - 1, open - 1};
     if (hit)
-      path = traceLight(tree, *hit, ray,
+      path = traceLight(surface, *hit, ray,
                         {wrapped(radicalInverse(index, 5) + shift[2]), wrapped(radicalInverse(index, 7) + shift[3])},
                         albedo, lamps, random);
     sums.sky += path.seesSky;
@@ -49,12 +49,12 @@ Traced summarised(const std::array<double, kEstimates>& values) {
   return {mean, std::sqrt(squares / (kEstimates * (kEstimates - 1)))};
 }
 
-CellLight traceCell(const RayTree& tree, const ProjectionFrame& frame, const SeenCell& cell,
+CellLight traceCell(const RaySurface& surface, const ProjectionFrame& frame, const SeenCell& cell,
                     std::span<const Lamp> lamps, double open, const PathTraceOptions& options, std::uint64_t seed) {
   Random random(seed);
   std::array<double, kEstimates> sky{}, direct{}, luminance{};
   for (std::size_t k = 0; k < kEstimates; ++k) {
-    const Sums sums = estimate(tree, frame, cell, lamps, open, options.paths / kEstimates, options.albedo, random);
+    const Sums sums = estimate(surface, frame, cell, lamps, open, options.paths / kEstimates, options.albedo, random);
     sky[k] = sums.sky;
     direct[k] = sums.direct;
     luminance[k] = sums.irradiance / open;
@@ -64,8 +64,8 @@ CellLight traceCell(const RayTree& tree, const ProjectionFrame& frame, const See
 
 }  // namespace
 
-std::vector<CellLight> traceCells(const RayTree& tree, const ProjectionFrame& frame, std::span<const SeenCell> cells,
-                                  const PathTraceOptions& options) {
+std::vector<CellLight> traceCells(const RaySurface& surface, const ProjectionFrame& frame,
+                                  std::span<const SeenCell> cells, const PathTraceOptions& options) {
   assert(options.paths >= kEstimates);
   std::vector<Lamp> lamps;
   for (const DirectionalLight& light : options.lights) lamps.push_back(lampOf(light, frame, 0));
@@ -75,7 +75,7 @@ std::vector<CellLight> traceCells(const RayTree& tree, const ProjectionFrame& fr
   std::vector<CellLight> light(cells.size());
   const double open = openIrradiance(options.lights);
   parallelFor(cells.size(),
-              [&](std::size_t i) { light[i] = traceCell(tree, frame, cells[i], lamps, open, options, seeds[i]); });
+              [&](std::size_t i) { light[i] = traceCell(surface, frame, cells[i], lamps, open, options, seeds[i]); });
   return light;
 }
 

@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
+#include "light/directional_light.h"
 #include "math/frame.h"
-#include "mesh/ray_tree.h"
-#include "render/directional_light.h"
+#include "mesh/ray_surface.h"
 
 namespace qrelief {
 
@@ -42,7 +42,7 @@ struct CellLight {
 /// Each path starts at a point of the cell (Halton points, shifted at random per estimate), goes from the eye to the
 /// surface and on in a cosine-weighted direction. Cells whose ray misses the mesh are open.
 /// Cost: O(cells · paths · log T), on all cores; the result does not depend on their number.
-std::vector<CellLight> traceCells(const RayTree& tree, const ProjectionFrame& frame, std::span<const SeenCell> cells,
-                                  const PathTraceOptions& options);
+std::vector<CellLight> traceCells(const RaySurface& surface, const ProjectionFrame& frame,
+                                  std::span<const SeenCell> cells, const PathTraceOptions& options);
 
 }  // namespace qrelief

@@ -2,6 +2,7 @@
 #include "verification/reader_view.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/random.h"
@@ -14,7 +15,7 @@ namespace {
 constexpr int kHorizonSamples = 64;
 constexpr double kEveryBorderTexels = 8;
 
-/// Of a square picture.
+/// Of a square picture, whose border goes on beyond it.
 std::vector<double> gaussianBlur(const std::vector<double>& image, int width, double sigma) {
   if (sigma <= 0) return image;
   const int reach = static_cast<int>(std::ceil(3 * sigma));
@@ -24,28 +25,61 @@ std::vector<double> gaussianBlur(const std::vector<double>& image, int width, do
     kernel.push_back(std::exp(-k * k / (2 * sigma * sigma)));
     sum += kernel.back();
   }
-  const auto pass = [&](const std::vector<double>& in, int stepX, int stepY) {
-    std::vector<double> out(in.size());
-    for (int y = 0; y < width; ++y) {
-      for (int x = 0; x < width; ++x) {
-        double value = 0;
-        for (int k = -reach; k <= reach; ++k) {
-          const int sx = std::clamp(x + k * stepX, 0, width - 1);
-          const int sy = std::clamp(y + k * stepY, 0, width - 1);
-          value += kernel[static_cast<std::size_t>(k + reach)] * in[static_cast<std::size_t>(sy * width + sx)];
-        }
-        out[static_cast<std::size_t>(y * width + x)] = value / sum;
-      }
+  const auto edge = static_cast<std::size_t>(width);
+  std::vector<double> across(image.size()), out(image.size()), row(edge + 2 * static_cast<std::size_t>(reach));
+  for (std::size_t y = 0; y < edge; ++y) {
+    const double* const in = &image[y * edge];
+    for (std::size_t x = 0; x < row.size(); ++x)
+      row[x] = in[static_cast<std::size_t>(std::clamp(static_cast<int>(x) - reach, 0, width - 1))];
+    double* const to = &across[y * edge];
+    for (std::size_t k = 0; k < kernel.size(); ++k)
+      for (std::size_t x = 0; x < edge; ++x) to[x] += kernel[k] * row[x + k];
+    for (std::size_t x = 0; x < edge; ++x) to[x] /= sum;
+  }
+  for (std::size_t y = 0; y < edge; ++y) {
+    double* const to = &out[y * edge];
+    for (std::size_t k = 0; k < kernel.size(); ++k) {
+      const int from = std::clamp(static_cast<int>(y + k) - reach, 0, width - 1);
+      const double* const in = &across[static_cast<std::size_t>(from) * edge];
+      for (std::size_t x = 0; x < edge; ++x) to[x] += kernel[k] * in[x];
     }
-    return out;
-  };
-  return pass(pass(image, 1, 0), 0, 1);
+    for (std::size_t x = 0; x < edge; ++x) to[x] /= sum;
+  }
+  return out;
 }
 
 double srgb(double linear) {
   const double v = std::clamp(linear, 0.0, 1.0);
   return v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055;
 }
+
+/// Greys of linear values: 255 of srgb(), rounded.
+class GreyScale {
+ public:
+  GreyScale() {
+    for (std::size_t k = 0; k < first_.size(); ++k)
+      first_[k] = static_cast<std::uint8_t>(std::lround(255 * srgb(static_cast<double>(k) / kSteps)));
+    for (std::size_t grey = 1; grey < least_.size(); ++grey) {  // by bisection
+      double low = 0, high = 1;
+      for (int k = 0; k < 50; ++k) {
+        const double middle = (low + high) / 2;
+        (std::lround(255 * srgb(middle)) < static_cast<long>(grey) ? low : high) = middle;
+      }
+      least_[grey] = high;
+    }
+  }
+  std::uint8_t operator()(double linear) const {
+    const double v = std::clamp(linear, 0.0, 1.0);
+    std::size_t grey = first_[static_cast<std::size_t>(v * kSteps)];
+    while (grey < 255 && v >= least_[grey + 1]) ++grey;
+    return static_cast<std::uint8_t>(grey);
+  }
+
+ private:
+  static constexpr int kSteps = 4096;
+  std::array<std::uint8_t, kSteps + 1> first_{};  // grey of the beginning of each step
+  std::array<double, 256> least_{};               // linear value of each grey
+};
 
 }  // namespace
 
@@ -67,6 +101,7 @@ GreyImage photograph(const std::vector<float>& luminance, int width, const Camer
     image[i] = exposure * ((1 - camera.strayLight) * luminance[i] + camera.strayLight * mean);
   image = gaussianBlur(image, width, camera.blurPx);
 
+  static const GreyScale kGreys;
   Random random(camera.seed);
   GreyImage picture{width, width, std::vector<std::uint8_t>(image.size())};
   for (int y = 0; y < width; ++y) {
@@ -74,8 +109,7 @@ GreyImage photograph(const std::vector<float>& luminance, int width, const Camer
       double value = image[static_cast<std::size_t>((width - 1 - y) * width + x)];
       if (camera.noise > 0)
         value += random.normal() * camera.noise * std::sqrt(std::max(value, 0.05) / camera.exposure);
-      picture.pixels[static_cast<std::size_t>(y * width + x)] =
-          static_cast<std::uint8_t>(std::lround(255 * srgb(value)));
+      picture.pixels[static_cast<std::size_t>(y * width + x)] = kGreys(value);
     }
   }
   return picture;
@@ -87,6 +121,16 @@ GreyImage blurred(const GreyImage& image, double sigmaPx) {
   GreyImage result{image.width, image.height, {}};
   for (const double pixel : blurredPixels) result.pixels.push_back(static_cast<std::uint8_t>(std::lround(pixel)));
   return result;
+}
+
+ReaderView photographed(std::vector<float> luminance, const ReaderViewOptions& options) {
+  ReaderView view;
+  view.clean = photograph(luminance, options.texels);
+  view.picture = photograph(
+      luminance, options.texels,
+      {.blurPx = options.blurPx * options.texels / 700, .noise = options.noise, .strayLight = options.strayLight});
+  view.luminance = std::move(luminance);
+  return view;
 }
 
 Result<ReaderView> renderReaderView(const GeometryPass& pass, const GpuMesh& mesh, const ProjectionFrame& frame,
@@ -114,13 +158,7 @@ Result<ReaderView> renderReaderView(const GeometryPass& pass, const GpuMesh& mes
   for (std::size_t i = 0; i < luminance.size(); ++i)
     if (surface[4 * i + 2] <= 0) luminance[i] = kBackground;
 
-  ReaderView view;
-  view.clean = photograph(luminance, options.texels);
-  view.picture = photograph(
-      luminance, options.texels,
-      {.blurPx = options.blurPx * options.texels / 700, .noise = options.noise, .strayLight = options.strayLight});
-  view.luminance = std::move(luminance);
-  return view;
+  return photographed(std::move(luminance), options);
 }
 
 }  // namespace qrelief

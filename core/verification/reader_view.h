@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "base/result.h"
+#include "light/directional_light.h"
 #include "math/frame.h"
-#include "render/directional_light.h"
 #include "render/geometry_pass.h"
 #include "render/luminance_pass.h"
 
@@ -42,6 +42,10 @@ struct ReaderViewOptions {
   double noise = 0.02;                        ///< standard deviation at white, linear
   double strayLight = kStrayLight;            ///< share of light scattered in the lens
 };
+
+/// What a phone makes of a luminance that was found otherwise.
+/// @param luminance  linear, options.texels² values, row 0 at the bottom, 1 = unoccluded
+ReaderView photographed(std::vector<float> luminance, const ReaderViewOptions& options);
 
 /// Renders the mesh itself (not the map that the depth search worked on), so that what the embedding made is what is
 /// judged.

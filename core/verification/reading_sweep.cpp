@@ -172,11 +172,12 @@ ReadingSummary ReadingSweep::summary() const {
   return summary;
 }
 
-std::vector<double> submoduleLight(const BakedLight& light, int modules, bool underLamp) {
+std::vector<double> submoduleMeans(std::span<const float> picture, int modules) {
   constexpr int kN = kSubmodulesPerModule, kPerSubmodule = kBakedPixels / kN;
-  const int edge = kN * (modules + 2 * kQuietZoneModules), texels = light.options().texels;
+  const int edge = kN * (modules + 2 * kQuietZoneModules),
+            texels = kBakedPixels * (modules + 2 * kPictureMarginModules);
+  assert(picture.size() == static_cast<std::size_t>(texels) * static_cast<std::size_t>(texels));
   const int margin = kBakedPixels * (kPictureMarginModules - kQuietZoneModules);
-  const double open = underLamp ? light.openLight() : 1;
   std::vector<double> means;
   for (int row = 0; row < edge; ++row)
     for (int column = 0; column < edge; ++column) {
@@ -184,12 +185,19 @@ std::vector<double> submoduleLight(const BakedLight& light, int modules, bool un
       for (int k = 0; k < kPerSubmodule * kPerSubmodule; ++k) {
         const int y = texels - 1 - margin - kPerSubmodule * row - k / kPerSubmodule;
         const int x = margin + kPerSubmodule * column + k % kPerSubmodule;
-        const SurfaceLight& texel = light.light()[static_cast<std::size_t>(y * texels + x)];
-        sum += texel.sky < 0 ? 1 : (texel.sky + (underLamp ? texel.lamp : 0)) / open;
+        sum += static_cast<double>(picture[static_cast<std::size_t>(y * texels + x)]);
       }
       means.push_back(sum / (kPerSubmodule * kPerSubmodule));
     }
   return means;
+}
+
+std::vector<double> submoduleLight(const BakedLight& light, int modules, bool underLamp) {
+  const double open = underLamp ? light.openLight() : 1;
+  std::vector<float> picture;
+  for (const SurfaceLight& texel : light.light())
+    picture.push_back(texel.sky < 0 ? 1 : static_cast<float>((texel.sky + (underLamp ? texel.lamp : 0)) / open));
+  return submoduleMeans(picture, modules);
 }
 
 }  // namespace qrelief

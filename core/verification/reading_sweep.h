@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -90,10 +91,14 @@ class ReadingSweep {
 /// Texels of the bake, and pixels of the pictures before they are resampled, along a module's edge.
 inline constexpr int kBakedPixels = 10;
 
-/// Means over the submodules of symbol and quiet zone, row-major from the quiet zone's top left, 1 = unoccluded. What
-/// lies beside the model counts as open.
-/// @param light    baked at kBakedPixels a module, with the margin of a picture
+/// Means over the submodules of symbol and quiet zone, row-major from the quiet zone's top left, 1 = unoccluded.
+/// @param picture  luminance at kBakedPixels a module, with the margin of a picture, 1 = unoccluded; row 0 at the
+/// bottom
 /// @param modules  along the symbol's edge
+std::vector<double> submoduleMeans(std::span<const float> picture, int modules);
+
+/// The same of baked light. What lies beside the model counts as open.
+/// @param light      baked at kBakedPixels a module, with the margin of a picture
 /// @param underLamp  of sky and lamp; else of the sky alone
 std::vector<double> submoduleLight(const BakedLight& light, int modules, bool underLamp);
 

@@ -2,6 +2,7 @@
 #include "verification/reading_variants.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "verification/resample.h"
@@ -11,13 +12,21 @@ namespace {
 
 /// 1st and 99th percentile to black and white.
 GreyImage stretched(GreyImage image) {
-  std::vector<std::uint8_t> sorted = image.pixels;
-  std::sort(sorted.begin(), sorted.end());
-  const double low = sorted[sorted.size() / 100];
-  const double high = sorted[sorted.size() - 1 - sorted.size() / 100];
-  for (std::uint8_t& pixel : image.pixels)
-    pixel =
-        static_cast<std::uint8_t>(std::lround(std::clamp((pixel - low) * 255 / std::max(high - low, 1.0), 0.0, 255.0)));
+  std::array<std::size_t, 256> counts{};
+  for (const std::uint8_t pixel : image.pixels) ++counts[pixel];
+  const auto valueAt = [&](std::size_t place) {  // of the sorted pixels
+    std::size_t value = 0;
+    for (std::size_t before = counts[0]; before <= place; before += counts[++value]) {
+    }
+    return static_cast<double>(value);
+  };
+  const double low = valueAt(image.pixels.size() / 100);
+  const double high = valueAt(image.pixels.size() - 1 - image.pixels.size() / 100);
+  std::array<std::uint8_t, 256> to{};
+  for (std::size_t value = 0; value < to.size(); ++value)
+    to[value] = static_cast<std::uint8_t>(
+        std::lround(std::clamp((static_cast<double>(value) - low) * 255 / std::max(high - low, 1.0), 0.0, 255.0)));
+  for (std::uint8_t& pixel : image.pixels) pixel = to[pixel];
   return image;
 }
 

@@ -9,11 +9,12 @@ namespace qrelief {
 namespace {
 
 /// Means over cells along the rows of `picture`, which are written as columns: two passes make a whole.
-std::vector<float> alongRows(const std::vector<float>& picture, int width, int height, double step, double phase,
+/// @param first  pixel where they begin
+std::vector<float> alongRows(const std::vector<float>& picture, int width, int height, double step, double first,
                              int cells) {
   std::vector<float> out(static_cast<std::size_t>(cells) * static_cast<std::size_t>(height));
   for (int c = 0; c < cells; ++c) {
-    const double begin = (c + phase) * step, end = begin + step;
+    const double begin = first + c * step, end = begin + step;
     for (int row = 0; row < height; ++row) {
       double sum = 0;
       for (int x = static_cast<int>(std::floor(begin)); x < end; ++x) {
@@ -32,11 +33,15 @@ std::vector<float> alongRows(const std::vector<float>& picture, int width, int h
 
 int resampledWidth(int width, double step) { return std::max(1, static_cast<int>(std::floor(width / step + 1e-9))); }
 
+std::vector<float> areaMeans(const std::vector<float>& picture, int width, double step, Vec2 first, int cells) {
+  assert(step > 0 && picture.size() == static_cast<std::size_t>(width) * static_cast<std::size_t>(width));
+  const std::vector<float> turned = alongRows(picture, width, width, step, first.x, cells);
+  return alongRows(turned, width, cells, step, first.y, cells);
+}
+
 std::vector<float> resampled(const std::vector<float>& picture, int width, double step, Vec2 phase) {
-  assert(step >= 1 && picture.size() == static_cast<std::size_t>(width) * static_cast<std::size_t>(width));
-  const int cells = resampledWidth(width, step);
-  const std::vector<float> turned = alongRows(picture, width, width, step, phase.x, cells);
-  return alongRows(turned, width, cells, step, phase.y, cells);
+  assert(step >= 1);
+  return areaMeans(picture, width, step, phase * step, resampledWidth(width, step));
 }
 
 }  // namespace qrelief

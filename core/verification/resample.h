@@ -15,6 +15,12 @@ namespace qrelief {
 /// @returns as many whole cells as fit, row-major
 std::vector<float> resampled(const std::vector<float>& picture, int width, double step, Vec2 phase = Vec2(0));
 
+/// The same for a grid of any cells.
+/// @param step   pixels along a cell's edge, > 0
+/// @param first  where the grid begins, in pixels
+/// @param cells  along the edge
+std::vector<float> areaMeans(const std::vector<float>& picture, int width, double step, Vec2 first, int cells);
+
 /// Edge of the picture that resampled() gives.
 int resampledWidth(int width, double step);
 

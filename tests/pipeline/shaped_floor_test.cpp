@@ -7,6 +7,7 @@
 #include "carving/shaped_floor_search.h"
 #include "embedding/embed.h"
 #include "math/tolerance.h"
+#include "mesh/ray_tree.h"
 #include "pipeline/engrave.h"
 #include "report/report.h"
 #include "support/gl_test.h"

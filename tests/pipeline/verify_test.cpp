@@ -86,20 +86,6 @@ class VerifyTest : public GlTest {
   }
 };
 
-TEST_F(VerifyTest, FindsOutNothingButWhetherItReadsIfNoMoreIsAsked) {
-  VerifyRequest wanted = requestOf(good());
-  wanted.isReadingOnly = true;
-  auto job = VerifyJob::create(good().mesh, wanted, zxingReaders());
-  ASSERT_TRUE(job.has_value());
-  const auto result = runToEnd(**job);
-  ASSERT_TRUE(result.has_value());
-  EXPECT_TRUE(result->reading.frontal.enough());
-  EXPECT_TRUE(result->reading.otherText.empty());
-  EXPECT_FALSE(result->features);
-  EXPECT_FALSE(result->grades);
-  EXPECT_EQ(result->solidity.triangles, 0u);
-}
-
 TEST_F(VerifyTest, AGoodEngravingPassesEveryCheckAndIsMeasuredFromItsMesh) {
   VerifyRequest request = requestOf(good());
   request.ranges = true;

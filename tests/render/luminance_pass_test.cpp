@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "mesh/ray_tree.h"
 #include "support/gl_test.h"
 #include "support/shapes.h"
 #include "verification/path_tracer.h"

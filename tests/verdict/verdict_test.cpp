@@ -60,15 +60,6 @@ TEST(EvidenceOf, TheWantedTextCountsAndStandsBeforeOthers) {
   EXPECT_EQ(evidenceOf({"", ""}, "HELLO").text, "");
 }
 
-TEST(IsUndecided, AboutTheLimitOnly) {
-  EXPECT_TRUE(isUndecided(evidence(29)));
-  EXPECT_TRUE(isUndecided(evidence(20)));
-  EXPECT_TRUE(isUndecided(evidence(12)));
-  EXPECT_TRUE(isUndecided(evidence(36)));
-  EXPECT_FALSE(isUndecided(evidence(11)));
-  EXPECT_FALSE(isUndecided(evidence(37)));
-}
-
 class VerdictTest : public testing::Test {
  protected:
   VerdictTest() { request_.text = "HELLO"; }

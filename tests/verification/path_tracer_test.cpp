@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
+#include "mesh/ray_tree.h"
 #include "support/shapes.h"
 
 namespace qrelief {

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "light/height_map.h"
+
+namespace qrelief {
+
+/// Horizon of an uncarved surface beyond a distance, for a coarse grid of places: what a body's own shape hides of the
+/// sky.
+struct FarHorizon {
+  static constexpr int kDirections = 16;  ///< anticlockwise from the map's right
+
+  int places = 0;  ///< along the map's edge
+  /// Cotangents of the angle between the line of sight and the horizon, by direction, then by place, row-major from the
+  /// lower left. No lower than the surface's own plane.
+  std::vector<float> cotangents;
+};
+
+/// Cost: places² · 16 steps of growing length, up to the edge of `around`.
+/// @param map      the uncarved surface round the code
+/// @param around   more of it from the same eye, in a wider window with larger patches; null: there is no more
+/// @param startMm  nearer surface is left out, > 0
+FarHorizon farHorizonOf(const HeightMap& map, const HeightMap* around, double startMm, int places);
+
+}  // namespace qrelief

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/place_light.h"
+
+#include <cassert>
+#include <numeric>
+
+#include "light/height_light.h"
+#include "qr/module_pattern.h"
+
+namespace qrelief {
+namespace {
+
+constexpr int kN = kSubmodulesPerModule;
+constexpr int kHorizonsPerModule = 2;
+constexpr double kFirstReachModules = 3;
+constexpr LuminanceSampling kUncarvedSampling{1, 4};  // smooth, but for the model's own edges
+constexpr LightSampling kUncarvedPoints{1, 12};
+constexpr double kEveryCell = 12;  // up to here a horizon looks at every cell
+
+class LightByShaders final : public PlaceLight {
+ public:
+  explicit LightByShaders(LuminancePass pass) : pass_(std::move(pass)) {}
+
+  /// The surroundings are lit once: pockets lie below the light modules and take no sky from them.
+  void lightUncarved(double moduleMm) {
+    pass_.setSampling(kUncarvedSampling);
+    pass_.setRadius(static_cast<float>(moduleMm));  // what lies farther is in the horizon
+    pass_.run();
+    pass_.setSampling({});
+    uncarved_ = pass_.readReceived();
+  }
+
+  std::vector<float> luminance(std::span<const std::uint32_t> cells, std::span<const float> depthsMm,
+                               double reachMm) override {
+    pass_.selectCells(cells);
+    pass_.setDepths(depthsMm);
+    pass_.setRadius(static_cast<float>(reachMm));
+    pass_.run();
+    return pass_.readLuminance();
+  }
+  std::vector<Received> received() const override { return pass_.readReceived(); }
+  void uncarve() override { pass_.setReceived(uncarved_); }
+  const gl::Texture& luminanceTexture() const override { return pass_.luminance(); }
+  const gl::Texture& depthTexture() const override { return pass_.depths(); }
+
+ private:
+  LuminancePass pass_;
+  std::vector<Received> uncarved_;
+};
+
+class LightByProcessor final : public PlaceLight {
+ public:
+  LightByProcessor(const HeightMap& map, const HeightMap& around, const PlaceLightOptions& options)
+      : options_(options),
+        openIrradiance_(static_cast<float>(openIrradiance(options.lamps))),
+        light_(map, farHorizonOf(map, &around, options.moduleMm, options.modules)),
+        luminanceTexture_(map.size, map.size, gl::Format::R32F),
+        depthTexture_(map.size, map.size, gl::Format::R32F) {
+    light_.measure({.sampling = kUncarvedPoints, .reachMm = options.moduleMm, .lamps = options.lamps}, {}, uncarved_);
+    for (Received& received : uncarved_) received.pastWalls = 1;
+    received_ = uncarved_;
+  }
+
+  std::vector<float> luminance(std::span<const std::uint32_t> cells, std::span<const float> depthsMm,
+                               double reachMm) override {
+    assert(!cells.empty());
+    light_.carve(depthsMm);
+    std::vector<std::uint8_t> wanted(received_.size(), 0);
+    for (const std::uint32_t cell : cells) wanted[cell] = 1;
+    light_.measure({.sampling = {},
+                    .reachMm = reachMm,
+                    .everyPatchMm = kEveryCell * options_.moduleMm / kN,
+                    .lamps = options_.lamps},
+                   wanted, received_);
+    std::vector<float> luminance;
+    luminance.reserve(received_.size());
+    for (const Received& received : received_)
+      luminance.push_back(luminanceOf(received, options_.albedo, openIrradiance_));
+    luminanceTexture_.upload(luminance.data());
+    depthTexture_.upload(depthsMm.data());
+    return luminance;
+  }
+  std::vector<Received> received() const override { return received_; }
+  void uncarve() override { received_ = uncarved_; }
+  const gl::Texture& luminanceTexture() const override { return luminanceTexture_; }
+  const gl::Texture& depthTexture() const override { return depthTexture_; }
+
+ private:
+  PlaceLightOptions options_;
+  float openIrradiance_;
+  HeightLight light_;
+  std::vector<Received> uncarved_, received_;
+  gl::Texture luminanceTexture_, depthTexture_;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<PlaceLight>> lightByShaders(const SurfaceMaps& maps, const SurfaceMaps& around,
+                                                   double eyeDistance, const PlaceLightOptions& options,
+                                                   std::shared_ptr<const LuminancePrograms> programs) {
+  LuminanceOptions wanted;
+  wanted.cellTexels = maps.window.texels / (kN * options.modules);
+  wanted.albedo = options.albedo;
+  wanted.lights = options.lamps;
+  wanted.horizonSamples = kHorizonsPerModule * options.modules;
+  wanted.horizonStartMm = static_cast<float>(options.moduleMm);
+  wanted.radiusMm = static_cast<float>(kFirstReachModules * options.moduleMm);
+  auto made = LuminancePass::create(maps, &around, eyeDistance, wanted, std::move(programs));
+  if (!made) return tl::unexpected(made.error());
+  auto light = std::make_unique<LightByShaders>(std::move(*made));
+  light->lightUncarved(options.moduleMm);
+  return light;
+}
+
+std::unique_ptr<PlaceLight> lightByProcessor(const HeightMap& map, const HeightMap& around,
+                                             const PlaceLightOptions& options) {
+  return std::make_unique<LightByProcessor>(map, around, options);
+}
+
+}  // namespace qrelief

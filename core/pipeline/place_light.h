@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "base/result.h"
+#include "gl/objects.h"
+#include "light/far_horizon.h"
+#include "light/received.h"
+#include "render/luminance_pass.h"
+
+namespace qrelief {
+
+/// Light on a place of a model while its cells (one a submodule) are carved to different depths. Cells count row-major
+/// from the lower left; luminance 1 = an unoccluded surface in the QR plane.
+class PlaceLight {
+ public:
+  virtual ~PlaceLight() = default;
+
+  /// Luminance of all cells, of which some are looked at again.
+  /// @param cells     to be looked at, at least one
+  /// @param depthsMm  of all cells
+  /// @param reachMm   surface farther away counts by the place's own horizon
+  virtual std::vector<float> luminance(std::span<const std::uint32_t> cells, std::span<const float> depthsMm,
+                                       double reachMm) = 0;
+  /// Light of all cells, as it was last looked at.
+  virtual std::vector<Received> received() const = 0;
+  /// Takes all carving back.
+  virtual void uncarve() = 0;
+  /// For the inspector; R32F, a texel a cell.
+  virtual const gl::Texture& luminanceTexture() const = 0;
+  virtual const gl::Texture& depthTexture() const = 0;
+};
+
+struct PlaceLightOptions {
+  int modules = 0;      ///< along the map's edge, margin included
+  double moduleMm = 1;  ///< on the QR plane
+  float albedo = 0.7f;
+  std::vector<DirectionalLight> lamps = {};
+};
+
+/// By shaders, on a GPU [LuminancePass].
+/// @param maps, around  see LuminancePass::create
+Result<std::unique_ptr<PlaceLight>> lightByShaders(const SurfaceMaps& maps, const SurfaceMaps& around,
+                                                   double eyeDistance, const PlaceLightOptions& options,
+                                                   std::shared_ptr<const LuminancePrograms> programs);
+
+/// By the processor [HeightLight].
+/// @param map     a patch a cell, uncarved
+/// @param around  more of the surface in a wider window
+std::unique_ptr<PlaceLight> lightByProcessor(const HeightMap& map, const HeightMap& around,
+                                             const PlaceLightOptions& options);
+
+}  // namespace qrelief

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verification/mesh_luminance.h"
+
+#include <algorithm>
+#include <numbers>
+
+#include "light/height_light.h"
+#include "projection/surface_raster.h"
+#include "verification/baked_light.h"
+
+namespace qrelief {
+namespace {
+
+constexpr LightSampling kSampling{2, 10};  // steps between submodules are as low as a pixel is wide
+constexpr double kEveryPixel = 12;         // up to here a horizon looks at every pixel
+constexpr int kPixelsPerPlace = 10;        // of the far horizon
+
+HeightMap drawn(const SurfaceRaster& raster, const ProjectionFrame& frame, const MapWindow& window) {
+  return heightMapOf(raster.draw(frame, window), window.texels, window.texelMm(), frame.eyeDistance);
+}
+
+}  // namespace
+
+std::vector<float> meshLuminance(const Mesh& mesh, const ProjectionFrame& frame, const MeshLuminanceOptions& options) {
+  const SurfaceRaster raster(mesh);
+  const MapWindow window{options.pixelMm * options.pixels, options.pixels};
+  Box3 box;
+  for (const Vec3f& position : mesh.positions) box.add(Vec3(position));
+  const HeightMap map = drawn(raster, frame, window);
+  const HeightMap around = drawn(raster, frame, surroundingsOf(window, frame, box));
+  const HeightLight surface(map,
+                            farHorizonOf(map, &around, options.nearMm, std::max(1, options.pixels / kPixelsPerPlace)));
+  const LightOptions light{.sampling = kSampling,
+                           .reachMm = window.extentMm * std::numbers::sqrt2,
+                           .everyPatchMm = kEveryPixel * options.pixelMm,
+                           .lamps = options.lamps,
+                           .lampRadiusDeg = options.lampRadiusDeg};
+  std::vector<Received> received;
+  surface.measure(light, {}, received);
+  std::vector<float> luminance = surface.luminance(light, received, options.albedo);
+  for (std::size_t pixel = 0; pixel < luminance.size(); ++pixel)
+    if (!map.isSurface(pixel)) luminance[pixel] = kBackground;
+  return luminance;
+}
+
+}  // namespace qrelief
