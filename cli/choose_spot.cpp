@@ -16,6 +16,7 @@ Status chooseSpot(std::shared_ptr<const EngravableModel> model, EngraveRequest& 
                                                       .modules = symbol->size,
                                                       .minWallMm = request.minWallMm,
                                                       .count = 3,
+                                                      .buildUp = buildUpOf(request),
                                                       .scaleToMm = scaleToMm});
   if (!job) return tl::unexpected(job.error());
   if (const Status done = runWithProgress(**job, quiet); !done) return done;

@@ -58,6 +58,7 @@ Status completeRequest(PlaceOptions& options) {
   options.printer = engraving->printer;
   options.leastPrintableMm = symbol->size * leastPrintableModuleMm(*symbol, *engraving);
   request.minWallMm = engraving->minWallMm;
+  request.buildUp = buildUpOf(*engraving);
   request.placement = searchedPlacement(*engraving, request.modules);
   return {};
 }
@@ -95,6 +96,7 @@ Json describe(const PlaceOptions& options, const ModelInput& input, std::size_t 
                              {"centreMm", triple(spot.centreMm)},
                              {"direction", triple(spot.direction)},
                              {"needsDirection", spot.needsDirection},
+                             {"facesDown", spot.facesDown},
                              {"symbolMm", spot.symbolMm},
                              {"largestMm", spot.largestMm},
                              {"guaranteedMm", spot.guaranteedMm},

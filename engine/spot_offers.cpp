@@ -23,6 +23,7 @@ Status SpotOffers::start(const PlacementTask& task) {
   request_.placement.upHint = task.upHint;
   request_.modules = modules;
   request_.minWallMm = settings.minWallMm;
+  request_.buildUp = buildUpOf(settings);
   leastMm_ = modules * leastPrintableModuleMm(*task.wanted.symbol(), settings);
   model_ = task.model.engravable;
   auto job = SpotSearchJob::create(model_, request_);

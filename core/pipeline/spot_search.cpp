@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "base/clock.h"
+#include "math/angle.h"
 #include "math/round_down.h"
 #include "projection/bend.h"
 #include "projection/room.h"
@@ -99,6 +100,10 @@ struct SpotSearchJob::State {
   SpotSearchResult result;
   double fraction = kMapShare;  // of the progress, once spots are tested
 
+  std::size_t goodSpots() const {  // that do not face down
+    return static_cast<std::size_t>(std::count_if(result.spots.begin(), result.spots.end(),
+                                                  [](const OfferedSpot& spot) { return !spot.facesDown; }));
+  }
   bool fixed() const { return request.placement.sizeMode == SizeMode::Fixed; }
   double wantedMm() const { return fixed() ? request.placement.sizeMm : request.placement.maxSizeMm; }
   const SizeMap& map() const { return mapping ? mapping->map() : result.map; }
@@ -181,6 +186,10 @@ void SpotSearchJob::State::nextTry() {
 Status SpotSearchJob::State::take(const Placement& placement) {
   offered.direction = direction.value_or(placement.frame.normal);
   offered.needsDirection = withDirection;
+  if (request.buildUp) {
+    const Vec3 up = glm::normalize(request.buildUp->resolve(placement.frame));
+    offered.facesDown = glm::dot(up, placement.frame.normal) < std::cos(toRadians(kSteepestOverhangDeg));
+  }
   offered.symbolMm = placement.symbolMm;
   offered.guaranteedMm = placement.guaranteedMm;
   offered.aimToleranceDeg = aimToleranceDeg(placement.bendMm, placement.moduleMm);
@@ -209,9 +218,9 @@ Status SpotSearchJob::State::take(const Placement& placement) {
 }
 
 Status SpotSearchJob::State::testOnce() {
-  const bool enough = stage == Stage::Testing ? result.spots.size() >= request.count ||
-                                                    candidate >= kLeastTries + kTriesPerSpot * request.count
-                                              : candidate >= kLargestTried;
+  const bool enough = stage == Stage::Testing
+                          ? goodSpots() >= request.count || candidate >= kLeastTries + kTriesPerSpot * request.count
+                          : candidate >= kLargestTried;
   if (candidate >= candidates.size() || enough) return finishTests();
   if (!search) beginTest();
   const Result<bool> found = search->step();
@@ -235,8 +244,10 @@ Status SpotSearchJob::State::finishTests() {
     return SpotRank(spot.guaranteedMm, spot.quality, spot.symbolMm * outer, spot.aimToleranceDeg);
   };
   std::stable_sort(result.spots.begin(), result.spots.end(), [&](const OfferedSpot& a, const OfferedSpot& b) {
+    if (a.facesDown != b.facesDown) return b.facesDown;
     return a.needsDirection != b.needsDirection ? b.needsDirection : rank(a) < rank(b);
   });
+  if (result.spots.size() > request.count) result.spots.resize(request.count);
   stage = Stage::Done;
   return {};
 }
@@ -266,7 +277,7 @@ Error SpotSearchJob::State::nothingFound() const {
 
 double SpotSearchJob::State::testedShare() const {
   const std::size_t all = std::min(candidates.size(), kLeastTries + kTriesPerSpot * request.count);
-  return std::max(static_cast<double>(result.spots.size()) / static_cast<double>(request.count),
+  return std::max(static_cast<double>(goodSpots()) / static_cast<double>(request.count),
                   static_cast<double>(candidate) / static_cast<double>(std::max<std::size_t>(1, all)));
 }
 
@@ -323,6 +334,10 @@ const SizeMap& SpotSearchJob::map() const { return state_->map(); }
 SpotSearchResult SpotSearchJob::takeResult() {
   assert(state_->stage == State::Stage::Done);
   return std::move(state_->result);
+}
+
+std::optional<BuildDirection> buildUpOf(const EngraveRequest& request) {
+  return request.process ? std::optional(request.buildUp) : std::nullopt;
 }
 
 Result<SpotSearchResult> findSpots(std::shared_ptr<const EngravableModel> model, const SpotSearchRequest& request) {

@@ -7,6 +7,7 @@
 
 #include "base/progress.h"
 #include "pipeline/engrave.h"
+#include "printing/build_direction.h"
 #include "projection/spot_candidates.h"
 
 namespace qrelief {
@@ -23,7 +24,10 @@ struct SpotSearchRequest {
   double minWallMm = 0.8;     ///< material that must remain behind a floor, ≥ 0
   double leastDepthMm = 0.3;  ///< a spot whose wall does not take pockets of this depth is not offered, > 0
   std::size_t count = 5;      ///< spots to find, 1 … kMaxSpots
-  int views = 240;            ///< of the size map, ≥ 200
+  /// How the model stands on the printer: spots that face down there (kSteepestOverhangDeg) come last. None: they are
+  /// as good as others.
+  std::optional<BuildDirection> buildUp = {};
+  int views = 240;  ///< of the size map, ≥ 200
   /// File units → mm: a centre is rounded to what a user will read, about a micrometre, before it is tested.
   double scaleToMm = 1;
 
@@ -40,6 +44,7 @@ struct OfferedSpot {
   Vec3 centreFileUnits{0};  ///< exact to centreDecimals()
   Vec3 centreMm{0};
   Vec3 direction{0};            ///< towards the reader; where it is needed, unit but for four decimals
+  bool facesDown = false;       ///< as SpotSearchRequest::buildUp says
   bool needsDirection = false;  ///< the request's method alone finds no direction from which the code fits
   double symbolMm = 0;          ///< the size asked for, or the one found
   double largestMm = 0;         ///< that fits there, from that direction, at the rotation asked for
@@ -82,6 +87,9 @@ class SpotSearchJob {
   explicit SpotSearchJob(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;
 };
+
+/// SpotSearchRequest::buildUp of what is to be engraved: none where it is not to be printed.
+std::optional<BuildDirection> buildUpOf(const EngraveRequest& request);
 
 /// Runs a job to its end.
 Result<SpotSearchResult> findSpots(std::shared_ptr<const EngravableModel> model, const SpotSearchRequest& request);

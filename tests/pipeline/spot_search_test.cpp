@@ -27,6 +27,19 @@ class SpotSearchTest : public GlTest {
   }
 };
 
+TEST_F(SpotSearchTest, SpotsThatFaceDownInThePrinterComeLast) {
+  for (const double up : {1.0, -1.0}) {
+    SpotSearchRequest wanted = request(30);
+    wanted.count = 2;
+    wanted.buildUp = BuildDirection{.up = Vec3(0, 0, up)};
+    const auto found = findSpots(upload(shapes::box({60, 60, 12})), wanted);
+    ASSERT_TRUE(found.has_value());
+    ASSERT_FALSE(found->spots.empty());
+    EXPECT_GT(found->spots.front().direction.z * up, 0.9);
+    EXPECT_FALSE(found->spots.front().facesDown);
+  }
+}
+
 TEST_F(SpotSearchTest, EveryOfferedSpotTakesTheCode) {
   const auto model = upload(shapes::bumpySphere(40, 2, 5, 5));
   const auto found = findSpots(model, request(22));
