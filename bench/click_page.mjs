@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a click on Engrave costs on a built page, in Chromium with graphics by SwiftShader: seconds until the file can be
+// downloaded and until the print's verdict is there, for each sample with all defaults, and the three verdicts.
+//
+//     script/bench click [FOLDER] [SAMPLE]...      FOLDER: a built page (dist by default)
+import { chromium } from '@playwright/test';
+import { mkdirSync, readFileSync } from 'node:fs';
+import { resolve } from 'node:path';
+
+import { preview } from 'vite';
+
+const [folder = 'dist', ...wanted] = process.argv.slice(2);
+const kText = 'https://example.org/p/0123456789';
+const kWait = { timeout: 120_000 };
+
+const server = await preview({ preview: { host: '127.0.0.1', port: 0 }, build: { outDir: resolve(folder) } });
+const address = server.resolvedUrls?.local[0];
+const browser = await chromium.launch({
+  executablePath: process.env.QRELIEF_CHROMIUM ?? '/usr/bin/chromium',
+  args: ['--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--no-sandbox'],
+});
+const page = await browser.newPage({ viewport: { width: 1280, height: 800 }, serviceWorkers: 'block' });
+await page.goto(`${address}`);
+const chooser = page.getByRole('combobox', { name: 'Sample model' });
+await page.getByRole('status').filter({ hasText: 'Ready.' }).waitFor(kWait);
+const samples = wanted.length > 0 ? wanted
+  : await chooser.locator('option[value]:not([value=""])').evaluateAll((options) => options.map((option) => option.value));
+mkdirSync('build/bench', { recursive: true });
+console.log('| sample | mm wide | click to file, s | click to the print’s verdict, s | reads | prints | solid |\n|---|---:|---:|---:|---|---|---|');
+/** @type {string[]} */ const stages = [];
+for (const sample of samples) {
+  await page.goto(`${address}?sample=${sample}&text=${encodeURIComponent(kText)}`);
+  const button = page.getByRole('button', { name: 'Engrave', exact: true });
+  await page.getByRole('status').filter({ hasText: 'Ready.' }).waitFor(kWait);
+  await page.locator('#placement-facts').filter({ hasText: 'mm wide' }).waitFor(kWait);
+  await page.waitForTimeout(1500);  // what is prepared while the user looks
+  const width = /^([\d.]+) mm wide/.exec(await page.locator('#placement-facts').innerText())?.[1];
+  const start = performance.now();
+  await button.click();
+  await page.getByRole('button', { name: 'Download' }).and(page.locator(':enabled')).waitFor(kWait);
+  const file = performance.now();
+  const lines = page.getByRole('region', { name: 'Result' }).getByRole('list', { name: 'Verdict' }).getByRole('listitem');
+  await lines.nth(1).filter({ hasNotText: 'Simulating the print' }).filter({ hasText: /printed|print/ }).waitFor(kWait);
+  const print = performance.now();
+  const levels = await lines.evaluateAll((items) => items.map((item) => item.textContent?.trim().slice(0, 60)));
+  await page.screenshot({ path: `build/bench/click-${sample}.png` });
+  const [saved] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Save report' }).click()]);
+  const { timingsMs } = JSON.parse(readFileSync(await saved.path(), 'utf8'));
+  stages.push(`${sample}: ${Object.entries(timingsMs).map(([stage, ms]) => `${stage} ${Math.round(Number(ms))}`).join(', ')} ms`);
+  console.log(`| ${sample} | ${width} | ${((file - start) / 1000).toFixed(2)} | ${((print - start) / 1000).toFixed(2)} | ${levels.join(' | ')} |`);
+}
+console.log(`\nStages:\n\n${stages.join('\n')}`);
+await browser.close();
+await server.close();
