@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Light is the same on every machine: each instruction set that this one has gives the same bits.
+#include <cmath>
+#include <cstring>
+#include <gtest/gtest.h>
+#include <hwy/targets.h>
+
+#include "light/height_light.h"
+
+namespace qrelief {
+namespace {
+
+/// Uneven ground with pits.
+HeightMap ground(bool isContinuous) {
+  const int size = 100;
+  HeightMap map{size, 0.1, 250, {}, {}, {}, isContinuous};
+  for (int row = 0; row < size; ++row)
+    for (int column = 0; column < size; ++column) {
+      const bool isPit = (row / 9 * 7 + column / 9 * 13) % 3 == 0;
+      map.height.push_back(static_cast<float>((isPit ? -0.6 : 0) - 0.002 * std::hypot(row - 50, column - 50)));
+      map.slopeX.push_back(0.01f);
+      map.slopeY.push_back(static_cast<float>(0.02 * std::sin(row)));
+    }
+  return map;
+}
+
+TEST(InstructionSets, GiveTheSameLightToTheLastBit) {
+  const auto all = hwy::SupportedAndGeneratedTargets();
+  ASSERT_GT(all.size(), 1u);
+  for (const bool isContinuous : {false, true}) {
+    const HeightLight surface(ground(isContinuous));
+    const LightOptions options{.sampling = {2, 10}, .reachMm = 20, .everyPatchMm = 1.2, .lamps = {{30, 40, 1}}};
+    std::vector<Received> first;
+    std::vector<float> firstLuminance;
+    for (const auto target : all) {
+      hwy::SetSupportedTargetsForTest(target);
+      hwy::GetChosenTarget().DeInit();  // it is chosen with the next call
+      std::vector<Received> light;
+      surface.measure(options, {}, light);
+      const std::vector<float> luminance = surface.luminance(options, light, 0.7);
+      if (first.empty()) {
+        first = light;
+        firstLuminance = luminance;
+      }
+      EXPECT_EQ(light, first) << hwy::TargetName(target);
+      EXPECT_EQ(luminance, firstLuminance) << hwy::TargetName(target);
+    }
+    hwy::SetSupportedTargetsForTest(0);
+    hwy::GetChosenTarget().DeInit();
+  }
+}
+
+}  // namespace
+}  // namespace qrelief
