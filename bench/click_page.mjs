@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a click on Engrave costs on a built page, in Chromium with graphics by SwiftShader: seconds until the file can be
-// downloaded and until the print's verdict is there, for each sample with all defaults, and the three verdicts.
+// Times a click on Engrave on the built page, in Chromium with SwiftShader: seconds to the download and seconds to the
+// print's verdict. Runs every sample with all defaults and prints the three verdicts.
 //
 //     script/bench click [FOLDER] [SAMPLE]...      FOLDER: a built page (dist by default)
 import { chromium } from '@playwright/test';

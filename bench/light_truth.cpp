@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How near the light of height maps (light/height_light.h) is to path tracing: mean luminance of every module of a
-// carved code, as designed and as printed.
+// Compares light on height maps (light/height_light.h) with path tracing: mean luminance of every module of a carved
+// code, as designed and as printed.
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

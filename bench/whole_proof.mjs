@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How much faster this build engraves and proves than another one: both commands in turn, the same arguments, best of
-// some runs each. Prints seconds by the clock, seconds of the processor, and their ratios.
+// Compares the time of `engrave` in this build and in another one. Runs both in turn and keeps the best run of each.
+// Prints wall time, processor time and their ratios (below 1: this build is faster).
 //
-//     node bench/whole_proof.mjs OTHER/qrelief MODEL SCALE X,Y,Z [RUNS]
+//     script/bench proof OTHER/qrelief MODEL SCALE X,Y,Z [RUNS]
 import { spawnSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';

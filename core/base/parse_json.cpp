@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Builds the value that nlohmann's parser, which does not recurse, tells piece by piece; ends it at the first fault.
+/// Builds a value from the events of nlohmann's parser, which does not recurse. Stops at the first fault.
 class Builder : public nlohmann::json_sax<Json> {
  public:
   Json take() { return std::move(root_); }
@@ -45,7 +45,7 @@ class Builder : public nlohmann::json_sax<Json> {
   }
 
  private:
-  /// An array or object whose end was not reached yet. What it stands in does not grow meanwhile, so it stays in place.
+  /// An open array or object. Its parent does not grow before it is closed, so pointers to it stay valid.
   struct Open {
     Json* value;
     std::set<std::string> keys;

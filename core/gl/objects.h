@@ -152,9 +152,9 @@ struct Capabilities {
   int maxTextureSize = 0;
 };
 
-/// Name of what draws, unmasked where a browser tells it.
+/// Name of the renderer; in browsers the unmasked one, if they tell it.
 std::string rendererName();
-/// Whether the processor draws (llvmpipe, SwiftShader, WARP): what it can compute itself is slower as a shader then.
+/// True for a renderer that runs on the processor (llvmpipe, SwiftShader, WARP). Plain code beats its shaders.
 bool isSoftware(std::string_view rendererName);
 
 /// @returns Internal if float render targets are missing, with what a user could do about it

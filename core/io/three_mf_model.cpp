@@ -139,8 +139,7 @@ class ModelHandler : public XmlHandler {
       if (known == kUnits.end()) return badInput(message("3mf-unit", with::quoted("unit", excerpt(*unit))));
       model_.unitMm = known->mm;
     }
-    // What a reader must understand to get the geometry right: colours and names of triangles are not among it, nor
-    // slices beside a full mesh.
+    // Extensions that change the geometry. Colours and triangle names do not, nor do slices beside a full mesh.
     TextScanner prefixes(element.attribute("requiredextensions").value_or(""));
     for (std::string_view prefix = prefixes.word(); !prefix.empty(); prefix = prefixes.word()) {
       const auto space = spaces_.find(std::string(prefix));

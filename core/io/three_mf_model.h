@@ -35,7 +35,7 @@ struct ThreeMfObject {
   std::vector<Vec3> positions;
   std::vector<Triangle> triangles;  ///< all indices valid
   std::vector<ThreeMfInstance> components;
-  bool isInSlices = false;  ///< its shape is in a stack of slices, and the mesh only a rough stand-in
+  bool isInSlices = false;  ///< a stack of slices has the shape; the mesh is a rough stand-in
 };
 
 /// One model part of a package.
@@ -47,7 +47,7 @@ struct ThreeMfModel {
 };
 
 /// Reads a model part [3MF core specification 1.3, production extension 1.1, slice extension 1.0.2 as far as it says
-/// which meshes are stand-ins]; colours, textures, metadata and whatever else is no geometry are passed over.
+/// which meshes are stand-ins]. Skips everything but geometry, such as colours, textures and metadata.
 /// @param part    its name, for messages
 /// @param limits  at most maxTriangles triangles, three times as many vertices, and 100 000 objects, components and
 ///                items

@@ -89,7 +89,7 @@ class ReflexTree {
     for (std::size_t node = std::exchange(leafOf_[corner], 0); node > 0; node /= 2) --nodes_[node].left;
   }
 
-  /// Whether a reflex corner that is left lies in the counter-clockwise triangle or on its border.
+  /// Returns true if a remaining reflex corner lies in the counter-clockwise triangle or on its border.
   /// @param tests  grows with the nodes and corners looked at
   bool anyIn(Vec2 a, Vec2 b, Vec2 c, std::size_t& tests) const {
     if (order_.empty()) return false;
@@ -156,8 +156,8 @@ class ReflexTree {
     return box;
   }
 
-  /// Whether the node's box lies beyond one edge. Rounding keeps the order of values, so the box's farthest corner
-  /// answers for all that is in it.
+  /// Returns true if the whole box lies beyond one edge. Rounding is monotonic, so testing the box's farthest corner
+  /// covers every point in it.
   static bool isOutside(const Box& box, Vec2 a, Vec2 b, Vec2 c) {
     const auto beyond = [&box](Vec2 from, Vec2 to) {
       const Vec2 along = to - from;

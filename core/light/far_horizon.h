@@ -7,8 +7,7 @@
 
 namespace qrelief {
 
-/// Horizon of an uncarved surface beyond a distance, for a coarse grid of places: what a body's own shape hides of the
-/// sky.
+/// Horizon of the uncarved surface beyond a distance, on a coarse grid of places: the sky that the body itself hides.
 struct FarHorizon {
   static constexpr int kDirections = 16;  ///< anticlockwise from the map's right
 

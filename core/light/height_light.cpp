@@ -20,9 +20,9 @@ constexpr int kPad = kMostLanes;
 constexpr int kLeastDirections = 4;
 constexpr int kStretch = 4 * kMostLanes;  // patches to which a lamp lies in one direction
 constexpr int kTurnsOfSinglePoints = 4;
-// Fitted to path tracing (bench/light_truth.cpp): the luminance of what is seen by a surface that hides the sky from
-// others; before walls that of open surface, and the fraction of it that a point without sky has; and the part of the
-// sky over its foot and its rim that a wall sees.
+// Fitted to path tracing (bench/light_truth.cpp). Luminance around an occluder: of a continuous surface (kAround), and
+// of a wall (kBeforeWall), where points without sky have the fraction kDarkFraction of it. Fraction of the sky at its
+// foot and its rim that a wall sees (kWallFraction).
 constexpr float kAround = 0.67f, kBeforeWall = 0.8f, kDarkFraction = 0.3f, kWallFraction = 0.45f;
 constexpr double kLowestClimb = 0.05;  // of a ray to a lamp: shadows of lower ones have wider edges
 
@@ -121,7 +121,7 @@ LampStretch stretchOf(const DirectionalLight& lamp, double radiusDeg, Vec2 middl
   return stretch;
 }
 
-/// What the points of a row have received so far.
+/// Light that the points of a row have received so far.
 struct RowSums {
   std::vector<float> sky, pastWalls, lamps, lampsUncarved;
 
@@ -131,7 +131,7 @@ struct RowSums {
   }
 };
 
-/// Parts of a row in which light is asked for, as [begin, end), in whole vectors.
+/// Wanted parts of a row, as [begin, end), in whole vectors.
 std::vector<std::array<int, 2>> wantedParts(std::span<const std::uint8_t> wanted, int row, int size) {
   if (wanted.empty()) return {{0, size}};
   const auto first = wanted.begin() + static_cast<std::ptrdiff_t>(row) * size;

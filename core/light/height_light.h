@@ -26,14 +26,14 @@ struct LightOptions {
   double lampRadiusDeg = 0;                  ///< of their discs: how soft shadows are
 };
 
-/// Light of a uniform sky and of lamps on a height map whose patches may be carved: for every point the horizon in each
-/// direction, exact up to `everyPatchMm`, and the cosine-weighted sky over it in closed form [Jimenez 2016].
+/// Light of a uniform sky and of lamps on a height map whose patches may be carved. Finds the horizon of every point in
+/// each direction, exactly up to `everyPatchMm`. Integrates the cosine-weighted sky over it in closed form
+/// [Jimenez 2016].
 ///
-/// Patches of a row lie the same way to their surroundings, so that one step of all their horizons is a load, a
-/// multiplication and a maximum on neighbouring numbers: eight or sixteen patches at a time [Highway], rows on all
-/// cores. Every number is computed the same way on every machine.
+/// All patches of a row take the same steps to their horizons, so a vector holds up to 16 neighbouring patches
+/// [Highway]. Rows run on all cores. Results are the same bits on every machine.
 ///
-/// Cost: patches × points² × directions × patch borders within reach; 0.1 to 0.3 ns each on one core of 2023.
+/// Cost: patches × points² × directions × patch borders within reach.
 class HeightLight {
  public:
   /// @param far  horizon of the surface beyond reach; none: there is none
@@ -48,8 +48,8 @@ class HeightLight {
   /// @param light   size², or empty; other patches keep what they have
   void measure(const LightOptions& options, std::span<const std::uint8_t> wanted, std::vector<Received>& light) const;
 
-  /// Luminance of every patch under sky and lamps with reflected light, 1 = an unoccluded surface in the QR plane. What
-  /// hides the sky is as bright as `light` says of it.
+  /// Luminance of every patch under sky and lamps with reflected light, 1 = an unoccluded surface in the QR plane.
+  /// Reflected light comes from the surface that hides the sky; `light` gives its brightness.
   /// @param light     of all patches, by measure() with the same options
   /// @param albedo    of the material, 0 … 1
   std::vector<float> luminance(const LightOptions& options, std::span<const Received> light, double albedo) const;

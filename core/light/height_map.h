@@ -22,8 +22,8 @@ struct HeightMap {
   double eyeDistance = 250;   ///< mm
   std::vector<float> height;  ///< w at the middles of the patches, mm, row-major from the lower left; or kNothing
   std::vector<float> slopeX, slopeY;  ///< growth of w to the right and up, mm per mm; 0 where there is nothing
-  /// Whether neighbouring patches meet at their common border, as those of a surface that is known by points only; else
-  /// walls may stand there, along the rays.
+  /// True if neighbouring patches meet at their border, as on a surface sampled at points. False if walls may stand
+  /// there, along the rays.
   bool isContinuous = false;
 
   bool isSurface(std::size_t patch) const { return height[patch] > kNothing; }

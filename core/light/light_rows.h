@@ -59,11 +59,11 @@ inline constexpr int kMostDirections = 64;
 /// be rounded up to a multiple of kMostLanes.
 void addSky(const LightRow& row, int begin, int end, float* sky, float* pastWalls);
 
-/// Adds the mean luminance of the surface that hides the sky from the points, times the fraction of the sky that it
-/// hides, cosine-weighted. What hides the sky along a line is the surface that climbs there.
-/// @param climbing  luminance of each patch where the surface climbs on it
-/// @param walls     for the part of it that is climbed at once, at the patch's border: half the luminance of the wall
-///                  there, to which the patch before it adds its half; null: there are no walls
+/// Adds the mean luminance of the occluders, times the cosine-weighted fraction of the sky that they hide. Occluders
+/// are the parts of the surface that climb along a line.
+/// @param climbing  luminance of each patch; counts where the surface climbs on the patch itself
+/// @param walls     half the luminance of a wall at each patch's border; the patch on the other side adds its half.
+///                  Null: the surface has no walls
 void addHidden(const LightRow& row, const float* climbing, const float* walls, int begin, int end, float* hidden);
 
 /// Adds what a lamp brings to the same points, and what it brought before anything was carved.

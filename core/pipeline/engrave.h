@@ -130,8 +130,7 @@ class EngraveJob {
   /// The result, once, after `done`.
   EngraveResult takeResult();
 
-  /// What is known of the result once the carved mesh is made and checked, before its picture is; else null. Belongs to
-  /// the job, until takeResult().
+  /// The result without its picture: from the check of the carved mesh to the picture; else null. The job owns it.
   const EngraveResult* checkedResult() const;
 
   /// Null before the surface was measured.

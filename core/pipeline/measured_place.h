@@ -14,15 +14,15 @@ namespace qrelief {
 
 struct EngravableModel;
 
-/// Who computes the light on a place.
+/// Processor that computes the light on a place.
 enum class LightBy : std::uint8_t {
   Renderer,  ///< shaders on a GPU, the processor where it draws anyway
   Shaders,
   Processor
 };
 
-/// What a place looks like before anything is carved there: how thick the material is, and the light on it. The same
-/// for every symbol of a size, so that whoever carves many measures it once.
+/// The uncarved place: thickness of the material and light on it. It is the same for every symbol of one size, so a
+/// batch measures it once.
 class MeasuredPlace {
  public:
   struct Request {

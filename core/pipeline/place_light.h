@@ -20,8 +20,8 @@ class PlaceLight {
  public:
   virtual ~PlaceLight() = default;
 
-  /// Luminance of all cells, of which some are looked at again.
-  /// @param cells     to be looked at, at least one
+  /// Measures some cells anew and returns the luminance of all.
+  /// @param cells     to measure, at least one
   /// @param depthsMm  of all cells
   /// @param reachMm   surface farther away counts by the place's own horizon
   virtual std::vector<float> luminance(std::span<const std::uint32_t> cells, std::span<const float> depthsMm,

@@ -17,8 +17,8 @@ namespace {
 
 constexpr double kRoughness = 1.5;
 constexpr int kDirections = 16, kRoughDirections = 12;  // means over modules need fewer
-/// Beyond a symbol, as far as its modules are compared with what stands there (LightNeighbours) and a module more; what
-/// lies farther out counts as the border does.
+/// Margin of a rough print: the light modules that dark ones are compared with (LightNeighbours), and one more. Pixels
+/// farther out take the value of the border.
 constexpr int kRoughMarginModules = 3;
 constexpr double kEveryPatch = 20;  // up to here a horizon looks at every patch
 

@@ -24,8 +24,7 @@ struct SpotSearchRequest {
   double minWallMm = 0.8;     ///< material that must remain behind a floor, ≥ 0
   double leastDepthMm = 0.3;  ///< a spot whose wall does not take pockets of this depth is not offered, > 0
   std::size_t count = 5;      ///< spots to find, 1 … kMaxSpots
-  /// How the model stands on the printer: spots that face down there (kSteepestOverhangDeg) come last. None: they are
-  /// as good as others.
+  /// Pose of the model on the printer. Spots that face down (kSteepestOverhangDeg) come last. None: no spot does.
   std::optional<BuildDirection> buildUp = {};
   int views = 240;  ///< of the size map, ≥ 200
   /// File units → mm: a centre is rounded to what a user will read, about a micrometre, before it is tested.
@@ -88,7 +87,7 @@ class SpotSearchJob {
   std::unique_ptr<State> state_;
 };
 
-/// SpotSearchRequest::buildUp of what is to be engraved: none where it is not to be printed.
+/// SpotSearchRequest::buildUp for an engraving; none if it has no print process.
 std::optional<BuildDirection> buildUpOf(const EngraveRequest& request);
 
 /// Runs a job to its end.

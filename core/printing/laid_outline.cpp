@@ -12,7 +12,7 @@ namespace {
 constexpr double kRidgeSlope = 0.6;
 /// A line shorter than this many of its widths is not laid.
 constexpr double kShortestLine = 0.5;
-/// So many steps farther than a line lies distances have to be known for it to be drawn: over the diagonal of a cell.
+/// Drawing a line needs distances this many steps beyond it: the diagonal of a cell, rounded up.
 constexpr double kMoreSteps = 1.5;
 
 LayerGrid emptyGrid(const LayerWindow& window, double distanceMm) {

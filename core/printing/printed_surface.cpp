@@ -88,8 +88,8 @@ std::vector<float> leastAlongRows(const std::vector<float>& values, int texels, 
   return least;
 }
 
-/// Distances from the eye before which no ray of a square meets plastic: layers end up to half their height over the
-/// solid, and thin lines are laid beside it.
+/// Lower bounds of the distance at which rays meet plastic. Layers end up to half their height above the solid, and
+/// thin lines lie beside it.
 class NearestPlastic {
  public:
   NearestPlastic(const Mesh& mesh, const PrintRequest& request) : extentMm_(request.extentMm) {
