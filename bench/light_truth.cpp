@@ -9,10 +9,9 @@
 #include <numbers>
 
 #include "base/clock.h"
-#include "io/read_model.h"
+#include "bench/engraved_file.h"
 #include "light/height_light.h"
 #include "mesh/ray_tree.h"
-#include "pipeline/verify.h"
 #include "printing/printed_rays.h"
 #include "projection/surface_raster.h"
 #include "verification/lit_picture.h"
@@ -23,43 +22,16 @@ namespace qrelief {
 namespace {
 
 using Json = nlohmann::json;
+using bench::loadEngraved, bench::moduleMeans, bench::vectorOf;
 
 constexpr int kPaths = 1024;
 constexpr double kAlbedo = 0.7;
-
-Vec3 vectorOf(const Json& json) { return {json[0].get<double>(), json[1].get<double>(), json[2].get<double>()}; }
-
-std::optional<Mesh> load(const std::string& path) {
-  std::ifstream stream(path, std::ios::binary);
-  const std::vector<std::uint8_t> bytes(std::istreambuf_iterator<char>(stream), {});
-  const auto soup = readModel(bytes, path);
-  if (!soup) return std::nullopt;
-  auto mesh = meshAsFound(*soup, 1);
-  if (!mesh) return std::nullopt;
-  return std::move(*mesh);
-}
 
 struct Code {
   ProjectionFrame frame;
   int modules = 0;
   double symbolMm = 0;
 };
-
-std::vector<double> moduleMeans(const std::vector<float>& picture, int modules) {
-  const int texels = kBakedPixels * (modules + 2 * kPictureMarginModules);
-  std::vector<double> means;
-  for (int row = 0; row < modules; ++row)
-    for (int column = 0; column < modules; ++column) {
-      double sum = 0;
-      for (int k = 0; k < kBakedPixels * kBakedPixels; ++k) {
-        const int y = texels - 1 - kBakedPixels * (kPictureMarginModules + row) - k / kBakedPixels;
-        const int x = kBakedPixels * (kPictureMarginModules + column) + k % kBakedPixels;
-        sum += static_cast<double>(picture[static_cast<std::size_t>(y * texels + x)]);
-      }
-      means.push_back(sum / (kBakedPixels * kBakedPixels));
-    }
-  return means;
-}
 
 void compare(const char* name, const Code& code, const HeightMap& map, const RaySurface& surface) {
   const auto start = Clock::now();
@@ -112,7 +84,7 @@ int run(int argc, char** argv) {
     return 2;
   }
   const Json report = Json::parse(std::ifstream(argv[1]), nullptr, false);
-  const auto mesh = load(argv[2]);
+  const auto mesh = loadEngraved(argv[2]);
   if (!report.is_object() || !mesh) {
     fmt::print(stderr, "{} or {} cannot be read\n", argv[1], argv[2]);
     return 1;

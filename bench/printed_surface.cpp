@@ -10,11 +10,10 @@
 #include <nlohmann/json.hpp>
 
 #include "base/clock.h"
-#include "io/read_model.h"
+#include "bench/engraved_file.h"
 #include "io/write_stl.h"
 #include "mesh/ray_tree.h"
 #include "native/zxing_reader.h"
-#include "pipeline/verify.h"
 #include "verdict/verdict.h"
 #include "verification/baked_light.h"
 #include "verification/frontal_reading.h"
@@ -23,21 +22,10 @@ namespace qrelief {
 namespace {
 
 using Json = nlohmann::json;
+using bench::loadEngraved, bench::moduleMeans, bench::vectorOf;
 
-constexpr int kMarginModules = 6, kTexelsAModule = 10;
+constexpr int kMarginModules = kPictureMarginModules, kTexelsAModule = kBakedPixels;
 constexpr int kPaths = 16;
-
-Vec3 vectorOf(const Json& json) { return {json[0].get<double>(), json[1].get<double>(), json[2].get<double>()}; }
-
-std::optional<Mesh> load(const std::string& path) {
-  std::ifstream stream(path, std::ios::binary);
-  const std::vector<std::uint8_t> bytes(std::istreambuf_iterator<char>(stream), {});
-  const auto soup = readModel(bytes, path);
-  if (!soup) return std::nullopt;
-  auto mesh = meshAsFound(*soup, 1);
-  if (!mesh) return std::nullopt;
-  return std::move(*mesh);
-}
 
 /// What the eye sees of a mesh: heights at the middles of texels, light of the modules, and what readers make of it.
 struct Seen {
@@ -62,16 +50,7 @@ Seen look(const Mesh& mesh, const ProjectionFrame& frame, int modules, double sy
   const auto luminance = light.light();
   std::vector<float> picture;
   for (const SurfaceLight& texel : luminance) picture.push_back(texel.sky < 0 ? 0.35f : static_cast<float>(texel.sky));
-  for (int row = 0; row < modules; ++row)
-    for (int column = 0; column < modules; ++column) {
-      double sum = 0;
-      for (int k = 0; k < kTexelsAModule * kTexelsAModule; ++k) {
-        const int y = texels - 1 - kTexelsAModule * (kMarginModules + row) - k / kTexelsAModule;
-        const int x = kTexelsAModule * (kMarginModules + column) + k % kTexelsAModule;
-        sum += static_cast<double>(picture[static_cast<std::size_t>(y * texels + x)]);
-      }
-      seen.modules.push_back(sum / (kTexelsAModule * kTexelsAModule));
-    }
+  seen.modules = moduleMeans(picture, modules);
   for (int row = 0; row < texels; ++row)
     for (int column = 0; column < texels; ++column) {
       const Vec2 at((column + 0.5 - texels / 2.0) * texelMm, (row + 0.5 - texels / 2.0) * texelMm);
@@ -141,7 +120,7 @@ int run(int argc, char** argv) {
   // Stood on a foot as high as asked for: layers then lie as in a print that stands so.
   const double footMm = argc > 7 ? std::stod(argv[7]) : 0;
   const Json report = Json::parse(std::ifstream(argv[1]), nullptr, false);
-  const auto mesh = load(argv[2]);
+  const auto mesh = loadEngraved(argv[2]);
   if (!report.is_object() || !mesh) {
     fmt::print(stderr, "{} or {} cannot be read\n", argv[1], argv[2]);
     return 1;
@@ -173,7 +152,7 @@ int run(int argc, char** argv) {
   const Seen ours = look(surface, frame, modules, symbolMm, text);
   tell("printed", ours);
   if (argc > 5) {
-    if (const auto given = load(argv[5])) {
+    if (const auto given = loadEngraved(argv[5])) {
       const Seen other = look(*given, frame, modules, symbolMm, text);
       tell("other", other);
       compare(ours, other);
