@@ -5,30 +5,21 @@
 #include <gtest/gtest.h>
 
 #include "light/height_light.h"
+#include "light/height_maps.h"
 
 namespace qrelief {
 namespace {
 
-HeightMap flat(int size, double patchMm, double eyeDistance) {
-  const auto count = static_cast<std::size_t>(size) * static_cast<std::size_t>(size);
-  return {size,
-          patchMm,
-          eyeDistance,
-          std::vector<float>(count, 0.0f),
-          std::vector<float>(count, 0.0f),
-          std::vector<float>(count, 0.0f)};
-}
-
 TEST(FarHorizon, AWallBesideTheMapDimsWhatFacesItThroughTheSurroundings) {
   // A wall of height h at distance x, infinitely long, beside an open plane: V = (1 + x / √(x² + h²)) / 2.
   const double eye = 20000, wallHeight = 10, distance = 12;
-  HeightMap around = flat(512, 200.0 / 512, eye);
+  HeightMap around = planeMap(512, 200.0 / 512, eye);
   for (int row = 0; row < around.size; ++row)
     for (int column = 0; column < around.size; ++column)
       if ((column + 0.5 - around.size / 2.0) * around.patchMm > distance)
         around.height[static_cast<std::size_t>(row * around.size + column)] =
             static_cast<float>(eye * wallHeight / (eye - wallHeight));
-  const HeightMap map = flat(32, 0.25, eye);
+  const HeightMap map = planeMap(32, 0.25, eye);
   const HeightLight light(map, farHorizonOf(map, &around, 1, 8));
   std::vector<Received> received;
   light.measure({.sampling = {2, 32}}, {}, received);
@@ -38,7 +29,7 @@ TEST(FarHorizon, AWallBesideTheMapDimsWhatFacesItThroughTheSurroundings) {
 }
 
 TEST(FarHorizon, OfAPlaneIsThePlaneItself) {
-  const HeightMap map = flat(32, 0.5, 250);
+  const HeightMap map = planeMap(32, 0.5, 250);
   const FarHorizon far = farHorizonOf(map, nullptr, 1, 4);
   ASSERT_EQ(far.cotangents.size(), 16u * FarHorizon::kDirections);
   for (int place = 0; place < 16; ++place) {

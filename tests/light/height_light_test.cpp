@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
+#include "light/height_maps.h"
 #include "math/angle.h"
 #include "mesh/ray_tree.h"
 #include "support/shapes.h"
@@ -17,16 +18,7 @@ namespace {
 constexpr double kFar = 20000;  // so far away that the rays to the eye are parallel
 constexpr int kSize = 48;
 
-/// The QR plane itself.
-HeightMap plane(int size, double patchMm, double eyeDistance = kFar) {
-  const auto count = static_cast<std::size_t>(size) * static_cast<std::size_t>(size);
-  return {size,
-          patchMm,
-          eyeDistance,
-          std::vector<float>(count, 0.0f),
-          std::vector<float>(count, 0.0f),
-          std::vector<float>(count, 0.0f)};
-}
+HeightMap plane(int size, double patchMm) { return planeMap(size, patchMm, kFar); }
 
 /// Depths of the patches whose middles, mm from the map's middle, are in an area.
 std::vector<float> depthsOf(int size, double patchMm, double depthMm, const std::function<bool(double, double)>& in) {
