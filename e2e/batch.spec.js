@@ -5,7 +5,7 @@ import { createHash } from 'node:crypto';
 import { expectNoViolations } from './support/axe.js';
 import { Engraver } from './support/engraver.js';
 import { bodiesOf, filesOf, unzip } from './support/three_mf.js';
-import { freeze, holdWorkers, thaw } from './support/workers.js';
+import { freeze, freezeAt, holdWorkers, thaw } from './support/workers.js';
 
 const kTexts = ['https://example.org/p/1', 'https://example.org/p/2', 'Teil drei, „ö“', 'https://example.org/p/4', 'https://example.org/p/5'];
 const kTooLarge = 3;  // whose code no plate has room for
@@ -62,15 +62,17 @@ test('A list becomes a code for every part, over a reload, and the parts and the
   await test.step('all are carved side by side; paused, no other is begun', async () => {
     await page.getByLabel('Simulate the print of every … part').fill('4');
     await press('Carve all 5 parts');
-    await expect.poll(finished).toBeGreaterThan(0);
+    await freezeAt(state, /[1-9] of 5/);
     expect(await page.evaluate(() => /** @type {any} */ (window).workers.length), 'the page’s own engine, and two').toBe(3);
     await press('Pause');
+    await thaw(page);
     await expect(state).toHaveText(/^Paused: \d of 5/);
     const before = await finished();
     expect(before).toBeLessThan(5);
     await expect(rows.filter({ hasText: /Done|Failed/ })).toHaveCount(before);
     await expect(page.getByRole('radio', { name: 'One code' })).toBeDisabled();
     await expectNoViolations(page, 'parts, paused');
+    await freeze(page);
     await press('Go on');
     await expect(state).toHaveText(/^Carving/);
     await press('Stop');

@@ -42,6 +42,22 @@ export const holdWorkers = () => {
 /** Nothing reaches a worker until it is thawed. @param {import('@playwright/test').Page} page */
 export const freeze = (page) => page.evaluate(() => /** @type {any} */ (window).freeze());
 
+/**
+ * Freezes in the moment in which a text that changes on the page reads as it should, however fast the workers are.
+ * @param {import('@playwright/test').Locator} text
+ * @param {RegExp} pattern
+ */
+export const freezeAt = (text, pattern) => text.evaluate((element, { source }) => new Promise((resolve) => {
+  const look = () => {
+    if (!new RegExp(source).test(element.textContent ?? '')) return;
+    observer.disconnect();
+    resolve(/** @type {any} */ (window).freeze());
+  };
+  const observer = new MutationObserver(look);
+  observer.observe(element, { childList: true, characterData: true, subtree: true });
+  look();
+}), { source: pattern.source });
+
 /** @param {import('@playwright/test').Page} page */
 export const thaw = (page) => page.evaluate(() => /** @type {any} */ (window).thaw());
 
