@@ -36,9 +36,11 @@ std::string answer(const Error& error) {
 
 std::string answer(ErrorKind kind, Message message) { return answer(Error{kind, std::move(message)}); }
 
-std::string answer(const Progress& progress) {
-  return textOf(
-      {{"ok", true}, {"stage", jsonOf(progress.stage)}, {"fraction", progress.fraction}, {"done", progress.done}});
+std::string answer(const Progress& progress, const Json& more) {
+  Json told = {
+      {"ok", true}, {"stage", jsonOf(progress.stage)}, {"fraction", progress.fraction}, {"done", progress.done}};
+  told.update(more);
+  return textOf(told);
 }
 
 Json jsonOf(Vec3 v) { return Json::array({v.x, v.y, v.z}); }

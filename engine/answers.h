@@ -27,7 +27,7 @@ std::string answer(const Error& error);
 std::string answer(ErrorKind kind, Message message);
 
 /// {"ok": true, stage, fraction, done}
-std::string answer(const Progress& progress);
+std::string answer(const Progress& progress, const Json& more = Json::object());
 
 Json jsonOf(Vec3 v);
 

@@ -203,7 +203,7 @@ Result<EngraveRequest> Carvings::printedAs(const std::string& changed) const {
 Result<std::optional<PrintedViewRequest>> Carvings::printedView(const std::string& changed) const {
   const auto request = printedAs(changed);
   if (!request) return tl::unexpected(request.error());
-  return printedViewOf(verifyRequestOf(*request, *current_.result));
+  return printedViewOf(verifyRequestOf(*request, *printable()));
 }
 
 Result<Aspect> Carvings::judgePrint(const std::string& changed, const std::vector<std::string>& texts,

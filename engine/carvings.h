@@ -46,6 +46,8 @@ class Carvings {
   /// Brings the last carving back, or the one before it. @returns whether it is there
   bool use(int number);
   const EngraveResult* result() const { return current_.result ? &*current_.result : nullptr; }
+  /// What can be printed already: of the engraving that is running, once its mesh is checked; else result().
+  const EngraveResult* printable() const { return runs_ ? job_->checkedResult() : result(); }
   /// The carved model as it is shown; made at the first call. Null: there is none.
   const std::shared_ptr<const GpuMesh>& display(const Ground& ground);
   /// The same, null before it was made.
@@ -58,7 +60,7 @@ class Carvings {
   /// What decoders made of it: of frontalPictures(), try by try. There must be a carving.
   /// @returns what the carving comes to with that
   Verdict setReadings(const std::vector<std::string>& texts, const std::string& reader);
-  /// What has to be made to see it printed; null: that is not asked for. There must be a carving.
+  /// What has to be made to see printable() printed; null: that is not asked for. It must not be null.
   /// @param changed  settings of the printing that are other than those carved with, see requestFromJson()
   Result<std::optional<PrintedViewRequest>> printedView(const std::string& changed) const;
   /// What decoders made of the print's frontalPictures(), try by try. There must be a carving with a printedView().

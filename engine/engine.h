@@ -72,8 +72,9 @@ class Engine {
   /// {stage, fraction, done}; one bounded piece of work. When done the sizes are shown on the model.
   std::string advanceSpotSearch();
   void cancelSpotSearch();
-  /// {spots: [{centre, sizeMm}], leastMm, topMm}: best first, with the largest size there; `leastMm` is the smallest
-  /// that the printer makes, `topMm` the size that has the last colour of the map. Empty before a search is done.
+  /// {spots: [{centre, sizeMm, concerns: [message]}], topMm}: best first, with the largest size there and why a code
+  /// may not print or read there; `topMm` is the size that has the last colour of the map. Empty before a search is
+  /// done.
   std::string spots() const;
   /// {centre}; the spot becomes the code's centre, with the direction that was found for it.
   std::string chooseSpot(std::size_t index);
@@ -86,7 +87,8 @@ class Engine {
   /// {stage, fraction, done} of the first piece of work.
   /// @param overridden  the settings as they are this time; empty: as configured
   std::string startEngrave(const std::function<EngraveRequest(EngraveRequest)>& overridden = {});
-  /// {stage, fraction, done}; one bounded piece of work. When done there is a carved model to be shown (showCarved).
+  /// {stage, fraction, done, printable}; one bounded piece of work. When done there is a carved model to be shown
+  /// (showCarved). `printable`: its mesh is checked, and printOrder() and stlToPrint() have it.
   std::string advance();
   void cancel();
 
@@ -111,10 +113,12 @@ class Engine {
   /// @param reader  which decoder
   std::string setReadings(const std::string& texts, const std::string& reader);
 
-  /// {order}: what PrintedCode::start() takes beside the model to see the carving printed; null where that is not asked
-  /// for. An error before an engraving is done.
+  /// {order}: what PrintedCode::start() takes beside stlToPrint() to see the carving printed; null where that is not
+  /// asked for. An error before an engraving is printable, see advance().
   /// @param changed  settings of the printing that are other than those carved with, as JSON: "{}" for none
   std::string printOrder(const std::string& changed) const;
+  /// The carved model as binary STL; empty before an engraving is printable.
+  std::vector<std::uint8_t> stlToPrint() const;
   /// What the tries on the print's pictures come to is in the report from now on.
   /// @param texts      as of setReadings()
   /// @param facingDeg  see PrintedCode::advance()

@@ -48,7 +48,7 @@ std::string Engine::advance() {
     placedCode_.take(result.placement, exactCode(*model_, result.symbol, carvings_.request(), result.placement));
     updateView();
   }
-  return answer(*progress);
+  return answer(*progress, {{"printable", carvings_.printable() != nullptr}});
 }
 
 void Engine::cancel() { carvings_.cancel(); }
@@ -99,10 +99,14 @@ std::string Engine::setReadings(const std::string& texts, const std::string& rea
 }
 
 std::string Engine::printOrder(const std::string& changed) const {
-  if (!carvings_.result()) return answer(kNoResult);
+  if (!carvings_.printable()) return answer(kNoResult);
   const auto wanted = carvings_.printedView(changed);
   if (!wanted) return answer(wanted.error());
   return textOf({{"ok", true}, {"order", *wanted ? jsonOf(**wanted) : Json()}});
+}
+
+std::vector<std::uint8_t> Engine::stlToPrint() const {
+  return carvings_.printable() ? carvings_.printable()->stl : std::vector<std::uint8_t>{};
 }
 
 std::string Engine::setPrintedReadings(const std::string& texts, double facingDeg) {

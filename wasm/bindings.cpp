@@ -28,7 +28,7 @@
   verb(Engine, useCarving) verb(Engine, report) verb(Engine, readerImage) verb(Engine, jobMap) \
   verb(Engine, readingPictures) verb(Engine, setReadings) verb(Engine, startViewTrials) \
   verb(Engine, viewTrialPictures) verb(Engine, noteViewTrial) verb(Engine, exportModel) verb(Engine, printOrder) \
-  verb(Engine, setPrintedReadings) verb(Engine, otherPrints) verb(Engine, judgePrint) verb(Engine, describeRow) \
+  verb(Engine, stlToPrint) verb(Engine, setPrintedReadings) verb(Engine, otherPrints) verb(Engine, judgePrint) verb(Engine, describeRow) \
   verb(Engine, startPlate) verb(Engine, addToPlate) verb(Engine, exportPlate) \
   verb(InspectedEngine, resize) verb(InspectedEngine, setTheme) verb(Engine, setUpAxis) \
   verb(Engine, showCarved) verb(Engine, orbit) verb(Engine, pan) verb(Engine, zoom) verb(Engine, fit) \

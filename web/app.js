@@ -86,7 +86,7 @@ export class App {
     this.centre_ = new Centre((mm) => this.placePanel_.showCentre(mm));
     this.model_ = this.makeModel_();
     this.preparing_ = new Preparing({
-      client: this.client_, prepareReader: () => this.prepareTelling_(), isBusy: () => this.jobs_.busy, user: window,
+      client: this.client_, prepareReader: () => this.prepareTelling_(), isBusy: () => this.jobs_.busy || this.carving_.isPrinting, user: window,
       isOverModel: ({ target }) => target instanceof HTMLCanvasElement,
     });
     this.placing_ = this.makePlacing_();

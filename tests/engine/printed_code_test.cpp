@@ -94,6 +94,27 @@ TEST_F(PrintedCodeTest, WhatWasReadOfThePrintIsInTheReportOfThatCarving) {
   EXPECT_EQ(Json::parse(engine_->report())["verification"]["printed"]["reads"], 1);
 }
 
+TEST_F(PrintedCodeTest, ACarvingIsPrintableBeforeItIsDone) {
+  engine_->configure(R"({"text": "QRELIEF", "version": 1, "size": 25.2})");
+  EXPECT_TRUE(engine_->stlToPrint().empty());
+  ASSERT_EQ(Json::parse(engine_->startEngrave())["ok"], true);
+  Json progress;
+  do {
+    EXPECT_TRUE(engine_->stlToPrint().empty());
+    EXPECT_EQ(Json::parse(engine_->printOrder("{}"))["ok"], false);
+    progress = Json::parse(engine_->advance());
+    ASSERT_EQ(progress["ok"], true) << progress;
+  } while (progress["printable"] != true);
+  EXPECT_EQ(progress["done"], false);
+  const std::vector<std::uint8_t> stl = engine_->stlToPrint();
+  const std::string order = engine_->printOrder("{}");
+  EXPECT_EQ(Json::parse(order)["ok"], true);
+  while (progress["done"] != true) progress = Json::parse(engine_->advance());
+  EXPECT_EQ(engine_->stlToPrint(), stl);
+  EXPECT_EQ(engine_->printOrder("{}"), order);
+  EXPECT_FALSE(stl.empty());
+}
+
 TEST_F(PrintedCodeTest, AnotherWayOfPrintingIsTriedWithoutAnotherCarving) {
   carve(25.2, "fdm-0.4/0.2");
   const std::string changed = R"({"process": "fdm-0.25/0.1", "buildUp": "code-upright"})";
@@ -112,6 +133,7 @@ TEST_F(PrintedCodeTest, AnotherWayOfPrintingIsTriedWithoutAnotherCarving) {
 TEST_F(PrintedCodeTest, WithoutAProcessNothingIsToBePrinted) {
   EXPECT_EQ(Json::parse(engine_->printOrder("{}"))["ok"], false);  // nothing is carved yet
   carve(25.2, "none");
+  EXPECT_FALSE(engine_->stlToPrint().empty());
   const Json order = Json::parse(engine_->printOrder("{}"));
   EXPECT_EQ(order["ok"], true);
   EXPECT_TRUE(order["order"].is_null());

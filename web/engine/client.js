@@ -48,6 +48,7 @@ export class EngineClient {
     this.draws_ = draws;
     /** @type {Backend | undefined} */ this.backend_ = undefined;
     /** @type {((progress: EngraveProgress) => void) | undefined} */ this.onProgress_ = undefined;
+    /** @type {((job: import('./types.js').PrintJob | null) => void) | undefined} */ this.onPrintable_ = undefined;
   }
 
   /** @returns {Promise<import('./types.js').Capabilities>} */
@@ -89,11 +90,17 @@ export class EngineClient {
   }
 
   /**
-   * @param {JobOptions & { withOverrides?: boolean }} options  `withOverrides`: of the inspector
+   * @param {JobOptions & { withOverrides?: boolean, onPrintable?: (job: import('./types.js').PrintJob | null) => void }} options
+   *   `withOverrides`: of the inspector; `onPrintable`: told what printJob() gives, before the carving is done
    * @returns {Promise<boolean>}  false if it was cancelled
    */
-  async engrave({ withOverrides = false, ...options }) {
-    return (await this.runJob_('engrave', options, withOverrides)) ?? false;
+  async engrave({ withOverrides = false, onPrintable, ...options }) {
+    this.onPrintable_ = onPrintable;
+    try {
+      return (await this.runJob_('engrave', options, withOverrides, onPrintable !== undefined)) ?? false;
+    } finally {
+      if (this.onPrintable_ === onPrintable) this.onPrintable_ = undefined;
+    }
   }
 
   /**
@@ -359,6 +366,7 @@ export class EngineClient {
   /** @param {HostEvent} event */
   receive_(event) {
     if (event.event === 'progress') this.onProgress_?.(event.progress);
+    else if (event.event === 'printable') this.onPrintable_?.(event.job);
     else if (event.event === 'view') this.onView_(event.state);
     else this.onEvent_(event);
   }

@@ -185,8 +185,8 @@ export class EngineHost {
     prepareEngrave: async () => {
       while (!this.job_ && !parseAnswer(this.engine_.prepareEngrave()).done) await yieldToMessages();
     },
-    /** @param {boolean} [withOverrides]  of the inspector */
-    engrave: (withOverrides = false) => this.engrave_(withOverrides),
+    /** @param {boolean} [withOverrides]  of the inspector @param {boolean} [printsEarly]  tells what is to be printed as soon as that is known */
+    engrave: (withOverrides = false, printsEarly = false) => this.engrave_(withOverrides, printsEarly),
     cancel: () => {
       this.job_?.cancel();
       this.job_ = undefined;
@@ -208,7 +208,7 @@ export class EngineHost {
     /** @param {import('./types.js').PrintChange} changed @returns {import('./types.js').PrintJob | null} */
     printJob: (changed) => {
       const { order } = parseAnswer(this.engine_.printOrder(JSON.stringify(changed)));
-      return order && { order, stl: this.engine_.exportModel('stl').slice() };
+      return order && { order, stl: this.engine_.stlToPrint().slice() };
     },
     /** @param {number} number  of the carving @param {string[]} texts @param {number} facingDeg */
     setPrintedReadings: (number, texts, facingDeg) => {
@@ -294,10 +294,20 @@ export class EngineHost {
     this.invalidate_();
   }
 
-  /** @param {boolean} withOverrides */
-  engrave_(withOverrides) {
+  /** @param {boolean} withOverrides @param {boolean} printsEarly */
+  engrave_(withOverrides, printsEarly) {
+    let isTold = !printsEarly;
     return this.runJob_({
-      start: () => this.engine_.startEngrave(withOverrides), advance: () => this.engine_.advance(), cancel: () => this.engine_.cancel(),
+      start: () => this.engine_.startEngrave(withOverrides),
+      advance: () => {
+        const answer = this.engine_.advance();
+        if (!isTold && parseAnswer(answer).printable) {
+          isTold = true;
+          this.notify_({ event: 'printable', job: this.verbs.printJob({}) });
+        }
+        return answer;
+      },
+      cancel: () => this.engine_.cancel(),
     });
   }
 

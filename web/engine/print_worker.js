@@ -8,9 +8,12 @@ import { loadModule } from './module.js';
 
 const scope = /** @type {any} */ (globalThis);
 
+const loading = loadModule();  // before there is a job
+loading.catch(() => {});  // the job says it
+
 scope.onmessage = async (/** @type {MessageEvent<PrintJob>} */ { data: { stl, order } }) => {
   try {
-    const { module } = await loadModule();
+    const { module } = await loading;
     const print = new module.PrintedCode();
     let progress = parseAnswer(print.start(stl, JSON.stringify(order)));
     while (!progress.done) {

@@ -4,6 +4,19 @@ import { EngineFailure, crash } from './engine_error.js';
 
 /** @typedef {import('./types.js').Print} Print */
 
+/** @type {Worker | undefined} */ let ready;
+
+/** Starts the worker of the next print, so that it has loaded the module when there is something to print. */
+export function preparePrinter() {
+  ready ??= new Worker(new URL('./print_worker.js', import.meta.url), { type: 'module', name: 'print' });
+}
+
+/** If nothing is to be printed after all. */
+export function dismissPrinter() {
+  ready?.terminate();
+  ready = undefined;
+}
+
 /**
  * @param {import('./types.js').PrintJob} job
  * @param {{ signal: AbortSignal, onProgress: (fraction: number) => void }} options
@@ -11,7 +24,9 @@ import { EngineFailure, crash } from './engine_error.js';
  */
 export function makePrint(job, { signal, onProgress }) {
   if (signal.aborted) return Promise.resolve(undefined);
-  const worker = new Worker(new URL('./print_worker.js', import.meta.url), { type: 'module', name: 'print' });
+  preparePrinter();
+  const worker = /** @type {Worker} */ (ready);
+  ready = undefined;
   /** @type {Promise<Print | undefined>} */ const made = new Promise((resolve, reject) => {
     signal.addEventListener('abort', () => resolve(undefined), { once: true });
     worker.onmessage = ({ data: { progress, print, error } }) => {

@@ -65,8 +65,8 @@
 /** @typedef {'front' | 'back' | 'left' | 'right' | 'top' | 'bottom' | 'iso'} StandardView */
 
 /**
- * @typedef {{ spots: { centre: [number, number, number], sizeMm: number, aimToleranceDeg: number }[], leastMm: number, topMm: number }} Spots
- *   best first, with the largest size there; `leastMm`: of the smallest code that the printer makes; `topMm`: the
+ * @typedef {{ spots: { centre: [number, number, number], sizeMm: number, aimToleranceDeg: number, concerns: Message[] }[], topMm: number }} Spots
+ *   best first, with the largest size there; `concerns`: why a code may not print or read there; `topMm`: the
  *   size of the map's last colour
  */
 
@@ -195,6 +195,7 @@
  * @property {() => GreyImage[]} readingPictures
  * @property {(texts: string, reader: string) => string} setReadings
  * @property {(changed: string) => string} printOrder
+ * @property {() => Uint8Array} stlToPrint
  * @property {() => string} otherPrints
  * @property {(changed: string, texts: string, facingDeg: number) => string} judgePrint
  * @property {(texts: string, facingDeg: number) => string} setPrintedReadings
@@ -305,7 +306,8 @@
 /**
  * What the host tells the page unasked.
  * @typedef {{ event: 'progress', progress: EngraveProgress } | { event: 'view', state: ViewState } | { event: 'contextlost' }
- *   | { event: 'failure', error: EngineError } | { event: 'inspector', state: InspectorState }} HostEvent
+ *   | { event: 'failure', error: EngineError } | { event: 'inspector', state: InspectorState }
+ *   | { event: 'printable', job: PrintJob | null }} HostEvent
  */
 
 export {};

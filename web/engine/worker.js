@@ -14,7 +14,7 @@ scope.onmessage = async (/** @type {MessageEvent} */ { data }) => {
   const { id, verb, args } = /** @type {Request} */ (data);
   try {
     if (verb === 'start') {
-      host = EngineHost.create(args[0], (event) => scope.postMessage(event), args[1]);
+      host = EngineHost.create(args[0], (event) => scope.postMessage(event, 'job' in event ? transferables(event.job) : []), args[1]);
       await host;
       scope.postMessage({ id, value: undefined });
       return;

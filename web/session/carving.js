@@ -124,6 +124,10 @@ export class Carving {
     return true;
   }
 
+  get isPrinting() {
+    return this.carved?.printed?.state === 'under-way';
+  }
+
   /** Whether what is carved is what would be carved now. */
   get isCurrent() {
     return this.carved !== undefined && sameWork(this.carved.made, this.work_());
@@ -157,9 +161,11 @@ export class Carving {
     let made = asked;
     /** @type {Attempt | undefined} */ let first;
     prepareReader();
+    this.printing_.expect();
     for (;;) {
       const reading = await this.carveOnce_(signal, overrides !== undefined);
       if (!reading) {
+        this.printing_.stop();
         this.messages_.say(() => text('page.cancelled'));
         // Once the module's step has ended: nobody waits for it.
         this.restoring_ = (first ? this.keep_(first, started) : this.restore(before)).catch(() => false);
@@ -188,6 +194,7 @@ export class Carving {
    */
   async keep_({ made, number, texts }, started) {
     const elapsedMs = performance.now() - started;
+    this.printing_.stop();  // of the one that went deeper
     if (!(await this.client_.useCarving(number))) return false;
     this.write_(made.values);
     await this.client_.configure(this.settings_());
@@ -203,7 +210,9 @@ export class Carving {
    */
   async carveOnce_(signal, withOverrides) {
     const finished = await this.client_.engrave({
-      signal, withOverrides, onProgress: (progress) => this.jobs_.showProgress(progress),
+      signal, withOverrides,
+      onProgress: (progress) => this.jobs_.showProgress(progress),
+      onPrintable: (job) => this.printing_.beginEarly(job),
     });
     if (!finished) return undefined;
     this.messages_.say(() => text('page.readingBack'));

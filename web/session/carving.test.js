@@ -206,6 +206,18 @@ test('The print begins once the result is there, and what it comes to is in the 
   assert.equal(printsSeen, 1);
 });
 
+test('The print of what is given up is given up', async () => {
+  client.answers.engrave = async (/** @type {any} */ { onPrintable }) => {
+    onPrintable({});
+    return client.calls.filter((/** @type {string} */ call) => call === 'engrave').length === 1;
+  };
+  FakeReader.found = 'something else';
+  values = { preset: 'balanced' };
+  await carving.engrave();
+  const calls = printing.calls.filter((/** @type {string} */ call) => ['beginEarly', 'stop'].includes(call));
+  assert.deepEqual(calls.slice(calls.indexOf('beginEarly')).slice(0, 3), ['beginEarly', 'beginEarly', 'stop'], 'the deeper one was cancelled');
+});
+
 test('The print of what was replaced is told to what was replaced', async () => {
   /** @type {any[]} */ const tells = [];
   printing.answers.begin = async (/** @type {number} */ _, /** @type {any} */ told) => void tells.push(told);

@@ -22,7 +22,7 @@ export class Preparing {
     const use = (/** @type {Event} */ event) => {
       const isFirst = !this.isUsed_;
       this.isUsed_ = true;
-      if (isFirst || event.type !== 'pointermove' || isOverModel(event)) this.plan_();  // on its way to Engrave it asks for nothing
+      if (isFirst || event.type !== 'pointermove' || isOverModel(event)) this.plan();  // on its way to Engrave it asks for nothing
     };
     for (const sign of kSignsOfUse) user.addEventListener(sign, use, { capture: true, passive: true });
   }
@@ -30,10 +30,11 @@ export class Preparing {
   /** @param {boolean} isPlaced  anew, or not any more */
   note(isPlaced) {
     this.isDue_ = isPlaced;
-    this.plan_();
+    this.plan();
   }
 
-  plan_() {
+  /** Prepares, if that is due, once nothing more happens. */
+  plan() {
     clearTimeout(this.timer_);
     if (this.isUsed_ && this.isDue_) this.timer_ = setTimeout(() => this.prepare_(), kQuietMs);
   }

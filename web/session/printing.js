@@ -2,12 +2,30 @@
 // Makes the print of what was carved while the user looks at the result, and reads it.
 import { readEach } from '../decoder/reader.js';
 import { describeThrown } from '../engine/engine_error.js';
-import { makePrint } from '../engine/printer.js';
+import { dismissPrinter, makePrint, preparePrinter } from '../engine/printer.js';
 
 /** @typedef {import('../engine/types.js').Printed} Printed */
 /** @typedef {import('../engine/types.js').PrintChange} PrintChange */
 /** @typedef {import('../engine/types.js').PrintTrials} PrintTrials */
 /** @typedef {import('../engine/types.js').Report} Report */
+
+/** A print that is being made. */
+class Making {
+  fraction = 0;
+  /** @type {(fraction: number) => void} */ onProgress = () => {};
+
+  /** @param {typeof makePrint} make @param {import('../engine/types.js').PrintJob} job @param {AbortSignal} signal */
+  constructor(make, job, signal) {
+    this.print = make(job, {
+      signal,
+      onProgress: (fraction) => {
+        this.fraction = fraction;
+        this.onProgress(fraction);
+      },
+    });
+    this.print.catch(() => {});  // whoever waits for it is told
+  }
+}
 
 export class Printing {
   /**
@@ -21,28 +39,47 @@ export class Printing {
     this.make_ = make;
     this.read_ = read;
     /** @type {AbortController | undefined} */ this.abort_ = undefined;
+    /** @type {{ making: Making | undefined } | undefined} */ this.early_ = undefined;  // of the carving that is being made
+  }
+
+  /** Something is being carved that may have to be printed. */
+  expect() {
+    preparePrinter();
   }
 
   /**
-   * Of the carving that is there now. A print that is under way is given up.
+   * Begins to print what is being carved; begin() goes on with it. A print that is under way is given up.
+   * @param {import('../engine/types.js').PrintJob | null} job  null: nothing is to be printed
+   */
+  beginEarly(job) {
+    this.stop();
+    this.abort_ = new AbortController();
+    this.early_ = { making: job ? new Making(this.make_, job, this.abort_.signal) : undefined };
+    if (!job) dismissPrinter();
+  }
+
+  /**
+   * Of the carving that is there now. A print of another one that is under way is given up.
    * @param {number} number  of the carving
    * @param {(printed: Printed, report?: Report) => void} tell  how far it is; the report, once the print is in it
    */
   async begin(number, tell) {
-    this.stop();
-    const abort = new AbortController();
-    this.abort_ = abort;
+    const { early_: early } = this;
+    if (!early) this.stop();
+    this.early_ = undefined;
+    const abort = this.abort_ ??= new AbortController();
     abort.signal.addEventListener('abort', () => tell({ state: 'stopped' }), { once: true });
     const { signal } = abort;
     try {
-      const job = await this.client_.printJob();
+      const making = early ? early.making : await this.makingNow_(signal);
       if (signal.aborted) return;
-      if (!job) {
+      if (!making) {
         tell({ state: 'none' });
         return;
       }
-      tell({ state: 'under-way', fraction: 0 });
-      const print = await this.make_(job, { signal, onProgress: (fraction) => tell({ state: 'under-way', fraction }) });
+      making.onProgress = (fraction) => tell({ state: 'under-way', fraction });
+      making.onProgress(making.fraction);
+      const print = await making.print;
       if (!print || signal.aborted) return;
       const texts = await this.read_(print.pictures);
       if (signal.aborted) return;
@@ -53,6 +90,12 @@ export class Printing {
     } finally {
       if (this.abort_ === abort) this.abort_ = undefined;
     }
+  }
+
+  /** @param {AbortSignal} signal @returns {Promise<Making | undefined>}  none: nothing is to be printed, or it was stopped */
+  async makingNow_(signal) {
+    const job = await this.client_.printJob();
+    return job && !signal.aborted ? new Making(this.make_, job, signal) : undefined;
   }
 
   /**
@@ -92,5 +135,6 @@ export class Printing {
   stop() {
     this.abort_?.abort();
     this.abort_ = undefined;
+    this.early_ = undefined;
   }
 }

@@ -38,11 +38,41 @@ const print = () => ({ facingDeg: 30, misread: [[1, 2]], pictures: [1, 2], pictu
 test('A print is made, read, and told with the report that holds it', async () => {
   const run = printing.begin(7, tell);
   await settled();
-  assert.deepEqual(told.map(([printed]) => printed), [{ state: 'under-way', fraction: 0 }, { state: 'under-way', fraction: 0.5 }]);
+  assert.deepEqual(told.map(([printed]) => printed), [{ state: 'under-way', fraction: 0.5 }]);
   made.resolve(print());
   await run;
   assert.deepEqual(told.at(-1), [{ state: 'made', print: { ...print(), pictures: [] } }, { text: 'with the print' }]);
   assert.ok(client.calls.includes('setPrintedReadings 7 30'));
+});
+
+test('Begun before the carving is done, it is made once, and told how far it is', async () => {
+  printing.beginEarly(/** @type {any} */ ({ order: {}, stl: new Uint8Array(5) }));
+  await settled();
+  const run = printing.begin(7, tell);
+  made.resolve(print());
+  await run;
+  assert.equal(jobs.length, 1);
+  assert.equal(jobs[0].job.stl.length, 5);
+  assert.ok(!client.calls.includes('printJob'));
+  assert.deepEqual(told.map(([printed]) => [printed.state, /** @type {any} */ (printed).fraction]), [['under-way', 0.5], ['made', undefined]]);
+});
+
+test('One that was begun for a carving that is given up is not told of another', async () => {
+  printing.beginEarly(/** @type {any} */ ({ order: {}, stl: new Uint8Array(5) }));
+  printing.stop();
+  assert.ok(jobs[0].signal.aborted);
+  const run = printing.begin(8, tell);
+  await settled();
+  made.resolve(print());
+  await run;
+  assert.equal(jobs.length, 2);
+  assert.equal(jobs[1].job.stl.length, 3);
+});
+
+test('A carving that is not to be printed is told so, whenever that is known', async () => {
+  printing.beginEarly(null);
+  await printing.begin(1, tell);
+  assert.deepEqual(states(), ['none']);
 });
 
 test('Where no process is chosen, nothing is made', async () => {
@@ -90,7 +120,7 @@ test('A print of a carving that is gone is told to nobody', async () => {
   const run = printing.begin(1, tell);
   made.resolve(print());
   await run;
-  assert.deepEqual(states(), ['under-way', 'under-way']);
+  assert.deepEqual(states(), ['under-way']);
 });
 
 test('Other ways are printed one after the other, and what each comes to is told', async () => {
