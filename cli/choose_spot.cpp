@@ -12,12 +12,10 @@ Status chooseSpot(std::shared_ptr<const EngravableModel> model, EngraveRequest& 
                   std::FILE* to) {
   const auto symbol = encodeSymbol(request.text, request.symbol);
   if (!symbol) return tl::unexpected(symbol.error());
-  auto job = SpotSearchJob::create(std::move(model), {.placement = searchedPlacement(request, symbol->size),
-                                                      .modules = symbol->size,
-                                                      .minWallMm = request.minWallMm,
-                                                      .count = 3,
-                                                      .buildUp = buildUpOf(request),
-                                                      .scaleToMm = scaleToMm});
+  SpotSearchRequest search = spotSearchFor(request, *symbol);
+  search.count = 3;
+  search.scaleToMm = scaleToMm;
+  auto job = SpotSearchJob::create(std::move(model), search);
   if (!job) return tl::unexpected(job.error());
   if (const Status done = runWithProgress(**job, quiet); !done) return done;
   const OfferedSpot spot = (*job)->takeResult().spots.front();

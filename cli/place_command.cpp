@@ -30,13 +30,6 @@ struct PlaceOptions {
   SettingFlags flags;
   bool quiet = false;
   SpotSearchRequest request;
-  Printer printer;
-  double leastPrintableMm = 0;  // edge of the smallest symbol that it makes
-
-  double offeredMm(const OfferedSpot& spot) const {
-    return request.placement.sizeMode == SizeMode::Fixed ? spot.symbolMm : spot.largestMm;
-  }
-  bool prints(const OfferedSpot& spot) const { return offeredMm(spot) >= leastPrintableMm; }
 };
 
 std::string joined(Vec3 v, int decimals) {
@@ -54,12 +47,10 @@ Status completeRequest(PlaceOptions& options) {
   const auto symbol = encodeSymbol(engraving->text.empty() ? shortest : engraving->text, engraving->symbol);
   if (!symbol) return tl::unexpected(symbol.error());
   if (const auto process = processOf(engraving->printer); !process) return tl::unexpected(process.error());
-  request.modules = symbol->size;
-  options.printer = engraving->printer;
-  options.leastPrintableMm = symbol->size * leastPrintableModuleMm(*symbol, *engraving);
-  request.minWallMm = engraving->minWallMm;
-  request.buildUp = buildUpOf(*engraving);
-  request.placement = searchedPlacement(*engraving, request.modules);
+  SpotSearchRequest search = spotSearchFor(*engraving, *symbol);
+  search.count = request.count;
+  search.views = request.views;
+  request = search;
   return {};
 }
 
@@ -83,7 +74,7 @@ Json describe(const PlaceOptions& options, const ModelInput& input, std::size_t 
                         {"rotateDeg", request.placement.rotateDeg},
                         {"minWallMm", request.minWallMm},
                         {"leastDepthMm", request.leastDepthMm},
-                        {"leastPrintableMm", options.leastPrintableMm},
+                        {"leastPrintableMm", request.leastPrintableMm},
                         {"views", request.views},
                         {"count", request.count}};
   json["map"] = {{"vertices", result.map.mesh.positions.size()},
@@ -97,18 +88,18 @@ Json describe(const PlaceOptions& options, const ModelInput& input, std::size_t 
                              {"direction", triple(spot.direction)},
                              {"needsDirection", spot.needsDirection},
                              {"facesDown", spot.facesDown},
+                             {"unevenLight", spot.unevenLight},
                              {"symbolMm", spot.symbolMm},
                              {"largestMm", spot.largestMm},
                              {"guaranteedMm", spot.guaranteedMm},
-                             {"prints", options.prints(spot)},
+                             {"prints", spot.prints},
                              {"aimToleranceDeg", spot.aimToleranceDeg},
                              {"distanceVarianceMm2", spot.quality.varianceMm2},
                              {"worstAngleDeg", spot.quality.worstAngleDeg}});
   return json;
 }
 
-/// Those that the printer makes first, each in its order.
-void printSpots(const PlaceOptions& options, const SpotSearchResult& result, double scaleToMm) {
+void printSpots(const SpotSearchResult& result, double scaleToMm) {
   for (std::size_t i = 0; i < result.spots.size(); ++i) {
     const OfferedSpot& spot = result.spots[i];
     fmt::print(
@@ -118,10 +109,7 @@ void printSpots(const PlaceOptions& options, const SpotSearchResult& result, dou
         spot.needsDirection ? " --direction" : "  direction", joined(spot.direction, kDirectionDecimals),
         std::floor(spot.largestMm * 100) / 100, std::floor(spot.guaranteedMm * 100) / 100, spot.quality.worstAngleDeg,
         std::floor(spot.aimToleranceDeg));
-    if (!options.prints(spot))
-      fmt::print("   {}\n",
-                 sentenceAndHint(message("spot-too-small-to-print", with::lengthMm("nozzle", options.printer.nozzleMm),
-                                         with::lengthMm("needed", std::ceil(10 * options.leastPrintableMm) / 10))));
+    for (const Message& concern : spot.concerns) fmt::print("   {}\n", sentenceAndHint(concern));
   }
 }
 
@@ -141,10 +129,8 @@ int findSpots(PlaceOptions& options) {
   auto job = SpotSearchJob::create(model, options.request);
   if (!job) return printError(job.error(), file);
   if (const Status done = runWithProgress(**job, options.quiet); !done) return printError(done.error(), file);
-  SpotSearchResult result = (*job)->takeResult();
-  std::stable_partition(result.spots.begin(), result.spots.end(),
-                        [&](const OfferedSpot& spot) { return options.prints(spot); });
-  printSpots(options, result, input->scaleToMm);
+  const SpotSearchResult result = (*job)->takeResult();
+  printSpots(result, input->scaleToMm);
   if (result.spots.size() < options.request.count)
     fmt::print(stderr, "qrelief: warning: {}: {} spots were asked for, {} found\n", file, options.request.count,
                result.spots.size());

@@ -142,11 +142,15 @@ void Engine::cancelSpotSearch() {
 
 std::string Engine::spots() const {
   Json spots = Json::array();
-  for (const OfferedSpot& spot : offers_.spots())
+  for (const OfferedSpot& spot : offers_.spots()) {
+    Json concerns = Json::array();
+    for (const Message& concern : spot.concerns) concerns.push_back(jsonOf(concern));
     spots.push_back({{"centre", jsonOf(spot.centreMm)},
                      {"aimToleranceDeg", spot.aimToleranceDeg},
-                     {"sizeMm", offers_.offeredMm(spot)}});
-  return textOf({{"ok", true}, {"spots", spots}, {"leastMm", offers_.leastMm()}, {"topMm", offers_.topMm()}});
+                     {"sizeMm", offers_.offeredMm(spot)},
+                     {"concerns", concerns}});
+  }
+  return textOf({{"ok", true}, {"spots", spots}, {"topMm", offers_.topMm()}});
 }
 
 std::string Engine::chooseSpot(std::size_t index) {

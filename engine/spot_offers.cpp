@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pipeline/small_modules.h"
 #include "viewer/heat_mesh.h"
 
 namespace qrelief {
@@ -16,15 +15,8 @@ constexpr double kLegendStepMm = 5;  // the legend of the sizes ends at a multip
 
 Status SpotOffers::start(const PlacementTask& task) {
   forget();
-  const EngraveRequest& settings = task.wanted.settings();
-  const int modules = task.wanted.symbol()->size;
-  request_ = {};
-  request_.placement = searchedPlacement(settings, modules);
+  request_ = spotSearchFor(task.wanted.settings(), *task.wanted.symbol());
   request_.placement.upHint = task.upHint;
-  request_.modules = modules;
-  request_.minWallMm = settings.minWallMm;
-  request_.buildUp = buildUpOf(settings);
-  leastMm_ = modules * leastPrintableModuleMm(*task.wanted.symbol(), settings);
   model_ = task.model.engravable;
   auto job = SpotSearchJob::create(model_, request_);
   if (!job) return tl::unexpected(job.error());
@@ -43,14 +35,12 @@ void SpotOffers::finish() {
   const SpotSearchResult found = job_->takeResult();
   job_.reset();
   spots_ = found.spots;
-  std::stable_partition(spots_.begin(), spots_.end(),
-                        [&](const OfferedSpot& spot) { return offeredMm(spot) >= leastMm_; });
   // The map knows squares with the quiet zone, the legend the symbol in them.
   const double outer = request_.outerFactor();
   const double largest = static_cast<double>(*std::max_element(found.map.sizeMm.begin(), found.map.sizeMm.end()));
   topMm_ = std::max(kLegendStepMm, std::ceil(largest / outer / kLegendStepMm) * kLegendStepMm);
-  sizesDisplay_ =
-      std::make_shared<const GpuMesh>(heatMesh(model_->prepared.mesh, found.map, leastMm_ * outer, topMm_ * outer));
+  sizesDisplay_ = std::make_shared<const GpuMesh>(
+      heatMesh(model_->prepared.mesh, found.map, request_.leastPrintableMm * outer, topMm_ * outer));
 }
 
 double SpotOffers::offeredMm(const OfferedSpot& spot) const {

@@ -25,8 +25,6 @@ class SpotOffers {
   double offeredMm(const OfferedSpot& spot) const;
   /// What was searched with.
   const PlacementRequest& request() const { return request_.placement; }
-  /// Edge of the smallest symbol that the printer makes; smaller spots are offered last, and have no colour.
-  double leastMm() const { return leastMm_; }
   /// Symbol size that has the last colour.
   double topMm() const { return topMm_; }
   /// Null before a search is done.
@@ -41,7 +39,7 @@ class SpotOffers {
   std::shared_ptr<const EngravableModel> model_;
   std::unique_ptr<SpotSearchJob> job_;
   std::vector<OfferedSpot> spots_;
-  double leastMm_ = 0, topMm_ = 0;
+  double topMm_ = 0;
   std::shared_ptr<const GpuMesh> sizesDisplay_;
 };
 

@@ -7,10 +7,13 @@
 #include <fmt/format.h>
 #include <limits>
 #include <numbers>
+#include <tuple>
 
 #include "base/clock.h"
 #include "math/angle.h"
 #include "math/round_down.h"
+#include "pipeline/small_modules.h"
+#include "pipeline/spot_light.h"
 #include "projection/bend.h"
 #include "projection/room.h"
 #include "projection/size.h"
@@ -58,6 +61,18 @@ struct Wall {
   double thicknessMm = 0;  ///< along the rays
 };
 
+bool isUneven(const OfferedSpot& spot) { return spot.unevenLight > kMostUnevenLight; }
+
+std::vector<Message> concernsAt(const OfferedSpot& spot, const SpotSearchRequest& request) {
+  std::vector<Message> concerns;
+  if (!spot.prints)
+    concerns.push_back(message("spot-too-small-to-print", with::lengthMm("nozzle", request.nozzleMm),
+                               with::lengthMm("needed", std::ceil(10 * request.leastPrintableMm) / 10)));
+  if (spot.facesDown) concerns.push_back(message("faces-down"));
+  if (isUneven(spot)) concerns.push_back(message("spot-lit-unevenly"));
+  return concerns;
+}
+
 /// The wall under nearly all modules, by the limits that engraving will keep to.
 Result<Wall> measureWall(const EngravableModel& model, const GeometryPass& pass, const Placement& placement,
                          int modules, double depthMm, double minWallMm) {
@@ -90,7 +105,9 @@ struct SpotSearchJob::State {
 
   std::vector<SpotCandidate> candidates;
   std::size_t candidate = 0;
-  bool withDirection = false;  // the second try at a candidate
+  std::size_t likely = 0;                  // so many of the candidates take the size by the map
+  std::size_t screened = 0, deferred = 0;  // so many were looked at; so many of the likely ones went behind the others
+  bool withDirection = false;              // the second try at a candidate
   std::optional<PlacementSearch> search;
   OfferedSpot offered;            // what is being tested
   std::optional<Vec3> direction;  // that it is tested with; none: the method's
@@ -100,10 +117,16 @@ struct SpotSearchJob::State {
   SpotSearchResult result;
   double fraction = kMapShare;  // of the progress, once spots are tested
 
-  std::size_t goodSpots() const {  // that do not face down
-    return static_cast<std::size_t>(std::count_if(result.spots.begin(), result.spots.end(),
-                                                  [](const OfferedSpot& spot) { return !spot.facesDown; }));
+  std::size_t goodSpots() const {  // small ones among them: those that follow are hardly larger
+    return static_cast<std::size_t>(
+        std::count_if(result.spots.begin(), result.spots.end(),
+                      [](const OfferedSpot& spot) { return !spot.facesDown && !isUneven(spot); }));
   }
+  bool hasEnough() const {
+    const bool isEnough = result.spots.size() >= request.count;
+    return goodSpots() >= request.count || (isEnough && (goodSpots() > 0 || candidate >= likely));
+  }
+  std::size_t mostTries() const { return kLeastTries + kTriesPerSpot * request.count; }
   bool fixed() const { return request.placement.sizeMode == SizeMode::Fixed; }
   double wantedMm() const { return fixed() ? request.placement.sizeMm : request.placement.maxSizeMm; }
   const SizeMap& map() const { return mapping ? mapping->map() : result.map; }
@@ -111,6 +134,10 @@ struct SpotSearchJob::State {
   void startMap(double leastMm);
   void drawViews();
   void propose(double leastSizeMm);
+  bool facesDown(const ProjectionFrame& frame) const;
+  double lightOn(const ProjectionFrame& frame, double symbolMm) const;
+  bool isDoubtful(const SpotCandidate& spot) const;
+  bool screen();
   void beginTest();
   Status testOnce();
   Status take(const Placement& placement);
@@ -155,7 +182,45 @@ void SpotSearchJob::State::propose(double leastSizeMm) {
   options.enoughMm = std::max(wantedMm(), request.placement.maxSizeMm) * outer;
   candidates = spotCandidates(map(), options);
   candidate = 0;
+  screened = deferred = 0;
   withDirection = false;
+  const double takes = fixed() && stage != Stage::FindingLargest ? kMapMayErr * request.placement.sizeMm * outer : 0;
+  const auto unlikely = std::stable_partition(candidates.begin(), candidates.end(),
+                                              [&](const SpotCandidate& spot) { return spot.sizeMm >= takes; });
+  likely = static_cast<std::size_t>(unlikely - candidates.begin());
+}
+
+bool SpotSearchJob::State::facesDown(const ProjectionFrame& frame) const {
+  if (!request.buildUp) return false;
+  const Vec3 up = glm::normalize(request.buildUp->resolve(frame));
+  return glm::dot(up, frame.normal) < std::cos(toRadians(kSteepestOverhangDeg));
+}
+
+/// See unevenLight().
+double SpotSearchJob::State::lightOn(const ProjectionFrame& frame, double symbolMm) const {
+  const int quietModules = static_cast<int>((outer - 1) * request.modules / 2);
+  return unevenLight(model->prepared.mesh, frame, symbolMm, request.modules, std::min(kLitRingModules, quietModules));
+}
+
+bool SpotSearchJob::State::isDoubtful(const SpotCandidate& spot) const {
+  const PlacementRequest& place = request.placement;
+  const ProjectionFrame frame = makeFrame(spot.position, spot.direction, place.upHint, place.eyeDistanceMm);
+  return facesDown(frame) || lightOn(frame, std::min(wantedMm(), spot.sizeMm / outer)) > kMostUnevenLight;
+}
+
+/// Looks at the next candidate and puts it behind the other likely ones where it is doubtful: a look costs a tenth of a
+/// test. @returns whether there was one to look at
+bool SpotSearchJob::State::screen() {
+  const bool isLooked = screened > candidate || candidate >= likely - deferred;
+  if (isLooked || stage != Stage::Testing || screened + deferred >= mostTries()) return false;
+  if (!isDoubtful(candidates[candidate])) {
+    screened = candidate + 1;
+    return true;
+  }
+  const auto at = candidates.begin() + static_cast<std::ptrdiff_t>(candidate);
+  std::rotate(at, at + 1, candidates.begin() + static_cast<std::ptrdiff_t>(likely));
+  ++deferred;
+  return true;
 }
 
 void SpotSearchJob::State::beginTest() {
@@ -186,10 +251,7 @@ void SpotSearchJob::State::nextTry() {
 Status SpotSearchJob::State::take(const Placement& placement) {
   offered.direction = direction.value_or(placement.frame.normal);
   offered.needsDirection = withDirection;
-  if (request.buildUp) {
-    const Vec3 up = glm::normalize(request.buildUp->resolve(placement.frame));
-    offered.facesDown = glm::dot(up, placement.frame.normal) < std::cos(toRadians(kSteepestOverhangDeg));
-  }
+  offered.facesDown = facesDown(placement.frame);
   offered.symbolMm = placement.symbolMm;
   offered.guaranteedMm = placement.guaranteedMm;
   offered.aimToleranceDeg = aimToleranceDeg(placement.bendMm, placement.moduleMm);
@@ -204,6 +266,9 @@ Status SpotSearchJob::State::take(const Placement& placement) {
   const auto wall = measureWall(*model, pass, placement, request.modules, request.leastDepthMm, request.minWallMm);
   if (!wall) return tl::unexpected(wall.error());
   if (wall->takes) {
+    offered.unevenLight = lightOn(placement.frame, placement.symbolMm);
+    offered.prints = offered.symbolMm >= request.leastPrintableMm;
+    offered.concerns = concernsAt(offered, request);
     if (stage == Stage::Testing)
       result.spots.push_back(offered);
     else if (!largest || offered.symbolMm > largest->symbolMm)
@@ -218,10 +283,9 @@ Status SpotSearchJob::State::take(const Placement& placement) {
 }
 
 Status SpotSearchJob::State::testOnce() {
-  const bool enough = stage == Stage::Testing
-                          ? goodSpots() >= request.count || candidate >= kLeastTries + kTriesPerSpot * request.count
-                          : candidate >= kLargestTried;
+  const bool enough = stage == Stage::Testing ? hasEnough() || candidate >= mostTries() : candidate >= kLargestTried;
   if (candidate >= candidates.size() || enough) return finishTests();
+  if (!search && screen()) return {};
   if (!search) beginTest();
   const Result<bool> found = search->step();
   if (found) return *found ? take(search->placement()) : Status();
@@ -243,9 +307,12 @@ Status SpotSearchJob::State::finishTests() {
   const auto rank = [&](const OfferedSpot& spot) {
     return SpotRank(spot.guaranteedMm, spot.quality, spot.symbolMm * outer, spot.aimToleranceDeg);
   };
+  // The graver the concern, the farther back.
+  const auto doubts = [](const OfferedSpot& spot) {
+    return std::tuple(!spot.prints, spot.facesDown, isUneven(spot), spot.needsDirection);
+  };
   std::stable_sort(result.spots.begin(), result.spots.end(), [&](const OfferedSpot& a, const OfferedSpot& b) {
-    if (a.facesDown != b.facesDown) return b.facesDown;
-    return a.needsDirection != b.needsDirection ? b.needsDirection : rank(a) < rank(b);
+    return doubts(a) != doubts(b) ? doubts(a) < doubts(b) : rank(a) < rank(b);
   });
   if (result.spots.size() > request.count) result.spots.resize(request.count);
   stage = Stage::Done;
@@ -276,7 +343,7 @@ Error SpotSearchJob::State::nothingFound() const {
 }
 
 double SpotSearchJob::State::testedShare() const {
-  const std::size_t all = std::min(candidates.size(), kLeastTries + kTriesPerSpot * request.count);
+  const std::size_t all = std::min(candidates.size(), mostTries());
   return std::max(static_cast<double>(goodSpots()) / static_cast<double>(request.count),
                   static_cast<double>(candidate) / static_cast<double>(std::max<std::size_t>(1, all)));
 }
@@ -336,8 +403,15 @@ SpotSearchResult SpotSearchJob::takeResult() {
   return std::move(state_->result);
 }
 
-std::optional<BuildDirection> buildUpOf(const EngraveRequest& request) {
-  return request.process ? std::optional(request.buildUp) : std::nullopt;
+SpotSearchRequest spotSearchFor(const EngraveRequest& request, const Symbol& symbol) {
+  SpotSearchRequest search;
+  search.placement = searchedPlacement(request, symbol.size);
+  search.modules = symbol.size;
+  search.minWallMm = request.minWallMm;
+  if (request.process) search.buildUp = request.buildUp;
+  search.nozzleMm = request.printer.nozzleMm;
+  search.leastPrintableMm = symbol.size * leastPrintableModuleMm(symbol, request);
+  return search;
 }
 
 Result<SpotSearchResult> findSpots(std::shared_ptr<const EngravableModel> model, const SpotSearchRequest& request) {

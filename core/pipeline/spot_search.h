@@ -24,9 +24,11 @@ struct SpotSearchRequest {
   double minWallMm = 0.8;     ///< material that must remain behind a floor, ≥ 0
   double leastDepthMm = 0.3;  ///< a spot whose wall does not take pockets of this depth is not offered, > 0
   std::size_t count = 5;      ///< spots to find, 1 … kMaxSpots
-  /// Pose of the model on the printer. Spots that face down (kSteepestOverhangDeg) come last. None: no spot does.
+  /// Pose of the model on the printer: spots may face down in it (kSteepestOverhangDeg). None: no spot does.
   std::optional<BuildDirection> buildUp = {};
-  int views = 240;  ///< of the size map, ≥ 200
+  double nozzleMm = 0.4;
+  double leastPrintableMm = 0;  ///< edge of the smallest symbol that the nozzle makes; 0: it makes all
+  int views = 240;              ///< of the size map, ≥ 200
   /// File units → mm: a centre is rounded to what a user will read, about a micrometre, before it is tested.
   double scaleToMm = 1;
 
@@ -42,19 +44,22 @@ int centreDecimals(double scaleToMm);
 struct OfferedSpot {
   Vec3 centreFileUnits{0};  ///< exact to centreDecimals()
   Vec3 centreMm{0};
-  Vec3 direction{0};            ///< towards the reader; where it is needed, unit but for four decimals
-  bool facesDown = false;       ///< as SpotSearchRequest::buildUp says
-  bool needsDirection = false;  ///< the request's method alone finds no direction from which the code fits
-  double symbolMm = 0;          ///< the size asked for, or the one found
-  double largestMm = 0;         ///< that fits there, from that direction, at the rotation asked for
-  double guaranteedMm = 0;      ///< at every rotation
-  double aimToleranceDeg = 0;   ///< of the symbol, see projection/bend.h
-  SquareQuality quality;        ///< of the symbol with its quiet zone, if that must fit
+  Vec3 direction{0};              ///< towards the reader; where it is needed, unit but for four decimals
+  bool facesDown = false;         ///< as SpotSearchRequest::buildUp says
+  double unevenLight = 0;         ///< see pipeline/spot_light.h
+  bool prints = true;             ///< as large as SpotSearchRequest::leastPrintableMm
+  bool needsDirection = false;    ///< the request's method alone finds no direction from which the code fits
+  double symbolMm = 0;            ///< the size asked for, or the one found
+  double largestMm = 0;           ///< that fits there, from that direction, at the rotation asked for
+  double guaranteedMm = 0;        ///< at every rotation
+  double aimToleranceDeg = 0;     ///< of the symbol, see projection/bend.h
+  SquareQuality quality;          ///< of the symbol with its quiet zone, if that must fit
+  std::vector<Message> concerns;  ///< why a code there may not print or read; empty: nothing is known against it
 };
 
 struct SpotSearchResult {
   SizeMap map;
-  std::vector<OfferedSpot> spots;  ///< best first; may be fewer than asked for, not none
+  std::vector<OfferedSpot> spots;  ///< best first, those with concerns last; may be fewer than asked for, not none
   std::size_t tried = 0;           ///< spots that were tested
 };
 
@@ -87,8 +92,8 @@ class SpotSearchJob {
   std::unique_ptr<State> state_;
 };
 
-/// SpotSearchRequest::buildUp for an engraving; none if it has no print process.
-std::optional<BuildDirection> buildUpOf(const EngraveRequest& request);
+/// What finds a place for an engraving of the symbol: with its placement, walls and printer.
+SpotSearchRequest spotSearchFor(const EngraveRequest& request, const Symbol& symbol);
 
 /// Runs a job to its end.
 Result<SpotSearchResult> findSpots(std::shared_ptr<const EngravableModel> model, const SpotSearchRequest& request);

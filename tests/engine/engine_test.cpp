@@ -245,6 +245,8 @@ TEST_F(EngineTest, FindsSpotsThatTakeTheSizeTheyPromise) {
   }
   const Json found = Json::parse(engine_->spots());
   ASSERT_FALSE(found["spots"].empty());
+  EXPECT_TRUE(found["spots"][0]["concerns"].empty());
+  EXPECT_EQ(found["spots"].back()["concerns"][0]["code"], "spot-too-small-to-print") << "on a side";
   EXPECT_EQ(std::fmod(found["topMm"].get<double>(), 5), 0);
   for (std::size_t i = 0; i < found["spots"].size(); ++i) {
     const Json chosen = Json::parse(engine_->chooseSpot(i));

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "messages/sentences.h"
+#include "pipeline/spot_light.h"
 #include "projection/bend.h"
 #include "support/gl_test.h"
 #include "support/shapes.h"
@@ -37,6 +38,42 @@ TEST_F(SpotSearchTest, SpotsThatFaceDownInThePrinterComeLast) {
     ASSERT_FALSE(found->spots.empty());
     EXPECT_GT(found->spots.front().direction.z * up, 0.9);
     EXPECT_FALSE(found->spots.front().facesDown);
+  }
+}
+
+TEST_F(SpotSearchTest, SpotsInTheShadeOfTheModelComeLastAndSaySo) {
+  // The larger half of the plate has a ridge in its middle.
+  const Mesh model = shapes::plate(Vec2(130, 60), 10, 130, 4, [](double x, double) {
+    if (x > 5) return -3.0;
+    return std::abs(x + 30) < 1.1 ? 2.5 : 0.0;
+  });
+  SpotSearchRequest wanted = request(30);
+  wanted.buildUp = BuildDirection{.up = Vec3(0, 0, 1)};
+  const auto found = findSpots(upload(model), wanted);
+  ASSERT_TRUE(found.has_value()) << found.error().message;
+  const auto isUneven = [](const OfferedSpot& spot) { return spot.unevenLight > kMostUnevenLight; };
+  const std::vector<OfferedSpot>& spots = found->spots;
+  ASSERT_GE(spots.size(), 2u);
+  EXPECT_TRUE(spots.front().concerns.empty());
+  bool wasDoubted = false;
+  for (const OfferedSpot& spot : spots) {
+    EXPECT_EQ(spot.concerns.empty(), !spot.facesDown && !isUneven(spot));
+    EXPECT_TRUE(spot.concerns.empty() || isUneven(spot) || spot.concerns.front().code == "faces-down");
+    EXPECT_FALSE(wasDoubted && spot.concerns.empty()) << "a good one behind a doubtful one";
+    wasDoubted = wasDoubted || !spot.concerns.empty();
+  }
+}
+
+TEST_F(SpotSearchTest, SpotsThatTheNozzleDoesNotPrintSaySo) {
+  SpotSearchRequest wanted = request(30);
+  wanted.leastPrintableMm = 31;
+  const auto found = findSpots(upload(shapes::box({60, 60, 12})), wanted);
+  ASSERT_TRUE(found.has_value());
+  for (const OfferedSpot& spot : found->spots) {
+    EXPECT_FALSE(spot.prints);
+    ASSERT_EQ(spot.concerns.size(), 1u);
+    EXPECT_EQ(spot.concerns.front(),
+              message("spot-too-small-to-print", with::lengthMm("nozzle", 0.4), with::lengthMm("needed", 31)));
   }
 }
 

@@ -3,6 +3,7 @@
 import { onLanguage, text } from '../i18n/catalogue.js';
 import { byId, make } from '../dom/dom.js';
 import { formatPlain } from '../i18n/format.js';
+import { sentenceOf } from '../i18n/messages.js';
 
 /** @typedef {import('../engine/types.js').Spots} Spots */
 
@@ -18,10 +19,10 @@ export class SpotsPanel {
   constructor({ onSuggest, onSpot, onSizes }, legend) {
     this.suggest_ = byId('suggest', HTMLButtonElement);
     this.list_ = byId('spots', HTMLUListElement);
+    this.note_ = byId('spots-note', HTMLParagraphElement);
     this.sizes_ = byId('show-sizes', HTMLButtonElement);
     this.legend_ = legend;
     this.topMm_ = 0;
-    this.leastMm_ = 0;
     this.onSpot_ = onSpot;
     /** @type {Spots['spots']} */ this.spots_ = [];
     onLanguage(() => this.nameSpots_());
@@ -39,9 +40,8 @@ export class SpotsPanel {
   }
 
   /** @param {Spots} found */
-  show({ spots, leastMm, topMm }) {
+  show({ spots, topMm }) {
     this.spots_ = spots;
-    this.leastMm_ = leastMm;
     this.list_.replaceChildren(...spots.map((_, index) => {
       const picture = make('canvas');
       picture.setAttribute('aria-hidden', 'true');
@@ -60,14 +60,10 @@ export class SpotsPanel {
 
   nameSpots_() {
     [...this.list_.querySelectorAll('.name')].forEach((name, index) => name.replaceChildren(text('page.spot', { index: index + 1 }),
-      make('span', { text: factsOf(this.spots_[index]) }), ...this.warnings_(this.spots_[index])));
+      make('span', { text: factsOf(this.spots_[index]) }), ...concernsOf(this.spots_[index])));
+    this.note_.textContent = this.spots_.some(({ concerns }) => concerns.length === 0) ? '' : text('page.noGoodSpot');
   }
 
-  /** Why the printer makes no code there. @param {Spots['spots'][number]} spot */
-  warnings_({ sizeMm }) {
-    if (sizeMm >= this.leastMm_) return [];
-    return [make('span', { className: 'warning', text: text('page.spotTooSmall', { size: `${formatPlain(Math.ceil(10 * this.leastMm_) / 10)} mm` }) })];
-  }
 
   /** The code on a spot, as its reader sees it. @param {number} index @param {import('../engine/types.js').ColourImage} picture */
   showPicture(index, { width, height, pixels }) {
@@ -80,6 +76,7 @@ export class SpotsPanel {
 
   clear() {
     this.list_.replaceChildren();
+    this.note_.textContent = '';
     this.sizes_.disabled = true;
     this.setSizesShown(false);
   }
@@ -103,6 +100,9 @@ export class SpotsPanel {
 
 /** @param {Spots['spots'][number]} spot */
 const factsOf = ({ sizeMm, aimToleranceDeg }) => text('page.upTo', { size: `${formatPlain(wholeMm(sizeMm))} mm`, deg: Math.floor(aimToleranceDeg) });
+
+/** Why a code there may not print or read. @param {Spots['spots'][number]} spot */
+const concernsOf = ({ concerns }) => concerns.map((concern) => make('span', { className: 'warning', text: sentenceOf(concern) }));
 
 /** Rounded down: so much does fit. @param {number} mm */
 const wholeMm = (mm) => (mm < 10 ? Math.floor(mm * 10) / 10 : Math.floor(mm));

@@ -54,7 +54,7 @@ export const page = {
     aimLittle: 'Here a phone must be held straight: it reads from {deg}° aside at most. A smaller code or a flatter place forgives more.',
     spot: 'Spot {index}',
     upTo: 'up to {size}, {deg}°\u00a0aside',
-    spotTooSmall: 'too small for your printer, which needs {size}',
+    noGoodSpot: 'No spot found here promises a code that prints and reads. What stands against each is said beside it.',
 
     carve: 'Carve',
     carveState: '{preset}, {nozzle} mm nozzle',
@@ -173,7 +173,7 @@ export const page = {
     aimLittle: 'Hier muss ein Telefon gerade davor sein: Es liest ihn höchstens {deg}° von der Seite. Ein kleinerer Code oder eine flachere Stelle verzeiht mehr.',
     spot: 'Stelle {index}',
     upTo: 'bis {size}, {deg}°\u00a0seitlich',
-    spotTooSmall: 'zu klein für den Drucker, der {size} braucht',
+    noGoodSpot: 'Keine Stelle, die sich fand, verspricht einen Code, der sich drucken und lesen lässt. Was dagegen spricht, steht daneben.',
 
     carve: 'Gravur',
     carveState: '{preset}, Düse {nozzle} mm',

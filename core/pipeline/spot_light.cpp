@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/spot_light.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "verification/mesh_luminance.h"
+
+namespace qrelief {
+namespace {
+
+constexpr int kPixels = 3;      // of the picture, along a module's edge
+constexpr int kNeighbours = 4;  // modules to the farthest that a module is compared with
+constexpr double kPercentile = 0.98;
+
+}  // namespace
+
+double unevenLight(const Mesh& mesh, const ProjectionFrame& frame, double symbolMm, int modules, int ring) {
+  assert(modules > 0 && ring >= 0);
+  const int edge = modules + 2 * (ring + kNeighbours), pixels = kPixels * edge;
+  const std::vector<float> picture =
+      meshLuminance(mesh, frame, {.pixels = pixels, .pixelMm = symbolMm / modules / kPixels, .nearMm = symbolMm});
+  std::vector<float> means(static_cast<std::size_t>(edge) * static_cast<std::size_t>(edge), 0.0f);
+  const auto module = [&](int column, int row) { return static_cast<std::size_t>(row * edge + column); };
+  for (int y = 0; y < pixels; ++y)
+    for (int x = 0; x < pixels; ++x)
+      means[module(x / kPixels, y / kPixels)] +=
+          picture[static_cast<std::size_t>(y * pixels + x)] / (kPixels * kPixels);
+  std::vector<float> darker;
+  for (int row = kNeighbours; row < edge - kNeighbours; ++row)
+    for (int column = kNeighbours; column < edge - kNeighbours; ++column) {
+      float brightest = 0;
+      for (int r = row - kNeighbours; r <= row + kNeighbours; ++r)
+        for (int c = column - kNeighbours; c <= column + kNeighbours; ++c)
+          brightest = std::max(brightest, means[module(c, r)]);
+      darker.push_back(1 - means[module(column, row)] / brightest);
+    }
+  const auto at = darker.begin() + static_cast<std::ptrdiff_t>(kPercentile * static_cast<double>(darker.size() - 1));
+  std::nth_element(darker.begin(), at, darker.end());
+  return static_cast<double>(*at);
+}
+
+}  // namespace qrelief
