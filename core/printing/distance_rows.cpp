@@ -43,6 +43,46 @@ void lowerRowsOfSegment(const SegmentRows& in) {
   }
 }
 
+/// Calls visit(lanes, i) for all i in steps of vectors, the last ones one by one.
+template <class Visit>
+HWY_INLINE void forVectors(std::size_t count, const Visit& visit) {
+  const hn::CappedTag<float, 8> lanes;
+  std::size_t i = 0;
+  for (; i + hn::Lanes(lanes) <= count; i += hn::Lanes(lanes)) visit(lanes, i);
+  for (; i < count; ++i) visit(hn::CappedTag<float, 1>(), i);
+}
+
+void signedDistancesOfRows(float* held, const float* inside, float lessThan, float lessMm, std::size_t count) {
+  forVectors(count, [&](auto lanes, std::size_t i) {
+    const auto distance = hn::Sqrt(hn::LoadU(lanes, held + i));
+    const auto isInside = hn::Lt(hn::LoadU(lanes, inside + i), hn::Set(lanes, lessThan));
+    const auto found = hn::IfThenElse(isInside, hn::Neg(distance), distance);
+    hn::StoreU(hn::Sub(found, hn::Set(lanes, lessMm)), lanes, held + i);
+  });
+}
+
+int nextCrossedInRow(const float* lower, const float* upper, float value, int column, int columns) {
+  const hn::CappedTag<float, 8> lanes;
+  const auto at = hn::Set(lanes, value);
+  for (; column + static_cast<int>(hn::Lanes(lanes)) <= columns; column += static_cast<int>(hn::Lanes(lanes))) {
+    const auto a = hn::LoadU(lanes, lower + column), b = hn::LoadU(lanes, lower + column + 1);
+    const auto c = hn::LoadU(lanes, upper + column), d = hn::LoadU(lanes, upper + column + 1);
+    const auto least = hn::Min(hn::Min(a, b), hn::Min(c, d)), most = hn::Max(hn::Max(a, b), hn::Max(c, d));
+    if (!hn::AllFalse(lanes, hn::And(hn::Lt(least, at), hn::Ge(most, at)))) return column;
+  }
+  return column;
+}
+
+bool anyThinInRow(const float* laid, const float* solid, float deepest, std::size_t count) {
+  bool any = false;
+  forVectors(count, [&](auto lanes, std::size_t i) {
+    const auto isOpen = hn::Gt(hn::LoadU(lanes, laid + i), hn::Zero(lanes));
+    const auto isDeep = hn::Le(hn::LoadU(lanes, solid + i), hn::Set(lanes, deepest));
+    any = any || !hn::AllFalse(lanes, hn::And(isOpen, isDeep));
+  });
+  return any;
+}
+
 }  // namespace qrelief::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -51,7 +91,23 @@ namespace qrelief {
 
 HWY_EXPORT(lowerRowsOfSegment);
 
+HWY_EXPORT(signedDistancesOfRows);
+HWY_EXPORT(nextCrossedInRow);
+HWY_EXPORT(anyThinInRow);
+
 void lowerRows(const SegmentRows& rows) { HWY_DYNAMIC_DISPATCH(lowerRowsOfSegment)(rows); }
+
+void signedDistances(float* held, const float* inside, float lessThan, float lessMm, std::size_t count) {
+  HWY_DYNAMIC_DISPATCH(signedDistancesOfRows)(held, inside, lessThan, lessMm, count);
+}
+
+int nextCrossed(const float* lower, const float* upper, float value, int column, int columns) {
+  return HWY_DYNAMIC_DISPATCH(nextCrossedInRow)(lower, upper, value, column, columns);
+}
+
+bool anyThin(const float* laid, const float* solid, float deepest, std::size_t count) {
+  return HWY_DYNAMIC_DISPATCH(anyThinInRow)(laid, solid, deepest, count);
+}
 
 }  // namespace qrelief
 #endif

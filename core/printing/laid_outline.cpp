@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "printing/distance_rows.h"
+
 namespace qrelief {
 namespace {
 
@@ -14,13 +16,6 @@ constexpr double kRidgeSlope = 0.6;
 constexpr double kShortestLine = 0.5;
 /// Drawing a line needs distances this many steps beyond it: the diagonal of a cell, rounded up.
 constexpr double kMoreSteps = 1.5;
-
-LayerGrid emptyGrid(const LayerWindow& window, double distanceMm) {
-  LayerGrid grid{window.origin, window.stepMm, window.columns, window.rows, {}};
-  grid.distanceMm.assign(static_cast<std::size_t>(window.columns) * static_cast<std::size_t>(window.rows),
-                         static_cast<float>(distanceMm));
-  return grid;
-}
 
 /// First node at or beyond a coordinate, 0 … count.
 int nodeFrom(double coordinate, double origin, double stepMm, int count) {
@@ -60,7 +55,9 @@ struct Ridge {
 };
 
 std::vector<Ridge> thinRidges(const LayerGrid& solid, const LayerGrid& laid, double thinnestMm) {
-  std::vector<std::uint8_t> isRidge(solid.distanceMm.size(), 0);
+  const std::size_t nodes = solid.distanceMm.size();
+  if (!anyThin(laid.distanceMm.data(), solid.distanceMm.data(), static_cast<float>(-thinnestMm / 2), nodes)) return {};
+  std::vector<std::uint8_t> isRidge(nodes, 0);
   for (int row = 1; row + 1 < solid.rows; ++row)
     for (int column = 1; column + 1 < solid.columns; ++column) {
       const std::size_t i = solid.index(column, row);
@@ -119,13 +116,8 @@ void addDisc(LayerGrid& grid, Vec2 centre, double radiusMm, double beyondMm) {
 LayerGrid opened(const LayerGrid& solid, double byMm, double beyondMm) {
   // Outside what remains up to beyondMm, inside so far that its outline lies between known nodes.
   const double reach = std::max(byMm + beyondMm, kMoreSteps * solid.stepMm - byMm);
-  LayerGrid result = solid;
-  std::fill(result.distanceMm.begin(), result.distanceMm.end(), static_cast<float>(reach));
-  lowerToDistance(result, contourOf(solid, -byMm), reach);
-  for (std::size_t i = 0; i < result.distanceMm.size(); ++i) {
-    const bool within = static_cast<double>(solid.distanceMm[i]) < -byMm;
-    result.distanceMm[i] = (within ? -result.distanceMm[i] : result.distanceMm[i]) - static_cast<float>(byMm);
-  }
+  LayerGrid result{solid.origin, solid.stepMm, solid.columns, solid.rows, {}};
+  setDistances(result, contourOf(solid, -byMm), reach, solid.distanceMm, -byMm, byMm);
   return result;
 }
 
@@ -173,11 +165,12 @@ std::vector<std::int16_t> windingNumbers(std::span<const Segment2> outline, cons
 LayerGrid layOutline(std::span<const Segment2> outline, const LayerWindow& window, Vec2 corner, int winding,
                      const PrintProcess& process) {
   const double reach = process.cornerRadiusMm + kMoreSteps * window.stepMm;
-  LayerGrid solid = emptyGrid(window, reach);
+  LayerGrid solid{window.origin, window.stepMm, window.columns, window.rows, {}};
   const std::vector<std::int16_t> numbers = windingNumbers(outline, window, corner, winding);
-  lowerToDistance(solid, outsideOnly(outline, solid, numbers), reach);
-  for (std::size_t i = 0; i < numbers.size(); ++i)
-    if (numbers[i] > 0) solid.distanceMm[i] = -solid.distanceMm[i];
+  std::vector<float> outside(numbers.size());  // less than 0 inside
+  std::transform(numbers.begin(), numbers.end(), outside.begin(),
+                 [](int number) { return static_cast<float>(-number); });
+  setDistances(solid, outsideOnly(outline, solid, numbers), reach, outside, 0, 0);
 
   const double closingMm = process.pocketRadiusMm + kMoreSteps * window.stepMm;
   LayerGrid laid = opened(solid, process.cornerRadiusMm, closingMm);

@@ -3,13 +3,18 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "printing/distance_rows.h"
 
 namespace qrelief {
+namespace {
+
+constexpr int kBlock = 8;  // cells that are looked at one by one where one of them may be crossed
+
+}  // namespace
 
 double LayerGrid::at(Vec2 at) const {
   const Vec2 place = (at - origin) / stepMm;
@@ -22,8 +27,11 @@ double LayerGrid::at(Vec2 at) const {
          v * ((1 - u) * static_cast<double>(above[0]) + u * static_cast<double>(above[1]));
 }
 
-void lowerToDistance(LayerGrid& grid, std::span<const Segment2> segments, double reachMm) {
-  for (float& held : grid.distanceMm) held *= held;
+void setDistances(LayerGrid& grid, std::span<const Segment2> segments, double reachMm, std::span<const float> inside,
+                  double lessThan, double lessMm) {
+  const std::size_t nodes = grid.index(0, grid.rows);
+  assert(inside.size() == nodes);
+  grid.distanceMm.assign(nodes, static_cast<float>(reachMm * reachMm));
   for (const Segment2& segment : segments) {
     const Vec2 low = (glm::min(segment[0], segment[1]) - grid.origin - reachMm) / grid.stepMm;
     const Vec2 high = (glm::max(segment[0], segment[1]) - grid.origin + reachMm) / grid.stepMm;
@@ -38,7 +46,8 @@ void lowerToDistance(LayerGrid& grid, std::span<const Segment2> segments, double
                static_cast<float>(from.x), static_cast<float>(from.y), static_cast<float>(along.x),
                static_cast<float>(along.y)});
   }
-  for (float& held : grid.distanceMm) held = std::sqrt(held);
+  signedDistances(grid.distanceMm.data(), inside.data(), static_cast<float>(lessThan), static_cast<float>(lessMm),
+                  nodes);
 }
 
 std::vector<Segment2> contourOf(const LayerGrid& grid, double valueMm) {
@@ -47,10 +56,15 @@ std::vector<Segment2> contourOf(const LayerGrid& grid, double valueMm) {
   for (int row = 0; row + 1 < grid.rows; ++row) {
     const float* const lower = &grid.distanceMm[grid.index(0, row)];
     const float* const upper = lower + grid.columns;
-    int belowLeft = (lower[0] < value) + (upper[0] < value);
-    for (int column = 0; column + 1 < grid.columns; ++column) {
-      const int belowRight = (lower[column + 1] < value) + (upper[column + 1] < value);
-      const int below = std::exchange(belowLeft, belowRight) + belowRight;
+    const int cells = grid.columns - 1;
+    for (int column = 0, blockEnd = 0; column < cells; ++column) {
+      if (column == blockEnd) {
+        column = nextCrossed(lower, upper, value, column, cells);
+        blockEnd = std::min(column + kBlock, cells);
+        if (column == cells) break;
+      }
+      const int below =
+          (lower[column] < value) + (upper[column] < value) + (lower[column + 1] < value) + (upper[column + 1] < value);
       if (below == 0 || below == 4) continue;
       // Corners anticlockwise from the lower left; a crossing on each side whose ends differ.
       constexpr std::array<std::array<int, 2>, 4> kCorners = {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};

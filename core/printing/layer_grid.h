@@ -25,9 +25,12 @@ struct LayerGrid {
   double at(Vec2 at) const;
 };
 
-/// Distances from the nearest segment, without a sign, where they are less than those that the grid holds.
-/// Cost: O(segments · nodes within `reachMm` of one).
-void lowerToDistance(LayerGrid& grid, std::span<const Segment2> segments, double reachMm);
+/// Sets a grid to the distances from the nearest segment as far as `reachMm`, and to `reachMm` or more beyond; negative
+/// where `inside` holds less than `lessThan`, and all lessened by `lessMm`.
+/// Cost: O(nodes + segments · nodes within `reachMm` of one).
+/// @param inside  of the grid's nodes
+void setDistances(LayerGrid& grid, std::span<const Segment2> segments, double reachMm, std::span<const float> inside,
+                  double lessThan, double lessMm);
 
 /// The line on which the distance has a value, in pieces from one edge of the grid's cells to another [marching
 /// squares; Maple 2003]. In no order. Cost: O(nodes).

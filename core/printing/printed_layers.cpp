@@ -88,27 +88,47 @@ PrintedLayers::PrintedLayers(std::vector<Corners> triangles, const ProjectionFra
   lay(roughness);
 }
 
+/// A ray from the eye, and how fast distances can fall along it.
+struct PrintedLayers::Ray {
+  Vec3 eye, direction;
+  Vec2 perDirection;                  ///< 1 / |direction|, mm of the ray per mm along an axis
+  double perAcross = 0, perFall = 0;  ///< mm of the ray per mm of distance in a layer's plane, and from a flank
+  /// Farther from an outline than this the flank does not matter: the distance in the plane allows the larger step.
+  double freeMm = 0;
+
+  Ray(Vec3 from, Vec3 along, double grooveMm) : eye(from), direction(along) {
+    constexpr double kLeast = 1e-9;
+    for (int axis = 0; axis < 2; ++axis) perDirection[axis] = 1 / std::max(std::abs(along[axis]), kLeast);
+    const double across = std::sqrt(along.x * along.x + along.y * along.y);
+    perAcross = 1 / std::max(across, kLeast);
+    perFall = 1 / (across + std::abs(along.z));
+    freeMm = perAcross > perFall ? grooveMm * perFall / (perAcross - perFall) : std::numeric_limits<double>::infinity();
+  }
+
+  Vec2 at(double t) const { return Vec2(eye) + Vec2(direction) * t; }
+};
+
 double PrintedLayers::firstMeeting(Vec2 at, double fromMm) const {
   if (layers_.empty()) return 0;
-  const Vec3 direction = frame_.rayDirection(at);
-  const Vec3 eye = frame_.eye();
+  const Ray ray(frame_.eye(), frame_.rayDirection(at), process_.grooveMm);
   const double top = topOf(static_cast<int>(layers_.size()) - 1), bottom = topOf(-1);
+  const double eyeZ = ray.eye.z, climb = ray.direction.z, perClimb = 1 / climb;
   double begin = std::max(nearestMm_, fromMm), end = farthestMm_;
-  if (direction.z != 0) {
-    const double a = (top - eye.z) / direction.z, b = (bottom - eye.z) / direction.z;
+  if (climb != 0) {
+    const double a = (top - eyeZ) * perClimb, b = (bottom - eyeZ) * perClimb;
     begin = std::max(begin, std::min(a, b));
     end = std::min(end, std::max(a, b));
-  } else if (eye.z >= top || eye.z < bottom) {
+  } else if (eyeZ >= top || eyeZ < bottom) {
     return 0;
   }
-  int layer = layerAt(eye.z + direction.z * (begin + 1e-9));
+  int layer = layerAt(eyeZ + climb * (begin + 1e-9));
   while (begin < end && layer >= 0 && layer < static_cast<int>(layers_.size())) {
     double leaves = end;
-    if (direction.z != 0) leaves = std::min(end, (topOf(direction.z > 0 ? layer : layer - 1) - eye.z) / direction.z);
-    if (const double met = meetingInLayer(layer, direction, begin, leaves); met > 0) return met;
+    if (climb != 0) leaves = std::min(end, (topOf(climb > 0 ? layer : layer - 1) - eyeZ) * perClimb);
+    if (const double met = meetingInLayer(layer, ray, begin, leaves); met > 0) return met;
     begin = std::max(begin, leaves);
-    if (direction.z == 0) break;
-    layer += direction.z > 0 ? 1 : -1;
+    if (climb == 0) break;
+    layer += climb > 0 ? 1 : -1;
   }
   return 0;
 }
@@ -290,12 +310,12 @@ const LayerGrid* PrintedLayers::tileAt(int layer, Vec2 at) const {
 }
 
 /// How far along a ray the tile ends in which a point lies.
-double PrintedLayers::wayOutOfTile(Vec2 at, Vec3 direction) const {
+double PrintedLayers::wayOutOfTile(const Ray& ray, Vec2 at) const {
   double way = std::numeric_limits<double>::infinity();
   for (int axis = 0; axis < 2; ++axis) {
-    const double place = (at[axis] - origin_[axis]) / tileMm_;
-    const double rest = direction[axis] > 0 ? std::floor(place) + 1 - place : place - std::floor(place);
-    if (direction[axis] != 0) way = std::min(way, rest * tileMm_ / std::abs(direction[axis]));
+    const double place = (at[axis] - origin_[axis]) / tileMm_, before = std::floor(place);
+    const double rest = ray.direction[axis] > 0 ? before + 1 - place : place - before;
+    way = std::min(way, rest * tileMm_ * ray.perDirection[axis]);
   }
   return way;
 }
@@ -303,15 +323,15 @@ double PrintedLayers::wayOutOfTile(Vec2 at, Vec3 direction) const {
 /// A ray within a tile of a layer: its plastic's distance along the way.
 class PrintedLayers::RayInTile {
  public:
-  RayInTile(const LayerGrid& tile, Vec3 eye, Vec3 direction, double middleZ, const PrintProcess& process)
+  RayInTile(const LayerGrid& tile, const Ray& ray, double middleZ, const PrintProcess& process)
       : tile_(&tile), grooveMm_(process.grooveMm) {
-    const double perStep = 1 / tile.stepMm;
-    u_ = (eye.x - tile.origin.x) * perStep;
-    v_ = (eye.y - tile.origin.y) * perStep;
-    uPerMm_ = direction.x * perStep;
-    vPerMm_ = direction.y * perStep;
-    w_ = (eye.z - middleZ) * (2 / process.layerMm);
-    wPerMm_ = direction.z * (2 / process.layerMm);
+    const double perStep = 1 / tile.stepMm, perHalfLayer = 2 / process.layerMm;
+    u_ = (ray.eye.x - tile.origin.x) * perStep;
+    v_ = (ray.eye.y - tile.origin.y) * perStep;
+    uPerMm_ = ray.direction.x * perStep;
+    vPerMm_ = ray.direction.y * perStep;
+    w_ = (ray.eye.z - middleZ) * perHalfLayer;
+    wPerMm_ = ray.direction.z * perHalfLayer;
   }
 
   /// From the outline, in the layer's plane. @param t  along the ray, mm, within the tile
@@ -340,26 +360,28 @@ class PrintedLayers::RayInTile {
   double u_ = 0, v_ = 0, w_ = 0, uPerMm_ = 0, vPerMm_ = 0, wPerMm_ = 0;  // in steps, and in half layers
 };
 
-double PrintedLayers::meetingInLayer(int layer, Vec3 direction, double begin, double end) const {
+double PrintedLayers::meetingInLayer(int layer, const Ray& ray, double begin, double end) const {
   if (layers_[static_cast<std::size_t>(layer)].tiles.empty() || begin >= end) return 0;
   // Before the outline is passed the plastic cannot be met. Between outline and flank, how fast the distance may fall
   // along the ray; flanks are steeper only where they are all but met.
-  const double across = std::hypot(direction.x, direction.y);
-  const double perAcross = 1 / std::max(across, 1e-9), perFall = 1 / (across + std::abs(direction.z));
-  const Vec3 eye = frame_.eye();
   const double middleZ = topOf(layer) - process_.layerMm / 2;
   double before = begin;
   for (double t = begin;;) {
-    const Vec2 at = Vec2(eye) + Vec2(direction) * t;
-    const double leaves = t + std::max(wayOutOfTile(at, direction), kNearestStepMm);
+    const Vec2 at = ray.at(t);
+    const double leaves = t + std::max(wayOutOfTile(ray, at), kNearestStepMm);
     if (const LayerGrid* tile = tileAt(layer, at)) {
-      const RayInTile ray(*tile, eye, direction, middleZ, process_);
+      const RayInTile inTile(*tile, ray, middleZ, process_);
       for (;;) {
-        const double inPlane = ray.distanceInPlane(t), distance = inPlane + ray.groove(t);
-        if (distance < kHitMm) return t == begin ? t : refined(layer, direction, before, t);
+        const double inPlane = inTile.distanceInPlane(t);
+        double step = inPlane * ray.perAcross;
+        if (inPlane < ray.freeMm) {
+          const double distance = inPlane + inTile.groove(t);
+          if (distance < kHitMm) return t == begin ? t : refined(layer, ray, before, t);
+          step = std::max(step, distance * ray.perFall);
+        }
         if (t >= end) return 0;
         before = t;
-        t = std::min(end, t + std::max({inPlane * perAcross, distance * perFall, kNearestStepMm}));
+        t = std::min(end, t + std::max(step, kNearestStepMm));
         if (t >= leaves) break;
       }
     } else {
@@ -371,12 +393,11 @@ double PrintedLayers::meetingInLayer(int layer, Vec3 direction, double begin, do
 }
 
 /// Where the distance falls to kHitMm between two points of a ray [regula falsi, as of Illinois].
-double PrintedLayers::refined(int layer, Vec3 direction, double outside, double inside) const {
-  const Vec3 eye = frame_.eye();
+double PrintedLayers::refined(int layer, const Ray& ray, double outside, double inside) const {
   const double middleZ = topOf(layer) - process_.layerMm / 2;
   const auto over = [&](double t) -> double {  // beside the tiles, anything above 0
-    const LayerGrid* tile = tileAt(layer, Vec2(eye) + Vec2(direction) * t);
-    return tile ? RayInTile(*tile, eye, direction, middleZ, process_).distance(t) - kHitMm : kNearestStepMm;
+    const LayerGrid* tile = tileAt(layer, ray.at(t));
+    return tile ? RayInTile(*tile, ray, middleZ, process_).distance(t) - kHitMm : kNearestStepMm;
   };
   double overOutside = over(outside), overInside = over(inside);
   for (int k = 0; k < kRefinements && inside - outside > kNearEnoughMm; ++k) {

@@ -56,6 +56,7 @@ class PrintedLayers {
   double firstMeeting(Vec2 at, double fromMm = 0) const;
 
  private:
+  struct Ray;
   class RayInTile;
   static constexpr int kNoTile = -1;
   struct Layer {
@@ -81,9 +82,9 @@ class PrintedLayers {
   std::vector<std::vector<Segment2>> nearTiles(const Layer& layer, std::span<const Segment2> outline, Vec2 first,
                                                double beyond) const;
   const LayerGrid* tileAt(int layer, Vec2 at) const;
-  double wayOutOfTile(Vec2 at, Vec3 direction) const;
-  double meetingInLayer(int layer, Vec3 direction, double begin, double end) const;
-  double refined(int layer, Vec3 direction, double outside, double inside) const;
+  double wayOutOfTile(const Ray& ray, Vec2 at) const;
+  double meetingInLayer(int layer, const Ray& ray, double begin, double end) const;
+  double refined(int layer, const Ray& ray, double outside, double inside) const;
 
   PrintProcess process_;
   ProjectionFrame frame_;

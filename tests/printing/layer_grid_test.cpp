@@ -17,12 +17,15 @@ LayerGrid gridOf(double stepMm, int nodes, float value) {
 TEST(LayerGrid, DistancesWithinReachAreThoseFromTheNearestSegment) {
   LayerGrid grid = gridOf(0.1, 61, 9);
   const std::vector<Segment2> segments = {{Vec2(-1, 0), Vec2(1, 0.5)}, {Vec2(1, 0.5), Vec2(1, 2)}};
-  lowerToDistance(grid, segments, 0.7);
+  std::vector<float> inside(grid.distanceMm.size());
+  for (std::size_t i = 0; i < inside.size(); ++i) inside[i] = i % 3 == 0 ? -1.0f : 2.0f;
+  setDistances(grid, segments, 0.7, inside, 1, 0.25);
   for (int row = 0; row < grid.rows; ++row)
     for (int column = 0; column < grid.columns; ++column) {
       const Vec2 at = grid.node(column, row);
       const double expected = std::min(distanceToSegment(at, segments[0]), distanceToSegment(at, segments[1]));
-      const double held = static_cast<double>(grid.distanceMm[grid.index(column, row)]);
+      const std::size_t node = grid.index(column, row);
+      const double held = (static_cast<double>(grid.distanceMm[node]) + 0.25) * (node % 3 == 0 ? -1 : 1);
       if (expected <= 0.7)
         EXPECT_NEAR(held, expected, 1e-6);
       else
