@@ -46,8 +46,8 @@ class Carvings {
   /// Brings the last carving back, or the one before it. @returns whether it is there
   bool use(int number);
   const EngraveResult* result() const { return current_.result ? &*current_.result : nullptr; }
-  /// What can be printed already: of the engraving that is running, once its mesh is checked; else result().
-  const EngraveResult* printable() const { return runs_ ? job_->checkedResult() : result(); }
+  /// What can be printed already: of the engraving that is running, once its file is written; else result().
+  const EngraveResult* printable() const { return runs_ ? job_->writtenResult() : result(); }
   /// The carved model as it is shown; made at the first call. Null: there is none.
   const std::shared_ptr<const GpuMesh>& display(const Ground& ground);
   /// The same, null before it was made.

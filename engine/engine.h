@@ -88,7 +88,7 @@ class Engine {
   /// @param overridden  the settings as they are this time; empty: as configured
   std::string startEngrave(const std::function<EngraveRequest(EngraveRequest)>& overridden = {});
   /// {stage, fraction, done, printable}; one bounded piece of work. When done there is a carved model to be shown
-  /// (showCarved). `printable`: its mesh is checked, and printOrder() and stlToPrint() have it.
+  /// (showCarved). `printable`: its file is written, and printOrder() and stlToPrint() have it.
   std::string advance();
   void cancel();
 

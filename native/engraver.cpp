@@ -58,9 +58,9 @@ Result<Engraver::Carving> Engraver::carve(const EngraveRequest& request, const T
     const auto progress = (*job)->advance();
     if (!progress) return tl::unexpected(progress.error());
     tell(*progress);
-    const EngraveResult* const checked = (*job)->checkedResult();
-    if (looksAtPrint && checked && !carving.print.valid())
-      carving.print = std::async(std::launch::async, printed, verifyRequestOf(request, *checked), checked->mesh);
+    const EngraveResult* const written = (*job)->writtenResult();
+    if (looksAtPrint && written && !carving.print.valid())
+      carving.print = std::async(std::launch::async, printed, verifyRequestOf(request, *written), written->mesh);
     if (progress->done) break;
   }
   EngraveResult result = (*job)->takeResult();

@@ -18,25 +18,30 @@ constexpr double kPlaces[2] = {0.2113, 0.7887};
 }  // namespace
 
 PocketSky::PocketSky(const SubmoduleMask& mask, double submoduleMm) {
-  const int stride = mask.size + 2;
-  floorOf_.assign(static_cast<std::size_t>(stride * stride), kLight);
+  const int stride = mask.size + 2, beyond = mask.size * stride + mask.size;  // the farthest step
+  floorOf_.assign(static_cast<std::size_t>(stride * stride + 2 * beyond), kLight);
   for (std::uint32_t i = 0; i < mask.carved.size(); ++i) {
     if (!mask.carved[i]) continue;
     const int row = static_cast<int>(i) / mask.size, column = static_cast<int>(i) % mask.size;
-    cell_.push_back(static_cast<std::uint32_t>((row + 1) * stride + column + 1));
+    cell_.push_back(static_cast<std::uint32_t>(beyond + (row + 1) * stride + column + 1));
     floorOf_[cell_.back()] = static_cast<std::uint32_t>(carved_.size());
     carved_.push_back(i);
   }
-  for (std::size_t k = 0; k < kDirections; ++k) {
+  for (std::size_t k = 0; k < kFloorDirections; ++k) {
     // Between the axes and the diagonals.
-    const double angle = 2 * std::numbers::pi * (static_cast<double>(k) + 0.5) / kDirections;
+    const double angle = 2 * std::numbers::pi * (static_cast<double>(k) + 0.5) / kFloorDirections;
     const Vec2 place(kPlaces[k % 2], kPlaces[(k + k / 2) % 2]);
     GridMarch march({0, 0}, place, {std::cos(angle), std::sin(angle)});
-    for (;;) {  // a way through the whole mask
+    for (std::size_t i = k;; i += kFloorDirections) {  // a way through the whole mask
       const double distanceMm = march.step() * submoduleMm;
       const glm::ivec2 cell = march.cell();
       if (std::max(std::abs(cell.x), std::abs(cell.y)) > mask.size) break;
-      directions_[k].push_back({cell.y * stride + cell.x, static_cast<float>(1 / distanceMm)});
+      if (i >= steps_.offset.size()) {
+        steps_.offset.resize(steps_.offset.size() + kFloorDirections, 0);
+        steps_.perMm.resize(steps_.offset.size(), 0);
+      }
+      steps_.offset[i] = cell.y * stride + cell.x;
+      steps_.perMm[i] = static_cast<float>(1 / distanceMm);
     }
   }
 }
@@ -48,34 +53,13 @@ std::vector<float> PocketSky::onGrid(std::span<const double> values) const {
   return grid;
 }
 
-/// Fraction of the sky at a depth, and its change per mm of it.
-PocketSky::FractionAndSlope PocketSky::fractionAndSlope(std::size_t k, float depthMm,
-                                                        const std::vector<float>& grid) const {
-  FractionAndSlope sum;
-  const float* const own = &grid[cell_[k]];
-  for (const std::vector<Step>& steps : directions_) {
-    float steepest = 0, perMm = 0;  // tangent of the horizon's elevation
-    for (const Step& step : steps) {
-      const float top = own[step.offset], steep = (depthMm - top) * step.perMm;
-      perMm = steep > steepest ? step.perMm : perMm;
-      steepest = std::max(steepest, steep);
-      // Nothing behind a light cell is higher than it; farther on nothing can rise over what was passed.
-      if (top == 0 || depthMm * step.perMm <= steepest) break;
-    }
-    const double seen = 1 / (1 + static_cast<double>(steepest * steepest));
-    sum.fraction += seen / kDirections;
-    sum.perMm -= 2 * static_cast<double>(steepest * perMm) * seen * seen / kDirections;
-  }
-  return sum;
-}
-
 /// By Newton's steps in log h and y = log((1 − V)/V), in which a pocket whose walls are all of one height is a line of
 /// slope 2; between the depths that are known to be too bright and dark enough.
 double PocketSky::depthFor(std::size_t k, double wanted, double limitMm, const std::vector<float>& grid) const {
   double low = 0, high = limitMm;
   double depth = std::clamp(static_cast<double>(grid[cell_[k]]), std::min(kSettledMm, limitMm), limitMm);
   for (int i = 0; i < kSteps; ++i) {
-    const FractionAndSlope seen = fractionAndSlope(k, static_cast<float>(depth), grid);
+    const SkySeen seen = skySeenFrom(&grid[cell_[k]], static_cast<float>(depth), steps_);
     if (seen.fraction > wanted) {
       if (depth >= limitMm) return limitMm;
       low = depth;

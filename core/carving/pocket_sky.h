@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "carving/floor_horizons.h"
 #include "qr/module_pattern.h"
 
 namespace qrelief {
@@ -28,10 +28,10 @@ class PocketSky {
   /// any order, some twice.
   template <class Visit>
   void forEachInSight(std::size_t k, const Visit& visit) const {
-    for (const std::vector<Step>& steps : directions_)
-      for (const Step& step : steps) {
+    for (int direction = 0; direction < kFloorDirections; ++direction)
+      for (auto i = static_cast<std::size_t>(direction); i < steps_.offset.size(); i += kFloorDirections) {
         const std::uint32_t floor =
-            floorOf_[static_cast<std::size_t>(static_cast<std::int32_t>(cell_[k]) + step.offset)];
+            floorOf_[static_cast<std::size_t>(static_cast<std::int32_t>(cell_[k]) + steps_.offset[i])];
         if (floor == kLight) break;
         visit(floor);
       }
@@ -46,7 +46,7 @@ class PocketSky {
 
     /// Fraction of the sky that floor `k` sees, 0 … 1, were it, and it alone, as deep as `depthMm`.
     double fraction(std::size_t k, double depthMm) const {
-      return sky_->fractionAndSlope(k, static_cast<float>(depthMm), grid_).fraction;
+      return skySeenFrom(&grid_[sky_->cell_[k]], static_cast<float>(depthMm), sky_->steps_).fraction;
     }
 
    private:
@@ -68,26 +68,16 @@ class PocketSky {
              std::vector<char> isDue, int maxSweeps) const;
 
  private:
-  /// A cell that floors look over in a direction, the same for all floors.
-  struct Step {
-    std::int32_t offset = 0;  // in the grid, from the floor's own cell
-    float perMm = 0;          // 1 / distance of the border behind which it begins
-  };
-  struct FractionAndSlope {
-    double fraction = 0, perMm = 0;
-  };
-  static constexpr int kDirections = 16;
   static constexpr std::uint32_t kLight = 0xffffffff;
 
   std::vector<float> onGrid(std::span<const double> depthsMm) const;
-  FractionAndSlope fractionAndSlope(std::size_t k, float depthMm, const std::vector<float>& grid) const;
   double depthFor(std::size_t k, double fraction, double limitMm, const std::vector<float>& grid) const;
 
   std::vector<std::uint32_t> carved_;
-  // A grid of cells, with light ones all round:
+  // A grid of cells, with light ones all round, and far enough before and behind for all steps of all floors:
   std::vector<std::uint32_t> cell_;     // of each floor
   std::vector<std::uint32_t> floorOf_;  // of each cell; kLight: it is not carved
-  std::array<std::vector<Step>, kDirections> directions_;
+  FloorSteps steps_;
 };
 
 }  // namespace qrelief

@@ -99,7 +99,7 @@ CarvedFeatures featuresOf(const EngraveResult& result) {
 
 /// The stages in their order; each `advance` does one step of the current one.
 struct EngraveJob::State {
-  enum class Stage { Placing, Mapping, Searching, Embedding, Printing, Checking, Viewing, Done };
+  enum class Stage { Placing, Mapping, Searching, Embedding, Printing, Writing, Checking, Viewing, Done };
 
   std::shared_ptr<const EngravableModel> model;
   EngraveRequest request;
@@ -130,6 +130,7 @@ struct EngraveJob::State {
   Status searchOnce();
   Status embed();
   Status print();
+  Status write();
   Status check();
   void view();
   void measure();
@@ -154,6 +155,7 @@ Progress EngraveJob::State::progress() {
         return {message("printing"), 0.45};
       case Stage::Embedding:
         return {message("carving-mesh"), request.isForPrint() && !isPrinted ? 0.4 : 0.7};
+      case Stage::Writing:
       case Stage::Checking:
         return {message("checking-solid"), 0.8};
       case Stage::Viewing:
@@ -286,7 +288,7 @@ Status EngraveJob::State::embed() {
   embedded = std::move(*made);
   result.keptTriangles = embedded.keptTriangles;
   result.timingsMs.embed += millisecondsSince(start);
-  stage = request.isForPrint() && !isPrinted ? Stage::Printing : Stage::Checking;
+  stage = request.isForPrint() && !isPrinted ? Stage::Printing : Stage::Writing;
   return {};
 }
 
@@ -320,12 +322,21 @@ Status EngraveJob::State::print() {
 }
 
 /// What is offered is what a slicer will read: the file itself, read back.
-Status EngraveJob::State::check() {
+Status EngraveJob::State::write() {
   const auto start = Clock::now();
   result.stl = writeStl(embedded.mesh);
   const auto read = readModel(result.stl, "carved.stl");
   if (!read) return tl::unexpected(read.error());
   result.mesh = welded(std::vector<Vec3f>(read->positions.begin(), read->positions.end()), read->triangles);
+  result.symbol = symbol;
+  result.request = request;
+  result.timingsMs.verify += millisecondsSince(start);
+  stage = Stage::Checking;
+  return {};
+}
+
+Status EngraveJob::State::check() {
+  const auto start = Clock::now();
   const auto solidity = checkSolidity(result.mesh, embedded.newTriangles);
   if (!solidity) return tl::unexpected(solidity.error());
   result.solidity = *solidity;
@@ -340,8 +351,6 @@ Status EngraveJob::State::check() {
   result.carvedPart = partOf.empty() ? 0 : partOf[result.placement.seed];
   result.partOfTriangle =
       partsAfterCarving(model->prepared.mesh, partOf, result.mesh, result.keptTriangles, result.carvedPart);
-  result.symbol = symbol;
-  result.request = request;
   if (request.inlay)
     if (const Status made = addInlay(*model, request.surface, result); !made) return made;
   result.timingsMs.verify += millisecondsSince(start);
@@ -441,6 +450,9 @@ Result<Progress> EngraveJob::advance() {
     case Stage::Printing:
       done = s.print();
       break;
+    case Stage::Writing:
+      done = s.write();
+      break;
     case Stage::Checking:
       done = s.check();
       break;
@@ -460,8 +472,10 @@ EngraveResult EngraveJob::takeResult() {
   return std::move(state_->result);
 }
 
-const EngraveResult* EngraveJob::checkedResult() const {
-  return state_->stage == State::Stage::Viewing ? &state_->result : nullptr;
+const EngraveResult* EngraveJob::writtenResult() const {
+  using Stage = State::Stage;
+  const bool isWritten = state_->stage == Stage::Checking || state_->stage == Stage::Viewing;
+  return isWritten ? &state_->result : nullptr;
 }
 
 InspectorMaps EngraveJob::inspectorMaps() const {

@@ -130,8 +130,8 @@ class EngraveJob {
   /// The result, once, after `done`.
   EngraveResult takeResult();
 
-  /// The result without its picture: from the check of the carved mesh to the picture; else null. The job owns it.
-  const EngraveResult* checkedResult() const;
+  /// The result with its file, its mesh and its symbol, before it is checked and looked at; else null. The job owns it.
+  const EngraveResult* writtenResult() const;
 
   /// Null before the surface was measured.
   std::shared_ptr<MeasuredPlace> measuredPlace() const;
