@@ -157,7 +157,7 @@ std::function<int()> addPlaceCommand(CLI::App& app) {
   o->flags.add(*c, "text", "a longer text needs less quiet zone: ");
   o->flags.addGroup(*c, "symbol");
   o->flags.addGroup(*c, "placement");
-  for (const char* key : {"pattern", "finderPattern", "minWallMm", "process", "nozzleMm", "layerMm"})
+  for (const char* key : {"pattern", "finderPattern", "minWallMm", "process", "nozzleMm", "layerMm", "buildUp"})
     o->flags.add(*c, key);
   c->add_option("--views", request.views, fmt::format("directions looked from [{}]", request.views))
       ->check(CLI::Range(200, 10000));

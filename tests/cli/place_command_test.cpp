@@ -47,6 +47,19 @@ TEST_F(PlaceCommandTest, SaysWhereThePrinterMakesNoCodeAndWhatWould) {
   EXPECT_NE(impossible.err.find("No nozzle of 0.2 mm lays layers of 0.5 mm"), std::string::npos) << impossible.err;
 }
 
+TEST_F(PlaceCommandTest, SaysWhichSpotsFaceDownInThePoseThatIsAskedFor) {
+  const std::string model = writeModel("box.stl", shapes::box({60, 60, 12}));
+  const auto place = [&](const std::string& buildUp) {
+    return run({"place", model, "--size", "30", "--build-up=" + buildUp, "--json", path("spots.json"), "--quiet"}).out;
+  };
+  EXPECT_NE(place("as-modelled").find("The code faces down"), std::string::npos);
+  EXPECT_EQ(place("code-up").find("The code faces down"), std::string::npos);
+  place("0,0,-1");
+  const auto json = nlohmann::json::parse(contentOf(path("spots.json")));
+  EXPECT_LT(json["spots"].front()["direction"][2].get<double>(), -0.9);
+  EXPECT_EQ(json["spots"].back()["facesDown"], true);
+}
+
 TEST_F(PlaceCommandTest, ExitsWithFourAndTheLargestSizeWhereNothingFits) {
   const std::string model = writeModel("ball.stl", shapes::icosphere(20, 4));
   const Outcome outcome = run({"place", model, "--size", "50", "--quiet"});
