@@ -37,7 +37,7 @@ void compare(const char* name, const Code& code, const HeightMap& map, const Ray
   const auto start = Clock::now();
   std::vector<Received> received;
   // As verification/mesh_luminance.cpp and pipeline/printed_view.cpp have it.
-  const LightOptions options{.sampling = map.isContinuous ? LightSampling{1, 12} : LightSampling{2, 10},
+  const LightOptions options{.sampling = map.isContinuous ? LightSampling{1, 12} : LightSampling{2, 8},
                              .reachMm = map.size * map.patchMm * std::numbers::sqrt2,
                              .everyPatchMm = (map.isContinuous ? 20 : 12) * map.patchMm};
   const HeightLight light(map);

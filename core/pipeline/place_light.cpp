@@ -14,7 +14,7 @@ constexpr int kN = kSubmodulesPerModule;
 constexpr int kHorizonsPerModule = 2;
 constexpr double kFirstReachModules = 3;
 constexpr LuminanceSampling kUncarvedSampling{1, 4};  // smooth, but for the model's own edges
-constexpr LightSampling kUncarvedPoints{1, 12};
+constexpr LightSampling kUncarvedPoints{1, 12}, kPoints{2, 12};
 constexpr double kEveryCell = 12;  // up to here a horizon looks at every cell
 
 class LightByShaders final : public PlaceLight {
@@ -67,7 +67,7 @@ class LightByProcessor final : public PlaceLight {
     light_.carve(depthsMm);
     std::vector<std::uint8_t> wanted(received_.size(), 0);
     for (const std::uint32_t cell : cells) wanted[cell] = 1;
-    light_.measure({.sampling = {},
+    light_.measure({.sampling = kPoints,
                     .reachMm = reachMm,
                     .everyPatchMm = kEveryCell * options_.moduleMm / kN,
                     .lamps = options_.lamps},

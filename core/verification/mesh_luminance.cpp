@@ -11,7 +11,7 @@
 namespace qrelief {
 namespace {
 
-constexpr LightSampling kSampling{2, 10};  // steps between submodules are as low as a pixel is wide
+constexpr LightSampling kSampling{2, 8};  // steps between submodules are as low as a pixel is wide
 constexpr double kEveryPixel = 12;         // up to here a horizon looks at every pixel
 constexpr int kPixelsPerPlace = 10;        // of the far horizon
 
