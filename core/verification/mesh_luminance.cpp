@@ -12,8 +12,8 @@ namespace qrelief {
 namespace {
 
 constexpr LightSampling kSampling{2, 8};  // steps between submodules are as low as a pixel is wide
-constexpr double kEveryPixel = 12;         // up to here a horizon looks at every pixel
-constexpr int kPixelsPerPlace = 10;        // of the far horizon
+constexpr double kEveryPixel = 12;        // up to here a horizon looks at every pixel
+constexpr int kPixelsPerPlace = 10;       // of the far horizon
 
 HeightMap drawn(const SurfaceRaster& raster, const ProjectionFrame& frame, const MapWindow& window) {
   return heightMapOf(raster.draw(frame, window), window.texels, window.texelMm(), frame.eyeDistance);
