@@ -74,6 +74,16 @@ test('Spots asked for while the text is still being typed are looked for with it
     await expect(sizes).toBeDisabled();
     await expect(legend).toBeHidden();
   });
+  await test.step('where every spot has a concern, that is said before anything is carved', async () => {
+    const note = page.getByText('No spot found here promises a code that prints and reads.');
+    await expect(note).toBeHidden();
+    await app.setting('Process').selectOption('fdm-0.6/0.3');
+    await app.suggest();
+    await expect(app.spots.first()).toContainText('A nozzle of 0.6 mm does not make so small a code');
+    await expect(note).toBeVisible();
+    await app.setting('Process').selectOption('fdm-0.4/0.2');
+    await expect(note).toBeHidden();
+  });
   await test.step('and it is said when there is none', async () => {
     await app.setting('Size of the code').selectOption('Exactly');
     await app.setting('Width (mm)').fill('300');

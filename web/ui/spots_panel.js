@@ -61,7 +61,8 @@ export class SpotsPanel {
   nameSpots_() {
     [...this.list_.querySelectorAll('.name')].forEach((name, index) => name.replaceChildren(text('page.spot', { index: index + 1 }),
       make('span', { text: factsOf(this.spots_[index]) }), ...concernsOf(this.spots_[index])));
-    this.note_.textContent = this.spots_.some(({ concerns }) => concerns.length === 0) ? '' : text('page.noGoodSpot');
+    this.note_.hidden = !this.known || this.spots_.some(({ concerns }) => concerns.length === 0);
+    this.note_.textContent = text('page.noGoodSpot');
   }
 
 
@@ -76,7 +77,7 @@ export class SpotsPanel {
 
   clear() {
     this.list_.replaceChildren();
-    this.note_.textContent = '';
+    this.note_.hidden = true;
     this.sizes_.disabled = true;
     this.setSizesShown(false);
   }
