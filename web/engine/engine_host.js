@@ -345,15 +345,19 @@ export class EngineHost {
     if (this.job_) throw new EngineFailure(internal(message('engine-busy')));
     this.job_ = job;
     try {
-      const { stage, fraction } = parseAnswer(job.start());
-      if (stage) this.notify_({ event: 'progress', progress: { stage, fraction } });
+      const tell = (/** @type {import('./types.js').EngraveProgress} */ { stage, fraction }) => this.notify_({ event: 'progress', progress: { stage, fraction } });
+      const begun = parseAnswer(job.start());
+      if (begun.stage) tell(begun);
+      let told = begun.stage?.code;
       for (let done = false; !done;) {
         const sliceEnd = performance.now() + kSliceMs;
         let progress;
         do {
           progress = parseAnswer(job.advance());
+          if (progress.stage?.code !== told) tell(progress);  // however short the stage before was
+          told = progress.stage?.code;
         } while (!progress.done && performance.now() < sliceEnd);
-        this.notify_({ event: 'progress', progress: { stage: progress.stage, fraction: progress.fraction } });
+        tell(progress);
         done = progress.done;
         if (this.inspectorShown_) this.invalidate_();
         await yieldToMessages();
