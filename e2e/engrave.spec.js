@@ -108,13 +108,13 @@ test('A file of one’s own is opened, a point picked, settings changed, and the
   await app.setting('Size of the code').selectOption('Exactly');
   await app.setting('Width (mm)').fill('25');
   await app.setting('Modules').selectOption('Full');
-  await app.setting('Nozzle (mm)').fill('1.2');
+  await app.setting('Nozzle (mm)').fill('1.8');
   await expect(app.placement).toContainText('25.0 mm wide');
   await app.expectReady();
   await app.engrave();
   const report = await app.report();
   expect(report.size.symbolMm).toBeCloseTo(25, 9);
-  await expect(app.result.getByRole('list', { name: 'Verdict' })).toContainText('1.2 mm nozzle: choose a module of');
+  await expect(app.result.getByRole('list', { name: 'Verdict' })).toContainText('1.8 mm nozzle: choose a module of');
   await expect(app.setting('Format')).toHaveValue('stl');
   const { name, bytes } = await app.download();
   expect(name).toBe('my-saddle-qr-en.wikipedia.org-25mm.stl');
