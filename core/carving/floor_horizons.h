@@ -9,22 +9,22 @@ namespace qrelief {
 /// Directions in which a floor looks for its horizon.
 inline constexpr int kFloorDirections = 16;
 
-/// Cells that a floor looks over, the same for all floors: step by step outwards, each in all directions. Where a
-/// direction has ended its steps have no distance: perMm = 0.
+/// Ways from a floor outwards, cell by cell, the same for all floors. Row-major: a row for each step, a column for each
+/// direction. Beyond the end of a direction perMm is 0.
 struct FloorSteps {
   std::vector<std::int32_t> offset;  ///< of the cell in the grid, from the floor's own
   std::vector<float> perMm;          ///< 1 / distance of the border behind which it begins; falls along a direction
 };
 
-/// A fraction of the sky, and its change per mm of depth.
+/// Fraction of the sky that a floor sees, and its change per mm of depth.
 struct SkySeen {
   double fraction = 0, perMm = 0;
 };
 
-/// What a floor sees, see PocketSky. All directions are followed at once, in vectors, until no cell can rise over what
-/// was passed in any of them.
-/// @param own    depth of the floor's own cell in a grid of depths, mm, all ≥ 0; all cells of the steps are readable
-/// @param depthMm  of the floor, in place of what the grid holds
+/// Computes the fraction of the sky that a floor sees (see PocketSky). Vectors follow all directions at once and stop
+/// when no farther cell can raise a horizon.
+/// @param own      the floor's cell in a grid of depths, mm, all ≥ 0; every step must lead to a readable cell
+/// @param depthMm  of the floor; replaces the depth in its cell
 SkySeen skySeenFrom(const float* own, float depthMm, const FloorSteps& steps);
 
 }  // namespace qrelief

@@ -74,7 +74,7 @@ class PocketSky {
   double depthFor(std::size_t k, double fraction, double limitMm, const std::vector<float>& grid) const;
 
   std::vector<std::uint32_t> carved_;
-  // A grid of cells, with light ones all round, and far enough before and behind for all steps of all floors:
+  // A grid of cells. Light cells surround the symbol, and pad the grid so that no step leaves it.
   std::vector<std::uint32_t> cell_;     // of each floor
   std::vector<std::uint32_t> floorOf_;  // of each cell; kLight: it is not carved
   FloorSteps steps_;

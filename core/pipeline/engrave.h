@@ -11,10 +11,9 @@
 #include "carving/depth_search.h"
 #include "carving/fast_search.h"
 #include "carving/search_record.h"
-#include "mesh/prepare.h"
+#include "pipeline/engravable_model.h"
 #include "pipeline/measured_place.h"
 #include "pipeline/placement.h"
-#include "projection/surface_raster.h"
 #include "qr/symbol.h"
 #include "render/geometry_pass.h"
 #include "render/luminance_pass.h"
@@ -24,24 +23,6 @@
 #include "verification/solidity.h"
 
 namespace qrelief {
-
-/// A model that is ready to be engraved: checked, and in GPU memory.
-struct EngravableModel {
-  PreparedModel prepared;
-  GpuMesh gpu;
-  std::shared_ptr<const SurfaceRaster> raster;  ///< of prepared.mesh
-
-  /// @param prepared  blocking findings do not matter here; EngraveJob refuses them
-  static std::shared_ptr<const EngravableModel> upload(PreparedModel prepared);
-};
-
-/// The place that an engraving looks for.
-/// @param modules  of the symbol along its edge
-PlacementRequest searchedPlacement(const EngraveRequest& request, int modules);
-
-/// Whether a request can be carried out, as far as can be told without looking at the geometry under the code.
-/// @returns BadUsage or BadInput if not, or for a model with blocking findings
-Status checkEngraving(const EngravableModel& model, const EngraveRequest& request, const Symbol& symbol);
 
 /// Milliseconds spent in each stage.
 struct StageTimings {
@@ -130,7 +111,8 @@ class EngraveJob {
   /// The result, once, after `done`.
   EngraveResult takeResult();
 
-  /// The result with its file, its mesh and its symbol, before it is checked and looked at; else null. The job owns it.
+  /// The result as soon as its file, mesh and symbol are set: during the check and the picture. Else null. The job owns
+  /// it.
   const EngraveResult* writtenResult() const;
 
   /// Null before the surface was measured.

@@ -16,7 +16,7 @@ namespace qrelief {
 namespace {
 
 constexpr double kRoughness = 1.5;
-constexpr int kDirections = 12;  // mean luminance of a module: 0.0016 from that with 64, on average
+constexpr int kDirections = 12;  // 64 change the mean luminance of a module by 0.0016 on average
 /// Margin of a rough print: the light modules that dark ones are compared with (LightNeighbours), and one more. Pixels
 /// farther out take the value of the border.
 constexpr int kRoughMarginModules = 3;

@@ -9,8 +9,8 @@
 namespace qrelief {
 namespace {
 
-constexpr int kPixels = 3;      // of the picture, along a module's edge
-constexpr int kNeighbours = 4;  // modules to the farthest that a module is compared with
+constexpr int kPixels = 3;      // along a module's edge
+constexpr int kNeighbours = 4;  // radius of the neighbourhood, in modules
 constexpr double kPercentile = 0.98;
 
 }  // namespace

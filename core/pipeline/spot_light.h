@@ -6,21 +6,22 @@
 
 namespace qrelief {
 
-/// Modules around the symbol whose light counts, too: a shadow in the quiet zone hides the symbol's border.
+/// Width of the part of the quiet zone that counts, in modules. A shadow there hides the symbol's border.
 inline constexpr int kLitRingModules = 2;
 
-/// How unevenly the sky lights the surface on which a code is to stand, before anything is carved: how much less light
-/// its modules receive than the brightest module up to four away. The 98th percentile, 0 … 1.
+/// Measures how unevenly the sky lights the uncarved surface under a code. Compares each module with the brightest
+/// module up to four away, and returns the 98th percentile of the missing fraction of light, 0 (even) … 1.
 ///
-/// Readers compare a module with its neighbourhood. Folds and ridges of the model cast shadows of their own, which no
-/// depth of the pockets makes up for.
+/// Decoders compare a module with its neighbourhood. Where folds and ridges of the model cast shadows, deeper pockets
+/// do not help.
 ///
 /// Cost: O(triangles); 10 ms for 70,000 triangles.
-/// @param ring  modules around the symbol that count, ≥ 0
+/// @param ring  width of the part of the quiet zone that counts, in modules, ≥ 0
 double unevenLight(const Mesh& mesh, const ProjectionFrame& frame, double symbolMm, int modules,
                    int ring = kLitRingModules);
 
-/// Beyond this light is uneven: 6 of 14 such spots read and printed well, 66 of 67 others (docs/decisions/0041).
+/// Greatest value of even light. Of 67 spots up to it 66 decode as designed and as printed, of 14 spots beyond it 6
+/// (docs/decisions/0041).
 inline constexpr double kMostUnevenLight = 0.055;
 
 }  // namespace qrelief

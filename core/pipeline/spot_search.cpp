@@ -12,6 +12,8 @@
 #include "base/clock.h"
 #include "math/angle.h"
 #include "math/round_down.h"
+#include "pipeline/module_walls.h"
+#include "pipeline/placement.h"
 #include "pipeline/small_modules.h"
 #include "pipeline/spot_light.h"
 #include "projection/bend.h"
@@ -105,9 +107,10 @@ struct SpotSearchJob::State {
 
   std::vector<SpotCandidate> candidates;
   std::size_t candidate = 0;
-  std::size_t likely = 0;                  // so many of the candidates take the size by the map
-  std::size_t screened = 0, deferred = 0;  // so many were looked at; so many of the likely ones went behind the others
-  bool withDirection = false;              // the second try at a candidate
+  // Candidates stand in this order: those that the map says take the size (`likely`), of them the doubtful ones last
+  // (`deferred`); then all others. The first `screened` have been looked at.
+  std::size_t likely = 0, screened = 0, deferred = 0;
+  bool withDirection = false;  // the second try at a candidate
   std::optional<PlacementSearch> search;
   OfferedSpot offered;            // what is being tested
   std::optional<Vec3> direction;  // that it is tested with; none: the method's
@@ -208,8 +211,8 @@ bool SpotSearchJob::State::isDoubtful(const SpotCandidate& spot) const {
   return facesDown(frame) || lightOn(frame, std::min(wantedMm(), spot.sizeMm / outer)) > kMostUnevenLight;
 }
 
-/// Looks at the next candidate and puts it behind the other likely ones where it is doubtful: a look costs a tenth of a
-/// test. @returns whether there was one to look at
+/// Looks at the next candidate, which costs a tenth of a test, and moves a doubtful one behind the other likely ones.
+/// @returns false if the next candidate needs no look
 bool SpotSearchJob::State::screen() {
   const bool isLooked = screened > candidate || candidate >= likely - deferred;
   if (isLooked || stage != Stage::Testing || screened + deferred >= mostTries()) return false;
@@ -307,7 +310,7 @@ Status SpotSearchJob::State::finishTests() {
   const auto rank = [&](const OfferedSpot& spot) {
     return SpotRank(spot.guaranteedMm, spot.quality, spot.symbolMm * outer, spot.aimToleranceDeg);
   };
-  // The graver the concern, the farther back.
+  // In the order of importance.
   const auto doubts = [](const OfferedSpot& spot) {
     return std::tuple(!spot.prints, spot.facesDown, isUneven(spot), spot.needsDirection);
   };

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/progress.h"
-#include "pipeline/engrave.h"
+#include "pipeline/engravable_model.h"
 #include "printing/build_direction.h"
 #include "projection/spot_candidates.h"
 
@@ -24,10 +24,10 @@ struct SpotSearchRequest {
   double minWallMm = 0.8;     ///< material that must remain behind a floor, ≥ 0
   double leastDepthMm = 0.3;  ///< a spot whose wall does not take pockets of this depth is not offered, > 0
   std::size_t count = 5;      ///< spots to find, 1 … kMaxSpots
-  /// Pose of the model on the printer: spots may face down in it (kSteepestOverhangDeg). None: no spot does.
+  /// Pose of the model on the printer, in which spots may face down (kSteepestOverhangDeg). None: no spot faces down.
   std::optional<BuildDirection> buildUp = {};
   double nozzleMm = 0.4;
-  double leastPrintableMm = 0;  ///< edge of the smallest symbol that the nozzle makes; 0: it makes all
+  double leastPrintableMm = 0;  ///< edge of the smallest symbol that the nozzle can print; 0: no limit
   int views = 240;              ///< of the size map, ≥ 200
   /// File units → mm: a centre is rounded to what a user will read, about a micrometre, before it is tested.
   double scaleToMm = 1;
@@ -47,19 +47,19 @@ struct OfferedSpot {
   Vec3 direction{0};              ///< towards the reader; where it is needed, unit but for four decimals
   bool facesDown = false;         ///< as SpotSearchRequest::buildUp says
   double unevenLight = 0;         ///< see pipeline/spot_light.h
-  bool prints = true;             ///< as large as SpotSearchRequest::leastPrintableMm
+  bool prints = true;             ///< is not smaller than SpotSearchRequest::leastPrintableMm
   bool needsDirection = false;    ///< the request's method alone finds no direction from which the code fits
   double symbolMm = 0;            ///< the size asked for, or the one found
   double largestMm = 0;           ///< that fits there, from that direction, at the rotation asked for
   double guaranteedMm = 0;        ///< at every rotation
   double aimToleranceDeg = 0;     ///< of the symbol, see projection/bend.h
   SquareQuality quality;          ///< of the symbol with its quiet zone, if that must fit
-  std::vector<Message> concerns;  ///< why a code there may not print or read; empty: nothing is known against it
+  std::vector<Message> concerns;  ///< reasons why a code may not print or decode there; empty if none is known
 };
 
 struct SpotSearchResult {
   SizeMap map;
-  std::vector<OfferedSpot> spots;  ///< best first, those with concerns last; may be fewer than asked for, not none
+  std::vector<OfferedSpot> spots;  ///< best first, spots with concerns last; at least one
   std::size_t tried = 0;           ///< spots that were tested
 };
 
@@ -92,7 +92,7 @@ class SpotSearchJob {
   std::unique_ptr<State> state_;
 };
 
-/// What finds a place for an engraving of the symbol: with its placement, walls and printer.
+/// Parameters of a spot search for an engraving: its placement, walls and printer.
 SpotSearchRequest spotSearchFor(const EngraveRequest& request, const Symbol& symbol);
 
 /// Runs a job to its end.

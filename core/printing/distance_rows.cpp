@@ -43,7 +43,7 @@ void lowerRowsOfSegment(const SegmentRows& in) {
   }
 }
 
-/// Calls visit(lanes, i) for all i in steps of vectors, the last ones one by one.
+/// Calls visit(lanes, i) for 0 … count − 1, a vector at a time, and one by one at the end.
 template <class Visit>
 HWY_INLINE void forVectors(std::size_t count, const Visit& visit) {
   const hn::CappedTag<float, 8> lanes;

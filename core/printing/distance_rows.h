@@ -17,16 +17,20 @@ struct SegmentRows {
 /// Lowers squared distances to those from the segment.
 void lowerRows(const SegmentRows& rows);
 
-/// Distances of squared ones, negative where `inside` is less than a value, and all lessened by another.
-/// @param held    squared distances, mm²; afterwards distances, mm
-/// @param inside  as many
+/// Replaces squared distances by signed distances minus `lessMm`.
+/// @param held      squared distances, mm²; afterwards signed distances, mm
+/// @param inside    `count` values; the distance is negative where the value is below `lessThan`
 void signedDistances(float* held, const float* inside, float lessThan, float lessMm, std::size_t count);
 
-/// Whether a value lies between corners of a cell: column k between the nodes k and k + 1 of two rows.
-/// @returns the first such column from `column` on that may be one, in blocks of up to 8; `columns` if there is none
+/// Finds the next cell between two rows of nodes that the contour of a value may cross. Cell k has the nodes k and k +
+/// 1 of both rows.
+/// @param columns  number of cells
+/// @returns the first cell of a block of up to 8 that holds one, from `column` on; at most 7 cells before the end may
+/// be
+///          returned without a crossing; `columns` if none is left
 int nextCrossed(const float* lower, const float* upper, float value, int column, int columns);
 
-/// Whether an outer wall is missing somewhere: nodes at which `laid` is more than 0 and `solid` at most `deepest`.
+/// Tests for walls too thin for an outer line: nodes where `laid` is above 0 and `solid` is at most `deepest`.
 bool anyThin(const float* laid, const float* solid, float deepest, std::size_t count);
 
 }  // namespace qrelief

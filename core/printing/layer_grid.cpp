@@ -12,7 +12,7 @@
 namespace qrelief {
 namespace {
 
-constexpr int kBlock = 8;  // cells that are looked at one by one where one of them may be crossed
+constexpr int kBlock = 8;  // cells that are tested one by one after nextCrossed()
 
 }  // namespace
 

@@ -25,10 +25,10 @@ struct LayerGrid {
   double at(Vec2 at) const;
 };
 
-/// Sets a grid to the distances from the nearest segment as far as `reachMm`, and to `reachMm` or more beyond; negative
-/// where `inside` holds less than `lessThan`, and all lessened by `lessMm`.
+/// Sets each node to its signed distance from the nearest segment, minus `lessMm`. Distances are exact up to `reachMm`;
+/// farther nodes get `reachMm` or more.
 /// Cost: O(nodes + segments · nodes within `reachMm` of one).
-/// @param inside  of the grid's nodes
+/// @param inside  a value for each node; the distance is negative where it is below `lessThan`
 void setDistances(LayerGrid& grid, std::span<const Segment2> segments, double reachMm, std::span<const float> inside,
                   double lessThan, double lessMm);
 

@@ -88,12 +88,13 @@ PrintedLayers::PrintedLayers(std::vector<Corners> triangles, const ProjectionFra
   lay(roughness);
 }
 
-/// A ray from the eye, and how fast distances can fall along it.
+/// A ray from the eye, with the greatest steps that distances from plastic allow.
 struct PrintedLayers::Ray {
   Vec3 eye, direction;
-  Vec2 perDirection;                  ///< 1 / |direction|, mm of the ray per mm along an axis
-  double perAcross = 0, perFall = 0;  ///< mm of the ray per mm of distance in a layer's plane, and from a flank
-  /// Farther from an outline than this the flank does not matter: the distance in the plane allows the larger step.
+  Vec2 perDirection;     ///< mm along the ray for 1 mm along an axis
+  double perAcross = 0;  ///< mm along the ray for 1 mm of distance from an outline in a layer's plane
+  double perFall = 0;    ///< mm along the ray for 1 mm of distance from a flank
+  /// At this distance from an outline, mm, or more, the outline allows the larger step, and the flank does not matter.
   double freeMm = 0;
 
   Ray(Vec3 from, Vec3 along, double grooveMm) : eye(from), direction(along) {

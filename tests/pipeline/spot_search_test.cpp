@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "messages/sentences.h"
+#include "pipeline/engrave.h"
 #include "pipeline/spot_light.h"
 #include "projection/bend.h"
 #include "support/gl_test.h"

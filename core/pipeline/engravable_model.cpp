@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/engravable_model.h"
+
+#include <algorithm>
+
+#include "carving/one_light_search.h"
+#include "pipeline/module_walls.h"
+#include "pipeline/small_modules.h"
+#include "projection/room.h"
+#include "settings/settings.h"
+
+namespace qrelief {
+
+/// The walls beside the largest code that may be asked for must be known, too (see wallLimits).
+PlacementRequest searchedPlacement(const EngraveRequest& request, int modules) {
+  PlacementRequest place = request.placement;
+  const double largest = place.sizeMode == SizeMode::Fixed ? place.sizeMm : place.maxSizeMm;
+  const double smallModuleMm = std::min(largest / modules, kSmallModuleNozzles * request.printer.nozzleMm);
+  place.beyondMm = request.minWallMm + request.maxDepthMm.value_or(std::max(kMaxDepthModules * largest / modules,
+                                                                            kMaxDepthSmallModules * smallModuleMm));
+  const bool isReading = request.objective == DepthObjective::Reading;
+  const double contrast = isReading ? request.reading.dataContrast : request.contrastAsked();
+  if (contrast <= 0 || contrast >= 1) return place;  // refused later
+  const bool isOneLight = request.objective == DepthObjective::OneLight;
+  const double depth = isOneLight ? shadowDepth(contrast, request.lamps().front()) : pitDepth(contrast);
+  place.pockets = {request.minWallMm, depth};
+  return place;
+}
+
+Status checkEngraving(const EngravableModel& model, const EngraveRequest& request, const Symbol& symbol) {
+  if (const Status checked = checkSettings(request); !checked) return checked;
+  if (const Status engravable = model.prepared.engravable(); !engravable) return engravable;
+  const CodeRoom room{symbol.size, roomFactor(symbol.size, request.placement.quietZone)};
+  return checkRoom(model.prepared, room, request.placement.eyeDistanceMm);
+}
+
+std::shared_ptr<const EngravableModel> EngravableModel::upload(PreparedModel prepared) {
+  auto model = std::make_shared<EngravableModel>();
+  model->gpu = GpuMesh(prepared.mesh, prepared.normals);
+  model->prepared = std::move(prepared);
+  model->raster = std::make_shared<const SurfaceRaster>(model->prepared.mesh);
+  return model;
+}
+
+}  // namespace qrelief
