@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
+#include "support/instruction_sets.h"
+
 namespace qrelief {
 namespace {
 
@@ -32,6 +34,17 @@ TEST(PocketSky, SeesOfALongTrenchWhatItsClosedFormSays) {
   const PocketSky sky(maskOf(101, [](int, int column) { return column == 50; }), 0.4);
   const std::vector<double> depths(101, 0.3);
   EXPECT_NEAR(PocketSky::Depths(sky, depths).fraction(50, 0.3), std::hypot(1, 0.75) - 0.75, 0.01);
+}
+
+TEST(PocketSky, IsTheSameByAllInstructionSets) {
+  const PocketSky sky(maskOf(30, [](int row, int column) { return (row / 5 * 7 + column / 5 * 3) % 4 != 0; }), 0.2);
+  const std::size_t floors = sky.carved().size();
+  expectSameByAllInstructionSets([&] {
+    std::vector<double> depths(floors, 0.1);
+    const std::vector<double> fractions(floors, 0.6), limits(floors, 1.5);
+    sky.solve(fractions, limits, depths, std::vector<char>(floors, 1), 20);
+    return depths;
+  });
 }
 
 TEST(PocketSky, StepsBetweenFloorsCountByTheirHeight) {

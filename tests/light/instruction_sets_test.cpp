@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Light is the same on every machine: each instruction set that this one has gives the same bits.
+#include "support/instruction_sets.h"
+
 #include <cmath>
-#include <cstring>
 #include <gtest/gtest.h>
-#include <hwy/targets.h>
+#include <utility>
 
 #include "light/height_light.h"
 
@@ -25,28 +26,15 @@ HeightMap ground(bool isContinuous) {
 }
 
 TEST(InstructionSets, GiveTheSameLightToTheLastBit) {
-  const auto all = hwy::SupportedAndGeneratedTargets();
-  ASSERT_GT(all.size(), 1u);
   for (const bool isContinuous : {false, true}) {
     const HeightLight surface(ground(isContinuous));
     const LightOptions options{.sampling = {2, 10}, .reachMm = 20, .everyPatchMm = 1.2, .lamps = {{30, 40, 1}}};
-    std::vector<Received> first;
-    std::vector<float> firstLuminance;
-    for (const auto target : all) {
-      hwy::SetSupportedTargetsForTest(target);
-      hwy::GetChosenTarget().DeInit();  // it is chosen with the next call
+    expectSameByAllInstructionSets([&] {
       std::vector<Received> light;
       surface.measure(options, {}, light);
-      const std::vector<float> luminance = surface.luminance(options, light, 0.7);
-      if (first.empty()) {
-        first = light;
-        firstLuminance = luminance;
-      }
-      EXPECT_EQ(light, first) << hwy::TargetName(target);
-      EXPECT_EQ(luminance, firstLuminance) << hwy::TargetName(target);
-    }
-    hwy::SetSupportedTargetsForTest(0);
-    hwy::GetChosenTarget().DeInit();
+      std::vector<float> luminance = surface.luminance(options, light, 0.7);
+      return std::pair(std::move(light), std::move(luminance));
+    });
   }
 }
 

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
+#include <utility>
+
+#include "support/instruction_sets.h"
 
 namespace qrelief {
 namespace {
@@ -31,6 +34,16 @@ TEST(LayerGrid, DistancesWithinReachAreThoseFromTheNearestSegment) {
       else
         EXPECT_GE(held, 0.7 - 1e-6);
     }
+}
+
+TEST(LayerGrid, IsTheSameByAllInstructionSets) {
+  const std::vector<Segment2> segments = {{Vec2(-1, 0), Vec2(1, 0.5)}, {Vec2(1, 0.5), Vec2(1, 2)}};
+  const std::vector<float> inside(61 * 61, 1.0f);
+  expectSameByAllInstructionSets([&] {
+    LayerGrid grid = gridOf(0.1, 61, 0);
+    setDistances(grid, segments, 0.7, inside, 0, 0.25);
+    return std::pair(grid.distanceMm, contourOf(grid, 0.1));
+  });
 }
 
 TEST(LayerGrid, BetweenTheNodesItIsBilinear) {
