@@ -75,7 +75,7 @@ test('Spots asked for while the text is still being typed are looked for with it
     await expect(legend).toBeHidden();
   });
   await test.step('where every spot has a concern, that is said before anything is carved', async () => {
-    const note = page.getByText('No spot found here promises a code that prints and reads.');
+    const note = page.getByText('At none of these spots is a readable print certain.');
     await expect(note).toBeHidden();
     await app.setting('Process').selectOption('fdm-0.6/0.3');
     await app.suggest();

@@ -46,7 +46,7 @@ class Carvings {
   /// Brings the last carving back, or the one before it. @returns whether it is there
   bool use(int number);
   const EngraveResult* result() const { return current_.result ? &*current_.result : nullptr; }
-  /// What can be printed already: of the engraving that is running, once its file is written; else result().
+  /// The carving to print: the running engraving once its file is written, else result().
   const EngraveResult* printable() const { return runs_ ? job_->writtenResult() : result(); }
   /// The carved model as it is shown; made at the first call. Null: there is none.
   const std::shared_ptr<const GpuMesh>& display(const Ground& ground);
@@ -60,7 +60,7 @@ class Carvings {
   /// What decoders made of it: of frontalPictures(), try by try. There must be a carving.
   /// @returns what the carving comes to with that
   Verdict setReadings(const std::vector<std::string>& texts, const std::string& reader);
-  /// What has to be made to see printable() printed; null: that is not asked for. It must not be null.
+  /// Parameters of the print of printable(), which must not be null; none if no print process is chosen.
   /// @param changed  settings of the printing that are other than those carved with, see requestFromJson()
   Result<std::optional<PrintedViewRequest>> printedView(const std::string& changed) const;
   /// What decoders made of the print's frontalPictures(), try by try. There must be a carving with a printedView().

@@ -72,9 +72,9 @@ class Engine {
   /// {stage, fraction, done}; one bounded piece of work. When done the sizes are shown on the model.
   std::string advanceSpotSearch();
   void cancelSpotSearch();
-  /// {spots: [{centre, sizeMm, concerns: [message]}], topMm}: best first, with the largest size there and why a code
-  /// may not print or read there; `topMm` is the size that has the last colour of the map. Empty before a search is
-  /// done.
+  /// {spots: [{centre, sizeMm, concerns: [message]}], topMm}: best first, with the largest size there and the reasons
+  /// why a code may not print or decode there. `topMm` is the size with the last colour of the map. Empty before a
+  /// search is done.
   std::string spots() const;
   /// {centre}; the spot becomes the code's centre, with the direction that was found for it.
   std::string chooseSpot(std::size_t index);
@@ -88,7 +88,7 @@ class Engine {
   /// @param overridden  the settings as they are this time; empty: as configured
   std::string startEngrave(const std::function<EngraveRequest(EngraveRequest)>& overridden = {});
   /// {stage, fraction, done, printable}; one bounded piece of work. When done there is a carved model to be shown
-  /// (showCarved). `printable`: its file is written, and printOrder() and stlToPrint() have it.
+  /// (showCarved). `printable`: its file is written, so that printOrder() and stlToPrint() work.
   std::string advance();
   void cancel();
 
@@ -113,8 +113,8 @@ class Engine {
   /// @param reader  which decoder
   std::string setReadings(const std::string& texts, const std::string& reader);
 
-  /// {order}: what PrintedCode::start() takes beside stlToPrint() to see the carving printed; null where that is not
-  /// asked for. An error before an engraving is printable, see advance().
+  /// {order}: parameters of a print for PrintedCode::start(), beside stlToPrint(); null if no print process is chosen.
+  /// An error before an engraving is printable, see advance().
   /// @param changed  settings of the printing that are other than those carved with, as JSON: "{}" for none
   std::string printOrder(const std::string& changed) const;
   /// The carved model as binary STL; empty before an engraving is printable.

@@ -289,7 +289,10 @@ export class App {
       onStart: () => this.spotsPanel_.setSizesShown(false),
       onDone: () => this.undo_.record(),
       onShown: (exists, shown) => this.session_.noteCarved(exists, shown),
-      onPrinted: () => this.session_.notePrinted(),
+      onPrinted: () => {
+        this.session_.notePrinted();
+        this.preparing_.plan();  // it waited for the print
+      },
     });
   }
 

@@ -91,7 +91,7 @@ export class EngineClient {
 
   /**
    * @param {JobOptions & { withOverrides?: boolean, onPrintable?: (job: import('./types.js').PrintJob | null) => void }} options
-   *   `withOverrides`: of the inspector; `onPrintable`: told what printJob() gives, before the carving is done
+   *   `withOverrides`: of the inspector; `onPrintable`: gets what printJob() returns, before the carving is finished
    * @returns {Promise<boolean>}  false if it was cancelled
    */
   async engrave({ withOverrides = false, onPrintable, ...options }) {

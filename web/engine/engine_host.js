@@ -185,7 +185,7 @@ export class EngineHost {
     prepareEngrave: async () => {
       while (!this.job_ && !parseAnswer(this.engine_.prepareEngrave()).done) await yieldToMessages();
     },
-    /** @param {boolean} [withOverrides]  of the inspector @param {boolean} [printsEarly]  tells what is to be printed as soon as that is known */
+    /** @param {boolean} [withOverrides]  of the inspector @param {boolean} [printsEarly]  send the print job as soon as the file is written */
     engrave: (withOverrides = false, printsEarly = false) => this.engrave_(withOverrides, printsEarly),
     cancel: () => {
       this.job_?.cancel();
@@ -354,7 +354,7 @@ export class EngineHost {
         let progress;
         do {
           progress = parseAnswer(job.advance());
-          if (progress.stage?.code !== told) tell(progress);  // however short the stage before was
+          if (progress.stage?.code !== told) tell(progress);  // even if the previous stage ended in the same slice
           told = progress.stage?.code;
         } while (!progress.done && performance.now() < sliceEnd);
         tell(progress);

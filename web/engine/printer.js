@@ -6,12 +6,12 @@ import { EngineFailure, crash } from './engine_error.js';
 
 /** @type {Worker | undefined} */ let ready;
 
-/** Starts the worker of the next print, so that it has loaded the module when there is something to print. */
+/** Starts the worker of the next print, so that it loads the module in advance. */
 export function preparePrinter() {
   ready ??= new Worker(new URL('./print_worker.js', import.meta.url), { type: 'module', name: 'print' });
 }
 
-/** If nothing is to be printed after all. */
+/** Ends a worker that was started in advance. */
 export function dismissPrinter() {
   ready?.terminate();
   ready = undefined;

@@ -66,7 +66,7 @@
 
 /**
  * @typedef {{ spots: { centre: [number, number, number], sizeMm: number, aimToleranceDeg: number, concerns: Message[] }[], topMm: number }} Spots
- *   best first, with the largest size there; `concerns`: why a code may not print or read there; `topMm`: the
+ *   best first, with the largest size there; `concerns`: reasons why a code may not print or decode there; `topMm`: the
  *   size of the map's last colour
  */
 

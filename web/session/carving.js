@@ -194,7 +194,7 @@ export class Carving {
    */
   async keep_({ made, number, texts }, started) {
     const elapsedMs = performance.now() - started;
-    this.printing_.stop();  // of the one that went deeper
+    this.printing_.stop();  // the deeper carving is dropped
     if (!(await this.client_.useCarving(number))) return false;
     this.write_(made.values);
     await this.client_.configure(this.settings_());

@@ -33,7 +33,7 @@ export class Preparing {
     this.plan();
   }
 
-  /** Prepares, if that is due, once nothing more happens. */
+  /** Prepares the next carving after a quiet moment, if it is due. */
   plan() {
     clearTimeout(this.timer_);
     if (this.isUsed_ && this.isDue_) this.timer_ = setTimeout(() => this.prepare_(), kQuietMs);

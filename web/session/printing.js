@@ -9,7 +9,7 @@ import { dismissPrinter, makePrint, preparePrinter } from '../engine/printer.js'
 /** @typedef {import('../engine/types.js').PrintTrials} PrintTrials */
 /** @typedef {import('../engine/types.js').Report} Report */
 
-/** A print that is being made. */
+/** A print in progress. */
 class Making {
   fraction = 0;
   /** @type {(fraction: number) => void} */ onProgress = () => {};
@@ -23,7 +23,7 @@ class Making {
         this.onProgress(fraction);
       },
     });
-    this.print.catch(() => {});  // whoever waits for it is told
+    this.print.catch(() => {});  // begin() reports it
   }
 }
 
@@ -39,27 +39,27 @@ export class Printing {
     this.make_ = make;
     this.read_ = read;
     /** @type {AbortController | undefined} */ this.abort_ = undefined;
-    /** @type {{ making: Making | undefined } | undefined} */ this.early_ = undefined;  // of the carving that is being made
+    /** @type {{ making: Making | undefined } | undefined} */ this.early_ = undefined;  // of a carving that is not finished
   }
 
-  /** Something is being carved that may have to be printed. */
+  /** Loads the module of the next print in advance. */
   expect() {
     preparePrinter();
   }
 
   /**
-   * Begins to print what is being carved; begin() goes on with it. A print that is under way is given up.
-   * @param {import('../engine/types.js').PrintJob | null} job  null: nothing is to be printed
+   * Starts the print of a carving that is not finished yet; begin() waits for it. Cancels an earlier print.
+   * @param {import('../engine/types.js').PrintJob | null} job  null: no print process is chosen
    */
   beginEarly(job) {
-    this.stop();
+    this.abort_?.abort();
     this.abort_ = new AbortController();
     this.early_ = { making: job ? new Making(this.make_, job, this.abort_.signal) : undefined };
     if (!job) dismissPrinter();
   }
 
   /**
-   * Of the carving that is there now. A print of another one that is under way is given up.
+   * Makes and reads the print of the finished carving. Cancels the print of another carving.
    * @param {number} number  of the carving
    * @param {(printed: Printed, report?: Report) => void} tell  how far it is; the report, once the print is in it
    */
@@ -92,7 +92,7 @@ export class Printing {
     }
   }
 
-  /** @param {AbortSignal} signal @returns {Promise<Making | undefined>}  none: nothing is to be printed, or it was stopped */
+  /** @param {AbortSignal} signal @returns {Promise<Making | undefined>}  none: no print process is chosen, or it was stopped */
   async makingNow_(signal) {
     const job = await this.client_.printJob();
     return job && !signal.aborted ? new Making(this.make_, job, signal) : undefined;
@@ -131,10 +131,11 @@ export class Printing {
     }
   }
 
-  /** If one is under way. */
+  /** Cancels the print, and unloads a module that was loaded in advance. */
   stop() {
     this.abort_?.abort();
     this.abort_ = undefined;
     this.early_ = undefined;
+    dismissPrinter();
   }
 }

@@ -65,7 +65,6 @@ export class SpotsPanel {
     this.note_.textContent = text('page.noGoodSpot');
   }
 
-
   /** The code on a spot, as its reader sees it. @param {number} index @param {import('../engine/types.js').ColourImage} picture */
   showPicture(index, { width, height, pixels }) {
     const canvas = this.list_.querySelectorAll('canvas')[index];
@@ -102,7 +101,7 @@ export class SpotsPanel {
 /** @param {Spots['spots'][number]} spot */
 const factsOf = ({ sizeMm, aimToleranceDeg }) => text('page.upTo', { size: `${formatPlain(wholeMm(sizeMm))} mm`, deg: Math.floor(aimToleranceDeg) });
 
-/** Why a code there may not print or read. @param {Spots['spots'][number]} spot */
+/** Warnings of a spot. @param {Spots['spots'][number]} spot */
 const concernsOf = ({ concerns }) => concerns.map((concern) => make('span', { className: 'warning', text: sentenceOf(concern) }));
 
 /** Rounded down: so much does fit. @param {number} mm */

@@ -54,7 +54,7 @@ export const page = {
     aimLittle: 'Here a phone must be held straight: it reads from {deg}° aside at most. A smaller code or a flatter place forgives more.',
     spot: 'Spot {index}',
     upTo: 'up to {size}, {deg}°\u00a0aside',
-    noGoodSpot: 'No spot found here promises a code that prints and reads. What stands against each is said beside it.',
+    noGoodSpot: 'At none of these spots is a readable print certain. Each spot shows the reason.',
 
     carve: 'Carve',
     carveState: '{preset}, {nozzle} mm nozzle',
@@ -173,7 +173,7 @@ export const page = {
     aimLittle: 'Hier muss ein Telefon gerade davor sein: Es liest ihn höchstens {deg}° von der Seite. Ein kleinerer Code oder eine flachere Stelle verzeiht mehr.',
     spot: 'Stelle {index}',
     upTo: 'bis {size}, {deg}°\u00a0seitlich',
-    noGoodSpot: 'Keine Stelle, die sich fand, verspricht einen Code, der sich drucken und lesen lässt. Was dagegen spricht, steht daneben.',
+    noGoodSpot: 'An keiner dieser Stellen ist ein lesbarer Druck sicher. Der Grund steht bei jeder Stelle.',
 
     carve: 'Gravur',
     carveState: '{preset}, Düse {nozzle} mm',
