@@ -12,7 +12,7 @@
 #include "messages/sentences.h"
 #include "native/egl_context.h"
 #include "native/files.h"
-#include "pipeline/small_modules.h"
+#include "pipeline/default_patterns.h"
 #include "pipeline/spot_search.h"
 #include "settings/setting_text.h"
 #include "verification/printability.h"

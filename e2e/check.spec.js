@@ -87,7 +87,7 @@ test('A code that no reader finds is carved by the next deeper preset, and undon
   await expect(app.status).toHaveText('Engraved, deeper than asked for: less deep, the code did not read reliably.');
   await expect(app.setting('How deep')).toHaveValue('balanced');
   await expect(app.result).toContainText('Reads as deeper');
-  expect((await app.report()).depth.contrast).toBe(0.3);
+  expect((await app.report()).depth.preset).toBe('balanced');
   await page.getByRole('button', { name: 'Undo' }).click();
   await expect(app.setting('How deep')).toHaveValue('shallow');
   await expect(app.result).toBeHidden();

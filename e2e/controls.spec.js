@@ -228,12 +228,12 @@ const kOfTheCarving = {
       for (const one of all) /** @type {HTMLElement} */ (one).style.opacity = to;
     }, opacity);  // they have the colours of depths, too
     await hide('0');
-    await expect.poll(() => shareOf(app.canvas, isTeal)).toBeGreaterThan(0.002);
+    await expect.poll(() => shareOf(app.canvas, isTeal)).toBeGreaterThan(0.0013);
     await hold(at('show-before'), async () => {
       await expect(at('show-before')).toHaveAttribute('aria-pressed', 'true');
       await expect.poll(() => shareOf(app.canvas, isTeal)).toBeLessThan(0.001);
     });
-    await expect.poll(() => shareOf(app.canvas, isTeal)).toBeGreaterThan(0.002);
+    await expect.poll(() => shareOf(app.canvas, isTeal)).toBeGreaterThan(0.0013);
     await hide('1');
   },
   'reader-view': async ({ page, press }) => {

@@ -2,7 +2,7 @@
 #include "engine/symbol_facts.h"
 
 #include "engine/answers.h"
-#include "pipeline/small_modules.h"
+#include "pipeline/default_patterns.h"
 #include "qr/codewords.h"
 #include "qr/segmentation.h"
 

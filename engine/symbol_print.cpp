@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/symbol_print.h"
 
-#include "pipeline/small_modules.h"
+#include "pipeline/default_patterns.h"
 
 namespace qrelief {
 
 SurfacePrint symbolPrint(const Symbol& symbol, const ProjectionFrame& frame, double symbolMm,
                          const EngraveRequest& request) {
-  const SizedCode code = codeOfSize(request, symbol, symbolMm / symbol.size);
-  const SubmoduleMask mask = submodulesToCarve(code.symbol, *code.request.modulePattern, *code.request.finderPattern);
+  const EngraveRequest carved = withDefaultPatterns(request, symbolMm / symbol.size);
+  const SubmoduleMask mask = submodulesToCarve(symbol, *carved.modulePattern, *carved.finderPattern);
   const int border = kSubmodulesPerModule * kQuietZoneModules;
   SurfacePrint print;
   print.frame = frame;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "study/versions.h"
 #include "study/workshop.h"
 
 namespace qrelief::study {
@@ -21,10 +22,15 @@ struct Experiment {
   std::vector<Row> cases;  ///< key values of each row, in the table's order
   /// Values of the measures. A case that cannot be is an error; the table then has its message's code.
   std::function<Result<Row>(const Row& key, Workshop& workshop)> measure;
+  /// Version of all that a row depends on (versions.h). A row of another version is measured again.
+  std::function<std::string(const Row& key)> version;
 };
 
 /// Every experiment, in the order of the page.
 std::vector<Experiment> allExperiments();
+
+/// For Experiment::version where every row depends on the same.
+std::function<std::string(const Row&)> dependingOn(std::initializer_list<Part> parts);
 
 /// A number as tables have it.
 std::string shown(double value, int decimals);

@@ -40,8 +40,18 @@ Row measured(const Experiment& experiment, const Row& key, Workshop& workshop) {
   return none;
 }
 
-/// Measures what the table lacks; takes the rows of other shards' files over, and removes these once all is there.
-Status run(const Experiment& experiment, const std::string& path, const Shard& shard, Workshop& workshop) {
+/// Cases that a run measures.
+struct Chosen {
+  Shard shard;
+  std::string only;  ///< a value that one of the keys must have; empty: any
+
+  bool has(const Row& key) const { return only.empty() || std::find(key.begin(), key.end(), only) != key.end(); }
+};
+
+/// Measures what the table lacks of the chosen cases; takes the rows of other shards' files over, and removes these
+/// once all is there.
+Status run(const Experiment& experiment, const std::string& path, const Chosen& chosen, Workshop& workshop) {
+  const Shard& shard = chosen.shard;
   auto table = Table::open(experiment, fileOf(path, shard));
   if (!table) return tl::unexpected(table.error());
   std::vector<std::string> parts;
@@ -59,7 +69,7 @@ Status run(const Experiment& experiment, const std::string& path, const Shard& s
   }
   std::vector<const Row*> missing;
   for (std::size_t i = shard.index; i < experiment.cases.size(); i += shard.count)
-    if (!table->find(experiment.cases[i])) missing.push_back(&experiment.cases[i]);
+    if (chosen.has(experiment.cases[i]) && !table->find(experiment.cases[i])) missing.push_back(&experiment.cases[i]);
   const bool isTerminal = ::isatty(STDERR_FILENO);
   const auto start = Clock::now();
   for (std::size_t i = 0; i < missing.size(); ++i) {
@@ -72,7 +82,7 @@ Status run(const Experiment& experiment, const std::string& path, const Shard& s
   }
   fmt::print(stderr, "{}{}: {} rows, {} of them measured now, {}\n", isTerminal ? "\r\033[K" : "", experiment.name,
              experiment.cases.size(), missing.size(), durationInWords(millisecondsSince(start) / 1000));
-  if (!shard.isWhole()) return {};
+  if (!shard.isWhole() || !chosen.only.empty()) return {};
   const Status written = table->write(experiment);
   if (written)
     for (const std::string& part : parts) std::filesystem::remove(part);
@@ -130,11 +140,13 @@ int run(int argc, char** argv) {
   CLI::App app("Measures the tables of the study");
   std::vector<std::string> names;
   std::string folder, samples, shardText;
+  std::string only;
   int checked = 0;
   app.add_option("NAME", names, "experiments; all if none is named");
   app.add_option("--results", folder, "folder of the tables")->required();
   app.add_option("--samples", samples, "folder of the page's sample models")->required();
   app.add_option("--shard", shardText, "I/N: every N-th case from the I-th on, 0 … N-1, into a file of its own");
+  app.add_option("--only", only, "measure only the cases that have this value among their keys");
   app.add_option("--check", checked, "measure this many cases of each kept table once more and compare");
   CLI11_PARSE(app, argc, argv);
   const std::optional<Shard> given = shardText.empty() ? Shard() : Shard::parse(shardText);
@@ -160,7 +172,7 @@ int run(int argc, char** argv) {
     const std::string path = folder + "/" + experiment.name + ".csv";
     if (checked > 0)
       off += check(experiment, path, checked, workshop);
-    else if (const Status done = run(experiment, path, shard, workshop); !done)
+    else if (const Status done = run(experiment, path, {shard, only}, workshop); !done)
       return failed(experiment.name, done.error());
   }
   if (checked > 0) fmt::print("{} values are off\n", off);

@@ -9,6 +9,13 @@
 
 namespace qrelief::study {
 
+/// Greatest depth of the methods of others, in modules: none of their sources names one, and walls limit pockets
+/// before. `limited` of CarvedCode counts the submodules that stop at it or at a wall.
+inline constexpr double kPublishedMaxDepthModules = 10;
+
+/// Width of the study's modules, unless a table says otherwise.
+inline constexpr double kUsualModuleMm = 1;
+
 /// Where a symbol is to be carved, with all that is known before any depth: what every method begins with.
 struct Spot {
   std::string name;  ///< of the model
@@ -18,6 +25,9 @@ struct Spot {
   Symbol symbol;
   std::shared_ptr<const GeometryPass> pass;
   std::shared_ptr<const PlacementSearch> search;  ///< that found the place
+
+  /// Measured by the last carving of carveByEngine(), for the next one.
+  mutable std::shared_ptr<MeasuredPlace> measured = {};
 
   double submoduleMm() const { return placement.moduleMm / kSubmodulesPerModule; }
 

@@ -16,6 +16,7 @@ Row columnsOf(const Experiment& experiment) {
   Row columns = experiment.keys;
   columns.insert(columns.end(), experiment.measures.begin(), experiment.measures.end());
   columns.emplace_back(kFailedColumn);
+  columns.emplace_back(kVersionColumn);
   return columns;
 }
 
@@ -38,6 +39,7 @@ Result<Table> Table::open(const Experiment& experiment, std::string path) {
   Table table;
   table.path_ = std::move(path);
   table.columns_ = columnsOf(experiment);
+  table.version_ = experiment.version;
   if (!std::filesystem::exists(table.path_)) return table;
   const auto bytes = readFile(table.path_);
   if (!bytes) return tl::unexpected(bytes.error());
@@ -58,11 +60,12 @@ Result<Table> Table::open(const Experiment& experiment, std::string path) {
 
 const Row* Table::find(const Row& key) const {
   const auto row = rows_.find(key);
-  return row == rows_.end() ? nullptr : &row->second;
+  return row == rows_.end() || row->second.back() != version_(key) ? nullptr : &row->second;
 }
 
 Status Table::add(const Row& key, Row values) {
   // Whole anew: so no line is ever half there, and one that was cut off is gone.
+  values.push_back(version_(key));
   rows_[key] = std::move(values);
   std::string text = fmt::format("{}\n", fmt::join(columns_, ","));
   for (const auto& [known, measured] : rows_) text += lineOf(known, measured);

@@ -17,7 +17,11 @@ class Table {
   /// @returns BadInput if the file's columns are not those of the experiment
   static Result<Table> open(const Experiment& experiment, std::string path);
 
+  /// Values of a row; null where it is missing or of another version.
   const Row* find(const Row& key) const;
+
+  /// Whether there is a row, of whatever version.
+  bool has(const Row& key) const { return rows_.contains(key); }
 
   /// Adds a row and writes the file, under a temporary name first.
   Status add(const Row& key, Row values);
@@ -30,11 +34,14 @@ class Table {
 
  private:
   std::string path_;
+  std::function<std::string(const Row& key)> version_;
   Row columns_;
   std::map<Row, Row> rows_;  // values by key
 };
 
-/// Column after the measures: the code of the error where a case could not be measured.
+/// Columns after the measures: the code of the error where a case could not be measured, and the version of what the
+/// row depends on.
 inline constexpr const char* kFailedColumn = "failed";
+inline constexpr const char* kVersionColumn = "version";
 
 }  // namespace qrelief::study

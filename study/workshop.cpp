@@ -16,7 +16,6 @@ namespace qrelief::study {
 namespace {
 
 constexpr int kVersion = 3;
-constexpr double kModuleMm = 1;
 
 struct Generated {
   const char* name;
@@ -56,8 +55,9 @@ Result<Vec3> Workshop::centreOf(const std::string& modelName) {
   return centres_.at(modelName);
 }
 
-Result<std::shared_ptr<const EngravableModel>> Workshop::model(const std::string& name) {
-  if (const auto known = models_.find(name); known != models_.end()) return known->second;
+Result<std::shared_ptr<const EngravableModel>> Workshop::model(const std::string& name, double scale) {
+  const std::string key = name + " " + std::to_string(scale);
+  if (const auto known = models_.find(key); known != models_.end()) return known->second;
   PolygonSoup soup;
   const auto made =
       std::find_if(generated().begin(), generated().end(), [&](const Generated& g) { return name == g.name; });
@@ -71,9 +71,9 @@ Result<std::shared_ptr<const EngravableModel>> Workshop::model(const std::string
     if (!read) return tl::unexpected(read.error());
     soup = std::move(*read);
   }
-  auto prepared = prepareModel(soup, {});
+  auto prepared = prepareModel(soup, {.scaleToMm = scale});
   if (!prepared) return tl::unexpected(prepared.error());
-  return models_[name] = EngravableModel::upload(std::move(*prepared));
+  return models_[key] = EngravableModel::upload(std::move(*prepared));
 }
 
 Result<EngraveRequest> Workshop::usualRequest(const std::string& modelName) {
@@ -84,23 +84,36 @@ Result<EngraveRequest> Workshop::usualRequest(const std::string& modelName) {
   request.symbol.version = kVersion;
   request.placement.centreMm = *centre;
   request.placement.sizeMode = SizeMode::Fixed;
-  request.placement.sizeMm = kModuleMm * (17 + 4 * kVersion);
+  request.placement.sizeMm = kUsualModuleMm * (17 + 4 * kVersion);
   request.keepPreset = true;
   request.buildUp.pose = BuildPose::CodeUp;
   return request;
 }
 
-Result<const Spot*> Workshop::usualSpot(const std::string& modelName, DirectionMethod direction) {
-  const std::string key = modelName + " " + directionMethodName(direction);
+Result<const Spot*> Workshop::spotFor(const std::string& modelName, EngraveRequest request, double scale,
+                                      const std::string& key) {
   if (const auto known = spots_.find(key); known != spots_.end()) return &known->second;
-  auto loaded = model(modelName);
+  auto loaded = model(modelName, scale);
   if (!loaded) return tl::unexpected(loaded.error());
+  auto spot = findSpot(modelName, *loaded, request);
+  if (!spot) return tl::unexpected(spot.error());
+  return &spots_.emplace(key, std::move(*spot)).first->second;
+}
+
+Result<const Spot*> Workshop::usualSpot(const std::string& modelName, DirectionMethod direction) {
   auto request = usualRequest(modelName);
   if (!request) return tl::unexpected(request.error());
   request->placement.directionMethod = direction;
-  auto spot = findSpot(modelName, *loaded, *request);
-  if (!spot) return tl::unexpected(spot.error());
-  return &spots_.emplace(key, std::move(*spot)).first->second;
+  return spotFor(modelName, *request, 1, modelName + " " + directionMethodName(direction));
+}
+
+Result<const Spot*> Workshop::spotOfWidth(const std::string& modelName, double moduleMm) {
+  auto request = usualRequest(modelName);
+  if (!request) return tl::unexpected(request.error());
+  const double scale = moduleMm / kUsualModuleMm;
+  request->placement.sizeMm *= scale;
+  request->placement.centreMm *= scale;
+  return spotFor(modelName, *request, scale, modelName + " " + std::to_string(moduleMm));
 }
 
 DepthSummary depthOf(const CarvedCode& code) {

@@ -31,8 +31,9 @@ class Workshop {
   /// The eight models: the page's samples, and a cylinder; flat, curved, edged and wavy.
   static const std::vector<std::string>& models();
 
+  /// @param scale  of all lengths, > 0
   /// @returns BadInput if the file is not there
-  Result<std::shared_ptr<const EngravableModel>> model(const std::string& name);
+  Result<std::shared_ptr<const EngravableModel>> model(const std::string& name, double scale = 1);
 
   /// The usual request at a model's centre: kText, version 3, modules of 1 mm, printed lying by the first process,
   /// carved for the design.
@@ -42,12 +43,18 @@ class Workshop {
   Result<const Spot*> usualSpot(const std::string& modelName,
                                 DirectionMethod direction = DirectionMethod::DepthBalanced);
 
+  /// The same place for modules of another width, mm, on the model scaled with them, so that the code lies on the same
+  /// surface whatever its size; found once.
+  Result<const Spot*> spotOfWidth(const std::string& modelName, double moduleMm);
+
   /// Carves and reads it, under the light that it is made for: light is traced on the design and on what the spot's
   /// process leaves of it.
   Result<Judged> judge(const Spot& spot, const CarvedCode& code) const;
 
  private:
   Result<Vec3> centreOf(const std::string& modelName);
+  Result<const Spot*> spotFor(const std::string& modelName, EngraveRequest request, double scale,
+                              const std::string& key);
 
   std::string samplesFolder_;
   std::map<std::string, Vec3> centres_;  // of the samples

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/engravable_model.h"
 
-#include <algorithm>
-
 #include "carving/one_light_search.h"
+#include "pipeline/default_patterns.h"
 #include "pipeline/module_walls.h"
-#include "pipeline/small_modules.h"
 #include "projection/room.h"
 #include "settings/settings.h"
 
@@ -15,9 +13,7 @@ namespace qrelief {
 PlacementRequest searchedPlacement(const EngraveRequest& request, int modules) {
   PlacementRequest place = request.placement;
   const double largest = place.sizeMode == SizeMode::Fixed ? place.sizeMm : place.maxSizeMm;
-  const double smallModuleMm = std::min(largest / modules, kSmallModuleNozzles * request.printer.nozzleMm);
-  place.beyondMm = request.minWallMm + request.maxDepthMm.value_or(std::max(kMaxDepthModules * largest / modules,
-                                                                            kMaxDepthSmallModules * smallModuleMm));
+  place.beyondMm = request.minWallMm + request.maxDepthMm.value_or(kMaxDepthModules * largest / modules);
   const bool isReading = request.objective == DepthObjective::Reading;
   const double contrast = isReading ? request.reading.dataContrast : request.contrastAsked();
   if (contrast <= 0 || contrast >= 1) return place;  // refused later

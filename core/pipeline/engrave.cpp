@@ -17,10 +17,10 @@
 #include "pipeline/carved_parts.h"
 #include "pipeline/cell_layout.h"
 #include "pipeline/contrast_for_print.h"
+#include "pipeline/default_patterns.h"
 #include "pipeline/depth_limits.h"
 #include "pipeline/depth_solver_of.h"
 #include "pipeline/printed_view.h"
-#include "pipeline/small_modules.h"
 #include "pipeline/verify.h"
 #include "settings/settings.h"
 #include "verification/mesh_luminance.h"
@@ -70,6 +70,7 @@ struct EngraveJob::State {
 
   std::shared_ptr<const EngravableModel> model;
   EngraveRequest request;
+  EngraveRequest asked;  // before the patterns that it leaves open were decided
   std::shared_ptr<const GeometryPass> pass;
   std::shared_ptr<const LuminancePrograms> programs;
   Stage stage = Stage::Placing;
@@ -93,6 +94,8 @@ struct EngraveJob::State {
 
   Status place();
   void take(const PlacementSearch& found);
+  void decidePatterns(bool areWallsThin);
+  std::vector<double> limitsOfMask() const;
   Status map();
   Status searchOnce();
   Status embed();
@@ -146,11 +149,19 @@ void EngraveJob::State::take(const PlacementSearch& found) {
   result.placement = found.placement();
   result.timingsMs.direction = found.directionMs();
   result.timingsMs.size = found.sizeMs();
-  SizedCode code = codeOfSize(request, std::move(symbol), result.placement.moduleMm);
-  request = std::move(code.request);
-  symbol = std::move(code.symbol);
-  mask = submodulesToCarve(symbol, *request.modulePattern, *request.finderPattern);
+  asked = std::move(request);
+  decidePatterns(false);
   stage = Stage::Mapping;
+}
+
+void EngraveJob::State::decidePatterns(bool areWallsThin) {
+  request = withDefaultPatterns(asked, result.placement.moduleMm, areWallsThin);
+  mask = submodulesToCarve(symbol, *request.modulePattern, *request.finderPattern);
+}
+
+std::vector<double> EngraveJob::State::limitsOfMask() const {
+  return depthLimits(model->prepared.mesh, result.placement, mask, measured->thicknessMm(),
+                     {*request.maxDepthMm, request.minWallMm});
 }
 
 Status EngraveJob::State::map() {
@@ -167,10 +178,14 @@ Status EngraveJob::State::map() {
   }
   isMeasured = true;
 
+  std::vector<double> limits = limitsOfMask();
+  if (!asked.finderPattern && request.finderPattern == FinderPattern::None &&
+      wallsAreThinForWholeFinders(symbol, limits, placement.moduleMm)) {
+    decidePatterns(true);
+    limits = limitsOfMask();
+  }
   for (std::uint32_t i = 0; i < mask.carved.size(); ++i)
     if (mask.carved[i]) allCarved.push_back(i);
-  std::vector<double> limits = depthLimits(model->prepared.mesh, placement, mask, measured->thicknessMm(),
-                                           {*request.maxDepthMm, request.minWallMm});
   if (request.recordSearch) startRecord(limits);
   target = {&symbol, &mask, placement.symbolMm, std::move(limits)};
   search = makeDepthSolver(request, target);

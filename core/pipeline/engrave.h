@@ -40,7 +40,8 @@ struct EngraveResult {
   /// under the centre; empty: one part only.
   std::vector<std::uint32_t> partOfTriangle;
   std::uint32_t carvedPart = 0;
-  EngraveRequest request;  ///< as it was carved: with what the size of a module decides (pipeline/small_modules.h)
+  EngraveRequest
+      request;  ///< as it was carved: with the patterns and depths that were left open (pipeline/default_patterns.h)
   Symbol symbol;
   Placement placement;
   DepthField depths;

@@ -50,7 +50,7 @@ enum class CarveFor : std::uint8_t {
 struct EngraveRequest {
   std::string text;  ///< UTF-8, not empty
   SymbolOptions symbol;
-  std::optional<ModulePattern> modulePattern;  ///< none: the size of a module decides (pipeline/small_modules.h)
+  std::optional<ModulePattern> modulePattern;  ///< none: pipeline/default_patterns.h
   std::optional<FinderPattern> finderPattern;  ///< likewise
   PlacementRequest placement;
   DepthObjective objective = DepthObjective::Contrast;
@@ -64,7 +64,7 @@ struct EngraveRequest {
   ReadingOptions reading;
   /// Print counts for flat floors by ContrastSolver::Fast without lamps, if a process is known; else Design does.
   CarveFor carveFor = CarveFor::Design;
-  std::optional<double> maxDepthMm;      ///< none: pipeline/small_modules.h
+  std::optional<double> maxDepthMm;      ///< none: pipeline/default_patterns.h
   double minWallMm = 0.8;                ///< material that stays behind every floor, ≥ 0
   float albedo = 0.7f;                   ///< of the printed material
   std::vector<DirectionalLight> lights;  ///< beside the uniform sky, at most kMaxLights; see lamps()

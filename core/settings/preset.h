@@ -9,7 +9,7 @@ namespace qrelief {
 
 /// How much is carved so that the code reads, by name. In simulated pictures, `thick-plus` modules were read by more
 /// readers than `square` ones at the same mean depth, so no preset changes the patterns; they differ in the contrast.
-/// Small modules are another matter, see pipeline/small_modules.h.
+/// Codes with whole finders take less of it, see pipeline/default_patterns.h.
 enum class Preset : std::uint8_t {
   Shallow,   ///< little depth, for reading from the front in even light
   Balanced,  ///< for a lamp beside it, too; the default

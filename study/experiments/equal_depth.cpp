@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::array kTexts = {kText, "https://example.org/p/2", "https://example.org/q/37",
                                "https://example.org/r/581"};
-constexpr const char* kDefault = "ours-whole-modules";
+constexpr const char* kDefault = "ours";
 constexpr double kAlike = 0.02;
 constexpr int kCorrections = 3;
 
@@ -94,16 +94,19 @@ Result<Row> measure(const Row& key, Workshop& workshop) {
   return row;
 }
 
+/// The depth is the default's.
+std::string version(const Row& key) { return versionOfMethod(key) + " default " + versionOf({kSearch}); }
+
 }  // namespace
 
 Experiment equalDepth() {
   Row measures = readingColumns();
   measures.emplace_back("level");
-  Experiment experiment{"equal_depth", {"model", "method", "text"}, measures, {}, measure};
+  Experiment experiment{"equal_depth", {"model", "method", "text"}, measures, {}, measure, version};
   for (std::size_t text = 1; text <= kTexts.size(); ++text)
     for (const std::string& model : Workshop::models())
-      for (const char* method : {kDefault, "ours-for-print", "ours-for-design", "papp-2022", "papp-2022-whole-modules",
-                                 "tilted-2021", "groove-2018"})
+      for (const char* method : {kDefault, "ours-thick-plus", "ours-whole-modules", "ours-for-design", "papp-2022",
+                                 "papp-2022-whole-modules", "tilted-2021", "groove-2018"})
         experiment.cases.push_back({model, method, std::to_string(text)});
   return experiment;
 }

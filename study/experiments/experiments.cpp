@@ -6,8 +6,12 @@
 namespace qrelief::study {
 
 std::vector<Experiment> allExperiments() {
-  return {leastModule(), guaranteedSize(), patternDepths(), methodComparison(), frontier(),
-          equalDepth(),  symbolFlips(),    lampDepths(),    lightAngles(),      robustness()};
+  return {leastModule(), guaranteedSize(), patternDepths(), methodComparison(), frontier(),     equalDepth(),
+          symbolFlips(), lampDepths(),     lightAngles(),   robustness(),       defaultSpace(), defaultChoice()};
+}
+
+std::function<std::string(const Row&)> dependingOn(std::initializer_list<Part> parts) {
+  return [version = versionOf(parts)](const Row&) { return version; };
 }
 
 std::string shown(double value, int decimals) { return fmt::format("{:.{}f}", value, decimals); }

@@ -16,5 +16,7 @@ Experiment symbolFlips();
 Experiment lampDepths();
 Experiment lightAngles();
 Experiment robustness();
+Experiment defaultSpace();
+Experiment defaultChoice();
 
 }  // namespace qrelief::study

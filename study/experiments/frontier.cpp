@@ -21,7 +21,7 @@ Result<Row> measure(const Row& key, Workshop& workshop) {
 }  // namespace
 
 Experiment frontier() {
-  Experiment experiment{"frontier", {"model", "method", "level"}, readingColumns(), {}, measure};
+  Experiment experiment{"frontier", {"model", "method", "level"}, readingColumns(), {}, measure, versionOfMethod};
   for (const std::string& model : Workshop::models())
     for (const Method& method : methods())
       for (const double level : method.levels) experiment.cases.push_back({model, method.name, shown(level, 2)});

@@ -39,7 +39,8 @@ Result<Row> measure(const Row& key, Workshop& workshop) {
 
 Experiment guaranteedSize() {
   Experiment experiment{
-      "guaranteed_size", {"model", "direction"}, {"guaranteed_mm", "upright_mm", "turned_45_mm"}, {}, measure};
+      "guaranteed_size", {"model", "direction"},   {"guaranteed_mm", "upright_mm", "turned_45_mm"}, {},
+      measure,           dependingOn({kPlacement})};
   for (const std::string& model : Workshop::models())
     for (int i = 0; i < 4; ++i)
       experiment.cases.push_back({model, directionMethodName(static_cast<DirectionMethod>(i))});

@@ -13,10 +13,9 @@ constexpr double kElevationDeg = 33;
 Result<Row> measure(const Row& key, Workshop& workshop) {
   const auto spot = workshop.usualSpot(key[0]);
   if (!spot) return tl::unexpected(spot.error());
-  EngraveRequest request = (*spot)->request;
-  request.solver = ContrastSolver::PaperSteps;
-  request.modulePattern = byName<ModulePattern>(key[1], modulePatternName);
-  request.finderPattern = request.modulePattern == ModulePattern::None ? FinderPattern::None : FinderPattern::ThickPlus;
+  const auto modules = byName<ModulePattern>(key[1], modulePatternName);
+  EngraveRequest request = publishedRequest(
+      **spot, modules, modules == ModulePattern::None ? FinderPattern::None : FinderPattern::ThickPlus);
   for (int lamp = 0; lamp < std::stoi(key[2]); ++lamp)
     request.lights.push_back({.azimuthDeg = lamp == 0 ? 90.0 : 180.0, .elevationDeg = kElevationDeg, .strength = 1});
   const auto code = carveByEngine(**spot, request);
@@ -27,7 +26,8 @@ Result<Row> measure(const Row& key, Workshop& workshop) {
 }  // namespace
 
 Experiment lampDepths() {
-  Experiment experiment{"lamp_depths", {"model", "modules", "lamps"}, {"depth_mm", "limited"}, {}, measure};
+  Experiment experiment{"lamp_depths", {"model", "modules", "lamps"}, {"depth_mm", "limited"}, {},
+                        measure,       dependingOn({kSearch})};
   for (const std::string& model : Workshop::models())
     for (const char* modules : {"none", "square"})
       for (const char* lamps : {"0", "1", "2"}) experiment.cases.push_back({model, modules, lamps});

@@ -49,8 +49,8 @@ Result<Row> measure(const Row& key, Workshop& workshop) {
 }  // namespace
 
 Experiment leastModule() {
-  Experiment experiment{
-      "least_module", {"process", "modules", "finders", "pose"}, {"module_mm", "depth_mm"}, {}, measure};
+  Experiment experiment{"least_module", {"process", "modules", "finders", "pose"},        {"module_mm", "depth_mm"}, {},
+                        measure,        dependingOn({kSearch, kLight, kPrint, kDecoding})};
   for (const char* process : {"fdm-0.4/0.2", "fdm-0.25/0.1"})
     for (int pattern = 0; pattern < 5; ++pattern)
       for (int finder = 0; finder < 5; ++finder)

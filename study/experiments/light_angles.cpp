@@ -24,10 +24,9 @@ std::vector<DirectionalLight> lampAt(const std::string& elevation) {
 Result<Row> measure(const Row& key, Workshop& workshop) {
   const auto spot = workshop.usualSpot("plate");
   if (!spot) return tl::unexpected(spot.error());
-  EngraveRequest request = (*spot)->request;
-  request.solver = ContrastSolver::PaperSteps;
-  request.modulePattern = byName<ModulePattern>(key[0], modulePatternName);
-  request.finderPattern = request.modulePattern == ModulePattern::None ? FinderPattern::None : FinderPattern::ThickPlus;
+  const auto modules = byName<ModulePattern>(key[0], modulePatternName);
+  EngraveRequest request = publishedRequest(
+      **spot, modules, modules == ModulePattern::None ? FinderPattern::None : FinderPattern::ThickPlus);
   request.lights = lampAt(key[1]);
   const auto code = carveByEngine(**spot, request);
   if (!code) return tl::unexpected(code.error());
@@ -51,7 +50,8 @@ Result<Row> measure(const Row& key, Workshop& workshop) {
 }  // namespace
 
 Experiment lightAngles() {
-  Experiment experiment{"light_angles", {"modules", "carved_at", "read_at"}, {"depth_mm", "reads"}, {}, measure};
+  Experiment experiment{"light_angles", {"modules", "carved_at", "read_at"},      {"depth_mm", "reads"}, {},
+                        measure,        dependingOn({kSearch, kLight, kDecoding})};
   for (const char* modules : {"none", "square"})
     for (const char* carved : {"sky", "8", "33"})
       for (const char* read : {"4", "8", "15", "23", "33", "38", "48", "63", "78", "88"})

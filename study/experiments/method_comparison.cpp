@@ -65,7 +65,7 @@ Experiment methodComparison() {
   Row measures = readingColumns();
   for (const char* column : {"passes", "limited", "light_error", "light_error_size", "search_ms"})
     measures.emplace_back(column);
-  Experiment experiment{"method_comparison", {"model", "method"}, measures, {}, measure};
+  Experiment experiment{"method_comparison", {"model", "method"}, measures, {}, measure, versionOfMethod};
   for (const std::string& model : Workshop::models())
     for (const Method& method : methods()) experiment.cases.push_back({model, method.name});
   return experiment;

@@ -10,10 +10,8 @@ namespace {
 Result<Row> measure(const Row& key, Workshop& workshop) {
   const auto spot = workshop.usualSpot(key[0]);
   if (!spot) return tl::unexpected(spot.error());
-  EngraveRequest request = (*spot)->request;
-  request.solver = ContrastSolver::PaperSteps;
-  request.modulePattern = byName<ModulePattern>(key[1], modulePatternName);
-  request.finderPattern = byName<FinderPattern>(key[2], finderPatternName);
+  const EngraveRequest request = publishedRequest(**spot, byName<ModulePattern>(key[1], modulePatternName),
+                                                  byName<FinderPattern>(key[2], finderPatternName));
   const auto code = carveByEngine(**spot, request);
   if (!code) return tl::unexpected(code.error());
   const auto judged = workshop.judge(**spot, *code);
@@ -24,7 +22,9 @@ Result<Row> measure(const Row& key, Workshop& workshop) {
 }  // namespace
 
 Experiment patternDepths() {
-  Experiment experiment{"pattern_depths", {"model", "modules", "finders"}, readingColumns(), {}, measure};
+  Experiment experiment{"pattern_depths", {"model", "modules", "finders"},
+                        readingColumns(), {},
+                        measure,          dependingOn({kSearch, kLight, kPrint, kDecoding})};
   for (const std::string& model : Workshop::models())
     for (int pattern = 0; pattern < 5; ++pattern)
       for (int finder = 0; finder < 5; ++finder)

@@ -18,10 +18,14 @@ std::string shownIfAny(const std::optional<double>& value, int decimals) {
 Result<Row> measure(const Row& key, Workshop& workshop) {
   const auto spot = workshop.usualSpot(key[0]);
   if (!spot) return tl::unexpected(spot.error());
-  EngraveRequest request = (*spot)->request;
-  request.solver = key[1] == "ours" ? ContrastSolver::Fast : ContrastSolver::PaperSteps;
-  request.modulePattern = byName<ModulePattern>(key[2], modulePatternName);
-  request.finderPattern = byName<FinderPattern>(key[3], finderPatternName);
+  const auto modules = byName<ModulePattern>(key[2], modulePatternName);
+  const auto finders = byName<FinderPattern>(key[3], finderPatternName);
+  EngraveRequest request = publishedRequest(**spot, modules, finders);
+  if (key[1] == "ours") {
+    request = (*spot)->request;
+    request.modulePattern = modules;
+    request.finderPattern = finders;
+  }
   const auto code = carveByEngine(**spot, request);
   if (!code) return tl::unexpected(code.error());
   const auto surface = CarvedSurface::make(**spot, code->depths);
@@ -48,7 +52,8 @@ Experiment robustness() {
                         {"model", "search", "modules", "finders"},
                         {"depth_mm", "designed", "blur_modules", "pixels_per_module", "tilt_deg", "tilt_lamp_deg"},
                         {},
-                        measure};
+                        measure,
+                        dependingOn({kSearch, kLight, kDecoding})};
   for (const char* model : {"plate", "cylinder", "bumpy-sphere"}) {
     experiment.cases.push_back({model, "papp-2022", "none", "none"});
     for (const char* modules : {"square", "thin-plus", "diamond", "thick-plus"})

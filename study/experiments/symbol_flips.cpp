@@ -43,7 +43,9 @@ Result<Row> measure(const Row& key, Workshop& workshop) {
 Experiment symbolFlips() {
   Row measures = readingColumns();
   measures.insert(measures.begin(), "flipped_modules");
-  Experiment experiment{"symbol_flips", {"model", "search", "flips"}, measures, {}, measure};
+  Experiment experiment{"symbol_flips", {"model", "search", "flips"},
+                        measures,       {},
+                        measure,        dependingOn({kSearch, {"self-shadow-2019", 1}, kLight, kPrint, kDecoding})};
   for (const char* model : {"plate", "cylinder", "bumpy-sphere"})
     for (const char* search : {"self-shadow-2019", "ours"})
       for (const char* flips : {"none", "peng-2019", "ours"}) experiment.cases.push_back({model, search, flips});

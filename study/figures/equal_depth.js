@@ -19,6 +19,16 @@ export const readsOverModels = (rows, method) =>
 export const spreadOf = (rows) => median([...groupBy(rows, 'model').values()].flatMap((ofModel) =>
   [...groupBy(ofModel, 'method').values()].map((of) => Math.max(...of.map(({ printed }) => printed)) - Math.min(...of.map(({ printed }) => printed)))));
 
+/**
+ * Models on which every method was read with every text: on others methods cannot be compared.
+ * @param {Row[]} rows
+ * @returns {Row[][]}  by model
+ */
+export function wholeModels(rows) {
+  const each = distinct(rows, 'method').length * distinct(rows, 'text').length;
+  return [...groupBy(rows, 'model').values()].filter((ofModel) => ofModel.length === each);
+}
+
 /** Methods that are read more often than the default. @param {Row[]} ofModel @returns {string[]} */
 export const oftener = (ofModel) => distinct(ofModel, 'method').filter((method) => readsOf(ofModel, method) > readsOf(ofModel, kDefaultMethod));
 
@@ -27,20 +37,20 @@ export const equalDepth = {
   name: 'equalDepth', table: 'equal_depth', measures: ['depth_mm', 'printed'],
   draw: (rows, look) => methodStrips(rows, look, [{ measure: 'printed', title: look.word('axisReads', { of: kTries }) }]),
   find: (rows) => {
-    const ofModels = [...groupBy(rows, 'model').values()];
+    const ofModels = wholeModels(rows), compared = ofModels.flat();
     const holds = (/** @type {(method: string) => boolean} */ counts) =>
       models(tally(ofModels, (ofModel) => oftener(ofModel).filter(counts).length === 0));
-    const others = distinct(rows, 'method').filter((method) => method !== kDefaultMethod);
+    const others = distinct(compared, 'method').filter((method) => method !== kDefaultMethod);
     return [
-      said('equalDepthOthers', { cases: holds((method) => !isOurs(method)) }),
+      said('equalDepthOthers', { texts: distinct(compared, 'text').length, cases: holds((method) => !isOurs(method)) }),
       said('equalDepthList', {
         list: others.map((method) => said('equalDepthBy', {
           method: name('method', method), cases: models(tally(ofModels, (ofModel) => oftener(ofModel).includes(method))),
-          reads: { number: readsOverModels(rows, method), digits: 1 },
+          reads: { number: readsOverModels(compared, method), digits: 1 },
         })),
-        reads: { number: readsOverModels(rows, kDefaultMethod), digits: 1 },
+        reads: { number: readsOverModels(compared, kDefaultMethod), digits: 1 },
       }),
-      said('equalDepthSpread', { spread: { number: spreadOf(rows), digits: 1 } }),
+      said('equalDepthSpread', { spread: { number: spreadOf(compared), digits: 1 } }),
     ];
   },
 };

@@ -2,7 +2,7 @@
 // Reads against depth, every method from shallow to deep.
 import { distinct, frontierAt, groupBy, tally } from '../page/compare.js';
 import { inOrder, kColours, series } from '../page/figure.js';
-import { isForOneLamp, isOurs, kDefaultMethod, kDefaultOfLarge } from '../page/methods.js';
+import { isForOneLamp, isOurs, kDefaultMethod, kPatternedFinders } from '../page/methods.js';
 import { models, name, said } from '../page/say.js';
 import { kNeeded, kTries } from '../page/tries.js';
 
@@ -22,9 +22,9 @@ const kStyles = {
   'ours-reading': [kColours.green, 'triangle-right', [2, 3]],
   'ours-one-light': [kColours.green, 'diamond', [1, 3]],
   'ours-for-design': [kColours.green, 'circle', [5, 3]],
-  'ours-for-print': [kColours.green, 'triangle-up', []],
-  'ours-broken-up': [kColours.green, 'cross', [8, 3]],
+  'ours-thick-plus': [kColours.green, 'triangle-up', [8, 3]],
   'ours-whole-modules': [kColours.green, 'square', [4, 3]],
+  'ours': [kColours.green, 'cross', []],
 };
 const kThin = 1.2, kThick = 2.6;  // lines; the thick one is our default
 
@@ -111,12 +111,12 @@ export const frontierPrinted = {
       return Math.min(least(true), least(false)) === Infinity ? undefined : least(true) <= least(false);
     });
     const patterned = tally(groupBy(rows, 'model'), ([model, ofModel]) => {
-      const usual = ours.get(model), reads = usual && frontierAt(levelsOf(ofModel, kDefaultOfLarge, 'printed'), usual.depth_mm);
+      const usual = ours.get(model), reads = usual && frontierAt(levelsOf(ofModel, kPatternedFinders, 'printed'), usual.depth_mm);
       return usual && reads !== undefined ? usual.printed >= reads : undefined;
     });
     return [
       said('frontierDefault', { cases: models(onOrAbove) }),
-      ...(patterned.of > 0 ? [said('frontierThickPlus', { cases: models(patterned) })] : []),
+      ...(patterned.of > 0 ? [said('frontierFinders', { cases: models(patterned) })] : []),
       said('frontierLost', { list: lost }),
       ...(rows.some(({ method }) => method === 'one-light-2020') ? [said('frontierLamp', { cases: models(byLamp) })] : []),
       said('frontierShallowest', { cases: models(shallowest), needed: kNeeded, tries: kTries }),

@@ -15,6 +15,12 @@ export function isPaperOrder(ofModel) {
   return rises([depths['one-light-2020'], depths['papp-2022'], depths['self-shadow-2019']]);
 }
 
+/** Depth of one lamp of 2020 as a fraction of that of self-shadows of 2019. @param {Row[]} ofModel @returns {number | undefined} */
+export function oneLightOfSelfShadows(ofModel) {
+  const { 'one-light-2020': light, 'self-shadow-2019': shadow } = valuesBy(ofModel, 'method', 'depth_mm');
+  return light === undefined || shadow === undefined ? undefined : light / shadow;
+}
+
 /** How many times as deep as the paper's whole modules those of 2019 are. @param {Row[]} ofModel @returns {number | undefined} */
 export function selfShadowsTimesWhole(ofModel) {
   const { 'self-shadow-2019': peng, 'papp-2022-whole-modules': whole } = valuesBy(ofModel, 'method', 'depth_mm');
@@ -40,6 +46,7 @@ export const methodDepths = {
   draw: (rows, look) => methodStrips(rows, look, [{ measure: 'depth_mm', title: look.word('axisDepth') }]),
   find: (rows) => {
     const times = [...groupBy(rows, 'model').values()].map(selfShadowsTimesWhole).filter((value) => value !== undefined);
+    const halves = [...groupBy(rows, 'model').values()].map(oneLightOfSelfShadows).filter((value) => value !== undefined);
     const alike = onModels(rows, wholeIsAsSelfShadows);
     const depth = (/** @type {string} */ method) => mm(typical(rows, method, 'depth_mm'));
     const unread = distinct(rows, 'method').filter((method) => typical(rows, method, 'printed') < kNeeded);
@@ -47,6 +54,7 @@ export const methodDepths = {
     const lamps = ['one-light-2020', 'ours-one-light'].map((method) => readsAsDesigned(rows, method));
     return [
       said('methodsOrder', { cases: models(order), light: depth('one-light-2020'), papp: depth('papp-2022'), shadow: depth('self-shadow-2019') }),
+      said('methodsHalf', { least: mm(Math.min(...halves)), middle: mm(median(halves)), most: mm(Math.max(...halves)) }),
       said('methodsWhole', { cases: models(alike), times: { number: median(times), digits: 1 }, percent: 100 * kAlikeFraction }),
       ...(alike.holds < alike.of || order.holds < order.of ? [said('methodsWhy')] : []),
       ...(lamps.some(({ holds, of }) => holds < of) ? [said('methodsLamp', { peng: models(lamps[0]), ours: models(lamps[1]) })] : []),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { isPaperOrder, readsAsDesigned, selfShadowsTimesWhole, typical, wholeIsAsSelfShadows } from './method_depths.js';
+import { isPaperOrder, oneLightOfSelfShadows, readsAsDesigned, selfShadowsTimesWhole, typical, wholeIsAsSelfShadows } from './method_depths.js';
 
 const depths = (/** @type {Record<string, number>} */ byMethod) =>
   Object.entries(byMethod).map(([method, mm]) => ({ method, depth_mm: mm }));
@@ -10,6 +10,11 @@ test('the paper’s order of methods is by depth', () => {
   assert.equal(isPaperOrder(depths({ 'one-light-2020': 0.2, 'papp-2022': 0.4, 'self-shadow-2019': 0.9 })), true);
   assert.equal(isPaperOrder(depths({ 'one-light-2020': 0.5, 'papp-2022': 0.4, 'self-shadow-2019': 0.9 })), false);
   assert.equal(isPaperOrder(depths({ 'papp-2022': 0.4, 'self-shadow-2019': 0.9 })), undefined);
+});
+
+test('a depth of 2020 is a fraction of that of 2019 where both were measured', () => {
+  assert.equal(oneLightOfSelfShadows(depths({ 'one-light-2020': 0.5, 'self-shadow-2019': 1 })), 0.5);
+  assert.equal(oneLightOfSelfShadows(depths({ 'self-shadow-2019': 1 })), undefined);
 });
 
 test('whole modules are as deep as those of 2019 within a quarter, up or down', () => {

@@ -7,28 +7,28 @@ import { kNeeded } from '../page/tries.js';
 
 /** @typedef {import('../page/table.js').Row} Row */
 
-/** By module pattern, the whole code in it. @param {Row[]} ofModel */
-const depthsOf = (ofModel) => {
-  const depths = valuesBy(ofModel.filter(({ finders }) => finders === 'as-modules'), 'modules', 'depth_mm');
+/** By module pattern. @param {Row[]} ofModel @param {string} finders  that the codes have */
+const depthsOf = (ofModel, finders) => {
+  const depths = valuesBy(ofModel.filter((row) => row.finders === finders), 'modules', 'depth_mm');
   return ['none', 'square', 'thin-plus', 'diamond', 'thick-plus'].every((pattern) => depths[pattern] !== undefined)
     ? /** @type {Record<string, number>} */ (depths) : undefined;
 };
 
-/** Whether the two patterns that do not connect are the shallowest. @param {Row[]} ofModel */
-export function looseAreShallowest(ofModel) {
-  const depths = depthsOf(ofModel);
+/** Whether the two patterns that do not connect are the shallowest. @param {Row[]} ofModel @param {string} [finders] */
+export function looseAreShallowest(ofModel, finders = 'as-modules') {
+  const depths = depthsOf(ofModel, finders);
   return depths && Math.max(depths.square, depths['thin-plus']) < Math.min(depths.none, depths.diamond, depths['thick-plus']);
 }
 
 /** @param {Row[]} ofModel */
 export function thinPlusIsShallowest(ofModel) {
-  const depths = depthsOf(ofModel);
+  const depths = depthsOf(ofModel, 'as-modules');
   return depths && Object.values(depths).every((depth) => depth >= depths['thin-plus']);
 }
 
 /** Of the patterns; whole modules are none. @param {Row[]} ofModel */
 export function thickPlusIsDeepest(ofModel) {
-  const depths = depthsOf(ofModel);
+  const depths = depthsOf(ofModel, 'as-modules');
   return depths && ['square', 'thin-plus', 'diamond'].every((pattern) => depths[pattern] <= depths['thick-plus']);
 }
 
@@ -63,14 +63,17 @@ export const patternDepths = {
     const finders = findersLowerDepth(rows);
     const reads = (/** @type {string} */ pattern) =>
       Math.round(median(rows.filter(({ modules }) => modules === pattern).map(({ printed }) => printed)));
+    const readsWith = (/** @type {Row[]} */ some) => ({
+      cases: cases(tally(some, ({ designed }) => designed >= kNeeded)), printed: cases(tally(some, ({ printed }) => printed >= kNeeded)),
+    });
+    const loose = (/** @type {string} */ finderPattern) => models(onModels(rows, (ofModel) => looseAreShallowest(ofModel, finderPattern)));
     const alike = rows.filter((row) => row.finders === 'as-modules' && row.modules !== 'none');
     return [
-      said('patternsLoose', { cases: models(onModels(rows, looseAreShallowest)) }),
+      said('patternsLoose', { cases: loose('as-modules'), whole: loose('none'), thick: loose('thick-plus') }),
       said('patternsBest', { best: models(onModels(rows, thinPlusIsShallowest)), last: models(onModels(rows, thickPlusIsDeepest)) }),
       said('patternsFinders', { cases: cases(finders), apart: mm(findersApart(rows)) }),
-      said('patternsWhole', {
-        cases: cases(tally(alike, ({ designed }) => designed >= kNeeded)), printed: cases(tally(alike, ({ printed }) => printed >= kNeeded)),
-      }),
+      said('patternsWhole', readsWith(alike)),
+      said('patternsDiamond', readsWith(rows.filter(({ finders }) => finders === 'diamond'))),
       said('patternsReads', {
         thin: reads('thin-plus'), square: reads('square'), diamond: reads('diamond'), thick: reads('thick-plus'), whole: reads('none'),
       }),

@@ -17,6 +17,7 @@ test('the paper’s order of patterns is recognised, and each statement fails al
   assert.deepEqual(judge({ square: 0.2 }), [true, false, true]);
   assert.deepEqual(judge({ diamond: 0.7 }), [true, true, false]);
   assert.equal(looseAreShallowest(depths({ none: 1, square: 2 })), undefined);
+  assert.equal(looseAreShallowest(depths(kPaper), 'none'), undefined);
 });
 
 test('finder patterns are compared with whole finders of the same modules and model', () => {

@@ -5,11 +5,21 @@
 
 namespace qrelief::study {
 
+EngraveRequest publishedRequest(const Spot& spot, ModulePattern modules, FinderPattern finders) {
+  EngraveRequest request = spot.request;
+  request.solver = ContrastSolver::PaperSteps;
+  request.modulePattern = modules;
+  request.finderPattern = finders;
+  request.maxDepthMm = kPublishedMaxDepthModules * spot.placement.moduleMm;
+  return request;
+}
+
 Result<CarvedCode> carveByEngine(const Spot& spot, const EngraveRequest& request, const Symbol* symbol) {
-  auto job = EngraveJob::create(spot.model, request, {spot.search.get(), spot.pass, nullptr, symbol});
+  auto job = EngraveJob::create(spot.model, request, {spot.search.get(), spot.pass, nullptr, symbol, spot.measured});
   if (!job) return tl::unexpected(job.error());
   auto result = runToEnd(**job);
   if (!result) return tl::unexpected(result.error());
+  spot.measured = (*job)->measuredPlace();
   CarvedCode code;
   code.mask = submodulesToCarve(result->symbol, *result->request.modulePattern, *result->request.finderPattern);
   code.symbol = std::move(result->symbol);

@@ -7,6 +7,9 @@
 
 namespace qrelief::study {
 
+/// The spot's request by the published steps [Papp 2022], without the greatest depth that our defaults have.
+EngraveRequest publishedRequest(const Spot& spot, ModulePattern modules, FinderPattern finders);
+
 /// What the program itself makes of a spot: its own methods, and the published steps of Papp 2022.
 /// @param request  the spot's, with other depths, patterns or symbols of the same size; the place stays
 /// @param symbol   carved in place of the request's, of the same size; null: the request's

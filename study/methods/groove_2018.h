@@ -24,7 +24,7 @@ struct GrooveOptions {
   double contrast = 0.3;
   double falloffModules = 1;  ///< d₀
   double stepModules = 0.1;
-  double maxDepthModules = 8;
+  double maxDepthModules = kPublishedMaxDepthModules;
   int rays = 256;
   int maxPasses = 80;
   std::uint64_t seed = 1;

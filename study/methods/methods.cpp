@@ -3,8 +3,7 @@
 
 #include <algorithm>
 
-#include "pipeline/small_modules.h"
-#include "qr/symbol_shaping.h"
+#include "pipeline/default_patterns.h"
 #include "study/methods/by_engine.h"
 #include "study/methods/groove_2018.h"
 #include "study/methods/one_light_2020.h"
@@ -14,7 +13,7 @@
 namespace qrelief::study {
 namespace {
 
-/// Of modules that are not small beside the nozzle.
+/// With patterned finders, as where walls are thin.
 constexpr ModulePattern kOurModules = ModulePattern::ThickPlus;
 constexpr FinderPattern kOurFinders = FinderPattern::ThickPlusSharp;
 
@@ -58,8 +57,8 @@ EngraveRequest patterned(const Spot& spot, ModulePattern modules, FinderPattern 
 /// Papp 2022 with a module pattern and its finders.
 auto paper2022(ModulePattern modules, FinderPattern finders) {
   return [modules, finders](const Spot& spot, double contrast) {
-    EngraveRequest request = patterned(spot, modules, finders, contrast);
-    request.solver = ContrastSolver::PaperSteps;
+    EngraveRequest request = publishedRequest(spot, modules, finders);
+    request.contrast = contrast;
     return carveByEngine(spot, request);
   };
 }
@@ -84,6 +83,7 @@ auto floors2021(FloorShape shape) {
   return [shape](const Spot& spot, double contrast) {
     EngraveRequest request = patterned(spot, ModulePattern::None, FinderPattern::None, contrast);
     request.floor = shape;
+    request.maxDepthMm = kPublishedMaxDepthModules * spot.placement.moduleMm;
     return carveByEngine(spot, request);
   };
 }
@@ -95,27 +95,27 @@ Result<CarvedCode> oursOneLight(const Spot& spot, double contrast) {
   return carveByEngine(spot, request);
 }
 
-auto ours(CarveFor carveFor) {
-  return [carveFor](const Spot& spot, double contrast) {
-    EngraveRequest request = patterned(spot, kOurModules, kOurFinders, contrast);
+auto ours(ModulePattern modules, FinderPattern finders, CarveFor carveFor) {
+  return [modules, finders, carveFor](const Spot& spot, double contrast) {
+    EngraveRequest request = patterned(spot, modules, finders, contrast);
     request.carveFor = carveFor;
     return carveByEngine(spot, request);
   };
 }
 
-/// For the print, with large dark areas broken up, as deep as walls allow.
-auto brokenUp(ModulePattern modules, FinderPattern finders) {
-  return [modules, finders](const Spot& spot, double contrast) {
-    EngraveRequest request = patterned(spot, modules, finders, contrast);
-    request.carveFor = CarveFor::Print;
-    request.maxDepthMm = kMaxDepthSmallModules * spot.placement.moduleMm;
-    Symbol symbol = spot.symbol;
-    breakUpDarkAreas(symbol);
-    return carveByEngine(spot, request, &symbol);
-  };
+/// As the app carves: all is left to pipeline/default_patterns.h but the contrast.
+Result<CarvedCode> oursByDefault(const Spot& spot, double contrast) {
+  EngraveRequest request = spot.request;
+  request.carveFor = CarveFor::Print;
+  request.contrast = contrast;
+  return carveByEngine(spot, request);
 }
 
 }  // namespace
+
+std::string versionOfMethod(const std::vector<std::string>& key) {
+  return versionOf({findMethod(key[1])->search, kLight, kPrint, kDecoding});
+}
 
 Result<Symbol> symbolAtLevel(const Spot& spot, ErrorCorrection level) {
   SymbolOptions options = spot.request.symbol;
@@ -125,12 +125,23 @@ Result<Symbol> symbolAtLevel(const Spot& spot, ErrorCorrection level) {
 }
 
 const std::vector<Method>& methods() {
-  static const std::vector<double> kContrasts = {0.1, 0.15, 0.2, 0.3, 0.4, 0.55};
+  static const std::vector<double> kContrasts = {0.1, 0.15, 0.2, 0.3, 0.4, 0.55, 0.7};
   static const double usual = EngraveRequest{}.contrastAsked();
+  static const double ofDefault = withDefaultPatterns({}, kUsualModuleMm).contrastAsked();
   static const std::vector<Method> kAll = {
-      {"groove-2018", kContrasts, 0.3, DirectionMethod::Pca, groove2018},
-      {"self-shadow-2019", {0.05, 0.08, 0.12, 0.16, 0.2}, 0.2, DirectionMethod::MeanNormal, selfShadow2019},
-      {"one-light-2020", {0.05, 0.08, 0.12, 0.16, 0.2}, 0.2, DirectionMethod::MeanNormal, oneLight2020},
+      {"groove-2018", kContrasts, 0.3, DirectionMethod::Pca, groove2018, {"groove-2018", 1}},
+      {"self-shadow-2019",
+       {0.05, 0.08, 0.12, 0.16, 0.2},
+       0.2,
+       DirectionMethod::MeanNormal,
+       selfShadow2019,
+       {"self-shadow-2019", 1}},
+      {"one-light-2020",
+       {0.05, 0.08, 0.12, 0.16, 0.2},
+       0.2,
+       DirectionMethod::MeanNormal,
+       oneLight2020,
+       {"one-light-2020", 1}},
       {"tilted-2021", kContrasts, usual, DirectionMethod::MeanNormal, floors2021(FloorShape::Tilted)},
       {"wavy-2021", kContrasts, usual, DirectionMethod::MeanNormal, floors2021(FloorShape::Wavy)},
       {"papp-2022", kContrasts, usual, DirectionMethod::DepthBalanced,
@@ -140,15 +151,13 @@ const std::vector<Method>& methods() {
       {"even-depth", {0.15, 0.25, 0.35, 0.45, 0.6, 0.8}, 0.45, DirectionMethod::DepthBalanced, evenDepth},
       {"ours-reading", {0.03, 0.05, 0.08, 0.12, 0.2}, 0.08, DirectionMethod::DepthBalanced, oursReading},
       {"ours-one-light", {0.1, 0.15, 0.2, 0.3, 0.4}, usual, DirectionMethod::DepthBalanced, oursOneLight},
-      {"ours-for-design", kContrasts, usual, DirectionMethod::DepthBalanced, ours(CarveFor::Design)},
-      {"ours-for-print", kContrasts, usual, DirectionMethod::DepthBalanced, ours(CarveFor::Print)},
-      {"ours-broken-up", kContrasts, usual, DirectionMethod::DepthBalanced, brokenUp(kOurModules, kOurFinders)},
-      // The default at the size of these modules (pipeline/small_modules.h).
-      {"ours-whole-modules",
-       {0.1, 0.15, 0.2, 0.25, 0.3, 0.4, 0.55},
-       kSmallModuleContrast * usual,
-       DirectionMethod::DepthBalanced,
-       brokenUp(ModulePattern::None, FinderPattern::None)},
+      {"ours-for-design", kContrasts, usual, DirectionMethod::DepthBalanced,
+       ours(kOurModules, kOurFinders, CarveFor::Design)},
+      {"ours-thick-plus", kContrasts, usual, DirectionMethod::DepthBalanced,
+       ours(kOurModules, kOurFinders, CarveFor::Print)},
+      {"ours-whole-modules", kContrasts, usual, DirectionMethod::DepthBalanced,
+       ours(ModulePattern::None, FinderPattern::None, CarveFor::Print)},
+      {"ours", {0.15, 0.2, 0.25, 0.3, 0.4, 0.55}, ofDefault, DirectionMethod::DepthBalanced, oursByDefault},
   };
   return kAll;
 }

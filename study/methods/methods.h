@@ -7,6 +7,7 @@
 
 #include "study/carved_code.h"
 #include "study/spot.h"
+#include "study/versions.h"
 
 namespace qrelief::study {
 
@@ -19,10 +20,14 @@ struct Method {
   double usual = 0;
   DirectionMethod direction = DirectionMethod::DepthBalanced;
   std::function<Result<CarvedCode>(const Spot&, double level)> carve;
+  Part search = kSearch;  ///< that finds the depths
 };
 
 /// Those that are compared, the oldest first, ours last.
 const std::vector<Method>& methods();
+
+/// Version of a row that has its method in its second column, for Experiment::version.
+std::string versionOfMethod(const std::vector<std::string>& key);
 
 /// @returns null if there is none of that name
 const Method* findMethod(const std::string& name);

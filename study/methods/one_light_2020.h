@@ -26,7 +26,7 @@ struct OneLightOptions {
   double azimuthDeg = 180;  ///< 180: the lamp stands on the left
   bool lock = false;        ///< add modules that are dark under the lower lamp alone (lockedModules2020)
   double stepSubmodules = 0.2;
-  double maxDepthModules = 10;
+  double maxDepthModules = kPublishedMaxDepthModules;
   int rays = 500;
   int maxPasses = 300;
   std::uint64_t seed = 1;

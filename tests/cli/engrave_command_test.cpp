@@ -233,7 +233,7 @@ TEST_F(EngraveCommandTest, PresetsDifferInDepthAndGiveWayToWhatIsSaid) {
   EXPECT_EQ(meanDepth({"--preset", "balanced"}), balanced);
   EXPECT_LT(meanDepth({"--preset", "shallow"}), balanced);
   EXPECT_GT(meanDepth({"--preset", "robust"}), balanced);
-  EXPECT_EQ(meanDepth({"--preset", "robust", "--contrast", "0.3"}), balanced);
+  EXPECT_EQ(meanDepth({"--preset", "robust", "--contrast", "0.25"}), balanced);
   EXPECT_EQ(run({"engrave", model, "--text", "HELLO", "--preset", "deep", "-o", path("out.stl")}).status, 2);
 }
 
@@ -254,7 +254,7 @@ TEST_F(EngraveCommandTest, WhatDoesNotReadAsShallowAsAskedForIsCarvedDeeper) {
   EXPECT_EQ(kept.status, 1);
   EXPECT_NE(kept.err.find("of 72 tries on simulated pictures read the code"), std::string::npos) << kept.err;
   EXPECT_EQ(depth()["preset"], "shallow");
-  EXPECT_EQ(engrave({"--contrast", "0.2"}).status, 1) << "what is said by itself is kept, too";
+  EXPECT_EQ(engrave({"--contrast", "0.16"}).status, 1) << "what is said by itself is kept, too";
   EXPECT_FALSE(depth().contains("preset"));
 
   const Outcome deeper = engrave({"--preset", "shallow"});
@@ -262,7 +262,7 @@ TEST_F(EngraveCommandTest, WhatDoesNotReadAsShallowAsAskedForIsCarvedDeeper) {
   EXPECT_NE(deeper.out.find(": as shallow the code did not read reliably"), std::string::npos) << deeper.out;
   EXPECT_EQ(depth()["askedPreset"], "shallow");
   EXPECT_NE(depth()["preset"], "shallow");
-  EXPECT_GE(depth()["contrast"].get<double>(), 0.3);
+  EXPECT_GE(depth()["contrast"].get<double>(), 0.25);
 }
 
 TEST_F(EngraveCommandTest, EngravesTheBestSpotWhereNoCentreIsGiven) {

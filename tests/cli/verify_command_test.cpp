@@ -18,10 +18,10 @@ TEST_F(VerifyCommandTest, ReadsWhatEngraveWroteAndSaysWhatIsWrongWithOtherModels
                 .status,
             0);
   const Outcome good = run({"verify", path("out.3mf"), "--report", path("out.json"), "--json", path("verified.json"),
-                            "--nozzle", "0.9", "--quick", "--quiet"});
+                            "--nozzle", "1.2", "--quick", "--quiet"});
   EXPECT_EQ(good.status, 0) << good.err;
   EXPECT_NE(good.out.find("reads as: HELLO"), std::string::npos) << good.out;
-  EXPECT_NE(good.out.find("0.9 mm nozzle: choose a module of 1.35 mm or more"), std::string::npos) << good.out;
+  EXPECT_NE(good.out.find("1.2 mm nozzle: choose a module of 1.8 mm or more"), std::string::npos) << good.out;
   EXPECT_EQ(good.err, "");
   const auto json = nlohmann::json::parse(contentOf(path("verified.json")));
   EXPECT_EQ(json["verified"], true);

@@ -10,7 +10,7 @@
 
 #include "messages/sentences.h"
 #include "native/zxing_reader.h"
-#include "pipeline/small_modules.h"
+#include "pipeline/default_patterns.h"
 #include "report/report.h"
 #include "support/brute_force.h"
 #include "support/gl_test.h"
@@ -130,22 +130,32 @@ TEST_F(EngraveTest, RecordsEveryPassOfTheSearchIfItIsAskedTo) {
   EXPECT_NE(record.passes.front().depthMm, last.depthMm);
 }
 
-TEST_F(EngraveTest, SmallModulesAreCarvedAsTheSameSettingsSaidByThemselves) {
+TEST_F(EngraveTest, DefaultPatternsAreCarvedAsTheSameSettingsSaidByThemselves) {
   const auto model = upload(shapes::icosphere(40, 5));
-  EngraveRequest left = request({0, 0, 40}, 20);  // modules of less than a millimetre
-  const auto small = engrave(model, left);
-  ASSERT_TRUE(small.has_value()) << small.error().message;
-  ASSERT_LT(small->placement.moduleMm, kSmallModuleNozzles * left.printer.nozzleMm);
+  EngraveRequest left = request({0, 0, 40}, 25);
+  left.carveFor = CarveFor::Print;
+  const auto byDefault = engrave(model, left);
+  ASSERT_TRUE(byDefault.has_value()) << byDefault.error().message;
   EngraveRequest said = left;
-  said.modulePattern = ModulePattern::None;
+  said.modulePattern = ModulePattern::ThickPlus;
   said.finderPattern = FinderPattern::None;
-  said.symbol.breakUpDarkAreas = true;
-  said.contrast = small->request.contrast;
-  said.maxDepthMm = kMaxDepthSmallModules * small->placement.moduleMm;
+  said.contrast = kWholeFinderContrastSmall * left.contrastAsked();
+  said.maxDepthMm = kMaxDepthModules * byDefault->placement.moduleMm;
   const auto same = engrave(model, said);
   ASSERT_TRUE(same.has_value()) << same.error().message;
-  EXPECT_EQ(small->stl, same->stl);
-  EXPECT_EQ(small->symbol.dark, same->symbol.dark);
+  EXPECT_EQ(byDefault->stl, same->stl);
+}
+
+TEST_F(EngraveTest, FindersArePatternedWhereWallsAreThin) {
+  EngraveRequest left = request({0, 0, 0}, 30);  // modules of 1.2 mm
+  left.placement.upHint = {0, 1, 0};
+  const auto findersOn = [&](double thicknessMm) {
+    const auto result = engrave(upload(shapes::plate({60, 60}, thicknessMm, 4, 4)), left);
+    EXPECT_TRUE(result.has_value());
+    return result ? result->request.finderPattern : std::nullopt;
+  };
+  EXPECT_EQ(findersOn(left.minWallMm + 1.9), FinderPattern::None);
+  EXPECT_EQ(findersOn(left.minWallMm + 1.6), FinderPattern::ThickPlusSharp);
 }
 
 TEST_F(EngraveTest, TheDepthVariesBySubmoduleAndOnlyMaskedSubmodulesAreCarved) {

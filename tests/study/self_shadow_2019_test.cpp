@@ -65,7 +65,8 @@ double meanSteps(const CarvedCode& code, double stepMm, const Condition& conditi
 }
 
 /// Against the authors' logged run of June 2017: version 2, 7750 dark submodules, steps a submodule: mean 7.02, 90 % up
-/// to 10, at most 16; a finder's ring 7 to 10, its core 6 to 9, lone modules 3 to 4; 18 passes.
+/// to 10, at most 16; a finder's ring 7 to 10, its core 6 to 9, lone modules 3 to 4; 18 passes. The ring takes 6.2
+/// steps here: self_shadow_2019.h says why.
 TEST_F(SelfShadow2019, StepsOnAPlateAreThoseOfTheAuthorsLog) {
   const Spot spot = plateSpot(2);
   const SubmoduleMask mask = submodulesToCarve(spot.symbol, ModulePattern::None, FinderPattern::None);
@@ -87,7 +88,7 @@ TEST_F(SelfShadow2019, StepsOnAPlateAreThoseOfTheAuthorsLog) {
   };
   const auto everywhere = [](int, int) { return true; };
   EXPECT_THAT(meanSteps(*code, stepMm, everywhere), AllOf(Ge(0.8 * 7.02), Le(1.2 * 7.02)));
-  EXPECT_THAT(meanSteps(*code, stepMm, isRing), AllOf(Ge(0.8 * 7), Le(10)));
+  EXPECT_THAT(meanSteps(*code, stepMm, isRing), AllOf(Ge(6), Le(10)));
   EXPECT_THAT(meanSteps(*code, stepMm, isCore), AllOf(Ge(6), Le(9)));
   EXPECT_THAT(meanSteps(*code, stepMm, isLone), AllOf(Ge(0.8 * 3), Le(4)));
   EXPECT_EQ(code->limited, 0u);

@@ -23,7 +23,8 @@ class StudyTable : public testing::Test {
   void TearDown() override { fs::remove_all(folder_); }
 
   static Experiment experiment() {
-    return {"squares", {"model", "level"}, {"depth_mm"}, {{"b", "1"}, {"b", "2"}, {"a", "1"}, {"a", "2"}}, {}};
+    return {"squares", {"model", "level"},         {"depth_mm"}, {{"b", "1"}, {"b", "2"}, {"a", "1"}, {"a", "2"}},
+            {},        dependingOn({{"light", 1}})};
   }
   Table opened(const std::string& name = "t.csv") const {
     auto table = Table::open(experiment(), path(name));
@@ -44,7 +45,7 @@ TEST_F(StudyTable, KeepsWhatWasMeasuredForTheNextRun) {
   Table first = opened();
   EXPECT_THAT(first.find({"a", "1"}), IsNull());
   ASSERT_TRUE(first.add({"a", "1"}, {"0.5", ""}).has_value());
-  EXPECT_THAT(opened().find({"a", "1"}), Pointee(ElementsAre("0.5", "")));
+  EXPECT_THAT(opened().find({"a", "1"}), Pointee(ElementsAre("0.5", "", "light 1")));
 }
 
 TEST_F(StudyTable, IsWrittenInTheOrderOfTheCases) {
@@ -52,17 +53,23 @@ TEST_F(StudyTable, IsWrittenInTheOrderOfTheCases) {
   for (const Row& key : {Row{"a", "1"}, Row{"b", "2"}, Row{"b", "1"}, Row{"x", "9"}})
     ASSERT_TRUE(table.add(key, {"1", ""}).has_value());
   ASSERT_TRUE(table.write(experiment()).has_value());
-  EXPECT_EQ(contents(), "model,level,depth_mm,failed\nb,1,1,\nb,2,1,\na,1,1,\n");
+  EXPECT_EQ(contents(), "model,level,depth_mm,failed,version\nb,1,1,,light 1\nb,2,1,,light 1\na,1,1,,light 1\n");
 }
 
 TEST_F(StudyTable, DropsALineThatWasCutOff) {
-  std::ofstream(path()) << "model,level,depth_mm,failed\na,1,0.5,\na,2,0.";
-  EXPECT_THAT(opened().find({"a", "1"}), Pointee(ElementsAre("0.5", "")));
+  std::ofstream(path()) << "model,level,depth_mm,failed,version\na,1,0.5,,light 1\na,2,0.";
+  EXPECT_THAT(opened().find({"a", "1"}), Pointee(ElementsAre("0.5", "", "light 1")));
   EXPECT_THAT(opened().find({"a", "2"}), IsNull());
 }
 
+TEST_F(StudyTable, LacksARowOfAnotherVersion) {
+  std::ofstream(path()) << "model,level,depth_mm,failed,version\na,1,0.5,,light 0\n";
+  EXPECT_THAT(opened().find({"a", "1"}), IsNull());
+  EXPECT_TRUE(opened().has({"a", "1"}));
+}
+
 TEST_F(StudyTable, RefusesOtherColumns) {
-  std::ofstream(path()) << "model,depth_mm,failed\na,0.5,\n";
+  std::ofstream(path()) << "model,depth_mm,failed,version\na,0.5,,light 1\n";
   const auto table = Table::open(experiment(), path());
   ASSERT_FALSE(table.has_value());
   EXPECT_EQ(table.error().message.code, "study-other-columns");
@@ -73,7 +80,7 @@ TEST_F(StudyTable, TakesOverTheRowsOfOtherProcesses) {
   ASSERT_TRUE(part.add({"a", "2"}, {"2", ""}).has_value());
   Table whole = opened();
   whole.take(part);
-  EXPECT_THAT(whole.find({"a", "2"}), Pointee(ElementsAre("2", "")));
+  EXPECT_THAT(whole.find({"a", "2"}), Pointee(ElementsAre("2", "", "light 1")));
 }
 
 TEST(Study, CasesAreNamedOnceAndHaveAllKeys) {
@@ -94,7 +101,7 @@ TEST(Study, KeptTablesAreThoseOfTheExperiments) {
     ++kept;
     const auto table = Table::open(experiment, path.string());
     ASSERT_TRUE(table.has_value()) << experiment.name;
-    const auto isKept = [&](const Row& key) { return table->find(key) != nullptr; };
+    const auto isKept = [&](const Row& key) { return table->has(key); };
     std::ifstream stream(path);
     const auto lines = std::count(std::istreambuf_iterator<char>(stream), {}, '\n');
     EXPECT_EQ(lines - 1, std::count_if(experiment.cases.begin(), experiment.cases.end(), isKept)) << experiment.name;

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/default_patterns.h"
+
+#include "verification/printability.h"
+
+namespace qrelief {
+namespace {
+
+constexpr ModulePattern kModules = ModulePattern::ThickPlus;
+constexpr FinderPattern kPatternedFinders = FinderPattern::ThickPlusSharp;
+
+/// Share of the finders' submodules that may be less deep than kWholeFinderDepthModules.
+constexpr double kMostShallow = 0.1;
+
+bool mayHaveWholeFinders(const EngraveRequest& request) {
+  return !request.modulePattern && !request.finderPattern && request.objective == DepthObjective::Contrast &&
+         request.solver == ContrastSolver::Fast && request.floor == FloorShape::Flat && request.lights.empty();
+}
+
+}  // namespace
+
+EngraveRequest withDefaultPatterns(EngraveRequest request, double moduleMm, bool areWallsThin) {
+  const bool hasWholeFinders = mayHaveWholeFinders(request) && !areWallsThin;
+  const bool isSmall = moduleMm < kSmallModuleNozzles * request.printer.nozzleMm;
+  if (hasWholeFinders && !request.contrast)
+    request.contrast = (isSmall ? kWholeFinderContrastSmall : kWholeFinderContrast) * request.contrastAsked();
+  if (!request.finderPattern) request.finderPattern = hasWholeFinders ? FinderPattern::None : kPatternedFinders;
+  if (!request.modulePattern) request.modulePattern = kModules;
+  if (!request.maxDepthMm) request.maxDepthMm = kMaxDepthModules * moduleMm;
+  return request;
+}
+
+bool wallsAreThinForWholeFinders(const Symbol& symbol, const std::vector<double>& limitsMm, double moduleMm) {
+  const int edge = kSubmodulesPerModule * symbol.size;
+  int shallow = 0, count = 0;
+  for (int row = 0; row < edge; ++row)
+    for (int column = 0; column < edge; ++column) {
+      const int moduleRow = row / kSubmodulesPerModule, moduleColumn = column / kSubmodulesPerModule;
+      if (symbol.role(moduleRow, moduleColumn) != ModuleRole::Finder || !symbol.isDark(moduleRow, moduleColumn))
+        continue;
+      ++count;
+      shallow += limitsMm[static_cast<std::size_t>(row * edge + column)] < kWholeFinderDepthModules * moduleMm;
+    }
+  return shallow > kMostShallow * count;
+}
+
+double leastPrintableModuleMm(const Symbol& symbol, const EngraveRequest& request) {
+  return leastPrintableModuleMm(symbol, request.modulePattern.value_or(kModules),
+                                request.finderPattern.value_or(kPatternedFinders), request.printer);
+}
+
+}  // namespace qrelief

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <initializer_list>
+#include <string>
+
+namespace qrelief::study {
+
+/// A part of the program that rows of tables depend on, with the version of what it computes. Whoever changes that,
+/// other than by rounding, raises the version: `script/study` then measures the rows again that depend on it.
+struct Part {
+  const char* name;
+  int version;
+};
+
+inline constexpr Part kPlacement{"placement", 1};  ///< directions and sizes: core/projection
+inline constexpr Part kSearch{"search", 2};        ///< depths by the program itself: core/carving, core/pipeline
+inline constexpr Part kLight{"light", 2};          ///< light on carved surfaces, 1: by path tracing (decision 0040)
+inline constexpr Part kPrint{"print", 2};          ///< the surface as printed: core/printing
+inline constexpr Part kDecoding{"decoding", 1};    ///< pictures and decoders: core/verification
+
+/// As tables have it: "search 2 light 2".
+inline std::string versionOf(std::initializer_list<Part> parts) {
+  std::string version;
+  for (const Part& part : parts)
+    version += (version.empty() ? "" : " ") + std::string(part.name) + " " + std::to_string(part.version);
+  return version;
+}
+
+}  // namespace qrelief::study

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/default_patterns.h"
+
+#include <gtest/gtest.h>
+#include <vector>
+
+#include "settings/settings.h"
+#include "verification/printability.h"
+
+namespace qrelief {
+namespace {
+
+constexpr double kModuleMm = 1.1, kSmallModuleMm = 1.0;
+
+class DefaultPatternsTest : public testing::Test {
+ protected:
+  DefaultPatternsTest() {
+    request_.text = "https://example.org/p/2026";
+    request_.printer.nozzleMm = 0.4;
+    symbol_ = *encodeSymbol(request_.text, request_.symbol);
+  }
+
+  EngraveRequest request_ = defaultRequest();
+  Symbol symbol_;
+};
+
+TEST_F(DefaultPatternsTest, FindersAreWholeWithFiveSixthsOfTheContrast) {
+  const EngraveRequest carved = withDefaultPatterns(request_, kModuleMm);
+  EXPECT_EQ(carved.modulePattern, ModulePattern::ThickPlus);
+  EXPECT_EQ(carved.finderPattern, FinderPattern::None);
+  EXPECT_NEAR(carved.contrastAsked(), 0.25, 1e-12);
+  EXPECT_EQ(carved.maxDepthMm, kMaxDepthModules * kModuleMm);
+}
+
+TEST_F(DefaultPatternsTest, ModulesNarrowerThanTwoPointSixNozzlesTakeNineTenths) {
+  EXPECT_NEAR(withDefaultPatterns(request_, kSmallModuleMm).contrastAsked(), 0.27, 1e-12);
+  request_.printer.nozzleMm = 0.25;
+  EXPECT_NEAR(withDefaultPatterns(request_, kSmallModuleMm).contrastAsked(), 0.25, 1e-12);
+}
+
+TEST_F(DefaultPatternsTest, ThinWallsTakePatternedFindersAndThePresetsContrast) {
+  const EngraveRequest carved = withDefaultPatterns(request_, kModuleMm, true);
+  EXPECT_EQ(carved.modulePattern, ModulePattern::ThickPlus);
+  EXPECT_EQ(carved.finderPattern, FinderPattern::ThickPlusSharp);
+  EXPECT_EQ(carved.contrast, std::nullopt);
+}
+
+TEST_F(DefaultPatternsTest, WallsAreThinWhereATenthOfTheFindersIsLimitedToLessThanOneAndAHalfModules) {
+  const auto edge = static_cast<std::size_t>(kSubmodulesPerModule * symbol_.size);
+  std::vector<double> limits(edge * edge, 1.5 * kModuleMm);
+  EXPECT_FALSE(wallsAreThinForWholeFinders(symbol_, limits, kModuleMm));
+  for (std::size_t i = edge * 8 * kSubmodulesPerModule; i < limits.size() - edge * 8 * kSubmodulesPerModule; ++i)
+    limits[i] = 0;  // below the upper finders and above the lower one
+  EXPECT_FALSE(wallsAreThinForWholeFinders(symbol_, limits, kModuleMm));
+  for (std::size_t i = 0; i < edge * kSubmodulesPerModule; ++i) limits[i] = 1.4 * kModuleMm;  // 14 of 99 modules
+  EXPECT_TRUE(wallsAreThinForWholeFinders(symbol_, limits, kModuleMm));
+}
+
+TEST_F(DefaultPatternsTest, WhatTheRequestSaysItselfStays) {
+  request_.contrast = 0.4;
+  request_.maxDepthMm = 0.9;
+  const EngraveRequest carved = withDefaultPatterns(request_, kModuleMm);
+  EXPECT_EQ(carved.finderPattern, FinderPattern::None);
+  EXPECT_EQ(carved.contrast, 0.4);
+  EXPECT_EQ(carved.maxDepthMm, 0.9);
+}
+
+TEST_F(DefaultPatternsTest, ANamedPatternOrAnotherWayOfCarvingHasPatternedFinders) {
+  std::vector<EngraveRequest> others(6, request_);
+  others[0].modulePattern = ModulePattern::Diamond;
+  others[1].finderPattern = FinderPattern::Diamond;
+  others[2].lights = {DirectionalLight{}};
+  others[3].floor = FloorShape::Wavy;
+  others[4].solver = ContrastSolver::PaperSteps;
+  others[5].objective = DepthObjective::Reading;
+  for (const EngraveRequest& other : others) {
+    const EngraveRequest carved = withDefaultPatterns(other, kModuleMm);
+    EXPECT_EQ(carved.modulePattern, other.modulePattern.value_or(ModulePattern::ThickPlus));
+    EXPECT_EQ(carved.finderPattern, other.finderPattern.value_or(FinderPattern::ThickPlusSharp));
+    EXPECT_EQ(carved.contrast, std::nullopt);
+  }
+}
+
+TEST_F(DefaultPatternsTest, DecidingTwiceIsDecidingOnce) {
+  const EngraveRequest once = withDefaultPatterns(request_, kModuleMm);
+  EXPECT_EQ(withDefaultPatterns(once, kModuleMm), once);
+}
+
+TEST_F(DefaultPatternsTest, WhatPrintsAtLeastIsSaidOfThePatternThatIsNamedElseOfThickPlus) {
+  const double thickPlus =
+      leastPrintableModuleMm(symbol_, ModulePattern::ThickPlus, FinderPattern::ThickPlusSharp, request_.printer);
+  EXPECT_EQ(leastPrintableModuleMm(symbol_, request_), thickPlus);
+  request_.modulePattern = ModulePattern::Square;
+  EXPECT_GT(leastPrintableModuleMm(symbol_, request_), thickPlus);
+}
+
+}  // namespace
+}  // namespace qrelief
