@@ -66,7 +66,7 @@ test('The model is looked at from every side, cut open, carved, and as a phone s
     await expect.poll(() => shareOf(app.canvas, isTeal)).toBeLessThan(0.03);
     await page.getByRole('button', { name: 'Depths' }).click();
     await expect(legend).toContainText(/Depth of the carving\s*0 mm\s*[\d.]+ mm\s*[\d.]+ mm/);
-    await expect.poll(() => shareOf(app.canvas, isTeal)).toBeGreaterThan(0.05);
+    await expect.poll(() => shareOf(app.canvas, isTeal)).toBeGreaterThan(0.035);
     const { depth } = await app.report();
     const top = Number(/([\d.]+) mm$/.exec((await legend.innerText()).trim())?.[1]);
     expect(top).toBeGreaterThanOrEqual(depth.maxMm - 1e-3);

@@ -90,7 +90,7 @@ Result<EngraveRequest> Workshop::usualRequest(const std::string& modelName) {
   return request;
 }
 
-Result<const Spot*> Workshop::spotFor(const std::string& modelName, EngraveRequest request, double scale,
+Result<const Spot*> Workshop::spotFor(const std::string& modelName, const EngraveRequest& request, double scale,
                                       const std::string& key) {
   if (const auto known = spots_.find(key); known != spots_.end()) return &known->second;
   auto loaded = model(modelName, scale);

@@ -53,7 +53,7 @@ class Workshop {
 
  private:
   Result<Vec3> centreOf(const std::string& modelName);
-  Result<const Spot*> spotFor(const std::string& modelName, EngraveRequest request, double scale,
+  Result<const Spot*> spotFor(const std::string& modelName, const EngraveRequest& request, double scale,
                               const std::string& key);
 
   std::string samplesFolder_;
