@@ -78,7 +78,7 @@ test('The model is looked at from every side, cut open, carved, and as a phone s
     await expect(before).toHaveAttribute('aria-pressed', 'true');
     await expect.poll(() => shareOf(app.canvas, isTeal)).toBeLessThan(0.03);
     await page.keyboard.up('Space');
-    await expect.poll(() => shareOf(app.canvas, isTeal)).toBeGreaterThan(0.05);
+    await expect.poll(() => shareOf(app.canvas, isTeal)).toBeGreaterThan(0.035);
     await page.getByRole('button', { name: 'Carved' }).click();
     await expect(legend).toBeHidden();
     await expect(before).toBeDisabled();
