@@ -20,13 +20,14 @@ export const spreadOf = (rows) => median([...groupBy(rows, 'model').values()].fl
   [...groupBy(ofModel, 'method').values()].map((of) => Math.max(...of.map(({ printed }) => printed)) - Math.min(...of.map(({ printed }) => printed)))));
 
 /**
- * Models on which every method was read with every text: on others methods cannot be compared.
+ * Models on which every method, our default among them, was read with every text: on others methods cannot be compared.
  * @param {Row[]} rows
  * @returns {Row[][]}  by model
  */
 export function wholeModels(rows) {
   const each = distinct(rows, 'method').length * distinct(rows, 'text').length;
-  return [...groupBy(rows, 'model').values()].filter((ofModel) => ofModel.length === each);
+  return [...groupBy(rows, 'model').values()].filter((ofModel) => ofModel.length === each
+    && ofModel.some(({ method }) => method === kDefaultMethod));
 }
 
 /** Methods that are read more often than the default. @param {Row[]} ofModel @returns {string[]} */
