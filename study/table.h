@@ -20,9 +20,6 @@ class Table {
   /// Values of a row; null where it is missing or of another version.
   const Row* find(const Row& key) const;
 
-  /// Whether there is a row, of whatever version.
-  bool has(const Row& key) const { return rows_.contains(key); }
-
   /// Adds a row and writes the file, under a temporary name first.
   Status add(const Row& key, Row values);
 
