@@ -186,9 +186,7 @@ Verdict Carvings::setReadings(const std::vector<std::string>& texts, const std::
   return verdict();
 }
 
-Verdict Carvings::verdict() const {
-  return judge(current_.request, *current_.result, current_.reading, current_.printed ? &*current_.printed : nullptr);
-}
+Verdict Carvings::verdict() const { return judge(current_.request, *current_.result, current_.reading, printed()); }
 
 Result<EngraveRequest> Carvings::printedAs(const std::string& changed) const {
   auto settings = nlohmann::ordered_json::parse(settingsJson(current_.request));
@@ -214,9 +212,10 @@ Result<Aspect> Carvings::judgePrint(const std::string& changed, const std::vecto
   return judge(*request, *current_.result, current_.reading, &printed).prints;
 }
 
-void Carvings::setPrintedReadings(const std::vector<std::string>& texts, double facingDeg) {
+Verdict Carvings::setPrintedReadings(const std::vector<std::string>& texts, double facingDeg) {
   current_.printed = {evidenceOf(texts, current_.request.text, true),
                       std::string(namedPrinters()[*current_.request.process].name), facingDeg};
+  return verdict();
 }
 
 Carvings::Row Carvings::row(double totalMs) const {

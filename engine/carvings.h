@@ -64,7 +64,10 @@ class Carvings {
   /// @param changed  settings of the printing that are other than those carved with, see requestFromJson()
   Result<std::optional<PrintedViewRequest>> printedView(const std::string& changed) const;
   /// What decoders made of the print's frontalPictures(), try by try. There must be a carving with a printedView().
-  void setPrintedReadings(const std::vector<std::string>& texts, double facingDeg);
+  /// @returns the verdict on the carving with that
+  Verdict setPrintedReadings(const std::vector<std::string>& texts, double facingDeg);
+  /// Null before setPrintedReadings().
+  const PrintedEvidence* printed() const { return current_.printed ? &*current_.printed : nullptr; }
   /// What a print with changed settings would come to; nothing is kept. There must be a carving.
   Result<Aspect> judgePrint(const std::string& changed, const std::vector<std::string>& texts, double facingDeg) const;
   /// What the manifest of a batch says of it. There must be a carving.

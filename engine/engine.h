@@ -108,7 +108,8 @@ class Engine {
   std::optional<JobMap> jobMap(const std::string& name) const;
   /// What decoders are to try, each with each of its binarisers: see frontalPictures(). Empty before an engraving.
   std::vector<GreyImage> readingPictures() const;
-  /// {passed, next}: what the tries on readingPictures() come to, and the preset to carve with next, or null.
+  /// {passed, next}: whether the code reads by the tries on readingPictures(), and the change to carve with next, or
+  /// null; see changeToTryNext().
   /// @param texts   a JSON list, in the pictures' order, binariser by binariser; "" where nothing was read
   /// @param reader  which decoder
   std::string setReadings(const std::string& texts, const std::string& reader);
@@ -119,7 +120,8 @@ class Engine {
   std::string printOrder(const std::string& changed) const;
   /// The carved model as binary STL; empty before an engraving is printable.
   std::vector<std::uint8_t> stlToPrint() const;
-  /// What the tries on the print's pictures come to is in the report from now on.
+  /// Puts the tries on the print's pictures into the report. {passed, next}: whether the code reads as carved and as
+  /// printed, and the change to carve with next, or null.
   /// @param texts      as of setReadings()
   /// @param facingDeg  see PrintedCode::advance()
   std::string setPrintedReadings(const std::string& texts, double facingDeg);

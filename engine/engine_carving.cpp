@@ -15,6 +15,10 @@ namespace {
 
 const Error kNoResult = {ErrorKind::BadUsage, message("nothing-engraved")};
 
+Json jsonOf(const std::optional<SettingChange>& change) {
+  return change ? Json{{"setting", change->setting}, {"value", change->value}} : Json();
+}
+
 }  // namespace
 
 std::string Engine::prepareEngrave() {
@@ -92,10 +96,9 @@ std::string Engine::setReadings(const std::string& texts, const std::string& rea
   const Result<Json> read = parseJson(texts);
   if (!read) return answer(read.error());
   const Verdict verdict = carvings_.setReadings(read->get<std::vector<std::string>>(), reader);
-  Json next;
-  if (const auto change = changeToTryNext(carvings_.request(), verdict))
-    next = {{"setting", change->setting}, {"value", change->value}};
-  return textOf({{"ok", true}, {"passed", verdict.reads.passed()}, {"next", next}});
+  return textOf({{"ok", true},
+                 {"passed", verdict.reads.passed()},
+                 {"next", jsonOf(changeToTryNext(carvings_.request(), verdict))}});
 }
 
 std::string Engine::printOrder(const std::string& changed) const {
@@ -113,8 +116,10 @@ std::string Engine::setPrintedReadings(const std::string& texts, double facingDe
   if (!carvings_.result() || !carvings_.request().process) return answer(kNoResult);
   const Result<Json> read = parseJson(texts);
   if (!read) return answer(read.error());
-  carvings_.setPrintedReadings(read->get<std::vector<std::string>>(), facingDeg);
-  return done();
+  const Verdict verdict = carvings_.setPrintedReadings(read->get<std::vector<std::string>>(), facingDeg);
+  return textOf({{"ok", true},
+                 {"passed", verdict.reads.passed() && carvings_.printed()->reading.count.enough()},
+                 {"next", jsonOf(changeToTryNext(carvings_.request(), verdict, carvings_.printed()))}});
 }
 
 std::string Engine::otherPrints() const {

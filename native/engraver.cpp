@@ -116,7 +116,25 @@ Result<Engraved> Engraver::engrave(const EngraveRequest& request, const Tell& te
     break;
   }
   if (!looksAtPrint) return std::move(asked->engraved);
-  return withPrint(std::move(*asked), tell);
+  auto printed = withPrint(std::move(*asked), tell);
+  if (!printed) return printed;
+  return untilItPrints(std::move(*printed), tell);
+}
+
+/// With the next deeper presets while too few tries read its print. @returns the first whose print reads, else `asked`
+Result<Engraved> Engraver::untilItPrints(Engraved asked, const Tell& tell) const {
+  const auto nextAfter = [](const Engraved& carved) {
+    return changeToTryNext(carved.request, carved.verdict, carved.printed ? &*carved.printed : nullptr);
+  };
+  EngraveRequest deeper = asked.request;
+  for (auto next = nextAfter(asked); next;) {
+    apply(*next, deeper);
+    auto carved = engraveOnce(deeper, tell);
+    if (!carved || !carved->verdict.reads.passed()) break;
+    next = nextAfter(*carved);
+    if (carved->printed && carved->printed->reading.count.enough()) return carved;
+  }
+  return asked;
 }
 
 Result<std::vector<std::uint8_t>> encodeCarved(const EngraveResult& result, std::span<const std::string> partNames,

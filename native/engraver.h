@@ -34,8 +34,8 @@ class Engraver {
   /// @param model  checked: see PreparedModel::engravable()
   static Result<Engraver> create(std::shared_ptr<const EngravableModel> model);
 
-  /// As asked for; where the code does not read so, for the design alone, and with the next deeper presets
-  /// (changeToTryNext()); where it reads with none of them, as asked for.
+  /// Carves as asked for. If the code does not read, or its print barely does, tries the changes of changeToTryNext()
+  /// one after the other. The first that mends it is delivered; if none does, the code as asked for.
   /// @param looksAtPrint  find out how it comes off the printer, too, which takes two fifths of the time
   Result<Engraved> engrave(const EngraveRequest& request, const Tell& tell, bool looksAtPrint = true) const;
 
@@ -66,6 +66,7 @@ class Engraver {
   Result<Carving> carve(const EngraveRequest& request, const Tell& tell, bool looksAtPrint) const;
   static Result<Print> printed(const VerifyRequest& request, const Mesh& carved);
   Result<Engraved> withPrint(Carving carving, const Tell& tell) const;
+  Result<Engraved> untilItPrints(Engraved asked, const Tell& tell) const;
 
   std::shared_ptr<const EngravableModel> model_;
   std::shared_ptr<const GeometryPass> pass_;

@@ -293,6 +293,7 @@ export class App {
         this.session_.notePrinted();
         this.preparing_.plan();  // it waited for the print
       },
+      guard: (action) => this.guard_(action),
     });
   }
 

@@ -57,7 +57,7 @@ struct EngraveRequest {
   /// Other than flat for DepthObjective::Contrast by ContrastSolver::Fast only.
   FloorShape floor = FloorShape::Flat;
   Preset preset = Preset::Balanced;  ///< how dark carved submodules are; where the code does not read, a deeper one
-  bool keepPreset = false;           ///< carve no deeper than the preset says, whether the code reads or not
+  bool keepPreset = false;  ///< carve no deeper than the preset says, whether the code and its print read or not
   /// A carved submodule is darker than its surroundings by this fraction, 0 < c < 1; none: that of the preset.
   std::optional<double> contrast;
   ContrastSolver solver = ContrastSolver::Fast;

@@ -282,9 +282,12 @@ Verdict judge(const VerifyRequest& request, const VerifyResult& result, const Pr
   return verdict;
 }
 
-std::optional<SettingChange> changeToTryNext(const EngraveRequest& request, const Verdict& verdict) {
-  if (verdict.reads.passed()) return std::nullopt;
-  if (request.isForPrint()) return SettingChange{"carveFor", "design"};
+std::optional<SettingChange> changeToTryNext(const EngraveRequest& request, const Verdict& verdict,
+                                             const PrintedEvidence* printed) {
+  const bool reads = verdict.reads.passed();
+  if (reads && !(printed && verdict.prints.level == Level::Barely && !printed->reading.count.enough()))
+    return std::nullopt;
+  if (!reads && request.isForPrint()) return SettingChange{"carveFor", "design"};
   const bool mayGoDeeper = !request.contrast && !request.keepPreset && request.objective != DepthObjective::Reading;
   const std::optional<Preset> deeper = mayGoDeeper ? deeperPreset(request.preset) : std::nullopt;
   return deeper ? std::optional(SettingChange{"preset", presetName(*deeper)}) : std::nullopt;

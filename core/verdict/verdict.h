@@ -85,9 +85,14 @@ Verdict judge(const VerifyRequest& request, const VerifyResult& result, const Pr
 Aspect judgePrinted(const PrintedEvidence& printed, const Printer& printer, const std::string& wanted,
                     std::vector<Message> advice = {});
 
-/// What to carve with next where the code does not read: for the design alone, then the next deeper presets, if the
-/// request allows that. Carving for the print makes some modules deeper than walls let others be, and can cost the
-/// design.
-std::optional<SettingChange> changeToTryNext(const EngraveRequest& request, const Verdict& verdict);
+/// The change to try next, if the request allows it; none: nothing is left to try.
+///
+/// - Where the code does not read: carving for the design alone, then the next deeper presets. Carving for the print
+///   makes some modules deeper than walls let others be, and can cost the design.
+/// - Where it reads, but its print barely does: the next deeper preset. A print that no try reads is not mended so.
+///
+/// @param printed  null: the print is not known
+std::optional<SettingChange> changeToTryNext(const EngraveRequest& request, const Verdict& verdict,
+                                             const PrintedEvidence* printed = nullptr);
 
 }  // namespace qrelief

@@ -82,7 +82,13 @@ TEST_F(PrintedCodeTest, WhatWasReadOfThePrintIsInTheReportOfThatCarving) {
   carve(25.2, "fdm-0.4/0.2");
   EXPECT_TRUE(Json::parse(engine_->report())["verification"]["printed"].is_null());
   const int first = engine_->carving();
-  EXPECT_EQ(Json::parse(engine_->setPrintedReadings(R"(["QRELIEF", ""])", 0))["ok"], true);
+  engine_->setReadings(R"(["QRELIEF"])", "a decoder");
+  const Json barely = Json::parse(engine_->setPrintedReadings(R"(["QRELIEF", "", "", ""])", 0));
+  EXPECT_EQ(barely["next"], (Json{{"setting", "preset"}, {"value", "robust"}})) << barely;
+  EXPECT_EQ(barely["passed"], false);
+  const Json enough = Json::parse(engine_->setPrintedReadings(R"(["QRELIEF", ""])", 0));
+  EXPECT_EQ(enough["passed"], true) << enough;
+  EXPECT_TRUE(enough["next"].is_null());
   const Json report = Json::parse(engine_->report())["verification"];
   EXPECT_EQ(report["printed"]["process"], "fdm-0.4/0.2");
   EXPECT_EQ(report["printed"]["tries"], 2);

@@ -103,6 +103,21 @@ TEST_F(VerdictTest, TheNextDeeperPresetIsTriedUntilTheLastUnlessTheRequestKeepsI
   EXPECT_EQ(changeToTryNext(request_, judged(0)), std::nullopt);
 }
 
+TEST_F(VerdictTest, TheNextDeeperPresetIsTriedWhereThePrintBarelyReads) {
+  const auto next = [&](int reads, double facingDeg = 0) {
+    const PrintedEvidence printed{evidence(reads), {}, facingDeg};
+    const Verdict verdict = judge(request_, carved(request_, 30, 0.5), evidence(72), &printed);
+    return changeToTryNext(request_, verdict, &printed);
+  };
+  request_.carveFor = CarveFor::Print;
+  EXPECT_EQ(next(29), std::nullopt);
+  EXPECT_EQ(next(29, 120), std::nullopt) << "deeper pockets do not turn a code that hangs";
+  EXPECT_EQ(next(28), (SettingChange{"preset", "robust"}));
+  EXPECT_EQ(next(11), std::nullopt) << "too few reads to hope for";
+  request_.keepPreset = true;
+  EXPECT_EQ(next(28), std::nullopt);
+}
+
 TEST_F(VerdictTest, WhatWasCarvedForThePrintIsTriedForTheDesignAloneFirst) {
   request_.carveFor = CarveFor::Print;
   EXPECT_EQ(changeToTryNext(request_, judged(29)), std::nullopt);

@@ -130,8 +130,8 @@ export class RowEngine {
     const entry = { number, id, text, file, status: 'failed', sha256: { input: this.job_.input, settings: await this.hashOf(index, others) } };
     const withInlay = settings.inlay ?? false;
     try {
-      await this.carveUntilItReads_(settings);
-      if (looksAtPrint) await this.lookAtPrint_();
+      const carved = await this.carveUntilItReads_(settings);
+      if (looksAtPrint) await this.carveUntilItPrints_(carved);
       const { passed, failed, details } = await this.client_.describeRow(performance.now() - begun);
       if (!passed) return { row: { entry: { ...entry, ...details }, why: failed[0] }, withInlay };
       return { row: { entry: { ...entry, ...details, status: 'done' } }, withInlay };
@@ -147,12 +147,32 @@ export class RowEngine {
     return sha256(await this.client_.batchRowToHash(index, { centre: centreMm, others: `${scaleToMm} ${upAxis}${others}` }));
   }
 
-  /** As asked for; where it does not read so, as the module proposes next, if it reads with that. @param {Settings} asked */
+  /**
+   * As asked for; where it does not read so, as the module proposes next.
+   * @param {Settings} asked
+   * @returns {Promise<Settings>}  it was carved with at last
+   */
   async carveUntilItReads_(asked) {
     let settings = asked;
     for (let next = await this.carveOnce_(settings); next; ) {
       settings = { ...settings, [next.setting]: next.value };
       next = await this.carveOnce_(settings);
+    }
+    return settings;
+  }
+
+  /** Prints what is carved; if that barely reads, carves deeper until a print reads well, else goes back. @param {Settings} carved */
+  async carveUntilItPrints_(carved) {
+    const first = await this.client_.carving();
+    let settings = carved;
+    for (let result = await this.lookAtPrint_(); !result.passed && result.next; ) {
+      settings = { ...settings, [result.next.setting]: result.next.value };
+      const reads = await this.carveOnce_(settings).then((next) => next === null, (thrown) => {
+        if (isLost(thrown)) throw thrown;
+        return false;
+      });
+      result = reads ? await this.lookAtPrint_() : { passed: false, next: null };
+      if (!result.passed && !result.next) await this.client_.useCarving(first);
     }
   }
 
@@ -166,12 +186,15 @@ export class RowEngine {
     return (await this.client_.setReadings(texts, kReaderName)).next;
   }
 
+  /** @returns {Promise<import('../engine/types.js').ReadingResult>}  of the print; where none is asked for, it passes */
   async lookAtPrint_() {
     const job = await this.client_.printJob();
-    if (!job) return;
+    if (!job) return { passed: true, next: null };
     const print = await this.print_(job, { signal: this.ended_.signal, onProgress: () => {} });
     if (!print) throw new EngineFailure(internal(message('engine-replaced')));
-    await this.client_.setPrintedReadings(await this.client_.carving(), await this.read_(print.pictures), print.facingDeg);
+    const result = await this.client_.setPrintedReadings(await this.client_.carving(), await this.read_(print.pictures), print.facingDeg);
+    if (!result) throw new EngineFailure(internal(message('engine-replaced')));
+    return result;
   }
 }
 

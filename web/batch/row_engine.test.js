@@ -36,6 +36,7 @@ beforeEach(() => {
     exportModel: new Uint8Array([1, 2]),
     printJob: { order: {}, stl: new Uint8Array() },
     carving: 7,
+    setPrintedReadings: () => ({ passed: true, next: null }),
   };
   const client = new Proxy({}, { get: (_, name) => async (/** @type {any[]} */ ...args) => {
     calls.push([name, ...args.filter((arg) => typeof arg !== 'object')].join(' '));
@@ -74,6 +75,31 @@ test('What does not read is carved as the module proposes', async () => {
   nexts = [{ setting: 'preset', value: 'robust' }, null];
   assert.equal((await carveSecond()).entry.status, 'done');
   assert.deepEqual(configured.map(({ preset }) => preset), ['balanced', 'robust']);
+});
+
+test('What barely reads as printed is carved deeper, and stays so only if its print reads then', async () => {
+  const robust = { setting: 'preset', value: 'robust' };
+  for (const isMended of [true, false]) {
+    calls = [];
+    configured = [];
+    nexts = [null, null];
+    const prints = [{ passed: false, next: robust }, { passed: isMended, next: null }];
+    answers.setPrintedReadings = () => prints.shift();
+    assert.equal((await carveSecond(true)).entry.status, 'done');
+    assert.deepEqual(configured.map(({ preset }) => preset), ['balanced', 'robust']);
+    assert.equal(calls.includes('useCarving 7'), !isMended);
+  }
+});
+
+test('What cannot be carved deeper for its print stays as it was asked for', async () => {
+  answers.setPrintedReadings = () => ({ passed: false, next: { setting: 'preset', value: 'robust' } });
+  let carvings = 0;
+  answers.engrave = () => {
+    carvings += 1;
+    if (carvings === 2) throw new EngineFailure({ kind: 'NoSolution', ...message('no-centre') });
+  };
+  assert.equal((await carveSecond(true)).entry.status, 'done');
+  assert.ok(calls.includes('useCarving 7'));
 });
 
 test('A row whose checks do not pass has no file, and says which', async () => {

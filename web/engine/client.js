@@ -247,7 +247,7 @@ export class EngineClient {
    * @param {number} number     of the carving that was printed
    * @param {string[]} texts    what each try on the print's pictures read, '' if nothing
    * @param {number} facingDeg  see Print
-   * @returns {Promise<import('./types.js').Report | null>}  with the print in it; null if another carving is there now
+   * @returns {Promise<import('./types.js').PrintedResult | null>}  null if another carving is there now
    */
   setPrintedReadings(number, texts, facingDeg) { return this.call_('setPrintedReadings', number, texts, facingDeg); }
 

@@ -213,8 +213,8 @@ export class EngineHost {
     /** @param {number} number  of the carving @param {string[]} texts @param {number} facingDeg */
     setPrintedReadings: (number, texts, facingDeg) => {
       if (this.engine_.carving() !== number) return null;
-      parseAnswer(this.engine_.setPrintedReadings(JSON.stringify(texts), facingDeg));
-      return parseAnswer(this.engine_.report());
+      const { passed, next } = parseAnswer(this.engine_.setPrintedReadings(JSON.stringify(texts), facingDeg));
+      return { passed, next, report: parseAnswer(this.engine_.report()) };
     },
     /** @param {number} number  of the carving @returns {import('./types.js').PrintChange[]} */
     otherPrints: (number) => (this.engine_.carving() === number ? parseAnswer(this.engine_.otherPrints()).others : []),

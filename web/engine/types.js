@@ -100,6 +100,7 @@
  * @typedef {{ level: Level, passed: boolean, summary: Message, warnings: Message[], reasons: Message[], remedies: Remedy[] }} Aspect
  * @typedef {{ passed: boolean, reads: Aspect, prints: Aspect, solid: Aspect }} Verdict
  * @typedef {{ passed: boolean, next: { setting: string, value: string } | null }} ReadingResult  `next`: what to carve with instead
+ * @typedef {ReadingResult & { report: Report }} PrintedResult  of a carving and its print; `report`: with the print in it
  * @typedef {{ tilts: { tiltDeg: number, reads: number, all: number }[], safeTiltDeg: number, forgiving: boolean,
  *   pixelsPerModule: number | null, distanceMm: number | null }} ViewTrials
  *   `tilts`: up to the first from which nothing is read; `forgiving`: read from as far aside as hands hold a phone without taking

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Carves the code, reads it back, and hands out what came of it.
+import { isReplaced } from '../engine/client.js';
+import { isFatal } from '../engine/engine_error.js';
 import { kReaderName, prepareReader, readEach, readsAny } from '../decoder/reader.js';
 import { fileNameOf } from '../export/file_names.js';
 import { text } from '../i18n/catalogue.js';
@@ -31,11 +33,12 @@ import { sameWork } from './work.js';
  * @property {() => void} onDone
  * @property {(exists: boolean, shown: boolean) => void} onShown  whether there is a carved model, and whether it is seen
  * @property {() => void} onPrinted  the print of the carved model was made
+ * @property {(action: () => Promise<unknown>) => Promise<unknown>} [guard]  runs what nobody waits for
  */
 
 export class Carving {
   /** @param {CarvingOptions} options */
-  constructor({ client, jobs, model, placing, messages, panel, printing, work, settings, valuesAfter, isFree = () => true, write, onStart, onDone, onShown, onPrinted }) {
+  constructor({ client, jobs, model, placing, messages, panel, printing, work, settings, valuesAfter, isFree = () => true, write, onStart, onDone, onShown, onPrinted, guard = (action) => action() }) {
     this.client_ = client;
     this.jobs_ = jobs;
     this.model_ = model;
@@ -52,26 +55,28 @@ export class Carving {
     this.onDone_ = onDone;
     this.onShown_ = onShown;
     this.onPrinted_ = onPrinted;
+    this.guard_ = guard;
     /** @type {Carved | undefined} */ this.carved = undefined;
     this.shown = false;
     this.life_ = 0;
-    this.running_ = false;
+    /** @type {Promise<void> | undefined} */ this.running_ = undefined;
     /** @type {Promise<unknown>} */ this.restoring_ = Promise.resolve();
   }
 
   /** @param {string} [overrides]  in words, of the inspector's settings, which count then; else the page's own do */
   async engrave(overrides) {
     if (this.running_ || this.jobs_.busy || !this.model_.engravable) return;
-    this.running_ = true;
-    try {
-      this.messages_.clearError();
-      this.placing_.insist();
-      await this.jobs_.run(() => text('page.preparing'), async (signal) => {
-        if (await this.place_(signal)) await this.carve_(signal, overrides);
-      });
-    } finally {
-      this.running_ = false;
-    }
+    this.messages_.clearError();
+    this.placing_.insist();
+    await this.run_(() => text('page.preparing'), async (signal) => {
+      if (await this.place_(signal)) await this.carve_(signal, overrides);
+    });
+  }
+
+  /** @param {import('../i18n/live.js').Words} stage  the first @param {(signal: AbortSignal) => Promise<void>} carve */
+  run_(stage, carve) {
+    this.running_ = this.jobs_.run(stage, carve).finally(() => { this.running_ = undefined; });
+    return this.running_;
   }
 
   /**
@@ -175,7 +180,7 @@ export class Carving {
       const next = mayChange && reading.next && this.isFree_(reading.next.setting) ? reading.next : null;
       if (!next) {
         const isAsked = made === asked || (!reading.passed && first !== undefined && await this.keep_(first, started));
-        if (made === asked || !isAsked) await this.finish_(performance.now() - started, made);
+        if (made === asked || !isAsked) await this.finish_(performance.now() - started, made, mayChange && reading.passed);
         this.messages_.say(() => (overrides ? text('inspector.engraved', { overrides })
           : text(isAsked ? 'page.engraved' : made.values.preset === asked.values.preset ? 'page.engravedForDesign' : 'page.engravedDeeper')));
         return;
@@ -221,32 +226,101 @@ export class Carving {
     return { ...await this.client_.setReadings(texts, kReaderName), texts };
   }
 
-  /** @param {number} elapsedMs @param {Work} made */
-  async finish_(elapsedMs, made) {
+  /** @param {number} elapsedMs @param {Work} made @param {boolean} [mayDeepen]  if its print barely reads */
+  async finish_(elapsedMs, made, mayDeepen = false) {
     const [report, number] = await Promise.all([this.client_.report(), this.client_.carving()]);
     this.carved = { report, elapsedMs, number, life: this.life_, made };
-    await this.show(true);
-    this.panel_.show(this.carved);
-    this.panel_.reveal();
-    this.onDone_();
-    this.print(true);
+    await this.present_();
+    this.print(true, mayDeepen);
   }
 
-  /** @param {boolean} wanted  whether the print of what is carved is to be made now, or is to be given up */
-  print(wanted) {
+  /** Shows what is carved, which is new. */
+  async present_() {
+    await this.show(true);
+    if (this.carved) this.panel_.show(this.carved);
+    this.panel_.reveal();
+    this.onDone_();
+  }
+
+  /**
+   * @param {boolean} wanted       whether the print of what is carved is to be made now, or is to be given up
+   * @param {boolean} [mayDeepen]  whether to carve deeper if the print barely reads
+   */
+  print(wanted, mayDeepen = false) {
     const { carved } = this;
     if (!wanted || !carved) {
       this.printing_.stop();
       return;
     }
     carved.printed = undefined;
-    void this.printing_.begin(carved.number, (printed, report) => {
+    void this.printing_.begin(carved.number, (printed, result) => {
       carved.printed = printed;
-      if (report) carved.report = report;
+      if (result) carved.report = result.report;
       if (this.carved !== carved) return;
       this.panel_.update();
-      if (report) this.onPrinted_();
+      if (!result) return;
+      this.onPrinted_();
+      if (mayDeepen && result.next && this.isFree_(result.next.setting)) void this.guard_(() => this.deepen_(carved, result.next));
     });
+  }
+
+  /**
+   * The print of `first` barely reads: carves with the next deeper presets until one prints well, else goes back.
+   * @param {Carved} first
+   * @param {import('../engine/types.js').ReadingResult['next']} next  with what
+   */
+  async deepen_(first, next) {
+    await this.running_?.catch(() => {});  // what made it is about to return
+    if (this.running_ || this.jobs_.busy || this.carved !== first || !this.isCurrent) return;
+    const started = performance.now() - first.elapsedMs;
+    await this.run_(() => text('page.carvingForPrint'), async (signal) => {
+      await this.drop();
+      while (next) {
+        this.write_(this.valuesAfter_(next));
+        const made = this.work_();
+        await this.client_.configure(this.settings_());
+        this.printing_.expect();
+        const reading = await this.carveOnce_(signal, false).catch((thrown) => {
+          if (!isReplaced(thrown) && !isFatal(thrown)) return undefined;  // cannot be carved so deep
+          this.write_(first.made.values);
+          throw thrown;
+        });
+        const elapsedMs = performance.now() - started;
+        const number = await this.client_.carving();
+        const print = reading?.passed ? await this.printNow_(number, signal) : undefined;
+        if (!print) break;
+        const { result, printed } = print;
+        if (result.passed) {
+          this.carved = { report: result.report, elapsedMs, number, life: this.life_, made, printed };
+          await this.present_();
+          this.onPrinted_();
+          this.messages_.say(() => text('page.engravedForPrint'));
+          return;
+        }
+        ({ next } = result);
+      }
+      this.printing_.stop();
+      this.write_(first.made.values);
+      await this.client_.configure(this.settings_());
+      this.restoring_ = this.restore(first).catch(() => false);
+      this.messages_.say(() => text(signal.aborted ? 'page.cancelledDeeper' : 'page.engraved'));
+    });
+  }
+
+  /**
+   * @param {number} number  of the carving
+   * @param {AbortSignal} signal
+   * @returns {Promise<{ result: import('../engine/types.js').PrintedResult, printed: import('../engine/types.js').Printed } | undefined>}
+   *   none: it was cancelled, or failed
+   */
+  async printNow_(number, signal) {
+    const stop = () => this.printing_.stop();
+    signal.addEventListener('abort', stop, { once: true });
+    this.messages_.say(() => text('page.printing'));
+    /** @type {Awaited<ReturnType<Carving['printNow_']>>} */ let made;
+    await this.printing_.begin(number, (printed, result) => void (result && (made = { result, printed })));
+    signal.removeEventListener('abort', stop);
+    return made;
   }
 
   /** Prints what is carved in other ways, until one of them is told to stop. */

@@ -201,9 +201,77 @@ test('The print begins once the result is there, and what it comes to is in the 
   assert.deepEqual(made()?.printed, { state: 'under-way', fraction: 0.5 });
   assert.equal(printsSeen, 0);
   const report = /** @type {any} */ ({ text: kText, verification: {} });
-  tell({ state: 'made', print: {} }, report);
+  tell({ state: 'made', print: {} }, { passed: true, next: null, report });
   assert.equal(made()?.report, report);
   assert.equal(printsSeen, 1);
+});
+
+/** Prints that come to this, one after the other. @param {any[]} results */
+const printsAre = (...results) => {
+  printing.answers.begin = async (/** @type {number} */ number, /** @type {any} */ tell) => {
+    const result = results.shift();
+    tell({ state: 'made', print: {} }, { ...result, report: { text: kText, number } });
+  };
+};
+const kRobust = { setting: 'preset', value: 'robust' };
+
+test('What barely reads as printed is carved with the next deeper preset, whose print reads', async () => {
+  values = { preset: 'balanced' };
+  printsAre({ passed: false, next: kRobust }, { passed: true, next: null });
+  await carving.engrave();
+  await settled();
+  assert.equal(values.preset, 'robust');
+  assert.deepEqual([made()?.number, made()?.made.values.preset, made()?.printed?.state], [2, 'robust', 'made']);
+  assert.deepEqual(made()?.report, { text: kText, number: 2 });
+  assert.deepEqual(shown.at(-1), [true, true]);
+  assert.match(messages.said.at(-1) ?? '', /the print would barely read\.$/);
+});
+
+test('Where no deeper preset mends the print, the code stays as it was asked for', async () => {
+  for (const second of [{ passed: false, next: null }, undefined]) {
+    values = { preset: 'balanced' };
+    printsAre({ passed: false, next: kRobust }, second);
+    const { engrave } = client.answers;
+    if (!second) client.answers.engrave = () => { if (values.preset === 'robust') throw noRoom(); return engrave(); };
+    await carving.engrave();
+    await settled();
+    assert.equal(values.preset, 'balanced');
+    assert.equal(made()?.made.values.preset, 'balanced');
+    assert.equal(made()?.printed?.state, 'made');
+    assert.deepEqual(shown.at(-1), [true, true]);
+  }
+});
+
+test('Cancelled while it is carved deeper for its print, the first result comes back', async () => {
+  values = { preset: 'balanced' };
+  printsAre({ passed: false, next: kRobust });
+  const { engrave } = client.answers;
+  const deeper = new Pending();
+  client.answers.engrave = (/** @type {{ signal: AbortSignal }} */ { signal }) => {
+    if (values.preset === 'balanced') return engrave();
+    signal.addEventListener('abort', () => deeper.resolve(false));
+    return deeper.promise;
+  };
+  await carving.engrave();
+  while (values.preset === 'balanced') await settled();
+  await settled();
+  jobs.cancel();
+  await jobs.untilIdle();
+  await settled();
+  assert.deepEqual([values.preset, made()?.made.values.preset, made()?.number], ['balanced', 'balanced', 1]);
+  assert.equal(messages.said.at(-1), 'Cancelled. The code is as deep as asked for.');
+  assert.deepEqual(shown.at(-1), [true, true]);
+});
+
+test('What the user has changed since is not carved again for its print', async () => {
+  values = { preset: 'balanced' };
+  /** @type {any} */ let tell;
+  printing.answers.begin = async (/** @type {number} */ _, /** @type {any} */ told) => void (tell = told);
+  await carving.engrave();
+  values = { preset: 'shallow' };
+  tell({ state: 'made', print: {} }, { passed: false, next: kRobust, report: { text: kText } });
+  await settled();
+  assert.equal(client.calls.filter((/** @type {string} */ call) => call.startsWith('engrave')).length, 1);
 });
 
 test('The print of what is given up is given up', async () => {

@@ -7,7 +7,7 @@ import { dismissPrinter, makePrint, preparePrinter } from '../engine/printer.js'
 /** @typedef {import('../engine/types.js').Printed} Printed */
 /** @typedef {import('../engine/types.js').PrintChange} PrintChange */
 /** @typedef {import('../engine/types.js').PrintTrials} PrintTrials */
-/** @typedef {import('../engine/types.js').Report} Report */
+/** @typedef {import('../engine/types.js').PrintedResult} PrintedResult */
 
 /** A print in progress. */
 class Making {
@@ -61,7 +61,7 @@ export class Printing {
   /**
    * Makes and reads the print of the finished carving. Cancels the print of another carving.
    * @param {number} number  of the carving
-   * @param {(printed: Printed, report?: Report) => void} tell  how far it is; the report, once the print is in it
+   * @param {(printed: Printed, result?: PrintedResult) => void} tell  how far it is; the result, once the print is read
    */
   async begin(number, tell) {
     const { early_: early } = this;
@@ -83,8 +83,8 @@ export class Printing {
       if (!print || signal.aborted) return;
       const texts = await this.read_(print.pictures);
       if (signal.aborted) return;
-      const report = await this.client_.setPrintedReadings(number, texts, print.facingDeg);
-      if (report && !signal.aborted) tell({ state: 'made', print: { ...print, pictures: [] } }, report);
+      const result = await this.client_.setPrintedReadings(number, texts, print.facingDeg);
+      if (result && !signal.aborted) tell({ state: 'made', print: { ...print, pictures: [] } }, result);
     } catch (thrown) {
       if (!signal.aborted) tell({ state: 'failed', error: describeThrown(thrown) });
     } finally {

@@ -17,7 +17,7 @@ const states = () => told.map(([{ state }]) => state);
 beforeEach(() => {
   client = fake({
     printJob: async () => ({ order: {}, stl: new Uint8Array(3) }),
-    setPrintedReadings: async () => ({ text: 'with the print' }),
+    setPrintedReadings: async () => ({ passed: true, next: null, report: { text: 'with the print' } }),
   });
   made = new Pending();
   jobs = [];
@@ -41,7 +41,7 @@ test('A print is made, read, and told with the report that holds it', async () =
   assert.deepEqual(told.map(([printed]) => printed), [{ state: 'under-way', fraction: 0.5 }]);
   made.resolve(print());
   await run;
-  assert.deepEqual(told.at(-1), [{ state: 'made', print: { ...print(), pictures: [] } }, { text: 'with the print' }]);
+  assert.deepEqual(told.at(-1), [{ state: 'made', print: { ...print(), pictures: [] } }, { passed: true, next: null, report: { text: 'with the print' } }]);
   assert.ok(client.calls.includes('setPrintedReadings 7 30'));
 });
 
