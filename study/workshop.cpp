@@ -2,6 +2,7 @@
 #include "study/workshop.h"
 
 #include <algorithm>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "embedding/embed.h"
@@ -107,13 +108,15 @@ Result<const Spot*> Workshop::usualSpot(const std::string& modelName, DirectionM
   return spotFor(modelName, *request, 1, modelName + " " + directionMethodName(direction));
 }
 
-Result<const Spot*> Workshop::spotOfWidth(const std::string& modelName, double moduleMm) {
+Result<const Spot*> Workshop::spotOfWidth(const std::string& modelName, double moduleMm, DirectionMethod direction) {
   auto request = usualRequest(modelName);
   if (!request) return tl::unexpected(request.error());
   const double scale = moduleMm / kUsualModuleMm;
   request->placement.sizeMm *= scale;
   request->placement.centreMm *= scale;
-  return spotFor(modelName, *request, scale, modelName + " " + std::to_string(moduleMm));
+  request->placement.directionMethod = direction;
+  return spotFor(modelName, *request, scale,
+                 fmt::format("{} {} {}", modelName, moduleMm, directionMethodName(direction)));
 }
 
 DepthSummary depthOf(const CarvedCode& code) {

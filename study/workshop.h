@@ -44,8 +44,9 @@ class Workshop {
                                 DirectionMethod direction = DirectionMethod::DepthBalanced);
 
   /// The same place for modules of another width, mm, on the model scaled with them, so that the code lies on the same
-  /// surface whatever its size; found once.
-  Result<const Spot*> spotOfWidth(const std::string& modelName, double moduleMm);
+  /// surface whatever its size; found once. @param direction  how
+  Result<const Spot*> spotOfWidth(const std::string& modelName, double moduleMm,
+                                  DirectionMethod direction = DirectionMethod::DepthBalanced);
 
   /// Carves and reads it, under the light that it is made for: light is traced on the design and on what the spot's
   /// process leaves of it.

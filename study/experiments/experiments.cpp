@@ -6,8 +6,9 @@
 namespace qrelief::study {
 
 std::vector<Experiment> allExperiments() {
-  return {leastModule(), guaranteedSize(), patternDepths(), methodComparison(), frontier(),     equalDepth(),
-          symbolFlips(), lampDepths(),     lightAngles(),   robustness(),       defaultSpace(), defaultChoice()};
+  return {leastModule(), guaranteedSize(), patternDepths(), methodComparison(), paperModule(),   contrastSweep(),
+          frontier(),    equalDepth(),     symbolFlips(),   lampDepths(),       lampStrengths(), lightAngles(),
+          robustness(),  defaultSpace(),   defaultChoice(), defaultSettings()};
 }
 
 std::function<std::string(const Row&)> dependingOn(std::initializer_list<Part> parts) {

@@ -10,13 +10,17 @@ Experiment leastModule();
 Experiment guaranteedSize();
 Experiment patternDepths();
 Experiment methodComparison();
+Experiment paperModule();
+Experiment contrastSweep();
 Experiment frontier();
 Experiment equalDepth();
 Experiment symbolFlips();
 Experiment lampDepths();
+Experiment lampStrengths();
 Experiment lightAngles();
 Experiment robustness();
 Experiment defaultSpace();
 Experiment defaultChoice();
+Experiment defaultSettings();
 
 }  // namespace qrelief::study

@@ -4,17 +4,14 @@
 //
 // Angles are elevations over the code; the paper measures between the light's way and the normal: 98° is a lamp 8° over
 // the code, 123° one 33° over it. `sky` is no lamp.
-#include "native/zxing_reader.h"
-#include "study/carved_surface.h"
 #include "study/experiments/experiments.h"
+#include "study/lamp_reading.h"
 #include "study/methods/by_engine.h"
-#include "verdict/verdict.h"
 
 namespace qrelief::study {
 namespace {
 
 constexpr double kAzimuthDeg = 90, kStrength = 1;
-constexpr int kPixelsPerModule = 8, kMarginModules = 6;
 
 std::vector<DirectionalLight> lampAt(const std::string& elevation) {
   if (elevation == "sky") return {};
@@ -30,21 +27,9 @@ Result<Row> measure(const Row& key, Workshop& workshop) {
   request.lights = lampAt(key[1]);
   const auto code = carveByEngine(**spot, request);
   if (!code) return tl::unexpected(code.error());
-  const auto surface = CarvedSurface::make(**spot, code->depths);
-  if (!surface) return tl::unexpected(surface.error());
-  const GpuMesh carved(surface->mesh(), vertexNormals(surface->mesh()));
-  const int across = code->symbol.size + 2 * kMarginModules;
-  const DepthSummary depth = summarise(code->depths);
-  ReaderViewOptions options;
-  options.extentMm = (*spot)->placement.moduleMm * across;
-  options.texels = kPixelsPerModule * across;
-  options.reliefMm = static_cast<float>(depth.maxMm);
-  options.radiusMm = 8 * options.reliefMm;
-  options.lights = lampAt(key[2]);
-  auto view = renderReaderView(*(*spot)->pass, carved, (*spot)->placement.frame, options);
-  if (!view) return tl::unexpected(view.error());
-  view->pixelsPerModule = kPixelsPerModule;
-  return Row{shown(depth.meanMm, 3), std::to_string(evidenceOf(readFrontal(*view), request.text).count.reads)};
+  const auto reads = readsUnder(**spot, *code, lampAt(key[2]));
+  if (!reads) return tl::unexpected(reads.error());
+  return Row{shown(summarise(code->depths).meanMm, 3), std::to_string(*reads)};
 }
 
 }  // namespace

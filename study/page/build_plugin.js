@@ -35,7 +35,7 @@ export async function makeStudy(tables) {
     for (const language of kLanguages) {
       drawn[language] = {};
       for (const width of /** @type {(keyof typeof kWidths)[]} */ (Object.keys(kWidths))) {
-        const { svg, ...size } = await drawFigure(figure, rows, language, width);
+        const { svg, ...size } = await drawFigure(figure, rows, language, width, rowsOf);
         const path = `${kFolder}/${figure.name}.${language}.${width}.svg`;
         files.set(path, svg);
         drawn[language][width] = { path, ...size };

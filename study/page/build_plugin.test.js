@@ -63,7 +63,7 @@ test('every figure stands on the page once, and one that is not there fails the 
 test('a figure’s table is one that an experiment makes, with the columns it shows', () => {
   const source = (/** @type {string} */ path) => readFileSync(new URL(`../${path}`, import.meta.url), 'utf8');
   for (const { table, measures } of kFigures) {
-    const maker = table === 'aside' ? source('aside/aside.mjs') : source(`experiments/${table}.cpp`) + source('experiments/experiments.cpp');
+    const maker = table === 'aside' ? source('aside/aside.mjs') : source(`experiments/${table}.cpp`) + source('experiments/experiments.cpp') + source('experiments/chosen_settings.cpp');
     for (const measure of measures) assert.match(maker, new RegExp(`[",]${measure}[",]`), `${table}: ${measure}`);
   }
 });

@@ -4,6 +4,7 @@ import { compile } from 'vega-lite';
 import { kWidths, Look } from './figure.js';
 
 /** @typedef {import('./figure.js').Figure} Figure */
+/** @typedef {import('./table.js').Row} Row */
 /** @typedef {{ svg: string, width: number, height: number }} Drawing  in CSS pixels */
 
 const kLetterEm = 0.57;  // mean width of a letter; nothing measures text when the page is built
@@ -12,9 +13,15 @@ const kLetterEm = 0.57;  // mean width of a letter; nothing measures text when t
 /** @type {any} */ (vega).textMetrics.width = (/** @type {{ fontSize?: number }} */ { fontSize = 11 }, /** @type {unknown} */ text) =>
   kLetterEm * fontSize * String(text ?? '').length;
 
-/** @param {Figure} figure @param {import('./table.js').Row[]} rows @param {Look} look @returns {Promise<Drawing>} */
-async function drawn(figure, rows, look) {
-  const spec = /** @type {any} */ (figure.draw(rows, look));
+/**
+ * @param {Figure} figure
+ * @param {Row[]} rows
+ * @param {Look} look
+ * @param {Record<string, Row[]>} tables
+ * @returns {Promise<Drawing>}
+ */
+async function drawn(figure, rows, look, tables) {
+  const spec = /** @type {any} */ (figure.draw(rows, look, tables));
   const { spec: drawing } = compile({ padding: 2, ...spec, config: look.config });
   const view = new vega.View(vega.parse(drawing), { renderer: 'none' });
   const svg = (await view.toSVG()).replace(/\d+\.\d{3,}/g, (number) => String(Number(Number(number).toFixed(2))));
@@ -26,12 +33,13 @@ async function drawn(figure, rows, look) {
 /**
  * A figure as an SVG file of its own.
  * @param {Figure} figure
- * @param {import('./table.js').Row[]} rows  of its table, measured
+ * @param {Row[]} rows  of its table, measured
  * @param {import('./figure.js').Language} language
  * @param {keyof typeof kWidths} width  that it fills
+ * @param {Record<string, Row[]>} tables  all, as measured
  */
-export async function drawFigure(figure, rows, language, width) {
+export async function drawFigure(figure, rows, language, width, tables) {
   const whole = kWidths[width];
-  const beside = (await drawn(figure, rows, new Look(language, width, whole))).width - whole;  // labels and what parts the plots
-  return drawn(figure, rows, new Look(language, width, whole - beside));
+  const beside = (await drawn(figure, rows, new Look(language, width, whole), tables)).width - whole;  // labels and what parts the plots
+  return drawn(figure, rows, new Look(language, width, whole - beside), tables);
 }

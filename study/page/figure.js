@@ -15,7 +15,7 @@ import { name, sentence } from './say.js';
  * @property {string} name    of its files, and of its words: NAMEAlt, NAMEShown
  * @property {string} table
  * @property {string[]} measures  columns that it shows; without a value in one of them there is no figure
- * @property {(rows: Row[], look: Look) => Spec} draw
+ * @property {(rows: Row[], look: Look, tables: Record<string, Row[]>) => Spec} draw  `tables` are all, as measured
  * @property {(rows: Row[], tables: Record<string, Row[]>) => Said[]} find  what is said of it; `tables` are all, as measured
  */
 

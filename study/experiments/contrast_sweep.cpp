@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Depth and reads by contrast for each module pattern, by the published steps, on a plate and a curved model, further
+// up than anybody would carve: from which contrast on the paper's order of methods holds [Papp 2022, figure 20].
+#include "study/experiments/experiments.h"
+#include "study/methods/by_engine.h"
+
+namespace qrelief::study {
+namespace {
+
+Result<Row> measure(const Row& key, Workshop& workshop) {
+  const auto spot = workshop.usualSpot(key[0]);
+  if (!spot) return tl::unexpected(spot.error());
+  const auto modules = byName<ModulePattern>(key[1], modulePatternName);
+  EngraveRequest request = publishedRequest(
+      **spot, modules, modules == ModulePattern::None ? FinderPattern::None : FinderPattern::ThickPlus);
+  request.contrast = std::stod(key[2]);
+  const auto code = carveByEngine(**spot, request);
+  if (!code) return tl::unexpected(code.error());
+  const auto judged = workshop.judge(**spot, *code);
+  if (!judged) return tl::unexpected(judged.error());
+  Row row = readingRow(*judged);
+  row.push_back(std::to_string(code->limited));
+  return row;
+}
+
+}  // namespace
+
+Experiment contrastSweep() {
+  Row measures = readingColumns();
+  measures.emplace_back("limited");
+  Experiment experiment{"contrast_sweep", {"model", "modules", "contrast"},
+                        measures,         {},
+                        measure,          dependingOn({kSearch, kLight, kPrint, kDecoding})};
+  for (const char* model : {"plate", "bunny"})
+    for (int pattern = 0; pattern < 5; ++pattern)
+      for (int step = 0; step < 13; ++step)
+        experiment.cases.push_back(
+            {model, std::string(modulePatternName(static_cast<ModulePattern>(pattern))), shown(0.2 + 0.05 * step, 2)});
+  return experiment;
+}
+
+}  // namespace qrelief::study

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Depth on a plate carved for one lamp by its elevation and strength, and reads under that lamp, by the published
+// steps: why lamps make whole modules shallower here and deeper in the paper [Papp 2022, figure 21], which does not
+// give the lamp's strength. The lamp stands at the symbol's top; a strength of 1 is that of the sky.
+#include "study/experiments/experiments.h"
+#include "study/lamp_reading.h"
+#include "study/methods/by_engine.h"
+
+namespace qrelief::study {
+namespace {
+
+constexpr double kAzimuthDeg = 90;
+
+Result<Row> measure(const Row& key, Workshop& workshop) {
+  const auto spot = workshop.usualSpot("plate");
+  if (!spot) return tl::unexpected(spot.error());
+  const auto modules = byName<ModulePattern>(key[0], modulePatternName);
+  EngraveRequest request = publishedRequest(
+      **spot, modules, modules == ModulePattern::None ? FinderPattern::None : FinderPattern::ThickPlus);
+  request.lights = {{.azimuthDeg = kAzimuthDeg, .elevationDeg = std::stod(key[1]), .strength = std::stod(key[2])}};
+  const auto code = carveByEngine(**spot, request);
+  if (!code) return tl::unexpected(code.error());
+  const auto reads = readsUnder(**spot, *code, request.lights);
+  if (!reads) return tl::unexpected(reads.error());
+  return Row{shown(summarise(code->depths).meanMm, 3), std::to_string(code->limited), std::to_string(*reads)};
+}
+
+}  // namespace
+
+Experiment lampStrengths() {
+  Experiment experiment{
+      "lamp_strengths", {"modules", "elevation", "strength"},     {"depth_mm", "limited", "reads"}, {},
+      measure,          dependingOn({kSearch, kLight, kDecoding})};
+  for (const char* modules : {"none", "square"})
+    for (const char* elevation : {"8", "20", "33", "50", "70"})
+      for (const char* strength : {"0.25", "0.5", "1", "2", "4"})
+        experiment.cases.push_back({modules, elevation, strength});
+  return experiment;
+}
+
+}  // namespace qrelief::study

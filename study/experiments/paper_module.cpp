@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every method at its published setting and ours at its default with modules of 1.2 mm, the width of the paper's prints
+// [Papp 2022, §8], on models scaled with the module: depth and reads, as designed and as printed lying.
+#include "study/experiments/experiments.h"
+#include "study/methods/methods.h"
+
+namespace qrelief::study {
+namespace {
+
+constexpr double kPaperModuleMm = 1.2;
+
+Result<Row> measure(const Row& key, Workshop& workshop) {
+  const Method& method = *findMethod(key[1]);
+  const auto spot = workshop.spotOfWidth(key[0], kPaperModuleMm, method.direction);
+  if (!spot) return tl::unexpected(spot.error());
+  const auto code = method.carve(**spot, method.usual);
+  if (!code) return tl::unexpected(code.error());
+  const auto judged = workshop.judge(**spot, *code);
+  if (!judged) return tl::unexpected(judged.error());
+  return readingRow(*judged);
+}
+
+}  // namespace
+
+Experiment paperModule() {
+  Experiment experiment{"paper_module", {"model", "method"}, readingColumns(), {}, measure, versionOfMethod};
+  for (const std::string& model : Workshop::models())
+    for (const Method& method : methods()) experiment.cases.push_back({model, method.name});
+  return experiment;
+}
+
+}  // namespace qrelief::study
