@@ -40,7 +40,7 @@ test('Each sample finds a place of at least 20 mm for its code', { tag: '@deskto
   await app.expectReady();
   await expect(app.sample).toHaveValue('plate');
   const ids = await app.sample.locator('option').evaluateAll((all) => all.map((option) => /** @type {HTMLOptionElement} */ (option).value));
-  expect(ids).toEqual(['bunny', 'bumpy-sphere', 'vase', 'star', 'pyramid', 'saddle', 'plate']);
+  expect(ids).toEqual(['bunny', 'owl', 'pawn', 'bumpy-sphere', 'vase', 'star', 'pyramid', 'saddle', 'plate']);
   expect(await app.width()).toBeGreaterThanOrEqual(20);
   for (const id of ids) {
     await test.step(`The sample ${id} finds a place of at least 20 mm for its code`, async () => {

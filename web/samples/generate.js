@@ -3,7 +3,7 @@
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { fileURLToPath } from 'node:url';
-import { bumpySphere, plate, pyramid, saddle, star, vase } from './shapes.js';
+import { bumpySphere, owl, pawn, plate, pyramid, saddle, star, vase } from './shapes.js';
 import { bounds, fillHoles, subdivide } from './solid.js';
 import { writeStl } from './stl.js';
 
@@ -39,6 +39,8 @@ export const samples = [
   { id: 'bunny', name: 'Stanford bunny', mesh: stanfordBunny(), centreMm: [6.3, -36.2, 41.1],
     credit: 'Stanford 3D Scanning Repository, by way of the npm package “bunny” (public domain); holes closed, ' +
       'subdivided once.' },
+  { id: 'owl', name: 'Owl', mesh: owl(1.8), centreMm: [0, -30, 38], credit: kOwnCredit },
+  { id: 'pawn', name: 'Chess pawn', mesh: pawn(96), centreMm: [0, -28, 86], credit: kOwnCredit },
   { id: 'bumpy-sphere', name: 'Bumpy sphere', mesh: bumpySphere(5), centreMm: [0, -48, 50], credit: kOwnCredit },
   { id: 'vase', name: 'Vase', mesh: vase(144, 60), centreMm: [0, -46, 50], credit: kOwnCredit },
   { id: 'star', name: 'Star', mesh: star(), centreMm: [0, 0, 40], credit: kOwnCredit },

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The sample shapes of our own, in mm, z up, standing on z = 0 where they stand at all. Each is a closed solid.
+import { blended, cone, ellipsoid, standing, surfaceNet } from './implicit.js';
 
 /** @typedef {import('./solid.js').Mesh} Mesh */
 /** @typedef {import('./solid.js').Point} Point */
@@ -68,6 +69,44 @@ export function vase(segments, rows) {
     profile.push([outer(z) - wall, z]);
   }
   return revolve(profile, segments);
+}
+
+/**
+ * Chess pawn 114 mm high: a turned foot, a waist, a collar, and a ball of radius 28 mm as its head.
+ * @param {number} segments  around the axis
+ * @returns {Mesh}
+ */
+export function pawn(segments) {
+  /** @type {[number, number][]} */ const profile = [];
+  const arc = (/** @type {[number, number]} */ [radius, z], /** @type {number} */ size, /** @type {number} */ from, /** @type {number} */ to, /** @type {number} */ steps) => {
+    for (let i = 0; i <= steps; i += 1) {
+      const angle = (Math.PI / 180) * (from + ((to - from) * i) / steps);
+      profile.push([radius + size * Math.cos(angle), z + size * Math.sin(angle)]);
+    }
+  };
+  profile.push([42, 0]);
+  arc([36, 7], 7, -60, 75, 12);
+  arc([52, 38], 32, 228, 158, 24);  // the waist, hollow
+  arc([24, 53], 4, -70, 90, 8);
+  arc([0, 86], 28, -57, 89, 60);
+  return revolve(profile, segments);
+}
+
+/**
+ * Owl 113 mm high: a body, a head with tufts, eyes and a beak, wings and feet, blended.
+ * @param {number} cellMm  of the grid it is meshed on
+ * @returns {Mesh}
+ */
+export function owl(cellMm) {
+  const pair = (/** @type {(side: number) => import('./implicit.js').Distance} */ part) => [part(-1), part(1)];
+  const body = blended(12, ellipsoid([0, 0, 40], [33, 29, 44]), ellipsoid([0, -1, 82], [30, 26, 24]));
+  const wings = pair((side) => ellipsoid([side * 29, 6, 42], [8, 20, 32]));
+  const tufts = pair((side) => cone([side * 17, 0, 98], [side * 24, 2, 110], 7, 3));
+  const feet = pair((side) => ellipsoid([side * 12, -22, 3], [9, 12, 7]));
+  const eyes = pair((side) => ellipsoid([side * 11, -23, 87], [9.5, 7, 9.5]));
+  const beak = cone([0, -26, 80], [0, -31, 75], 4.5, 2);
+  const solid = standing(blended(5, blended(6, body, ...wings, ...tufts, ...feet), ...eyes, beak));
+  return surfaceNet(solid, [-42, -42, -3 * cellMm / 2], [42, 36, 118], cellMm);
 }
 
 /**

@@ -4,6 +4,8 @@
 export const samples = {
   en: {
     bunny: 'Stanford bunny',
+    owl: 'Owl',
+    pawn: 'Chess pawn',
     'bumpy-sphere': 'Bumpy sphere',
     vase: 'Vase',
     star: 'Star',
@@ -13,6 +15,8 @@ export const samples = {
   },
   de: {
     bunny: 'Stanford-Hase',
+    owl: 'Eule',
+    pawn: 'Schachbauer',
     'bumpy-sphere': 'Wellige Kugel',
     vase: 'Vase',
     star: 'Stern',
