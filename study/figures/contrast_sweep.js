@@ -74,8 +74,9 @@ export const contrastSweep = {
     return [
       ...(depths[1] === undefined ? [] : [reaches === undefined ? said('sweepNever', { model: name('model', model) })
         : said('sweepReaches', { model: name('model', model), contrast: two(reaches) })]),
-      ...(depths.includes(undefined) ? [] : [inOrderAt.length === 0 ? said('sweepNoOrder', { model: name('model', model) })
-        : said('sweepOrder', { model: name('model', model), least: two(Math.min(...inOrderAt)), most: two(Math.max(...inOrderAt)) })]),
+      ...(depths.includes(undefined) ? [] : [inOrderAt.length === 0 ? said('sweepNoOrder')
+        : inOrderAt.length === 1 ? said('sweepOrderOnce', { least: two(inOrderAt[0]) })
+        : said('sweepOrder', { least: two(Math.min(...inOrderAt)), most: two(Math.max(...inOrderAt)) })]),
     ];
-  }).flat(),
+  }).flat().concat([said('sweepWhy')]),
 };

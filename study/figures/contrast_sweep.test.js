@@ -22,7 +22,7 @@ test('the paper’s order needs every pattern between the methods of Peng; whole
 test('where a method was not measured, nothing is said of it', () => {
   const comparison = [{ model: 'plate', method: 'self-shadow-2019', depth_mm: 1.1 }];
   const say = (/** @type {any[]} */ method_comparison) => contrastSweep.find(kRows, { method_comparison }).map((one) => one.say);
-  assert.deepEqual(say(comparison), ['sweepReaches']);
-  assert.deepEqual(say([...comparison, { model: 'plate', method: 'one-light-2020', depth_mm: 0.4 }]), ['sweepReaches', 'sweepOrder']);
-  assert.deepEqual(say([]), []);
+  assert.deepEqual(say(comparison), ['sweepReaches', 'sweepWhy']);
+  assert.deepEqual(say([...comparison, { model: 'plate', method: 'one-light-2020', depth_mm: 0.4 }]), ['sweepReaches', 'sweepOrderOnce', 'sweepWhy']);
+  assert.deepEqual(say([]), ['sweepWhy']);
 });

@@ -3,7 +3,7 @@
 // default was not chosen by.
 import { groupBy, tally } from '../page/compare.js';
 import { kColours, series } from '../page/figure.js';
-import { models, name, said } from '../page/say.js';
+import { name, said } from '../page/say.js';
 import { kNeeded, kTries } from '../page/tries.js';
 
 /** @typedef {import('../page/table.js').Row} Row */
@@ -17,6 +17,7 @@ export const kChosenBy = ['plate', 'saddle', 'star', 'bunny'];
 
 const kMeasures = /** @type {const} */ (['printed', 'depth_mm', 'depth_max_mm']);
 const kSettings = ['modules', 'finders', 'contrast', 'max_depth_modules', 'broken_up'];
+const kMisleading = 'diamond';  // modules that our decoder reads more often than others do
 const kDefaultDepthModules = 4;  // pipeline/default_patterns.h
 
 /**
@@ -48,6 +49,9 @@ const tested = (rows) => rows.filter(({ model }) => !kChosenBy.includes(model));
 /** The program's settings by module width. @param {Record<string, Row[]>} tables */
 const settingsBy = ({ default_settings: settings = [] }) => new Map(settings.map((row) => [row.module_mm, row]));
 
+/** @param {number} width  of modules, mm @param {import('../page/compare.js').Tally} test */
+const at = (width, { holds, of }) => said('choiceFrontierAt', { width: { number: width, digits: 1 }, holds, of });
+
 /** @type {import('../page/figure.js').Figure} */
 export const defaultChoice = {
   name: 'defaultChoice', table: 'default_choice', measures: ['depth_mm', 'printed', 'depth_max_mm'],
@@ -63,10 +67,11 @@ export const defaultChoice = {
     const columns = look.narrow ? 2 : 4;
     const across = (/** @type {string} */ field, /** @type {string} */ title) => ({ field, type: 'quantitative', title, scale: { zero: false, nice: true } });
     const y = {
-      field: 'printed', type: 'quantitative', title: look.word('axisReads', { of: kTries }), scale: { domain: [0, kTries] }, axis: { values: [0, 20, 40, 60] },
+      field: 'printed', type: 'quantitative', title: look.word('axisReads', { of: kTries }), scale: { domain: [20, kTries], zero: false }, axis: { values: [20, 40, 60] },
     };
     const kind = series('kind', [...kinds.keys()], [kColours.blue, kColours.teal, kColours.purple, kColours.green, kColours.orange, kColours.olive],
       ['square', 'diamond', 'triangle-down', 'cross', 'triangle-up', 'circle']);
+    for (const of of [kind.color, kind.shape]) Object.assign(of.legend, { columns: look.narrow ? 1 : 3 });
     const plots = (/** @type {string} */ field, /** @type {string} */ title) => ({
       columns, facet: { field: 'width', type: 'nominal', sort: widths },
       spec: {
@@ -94,8 +99,9 @@ export const defaultChoice = {
         const found = better(ofModel);
         return found && found.length === 0;
       });
+      const connected = ofWidth.filter(({ modules }) => modules !== kMisleading);
       const ours = choicesOf(tested(ofWidth), settings.get(width)).find(({ isDefault }) => isDefault);
-      return { width, ours, onMean: better(tested(ofWidth)), tested: onOrAbove(tested(ofWidth)), chosen: onOrAbove(ofWidth.filter(({ model }) => kChosenBy.includes(model))) };
+      return { width, ours, onMean: better(tested(ofWidth)), tested: onOrAbove(tested(ofWidth)), testedOthers: onOrAbove(tested(connected)) };
     });
     if (byWidth.some(({ ours }) => !ours)) return [];
     const byMean = [...new Set(byWidth.flatMap(({ onMean = [] }) => onMean.map(({ modules, finders }) => `${modules} ${finders}`)))];
@@ -107,7 +113,7 @@ export const defaultChoice = {
         })),
       }),
       said('choiceFrontier', {
-        list: byWidth.map((at) => said('choiceFrontierAt', { width: { number: at.width, digits: 1 }, tested: models(at.tested), chosen: models(at.chosen) })),
+        list: byWidth.map(({ width, tested: test }) => at(width, test)),
       }),
       ...byMean.map((kind) => {
         const [modules, finders] = kind.split(' ');
@@ -116,7 +122,10 @@ export const defaultChoice = {
           list: widthsOf(kind).map(({ width }) => said('millimetres', { width: { number: width, digits: 1 } })),
         });
       }),
-      ...(byMean.includes('diamond thick-plus-sharp') ? [said('choiceWhy')] : []),
+      ...(byMean.some((kind) => kind.startsWith(`${kMisleading} `)) ? [
+        said('choiceWhy'),
+        said('choiceOthers', { list: byWidth.map(({ width, testedOthers }) => at(width, testedOthers)) }),
+      ] : []),
     ];
   },
 };

@@ -26,7 +26,7 @@ test('a choice is better where it reads more at no more depth', () => {
 test('what reads more often than the default is named, and nothing is said without the default', () => {
   const diamond = row({ modules: 'diamond', finders: 'thick-plus-sharp', contrast: 0.4, printed: 50 });
   const say = (/** @type {object[]} */ rows) => defaultChoice.find(rows, { default_settings: [kOurs] }).map((one) => one.say);
-  assert.deepEqual(say([row({}), row({ model: 'plate' }), diamond]), ['choiceReads', 'choiceFrontier', 'choiceBetter', 'choiceWhy']);
+  assert.deepEqual(say([row({}), row({ model: 'plate' }), diamond]), ['choiceReads', 'choiceFrontier', 'choiceBetter', 'choiceWhy', 'choiceOthers']);
   assert.deepEqual(say([row({}), row({ model: 'plate' })]), ['choiceReads', 'choiceFrontier']);
   assert.deepEqual(say([diamond]), []);
 });

@@ -16,6 +16,16 @@ export function gainByDepth(ofModel) {
   return balanced === undefined || normals === undefined ? undefined : balanced / normals - 1;
 }
 
+/**
+ * Counts the models on which depth adds at least this fraction to the guaranteed size.
+ * @param {Row[]} rows
+ * @param {number} fraction
+ */
+export const sizesOverModels = (rows, fraction) => onModels(rows, (ofModel) => {
+  const gain = gainByDepth(ofModel);
+  return gain === undefined ? undefined : gain >= fraction;
+});
+
 /** Whether the direction `optimal` allows the largest guaranteed size. @param {Row[]} ofModel */
 export function optimalIsLargest(ofModel) {
   const sizes = valuesBy(ofModel, 'direction', 'guaranteed_mm');

@@ -11,7 +11,7 @@ import { kNeeded, kTries } from '../page/tries.js';
 export const kPaper = [{ carvedAt: 33, higher: 30 }, { carvedAt: 8, higher: 15 }];
 
 /** Rows of one carving. @param {Row[]} rows @param {string} modules @param {number | string} carvedAt */
-const carving = (rows, modules, carvedAt) => rows.filter((row) => row.modules === modules && row.carved_at === carvedAt);
+export const carving = (rows, modules, carvedAt) => rows.filter((row) => row.modules === modules && row.carved_at === carvedAt);
 
 /**
  * Where the reading lamp may stand: runs of angles that were tried, one beside the other, and read.

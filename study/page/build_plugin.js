@@ -5,7 +5,9 @@ import { kLanguages } from '../../web/i18n/catalogue.js';
 import { drawFigure } from './draw.js';
 import { kWidths } from './figure.js';
 import { kFigures } from './figures.js';
-import { figureMarkup, missingMarkup } from './markup.js';
+import { figureMarkup, missingMarkup, statementsMarkup } from './markup.js';
+import { cases, models, said } from './say.js';
+import { kStatements } from './statements.js';
 import { measured, readTables } from './table.js';
 
 /** @typedef {import('./table.js').Row} Row */
@@ -19,7 +21,8 @@ const isShowable = ({ measures }, rows) => measures.every((measure) => rows.some
 /**
  * What the page shows of these tables.
  * @param {Record<string, Table>} tables  by name
- * @returns {Promise<{ files: Map<string, string>, markup: Map<string, string> }>}  contents by path, markup by figure
+ * @returns {Promise<{ files: Map<string, string>, markup: Map<string, string> }>}  contents by path; markup by figure, and of the
+ *   table `statements`
  */
 export async function makeStudy(tables) {
   /** @type {Map<string, string>} */ const files = new Map();
@@ -47,6 +50,15 @@ export async function makeStudy(tables) {
     const found = figure.find(rows, rowsOf);
     markup.set(figure.name, figureMarkup({ figure, drawn, found, table: { path, cases, failed: cases - rows.length } }));
   }
+  markup.set('statements', statementsMarkup(kStatements.map(({ claim, section, table, over, judge }) => {
+    const counted = judge(rowsOf[table] ?? []);
+    const { holds, of } = counted;
+    const answer = holds === of ? 'claimHolds' : holds === 0 ? 'claimFails' : 'claimInPart';
+    return {
+      claim: said(claim), section, heading: said(/** @type {any} */ (`section-${section}`)),
+      holds: of === 0 ? said('claimNotMeasured') : said(answer, { cases: over === 'models' ? models(counted) : cases(counted) }),
+    };
+  })));
   return { files, markup };
 }
 

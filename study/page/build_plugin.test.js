@@ -6,6 +6,7 @@ import { fillFigures, makeStudy } from './build_plugin.js';
 import { kFigures } from './figures.js';
 import { kWidths } from './figure.js';
 import { isKnown, models, name, said, sentence } from './say.js';
+import { kStatements } from './statements.js';
 import { parseTable } from './table.js';
 import { kNeeded, kTries } from './tries.js';
 
@@ -37,8 +38,10 @@ test('a table becomes figures of both widths in both languages, sentences with i
 test('where a table is missing or empty the figure is left out, and the page says so', async () => {
   const { files, markup } = await makeStudy({ symbol_flips: tableOf(kHead + kFailed) });
   assert.equal(files.size, 0);
-  assert.deepEqual([...markup.keys()], kFigures.map(({ name }) => name));
-  for (const shown of markup.values()) assert.match(shown, /has not been measured yet/);
+  const { statements, ...figures } = Object.fromEntries(markup);
+  assert.deepEqual(Object.keys(figures), kFigures.map(({ name }) => name));
+  for (const shown of Object.values(figures)) assert.match(shown, /has not been measured yet/);
+  assert.equal(statements.match(/Not measured yet/g)?.length, kStatements.length);
 });
 
 test('sentences that lack a number are not said', () => {
@@ -56,7 +59,7 @@ test('how often a statement holds is said in words', () => {
 
 test('every figure stands on the page once, and one that is not there fails the build', () => {
   const page = readFileSync(new URL('../../web/study.html', import.meta.url), 'utf8');
-  assert.deepEqual([...page.matchAll(/data-figure="(\w+)"/g)].map(([, name]) => name).sort(), kFigures.map(({ name }) => name).sort());
+  assert.deepEqual([...page.matchAll(/data-figure="(\w+)"/g)].map(([, name]) => name).sort(), [...kFigures.map(({ name }) => name), 'statements'].sort());
   assert.throws(() => fillFigures('<div data-figure="nothing"></div>', new Map()), /no figure "nothing"/);
 });
 

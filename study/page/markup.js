@@ -46,5 +46,17 @@ export function figureMarkup(shown) {
 ${inEach('figure', (language) => `<div class="chart">${picture(shown, language)}</div>\n<figcaption>${caption(language)}</figcaption>`)}`;
 }
 
+/**
+ * A table of statements: what the paper says, how often it holds here, and a link to the figure.
+ * @param {{ claim: Said, section: string, heading: Said, holds: Said }[]} statements
+ */
+export const statementsMarkup = (statements) => inEach('table', (language) => {
+  const words = (/** @type {Said} */ one) => paragraph(language, [one]);
+  const head = /** @type {const} */ (['claimPaper', 'claimHere', 'claimFigure']).map((word) => `<th scope="col">${words(said(word))}</th>`).join('');
+  const rows = statements.map(({ claim, section, heading, holds }) =>
+    `<tr><th scope="row">${words(claim)}</th><td>${words(holds)}</td><td><a href="#${section}">${words(heading)}</a></td></tr>`);
+  return `<thead><tr>${head}</tr></thead>\n<tbody>${rows.join('\n')}</tbody>`;
+});
+
 /** Where a table is not there yet. */
 export const missingMarkup = () => inEach('p', (language) => paragraph(language, [said('notMeasured')]));

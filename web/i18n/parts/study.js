@@ -16,6 +16,7 @@ export const study = {
     howOurs: '“QRelief (default)” is what the app carves at this module size. The app also raises the error correction where that is free, which the study leaves out so that all methods carve the same symbol. “QRelief (patterned finders)” is what it carves where walls are thin. “QRelief (design)” asks for contrast on the designed surface alone, and “QRelief (by reading)” makes each module as dark as a blurred picture of it needs. “QRelief (one light)” and Peng 2020 carve for one strong lamp and are read under it, all others under the sky.',
     howLimits: 'Each method runs under the limits of its source. None of them names a greatest depth, so pockets of others may be ten modules deep. For all methods alike a wall of 0.8 mm stays behind every pocket, and the nozzle is 0.4 mm wide.',
 
+    statements: 'What the paper says, and what we find',
     module: 'The least module',
     size: 'How large a code fits',
     patterns: 'Patterns and depth',
@@ -52,6 +53,7 @@ export const study = {
     howOurs: '„QRelief (üblich)“ ist, was die App bei dieser Modulgröße graviert. Die App hebt außerdem die Fehlerkorrektur an, wo das nichts kostet; die Studie lässt das weg, damit alle Verfahren dasselbe Symbol gravieren. „QRelief (Suchmuster gemustert)“ ist, was sie bei dünnen Wänden graviert. „QRelief (Entwurf)“ verlangt den Kontrast nur von der entworfenen Fläche, und „QRelief (nach Lesung)“ macht jedes Modul so dunkel, wie ein unscharfes Bild davon es braucht. „QRelief (eine Lampe)“ und Peng 2020 gravieren für eine einzige starke Lampe und werden unter ihr gelesen, alle anderen unter dem Himmel.',
     howLimits: 'Jedes Verfahren hat die Grenzen seiner Quelle. Keine nennt eine größte Tiefe, deshalb dürfen die Taschen der anderen zehn Module tief sein. Für alle gleich bleibt hinter jeder Tasche eine Wand von 0,8 mm, und die Düse ist 0,4 mm breit.',
 
+    statements: 'Was der Artikel sagt, und was wir finden',
     module: 'Das kleinste Modul',
     size: 'Wie groß ein Code sein kann',
     patterns: 'Muster und Tiefe',
