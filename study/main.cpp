@@ -175,7 +175,9 @@ int run(int argc, char** argv) {
     else if (const Status done = run(experiment, path, {shard, only}, workshop); !done)
       return failed(experiment.name, done.error());
   }
-  if (checked > 0) fmt::print("{} values are off\n", off);
+  if (checked > 0)
+    fmt::print("{}: {} values are off\n", names.empty() ? "all tables" : fmt::format("{}", fmt::join(names, ", ")),
+               off);
   return off > 0 ? 1 : 0;
 }
 
