@@ -171,7 +171,8 @@ class Engine {
   void showSection(bool shown, double offset);
   /// Turns to where the section is seen.
   void faceSection();
-  /// Carved depths as colours, if something has been carved: {topMm}, the depth of the last colour; 0 if nothing has.
+  /// Shows carved depths as colours. {topMm, deepestMm}: depth of the last colour and of the deepest pocket; 0 where
+  /// nothing has been carved.
   std::string showDepths(bool shown);
 
   /// {code: {corners: [[x, y]], facing, symbolMm, rotationDeg} or null, axes: [right, up, back]}: where on the screen

@@ -69,7 +69,10 @@ std::string Engine::showDepths(bool shown) {
   scene_.showDepths(shown);
   updateView();
   const EngraveResult* result = carvings_.result();
-  return textOf({{"ok", true}, {"topMm", result ? depthColoursTopMm(result->depths) : 0}});
+  if (!result) return textOf({{"ok", true}, {"topMm", 0}, {"deepestMm", 0}});
+  return textOf({{"ok", true},
+                 {"topMm", depthColoursTopMm(result->depths)},
+                 {"deepestMm", summarise(result->depths).maxMm}});
 }
 
 bool Engine::draw(bool always) {

@@ -21,7 +21,7 @@ double depthAt(const DepthField& depths, Vec2 onPlane) {
 }  // namespace
 
 double depthColoursTopMm(const DepthField& depths) {
-  return std::max(kTopStepMm, std::ceil(summarise(depths).maxMm / kTopStepMm - 1e-6) * kTopStepMm);
+  return std::max(kTopStepMm, std::ceil(summarise(depths).p95Mm / kTopStepMm - 1e-6) * kTopStepMm);
 }
 
 std::vector<float> depthColours(const EngraveResult& result, const DisplayMesh& display) {
@@ -43,7 +43,7 @@ std::vector<float> depthColours(const EngraveResult& result, const DisplayMesh& 
       walls.push_back(t);
       continue;
     }
-    const auto value = isKept ? 0.0f : static_cast<float>(depthAt(result.depths, frame.project(middle)) / topMm);
+    const auto value = isKept ? 0.0f : static_cast<float>(std::min(1.0, depthAt(result.depths, frame.project(middle)) / topMm));
     if (value == 0) {
       others.push_back(t);
       continue;

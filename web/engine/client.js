@@ -197,7 +197,11 @@ export class EngineClient {
   /** @param {boolean} shown @param {number} offset  from the code's middle, -1 … 1 @returns {Promise<void>} */
   showSection(shown, offset) { return this.call_('showSection', shown, offset); }
 
-  /** @param {boolean} shown @returns {Promise<number>}  the depth of the last colour, mm; 0 without a carved model */
+  /**
+   * @param {boolean} shown
+   * @returns {Promise<{ topMm: number, deepestMm: number }>}  depth of the last colour and of the deepest pocket; 0 without a
+   *   carved model
+   */
   showDepths(shown) { return this.call_('showDepths', shown); }
 
   /** @returns {Promise<import('./types.js').Report>} */

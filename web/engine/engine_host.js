@@ -180,7 +180,7 @@ export class EngineHost {
     /** @param {boolean} shown @param {number} offset */
     showSection: (shown, offset) => this.drawn_(this.engine_.showSection(shown, offset)),
     /** @param {boolean} shown */
-    showDepths: (shown) => this.drawn_(parseAnswer(this.engine_.showDepths(shown)).topMm),
+    showDepths: (shown) => this.drawn_(parseAnswer(this.engine_.showDepths(shown))),
 
     prepareEngrave: async () => {
       while (!this.job_ && !parseAnswer(this.engine_.prepareEngrave()).done) await yieldToMessages();

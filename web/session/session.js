@@ -261,8 +261,8 @@ export class Session {
 
   /** @param {boolean} shown  the depths of the carved model, as colours */
   async showDepths(shown) {
-    const topMm = await this.parts_.client.showDepths(shown);
-    if (shown) this.parts_.legend.show('depths', topMm);
+    const { topMm, deepestMm } = await this.parts_.client.showDepths(shown);
+    if (shown) this.parts_.legend.show('depths', topMm, deepestMm > topMm);
     else this.parts_.legend.hide('depths');
     if (shown && !this.parts_.carving.shown) await this.showCarved(true);
   }

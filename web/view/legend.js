@@ -15,12 +15,12 @@ export class Legend {
     /** @type {LegendKind | undefined} */ this.kind_ = undefined;
   }
 
-  /** @param {LegendKind} kind @param {number} topMm  of the last colour */
-  show(kind, topMm) {
+  /** @param {LegendKind} kind @param {number} topMm  of the last colour @param {boolean} [isExceeded]  by what has that colour */
+  show(kind, topMm, isExceeded = false) {
     this.kind_ = kind;
     write(this.title_, () => text(kind === 'sizes' ? 'view.sizesLegend' : 'view.depthsLegend'));
     write(this.middle_, () => text('view.millimetres', { mm: Number((topMm / 2).toFixed(2)) }));
-    write(this.top_, () => text('view.millimetres', { mm: Number(topMm.toFixed(2)) }));
+    write(this.top_, () => text(isExceeded ? 'view.millimetresOrMore' : 'view.millimetres', { mm: Number(topMm.toFixed(2)) }));
     this.figure_.hidden = false;
   }
 
