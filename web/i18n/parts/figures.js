@@ -160,7 +160,7 @@ export const figures = {
     paperModuleReads: 'With modules of 1.2 mm our default decodes in {reads} tries as printed at a depth of {depth} mm, in the median.',
     paperModuleOthers: 'The other methods for the sky: {list}.',
     paperModuleOther: '{method} {reads} at {depth} mm',
-    paperModuleDefault: 'No other method decodes more often than our default at no more depth {cases}.',
+    paperModuleDefault: 'No other method decodes more often than our default at no more depth: this holds {cases}.',
 
     defaultChoiceAlt: 'Plots for four module widths: reads as printed against mean depth, and against greatest depth, a sign for each pattern tried. A circle marks the default.',
     defaultChoiceShown: 'Reads as printed against mean depth (above) and greatest depth (below) of the settings that a search of 59 random draws left, on the four models that the default was not chosen by: means of lying, upright and slanted prints. The circle marks the default; signs are module pattern / finder pattern.',
@@ -356,7 +356,7 @@ export const figures = {
     paperModuleReads: 'Mit Modulen von 1,2 mm gelingen bei unserer Voreinstellung im Druck {reads} Versuche bei einer Tiefe von {depth} mm, im Median.',
     paperModuleOthers: 'Die anderen Verfahren für den Himmel: {list}.',
     paperModuleOther: '{method} {reads} bei {depth} mm',
-    paperModuleDefault: 'Kein anderes Verfahren lässt sich bei höchstens gleicher Tiefe öfter lesen als unsere Voreinstellung {cases}.',
+    paperModuleDefault: 'Kein anderes Verfahren lässt sich bei höchstens gleicher Tiefe öfter lesen als unsere Voreinstellung: Das gilt {cases}.',
 
     defaultChoiceAlt: 'Diagramme für vier Modulbreiten: Lesungen im Druck nach mittlerer und nach größter Tiefe, ein Zeichen je versuchtem Muster. Ein Kreis markiert die Voreinstellung.',
     defaultChoiceShown: 'Lesungen im Druck nach mittlerer Tiefe (oben) und größter Tiefe (unten) für die Einstellungen, die eine Suche mit 59 zufälligen Ziehungen übrig ließ, auf den vier Modellen, nach denen die Voreinstellung nicht gewählt wurde: Mittel aus liegenden, stehenden und schrägen Drucken. Der Kreis markiert die Voreinstellung; Zeichen sind Modulmuster / Suchmuster.',
