@@ -2,10 +2,11 @@
 // Part of the build: draws the figures of study.html from the tables that were measured, says what was found, and puts
 // figures and tables beside the page.
 import { kLanguages } from '../../web/i18n/catalogue.js';
+import { decoderRates } from './decoder_rates.js';
 import { drawFigure } from './draw.js';
 import { kWidths } from './figure.js';
 import { kFigures } from './figures.js';
-import { figureMarkup, missingMarkup, statementsMarkup } from './markup.js';
+import { figureMarkup, missingMarkup, tableMarkup, textMarkup } from './markup.js';
 import { cases, models, said } from './say.js';
 import { kStatements } from './statements.js';
 import { measured, readTables } from './table.js';
@@ -18,11 +19,29 @@ const kFolder = 'study';
 /** Whether each of the figure's columns has a value. @param {import('./figure.js').Figure} figure @param {Row[]} rows */
 const isShowable = ({ measures }, rows) => measures.every((measure) => rows.some((row) => (row[measure] ?? null) !== null));
 
+/** The paper's statements, and how often each holds. @param {Record<string, Row[]>} rowsOf  by table */
+const statementsMarkup = (rowsOf) => tableMarkup([said('claimPaper'), said('claimHere'), said('claimFigure')],
+  kStatements.map(({ claim, section, table, over, judge }) => {
+    const counted = judge(rowsOf[table] ?? []);
+    const { holds, of } = counted;
+    const answer = holds === of ? 'claimHolds' : holds === 0 ? 'claimFails' : 'claimInPart';
+    const here = of === 0 ? said('claimNotMeasured') : said(answer, { cases: over === 'models' ? models(counted) : cases(counted) });
+    return [{ words: said(claim) }, { words: here }, { words: said(/** @type {any} */ (`section-${section}`)), section }];
+  }));
+
+/** @param {Row[]} rows */
+function decoderRatesMarkup(rows) {
+  const { head, body, pictures, wrong } = decoderRates(rows);
+  if (body.length === 0) return missingMarkup();
+  return `${textMarkup([said('ratesShown', { pictures }), said('ratesWrong', { count: wrong })])}
+${tableMarkup(head, body.map((line) => line.map((words) => ({ words }))))}`;
+}
+
 /**
  * What the page shows of these tables.
  * @param {Record<string, Table>} tables  by name
- * @returns {Promise<{ files: Map<string, string>, markup: Map<string, string> }>}  contents by path; markup by figure, and of the
- *   table `statements`
+ * @returns {Promise<{ files: Map<string, string>, markup: Map<string, string> }>}  contents by path; markup by figure, and of
+ *   the tables `statements` and `decoderRates`
  */
 export async function makeStudy(tables) {
   /** @type {Map<string, string>} */ const files = new Map();
@@ -50,15 +69,8 @@ export async function makeStudy(tables) {
     const found = figure.find(rows, rowsOf);
     markup.set(figure.name, figureMarkup({ figure, drawn, found, table: { path, cases, failed: cases - rows.length } }));
   }
-  markup.set('statements', statementsMarkup(kStatements.map(({ claim, section, table, over, judge }) => {
-    const counted = judge(rowsOf[table] ?? []);
-    const { holds, of } = counted;
-    const answer = holds === of ? 'claimHolds' : holds === 0 ? 'claimFails' : 'claimInPart';
-    return {
-      claim: said(claim), section, heading: said(/** @type {any} */ (`section-${section}`)),
-      holds: of === 0 ? said('claimNotMeasured') : said(answer, { cases: over === 'models' ? models(counted) : cases(counted) }),
-    };
-  })));
+  markup.set('statements', statementsMarkup(rowsOf));
+  markup.set('decoderRates', decoderRatesMarkup(rowsOf.carved_qr_rates ?? []));
   return { files, markup };
 }
 

@@ -38,9 +38,10 @@ test('a table becomes figures of both widths in both languages, sentences with i
 test('where a table is missing or empty the figure is left out, and the page says so', async () => {
   const { files, markup } = await makeStudy({ symbol_flips: tableOf(kHead + kFailed) });
   assert.equal(files.size, 0);
-  const { statements, ...figures } = Object.fromEntries(markup);
+  const { statements, decoderRates, ...figures } = Object.fromEntries(markup);
   assert.deepEqual(Object.keys(figures), kFigures.map(({ name }) => name));
   for (const shown of Object.values(figures)) assert.match(shown, /has not been measured yet/);
+  assert.match(decoderRates, /has not been measured yet/);
   assert.equal(statements.match(/Not measured yet/g)?.length, kStatements.length);
 });
 
@@ -59,7 +60,7 @@ test('how often a statement holds is said in words', () => {
 
 test('every figure stands on the page once, and one that is not there fails the build', () => {
   const page = readFileSync(new URL('../../web/study.html', import.meta.url), 'utf8');
-  assert.deepEqual([...page.matchAll(/data-figure="(\w+)"/g)].map(([, name]) => name).sort(), [...kFigures.map(({ name }) => name), 'statements'].sort());
+  assert.deepEqual([...page.matchAll(/data-figure="(\w+)"/g)].map(([, name]) => name).sort(), [...kFigures.map(({ name }) => name), 'statements', 'decoderRates'].sort());
   assert.throws(() => fillFigures('<div data-figure="nothing"></div>', new Map()), /no figure "nothing"/);
 });
 

@@ -47,16 +47,19 @@ ${inEach('figure', (language) => `<div class="chart">${picture(shown, language)}
 }
 
 /**
- * A table of statements: what the paper says, how often it holds here, and a link to the figure.
- * @param {{ claim: Said, section: string, heading: Said, holds: Said }[]} statements
+ * A table in each language; the first cell of a row names it.
+ * @param {Said[]} head
+ * @param {{ words: Said, section?: string }[][]} body  `section`: id of what it links to
  */
-export const statementsMarkup = (statements) => inEach('table', (language) => {
+export const tableMarkup = (head, body) => inEach('table', (language) => {
   const words = (/** @type {Said} */ one) => paragraph(language, [one]);
-  const head = /** @type {const} */ (['claimPaper', 'claimHere', 'claimFigure']).map((word) => `<th scope="col">${words(said(word))}</th>`).join('');
-  const rows = statements.map(({ claim, section, heading, holds }) =>
-    `<tr><th scope="row">${words(claim)}</th><td>${words(holds)}</td><td><a href="#${section}">${words(heading)}</a></td></tr>`);
-  return `<thead><tr>${head}</tr></thead>\n<tbody>${rows.join('\n')}</tbody>`;
+  const cell = (/** @type {{ words: Said, section?: string }} */ { words: one, section }) => (section ? `<a href="#${section}">${words(one)}</a>` : words(one));
+  const rows = body.map(([name, ...cells]) => `<tr><th scope="row">${cell(name)}</th>${cells.map((one) => `<td>${cell(one)}</td>`).join('')}</tr>`);
+  return `<thead><tr>${head.map((one) => `<th scope="col">${words(one)}</th>`).join('')}</tr></thead>\n<tbody>${rows.join('\n')}</tbody>`;
 });
 
+/** @param {Said[]} sentences */
+export const textMarkup = (sentences) => inEach('p', (language) => paragraph(language, sentences));
+
 /** Where a table is not there yet. */
-export const missingMarkup = () => inEach('p', (language) => paragraph(language, [said('notMeasured')]));
+export const missingMarkup = () => textMarkup([said('notMeasured')]);

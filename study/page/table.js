@@ -26,4 +26,4 @@ export function readTables(folder) {
 }
 
 /** Rows whose case could be measured. @param {Row[]} rows */
-export const measured = (rows) => rows.filter(({ failed }) => failed === null);
+export const measured = (rows) => rows.filter(({ failed = null }) => failed === null);

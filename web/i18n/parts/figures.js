@@ -192,6 +192,12 @@ export const figures = {
     'section-module': 'Least module', 'section-size': 'Sizes', 'section-patterns': 'Patterns', 'section-methods': 'Methods', 'section-time': 'Times',
     'section-lamps': 'Lamps', 'section-angles': 'Another lamp', 'section-robust': 'Blur',
 
+    percent: '{value} %',
+    ratesShown: 'CarvedQR has {pictures} pictures of carved codes, drawn from wide ranges of text, pattern, depth, size, print, lamp and camera; many are hard, and some cannot be read. Each decoder gets each picture once, with its own thorough settings. Shares that it reads:',
+    ratesWrong: { one: '{count} text in all was wrong.', other: '{count} texts in all were wrong.' },
+    ratesDecoder: 'Decoder', ratesDesigned: 'as designed', ratesPrinted: 'as printed', ratesSky: 'sky', ratesLamp: 'sky and lamp',
+    ratesFront: 'from the front', ratesTilted: 'tilted to 20°', ratesSteep: 'tilted to 45°', ratesNone: '–',
+
     symbolFlipsAlt: 'Two plots, of the search of 2019 and of ours: mean depth without flips, with those of Peng 2019 and with ours, a sign for each model.',
     symbolFlipsShown: 'Mean depth of whole modules at error correction H, when dark modules in wide dark areas are made light and readers restore them.',
     flipsCount: 'Peng 2019 makes {peng} modules light, QRelief {ours}, as it spends more of the error correction.',
@@ -387,6 +393,12 @@ export const figures = {
     claimRobust: 'Muster, die mehr gravieren, vertragen mindestens so viel Unschärfe.',
     'section-module': 'Kleinstes Modul', 'section-size': 'Größen', 'section-patterns': 'Muster', 'section-methods': 'Verfahren', 'section-time': 'Zeiten',
     'section-lamps': 'Lampen', 'section-angles': 'Andere Lampe', 'section-robust': 'Unschärfe',
+
+    percent: '{value} %',
+    ratesShown: 'CarvedQR enthält {pictures} Bilder gravierter Codes, gezogen aus weiten Bereichen von Text, Muster, Tiefe, Größe, Druck, Lampe und Kamera; viele sind schwer, manche unlesbar. Jeder Decoder bekommt jedes Bild einmal, mit seinen eigenen gründlichen Einstellungen. Anteile, die er liest:',
+    ratesWrong: { one: '{count} Text war insgesamt falsch.', other: '{count} Texte waren insgesamt falsch.' },
+    ratesDecoder: 'Decoder', ratesDesigned: 'im Entwurf', ratesPrinted: 'im Druck', ratesSky: 'Himmel', ratesLamp: 'Himmel und Lampe',
+    ratesFront: 'von vorn', ratesTilted: 'bis 20° schräg', ratesSteep: 'bis 45° schräg', ratesNone: '–',
 
     symbolFlipsAlt: 'Zwei Diagramme, zur Suche von 2019 und zu unserer: mittlere Tiefe ohne Umkehren, mit dem von Peng 2019 und mit unserem, ein Zeichen je Modell.',
     symbolFlipsShown: 'Mittlere Tiefe ganzer Module mit Fehlerkorrektur H, wenn dunkle Module in weiten dunklen Flächen hell bleiben und Leser sie wiederherstellen.',

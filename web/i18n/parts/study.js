@@ -36,6 +36,7 @@ export const study = {
     aside: 'From aside, on a cylinder',
     flips: 'Modules made light',
 
+    carvedQr: 'What decoders read of CarvedQR',
     again: 'Measure it again',
     againWhat: 'One command, script/study, measures every table again. Sources, methods and tables are in the folder “study” of the project.',
   },
@@ -73,6 +74,7 @@ export const study = {
     aside: 'Von der Seite, auf einem Zylinder',
     flips: 'Module, die hell bleiben',
 
+    carvedQr: 'Was Decoder von CarvedQR lesen',
     again: 'Selbst nachmessen',
     againWhat: 'Ein Befehl, script/study, misst alle Tabellen neu. Quelltext, Verfahren und Tabellen liegen im Ordner „study“ des Projekts.',
   },

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Share of CarvedQR's pictures that each decoder reads, by surface, light and tilt.
+import { distinct } from './compare.js';
+import { said } from './say.js';
+
+/** @typedef {import('./table.js').Row} Row */
+/** @typedef {import('./say.js').Said} Said */
+
+/** Columns: which pictures they count. @type {readonly { word: import('./say.js').Word, has: (row: Row) => boolean }[]} */
+const kColumns = [
+  { word: 'ratesDesigned', has: ({ surface }) => surface === 'designed' },
+  { word: 'ratesPrinted', has: ({ surface }) => surface === 'printed' },
+  { word: 'ratesSky', has: ({ light }) => light === 'sky' },
+  { word: 'ratesLamp', has: ({ light }) => light === 'sky and lamp' },
+  { word: 'ratesFront', has: ({ tilt_deg: tilt }) => tilt === 0 },
+  { word: 'ratesTilted', has: ({ tilt_deg: tilt }) => tilt === 'up to 20' },
+  { word: 'ratesSteep', has: ({ tilt_deg: tilt }) => tilt === 'up to 45' },
+];
+
+/** @param {Row[]} rows @param {string} column */
+const sum = (rows, column) => rows.reduce((total, row) => total + row[column], 0);
+
+/**
+ * @param {Row[]} rows  of the table carved_qr_rates
+ * @returns {{ head: Said[], body: Said[][], pictures: number, wrong: number }}  decoders from the best to the worst; in %
+ */
+export function decoderRates(rows) {
+  const share = (/** @type {Row[]} */ some) => (100 * sum(some, 'read')) / sum(some, 'pictures');
+  const ofDecoder = (/** @type {string} */ decoder) => rows.filter((row) => row.decoder === decoder);
+  const decoders = distinct(rows, 'decoder').sort((a, b) => share(ofDecoder(b)) - share(ofDecoder(a)));
+  return {
+    head: [said('ratesDecoder'), ...kColumns.map(({ word }) => said(word))],
+    body: decoders.map((decoder) => [said('asIs', { value: decoder }), ...kColumns.map(({ has }) => {
+      const some = ofDecoder(decoder).filter(has);
+      return some.length === 0 ? said('ratesNone') : said('percent', { value: Math.round(share(some)) });
+    })]),
+    pictures: decoders.length > 0 ? sum(ofDecoder(decoders[0]), 'pictures') : 0,
+    wrong: sum(rows, 'wrong'),
+  };
+}
