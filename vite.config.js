@@ -2,6 +2,7 @@
 import { existsSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
+import { gallery } from './study/gallery/build_plugin.js';
 import { study } from './study/page/build_plugin.js';
 import { offline } from './web/offline/build_plugin.js';
 import { oneLanguage } from './web/i18n/cut_language.js';
@@ -61,13 +62,14 @@ export default defineConfig({
     },
   },
   plugins: [
-    requireModule(), texts(), oneLanguage(), study({ tables: `${root}study/results` }), contentSecurityPolicy(),
+    requireModule(), texts(), oneLanguage(), study({ tables: `${root}study/results` }),
+    gallery({ pictures: `${root}build/gallery` }), contentSecurityPolicy(),
     offline({ site: process.env.QRELIEF_SITE }),
   ],
   worker: { format: 'es' },
   build: {
     outDir: `${root}dist`, emptyOutDir: true, target: 'es2022', assetsInlineLimit: 0, modulePreload: { polyfill: false },
-    rolldownOptions: { input: ['index', 'guide', 'method', 'study'].map((page) => `${root}web/${page}.html`) },
+    rolldownOptions: { input: ['index', 'guide', 'method', 'study', 'gallery'].map((page) => `${root}web/${page}.html`) },
   },
   server: { fs: { allow: [root, moduleFolder] } },
 });

@@ -20,7 +20,7 @@ const kLayers = [
   'view',      // the model on the screen
   'ui',        // the panels
   'session',   // what is worked on, and what goes on with it
-  'guide', 'method', 'study',  // articles
+  'guide', 'method', 'study', 'gallery',  // articles
   'app.js',   // composes all of it
   'main.js',  // begins
 ];

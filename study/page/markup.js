@@ -19,7 +19,7 @@ import { isKnown, said, sentence } from './say.js';
 const kNarrowest = '(max-width: 760px)';  // of pages whose column is narrower than a wide figure
 
 /** An element in each language, of which one is shown. @param {string} tag @param {(language: Language) => string} content */
-const inEach = (tag, content) => kLanguages
+export const inEach = (tag, content) => kLanguages
   .map((language) => `<${tag} lang="${language}" class="in-${language}">${content(language)}</${tag}>`).join('\n');
 
 /** @param {Language} language @param {Said[]} sentences */

@@ -49,7 +49,7 @@ export const writeSettingsFile = ({ settings, model }) =>
 export const looksLikeSettings = ({ name, type }) => /\.json$/i.test(name) || type === 'application/json';
 
 /** @param {import('../engine/message.js').Message} why @returns {never} */
-function refuse(why) {
+function refuseFile(why) {
   throw new EngineFailure({ kind: 'BadInput', ...message('settings-file-refused', { why: { cause: why } }) });
 }
 
@@ -68,18 +68,25 @@ const isNumber = (value) => typeof value === 'number' && Number.isFinite(value);
 /** @param {unknown} value @returns {value is Point} */
 const isPoint = (value) => Array.isArray(value) && value.length === 3 && value.every(isNumber);
 
-/** @param {string} name @param {unknown} value @param {readonly [number, number]} range */
-function checkNumber(name, value, [from, to]) {
+/** @typedef {(why: import('../engine/message.js').Message) => never} Refuse */
+
+/** @param {string} name @param {unknown} value @param {readonly [number, number]} range @param {Refuse} refuse */
+function checkNumber(name, value, [from, to], refuse) {
   if (!isNumber(value) || value < from || value > to) refuse(message('settings-wrong-number', { name: { term: name }, from: { number: from }, to: { number: to }, value: { term: shown(value) } }));
 }
 
-/** @param {string} name @param {unknown} value @param {readonly string[]} choices */
-function checkChoice(name, value, choices) {
+/** @param {string} name @param {unknown} value @param {readonly string[]} choices @param {Refuse} refuse */
+function checkChoice(name, value, choices, refuse) {
   if (!choices.includes(/** @type {string} */ (value))) refuse(message('settings-wrong-choice', { name: { term: name }, choices: { term: choices.join(', ') }, value: { term: shown(value) } }));
 }
 
-/** @param {SettingKey} name @param {unknown} value */
-function checkSetting(name, value) {
+/**
+ * Checks a setting from outside.
+ * @param {SettingKey} name
+ * @param {unknown} value
+ * @param {Refuse} [refuse]  throws an error that says why
+ */
+export function checkSetting(name, value, refuse = refuseFile) {
   const { kind, choices = [], min = 0, max = 0 } = kSettings[name];
   if (kind === 'text') {
     if (typeof value !== 'string') refuse(message('settings-wrong-text', { value: { term: shown(value) } }));
@@ -88,29 +95,29 @@ function checkSetting(name, value) {
   } else if (kind === 'lamps') {
     if (!areLamps(value)) refuse(message('settings-wrong-lamps', { name: { term: name }, value: { term: shown(value) } }));
   } else if (kind === 'number' || (kind === 'choice-or-number' && isNumber(value))) {
-    checkNumber(name, value, [min, max]);
+    checkNumber(name, value, [min, max], refuse);
   } else {
-    checkChoice(name, value, choices);
+    checkChoice(name, value, choices, refuse);
   }
 }
 
 /** @param {Record<string, unknown>} settings @param {readonly SettingKey[]} keys  of a file */
 function checkSettings(settings, keys) {
   const unknown = Object.keys(settings).find((name) => !keys.includes(/** @type {SettingKey} */ (name)));
-  if (unknown !== undefined) refuse(message('settings-unknown', { name: { term: shown(unknown) } }));
+  if (unknown !== undefined) refuseFile(message('settings-unknown', { name: { term: shown(unknown) } }));
   const missing = keys.find((name) => settings[name] === undefined && !mayBeMissing(name));
-  if (missing) refuse(message('settings-missing', { name: { term: missing } }));
+  if (missing) refuseFile(message('settings-missing', { name: { term: missing } }));
   for (const name of keys) if (settings[name] !== undefined) checkSetting(name, settings[name]);
 }
 
 /** @param {unknown} model @returns {ModelChoice} */
 function checkModel(model) {
-  if (!isObject(model)) refuse(message('settings-wrong-model', { value: { term: shown(model) } }));
+  if (!isObject(model)) refuseFile(message('settings-wrong-model', { value: { term: shown(model) } }));
   const { file, sample, scaleToMm, upAxis, centreMm } = model;
-  if (typeof file !== 'string' || (sample !== undefined && typeof sample !== 'string')) refuse(message('settings-wrong-model', { value: { term: shown(file) } }));
-  checkNumber('scaleToMm', scaleToMm, [1e-6, 1e6]);
-  checkChoice('upAxis', upAxis, ['y', 'z']);
-  if (centreMm !== undefined && !isPoint(centreMm)) refuse(message('settings-wrong-centre', { value: { term: shown(centreMm) } }));
+  if (typeof file !== 'string' || (sample !== undefined && typeof sample !== 'string')) refuseFile(message('settings-wrong-model', { value: { term: shown(file) } }));
+  checkNumber('scaleToMm', scaleToMm, [1e-6, 1e6], refuseFile);
+  checkChoice('upAxis', upAxis, ['y', 'z'], refuseFile);
+  if (centreMm !== undefined && !isPoint(centreMm)) refuseFile(message('settings-wrong-centre', { value: { term: shown(centreMm) } }));
   return /** @type {ModelChoice} */ ({ file, scaleToMm, upAxis, ...(sample === undefined ? {} : { sample }), ...(centreMm ? { centreMm } : {}) });
 }
 
@@ -119,7 +126,7 @@ function parse(json, name) {
   try {
     return JSON.parse(json);
   } catch {
-    return refuse(message('settings-no-json', { file: { quoted: name } }));
+    return refuseFile(message('settings-no-json', { file: { quoted: name } }));
   }
 }
 
@@ -131,12 +138,12 @@ function parse(json, name) {
  * @throws {EngineFailure} saying what is wrong with which setting; then nothing of the file may be used
  */
 export function readSettingsFile(json, name, controls) {
-  if (json.length > kMostBytes) refuse(message('settings-absent', { file: { quoted: name } }));
+  if (json.length > kMostBytes) refuseFile(message('settings-absent', { file: { quoted: name } }));
   const content = parse(json.replace(/^\ufeff/, ''), name);
-  if (isObject(content) && typeof content.qrelief === 'string') refuse(message('settings-are-report', { file: { quoted: name } }));
-  if (!isObject(content) || content.kind !== kKind) refuse(message('settings-absent', { file: { quoted: name } }));
-  if (content.version !== kVersion) refuse(message('settings-other-version', { file: { quoted: name }, version: { term: shown(content.version) }, known: { count: kVersion } }));
-  if (!isObject(content.settings)) refuse(message('settings-missing', { name: { term: 'settings' } }));
+  if (isObject(content) && typeof content.qrelief === 'string') refuseFile(message('settings-are-report', { file: { quoted: name } }));
+  if (!isObject(content) || content.kind !== kKind) refuseFile(message('settings-absent', { file: { quoted: name } }));
+  if (content.version !== kVersion) refuseFile(message('settings-other-version', { file: { quoted: name }, version: { term: shown(content.version) }, known: { count: kVersion } }));
+  if (!isObject(content.settings)) refuseFile(message('settings-missing', { name: { term: 'settings' } }));
   checkSettings(content.settings, fileKeys(controls));
   const settings = /** @type {Settings} */ (/** @type {unknown} */ (content.settings));
   return content.model === undefined ? { settings } : { settings, model: checkModel(content.model) };

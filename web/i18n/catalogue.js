@@ -22,6 +22,7 @@ const kParts = { batch, check, code, help, inspector, keep, links, page, samples
 
 /**
  * @typedef {{ guide: typeof import('./parts/guide.js').guide, method: typeof import('./parts/method.js').method,
+ *   gallery: typeof import('./parts/gallery.js').gallery,
  *   study: typeof import('./parts/study.js').study, figures: typeof import('./parts/figures.js').figures }} Articles
  */
 /** @typedef {typeof kParts & Articles} Parts */

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Part of the build: puts the English texts into the markup, for who runs no scripts and before they run.
 import { addTexts, text } from './catalogue.js';
+import { gallery } from './parts/gallery.js';
 import { guide } from './parts/guide.js';
 import { method } from './parts/method.js';
 import { study } from './parts/study.js';
 
-addTexts({ guide, method, study });
+addTexts({ gallery, guide, method, study });
 
 /** @param {string} words */
 export const escaped = (words) => words.replaceAll('&', '&amp;').replaceAll('<', '&lt;').replaceAll('"', '&quot;');

@@ -3,6 +3,7 @@
 import { text } from '../i18n/catalogue.js';
 import { saveFile } from '../dom/save_file.js';
 import { fileNameOf, symbolFileName } from '../export/file_names.js';
+import { settingsFromAddress } from '../export/address_settings.js';
 import { readSettingsFile, writeSettingsFile } from '../export/settings_file.js';
 import { symbolPng, symbolSvg } from '../export/symbol_file.js';
 
@@ -58,6 +59,22 @@ export class Exporting {
   saveSettings() {
     const file = writeSettingsFile({ settings: this.settingsToSave_(), model: this.modelChoice_() });
     saveFile(new Blob([file], { type: 'application/json' }), this.nameOf_('settings', 'json'));
+  }
+
+  /**
+   * Uses the settings that the page's address asks for; the others stay. They decide from the next model on.
+   * @param {URLSearchParams} address
+   * @returns {{ asksForSettings: boolean, refusal?: unknown }}  `refusal`: why one cannot be used; then none is
+   */
+  useAddress(address) {
+    try {
+      const asked = settingsFromAddress(address, this.settingKeys_());
+      const asksForSettings = Object.keys(asked).length > 0;
+      if (asksForSettings) this.onSettings_({ ...this.settingsToSave_(), ...asked });
+      return { asksForSettings };
+    } catch (refusal) {
+      return { asksForSettings: true, refusal };
+    }
   }
 
   /**

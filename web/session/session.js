@@ -105,9 +105,11 @@ export class Session {
       return;
     }
     await this.guard_(async () => {
+      const { asksForSettings, refusal } = this.parts_.exporting.useAddress(address);
       await this.parts_.model.openSample(address.get('sample') ?? undefined);
       const isOffered = await this.parts_.batchCarving.offer();
-      await this.parts_.kept.begin(!isOffered && !kAsked.some((name) => address.has(name)));  // who asked for something gets that
+      await this.parts_.kept.begin(!isOffered && !asksForSettings && !kAsked.some((name) => address.has(name)));  // who asked for something gets that
+      if (refusal) throw refusal;
       if (address.get('engrave') === '1') await this.parts_.carving.engrave();
     });
   }

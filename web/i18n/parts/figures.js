@@ -198,6 +198,11 @@ export const figures = {
     ratesDecoder: 'Decoder', ratesDesigned: 'as designed', ratesPrinted: 'as printed', ratesSky: 'sky', ratesLamp: 'sky and lamp',
     ratesFront: 'from the front', ratesTilted: 'tilted to 20°', ratesSteep: 'tilted to 45°', ratesNone: '–',
 
+    galleryDefault: 'By default', galleryLamp: 'For a lamp at 33°', galleryPatterns: 'Every pattern of modules and finders',
+    galleryDesigned: 'As designed', galleryPrinted: 'As printed',
+    galleryFacts: '{depth} mm deep; {reads} of {tries} tries decode the design, {printed} the print',
+    galleryMissing: 'This build has no pictures: script/gallery makes them.',
+
     symbolFlipsAlt: 'Two plots, of the search of 2019 and of ours: mean depth without flips, with those of Peng 2019 and with ours, a sign for each model.',
     symbolFlipsShown: 'Mean depth of whole modules at error correction H, when dark modules in wide dark areas are made light and readers restore them.',
     flipsCount: 'Peng 2019 makes {peng} modules light, QRelief {ours}, as it spends more of the error correction.',
@@ -399,6 +404,11 @@ export const figures = {
     ratesWrong: { one: '{count} Text war insgesamt falsch.', other: '{count} Texte waren insgesamt falsch.' },
     ratesDecoder: 'Decoder', ratesDesigned: 'im Entwurf', ratesPrinted: 'im Druck', ratesSky: 'Himmel', ratesLamp: 'Himmel und Lampe',
     ratesFront: 'von vorn', ratesTilted: 'bis 20° schräg', ratesSteep: 'bis 45° schräg', ratesNone: '–',
+
+    galleryDefault: 'Mit der Voreinstellung', galleryLamp: 'Für eine Lampe auf 33°', galleryPatterns: 'Jedes Muster für Module und Suchmuster',
+    galleryDesigned: 'Im Entwurf', galleryPrinted: 'Im Druck',
+    galleryFacts: '{depth} mm tief; {reads} von {tries} Versuchen lesen den Entwurf, {printed} den Druck',
+    galleryMissing: 'Dieser Seite fehlen die Bilder: script/gallery macht sie.',
 
     symbolFlipsAlt: 'Zwei Diagramme, zur Suche von 2019 und zu unserer: mittlere Tiefe ohne Umkehren, mit dem von Peng 2019 und mit unserem, ein Zeichen je Modell.',
     symbolFlipsShown: 'Mittlere Tiefe ganzer Module mit Fehlerkorrektur H, wenn dunkle Module in weiten dunklen Flächen hell bleiben und Leser sie wiederherstellen.',

@@ -7,11 +7,13 @@ export const links = {
     toMethod: 'How it works',
     toGuide: 'How to print it',
     toStudy: 'What was measured',
+    toGallery: 'Gallery',
   },
   de: {
     toApp: 'Zur App',
     toMethod: 'So funktioniert es',
     toGuide: 'So wird es gedruckt',
     toStudy: 'Was gemessen wurde',
+    toGallery: 'Galerie',
   },
 };

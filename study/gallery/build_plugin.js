@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Part of the build: puts the pictures that script/gallery has made, and what they show, into gallery.html.
+import { existsSync, readFileSync, readdirSync } from 'node:fs';
+import { escaped } from '../../web/i18n/fill.js';
+import { samples as sampleNames } from '../../web/i18n/parts/samples.js';
+import { inEach, textMarkup } from '../page/markup.js';
+import { mm, name, said, sentence } from '../page/say.js';
+
+/** @typedef {import('../../web/i18n/catalogue.js').Language} Language */
+/**
+ * One code, as make_gallery.cpp has written it.
+ * @typedef {object} Exhibit
+ * @property {'default' | 'lamp' | 'pattern'} kind
+ * @property {Record<string, string>} settings  other than the defaults, as the page's address takes them
+ * @property {string} designed   PNG file
+ * @property {string} printed    PNG file
+ * @property {number} depthMm    mean
+ * @property {number} moduleMm
+ * @property {number} reads         tries that decode, of the design
+ * @property {number} printedReads  of the print
+ * @property {number} tries
+ */
+/** @typedef {{ sample: string, exhibits: Exhibit[] }} Room */
+
+const kFolder = 'gallery';
+const kPatterns = ['none', 'square', 'thin-plus', 'diamond', 'thick-plus'];
+const kFinders = ['none', 'as-modules', 'diamond', 'thick-plus', 'thick-plus-sharp'];
+
+/** @param {string} folder @returns {Room[]}  in the order of the page's samples */
+export function readGallery(folder) {
+  const order = Object.keys(sampleNames.en);
+  const files = existsSync(folder) ? readdirSync(folder).filter((file) => file.endsWith('.json')) : [];
+  return files.map((file) => JSON.parse(readFileSync(`${folder}/${file}`, 'utf8')))
+    .sort((a, b) => order.indexOf(a.sample) - order.indexOf(b.sample));
+}
+
+/** The app with this code, carved at once. @param {string} sample @param {Exhibit} exhibit */
+const addressOf = (sample, { settings }) => `./?${new URLSearchParams({ sample, ...settings, engrave: '1' })}`;
+
+/** @param {Language} language @param {import('../page/say.js').Said} one */
+const words = (language, one) => escaped(sentence(language, one));
+
+/** @param {Language} language @param {string} sample @param {Exhibit} exhibit @param {import('../page/say.js').Said} title */
+function card(language, sample, exhibit, title) {
+  const { designed, printed, depthMm, reads, printedReads, tries } = exhibit;
+  const picture = (/** @type {string} */ file, /** @type {'galleryDesigned' | 'galleryPrinted'} */ what) =>
+    `<img src="${kFolder}/${file}" alt="${words(language, said(what))}" width="156" height="156" loading="lazy" />`;
+  return `<a class="exhibit" href="${escaped(addressOf(sample, exhibit))}"><span class="pair">${picture(designed, 'galleryDesigned')}${picture(printed, 'galleryPrinted')}</span>
+<strong>${words(language, title)}</strong>
+<span>${words(language, said('galleryFacts', { depth: mm(depthMm), reads, printed: printedReads, tries }))}</span></a>`;
+}
+
+/** @param {Language} language @param {Room} room */
+function roomMarkup(language, { sample, exhibits }) {
+  const title = escaped(sampleNames[language][/** @type {keyof typeof sampleNames.en} */ (sample)] ?? sample);
+  const titles = { default: said('galleryDefault'), lamp: said('galleryLamp') };
+  const usual = exhibits.filter(({ kind }) => kind !== 'pattern')
+    .map((exhibit) => card(language, sample, exhibit, titles[/** @type {'default' | 'lamp'} */ (exhibit.kind)])).join('\n');
+  const patterned = exhibits.filter(({ kind }) => kind === 'pattern');
+  const at = (/** @type {string} */ pattern, /** @type {string} */ finders) =>
+    patterned.find(({ settings }) => settings.pattern === pattern && settings.finderPattern === finders);
+  const rows = kPatterns.map((pattern) => `<tr>${kFinders.map((finders) => {
+    const exhibit = at(pattern, finders);
+    const patterns = said('carvingPattern', { modules: name('pattern', pattern), finders: name('finder', finders) });
+    return `<td>${exhibit ? card(language, sample, exhibit, patterns) : ''}</td>`;
+  }).join('')}</tr>`).join('\n');
+  const table = patterned.length > 0
+    ? `<h3>${words(language, said('galleryPatterns'))}</h3>\n<div class="scroll" tabindex="0" role="region" aria-label="${title}: ${words(language, said('galleryPatterns'))}"><table class="matrix"><tbody>${rows}</tbody></table></div>` : '';
+  return `<h2>${title}</h2>\n<div class="exhibits">${usual}</div>\n${table}`;
+}
+
+/** @param {Room[]} rooms @returns {string} */
+export const galleryMarkup = (rooms) => (rooms.length === 0 ? textMarkup([said('galleryMissing')])
+  : rooms.map((room) => inEach('section', (language) => roomMarkup(language, room))).join('\n'));
+
+/**
+ * @param {{ pictures: string }} options  folder that script/gallery has filled; without it the page says so
+ * @returns {import('vite').Plugin}
+ */
+export function gallery({ pictures }) {
+  const bytesOf = (/** @type {string} */ file) => readFileSync(`${pictures}/${file}`);
+  return {
+    name: 'qrelief-gallery',
+    transformIndexHtml: {
+      order: 'post',  // Vite looks for the pictures itself otherwise
+      handler: (html, { path }) => (path.endsWith('gallery.html') ? html.replace('<div data-gallery></div>', galleryMarkup(readGallery(pictures))) : html),
+    },
+    generateBundle() {
+      for (const { designed, printed } of readGallery(pictures).flatMap(({ exhibits }) => exhibits)) {
+        for (const file of [designed, printed]) this.emitFile({ type: 'asset', fileName: `${kFolder}/${file}`, source: bytesOf(file) });
+      }
+    },
+    configureServer(server) {
+      server.middlewares.use(`/${kFolder}`, (request, response, next) => {
+        const file = /^\/([\w-]+\.png)$/.exec(request.url ?? '')?.[1];
+        if (file === undefined || !existsSync(`${pictures}/${file}`)) next();
+        else response.setHeader('Content-Type', 'image/png').end(bytesOf(file));
+      });
+    },
+  };
+}

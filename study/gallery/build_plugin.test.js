@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { test } from 'node:test';
+import { galleryMarkup } from './build_plugin.js';
+
+const exhibit = (/** @type {object} */ change) => ({
+  kind: 'default', settings: {}, designed: 'a.png', printed: 'b.png', depthMm: 0.654, moduleMm: 1.2, reads: 60, printedReads: 40, tries: 72, ...change,
+});
+
+test('every code is a link that opens it in the app, with both pictures and what they come to', () => {
+  const html = galleryMarkup(/** @type {any} */ ([{ sample: 'bunny', exhibits: [exhibit({}), exhibit({ kind: 'lamp', settings: { light: '90,33,1' } })] }]));
+  assert.match(html, /<section lang="en" class="in-en"><h2>Stanford bunny<\/h2>/);
+  assert.match(html, /<section lang="de" class="in-de"><h2>Stanford-Hase<\/h2>/);
+  assert.match(html, /href="\.\/\?sample=bunny&amp;engrave=1"/);
+  assert.match(html, /href="\.\/\?sample=bunny&amp;light=90%2C33%2C1&amp;engrave=1"/);
+  assert.match(html, /src="gallery\/a\.png"[^>]*>.*src="gallery\/b\.png"/);
+  assert.match(html, /0\.65 mm deep; 60 of 72 tries decode the design, 40 the print/);
+  assert.doesNotMatch(html, /matrix/);
+});
+
+test('patterns make a table, a place for each', () => {
+  const html = galleryMarkup(/** @type {any} */ ([{ sample: 'plate', exhibits: [exhibit({ kind: 'pattern', settings: { pattern: 'square', finderPattern: 'none' } })] }]));
+  assert.equal(html.match(/<td>/g)?.length, 2 * 25);
+  assert.equal(html.match(/pattern=square&amp;finderPattern=none/g)?.length, 2);
+});
+
+test('without pictures the page says what makes them', () => {
+  assert.match(galleryMarkup([]), /script\/gallery/);
+});
+
+test('the page has a place for the gallery', () => {
+  assert.match(readFileSync(new URL('../../web/gallery.html', import.meta.url), 'utf8'), /<div data-gallery><\/div>/);
+});

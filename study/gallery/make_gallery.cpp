@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pictures of one sample's codes for the page's gallery, as designed and as printed: by default, for one lamp, and with
+// every module pattern and finder pattern (`script/gallery`). Writes FOLDER/SAMPLE.json and the PNG files that it
+// names.
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "messages/sentences.h"
+#include "native/egl_context.h"
+#include "native/engraver.h"
+#include "native/files.h"
+#include "native/png_file.h"
+#include "pipeline/printed_view.h"
+#include "study/workshop.h"
+
+namespace qrelief::study {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kMaxSizeMm = 30;
+constexpr DirectionalLight kLamp{.azimuthDeg = 90, .elevationDeg = 33, .strength = 1};
+
+/// One code of the gallery.
+struct Exhibit {
+  std::string kind;  ///< "default", "lamp" or "pattern"
+  Json settings;     ///< what differs from the defaults, by setting
+  EngraveRequest request;
+};
+
+std::vector<Exhibit> exhibits(const EngraveRequest& usual, bool withPatterns) {
+  std::vector<Exhibit> all{{"default", Json::object(), usual}};
+  EngraveRequest forLamp = usual;
+  forLamp.lights = {kLamp};
+  all.push_back({"lamp",
+                 {{"light", fmt::format("{:g},{:g},{:g}", kLamp.azimuthDeg, kLamp.elevationDeg, kLamp.strength)}},
+                 forLamp});
+  for (int modules = 0; withPatterns && modules < 5; ++modules)
+    for (int finders = 0; finders < 5; ++finders) {
+      EngraveRequest request = usual;
+      request.modulePattern = static_cast<ModulePattern>(modules);
+      request.finderPattern = static_cast<FinderPattern>(finders);
+      request.keepPreset = true;
+      all.push_back({"pattern",
+                     {{"pattern", modulePatternName(*request.modulePattern)},
+                      {"finderPattern", finderPatternName(*request.finderPattern)}},
+                     request});
+    }
+  return all;
+}
+
+/// Half as wide and high.
+GreyImage halved(const GreyImage& image) {
+  GreyImage half{image.width / 2, image.height / 2, {}};
+  for (int y = 0; y < half.height; ++y)
+    for (int x = 0; x < half.width; ++x) {
+      const auto at = [&](int dx, int dy) {
+        return int{image.pixels[static_cast<std::size_t>((2 * y + dy) * image.width + 2 * x + dx)]};
+      };
+      half.pixels.push_back(static_cast<std::uint8_t>((at(0, 0) + at(1, 0) + at(0, 1) + at(1, 1) + 2) / 4));
+    }
+  return half;
+}
+
+Status writePicture(const std::string& path, const GreyImage& image) {
+  const auto png = encodePng(halved(image));
+  if (!png) return tl::unexpected(png.error());
+  return writeFileAtomically(path, *png);
+}
+
+Result<GreyImage> printedPicture(const Engraved& engraved) {
+  const auto request = printedViewOf(verifyRequestOf(engraved.request, engraved.result));
+  if (!request) return tl::unexpected(request.error());
+  auto job = PrintedViewJob::create(engraved.result.mesh, **request);
+  if (!job) return tl::unexpected(job.error());
+  for (;;) {
+    const auto progress = (*job)->advance();
+    if (!progress) return tl::unexpected(progress.error());
+    if (progress->done) return (*job)->takeResult().seen.clean;
+  }
+}
+
+Result<Json> show(const Engraver& engraver, const Exhibit& exhibit, const std::string& folder,
+                  const std::string& name) {
+  const auto engraved = engraver.engrave(exhibit.request, [](const Progress&) {});
+  if (!engraved) return tl::unexpected(engraved.error());
+  const auto printed = printedPicture(*engraved);
+  if (!printed) return tl::unexpected(printed.error());
+  const std::string designedFile = name + "-designed.png", printedFile = name + "-printed.png";
+  if (const Status written = writePicture(folder + "/" + designedFile, engraved->result.readerView.clean); !written)
+    return tl::unexpected(written.error());
+  if (const Status written = writePicture(folder + "/" + printedFile, *printed); !written)
+    return tl::unexpected(written.error());
+  return Json{{"kind", exhibit.kind},
+              {"settings", exhibit.settings},
+              {"designed", designedFile},
+              {"printed", printedFile},
+              {"depthMm", summarise(engraved->result.depths).meanMm},
+              {"moduleMm", engraved->result.placement.moduleMm},
+              {"reads", engraved->reading.count.reads},
+              {"printedReads", engraved->printed->reading.count.reads},
+              {"tries", engraved->reading.count.tries}};
+}
+
+Status make(const std::string& sample, const std::string& samples, const std::string& folder, bool withPatterns) {
+  const auto context = EglContext::create();
+  if (!context) return tl::unexpected(context.error());
+  Workshop workshop(samples);
+  const auto model = workshop.model(sample);
+  if (!model) return tl::unexpected(model.error());
+  auto usual = workshop.usualRequest(sample);
+  if (!usual) return tl::unexpected(usual.error());
+  usual->symbol.version.reset();
+  usual->keepPreset = false;
+  usual->buildUp = {};
+  usual->placement.sizeMode = SizeMode::Best;
+  usual->placement.maxSizeMm = kMaxSizeMm;
+  const auto engraver = Engraver::create(*model);
+  if (!engraver) return tl::unexpected(engraver.error());
+  Json shown = Json::array();
+  int number = 0;
+  for (const Exhibit& exhibit : exhibits(*usual, withPatterns)) {
+    const auto one = show(*engraver, exhibit, folder, fmt::format("{}-{}", sample, number++));
+    if (!one) return tl::unexpected(one.error());
+    shown.push_back(*one);
+  }
+  const std::string json = Json{{"sample", sample}, {"exhibits", shown}}.dump(1) + "\n";
+  return writeFileAtomically(folder + "/" + sample + ".json", json);
+}
+
+}  // namespace
+}  // namespace qrelief::study
+
+int main(int argc, char** argv) {
+  CLI::App app("Makes the gallery's pictures of one sample");
+  std::string sample, samples, folder;
+  bool withPatterns = false;
+  app.add_option("SAMPLE", sample, "its id")->required();
+  app.add_option("--samples", samples, "folder of the page's sample models")->required();
+  app.add_option("--out", folder, "folder for the pictures, which is there")->required();
+  app.add_flag("--patterns", withPatterns, "with every module pattern and finder pattern, too");
+  CLI11_PARSE(app, argc, argv);
+  if (const auto made = qrelief::study::make(sample, samples, folder, withPatterns); !made) {
+    fmt::print(stderr, "{}: {}\n", sample, qrelief::sentenceAndHint(made.error().message));
+    return 1;
+  }
+  return 0;
+}

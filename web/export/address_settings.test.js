@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { settingsFromAddress } from './address_settings.js';
+
+/** @type {import('../generated/settings.js').SettingKey[]} */
+const kControls = ['pattern', 'contrast', 'maxSizeMm', 'light', 'keepPreset', 'mask'];
+const read = (/** @type {string} */ query) => settingsFromAddress(new URLSearchParams(query), kControls);
+
+test('settings are read by their names, each by its kind', () => {
+  assert.deepEqual(read('sample=bunny&text=HELLO&pattern=square&contrast=0.4&light=90,33,1+180,20&keepPreset=true&mask=3'), {
+    pattern: 'square', contrast: 0.4, light: [{ azimuthDeg: 90, elevationDeg: 33, strength: 1 }, { azimuthDeg: 180, elevationDeg: 20 }], keepPreset: true, mask: 3,
+  });
+  assert.deepEqual(read('mask=shadiest&finderPattern=none'), { mask: 'shadiest' }, 'what has no control is left out');
+  assert.deepEqual(read('sample=bunny'), {});
+});
+
+test('a value that cannot be used is refused, with the reason', () => {
+  for (const query of ['pattern=star', 'contrast=2', 'contrast=', 'light=90', 'keepPreset=yes', 'mask=9']) {
+    assert.throws(() => read(query), { code: 'settings-address-refused' }, query);
+  }
+});
