@@ -6,7 +6,7 @@ import { chromium } from '@playwright/test';
 import lighthouse, { desktopConfig } from 'lighthouse';
 import { Site } from './site.js';
 
-const kPages = ['', 'guide.html', 'method.html', 'study.html'];
+const kPages = ['', 'guide.html', 'method.html', 'study.html', 'gallery.html'];
 const kLeast = { performance: 90, accessibility: 95, 'best-practices': 95, seo: 95 };
 const kResults = fileURLToPath(new URL('../../build/lighthouse', import.meta.url));
 

@@ -7,6 +7,7 @@ import { fileURLToPath } from 'node:url';
 const kSource = fileURLToPath(new URL('service_worker.js', import.meta.url));
 const kWorker = 'service_worker.js';
 const kNotKept = new Set([kWorker, 'robots.txt', 'sitemap.xml']);
+const kTooMany = /^gallery\//;  // pictures that few visitors look at twice
 
 /** @param {string | Uint8Array} content */
 const hashOf = (content) => createHash('sha256').update(content).digest('hex').slice(0, 16);
@@ -20,7 +21,7 @@ export function listFiles(folder) {
   return readdirSync(folder, { recursive: true, withFileTypes: true })
     .filter((entry) => entry.isFile() && !entry.name.startsWith('.'))
     .map((entry) => `${entry.parentPath}/${entry.name}`.slice(folder.length + 1).replaceAll('\\', '/'))
-    .filter((path) => !kNotKept.has(path))
+    .filter((path) => !kNotKept.has(path) && !kTooMany.test(path))
     .sort()
     .map((path) => [path, hashOf(readFileSync(`${folder}/${path}`))]);
 }
