@@ -110,7 +110,7 @@ export const figures = {
     lampDepthsShown: 'Mean depth by the number of lamps, each as strong as the sky and 33° over the code, found by the published steps; figure 21 of the paper.',
     lampsPattern: 'With square modules each lamp makes the code deeper {cases}: {none} mm under the sky alone, {one} with one lamp, {two} with two, in the median.',
     lampsWhole: 'With whole modules each lamp makes it shallower {cases}: {none}, {one} and {two} mm.',
-    lampsWhy: 'The paper has both on all models. What a lamp does depends on how much of its light the walls keep off the floors and on how bright it makes the light modules, so on its strength, too, which the paper does not name.',
+    lampsWhy: 'The paper has both on all models. Its lamp stands at an elevation where little decides; the next figure shows why.',
 
     lightAnglesAlt: 'Two plots, for whole and for square modules: reads against the elevation of the reading lamp, a line for each light that was carved for.',
     lightAnglesShown: 'Reads of codes on a plate under the sky and one lamp, by the elevation of that lamp over the code. Lines differ in the light that was carved for; figure 22 of the paper.',
