@@ -28,6 +28,22 @@ Json onScreen(const CodeOnSurface& code, const OrbitCamera& camera) {
           {"rotationDeg", code.rotationDeg}};
 }
 
+/// Lamps as lines: from where the lamp is drawn to the middle of the code. One behind the camera is left out.
+Json onScreen(const std::vector<DirectionalLight>& lamps, const CodeOnSurface& code, const OrbitCamera& camera) {
+  constexpr double kAwayEdges = 0.85;  // in edges of the code and its quiet zone
+  const ProjectionFrame& frame = code.print.frame;
+  const Vec3 eye = camera.view().eye(), back = camera.view().back;
+  Json lines = Json::array();
+  for (const DirectionalLight& lamp : lamps) {
+    const Vec3 way = towards(lamp);
+    const Vec3 point =
+        frame.centre + kAwayEdges * code.print.edgeMm * (way.x * frame.right + way.y * frame.up + way.z * frame.normal);
+    if (!(glm::dot(eye - point, back) > 0)) continue;
+    lines.push_back({{"from", jsonOf(camera.toScreen(point))}, {"to", jsonOf(camera.toScreen(frame.centre))}});
+  }
+  return lines;
+}
+
 }  // namespace
 
 void Engine::updateView() {
@@ -70,9 +86,8 @@ std::string Engine::showDepths(bool shown) {
   updateView();
   const EngraveResult* result = carvings_.result();
   if (!result) return textOf({{"ok", true}, {"topMm", 0}, {"deepestMm", 0}});
-  return textOf({{"ok", true},
-                 {"topMm", depthColoursTopMm(result->depths)},
-                 {"deepestMm", summarise(result->depths).maxMm}});
+  return textOf(
+      {{"ok", true}, {"topMm", depthColoursTopMm(result->depths)}, {"deepestMm", summarise(result->depths).maxMm}});
 }
 
 bool Engine::draw(bool always) {
@@ -87,8 +102,10 @@ std::string Engine::viewState() const {
   const CameraView view = camera.view();
   Json axes = Json::array();
   for (const Vec3 axis : {view.right, view.up, view.back}) axes.push_back(qrelief::jsonOf(camera.toTurntable(axis)));
-  const Json code = placedCode_.code() && !showsCarved() ? onScreen(*placedCode_.code(), camera) : Json();
-  return textOf({{"code", code}, {"axes", axes}});
+  const CodeOnSurface* placed = placedCode_.code();
+  const Json code = placed && !showsCarved() ? onScreen(*placed, camera) : Json();
+  const Json lamps = placed ? onScreen(wanted_.settings().lamps(), *placed, camera) : Json::array();
+  return textOf({{"code", code}, {"lamps", lamps}, {"axes", axes}});
 }
 
 Result<BackDistanceMap> Engine::backDistances() const {

@@ -294,6 +294,26 @@ TEST_F(EngineTest, TheCodeFollowsThePointerAndItsTruePlaceComesAfter) {
   expectError(engine_->startSettling(), "BadUsage", "no-code-placed");
 }
 
+TEST_F(EngineTest, LampsStandOnTheScreenWhereTheyLightTheCodeFrom) {
+  load(shapes::box({60, 60, 20}));
+  engine_->configure(R"({"text": "A", "size": "free", "light": [{"azimuthDeg": 0, "elevationDeg": 20},
+                                                                {"azimuthDeg": 90, "elevationDeg": 20}]})");
+  engine_->setCentre(0, 0, 10);
+  ASSERT_TRUE(Json::parse(engine_->placement())["placement"].is_object());
+  engine_->standardView("top");
+  engine_->draw();
+  const Json lamps = Json::parse(engine_->viewState())["lamps"];
+  ASSERT_EQ(lamps.size(), 2u);
+  const auto at = [&](int lamp, const char* end, int axis) { return lamps[lamp][end][axis].get<double>(); };
+  const auto apart = [&](int lamp, int axis) { return at(lamp, "from", axis) - at(lamp, "to", axis); };
+  EXPECT_GT(apart(0, 0), 20);   // to the right of the code
+  EXPECT_LT(apart(1, 1), -20);  // above it
+  EXPECT_GT(apart(0, 0), apart(1, 0) + 20);
+  EXPECT_LT(apart(1, 1), apart(0, 1) - 20);
+  engine_->configure(kSettings);
+  EXPECT_EQ(Json::parse(engine_->viewState())["lamps"].size(), 0u);
+}
+
 TEST_F(EngineTest, APlacedCodeIsWhereTheScreenSaysAndIsTurnedAndSized) {
   load(shapes::box({60, 60, 20}));
   expectError(engine_->adjustCode(0, 20), "BadUsage", "no-code-placed");

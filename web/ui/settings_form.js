@@ -8,6 +8,7 @@ import { kProcesses, kSettings } from '../generated/settings.js';
 import { onLanguage } from '../i18n/catalogue.js';
 import { choiceLabel, controlName } from '../i18n/setting_names.js';
 import { byId, make } from '../dom/dom.js';
+import { LampsField } from './lamps_field.js';
 
 /** @typedef {import('../engine/types.js').Settings} Settings */
 /** @typedef {HTMLInputElement | HTMLSelectElement} Control */
@@ -17,6 +18,8 @@ import { byId, make } from '../dom/dom.js';
 /** The choice beside which a number counts. */
 const kFixed = 'fixed';
 
+const kMostListed = 16;  // numbers among choices
+
 /** The objective that a lamp is for. */
 const kOneLight = 'one-light';
 
@@ -24,6 +27,7 @@ export class SettingsForm {
   /** @param {(id: string) => void} onChange  the control that was changed */
   constructor(onChange) {
     this.onChange_ = onChange;
+    this.lamps_ = new LampsField();
     this.controls_ = /** @type {Control[]} */ ([...document.querySelectorAll('[data-setting]')]);
     for (const control of this.controls_) {
       prepare(control);
@@ -111,7 +115,8 @@ export class SettingsForm {
   /** What depends on what others hold. */
   follow_() {
     byId('size-mm-label', HTMLElement).textContent = controlName(sizeKey());
-    byId('light-field', HTMLElement).hidden = choice('objective') !== kOneLight && byId('light', HTMLInputElement).value === '';
+    this.lamps_.read();
+    byId('light-hint', HTMLElement).hidden = choice('objective') !== kOneLight || byId('light', HTMLInputElement).value !== '';
   }
 }
 
@@ -151,11 +156,20 @@ const choice = (id) => byId(id, HTMLSelectElement).value;
 /** @param {Control} control */
 const keyOf = (control) => /** @type {SettingKey} */ (control.dataset.setting);
 
+/** Whether a choice is a number of a short range. @param {string} value */
+const isWhole = (value) => /^\d+$/.test(value);
+
+/** What stands for the numbers of a setting among its choices: each of a short range, else one word. @param {SettingKey} key @returns {string[]} */
+function numbersOf(key) {
+  const { whole, min = 0, max = Infinity } = kSettings[key];
+  return whole && max - min < kMostListed ? Array.from({ length: max - min + 1 }, (_, at) => String(min + at)) : [kFixed];
+}
+
 /** What it offers and begins with. @param {Control} control */
 function prepare(control) {
   const { choices = [], kind, min, max, default: initial } = kSettings[keyOf(control)];
   if (control instanceof HTMLSelectElement) {
-    const values = kind === 'choice-or-number' ? [...choices, kFixed] : choices;
+    const values = kind === 'choice-or-number' ? [...choices, ...numbersOf(keyOf(control))] : choices;
     control.append(...values.map((value) => Object.assign(make('option'), { value, defaultSelected: value === initial })));
   } else if (isCheck(control)) {
     control.defaultChecked = Boolean(initial);
@@ -171,7 +185,9 @@ function name(control) {
   const key = keyOf(control), label = control.labels?.[0];
   if (label) (label.querySelector('span') ?? label).textContent = controlName(key);
   if (!(control instanceof HTMLSelectElement)) return;
-  for (const option of control.options) option.textContent = choiceLabel(key, option.value === kFixed ? 'number' : option.value);
+  for (const option of control.options) {
+    option.textContent = isWhole(option.value) ? `${controlName(key)} ${option.value}` : choiceLabel(key, option.value === kFixed ? 'number' : option.value);
+  }
 }
 
 /**
@@ -180,7 +196,7 @@ function name(control) {
  * @throws {EngineFailure} if a number is missing or out of range, or a lamp is none
  */
 function valueOf(control) {
-  if (control instanceof HTMLSelectElement) return control.value;
+  if (control instanceof HTMLSelectElement) return isWhole(control.value) ? Number(control.value) : control.value;
   if (isCheck(control)) return control.checked;
   if (!control.validity.valid) throw new EngineFailure({ kind: 'BadUsage', ...whyInvalid(control) });
   if (kSettings[keyOf(control)].kind === 'lamps') return lampsOf(control);

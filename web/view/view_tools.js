@@ -5,6 +5,7 @@ import { make } from '../dom/dom.js';
 import { CodeChip } from './code_chip.js';
 import { CodeEditor } from './code_editor.js';
 import { HoverPreview } from './hover_preview.js';
+import { LampMarks } from './lamp_marks.js';
 import { ReaderView } from './reader_view.js';
 import { ViewCube } from './view_cube.js';
 
@@ -29,6 +30,7 @@ export class ViewTools {
     const chip = new CodeChip(surface);
     this.hover_ = new HoverPreview(client, chip);
     this.editor_ = new CodeEditor({ client, overlay: surface, chip, listener: onEdit });
+    this.lamps_ = new LampMarks(surface);
     this.cube_ = new ViewCube(overlays, (name) => this.act({ kind: 'standard', name }));
     this.reader = new ReaderView(overlays, surface);
     this.engravable_ = false;
@@ -47,8 +49,9 @@ export class ViewTools {
   }
 
   /** @param {import('../engine/types.js').ViewState} state */
-  update({ code, axes }) {
+  update({ code, lamps, axes }) {
     this.editor_.update(code);
+    this.lamps_.show(lamps);
     this.reader.update(code);
     this.cube_.turn(axes);
   }

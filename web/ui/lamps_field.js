@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Sets the lamps that a code is carved for by their number and, for each, direction, elevation and strength. The control
+// of the setting, a hidden text, holds what they come to.
+import { lampsFrom } from '../engine/lamps.js';
+import { byId, make } from '../dom/dom.js';
+import { onLanguage, text } from '../i18n/catalogue.js';
+
+/** @typedef {import('../engine/lamps.js').Lamp} Lamp */
+
+const kMostLamps = 2;  // core/settings/check_settings.cpp
+/** What a lamp begins with: above the code, then at its left. @type {readonly Required<Lamp>[]} */
+const kFirst = [{ azimuthDeg: 90, elevationDeg: 40, strength: 1 }, { azimuthDeg: 180, elevationDeg: 40, strength: 1 }];
+const kRanges = { azimuthDeg: { min: -360, max: 360 }, elevationDeg: { min: 1, max: 90 }, strength: { min: 0.05, max: 100 } };
+const kParts = /** @type {(keyof typeof kRanges)[]} */ (Object.keys(kRanges));
+
+export class LampsField {
+  constructor() {
+    this.value_ = byId('light', HTMLInputElement);
+    this.count_ = byId('lamp-count', HTMLSelectElement);
+    this.count_.append(...Array.from({ length: kMostLamps + 1 }, (_, lamps) => Object.assign(make('option'), { value: String(lamps) })));
+    this.lamps_ = kFirst.map((first, at) => this.fieldsOf_(first, at));
+    byId('lamps', HTMLElement).append(...this.lamps_.map(({ box }) => box));
+    this.count_.addEventListener('change', () => this.write_());
+    onLanguage(() => this.name_());
+    this.name_();
+    this.read();
+  }
+
+  /** Shows what the control of the setting holds now. */
+  read() {
+    const lamps = lampsFrom(this.value_.value);
+    if (!lamps) return;  // being typed
+    this.count_.value = String(Math.min(lamps.length, kMostLamps));
+    this.lamps_.forEach(({ inputs }, at) => kParts.forEach((part) => {
+      inputs[part].value = String((lamps[at] ? { strength: 1, ...lamps[at] } : kFirst[at])[part]);
+    }));
+    this.showUsed_();
+  }
+
+  /** @param {Required<Lamp>} first @param {number} at */
+  fieldsOf_(first, at) {
+    const inputs = /** @type {Record<keyof typeof kRanges, HTMLInputElement>} */ ({});
+    const labels = /** @type {Record<keyof typeof kRanges, HTMLElement>} */ ({});
+    const fields = kParts.map((part) => {
+      const id = `lamp-${at + 1}-${part}`;
+      const { min, max } = kRanges[part];
+      inputs[part] = Object.assign(make('input'), { id, type: 'number', min: String(min), max: String(max), step: 'any', value: String(first[part]), required: true });
+      labels[part] = Object.assign(make('label'), { htmlFor: id });
+      inputs[part].addEventListener('change', () => this.write_());
+      return make('div', { className: 'field' }, labels[part], inputs[part]);
+    });
+    const legend = make('legend');
+    const box = make('fieldset', { className: 'lamp' }, legend, make('div', { className: 'row' }, ...fields));
+    return { box, legend, inputs, labels };
+  }
+
+  name_() {
+    [...this.count_.options].forEach((option, lamps) => { option.textContent = text(/** @type {const} */ (['settings.evenLight', 'settings.oneLamp', 'settings.twoLamps'])[lamps]); });
+    this.lamps_.forEach(({ legend, labels }, at) => {
+      legend.textContent = text('settings.lampNumber', { number: at + 1 });
+      labels.azimuthDeg.textContent = text('settings.lampDirection');
+      labels.elevationDeg.textContent = text('settings.lampElevation');
+      labels.strength.textContent = text('settings.lampStrength');
+    });
+  }
+
+  /** Hands what the fields say to the control of the setting, as if it had been typed there. */
+  write_() {
+    const used = this.lamps_.slice(0, Number(this.count_.value));
+    this.value_.value = used.map(({ inputs }) => kParts.map((part) => inputs[part].value || '?').join(',')).join(' ');
+    this.showUsed_();
+    this.value_.dispatchEvent(new Event('change', { bubbles: true }));
+  }
+
+  showUsed_() {
+    this.lamps_.forEach(({ box }, at) => { box.hidden = at >= Number(this.count_.value); });
+  }
+}
