@@ -38,8 +38,8 @@ const cancelAt = (page, stage, cancelled = kCancelled) => page.evaluate(([begin,
   look();
 }), [stage, cancelled]);
 
-const kStages = ['Preparing', 'Measuring the surface', 'Finding the depth', 'Carving the mesh',
-  'Checking the solid', 'Looking at the result'];
+const kStages = ['Preparing', 'Measuring the surface', 'Finding the depth', 'Engraving the mesh',
+  'Checking the solid', 'Checking the result'];
 
 test('Cancel is obeyed at once, whatever the worker is at, and nothing is lost', async ({ page }) => {
   const app = new Engraver(page);

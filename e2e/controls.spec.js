@@ -118,7 +118,7 @@ const kOfThePlace = {
   'lamp-1-azimuthDeg': async ({ app, at }) => {
     await at('lamp-1-azimuthDeg').fill('');
     await at('lamp-1-azimuthDeg').press('Tab');
-    await expect(app.alert).toContainText('“Lamp” is “?,40,1”, which is no lamp. Give AZIMUTH,ELEVATION,STRENGTH');
+    await expect(app.alert).toContainText('“Lamp” is “?,40,1”, which is not a lamp. Give AZIMUTH,ELEVATION,STRENGTH');
     await at('lamp-1-azimuthDeg').fill('180');
     await at('lamp-1-azimuthDeg').press('Tab');
     await app.expectReady();
@@ -398,7 +398,7 @@ const kOfTheParts = {
   },
   'batch-name': async ({ at, page }) => {
     await at('batch-name').fill('a/{n}.stl');
-    await expect(page.getByRole('list', { name: 'Problems of the list' })).toContainText('“a/1.stl” is no plain file name');
+    await expect(page.getByRole('list', { name: 'Problems of the list' })).toContainText('“a/1.stl” is not a plain file name');
   },
   'code-for-one': async ({ at, app }) => {
     await at('code-for-one').check();

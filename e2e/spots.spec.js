@@ -79,7 +79,7 @@ test('Spots asked for while the text is still being typed are looked for with it
     await expect(note).toBeHidden();
     await app.setting('Process').selectOption('fdm-0.6/0.3');
     await app.suggest();
-    await expect(app.spots.first()).toContainText('A nozzle of 0.6 mm does not make so small a code');
+    await expect(app.spots.first()).toContainText('The code is too small for a nozzle of 0.6 mm');
     await expect(note).toBeVisible();
     await app.setting('Process').selectOption('fdm-0.4/0.2');
     await expect(note).toBeHidden();
@@ -90,7 +90,7 @@ test('Spots asked for while the text is still being typed are looked for with it
     await app.setting('Width (mm)').press('Tab');
     await expect(app.alert).toContainText('300 mm');
     await page.getByRole('button', { name: 'Suggest spots' }).click();
-    await expect(app.alert).toContainText('No spot of the model takes a code of 300 mm');
-    await expect(app.alert).toContainText('the largest found is');
+    await expect(app.alert).toContainText('No spot on the model has room for a code of 300 mm');
+    await expect(app.alert).toContainText('the largest size found is');
   });
 });

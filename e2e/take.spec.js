@@ -117,9 +117,9 @@ test('Settings that were saved are used again when their file is dropped onto th
     const good = JSON.parse(new TextDecoder().decode((await app.download('Save settings')).bytes));
     const text = await app.text.inputValue();
     const wrong = [
-      ['not json', '“x.json” is no JSON file.'],
+      ['not json', '“x.json” is not a JSON file.'],
       [JSON.stringify({ qrelief: '0.1.0' }), '“x.json” is a report, not settings.'],
-      [JSON.stringify({ ...good, version: 9 }), '“x.json” has version 9 of the settings'],
+      [JSON.stringify({ ...good, version: 9 }), '“x.json” has settings of version 9'],
       [JSON.stringify({ ...good, settings: { ...good.settings, text: 'other', nozzleMm: -1 } }), 'The setting nozzleMm must be a number from 0.01 to 10, not -1.'],
     ];
     for (const [bytes, message] of wrong) {

@@ -93,7 +93,7 @@ TEST_F(BatchCommandTest, GoesOnWhereItWasAndNoticesWhatWasChanged) {
   writeText("out/2.stl", "changed");
   const Outcome again = run(arguments({"--list", list}));
   EXPECT_EQ(again.status, 1);
-  EXPECT_THAT(again.err, HasSubstr("row 2 (2) failed: The file was changed since it was written"));
+  EXPECT_THAT(again.err, HasSubstr("row 2 (2) failed: The file has changed since it was written"));
   EXPECT_EQ(contentOf(path("out/2.stl")), "changed");
   EXPECT_TRUE(fs::exists(path("out/3.stl")));
   EXPECT_EQ(fs::last_write_time(path("out/1.stl")), written);
@@ -193,8 +193,8 @@ TEST_F(BatchCommandTest, ARowThatFailsStopsNoOther) {
 
 TEST_F(BatchCommandTest, RefusesAListBeforeAnythingIsWritten) {
   for (const auto& [text, says] : std::vector<std::pair<std::string, std::string>>{
-           {"text\na\na\n", "Line 3: The text \"a\" stands in line 2, too"},
-           {"text,file\na,../x.stl\n", "Line 2: \"../x.stl\" is no plain file name"},
+           {"text\na\na\n", "Line 3: The text \"a\" is also in line 2"},
+           {"text,file\na,../x.stl\n", "Line 2: \"../x.stl\" is not a plain file name"},
            {"id,words\n1,a\n", "The list has no column “text”"},
            {"text\n\"a\n", "A quotation mark in line 2"}}) {
     const Outcome refused = run(arguments({"--list", writeText("l.csv", text)}));
@@ -259,7 +259,7 @@ nonsense
   EXPECT_EQ(answers[2]["status"], "refused");
   EXPECT_EQ(answers[3], answers[0]);
   EXPECT_EQ(answers[4]["status"], "refused");
-  EXPECT_THAT(answers[4]["reason"].get<std::string>(), HasSubstr("is there already"));
+  EXPECT_THAT(answers[4]["reason"].get<std::string>(), HasSubstr("already exists"));
   EXPECT_EQ(filesIn("out"), (std::vector<std::string>{"a.stl", "manifest.jsonl"}));
 }
 

@@ -122,7 +122,7 @@ TEST_F(EngraveCommandTest, AnInlayIsFor3mfOnly) {
     const Outcome outcome =
         run({"engrave", model, "--text", "x", "--at", "0,0,40", "-o", path(output), "--inlay", "--quiet"});
     EXPECT_EQ(outcome.status, 2);
-    EXPECT_NE(outcome.err.find("--inlay needs two bodies"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("--inlay needs a file with two bodies"), std::string::npos) << outcome.err;
     EXPECT_FALSE(std::filesystem::exists(path(output)));
   }
 }

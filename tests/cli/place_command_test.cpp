@@ -37,14 +37,14 @@ TEST_F(PlaceCommandTest, SaysWhereThePrinterMakesNoCodeAndWhatWould) {
   EXPECT_EQ(fine.out.find("nozzle"), std::string::npos);
   const Outcome coarse = place({"--nozzle", "1.5"});  // modules of 2.25 mm, 21 of them
   ASSERT_EQ(coarse.status, 0) << coarse.err;
-  EXPECT_NE(coarse.out.find("A nozzle of 1.5 mm does not make so small a code"), std::string::npos) << coarse.out;
+  EXPECT_NE(coarse.out.find("The code is too small for a nozzle of 1.5 mm"), std::string::npos) << coarse.out;
   EXPECT_NE(coarse.out.find("with room for 47.3 mm"), std::string::npos) << coarse.out;
   const auto json = nlohmann::json::parse(contentOf(path("spots.json")));
   EXPECT_NEAR(json["parameters"]["leastPrintableMm"], 47.25, 1e-9);
   for (const auto& spot : json["spots"]) EXPECT_EQ(spot["prints"], false);
   const Outcome impossible = place({"--nozzle", "0.2", "--layer", "0.5"});
   EXPECT_EQ(impossible.status, 2);
-  EXPECT_NE(impossible.err.find("No nozzle of 0.2 mm lays layers of 0.5 mm"), std::string::npos) << impossible.err;
+  EXPECT_NE(impossible.err.find("A nozzle of 0.2 mm cannot lay layers of 0.5 mm"), std::string::npos) << impossible.err;
 }
 
 TEST_F(PlaceCommandTest, SaysWhichSpotsFaceDownInThePoseThatIsAskedFor) {
@@ -64,7 +64,7 @@ TEST_F(PlaceCommandTest, ExitsWithFourAndTheLargestSizeWhereNothingFits) {
   const std::string model = writeModel("ball.stl", shapes::icosphere(20, 4));
   const Outcome outcome = run({"place", model, "--size", "50", "--quiet"});
   EXPECT_EQ(outcome.status, 4);
-  EXPECT_NE(outcome.err.find("the largest found is "), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("the largest size found is "), std::string::npos) << outcome.err;
   EXPECT_EQ(outcome.out, "");
 }
 

@@ -21,7 +21,7 @@ TEST_F(VerifyCommandTest, ReadsWhatEngraveWroteAndSaysWhatIsWrongWithOtherModels
                             "--nozzle", "1.2", "--quick", "--quiet"});
   EXPECT_EQ(good.status, 0) << good.err;
   EXPECT_NE(good.out.find("reads as: HELLO"), std::string::npos) << good.out;
-  EXPECT_NE(good.out.find("1.2 mm nozzle: choose a module of 1.8 mm or more"), std::string::npos) << good.out;
+  EXPECT_NE(good.out.find("With a 1.2 mm nozzle, choose modules of 1.8 mm or more"), std::string::npos) << good.out;
   EXPECT_EQ(good.err, "");
   const auto json = nlohmann::json::parse(contentOf(path("verified.json")));
   EXPECT_EQ(json["verified"], true);
@@ -51,7 +51,7 @@ TEST_F(VerifyCommandTest, ReadsWhatEngraveWroteAndSaysWhatIsWrongWithOtherModels
 
   const Outcome plain = run({"verify", model, "--report", path("out.json"), "--quick", "--quiet"});
   EXPECT_EQ(plain.status, 1);
-  EXPECT_NE(plain.err.find("No carved modules of this code"), std::string::npos) << plain.err;
+  EXPECT_NE(plain.err.find("No engraved modules of this code"), std::string::npos) << plain.err;
   EXPECT_EQ(plain.out.find("printed"), std::string::npos) << plain.out;
 }
 

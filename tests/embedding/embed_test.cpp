@@ -289,7 +289,7 @@ TEST(Embed, SaysThatACodeBeyondTheRimLeavesTheSurface) {
                             fieldOf(5, 10, [](int, int) { return 0.3; }));
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error().kind, ErrorKind::NoSolution);
-  EXPECT_THAT(sentence(result.error().message), testing::HasSubstr("leaves the visible surface"));
+  EXPECT_THAT(sentence(result.error().message), testing::HasSubstr("extends beyond the visible surface"));
   EXPECT_THAT(hint(result.error().message), testing::HasSubstr("smaller size"));
 }
 
@@ -320,7 +320,7 @@ TEST(Embed, RefusesAFacetSeenFromBehind) {
   const auto result = embedDepthField(mesh, aboveOrigin(), patch, fieldOf(1, 30, [](int, int) { return 0.3; }));
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error().kind, ErrorKind::NoSolution);
-  EXPECT_THAT(sentence(result.error().message), testing::HasSubstr("seen from behind"));
+  EXPECT_THAT(sentence(result.error().message), testing::HasSubstr("from behind"));
 }
 
 /// A hundred random codes on random shapes in random places.

@@ -130,7 +130,7 @@ TEST(Resampled, RefusesAHoleOfThePatchUnderAnUncarvedPartOfTheSquare) {
   const auto result = embedDepthField(mesh, aboveOrigin(), patch, corner, kResampled);
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error().kind, ErrorKind::NoSolution);
-  EXPECT_THAT(sentence(result.error().message), testing::HasSubstr("leaves the visible surface"));
+  EXPECT_THAT(sentence(result.error().message), testing::HasSubstr("extends beyond the visible surface"));
 }
 
 TEST(Resampled, RefusesASquareThatLeavesThePlateThoughNoPocketDoes) {

@@ -86,7 +86,7 @@ TEST(ThreeMfReader, KnowsEveryUnit) {
     EXPECT_EQ(soup->unitMm, mm);
     EXPECT_EQ(boxOf(*soup).max, Vec3(1, 2, 3));
   }
-  EXPECT_THAT(errorOf(modelPart("", "", "unit=\"mile\"")), HasSubstr("the unit \"mile\" is not known"));
+  EXPECT_THAT(errorOf(modelPart("", "", "unit=\"mile\"")), HasSubstr("the unit \"mile\" is unknown"));
 }
 
 TEST(ThreeMfReader, MakesAPartOfEveryItem) {
@@ -150,7 +150,7 @@ TEST(ThreeMfReader, LetsNoPathLeaveTheArchive) {
   for (const char* path :
        {"/../../etc/passwd", "file:///etc/passwd", "/3D/..\\\\b.model", "/..", "/%2e%2e/../b.model"}) {
     const std::string root = modelPart("", fmt::format("<item objectid=\"1\" p:path=\"{}\"/>", path), kProduction);
-    EXPECT_THAT(errorOf(root), testing::AnyOf(HasSubstr("outside of it"), HasSubstr("is missing"))) << path;
+    EXPECT_THAT(errorOf(root), testing::AnyOf(HasSubstr("outside the file"), HasSubstr("is missing"))) << path;
   }
   const std::string inside = modelPart("", "<item objectid=\"1\" p:path=\"/a/../3D/./b.model\"/>", kProduction);
   EXPECT_TRUE(read3mf(threeMf(inside, {{"3D/b.model", modelPart(boxObject(1, 1, 1, 1), "")}}), {}));
@@ -163,7 +163,7 @@ TEST(ThreeMfReader, PassesOverItemsThatAreNoModels) {
   EXPECT_EQ(soup->triangles.size(), 12u);
   ASSERT_EQ(soup->warnings.size(), 1u);
   EXPECT_EQ(sentence(soup->warnings[0]),
-            "1 of 2 items of the 3MF file is no model (a support or the like) and was passed over");
+            "1 of 2 items of the 3MF file is not a model (a support, for example) and was skipped");
   EXPECT_THAT(errorOf(modelPart(resources, "<item objectid=\"2\"/>")),
               HasSubstr("The 1 item of the 3MF file has no triangle"));
 }
@@ -180,7 +180,7 @@ TEST(ThreeMfReader, TellsAnAbsentBuildFromAnEmptyOne) {
   ASSERT_NE(end, std::string::npos);
   model.erase(begin, end + 8 - begin);
   EXPECT_EQ(errorOf(model),
-            "The 3MF file has no element \"build\", which says what stands on the plate; it has 2 objects");
+            "The 3MF file has no element \"build\", which places objects on the plate; it has 2 objects");
 }
 
 TEST(ThreeMfReader, NamesTheFirstIndexThatHasNoVertexAndItsLine) {
@@ -192,7 +192,7 @@ TEST(ThreeMfReader, NamesTheFirstIndexThatHasNoVertexAndItsLine) {
   const auto line =
       1 + std::count(model.begin(), model.begin() + static_cast<std::ptrdiff_t>(model.find("v3=\"8\"")), '\n');
   EXPECT_EQ(errorOf(model), fmt::format("Part \"3D/3dmodel.model\" of the 3MF file, line {}: object 5: triangle 2: it "
-                                        "asks for vertex 8 (counted from 0), but there is 1",
+                                        "refers to vertex 8 (counted from 0), but there is only 1",
                                         line));
 }
 
@@ -212,18 +212,18 @@ TEST(ThreeMfReader, RefusesAPackageWithoutTheModelItNames) {
   EXPECT_THAT(messageOf({rels(one + one)}), HasSubstr("2 relationships"));
   EXPECT_THAT(messageOf({rels(one)}), HasSubstr("model part \"3D/3dmodel.model\" is missing"));
   EXPECT_THAT(messageOf({rels("<Relationship Target=\"http://a.b/c\" " + type + "/>")}),
-              HasSubstr("names \"http://a.b/c\" as its 3D model, which is an external address outside of it"));
+              HasSubstr("names \"http://a.b/c\" as its 3D model, which is an address outside the file"));
   EXPECT_THAT(messageOf({rels("<Relationship TargetMode=\"External\" Target=\"c\" " + type + "/>")}),
-              HasSubstr("names \"c\" as its 3D model, which is an external address"));
+              HasSubstr("names \"c\" as its 3D model, which is an address outside the file"));
   for (const char* target : {"/../3D/a.model", "/3D/../../a.model", "/%2e%2E/a.model", "..\\a.model"})
     EXPECT_THAT(messageOf({rels(fmt::format("<Relationship Target=\"{}\" {}/>", target, type))}),
-                HasSubstr(fmt::format("names \"{}\" as its 3D model, a path that leads outside of it", target)));
+                HasSubstr(fmt::format("names \"{}\" as its 3D model, a path that leads out of the file", target)));
   EXPECT_THAT(messageOf({rels("<Relationship Target=\"\" " + type + "/>")}), HasSubstr("has no target"));
 }
 
 TEST(ThreeMfReader, RefusesWhatIsNoModel) {
   EXPECT_THAT(errorOf("<html/>"), HasSubstr("\"3D/3dmodel.model\" of the 3MF file, line 1: the outermost element"));
-  EXPECT_THAT(errorOf("<model xmlns=\"urn:other\"/>"), HasSubstr("no 3MF model"));
+  EXPECT_THAT(errorOf("<model xmlns=\"urn:other\"/>"), HasSubstr("not a 3MF model"));
   EXPECT_THAT(errorOf("<!DOCTYPE model><model/>"), HasSubstr("DTD"));
 }
 
@@ -281,9 +281,9 @@ TEST(ThreeMfReader, NamesLineAndObjectOfWhatIsMalformed) {
               HasSubstr("vertex 1: it has no y"));
   EXPECT_THAT(object("<mesh><vertices><vertex x=\"0\" y=\"inf\" z=\"0\"/></vertices></mesh>"), HasSubstr("not finite"));
   EXPECT_THAT(object("<mesh>" + vertices + "<triangles><triangle v1=\"0\" v2=\"0\" v3=\"1\"/></triangles></mesh>"),
-              HasSubstr("object 5: triangle 1: it asks for vertex 1 (counted from 0), but there is 1"));
+              HasSubstr("object 5: triangle 1: it refers to vertex 1 (counted from 0), but there is only 1"));
   EXPECT_THAT(object("<mesh>" + vertices + "<triangles><triangle v1=\"0\" v2=\"-1\" v3=\"0\"/></triangles></mesh>"),
-              HasSubstr("triangle 1: it asks for vertex -1 (counted from 0), but there is 1"));
+              HasSubstr("triangle 1: it refers to vertex -1 (counted from 0), but there is only 1"));
   EXPECT_THAT(object("<mesh>" + vertices + "<triangles><triangle v1=\"0\" v3=\"0\"/></triangles></mesh>"),
               HasSubstr("triangle 1: it has no v2"));
   EXPECT_THAT(object(""), HasSubstr("neither a mesh nor components"));
@@ -291,13 +291,13 @@ TEST(ThreeMfReader, NamesLineAndObjectOfWhatIsMalformed) {
 }
 
 TEST(ThreeMfReader, RefusesBadIds) {
-  EXPECT_THAT(errorOf(modelPart("<object id=\"0\"/>", "")), HasSubstr("\"0\" is no id"));
+  EXPECT_THAT(errorOf(modelPart("<object id=\"0\"/>", "")), HasSubstr("\"0\" is not a valid id"));
   EXPECT_THAT(errorOf(modelPart("<object/>", "")), HasSubstr("\"object\" has no id"));
   EXPECT_THAT(errorOf(modelPart("", "<item/>")), HasSubstr("\"item\" has no objectid"));
   EXPECT_THAT(errorOf(modelPart(boxObject(3, 1, 1, 1) + boxObject(3, 1, 1, 1), "")),
-              HasSubstr("object 3: there are two of this id"));
+              HasSubstr("object 3: two objects have this id"));
   EXPECT_THAT(errorOf(modelPart("", "<item objectid=\"4\"/>")),
-              HasSubstr("asks for object 4 of part \"3D/3dmodel.model\", which is missing"));
+              HasSubstr("refers to object 4 of part \"3D/3dmodel.model\", which is missing"));
 }
 
 TEST(ThreeMfReader, RefusesBadTransforms) {
@@ -308,7 +308,7 @@ TEST(ThreeMfReader, RefusesBadTransforms) {
   EXPECT_THAT(item("1 0 0 0 1 0 0 0 1 0 0 0 0"), HasSubstr("more than 12 numbers"));
   EXPECT_THAT(item("1 0 0 0 1 0 0 0 nan 0 0 0"), HasSubstr("the transform"));
   EXPECT_THAT(item("1 0 0 0 1 0 0 0 0 0 0 0"), HasSubstr("flattens the object"));
-  EXPECT_THAT(item("1 0 0 0 1 0 0 0 1 1e305 0 0"), HasSubstr("out of all bounds"));
+  EXPECT_THAT(item("1 0 0 0 1 0 0 0 1 1e305 0 0"), HasSubstr("out of range"));
 }
 
 TEST(ThreeMfReader, RefusesComponentsThatContainThemselves) {

@@ -91,12 +91,12 @@ TEST(ObjReader, ReadsAPolygonOfMoreThan255Corners) {
 
 TEST(ObjReader, NamesTheLineOfAnIndexThatHasNoVertex) {
   EXPECT_EQ(errorOf(kSquare + "# comment\nf 1 2 3\nf 1 2 5\n"),
-            "Line 7 of the OBJ file: a face asks for vertex 5, but the file has 4");
-  EXPECT_EQ(errorOf(kSquare + "f 1 2 0\n"), "Line 5 of the OBJ file: a face asks for vertex 0; OBJ counts from 1");
+            "Line 7 of the OBJ file: a face refers to vertex 5, but the file has only 4");
+  EXPECT_EQ(errorOf(kSquare + "f 1 2 0\n"), "Line 5 of the OBJ file: a face refers to vertex 0; OBJ counts from 1");
   EXPECT_EQ(errorOf("v 0 0 0\nv 1 0 0\nf -1 -2 -3\nv 0 0 1\n"),
-            "Line 3 of the OBJ file: a face asks for vertex -3, but only 2 stand before it");
+            "Line 3 of the OBJ file: a face refers to vertex -3, but only 2 come before it");
   EXPECT_EQ(errorOf("v 0 0 0\nf -2 -1 -1\n"),
-            "Line 2 of the OBJ file: a face asks for vertex -2, but only 1 stands before it");
+            "Line 2 of the OBJ file: a face refers to vertex -2, but only 1 comes before it");
   EXPECT_THAT(errorOf(kSquare + "f 1 2 99999999999999999999\n"), HasSubstr("Line 5"));
   EXPECT_THAT(errorOf(kSquare + "f 1 2 4294967298\n"), HasSubstr("vertex 4294967298"));
   EXPECT_THAT(errorOf(kSquare + "f 1 2 -9223372036854775808\n"), HasSubstr("Line 5"));
@@ -104,11 +104,11 @@ TEST(ObjReader, NamesTheLineOfAnIndexThatHasNoVertex) {
 
 TEST(ObjReader, NamesTheFirstIndexThatHasNoVertexThoughLaterOnesAreWorse) {
   EXPECT_EQ(errorOf("f 1 2 9\n" + kSquare + "f 0 1 2\nf 1 2 -7\nf 1 2 x\n"),
-            "Line 1 of the OBJ file: a face asks for vertex 9, but the file has 4");
+            "Line 1 of the OBJ file: a face refers to vertex 9, but the file has only 4");
 }
 
 TEST(ObjReader, NamesTheLineOfABrokenCorner) {
-  EXPECT_EQ(errorOf(kSquare + "f 1 2 x\n"), "Line 5 of the OBJ file: \"x\" is no corner of a face");
+  EXPECT_EQ(errorOf(kSquare + "f 1 2 x\n"), "Line 5 of the OBJ file: \"x\" is not a corner of a face");
   EXPECT_THAT(errorOf(kSquare + "f 1 2 /3\n"), HasSubstr("\"/3\""));
 }
 
@@ -134,8 +134,8 @@ TEST(ObjReader, WarnsOfPolygonsThatCrossThemselves) {
   EXPECT_EQ(soup->warnings.at(0), message("polygons-not-simple", with::count("count", 1), with::count("face", 1),
                                           with::place("at", Vec3(0, 0, 0))));
   EXPECT_EQ(sentence(soup->warnings.at(0)),
-            "1 polygon crosses itself or has no area, face 1 of the file at (0, 0, 0); it was cut into triangles all "
-            "the same");
+            "1 polygon crosses itself or has no area, face 1 of the file at (0, 0, 0); it was cut into triangles "
+            "anyway");
 }
 
 TEST(ObjReader, NamesTheFirstOfThePolygonsThatCrossThemselves) {

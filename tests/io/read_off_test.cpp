@@ -44,7 +44,7 @@ TEST(OffReader, ReadsCountsOnTheFirstLine) {
 
 TEST(OffReader, NamesTheLineOfAnIndexThatHasNoVertex) {
   EXPECT_EQ(errorOf("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n"),
-            "Line 6 of the OFF file: face 1 of 1: it asks for vertex 3 (counted from 0), but there are 3");
+            "Line 6 of the OFF file: face 1 of 1: it refers to vertex 3 (counted from 0), but there are only 3");
   EXPECT_THAT(errorOf("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n"), HasSubstr("vertex -1"));
 }
 
@@ -73,13 +73,13 @@ TEST(OffReader, WarnsOfFacesWithFewerThanThreeCorners) {
   const auto soup = readOff(bytesOf("OFF\n3 3 0\n0 0 0\n1 0 0\n0 1 0\n2 0 1\n3 0 1 2\n0\n"), {});
   ASSERT_TRUE(soup);
   EXPECT_EQ(sentence(soup->warnings.at(0)),
-            "2 faces with fewer than three corners were passed over, the first is face 1 of the file");
+            "2 faces with fewer than three corners were skipped, the first is face 1 of the file");
 }
 
 TEST(OffReader, NamesTheOnlyFaceWithFewerThanThreeCorners) {
   const auto soup = readOff(bytesOf("OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n2 0 1\n"), {});
   ASSERT_TRUE(soup);
-  EXPECT_EQ(sentence(soup->warnings.at(0)), "1 face with fewer than three corners was passed over, face 2 of the file");
+  EXPECT_EQ(sentence(soup->warnings.at(0)), "1 face with fewer than three corners was skipped, face 2 of the file");
 }
 
 TEST(OffReader, RefusesMoreCornersThanTheFileHasBytes) {
@@ -89,7 +89,7 @@ TEST(OffReader, RefusesMoreCornersThanTheFileHasBytes) {
 
 TEST(OffReader, NamesWhatIsNoVertex) {
   EXPECT_EQ(errorOf("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 1.5\n"),
-            "Line 6 of the OFF file: face 1 of 1: \"1.5\" is no vertex");
+            "Line 6 of the OFF file: face 1 of 1: \"1.5\" is not a vertex");
 }
 
 }  // namespace

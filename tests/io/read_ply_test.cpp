@@ -118,8 +118,9 @@ TEST(PlyReader, RefusesAListThatIsPassedOverAndLongerThanTheFile) {
 
 TEST(PlyReader, NamesTheFirstIndexThatHasNoVertexThoughLaterOnesAreWorse) {
   const std::string faces = "element face 3\nproperty list uchar int vertex_indices\n";
-  EXPECT_EQ(errorOf(bytesOf(header(kVertices + faces) + kThreePoints + "3 0 1 2\n3 0 1 3\n3 0 -1 2\n")),
-            "Element \"face\" 2 of 3 of the PLY file, line 14: it asks for vertex 3 (counted from 0), but there are 3");
+  EXPECT_EQ(
+      errorOf(bytesOf(header(kVertices + faces) + kThreePoints + "3 0 1 2\n3 0 1 3\n3 0 -1 2\n")),
+      "Element \"face\" 2 of 3 of the PLY file, line 14: it refers to vertex 3 (counted from 0), but there are only 3");
 }
 
 TEST(PlyReader, KnowsTheVerticesThatStandBehindTheFaces) {

@@ -116,7 +116,7 @@ TEST(StlReader, SaysOfRandomBytesThatTheyAreNoStl) {
               message("stl-neither", with::count("announced", 0xe1234567),
                       with::count("expected", 84 + 50 * 0xe1234567ull), with::count("bytes", size)));
   }
-  EXPECT_THAT(errorOf(bytesOf(std::string(300, '<'))), HasSubstr("This is no STL file"));
+  EXPECT_THAT(errorOf(bytesOf(std::string(300, '<'))), HasSubstr("This is not an STL file"));
 }
 
 TEST(StlReader, ReadsAsciiWithWordsBehindEndfacetAndWarnsOnce) {
@@ -136,7 +136,7 @@ TEST(StlReader, ReadsAsciiWithWordsBehindEndfacetAndWarnsOnce) {
   ASSERT_TRUE(soup) << soup.error().message;
   ASSERT_EQ(soup->warnings.size(), 1u);
   EXPECT_EQ(sentence(soup->warnings[0]),
-            "In 2 lines words follow \"endfacet\", first in line " + std::to_string(line) + "; they were passed over");
+            "Words after \"endfacet\" were ignored in 2 lines, first in line " + std::to_string(line));
 }
 
 TEST(StlReader, WarnsOfBytesAfterTheLastFacet) {
@@ -145,7 +145,7 @@ TEST(StlReader, WarnsOfBytesAfterTheLastFacet) {
   const auto soup = readStl(bytes, {});
   ASSERT_TRUE(soup);
   ASSERT_EQ(soup->warnings.size(), 1u);
-  EXPECT_EQ(sentence(soup->warnings[0]), "7 bytes after the last of the 4 announced facets were passed over");
+  EXPECT_EQ(sentence(soup->warnings[0]), "7 bytes after the last of the 4 announced facets were ignored");
 }
 
 TEST(StlReader, RefusesCoordinatesThatAreNotFiniteAndNamesTheFacet) {
@@ -161,7 +161,7 @@ TEST(StlReader, RefusesCoordinatesThatAreNotFiniteAndNamesTheFacet) {
 
 TEST(StlReader, NamesTheLineOfAWordThatShouldBeANumber) {
   EXPECT_EQ(errorOf(bytesOf("solid a\nfacet normal 0 0 1\nouter loop\nvertex 1,5 2 3\n")),
-            "Line 4 of the ASCII STL file: \"1,5\" where a number should stand");
+            "Line 4 of the ASCII STL file: \"1,5\" instead of a number");
 }
 
 TEST(StlReader, NamesTheLineWhereAnAsciiFileBreaksOff) {

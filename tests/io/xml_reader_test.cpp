@@ -79,7 +79,7 @@ TEST(XmlReader, EndsWithTheHandlersErrorAndItsLine) {
   recorder.refuse = "b";
   const Status status = read("<r>\n<b/><c/></r>", recorder);
   ASSERT_FALSE(status);
-  EXPECT_EQ(sentence(status.error().message), "Part \"part.xml\" of the 3MF file, line 2: there are two of this id");
+  EXPECT_EQ(sentence(status.error().message), "Part \"part.xml\" of the 3MF file, line 2: two objects have this id");
   EXPECT_EQ(hint(status.error().message), hint(message("3mf-two-objects")));
   EXPECT_THAT(recorder.events, ElementsAre("<|r - -", "<|b - -"));
 }

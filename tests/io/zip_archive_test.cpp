@@ -107,7 +107,7 @@ TEST(ZipArchive, RefusesAFileThatIsCutOff) {
 TEST(ZipArchive, RefusesBytesAfterTheEndRecord) {
   Bytes bytes = zip_file::zip({{"a.txt", "first"}});
   bytes.push_back('x');
-  EXPECT_THAT(errorOf(bytes), HasSubstr("directory is missing"));
+  EXPECT_THAT(errorOf(bytes), HasSubstr("directory at its end is missing"));
   bytes[bytes.size() - 3] = 1;  // unless they are the comment
   EXPECT_EQ(contentOf(bytes, "a.txt").value(), "first");
 }
@@ -153,14 +153,14 @@ TEST(ZipArchive, RefusesAFileThatIsNotWhereTheDirectorySays) {
 TEST(ZipArchive, RefusesAnotherNameInTheFilesOwnHeader) {
   File file{"a.txt", "first"};
   file.localName = "b.txt";
-  EXPECT_THAT(errorOf(zip_file::zip({file})), HasSubstr("another name"));
+  EXPECT_THAT(errorOf(zip_file::zip({file})), HasSubstr("a different name"));
 }
 
 TEST(ZipArchive, RefusesOtherNumbersInTheFilesOwnHeader) {
   for (const int at : {8, 14, 18, 22}) {  // method, check sum, both sizes
     Bytes bytes = zip_file::zip({{"a.txt", "first"}});
     ++bytes[static_cast<std::size_t>(at)];
-    EXPECT_THAT(errorOf(bytes), HasSubstr("other numbers")) << at;
+    EXPECT_THAT(errorOf(bytes), HasSubstr("different numbers")) << at;
   }
   Bytes follow = zip_file::zip({{"a.txt", "first", 8}});  // "the numbers come after the content"
   follow[14] = follow[18] = follow[22] = 0;

@@ -344,7 +344,7 @@ TEST(PrepareModel, WarnsOfATinyModelAndNamesTheUnits) {
   expectFinding(model, "tiny", Severity::Warning, 1);
   EXPECT_EQ(wordsOf(model, "tiny"), "The model is tiny: 0.2 × 0.1 × 0.15 mm");
   EXPECT_EQ(hintOf(model, "tiny"),
-            "If it should be larger, --units m makes it 200 × 100 × 150 mm; any other scale is given with --scale");
+            "If it should be larger, --units m makes it 200 × 100 × 150 mm; use --scale for any other scale");
   ASSERT_EQ(model.unitSuggestions.size(), 1u);
   EXPECT_EQ(model.unitSuggestions[0].scaleToMm, 1000);
   EXPECT_FALSE(find(prepared(shapes::box({0.2, 0.1, 0.15}), 1000), "tiny"));
@@ -380,8 +380,8 @@ TEST(PrepareModel, RefusesAModelFarFromTheOriginWithLimitAndReason) {
   const Message message = refusalOf(shapes::translated(shapes::box({8192, 8192, 8192}), {1e10, 0, 0}));
   EXPECT_EQ(message.code, "model-too-far-away");
   EXPECT_EQ(sentence(message),
-            "The model lies 10000 km from the origin, where 32-bit floats, which hold its corners, are about 1192 mm "
-            "apart; at most 10 km are possible");
+            "The model lies 10000 km from the origin, where 32-bit coordinates are about 1192 mm apart; the limit is "
+            "10 km");
   EXPECT_THAT(hint(message), HasSubstr("Move it to the origin"));
 }
 

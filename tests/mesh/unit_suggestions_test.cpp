@@ -20,8 +20,8 @@ TEST(UnitSuggestions, NameInchesAndCentimetresWhereBothArePlausible) {
   EXPECT_EQ(found[0].unit, "in");
   EXPECT_EQ(found[1], (UnitSuggestion{"cm", 10, {50, 25, 15}}));
   EXPECT_EQ(sentence(unitAdvice(found)),
-            "If it should be larger, --units in makes it 127 × 63.5 × 38.1 mm, --units cm 50 × 25 × 15 mm; any other "
-            "scale is given with --scale");
+            "If it should be larger, --units in makes it 127 × 63.5 × 38.1 mm, --units cm 50 × 25 × 15 mm; use --scale "
+            "for any other scale");
 }
 
 TEST(UnitSuggestions, LeaveOutTheUnitThatTheModelIsReadIn) {

@@ -231,7 +231,7 @@ TEST_F(PlacementTest, NamesACrossingAtTheCentreInsteadOfASizeThatNobodyCanPrint)
     EXPECT_EQ(refused.error().message.code, "crossing-at-centre") << sentence(refused.error().message);
     EXPECT_EQ(sentence(refused.error().message),
               "No code fits here: triangles of the model cross each other 0.01 mm from the centre, at (8, 1, 5), and "
-              "the smallest code takes 5.8 mm");
+              "the smallest code needs 5.8 mm");
   }
 }
 

@@ -155,9 +155,9 @@ TEST_F(SpotSearchTest, NamesTheLargestSizeWhereTheOneAskedForFitsNowhere) {
   const auto found = findSpots(upload(shapes::icosphere(20, 4)), request(60));
   ASSERT_FALSE(found.has_value());
   EXPECT_EQ(found.error().kind, ErrorKind::NoSolution);
-  const std::size_t at = sentence(found.error().message).find("the largest found is ");
+  const std::size_t at = sentence(found.error().message).find("the largest size found is ");
   ASSERT_NE(at, std::string::npos) << found.error().message;
-  const double largest = std::stod(sentence(found.error().message).substr(at + 21));
+  const double largest = std::stod(sentence(found.error().message).substr(at + 26));
   // The visible cap from 250 mm: half angle acos(20/270) about the point; on the plane 250·tan φ from its middle.
   const double rim = 250 * std::tan(std::asin(20.0 / 270));
   EXPECT_NEAR(largest, std::sqrt(2) * rim * 21 / 29, 1);

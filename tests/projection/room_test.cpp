@@ -36,9 +36,10 @@ TEST(Room, IsRefusedToAModelOfAFifthOfAMillimetreWithTheUnitThatHelps) {
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().kind, ErrorKind::NoSolution);
   EXPECT_EQ(refused.error().message.code, "model-too-small");
-  EXPECT_EQ(sentence(refused.error().message),
-            "The model has no room for any code: it is 0.2 × 0.2 × 0.2 mm, where a code of 0.178 mm fits at most, and "
-            "one of 21 × 21 modules takes 4.2 mm with modules of 0.2 mm, the smallest that are printed and read");
+  EXPECT_EQ(
+      sentence(refused.error().message),
+      "The model is too small for any code: it is 0.2 × 0.2 × 0.2 mm, so at most a code of 0.178 mm fits; 21 × 21 "
+      "modules need 4.2 mm with modules of 0.2 mm, the smallest that print and decode");
   EXPECT_THAT(hint(refused.error().message), testing::HasSubstr("--units m makes it 200 × 200 × 200 mm"));
 }
 

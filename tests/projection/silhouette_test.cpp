@@ -324,7 +324,7 @@ TEST(Silhouette, RefusesACentreThatSomethingHidesAndSaysHowNearTheEyeMustCome) {
   ASSERT_FALSE(patch);
   EXPECT_EQ(patch.error().kind, ErrorKind::NoSolution);
   EXPECT_THAT(sentence(patch.error().message), HasSubstr("230 mm from the eye"));
-  EXPECT_THAT(sentence(patch.error().message), HasSubstr("20 mm before the point"));
+  EXPECT_THAT(sentence(patch.error().message), HasSubstr("20 mm in front of the point"));
   EXPECT_THAT(hint(patch.error().message), HasSubstr("below 10 mm"));
 }
 

@@ -276,18 +276,18 @@ TEST(Symbol, RefusesATextTooLongForTheVersionAndNamesWhatWouldHoldIt) {
   EXPECT_EQ(error.kind, ErrorKind::BadInput);
   EXPECT_EQ(sentence(error.message),
             "The text is 100 bytes long, too long for a version 5 QR Code with error correction M");
-  EXPECT_EQ(hint(error.message), "It fits version 6, or version 5 with error correction L; or shorten the text");
+  EXPECT_EQ(hint(error.message), "Use version 6, or version 5 with error correction L, or shorten the text");
 }
 
 TEST(Symbol, NamesTheVersionAloneWhenNoWeakerLevelHelps) {
   const Error error = refused(std::string(100, 'x'), {.errorCorrection = ErrorCorrection::L, .version = 2});
-  EXPECT_EQ(hint(error.message), "It fits version 5; or shorten the text");
+  EXPECT_EQ(hint(error.message), "Use version 5, or shorten the text");
 }
 
 TEST(Symbol, OffersAWeakerLevelWhenNoVersionHoldsTheText) {
   const Error error = refused(std::string(2400, 'x'), {.errorCorrection = ErrorCorrection::M});
   EXPECT_EQ(sentence(error.message), "The text is 2400 bytes long, too long for any QR Code with error correction M");
-  EXPECT_EQ(hint(error.message), "It fits version 36 with error correction L; or shorten the text");
+  EXPECT_EQ(hint(error.message), "Use version 36 with error correction L, or shorten the text");
 }
 
 TEST(Symbol, RefusesATextThatNoSymbolHolds) {

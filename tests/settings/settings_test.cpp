@@ -155,7 +155,7 @@ TEST(SettingsTable, AShapedFloorIsForContrastByTheFastSolver) {
   const Status solver = checkSettings(request);
   ASSERT_FALSE(solver);
   EXPECT_EQ(solver.error().kind, ErrorKind::BadUsage);
-  EXPECT_EQ(sentence(solver.error().message), "--floor is wavy, which does not go with --solver paper-steps");
+  EXPECT_EQ(sentence(solver.error().message), "--floor is wavy, which cannot be combined with --solver paper-steps");
   EXPECT_EQ(hint(solver.error().message), "Choose another --floor or another --solver");
   request.solver = ContrastSolver::Fast;
   for (const DepthObjective objective : {DepthObjective::Reading, DepthObjective::OneLight}) {

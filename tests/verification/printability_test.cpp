@@ -77,7 +77,7 @@ TEST(AdvisePrinting, ThinPlusIsTooNarrowAndSquareIsTheAdvice) {
   const auto advice = adviceFor(ModulePattern::ThinPlus, 1.2);
   ASSERT_FALSE(advice.empty());
   EXPECT_THAT(sentence(advice.front()), HasSubstr("0.24 mm wide"));
-  EXPECT_EQ(hint(advice.front()), "0.4 mm nozzle: choose `square` or a module of 1.8 mm or more");
+  EXPECT_EQ(hint(advice.front()), "With a 0.4 mm nozzle, choose `square` or modules of 1.8 mm or more");
 }
 
 TEST(AdvisePrinting, AFinerNozzleTakesSmallerModules) {

@@ -47,10 +47,10 @@ const refusedWith = (found) => (/** @type {unknown} */ thrown) =>
 
 test('another file is refused, and said what it is', () => {
   const refused = [
-    ['', /x\.json” is no JSON file/], ['solid bunny', /no JSON/], ['[]', /no settings of QRelief/], ['null', /no settings/],
-    ['{}', /no settings/], ['{"qrelief": "0.1.0", "text": "a"}', /x\.json” is a report/],
-    [changed({ version: 2 }), /version 2 of the settings, and this page knows version 1/], [changed({ version: undefined }), /version undefined/],
-    [changed({ settings: [] }), /settings is missing/], [`"${'x'.repeat(2 ** 20)}"`, /no settings/],
+    ['', /x\.json” is not a JSON file/], ['solid bunny', /not a JSON/], ['[]', /no QRelief settings/], ['null', /no QRelief settings/],
+    ['{}', /no QRelief settings/], ['{"qrelief": "0.1.0", "text": "a"}', /x\.json” is a report/],
+    [changed({ version: 2 }), /settings of version 2; this page uses version 1/], [changed({ version: undefined }), /version undefined/],
+    [changed({ settings: [] }), /settings is missing/], [`"${'x'.repeat(2 ** 20)}"`, /no QRelief settings/],
   ];
   for (const [json, message] of refused) {
     assert.throws(() => readSettingsFile(/** @type {string} */ (json), 'x.json'), refusedWith(/** @type {RegExp} */ (message)));
@@ -59,12 +59,12 @@ test('another file is refused, and said what it is', () => {
 
 test('every wrong setting is named with its value', () => {
   const wrong = [
-    [{ text: 5 }, /setting text must be a text, not 5/], [{ quietZone: 1 }, /quietZone must be true or false, not 1/],
+    [{ text: 5 }, /setting text must be text, not 5/], [{ quietZone: 1 }, /quietZone must be true or false, not 1/],
     [{ preset: 'deep' }, /preset must be one of shallow, balanced, robust, not "deep"/], [{ size: 'huge' }, /size must be one of free, oriented, best/],
     [{ size: 0.05 }, /size must be a number from 0.1 to 10000, not 0.05/], [{ rotateDeg: '0' }, /rotateDeg must be a number/], [{ ecc: null }, /ecc must be one of/],
     [{ nozzleMm: null }, /nozzleMm must be a number/], [{ contrast: 1 }, /contrast must be a number from 0.01 to 0.99, not 1/],
     [{ preset: undefined }, /preset is missing/], [{ colour: 'red' }, /no setting "colour"/], [{ ['__proto__x']: 1 }, /no setting/],
-    [{ pattern: ['square'] }, /pattern must be one of/], [{ light: '135,20,19' }, /light must be lamps with azimuthDeg, .*not "135,20,19"/], [{ light: [{ azimuthDeg: 1 }] }, /light must be lamps/], [{ preset: `${'x'.repeat(1000)}` }, /not "x{38}…/],
+    [{ pattern: ['square'] }, /pattern must be one of/], [{ light: '135,20,19' }, /light must be a list of lamps with azimuthDeg, .*not "135,20,19"/], [{ light: [{ azimuthDeg: 1 }] }, /light must be a list of lamps/], [{ preset: `${'x'.repeat(1000)}` }, /not "x{38}…/],
   ];
   for (const [change, message] of wrong) {
     assert.throws(() => readSettingsFile(withSettings(/** @type {any} */ (change)), 'x.json'), refusedWith(/** @type {RegExp} */ (message)));
