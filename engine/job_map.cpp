@@ -1,10 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engine/job_map.h"
 
+#include <cmath>
+#include <span>
+
 namespace qrelief {
+namespace {
+
+/// From rows that begin at the top.
+JobMap fromTop(std::span<const float> values, int edge) {
+  JobMap map{edge, edge, 1, {}};
+  for (int row = edge - 1; row >= 0; --row) {
+    const auto begin = values.begin() + static_cast<std::ptrdiff_t>(row) * edge;
+    map.values.insert(map.values.end(), begin, begin + edge);
+  }
+  return map;
+}
+
+/// @param name  "search-luminance" or "search-depths"
+std::optional<JobMap> searchMap(const SearchRecord& search, int modules, std::string_view name) {
+  if (search.passes.empty()) return std::nullopt;
+  if (name == "search-luminance")
+    return fromTop(search.luminance, static_cast<int>(std::lround(std::sqrt(search.luminance.size()))));
+  const int edge = kSubmodulesPerModule * modules;
+  std::vector<float> depths(static_cast<std::size_t>(edge) * static_cast<std::size_t>(edge), 0.0f);
+  for (std::size_t k = 0; k < search.carved.size(); ++k) depths[search.carved[k]] = search.passes.back().depthMm[k];
+  return fromTop(depths, edge);
+}
+
+}  // namespace
 
 std::optional<JobMap> jobMap(const EngraveJob& job, std::string_view name) {
   const InspectorMaps maps = job.inspectorMaps();
+  if (name.starts_with("search-"))
+    return maps.search && maps.symbol ? searchMap(*maps.search, maps.symbol->size, name) : std::nullopt;
   const gl::Texture* source = nullptr;
   const SurfaceMaps* const surface = name == "surface" ? job.surfaceMaps() : nullptr;
   if (surface) source = &surface->surface;

@@ -16,7 +16,9 @@ struct JobMap {
 };
 
 /// @param name  "surface": facet normal (right, up, normal) and height over the QR plane, four components, all zero
-///              beside the model; "luminance": under a uniform sky; "depths": mm, one texel a submodule
+///              beside the model; "luminance": under a uniform sky; "depths": mm, one texel a submodule;
+///              "search-luminance" and "search-depths": the same as the newest pass of the search for depths saw and
+///              tried them, one texel a submodule, without the GPU, the luminance with the quiet zone
 /// @returns nothing for another name, and before the job has that map
 std::optional<JobMap> jobMap(const EngraveJob& job, std::string_view name);
 

@@ -73,6 +73,7 @@ export class App {
         else void this.guard_(() => this.recovery_.recoverFrom(event));
       },
       onView: (state) => this.tools_.update(state),
+      onSearch: (search) => this.tools_.search.show(search),
       onReplaced: () => this.guard_(() => this.session_.restore()),
     });
     this.form_ = new SettingsForm((id) => this.guard_(() => this.session_.changeSettings(id)));

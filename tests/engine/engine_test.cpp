@@ -294,6 +294,29 @@ TEST_F(EngineTest, TheCodeFollowsThePointerAndItsTruePlaceComesAfter) {
   expectError(engine_->startSettling(), "BadUsage", "no-code-placed");
 }
 
+TEST_F(EngineTest, TheSearchForDepthsIsSeenWhileItRuns) {
+  load(shapes::box({60, 60, 20}));
+  engine_->configure(kSettings);
+  engine_->setCentre(0, 0, 10);
+  engine_->startEngrave();
+  EXPECT_FALSE(engine_->jobMap("search-depths").has_value());
+  double deepest = 0, darkest = 1;
+  for (bool done = false; !done;) {
+    done = Json::parse(engine_->advance())["done"];
+    const auto depths = engine_->jobMap("search-depths"), light = engine_->jobMap("search-luminance");
+    ASSERT_EQ(depths.has_value(), light.has_value());
+    if (!depths) continue;
+    EXPECT_EQ(light->width, depths->width + 2 * kQuietZoneModules * kSubmodulesPerModule);
+    EXPECT_EQ(depths->values.size(), static_cast<std::size_t>(depths->width * depths->height));
+    deepest = std::max<double>(deepest, *std::max_element(depths->values.begin(), depths->values.end()));
+    darkest = std::min<double>(darkest, *std::min_element(light->values.begin(), light->values.end()));
+    // Rows begin at the bottom: the finder that the symbol lacks is at its lower right.
+    EXPECT_GT(depths->values[static_cast<std::size_t>(depths->width) * 2 + 2], 0);
+  }
+  EXPECT_GT(deepest, 0.2);
+  EXPECT_LT(darkest, 0.8);
+}
+
 TEST_F(EngineTest, LampsStandOnTheScreenWhereTheyLightTheCodeFrom) {
   load(shapes::box({60, 60, 20}));
   engine_->configure(R"({"text": "A", "size": "free", "light": [{"azimuthDeg": 0, "elevationDeg": 20},

@@ -36,14 +36,16 @@ export class EngineClient {
    * @param {object} options
    * @param {() => HTMLCanvasElement} options.makeCanvas  a fresh canvas in place of the last one
    * @param {(event: HostEvent) => void} options.onEvent  context lost, or a failure outside any verb
+   * @param {(search: import('./types.js').SearchMaps) => void} [options.onSearch]  while depths are searched for
    * @param {(state: import('./types.js').ViewState) => void} [options.onView]  after a frame that shows something else
    * @param {() => void} [options.onReplaced]             the module was replaced: it knows no model, no settings
    * @param {boolean} [options.draws]                     whether anybody sees the canvas
    */
-  constructor({ makeCanvas, onEvent, onView = () => {}, onReplaced = () => {}, draws = true }) {
+  constructor({ makeCanvas, onEvent, onView = () => {}, onSearch = () => {}, onReplaced = () => {}, draws = true }) {
     this.makeCanvas_ = makeCanvas;
     this.onEvent_ = onEvent;
     this.onView_ = onView;
+    this.onSearch_ = onSearch;
     this.onReplaced_ = onReplaced;
     this.draws_ = draws;
     /** @type {Backend | undefined} */ this.backend_ = undefined;
@@ -372,6 +374,7 @@ export class EngineClient {
     if (event.event === 'progress') this.onProgress_?.(event.progress);
     else if (event.event === 'printable') this.onPrintable_?.(event.job);
     else if (event.event === 'view') this.onView_(event.state);
+    else if (event.event === 'search') this.onSearch_(event.search);
     else this.onEvent_(event);
   }
 }

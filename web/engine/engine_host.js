@@ -11,7 +11,11 @@ import { loadModule } from './module.js';
 /** @typedef {import('./types.js').HostEvent} HostEvent */
 /** @typedef {import('./types.js').ViewAction} ViewAction */
 /** @typedef {import('./types.js').ViewSize} ViewSize */
-/** @typedef {{ start: () => string, advance: () => string, cancel: () => void }} Job  of the module, done in steps */
+/**
+ * A job of the module, done in steps.
+ * @typedef {{ start: () => string, advance: () => string, cancel: () => void, watch?: (progress: import('./types.js').EngraveProgress) => void }} Job
+ *   `watch`: called between slices
+ */
 
 const kDragged = new Set(['orbit', 'pan', 'zoom']);  // what the inspector's windows take for themselves
 const kInspectorFontPx = 14;
@@ -307,8 +311,16 @@ export class EngineHost {
         }
         return answer;
       },
+      watch: ({ stage }) => this.tellSearch_(stage),
       cancel: () => this.engine_.cancel(),
     });
+  }
+
+  /** Tells what the search for depths has come to, while it runs. @param {import('./types.js').EngraveProgress['stage']} stage */
+  tellSearch_(stage) {
+    if (stage?.code !== 'finding-depth') return;
+    const [luminance, depths] = [this.engine_.jobMap('search-luminance'), this.engine_.jobMap('search-depths')];
+    if (luminance && depths) this.notify_({ event: 'search', search: { luminance, depths } });
   }
 
   findSpots_() {
@@ -358,6 +370,7 @@ export class EngineHost {
           told = progress.stage?.code;
         } while (!progress.done && performance.now() < sliceEnd);
         tell(progress);
+        job.watch?.(progress);
         done = progress.done;
         if (this.inspectorShown_) this.invalidate_();
         await yieldToMessages();

@@ -83,7 +83,8 @@
 /** @typedef {{ stage: Message, fraction: number }} EngraveProgress */
 /** @typedef {{ usedBytes: number, heapBytes: number, glObjects: number, glKinds: Record<string, number> }} MemoryUse  of the module; its heap never shrinks */
 /** @typedef {{ width: number, height: number, pixels: Uint8Array }} GreyImage */
-/** @typedef {'surface' | 'luminance' | 'depths'} JobMapName */
+/** The newest pass of a search for depths. @typedef {{ luminance: JobMap, depths: JobMap }} SearchMaps */
+/** @typedef {'surface' | 'luminance' | 'depths' | 'search-luminance' | 'search-depths'} JobMapName */
 /**
  * @typedef {{ width: number, height: number, components: number, values: Float32Array }} JobMap
  *   what the last engraving worked on; row 0 at the bottom. `surface`: normal (right, up, towards the reader) and height
@@ -309,7 +310,7 @@
  * What the host tells the page unasked.
  * @typedef {{ event: 'progress', progress: EngraveProgress } | { event: 'view', state: ViewState } | { event: 'contextlost' }
  *   | { event: 'failure', error: EngineError } | { event: 'inspector', state: InspectorState }
- *   | { event: 'printable', job: PrintJob | null }} HostEvent
+ *   | { event: 'printable', job: PrintJob | null } | { event: 'search', search: SearchMaps }} HostEvent
  */
 
 export {};

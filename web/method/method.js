@@ -11,7 +11,7 @@ import { hintOf, sentenceOf } from '../i18n/messages.js';
 import { method } from '../i18n/parts/method.js';
 import { byId, make } from '../dom/dom.js';
 import { View } from '../view/view.js';
-import { paintDepths, paintHeights, paintLight, paintNormals } from './colours.js';
+import { paintDepths, paintHeights, paintLight, paintNormals } from '../view/map_colours.js';
 
 /** @typedef {import('../i18n/live.js').Words} Words */
 
@@ -26,7 +26,7 @@ const kSettings = {
 /** @param {Words} words */
 const say = (words) => write(byId('status', HTMLElement), words);
 
-/** @param {string} id @param {import('./colours.js').Pixels} pixels */
+/** @param {string} id @param {import('../view/map_colours.js').Pixels} pixels */
 function show(id, { width, height, rgba }) {
   const canvas = byId(id, HTMLCanvasElement);
   [canvas.width, canvas.height] = [width, height];

@@ -7,6 +7,7 @@ import { CodeEditor } from './code_editor.js';
 import { HoverPreview } from './hover_preview.js';
 import { LampMarks } from './lamp_marks.js';
 import { ReaderView } from './reader_view.js';
+import { SearchPicture } from './search_picture.js';
 import { ViewCube } from './view_cube.js';
 
 /** @typedef {import('../engine/client.js').EngineClient} EngineClient */
@@ -31,6 +32,7 @@ export class ViewTools {
     this.hover_ = new HoverPreview(client, chip);
     this.editor_ = new CodeEditor({ client, overlay: surface, chip, listener: onEdit });
     this.lamps_ = new LampMarks(surface);
+    this.search = new SearchPicture();
     this.cube_ = new ViewCube(overlays, (name) => this.act({ kind: 'standard', name }));
     this.reader = new ReaderView(overlays, surface);
     this.engravable_ = false;
@@ -62,6 +64,7 @@ export class ViewTools {
    */
   set({ engravable = this.engravable_, busy = this.busy_, carved = this.carved_, placed = this.placed_ }) {
     this.engravable_ = engravable;
+    if (!busy) this.search.hide();
     this.busy_ = busy;
     this.carved_ = carved;
     this.placed_ = placed;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { paintDepths, paintHeights, paintLight, paintNormals, rampColour } from './colours.js';
+import { paintDepths, paintHeights, paintLight, paintNormals, rampColour } from './map_colours.js';
 
-/** @param {import('./colours.js').Pixels} pixels @param {number} x @param {number} y */
+/** @param {import('./map_colours.js').Pixels} pixels @param {number} x @param {number} y */
 const pixel = ({ width, rgba }, x, y) => [...rgba.subarray(4 * (y * width + x), 4 * (y * width + x) + 4)];
 
 test('the ramp begins and ends with its first and last colour, and is straight between two', () => {
