@@ -6,7 +6,7 @@ import { decoderRates } from './decoder_rates.js';
 import { drawFigure } from './draw.js';
 import { kWidths } from './figure.js';
 import { kFigures } from './figures.js';
-import { figureMarkup, missingMarkup, tableMarkup, textMarkup } from './markup.js';
+import { figureMarkup, linkMarkup, missingMarkup, tableMarkup, textMarkup } from './markup.js';
 import { cases, models, said } from './say.js';
 import { kStatements } from './statements.js';
 import { measured, readTables } from './table.js';
@@ -15,6 +15,7 @@ import { measured, readTables } from './table.js';
 /** @typedef {import('./table.js').Table} Table */
 
 const kFolder = 'study';
+const kRatesFile = `${kFolder}/carved_qr_rates.csv`;
 
 /** Whether each of the figure's columns has a value. @param {import('./figure.js').Figure} figure @param {Row[]} rows */
 const isShowable = ({ measures }, rows) => measures.every((measure) => rows.some((row) => (row[measure] ?? null) !== null));
@@ -34,7 +35,8 @@ function decoderRatesMarkup(rows) {
   const { head, body, pictures, wrong } = decoderRates(rows);
   if (body.length === 0) return missingMarkup();
   return `${textMarkup([said('ratesShown', { pictures }), said('ratesWrong', { count: wrong })])}
-${tableMarkup(head, body.map((line) => line.map((words) => ({ words }))))}`;
+${tableMarkup(head, body.map((line) => line.map((words) => ({ words }))))}
+${linkMarkup(kRatesFile, said('download', { count: rows.length }))}`;
 }
 
 /**
@@ -71,6 +73,7 @@ export async function makeStudy(tables) {
   }
   markup.set('statements', statementsMarkup(rowsOf));
   markup.set('decoderRates', decoderRatesMarkup(rowsOf.carved_qr_rates ?? []));
+  if (tables.carved_qr_rates) files.set(kRatesFile, tables.carved_qr_rates.csv);
   return { files, markup };
 }
 

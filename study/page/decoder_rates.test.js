@@ -11,7 +11,7 @@ test('decoders come from the best to the worst, with shares of all their picture
   const { head, body, pictures, wrong } = decoderRates([row('a', 'designed', 20), row('a', 'printed', 10), row('b', 'designed', 40), row('b', 'printed', 30)]);
   assert.equal(head.length, 8);
   assert.deepEqual(body.map((line) => line.map((cell) => sentence('en', cell))),
-    [['b', '80 %', '60 %', '70 %', '–', '70 %', '–', '–'], ['a', '40 %', '20 %', '30 %', '–', '30 %', '–', '–']]);
+    [['b', '80\u00a0%', '60\u00a0%', '70\u00a0%', '–', '70\u00a0%', '–', '–'], ['a', '40\u00a0%', '20\u00a0%', '30\u00a0%', '–', '30\u00a0%', '–', '–']]);
   assert.deepEqual([pictures, wrong], [100, 4]);
 });
 

@@ -58,6 +58,9 @@ export const tableMarkup = (head, body) => inEach('table', (language) => {
   return `<thead><tr>${head.map((one) => `<th scope="col">${words(one)}</th>`).join('')}</tr></thead>\n<tbody>${rows.join('\n')}</tbody>`;
 });
 
+/** A file to download. @param {string} path @param {Said} words */
+export const linkMarkup = (path, words) => inEach('p', (language) => `<a href="${path}" download>${paragraph(language, [words])}</a>`);
+
 /** @param {Said[]} sentences */
 export const textMarkup = (sentences) => inEach('p', (language) => paragraph(language, sentences));
 

@@ -192,9 +192,9 @@ export const figures = {
     'section-module': 'Least module', 'section-size': 'Sizes', 'section-patterns': 'Patterns', 'section-methods': 'Methods', 'section-time': 'Times',
     'section-lamps': 'Lamps', 'section-angles': 'Another lamp', 'section-robust': 'Blur',
 
-    percent: '{value} %',
-    ratesShown: 'CarvedQR has {pictures} pictures of carved codes, drawn from wide ranges of text, pattern, depth, size, print, lamp and camera; many are hard, and some cannot be read. Each decoder gets each picture once, with its own thorough settings. Shares that it reads:',
-    ratesWrong: { one: '{count} text in all was wrong.', other: '{count} texts in all were wrong.' },
+    percent: '{value}\u00a0%',
+    ratesShown: 'CarvedQR has {pictures} pictures of carved codes, drawn from wide ranges of text, pattern, depth, size, print, lamp and camera; many are hard, and some cannot be read. Each decoder gets each picture once, with its own thorough settings.',
+    ratesWrong: { one: '{count} text in all was wrong. The table has the share that each decoder reads.', other: '{count} texts in all were wrong. The table has the share that each decoder reads.' },
     ratesDecoder: 'Decoder', ratesDesigned: 'as designed', ratesPrinted: 'as printed', ratesSky: 'sky', ratesLamp: 'sky and lamp',
     ratesFront: 'from the front', ratesTilted: 'tilted to 20°', ratesSteep: 'tilted to 45°', ratesNone: '–',
 
@@ -399,9 +399,9 @@ export const figures = {
     'section-module': 'Kleinstes Modul', 'section-size': 'Größen', 'section-patterns': 'Muster', 'section-methods': 'Verfahren', 'section-time': 'Zeiten',
     'section-lamps': 'Lampen', 'section-angles': 'Andere Lampe', 'section-robust': 'Unschärfe',
 
-    percent: '{value} %',
-    ratesShown: 'CarvedQR enthält {pictures} Bilder gravierter Codes, gezogen aus weiten Bereichen von Text, Muster, Tiefe, Größe, Druck, Lampe und Kamera; viele sind schwer, manche unlesbar. Jeder Decoder bekommt jedes Bild einmal, mit seinen eigenen gründlichen Einstellungen. Anteile, die er liest:',
-    ratesWrong: { one: '{count} Text war insgesamt falsch.', other: '{count} Texte waren insgesamt falsch.' },
+    percent: '{value}\u00a0%',
+    ratesShown: 'CarvedQR enthält {pictures} Bilder gravierter Codes, gezogen aus weiten Bereichen von Text, Muster, Tiefe, Größe, Druck, Lampe und Kamera; viele sind schwer, manche unlesbar. Jeder Decoder bekommt jedes Bild einmal, mit seinen eigenen gründlichen Einstellungen.',
+    ratesWrong: { one: '{count} Text war insgesamt falsch. Die Tabelle nennt den Anteil, den jeder Decoder liest.', other: '{count} Texte waren insgesamt falsch. Die Tabelle nennt den Anteil, den jeder Decoder liest.' },
     ratesDecoder: 'Decoder', ratesDesigned: 'im Entwurf', ratesPrinted: 'im Druck', ratesSky: 'Himmel', ratesLamp: 'Himmel und Lampe',
     ratesFront: 'von vorn', ratesTilted: 'bis 20° schräg', ratesSteep: 'bis 45° schräg', ratesNone: '–',
 
