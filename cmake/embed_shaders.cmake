@@ -12,5 +12,5 @@ function(embed_shaders target)
     DEPENDS ${ARGN} ${includes} ${EMBED_SHADERS_SCRIPT}
     VERBATIM)
   target_sources(${target} PRIVATE ${out}/shaders.h ${out}/shaders.cpp)
-  target_include_directories(${target} PUBLIC ${out})
+  target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${out}>)
 endfunction()

@@ -1,0 +1,13 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# find_package(QRelief) defines
+#   QRelief::core    reading, projecting, carving and writing; needs an OpenGL ES 3 context that the program makes
+#   QRelief::native  the core with an EGL context without a window, files, a QR decoder and `Engraver`
+include(CMakeFindDependencyMacro)
+find_dependency(PkgConfig)
+foreach(dependency qrencode:libqrencode zlib:zlib expat:expat gles:glesv2 egl:egl png:libpng zxing:zxing crypto:libcrypto)
+  string(REPLACE ":" ";" parts ${dependency})
+  list(GET parts 0 name)
+  list(GET parts 1 module)
+  pkg_check_modules(${name} REQUIRED IMPORTED_TARGET ${module})
+endforeach()
+include(${CMAKE_CURRENT_LIST_DIR}/QReliefTargets.cmake)
