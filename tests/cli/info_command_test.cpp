@@ -34,7 +34,7 @@ TEST_F(InfoCommandTest, WarningsAndErrorsAreToldApartNameTheFileAndSayWhatHelps)
   EXPECT_EQ(outcome.status, 4);
   const std::string helps = "--units m makes it 200 × 100 × 150 mm";
   const std::size_t warning = outcome.err.find("qrelief: warning: tiny.stl: The model is tiny: 0.2 × 0.1 × 0.15 mm\n");
-  const std::size_t error = outcome.err.find("qrelief: error: tiny.stl: The model has no room for any code");
+  const std::size_t error = outcome.err.find("qrelief: error: tiny.stl: The model is too small for any code");
   ASSERT_NE(warning, std::string::npos) << outcome.err;
   ASSERT_NE(error, std::string::npos) << outcome.err;
   EXPECT_LT(outcome.err.find("  what helps: If it should be larger, " + helps, warning), error) << outcome.err;

@@ -169,7 +169,8 @@ TEST_F(SpotSearchTest, RefusesAThinShellAndSaysHowThickItIs) {
   const auto refused = findSpots(model, request(20));
   ASSERT_FALSE(refused.has_value());
   EXPECT_EQ(refused.error().kind, ErrorKind::NoSolution);
-  EXPECT_NE(sentence(refused.error().message).find("the wall is 0."), std::string::npos) << refused.error().message;
+  EXPECT_NE(sentence(refused.error().message).find("their walls are at most 0."), std::string::npos)
+      << refused.error().message;
   EXPECT_NE(hint(refused.error().message).find("--min-wall 0.4"), std::string::npos) << hint(refused.error().message);
   SpotSearchRequest thinner = request(20);
   thinner.minWallMm = 0.4;

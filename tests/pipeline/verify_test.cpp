@@ -238,7 +238,7 @@ TEST_F(VerifyTest, AReportWithoutAPlaceIsRefusedWithTheMissingKey) {
   EXPECT_THAT(sentence(request.error().message), HasSubstr("centre"));
   EXPECT_FALSE(requestFromReport("no JSON").has_value());
   EXPECT_FALSE(requestFromReport("[1, 2]").has_value());
-  EXPECT_THAT(sentence(requestFromReport(std::string(100'000, '[')).error().message), HasSubstr("nested"));
+  EXPECT_THAT(sentence(requestFromReport(std::string(100'000, '[')).error().message), HasSubstr("nests"));
   report = nlohmann::json::parse(good().report);
   report["symbol"]["rows"][3] = "0102";
   EXPECT_THAT(sentence(requestFromReport(report.dump()).error().message), HasSubstr("Row 4"));
