@@ -33,7 +33,7 @@ test('The guide names the widths of codes, and its plate opens in the app, carve
     expect(complaints).toEqual([]);
     return;
   }
-  await page.getByRole('link', { name: 'Open the plate, carved' }).click();
+  await page.getByRole('link', { name: 'Open the engraved plate' }).click();
   await app.expectResult();
   await expect(app.result).toContainText('Reads as QRelief');
 
@@ -53,8 +53,8 @@ test('The method page computes its pictures, and reads the one that the phone se
   const complaints = listen(page);
   await page.goto('./method.html');
   await expect(page.getByRole('status')).toHaveText(/^Done in [\d.]+ seconds\.$/, { timeout: 300_000 });
-  await expect(page.getByText('Read: https://en.wikipedia.org/wiki/QR_code')).toBeVisible();
-  for (const name of [/Which way the surface faces/, /Height over the plane/, /The light that arrives/, /The depths found/, /What the phone sees/]) {
+  await expect(page.getByText('Decoded: https://en.wikipedia.org/wiki/QR_code')).toBeVisible();
+  for (const name of [/Normals of the surface/, /Height above the plane/, /The light that arrives/, /The final depths/, /The view of the phone/]) {
     const colours = await page.getByRole('img', { name }).evaluate((element) => {
       const canvas = /** @type {HTMLCanvasElement} */ (element);
       const pixels = canvas.getContext('2d')?.getImageData(0, 0, canvas.width, canvas.height).data ?? new Uint8ClampedArray();
@@ -62,7 +62,7 @@ test('The method page computes its pictures, and reads the one that the phone se
     });
     expect(colours, String(name)).toBeGreaterThan(20);
   }
-  await expect(page.getByText('closed, manifold, nothing crosses')).toBeVisible();
+  await expect(page.getByText('closed, manifold, no crossings')).toBeVisible();
   await expect(page.getByText('14,696')).toBeVisible();
   await expectNoSidewaysScroll(page);
   await expectNoViolations(page, 'method');
@@ -72,8 +72,8 @@ test('The method page computes its pictures, and reads the one that the phone se
 test('The study shows figures with tables to download, in the language and the width of the page', async ({ page }) => {
   const complaints = listen(page);
   await page.goto('./guide.html');
-  await page.getByRole('link', { name: 'What was measured' }).click();
-  await expect(page.getByRole('heading', { level: 1 })).toHaveText('What was measured');
+  await page.getByRole('link', { name: 'Measurements' }).click();
+  await expect(page.getByRole('heading', { level: 1 })).toHaveText('Measurements');
   const width = test.info().project.name === 'phone' ? 'narrow' : 'wide';
 
   /** @param {string} language */
@@ -100,7 +100,7 @@ test('The study shows figures with tables to download, in the language and the w
   await expectFigures('en');
   await expectNoViolations(page, 'study');
   await page.getByLabel('Language').selectOption('de');
-  await expect(page.getByRole('heading', { level: 1 })).toHaveText('Was gemessen wurde');
+  await expect(page.getByRole('heading', { level: 1 })).toHaveText('Messungen');
   await expectFigures('de');
   await expectNoViolations(page, 'study, German');
   expect(complaints).toEqual([]);

@@ -27,7 +27,7 @@ test('A list becomes a code for every part, over a reload, and the parts and the
   const app = new Engraver(page);
   const press = (/** @type {string} */ name) => page.getByRole('button', { name, exact: true }).click();
   const state = page.locator('#parts-state'), plan = page.locator('#code-state');
-  const problems = page.getByRole('list', { name: 'Problems of the list' }).getByRole('listitem');
+  const problems = page.getByRole('list', { name: 'Problems in the list' }).getByRole('listitem');
   const rows = page.getByRole('table', { name: 'Parts' }).getByRole('row');
   const finished = async () => Number(/(\d+) of 5/.exec(await state.innerText())?.[1] ?? 0);
   await app.open('?sample=plate');
@@ -38,30 +38,30 @@ test('A list becomes a code for every part, over a reload, and the parts and the
     await expect(page.getByRole('radio', { name: 'A code for every part' })).toBeChecked();
     await expect(problems).toHaveText([/^A quotation mark in line 7 of the list is never closed\./]);
     await drop(page, 'parts.csv', csv(kTexts).replace('p/5', 'p/4'));
-    await expect(problems).toHaveText([/^Line 6: The text “https:\/\/example\.org\/p\/4” stands in line 5, too\. Give every part/, /“bin”|bin/]);
+    await expect(problems).toHaveText([/^Line 6: The text “https:\/\/example\.org\/p\/4” is also in line 5\. Give every part/, /“bin”|bin/]);
     await expect(plan).toHaveText('The list has a problem');
     await expectNoViolations(page, 'a list with mistakes');
     await press('Engrave the first part');
-    await expect(page.getByRole('list', { name: 'Problems of the list' })).toBeFocused();
+    await expect(page.getByRole('list', { name: 'Problems in the list' })).toBeFocused();
     await expect(app.progress).toHaveCount(0);
   });
 
   await test.step('the first part is carved and shown before the others can be', async () => {
     await drop(page, 'parts.csv', csv(kTexts));
     await expect(plan).toHaveText('5 parts, version 2, 25 × 25 modules');
-    await expect(problems).toHaveText(['Columns that nothing asks for: bin.']);
+    await expect(problems).toHaveText(['Unused columns: bin.']);
     await expect(page.getByText('This is the code of part P-1: https://example.org/p/1')).toBeVisible();
     await app.expectReady();
-    await expect(page.getByRole('button', { name: 'Carve all 5 parts' })).toBeDisabled();
+    await expect(page.getByRole('button', { name: 'Engrave all 5 parts' })).toBeDisabled();
     await press('Engrave the first part');
     await app.expectResult();
     await expect(app.result).toContainText('Reads as https://example.org/p/1');
-    await expect(page.getByRole('button', { name: 'Carve all 5 parts' })).toBeEnabled();
+    await expect(page.getByRole('button', { name: 'Engrave all 5 parts' })).toBeEnabled();
   });
 
   await test.step('all are carved side by side; paused, no other is begun', async () => {
     await page.getByLabel('Simulate the print of every … part').fill('4');
-    await press('Carve all 5 parts');
+    await press('Engrave all 5 parts');
     await freezeAt(state, /[1-9] of 5/);
     expect(await page.evaluate(() => /** @type {any} */ (window).workers.length), 'the page’s own engine, and two').toBe(3);
     await press('Pause');
@@ -74,20 +74,20 @@ test('A list becomes a code for every part, over a reload, and the parts and the
     await expectNoViolations(page, 'parts, paused');
     await freeze(page);
     await press('Go on');
-    await expect(state).toHaveText(/^Carving/);
+    await expect(state).toHaveText(/^Engraving/);
     await press('Stop');
     await expect(state).toHaveText(/^Stopped: \d of 5/);
-    await expect(rows.filter({ hasText: 'Carving' })).toHaveCount(0);
+    await expect(rows.filter({ hasText: 'Engraving' })).toHaveCount(0);
   });
 
   await test.step('after a reload it goes on, and what is carved is not carved again', async () => {
     const before = await finished();
     await page.reload();
-    await expect(page.getByText(/^\d of 5 parts of plate\.stl are carved\. Go on\?/)).toBeVisible();
+    await expect(page.getByText(/^\d of 5 parts of plate\.stl are engraved\. Go on\?/)).toBeVisible();
     await page.getByRole('button', { name: 'Go on' }).click();
     await expect(rows.filter({ hasText: 'Done' })).not.toHaveCount(0);
     await expect.poll(finished).toBeGreaterThanOrEqual(before);
-    await expect(state).toHaveText('4 carved, 1 failed');
+    await expect(state).toHaveText('4 engraved, 1 failed');
     await expect(rows.filter({ hasText: 'Done' })).toHaveCount(4);
     for (const words of ['P-3', 'Teil drei, „ö“', 'P-3.stl']) await expect(rows.nth(3)).toContainText(words);
   });
@@ -98,11 +98,11 @@ test('A list becomes a code for every part, over a reload, and the parts and the
     await expect(rows.nth(1)).toContainText('P-4');
     await expect(rows.nth(1)).toContainText(/Failed.*200 mm/);
     await freeze(page);
-    await press('Try the failed ones again');
+    await press('Retry failed parts');
     await expect(state).toHaveText('Getting ready: 4 of 5');
-    await expect(page.getByRole('button', { name: 'Try the failed ones again' })).toBeHidden();
+    await expect(page.getByRole('button', { name: 'Retry failed parts' })).toBeHidden();
     await thaw(page);
-    await expect(state).toHaveText('4 carved, 1 failed');
+    await expect(state).toHaveText('4 engraved, 1 failed');
   });
 
   await test.step('the ZIP has each part’s file and the manifest as the command writes it', async () => {
@@ -131,8 +131,8 @@ test('A list becomes a code for every part, over a reload, and the parts and the
   await test.step('discarded, nothing of it is left', async () => {
     await press('Discard the parts');
     await expectNoViolations(page, 'parts, carved');
-    await page.getByText('Discard 4 carved parts?').locator('..').getByRole('button', { name: 'Discard the parts' }).click();
-    await expect(page.getByRole('button', { name: 'Carve all 5 parts' })).toBeVisible();
+    await page.getByText('Discard 4 engraved parts?').locator('..').getByRole('button', { name: 'Discard the parts' }).click();
+    await expect(page.getByRole('button', { name: 'Engrave all 5 parts' })).toBeVisible();
     await expect(page.getByRole('radio', { name: 'One code' })).toBeEnabled();
     expect(await page.evaluate(async () => {
       const names = [];

@@ -6,7 +6,7 @@ import { freeze, holdWorkers } from './support/workers.js';
 
 /** @typedef {import('@playwright/test').Page} Page */
 
-const kCancelled = 'Cancelled. The model is as it was.';
+const kCancelled = 'Cancelled. The model is unchanged.';
 
 /**
  * Clicks Cancel in the page at the moment the status shows the stage; from then on nothing reaches the worker until the

@@ -39,9 +39,9 @@ test('The verdict says in three lines that a good carving reads, prints and is s
     await expect(app.result).toContainText(/Tilted by 5°: 4 of 4 directions read/);
     const safe = Number(/Reads from every side up to (\d+)°/.exec(await app.result.innerText())?.[1]);
     expect([5, 10, 15, 30, 45]).toContain(safe);
-    const advice = page.getByText('a smaller code or a flatter place can be read from farther aside');
+    const advice = page.getByText('a smaller code or a flatter place can be read from a wider angle');
     await expect(advice).toHaveCount(safe < 10 ? 1 : 0);
-    await expect(app.result).toContainText(/Reads up to about \d+ cm away, [\d.]+ pixels a module/);
+    await expect(app.result).toContainText(/Reads up to about \d+ cm away, at [\d.]+ pixels per module/);
   });
 
   await test.step('After a change the result says that it is older than the settings', async () => {
@@ -57,7 +57,7 @@ test('A carving too fine for the nozzle comes with remedies, of which one click 
   await app.expectReady();
   await app.openSettings();
   await app.setting('Modules').selectOption('Full');
-  await app.setting('Carve for').selectOption('The design alone');
+  await app.setting('Engrave for').selectOption('Design only');
   await app.setting('Nozzle (mm)').fill('1.2');
   await app.setting('Nozzle (mm)').press('Tab');
   await app.expectReady();
@@ -84,7 +84,7 @@ test('A code that no reader finds is carved by the next deeper preset, and undon
   await app.expectReady();
   await app.setting('How deep').selectOption('shallow');
   await app.engrave();
-  await expect(app.status).toHaveText('Engraved, deeper than asked for: less deep, the code did not read reliably.');
+  await expect(app.status).toHaveText('Engraved deeper than you chose: at that depth the code did not read reliably.');
   await expect(app.setting('How deep')).toHaveValue('balanced');
   await expect(app.result).toContainText('Reads as deeper');
   expect((await app.report()).depth.preset).toBe('balanced');

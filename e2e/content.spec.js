@@ -50,7 +50,7 @@ const kCases = [
   },
   { kind: 'Text message', values: { 'Phone number': '+49 151 234567', Message: 'On: my way' }, payload: 'SMSTO:+49151234567:On: my way' },
   { kind: 'Phone call', values: { 'Phone number': '+44 (0)20 7946 0018' }, payload: 'tel:+442079460018' },
-  { kind: 'Place', values: { 'Latitude (°)': '52.5163', 'Longitude (°)': '13,3777', 'Look for': 'Tor' }, payload: 'geo:52.5163,13.3777?q=Tor' },
+  { kind: 'Place', values: { 'Latitude (°)': '52.5163', 'Longitude (°)': '13,3777', 'Search for': 'Tor' }, payload: 'geo:52.5163,13.3777?q=Tor' },
 ];
 
 test('A Wi-Fi access is filled in, engraved, and reads back as it should', async ({ page }) => {
@@ -69,7 +69,7 @@ test('A Wi-Fi access is filled in, engraved, and reads back as it should', async
     await expect(network).not.toHaveAttribute('aria-invalid');
     await app.engraveButton.click();
     await expect(network).toHaveAttribute('aria-invalid', 'true');
-    await expect(network).toHaveAccessibleDescription('This is needed');
+    await expect(network).toHaveAccessibleDescription('Required');
     await expect(network).toBeFocused();
     await expect(app.result).toBeHidden();
 
@@ -95,7 +95,7 @@ test('A Wi-Fi access is filled in, engraved, and reads back as it should', async
   expect((await app.report()).verification.text).toBe(payload);
   const { name } = await app.download();
   expect(name).toMatch(/^saddle-qr-wifi-Cafe-1-\d+mm\.stl$/);
-  await expect(page.getByText('The settings hold the Wi-Fi password')).toBeVisible();
+  await expect(page.getByText('The settings contain the Wi-Fi password')).toBeVisible();
   const stored = await page.evaluate(() => JSON.stringify({ ...localStorage }) + JSON.stringify({ ...sessionStorage }));
   expect(stored).not.toContain('word');
 });
@@ -115,7 +115,7 @@ test('Every other kind writes its payload to the textbox, and the symbol holds i
   await test.step('a MeCard', async () => {
     await choose(page, 'Contact');
     await fillIn(page, 'Contact', { 'First name': 'Ada', 'Last name': 'Lovelace', Phone: '+44 20 7946 0018', Website: '', 'E-mail address': 'ada@example.org' });
-    const line = advice(page).getByRole('listitem').filter({ hasText: 'As a MeCard it takes version' });
+    const line = advice(page).getByRole('listitem').filter({ hasText: 'As a MeCard it needs version' });
     await line.getByRole('button', { name: 'Use it' }).click();
     await expect(app.text).toHaveValue('MECARD:N:Lovelace,Ada;TEL:+442079460018;EMAIL:ada@example.org;;');
     await expect(page.getByLabel('Written as')).toHaveValue('mecard');

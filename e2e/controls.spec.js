@@ -269,7 +269,7 @@ const kOfTheCarving = {
   },
   'show-depths': async ({ page, press }) => {
     await press('show-depths');
-    await expect(page.getByLabel('Colours of the model')).toContainText('Depth of the carving');
+    await expect(page.getByLabel('Colours of the model')).toContainText('Depth of the engraving');
   },
   'show-before': async ({ app, at, page }) => {
     const hide = (/** @type {string} */ opacity) => page.locator('.tools, .legend').evaluateAll((all, to) => {
@@ -286,7 +286,7 @@ const kOfTheCarving = {
   },
   'reader-view': async ({ page, press }) => {
     await press('reader-view');
-    await expect(page.getByRole('group', { name: 'Reader’s view' })).toContainText('Read by the phone');
+    await expect(page.getByRole('group', { name: 'Phone view' })).toContainText('The phone reads');
   },
   inspector: async ({ page, press }) => {
     await press('inspector');
@@ -312,7 +312,7 @@ const kOfTheCarving = {
     await press('engrave');
     await press('cancel');
     await expect(app.cancelButton).toBeHidden();
-    await expect(app.status).toHaveText('Cancelled. The model is as it was.');
+    await expect(app.status).toHaveText('Cancelled. The model is unchanged.');
     await thaw(page);
     await app.expectReady();
   },
@@ -398,7 +398,7 @@ const kOfTheParts = {
   },
   'batch-name': async ({ at, page }) => {
     await at('batch-name').fill('a/{n}.stl');
-    await expect(page.getByRole('list', { name: 'Problems of the list' })).toContainText('“a/1.stl” is not a plain file name');
+    await expect(page.getByRole('list', { name: 'Problems in the list' })).toContainText('“a/1.stl” is not a plain file name');
   },
   'code-for-one': async ({ at, app }) => {
     await at('code-for-one').check();

@@ -70,7 +70,7 @@ test('The bunny is engraved, reads as the text, inside and outside the page, and
   expect(name).toMatch(/^bunny-qr-example\.org-\d+mm\.stl$/);
   expectEngravedSolid(readStl(new Uint8Array(stl)), readStl(bytes), report);
 
-  await page.getByRole('button', { name: 'Reader’s view' }).click();
+  await page.getByRole('button', { name: 'Phone view' }).click();
   await expect.poll(async () => decodePng(await app.canvas.screenshot())).toBe(kText);
 
   // One core and one set of shaders on two renderers: they must agree within a tolerance.

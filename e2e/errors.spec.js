@@ -46,11 +46,11 @@ test('An empty text, a code that is too large and a setting out of its range are
   await expect(app.alert).toHaveCount(0);
   await app.expectReady();
   await app.openSettings();
-  await app.setting('Distance (mm)').fill('3');
-  await app.setting('Distance (mm)').blur();
-  await expect(app.alert).toContainText('“Distance” must be a number from 20 to 100000, not 3');
-  await app.setting('Distance (mm)').fill('300');
-  await app.setting('Distance (mm)').blur();
+  await app.setting('Viewing distance (mm)').fill('3');
+  await app.setting('Viewing distance (mm)').blur();
+  await expect(app.alert).toContainText('“Viewing distance” must be a number from 20 to 100000, not 3');
+  await app.setting('Viewing distance (mm)').fill('300');
+  await app.setting('Viewing distance (mm)').blur();
   await expect(app.alert).toHaveCount(0);
   await app.expectReady();
   await app.setting('Size of the code').selectOption('Exactly');

@@ -88,7 +88,7 @@ test('The inspector is drawn over the view alone, shows an engraving and goes wi
 
   await test.step('so does a click on the model', async () => {
     const before = await app.centre();
-    await page.getByRole('button', { name: 'Reader’s view' }).click();
+    await page.getByRole('button', { name: 'Phone view' }).click();
     const box = /** @type {Clip} */ (await app.canvas.boundingBox());
     const [x, y] = [box.x + box.width / 2 + 60, box.y + box.height / 2];
     await inspector.expectStill({ x: x - 50, y: y - 50, width: 100, height: 100 });

@@ -52,7 +52,7 @@ test('The words of messages come with the first one, in its language; if they ca
   await app.expectReady();
   site.lacks = (path) => /message_catalogues/.test(path);
   await app.file.setInputFiles(truncatedFile);
-  await expect(app.alert).toContainText('could not be loaded; check the connection');
+  await expect(app.alert).toContainText('could not be loaded; check your connection');
   expect(words()).toEqual([]);
 
   site.lacks = () => false;

@@ -9,7 +9,7 @@ test('On a phone fingers place, move and turn the code, and the result can be re
   await app.expectReady();
 
   await test.step('every button over the view is at least 44 pixels high and inside the screen', async () => {
-    for (const name of ['Views', 'Carved', 'Reader’s view', 'Fit', 'Inspector', 'Section']) {
+    for (const name of ['Views', 'With code', 'Phone view', 'Fit', 'Inspector', 'Section']) {
       const box = await page.getByRole('button', { name }).boundingBox();
       expect(box?.height).toBeGreaterThanOrEqual(44);
       expect((box?.x ?? -1)).toBeGreaterThanOrEqual(0);

@@ -28,10 +28,10 @@ test('The print is simulated beside the result, seen in the reader’s view, and
   });
 
   await test.step('the reader’s view shows it over the code, switched with the design', async () => {
-    await page.getByRole('button', { name: 'Reader’s view' }).click();
-    const view = page.getByRole('group', { name: 'Reader’s view' });
+    await page.getByRole('button', { name: 'Phone view' }).click();
+    const view = page.getByRole('group', { name: 'Phone view' });
     const picture = page.locator('.print-picture');
-    await expect(view).toContainText('Read by the phone: HELLO');
+    await expect(view).toContainText('The phone reads: HELLO');
     await expect(picture).toBeHidden();
     await view.getByRole('button', { name: 'As printed' }).click();
     await expect(view).toContainText(/The print reads; modules lost: \d+/);
@@ -48,7 +48,7 @@ test('The print is simulated beside the result, seen in the reader’s view, and
     await app.setting('Process').selectOption('fdm-0.6/0.3');
     await expect(app.setting('Nozzle (mm)')).toHaveValue('0.6');
     await expect(app.setting('Layer (mm)')).toHaveValue('0.3');
-    await app.setting('Up on the printer').selectOption('code-upright');
+    await app.setting('Orientation on the printer').selectOption('code-upright');
     await app.expectReady();
     await app.engrave();
     await expect(line).toContainText('as an upright wall (0.6 mm nozzle, 0.3 mm layers)', kPrinted);
@@ -77,7 +77,7 @@ test('What does not read as printed is tried in other ways, and one press takes 
   await expect(line.locator('.print-trials li')).toHaveCount(4, { timeout: 180_000 });
   await expect(line).not.toContainText(/Print \d of 4/);
   await expect(line.locator('.print-trials')).toContainText('as an upright wall (0.4 mm nozzle, 0.2 mm layers)');
-  await line.getByRole('button', { name: 'Take it: Resin, layers 0.05 mm' }).click();
+  await line.getByRole('button', { name: 'Use it: Resin, layers 0.05 mm' }).click();
   await expect(app.setting('Process')).toHaveValue('resin-0.05');
   await expect(app.setting('Layer (mm)')).toHaveValue('0.05');
   await expect(app.result).toContainText('Engrave again to update it');

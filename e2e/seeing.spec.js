@@ -8,8 +8,8 @@ test('The model is looked at from every side, cut open, carved, and as a phone s
   await app.open('?sample=saddle&text=HELLO');
   await app.expectReady();
 
-  const reader = page.getByRole('button', { name: 'Reader’s view' });
-  const view = page.getByRole('group', { name: 'Reader’s view' });
+  const reader = page.getByRole('button', { name: 'Phone view' });
+  const view = page.getByRole('group', { name: 'Phone view' });
   await test.step('from where a phone reads, before anything is engraved', async () => {
     await reader.click();
     await expect(view).toContainText('Not engraved yet');
@@ -58,14 +58,14 @@ test('The model is looked at from every side, cut open, carved, and as a phone s
     await app.engrave();
     await expect(app.moveHandle).toBeHidden();
     await reader.click();
-    await expect(view).toContainText('Read by the phone: HELLO');
+    await expect(view).toContainText('The phone reads: HELLO');
   });
 
   await test.step('the depths in mm, and the model as it was', async () => {
     const legend = page.getByLabel('Colours of the model');
     await expect.poll(() => shareOf(app.canvas, isTeal)).toBeLessThan(0.03);
     await page.getByRole('button', { name: 'Depths' }).click();
-    await expect(legend).toContainText(/Depth of the carving\s*0 mm\s*[\d.]+ mm\s*≥ [\d.]+ mm/);
+    await expect(legend).toContainText(/Depth of the engraving\s*0 mm\s*[\d.]+ mm\s*≥ [\d.]+ mm/);
     await expect.poll(() => shareOf(app.canvas, isTeal)).toBeGreaterThan(0.035);
     const { depth } = await app.report();
     const top = Number(/≥ ([\d.]+) mm$/.exec((await legend.innerText()).trim())?.[1]);
@@ -79,7 +79,7 @@ test('The model is looked at from every side, cut open, carved, and as a phone s
     await expect.poll(() => shareOf(app.canvas, isTeal)).toBeLessThan(0.03);
     await page.keyboard.up('Space');
     await expect.poll(() => shareOf(app.canvas, isTeal)).toBeGreaterThan(0.035);
-    await page.getByRole('button', { name: 'Carved' }).click();
+    await page.getByRole('button', { name: 'With code' }).click();
     await expect(legend).toBeHidden();
     await expect(before).toBeDisabled();
   });

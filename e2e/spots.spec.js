@@ -6,12 +6,12 @@ import { shareOf } from './support/pixels.js';
 test('A suggested spot takes a code of the size that it promises, and is engraved', async ({ page }) => {
   const app = new Engraver(page);
   const aim = page.locator('#placement-aim');
-  const degrees = async () => Number(/from (\d+)°/.exec(await aim.innerText())?.[1]);
+  const degrees = async () => Number(/(\d+)°/.exec(await aim.innerText())?.[1]);
   await app.open();
   await app.expectReady();
 
   await test.step('a place says how straight a phone must be held, and what would forgive more', async () => {
-    await expect(aim).toHaveText(/must be held straight: it reads from \d° aside at most. A smaller code or a flatter place forgives more/);
+    await expect(aim).toHaveText(/must hold the phone straight: it reads the code from \d° to the side at most. A smaller code or a flatter place forgives more/);
     const before = await degrees();
     await app.openSettings();
     await app.setting('At most (mm)').fill('15');
@@ -52,7 +52,7 @@ test('Spots asked for while the text is still being typed are looked for with it
   const app = new Engraver(page);
   await app.open('?sample=plate&text=A');
   await app.expectReady();
-  await expect(page.locator('#placement-aim')).toHaveText('Here a phone reads it from 45° aside at most.');
+  await expect(page.locator('#placement-aim')).toHaveText('Here a phone can read it from up to 45° to the side.');
   await app.text.fill('Another text, for which a larger symbol is needed than for the one before');
   await app.suggest();
   await expect(app.spots).not.toHaveCount(0);
@@ -68,14 +68,14 @@ test('Spots asked for while the text is still being typed are looked for with it
   });
   await test.step('other settings forget them', async () => {
     await app.openSettings();
-    await app.setting('Wall left (mm)').fill('1');
-    await app.setting('Wall left (mm)').press('Tab');
+    await app.setting('Minimum wall (mm)').fill('1');
+    await app.setting('Minimum wall (mm)').press('Tab');
     await expect(app.spots).toHaveCount(0);
     await expect(sizes).toBeDisabled();
     await expect(legend).toBeHidden();
   });
   await test.step('where every spot has a concern, that is said before anything is carved', async () => {
-    const note = page.getByText('At none of these spots is a readable print certain.');
+    const note = page.getByText('None of these spots is certain to print readably.');
     await expect(note).toBeHidden();
     await app.setting('Process').selectOption('fdm-0.6/0.3');
     await app.suggest();

@@ -2,7 +2,7 @@
 import { expect, test } from '@playwright/test';
 import { Engraver } from './support/engraver.js';
 
-const kSteps = ['Model', 'Code', 'Place', 'Carve', 'Check and download'];
+const kSteps = ['Model', 'Code', 'Place', 'Engrave', 'Check and download'];
 
 test('Headings, landmarks, the first key and a live region lead through the five steps', async ({ page }) => {
   await page.addInitScript(() => {

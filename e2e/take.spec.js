@@ -51,9 +51,9 @@ test('The symbol as SVG and as PNG can be read, and its file says what is inside
     await app.text.fill('PICTURE 1');
     await app.openSettings();
     await app.setting('Modules').selectOption('Full');
-    await app.setting('Corner marks').selectOption('Full');
+    await app.setting('Finder patterns').selectOption('Full');
     await app.expectReady();
-    await page.getByRole('button', { name: 'Reader’s view' }).click();
+    await page.getByRole('button', { name: 'Phone view' }).click();
     await expect.poll(async () => decodePng(await app.canvas.screenshot()), { timeout: 60_000 }).toBe('PICTURE 1');
     const picture = await app.download('Save picture');
     expect(picture.name).toMatch(/^saddle-qr-PICTURE-1-\d+mm-view\.png$/);
@@ -70,8 +70,8 @@ test('Settings that were saved are used again when their file is dropped onto th
   await app.setting('Size of the code').selectOption('Exactly');
   await app.setting('Width (mm)').fill('21.5');
   await app.setting('Modules').selectOption('Diamond');
-  await app.setting('Wall left (mm)').fill('1.25');
-  await app.setting('Wall left (mm)').blur();
+  await app.setting('Minimum wall (mm)').fill('1.25');
+  await app.setting('Minimum wall (mm)').blur();
   await expect(app.placement).toContainText('21.5 mm wide');
   await app.expectReady();
   const centre = await app.centre();
@@ -81,7 +81,7 @@ test('Settings that were saved are used again when their file is dropped onto th
   await app.open('?sample=saddle');
   await app.expectReady();
   await drop(page, file);
-  await expect(app.status).toHaveText(`The settings of ${file.name} are in use.`);
+  await expect(app.status).toHaveText(`Using the settings from ${file.name}.`);
   await expect(app.text).toHaveValue(kText);
   await expect(app.sample).toHaveValue('bumpy-sphere');
   await expect(app.placement).toContainText('21.5 mm wide');
@@ -89,7 +89,7 @@ test('Settings that were saved are used again when their file is dropped onto th
   await app.openSettings();
   await expect(app.setting('Size of the code')).toHaveValue('fixed');
   await expect(app.setting('Modules')).toHaveValue('diamond');
-  await expect(app.setting('Wall left (mm)')).toHaveValue('1.25');
+  await expect(app.setting('Minimum wall (mm)')).toHaveValue('1.25');
   expect((await app.download('Save settings')).bytes).toEqual(file.bytes);
 
   await test.step('The field for the model’s file takes settings, too, and leaves a model of one’s own where it is', async () => {
@@ -97,7 +97,7 @@ test('Settings that were saved are used again when their file is dropped onto th
     await expect(app.facts).toContainText('my saddle.stl');
     await expect(app.status).toHaveText('Ready.');
     await app.file.setInputFiles({ name: 'again.json', mimeType: 'application/json', buffer: Buffer.from(file.bytes) });
-    await expect(app.status).toHaveText('The settings of again.json are in use.');
+    await expect(app.status).toHaveText('Using the settings from again.json.');
     await expect(app.sample).toHaveValue('bumpy-sphere');
 
     await app.file.setInputFiles(saddleFile);
@@ -108,7 +108,7 @@ test('Settings that were saved are used again when their file is dropped onto th
     foreign.model = { file: 'vessel.stl', scaleToMm: 1, upAxis: 'z', centreMm: [1, 2, 3] };
     foreign.settings.text = 'for another';
     await drop(page, { name: 'vessel.json', bytes: JSON.stringify(foreign) });
-    await expect(app.status).toHaveText('The settings of vessel.json are in use, made for vessel.stl: choose the place on this model.');
+    await expect(app.status).toHaveText('Using the settings from vessel.json, made for vessel.stl: choose the place on this model.');
     await expect(app.text).toHaveValue('for another');
     expect(await app.centre()).toEqual(proposed);
   });

@@ -65,7 +65,7 @@ test('Undoing a carve shows the uncarved model, and redoing it brings the result
   await app.open('?sample=saddle&text=one');
   await app.expectReady();
   await app.engrave();
-  const carved = page.getByRole('button', { name: 'Carved' });
+  const carved = page.getByRole('button', { name: 'With code' });
   const first = (await app.download()).bytes;
 
   await expect(undo).toBeEnabled();

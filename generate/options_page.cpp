@@ -14,10 +14,11 @@ constexpr const char* kPageHead = R"(# Options
 
 <!-- Written by build/release/bin/qrelief_generate from core/settings and messages/settings: do not edit. -->
 
-Every setting of an engraving: the flag of `qrelief engrave`, and the key that reports, settings files and the page have
-for it. `place` takes those of Symbol and Placement, the patterns, `--min-wall`, `--process`, `--nozzle` and `--layer`;
-`verify` those of Symbol and Printing, `--direction`, `--up`, `--size`, `--eye-distance`, `--light` and `--min-wall`. What
-concerns files and repairs is in the [README](../README.md#the-command-line), and `--help` says everything.
+Every setting of an engraving, with its flag for `qrelief engrave` and its key in reports, settings files and the page.
+`place` accepts the flags of Symbol and Placement, the patterns, `--min-wall`, `--process`, `--nozzle` and `--layer`.
+`verify` accepts the flags of Symbol and Printing, `--direction`, `--up`, `--size`, `--eye-distance`, `--light` and
+`--min-wall`. The [README](../README.md#the-command-line) describes the options for files and repairs; `--help` lists
+all options.
 )";
 
 /// A bar would end the cell of a table.

@@ -42,7 +42,7 @@ async function seePrint(app, page, settings) {
   await app.openSettings();
   for (const [name, value] of Object.entries(settings)) await app.setting(name).selectOption(value);
   await engraveAndPrint(app, page);
-  await press(page, 'Reader’s view');
+  await press(page, 'Phone view');
   await press(page, 'As printed');
 }
 
@@ -92,14 +92,14 @@ const kStates = {
   reader: {
     walk: async (app, page) => {
       await app.engrave();
-      await press(page, 'Reader’s view');
+      await press(page, 'Phone view');
     },
   },
   printed: { walk: (app, page) => seePrint(app, page, {}) },
-  'printed-standing': { query: kPlate, walk: (app, page) => seePrint(app, page, { 'Up on the printer': 'code-upright' }) },
-  'printed-lying': { query: kPlate, walk: (app, page) => seePrint(app, page, { 'Up on the printer': 'code-up' }) },
-  'printed-fine': { query: kPlate, walk: (app, page) => seePrint(app, page, { Process: 'fdm-0.25/0.1', 'Up on the printer': 'code-up' }) },
-  'printed-resin': { query: kPlate, walk: (app, page) => seePrint(app, page, { Process: 'resin-0.05', 'Up on the printer': 'code-up' }) },
+  'printed-standing': { query: kPlate, walk: (app, page) => seePrint(app, page, { 'Orientation on the printer': 'code-upright' }) },
+  'printed-lying': { query: kPlate, walk: (app, page) => seePrint(app, page, { 'Orientation on the printer': 'code-up' }) },
+  'printed-fine': { query: kPlate, walk: (app, page) => seePrint(app, page, { Process: 'fdm-0.25/0.1', 'Orientation on the printer': 'code-up' }) },
+  'printed-resin': { query: kPlate, walk: (app, page) => seePrint(app, page, { Process: 'resin-0.05', 'Orientation on the printer': 'code-up' }) },
   unread: {
     query: '?sample=bunny&text=too%20small',
     walk: async (app) => {

@@ -29,9 +29,9 @@ test('a table becomes figures of both widths in both languages, sentences with i
     }
   }
   const shown = markup.get('symbolFlips') ?? '';
-  assert.match(shown, /by 10 % and 20 %, with ours by 10 % and 20 %/);
+  assert.match(shown, /by 10 % and 20 %, with our search by 10 % and 20 %/);
   assert.match(shown, /um 10 % und 20 % flacher/);
-  assert.match(shown, /1 of 13 cases could not be carved and is left out/);
+  assert.match(shown, /1 of 13 cases could not be engraved and is left out/);
   assert.match(shown, /<a href="study\/symbol_flips\.csv" download>Table with 13 rows, CSV<\/a>/);
 });
 

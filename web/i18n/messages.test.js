@@ -30,9 +30,9 @@ test('Sentences and hints are those of the shared cases, in both languages', () 
 test('A setting is called as its control is, without the unit', () => {
   const words = { thin: { en: 'Raise {@minWallMm}, not {which} to {pattern}', de: '{@minWallMm} erhöhen, nicht {which} auf {pattern}' } };
   const told = message('thin', { which: { setting: 'eyeDistanceMm' }, pattern: { choice: { key: 'pattern', value: 'thin-plus' } } });
-  assert.equal(sentenceOf(told, words), 'Raise “Wall left”, not “Distance” to Thin plus');
+  assert.equal(sentenceOf(told, words), 'Raise “Minimum wall”, not “Viewing distance” to Thin plus');
   setLanguage('de');
-  assert.equal(sentenceOf(told, words), '„Restwand“ erhöhen, nicht „Abstand“ auf Dünnes Plus');
+  assert.equal(sentenceOf(told, words), '„Restwand“ erhöhen, nicht „Betrachtungsabstand“ auf Dünnes Plus');
 });
 
 test('The page has the words of every file of messages/ but the command’s', () => {

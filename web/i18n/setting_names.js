@@ -21,14 +21,14 @@ const numberBeside = (key) => (key === 'sizeMm' ? kSettings.size.partLabels?.num
 
 export const isKnownSetting = (/** @type {string} */ key) => key in kSettings || key in kOtherControls || numberBeside(key) !== undefined;
 
-/** What stands at the control, without the unit behind it: "Wall left". @param {string} key  of the core */
+/** Returns the label of the control without its unit: "Minimum wall". @param {string} key  of the core */
 export function controlLabel(key) {
   const words = settingOf(key)?.label ?? numberBeside(key);
   if (words) return words[currentLanguage()];
   return key in kOtherControls ? text(kOtherControls[key]).replace(/ \([^)]*\)$/, '') : key;
 }
 
-/** What stands at the control: "Wall left (mm)". @param {string} key  of the core */
+/** Returns the label of the control with its unit: "Minimum wall (mm)". @param {string} key  of the core */
 export function controlName(key) {
   if (key in kOtherControls) return text(kOtherControls[key]);
   const setting = settingOf(key);

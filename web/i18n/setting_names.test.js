@@ -10,13 +10,13 @@ after(() => setLanguage('en'));
 
 test('a control is called as the table says, with its unit', () => {
   setLanguage('en');
-  assert.equal(controlName('minWallMm'), 'Wall left (mm)');
+  assert.equal(controlName('minWallMm'), 'Minimum wall (mm)');
   assert.equal(controlName('rotateDeg'), 'Rotation (°)');
   assert.equal(controlName('contrast'), 'Contrast');
   assert.equal(controlName('size'), 'Size of the code');
   assert.equal(controlName('sizeMm'), 'Width (mm)');
   assert.equal(controlName('centreMm'), 'Centre on the surface (mm)');
-  assert.equal(controlLabel('minWallMm'), 'Wall left');
+  assert.equal(controlLabel('minWallMm'), 'Minimum wall');
   assert.equal(controlLabel('centreMm'), 'Centre on the surface');
   assert.equal(controlName('colour'), 'colour');
   assert.ok(isKnownSetting('sizeMm') && !isKnownSetting('colour'));

@@ -92,7 +92,7 @@ test('Cancelled, what was carved before comes back', async () => {
   await carving.engrave();
   await settled();
   assert.equal(carving.carved, before);
-  assert.equal(messages.said.at(-1), 'Cancelled. The model is as it was.');
+  assert.equal(messages.said.at(-1), 'Cancelled. The model is unchanged.');
 });
 
 test('Another carving does not begin beside the first', async () => {
@@ -151,7 +151,7 @@ test('What does not read as carved for the print is carved for the design alone,
   await carving.engrave();
   assert.deepEqual(values, { preset: 'balanced', carveFor: 'design' });
   assert.equal(made()?.number, 2);
-  assert.match(messages.said.at(-1) ?? '', /^Engraved for the design alone/);
+  assert.match(messages.said.at(-1) ?? '', /^Engraved for the design only/);
 });
 
 test('What reads with no preset stays as it was asked for', async () => {
@@ -180,7 +180,7 @@ test('Cancelled while it is carved deeper, what was asked for stays, as it was c
   await run;
   await settled();
   assert.equal(values.preset, 'shallow');
-  assert.equal(messages.said.at(-1), 'Cancelled. The model is as it was.');
+  assert.equal(messages.said.at(-1), 'Cancelled. The model is unchanged.');
   const calls = client.calls.filter((/** @type {string} */ call) => /^(useCarving|setReadings)/.test(call));
   assert.deepEqual(calls.slice(-2), ['useCarving 1', `setReadings ${kReaderName}`]);
   assert.equal(made()?.made.values.preset, 'shallow');
@@ -259,7 +259,7 @@ test('Cancelled while it is carved deeper for its print, the first result comes 
   await jobs.untilIdle();
   await settled();
   assert.deepEqual([values.preset, made()?.made.values.preset, made()?.number], ['balanced', 'balanced', 1]);
-  assert.equal(messages.said.at(-1), 'Cancelled. The code is as deep as asked for.');
+  assert.equal(messages.said.at(-1), 'Cancelled. The code keeps the depth you chose.');
   assert.deepEqual(shown.at(-1), [true, true]);
 });
 

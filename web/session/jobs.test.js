@@ -57,7 +57,7 @@ test('Cancelling aborts what runs, and that the module was replaced for it is no
   assert.equal(signal?.aborted, true);
   pending.reject(replaced());
   await assert.rejects(run, { code: 'engine-replaced' });
-  assert.deepEqual(messages.said.slice(-1), ['Cancelled. The model is as it was.']);
+  assert.deepEqual(messages.said.slice(-1), ['Cancelled. The model is unchanged.']);
   assert.equal(jobs.busy, false);
 });
 

@@ -49,7 +49,7 @@ test('A module that is beyond use is replaced, once for all who were waiting', a
   assert.equal(replacements, 1);
   replacing.resolve();
   await Promise.all(both);
-  assert.ok(messages.said.some((words) => /again/.test(words)));
+  assert.ok(messages.said.some((words) => /Restarting/.test(words)));
 });
 
 test('Graphics that are lost are made anew, without an error', async () => {

@@ -2,9 +2,9 @@
 
 export const inspector = {
   en: {
-    engraved: 'Engraved with the inspector’s settings instead of these: {overrides}.',
+    engraved: 'Engraved with these settings of the inspector instead of yours: {overrides}.',
   },
   de: {
-    engraved: 'Mit den Einstellungen des Inspektors statt dieser graviert: {overrides}.',
+    engraved: 'Mit diesen Einstellungen des Inspektors statt der eigenen graviert: {overrides}.',
   },
 };

@@ -6,14 +6,14 @@ export const links = {
     toApp: 'Open the app',
     toMethod: 'How it works',
     toGuide: 'How to print it',
-    toStudy: 'What was measured',
+    toStudy: 'Measurements',
     toGallery: 'Gallery',
   },
   de: {
     toApp: 'Zur App',
     toMethod: 'So funktioniert es',
     toGuide: 'So wird es gedruckt',
-    toStudy: 'Was gemessen wurde',
+    toStudy: 'Messungen',
     toGallery: 'Galerie',
   },
 };
