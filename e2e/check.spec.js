@@ -16,8 +16,8 @@ test('The verdict says in three lines that a good carving reads, prints and is s
   await app.expectResult();
   const lines = app.result.getByRole('list', { name: 'Verdict' }).getByRole('listitem');
   await expect(lines).toHaveCount(3);
-  await expect(lines.nth(0)).toContainText(/Reads as Grüße ☕\s*\d+ of 72 tries on simulated phone pictures read it, 29 are needed\. \d+ % of the error correction is left\./);
-  await expect(lines.nth(1)).toContainText(/Reads as printed, facing up \(0\.4 mm nozzle, 0\.2 mm layers\)\s*\d+ of 72 tries on simulated phone pictures of the printed surface read it, 29 are needed\./, kPrinted);
+  await expect(lines.nth(0)).toContainText(/Reads as Grüße ☕\s*\d+ of 72 tries on simulated phone pictures succeeded; 29 are needed\. \d+ % of the error correction is left\./);
+  await expect(lines.nth(1)).toContainText(/Reads as printed, facing up \(0\.4 mm nozzle, 0\.2 mm layers\)\s*\d+ of 72 tries on simulated phone pictures of the printed surface succeeded; 29 are needed\./, kPrinted);
   await expect(lines.nth(2)).toContainText(/Solid\s*Closed and manifold, \d+ triangles\./);
   await expect(lines.getByRole('button')).toHaveCount(0);
   await expect(page.locator('#check-state')).toHaveText('Reads, prints, solid');

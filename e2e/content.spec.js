@@ -191,14 +191,14 @@ test('The symbol says its version, how full it is, and how much more fits; a lin
   await app.text.fill(`https://example.org/${'x'.repeat(300)}`);
   const line = advice(page).getByRole('listitem').filter({ hasText: 'each module is' });
   await expect(line).toContainText(/At [\d.]+ mm each module is 0\.\d\d mm; a 0\.4 mm nozzle needs about 0\.6 mm for this pattern\./);
-  await expect(line).toContainText(/ [\d.]+ mm wide.* Or shorten the text until \d+ × \d+ modules hold it\./);
+  await expect(line).toContainText(/ [\d.]+ mm wide.* Or shorten the text to fit \d+ × \d+ modules\./);
   await app.openSettings();
   await app.setting('Nozzle (mm)').fill('0.1');
   await app.setting('Nozzle (mm)').blur();
   await expect(line).toHaveCount(0);
 
   await app.text.fill('https://subdomain.example.org/a');  // 31 bytes: version 3-M; in capitals version 2
-  const capitals = advice(page).getByRole('listitem').filter({ hasText: 'in capitals takes version 2' });
+  const capitals = advice(page).getByRole('listitem').filter({ hasText: 'in capitals needs version 2' });
   await expect(capitals).toContainText('modules 16 % larger');
   await capitals.getByRole('button', { name: 'Use it' }).click();
   await expect(app.text).toHaveValue('HTTPS://SUBDOMAIN.EXAMPLE.ORG/a');

@@ -114,7 +114,7 @@ test('A file of one’s own is opened, a point picked, settings changed, and the
   await app.engrave();
   const report = await app.report();
   expect(report.size.symbolMm).toBeCloseTo(25, 9);
-  await expect(app.result.getByRole('list', { name: 'Verdict' })).toContainText('1.8 mm nozzle: choose a module of');
+  await expect(app.result.getByRole('list', { name: 'Verdict' })).toContainText('a 1.8 mm nozzle, choose modules of');
   await expect(app.setting('Format')).toHaveValue('stl');
   const { name, bytes } = await app.download();
   expect(name).toBe('my-saddle-qr-en.wikipedia.org-25mm.stl');
