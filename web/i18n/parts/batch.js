@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A code of its own for every part: the list, the parts as they are carved, and their files.
+// Texts of a batch, with its own code for every part: the list, the progress, and the files.
 
 export const batch = {
   en: {

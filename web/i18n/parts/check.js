@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The verdict on what was carved, what helps, and the measurements behind it.
+// Texts of the verdict, its remedies, and the measurements behind it.
 
 export const check = {
   en: {

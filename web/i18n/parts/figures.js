@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The words of the study's figures, and the sentences about them that the build chooses by the data (study/figures).
+// Texts of the study's figures, and sentences about them that the build chooses by the data (study/figures).
 
 export const figures = {
   en: {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The page about printing a carved code.
+// Texts of the page about printing an engraved code.
 
 export const guide = {
   en: {

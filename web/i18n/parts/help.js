@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The help sheet: what keys, mouse and fingers do.
+// Texts of the help sheet: keys, mouse and fingers.
 
 export const help = {
   en: {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From the app to the articles, between them, and back.
+// Links from the app to the articles, between them, and back.
 
 export const links = {
   en: {

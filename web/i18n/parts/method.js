@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The page that shows what each step computes.
+// Texts of the page that shows the result of each step.
 
 export const method = {
   en: {

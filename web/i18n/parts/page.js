@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The page's frame and what it says as the work goes on.
+// Texts of the page's frame, and of its status while it works.
 
 export const page = {
   en: {

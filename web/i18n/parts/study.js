@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The frame of the page about the study; what stands on it of figures is in figures.js.
+// Texts of the study page, without its figures (figures.js).
 
 export const study = {
   en: {
