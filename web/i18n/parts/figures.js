@@ -144,7 +144,7 @@ export const figures = {
     lampAt: 'Lamp at {elevation}°', skyAlone: 'Sky alone', degrees: '{elevation}°', millimetres: '{width} mm', moduleOf: 'Modules of {width} mm',
     axisStrength: 'strength of the lamp', axisContrast: 'contrast', axisGreatestDepth: 'maximum depth, mm',
     strengthsSides: '{pattern} modules become shallower than under the sky alone with a lamp at {shallower} and deeper with one at {deeper}, whatever its strength.',
-    strengthsWhy: 'The elevation decides, not the strength. The paper’s lamp stands at {elevation}°, between the two, where small differences in the light decide.',
+    strengthsWhy: 'The elevation decides, not the strength. The paper’s lamp is at {elevation}°, between the two, where small differences in the light decide.',
 
     contrastSweepAlt: 'A plot for each of two models: mean depth against contrast, a line for each module pattern, and dashed lines at the depths of Peng 2019 and Peng 2020.',
     contrastSweepShown: 'Mean depth by contrast and module pattern, found by the published steps. Dashed lines: the depths of Peng 2019 and Peng 2020 at their published settings.',
