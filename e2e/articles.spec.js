@@ -93,7 +93,7 @@ test('The study shows figures with tables to download, in the language and the w
       expect(shown.alt).not.toBe('');
       const table = await figure.getByRole('link', { name: 'CSV' }).getAttribute('href');
       const rows = (await (await page.request.get(String(table))).text()).trim().split('\n');
-      await expect(figure.getByRole('link', { name: 'CSV' })).toContainText(String(rows.length - 1));
+      await expect(figure.getByRole('link', { name: 'CSV' })).toContainText((rows.length - 1).toLocaleString(language));
     }
     await expectNoSidewaysScroll(page);
   };

@@ -52,16 +52,16 @@ test('A list becomes a code for every part, over a reload, and the parts and the
     await expect(problems).toHaveText(['Unused columns: bin.']);
     await expect(page.getByText('This is the code of part P-1: https://example.org/p/1')).toBeVisible();
     await app.expectReady();
-    await expect(page.getByRole('button', { name: 'Engrave all 5 parts' })).toBeDisabled();
+    await expect(page.getByRole('button', { name: 'Make all 5 parts' })).toBeDisabled();
     await press('Engrave the first part');
     await app.expectResult();
     await expect(app.result).toContainText('Reads as https://example.org/p/1');
-    await expect(page.getByRole('button', { name: 'Engrave all 5 parts' })).toBeEnabled();
+    await expect(page.getByRole('button', { name: 'Make all 5 parts' })).toBeEnabled();
   });
 
   await test.step('all are carved side by side; paused, no other is begun', async () => {
     await page.getByLabel('Simulate the print of every … part').fill('4');
-    await press('Engrave all 5 parts');
+    await press('Make all 5 parts');
     await freezeAt(state, /[1-9] of 5/);
     expect(await page.evaluate(() => /** @type {any} */ (window).workers.length), 'the page’s own engine, and two').toBe(3);
     await press('Pause');
@@ -132,7 +132,7 @@ test('A list becomes a code for every part, over a reload, and the parts and the
     await press('Discard the parts');
     await expectNoViolations(page, 'parts, carved');
     await page.getByText('Discard 4 engraved parts?').locator('..').getByRole('button', { name: 'Discard the parts' }).click();
-    await expect(page.getByRole('button', { name: 'Engrave all 5 parts' })).toBeVisible();
+    await expect(page.getByRole('button', { name: 'Make all 5 parts' })).toBeVisible();
     await expect(page.getByRole('radio', { name: 'One code' })).toBeEnabled();
     expect(await page.evaluate(async () => {
       const names = [];

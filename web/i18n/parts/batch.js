@@ -45,7 +45,7 @@ export const batch = {
     ready: 'The first part is good. All others get the same place, size and settings.',
     printEvery: 'Simulate the print of every … part',
     printEveryHint: 'Every part is test-decoded and checked to be a solid. To simulate its print, too, takes several times as long; enter 1 for every part.',
-    carveAll: { one: 'Engrave {count} part', other: 'Engrave all {count} parts' },
+    carveAll: { one: 'Make {count} part', other: 'Make all {count} parts' },
     getReady: 'Getting ready to engrave…',
     starting: 'Getting ready: {finished} of {count}',
     state: { one: '{finished} of {count} part', other: '{finished} of {count} parts' },
