@@ -35,7 +35,7 @@ function decoderRatesMarkup(rows) {
   const { head, body, pictures, wrong } = decoderRates(rows);
   if (body.length === 0) return missingMarkup();
   return `${textMarkup([said('ratesShown', { pictures }), said('ratesWrong', { count: wrong })])}
-${tableMarkup(head, body.map((line) => line.map((words) => ({ words }))))}
+<div class="scroll" tabindex="0" role="region" aria-label="CarvedQR">${tableMarkup(head, body.map((line) => line.map((words) => ({ words }))))}</div>
 ${linkMarkup(kRatesFile, said('download', { count: rows.length }))}`;
 }
 
