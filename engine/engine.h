@@ -176,9 +176,9 @@ class Engine {
   std::string showDepths(bool shown);
 
   /// {code: {corners: [[x, y]], facing, symbolMm, rotationDeg} or null, lamps: [{from, to}], axes: [right, up, back]}:
-  /// where on the screen the square of the code and its quiet zone lies on the QR plane (upper left first, clockwise for
-  /// its reader), the cosine at which the camera looks at it; the lamps that the code is for, as lines from the lamp to
-  /// the middle of the code; the camera's axes, z up.
+  /// where on the screen the square of the code and its quiet zone lies on the QR plane (upper left first, clockwise
+  /// for its reader), the cosine at which the camera looks at it; the lamps that the code is for, as lines from the
+  /// lamp to the middle of the code; the camera's axes, z up.
   std::string viewState() const;
   /// A picture of a spot with the code on it; empty if there is no such spot.
   ColourImage spotPicture(std::size_t index, int width, int height);

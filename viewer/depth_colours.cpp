@@ -43,7 +43,8 @@ std::vector<float> depthColours(const EngraveResult& result, const DisplayMesh& 
       walls.push_back(t);
       continue;
     }
-    const auto value = isKept ? 0.0f : static_cast<float>(std::min(1.0, depthAt(result.depths, frame.project(middle)) / topMm));
+    const auto value =
+        isKept ? 0.0f : static_cast<float>(std::min(1.0, depthAt(result.depths, frame.project(middle)) / topMm));
     if (value == 0) {
       others.push_back(t);
       continue;

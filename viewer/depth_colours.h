@@ -8,8 +8,8 @@
 
 namespace qrelief {
 
-/// Depth of the last colour: 95 % of the pockets are no deeper. Rounded up to a tenth of a millimetre. Single pockets can be
-/// several times as deep, and a scale up to them would show all others in one colour.
+/// Depth of the last colour: 95 % of the pockets are no deeper. Rounded up to a tenth of a millimetre. Single pockets
+/// can be several times as deep, and a scale up to them would show all others in one colour.
 double depthColoursTopMm(const DepthField& depths);
 
 /// How deep every vertex of the display mesh lies, 0 … 1, for the viewer; 0: not carved. The floors of the pockets have
