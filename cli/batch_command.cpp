@@ -37,7 +37,7 @@ Result<BatchList> listOf(const BatchOptions& options) {
 int printProblems(const BatchPlan& plan, const std::string& list) {
   for (const Message& problem : plan.problems()) printError({ErrorKind::BadInput, problem}, list);
   if (plan.problems().size() == BatchPlan::kMostProblems)
-    fmt::print(stderr, "qrelief: there may be more; the first {} are named\n", BatchPlan::kMostProblems);
+    fmt::print(stderr, "qrelief: stopped after {} problems; there may be more\n", BatchPlan::kMostProblems);
   return kBadInput;
 }
 
@@ -77,14 +77,14 @@ int merge(const BatchOptions& options, const BatchPlan& plan) {
     const auto known = folder->known(entry);
     if (known.state == BatchFolder::Known::State::Done) return {};
     fmt::print(stderr, "qrelief: row {}: {} {}\n", entry.number, entry.file,
-               known.state == BatchFolder::Known::State::Changed ? "was changed" : "is not there");
+               known.state == BatchFolder::Known::State::Changed ? "has changed" : "is missing");
     ++lost;
     return {};
   });
   if (!read) return printError(read.error());
   tellMissing(plan.size() + 1);
   const std::vector<std::size_t> doubles = folder->doubles();
-  for (const std::size_t number : doubles) fmt::print(stderr, "qrelief: row {} was made by two shares\n", number);
+  for (const std::size_t number : doubles) fmt::print(stderr, "qrelief: two shares made row {}\n", number);
   const int status = finish(*folder, plan);
   return lost == 0 ? status : kCheckFailed;
 }
@@ -93,7 +93,7 @@ int runRows(const BatchOptions& options, const GivenShard& given, const BatchReq
   const BatchPlan plan = BatchPlan::make(std::move(list), request);
   if (!plan.problems().empty()) return printProblems(plan, options.list);
   if (!plan.unusedColumns().empty())
-    fmt::print(stderr, "qrelief: warning: columns that nothing asks for: {}\n", fmt::join(plan.unusedColumns(), ", "));
+    fmt::print(stderr, "qrelief: warning: unused columns: {}\n", fmt::join(plan.unusedColumns(), ", "));
   if (options.merge) return merge(options, plan);
   auto folder = BatchFolder::open(options.folder, given.shard);
   if (!folder) return printError(folder.error());
@@ -202,28 +202,36 @@ int runBatch(const BatchOptions& options) {
 
 std::function<int()> addBatchCommand(CLI::App& app) {
   auto o = std::make_shared<BatchOptions>();
-  CLI::App* c = app.add_subcommand("batch", "Engrave a code of its own into every copy of a model");
+  CLI::App* c = app.add_subcommand("batch", "Engrave a different code into each copy of a model");
   addModelFlags(*c, o->model);
-  c->add_option("--list", o->list, "rows as CSV or JSON lines; - for standard input");
-  c->add_option("--count", o->count, "this many rows without a list; {n} in --text is the number");
-  o->flags.add(*c, "text", "template with columns in braces, {n:05} is the number in five digits [{text}]: ");
-  c->add_option("-o", o->folder, "folder that everything is written to")->required();
-  c->add_option("--name", o->name, "template of the files' names [{file}, if the list has it, else {id}.stl]");
-  c->add_option("--at", o->at, "X,Y,Z: centre in file units, moved to the nearest surface point [best spot found]")
+  c->add_option("--list", o->list, "rows as CSV or JSON lines; - reads standard input");
+  c->add_option("--count", o->count, "number of rows, without a list; {n} in --text is the row's number");
+  o->flags.add(
+      *c, "text",
+      "template; a column's name in braces is replaced, and {n:05} is the row's number in five digits [{text}]: ");
+  c->add_option("-o", o->folder, "output folder")->required();
+  c->add_option("--name", o->name, "template of the file names [{file} if the list has that column, else {id}.stl]");
+  c->add_option(
+       "--at", o->at,
+       "X,Y,Z: centre of the code in file units; QRelief moves it to the nearest point of the surface [best spot]")
       ->delimiter(',')
       ->expected(3);
-  c->add_option("--shard", o->shardFlag, "I/N: every N-th row, from the I-th on, counting from 0");
-  c->add_option("--shards", o->shards, "N processes share the work; an engine's variable says which this is");
-  c->add_option("--per-plate", o->perPlate, "3MF files of N named parts side by side; with --name, a file a row, too")
+  c->add_option("--shard", o->shardFlag, "I/N: make every N-th row, starting at row I, counted from 0");
+  c->add_option("--shards", o->shards,
+                "number of processes that share the work; the variables of Slurm, AWS Batch or Kubernetes give this "
+                "process's index");
+  c->add_option("--per-plate", o->perPlate,
+                "write 3MF files of N named parts each; with --name, also a file for each row")
       ->check(CLI::PositiveNumber);
   c->add_option("--print-every", o->printEvery,
-                "look at the print of every N-th row only; all are carved for the print alike [1]")
+                "simulate the print of every N-th row only; all rows are engraved for the print [1]")
       ->check(CLI::PositiveNumber);
-  c->add_flag("--merge", o->merge, "join the manifests of all shares, and say what is missing or double");
-  c->add_flag("--retry-failed", o->retryFailed, "try rows again that failed, and write over files that were changed");
-  c->add_flag("--stream", o->stream, "answer each line of standard input by its line of the manifest, as it comes");
-  c->add_flag("--reports", o->reports, "write each row's report, too, as FILE.json");
-  c->add_flag("--quiet", o->quiet, "no progress");
+  c->add_flag("--merge", o->merge, "join the manifests of all shares and list missing and repeated rows");
+  c->add_flag("--retry-failed", o->retryFailed, "retry failed rows, and overwrite files that have changed");
+  c->add_flag("--stream", o->stream,
+              "read requests from standard input, one a line, and answer each with its line of the manifest");
+  c->add_flag("--reports", o->reports, "also write a report for each row, as FILE.json");
+  c->add_flag("--quiet", o->quiet, "print no progress");
   o->flags.addAll(*c);
   return [o] { return runBatch(*o); };
 }

@@ -38,7 +38,7 @@ std::string whyNotWritable(const std::string& path) {
   const ModelFormat format = formatOfName(path);
   const bool writable = format == ModelFormat::Stl || format == ModelFormat::Obj || format == ModelFormat::Ply ||
                         format == ModelFormat::ThreeMf;
-  return writable ? std::string() : fmt::format("{}: only .stl, .obj, .ply and .3mf files can be written", path);
+  return writable ? std::string() : fmt::format("{}: choose a name that ends in .stl, .obj, .ply or .3mf", path);
 }
 
 Status completeRequest(EngraveOptions& options) {
@@ -76,7 +76,7 @@ void printSummary(const EngraveOptions& options, const EngraveResult& result, co
              options.output, result.symbol.version, result.placement.symbolMm, result.placement.moduleMm, depth.meanMm,
              depth.maxMm);
   if (result.limitedSubmodules > 0)
-    fmt::print("{} submodules could not be carved deep enough (maximum depth, or wall thickness)\n",
+    fmt::print("{} submodules are shallower than needed: the maximum depth or the minimum wall stops them\n",
                result.limitedSubmodules);
   const ReadingEvidence& reading = context.reading;
   if (!reading.text.empty()) fmt::print("reads as: {}\n", reading.text);
@@ -92,16 +92,15 @@ void printSummary(const EngraveOptions& options, const EngraveResult& result, co
 /// Where it did not read as asked for: what was done about it.
 void tellWhatWasCarved(const EngraveRequest& asked, const EngraveRequest& carved) {
   if (carved.preset != asked.preset)
-    fmt::print("carved as {}: as {} the code did not read reliably in the simulated pictures\n",
+    fmt::print("engraved with preset {}: with {}, the code or its print did not decode reliably\n",
                presetName(carved.preset), presetName(asked.preset));
   else if (carved != asked)
-    fmt::print(
-        "carved for the design alone: for the print, too, the code did not read reliably in the simulated pictures\n");
+    fmt::print("engraved for the design only: when engraved for the print as well, the code did not decode reliably\n");
 }
 
 /// Carves the code for other ways of printing, and says of each what becomes of it. Nothing of that is written.
 Status tryOtherPrints(const Engraver& engraver, const EngraveOptions& options, const EngraveResult& result) {
-  fmt::print("carved for other ways of printing:\n");
+  fmt::print("engraved for other ways of printing:\n");
   for (const SettingChange& other : otherPrints(verifyRequestOf(options.request, result))) {
     EngraveRequest changed = options.request;
     apply(other, changed);
@@ -175,18 +174,20 @@ std::function<int()> addEngraveCommand(CLI::App& app) {
   CLI::App* c = app.add_subcommand("engrave", "Engrave a QR code");
   addModelFlags(*c, o->model);
   o->flags.add(*c, "text").required();
-  c->add_option("-o", o->output, "carved model in mm, .stl, .obj, .ply or .3mf")->required()->check(whyNotWritable);
+  c->add_option("-o", o->output, "engraved model in mm: .stl, .obj, .ply or .3mf")->required()->check(whyNotWritable);
   c->add_flag("--ascii", o->ascii, "write the STL as text");
-  c->add_option("--at", o->at, "X,Y,Z: centre in file units, moved to the nearest surface point [best spot found]")
+  c->add_option(
+       "--at", o->at,
+       "X,Y,Z: centre of the code in file units; QRelief moves it to the nearest point of the surface [best spot]")
       ->delimiter(',')
       ->expected(3);
   o->flags.addAll(*c);
-  c->add_option("--report", o->report, "write everything that was found and measured as JSON");
-  c->add_option("--preview", o->preview, "write the result as the reader sees it as PNG");
+  c->add_option("--report", o->report, "write a report of all results and measurements as JSON");
+  c->add_option("--preview", o->preview, "write a picture of the result, as a phone sees it, as PNG");
   c->add_flag(
       "--try-prints", o->tryPrints,
-      "where it does not read well as printed, find out whether other poses and finer processes print it better");
-  c->add_flag("--quiet", o->quiet, "no progress");
+      "if the print does not decode reliably, engrave for other orientations and finer processes and list the results");
+  c->add_flag("--quiet", o->quiet, "print no progress");
   return [o] { return engraveModel(*o); };
 }
 

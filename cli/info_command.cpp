@@ -67,9 +67,9 @@ int describe(const InfoOptions& options) {
   for (const Finding& finding : model.findings) {
     json["findings"].push_back(jsonOf(finding));
     fmt::print("{}: {}\n", severityName(finding.severity), sentence(finding.message));
-    if (const std::string helps = hint(finding.message); !helps.empty()) fmt::print("  what helps: {}\n", helps);
+    if (const std::string helps = hint(finding.message); !helps.empty()) fmt::print("  hint: {}\n", helps);
   }
-  fmt::print("{}\n", engravable ? "a closed solid: can be engraved" : "no closed solid: cannot be engraved as it is");
+  fmt::print("{}\n", engravable ? "closed solid: ready to engrave" : "not a closed solid: mend it before you engrave");
   if (!options.json.empty())
     if (const Status written = writeFileAtomically(options.json, json.dump(2) + "\n"); !written)
       return printError(written.error());
@@ -80,9 +80,9 @@ int describe(const InfoOptions& options) {
 
 std::function<int()> addInfoCommand(CLI::App& app) {
   auto options = std::make_shared<InfoOptions>();
-  CLI::App* command = app.add_subcommand("info", "Size, triangles and defects of a model");
+  CLI::App* command = app.add_subcommand("info", "Print size, triangles and defects of a model");
   addModelFlags(*command, options->model);
-  command->add_option("--json", options->json, "write it as JSON, too");
+  command->add_option("--json", options->json, "also write them as JSON");
   return [options] { return describe(*options); };
 }
 

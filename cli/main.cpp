@@ -28,7 +28,7 @@ namespace {
 
 void print(const char* severity, std::string_view file, const Message& message) {
   fmt::print(stderr, "qrelief: {}: {}{}{}\n", severity, file, file.empty() ? "" : ": ", sentence(message));
-  if (const std::string helps = hint(message); !helps.empty()) fmt::print(stderr, "  what helps: {}\n", helps);
+  if (const std::string helps = hint(message); !helps.empty()) fmt::print(stderr, "  hint: {}\n", helps);
 }
 
 }  // namespace
@@ -47,8 +47,8 @@ Wording commandWording() {
 
 int printFailed(const Verdict& verdict) {
   for (const Message& failure : verdict.failed()) {
-    fmt::print(stderr, "qrelief: check not passed: {}\n", sentence(failure));
-    if (const std::string helps = hint(failure); !helps.empty()) fmt::print(stderr, "  what helps: {}\n", helps);
+    fmt::print(stderr, "qrelief: check failed: {}\n", sentence(failure));
+    if (const std::string helps = hint(failure); !helps.empty()) fmt::print(stderr, "  hint: {}\n", helps);
   }
   return verdict.passed() ? kEngraved : kCheckFailed;
 }
@@ -63,8 +63,7 @@ Result<std::optional<double>> scaleFrom(std::optional<double> scale, const std::
 namespace {
 
 int run(int argc, char** argv) {
-  CLI::App app("Engraves a QR code into a 3D model, just deep enough for its own shadow to be read by a phone.",
-               "qrelief");
+  CLI::App app("Engraves a QR code into a 3D model, just deep enough for a phone to read it by its shadow.", "qrelief");
   app.set_version_flag("--version", "qrelief " QRELIEF_VERSION);
   app.require_subcommand(1);
   const auto engraveModel = addEngraveCommand(app);

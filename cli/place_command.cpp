@@ -103,8 +103,9 @@ void printSpots(const SpotSearchResult& result, double scaleToMm) {
   for (std::size_t i = 0; i < result.spots.size(); ++i) {
     const OfferedSpot& spot = result.spots[i];
     fmt::print(
-        "{}: --at {}{} {}  up to {:.4g} mm ({:.4g} mm at any rotation), worst angle {:.0f}°, read from up to {:.0f}° "
-        "aside\n",
+        "{}: --at {}{} {}  up to {:.4g} mm ({:.4g} mm at any rotation), worst angle {:.0f}°, decodes from up to "
+        "{:.0f}° off "
+        "axis\n",
         i + 1, joined(spot.centreFileUnits, centreDecimals(scaleToMm)),
         spot.needsDirection ? " --direction" : "  direction", joined(spot.direction, kDirectionDecimals),
         std::floor(spot.largestMm * 100) / 100, std::floor(spot.guaranteedMm * 100) / 100, spot.quality.worstAngleDeg,
@@ -132,8 +133,8 @@ int findSpots(PlaceOptions& options) {
   const SpotSearchResult result = (*job)->takeResult();
   printSpots(result, input->scaleToMm);
   if (result.spots.size() < options.request.count)
-    fmt::print(stderr, "qrelief: warning: {}: {} spots were asked for, {} found\n", file, options.request.count,
-               result.spots.size());
+    fmt::print(stderr, "qrelief: warning: {}: found {} of {} spots\n", file, result.spots.size(),
+               options.request.count);
   if (options.json.empty()) return kEngraved;
   Json json = describe(options, *input, model->prepared.mesh.triangles.size(), result);
   json["timingsMs"] = {
@@ -149,19 +150,19 @@ int findSpots(PlaceOptions& options) {
 std::function<int()> addPlaceCommand(CLI::App& app) {
   auto o = std::make_shared<PlaceOptions>();
   SpotSearchRequest& request = o->request;
-  CLI::App* c = app.add_subcommand("place", "Where a QR code could go: the best spots, each tested");
+  CLI::App* c = app.add_subcommand("place", "Find the best spots for a QR code; each is tested");
   addModelFlags(*c, o->model);
   c->add_option("--count", request.count, fmt::format("spots to find [{}]", request.count))
       ->check(CLI::Range(std::size_t{1}, kMaxSpots));
-  c->add_option("--json", o->json, "write the spots and what led to them as JSON");
-  o->flags.add(*c, "text", "a longer text needs less quiet zone: ");
+  c->add_option("--json", o->json, "write the spots and their measurements as JSON");
+  o->flags.add(*c, "text", "gives the exact quiet zone, which is narrower for longer texts: ");
   o->flags.addGroup(*c, "symbol");
   o->flags.addGroup(*c, "placement");
   for (const char* key : {"pattern", "finderPattern", "minWallMm", "process", "nozzleMm", "layerMm", "buildUp"})
     o->flags.add(*c, key);
-  c->add_option("--views", request.views, fmt::format("directions looked from [{}]", request.views))
+  c->add_option("--views", request.views, fmt::format("number of viewing directions tried [{}]", request.views))
       ->check(CLI::Range(200, 10000));
-  c->add_flag("--quiet", o->quiet, "no progress");
+  c->add_flag("--quiet", o->quiet, "print no progress");
   return [o] { return findSpots(*o); };
 }
 

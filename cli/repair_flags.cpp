@@ -23,15 +23,15 @@ Result<std::optional<double>> millimetresOrAuto(const std::string& text, const c
 }  // namespace
 
 void addRepairFlags(CLI::App& command, RepairFlags& flags) {
-  command.add_option("--weld-tolerance", flags.weldTolerance,
-                     "MM or auto: vertices on open edges this near become one, or split the edge they lie on; "
-                     "auto: 1/100000 of the diagonal, 0: equal ones only [auto]");
+  command.add_option(
+      "--weld-tolerance", flags.weldTolerance,
+      "MM or auto: weld vertices of open edges within this distance, and split open edges at vertices on them; "
+      "auto: 1/100000 of the diagonal; 0: weld equal vertices only [auto]");
   command.add_option("--max-hole", flags.maxHole,
-                     "MM or auto: diameter of the largest hole to be filled; auto: a fifth of the diagonal [auto]");
+                     "MM or auto: fill holes up to this diameter; auto: a fifth of the diagonal [auto]");
   command
       .add_option("--no-repair", flags.without,
-                  "STEP,...: repairs not to be made, any of weld, t-junctions, holes, stray, orientation, crossings; "
-                  "or all")
+                  "STEP,...: skip these repairs: weld, t-junctions, holes, stray, orientation, crossings, or all")
       ->delimiter(',')
       ->check(CLI::IsMember({"weld", "t-junctions", "holes", "stray", "orientation", "crossings", "all"}));
 }

@@ -3,8 +3,10 @@
 
 #include <cassert>
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "generate/option_texts.h"
+#include "messages/setting_words.h"
 #include "settings/setting_text.h"
 
 namespace qrelief {
@@ -17,6 +19,12 @@ std::string helpOf(const OptionTexts& texts, std::string_view before) {
   return fmt::format("{}{}{}", before, texts.help, initial);
 }
 
+/// Heading in `--help`. A command's own options, such as the text, stay under its first heading.
+std::string headingOf(const Setting& setting) {
+  if (setting.kind == Kind::Text) return "Options";
+  return settingWords().at("groups").at(setting.group).at("en");
+}
+
 }  // namespace
 
 CLI::Option& SettingFlags::add(CLI::App& command, std::string_view key, std::string_view before) {
@@ -27,7 +35,7 @@ CLI::Option& SettingFlags::add(CLI::App& command, std::string_view key, std::str
   flag.setting = setting;
   if (setting->kind == Kind::Switch) {
     const std::string help = helpOf(texts, before);
-    CLI::Option* option = command.add_flag(texts.flag, help);
+    CLI::Option* option = command.add_flag(texts.flag, help)->group(headingOf(*setting));
     flag.option = option;
     return *option;
   }
@@ -38,7 +46,7 @@ CLI::Option& SettingFlags::add(CLI::App& command, std::string_view key, std::str
     option->allow_extra_args(false);
   else
     option->expected(1);
-  option->type_name(texts.values);
+  option->type_name(texts.values)->group(headingOf(*setting));
   flag.option = option;
   return *option;
 }

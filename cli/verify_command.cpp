@@ -78,13 +78,13 @@ std::string rangeOf(const ReadingSummary& reading) {
 void printResult(const std::string& name, const VerifyRequest& request, const VerifyResult& result,
                  const Verdict& verdict, bool printed) {
   const SolidityReport& solid = result.solidity;
-  fmt::print("{}: {}, {} triangles\n", name, solid.solid() ? "a closed solid" : "no clean solid", solid.triangles);
+  fmt::print("{}: {}, {} triangles\n", name, solid.solid() ? "a closed solid" : "not a clean solid", solid.triangles);
   const ReadingSummary& reading = result.reading;
   if (verdict.reads.level == Level::Good)
     fmt::print("reads as: {}\n", request.text);
   else
     fmt::print("{}\n", sentence(verdict.reads.summary));
-  fmt::print("{} of {} tries from the front read ({} are needed)\n", reading.frontal.reads, reading.frontal.tries,
+  fmt::print("{} of {} tries from the front decoded ({} needed)\n", reading.frontal.reads, reading.frontal.tries,
              reading.frontal.needed());
   for (const Message& warning : verdict.reads.warnings) fmt::print("{}\n", sentenceAndHint(warning));
   if (const std::string range = rangeOf(reading); reading.frontal.enough() && !range.empty())
@@ -105,7 +105,7 @@ void printResult(const std::string& name, const VerifyRequest& request, const Ve
 
 /// Prints the same model in other ways, in simulation, and says of each what becomes of the code.
 Status tryOtherPrints(const VerifyRequest& request, const Mesh& carved, bool quiet) {
-  fmt::print("the same model printed otherwise:\n");
+  fmt::print("this model, printed in other ways:\n");
   for (const SettingChange& other : otherPrints(request)) {
     const VerifyRequest changed = printedOtherwise(request, other);
     ProgressBar bar(quiet);
@@ -165,14 +165,12 @@ int verifyModel(const VerifyOptions& options) {
 
 std::function<int()> addVerifyCommand(CLI::App& app) {
   auto o = std::make_shared<VerifyOptions>();
-  CLI::App* c =
-      app.add_subcommand("verify", "Check an engraved model: is it a solid, does it read, can it be printed?");
-  c->add_option("MODEL", o->path, "OBJ, STL, PLY, OFF or 3MF file; it is taken as it is, nothing is repaired")
-      ->required();
-  c->add_option("--scale", o->scale, "file units → mm [1; 3MF: its own unit]");
-  c->add_option("--units", o->units, "unit of the file, instead of --scale")
+  CLI::App* c = app.add_subcommand("verify", "Check an engraved model: is it a solid, does it decode, does it print?");
+  c->add_option("MODEL", o->path, "OBJ, STL, PLY, OFF or 3MF file; verify repairs nothing")->required();
+  c->add_option("--scale", o->scale, "millimetres in one unit of the file [1; 3MF: from the file]");
+  c->add_option("--units", o->units, "unit of the file; replaces --scale")
       ->check(CLI::IsMember({"mm", "cm", "m", "in"}));
-  c->add_option("--report", o->report, "what engrave wrote with --report: place, size, text and modules");
+  c->add_option("--report", o->report, "report that engrave wrote: gives placement, size, text and modules");
   constexpr const char* kWithoutReport = "without --report: ";
   o->flags.add(*c, "text", kWithoutReport);
   c->add_option("--at", o->at, "without --report: X,Y,Z, centre of the code on the uncarved surface, mm")
@@ -182,15 +180,14 @@ std::function<int()> addVerifyCommand(CLI::App& app) {
   o->flags.addGroup(*c, "symbol");
   o->flags.addGroup(*c, "printing");
   o->flags.add(*c, "minWallMm");
-  o->flags.add(*c, "light", "the one light that it is to read under, instead of the report's: ");
-  c->add_flag("--quick", o->quick, "do not find out from how far, and how tilted or blurred, it reads");
-  c->add_flag("--traced", o->traced,
-              "trace the light path by path, with every bounce: the yardstick, many times as slow");
+  o->flags.add(*c, "light", "instead of the report's lamps, at most one: ");
+  c->add_flag("--quick", o->quick, "skip the search for the limits of distance, tilt and blur");
+  c->add_flag("--traced", o->traced, "trace light paths with all bounces; the reference, but many times slower");
   c->add_flag(
       "--try-prints", o->tryPrints,
-      "where it does not read well as printed, find out whether other poses and finer processes print it better");
-  c->add_option("--json", o->json, "write everything that was found as JSON");
-  c->add_flag("--quiet", o->quiet, "no progress");
+      "if the print does not decode reliably, simulate other orientations and finer processes and list the results");
+  c->add_option("--json", o->json, "write all results as JSON");
+  c->add_flag("--quiet", o->quiet, "print no progress");
   return [o] { return verifyModel(*o); };
 }
 

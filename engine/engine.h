@@ -175,10 +175,10 @@ class Engine {
   /// nothing has been carved.
   std::string showDepths(bool shown);
 
-  /// {code: {corners: [[x, y]], facing, symbolMm, rotationDeg} or null, lamps: [{from, to}], axes: [right, up, back]}:
-  /// where on the screen the square of the code and its quiet zone lies on the QR plane (upper left first, clockwise
-  /// for its reader), the cosine at which the camera looks at it; the lamps that the code is for, as lines from the
-  /// lamp to the middle of the code; the camera's axes, z up.
+  /// {code: {corners: [[x, y]], facing, symbolMm, rotationDeg} or null, lamps: [{from: [x, y] or null, to: [x, y]}],
+  /// axes: [right, up, back]}. `corners`: of the code and its quiet zone on the QR plane, on the screen, upper left
+  /// first, clockwise for the viewer; `facing`: cosine between the camera's direction and the code's; `lamps`: a line
+  /// from each lamp to the middle of the code, `from` null for a lamp behind the camera; `axes`: the camera's, z up.
   std::string viewState() const;
   /// A picture of a spot with the code on it; empty if there is no such spot.
   ColourImage spotPicture(std::size_t index, int width, int height);

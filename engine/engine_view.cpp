@@ -28,7 +28,7 @@ Json onScreen(const CodeOnSurface& code, const OrbitCamera& camera) {
           {"rotationDeg", code.rotationDeg}};
 }
 
-/// Lamps as lines: from where the lamp is drawn to the middle of the code. One behind the camera is left out.
+/// Lamps as lines: from where the lamp is drawn, null if that is behind the camera, to the middle of the code.
 Json onScreen(const std::vector<DirectionalLight>& lamps, const CodeOnSurface& code, const OrbitCamera& camera) {
   constexpr double kAwayEdges = 0.85;  // in edges of the code and its quiet zone
   const ProjectionFrame& frame = code.print.frame;
@@ -38,8 +38,8 @@ Json onScreen(const std::vector<DirectionalLight>& lamps, const CodeOnSurface& c
     const Vec3 way = towards(lamp);
     const Vec3 point =
         frame.centre + kAwayEdges * code.print.edgeMm * (way.x * frame.right + way.y * frame.up + way.z * frame.normal);
-    if (!(glm::dot(eye - point, back) > 0)) continue;
-    lines.push_back({{"from", jsonOf(camera.toScreen(point))}, {"to", jsonOf(camera.toScreen(frame.centre))}});
+    const Json from = glm::dot(eye - point, back) > 0 ? jsonOf(camera.toScreen(point)) : Json();
+    lines.push_back({{"from", from}, {"to", jsonOf(camera.toScreen(frame.centre))}});
   }
   return lines;
 }

@@ -17,8 +17,7 @@ constexpr const char* kPageHead = R"(# Options
 Every setting of an engraving, with its flag for `qrelief engrave` and its key in reports, settings files and the page.
 `place` accepts the flags of Symbol and Placement, the patterns, `--min-wall`, `--process`, `--nozzle` and `--layer`.
 `verify` accepts the flags of Symbol and Printing, `--direction`, `--up`, `--size`, `--eye-distance`, `--light` and
-`--min-wall`. The [README](../README.md#the-command-line) describes the options for files and repairs; `--help` lists
-all options.
+`--min-wall`. The [command line](command-line.md) has the options for files, repairs and batches.
 )";
 
 /// A bar would end the cell of a table.

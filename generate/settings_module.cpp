@@ -34,6 +34,8 @@ constexpr const char* kModuleHead = R"(// SPDX-License-Identifier: GPL-3.0-or-la
  * @property {Words} label           without the unit
  * @property {Readonly<Record<string, Words>>} [choiceNames]  and of `number` and `vector`, where it takes those
  * @property {Readonly<Record<string, Words>>} [partLabels]   of the parts that it is set by
+ * @property {Readonly<Record<string, { min: number, max: number, step: number, default: number }>>} [parts]  of a lamp
+ * @property {number} [most]         lamps
  */
 
 )";
@@ -77,6 +79,15 @@ const char* nameOf(Setting::Unit unit) {
   return "";
 }
 
+/// Ranges and defaults of the numbers of a lamp.
+Json partsOfLamp() {
+  Json parts = Json::object();
+  for (const LampPart& part : lampParts())
+    parts[std::string(part.key)] = {
+        {"min", part.min}, {"max", part.max}, {"step", part.step}, {"default", DirectionalLight().*part.value}};
+  return parts;
+}
+
 Json describe(const Setting& setting, const Json& defaults) {
   const nlohmann::json& words = settingWords().at("settings").at(setting.key);
   Json made = {{"group", setting.group}, {"kind", nameOf(setting.kind)}};
@@ -94,6 +105,10 @@ Json describe(const Setting& setting, const Json& defaults) {
   made["label"] = words.at("label");
   if (words.contains("choices")) made["choiceNames"] = words.at("choices");
   if (words.contains("parts")) made["partLabels"] = words.at("parts");
+  if (setting.kind == Setting::Kind::Lamps) {
+    made["parts"] = partsOfLamp();
+    made["most"] = kMaxLights;
+  }
   return made;
 }
 

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
+#include <regex>
 
 #include "cli/command_fixture.h"
 #include "generate/option_texts.h"
@@ -52,6 +53,20 @@ TEST_F(CommandTest, EverySettingIsAFlagOfEngraveAndInItsHelp) {
   }
 }
 
+TEST_F(CommandTest, EveryFlagInAHelpIsInTheDocuments) {
+  const std::filesystem::path docs = std::filesystem::path(QRELIEF_SOURCE_DIR) / "docs";
+  const std::string documents = contentOf(docs / "command-line.md") + contentOf(docs / "options.md");
+  const std::regex flag("\n  (?:-\\w,)?(--?[\\w-]+)");
+  std::size_t flags = 0;
+  for (const char* command : {"engrave", "batch", "info", "place", "verify"}) {
+    const std::string help = run({command, "--help"}).out;
+    for (std::sregex_iterator at(help.begin(), help.end(), flag), end; at != end; ++at, ++flags)
+      EXPECT_TRUE((*at)[1] == "-h" || (*at)[1] == "--help" || documents.find("`" + (*at)[1].str()) != std::string::npos)
+          << command << " " << (*at)[1];
+  }
+  EXPECT_GT(flags, settings().size());
+}
+
 TEST_F(CommandTest, ANumberOutOfItsRangeIsRefusedWithItsFlagBeforeTheModelIsRead) {
   for (const Setting& setting : settings()) {
     if (!setting.takesNumber()) continue;
@@ -61,7 +76,7 @@ TEST_F(CommandTest, ANumberOutOfItsRangeIsRefusedWithItsFlagBeforeTheModelIsRead
           run({"engrave", path("missing.stl"), "--text", "x", "-o", path("out.stl"), flag, fmt::format("{}", value)});
       EXPECT_EQ(outcome.status, 2) << flag;
       EXPECT_NE(outcome.err.find("qrelief: error: " + flag + " is "), std::string::npos) << outcome.err;
-      EXPECT_NE(outcome.err.find("what helps: Choose from"), std::string::npos) << outcome.err;
+      EXPECT_NE(outcome.err.find("hint: Choose from"), std::string::npos) << outcome.err;
     }
   }
 }
@@ -84,7 +99,7 @@ TEST_F(CommandTest, BadInputIsStatusThreeAndSaysWhatHelps) {
   const Outcome outcome =
       run({"engrave", writeModel("open.stl", open), "--text", "x", "--at", "0,0,20", "-o", path("out.stl")});
   EXPECT_EQ(outcome.status, 3);
-  EXPECT_NE(outcome.err.find("what helps"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("hint"), std::string::npos) << outcome.err;
   EXPECT_FALSE(std::filesystem::exists(path("out.stl")));
 }
 

@@ -259,7 +259,8 @@ TEST_F(EngraveCommandTest, WhatDoesNotReadAsShallowAsAskedForIsCarvedDeeper) {
 
   const Outcome deeper = engrave({"--preset", "shallow"});
   EXPECT_EQ(deeper.status, 0) << deeper.err;
-  EXPECT_NE(deeper.out.find(": as shallow the code did not read reliably"), std::string::npos) << deeper.out;
+  EXPECT_NE(deeper.out.find(": with shallow, the code or its print did not decode reliably"), std::string::npos)
+      << deeper.out;
   EXPECT_EQ(depth()["askedPreset"], "shallow");
   EXPECT_NE(depth()["preset"], "shallow");
   EXPECT_GE(depth()["contrast"].get<double>(), 0.25);

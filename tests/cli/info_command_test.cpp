@@ -37,10 +37,9 @@ TEST_F(InfoCommandTest, WarningsAndErrorsAreToldApartNameTheFileAndSayWhatHelps)
   const std::size_t error = outcome.err.find("qrelief: error: tiny.stl: The model is too small for any code");
   ASSERT_NE(warning, std::string::npos) << outcome.err;
   ASSERT_NE(error, std::string::npos) << outcome.err;
-  EXPECT_LT(outcome.err.find("  what helps: If it should be larger, " + helps, warning), error) << outcome.err;
-  EXPECT_NE(outcome.err.find("  what helps: If it should be larger, " + helps, error), std::string::npos);
-  EXPECT_NE(run({"place", tiny, "--quiet"}).err.find("  what helps: If it should be larger, " + helps),
-            std::string::npos);
+  EXPECT_LT(outcome.err.find("  hint: If it should be larger, " + helps, warning), error) << outcome.err;
+  EXPECT_NE(outcome.err.find("  hint: If it should be larger, " + helps, error), std::string::npos);
+  EXPECT_NE(run({"place", tiny, "--quiet"}).err.find("  hint: If it should be larger, " + helps), std::string::npos);
   EXPECT_EQ(run({"engrave", tiny, "--text", "x", "--at", "0,0,0.075", "-o", path("out.stl"), "--contrast", "3"})
                 .err.find("error: tiny.stl: The contrast"),
             std::string::npos);

@@ -68,10 +68,10 @@ TEST_F(VerifyCommandTest, FindsOutWhichOtherWayOfPrintingWouldDo) {
   };
   const Outcome coarse = engrave("fdm-0.6/0.3");  // modules narrower than the nozzle
   EXPECT_EQ(coarse.status, 0) << coarse.err;
-  expectWays(coarse, "carved for other ways", "--process resin-0.05: Reads as printed");
+  expectWays(coarse, "engraved for other ways", "--process resin-0.05: Reads as printed");
   const Outcome same = run({"verify", path("out.stl"), "--report", path("out.json"), "--process", "fdm-0.6/0.3",
                             "--try-prints", "--quick", "--quiet"});
-  expectWays(same, "the same model printed otherwise", "");
+  expectWays(same, "this model, printed in other ways", "");
   const Outcome fine = engrave("resin-0.05");
   EXPECT_EQ(fine.out.find("other"), std::string::npos) << fine.out;
 }

@@ -58,7 +58,8 @@
  * Where the code and its quiet zone lie on the screen, CSS pixels: corners of the square from the upper left on,
  * clockwise for its reader; `facing`: cosine at which the camera looks at it.
  * @typedef {{ corners: [number, number][], facing: number, symbolMm: number, rotationDeg: number }} CodeOnScreen
- * @typedef {{ from: [number, number], to: [number, number] }} LampOnScreen  `from` the lamp `to` the middle of the code, CSS pixels
+ * @typedef {{ from: [number, number] | null, to: [number, number] }} LampOnScreen
+ *   `from` the lamp, null behind the camera, `to` the middle of the code, CSS pixels
  * @typedef {{ code: CodeOnScreen | null, lamps: LampOnScreen[], axes: [number, number, number][] }} ViewState
  *   `axes` of the camera: right, up, back, in a space whose z is up
  */

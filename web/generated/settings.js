@@ -19,6 +19,8 @@
  * @property {Words} label           without the unit
  * @property {Readonly<Record<string, Words>>} [choiceNames]  and of `number` and `vector`, where it takes those
  * @property {Readonly<Record<string, Words>>} [partLabels]   of the parts that it is set by
+ * @property {Readonly<Record<string, { min: number, max: number, step: number, default: number }>>} [parts]  of a lamp
+ * @property {number} [most]         lamps
  */
 
 /** @typedef {'text' | 'ecc' | 'raiseEcc' | 'version' | 'mask' | 'breakUp' | 'preset' | 'keepPreset' | 'pattern' | 'finderPattern' | 'contrast' | 'carveFor' | 'floor' | 'objective' | 'solver' | 'maxDepthMm' | 'minWallMm' | 'dataContrast' | 'finderContrast' | 'blurModules' | 'tolerance' | 'maxPasses' | 'size' | 'maxSizeMm' | 'quietZone' | 'up' | 'rotateDeg' | 'direction' | 'eyeDistanceMm' | 'light' | 'albedo' | 'surface' | 'inlay' | 'process' | 'nozzleMm' | 'layerMm' | 'lineWidthMm' | 'buildUp'} SettingKey */
@@ -54,7 +56,7 @@ export const kSettings = {
   rotateDeg: {"group":"placement","kind":"number","unit":"deg","min":-360.0,"max":360.0,"step":5.0,"default":0.0,"since":"0.1.0","label":{"de":"Drehung","en":"Rotation"}},
   direction: {"group":"placement","kind":"choice-or-vector","choices":["mean-normal","depth-balanced","pca","optimal"],"default":"depth-balanced","since":"0.1.0","label":{"de":"Richtung","en":"Direction"},"choiceNames":{"depth-balanced":{"de":"Ausgeglichene Tiefe","en":"Balanced depth"},"mean-normal":{"de":"Mittel der Normalen","en":"Mean of the normals"},"optimal":{"de":"Beste (langsamer)","en":"Best (slower)"},"pca":{"de":"Flachste Seite","en":"Flattest side"},"vector":{"de":"Angegeben","en":"Given"}}},
   eyeDistanceMm: {"group":"placement","kind":"number","unit":"mm","min":20.0,"max":100000.0,"step":10.0,"default":250.0,"since":"0.1.0","label":{"de":"Betrachtungsabstand","en":"Viewing distance"}},
-  light: {"group":"light","kind":"lamps","default":[],"since":"0.1.0","label":{"de":"Lampe","en":"Lamp"},"partLabels":{"azimuthDeg":{"de":"Azimut","en":"azimuth"},"elevationDeg":{"de":"Höhe","en":"elevation"},"strength":{"de":"Stärke","en":"strength"}}},
+  light: {"group":"light","kind":"lamps","default":[],"since":"0.1.0","label":{"de":"Lampe","en":"Lamp"},"partLabels":{"azimuthDeg":{"de":"Azimut","en":"azimuth"},"elevationDeg":{"de":"Höhe","en":"elevation"},"strength":{"de":"Stärke","en":"strength"}},"parts":{"azimuthDeg":{"min":-360.0,"max":360.0,"step":15.0,"default":0.0},"elevationDeg":{"min":0.1,"max":90.0,"step":5.0,"default":45.0},"strength":{"min":0.0,"max":1000.0,"step":0.25,"default":1.0}},"most":2},
   albedo: {"group":"light","kind":"number","min":0.0,"max":0.95,"step":0.05,"default":0.7,"since":"0.1.0","label":{"de":"Albedo","en":"Albedo"}},
   surface: {"group":"making","kind":"choice","choices":["preserved","resampled"],"default":"preserved","since":"0.1.0","label":{"de":"Oberfläche","en":"Surface"},"choiceNames":{"preserved":{"de":"Erhalten","en":"Preserved"},"resampled":{"de":"Neu vernetzt","en":"Resampled"}}},
   inlay: {"group":"making","kind":"switch","default":false,"since":"0.1.0","label":{"de":"Zweite Farbe","en":"Second colour"}},

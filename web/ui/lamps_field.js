@@ -3,15 +3,16 @@
 // of the setting, a hidden text, holds what they come to.
 import { lampsFrom } from '../engine/lamps.js';
 import { byId, make } from '../dom/dom.js';
+import { kSettings } from '../generated/settings.js';
 import { onLanguage, text } from '../i18n/catalogue.js';
 
 /** @typedef {import('../engine/lamps.js').Lamp} Lamp */
 
-const kMostLamps = 2;  // core/settings/check_settings.cpp
-/** What a lamp begins with: above the code, then at its left. @type {readonly Required<Lamp>[]} */
-const kFirst = [{ azimuthDeg: 90, elevationDeg: 40, strength: 1 }, { azimuthDeg: 180, elevationDeg: 40, strength: 1 }];
-const kRanges = { azimuthDeg: { min: -360, max: 360 }, elevationDeg: { min: 1, max: 90 }, strength: { min: 0.05, max: 100 } };
-const kParts = /** @type {(keyof typeof kRanges)[]} */ (Object.keys(kRanges));
+const { parts: kRanges = {}, most: kMostLamps = 0 } = kSettings.light;
+const kParts = /** @type {const} */ (['azimuthDeg', 'elevationDeg', 'strength']);
+const kDefaults = /** @type {Required<Lamp>} */ (Object.fromEntries(kParts.map((part) => [part, kRanges[part].default])));
+/** First values of each lamp: above the code, then at its left. @type {readonly Required<Lamp>[]} */
+const kFirst = Array.from({ length: kMostLamps }, (_, at) => ({ ...kDefaults, azimuthDeg: 90 * (at + 1), elevationDeg: 40 }));
 
 export class LampsField {
   constructor() {
@@ -32,15 +33,15 @@ export class LampsField {
     if (!lamps) return;  // being typed
     this.count_.value = String(Math.min(lamps.length, kMostLamps));
     this.lamps_.forEach(({ inputs }, at) => kParts.forEach((part) => {
-      inputs[part].value = String((lamps[at] ? { strength: 1, ...lamps[at] } : kFirst[at])[part]);
+      inputs[part].value = String((lamps[at] ? { ...kDefaults, ...lamps[at] } : kFirst[at])[part]);
     }));
     this.showUsed_();
   }
 
   /** @param {Required<Lamp>} first @param {number} at */
   fieldsOf_(first, at) {
-    const inputs = /** @type {Record<keyof typeof kRanges, HTMLInputElement>} */ ({});
-    const labels = /** @type {Record<keyof typeof kRanges, HTMLElement>} */ ({});
+    const inputs = /** @type {Record<keyof Lamp, HTMLInputElement>} */ ({});
+    const labels = /** @type {Record<keyof Lamp, HTMLElement>} */ ({});
     const fields = kParts.map((part) => {
       const id = `lamp-${at + 1}-${part}`;
       const { min, max } = kRanges[part];

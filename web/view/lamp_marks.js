@@ -18,12 +18,12 @@ export class LampMarks {
 
   /** @param {readonly LampOnScreen[]} lamps */
   show(lamps) {
-    this.svg_.replaceChildren(...lamps.map(mark));
+    this.svg_.replaceChildren(...lamps.flatMap((lamp, at) => (lamp.from ? [mark(lamp.from, lamp.to, lamps.length > 1 ? String(at + 1) : '')] : [])));
   }
 }
 
-/** @param {LampOnScreen} lamp */
-function mark({ from, to }) {
+/** @param {[number, number]} from @param {[number, number]} to @param {string} number  of the lamp, if there are several */
+function mark(from, to, number) {
   const group = document.createElementNS(kSvg, 'g');
   group.setAttribute('transform', `translate(${from.map((value) => value.toFixed(1)).join(' ')})`);
   const [dx, dy] = [to[0] - from[0], to[1] - from[1]], length = Math.hypot(dx, dy);
@@ -35,6 +35,7 @@ function mark({ from, to }) {
   const sun = document.createElementNS(kSvg, 'circle');
   sun.setAttribute('r', String(kSunPx));
   group.append(sun);
+  if (number) group.append(Object.assign(document.createElementNS(kSvg, 'text'), { textContent: number }));
   return group;
 }
 
