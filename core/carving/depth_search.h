@@ -9,8 +9,8 @@
 
 namespace qrelief {
 
-/// Returns the depth increase after x iterations without a significant change of luminance, mm [Papp 2022, §7]: O(x) =
-/// c₀ − c₀·e·(tanh(1/d − f) + tanh(f − x/d)) with c₀ = 0.1, d = 2, e = 3, f = 2.5.
+/// Returns the depth increase after x iterations without a significant change of luminance, mm [Papp 2022, §7]:
+/// O(x) = c₀ − c₀·e·(tanh(1/d − f) + tanh(f − x/d)) with c₀ = 0.1, d = 2, e = 3, f = 2.5.
 double depthIncrease(int x);
 
 struct DepthSearchOptions {

@@ -27,7 +27,7 @@ class DepthSolver {
  public:
   virtual ~DepthSolver() = default;
 
-  /// Does one pass.
+  /// Runs one pass.
   /// @param luminance  mean of every submodule of symbol and quiet zone at `depths()`, linear, 1 = unoccluded;
   ///                   row-major from the quiet zone's top left, edge = 5·(modules + 8)
   virtual void update(std::span<const double> luminance) = 0;

@@ -71,7 +71,7 @@ class ShapedFloorSearch final : public DepthSolver {
   struct Floor {
     std::size_t module = 0;
     std::vector<Step> steps;
-    double depthMm = 0;  // of the deepest
+    double depthMm = 0;  // of the deepest step
     double limitMm = 0;  // depth at which every step is at its limit
     State state = State::TooBright;
   };

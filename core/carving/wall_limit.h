@@ -35,7 +35,7 @@ struct WallLimitOptions {
 /// descends its ray from the surface by d − minWall each time (sphere tracing), but by at least half of
 /// kDepthQuantumMm, so that it keeps moving along walls parallel to it. A submodule's limit is the least limit of its
 /// corners, its centre and the middles of its sides. It is exact where surface and wall are plane. Elsewhere it is too
-/// deep by at most the bulge between points a quarter of a submodule apart, and too shallow by at most half a quantum.
+/// deep by at most the bulge between points half a submodule apart, and too shallow by at most half a quantum.
 ///
 /// Cost: one pass over the mesh, two trees over the facets near the carved region, one query for each of those points
 /// or, near a wall, a dozen.
