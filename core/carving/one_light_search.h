@@ -44,7 +44,7 @@ double shadowDepth(double contrast, const DirectionalLight& lamp);
 ///
 /// It is the least depth in every place, because shallower submodules towards the lamp need less depth behind them.
 /// Long runs get deep, or end at their limits and stay bright: a lamp on a diagonal of the modules crosses the bars of
-/// the finder patterns, and meets what most patterns leave standing in the modules' corners. [Peng 2020 breaks long
+/// the finder patterns, and meets the uncarved corners that most patterns leave in modules. [Peng 2020 breaks long
 /// runs by making modules light.]
 ///
 /// **Passes.** The first pass derives the lamp's elevation over each module's surroundings from their luminance, in

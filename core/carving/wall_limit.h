@@ -13,7 +13,7 @@ namespace qrelief {
 struct WallLimitOptions {
   double symbolMm = 0;    ///< edge of the symbol without quiet zone, on the QR plane, > 0
   double maxDepthMm = 0;  ///< greatest depth of any submodule, along its ray, ≥ 0
-  double minWallMm = 0;   ///< material that must remain behind and beside every floor, in any direction, ≥ 0
+  double minWallMm = 0;   ///< material that must remain around every floor, in any direction, ≥ 0
 };
 
 /// Finds the greatest depth of each submodule that leaves a wall of `minWallMm` [Papp 2022, §7: thickness; here in

@@ -14,13 +14,13 @@ struct FarHorizon {
 
   int places = 0;  ///< along the map's edge
   /// Cotangents of the angle between the line of sight and the horizon, by direction, then by place, row-major from the
-  /// lower left. No lower than the surface's own plane.
+  /// lower left. Never below the surface's own plane.
   std::vector<float> cotangents;
 };
 
 /// Finds the far horizon of a surface.
 /// Cost: places² · 16 steps of growing length, up to the edge of `around`.
-/// @param map      the uncarved surface round the code
+/// @param map      the uncarved surface around the code
 /// @param around   the surroundings from the same eye, in a wider window with larger patches; null: there are none
 /// @param startMm  nearer surface is ignored, > 0
 FarHorizon farHorizonOf(const HeightMap& map, const HeightMap* around, double startMm, int places);

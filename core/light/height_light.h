@@ -15,7 +15,7 @@ namespace qrelief {
 
 struct LightSampling {
   int points = 2;       ///< receiving points along a patch's edge, ≥ 1
-  int directions = 20;  ///< round each point, ≥ 4; neighbouring points turn them
+  int directions = 20;  ///< around each point, ≥ 4; turned from one point to the next
 };
 
 struct LightOptions {

@@ -30,7 +30,8 @@ void signedDistances(float* held, const float* inside, float lessThan, float les
 ///          none is left. A block of up to 7 cells at the end may be returned without a crossing
 int nextCrossed(const float* lower, const float* upper, float value, int column, int columns);
 
-/// Tests for walls too thin for an outer line: nodes where `laid` is above 0 and `solid` is at most `deepest`.
+/// Returns true if any wall is too thin for an outer line: a node where `laid` is above 0 and `solid` at most
+/// `deepest`.
 bool anyThin(const float* laid, const float* solid, float deepest, std::size_t count);
 
 }  // namespace qrelief

@@ -9,8 +9,8 @@
 namespace qrelief {
 namespace {
 
-/// Slope of the distance that marks the middle of a thin wall: where it is smaller, two walls are equally far. Across
-/// the bisector of a right corner the distance grows by 0.71 of the way.
+/// Slope of the distance below which a node lies in the middle of a thin wall, where two walls are equally far. Across
+/// the bisector of a right corner the slope is 0.71.
 constexpr double kRidgeSlope = 0.6;
 /// Length of the shortest line that is laid, in its widths.
 constexpr double kShortestLine = 0.5;
@@ -33,7 +33,7 @@ std::vector<Segment2> outsideOnly(std::span<const Segment2> outline, const Layer
     const int row = std::clamp(static_cast<int>(place.y), 0, grid.rows - 1);
     return numbers[grid.index(column, row)] > 0;
   };
-  constexpr double kPieceSteps = 4;  // part of a segment may run through plastic
+  constexpr double kPieceSteps = 4;  // length of the pieces tested: only a part of a segment may run through plastic
   std::vector<Segment2> kept;
   for (const auto& [a, b] : outline) {
     const double length = glm::distance(a, b);

@@ -132,7 +132,7 @@ std::optional<SurfacePoint> PrintedRays::walk(const MapRay& ray, double begin, d
   };
   const Vec3 first = ray.point(begin);
   int column = cellOf(first.x, ray.step.x), row = cellOf(first.y, ray.step.y);
-  // isKnown: wasAbove is known; wasAbove: the ray was above the surface so far
+  // wasAbove: the ray was above the surface so far; valid only if isKnown
   bool isFirst = true, wasAbove = true, isKnown = false;
   for (double s = begin; s < end;) {
     const int blockColumn = column / kBlockTexels, blockRow = row / kBlockTexels;

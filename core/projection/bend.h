@@ -18,8 +18,8 @@ class PlaneFit {
   double rms() const;
 
  private:
-  glm::dmat3 moments_{0};  // of (1, u, v)
-  Vec3 products_{0};       // with the height
+  glm::dmat3 moments_{0};  // moments of (1, u, v)
+  Vec3 products_{0};       // products with the height
   double squares_ = 0, weights_ = 0;
 };
 

@@ -69,8 +69,8 @@ struct MapSample {
 /// as the variance of a plane tilted by 10°, tan²(10°)/12.
 inline constexpr double kObliqueWeight = 0.02;
 
-/// Samples a normal and distance map [Papp 2022, §3]. A texel outside the silhouette counts with the normal
-/// normalise((B - C)/(s/2) - n̂), which turns an overhanging square back towards the body.
+/// Samples a normal and distance map [Papp 2022, §3]. A texel outside the silhouette gets the normal normalise((B -
+/// C)/(s/2) - n̂), which turns an overhanging square back towards the body.
 /// @param normals  texels² values of (unit normal, distance in mm), row 0 at the bottom; distance 0 = outside
 MapSample sampleMap(std::span<const float> normals, int texels, const DirectionOptions& options);
 

@@ -17,7 +17,7 @@ enum class GrowingRegion : std::uint8_t {
 
 /// The facets that can take the code, and their outline.
 struct VisiblePatch {
-  std::vector<std::uint32_t> triangles;  ///< ascending; the inner points of their images do not overlap
+  std::vector<std::uint32_t> triangles;  ///< ascending; the interiors of their images do not overlap
   /// Outer contour and inner occlusion contours, unordered, as far as they come within `radiusMm` of the centre. A
   /// convex region about the centre within that radius that no segment enters is covered by `triangles` and fully
   /// visible.

@@ -67,7 +67,7 @@ class ViewRaster {
   // of the facets, from their corners' normals: slope without the noise of single facets
   std::vector<Vec3> smoothNormals_;
   RasterWindow window_;
-  float depthSlack_ = 0;  // inverse depths that differ by less belong to one sheet
+  float depthSlack_ = 0;  // inverse depths closer than this belong to one sheet
   std::vector<Seen> vertices_;
   std::vector<std::uint8_t> front_;
   std::vector<float> inverseDepth_;  // 0 = no surface
