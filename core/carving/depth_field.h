@@ -22,14 +22,14 @@ struct DepthField {
   double depth(int row, int column) const { return depthMm[static_cast<std::size_t>(row * size + column)]; }
   double submoduleMm() const { return symbolMm / size; }
 
-  /// Plane point of grid corner (row, column), 0 … size: row 0 is the symbol's top edge.
+  /// Returns the plane point of grid corner (row, column), 0 … size: row 0 is the symbol's top edge.
   Vec2 corner(int row, int column) const {
     return {-symbolMm / 2 + column * submoduleMm(), symbolMm / 2 - row * submoduleMm()};
   }
 };
 
-/// A depth on the grid of the files (kDepthQuantumMm), rounded up; where that would pass the limit, the limit rounded
-/// down.
+/// Rounds a depth up to the grid of the files (kDepthQuantumMm). If the result would exceed the limit, returns the
+/// limit rounded down.
 inline double quantisedDepth(double depthMm, double limitMm) {
   const double up = std::ceil(depthMm / kDepthQuantumMm - 1e-9) * kDepthQuantumMm;
   if (up <= limitMm) return up;

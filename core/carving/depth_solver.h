@@ -12,7 +12,7 @@
 
 namespace qrelief {
 
-/// What a search for depths works on.
+/// Input of a depth search.
 struct CarvingTarget {
   const Symbol* symbol = nullptr;
   const SubmoduleMask* mask = nullptr;
@@ -20,28 +20,29 @@ struct CarvingTarget {
   std::vector<double> limitMm;  ///< greatest depth of each submodule, row-major from the symbol's top left
 };
 
-/// A search for carving depths without the rendering: it is told luminances and answers depths.
+/// A search for carving depths that does no rendering: it takes luminances and returns depths.
 ///
 ///     while (!solver.finished()) solver.update(luminances(solver.depths(), solver.due()));
 class DepthSolver {
  public:
   virtual ~DepthSolver() = default;
 
-  /// One pass.
+  /// Runs one pass.
   /// @param luminance  mean of every submodule of symbol and quiet zone at `depths()`, linear, 1 = unoccluded;
   ///                   row-major from the quiet zone's top left, edge = 5·(modules + 8)
   virtual void update(std::span<const double> luminance) = 0;
 
-  /// Carved submodules whose luminance the next `update` looks at, indices in the mask; that of the others may be old.
-  /// None: all that are carved.
+  /// Returns the carved submodules whose luminance the next `update` reads, as indices in the mask; the luminance of
+  /// the others may be outdated. Empty: all carved submodules.
   virtual std::span<const std::uint32_t> due() const { return {}; }
 
   virtual bool finished() const = 0;
   virtual int iterations() const = 0;
-  /// Fraction of what is carved that is done; not monotone, as deeper neighbours brighten each other.
+  /// Returns the fraction of carved submodules that are done; not monotone, because deeper neighbours brighten each
+  /// other.
   virtual double doneFraction() const = 0;
   virtual const DepthField& depths() const = 0;
-  /// Submodules that a limit kept from being dark enough.
+  /// Returns the number of submodules that a limit keeps from being dark enough.
   virtual std::size_t limitedCount() const = 0;
 };
 

@@ -21,7 +21,8 @@ double squaredDistanceToSegment(Vec3 p, Vec3 a, Vec3 b) {
   return glm::dot(away, away);
 }
 
-/// To the plane where the foot of the perpendicular lies in the facet, else to the nearest side.
+/// Returns the squared distance to the plane if the foot of the perpendicular lies in the facet, else to the nearest
+/// side.
 double squaredDistance(Vec3 p, const FacetTree::Facet& facet) {
   const Vec3 normal = glm::cross(facet[1] - facet[0], facet[2] - facet[0]);
   const double area = glm::dot(normal, normal);
@@ -38,14 +39,14 @@ double squaredDistance(Vec3 p, const FacetTree::Facet& facet) {
   return height * height / area;
 }
 
-/// Unit; zero without area.
+/// Returns the unit normal; zero for a facet without area.
 Vec3 normalOf(const FacetTree::Facet& facet) {
   const Vec3 normal = glm::cross(facet[1] - facet[0], facet[2] - facet[0]);
   const double length = glm::length(normal);
   return length > 0 ? normal / length : Vec3(0);
 }
 
-/// Encloses the facets, whose corners 32-bit floats may not hold.
+/// Returns boxes that enclose the facets, although 32-bit floats may not represent their corners exactly.
 std::vector<Bvh::Box> boxesOf(std::span<const FacetTree::Facet> facets) {
   constexpr float kFarthest = std::numeric_limits<float>::infinity();
   std::vector<Bvh::Box> boxes;

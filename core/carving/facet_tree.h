@@ -10,10 +10,10 @@
 
 namespace qrelief {
 
-/// Answers how near the nearest of a set of facets is, as long as it is near: a bounding volume hierarchy whose nodes
-/// know the range of their facets' normals, too.
+/// Finds the distance of the nearest facet within a reach: a bounding volume hierarchy whose nodes also store the range
+/// of their facets' normals.
 ///
-/// Cost: O(n log n) to build; a query whose answer is "none within reach" usually looks at a few boxes only.
+/// Cost: O(n log n) to build; a query that finds nothing within reach usually visits only a few boxes.
 class FacetTree {
  public:
   using Facet = std::array<Vec3, 3>;
@@ -21,11 +21,11 @@ class FacetTree {
   /// @param facets  finite; may be empty or without area
   explicit FacetTree(std::span<const Facet> facets);
 
-  /// Distance of the nearest facet from `point`, or `reach` if none is nearer.
+  /// Returns the distance of the nearest facet from `point`, or `reach` if none is nearer.
   double distance(Vec3 point, double reach) const;
 
-  /// The same among those facets alone whose unit normal has a component below `component` along the unit vector
-  /// `normal`. As nodes know the range of their normals, smooth surfaces that turn nowhere so far cost next to nothing.
+  /// Returns the same among facets whose unit normal has a component below `component` along the unit vector `normal`.
+  /// Because nodes know the range of their normals, smooth surfaces that nowhere turn so far cost next to nothing.
   double distanceOfTurned(Vec3 point, double reach, Vec3 normal, double component) const;
 
  private:

@@ -13,10 +13,11 @@ namespace {
 
 constexpr int kN = kSubmodulesPerModule;
 constexpr double kFirstDepthModules = 0.25;
-constexpr double kAimFraction = 0.003;  // of the threshold: so much darker is aimed at, so that G ends at 0 or below
+// Margin by which the search aims darker, as a fraction of the threshold, so that G ends at 0 or below.
+constexpr double kAimFraction = 0.003;
 constexpr double kMaxAimFraction = 0.2;
-constexpr double kChangeFraction = 0.4;  // of a floor's last change of difference: so much more darkness is aimed at
-constexpr double kMaxChange = 0.3;       // of a difference that counts
+constexpr double kChangeFraction = 0.4;  // of a floor's last change of difference: extra darkness to aim at
+constexpr double kMaxChange = 0.3;       // limit on the change that counts
 constexpr int kSweepsPerPass = 3;
 constexpr int kFreePasses = 3, kFreePassesAfterAnother = 1;
 constexpr double kMaxAlbedo = 0.95;
@@ -64,7 +65,7 @@ FastSearch::FastSearch(CarvingTarget target, const FastSearchOptions& options, c
 }
 
 void FastSearch::solve() {
-  // The few that stay too bright are those that the plane says too little of.
+  // The few floors that stay too bright are those that the plane predicts badly, so aim darker for them.
   const double lastAim =
       std::min(kAimFraction * std::pow(3.0, std::max(0, iterations_ - freePasses_ + 1)), kMaxAimFraction);
   std::vector<double> fractions;
@@ -86,20 +87,21 @@ void FastSearch::solve() {
   }
 }
 
-/// LS/AL of a floor by what the plane says and what was seen to differ from it.
+/// Returns the expected LS/AL of a floor: the plane's prediction corrected by the measured difference.
 double FastSearch::expectedFraction(std::size_t k, double planeFraction) const {
   return fractionOfDarkness(darkness(planeFraction) + difference_[k]);
 }
 
-/// In the order of sky_->carved().
+/// Returns the depths in the order of sky_->carved().
 std::vector<double> FastSearch::carvedDepths() const {
   std::vector<double> depths;
   for (const std::uint32_t i : sky_->carved()) depths.push_back(depths_.depthMm[i]);
   return depths;
 }
 
-/// What has moved or touches what has, and what may be too bright for it, were the change since it was seen twice what
-/// the plane says; while all may still move, all.
+/// Chooses the floors to measure: floors that moved or touch one that moved, and floors that may now be too bright if
+/// the change since their last measurement is twice what the plane predicts. While all floors may still move, chooses
+/// all.
 void FastSearch::chooseDue(const std::vector<double>& depthsBefore) {
   dueInMask_.clear();
   if (iterations_ < freePasses_) return;
@@ -172,7 +174,7 @@ void FastSearch::update(std::span<const double> luminance) {
   chooseDue(depthsBefore);
 }
 
-/// Chooses what is to be measured before the search may end; ends it if that is nothing.
+/// Chooses the floors to measure before the search may end; ends it if there are none.
 void FastSearch::chooseStale() {
   if (!allRemeasured_) isStale_.assign(isStale_.size(), 1);
   isDue_ = isStale_;

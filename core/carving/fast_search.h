@@ -13,25 +13,27 @@ namespace qrelief {
 
 struct FastSearchOptions {
   double contrast = 0.3;  ///< c: a carved submodule must be darker than its surroundings by this fraction, 0 … 1
-  /// c of each module, row-major from the symbol's top left, where modules differ; empty: that above for all.
+  /// c per module, row-major from the symbol's top left; empty: `contrast` for all.
   std::vector<double> contrastOfModule = {};
-  double slackMm = 0.05;  ///< a submodule is no deeper than it must be by more than about this, > 0
-  double albedo = 0.7;    ///< of the material, 0 … 1: what interreflection is expected to be at first
+  double slackMm = 0.05;  ///< tolerated excess depth of a submodule, approximate, > 0
+  double albedo = 0.7;    ///< albedo of the material, 0 … 1: first estimate of interreflection
   int maxIterations = 24;
 };
 
-/// Reaches what the paper's search reaches (DepthSearch: no submodule with G = AL·(c − 1) + LS > 0) with less to render
-/// and no deeper.
+/// Reaches the same target as the paper's search (DepthSearch: no submodule with G = AL·(c − 1) + LS > 0) with less
+/// rendering and no greater depths.
 ///
-/// The depths are solved for on a plane without rendering (PocketSky), neighbours and all. What a pass then shows to be
-/// brighter or darker than the plane said, by interreflection and curvature, is carried over to the next solution: as a
-/// difference in log((1 − V)/V), V = LS/AL, which depends little on the depth; where it did change, more darkness is
-/// aimed at. At first depths rise and fall; then what is dark enough only gets deeper where deeper neighbours brighten
-/// it, so that the search ends, and only what moved and what that may have brightened is measured. Before it ends all
-/// are measured once more, and then again those that see what had to move, as far as the plane tells.
+/// It solves for the depths on a plane without rendering (PocketSky), neighbours included. Each pass then measures how
+/// much brighter or darker interreflection and curvature make a floor than the plane predicts. The next solution
+/// applies this difference, taken in log((1 − V)/V), V = LS/AL, which depends little on the depth. Where the difference
+/// has changed, the search aims darker. In the first passes depths may rise and fall. Afterwards a floor that is dark
+/// enough gets deeper only if deeper neighbours brighten it, so the search ends, and it measures only floors that moved
+/// or that such a move may have brightened. Before it ends it measures all floors once more, and then again the floors
+/// in sight of one that had to move, as far as the plane tells.
 class FastSearch final : public DepthSolver {
  public:
-  /// @param before  of the same target, with another contrast: it begins at what that found; null: at what a plane says
+  /// @param before  a search for the same target with another contrast, whose result is the start; null: start from the
+  ///                plane
   FastSearch(CarvingTarget target, const FastSearchOptions& options, const FastSearch* before = nullptr);
 
   void update(std::span<const double> luminance) override;
@@ -63,15 +65,15 @@ class FastSearch final : public DepthSolver {
   // Per carved submodule, in the order of sky_->carved():
   std::vector<double> limitMm_, solvedMm_;
   std::vector<double> fractionAsked_;     // 1 − c: greatest LS/AL
-  std::vector<double> difference_;        // between what was seen and what the plane says
-  std::vector<double> differenceChange_;  // by how much that changed when it was last measured
-  std::vector<double> seenFraction_;      // LS/AL when it was last measured
+  std::vector<double> difference_;        // measured minus predicted by the plane
+  std::vector<double> differenceChange_;  // change of that at the last measurement
+  std::vector<double> seenFraction_;      // LS/AL at the last measurement
   std::vector<State> states_;
   std::vector<char> isDue_;
-  std::vector<char> isStale_;             // something it sees has moved since it was measured
+  std::vector<char> isStale_;             // something in its sight has moved since its last measurement
   std::vector<std::uint32_t> dueInMask_;  // none: all
   int iterations_ = 0;
-  int freePasses_ = 0;  // after these nothing becomes less deep: that ends
+  int freePasses_ = 0;  // after these passes no depth decreases, so the search ends
   bool allRemeasured_ = false;
   bool finished_ = false;
 };

@@ -20,14 +20,14 @@ SkySeen skySeenFromFloor(const float* own, float depthMm, const FloorSteps& step
     auto steepest = hn::Zero(lanes), steepestPerMm = hn::Zero(lanes);  // tangent of the horizon's elevation
     for (std::size_t i = k; i < steps.perMm.size(); i += kFloorDirections) {
       const auto perMm = hn::LoadU(lanes, &steps.perMm[i]);
-      // Farther on nothing can rise over what was passed: no cell is higher than a light one, of depth 0.
+      // Farther on nothing can rise above the horizon so far: no cell is higher than a light one, of depth 0.
       if (hn::AllTrue(lanes, hn::Le(hn::Mul(depth, perMm), steepest))) break;
       const auto top = hn::GatherIndex(lanes, own, hn::LoadU(integers, &steps.offset[i]));
       const auto steep = hn::Mul(hn::Sub(depth, top), perMm);
       steepestPerMm = hn::IfThenElse(hn::Gt(steep, steepest), perMm, steepestPerMm);
       steepest = hn::Max(steepest, steep);
     }
-    // Products and sums stay apart: fused, they would differ between machines.
+    // Products and sums stay separate: fused, they would differ between machines.
     const auto fraction = hn::Div(one, hn::Add(one, hn::Mul(steepest, steepest)));
     hn::StoreU(fraction, lanes, seen + k);
     hn::StoreU(hn::Mul(hn::Mul(steepest, steepestPerMm), hn::Mul(fraction, fraction)), lanes, falls + k);

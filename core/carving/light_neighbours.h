@@ -9,14 +9,14 @@
 
 namespace qrelief {
 
-/// The surroundings that a dark module is compared with [Papp 2022, §7: AL]. The paper says "neighbours"; meant are the
-/// light modules (quiet zone included), in the 8-neighbourhood widened ring by ring until it holds four: carved
-/// neighbours would chase each other.
+/// The surroundings of each dark module for comparing luminances [Papp 2022, §7: AL]. The paper says "neighbours". Here
+/// these are the light modules (quiet zone included) in the 8-neighbourhood, widened ring by ring until it holds four.
+/// Carved neighbours do not count, because they would chase each other.
 class LightNeighbours {
  public:
   explicit LightNeighbours(const Symbol& symbol);
 
-  /// Mean of the four darkest light modules around a dark one.
+  /// Returns the mean luminance of the four darkest light modules around a dark one.
   /// @param module     row-major in the symbol
   /// @param luminance  of every module of symbol and quiet zone, row-major from the quiet zone's top left
   double darkestMean(std::size_t module, std::span<const double> luminance) const;

@@ -13,12 +13,14 @@ namespace qrelief {
 namespace {
 
 constexpr int kN = kSubmodulesPerModule;
-constexpr double kGrowth = 0.2;      // of a fraction in shadow, a pass
-constexpr double kLeastSine = 0.05;  // of the lamp's elevation: flatter, rims that are not there throw shadows
-constexpr int kSamples = 16;         // of a submodule, each in a row and a column of its own
-constexpr int kSampleTurn = 7;       // prime to kSamples: how far apart neighbouring rows' samples are
+constexpr double kGrowth = 0.2;  // growth of a fraction in shadow per pass
+// Least sine of the lamp's elevation: at flatter angles nonexistent rims would cast shadows.
+constexpr double kLeastSine = 0.05;
+constexpr int kSamples = 16;    // samples of a submodule, each in a row and a column of its own
+constexpr int kSampleTurn = 7;  // coprime to kSamples: distance between the samples of neighbouring rows
 
-/// The value that the fraction `f` of evenly spread values lies below, their quantile, continued linearly.
+/// Returns the quantile of evenly spread values: the value below which the fraction `f` of them lies, continued
+/// linearly.
 /// @param values  ascending, the middles of equal parts
 double quantile(const std::array<double, kSamples>& values, double f) {
   const double at = std::clamp(f * kSamples - 0.5, 0.0, kSamples - 1.0);
@@ -61,14 +63,14 @@ OneLightSearch::OneLightSearch(CarvingTarget target, const OneLightOptions& opti
   solve();
 }
 
-/// @param irradiance  of its surroundings by the lamp
+/// @param irradiance  irradiance of its surroundings by the lamp
 void OneLightSearch::takeElevation(Floor& floor, double irradiance) const {
   const double sine = options_.lamp.strength > 0 ? std::min(irradiance / options_.lamp.strength, 1.0) : 0;
   floor.fraction = shadowFraction(options_.contrast, irradiance);
   floor.tangent = sine < kLeastSine ? 0 : sine / std::sqrt(std::max(1 - sine * sine, 1e-6));
 }
 
-/// On a plane, at the depths of what stands towards the lamp.
+/// Returns the depth that a floor needs on a plane, given the depths towards the lamp.
 double OneLightSearch::depthFor(const Floor& floor) const {
   const int size = depths_.size, row = static_cast<int>(floor.submodule) / size;
   const int column = static_cast<int>(floor.submodule) % size;
@@ -84,7 +86,7 @@ double OneLightSearch::depthFor(const Floor& floor) const {
     double least = std::numeric_limits<double>::infinity();
     for (;;) {
       const double travelled = std::min(nextColumn, nextRow);
-      if (travelled * h * floor.tangent >= least) break;  // nothing is higher than the surface
+      if (travelled * h * floor.tangent >= least) break;  // nothing rises above the surface
       if (nextColumn <= nextRow)
         c += right, nextColumn += perColumn;
       else

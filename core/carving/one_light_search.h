@@ -12,48 +12,49 @@
 namespace qrelief {
 
 struct OneLightOptions {
-  DirectionalLight lamp;  ///< under which the code is to be read, beside the sky
+  DirectionalLight lamp;  ///< lamp that lights the code, in addition to the sky
   double contrast = 0.3;  ///< c: a carved submodule must be darker than its surroundings by this fraction, 0 … 1
   int maxPasses = 60;
 };
 
-/// Fraction of a floor that must lie in the lamp's shadow for its mean to be darker than the open surface by
-/// `contrast`, were the sky seen whole and nothing reflected: c·(1 + L)/L, L the lamp's irradiance of the surface.
-/// @param irradiance  L, 1 = that of the sky
+/// Returns the fraction of a floor that must lie in the lamp's shadow for its mean to be darker than the open surface
+/// by `contrast`, assuming a full view of the sky and no reflection: c·(1 + L)/L, where L is the lamp's irradiance of
+/// the surface.
+/// @param irradiance  L, 1 = irradiance by the sky
 /// @returns at most 1
 double shadowFraction(double contrast, double irradiance);
 
-/// Depth, in widths of it, of the deepest submodule of a lone module that is carved as a whole, on a plane:
+/// Returns the depth of the deepest submodule of an isolated, fully carved module on a plane, in submodule widths:
 /// shadowFraction · tan(elevation), for a lamp along the module's rows or columns.
 double shadowDepth(double contrast, const DirectionalLight& lamp);
 
-/// The least depths with which a code is read under one lamp, by the shadows that it casts into the pockets; under an
-/// even sky so shallow a one is not read reliably [Peng 2020].
+/// Search for the least depths at which a code decodes under one lamp, whose light casts shadows into the pockets.
+/// Under an even sky such a shallow code does not decode reliably [Peng 2020].
 ///
-/// **Closed form, on a plane.** A point at depth d lies in the shadow of what stands at distance t towards the lamp, at
-/// depth d', if d > d' + t·tan e. So from the lamp's side on each submodule has the least depth with which the fraction
-/// asked (shadowFraction) of its points lies in the shadow of the rim, or of the steps down that were found before it.
-/// What a pattern leaves standing begins a new run. Of a run of submodules h wide along the lamp's azimuth that is
+/// **Closed form, on a plane.** A point at depth d lies in the shadow of an obstacle at distance t towards the lamp, at
+/// depth d', if d > d' + t·tan e. Going away from the lamp, each submodule gets the least depth at which the required
+/// fraction (shadowFraction) of its points lies in the shadow of the rim or of the steps found before it. An uncarved
+/// submodule begins a new run. For a run of submodules that are h wide along the lamp's azimuth this is
 ///
 ///     lamp                       depth of the k-th: (k + 1)·f·h·tan e,
 ///        `-.  ¯¯¯¯|                                 a staircase with the slope f·tan e
 ///            `-.  |__
 ///                `|  |__
-///                 |     |__      each step's shadow reaches over the fraction f of the next floor
+///                 |     |__      each step's shadow covers the fraction f of the next floor
 ///
-/// the least in every place, as what is less deep towards the lamp asks for less behind it. Long runs get deep, or end
-/// at their limits and stay bright: a lamp on a diagonal of the modules crosses the bars of the finder patterns, and
-/// meets what most patterns leave standing in the modules' corners. [Peng 2020 breaks long runs by making modules
-/// light.]
+/// It is the least depth in every place, because shallower submodules towards the lamp need less depth behind them.
+/// Long runs get deep, or end at their limits and stay bright: a lamp on a diagonal of the modules crosses the bars of
+/// the finder patterns, and meets the uncarved corners that most patterns leave in modules. [Peng 2020 breaks long
+/// runs by making modules light.]
 ///
-/// **Passes.** The first takes from the luminance of each module's surroundings how steeply the lamp stands over them,
-/// in place of e. Each further one measures: where a carved submodule is brighter than (1 − c) of its surroundings, by
-/// what pockets reflect, by rims that bend away, the fraction asked of it grows by a fifth; beyond 1, in fifths of
-/// h·tan e, it is carved deeper than the shadow. Fractions only grow, and so do the depths; a submodule stops at its
-/// limit, and where the lamp does not reach its surroundings. So the search ends, when all are dark enough or have
-/// stopped.
+/// **Passes.** The first pass derives the lamp's elevation over each module's surroundings from their luminance, in
+/// place of e. Each further pass measures. Where a carved submodule is brighter than (1 − c) times its surroundings,
+/// because pockets reflect or rims bend away, its required fraction grows by a fifth. Once the fraction exceeds 1, the
+/// submodule goes deeper than the shadow, in fifths of h·tan e. Fractions only grow, and so do the depths. A submodule
+/// stops at its limit, or where the lamp does not reach its surroundings. So the search ends when all submodules are
+/// dark enough or have stopped.
 ///
-/// Cost: O(carved submodules · length of a shadow) a pass, beside the pictures.
+/// Cost: O(carved submodules · length of a shadow) per pass, plus rendering.
 class OneLightSearch final : public DepthSolver {
  public:
   OneLightSearch(CarvingTarget target, const OneLightOptions& options);
@@ -71,8 +72,8 @@ class OneLightSearch final : public DepthSolver {
   struct Floor {
     std::uint32_t submodule = 0;  // index in the mask
     std::size_t module = 0;
-    double tangent = 0;   // of the lamp's elevation over its surroundings; 0: they are not lit
-    double fraction = 0;  // that is to lie in shadow; more than 1: beyond
+    double tangent = 0;   // of the lamp's elevation over its surroundings; 0: they are unlit
+    double fraction = 0;  // required fraction in shadow; above 1: depth beyond the shadow
     State state = State::TooBright;
   };
 
@@ -85,7 +86,7 @@ class OneLightSearch final : public DepthSolver {
   LightNeighbours neighbours_;
   Vec2 towardsLamp_;  // unit, columns to the right and rows downwards
   DepthField depths_;
-  std::vector<Floor> floors_;  // from the lamp's side on
+  std::vector<Floor> floors_;  // in order of distance, from the lamp's side
   int passes_ = 0;
   bool finished_ = false;
 };

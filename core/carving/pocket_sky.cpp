@@ -12,13 +12,14 @@ namespace {
 
 constexpr double kSettledMm = 2e-3, kShortStepMm = 1e-2;
 constexpr int kSteps = 24;
-// Where on a floor, in its width: Gauss and Legendre's two. (A low step beside it hardly darkens its middle.)
+// Positions on a floor, in its width: the two-point Gauss–Legendre nodes. (A low step next to a floor hardly darkens
+// its middle.)
 constexpr double kPlaces[2] = {0.2113, 0.7887};
 
 }  // namespace
 
 PocketSky::PocketSky(const SubmoduleMask& mask, double submoduleMm) {
-  const int stride = mask.size + 2, beyond = mask.size * stride + mask.size;  // the farthest step
+  const int stride = mask.size + 2, beyond = mask.size * stride + mask.size;  // offset of the farthest step
   floorOf_.assign(static_cast<std::size_t>(stride * stride + 2 * beyond), kLight);
   for (std::uint32_t i = 0; i < mask.carved.size(); ++i) {
     if (!mask.carved[i]) continue;
@@ -32,7 +33,7 @@ PocketSky::PocketSky(const SubmoduleMask& mask, double submoduleMm) {
     const double angle = 2 * std::numbers::pi * (static_cast<double>(k) + 0.5) / kFloorDirections;
     const Vec2 place(kPlaces[k % 2], kPlaces[(k + k / 2) % 2]);
     GridMarch march({0, 0}, place, {std::cos(angle), std::sin(angle)});
-    for (std::size_t i = k;; i += kFloorDirections) {  // a way through the whole mask
+    for (std::size_t i = k;; i += kFloorDirections) {  // path through the whole mask
       const double distanceMm = march.step() * submoduleMm;
       const glm::ivec2 cell = march.cell();
       if (std::max(std::abs(cell.x), std::abs(cell.y)) > mask.size) break;
@@ -46,15 +47,16 @@ PocketSky::PocketSky(const SubmoduleMask& mask, double submoduleMm) {
   }
 }
 
-/// 0 in light cells.
+/// Spreads the floors' values over the grid; 0 in light cells.
 std::vector<float> PocketSky::onGrid(std::span<const double> values) const {
   std::vector<float> grid(floorOf_.size(), 0);
   for (std::size_t k = 0; k < cell_.size(); ++k) grid[cell_[k]] = static_cast<float>(values[k]);
   return grid;
 }
 
-/// By Newton's steps in log h and y = log((1 − V)/V), in which a pocket whose walls are all of one height is a line of
-/// slope 2; between the depths that are known to be too bright and dark enough.
+/// Finds the depth at which a floor sees the wanted fraction. It takes Newton steps in log h and y = log((1 − V)/V), in
+/// which a pocket with walls of equal height is a line of slope 2. The steps stay between the depths known to be too
+/// bright and dark enough.
 double PocketSky::depthFor(std::size_t k, double wanted, double limitMm, const std::vector<float>& grid) const {
   double low = 0, high = limitMm;
   double depth = std::clamp(static_cast<double>(grid[cell_[k]]), std::min(kSettledMm, limitMm), limitMm);

@@ -10,22 +10,23 @@
 
 namespace qrelief {
 
-/// How much of a uniform sky the floors of a carved symbol see, were the surface plane. It tells without rendering
-/// what each submodule's depth does to itself and to its neighbours.
+/// The fraction of a uniform sky that the floors of a carved symbol see if the surface is plane. It predicts without
+/// rendering how a submodule's depth affects the submodule and its neighbours.
 ///
-/// From a floor, in each of 16 directions, the highest of the steps passed, of height Δ at distance d, leaves
-/// d²/(d² + Δ²), cosine-weighted; the first light submodule ends the search, as nothing behind it is higher. The
-/// directions begin at four places of the floor in turn, whose mean is near that of the whole floor.
+/// In each of 16 directions from a floor, the highest step passed, of height Δ at distance d, leaves d²/(d² + Δ²) of
+/// the sky, cosine-weighted. The first light submodule ends the path, because nothing behind it is higher. The
+/// directions start at four places of the floor in turn, whose mean is close to the mean of the whole floor.
 class PocketSky {
  public:
   /// Cost: O(carved submodules · width of the dark areas).
   PocketSky(const SubmoduleMask& mask, double submoduleMm);
 
-  /// Indices of the carved submodules in the mask, ascending; what follows counts in this order.
+  /// Returns the indices of the carved submodules in the mask, ascending; all other functions count floors in this
+  /// order.
   const std::vector<std::uint32_t>& carved() const { return carved_; }
 
-  /// The floors that floor `k` has in sight, and which have it in sight: its depth changes how much sky they see. In
-  /// any order, some twice.
+  /// Visits the floors in sight of floor `k`. Sight is mutual: its depth changes how much sky they see. In any order,
+  /// some twice.
   template <class Visit>
   void forEachInSight(std::size_t k, const Visit& visit) const {
     for (int direction = 0; direction < kFloorDirections; ++direction)
@@ -37,14 +38,15 @@ class PocketSky {
       }
   }
 
-  /// Depths of all floors, for many questions about them.
+  /// Depths of all floors, prepared for many queries.
   class Depths {
    public:
     /// @param sky       kept by reference
     /// @param depthsMm  in the order of carved()
     Depths(const PocketSky& sky, std::span<const double> depthsMm) : sky_(&sky), grid_(sky.onGrid(depthsMm)) {}
 
-    /// Fraction of the sky that floor `k` sees, 0 … 1, were it, and it alone, as deep as `depthMm`.
+    /// Returns the fraction of the sky that floor `k` sees, 0 … 1, if its own depth were `depthMm` and all others
+    /// unchanged.
     double fraction(std::size_t k, double depthMm) const {
       return skySeenFrom(&grid_[sky_->cell_[k]], static_cast<float>(depthMm), sky_->steps_).fraction;
     }
@@ -54,16 +56,16 @@ class PocketSky {
     std::vector<float> grid_;
   };
 
-  /// Depths at which every floor sees no more than its fraction, or is as deep as it may be.
+  /// Finds depths at which every floor sees no more than its fraction of the sky, or is at its limit.
   ///
-  /// A floor gets darker as it gets deeper, and brighter as its neighbours do; and all get darker if all depths grow by
-  /// one factor. So there is one solution, it is the least depth in every place, and solving for one floor after the
-  /// other ends there from any start.
+  /// A floor gets darker as it gets deeper, and brighter as its neighbours get deeper; if all depths grow by one
+  /// factor, all floors get darker. So there is exactly one solution, it has the least depth everywhere, and solving
+  /// for one floor after the other converges to it from any start.
   /// @param fractions  per floor, above 0 and below 1
   /// @param limitsMm   per floor, ≥ 0
-  /// @param depthsMm   where to begin; the answer
-  /// @param isDue      per floor: whether it is to be solved for even if no other moves
-  /// @param maxSweeps  over all floors; a few bring it near, and near is enough where the fractions will change again
+  /// @param depthsMm   in: start; out: result
+  /// @param isDue      per floor: solve for it even if no other floor moves
+  /// @param maxSweeps  over all floors; a few sweeps come close, which suffices where the fractions will change again
   void solve(std::span<const double> fractions, std::span<const double> limitsMm, std::span<double> depthsMm,
              std::vector<char> isDue, int maxSweeps) const;
 
@@ -76,7 +78,7 @@ class PocketSky {
   std::vector<std::uint32_t> carved_;
   // A grid of cells. Light cells surround the symbol, and pad the grid so that no step leaves it.
   std::vector<std::uint32_t> cell_;     // of each floor
-  std::vector<std::uint32_t> floorOf_;  // of each cell; kLight: it is not carved
+  std::vector<std::uint32_t> floorOf_;  // of each cell; kLight: not carved
   FloorSteps steps_;
 };
 

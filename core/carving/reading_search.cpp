@@ -11,7 +11,7 @@ namespace {
 constexpr int kN = kSubmodulesPerModule;
 constexpr double kFirstDepthModules = 0.3;
 
-/// Convolution with a Gaussian; beyond the edge the map goes on as it ends.
+/// Convolves a map with a Gaussian; beyond the edge the map continues with its edge values.
 std::vector<double> blurred(std::span<const double> map, int edge, double sigma) {
   const int reach = static_cast<int>(std::ceil(3 * sigma));
   std::vector<double> kernel;
@@ -80,8 +80,8 @@ void ReadingSearch::deepen(Pocket& pocket, double contrast) {
   pocket.done = excess >= 0 && (excess <= options_.tolerance || least);
   pocket.limited = excess < 0 && pocket.depthMm >= pocket.limitMm;
   if (pocket.done || pocket.limited) return;
-  // Neighbours move as well, so what was too bright a pass ago may do now: the bounds are those of the last passes
-  // only.
+  // Neighbours move as well, so a depth that was too bright a pass ago may suffice now: the bounds come from the last
+  // passes only.
   if (excess < 0) {
     pocket.brightMm = pocket.depthMm;
     if (pocket.darkMm <= pocket.brightMm) pocket.darkMm = 0;
@@ -92,7 +92,7 @@ void ReadingSearch::deepen(Pocket& pocket, double contrast) {
   const double aim = pocket.wanted + options_.tolerance / 2;
   const double slope =
       pocket.depthMm == pocket.lastMm ? 0 : (contrast - pocket.lastContrast) / (pocket.depthMm - pocket.lastMm);
-  // Contrast grows with depth, ever slower: along the chord from the surface at first.
+  // Contrast grows with depth, but ever more slowly. The first step follows the chord from the surface.
   const double rise = slope > 0 ? slope : std::max(contrast, 0.02) / std::max(pocket.depthMm, 0.02);
   double next = pocket.depthMm + (aim - contrast) / rise;
   next = std::clamp(next, 0.4 * pocket.depthMm, 2.5 * pocket.depthMm);

@@ -10,23 +10,23 @@
 namespace qrelief {
 
 struct ReadingOptions {
-  double dataContrast = 0.1;     ///< a dark module must be seen darker than its surroundings by this fraction, 0 … 1
+  double dataContrast = 0.1;     ///< a dark module must look darker than its surroundings by this fraction, 0 … 1
   double finderContrast = 0.15;  ///< the same for the modules of the three finder patterns
-  double blurModules = 0.4;      ///< standard deviation of what a phone's lens and sensor blur, in module widths
-  double tolerance = 0.005;      ///< a module is done once its contrast exceeds what is asked for by at most this
+  double blurModules = 0.4;      ///< standard deviation of the blur by a phone's lens and sensor, in module widths
+  double tolerance = 0.005;      ///< a module is done if its contrast exceeds the required contrast by at most this
   int maxPasses = 12;
 
   bool operator==(const ReadingOptions&) const = default;
 };
 
-/// The search for what a reader needs: the least depth at which every dark module *as a whole*, as a blurred picture
-/// shows it, is darker than its surroundings by the contrast asked for. The paper's rule [Papp 2022, §7] asks this of
-/// each submodule, unblurred, which says little of a pattern that leaves two thirds of a module uncarved.
+/// Search for the least depths that a decoder needs: every dark module *as a whole*, in a blurred picture, is darker
+/// than its surroundings by the required contrast. The paper's rule [Papp 2022, §7] tests each submodule, unblurred,
+/// which says little about a pattern that leaves two thirds of a module uncarved.
 ///
-/// Seen luminance M of a module: that of its middle in the map blurred by a Gaussian. Surroundings A: the mean of the
-/// four darkest light modules around it, likewise blurred, as in DepthSearch. Wanted: M = (1 − c)·A for every dark
-/// module. The pockets of a module share one depth, so that their floor stays one facet; each pass moves it along the
-/// secant of the last two, kept within what was already too bright and already dark enough.
+/// The luminance M of a module is taken at its middle in the map blurred by a Gaussian. The surroundings A are the mean
+/// of the four darkest light modules around it, likewise blurred, as in DepthSearch. The goal is M = (1 − c)·A for
+/// every dark module. All pockets of a module share one depth, so their floor stays one facet. Each pass moves the
+/// depth along the secant of the last two passes, between the depths found too bright and dark enough.
 class ReadingSearch final : public DepthSolver {
  public:
   ReadingSearch(CarvingTarget target, const ReadingOptions& options);
@@ -38,17 +38,17 @@ class ReadingSearch final : public DepthSolver {
   double doneFraction() const override;
   const DepthField& depths() const override { return depths_; }
   std::size_t limitedCount() const override;
-  /// Contrast of each dark module as last seen, row-major; 0 for light ones.
+  /// Returns the last measured contrast of each dark module, row-major; 0 for light ones.
   const std::vector<double>& contrasts() const { return contrast_; }
 
  private:
   struct Pocket {
     std::size_t module = 0;
     double wanted = 0;   // contrast
-    double limitMm = 0;  // the greatest of its submodules'
+    double limitMm = 0;  // greatest limit of its submodules
     double depthMm = 0;
-    double brightMm = 0;  // the deepest that was too bright
-    double darkMm = 0;    // the shallowest that was dark enough; 0: none yet
+    double brightMm = 0;  // deepest depth found too bright
+    double darkMm = 0;    // shallowest depth found dark enough; 0: none yet
     double lastMm = 0, lastContrast = 0;
     bool done = false, limited = false;
   };

@@ -12,10 +12,10 @@ namespace {
 
 constexpr int kN = kSubmodulesPerModule;
 constexpr double kFirstDepthModules = 0.35;
-constexpr double kLeastSlope = 2;  // of darkness by the logarithm of depth: were all modules to move
-constexpr double kSlope = 3;       // assumed; were one alone to move in a dark area, it would be 4 or more
-constexpr double kAim = 0.02;      // of darkness, beyond what is asked for
-constexpr int kFreePasses = 8;     // after these nothing becomes less deep: that ends
+constexpr double kLeastSlope = 2;  // slope of darkness over the logarithm of depth if all modules move
+constexpr double kSlope = 3;       // assumed slope; for a single module moving in a dark area it would be 4 or more
+constexpr double kAim = 0.02;      // extra darkness to aim at, beyond the required darkness
+constexpr int kFreePasses = 8;     // after these passes no depth decreases, so the search ends
 
 /// log((1 − V)/V)
 double darkness(double fraction) {
@@ -23,7 +23,7 @@ double darkness(double fraction) {
   return std::log((1 - v) / v);
 }
 
-/// First carved row of a module's submodules, and how many rows to its last.
+/// First carved row of a module's submodules, and the number of rows to the last one.
 struct CarvedRows {
   int first = kN, count = 0;
 };
@@ -83,7 +83,7 @@ void ShapedFloorSearch::carve(const Floor& floor) {
         quantisedDepth(std::max(floor.depthMm * step.weight, kDepthQuantumMm), target_.limitMm[step.submodule]);
 }
 
-/// @param fraction  of the surroundings' luminance
+/// @param fraction  luminance as a fraction of the surroundings' luminance
 void ShapedFloorSearch::judge(Floor& floor, double fraction) {
   const double asked = darkness(1 - options_.contrast), found = darkness(fraction);
   if (fraction > 1 - options_.contrast) {
@@ -111,7 +111,7 @@ void ShapedFloorSearch::update(std::span<const double> luminance) {
     contrast_[floor.module] = 1 - fraction;
     const double before = floor.depthMm;
     judge(floor, fraction);
-    // A quantum at least, or nothing would move.
+    // Moves by at least a quantum; otherwise nothing would move.
     if (floor.state == State::TooBright)
       floor.depthMm = std::min(std::max(floor.depthMm, before + kDepthQuantumMm), floor.limitMm);
     moved = moved || floor.depthMm != before;

@@ -10,43 +10,44 @@
 
 namespace qrelief {
 
-/// Bottoms of the dark modules [Papp 2021]. In a section from the symbol's top (left) to its bottom, two modules each:
+/// Shapes of the dark modules' floors [Papp 2021]. In a section from the symbol's top (left) to its bottom, two modules
+/// each:
 ///
 ///     Flat              Tilted            Wavy
 ///     ¯¯|_____|_____|¯  ¯¯\     |\     |¯  ¯¯\          /¯¯
 ///                          ¯-_  |  ¯-_ |      ¯-_    _-¯
 ///                             ¯-|     ¯-|         ¯-_¯
 ///
-/// Depths grow towards the symbol's bottom, so that a floor faces away from light from above, as most rooms and days
-/// have it. A tilted floor is made of five steps, one a submodule: the embedding has one depth a submodule, a printer
-/// lays layers anyway, and a staircase is nearly as dark as the slope that it follows.
+/// Depths grow towards the symbol's bottom, so a floor faces away from light from above, which is usual indoors and
+/// outdoors. A tilted floor consists of five steps, one per submodule: the embedding has one depth per submodule, a
+/// printer works in layers anyway, and a staircase is nearly as dark as the slope that it follows.
 enum class FloorShape : std::uint8_t { Flat, Tilted, Wavy };
 
-/// "flat", "tilted" or "wavy".
+/// Returns "flat", "tilted" or "wavy".
 const char* floorShapeName(FloorShape shape);
 
-/// Depth of a floor's step beside that of its deepest, 0 … 1: it rises evenly to 1. Of a wavy floor every other row of
-/// modules is mirrored, so that the wave goes on from module to module.
+/// Returns the depth of a floor's step relative to its deepest step, 0 … 1; it rises evenly to 1. In a wavy floor every
+/// other row of modules is mirrored, so the wave continues from module to module.
 /// @param moduleRow  from the symbol's top
-/// @param step       of the carved rows of the module's submodules, from the top, 0 … steps − 1
+/// @param step       among the carved rows of the module's submodules, from the top, 0 … steps − 1
 double floorWeight(FloorShape shape, int moduleRow, int step, int steps);
 
 struct ShapedFloorOptions {
   FloorShape shape = FloorShape::Tilted;
   double contrast = 0.3;  ///< c: a module's floor must be darker than its surroundings by this fraction, 0 … 1
-  double slackMm = 0.05;  ///< the deepest step is no deeper than it must be by more than about this, > 0
+  double slackMm = 0.05;  ///< tolerated excess depth of the deepest step, approximate, > 0
   int maxIterations = 40;
 };
 
-/// The least depths of shaped floors [Papp 2021] with which every dark module is dark enough: the mean luminance of its
-/// carved submodules is at most (1 − c) of its surroundings (light_neighbours.h). That of single submodules, as a flat
-/// floor has it, would make a staircase's first step decide.
+/// Search for the least depths of shaped floors [Papp 2021] at which every dark module is dark enough: the mean
+/// luminance of its carved submodules is at most (1 − c) of its surroundings (light_neighbours.h). Testing each
+/// submodule, as for flat floors, would let the first step of a staircase decide.
 ///
-/// Each module has one depth, that of its deepest step. Its darkness log((1 − V)/V), V the luminance beside that of the
-/// surroundings, grows by about 2·log of the factor by which all depths grow, as the sky over a round pit has it; more
-/// where a module alone gets deeper. So a pass multiplies a depth by exp(what is missing / 3). At first depths rise and
-/// fall; then what is too bright only gets deeper, by a quantum at least, so that the search ends. A submodule stops at
-/// its own limit.
+/// Each module has one depth, the depth of its deepest step. Its darkness is log((1 − V)/V), where V is its luminance
+/// relative to its surroundings. If all depths grow by one factor, darkness grows by about 2·log of that factor, as for
+/// the sky over a round pit; it grows more if one module alone gets deeper. So a pass multiplies a depth by exp(missing
+/// darkness / 3). In the first passes depths may rise and fall. Afterwards modules that are too bright only get deeper,
+/// by at least a quantum, so the search ends. A submodule stops at its own limit.
 class ShapedFloorSearch final : public DepthSolver {
  public:
   ShapedFloorSearch(CarvingTarget target, const ShapedFloorOptions& options);
@@ -58,7 +59,7 @@ class ShapedFloorSearch final : public DepthSolver {
   double doneFraction() const override;
   const DepthField& depths() const override { return depths_; }
   std::size_t limitedCount() const override;
-  /// Contrast of each dark module's floor as last seen, row-major; 0 for light ones.
+  /// Returns the last measured contrast of each dark module's floor, row-major; 0 for light ones.
   const std::vector<double>& contrasts() const { return contrast_; }
 
  private:
@@ -70,8 +71,8 @@ class ShapedFloorSearch final : public DepthSolver {
   struct Floor {
     std::size_t module = 0;
     std::vector<Step> steps;
-    double depthMm = 0;  // of the deepest
-    double limitMm = 0;  // beyond it every step is at its limit
+    double depthMm = 0;  // of the deepest step
+    double limitMm = 0;  // depth at which every step is at its limit
     State state = State::TooBright;
   };
 

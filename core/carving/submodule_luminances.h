@@ -10,11 +10,11 @@
 
 namespace qrelief {
 
-/// Modules that are drawn beyond the quiet zone on each side, so that the quiet zone's own occlusion is complete.
+/// Modules rendered beyond the quiet zone on each side, so that the quiet zone's own occlusion is complete.
 inline constexpr int kOcclusionMarginModules = 1;
 
-/// The luminances that a DepthSolver is told: one for every submodule of symbol and quiet zone, row-major from the
-/// quiet zone's top left.
+/// Input luminances of a DepthSolver: one for every submodule of symbol and quiet zone, row-major from the quiet zone's
+/// top left.
 class SubmoduleLuminances {
  public:
   /// @param luminance  kept by reference
@@ -23,7 +23,7 @@ class SubmoduleLuminances {
     assert(luminance.size() == static_cast<std::size_t>(edge() * edge()));
   }
 
-  /// Submodules along the edge of symbol and quiet zone.
+  /// Returns the number of submodules along the edge of symbol and quiet zone.
   int edge() const { return kSubmodulesPerModule * withQuiet(); }
 
   /// @param row, column  submodules from the symbol's top left
@@ -32,7 +32,7 @@ class SubmoduleLuminances {
     return luminance_[static_cast<std::size_t>((row + kQuiet) * edge() + column + kQuiet)];
   }
 
-  /// Means of the modules of symbol and quiet zone, row-major from the quiet zone's top left.
+  /// Returns the means of the modules of symbol and quiet zone, row-major from the quiet zone's top left.
   std::vector<double> moduleMeans() const {
     constexpr int kN = kSubmodulesPerModule;
     std::vector<double> means(static_cast<std::size_t>(withQuiet() * withQuiet()), 0);

@@ -13,16 +13,17 @@
 namespace qrelief {
 namespace {
 
-/// Points along a submodule's edge less one.
+/// Sampled points along a submodule's edge, minus one.
 constexpr int kStepsPerEdge = 2;
 
 /// A point of the surface over the symbol.
 struct Sample {
   Vec3 surface{0}, down{0};  // down: unit, along the ray
-  Vec3 normal{0};            // of the facet, unit; zero where there is none
+  Vec3 normal{0};            // of the facet, unit; zero where there is no surface
 };
 
-/// Projected corners, counter-clockwise; empty if not seen from the front or not before the eye.
+/// Returns the projected corners, counter-clockwise; empty if the facet is not seen from the front or not in front of
+/// the eye.
 std::optional<Triangle2> imageOf(const Mesh& mesh, const ProjectionFrame& frame, std::uint32_t t) {
   Triangle2 image;
   for (int k = 0; k < 3; ++k) {
@@ -34,7 +35,7 @@ std::optional<Triangle2> imageOf(const Mesh& mesh, const ProjectionFrame& frame,
   return image;
 }
 
-/// The patch over the symbol, answering what lies under a plane point.
+/// The part of the patch over the symbol; finds the surface under a plane point.
 class BaseSurface {
  public:
   BaseSurface(const Mesh& mesh, const VisiblePatch& patch, const ProjectionFrame& frame, double symbolMm)
@@ -72,13 +73,14 @@ class BaseSurface {
   std::optional<FacetLocator> locator_;
 };
 
-/// Coordinates along the frame's axes: the carved region is flat in these.
+/// Returns coordinates along the frame's axes, in which the carved region is flat.
 Vec3 alongAxes(const ProjectionFrame& frame, Vec3 p) {
   return {glm::dot(p - frame.centre, frame.right), glm::dot(p - frame.centre, frame.up),
           glm::dot(p - frame.centre, frame.normal)};
 }
 
-/// Front-facing and wholly outside the patch's radius: not looked at, perhaps visible surface.
+/// Returns true for a facet that is front-facing and wholly outside the patch's radius: untested, perhaps visible
+/// surface.
 bool isUnknown(const FacetTree::Facet& facet, const VisiblePatch& patch, const ProjectionFrame& frame) {
   const auto inFront = [&](Vec3 p) { return frame.distanceAlongAxis(p) > kNearPlaneFraction * frame.eyeDistance; };
   if (sideOfPlane(facet[0], facet[1], facet[2], frame.eye()) <= 0) return false;
@@ -87,7 +89,7 @@ bool isUnknown(const FacetTree::Facet& facet, const VisiblePatch& patch, const P
   return distanceToTriangle(Vec2(0), image) > patch.radiusMm;
 }
 
-/// Whether the eye sees a facet of the patch nearly edge-on.
+/// Returns true if the eye sees a facet of the patch nearly edge-on.
 bool isGrazing(const FacetTree::Facet& facet, const ProjectionFrame& frame) {
   const Vec3 normal = glm::cross(facet[1] - facet[0], facet[2] - facet[0]);
   const Vec3 toEye = frame.eye() - (facet[0] + facet[1] + facet[2]) / 3.0;
@@ -96,7 +98,7 @@ bool isGrazing(const FacetTree::Facet& facet, const ProjectionFrame& frame) {
 
 struct Sides {
   FacetTree walls;    ///< other sides of the material wherever a pocket is
-  FacetTree surface;  ///< of the patch: other sides for those that face away from them
+  FacetTree surface;  ///< facets of the patch: other sides for facets that face away from them
 };
 
 Sides sidesNear(const Mesh& mesh, const VisiblePatch& patch, const ProjectionFrame& frame, const Box3& region) {
@@ -120,7 +122,7 @@ Sides sidesNear(const Mesh& mesh, const VisiblePatch& patch, const ProjectionFra
   return {FacetTree(walls), FacetTree(surface)};
 }
 
-/// Least distance from any other side of the material; `reach` if that is less.
+/// Returns the least distance from any other side of the material, at most `reach`.
 double distanceThrough(const Sides& sides, const Sample& sample, double depth, double reach) {
   const Vec3 point = sample.surface + sample.down * depth;
   return sides.surface.distanceOfTurned(point, sides.walls.distance(point, reach), sample.normal, kOppositeCosine);
@@ -137,7 +139,7 @@ double limitOf(const Sides& sides, const Sample& sample, const WallLimitOptions&
   }
 }
 
-/// The points at which submodules are followed; those of carved ones only, each once.
+/// The sampled points of the carved submodules, each once.
 class SampleGrid {
  public:
   SampleGrid(const SubmoduleMask& carved, double symbolMm)

@@ -12,30 +12,30 @@ namespace qrelief {
 
 struct WallLimitOptions {
   double symbolMm = 0;    ///< edge of the symbol without quiet zone, on the QR plane, > 0
-  double maxDepthMm = 0;  ///< no submodule is carved deeper, along its ray, ≥ 0
-  double minWallMm = 0;   ///< material that must remain behind and beside every floor, in any direction, ≥ 0
+  double maxDepthMm = 0;  ///< greatest depth of any submodule, along its ray, ≥ 0
+  double minWallMm = 0;   ///< material that must remain around every floor, in any direction, ≥ 0
 };
 
-/// How deep each submodule may be carved at most so that a wall of `minWallMm` remains [Papp 2022, §7: thickness; here
-/// in every direction, not only along the ray]: no point of its floor, at that depth or on the way there, comes nearer
-/// than `minWallMm` to the other side of the material. The pocket's walls are what the floor's rim has swept on its way
-/// down, so they keep the same distance. Other sides are
+/// Finds the greatest depth of each submodule that leaves a wall of `minWallMm` [Papp 2022, §7: thickness; here in
+/// every direction, not only along the ray]: no point of its floor, at that depth or on the way there, comes nearer
+/// than `minWallMm` to the other side of the material. The pocket's walls are swept by the floor's rim on its way down,
+/// so they keep the same distance. Other sides are
 ///
-///   - facets that are not part of the visible patch: the back of the body, its sides beyond the silhouette, cavities,
-///     other shells, whatever the eye cannot see. Front-facing ones outside the patch's radius, of which nothing is
-///     known, do not count: choose that radius `minWallMm + maxDepthMm` larger than half the symbol's diagonal;
-///   - facets of the patch that the eye sees nearly edge-on (kGrazingCosine): drafted side walls, say. Pocket walls run
-///     along the rays, all but parallel to these;
-///   - facets of the patch that face away from the one over the floor (kOppositeCosine): the far side of a sharp ridge.
+///   - facets outside the visible patch: the back of the body, its sides beyond the silhouette, cavities, other shells,
+///     everything the eye cannot see. Front-facing facets outside the patch's radius do not count, because nothing is
+///     known about them: choose that radius `minWallMm + maxDepthMm` larger than half the symbol's diagonal;
+///   - facets of the patch that the eye sees nearly edge-on (kGrazingCosine), such as drafted side walls. Pocket walls
+///     run along the rays, almost parallel to these;
+///   - facets of the patch that face away from the facet over the floor (kOppositeCosine): the far side of a sharp
+///     ridge.
 ///
-/// Other facets of the patch are the surface that is carved: a floor is nearer to them than `minWallMm` as a rule.
+/// Other facets of the patch are the carved surface itself; a floor is usually nearer to them than `minWallMm`.
 ///
-/// **Method.** The distance d of a point from those facets changes by no more than the point moves. So the point goes
-/// down its ray from the surface by d − minWall each time (sphere tracing), but by no less than half of
-/// kDepthQuantumMm, so that it goes on along walls it runs parallel to. A submodule's limit is the least of its
-/// corners, its centre and the middles of its sides: exact where surface and wall are plane there; elsewhere too deep
-/// by no more than they bulge between points a quarter of a submodule apart, and too shallow by no more than half a
-/// quantum.
+/// **Method.** The distance d of a point from those facets changes by no more than the point moves. So the point
+/// descends its ray from the surface by d − minWall each time (sphere tracing), but by at least half of
+/// kDepthQuantumMm, so that it keeps moving along walls parallel to it. A submodule's limit is the least limit of its
+/// corners, its centre and the middles of its sides. It is exact where surface and wall are plane. Elsewhere it is too
+/// deep by at most the bulge between points half a submodule apart, and too shallow by at most half a quantum.
 ///
 /// Cost: one pass over the mesh, two trees over the facets near the carved region, one query for each of those points
 /// or, near a wall, a dozen.

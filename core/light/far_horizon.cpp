@@ -10,12 +10,12 @@
 namespace qrelief {
 namespace {
 
-constexpr double kGrowth = 1.15;  // of a step: surface narrower than a seventh of its distance may be missed
+constexpr double kGrowth = 1.15;  // growth of a step: surface narrower than a seventh of its distance may be missed
 constexpr double kSteepest = 100;
 constexpr float kNowhere = 2 * HeightMap::kNothing;
 
-/// Height of a point of the plane on the patch it lies in; kNothing on a patch without surface, kNowhere beyond the
-/// map.
+/// Returns the height of the surface over a point of the plane; kNothing on a patch without surface, kNowhere outside
+/// the map.
 float heightAt(const HeightMap& map, Vec2 point) {
   const Vec2 place = point / map.patchMm + Vec2(map.size / 2.0);
   const Vec2 patch = glm::floor(place);
@@ -56,7 +56,7 @@ FarHorizon farHorizonOf(const HeightMap& map, const HeightMap* around, double st
           if (seen == kNowhere) break;
           if (seen > HeightMap::kNothing) slope = std::max(slope, (static_cast<double>(seen) - height) / distance);
         }
-        // Of the line of sight instead of the normal: see light_rows.h.
+        // Measured from the line of sight instead of the normal: see light_rows.h.
         const double forward = glm::dot(at, along), aside = glm::dot(at, Vec2(-along.y, along.x));
         const double cotangent =
             ((eye * eye + glm::dot(at, at)) / (height + eye) * slope - forward) / std::hypot(eye, aside);

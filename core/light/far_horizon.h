@@ -7,20 +7,22 @@
 
 namespace qrelief {
 
-/// Horizon of the uncarved surface beyond a distance, on a coarse grid of places: the sky that the body itself hides.
+/// Horizon of the uncarved surface beyond a distance, on a coarse grid of places: it marks the sky that the body itself
+/// hides.
 struct FarHorizon {
   static constexpr int kDirections = 16;  ///< anticlockwise from the map's right
 
   int places = 0;  ///< along the map's edge
   /// Cotangents of the angle between the line of sight and the horizon, by direction, then by place, row-major from the
-  /// lower left. No lower than the surface's own plane.
+  /// lower left. Never below the surface's own plane.
   std::vector<float> cotangents;
 };
 
+/// Finds the far horizon of a surface.
 /// Cost: places² · 16 steps of growing length, up to the edge of `around`.
-/// @param map      the uncarved surface round the code
-/// @param around   more of it from the same eye, in a wider window with larger patches; null: there is no more
-/// @param startMm  nearer surface is left out, > 0
+/// @param map      the uncarved surface around the code
+/// @param around   the surroundings from the same eye, in a wider window with larger patches; null: there are none
+/// @param startMm  nearer surface is ignored, > 0
 FarHorizon farHorizonOf(const HeightMap& map, const HeightMap* around, double startMm, int places);
 
 }  // namespace qrelief

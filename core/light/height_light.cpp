@@ -14,25 +14,26 @@
 namespace qrelief {
 namespace {
 
-constexpr double kGrowth = 1.15;  // of a step: what is narrower than a seventh of its distance may be missed
-constexpr float kBorder = 0.75f;  // see HorizonStep::fromBefore: edges between points stand out over the middles
+constexpr double kGrowth = 1.15;  // growth of a step: surface narrower than a seventh of its distance may be missed
+// See HorizonStep::fromBefore: edges between sample points are higher than the middles.
+constexpr float kBorder = 0.75f;
 constexpr int kPad = kMostLanes;
 constexpr int kLeastDirections = 4;
-constexpr int kStretch = 4 * kMostLanes;  // patches to which a lamp lies in one direction
+constexpr int kStretch = 4 * kMostLanes;  // patches that share one direction to a lamp
 constexpr int kTurnsOfSinglePoints = 4;
-// Fitted to path tracing (bench/light_truth.cpp). Luminance around an occluder: of a continuous surface (kAround), and
-// of a wall (kBeforeWall), where points without sky have the fraction kDarkFraction of it. Fraction of the sky at its
-// foot and its rim that a wall sees (kWallFraction).
+// Fitted to path tracing (bench/light_truth.cpp). kAround is the luminance around an occluder that is a continuous
+// surface, kBeforeWall the luminance in front of a wall; points without sky have the fraction kDarkFraction of it.
+// kWallFraction is the fraction of the sky at its foot and its rim that a wall sees.
 constexpr float kAround = 0.67f, kBeforeWall = 0.8f, kDarkFraction = 0.3f, kWallFraction = 0.45f;
-constexpr double kLowestClimb = 0.05;  // of a ray to a lamp: shadows of lower ones have wider edges
+constexpr double kLowestClimb = 0.05;  // least climb of a ray to a lamp: shadows of lower rays have wider edges
 
-/// Where a point of `points`² stands in its patch, 0 … 1: two times two are a turned grid.
+/// Returns the position of one of `points`² points in its patch, 0 … 1: two by two points form a turned grid.
 Vec2 pointInPatch(int points, int column, int row) {
   if (points == 2) return {(2 * column + row + 0.5) / 4, (2 * row + (1 - column) + 0.5) / 4};
   return {(column + 0.5) / points, (row + 0.5) / points};
 }
 
-/// Borders of patches on a way through the map, and, beyond `everyPatch`, places at growing distances.
+/// Finds the patch borders on a path through the map, and, beyond `everyPatch`, places at growing distances.
 /// @param from  in the receiver's patch, 0 … 1
 /// @param reach, everyPatch  in patches
 std::vector<HorizonStep> stepsAlong(Vec2 from, Vec2 along, double reach, double everyPatch, double patchMm,
@@ -79,13 +80,13 @@ HorizonDirection directionOf(Vec2 from, double angle, const Reach& reach) {
   return direction;
 }
 
-/// Receiving points at one place in their patches, with the directions they look in.
+/// Receiving points at one position in their patches, with the directions they look in.
 struct PointClass {
   Vec2 inPatch{0.5};
   std::vector<HorizonDirection> directions;
 };
 
-/// By row % (result.size() / points²), then point.
+/// Returns the classes, indexed by row % (result.size() / points²), then point.
 std::vector<PointClass> pointClasses(const LightSampling& sampling, const Reach& reach) {
   constexpr std::array<int, kTurnsOfSinglePoints> kOrder = {0, 2, 1, 3};  // near rows take far turns
   const int points = sampling.points, turns = points == 1 ? kTurnsOfSinglePoints : points * points;
@@ -121,7 +122,7 @@ LampStretch stretchOf(const DirectionalLight& lamp, double radiusDeg, Vec2 middl
   return stretch;
 }
 
-/// Light that the points of a row have received so far.
+/// Light received so far by the points of a row.
 struct RowSums {
   std::vector<float> sky, pastWalls, lamps, lampsUncarved;
 
@@ -131,7 +132,7 @@ struct RowSums {
   }
 };
 
-/// Wanted parts of a row, as [begin, end), in whole vectors.
+/// Returns the wanted parts of a row, as [begin, end), in whole vectors.
 std::vector<std::array<int, 2>> wantedParts(std::span<const std::uint8_t> wanted, int row, int size) {
   if (wanted.empty()) return {{0, size}};
   const auto first = wanted.begin() + static_cast<std::ptrdiff_t>(row) * size;
@@ -190,7 +191,7 @@ void HeightLight::carve(std::span<const float> depthsMm) {
     }
 }
 
-/// Calls `visit(row, parts, points)` for every row in which light is asked for, on all cores; `points(with)` calls
+/// Calls `visit(row, parts, points)` for every row with wanted patches, on all cores; `points(with)` calls
 /// `with(LightRow, inPatch)` for each receiving point of a patch.
 template <class Visit>
 void HeightLight::forEachRow(const LightOptions& options, std::span<const std::uint8_t> wanted,
@@ -278,7 +279,7 @@ void HeightLight::measure(const LightOptions& options, std::span<const std::uint
         }
         light[patch] = {sums.sky[i] * mean, sums.pastWalls[i] * mean, sums.lamps[i] * mean,
                         sums.lampsUncarved[i] * mean};
-        // Beside pockets what is near is the model's own surface.
+        // Outside pockets the near surface is the model's own.
         if (!isCarved_.empty() && !isCarved_[patch]) light[patch].pastWalls = 1;
       }
   });
@@ -290,20 +291,20 @@ std::vector<float> HeightLight::luminance(const LightOptions& options, std::span
   const auto count = static_cast<std::size_t>(size_) * static_cast<std::size_t>(size_);
   assert(light.size() == count);
   const auto open = static_cast<float>(openIrradiance(options.lamps));
-  // Luminance of what hides the sky, by a guess at what it sees itself.
+  // Luminance of the surface that hides the sky, from an estimate of the light it receives itself.
   std::vector<float> seen(height_.size(), 0.0f);
   const auto again = static_cast<float>(albedo) * (hasWalls ? kBeforeWall : kAround);
   for (std::size_t patch = 0; patch < count; ++patch) {
     const Received& received = light[patch];
     const float own = (received.sky + received.lamps) / open;
-    const float half = kWallFraction / 2 * own;  // a wall sees about half of what foot and rim see
+    const float half = kWallFraction / 2 * own;  // a wall sees about half of what its foot and rim see
     seen[patch / static_cast<std::size_t>(size_) * static_cast<std::size_t>(stride_) + kPad +
          patch % static_cast<std::size_t>(size_)] =
         hasWalls ? half + again * (received.sky + kDarkFraction * (1 - received.sky)) * (0.5f - half)
                  : own + again * (1 - received.sky);
   }
   std::vector<float> luminance(count, 1.0f);
-  LightOptions fewer = options;  // what is reflected changes little from one direction to the next
+  LightOptions fewer = options;  // reflected light changes little from one direction to the next
   fewer.sampling.directions = std::max(options.sampling.directions / 2, kLeastDirections);
   const int points = options.sampling.points;
   forEachRow(fewer, {}, [&](int row, const auto& parts, const auto& forEachPoint) {

@@ -15,15 +15,15 @@ namespace qrelief {
 
 struct LightSampling {
   int points = 2;       ///< receiving points along a patch's edge, ≥ 1
-  int directions = 20;  ///< round each point, ≥ 4; neighbouring points turn them
+  int directions = 20;  ///< around each point, ≥ 4; turned from one point to the next
 };
 
 struct LightOptions {
   LightSampling sampling = {};
-  double reachMm = 5;                        ///< surface farther than this counts only by the far horizon
-  double everyPatchMm = 1e6;                 ///< up to here every patch border is looked at, beyond at growing steps
+  double reachMm = 5;                        ///< farther surface counts only through the far horizon
+  double everyPatchMm = 1e6;                 ///< checks every patch border up to here, and at growing steps beyond
   std::vector<DirectionalLight> lamps = {};  ///< at most kMaxLights
-  double lampRadiusDeg = 0;                  ///< of their discs: how soft shadows are
+  double lampRadiusDeg = 0;                  ///< radius of the lamps' discs; sets how soft shadows are
 };
 
 /// Light of a uniform sky and of lamps on a height map whose patches may be carved. Finds the horizon of every point in
@@ -36,20 +36,22 @@ struct LightOptions {
 /// Cost: patches × points² × directions × patch borders within reach.
 class HeightLight {
  public:
-  /// @param far  horizon of the surface beyond reach; none: there is none
+  /// @param far  horizon of the surface beyond reach; none: no surface there
   explicit HeightLight(const HeightMap& map, std::optional<FarHorizon> far = std::nullopt);
 
   int size() const { return size_; }
 
-  /// Sets how deep each patch is carved along its ray, mm, row-major from the lower left. All zero at first.
+  /// Sets the carving depth of each patch along its ray, mm, row-major from the lower left. All depths are zero at
+  /// first.
   void carve(std::span<const float> depthsMm);
 
-  /// @param wanted  not 0 for patches whose light is asked for; empty: all
-  /// @param light   size², or empty; other patches keep what they have
+  /// Measures the light that patches receive.
+  /// @param wanted  not 0 for patches to measure; empty: all
+  /// @param light   size² values, or empty; other patches keep their values
   void measure(const LightOptions& options, std::span<const std::uint8_t> wanted, std::vector<Received>& light) const;
 
-  /// Luminance of every patch under sky and lamps with reflected light, 1 = an unoccluded surface in the QR plane.
-  /// Reflected light comes from the surface that hides the sky; `light` gives its brightness.
+  /// Returns the luminance of every patch under sky and lamps with reflected light, 1 = an unoccluded surface in the QR
+  /// plane. Reflected light comes from the surface that hides the sky; `light` gives its brightness.
   /// @param light     of all patches, by measure() with the same options
   /// @param albedo    of the material, 0 … 1
   std::vector<float> luminance(const LightOptions& options, std::span<const Received> light, double albedo) const;

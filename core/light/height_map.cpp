@@ -8,7 +8,7 @@
 namespace qrelief {
 namespace {
 
-constexpr double kSteepest = 100;  // mm per mm: a steeper facet is seen edge on
+constexpr double kSteepest = 100;  // mm per mm: a steeper facet is seen edge-on
 
 }  // namespace
 
@@ -29,7 +29,7 @@ HeightMap heightMapOf(std::span<const float> surface, int size, double patchMm, 
     const auto row = static_cast<int>(i / static_cast<std::size_t>(size));
     const Vec3 ray((column + 0.5 - size / 2.0) * patchMm, (row + 0.5 - size / 2.0) * patchMm, -eyeDistance);
     map.height[i] = static_cast<float>(eyeDistance * eyeDistance / depth - eyeDistance);
-    // On the facet's plane w grows by eyeDistance·n / (k·n·ray), where k·ray leads from the eye to its point.
+    // On the facet's plane the slope of w is eyeDistance·n / (k·n·ray), where k·ray leads from the eye to its point.
     const double facing = std::min(glm::dot(normal, ray) * depth / eyeDistance, -1e-9);
     map.slopeX[i] = static_cast<float>(std::clamp(eyeDistance * normal.x / facing, -kSteepest, kSteepest));
     map.slopeY[i] = static_cast<float>(std::clamp(eyeDistance * normal.y / facing, -kSteepest, kSteepest));

@@ -15,13 +15,13 @@ using Floats = hn::Vec<Lanes>;
 constexpr float kPi = 3.14159265f;
 constexpr float kSteepestCotangent = 100;
 constexpr std::size_t kStepsBetweenChecks = 4;
-constexpr float kFarLuminance = 0.91f;  // of the model's further surface, as in received.cpp
+constexpr float kFarLuminance = 0.91f;  // luminance of the model's farther surface, as in received.cpp
 
-// Products and sums stay apart everywhere: fused, they would differ between machines.
+// Products and sums stay separate everywhere: fused, they would differ between machines.
 HWY_INLINE Floats number(float value) { return hn::Set(Lanes(), value); }
 HWY_INLINE Floats timesPlus(Floats a, Floats b, Floats c) { return hn::Add(hn::Mul(a, b), c); }
 
-/// Of x in [−1, 1], to 1e-5 [Abramowitz and Stegun 1964, 4.4.49].
+/// Computes the arc tangent of x in [−1, 1], to 1e-5 [Abramowitz and Stegun 1964, 4.4.49].
 HWY_INLINE Floats arcTangentNearZero(Floats x) {
   const Floats square = hn::Mul(x, x);
   Floats sum = number(0.0208351f);
@@ -32,7 +32,7 @@ HWY_INLINE Floats arcTangentNearZero(Floats x) {
   return hn::Mul(sum, x);
 }
 
-/// Angle in (0, π) of a cotangent.
+/// Returns the angle in (0, π) of a cotangent.
 HWY_INLINE Floats arcCotangent(Floats cotangent) {
   const auto isNear = hn::Le(hn::Abs(cotangent), number(1));
   const Floats x = hn::IfThenElse(isNear, cotangent, hn::Div(number(1), cotangent));
@@ -41,15 +41,15 @@ HWY_INLINE Floats arcCotangent(Floats cotangent) {
   return hn::IfThenElse(isNear, hn::Sub(number(kPi / 2), angle), beyond);
 }
 
-/// Cosine-weighted light per radian of direction from between the line of sight and a horizon, times 2, on a surface
-/// whose own horizon is `tangent` and whose normal has the cosine 1 to the line of sight.
+/// Returns the cosine-weighted light from between the line of sight and a horizon, per radian of direction, times 2.
+/// The surface's own horizon is `tangent`, and its normal has the cosine 1 to the line of sight.
 HWY_INLINE Floats skyOver(Floats horizon, Floats tangent) {
   const Floats sineSquare = hn::Div(number(1), timesPlus(horizon, horizon, number(1)));
   const Floats beside = hn::Sub(arcCotangent(horizon), hn::Mul(horizon, sineSquare));
   return hn::Sub(sineSquare, hn::Mul(tangent, beside));
 }
 
-/// A vector of points, their places and what turns slopes into cotangents.
+/// A vector of points: their places, and the factors that turn slopes into cotangents.
 struct Points {
   Floats x, y, height;
   Floats perSlope;        // A·L of LightRow: (eyeDistance² + x² + y²)/(height + eyeDistance)
@@ -72,7 +72,7 @@ HWY_INLINE Points pointsOf(const LightRow& row, int column) {
   return points;
 }
 
-/// Where points stand on lines of a direction.
+/// Positions of points on lines of a direction.
 struct OnLine {
   Floats forward;   // s of LightRow
   Floats perAside;  // 1/L
@@ -93,7 +93,7 @@ HWY_INLINE Floats cotangentOf(const Points& points, const OnLine& line, Floats s
   return hn::Min(hn::Max(cotangent, number(-kSteepestCotangent)), number(kSteepestCotangent));
 }
 
-/// Heights at the borders that points come by on their way outwards.
+/// Heights at the borders that points pass on their way outwards.
 template <bool Continuous>
 class Borders {
  public:
@@ -118,10 +118,10 @@ class Borders {
  private:
   const LightRow& row_;
   int column_;
-  Floats before_;  // height of the patch before, in the middle
+  Floats before_;  // height at the middle of the previous patch
 };
 
-/// Steps of some patches that stay in the map: once outside, they never come back.
+/// Returns the number of steps that stay in the map for some patches: once outside, steps never come back.
 HWY_INLINE std::size_t stepsInMap(const LightRow& row, const HorizonDirection& direction, int column) {
   const auto isInMap = [&](std::size_t k) {
     const int atRow = row.row + direction.steps[k].row, atColumn = column + direction.steps[k].column;
@@ -149,7 +149,7 @@ HWY_INLINE Floats farCotangent(const LightRow& row, const HorizonDirection& dire
   return timesPlus(hn::Sub(second, first), number(direction.farFraction), first);
 }
 
-/// Cosine between the points' normals and their lines of sight.
+/// Returns the cosines between the points' normals and their lines of sight.
 HWY_INLINE Floats facingCosine(const LightRow& row, const Points& points) {
   const Floats perEye = number(1 / row.eyeDistance);
   const Floats right = hn::Mul(hn::Sub(hn::Mul(points.perSlope, points.slopeX), points.x), perEye);
@@ -178,12 +178,12 @@ void addSkyTo(const LightRow& row, int begin, int end, float* sky, float* pastWa
           const Floats rise = hn::Sub(borders.heightAt(step), points.height);
           highest = hn::Max(highest, hn::Mul(rise, number(step.perMm)));
         }
-        // From here on nothing can rise over what was passed.
+        // Beyond this step nothing can rise above the horizon so far.
         if (hn::AllTrue(lanes, hn::Le(hn::Mul(below, number(direction.steps[k - 1].perMm)), highest))) break;
       }
       const Floats tangent = cotangentOf(points, line, line.ownSlope);
       const Floats wall = cotangentOf(points, line, highest);
-      // Directions are even in the map; seen along the line of sight they are denser across its tilt.
+      // Directions are evenly spaced in the map; seen along the line of sight they are denser across its tilt.
       const Floats width = hn::Mul(hn::Mul(sight, number(row.eyeDistance)), hn::Mul(line.perAside, line.perAside));
       const Floats past = hn::Mul(width, skyOver(wall, tangent));
       sumPast = hn::Add(sumPast, past);
@@ -258,7 +258,7 @@ void addLampOfRow(const LightRow& row, const LampStretch& lamp, int begin, int e
   for (int column = begin; column < end; column += static_cast<int>(hn::Lanes(lanes))) {
     const Points points = pointsOf(row, column);
     const Floats perScale = timesPlus(points.height, number(perEye), number(1));  // eyeDistance / depth
-    // A ray to the lamp climbs in the map by this slope, along a line that turns a little over the map.
+    // A ray to the lamp climbs in the map by this slope, along a line that turns slightly over the map.
     const Floats alongX = timesPlus(points.x, number(lamp.z * perEye), number(lamp.x));
     const Floats alongY = timesPlus(points.y, number(lamp.z * perEye), number(lamp.y));
     const Floats along = hn::Sqrt(timesPlus(alongX, alongX, hn::Mul(alongY, alongY)));
@@ -269,7 +269,7 @@ void addLampOfRow(const LightRow& row, const LampStretch& lamp, int begin, int e
     const std::size_t steps = stepsInMap(row, direction, column);
     for (std::size_t k = 0; k < steps; ++k) {
       const HorizonStep& step = direction.steps[k];
-      // Its shadow ends here.
+      // End of its shadow.
       const Floats shadow = hn::Mul(hn::Sub(borders.heightAt(step), points.height), perClimb);
       over = hn::Max(over, hn::Mul(hn::Sub(shadow, number(1 / step.perMm)), number(lamp.perShadowEdge[k])));
     }

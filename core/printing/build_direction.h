@@ -8,25 +8,25 @@
 
 namespace qrelief {
 
-/// How a model stands on the printer.
+/// Pose of a model on the printer.
 enum class BuildPose : std::uint8_t {
   AsModelled,  ///< its +Z is up
-  CodeUp,      ///< the code lies and looks up
-  CodeUpright  ///< the code stands like a wall, its top up
+  CodeUp,      ///< the code lies flat and faces up
+  CodeUpright  ///< the code is upright like a wall, its top up
 };
 
-/// "as-modelled", "code-up", "code-upright": names that scripts rely on.
+/// Returns "as-modelled", "code-up" or "code-upright". Scripts rely on these names.
 const char* buildPoseName(BuildPose pose);
 
-/// Angle between a surface's normal and the printer's vertical beyond which plastic sags or stands on supports: the
-/// rule of thumb of printers, 45° below the level.
+/// Angle between a surface's normal and the printer's vertical beyond which plastic sags or needs supports: the usual
+/// rule of thumb, 45° below horizontal.
 inline constexpr double kSteepestOverhangDeg = 135;
 
 struct BuildDirection {
   BuildPose pose = BuildPose::AsModelled;
-  std::optional<Vec3> up = {};  ///< the printer's vertical in the model's space, of any length > 0; none: by the pose
+  std::optional<Vec3> up = {};  ///< the printer's vertical in the model's space, any length > 0; none: set by the pose
 
-  /// The printer's vertical, for a code that lies there.
+  /// Returns the printer's vertical for a code in that frame.
   Vec3 resolve(const ProjectionFrame& frame) const;
 
   bool operator==(const BuildDirection&) const = default;

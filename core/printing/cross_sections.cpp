@@ -10,7 +10,7 @@ namespace {
 
 Vec2 flat(Vec3 p) { return {p.x, p.y}; }
 
-/// Where an edge meets a plane; the same point whichever way the edge is walked.
+/// Returns the point where an edge meets a plane; it is the same in both directions of the edge.
 Vec2 meeting(Vec3 a, Vec3 b, double height) {
   if (b.z < a.z) std::swap(a, b);
   return flat(a) + (flat(b) - flat(a)) * ((height - a.z) / (b.z - a.z));
@@ -19,8 +19,8 @@ Vec2 meeting(Vec3 a, Vec3 b, double height) {
 Segment2 cut(const std::array<Vec3, 3>& corners, double height) {
   int above = 0;
   for (const Vec3& corner : corners) above += corner.z >= height;
-  // The corner that is alone on its side; from the edge after it to the one before it the solid lies on the left if it
-  // is above, else the other way round.
+  // The corner that is alone on its side. If it is above, the solid lies left of the line from the edge after it to the
+  // edge before it; otherwise the other way round.
   std::size_t alone = 0;
   while ((corners[alone].z >= height) != (above == 1)) ++alone;
   const Vec3 &apex = corners[alone], &next = corners[(alone + 1) % 3], &last = corners[(alone + 2) % 3];
@@ -28,10 +28,10 @@ Segment2 cut(const std::array<Vec3, 3>& corners, double height) {
   return above == 1 ? Segment2{p, q} : Segment2{q, p};
 }
 
-/// Where a vertical line meets a triangle, and whether it leaves the solid upwards there.
+/// Intersection of a vertical line with a triangle, and the change of the winding number there.
 struct Piercing {
   double height = 0;
-  int change = 0;  ///< of the winding number, going up
+  int change = 0;  ///< change of the winding number, going up
 };
 
 std::optional<Piercing> pierce(const std::array<Vec3, 3>& corners, Vec2 at) {
@@ -61,7 +61,7 @@ CrossSections cutByPlanes(std::span<const std::array<Vec3, 3>> triangles, const 
     const Vec3 most = glm::max(glm::max(corners[0], corners[1]), corners[2]);
     if (most.x < low.x || most.y < low.y || least.x > high.x || least.y > high.y) continue;
     if (const auto piercing = pierce(corners, low)) {
-      // All planes above it are affected, by as much as the winding number changes there.
+      // The winding numbers of all planes above it change by as much.
       const double beyond = std::ceil((piercing->height - planes.firstMm) / planes.stepMm);
       for (int k = static_cast<int>(std::clamp(beyond, 0.0, static_cast<double>(planes.count))); k < planes.count; ++k)
         sections.windings[static_cast<std::size_t>(k)] += piercing->change;

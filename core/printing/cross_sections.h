@@ -9,7 +9,7 @@
 
 namespace qrelief {
 
-/// Planes z = firstMm + k · stepMm that a model is cut by, k = 0 … count − 1.
+/// Parallel planes z = firstMm + k · stepMm that cut a model, k = 0 … count − 1.
 struct CuttingPlanes {
   double firstMm = 0, stepMm = 0.2;
   int count = 0;
@@ -17,12 +17,12 @@ struct CuttingPlanes {
   double heightMm(int plane) const { return firstMm + plane * stepMm; }
 };
 
-/// Where the planes meet the triangles within a rectangle.
+/// Intersections of the planes with the triangles within a rectangle.
 struct CrossSections {
-  /// Of each plane: segments with the solid on their left, seen from above; closed curves, but for those that leave the
-  /// rectangle.
+  /// Per plane: segments with the solid on their left, seen from above. They form closed curves, except where a curve
+  /// leaves the rectangle.
   std::vector<std::vector<Segment2>> outlines;
-  /// Of each plane: how often the rectangle's lower left corner is enclosed; 0 = outside.
+  /// Per plane: winding number at the rectangle's lower left corner; 0 = outside.
   std::vector<int> windings;
 };
 
@@ -30,8 +30,7 @@ struct CrossSections {
 ///
 /// Cost: O(triangles + segments).
 /// @param triangles  corners in the printer's space, anticlockwise seen from outside
-/// @param low, high  corners of the rectangle: triangles that lie beside it are left out; no vertex has the x and
-///                   y of `low`
+/// @param low, high  corners of the rectangle: triangles outside it are skipped; no vertex has the x and y of `low`
 CrossSections cutByPlanes(std::span<const std::array<Vec3, 3>> triangles, const CuttingPlanes& planes, Vec2 low,
                           Vec2 high);
 

@@ -13,13 +13,13 @@ namespace qrelief::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Of the nodes of a row from `column` on, a vector of them at a time while they last.
+/// Lowers the distances of a row's nodes from `column` on, a vector at a time; returns the first node left over.
 template <class Lanes>
 HWY_INLINE int lowerFrom(Lanes lanes, const SegmentRows& in, float* held, float y, float perLength, int column) {
   const auto number = [&](float value) { return hn::Set(lanes, value); };
   const auto fromY = number(y), towardsY = number(y * in.alongY);
   for (; column + static_cast<int>(hn::Lanes(lanes)) <= in.columns; column += static_cast<int>(hn::Lanes(lanes))) {
-    // Products and sums stay apart: fused, they would differ between machines.
+    // Products and sums stay separate: fused, they would differ between machines.
     const auto steps = hn::Mul(hn::Iota(lanes, static_cast<float>(column)), number(in.step));
     const auto x = hn::Sub(steps, number(in.x));
     const auto along = hn::Mul(hn::Add(hn::Mul(x, number(in.alongX)), towardsY), number(perLength));

@@ -9,20 +9,20 @@
 namespace qrelief {
 namespace {
 
-/// Where the distance grows by less than this fraction of the way across, two walls are equally far: the middle of a
-/// thin wall. Across the bisector of a right corner it grows by 0.71 of it.
+/// Slope of the distance below which a node lies in the middle of a thin wall, where two walls are equally far. Across
+/// the bisector of a right corner the slope is 0.71.
 constexpr double kRidgeSlope = 0.6;
-/// A line shorter than this many of its widths is not laid.
+/// Length of the shortest line that is laid, in its widths.
 constexpr double kShortestLine = 0.5;
-/// Drawing a line needs distances this many steps beyond it: the diagonal of a cell, rounded up.
+/// Steps beyond a line up to which drawing it needs distances: the diagonal of a cell, rounded up.
 constexpr double kMoreSteps = 1.5;
 
-/// First node at or beyond a coordinate, 0 … count.
+/// Returns the first node at or beyond a coordinate, 0 … count.
 int nodeFrom(double coordinate, double origin, double stepMm, int count) {
   return static_cast<int>(std::clamp(std::ceil((coordinate - origin) / stepMm), 0.0, static_cast<double>(count)));
 }
 
-/// The segments with air on one side: where solids overlap, others run through plastic.
+/// Returns the segments with air on one side: where solids overlap, other segments run through plastic.
 std::vector<Segment2> outsideOnly(std::span<const Segment2> outline, const LayerGrid& grid,
                                   const std::vector<std::int16_t>& numbers) {
   const bool overlaps = std::any_of(numbers.begin(), numbers.end(), [](int number) { return number > 1; });
@@ -33,7 +33,7 @@ std::vector<Segment2> outsideOnly(std::span<const Segment2> outline, const Layer
     const int row = std::clamp(static_cast<int>(place.y), 0, grid.rows - 1);
     return numbers[grid.index(column, row)] > 0;
   };
-  constexpr double kPieceSteps = 4;  // a segment may run through plastic for a part of its way
+  constexpr double kPieceSteps = 4;  // length of the pieces tested: only a part of a segment may run through plastic
   std::vector<Segment2> kept;
   for (const auto& [a, b] : outline) {
     const double length = glm::distance(a, b);
@@ -48,7 +48,7 @@ std::vector<Segment2> outsideOnly(std::span<const Segment2> outline, const Layer
   return kept;
 }
 
-/// Nodes in the middle of what is too thin for the outer wall, each with half the width of the solid there.
+/// Nodes in the middle of a part too thin for the outer wall.
 struct Ridge {
   std::vector<std::size_t> nodes;
   double lengthMm = 0;  ///< from end to end
@@ -83,7 +83,7 @@ std::vector<Ridge> thinRidges(const LayerGrid& solid, const LayerGrid& laid, dou
       const int row = static_cast<int>(i / static_cast<std::size_t>(solid.columns));
       low = glm::min(low, solid.node(column, row));
       high = glm::max(high, solid.node(column, row));
-      for (int k = 0; k < 9; ++k) {  // none lies on the grid's border
+      for (int k = 0; k < 9; ++k) {  // no ridge lies on the grid's border
         const std::size_t other = solid.index(column + k % 3 - 1, row + k / 3 - 1);
         if (!isRidge[other]) continue;
         isRidge[other] = 0;
@@ -96,7 +96,7 @@ std::vector<Ridge> thinRidges(const LayerGrid& solid, const LayerGrid& laid, dou
   return ridges;
 }
 
-/// Lowers distances to those from a disc, where they are at most `beyondMm`.
+/// Lowers distances to the distance from a disc, where that is at most `beyondMm`.
 void addDisc(LayerGrid& grid, Vec2 centre, double radiusMm, double beyondMm) {
   const double reach = radiusMm + beyondMm;
   const Vec2 low = (centre - grid.origin - reach) / grid.stepMm, high = (centre - grid.origin + reach) / grid.stepMm;
@@ -108,13 +108,13 @@ void addDisc(LayerGrid& grid, Vec2 centre, double radiusMm, double beyondMm) {
     }
 }
 
-/// What remains of a solid when everything within a distance of its outline is taken away and put back round what is
-/// left; a negative distance adds first and takes away then.
+/// Removes everything within a distance of the solid's outline, then adds the same distance round the rest; a negative
+/// distance adds first and then removes.
 /// @param solid     distances exact up to the distance
 /// @param byMm      not 0
-/// @param beyondMm  distances from what remains are exact up to this
+/// @param beyondMm  distances from the result are exact up to this
 LayerGrid opened(const LayerGrid& solid, double byMm, double beyondMm) {
-  // Outside what remains up to beyondMm, inside so far that its outline lies between known nodes.
+  // Outside the result up to beyondMm; inside far enough that its outline lies between known nodes.
   const double reach = std::max(byMm + beyondMm, kMoreSteps * solid.stepMm - byMm);
   LayerGrid result{solid.origin, solid.stepMm, solid.columns, solid.rows, {}};
   setDistances(result, contourOf(solid, -byMm), reach, solid.distanceMm, -byMm, byMm);
@@ -129,7 +129,7 @@ std::vector<std::int16_t> windingNumbers(std::span<const Segment2> outline, cons
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(window.columns) + static_cast<std::size_t>(column);
   };
   std::vector<std::int16_t> numbers(index(0, window.rows), 0);
-  std::vector<int> atRow(static_cast<std::size_t>(window.rows) + 1, 0);  // changes on the way up
+  std::vector<int> atRow(static_cast<std::size_t>(window.rows) + 1, 0);  // changes along the way up
   const auto add = [&](int column, int row, int change) {
     if (column < window.columns)
       numbers[index(column, row)] = static_cast<std::int16_t>(numbers[index(column, row)] + change);

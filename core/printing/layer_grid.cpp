@@ -12,7 +12,7 @@
 namespace qrelief {
 namespace {
 
-constexpr int kBlock = 8;  // cells that are tested one by one after nextCrossed()
+constexpr int kBlock = 8;  // cells tested one by one after nextCrossed()
 
 }  // namespace
 
@@ -83,7 +83,7 @@ std::vector<Segment2> contourOf(const LayerGrid& grid, double valueMm) {
       }
       if (count == 2) {
         contour.push_back({crossings[0], crossings[1]});
-      } else if (count == 4) {  // opposite corners alike: the mean decides which of them join
+      } else if (count == 4) {  // opposite corners alike: the mean decides which pair joins
         const bool joined = (over[0] + over[1] + over[2] + over[3] < 0) == (over[0] < 0);
         contour.push_back({crossings[0], crossings[joined ? 1 : 3]});
         contour.push_back({crossings[2], crossings[joined ? 3 : 1]});

@@ -12,7 +12,7 @@ namespace qrelief {
 struct LayerGrid {
   Vec2 origin{0};  ///< of node (0, 0), mm
   double stepMm = 0.1;
-  int columns = 0, rows = 0;      ///< nodes; none: the layer is not looked at
+  int columns = 0, rows = 0;      ///< number of nodes; none: the layer is not computed
   std::vector<float> distanceMm;  ///< row-major
 
   bool empty() const { return distanceMm.empty(); }
@@ -21,7 +21,7 @@ struct LayerGrid {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column);
   }
 
-  /// Between the nodes, bilinear. @param at  within the grid
+  /// Interpolates between the nodes, bilinearly. @param at  within the grid
   double at(Vec2 at) const;
 };
 
@@ -32,8 +32,8 @@ struct LayerGrid {
 void setDistances(LayerGrid& grid, std::span<const Segment2> segments, double reachMm, std::span<const float> inside,
                   double lessThan, double lessMm);
 
-/// The line on which the distance has a value, in pieces from one edge of the grid's cells to another [marching
-/// squares; Maple 2003]. In no order. Cost: O(nodes).
+/// Finds the contour of a distance, in pieces from one edge of a grid cell to another, unordered [marching squares;
+/// Maple 2003]. Cost: O(nodes).
 std::vector<Segment2> contourOf(const LayerGrid& grid, double valueMm);
 
 }  // namespace qrelief

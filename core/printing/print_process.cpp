@@ -8,15 +8,15 @@ namespace {
 
 using Technique = PrintTechnique;
 
-// Filament: PrusaSlicer 2.5 and its profiles.
+// Filament: from PrusaSlicer 2.5 and its profiles.
 constexpr double kLineNozzles = 1.125;  // 0.45 mm for a nozzle of 0.4 mm
 constexpr double kClosingRadiusMm = 0.049;
 constexpr double kThinnestWallNozzles = 0.25, kThinnestLineNozzles = 0.85;
-/// Layers of 0.2 mm leave grooves of up to 50 µm, as measured on prints of PLA.
+/// Groove depth in layers: layers of 0.2 mm leave grooves of up to 50 µm, as measured on PLA prints.
 constexpr double kGrooveLayers = 0.25;
 
-// Resin and powder: half of the narrowest engraving that is lost. Printing services ask for engraved lines of at least
-// 0.3 mm (resin), 0.4 mm (multi jet fusion) and 0.5 mm (laser sintering).
+// Resin and powder: half the width of the widest engraving that gets lost. Printing services ask for engraved lines of
+// at least 0.3 mm (resin), 0.4 mm (multi jet fusion) and 0.5 mm (laser sintering).
 constexpr double kResinRadiusMm = 0.1, kResinFinestMm = 0.3;
 constexpr double kPowderRadiusMm = 0.2, kPowderGrainMm = 0.02;
 

@@ -11,37 +11,37 @@
 namespace qrelief {
 
 enum class PrintTechnique : std::uint8_t {
-  Filament,  ///< lines of molten plastic, one layer on the other
+  Filament,  ///< lines of molten plastic, layer on layer
   Resin,     ///< layers hardened by light, pixel by pixel
   Powder     ///< grains melted or glued together
 };
 
 /// The printer that a model is meant for.
 struct Printer {
-  double nozzleMm = 0.4;  ///< > 0; of Filament
+  double nozzleMm = 0.4;  ///< > 0; for Filament
   double layerMm = 0.2;   ///< > 0
-  /// Of an outer wall, ≥ nozzleMm; none: 1.125 nozzles, as slicers' profiles have it.
+  /// Line width of an outer wall, ≥ nozzleMm; none: 1.125 nozzles, as in slicers' profiles.
   std::optional<double> lineWidthMm = {};
   PrintTechnique technique = PrintTechnique::Filament;
 
   bool operator==(const Printer&) const = default;
 };
 
-/// What a printer makes of the cross-section of a layer, as far as it decides about the surface. All in mm.
+/// The process's effect on a layer's cross-section, as far as it shapes the surface. All in mm.
 struct PrintProcess {
   double layerMm = 0.2;
-  double cornerRadiusMm = 0.225;  ///< no corner of the solid is sharper
-  double pocketRadiusMm = 0.05;   ///< no corner of a pocket is sharper; gaps narrower than twice that are closed
-  double thinnestWallMm = 0.1;    ///< thinner walls are not made at all
-  double thinnestLineMm = 0.34;   ///< thinner walls become so wide; 0: none is thinner than two corner radii
-  double grooveMm = 0.05;         ///< between two layers, and the radius of what plastic flows into there
-  double grainMm = 0;             ///< standard deviation of the surface's roughness
-  double finestMm = 0.4;          ///< what the process can shape at all
+  double cornerRadiusMm = 0.225;  ///< least radius of the solid's corners
+  double pocketRadiusMm = 0.05;   ///< least radius of a pocket's corners; closes gaps narrower than twice that
+  double thinnestWallMm = 0.1;    ///< thinner walls are not printed
+  double thinnestLineMm = 0.34;   ///< thinner walls become this wide; 0: none is thinner than two corner radii
+  double grooveMm = 0.05;  ///< depth of the groove between two layers, and radius of crevices that plastic flows into
+  double grainMm = 0;      ///< standard deviation of the surface's roughness
+  double finestMm = 0.4;   ///< smallest detail that the process can make
 
   bool operator==(const PrintProcess&) const = default;
 };
 
-/// @returns BadUsage for a printer that there cannot be
+/// Derives the process of a printer. @returns BadUsage for an impossible printer
 Result<PrintProcess> processOf(const Printer& printer);
 
 struct NamedPrinter {
@@ -49,7 +49,7 @@ struct NamedPrinter {
   Printer printer;
 };
 
-/// Those that can be chosen by name, the most usual first.
+/// Returns the printers that users can choose by name, the most common first.
 std::span<const NamedPrinter> namedPrinters();
 
 }  // namespace qrelief

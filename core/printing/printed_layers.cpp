@@ -16,16 +16,17 @@ using Corners = PrintedLayers::Corners;
 using Polygon = PrintedLayers::Polygon;
 
 constexpr double kNodesPerFinest = 6;
-constexpr double kNearestStepMm = 0.008;  // of a ray that grazes plastic
+constexpr double kNearestStepMm = 0.008;  // shortest step of a ray that grazes plastic
 constexpr double kHitMm = 5e-4;
 constexpr double kNearEnoughMm = 1e-3;
 constexpr int kRefinements = 6;
-constexpr int kFewTiles = 4;       // round a small triangle: all of them are made, without a closer look
-constexpr double kMaxNodes = 4e7;  // however large the code and fine the process: what memory allows
-/// Edge of a tile of a layer, in what the process can shape and in halos; tiles along the edge of what is looked at.
+constexpr int kFewTiles = 4;       // around a small triangle: all of them are computed without a closer test
+constexpr double kMaxNodes = 4e7;  // memory limit, however large the code and fine the process
+/// Edge of a tile: in multiples of the finest detail, and in halos. Limit on the tiles along the edge of the visible
+/// square.
 constexpr double kTileFinest = 10, kTileHalos = 4, kMaxTiles = 64;
 
-/// The part of a convex polygon on the side that a plane's normal points to [Sutherland, Hodgman 1974].
+/// Returns the part of a convex polygon on the side that a plane's normal points to [Sutherland, Hodgman 1974].
 Polygon clipped(const Polygon& polygon, Vec3 origin, Vec3 normal) {
   Polygon kept;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -37,7 +38,8 @@ Polygon clipped(const Polygon& polygon, Vec3 origin, Vec3 normal) {
   return kept;
 }
 
-/// What the eye sees of a triangle through the square, if it faces the eye; at first no hidden part is left out.
+/// Returns the part of a triangle that the eye sees through the square, if it faces the eye; ignores other triangles
+/// that may hide it.
 Polygon seenPart(const Corners& triangle, const ProjectionFrame& frame, double extentMm) {
   if (glm::dot(glm::cross(triangle[1] - triangle[0], triangle[2] - triangle[0]), frame.eye() - triangle[0]) <= 0)
     return {};
@@ -65,7 +67,7 @@ struct Rectangle {
   }
 };
 
-/// A grid without the nodes near its border.
+/// Returns a grid without the nodes near its border.
 LayerGrid cropped(const LayerGrid& grid, int border) {
   LayerGrid kept{grid.node(border, border), grid.stepMm, grid.columns - 2 * border, grid.rows - 2 * border, {}};
   kept.distanceMm.reserve(static_cast<std::size_t>(kept.columns) * static_cast<std::size_t>(kept.rows));
@@ -94,7 +96,7 @@ struct PrintedLayers::Ray {
   Vec2 perDirection;     ///< mm along the ray for 1 mm along an axis
   double perAcross = 0;  ///< mm along the ray for 1 mm of distance from an outline in a layer's plane
   double perFall = 0;    ///< mm along the ray for 1 mm of distance from a flank
-  /// At this distance from an outline, mm, or more, the outline allows the larger step, and the flank does not matter.
+  /// From this distance from an outline on, mm, the outline allows the larger step, and the flank does not matter.
   double freeMm = 0;
 
   Ray(Vec3 from, Vec3 along, double grooveMm) : eye(from), direction(along) {
@@ -139,7 +141,7 @@ int PrintedLayers::layerAt(double z) const {
                     static_cast<int>(layers_.size()) - 1);
 }
 
-/// Which tiles of which layers are looked at.
+/// Finds the tiles of each layer to compute.
 void PrintedLayers::findTiles(double extentMm) {
   std::vector<Polygon> parts;
   Rectangle all;
@@ -169,14 +171,14 @@ void PrintedLayers::findTiles(double extentMm) {
   const Vec2 extent = all.high - all.low + 2 * margin;
   tileMm_ =
       std::max({kTileFinest * process_.finestMm, kTileHalos * haloMm(), glm::max(extent.x, extent.y) / kMaxTiles});
-  // Off every grid that a model may have been drawn on: no vertex stands straight above a tile's corner.
+  // Off every grid that a model may have been drawn on, so that no vertex lies straight above a tile's corner.
   origin_ = all.low - margin - tileMm_ * Vec2(0.00381966011, 0.00414213562);
   tileColumns_ = static_cast<int>(std::floor((extent.x + margin) / tileMm_)) + 1;
   tileRows_ = static_cast<int>(std::floor((extent.y + margin) / tileMm_)) + 1;
   for (const Polygon& part : parts) addToLayers(part, margin);
 }
 
-/// A layer is shaped by what lies up to one and a half layers from it.
+/// Adds tiles to all layers that a part shapes: layers up to one and a half layers away from it.
 void PrintedLayers::addToLayers(const Polygon& part, double marginMm) {
   const double h = process_.layerMm;
   double least = part.front().z, most = part.front().z;
@@ -238,7 +240,7 @@ void PrintedLayers::addTiles(Layer& layer, const Polygon& within, double marginM
   }
 }
 
-/// How far beyond a tile its outline is looked at, so that the tile does not depend on where it ends.
+/// Returns the margin of outline considered beyond a tile, so that the tile does not depend on where it ends.
 double PrintedLayers::haloMm() const { return 2 * process_.cornerRadiusMm + kLaidReachMm; }
 
 void PrintedLayers::lay(double roughness) {
@@ -262,7 +264,7 @@ void PrintedLayers::layLayer(Layer& layer, std::span<const Segment2> outline, Ve
                              int steps) const {
   const double step = tileMm_ / steps;
   const int halo = static_cast<int>(std::ceil(haloMm() / step));
-  // The windows' lower left corners, a little beyond their halos, as a grid of its own.
+  // The windows' lower left corners, slightly beyond their halos, as a grid of their own.
   const Vec2 first = origin_ - step * Vec2(halo + 0.38196601125, halo + 0.41421356237);
   const std::vector<std::int16_t> windings =
       windingNumbers(outline, {first, tileMm_, tileColumns_, tileRows_}, corner, winding);
@@ -281,7 +283,7 @@ void PrintedLayers::layLayer(Layer& layer, std::span<const Segment2> outline, Ve
   }
 }
 
-/// The segments that touch each tile's window.
+/// Finds the segments that touch each tile's window.
 /// @param first   lower left corner of the first tile's window
 /// @param beyond  by how much a window is wider than a tile
 std::vector<std::vector<Segment2>> PrintedLayers::nearTiles(const Layer& layer, std::span<const Segment2> outline,
@@ -300,7 +302,7 @@ std::vector<std::vector<Segment2>> PrintedLayers::nearTiles(const Layer& layer, 
   return near;
 }
 
-/// Null where nothing is seen.
+/// Returns null where nothing is visible.
 const LayerGrid* PrintedLayers::tileAt(int layer, Vec2 at) const {
   const Vec2 place = (at - origin_) / tileMm_;
   if (!(place.x >= 0 && place.y >= 0 && place.x < tileColumns_ && place.y < tileRows_)) return nullptr;
@@ -310,7 +312,7 @@ const LayerGrid* PrintedLayers::tileAt(int layer, Vec2 at) const {
   return number == kNoTile ? nullptr : &of.tiles[static_cast<std::size_t>(number)];
 }
 
-/// How far along a ray the tile ends in which a point lies.
+/// Returns the distance along a ray to the end of the tile that contains a point.
 double PrintedLayers::wayOutOfTile(const Ray& ray, Vec2 at) const {
   double way = std::numeric_limits<double>::infinity();
   for (int axis = 0; axis < 2; ++axis) {
@@ -321,7 +323,7 @@ double PrintedLayers::wayOutOfTile(const Ray& ray, Vec2 at) const {
   return way;
 }
 
-/// A ray within a tile of a layer: its plastic's distance along the way.
+/// A ray within a tile of a layer: gives the plastic's distance along the ray.
 class PrintedLayers::RayInTile {
  public:
   RayInTile(const LayerGrid& tile, const Ray& ray, double middleZ, const PrintProcess& process)
@@ -335,7 +337,7 @@ class PrintedLayers::RayInTile {
     wPerMm_ = ray.direction.z * perHalfLayer;
   }
 
-  /// From the outline, in the layer's plane. @param t  along the ray, mm, within the tile
+  /// Returns the distance from the outline, in the layer's plane. @param t  along the ray, mm, within the tile
   double distanceInPlane(double t) const {
     const double u = u_ + uPerMm_ * t, v = v_ + vPerMm_ * t;
     const int column = std::clamp(static_cast<int>(u), 0, tile_->columns - 2);
@@ -347,7 +349,7 @@ class PrintedLayers::RayInTile {
     return static_cast<double>(low + up * (high - low));
   }
 
-  /// By how much the round flank stands back from the outline.
+  /// Returns how far the round flank lies behind the outline.
   double groove(double t) const {
     const double w = w_ + wPerMm_ * t;
     return grooveMm_ * (1 - std::sqrt(std::max(0.0, 1 - w * w)));
@@ -363,8 +365,8 @@ class PrintedLayers::RayInTile {
 
 double PrintedLayers::meetingInLayer(int layer, const Ray& ray, double begin, double end) const {
   if (layers_[static_cast<std::size_t>(layer)].tiles.empty() || begin >= end) return 0;
-  // Before the outline is passed the plastic cannot be met. Between outline and flank, how fast the distance may fall
-  // along the ray; flanks are steeper only where they are all but met.
+  // The ray cannot hit plastic before it passes the outline. Between outline and flank, perFall bounds how fast the
+  // distance falls along the ray; flanks are steeper only where the ray almost hits them.
   const double middleZ = topOf(layer) - process_.layerMm / 2;
   double before = begin;
   for (double t = begin;;) {
@@ -393,10 +395,10 @@ double PrintedLayers::meetingInLayer(int layer, const Ray& ray, double begin, do
   }
 }
 
-/// Where the distance falls to kHitMm between two points of a ray [regula falsi, as of Illinois].
+/// Returns where the distance falls to kHitMm between two points of a ray [regula falsi, Illinois variant].
 double PrintedLayers::refined(int layer, const Ray& ray, double outside, double inside) const {
   const double middleZ = topOf(layer) - process_.layerMm / 2;
-  const auto over = [&](double t) -> double {  // beside the tiles, anything above 0
+  const auto over = [&](double t) -> double {  // outside the tiles, any value above 0
     const LayerGrid* tile = tileAt(layer, ray.at(t));
     return tile ? RayInTile(*tile, ray, middleZ, process_).distance(t) - kHitMm : kNearestStepMm;
   };

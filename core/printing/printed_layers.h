@@ -12,16 +12,16 @@
 
 namespace qrelief {
 
-/// The layers of a print round a code, as far as an eye sees them: on a slope only a band of each. Everything in the
-/// printer's space, whose third axis is up; the lowest corner of the model lies on the bed.
+/// The layers of a print around a code, as far as an eye sees them: on a slope only a band of each. Everything is in
+/// the printer's space, whose third axis is up; the lowest corner of the model lies on the bed.
 ///
-/// A layer has the outline that laid_outline.h makes of the model's cross-section at half its height, and round flanks,
-/// so that a groove lies between two layers. Its plane is divided into square tiles, and made where something of it may
-/// be seen.
+/// A layer has the outline that laid_outline.h computes from the model's cross-section at half its height, and round
+/// flanks, so that a groove lies between two layers. Its plane is divided into square tiles; only tiles that may be
+/// visible are computed.
 class PrintedLayers {
  public:
   using Corners = std::array<Vec3, 3>;
-  /// A triangle cut by a few planes, each of which adds a corner at most.
+  /// A triangle clipped by a few planes; each plane adds at most one corner.
   class Polygon {
    public:
     Polygon() = default;
@@ -43,16 +43,18 @@ class PrintedLayers {
     std::size_t size_ = 0;
   };
 
-  /// Cost: O(triangles) and O(area seen / finest²); at most 40 million nodes, coarser ones where more would be needed.
+  /// Computes the visible tiles of all layers.
+  /// Cost: O(triangles) and O(visible area / finest²); at most 40 million nodes, with coarser steps where more would be
+  /// needed.
   /// @param triangles  of a solid, anticlockwise seen from outside
-  /// @param frame      of the code: the eye, and
-  /// @param extentMm   the edge of the square of its QR plane that is looked through
+  /// @param frame      of the code, with the eye
+  /// @param extentMm   edge of the visible square of the QR plane
   /// @param roughness  see PrintRequest
   PrintedLayers(std::vector<Corners> triangles, const ProjectionFrame& frame, double extentMm,
                 const PrintProcess& process, double roughness);
 
-  /// Distance from the eye at which the ray to a point of the QR plane meets plastic; 0: it meets nothing.
-  /// @param fromMm  nearer to the eye there is none
+  /// Returns the distance from the eye at which the ray to a point of the QR plane hits plastic; 0: no hit.
+  /// @param fromMm  start of the search; there is no plastic nearer to the eye
   double firstMeeting(Vec2 at, double fromMm = 0) const;
 
  private:
@@ -60,7 +62,7 @@ class PrintedLayers {
   class RayInTile;
   static constexpr int kNoTile = -1;
   struct Layer {
-    std::vector<int> numbers;  ///< of each tile, row-major: where it stands in `tiles`; empty: nothing of it is seen
+    std::vector<int> numbers;  ///< per tile, row-major: its index in `tiles`; empty: the layer is invisible
     std::vector<LayerGrid> tiles;
   };
 
@@ -91,7 +93,7 @@ class PrintedLayers {
   std::vector<Corners> triangles_;
   double bedMm_ = 0, nearestMm_ = 0, farthestMm_ = 0;
   int firstLayer_ = 0;
-  Vec2 origin_{0};  ///< of the tiles, which are the same in all layers
+  Vec2 origin_{0};  ///< lower left corner of the tiles, which are the same in all layers
   double tileMm_ = 0;
   int tileColumns_ = 0, tileRows_ = 0;
   std::vector<Layer> layers_;

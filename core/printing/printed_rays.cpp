@@ -9,16 +9,16 @@ namespace qrelief {
 namespace {
 
 constexpr int kBlockTexels = 8;         // along the edge
-constexpr double kOnTriangleMm = 1e-6;  // a ray that begins so near a triangle begins on it
+constexpr double kOnTriangleMm = 1e-6;  // a ray that begins this close to a triangle begins on it
 constexpr float kNothing = -std::numeric_limits<float>::infinity();
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-/// Where a coordinate that begins at `at` and grows by `step` leaves [low, high].
+/// Returns the step at which a coordinate that begins at `at` and grows by `step` leaves [low, high].
 double wayOut(double at, double step, double low, double high) {
   return step > 0 ? (high - at) / step : step < 0 ? (low - at) / step : kNever;
 }
 
-/// Of a triangle of a cell, at (x, y) in it.
+/// Returns the height of a cell's triangle at (x, y) in the cell.
 double heightIn(const TexelCell& cell, bool second, double x, double y) {
   if (cell.risingDiagonal)
     return second ? cell.low + y * (cell.left - cell.low) + x * (cell.high - cell.left)
@@ -27,7 +27,7 @@ double heightIn(const TexelCell& cell, bool second, double x, double y) {
                 : cell.low + x * (cell.right - cell.low) + y * (cell.left - cell.low);
 }
 
-/// Less than 0 in the first triangle, more in the second.
+/// Returns a value below 0 in the first triangle, above 0 in the second.
 double sideOf(const TexelCell& cell, double x, double y) { return cell.risingDiagonal ? y - x : x + y - 1; }
 
 }  // namespace
@@ -43,7 +43,7 @@ PrintedRays::PrintedRays(const PrintedSurface& surface)
   blockTops_.assign(static_cast<std::size_t>(blocks_) * static_cast<std::size_t>(blocks_), kNothing);
   for (int row = 0; row < texels_; ++row)
     for (int column = 0; column < texels_; ++column)
-      for (int k = 0; k < 4; ++k) {  // of each block whose cells it is a corner of
+      for (int k = 0; k < 4; ++k) {  // for each block with a cell that has this corner
         const int r = std::max(0, row - k / 2) / kBlockTexels, c = std::max(0, column - k % 2) / kBlockTexels;
         float& top = blockTops_[static_cast<std::size_t>(r * blocks_ + c)];
         top = std::max(top, heightAt(column, row));
@@ -126,13 +126,14 @@ std::optional<SurfacePoint> PrintedRays::walk(const MapRay& ray, double begin, d
                                               Vec3 direction) const {
   const int last = texels_ - 2;  // cell along the edge
   const auto cellOf = [&](double coordinate, double step) {
-    // On a border, the cell that it goes into.
+    // On a border, take the cell that the ray enters.
     const double cell = step < 0 ? std::ceil(coordinate) - 1 : std::floor(coordinate);
     return std::clamp(static_cast<int>(cell), 0, last);
   };
   const Vec3 first = ray.point(begin);
   int column = cellOf(first.x, ray.step.x), row = cellOf(first.y, ray.step.y);
-  bool isFirst = true, wasAbove = true, isKnown = false;  // whether it was above the surface so far
+  // wasAbove: the ray was above the surface so far; valid only if isKnown
+  bool isFirst = true, wasAbove = true, isKnown = false;
   for (double s = begin; s < end;) {
     const int blockColumn = column / kBlockTexels, blockRow = row / kBlockTexels;
     const double top = static_cast<double>(blockTops_[static_cast<std::size_t>(blockRow * blocks_ + blockColumn)]);

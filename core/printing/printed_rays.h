@@ -8,25 +8,25 @@
 
 namespace qrelief {
 
-/// Four texels that are neighbours, and the two triangles between them.
+/// Four neighbouring texels, and the two triangles between them.
 struct TexelCell {
   double low, right, left, high;  ///< heights of the texels at (0, 0), (1, 0), (0, 1), (1, 1)
-  bool risingDiagonal;            ///< from `low` to `high`; else from `right` to `left`
+  bool risingDiagonal;            ///< true: from `low` to `high`; false: from `right` to `left`
 };
 
-/// Rays on a printed surface, from the side that the eye is on: what is met there, without a tree over its triangles.
+/// Rays that hit a printed surface from the eye's side, traced without a tree over its triangles.
 ///
-/// Seen from the eye the surface is a height map over the texels. Central projection with 1/depth for the height takes
-/// lines to lines and triangles to triangles, so a ray is walked from texel to texel, as over a terrain [Musgrave
-/// 1988], past blocks of which it is above everything.
+/// Seen from the eye the surface is a height map over the texels. Central projection with 1/depth as the height maps
+/// lines to lines and triangles to triangles. So a ray is traced from texel to texel, as over a terrain [Musgrave
+/// 1988], and skips blocks that lie wholly below it.
 class PrintedRays final : public RaySurface {
  public:
   /// Cost: O(texels).
   explicit PrintedRays(const PrintedSurface& surface);
 
   using RaySurface::firstHit;
-  /// What a ray meets from below it passes through.
-  /// Cost: O(texels passed near the surface), and an eighth as much of others.
+  /// Finds the first hit from above; a ray passes through the surface from below.
+  /// Cost: O(texels passed near the surface), and an eighth as much for other texels.
   /// @param origin  in front of the eye, or the eye itself
   std::optional<SurfacePoint> firstHit(Vec3 origin, Vec3 direction, double from) const override;
 
@@ -36,10 +36,10 @@ class PrintedRays final : public RaySurface {
   /// A ray in the map: column and row in texels, height; `s` runs along it.
   struct MapRay {
     Vec3 at{0}, step{0};
-    double depth = 0, depthStep = 0;  // of the origin below the eye, and of the direction
+    double depth = 0, depthStep = 0;  // depth of the origin below the eye, and of the direction
 
     Vec3 point(double s) const { return at + step * s; }
-    /// In units of the direction's length.
+    /// Converts a position on the map ray to a parameter in units of the direction's length.
     double parameter(double s) const { return s * depth / (1 - s * depthStep); }
     double place(double parameter) const { return parameter / (depth + parameter * depthStep); }
   };
@@ -57,7 +57,7 @@ class PrintedRays final : public RaySurface {
   int texels_ = 0, blocks_ = 0;  // along the edge
   double texelMm_ = 0;
   std::vector<float> heights_;    // see PrintedSurface::height()
-  std::vector<float> blockTops_;  // greatest of a block's texels and those that border on it
+  std::vector<float> blockTops_;  // greatest height of a block's texels and of those that border on it
 };
 
 }  // namespace qrelief

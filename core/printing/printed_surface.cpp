@@ -15,13 +15,12 @@ namespace qrelief {
 namespace {
 
 constexpr double kTexelsPerFinest = 6;
-constexpr double kTexelsPerFinestSeen = 4;  // of the solid before it is printed
-constexpr double kTexelsPerLayer = 4;       // grooves between layers are seen
-/// However large the code and fine the process: what memory allows. A code of 35 mm has 990 texels with layers of 0.2
-/// mm.
+constexpr double kTexelsPerFinestSeen = 4;  // for the solid before it is printed
+constexpr double kTexelsPerLayer = 4;       // enough to show grooves between layers
+/// Memory limit, however large the code and fine the process. A code of 35 mm has 990 texels with layers of 0.2 mm.
 constexpr double kMaxTexels = 1000;
 
-/// Axes of the printer's space, of which the third points up, in the model's.
+/// Axes of the printer's space in the model's space; the third points up.
 struct BuildSpace {
   Vec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
 
@@ -37,8 +36,8 @@ ProjectionFrame inBuildSpace(const ProjectionFrame& frame, const BuildSpace& spa
   return {space.to(frame.centre), space.to(frame.right), space.to(frame.up), space.to(frame.normal), frame.eyeDistance};
 }
 
-/// Greatest height within a ball's reach of every point, the ball's height there added [grey dilation by a ball]; with
-/// a sign of −1 least heights, lessened [erosion].
+/// Returns, for every point, the greatest sum of a height within a ball's reach and the ball's height there [grey
+/// dilation by a ball]. With a sign of −1, returns the least difference [erosion].
 std::vector<float> rolled(const std::vector<float>& distanceMm, int texels, double texelMm, double radiusMm,
                           float sign) {
   const int reach = static_cast<int>(radiusMm / texelMm);
@@ -70,13 +69,14 @@ std::vector<float> rolled(const std::vector<float>& distanceMm, int texels, doub
   return result;
 }
 
-/// Fills what a ball cannot reach from the eye's side [grey closing]: plastic flows into what is narrower.
+/// Fills crevices that a ball cannot reach from the eye's side [grey closing], because plastic flows into them.
 void fillCrevices(PrintedSurface& surface, double radiusMm) {
   surface.distanceMm = rolled(surface.distanceMm, surface.texels, surface.texelMm, radiusMm, 1);
   surface.distanceMm = rolled(surface.distanceMm, surface.texels, surface.texelMm, radiusMm, -1);
 }
 
-/// Least of each value and its neighbours up to `reach` texels along a row, written as columns: twice makes a square.
+/// Returns the least of each value and its neighbours up to `reach` texels along a row, transposed; two calls cover a
+/// square.
 std::vector<float> leastAlongRows(const std::vector<float>& values, int texels, int reach) {
   std::vector<float> least(values.size());
   for (int row = 0; row < texels; ++row)
@@ -88,8 +88,8 @@ std::vector<float> leastAlongRows(const std::vector<float>& values, int texels, 
   return least;
 }
 
-/// Lower bounds of the distance at which rays meet plastic. Layers end up to half their height above the solid, and
-/// thin lines lie beside it.
+/// Lower bounds of the distance at which rays hit plastic. Layers end up to half their height above the solid, and thin
+/// lines lie outside it.
 class NearestPlastic {
  public:
   NearestPlastic(const Mesh& mesh, const PrintRequest& request) : extentMm_(request.extentMm) {
@@ -112,7 +112,7 @@ class NearestPlastic {
     distance_ = leastAlongRows(leastAlongRows(distance, texels_, reach), texels_, reach);
   }
 
-  /// 0 where it is not known.
+  /// Returns 0 where the distance is unknown.
   double distance(Vec2 at) const {
     const Vec2 place = (at / extentMm_ + 0.5) * static_cast<double>(texels_);
     const int column = std::clamp(static_cast<int>(place.x), 0, texels_ - 1);
@@ -127,7 +127,7 @@ class NearestPlastic {
   std::vector<float> distance_;
 };
 
-/// Moves every point along its ray by a little, the same on every run.
+/// Moves every point slightly along its ray, the same on every run.
 void roughen(PrintedSurface& surface, double deviationMm) {
   Random random(1);
   for (float& distance : surface.distanceMm)

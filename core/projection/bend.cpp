@@ -13,7 +13,7 @@ namespace qrelief {
 namespace {
 
 constexpr int kTexels = 64;
-constexpr double kMovedModules = 0.24;  // that a reader puts up with, root mean square
+constexpr double kMovedModules = 0.24;  // root mean square displacement that a decoder tolerates
 
 }  // namespace
 
@@ -26,7 +26,7 @@ void PlaneFit::add(Vec2 at, double height, double weight) {
 }
 
 double PlaneFit::rms() const {
-  // Lengths have any unit: the determinant is compared with that of the same spread in all directions.
+  // Lengths have any unit, so compare the determinant with that of the same spread in all directions.
   const double spread = moments_[1][1] + moments_[2][2];
   if (!(glm::determinant(moments_) > 1e-9 * weights_ * spread * spread)) return 0;
   const Vec3 plane = glm::inverse(moments_) * products_;

@@ -10,38 +10,40 @@
 
 namespace qrelief {
 
-/// Least squares plane through weighted heights over places.
+/// Least-squares plane through weighted heights.
 class PlaneFit {
  public:
   void add(Vec2 at, double height, double weight = 1);
-  /// Root mean square of what the heights are off the plane; 0 if no plane is determined.
+  /// Returns the root mean square distance of the heights from the plane; 0 if the heights determine no plane.
   double rms() const;
 
  private:
-  glm::dmat3 moments_{0};  // of (1, u, v)
-  Vec3 products_{0};       // with the height
+  glm::dmat3 moments_{0};  // moments of (1, u, v)
+  Vec3 products_{0};       // products with the height
   double squares_ = 0, weights_ = 0;
 };
 
-/// How far a surface departs from a plane under a code: root mean square of its heights over the QR plane, mm, about
-/// the plane that fits them best. It moves the modules against each other when the code is seen from aside.
-/// @param surface  SurfaceMaps::surface of the window, texels² of it; what is no model does not count
-/// @returns 0 if there are not three texels of the model
+/// Returns how much the surface under a code bends, mm: the root mean square deviation of its heights over the QR plane
+/// from the plane that fits them best. Seen from the side, bending shifts the modules against each other.
+/// @param surface  SurfaceMaps::surface of the window, texels² values; texels off the model are ignored
+/// @returns 0 if fewer than three texels show the model
 double bendMm(std::span<const float> surface, const MapWindow& window);
 
-/// The same of some of a mesh's facets, as a frame's eye sees them over a square of the QR plane about the centre.
+/// Returns the same for some facets of a mesh, as the frame's eye sees them within a square of the QR plane about the
+/// centre.
 double bendMm(const Mesh& mesh, std::span<const std::uint32_t> triangles, const ProjectionFrame& frame, double edgeMm);
 
-/// From how far aside of the eye that it is projected for, to every side, a code on such a surface can be read,
-/// degrees, at most `kMaxAimDeg`: as a reader takes the code for flat, it puts up with modules that are moved by a
-/// quarter of their width on average. Fitted to codes in ink on 42 spots of 11 models (`script/bench aside`): right to
-/// within 2° on 41, as far as the tilts tried tell; far too high on one beside a model's edge. A carving, whose pockets
-/// hide their floors from aside, reads no farther.
+/// Returns how far off its eye's axis, in every direction, a code on such a surface still decodes: degrees, at most
+/// `kMaxAimDeg`. A decoder takes the code for flat, so it tolerates modules that are displaced by a quarter of their
+/// width on average. Fitted to codes in ink on 42 spots of 11 models (`script/bench aside`): right to within 2° on 41
+/// of them, as far as the tested tilts tell; far too high on one next to a model's edge. A carved code does no better,
+/// because its pockets hide their floors from the side.
 /// @param moduleMm  > 0
 double aimToleranceDeg(double bendMm, double moduleMm);
 inline constexpr double kMaxAimDeg = 45;
 
-/// Hands hold a phone as straight as this without taking care: what is read from as far aside forgives aiming.
+/// Tilt within which people hold a phone without taking care: a code that decodes from this far aside needs no careful
+/// aiming.
 inline constexpr double kForgivingTiltDeg = 10;
 
 }  // namespace qrelief

@@ -14,7 +14,7 @@
 namespace qrelief {
 namespace {
 
-/// Rotations whose sizes differ by no more than this fraction count as equally good: rounding, no more.
+/// Sizes that differ by no more than this fraction count as equal: an allowance for rounding only.
 constexpr double kEqualFraction = 1e-12;
 
 double squaredSecant(double t) { return 1 + t * t; }
@@ -44,7 +44,8 @@ using Envelope = std::vector<Stretch>;
 
 Vec2 quarterTurnBack(Vec2 p) { return {p.y, -p.x}; }
 
-/// An end is met by one side of the square, and by the next one where that has turned 45° away.
+/// Adds the curves of a segment's end: one side of the square meets it, and the next side where the first has turned
+/// 45° away.
 void addEnd(std::vector<Curve>& curves, Vec2 p) {
   while (!(std::abs(p.y) <= p.x)) p = quarterTurnBack(p);
   if (p.y >= 0) {
@@ -58,8 +59,8 @@ void addEnd(std::vector<Curve>& curves, Vec2 p) {
   }
 }
 
-/// The part of a segment in the first quadrant, as the range of t in which the corner at (1 - t, 1 + t) points at it.
-/// The borders are t = -1 and t = 1 to the last bit, so that the ranges of neighbouring quadrants leave no gap.
+/// Returns the part of a segment in the first quadrant, as the range of t in which the corner at (1 - t, 1 + t) points
+/// at it. The borders are t = -1 and t = 1 to the last bit, so the ranges of neighbouring quadrants leave no gap.
 std::optional<std::array<double, 2>> cornerRange(const Segment2& segment) {
   double enter = 0, leave = 1;
   std::optional<double> atEnter, atLeave;
@@ -84,7 +85,8 @@ std::optional<std::array<double, 2>> cornerRange(const Segment2& segment) {
   return std::array{std::min(first, last), std::max(first, last)};
 }
 
-/// Each of the square's corners sweeps one quadrant, and meets what part of the segment lies in it.
+/// Adds the curves of a segment's line: each corner of the square sweeps one quadrant, and meets the part of the
+/// segment in it.
 void addLine(std::vector<Curve>& curves, Segment2 segment) {
   const double area = cross2(segment[0], segment[1]);
   if (area == 0) return;
@@ -96,7 +98,7 @@ void addLine(std::vector<Curve>& curves, Segment2 segment) {
   }
 }
 
-/// Solutions of (a + b·t)(c + d·t) = 1 + t².
+/// Solves (a + b·t)(c + d·t) = 1 + t².
 std::vector<double> meetingsWithLine(double a, double b, double c, double d) {
   const double second = b * d - 1;
   const double first = a * d + b * c;
@@ -177,13 +179,14 @@ class EnvelopeBuilder {
   std::span<const Curve> curves_;
 };
 
-/// Half the edge that fits at a rotation, and t = tan of it.
+/// Half the edge that fits at a rotation, and t = tan(rotation).
 struct Candidate {
   double half = 0;
   double t = 0;
 };
 
-/// Of the stretch: its ends, its top, where it passes the greatest size, and its least turned rotation.
+/// Adds the candidates of a stretch: its ends, its maximum, the points where it passes the greatest size, and its
+/// smallest rotation.
 void addCandidates(std::vector<Candidate>& candidates, const Curve* curve, double begin, double end, double mostHalf) {
   const auto add = [&](double t) {
     if (t >= begin && t <= end) candidates.push_back({curve ? std::min(mostHalf, curve->at(t)) : mostHalf, t});
@@ -196,7 +199,7 @@ void addCandidates(std::vector<Candidate>& candidates, const Curve* curve, doubl
   for (const double t : meetingsWithLevel(*curve, mostHalf)) add(t);
 }
 
-/// tan of the rotation that takes the largest square.
+/// Returns tan of the rotation at which the largest square fits.
 double bestTangent(std::span<const Curve> curves, double mostHalf) {
   const Envelope envelope = EnvelopeBuilder(curves).build(0, static_cast<std::uint32_t>(curves.size()));
   std::vector<Candidate> candidates;
@@ -222,8 +225,8 @@ TurnedSquare bestSize(std::span<const Segment2> silhouette, double maxMm) {
   const double distance = glm::length(*nearest);
   if (distance == 0) return {0, 0};
 
-  // No square whose inscribed circle reaches beyond the nearest point fits; none within √2 of that meets what is left
-  // out.
+  // A square whose inscribed circle reaches beyond the nearest point does not fit. A square within √2 of that meets
+  // none of the skipped segments.
   const double reach = std::numbers::sqrt2 * std::min(distance, maxMm / 2) * (1 + kEqualFraction);
   std::vector<Curve> curves;
   for (const Segment2& segment : silhouette) {

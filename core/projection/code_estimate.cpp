@@ -10,18 +10,18 @@
 namespace qrelief {
 namespace {
 
-constexpr double kFirstFraction = 0.15;  // of the model's diagonal: size that is sampled first, as PlacementSearch does
-constexpr double kMuchSmaller = 0.6;     // a size below this fraction of the one sampled is sampled again
+constexpr double kFirstFraction = 0.15;  // of the model's diagonal: first size to sample, as in PlacementSearch
+constexpr double kMuchSmaller = 0.6;     // a size below this fraction of the sampled size is sampled again
 constexpr int kRounds = 2;
 constexpr int kDirectionTexels = 48;
 constexpr int kDirectionSamples = 256;
 constexpr int kDirectionLooks = 3, kQuickDirectionLooks = 1;
 constexpr int kReachTexels = 128;
 constexpr double kReachMargin = 1.05;
-constexpr double kAhead = 1.25;  // room for a code that is larger than expected
-constexpr int kTurns = 18;       // that are tried for the best rotation, over a quarter turn
+constexpr double kAhead = 1.25;  // room for a code larger than expected
+constexpr int kTurns = 18;       // rotations tried for the best one, over a quarter turn
 
-/// @param mostLooks  that the direction may take
+/// @param mostLooks  limit on the looks for the direction
 Result<Vec3> directionAt(const EstimatedSurface& surface, const SurfacePoint& centre, double sizeMm, int mostLooks,
                          const PlacementRequest& request) {
   if (request.direction) return *request.direction;
@@ -53,8 +53,8 @@ double bestTurn(const EyeReach& reach) {
   return best;
 }
 
-/// @param room   edge of the largest symbol that the map has room for at every rotation, mm
-/// @param looks  renderings that each direction may take
+/// @param room   edge of the largest symbol that fits in the map at every rotation, mm
+/// @param looks  limit on the looks for each direction
 Result<CodeEstimate> estimateWithin(double room, double sampled, int looks, const EstimatedSurface& surface,
                                     const SurfacePoint& centre, int modules, const PlacementRequest& request) {
   const bool isFixed = request.sizeMode == SizeMode::Fixed;

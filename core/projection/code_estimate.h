@@ -11,30 +11,30 @@
 
 namespace qrelief {
 
-/// The model that is estimated on; kept by reference.
+/// The model under the code; kept by reference.
 struct EstimatedSurface {
   const Mesh& mesh;
   const SurfaceLook& look;
-  double diagonalMm;  ///< of its bounding box
+  double diagonalMm;  ///< diagonal of the bounding box
 };
 
-/// About where a code would lie, and how large.
+/// An approximate placement of a code.
 struct CodeEstimate {
-  ProjectionFrame frame;  ///< turned as asked for
+  ProjectionFrame frame;  ///< turned by the requested rotation
   std::shared_ptr<const EyeReach> reach;
   double symbolMm = 0;
-  double guaranteedMm = 0;     ///< that fits at every rotation, as far as the request lets it grow
-  double rotationDeg = 0;      ///< from where upHint points
-  double missingFraction = 0;  ///< of the square that must fit, 0 … 1: overhangs, or is hidden
+  double guaranteedMm = 0;     ///< size that fits at every rotation, at most the requested size or limit
+  double rotationDeg = 0;      ///< from the direction of upHint
+  double missingFraction = 0;  ///< fraction of the required square that overhangs or is hidden, 0 … 1
 };
 
-/// What PlacementSearch would find, quickly enough for a code that follows the pointer: the same direction method with
-/// few and small maps, the size from one map (eye_reach.h) instead of the exact silhouette.
-/// Cost: 3 to 6 small looks; 2 of a part of the model if the size is about the one expected.
+/// Estimates the answer of PlacementSearch, fast enough for a code that follows the pointer. It uses the same direction
+/// method with few and small maps, and takes the size from one map (eye_reach.h) instead of the exact silhouette.
+/// Cost: 3 to 6 small looks; 2 looks at a part of the model if the size is close to the expected one.
 /// @param centre   on the model
-/// @param modules  of the symbol along its edge
-/// @param request  its centre does not count
-/// @param expectedMm  a size that will about be found, as where the pointer has just been: less is then looked at
+/// @param modules  along the symbol's edge
+/// @param request  its centre is ignored
+/// @param expectedMm  approximate size, as found where the pointer was just before; it saves looks
 Result<CodeEstimate> estimateCode(const EstimatedSurface& surface, const SurfacePoint& centre, int modules,
                                   const PlacementRequest& request, std::optional<double> expectedMm = {});
 

@@ -16,7 +16,7 @@ Facing facingOf(const Mesh& mesh, std::size_t triangle, Vec3 eye, const EyeView&
   return view.inFront[t[0]] && view.inFront[t[1]] && view.inFront[t[2]] ? Facing::Front : Facing::FrontOutOfReach;
 }
 
-/// The part of an edge in front of the eye; precondition: at least one end is.
+/// Returns the part of an edge in front of the eye; precondition: at least one end lies there.
 ContourEdge contourEdge(const Mesh& mesh, std::uint32_t from, std::uint32_t to, const ProjectionFrame& frame,
                         const EyeView& view) {
   ContourEdge edge{{Vec3(mesh.positions[from]), Vec3(mesh.positions[to])}, {from, to}, {}};

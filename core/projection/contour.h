@@ -11,39 +11,39 @@
 
 namespace qrelief {
 
-/// How a facet lies to the eye. Edge-on counts as Away.
+/// Orientation of a facet towards the eye. Edge-on counts as Away.
 enum class Facing : std::uint8_t {
   Away,
-  Front,            ///< towards the eye, and all its corners can be projected
-  FrontOutOfReach,  ///< towards the eye, but a corner lies beside or behind the eye
+  Front,            ///< faces the eye, and all its corners can be projected
+  FrontOutOfReach,  ///< faces the eye, but a corner lies level with the eye or behind it
 };
 
-/// A mesh as seen from the eye of a frame, before anything is known of hiding.
+/// A mesh as seen from the eye of a frame, before hidden parts are determined.
 struct EyeView {
   std::vector<Vec2> projected;        ///< per vertex, on the QR plane, mm; (0, 0) where it cannot be projected
   std::vector<std::uint8_t> inFront;  ///< per vertex: 1 if it can be projected
   std::vector<Facing> facing;         ///< per triangle, exact
-  double noiseMm = 0;                 ///< projected points nearer to one another than this cannot be told apart
+  double noiseMm = 0;                 ///< projected points closer together than this count as equal
 
   Triangle2 triangle(const Triangle& corners) const {
     return {projected[corners[0]], projected[corners[1]], projected[corners[2]]};
   }
 };
 
-/// Cost: one projection a vertex, one orientation test a facet.
+/// Projects a mesh and classifies its facets. Cost: one projection per vertex, one orientation test per facet.
 EyeView viewFrom(const Mesh& mesh, const ProjectionFrame& frame);
 
 inline constexpr std::uint32_t kNoVertex = 0xffffffffu;
 
-/// An edge across which a sheet of the surface ends or turns away from the eye: between a facet that faces the eye and
-/// one that does not, or an edge without a neighbour. Only across the projections of these can what is hidden change.
+/// An edge at which a sheet of the surface ends or turns away from the eye: it has no neighbour, or lies between a
+/// facet that faces the eye and one that does not. Visibility can change only across the projections of these edges.
 struct ContourEdge {
-  std::array<Vec3, 2> ends;               ///< in front of the eye: cut off where the edge passes beside it
+  std::array<Vec3, 2> ends;               ///< in front of the eye; cut off where the edge passes the eye
   std::array<std::uint32_t, 2> vertices;  ///< kNoVertex at an end that was cut off
   Segment2 projected;                     ///< on the QR plane, mm
 };
 
-/// All contour edges in front of the eye, ordered by triangle. Cost: O(T).
+/// Finds all contour edges in front of the eye, ordered by triangle. Cost: O(T).
 std::vector<ContourEdge> contourEdges(const Mesh& mesh, const Adjacency& adjacency, const ProjectionFrame& frame,
                                       const EyeView& view);
 

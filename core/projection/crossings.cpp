@@ -11,7 +11,7 @@ namespace qrelief {
 namespace {
 
 constexpr std::size_t kMaxPairs = 100'000;
-constexpr double kOnPlaneFraction = 1e-9;  // of a triangle's sides: rounding
+constexpr double kOnPlaneFraction = 1e-9;  // of a triangle's sides: allowance for rounding
 
 using Segment3 = std::array<Vec3, 2>;
 using Corners = std::array<Vec3, 3>;
@@ -20,7 +20,7 @@ Corners cornersOf(const Mesh& mesh, std::uint32_t triangle) {
   return {mesh.corner(triangle, 0), mesh.corner(triangle, 1), mesh.corner(triangle, 2)};
 }
 
-/// Where the sides of `a` go through `b`.
+/// Collects the points where the sides of `a` pass through `b`.
 void collectHits(const Corners& a, const Corners& b, std::vector<Vec3>& hits) {
   for (std::size_t k = 0; k < 3; ++k) {
     const Vec3 from = a[k];
@@ -31,7 +31,7 @@ void collectHits(const Corners& a, const Corners& b, std::vector<Vec3>& hits) {
   }
 }
 
-/// Whether only a corner or a side of `b` lies in the plane of `a`, and all else of it on one side.
+/// Returns true if only a corner or a side of `b` lies in the plane of `a`, and the rest of it on one side.
 bool touches(const Corners& a, const Corners& b) {
   const Vec3 u = a[1] - a[0], v = a[2] - a[0];
   const Vec3 normal = glm::normalize(glm::cross(u, v));
@@ -45,8 +45,8 @@ bool touches(const Corners& a, const Corners& b) {
   return above != below;
 }
 
-/// The segment that two crossing triangles have in common, or the point where they touch; the sides of `a` if they
-/// have more in common, or rounding hides what.
+/// Returns the segment that two crossing triangles share, or the point where they touch; the sides of `a` if they share
+/// more, or if rounding hides the shared part.
 std::vector<Segment3> commonSegments(const Corners& a, const Corners& b) {
   std::vector<Vec3> hits;
   collectHits(a, b, hits);
@@ -64,7 +64,7 @@ std::vector<Segment3> commonSegments(const Corners& a, const Corners& b) {
   return {{a[0], a[1]}, {a[1], a[2]}, {a[2], a[0]}};
 }
 
-/// What facets of the patch have in common with others, of which some may belong to it, too.
+/// Finds the segments that facets of the patch share with others, some of which may also belong to the patch.
 Result<std::vector<Segment3>> crossingsOf(const Mesh& mesh, std::span<const std::uint32_t> triangles) {
   const auto pairs = findSelfIntersections(mesh, triangles, kMaxPairs);
   if (!pairs) return tl::unexpected(pairs.error());

@@ -9,19 +9,20 @@
 
 namespace qrelief {
 
-/// Adds to the silhouette the curves along which other facets come through those of the patch. Where a surface crosses
-/// itself the eye may see another sheet beyond such a curve without a contour edge between; with these curves in the
-/// silhouette, what findSilhouette says of a region that no silhouette segment enters is true of such models, too.
+/// Adds to the silhouette the curves along which other facets pass through the patch. Where a surface crosses itself,
+/// the eye may see another sheet beyond such a curve without a contour edge between. With these curves in the
+/// silhouette, the guarantee of findSilhouette for a region that no silhouette segment enters also holds for such
+/// models.
 ///
-/// Two triangles that overlap in one plane give the sides of the one that belongs to the patch; two that only touch,
-/// the segment or the point where they do. Cost: one findSelfIntersections of the patch.
+/// Two triangles that overlap in one plane add the sides of the patch's triangle; two that only touch add the segment
+/// or the point of contact. Cost: one findSelfIntersections of the patch.
 /// @param mesh  may cross itself
 /// @returns NoSolution if more than 100,000 pairs cross within the patch; Internal if the exact predicates fail
 Status addCrossings(const Mesh& mesh, const ProjectionFrame& frame, VisiblePatch& patch);
 
-/// The point nearest to a place at which other facets come through those of a patch; none if none does.
+/// Finds the point nearest to `place` at which other facets pass through the patch; none if no facet does.
 ///
-/// Cost and errors as of addCrossings.
+/// Cost and errors as for addCrossings.
 /// @param triangles  of the patch, ascending
 Result<std::optional<Vec3>> nearestCrossing(const Mesh& mesh, std::span<const std::uint32_t> triangles, Vec3 place);
 

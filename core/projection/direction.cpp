@@ -32,7 +32,7 @@ class NormalMap {
     const auto acrossHalf = [this](int k) { return (2 * k + 1.0) / texels_ - 1; };
     return glm::normalize(Vec3(acrossHalf(column), acrossHalf(row), -1));
   }
-  /// Unit, from the texel's surface point.
+  /// Returns the unit vector from the texel's surface point to the eye.
   Vec3 towardsEye(int column, int row) const {
     return glm::normalize(Vec3(-window_.planePoint(column, row), eyeDistance_));
   }
@@ -48,11 +48,11 @@ class NormalMap {
   double eyeDistance_;
 };
 
-/// Fraction of the square that is seen most obliquely.
+/// Fraction of the square that counts as the most oblique part.
 constexpr double kWorstFraction = 0.05;
 
-/// Cells nearer to the second than this fraction of the range of distances tie with it: on a symmetrical surface four
-/// cells lie alike, and two of them would tilt the direction.
+/// Fraction of the range of distances within which cells tie with the second. On a symmetrical surface four cells lie
+/// alike; two of them alone would tilt the direction.
 constexpr double kTieFraction = 0.05;
 
 /// Sums over one cell of the depth grid.
@@ -99,7 +99,7 @@ Vec3 extremeCellsMean(const std::vector<Cell>& cells) {
   return unitOrZero(unitOrZero(near) + unitOrZero(far));
 }
 
-/// Mean normal and least varying axis of the Halton samples.
+/// Computes the mean normal and the axis of least variance from the Halton samples.
 void sampleHalton(MapSample& sample, const NormalMap& map, int samples) {
   std::vector<Vec3> points;
   const auto at = [&](double unit) { return std::min(map.texels() - 1, static_cast<int>(unit * map.texels())); };
@@ -128,7 +128,8 @@ double worstAngleOf(const NormalMap& map) {
   return std::acos(std::min(1.0, sum / static_cast<double>(count)));
 }
 
-/// Variance of the distance over the texels inside, outside fraction, and what follows from them.
+/// Computes the variance of the distance over the texels inside, the outside fraction, and the values derived from
+/// them.
 void rate(MapSample& sample, const NormalMap& map, const std::vector<Cell>& cells, double sizeMm) {
   double sum = 0;
   int inside = 0;
@@ -148,7 +149,8 @@ void rate(MapSample& sample, const NormalMap& map, const std::vector<Cell>& cell
   sample.measure = insideVariance + sample.outsideFraction / 4 + kObliqueWeight * (1 - std::cos(sample.worstAngle));
 }
 
-/// The texels around the middle are half a texel's diagonal away: a surface seen at up to 80° is nearer by four texels.
+/// Tests if nothing hides the centre. The texels around the middle are half a texel's diagonal away, so a surface seen
+/// at up to 80° is nearer by up to four texels.
 bool seesCentre(const NormalMap& map, const DirectionOptions& options) {
   const double nearest = options.eyeDistanceMm - 4 * options.sizeMm / map.texels();
   for (const int row : {map.texels() / 2 - 1, map.texels() / 2})
@@ -194,8 +196,8 @@ Result<MapSample> lookFrom(const SurfaceLook& look, const ProjectionFrame& frame
   const MapWindow window{options.sizeMm, options.mapTexels};
   auto looked = look(frame, window);
   if (!looked) return tl::unexpected(looked.error());
-  // Facet normals where the paper interpolates vertex normals: over a sampled square both average to the same, but
-  // beside a crease interpolation leans away from the face by up to half the angle.
+  // Uses facet normals where the paper interpolates vertex normals. Over a sampled square both average to the same, but
+  // next to a crease interpolation leans away from the face by up to half the angle.
   std::vector<float> map = std::move(*looked);
   for (int row = 0; row < options.mapTexels; ++row) {
     for (int column = 0; column < options.mapTexels; ++column) {
@@ -232,7 +234,7 @@ Result<bool> DirectionSearch::step() {
   iterations_.push_back({current_, sample.varianceMm2, sample.outsideFraction, sample.worstAngle, sample.measure});
 
   const bool once = options_.method == DirectionMethod::MeanNormal || options_.method == DirectionMethod::Pca;
-  // The first direction is a single facet's and says little: it is never the answer.
+  // The first direction comes from a single facet and says little, so it is never the answer.
   const bool updated = iterations_.size() > 1;
   if (updated) {
     const auto least = std::min_element(
@@ -248,13 +250,13 @@ Result<bool> DirectionSearch::step() {
                           ? sample.leastVariance
                           : unitOrZero(sample.mean + sample.depthBalance + sample.outside);
   const Vec3 next = frame.right * inAxes.x + frame.up * inAxes.y + frame.normal * inAxes.z;
-  // Normals that cancel out, or a direction from behind the centre, lead nowhere: what there is stays.
+  // Normals that cancel out, or a direction from behind the centre, lead nowhere: keep the direction found so far.
   if (glm::length(next) < 0.5 || glm::dot(next, iterations_.front().normal) <= 0) {
     if (!updated) best_ = current_;
     return true;
   }
-  // The far cells lean away from the plane, so each full step goes too far: on a sphere it swings by ±4° for ever. From
-  // the second update on half a step is taken, which settles at once.
+  // The far cells lean away from the plane, so each full step overshoots: on a sphere it oscillates by ±4° for ever.
+  // From the second update on it takes half a step, which converges at once.
   current_ = glm::normalize(updated ? glm::normalize(next) + current_ : next);
   best_ = updated ? best_ : current_;
   return false;

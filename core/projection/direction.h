@@ -15,12 +15,12 @@ namespace qrelief {
 
 enum class DirectionMethod {
   MeanNormal,     ///< mean of the surface's normals [Papp 2022, §3, first method]
-  DepthBalanced,  ///< the distance to the reader's eye varies little [Papp 2022, §3, second method]
-  Pca,            ///< axis along which points of the surface vary least [Kikuchi et al. 2018]
-  Optimal         ///< from DepthBalanced's answer on, see optimal_direction.h
+  DepthBalanced,  ///< the distance to the eye varies little [Papp 2022, §3, second method]
+  Pca,            ///< axis along which surface points vary least [Kikuchi et al. 2018]
+  Optimal         ///< refines DepthBalanced's answer, see optimal_direction.h
 };
 
-/// "mean-normal", "depth-balanced", "pca", "optimal": names that scripts rely on.
+/// Returns "mean-normal", "depth-balanced", "pca" or "optimal". Scripts rely on these names.
 const char* directionMethodName(DirectionMethod method);
 
 struct DirectionOptions {
@@ -28,79 +28,81 @@ struct DirectionOptions {
   double sizeMm = 35;       ///< edge of the sampled square, > 0
   int samples = 1024;       ///< Halton points of the map
   int grid = 8;             ///< cells along the edge of the depth grid, ≥ 2
-  int maxIterations = 5;    ///< updates of the direction
+  int maxIterations = 5;    ///< limit on updates of the direction
   double variance = 0.002;  ///< stop when the variance of the distance is ≤ this · sizeMm²: 0.05 cm² at 5 cm
   int mapTexels = 256;
   double eyeDistanceMm = 250;  ///< from the centre, > 0
 };
 
-/// What one rendering from one direction said.
+/// Measurements of one rendering from one direction.
 struct DirectionIteration {
-  Vec3 normal;                 ///< the direction looked from, unit, towards the reader
+  Vec3 normal;                 ///< viewing direction, unit, towards the viewer
   double varianceMm2 = 0;      ///< variance of the distance over the texels that meet the model
-  double outsideFraction = 0;  ///< of the texels, 0 … 1
+  double outsideFraction = 0;  ///< fraction of the texels off the model, 0 … 1
   double worstAngle = 0;       ///< see MapSample
   double measure = 0;          ///< see MapSample
 };
 
-/// What a pair of maps says of the direction it was rendered from. Vectors in the axes of the frame, each unit or zero.
+/// Directions and ratings derived from one normal and distance map. Vectors are in the axes of the frame, each unit or
+/// zero.
 struct MapSample {
-  Vec3 mean{0};           ///< step 1: over all Halton samples
-  Vec3 depthBalance{0};   ///< step 2: over the cells of the two largest and two smallest mean distances, ties included
-  Vec3 outside{0};        ///< step 3: over the cells wholly outside the silhouette; zero if there is none
-  Vec3 leastVariance{0};  ///< principal axis of the Halton samples' surface points that varies least, towards the eye
+  Vec3 mean{0};  ///< step 1: mean normal of all Halton samples
+  /// Step 2: mean normal of the cells with the two largest and the two smallest mean distances, ties included.
+  Vec3 depthBalance{0};
+  Vec3 outside{0};        ///< step 3: mean normal of the cells wholly outside the silhouette; zero if there is none
+  Vec3 leastVariance{0};  ///< principal axis along which the Halton samples' surface points vary least, towards the eye
   double varianceMm2 = 0;
   double outsideFraction = 0;
-  bool centreIsSeen = false;  ///< nothing is nearer to the eye, by more than a few texels, than the centre
+  bool centreIsSeen = false;  ///< nothing is nearer to the eye than the centre by more than a few texels
 
-  /// Angle (radians) at which the twentieth of the square that is seen most obliquely is seen: between the facets'
-  /// normals and the lines to the eye, by the mean of the cosines; 0 = frontal, π/2 = edge-on, or outside.
+  /// Angle (radians) between facet normals and lines to the eye, over the most oblique twentieth of the square, by the
+  /// mean of the cosines. 0 = frontal; π/2 = edge-on, or outside.
   double worstAngle = 0;
 
-  /// How badly a code reads from here, without unit: variance/s² + kObliqueWeight·(1 - cos worstAngle), where variance
-  /// is that of the distance and a texel outside the silhouette counts as lying s/2 off the mean. 0 = a flat surface
-  /// looked at frontally from far away. This is what DirectionMethod::Optimal minimises.
+  /// Badness of the direction, without unit: variance/s² + kObliqueWeight·(1 - cos worstAngle). The variance is that of
+  /// the distance; a texel outside the silhouette counts as s/2 off the mean. 0 = a flat surface seen frontally from
+  /// far away. DirectionMethod::Optimal minimises this measure.
   double measure = 0;
 };
 
-/// Weight of the worst angle in `MapSample::measure`: to turn by 10° towards a facet that is seen at 60° is worth the
-/// variance that a plane tilted by 10° has, tan²(10°)/12.
+/// Weight of the worst angle in `MapSample::measure`: turning by 10° towards a facet that is seen at 60° weighs as much
+/// as the variance of a plane tilted by 10°, tan²(10°)/12.
 inline constexpr double kObliqueWeight = 0.02;
 
-/// Samples a normal and distance map [Papp 2022, §3]. A texel outside the silhouette counts with the normal
-/// normalise((B - C)/(s/2) - n̂), which turns an overhanging square back towards the body.
-/// @param normals  texels² of (unit normal, distance in mm), row 0 at the bottom; distance 0 = outside
+/// Samples a normal and distance map [Papp 2022, §3]. A texel outside the silhouette gets the normal normalise((B -
+/// C)/(s/2) - n̂), which turns an overhanging square back towards the body.
+/// @param normals  texels² values of (unit normal, distance in mm), row 0 at the bottom; distance 0 = outside
 MapSample sampleMap(std::span<const float> normals, int texels, const DirectionOptions& options);
 
-/// How a surface map (SurfaceMaps::surface, texels² of it) of a window is had.
+/// Function that produces the surface map (SurfaceMaps::surface, texels² values) of a window.
 using SurfaceLook = std::function<Result<std::vector<float>>(const ProjectionFrame& frame, const MapWindow& window)>;
 
-/// Rendered by the GPU and read back.
+/// Returns a look that renders on the GPU and reads the map back.
 /// @param pass, mesh  kept by reference
 SurfaceLook lookByRendering(const GeometryPass& pass, const GpuMesh& mesh);
 
-/// Looks at the square that a frame defines and samples it, with the frame's eye distance.
+/// Samples the square that a frame defines, from the frame's eye distance.
 Result<MapSample> lookFrom(const SurfaceLook& look, const ProjectionFrame& frame, const DirectionOptions& options);
 Result<MapSample> lookFrom(const GeometryPass& pass, const GpuMesh& mesh, const ProjectionFrame& frame,
                            const DirectionOptions& options);
 
-/// Direction of projection by sampling the surface [Papp 2022, §3], one rendering a step.
+/// Search for the direction of projection by sampling the surface [Papp 2022, §3], one rendering per step.
 ///
-/// MeanNormal: the mean of the map's normals, once. Pca: the axis along which the sampled surface points vary least,
-/// once. DepthBalanced, and Optimal, whose first part it is: the mean of the steps' vectors, repeated until the
-/// distance varies little (from the second time on by half a step, as full ones swing); if it never does, the direction
-/// it varied least from.
+/// MeanNormal takes the mean of the map's normals, once. Pca takes the axis along which the sampled surface points vary
+/// least, once. DepthBalanced, which is also the first part of Optimal, repeatedly takes the mean of the three steps'
+/// vectors until the distance varies little. From the second update on it goes half the way, because full updates
+/// oscillate. If the distance never varies little enough, the direction with the least variance wins.
 class DirectionSearch {
  public:
   /// @param surfaceNormal  at the centre, any length > 0
-  /// @param eyeDistance    instead of the options'
+  /// @param eyeDistance    replaces the one in the options
   DirectionSearch(SurfaceLook look, Vec3 centre, Vec3 surfaceNormal, Vec3 upHint, double eyeDistance,
                   const DirectionOptions& options);
   /// @param pass, mesh     kept by reference
   DirectionSearch(const GeometryPass& pass, const GpuMesh& mesh, Vec3 centre, Vec3 surfaceNormal, Vec3 upHint,
                   double eyeDistance, const DirectionOptions& options);
 
-  /// Looks from the current direction once. @returns true when the search is over
+  /// Renders once from the current direction. @returns true when the search is over
   Result<bool> step();
 
   Vec3 normal() const { return best_; }

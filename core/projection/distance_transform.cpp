@@ -7,7 +7,8 @@
 namespace qrelief {
 namespace {
 
-/// Distance to the nearest blocked texel of the same column; more than any distance of the map where there is none.
+/// Computes the distance to the nearest blocked texel of the same column; larger than any distance of the map if there
+/// is none.
 std::vector<std::int32_t> columnDistances(std::span<const std::uint8_t> blocked, int texels) {
   const auto size = static_cast<std::size_t>(texels);
   std::vector<std::int32_t> distance(blocked.size());
@@ -20,7 +21,7 @@ std::vector<std::int32_t> columnDistances(std::span<const std::uint8_t> blocked,
   return distance;
 }
 
-/// The parabolas x ↦ (x - q)² + f(q) of one row, as far as they are lowest somewhere.
+/// The parabolas x ↦ (x - q)² + f(q) of one row, restricted to where each is lowest.
 class LowerEnvelope {
  public:
   explicit LowerEnvelope(int texels)
@@ -32,8 +33,8 @@ class LowerEnvelope {
     vertex_[0] = 0;
     begin_[0] = 0;
     for (int q = 1; q < texels; ++q) {
-      // The new parabola takes over from the last one where it becomes lower; if that is before the last one began,
-      // the last one is nowhere lowest.
+      // The new parabola takes over from the last one where it becomes lower. If that is before the last one began, the
+      // last one is nowhere lowest.
       int from = firstLower(vertex_[last], q);
       while (last > 0 && from <= begin_[last]) from = firstLower(vertex_[--last], q);
       if (last == 0 && from <= 0) {
@@ -52,7 +53,7 @@ class LowerEnvelope {
   }
 
  private:
-  /// Least x, not below 0, at which the parabola of q is not higher than that of p < q.
+  /// Returns the least x ≥ 0 at which the parabola of q is not higher than the parabola of p < q.
   int firstLower(int p, int q) const {
     const std::int32_t numerator =
         q * q - p * p + height_[static_cast<std::size_t>(q)] - height_[static_cast<std::size_t>(p)];

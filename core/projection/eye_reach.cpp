@@ -10,8 +10,8 @@ namespace qrelief {
 namespace {
 
 constexpr float kSteepest = 0.1f;     // cosine of the steepest surface that the code can lie on
-constexpr double kStepSlope = 10;     // and the steepest rise from texel to texel that is no jump
-constexpr int kFractionSamples = 40;  // along the edge of a square of which a fraction is asked for
+constexpr double kStepSlope = 10;     // steepest rise from texel to texel that is no jump
+constexpr int kFractionSamples = 40;  // samples along the edge of the square that missingFraction() tests
 
 std::size_t indexOf(int column, int row, int texels) {
   return 4 * (static_cast<std::size_t>(row) * static_cast<std::size_t>(texels) + static_cast<std::size_t>(column));
@@ -24,7 +24,7 @@ void flood(EyeReach& reach, const std::vector<float>& maps) {
   std::vector<std::pair<int, int>> waiting;
   for (int column = (n - 1) / 2; column <= n / 2; ++column) {
     const std::size_t i = indexOf(column, n / 2, n);
-    // Another surface may stand before the centre.
+    // Another surface may lie in front of the centre.
     if (!faces(i) || reach.texels[i + 1] > 0 || std::abs(reach.texels[i]) > jump) continue;
     reach.texels[i + 1] = 1;
     waiting.emplace_back(column, n / 2);

@@ -9,33 +9,34 @@
 
 namespace qrelief {
 
-/// What the eye of a frame sees, and which of it hangs together with the centre: a coarse picture of the visible patch
-/// (projection/silhouette.h) that is made within one frame of an animation. Right to about a texel.
+/// The surface that a frame's eye sees, and the part connected with the centre: a coarse form of the visible patch
+/// (projection/silhouette.h), fast enough for every frame of an animation. Accurate to about a texel.
 struct EyeReach {
-  /// Of the maps: heights of texels that meet nothing.
+  /// Height of a texel that shows no surface.
   static constexpr float kNothing = -1e6f;
 
   ProjectionFrame frame;
   MapWindow window;
-  /// window.texels²·(height over the QR plane, 1 = reached from the centre, slope along right, slope along up), row 0
-  /// at the bottom.
+  /// window.texels² values of (height over the QR plane, 1 = reached from the centre, slope along right, slope along
+  /// up), row 0 at the bottom.
   std::vector<float> texels;
 
   bool isReached(int column, int row) const;
 
-  /// Edge of the largest square about the centre that is reached at every rotation; within the window.
+  /// Returns the edge of the largest square about the centre that is reached at every rotation, mm; within the window.
   double freeMm() const;
-  /// Edge of the largest one whose sides are turned anticlockwise from the frame's axes, radians.
+  /// Returns the edge of the largest reached square whose sides are turned anticlockwise from the frame's axes, mm.
+  /// @param turn  radians
   double alignedMm(double turn) const;
-  /// Fraction of such a square that is not reached, 0 … 1.
+  /// Returns the fraction of such a square that is not reached, 0 … 1.
   double missingFraction(double edgeMm, double turn) const;
 
-  /// All that the eye sees counts as reached, as the exact patch says.
+  /// Marks everything the eye sees as reached, as in the exact patch.
   void trust();
 };
 
-/// Looks at a window and floods it from the centre: from texel to texel where the surface is seen at less
-/// than kSteepest and does not jump. Cost: one look.
+/// Renders a window and floods it from the centre. The flood passes from texel to texel where the surface is less
+/// oblique than kSteepest and does not jump. Cost: one look.
 Result<EyeReach> lookAround(const SurfaceLook& look, const ProjectionFrame& frame, const MapWindow& window);
 
 }  // namespace qrelief

@@ -8,17 +8,17 @@
 
 namespace qrelief {
 
-/// Which of some facets, projected on the QR plane, lies under a point?
+/// Finds the facet under a point among facets projected onto the QR plane.
 class FacetLocator {
  public:
-  /// @param images  counter-clockwise, inner points not overlapping; at least one
+  /// @param images  counter-clockwise, interiors not overlapping; at least one
   explicit FacetLocator(std::vector<Triangle2> images);
 
-  /// The facet that contains the point, on a common border the one it lies deepest in, ties by index; where none does,
-  /// one that it misses by little more than rounding if there is such a one, else any.
+  /// Returns the facet that contains the point: on a common border the one in which it lies deepest, ties by index. If
+  /// none contains it, returns one that it misses by little more than rounding if possible, else any.
   std::uint32_t nearest(Vec2 point);
 
-  /// How far a point lies within a facet: its distance from the nearest side's line, negative outside.
+  /// Returns how deep a point lies within a facet: its distance from the nearest side's line, negative outside.
   double depthIn(std::uint32_t facet, Vec2 point) const;
 
  private:

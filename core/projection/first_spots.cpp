@@ -12,15 +12,15 @@ namespace {
 constexpr int kTexels = 160;
 constexpr int kStride = 5;            // texels between candidates
 constexpr int kGrid = 8;              // cells along the square's edge
-constexpr double kLeastFacing = 0.5;  // cosine to the line of sight: the spot is to be seen at once
-// Weights of what a reader suffers from; a flat, covered square scores 0.
-constexpr double kTiltWeight = 0.3;  // of the mean of 1 - cos(normal, mean normal)
+constexpr double kLeastFacing = 0.5;  // cosine to the line of sight: the spot should be visible at once
+// Weights of the defects that hinder decoding; a flat, covered square scores 0.
+constexpr double kTiltWeight = 0.3;  // weight of the mean of 1 - cos(normal, mean normal)
 constexpr double kUncoveredWeight = 0.5;
-constexpr double kApart = 0.3;             // least distance of two spots, of the square's edge
-constexpr double kOffCentreWeight = 0.01;  // of the distance from the picture's middle, in half pictures
+constexpr double kApart = 0.3;             // least distance of two spots, as a fraction of the square's edge
+constexpr double kOffCentreWeight = 0.01;  // weight of the distance from the picture's middle, in half pictures
 
 struct Sample {
-  Vec3 position, normal;  // axes of the rendering's frame, origin at its centre
+  Vec3 position, normal;  // in axes of the rendering's frame, origin at its centre
   bool isCandidate = false;
 };
 

@@ -9,22 +9,22 @@
 
 namespace qrelief {
 
-/// A place where a code would probably do well.
+/// A promising place for a code.
 struct FirstSpot {
   Vec3 position;  ///< near the surface, model space
-  Vec3 normal;    ///< mean of the surface around it, unit
+  Vec3 normal;    ///< mean normal of the surface around it, unit
 };
 
-/// Places among what an eye sees for a first proposal, to be tried and moved by the user: the visible points around
-/// which a square of the given size is flattest, most evenly directed and best covered by the model (what hides behind
-/// contours counts as not covered); well apart, best first. That a code fits there has still to be checked.
+/// Finds places for a first proposal, which the user then tries and moves. They are the visible points whose
+/// surrounding square is flattest, most evenly oriented and best covered by the model; parts hidden behind contours
+/// count as not covered. The spots are well apart, best first. The caller still has to check that a code fits.
 ///
 /// Cost: one rendering of 160² texels and a few million operations.
-/// @param view    where is looked from, and at what
-/// @param widthMm  edge of the square that is looked at, on the plane of the view, > 0
-/// @param sizeMm  edge of the square, > 0
-/// @param most    number of spots
-/// @returns none if the eye sees nothing that faces it
+/// @param view    the eye and the point it looks at
+/// @param widthMm  edge of the visible square, on the plane of the view, > 0
+/// @param sizeMm  edge of the rated square, > 0
+/// @param most    limit on the number of spots
+/// @returns an empty list if the eye sees no surface that faces it
 Result<std::vector<FirstSpot>> firstSpots(const GeometryPass& pass, const GpuMesh& mesh, const ProjectionFrame& view,
                                           double widthMm, double sizeMm, std::size_t most);
 

@@ -16,13 +16,13 @@ Corners cornersOf(const Mesh& mesh, std::uint32_t triangle) {
   return {mesh.corner(triangle, 0), mesh.corner(triangle, 1), mesh.corner(triangle, 2)};
 }
 
-/// +1 if the eye sees `p` to the left of the line from corner k to the next, so within the facet's image if it is so
-/// for all three; 0 on the line.
+/// Returns +1 if the eye sees `p` to the left of the line from corner k to the next, 0 on the line. A point is inside
+/// the facet's image if the result is +1 for all three sides.
 int insideOfSide(const Corners& corners, std::size_t k, Vec3 p, Vec3 eye) {
   return sideOfPlane(corners[k], corners[(k + 1) % 3], p, eye);
 }
 
-/// Whether the boxes around two images are apart, rounding or not.
+/// Returns true if the boxes around two images are apart despite rounding.
 bool certainlyApart(const Triangle2& triangle, const Segment2& segment, double noise) {
   const Vec2 low = glm::min(glm::min(triangle[0], triangle[1]), triangle[2]) - noise;
   const Vec2 high = glm::max(glm::max(triangle[0], triangle[1]), triangle[2]) + noise;
@@ -31,7 +31,7 @@ bool certainlyApart(const Triangle2& triangle, const Segment2& segment, double n
   return from.x > high.x || to.x < low.x || from.y > high.y || to.y < low.y;
 }
 
-/// The part of a segment in a counter-clockwise triangle, or outside it by no more than `noise`.
+/// Returns the part of a segment in a counter-clockwise triangle, or outside it by at most `noise`.
 std::optional<Segment2> clipped(const Segment2& segment, const Triangle2& triangle, double noise) {
   double enter = 0;
   double leave = 1;
@@ -49,8 +49,8 @@ std::optional<Segment2> clipped(const Segment2& segment, const Triangle2& triang
   return Segment2{segment[0] + along * enter, segment[0] + along * leave};
 }
 
-/// Where exact tests found a meeting too small for `clipped`: the point of the segment nearest to the triangle's
-/// middle.
+/// Returns the point of the segment nearest to the triangle's middle, for a meeting found by exact tests but too small
+/// for `clipped`.
 Segment2 touchingPoint(const Segment2& segment, const Triangle2& triangle) {
   const Vec2 middle = (triangle[0] + triangle[1] + triangle[2]) / 3.0;
   const Vec2 along = segment[1] - segment[0];
@@ -62,8 +62,8 @@ Segment2 touchingPoint(const Segment2& segment, const Triangle2& triangle) {
 
 enum class Meeting { None, Touches, Crosses };
 
-/// Of the images of an edge that starts at corner `shared` of the facet, and the facet; the corner itself does not
-/// count.
+/// Classifies the meeting of a facet's image and the image of an edge that starts at corner `shared` of the facet; the
+/// corner itself does not count.
 Meeting meetingFromCorner(const Corners& corners, std::size_t shared, Vec3 otherEnd, Vec3 eye) {
   const int left = insideOfSide(corners, shared, otherEnd, eye);
   const int right = insideOfSide(corners, (shared + 2) % 3, otherEnd, eye);
@@ -71,7 +71,8 @@ Meeting meetingFromCorner(const Corners& corners, std::size_t shared, Vec3 other
   return left > 0 && right > 0 ? Meeting::Crosses : Meeting::Touches;
 }
 
-/// Of the images of an edge and a facet that share no corner: a side that parts them is looked for.
+/// Classifies the meeting of the images of an edge and a facet that share no corner: it looks for a side that separates
+/// them.
 Meeting meetingApart(const Corners& corners, const std::array<Vec3, 2>& ends, Vec3 eye) {
   bool crosses = true;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -90,7 +91,8 @@ Meeting meetingApart(const Corners& corners, const std::array<Vec3, 2>& ends, Ve
   return crosses && least < 0 && most > 0 ? Meeting::Crosses : Meeting::Touches;
 }
 
-/// The edge's image as far as it lies in front of the facet's plane; `inFront` = on which side its ends lie.
+/// Returns the part of the edge's image in front of the facet's plane.
+/// @param inFront  on which side of the plane the edge's ends lie
 Segment2 partInFront(const Corners& corners, const ContourEdge& edge, const std::array<int, 2>& inFront,
                      const ProjectionFrame& frame) {
   Segment2 part = edge.projected;
@@ -119,7 +121,7 @@ std::optional<Occluder> occluderOf(const Mesh& mesh, std::uint32_t triangle, con
       if (vertices[static_cast<std::size_t>(k)] == edge.vertices[end]) shared[end] = k;
     if (shared[end] < 0) inFront[end] = sideOfPlane(corners[0], corners[1], corners[2], edge.ends[end]);
   }
-  if (inFront[0] <= 0 && inFront[1] <= 0) return {};  // an edge of the facet, or none of it is nearer
+  if (inFront[0] <= 0 && inFront[1] <= 0) return {};  // an edge of the facet, or no part of it is nearer
 
   Meeting meeting;
   if (shared[0] >= 0)
@@ -133,7 +135,7 @@ std::optional<Occluder> occluderOf(const Mesh& mesh, std::uint32_t triangle, con
   const Segment2 part = partInFront(corners, edge, inFront, frame);
   const std::optional<Segment2> segment = clipped(part, image, view.noiseMm);
   const bool throughPlane = inFront[0] * inFront[1] < 0;
-  if (!segment && throughPlane) return {};  // it meets the facet's image behind the facet
+  if (!segment && throughPlane) return {};  // it passes behind the facet
   return Occluder{segment ? *segment : touchingPoint(part, image), meeting == Meeting::Crosses};
 }
 
@@ -166,7 +168,7 @@ std::optional<CentreObstruction> whatHidesCentre(const Mesh& mesh, const Project
       least = std::min(least, side);
       most = std::max(most, side);
     }
-    if (least * most < 0 || (least == 0 && most == 0)) continue;  // beside the ray's line, or edge-on
+    if (least * most < 0 || (least == 0 && most == 0)) continue;  // off the ray's line, or edge-on
 
     const Vec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
     const double fraction = glm::dot(normal, corners[0] - eye) / glm::dot(normal, frame.centre - eye);

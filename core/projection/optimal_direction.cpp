@@ -30,7 +30,7 @@ Vec3 OptimalDirection::turned(Vec2 turn) const {
   return glm::normalize(frame_.normal * std::cos(angle) + towards * std::sin(angle));
 }
 
-/// The next side to try within the bound; false where the last step has been tried on all.
+/// Chooses the next side to try within the bound; returns false once the last step has been tried on all sides.
 bool OptimalDirection::chooseNext() {
   constexpr std::array<Vec2, 4> kSides = {Vec2(1, 0), Vec2(0, 1), Vec2(-1, 0), Vec2(0, -1)};
   for (;;) {

@@ -5,13 +5,13 @@
 
 namespace qrelief {
 
-/// The direction whose `MapSample::measure` is least, by a bounded search on the sphere around a start (beyond the
-/// paper: its future work), one rendering a step.
+/// Search for the direction with the least `MapSample::measure` on the sphere around a start, within a bound (beyond
+/// the paper: its future work), one rendering per step.
 ///
-/// **Method.** Compass search [Hooke, Jeeves 1961; Kolda, Lewis, Torczon 2003]: from the best direction so far a step
-/// in one of four perpendicular directions on the sphere, the last successful one first; where none is better, the step
-/// is halved, from 8° down to 1°. It stays within kFarthestTurn of the start, and never looks from where something else
-/// hides the centre. The start is the first candidate, so the answer is never worse than it.
+/// **Method.** Compass search [Hooke, Jeeves 1961; Kolda, Lewis, Torczon 2003]. From the best direction so far it takes
+/// a step in one of four perpendicular directions on the sphere, the last successful one first. Where none is better it
+/// halves the step, from 8° down to 1°. It stays within kFarthestTurn of the start, and rejects directions from which
+/// something else hides the centre. The start is the first candidate, so the answer is never worse than the start.
 ///
 /// Cost: at most kMaxLooks renderings; 17 if the start is the best.
 class OptimalDirection {
@@ -21,15 +21,15 @@ class OptimalDirection {
 
   /// @param pass, mesh  kept by reference
   /// @param start       any length > 0; DepthBalanced's answer
-  /// @param options     the square and its sampling; the method does not matter
+  /// @param options     the square and its sampling; the method is ignored
   OptimalDirection(const GeometryPass& pass, const GpuMesh& mesh, Vec3 centre, Vec3 start, Vec3 upHint,
                    double eyeDistance, const DirectionOptions& options);
 
-  /// Looks from one more direction. @returns true when the search is over
+  /// Renders from one more direction. @returns true when the search is over
   Result<bool> step();
 
   Vec3 normal() const { return iterations_[best_].normal; }
-  /// All directions looked from, the start first.
+  /// Returns all directions tried, the start first.
   const std::vector<DirectionIteration>& iterations() const { return iterations_; }
 
  private:

@@ -9,19 +9,19 @@ namespace qrelief {
 
 namespace detail {
 
-/// sideOfPlane without the filter.
+/// Computes sideOfPlane without the filter.
 int exactSideOfPlane(Vec3 a, Vec3 b, Vec3 c, Vec3 d);
 
 }  // namespace detail
 
-/// On which side of the plane through a, b, c the point d lies, exactly: +1 where a, b, c turn counter-clockwise seen
-/// from d, -1 on the other side, 0 in the plane.
+/// Returns the side of the plane through a, b, c on which the point d lies, exactly: +1 where a, b, c turn
+/// counter-clockwise seen from d, -1 on the other side, 0 in the plane.
 ///
-/// Seen from an eye E, `sideOfPlane(a, b, x, E)` is the side of the projected line ab on which the projection of x
-/// lies (+1 = left), without computing any projection.
+/// Seen from an eye E, `sideOfPlane(a, b, x, E)` is the side of the projected line ab on which the projection of x lies
+/// (+1 = left). No projection is computed.
 ///
-/// Cost: one determinant; exact arithmetic (CGAL, EPICK) only where its sign is not certain, that is where it is
-/// smaller than Shewchuk's bound (7 + 56ε)·ε·permanent on its rounding error, ε = 2^-53 [Shewchuk 1997, orient3d A].
+/// Cost: one determinant. Exact arithmetic (CGAL, EPICK) runs only where the sign is uncertain: where the determinant
+/// is smaller than Shewchuk's bound (7 + 56ε)·ε·permanent on its rounding error, ε = 2^-53 [Shewchuk 1997, orient3d A].
 inline int sideOfPlane(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
   const Vec3 p = a - d;
   const Vec3 q = b - d;

@@ -15,8 +15,8 @@ constexpr std::array<const char*, 4> kSizeModeNames = {"free", "oriented", "best
 const char* sizeModeName(SizeMode mode) { return kSizeModeNames[static_cast<std::size_t>(mode)]; }
 
 double roomFactor(int modules, bool quietZone) {
-  // Carving moves its outlines by up to an eighth of a submodule, or a hundredth of a millimetre, off the model's
-  // edges.
+  // Carving moves the pockets' outlines off the model's edges by up to an eighth of a submodule, or a hundredth of a
+  // millimetre.
   constexpr double kBorderModules = 0.06;
   return (modules + 2 * (quietZone ? kQuietZoneModules : kBorderModules)) / modules;
 }

@@ -9,43 +9,43 @@
 namespace qrelief {
 
 enum class SizeMode {
-  Free,      ///< the largest that fits at every rotation
-  Oriented,  ///< the largest that fits at the rotation asked for
-  Best,      ///< the largest that fits at any rotation, and that rotation
-  Fixed      ///< the size asked for, or an error that names the largest
+  Free,      ///< the largest size that fits at every rotation
+  Oriented,  ///< the largest size that fits at the requested rotation
+  Best,      ///< the largest size that fits at any rotation, and that rotation
+  Fixed      ///< the requested size, or an error that names the largest
 };
 
-/// "free", "oriented", "best", "fixed": names that scripts rely on.
+/// Returns "free", "oriented", "best" or "fixed". Scripts rely on these names.
 const char* sizeModeName(SizeMode mode);
 
-/// What found sizes must leave room for behind the surface.
+/// Room that found sizes must leave behind the surface.
 struct PocketDemand {
   double minWallMm = 0;     ///< material that must remain, ≥ 0
-  double depthModules = 0;  ///< pockets under every module, in modules; 0: walls do not count
+  double depthModules = 0;  ///< pocket depth, in modules; 0: walls are ignored
 
   bool operator==(const PocketDemand&) const = default;
 };
 
-/// Where the code goes, which way it looks and how large it is.
+/// The requested centre, direction and size of a code.
 struct PlacementRequest {
   Vec3 centreMm{0};  ///< moved to the nearest surface point
   SizeMode sizeMode = SizeMode::Free;
   double sizeMm = 0;      ///< Fixed: edge of the symbol without quiet zone, > 0
   double maxSizeMm = 60;  ///< upper bound of a found size, > 0
   bool quietZone = true;  ///< the quiet zone must fit, too
-  Vec3 upHint{0, 0, 1};   ///< where the symbol's top points, projected onto the QR plane
-  double rotateDeg = 0;   ///< then turned anticlockwise, as the reader sees it; Best: turned on from there
+  Vec3 upHint{0, 0, 1};   ///< direction of the symbol's top, projected onto the QR plane
+  double rotateDeg = 0;   ///< further anticlockwise turn, as the viewer sees it; Best: start of the turn
   DirectionMethod directionMethod = DirectionMethod::DepthBalanced;
-  std::optional<Vec3> direction;  ///< towards the reader; overrides the method
+  std::optional<Vec3> direction;  ///< towards the viewer; overrides the method
   double eyeDistanceMm = 250;     ///< > 0
-  double beyondMm = 0;   ///< the patch must be known this much farther than the largest code reaches, ≥ 0 (walls)
-  PocketDemand pockets;  ///< of a size that is found; one that is asked for is carved as deep as its walls allow
+  double beyondMm = 0;            ///< margin of the known patch beyond the largest code, ≥ 0 (for walls)
+  PocketDemand pockets;           ///< for found sizes only; a fixed size is carved as deep as its walls allow
 
   bool operator==(const PlacementRequest&) const = default;
 };
 
-/// How much larger than the symbol the square is that the surface must have room for: the quiet zone, or, without it,
-/// the little that embedding may move the pockets' outlines by.
+/// Returns the edge of the square that must fit on the surface, in edges of the symbol: the symbol with its quiet zone,
+/// or, without quiet zone, with the small margin by which embedding may move the pockets' outlines.
 double roomFactor(int modules, bool quietZone);
 
 }  // namespace qrelief

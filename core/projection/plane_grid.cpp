@@ -21,7 +21,7 @@ struct Range {
   }
 };
 
-/// The u that a shape takes where bottom ≤ v ≤ top; empty if it does not come there.
+/// Returns the range of u that a shape covers where bottom ≤ v ≤ top; empty if it covers none.
 Range rangeBetween(const Triangle2& shape, double bottom, double top) {
   Range range;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -56,7 +56,7 @@ void PlaneGrid::forEachCell(const Triangle2& shape, Visit&& visit) const {
     int from = firstColumn;
     int to = lastColumn;
     if (firstRow != lastRow && firstColumn != lastColumn) {
-      // The outermost rows reach to infinity.
+      // The outermost rows extend to infinity.
       const double bottom = j == 0 ? low.y : min_.y + j * cell_.y - slack.y;
       const double top = j == size_ - 1 ? high.y : min_.y + (j + 1) * cell_.y + slack.y;
       const Range range = rangeBetween(shape, bottom, top);

@@ -9,18 +9,19 @@
 
 namespace qrelief {
 
-/// Uniform bins over the QR plane that answer "which of these shapes may meet that one?".
+/// Uniform bins over the QR plane that find the shapes near a given shape.
 ///
-/// Shapes are entered row by row into the cells they cross, not by their boxes, so that long slanted ones cost no more
-/// than their length. Memory: about four cells a shape.
+/// Shapes are entered row by row into the cells they cross, not by their boxes, so long slanted shapes cost no more
+/// than their length. Memory: about four cells per shape.
 class PlaneGrid {
  public:
   /// @param shapes     finite coordinates; may be empty
-  /// @param halfWidth  the bins cover at most the square |u|, |v| ≤ halfWidth (> 0, may be infinite); what lies
-  ///                   farther out falls into the outermost bins, found as surely but more slowly
+  /// @param halfWidth  the bins cover at most the square |u|, |v| ≤ halfWidth (> 0, may be infinite); shapes farther
+  ///                   out fall into the outermost bins, where searches are correct but slower
   PlaneGrid(std::span<const Triangle2> shapes, double halfWidth);
 
-  /// Indices of all shapes that may meet `shape`, each once, in no useful order; valid until the next call.
+  /// Returns the indices of all shapes that may meet `shape`, each once, in no particular order; valid until the next
+  /// call.
   std::span<const std::uint32_t> near(const Triangle2& shape);
 
  private:
@@ -29,7 +30,7 @@ class PlaneGrid {
   int column(double u) const;
   int row(double v) const;
 
-  int size_ = 0;  // cells along an edge; 0 = nothing in it
+  int size_ = 0;  // cells along an edge; 0 = empty
   Vec2 min_{0};
   Vec2 cell_{1};
   std::vector<std::uint32_t> begin_;  // per cell, into items_

@@ -11,7 +11,7 @@
 namespace qrelief {
 
 using Segment2 = std::array<Vec2, 2>;   ///< in plane coordinates, mm
-using Triangle2 = std::array<Vec2, 3>;  ///< the same; a segment is one whose last two corners coincide
+using Triangle2 = std::array<Vec2, 3>;  ///< the same; a triangle whose last two corners coincide is a segment
 
 inline Vec2 nearestOnSegment(Vec2 point, const Segment2& segment) {
   const Vec2 along = segment[1] - segment[0];
@@ -24,7 +24,7 @@ inline double distanceToSegment(Vec2 point, const Segment2& segment) {
   return glm::distance(point, nearestOnSegment(point, segment));
 }
 
-/// 0 inside. @param triangle  counter-clockwise
+/// Returns 0 inside. @param triangle  counter-clockwise
 inline double distanceToTriangle(Vec2 point, const Triangle2& triangle) {
   bool inside = true;
   double distance = glm::distance(point, triangle[0]);
@@ -36,7 +36,7 @@ inline double distanceToTriangle(Vec2 point, const Triangle2& triangle) {
   return inside ? 0 : distance;
 }
 
-/// 0 where they cross.
+/// Returns 0 if the segments cross.
 inline double distanceBetween(const Segment2& s, const Segment2& t) {
   const auto parts = [](const Segment2& line, Vec2 p, Vec2 q) {
     const Vec2 along = line[1] - line[0];

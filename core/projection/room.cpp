@@ -7,7 +7,7 @@
 namespace qrelief {
 namespace {
 
-/// Models that are tiny may be in another unit; others have to be made larger.
+/// Returns the advice for a model that is too small: tiny models may be in another unit, others must be scaled up.
 Message adviceFor(const PreparedModel& model) {
   if (model.unitSuggestions.empty()) return message("scale-up-or-shorten");
   return unitAdvice(model.unitSuggestions);

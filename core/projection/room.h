@@ -7,27 +7,28 @@
 
 namespace qrelief {
 
-/// Below this a module is neither printed nor read by anything at hand (finest resin printers: 0.05 mm pixels, four to
-/// a module).
+/// Smallest useful module: nothing available prints or scans a smaller one (finest resin printers: 0.05 mm pixels, four
+/// to a module).
 inline constexpr double kMinModuleMm = 0.2;
 
-/// A code that room is looked for.
+/// The code that has to fit.
 struct CodeRoom {
   int modules = 21;  ///< along the symbol's edge
-  double outer = 1;  ///< edge of what must fit, in edges of the symbol, ≥ 1
+  double outer = 1;  ///< edge of the square that must fit, in edges of the symbol, ≥ 1
 
   double minSymbolMm() const { return kMinModuleMm * modules; }
 };
 
-/// Edge that no square on the QR plane about a point of a model exceeds if the model is to fill it as seen from the
-/// eye, wherever the point lies and whichever way the plane: two opposite corners of the square are the images of
-/// points of the model, at most a diagonal d of its box apart. Seen from the distance D, a point at the height h ≤ d
-/// over the plane is enlarged by D / (D - h), so that the corners' images are at most d / (1 - d / D) apart, √2 edges.
-/// Infinite from within a diagonal.
+/// Returns an upper bound of the edge of a square on the QR plane that the model can fill as seen from the eye, for any
+/// point of the model as the centre and any orientation of the plane. Two opposite corners of the square are the images
+/// of points of the model, at most a diagonal d of its box apart. From the distance D, a point at the height h ≤ d over
+/// the plane is enlarged by D / (D - h), so the images of the corners are at most d / (1 - d / D) apart, which is √2
+/// edges. Infinite if the eye is within one diagonal.
 double squareBoundMm(const Box3& boxMm, double eyeDistanceMm);
 
-/// Whether a model may have room for a code of the least module size; by its box alone, so at once.
-/// @returns NoSolution if it has not, with the units that would help
+/// Checks if a model can have room for a code with the smallest modules. It looks at the bounding box only, so it is
+/// immediate.
+/// @returns NoSolution if there is no room, with the units that would help
 Status checkRoom(const PreparedModel& model, const CodeRoom& room, double eyeDistanceMm);
 
 }  // namespace qrelief

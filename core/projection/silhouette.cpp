@@ -16,12 +16,12 @@
 namespace qrelief {
 namespace {
 
-/// From the centre, as the region grows.
+/// Returns the size of the growing region when it reaches a point.
 double reachOfPoint(Vec2 p, GrowingRegion region) {
   return region == GrowingRegion::Disc ? glm::length(p) : std::max(std::abs(p.x), std::abs(p.y));
 }
 
-/// Fraction of a side, from a to b, at which the region meets it first.
+/// Returns the fraction of a side, from a to b, at which the growing region meets it first.
 double nearestFraction(Vec2 a, Vec2 b, GrowingRegion region) {
   const Vec2 along = b - a;
   if (region == GrowingRegion::Disc) {
@@ -40,12 +40,13 @@ double nearestFraction(Vec2 a, Vec2 b, GrowingRegion region) {
   return best;
 }
 
-/// Point of an edge nearest to the centre, kept off the edge's ends: paths go through edges, not vertices.
+/// Returns the point of an edge nearest to the centre, kept away from the edge's ends: paths go through edges, not
+/// vertices.
 Vec2 nearestInnerPoint(Vec2 a, Vec2 b, GrowingRegion region) {
   return a + (b - a) * std::clamp(nearestFraction(a, b, region), 0.001, 0.999);
 }
 
-/// Least reach of a triangle's points.
+/// Returns the least reach of a triangle's points.
 double reachOfTriangle(const Triangle2& triangle, GrowingRegion region) {
   double reach = distanceToTriangle(Vec2(0), triangle);
   if (region == GrowingRegion::Disc || reach == 0) return reach;
@@ -61,7 +62,7 @@ double reachOfTriangle(const Triangle2& triangle, GrowingRegion region) {
 struct ObstructedFacet {
   std::uint32_t triangle = 0;
   bool crossed = false;  // otherwise they only touch it
-  double reach = 0;      // at which it was entered
+  double reach = 0;      // reach at which it was entered
   std::vector<Segment2> occluders;
 };
 
@@ -78,7 +79,7 @@ class Flood {
         contours_(contourEdges(mesh, adjacency, frame, view_)),
         bins_(imagesOf(contours_), 2 * radius),
         state_(mesh.triangles.size(), State::Excluded) {
-    // In order of storage, not of the flood: on large meshes memory, not arithmetic, costs the time.
+    // Goes in order of storage, not of the flood: on large meshes memory access, not arithmetic, dominates the time.
     for (std::uint32_t t = 0; t < state_.size(); ++t)
       if (view_.facing[t] == Facing::Front && withinRadius(t))
         state_[t] = bins_.near(image(t)).empty() ? State::Clear : State::Unseen;
@@ -135,10 +136,10 @@ class Flood {
     Unseen,    // not reached yet
     Waiting,   // has occluders; reached, perhaps several times, but not entered
     Taken,
-    Dropped  // its image overlaps that of a facet met earlier
+    Dropped  // its image overlaps the image of a facet met earlier
   };
 
-  /// A way into an obstructed facet: the nearest first, ties by index.
+  /// An entry point into an obstructed facet: the nearest first, ties by index.
   struct Entry {
     double reach;
     std::uint32_t triangle;
@@ -167,7 +168,7 @@ class Flood {
     if (distanceToSegment(Vec2(0), segment) <= radius_) patch.silhouette.push_back(segment);
   }
 
-  /// A point of `triangle` that is seen, on the edge over which the flood comes (in the seed: the centre).
+  /// Offers a visible point of `triangle` on the edge over which the flood comes (in the seed: the centre).
   void offer(std::uint32_t triangle, Vec2 point) {
     State& state = state_[triangle];
     if (state == State::Unseen) {
@@ -199,7 +200,8 @@ class Flood {
     return facet;
   }
 
-  /// Offers the neighbours of a facet: all of them, or those that a path from `from` reaches clear of occluders.
+  /// Offers the neighbours of a facet: all of them, or those that a path from `from` reaches without meeting an
+  /// occluder.
   void leave(std::uint32_t triangle, std::span<const Segment2> occluders, Vec2 from) {
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t across = adjacency_[triangle][k];
@@ -218,8 +220,8 @@ class Flood {
     return distanceToTriangle(Vec2(0), corners) <= radius_;
   }
 
-  /// A point of an edge that the straight path from `from` reaches without meeting an occluder; the nearest to the
-  /// centre is tried first (the proof of exactness needs no other), the others help regions that are no discs.
+  /// Finds a point of an edge that the straight path from `from` reaches without meeting an occluder. It first tries
+  /// the point nearest to the centre (the proof of exactness needs no other); the others help regions other than discs.
   std::optional<Vec2> clearPoint(const Segment2& edge, Vec2 from, std::span<const Segment2> occluders) const {
     const Vec2 along = edge[1] - edge[0];
     for (const Vec2 point : {nearestInnerPoint(edge[0], edge[1], region_), edge[0] + along * 0.5,
@@ -232,8 +234,8 @@ class Flood {
     return {};
   }
 
-  /// Of each two facets whose images overlap drops the one met later. Facets without occluders are seen as a whole and
-  /// never overlap one another, so one of the two is crossed.
+  /// Drops the facet met later of each two whose images overlap. Facets without occluders are fully visible and never
+  /// overlap one another, so one of the two is crossed.
   void dropOverlapping() {
     std::vector<std::uint32_t> crossed;  // records
     std::vector<Triangle2> images;
@@ -301,7 +303,7 @@ class Flood {
   std::unordered_map<std::uint32_t, std::uint32_t> recordOf_;  // triangle → index in obstructed_; only looked up
 };
 
-/// Why nothing can be put at the centre, if so.
+/// Returns an error if no code can be placed at the centre.
 Status checkCentre(const Mesh& mesh, const ProjectionFrame& frame, const EyeView& view, std::uint32_t seed) {
   if (view.facing[seed] == Facing::Away)
     return fail(ErrorKind::NoSolution, message("centre-faces-away", with::count("triangle", seed)));

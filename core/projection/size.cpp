@@ -11,8 +11,8 @@ namespace {
 
 double maximumNorm(Vec2 p) { return std::max(std::abs(p.x), std::abs(p.y)); }
 
-/// Least maximum norm along a segment: convex and linear between the axes and the diagonals, so least at an end or
-/// where the segment crosses one of these four lines.
+/// Returns the least maximum norm along a segment. The norm is convex, and linear between the axes and the diagonals,
+/// so it is least at an end or where the segment crosses one of these four lines.
 double leastMaximumNorm(const Segment2& segment) {
   const Vec2 a = segment[0];
   const Vec2 b = segment[1];

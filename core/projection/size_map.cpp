@@ -19,9 +19,10 @@ namespace {
 constexpr double kTexelsPerSquare = 32;
 constexpr int kMinTexels = 128;
 constexpr int kMaxTexels = 512;
-constexpr double kBorderTexels = 2;     // of background around the model, so that something is always blocked
-constexpr double kBlockedTexels = 0.5;  // from the middle of a blocked texel to the contour that passes it, at most
-constexpr double kSamples = 6000;       // about so many vertices at least
+constexpr double kBorderTexels = 2;  // background around the model, so that some texel is always blocked
+// Greatest distance from the middle of a blocked texel to the contour through it.
+constexpr double kBlockedTexels = 0.5;
+constexpr double kSamples = 6000;  // approximate least number of vertices
 
 double cosineOfDegrees(double degrees) { return std::cos(toRadians(degrees)); }
 
@@ -34,14 +35,14 @@ double surfaceArea(const Mesh& mesh) {
   return area;
 }
 
-/// Smallest that still surrounds all vertices about the middle of their box.
+/// Returns the smallest radius about the centre that encloses all vertices.
 double radiusAbout(const Mesh& mesh, Vec3 centre) {
   double squared = 0;
   for (const Vec3f& p : mesh.positions) squared = std::max(squared, glm::dot(Vec3(p) - centre, Vec3(p) - centre));
   return std::sqrt(squared);
 }
 
-/// Of the facets around each vertex, by area; shorter than 1 where they differ.
+/// Computes the mean normal of the facets around each vertex, weighted by area; shorter than 1 where they differ.
 std::vector<Vec3> meanNormals(const Mesh& mesh) {
   std::vector<Vec3> normals(mesh.positions.size(), Vec3(0));
   std::vector<double> area(mesh.positions.size(), 0);
@@ -63,7 +64,7 @@ SizeMap sampled(const Mesh& mesh, std::span<const Vec3f> normals, std::size_t fa
   SizeMap map;
   const double area = surfaceArea(mesh);
   if (mesh.triangles.size() > facets + facets / 2) {
-    // A surface passes about 1.5 cells of edge h for each h² of its area, and there are two facets to a vertex.
+    // A surface passes through about 1.5 cells of edge h for each h² of its area, and there are two facets per vertex.
     ClusteredMesh coarse = clusterVertices(mesh, normals, std::sqrt(3 * area / static_cast<double>(facets)));
     map.mesh = std::move(coarse.mesh);
     map.vertexOf = std::move(coarse.clusterOf);
@@ -73,7 +74,7 @@ SizeMap sampled(const Mesh& mesh, std::span<const Vec3f> normals, std::size_t fa
     map.vertexOf.resize(mesh.positions.size());
     std::iota(map.vertexOf.begin(), map.vertexOf.end(), 0u);
   }
-  // Facets of edge e have 0.87 e² a vertex; half that where edges have just been halved.
+  // Facets of edge e have an area of 0.87 e² per vertex; half that where edges have just been halved.
   map.mesh = refineEdges(std::move(map.mesh), 1.5 * std::sqrt(area / kSamples), 2 * facets);
   map.normals = vertexNormals(map.mesh);
   map.sizeMm.assign(map.mesh.positions.size(), 0.0f);
@@ -100,14 +101,15 @@ struct SizeMapSearch::State {
   RasterWindow window;
   std::optional<ViewRaster> raster;
   std::vector<Vec3> meanNormal;
-  std::vector<double> score;  // per vertex: of the view that is kept
+  std::vector<double> score;  // per vertex: score of its best view
   int view = 0;
 
   void lookFrom(Vec3 direction);
   double radiusAround(std::span<const std::int32_t> squared, std::uint32_t vertex) const;
 };
 
-/// Distance in texels from the nearest blocked one, between the four texels around the vertex.
+/// Returns the distance in texels from the nearest blocked texel, interpolated between the four texels around the
+/// vertex.
 double SizeMapSearch::State::radiusAround(std::span<const std::int32_t> squared, std::uint32_t vertex) const {
   const Vec2 at = raster->at(vertex) - 0.5;
   const int column = std::clamp(static_cast<int>(at.x), 0, window.texels - 2);
@@ -123,7 +125,7 @@ double SizeMapSearch::State::radiusAround(std::span<const std::int32_t> squared,
 void SizeMapSearch::State::lookFrom(Vec3 direction) {
   const ProjectionFrame frame = makeFrame(centre, direction, {0, 0, 1}, radius + options.eyeDistanceMm);
   raster->draw(frame, window, cosineOfDegrees(kMaxTiltDeg));
-  // The isoptic test; parts behind the middle look smaller than they are, and so would a code there.
+  // The isoptic test. Parts behind the middle look smaller than they are, and so would a code there.
   const double shrink = frame.eyeDistance / (frame.eyeDistance + radius);
   if (raster->coveredMm2() < std::pow(options.minMm * shrink, 2)) {
     ++map.viewsDropped;

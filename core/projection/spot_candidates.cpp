@@ -14,8 +14,8 @@ namespace {
 constexpr double kSizeClass = 1.1;
 constexpr double kSteeperFraction = 0.01;
 constexpr double kSteepDeg = 50;
-// Of version 3, across a square that bends as much as the symbol in it: with the quiet zone of the square's size it has
-// 37 modules, and what bends over the symbol alone is less as the square of the edge.
+// Effective modules along the square's edge for aimToleranceDeg(), for version 3. With its quiet zone the square has 37
+// modules, but the symbol alone (29) bends less, in proportion to the square of its edge.
 constexpr double kUsualModules = 29.0 * 29 / 37;
 
 double cosineOf(double deg) { return std::cos(toRadians(deg)); }

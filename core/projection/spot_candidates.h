@@ -8,43 +8,44 @@
 
 namespace qrelief {
 
-/// How a square lies on a surface, seen along its frame's normal.
+/// Flatness of the surface under a square, seen along the frame's normal.
 struct SquareQuality {
   double varianceMm2 = 0;    ///< variance of the heights over the QR plane
-  double bendMm = 0;         ///< see bend.h; of the facets' middles
+  double bendMm = 0;         ///< see bend.h; computed from the facets' middles
   double worstAngleDeg = 0;  ///< between the surface and the QR plane; a hundredth of the area is steeper
 };
 
-/// Of the map's facets whose middles lie over the square and that face the reader; all zero if there is none.
+/// Rates the map's facets whose middles lie over the square and that face the viewer; all zero if there is none.
 /// Cost: O(T).
 SquareQuality qualityOf(const SizeMap& map, const ProjectionFrame& frame, double edgeMm);
 
-/// A place that the map thinks well of; still to be tested.
+/// A promising place according to the map; not yet checked.
 struct SpotCandidate {
   Vec3 position{0};   ///< on the map's mesh
-  Vec3 direction{0};  ///< unit, towards the reader
-  double sizeMm = 0;  ///< edge of the largest square, at every rotation, by the map
+  Vec3 direction{0};  ///< unit, towards the viewer
+  double sizeMm = 0;  ///< edge of the largest square that fits at every rotation, according to the map
   SquareQuality quality;
 };
 
 struct CandidateOptions {
-  double edgeMm = 0;     ///< of the square looked for, > 0
-  double minSizeMm = 0;  ///< by the map; a map may err, so this may be less than the edge
-  double enoughMm = std::numeric_limits<double>::infinity();  ///< sizes beyond it are as good as it
-  double apart = 0.5;  ///< least distance of two spots that do not look away from each other, in edges
+  double edgeMm = 0;     ///< edge of the square, > 0
+  double minSizeMm = 0;  ///< smallest size in the map; may be less than the edge, because the map is an estimate
+  double enoughMm = std::numeric_limits<double>::infinity();  ///< larger sizes count as this size
+  double apart = 0.5;  ///< least distance of two spots, in edges, unless they face away from each other
   std::size_t maxCount = 48;
 };
 
-/// Well separated spots, best first: the largest sizes, in classes of 10 %; in a class those with the least spread of
-/// heights (as a fraction of the edge) and slope (1 - cosine of the worst angle) together.
+/// Finds well separated spots, best first: the largest sizes, in classes of 10 %. Within a class it ranks by height
+/// spread (as a fraction of the edge) plus slope (1 - cosine of the worst angle), least first.
 ///
 /// Cost: O(V log V + most · (V + T)).
 std::vector<SpotCandidate> spotCandidates(const SizeMap& map, const CandidateOptions& options);
 
-/// The order of spots by size and quality; smaller is better. A spot counts as less large, in proportion, where it has
-/// to be looked at more straight than hands hold a phone without care (10°; the more a surface bends under a code, the
-/// smaller the code must be to forgive so much), and where it is steeper than 50°: a phone 30° aside hardly sees that.
-/// @param edgeMm  of the square that `quality` is of
+/// Rank of a spot by size and quality; smaller is better. A spot's size counts for less, in proportion, in two cases.
+/// First, where the phone must be held straighter than people do without taking care (10°): the more a surface bends,
+/// the smaller a code must be to tolerate that tilt. Second, where the surface is steeper than 50°: a phone 30° aside
+/// hardly sees such a surface.
+/// @param edgeMm  edge of the square that `quality` describes
 /// @param aimDeg  see aimToleranceDeg()
 struct SpotRank {
   SpotRank(double sizeMm, const SquareQuality& quality, double edgeMm, double aimDeg);

@@ -8,20 +8,20 @@
 namespace qrelief {
 namespace {
 
-constexpr double kNearFraction = 1e-3;  // of the eye's distance: what lies nearer to its plane is cut off
+constexpr double kNearFraction = 1e-3;  // of the eye's distance: parts nearer to the eye's plane are cut off
 
 /// A corner in the frame's axes: right, up, and its distance from the eye along the axis.
 struct Corner {
   double x = 0, y = 0, depth = 0;
 };
 
-/// A corner in texels, with what is linear there.
+/// A corner in texels, with the inverse depth, which is linear there.
 struct Seen {
   double x = 0, y = 0;
   double inverseDepth = 0;
 };
 
-/// The map that is drawn, with the inverse depths of what it shows.
+/// The map being drawn, with the inverse depths of the visible surface.
 class Canvas {
  public:
   Canvas(const ProjectionFrame& frame, const MapWindow& window)
@@ -60,7 +60,8 @@ class Canvas {
   void drawSeen(const Seen& a, const Seen& b, const Seen& c, Vec3 normal) {
     const double area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
     if (!(area > 0)) return;
-    // Of the texels' middles; clamped before they become integers, as corners beside the eye lie far away.
+    // Ranges over the texels' middles; clamped before conversion to integers, because corners level with the eye lie
+    // far away.
     const auto first = [&](double low) {
       return static_cast<int>(std::ceil(std::clamp(low - 0.5, 0.0, 1.0 * texels_)));
     };
@@ -98,7 +99,7 @@ class Canvas {
 
 SurfaceRaster::SurfaceRaster(const Mesh& mesh) : mesh_(&mesh), clustered_(clusterTriangles(mesh)) {}
 
-/// Those that face the eye, or those that it sees from behind, turned round.
+/// Draws the facets that face the eye, or those seen from behind, with their corners reversed.
 template <class Canvas>
 void SurfaceRaster::drawFacets(Canvas& canvas, const ProjectionFrame& frame, const MapWindow& window,
                                bool front) const {

@@ -10,21 +10,21 @@
 
 namespace qrelief {
 
-/// Small surface maps drawn by the processor: what GeometryPass gives, to rounding and but for the texels at the border
-/// between two facets, without waiting for the GPU and what it has still to draw.
+/// Small surface maps drawn by the processor. They equal those of GeometryPass up to rounding and the texels at the
+/// border between two facets, but need not wait for the GPU to finish other work.
 class SurfaceRaster {
  public:
   /// @param mesh  kept by reference
   explicit SurfaceRaster(const Mesh& mesh);
 
-  /// What a frame's eye sees of the facets that face it.
+  /// Draws the facets that face a frame's eye.
   /// Cost: O(T' + texels²) for the T' triangles of the clusters that the window may show.
-  /// @returns texels² of SurfaceMaps::surface: facet's unit normal in the frame's axes, height over the QR plane in mm;
-  ///          row 0 at the bottom, all zero where the ray misses the model
+  /// @returns texels² values of SurfaceMaps::surface: facet's unit normal in the frame's axes, height over the QR plane
+  ///          in mm; row 0 at the bottom, all zero where the ray misses the model
   std::vector<float> draw(const ProjectionFrame& frame, const MapWindow& window) const;
 
-  /// Distance from the eye along each texel's ray to the first facet seen from behind, mm: what lies between it and the
-  /// front is material. 0 where there is none. texels² values, row 0 at the bottom; cost as draw().
+  /// Draws the distance from the eye along each texel's ray to the first facet seen from behind, mm; between it and the
+  /// front lies material. 0 where there is none. texels² values, row 0 at the bottom; cost as for draw().
   std::vector<float> drawBack(const ProjectionFrame& frame, const MapWindow& window) const;
 
  private:

@@ -8,7 +8,7 @@
 namespace qrelief {
 namespace {
 
-constexpr float kContourStep = 0.5f;  // texels between two looks along a contour edge
+constexpr float kContourStep = 0.5f;  // texels between two samples along a contour edge
 
 }  // namespace
 
@@ -33,7 +33,7 @@ void ViewRaster::draw(const ProjectionFrame& frame, const RasterWindow& window, 
   inverseDepth_.assign(texels, 0.0f);
   blocked_.assign(texels, 0);
   project(frame);
-  // A surface that lies at 45° to the line of sight moves away by one texel's width a texel.
+  // A surface at 45° to the line of sight recedes by one texel's width per texel.
   depthSlack_ = static_cast<float>(window.texelMm() / (frame.eyeDistance * frame.eyeDistance));
   drawFacets(frame, minCosine);
   std::size_t covered = 0;

@@ -18,34 +18,35 @@ struct RasterWindow {
   double texelMm() const { return extentMm / texels; }
 };
 
-/// What an eye sees of a coarse mesh, in texels: where a code cannot lie.
+/// A view of a coarse mesh, in texels, that marks where a code cannot lie.
 ///
-/// Drawn by the processor, not the GPU: a map takes hundreds of small views of some ten thousand facets, for which
-/// waiting for the read-back costs more than drawing (bench/spot_search.cpp), and it is the same everywhere.
+/// Drawn by the processor, not the GPU: a map takes hundreds of small views of about ten thousand facets, for which
+/// waiting for the read-back costs more than drawing (bench/spot_search.cpp). The result is also the same on every
+/// machine.
 class ViewRaster {
  public:
   /// @param mesh, adjacency  kept by reference
   ViewRaster(const Mesh& mesh, const Adjacency& adjacency);
 
-  /// Draws a view: facets that face the eye with their depths; then blocks the texels that show no surface, those whose
-  /// facet is too oblique, and those that a contour edge passes which is seen (an edge between a facet that faces the
-  /// eye and one that does not, see projection/contour.h).
+  /// Draws the facets that face the eye, with their depths. Then blocks the texels that show no surface, that show too
+  /// oblique a facet, or that a visible contour edge passes (an edge between a facet that faces the eye and one that
+  /// does not, see projection/contour.h).
   ///
-  /// A contour edge counts as seen unless everything in the nine texels around it is nearer: beside a seen contour
-  /// there is always something farther.
+  /// A contour edge counts as visible unless all nine texels around it are nearer: next to a visible contour something
+  /// is always farther.
   /// Cost: O(T + texels²).
-  /// @param frame        all vertices are farther than the eye's own plane
+  /// @param frame      all vertices lie in front of its eye
   /// @param minCosine  between a facet's normal and the direction to the eye
   void draw(const ProjectionFrame& frame, const RasterWindow& window, double minCosine);
 
-  /// Not 0 where no code can lie.
+  /// Returns values that are not 0 where no code can lie.
   std::span<const std::uint8_t> blocked() const { return blocked_; }
-  /// Of the texels that show a surface.
+  /// Returns the area of the texels that show a surface.
   double coveredMm2() const { return covered_ * window_.texelMm() * window_.texelMm(); }
-  /// Position of a vertex in the last view, in texels; its integer part is the texel.
+  /// Returns the position of a vertex in the last view, in texels; its integer part is the texel.
   Vec2 at(std::uint32_t vertex) const { return {vertices_[vertex].x, vertices_[vertex].y}; }
-  /// Whether nothing in the last view is nearer than a vertex of the surface, given that no contour lies within two
-  /// texels of it.
+  /// Returns true if nothing in the last view is nearer than a vertex of the surface, given that no contour lies within
+  /// two texels of it.
   bool sees(std::uint32_t vertex) const;
 
  private:
@@ -62,10 +63,11 @@ class ViewRaster {
 
   const Mesh* mesh_;
   const Adjacency* adjacency_;
-  std::vector<Vec3> normals_;        // of the facets
-  std::vector<Vec3> smoothNormals_;  // of the facets, from their corners': slope without the noise of single facets
+  std::vector<Vec3> normals_;  // of the facets
+  // of the facets, from their corners' normals: slope without the noise of single facets
+  std::vector<Vec3> smoothNormals_;
   RasterWindow window_;
-  float depthSlack_ = 0;  // inverse depths that differ by less belong to one sheet
+  float depthSlack_ = 0;  // inverse depths closer than this belong to one sheet
   std::vector<Seen> vertices_;
   std::vector<std::uint8_t> front_;
   std::vector<float> inverseDepth_;  // 0 = no surface
