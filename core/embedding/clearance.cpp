@@ -126,7 +126,7 @@ void Clearance::placeAll() {
 
 void Clearance::placeAgain(std::span<const std::uint32_t> nodes) {
   for (const std::uint32_t node : nodes) {
-    // Move it even if our measure says that it is in the best place.
+    // Move it even if it already has the best place by this measure.
     graph_.nodes[node] = dart(node);
     place(node);
   }

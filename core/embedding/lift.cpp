@@ -54,7 +54,7 @@ class Lifter {
     }
   }
 
-  /// Finds the facets under those nodes of the grid whose triangles do not determine one.
+  /// Finds the facets under grid nodes whose triangles do not determine one.
   void locateGrid(std::span<const std::uint32_t> firstTriangle) {
     std::optional<FacetLocator> locator;
     for (std::uint32_t p = arrangement_.firstNode; p < arrangement_.firstCrossing; ++p) {

@@ -30,18 +30,18 @@ struct OutlineGraph {
 /// There is a node at every grid corner where outlines turn, branch or change depths. A corner that one outline passes
 /// straight is no node, so uniform areas stay coarse. Four depths lie around a corner, north-west to south-west:
 ///
-///          NW | NE        Walls stand along the corner's ray. The stretch of it at depth x belongs to the walls
-///         ----+----       between a cell shallower and a cell deeper than x: as often as the cyclic sequence
-///          SW | SE        NW, NE, SE, SW changes from one to the other, that is 0, 2 or 4 times.
+///          NW | NE        Walls run along the corner's ray. At depth x the ray belongs to one wall for each change
+///         ----+----       between a cell shallower and a cell deeper than x in the cyclic sequence NW, NE, SE, SW.
+///          SW | SE        The sequence changes 0, 2 or 4 times.
 ///
 /// It changes four times only if one diagonal pair is wholly deeper than the other (a *saddle*). Four walls would then
 /// share an edge, which is not allowed in a solid. The corner becomes two nodes, each moved along the diagonal into its
-/// deeper cell, and the shallow cells join between them through a band as wide as the distance of the nodes:
+/// deeper cell, and the shallow cells join between them through a band as wide as the nodes are apart:
 ///
-///          deep | shallow            deep  | shallow         At each of the two nodes three cells meet. A cyclic
-///         ------+------       →     -----A |                 sequence of three changes 0 or 2 times: at most two
-///        shallow| deep                    \|B----            walls on every stretch of every ray. A–B itself is an
-///                                  shallow |  deep           outline if the shallow cells differ.
+///          deep | shallow            deep  | shallow         Three cells meet at each of the two nodes. A cyclic
+///         ------+------       →     -----A |                 sequence of three changes 0 or 2 times, so every
+///        shallow| deep                    \|B----            stretch of every ray has at most two walls. A–B itself
+///                                  shallow |  deep           is an outline if the shallow cells differ.
 ///
 /// So every edge along a ray has exactly two walls. A node's vertex at depth L is then regular, too. Its link consists
 /// of arcs across the floors at L and across the adjacent walls; the arcs meet in the two wall-to-wall edges above and

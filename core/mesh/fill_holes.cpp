@@ -205,7 +205,7 @@ struct Patch {
   double diameter;
 };
 
-/// Returns, for each patch, whether its triangles meet others elsewhere than at common edges and corners.
+/// Returns, for each patch, true if its triangles meet others elsewhere than at common edges and corners.
 Result<std::vector<char>> findBadPatches(const Mesh& mesh, const std::vector<Patch>& patches) {
   Mesh filled = mesh;
   std::vector<std::size_t> patchOf;  // of the added triangles

@@ -8,7 +8,7 @@ namespace qrelief {
 /// Makes the body that fills the pockets of a carved model (embedding/inlay.h), for printing in two colours, and checks
 /// it after an STL round trip. Sets EngraveResult::inlay and ::inlaySolidity.
 ///
-/// Cost: that of carving the mesh and checking the solid, for the pockets alone.
+/// Cost: carving the mesh and checking the solid, for the pockets alone.
 /// @param model   model before carving
 /// @param surface mode used for carving
 /// @returns the errors of embedDepthField(); Internal if the round trip fails

@@ -19,8 +19,8 @@ inline constexpr double kPrintedShare = 2.0 / 3;
 /// surroundings (carving/light_neighbours.h). The print's contrast is compared with the design's mean contrast,
 /// separately for finders and other modules, as their patterns differ.
 ///
-/// @param designed, printed light of the submodules of symbol and quiet zone, carved with the target `contrast`
-///                  everywhere; row-major from the quiet zone's top left, 1 = unoccluded
+/// @param designed, printed  light of the submodules of symbol and quiet zone, carved with the target `contrast`
+///                           everywhere; row-major from the quiet zone's top left, 1 = unoccluded
 /// @returns row-major from the symbol's top left, for FastSearchOptions::contrastOfModule
 std::vector<double> contrastForPrint(const Symbol& symbol, const std::vector<double>& designed,
                                      const std::vector<double>& printed, double contrast);

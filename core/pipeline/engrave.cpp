@@ -90,7 +90,7 @@ struct EngraveJob::State {
   std::vector<float> means;  // mean luminance of every cell of the map
   EmbedResult embedded;
   std::unique_ptr<PrintedViewJob> printing;
-  bool isPrinted = false;  // true if the depths are those that the print required
+  bool isPrinted = false;  // true once the print has been taken into account
   EngraveResult result;
 
   Status place();

@@ -14,7 +14,7 @@ namespace qrelief {
 
 struct EngravableModel;
 
-/// Processor that computes the light on a place.
+/// Device that computes the light on a place.
 enum class LightBy : std::uint8_t {
   Renderer,  ///< shaders on a GPU; the CPU if it does the rendering anyway
   Shaders,
@@ -57,7 +57,7 @@ class MeasuredPlace {
   PlaceLightOptions lightOptions() const;
   Status measureByShaders(std::shared_ptr<const LuminancePrograms> programs);
   void measureByProcessor();
-  /// @param front, back distances from the eye along the rays of texelsPerCell² texels of every cell; 0: no surface
+  /// @param front, back  distances from the eye along the rays of texelsPerCell² texels of every cell; 0: no surface
   void measureThickness(std::span<const float> front, std::span<const float> back, int texelsPerCell);
 
   Request request_;

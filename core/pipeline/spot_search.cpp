@@ -115,7 +115,7 @@ struct SpotSearchJob::State {
   OfferedSpot offered;            // the spot being tested
   std::optional<Vec3> direction;  // direction for the test; none: found by the request's method
   std::size_t tooThin = 0;
-  double thickestMm = 0;               // of those
+  double thickestMm = 0;               // the thickest of these walls
   std::optional<OfferedSpot> largest;  // largest spot that takes less than the requested size
   SpotSearchResult result;
   double fraction = kMapShare;  // progress of the job, once spots are tested

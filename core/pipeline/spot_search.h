@@ -70,7 +70,7 @@ struct SpotSearchResult {
 /// wall thickness. The requested direction method is tried first, then, if the code does not fit, the map's direction.
 class SpotSearchJob {
  public:
-  /// @returns BadUsage for a senseless request; the model's blocking findings
+  /// @returns BadUsage for an invalid request; the model's blocking findings
   static Result<std::unique_ptr<SpotSearchJob>> create(std::shared_ptr<const EngravableModel> model,
                                                        SpotSearchRequest request);
   ~SpotSearchJob();

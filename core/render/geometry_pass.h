@@ -35,7 +35,7 @@ struct SurfaceMaps {
   gl::Framebuffer framebuffer;  ///< attachment 0 = surface, 1 = smooth
 };
 
-/// Distance to the first facet seen from behind, mm; 0 where there is none. Less the front distance it is the
+/// Distance to the first facet seen from behind, mm; 0 where there is none. Subtract the front distance to get the
 /// thickness.
 struct BackDistanceMap {
   gl::Texture distance;  ///< R32F
