@@ -85,8 +85,7 @@ void addPieces(std::vector<Constraint>& constraints, Arrangement& result, const 
 std::vector<char> findReplaced(const Footprint& footprint, const OutlineGraph& graph) {
   std::vector<char> replaced(footprint.points.size(), 0);
   std::vector<EdgeGrid::Edge> border;
-  double inner = std::numeric_limits<double>::infinity(),
-         outer = 0;  // the border's distances from the centre, maximum norm
+  double inner = std::numeric_limits<double>::infinity(), outer = 0;  // of the border from the centre, maximum norm
   for (const Outline& o : graph.outlines) {
     if (!o.boundsGrid()) continue;
     border.push_back({graph.nodes[o.from], graph.nodes[o.to]});

@@ -38,8 +38,9 @@ struct EmbedOptions {
 /// that rounding to 32-bit floats could change that. The depth field is responsible for the wall behind the pockets.
 ///
 /// Steps: find the affected facets (footprint.h) and the outlines (outline.h); move the outlines clear of the model
-/// (clearance.h); overlay both and triangulate (arrangement.h); lift (lift.h). Cost: O(n log n) in affected facets and
-/// outlines, about 1 µs each, and a copy of the rest.
+/// (clearance.h); overlay both and triangulate (arrangement.h); lift (lift.h).
+///
+/// Cost: O(n log n) in affected facets and outlines, about 1 µs each, and a copy of the rest.
 ///
 /// @param patch   triangles visible from the eye that cover all carved submodules; projections do not overlap
 /// @param depths  field.size² depths; symbolMm > 0

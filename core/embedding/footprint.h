@@ -19,9 +19,8 @@ inline constexpr std::uint32_t kNoFacet = 0xffffffffu;
 /// and with holes.
 struct Footprint {
   struct Edge {
-    std::uint32_t a = 0, b = 0;  ///< local vertices
-    std::uint32_t left = kNoFacet,
-                  right = kNoFacet;  ///< local facets on both sides of a → b; right = kNoFacet on the rim
+    std::uint32_t a = 0, b = 0;                       ///< local vertices
+    std::uint32_t left = kNoFacet, right = kNoFacet;  ///< local facets at a → b; right = kNoFacet on the rim
   };
   std::vector<std::uint32_t> facets;    ///< mesh triangles, ascending
   std::vector<std::uint32_t> vertices;  ///< local vertex → mesh vertex, ascending

@@ -123,7 +123,7 @@ Message crossingPairs(const Untangling& untangling) {
   return message("crossing-pairs", with::count("count", untangling.pairs));
 }
 
-/// Reports crossing triangles. They do not block: carving works away from them.
+/// Reports crossing triangles. They do not block: carving elsewhere works.
 void reportUntangling(const Untangling& untangling, FindingList& findings) {
   if (untangling.tooCrowded) findings.warn(message("crossings-too-crowded"));
   if (untangling.pairs == 0) return;
