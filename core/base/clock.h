@@ -5,14 +5,14 @@
 
 namespace qrelief {
 
-/// Never goes back and never jumps.
+/// The clock of all timings: it never goes back and never jumps.
 using Clock = std::chrono::steady_clock;
 
 inline double millisecondsSince(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-/// On the clock's own scale, for differences.
+/// Returns the clock's own reading, ms; only differences mean anything.
 inline double nowMs() { return millisecondsSince({}); }
 
 }  // namespace qrelief

@@ -12,33 +12,32 @@ namespace qrelief {
 
 struct Message;
 
-/// A named, typed value of a message. How it is written (digits, unit, language) is decided where it is told.
+/// A named, typed value of a message. Whoever shows the message chooses digits, unit and language.
 struct MessageValue {
   enum class Kind : std::uint8_t {
-    Count,     ///< an integer: how many, or which one
-    Number,    ///< without a unit
+    Count,     ///< an integer: a count or an index
+    Number,    ///< a number without a unit
     LengthMm,  ///< mm
     AngleDeg,  ///< degrees
-    Fraction,  ///< 0 … 1, told as per cent
+    Fraction,  ///< 0 … 1, shown as per cent
     Place,     ///< a point, in the coordinates of the user's file
-    ExtentMm,  ///< of a box along x, y and z, mm
-    Quoted,    ///< text of the user's: of a file, or typed
-    Term,      ///< a name that no language translates: of a format, an element, a unit
+    ExtentMm,  ///< size of a box along x, y and z, mm
+    Quoted,    ///< the user's own text, from a file or typed
+    Term,      ///< an untranslated name: of a format, an element, a unit
     Setting,   ///< key of a setting (settings/settings.h)
-    Choice,    ///< value of a setting of choices, with its key
+    Choice,    ///< a setting's chosen value, with the setting's key
     Indices,   ///< a list of integers
-    Cause      ///< a message, told within this one
+    Cause      ///< a message quoted within this one
   };
   std::string name;
   Kind kind = Kind::Count;
-  std::vector<double> numbers;  ///< one; three of a place or an extent; any of Indices
-  std::string text;             ///< of Quoted, Term and Setting; the choice's value
+  std::vector<double> numbers;  ///< one; Place and ExtentMm: three; Indices: any number
+  std::string text;             ///< of Quoted, Term and Setting; of Choice: the value
   std::string key;              ///< of Choice: the setting
-  std::vector<Message> cause;   ///< one, of Cause
+  std::vector<Message> cause;   ///< of Cause: one message
 
   MessageValue(const char* named, Kind of, std::vector<double> values, std::string_view words);
-  // These stand in message.cpp, as do those of Message: written out at every call they would make the browser's module
-  // larger.
+  // Defined in message.cpp, as are Message's: inlined at every call they would make the browser's module larger.
   MessageValue(const MessageValue& other);
   MessageValue(MessageValue&& other) noexcept;
   MessageValue& operator=(const MessageValue& other);
@@ -47,10 +46,11 @@ struct MessageValue {
   bool operator==(const MessageValue& other) const;
 };
 
-/// What is to be told to a person, without words: which sentence, and the values in it. The words stand in messages/,
-/// by code, in every language; tests/project/messages_test.cpp holds that each message of the sources has them.
+/// A message to a person, without words: a code for its sentence, and the values in the sentence. The folder messages/
+/// holds the sentences by code, in every language; tests/project/messages_test.cpp checks that every message in the
+/// sources has them.
 struct Message {
-  std::string code;  ///< stable, "stl-cut-off"
+  std::string code;  ///< stable, such as "stl-cut-off"
   std::vector<MessageValue> values;
 
   Message();
@@ -63,7 +63,7 @@ struct Message {
   bool operator==(const Message& other) const;
 };
 
-/// The only maker of messages, so that a test finds them all in the sources: `message("stl-cut-off",
+/// Makes a message. Nothing else makes one, so a test finds them all in the sources: `message("stl-cut-off",
 /// with::count("bytes", 83))`.
 /// @param code  a string literal
 template <class... Values>
@@ -71,7 +71,7 @@ Message message(const char* code, const Values&... values) {
   return {code, {values...}};
 }
 
-/// Makers of the values; the name is a string literal that stands in the sentence or in its hint.
+/// Functions that make values. The name is a string literal that occurs in the sentence or in its hint.
 namespace with {
 
 MessageValue numeric(const char* name, MessageValue::Kind kind, double a);
@@ -85,7 +85,7 @@ MessageValue number(const char* name, double value);
 MessageValue lengthMm(const char* name, double mm);
 MessageValue angleDeg(const char* name, double deg);
 MessageValue fraction(const char* name, double part);
-/// @param p  has x, y and z, as do extents
+/// @param p  has members x, y and z
 template <class Vector>
 MessageValue place(const char* name, const Vector& p) {
   return numeric(name, MessageValue::Kind::Place, p.x, p.y, p.z);
@@ -103,7 +103,7 @@ MessageValue cause(const char* name, Message message);
 
 }  // namespace with
 
-/// For tests and debuggers, not for users: `stl-cut-off announced=12 bytes=83`.
+/// Writes a message for tests and debuggers, not for users: `stl-cut-off announced=12 bytes=83`.
 std::ostream& operator<<(std::ostream& stream, const Message& message);
 
 }  // namespace qrelief

@@ -14,12 +14,11 @@
 
 namespace qrelief {
 
-/// Calls work(0) … work(count - 1), each once, on all cores; in the browser, which has one thread, in turn.
+/// Calls work(0) … work(count - 1) once each on all cores. In the browser, which has one thread, calls them in turn.
 ///
-/// The calls may run at the same time and in any order: each writes only to a place of its own, so that the result is
-/// the same however many cores there are. Of several exceptions that of the lowest index is thrown; calls of higher
-/// indices may then be left out.
-/// Cost: starting a thread takes some 20 µs; a call should be worth more.
+/// The calls may run at the same time and in any order. Each must write only to a place of its own, so that the result
+/// does not depend on the number of cores. Of several exceptions the one with the lowest index is thrown; calls with
+/// higher indices may then be left out. Cost: starting a thread takes some 20 µs; a call should take longer.
 template <class Work>
 void parallelFor(std::size_t count, const Work& work) {
 #ifdef __EMSCRIPTEN__
@@ -39,7 +38,7 @@ void parallelFor(std::size_t count, const Work& work) {
   try {
     for (std::size_t i = 1; i < helpers; ++i) threads.emplace_back(takeTurns);
   } catch (const std::system_error&) {
-    // No more threads to be had: those that there are do the work.
+    // No more threads are available; those already running do the work.
   }
   takeTurns();
   for (std::thread& thread : threads) thread.join();

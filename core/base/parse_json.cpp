@@ -55,7 +55,7 @@ class Builder : public nlohmann::json_sax<Json> {
     if (open_.empty()) return root_ = std::move(value);
     Json& parent = *open_.back().value;
     if (parent.is_array()) return parent.get_ref<Json::array_t&>().emplace_back(std::move(value));
-    // Not by operator[], which looks through all keys.
+    // Avoids operator[], which searches all keys.
     return parent.get_ref<Json::object_t&>().emplace_back(std::move(key_), std::move(value)).second;
   }
 

@@ -6,14 +6,15 @@
 
 namespace qrelief {
 
-/// How far a job has come.
+/// Progress of a job.
 struct Progress {
-  Message stage;        ///< what is done now, "finding-depth"
+  Message stage;        ///< present stage, such as "finding-depth"
   double fraction = 0;  ///< of the whole job, 0 … 1, never falls
   bool done = false;
 };
 
-/// All the work of a job at once. @param job  has advance() and takeResult()
+/// Runs a job to its end.
+/// @param job  has advance() and takeResult()
 template <class Job>
 auto runToEnd(Job& job) -> Result<decltype(job.takeResult())> {
   for (;;) {

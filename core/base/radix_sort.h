@@ -8,14 +8,14 @@
 
 namespace qrelief {
 
-/// An unsigned number and what goes with it.
+/// A sort key and the index that goes with it.
 struct KeyedIndex {
   std::uint64_t key;
   std::uint32_t index;
 };
 
-/// Sorts by key; equal keys keep their order. Least significant byte first, bytes that are the same in all keys are
-/// passed over. Cost: O(n) for each byte that differs.
+/// Sorts by key; equal keys keep their order. Goes from the least significant byte upwards and skips bytes that are the
+/// same in all keys. Cost: O(n) for each byte that differs.
 inline void radixSort(std::vector<KeyedIndex>& items) {
   std::array<std::array<std::size_t, 256>, 8> counts{};
   for (const KeyedIndex& item : items)

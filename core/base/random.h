@@ -6,13 +6,13 @@
 
 namespace qrelief {
 
-/// Pseudo-random numbers that are the same on every machine, compiler and standard library, unlike the distributions of
-/// <random>: SplitMix64 [Steele, Lea, Flood 2014], period 2^64. For sampling, not for secrets.
+/// Pseudo-random numbers that, unlike the distributions of <random>, are the same on every machine, compiler and
+/// standard library: SplitMix64 [Steele, Lea, Flood 2014], period 2^64. For sampling, not for secrets.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : state_(seed) {}
 
-  /// All 64 bits are uniform.
+  /// Returns 64 uniform bits.
   std::uint64_t next() {
     state_ += 0x9e3779b97f4a7c15u;
     std::uint64_t z = state_;
@@ -21,20 +21,21 @@ class Random {
     return z ^ (z >> 31);
   }
 
-  /// In [0, 1), a multiple of 2^-53.
+  /// Returns a number in [0, 1), a multiple of 2^-53.
   double uniform() { return static_cast<double>(next() >> 11) * 0x1p-53; }
 
-  /// In [low, high).
+  /// Returns a number in [low, high).
   double uniform(double low, double high) { return low + (high - low) * uniform(); }
 
-  /// Nearly normal, mean 0, standard deviation 1, within ±6: the sum of twelve uniform numbers [Irwin-Hall].
+  /// Returns a nearly normal number: mean 0, standard deviation 1, within ±6: the sum of twelve uniform numbers
+  /// [Irwin-Hall].
   double normal() {
     double sum = -6;
     for (int i = 0; i < 12; ++i) sum += uniform();
     return sum;
   }
 
-  /// In [0, bound), without bias: numbers beyond the last whole multiple of `bound` are drawn again.
+  /// Returns a whole number in [0, bound) without bias: numbers below 2^64 mod `bound` are drawn again.
   /// @param bound  ≥ 1
   std::uint64_t below(std::uint64_t bound) {
     assert(bound >= 1);

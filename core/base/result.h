@@ -9,15 +9,15 @@
 
 namespace qrelief {
 
-/// Why something could not be done; the command's exit status follows from it.
+/// Kind of an error; it decides the command's exit status.
 enum class ErrorKind {
   BadUsage,    ///< the request itself makes no sense (exit status 2)
   BadInput,    ///< the file or the text cannot be used (3)
   NoSolution,  ///< good input, but nothing fits it (4)
-  Internal,    ///< a fault of ours (5)
+  Internal,    ///< a bug in QRelief (5)
 };
 
-/// What was found; the sentence, and what would help, follow from the message's code (messages/).
+/// An error. Its sentence and its hint follow from the message's code (messages/).
 struct Error {
   ErrorKind kind = ErrorKind::Internal;
   Message message;
@@ -27,7 +27,7 @@ template <class T>
 using Result = tl::expected<T, Error>;
 using Status = Result<void>;
 
-/// `return badInput(message("stl-empty"));` from any function returning Result.
+/// Makes an error to return from any function that returns a Result: `return badInput(message("stl-empty"));`.
 inline tl::unexpected<Error> fail(ErrorKind kind, Message message) {
   return tl::unexpected<Error>(Error{kind, std::move(message)});
 }

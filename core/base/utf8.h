@@ -6,8 +6,8 @@
 
 namespace qrelief {
 
-/// Length of the well-formed UTF-8 sequence that the bytes begin with [Unicode 15, table 3-7]; 0 if they begin with
-/// none.
+/// Returns the length of the well-formed UTF-8 sequence at the start of the bytes [Unicode 15, table 3-7]; 0 if there
+/// is none.
 inline std::size_t utf8SequenceLength(std::string_view bytes) {
   const auto at = [&](std::size_t i) { return i < bytes.size() ? static_cast<unsigned char>(bytes[i]) : 0u; };
   const auto within = [&](std::size_t i, unsigned low, unsigned high) { return at(i) >= low && at(i) <= high; };
@@ -27,7 +27,7 @@ inline std::size_t utf8SequenceLength(std::string_view bytes) {
   return 0;
 }
 
-/// Where the first bytes stand that are no UTF-8; npos: all are.
+/// Returns the position of the first byte that is not valid UTF-8; npos if all are valid.
 inline std::size_t firstNoUtf8(std::string_view bytes) {
   for (std::size_t i = 0; i < bytes.size();) {
     const std::size_t length = utf8SequenceLength(bytes.substr(i));

@@ -14,13 +14,13 @@ namespace {
 
 constexpr int kUnknown = -1;
 
-/// A constraint of the triangulation and what is known about its two sides.
+/// A constraint of the triangulation, with the facets and levels on its two sides.
 struct Constraint {
   std::uint32_t from, to;
   std::uint32_t leftFacet = kNoFacet, rightFacet = kNoFacet;
   int leftLevel = kUnknown, rightLevel = kUnknown;
-  bool onEdge = false;    ///< of the model
-  bool onBorder = false;  ///< of the resampled square
+  bool onEdge = false;    ///< lies on a model edge
+  bool onBorder = false;  ///< lies on the resampled square's border
   bool endsFacet() const { return onEdge || onBorder; }
 };
 
@@ -62,7 +62,7 @@ void addPoints(Arrangement& result, const Footprint& footprint, const OutlineGra
   }
 }
 
-/// Outlines cut at their crossings, which are stored in that order.
+/// Adds the outlines, cut at their crossings; the crossings are stored in the same order.
 void addPieces(std::vector<Constraint>& constraints, Arrangement& result, const OutlineGraph& graph) {
   std::size_t next = 0;
   for (std::uint32_t k = 0; k < graph.outlines.size(); ++k) {
@@ -81,11 +81,11 @@ void addPieces(std::vector<Constraint>& constraints, Arrangement& result, const 
   }
 }
 
-/// Footprint vertices within the border of the resampled square, by the parity of borders to their right.
+/// Finds the footprint vertices within the resampled square, by the parity of its borders to their right.
 std::vector<char> findReplaced(const Footprint& footprint, const OutlineGraph& graph) {
   std::vector<char> replaced(footprint.points.size(), 0);
   std::vector<EdgeGrid::Edge> border;
-  double inner = std::numeric_limits<double>::infinity(), outer = 0;  // distances from the centre in the maximum norm
+  double inner = std::numeric_limits<double>::infinity(), outer = 0;  // of the border from the centre, maximum norm
   for (const Outline& o : graph.outlines) {
     if (!o.boundsGrid()) continue;
     border.push_back({graph.nodes[o.from], graph.nodes[o.to]});
@@ -108,8 +108,8 @@ std::vector<char> findReplaced(const Footprint& footprint, const OutlineGraph& g
   return replaced;
 }
 
-/// Model edges cut at their crossings, less what lies within the resampled square.
-/// @returns an error if the rim of the footprint comes there, or if crossings and sides contradict each other
+/// Adds the model edges, cut at their crossings, without the parts inside the resampled square.
+/// @returns an error if the footprint's rim enters the square, or if crossings and sides contradict each other
 std::optional<Error> addEdgeConstraints(std::vector<Constraint>& constraints, const Arrangement& arrangement,
                                         const Footprint& footprint, const OutlineGraph& graph,
                                         std::span<const char> replaced) {
@@ -155,7 +155,7 @@ class ConstraintIndex {
           std::max(constraints[k].from, constraints[k].to), k};
   }
 
-  /// Index of the constraint between two points, or kNoFacet.
+  /// Returns the index of the constraint between two points, or kNoFacet.
   std::uint32_t find(std::uint32_t a, std::uint32_t b) const {
     const std::uint32_t low = std::min(a, b), high = std::max(a, b);
     for (std::uint32_t k = first_[low]; k < first_[low + 1]; ++k)
@@ -171,11 +171,11 @@ class ConstraintIndex {
   std::vector<Entry> entries_;
 };
 
-/// Facet and level of every triangle, spread from the constraints across everything that is not one.
+/// Facet and level of every triangle, spread from the constraints across all other edges.
 struct Labels {
   std::vector<std::uint32_t> facets;
   std::vector<int> levels;
-  std::vector<std::array<std::uint32_t, 3>> constraints;  ///< of each triangle's edges
+  std::vector<std::array<std::uint32_t, 3>> constraints;  ///< constraints at each triangle's edges
   bool consistent = true;
 };
 
@@ -198,7 +198,7 @@ void seedLabels(Labels& labels, const PlaneTriangulation& cdt, std::span<const C
     }
 }
 
-/// Spreads labels from triangle to triangle across edges that `passes`; notes where two different ones meet.
+/// Spreads labels from triangle to triangle across edges that `passes` allows; records conflicts of labels.
 template <class Label, class Passes>
 void spread(std::vector<Label>& labels, Label unknown, const PlaneTriangulation& cdt, const Passes& passes,
             bool& consistent) {
@@ -242,11 +242,11 @@ Labels labelTriangles(const PlaneTriangulation& cdt, std::span<const Constraint>
       },
       labels.consistent);
   for (int& level : labels.levels)
-    if (level == kUnknown) level = 0;  // no outline around: not carved
+    if (level == kUnknown) level = 0;  // no outline nearby: not carved
   return labels;
 }
 
-/// A carved area reaches the footprint's rim, or an outline lies outside.
+/// Returns an error if a carved area reaches the footprint's rim or an outline lies outside.
 std::optional<Error> findLeak(const PlaneTriangulation& cdt, const Labels& labels,
                               std::span<const Constraint> constraints, std::span<const Vec2> points) {
   for (std::uint32_t t = 0; t < cdt.triangles.size(); ++t)
@@ -262,7 +262,7 @@ std::optional<Error> findLeak(const PlaneTriangulation& cdt, const Labels& label
   return std::nullopt;
 }
 
-/// Triangulates the points that are left; the triangulation's indices are those of all points.
+/// Triangulates the remaining points; the result uses the indices of all points.
 Result<PlaneTriangulation> triangulate(const Arrangement& arrangement, std::span<const Constraint> constraints,
                                        std::span<const char> replaced) {
   std::vector<std::uint32_t> left, place(arrangement.points.size(), 0);

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::uint32_t kDartsPerTurn = 32;
 
-/// Uniform in [0, 1), the same everywhere: SplitMix64's finaliser [Steele, Lea, Flood 2014].
+/// Returns a uniform number in [0, 1), the same on every machine: SplitMix64's finaliser [Steele, Lea, Flood 2014].
 double hashToUnit(std::uint64_t key) {
   key += 0x9e3779b97f4a7c15u;
   key = (key ^ (key >> 30)) * 0xbf58476d1ce4e5b9u;
@@ -47,7 +47,7 @@ Clearance::Clearance(OutlineGraph& graph, EdgeGrid& edges, double snapMm)
   }
 }
 
-/// @param enough  the caller asks no further once the clearance is known to be below this
+/// @param enough  stops early once the clearance is known to be below this
 double Clearance::outlineClearance(Vec2 p, Vec2 q, double enough) const {
   double clear = plentyMm_;
   crossings_.clear();
@@ -73,7 +73,7 @@ double Clearance::outlineClearance(Vec2 p, Vec2 q, double enough) const {
   return clear;
 }
 
-/// Clearance of everything that moves with a node: its outlines to nodes already placed, and itself.
+/// Returns the clearance of a node and of its outlines to nodes already placed.
 double Clearance::nodeClearance(std::uint32_t node, Vec2 position, double enough) const {
   double clear = plentyMm_;
   bool alone = true;
@@ -91,13 +91,13 @@ double Clearance::nodeClearance(std::uint32_t node, Vec2 position, double enough
   return clear;
 }
 
-/// Another place for a node, uniform in a square around its ideal one; by exact arithmetic only, so that it is the same
-/// with every mathematical library.
+/// Returns another place for a node, uniform in a square around its ideal place. Uses exact arithmetic only, so that
+/// every maths library gives the same place.
 Vec2 Clearance::dart(std::uint32_t node) {
   const std::uint32_t number = throws_[node]++;
   const int doublings = std::clamp(static_cast<int>(number / kDartsPerTurn) - 2, 0, 30);
   const double farthest = std::min(graph_.leewayMm[node], std::ldexp(snapMm_, doublings));
-  const double half = farthest * 0.7;  // its diagonal is shorter than `farthest`
+  const double half = farthest * 0.7;  // the square's half diagonal is shorter than `farthest`
   const std::uint64_t key = (static_cast<std::uint64_t>(node) << 32 | number) * 2;
   return ideal_[node] + (Vec2(hashToUnit(key), hashToUnit(key + 1)) * 2.0 - 1.0) * half;
 }
@@ -126,7 +126,7 @@ void Clearance::placeAll() {
 
 void Clearance::placeAgain(std::span<const std::uint32_t> nodes) {
   for (const std::uint32_t node : nodes) {
-    // Away from where it is, even if by our measure that is the best place.
+    // Move it even if it already has the best place by this measure.
     graph_.nodes[node] = dart(node);
     place(node);
   }

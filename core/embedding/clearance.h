@@ -9,14 +9,14 @@
 
 namespace qrelief {
 
-/// Keeps outlines clear of the model: moves the nodes of an outline graph a little, so that no model vertex or edge
-/// comes so near to an outline that rounding to 32-bit floats could collapse or flip a triangle of the arrangement.
-/// The model's own vertices stay.
+/// Keeps outlines clear of the model. Moves the nodes of an outline graph slightly, so that rounding to 32-bit floats
+/// cannot collapse or flip a triangle of the arrangement between an outline and a nearby model vertex or edge. The
+/// model's own vertices stay.
 ///
-/// A node stays where it is if all is clear there; else the best of a few places around it is taken (dart throwing
-/// with fixed pseudo-random offsets), one node after another against those already placed, then once more against all.
-/// That moves it by at most `snapMm`; who asks for another place again and again gets darts that fly twice as far each
-/// time, up to the node's leeway: for the odd place where many edges meet in one point.
+/// A node that is clear stays in place. Any other node takes the best of a few places around it (dart throwing with
+/// fixed pseudo-random offsets). Nodes are placed one after another, each clear of the nodes placed before, then once
+/// more clear of all. This moves a node by at most `snapMm`. Repeated calls of placeAgain() double the range of the
+/// darts each time, up to the node's leeway: needed at the rare places where many edges meet in one point.
 class Clearance {
  public:
   /// @param edges  the model's edges on the QR plane; outlives this object
@@ -25,12 +25,12 @@ class Clearance {
   /// Places all nodes. Cost: a grid query for each outline, more for the few that need moving.
   void placeAll();
 
-  /// Throws other darts for these nodes, everything else fixed.
+  /// Finds new places for these nodes, with all others fixed.
   void placeAgain(std::span<const std::uint32_t> nodes);
 
-  /// Smallest of: distance from node to model edge, from model vertex to outline, and from a crossing of outline and
-  /// model edge to the next model edge that the outline crosses, mm; at most `plentyMm()`, which nobody needs more
-  /// than.
+  /// Returns the smallest distance, mm, from a node to a model edge, from a model vertex to an outline, or from a
+  /// crossing of an outline and a model edge to the next model edge that the outline crosses; at most plentyMm(), which
+  /// is always enough.
   double smallest() const;
   double plentyMm() const { return plentyMm_; }
 

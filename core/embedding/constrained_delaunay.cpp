@@ -19,15 +19,15 @@ using Structure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
 using Triangulation =
     CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, CGAL::No_constraint_intersection_tag>;
 
-/// A triangle of the triangulation, turned so that its lowest index comes first.
+/// A triangle of the triangulation, rotated so that its lowest index comes first.
 struct Face {
   Triangle corners;
-  int first;  // CGAL's number of that corner
+  int first;  // CGAL's index of the first corner
   Triangulation::Face_handle handle;
 };
 
-/// The triangulation is unique (CGAL breaks the ties of cocircular points by a symbolic perturbation), but the order in
-/// which CGAL keeps it depends on the standard library; sorting makes the result the same everywhere.
+/// Converts the triangulation to arrays. It is unique (CGAL breaks ties of cocircular points by symbolic perturbation),
+/// but CGAL's order depends on the standard library; sorting makes the result the same everywhere.
 PlaneTriangulation toArrays(Triangulation& cdt) {
   std::vector<Face> faces;
   faces.reserve(cdt.number_of_faces());

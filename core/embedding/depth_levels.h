@@ -8,13 +8,13 @@
 
 namespace qrelief {
 
-/// A depth field in whole quanta, so that "as deep as" is a comparison of integers. Level 0 = not carved.
+/// A depth field in whole quanta, so that depths compare as integers. Level 0 = not carved.
 struct DepthLevels {
   int size = 0;  ///< submodules along an edge
   double symbolMm = 0;
   std::vector<int> level;  ///< row-major like DepthField::depthMm
 
-  /// Level of a submodule; 0 beyond the symbol's edge.
+  /// Returns the level of a submodule; 0 beyond the symbol's edge.
   int at(int row, int column) const {
     if (row < 0 || column < 0 || row >= size || column >= size) return 0;
     return level[static_cast<std::size_t>(row * size + column)];

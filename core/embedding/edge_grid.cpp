@@ -40,7 +40,7 @@ EdgeGrid::BinRange EdgeGrid::binsAlong(int axis, double lo, double hi) const {
 
 template <class Visit>
 void EdgeGrid::visitBins(const Edge& edge, const Visit& visit) const {
-  // Column by column; widened by far more than the rounding of the clip, far less than a bin.
+  // Visit column by column. The slack is far more than the rounding of the clip and far less than a bin.
   const double slack = binMm_ * 1e-6;
   const Vec2 a = edge[0].x <= edge[1].x ? edge[0] : edge[1];
   const Vec2 b = edge[0].x <= edge[1].x ? edge[1] : edge[0];
@@ -52,7 +52,7 @@ void EdgeGrid::visitBins(const Edge& edge, const Visit& visit) const {
       return b.x > a.x ? a.y + (b.y - a.y) * std::clamp((x - a.x) / (b.x - a.x), 0.0, 1.0) : a.y;
     };
     double y0 = heightAt(left), y1 = heightAt(right);
-    if (b.x - a.x <= 2 * slack) y0 = a.y, y1 = b.y;  // upright: the clip says nothing
+    if (b.x - a.x <= 2 * slack) y0 = a.y, y1 = b.y;  // upright edge: clipping by columns is meaningless
     const BinRange rows = binsAlong(1, std::min(y0, y1) - slack, std::max(y0, y1) + slack);
     for (int row = rows.first; row <= rows.last; ++row)
       visit(static_cast<std::size_t>(row) * static_cast<std::size_t>(bins_[0]) + static_cast<std::size_t>(column));

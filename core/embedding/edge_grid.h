@@ -10,7 +10,7 @@
 
 namespace qrelief {
 
-/// Uniform bins over line segments in the plane: which of them may come near a place?
+/// Uniform bins over line segments in the plane, to find the segments near a place.
 class EdgeGrid {
  public:
   using Edge = std::array<Vec2, 2>;
@@ -20,8 +20,8 @@ class EdgeGrid {
 
   const Edge& edge(std::uint32_t index) const { return edges_[index]; }
 
-  /// Every edge that meets the box [lo, hi], and some that do not; each once, in an order that depends on the input
-  /// only. The view holds until the next call.
+  /// Returns every edge that meets the box [lo, hi], and some others; each once, in an order that depends only on the
+  /// input. The result is valid until the next call.
   std::span<const std::uint32_t> near(Vec2 lo, Vec2 hi);
 
  private:

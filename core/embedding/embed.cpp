@@ -14,9 +14,9 @@
 namespace qrelief {
 namespace {
 
-/// Times that outlines are moved before the arrangement is given up.
+/// Number of attempts to move outlines before the arrangement fails.
 constexpr int kAttempts = 8;
-/// Times that an arrangement may be refused as a whole, which other places of the outlines hardly ever mend.
+/// Number of arrangements that may be refused as a whole; moving outlines hardly ever helps then.
 constexpr int kRefusals = 2;
 
 DepthLevels quantise(const DepthField& field) {
@@ -28,8 +28,8 @@ DepthLevels quantise(const DepthField& field) {
   return levels;
 }
 
-/// Outlines so long that more than about two model vertices lie within reach of their snapping cannot keep clear of
-/// all of them by moving their two ends alone.
+/// Returns the greatest length of an outline, in submodules. A longer outline has more than about two model vertices
+/// within reach of its snapping, and moving its two ends cannot keep it clear of them all.
 int longestOutline(const Footprint& footprint, double submoduleMm, double snapMm) {
   double area = 0;
   for (const Triangle& t : footprint.corners) {
@@ -49,7 +49,7 @@ EdgeGrid makeGrid(const Footprint& footprint) {
 
 struct Carving {
   Arrangement arrangement;
-  std::vector<char> untouched;  // facets of the footprint
+  std::vector<char> untouched;  // by facet of the footprint
   LiftedSurface surface;
 
   bool isNew(std::size_t triangle) const {
@@ -58,8 +58,8 @@ struct Carving {
   }
 };
 
-/// New triangles that are too low for 32-bit floats, and the nodes on whose places their shape depends. The surface
-/// over the pockets, which an inlay keeps, counts where it is cut.
+/// New triangles that are too low for 32-bit floats, and the nodes that determine their shape. Triangles of the surface
+/// over the pockets, which an inlay keeps, count if they are cut.
 struct LowTriangles {
   std::size_t count = 0, collinear = 0;
   std::vector<std::uint32_t> nodes;  // ascending
@@ -108,8 +108,8 @@ std::vector<std::uint32_t> allNodes(const OutlineGraph& graph) {
   return nodes;
 }
 
-/// Facets of the footprint that neither an outline cuts, nor a pocket lowers, nor a grid replaces: those that the
-/// arrangement holds whole, which are the triangles between model vertices.
+/// Finds the facets of the footprint that no outline cuts, no pocket lowers and no grid replaces. The arrangement holds
+/// them whole, as triangles between model vertices.
 std::vector<char> findUntouched(const Footprint& footprint, const Arrangement& arrangement) {
   std::vector<char> untouched(footprint.facets.size(), 0);
   for (std::size_t t = 0; t < arrangement.triangles.size(); ++t) {
@@ -122,7 +122,7 @@ std::vector<char> findUntouched(const Footprint& footprint, const Arrangement& a
   return untouched;
 }
 
-/// Arranges and lifts; where the result is too fine for 32-bit floats, moves the outlines there and tries again.
+/// Arranges and lifts. Where the result is too fine for 32-bit floats, moves the outlines and tries again.
 Result<Carving> carve(const Mesh& mesh, const ProjectionFrame& frame, const Footprint& footprint, OutlineGraph graph,
                       double snapMm) {
   EdgeGrid edges = makeGrid(footprint);
@@ -143,7 +143,7 @@ Result<Carving> carve(const Mesh& mesh, const ProjectionFrame& frame, const Foot
     const LowTriangles low = findLowTriangles(carving, graph);
     if (low.count == 0) return carving;
     if (attempt == kAttempts || low.nodes.empty()) {
-      // Low triangles are a risk; whether they do harm is for the final check to say. Collinear ones always do.
+      // Low triangles are only a risk, which the final check judges. Collinear ones always do harm.
       if (low.collinear == 0) return carving;
       return fail(ErrorKind::NoSolution, message("facets-too-fine", with::count("count", low.collinear)));
     }
@@ -199,7 +199,7 @@ EmbedResult assemble(const Mesh& mesh, const Footprint& footprint, const Carving
 
 EmbedResult unchanged(const Mesh& mesh) { return {mesh, mesh.triangles.size(), {}, {}}; }
 
-/// The submodules whose facets are concerned: with a resampled surface those that stay uncarved as well.
+/// Returns the submodules whose facets are affected: with a resampled surface all, even uncarved ones.
 DepthLevels concerned(DepthLevels levels, SurfaceMode surface) {
   if (surface == SurfaceMode::Resampled) std::fill(levels.level.begin(), levels.level.end(), 1);
   return levels;

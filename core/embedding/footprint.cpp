@@ -12,7 +12,7 @@ namespace {
 
 using Corners2 = std::array<Vec2, 3>;
 
-/// Whether a counter-clockwise triangle and the box [lo, hi] have a point in common: no edge of either separates them.
+/// Returns true if a counter-clockwise triangle and the box [lo, hi] share a point: no edge of either separates them.
 bool overlaps(const Corners2& t, Vec2 lo, Vec2 hi) {
   for (int axis = 0; axis < 2; ++axis) {
     if (std::max({t[0][axis], t[1][axis], t[2][axis]}) < lo[axis]) return false;
@@ -20,7 +20,7 @@ bool overlaps(const Corners2& t, Vec2 lo, Vec2 hi) {
   }
   for (std::size_t k = 0; k < 3; ++k) {
     const Vec2 edge = t[(k + 1) % 3] - t[k];
-    const Vec2 innermost(edge.y > 0 ? lo.x : hi.x, edge.x > 0 ? hi.y : lo.y);  // farthest to the edge's left
+    const Vec2 innermost(edge.y > 0 ? lo.x : hi.x, edge.x > 0 ? hi.y : lo.y);  // the corner farthest to the edge's left
     if (cross2(edge, innermost - t[k]) < 0) return false;
   }
   return true;
@@ -68,7 +68,7 @@ void addEdges(Footprint& footprint) {
   for (std::uint32_t f = 0; f < adjacency.size(); ++f)
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t other = adjacency[f][k] == kNoTriangle ? kNoFacet : adjacency[f][k];
-      if (other != kNoFacet && other < f) continue;  // added from the other side
+      if (other != kNoFacet && other < f) continue;  // already added from the other side
       footprint.edges.push_back({footprint.corners[f][k], footprint.corners[f][(k + 1) % 3], f, other});
     }
 }

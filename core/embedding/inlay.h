@@ -5,13 +5,13 @@
 
 namespace qrelief {
 
-/// The body that fills the pockets, for printing in a second colour: the surface over the pockets, their floors and
-/// their walls, both turned round. It shares every vertex of the pockets with the carved mesh, so the two fit without
-/// gap or overlap, and every edge and vertex is as regular as there (outline.h): on the surface a pocket's rim meets
-/// itself nowhere, because diagonal neighbours are kept apart.
+/// Makes the body that fills the pockets, for printing in a second colour. It consists of the surface over the pockets
+/// and of their floors and walls, reversed. It shares every vertex of the pockets with the carved mesh, so the two fit
+/// without gap or overlap, and its edges and vertices are just as regular (outline.h): a pocket's rim never meets
+/// itself on the surface, because diagonal neighbours are kept apart.
 ///
 /// Cost: O(arrangement).
-/// @returns one closed shell for each connected pocket, outward; empty if nothing is carved
+/// @returns one closed, outward-facing shell for each connected pocket; empty if nothing is carved
 Mesh inlayMesh(const Arrangement& arrangement, const LiftedSurface& surface);
 
 }  // namespace qrelief

@@ -27,7 +27,7 @@ class Lifter {
   }
 
  private:
-  /// A vertex for each pair of point and level of a triangle around it.
+  /// Makes a vertex for each pair of a point and the level of a triangle around it.
   void collectLevels() {
     const std::size_t points = arrangement_.points.size();
     std::vector<std::uint32_t> first(points + 1, 0);
@@ -54,7 +54,7 @@ class Lifter {
     }
   }
 
-  /// The facets beneath the grid's nodes that none of their triangles tells.
+  /// Finds the facets under grid nodes whose triangles do not determine one.
   void locateGrid(std::span<const std::uint32_t> firstTriangle) {
     std::optional<FacetLocator> locator;
     for (std::uint32_t p = arrangement_.firstNode; p < arrangement_.firstCrossing; ++p) {
@@ -86,8 +86,8 @@ class Lifter {
     return frame_.eye() + ray * (glm::dot(normal, a - frame_.eye()) / glm::dot(normal, ray));
   }
 
-  /// With s the place along the projected edge and z the distances of its ends from the eye's plane, the place along
-  /// the edge in space is s·z_a / (s·z_a + (1 - s)·z_b).
+  /// Returns the crossing's point in space. With s the parameter along the projected edge and z the distances of its
+  /// ends from the eye's plane, the parameter along the edge in space is s·z_a / (s·z_a + (1 - s)·z_b).
   Vec3 crossingPoint(const Arrangement::Crossing& crossing) const {
     const Footprint::Edge& edge = footprint_.edges[crossing.edge];
     const Vec3 a = modelPoint(edge.a), b = modelPoint(edge.b);
@@ -151,7 +151,7 @@ class Lifter {
   const ProjectionFrame& frame_;
   const Footprint& footprint_;
   const Arrangement& arrangement_;
-  std::vector<std::uint32_t> facetOf_;      // point → some facet around it
+  std::vector<std::uint32_t> facetOf_;      // point → any facet around it
   std::vector<std::uint32_t> firstVertex_;  // point → its first vertex
   LiftedSurface result_;
 };

@@ -7,7 +7,8 @@
 namespace qrelief {
 namespace {
 
-/// Twice the lowest: an outline that crosses the facet obliquely is cut into pieces shorter than the facet is high.
+/// Height below which a facet is a needle, in lowest heights. Twice the lowest, because an oblique outline is cut into
+/// pieces shorter than the facet's height.
 constexpr double kNeedleHeights = 2;
 
 class NeedleFlipper {
@@ -46,7 +47,7 @@ class NeedleFlipper {
     return cross2(footprint_.points[t[1]] - a, footprint_.points[t[2]] - a) > 0;
   }
 
-  /// The triangle turned so that its longest edge comes first.
+  /// Returns the triangle rotated so that its longest edge comes first.
   Triangle longestFirst(const Triangle& t) const {
     const auto length = [&](std::size_t k) {
       return glm::length(Vec3(position(t[(k + 1) % 3])) - Vec3(position(t[k])));
@@ -55,7 +56,7 @@ class NeedleFlipper {
     return {t[k], t[(k + 1) % 3], t[(k + 2) % 3]};
   }
 
-  /// Facet with the edge b → a, turned so that this comes first; or kNoFacet.
+  /// Returns the facet with the edge b → a, and in `turned` its corners with this edge first; or kNoFacet.
   std::uint32_t facetBeyond(std::uint32_t a, std::uint32_t b, Triangle& turned) const {
     for (const std::uint32_t f : around_[a]) {
       const Triangle& t = footprint_.corners[f];
@@ -67,8 +68,8 @@ class NeedleFlipper {
     return kNoFacet;
   }
 
-  /// Flips a facet's longest edge if that raises the lower of the two facets on it. So the sorted list of all heights
-  /// rises with each flip, and flipping ends. Returns the other facet, or kNoFacet if nothing was done.
+  /// Flips a facet's longest edge if that raises the lower of the two facets at it. The sorted list of all heights
+  /// rises with each flip, so flipping ends. Returns the other facet, or kNoFacet if nothing was flipped.
   std::uint32_t flip(std::uint32_t needle) {
     const auto [a, b, c] = longestFirst(footprint_.corners[needle]);
     Triangle turned{};

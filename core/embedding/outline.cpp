@@ -59,21 +59,21 @@ class OutlineBuilder {
     return static_cast<std::uint32_t>(graph_.nodes.size() - 1);
   }
 
-  /// Inside the square, or along a border of it that has the square on one side.
+  /// Adds an outline inside the square, or along its border with the square on one side.
   void addOutline(std::uint32_t from, std::uint32_t to, int left, int right, bool squareLeft, bool squareRight) {
     const Outline outline{from, to, left, right, resampled_ && squareLeft, resampled_ && squareRight};
     if (left != right || outline.boundsGrid()) graph_.outlines.push_back(outline);
   }
 
-  /// A saddle has two nodes: a falling one takes its north and west arms to the first, the others to the second;
-  /// a rising one takes its north and east arms to the first.
+  /// Adds a corner's nodes. A saddle has two: a falling saddle's north and west arms end at the first and the others at
+  /// the second; a rising saddle's north and east arms end at the first.
   void addNodes(int row, int column) {
     const Corner c = around(row, column);
     const Vec2 p = levels_.corner(row, column);
     const std::size_t k = index(row, column);
     const bool fixed = resampled_ && row > 0 && column > 0 && row < levels_.size && column < levels_.size;
-    const double saddleLeeway = fixed ? 0 : 0.4 * chamferMm_;     // a fifth of the band remains
-    const double leeway = fixed ? 0 : levels_.submoduleMm() / 8;  // outlines to the next corners stay apart
+    const double saddleLeeway = fixed ? 0 : 0.4 * chamferMm_;     // leaves a fifth of the band
+    const double leeway = fixed ? 0 : levels_.submoduleMm() / 8;  // keeps outlines to the next corners apart
     if (c.fallingSaddle()) {
       northNode_[k] = addNode(p + Vec2(-shift_, shift_), saddleLeeway);
       southNode_[k] = addNode(p + Vec2(shift_, -shift_), saddleLeeway);
@@ -121,7 +121,7 @@ class OutlineBuilder {
   const DepthLevels& levels_;
   const bool resampled_;
   const double chamferMm_;
-  const double shift_;  // of a saddle's nodes along u and v
+  const double shift_;  // shift of a saddle's nodes along u and v
   const int maxCells_;
   const int side_;  // grid corners along an edge
   std::vector<std::uint32_t> northNode_, southNode_;

@@ -18,7 +18,7 @@ std::string withoutComments(std::string_view source) {
       text += source[at++];
       continue;
     }
-    text += ' ';  // what stands on either side of a comment are two words
+    text += ' ';  // a comment separates two words
     const std::size_t found = source.find(end, at + 2);
     if (found == std::string_view::npos) break;
     at = found + (end == "*/" ? 2 : 0);
@@ -26,7 +26,7 @@ std::string withoutComments(std::string_view source) {
   return text;
 }
 
-/// The last word of a declarator such as `highp sampler2D u_map` or ` u_lamps[2]`, before its brackets.
+/// Returns the last word of a declarator such as `highp sampler2D u_map` or ` u_lamps[2]`, before its brackets.
 std::string nameOf(std::string_view declarator) {
   declarator = declarator.substr(0, declarator.find('['));
   while (!declarator.empty() && !isNamed(declarator.back())) declarator.remove_suffix(1);

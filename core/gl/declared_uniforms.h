@@ -7,8 +7,8 @@
 
 namespace qrelief::gl {
 
-/// Names of the uniforms that a shader declares, whether or not they are used; an array without its brackets. Uniform
-/// blocks and what the preprocessor leaves out are not told apart, as no shader has either.
+/// Returns the names of all uniforms that a shader declares, used or not; an array's name without its brackets. Does
+/// not handle uniform blocks or preprocessor conditions, as no shader has either.
 ///
 /// Cost: linear in the text.
 /// @param source  GLSL ES 3.00, its includes resolved

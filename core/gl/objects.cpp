@@ -214,14 +214,14 @@ void Program::swap(Program& other) noexcept {
   std::swap(uniforms_, other.uniforms_);
 }
 
-/// -1, which OpenGL ignores, for a uniform that is declared but that the compiler dropped.
+/// Returns -1, which OpenGL ignores, for a declared uniform that the compiler dropped.
 GLint Program::locationOf(const char* uniform) const {
   const GLint location = glGetUniformLocation(id_, uniform);
 #ifndef NDEBUG
   const std::string_view whole(uniform);
   const std::string_view name = whole.substr(0, whole.find('['));
   if (location < 0 && std::find(uniforms_.begin(), uniforms_.end(), name) == uniforms_.end()) {
-    // An assert's words could not name them.
+    // An assert could not name the program and the uniform.
     std::fprintf(stderr, "The shader program \"%s\" declares no uniform %s\n", name_.c_str(), uniform);
     std::abort();
   }
@@ -250,7 +250,7 @@ void Program::setTexture(const char* sampler, int unit, const Texture& texture) 
 }
 
 void drawFullscreen() {
-  // The corners follow from gl_VertexID alone; ES 3 still wants a vertex array bound, the default one will do.
+  // The corners follow from gl_VertexID alone, but ES 3 requires a bound vertex array; the default one will do.
   glBindVertexArray(0);
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);

@@ -13,7 +13,7 @@
 #include "base/result.h"
 #include "math/vec.h"
 
-// Owners of OpenGL ES 3 objects. Each needs the context current that it was made in; none makes a context.
+// Owners of OpenGL ES 3 objects. Each needs its own context to be current; none makes a context.
 
 namespace qrelief::gl {
 
@@ -32,7 +32,7 @@ class Texture {
     return *this;
   }
 
-  /// Replaces the whole content; `texels` in the layout of `format` (floats for the 32-bit formats).
+  /// Replaces the whole content. `texels` has the layout of `format` (floats for the 32-bit formats).
   void upload(const void* texels);
   void useLinearFilter();
   GLuint id() const { return id_; }
@@ -47,11 +47,12 @@ class Texture {
   Format format_ = Format::RGBA8;
 };
 
-/// Framebuffer over colour textures it does not own, with an optional depth buffer it does.
+/// Framebuffer over colour textures that it does not own, with an optional depth buffer that it owns.
 class Framebuffer {
  public:
   Framebuffer() = default;
-  /// All attachments have one size. Internal error if the implementation cannot render to this combination.
+  /// Makes a framebuffer over textures of one size. Fails with Internal if the implementation cannot render to this
+  /// combination.
   static Result<Framebuffer> create(std::span<const Texture* const> colours, bool withDepth);
   ~Framebuffer();
   Framebuffer(Framebuffer&& other) noexcept { swap(other); }
@@ -60,11 +61,12 @@ class Framebuffer {
     return *this;
   }
 
-  /// Makes it the draw target and sets the viewport to its size.
+  /// Makes this the draw target and sets the viewport to its size.
   void bind() const;
-  /// Reads a float attachment back as RGBA floats, row 0 at the bottom: the one pair every implementation takes.
+  /// Reads a float attachment back as RGBA floats, row 0 at the bottom. RGBA and float are the one pair of format and
+  /// type that every implementation supports.
   std::vector<float> readRgba(int attachment = 0) const;
-  /// The first component of `readRgba` alone.
+  /// Reads back the first component only, as readRgba() does.
   std::vector<float> readRed(int attachment = 0) const;
 
  private:
@@ -110,12 +112,12 @@ class VertexArray {
   GLuint id_ = 0;
 };
 
-/// Linked vertex and fragment shader. Uniforms are set by name on the program in use. One that the compiler dropped
-/// because nothing depends on it is ignored; a name that neither source declares is a broken precondition.
+/// Linked vertex and fragment shader. Uniforms are set by name on the program in use. A uniform that the compiler
+/// dropped because nothing depends on it is ignored. Precondition: one of the sources declares the name.
 class Program {
  public:
   Program() = default;
-  /// @param name  for the message if the driver refuses a source or a uniform is not declared
+  /// @param name  for error messages: the driver refuses a source, or a uniform is not declared
   static Result<Program> create(const char* name, const char* vertexSource, const char* fragmentSource);
   ~Program();
   Program(Program&& other) noexcept { swap(other); }
@@ -139,25 +141,26 @@ class Program {
   GLint locationOf(const char* uniform) const;
   GLuint id_ = 0;
   std::string name_;
-  std::vector<std::string> uniforms_;  // that the sources declare; empty where nothing is asserted
+  std::vector<std::string> uniforms_;  // declared by the sources; empty in builds without asserts
 };
 
-/// Draws one triangle that covers the viewport; for programs whose vertex shader is fullscreen.vert.
+/// Draws one triangle that covers the viewport, for programs with the vertex shader fullscreen.vert.
 void drawFullscreen();
 
-/// What the current context can do, checked once.
+/// Capabilities of the current context.
 struct Capabilities {
   std::string renderer;
   std::string version;
   int maxTextureSize = 0;
 };
 
-/// Name of the renderer; in browsers the unmasked one, if they tell it.
+/// Returns the renderer's name; in a browser the unmasked name, if the browser reveals it.
 std::string rendererName();
-/// True for a renderer that runs on the processor (llvmpipe, SwiftShader, WARP). Plain code beats its shaders.
+/// Returns true for a renderer that runs on the CPU (llvmpipe, SwiftShader, WARP); plain code is faster than its
+/// shaders.
 bool isSoftware(std::string_view rendererName);
 
-/// @returns Internal if float render targets are missing, with what a user could do about it
+/// @returns Internal, with advice to the user, if float render targets are missing
 Result<Capabilities> queryCapabilities();
 
 }  // namespace qrelief::gl

@@ -8,7 +8,7 @@ namespace {
 
 // EXT_disjoint_timer_query and EXT_disjoint_timer_query_webgl2 share these.
 constexpr GLenum kTimeElapsed = 0x88BF;
-constexpr GLenum kDisjoint = 0x8FBB;  // since it was last asked: the clock jumped, what was measured means nothing
+constexpr GLenum kDisjoint = 0x8FBB;  // true if the clock has jumped since the last call: all measurements are void
 
 PassTimings* listening = nullptr;
 

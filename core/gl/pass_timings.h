@@ -15,16 +15,17 @@ namespace qrelief::gl {
 struct PassTime {
   std::string_view name;  ///< static
   int count = 0;
-  double cpuMs = 0;  ///< until the calls returned; the graphics processor may only begin then
-  int gpuCount = 0;  ///< how many of them have a time measured by the GPU
+  double cpuMs = 0;  ///< until the calls returned; the GPU may only begin then
+  int gpuCount = 0;  ///< passes whose time the GPU measured
   double gpuMs = 0;  ///< sum of those times
 };
 
-/// Whether the current context offers EXT_disjoint_timer_query; in a browser its namesake must have been enabled, too.
+/// Returns true if the current context offers EXT_disjoint_timer_query. In a browser the extension must have been
+/// enabled first, under its WebGL 2 name.
 bool hasTimerQueries();
 
-/// Measures the passes that a TimedPass marks while it listens; one listens at a time. Without timer queries it knows
-/// the processor's time of none. Needs the context current that it was made in.
+/// Measures the passes that TimedPass marks while this listens; one object listens at a time. Without timer queries it
+/// measures CPU time only. Needs its own context to be current.
 class PassTimings {
  public:
   explicit PassTimings(bool withTimerQueries) : withTimerQueries_(withTimerQueries) {}
@@ -34,10 +35,11 @@ class PassTimings {
 
   void listen();
   void stopListening();
-  /// Takes in what the graphics processor has finished; browsers tell only after the task that asked has ended.
+  /// Collects the times of passes that the GPU has finished. Browsers deliver them only after the present task has
+  /// ended.
   void collect();
   bool hasGpuTimes() const { return withTimerQueries_; }
-  /// In the order in which the names first came.
+  /// Returns the times in the order in which their names first occurred.
   std::span<const PassTime> times() const { return times_; }
 
  private:
@@ -49,13 +51,13 @@ class PassTimings {
   std::size_t indexOf(std::string_view name);
 
   bool withTimerQueries_ = false;
-  bool queryRuns_ = false;  // they cannot be nested
+  bool queryRuns_ = false;  // queries cannot be nested
   std::vector<PassTime> times_;
   std::vector<Pending> pending_;
 };
 
-/// Marks what is done until its end as one pass; costs nothing while nobody listens. Within another one, only the CPU's
-/// time is measured.
+/// Marks the work during its lifetime as one pass; costs nothing while nobody listens. Within another TimedPass, only
+/// CPU time is measured.
 class TimedPass {
  public:
   /// @param name  static

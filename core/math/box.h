@@ -8,7 +8,7 @@
 
 namespace qrelief {
 
-/// Axis-aligned box; empty (min > max) until something is added.
+/// Axis-aligned box; empty (min > max) until a point is added.
 struct Box3 {
   Vec3 min{std::numeric_limits<double>::infinity()};
   Vec3 max{-std::numeric_limits<double>::infinity()};

@@ -21,23 +21,23 @@ struct ProjectionFrame {
   Vec3 centre{0};
   Vec3 right{1, 0, 0};
   Vec3 up{0, 1, 0};
-  Vec3 normal{0, 0, 1};      ///< towards the reader
+  Vec3 normal{0, 0, 1};      ///< towards the viewer
   double eyeDistance = 250;  ///< mm
 
   bool operator==(const ProjectionFrame&) const = default;
 
   Vec3 eye() const { return centre + normal * eyeDistance; }
 
-  /// Point of the QR plane in space.
+  /// Returns the point in space of a point of the QR plane.
   Vec3 onPlane(Vec2 p) const { return centre + right * p.x + up * p.y; }
 
-  /// Unit direction from the eye through a plane point.
+  /// Returns the unit direction from the eye through a plane point.
   Vec3 rayDirection(Vec2 p) const { return glm::normalize(right * p.x + up * p.y - normal * eyeDistance); }
 
-  /// Depth below the eye, along -normal; positive in front of the reader.
+  /// Returns the distance from the eye along -normal, mm; positive in front of the viewer.
   double distanceAlongAxis(Vec3 q) const { return glm::dot(eye() - q, normal); }
 
-  /// Central projection of a point in front of the eye (distanceAlongAxis > 0).
+  /// Projects a point centrally; it must lie in front of the eye (distanceAlongAxis > 0).
   Vec2 project(Vec3 q) const {
     const Vec3 fromEye = q - eye();
     const double k = eyeDistance / -glm::dot(fromEye, normal);
@@ -45,12 +45,12 @@ struct ProjectionFrame {
   }
 };
 
-/// Frame at `centre` looking along -normal, with `up` as near to `upHint` as possible.
+/// Makes a frame at `centre` that looks along -normal, with `up` as near to `upHint` as possible.
 /// @param normal  any length > 0
-/// @param upHint  any vector; where it is (nearly) parallel to the normal, +Y and then +X is taken instead
+/// @param upHint  any vector; if it is nearly parallel to the normal, +Y and then +X takes its place
 ProjectionFrame makeFrame(Vec3 centre, Vec3 normal, Vec3 upHint, double eyeDistance);
 
-/// Turned about its normal, anticlockwise as the reader sees it.
+/// Returns the frame turned about its normal, anticlockwise as the viewer sees it.
 ProjectionFrame turned(const ProjectionFrame& frame, double radians);
 
 }  // namespace qrelief

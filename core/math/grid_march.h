@@ -11,8 +11,8 @@ namespace qrelief {
 /// Walks along a ray from cell to cell of a grid of unit squares [Amanatides, Woo 1987].
 class GridMarch {
  public:
-  /// @param cell   to begin in: column, row
-  /// @param place  of the beginning in that cell, 0 … 1 along each axis
+  /// @param cell   first cell: column, row
+  /// @param place  start within that cell, 0 … 1 along each axis
   /// @param along  unit direction, parallel to no axis
   GridMarch(glm::ivec2 cell, Vec2 place, Vec2 along) : cell_(cell) {
     assert(along.x != 0 && along.y != 0);
@@ -23,8 +23,8 @@ class GridMarch {
     }
   }
 
-  /// Enters the next cell; where the ray passes a corner, across the row's border first.
-  /// @return distance from the beginning to the border that is crossed
+  /// Enters the next cell. At a corner of the grid, crosses the row's border first.
+  /// @return distance from the start to the border just crossed
   double step() {
     const int axis = next_.x < next_.y ? 0 : 1;
     const double distance = next_[axis];
@@ -38,8 +38,8 @@ class GridMarch {
  private:
   glm::ivec2 cell_;
   glm::ivec2 forward_;
-  Vec2 next_;     // distances at which the ray leaves its column, and its row
-  Vec2 perCell_;  // from one such border to the next
+  Vec2 next_;     // distances from the start at which the ray leaves its column and its row
+  Vec2 perCell_;  // distances between two such borders
 };
 
 }  // namespace qrelief

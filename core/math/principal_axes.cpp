@@ -20,7 +20,7 @@ Matrix covariance(std::span<const Vec3> points) {
   return sum;
 }
 
-/// Turns the axes p and q of a symmetric matrix so that its element (p, q) vanishes; `axes` turn with it.
+/// Turns the axes p and q of a symmetric matrix so that its element (p, q) vanishes; turns `axes` with it.
 void rotate(Matrix& m, Matrix& axes, int p, int q) {
   const auto first = static_cast<std::size_t>(p);
   const auto second = static_cast<std::size_t>(q);

@@ -6,7 +6,7 @@
 
 namespace qrelief {
 
-/// Down to the three digits that messages write of a length: a bound that still holds as it is written.
+/// Rounds a length down to the three digits that messages show, so that a bound still holds as written.
 inline double downToThreeDigits(double mm) {
   if (!(mm > 0)) return mm;
   const double step = std::min(1.0, std::pow(10, std::floor(std::log10(mm)) - 2));

@@ -8,8 +8,8 @@
 namespace qrelief {
 namespace {
 
-// Bounds of rounding errors, with u = 2^-53 ≈ 1.1e-16 doubled for directed rounding; m = the largest coordinate of the
-// differences of corners, each of which has a relative error of u.
+// Bounds of rounding errors, with u = 2^-53 ≈ 1.1e-16, doubled for directed rounding. m is the largest coordinate of
+// the differences of corners; each difference has a relative error of u.
 constexpr double kDotError = 1e-15;       // of a dot product with differences, in |axis|₁·m: at most 4u
 constexpr double kVolumeError = 3e-14;    // of a triple product of differences, in m³: at most 6 products, 9u each
 constexpr double kCrossDotError = 1e-13;  // of (d × e)·(d × f), in m⁴: at most 12 products, 11u each
@@ -18,7 +18,7 @@ double largestOf(Vec3 v) { return std::max({std::abs(v.x), std::abs(v.y), std::a
 
 double sumOf(Vec3 v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
 
-/// The corners relative to one that lies near: the differences are as exact as the corners, but small.
+/// The corners relative to one nearby corner. The differences are as exact as the corners, but small.
 struct Differences {
   std::array<Vec3, 3> a, b;
   double largest = 0;
@@ -32,7 +32,7 @@ struct Differences {
   }
 };
 
-/// Whether a plane across `axis` has one triangle on either side.
+/// Returns true if a plane across `axis` separates the triangles.
 bool parts(const Differences& d, Vec3 axis) {
   const std::array<double, 3> a{glm::dot(axis, d.a[0]), glm::dot(axis, d.a[1]), glm::dot(axis, d.a[2])};
   const std::array<double, 3> b{glm::dot(axis, d.b[0]), glm::dot(axis, d.b[1]), glm::dot(axis, d.b[2])};
@@ -41,7 +41,7 @@ bool parts(const Differences& d, Vec3 axis) {
          std::min({b[0], b[1], b[2]}) - std::max({a[0], a[1], a[2]}) > gap;
 }
 
-/// Whether p and q lie on one side of the plane through 0, u and v, certainly not in it.
+/// Returns true if p and q certainly lie on one side of the plane through 0, u and v, and not in it.
 bool onOneSide(Vec3 u, Vec3 v, Vec3 p, Vec3 q, double largest) {
   const Vec3 normal = glm::cross(u, v);
   const double error = kVolumeError * largest * largest * largest;
@@ -54,7 +54,7 @@ bool onOneSide(Vec3 u, Vec3 v, Vec3 p, Vec3 q, double largest) {
 
 bool certainlyApart(const Corners& a, const Corners& b) {
   const Differences d(a, b);
-  // Neighbours in a smooth surface lie side by side rather than above each other.
+  // Neighbours in a smooth surface lie side by side rather than one above the other.
   if (parts(d, d.b[0] + d.b[1] + d.b[2] - d.a[1] - d.a[2])) return true;
   const Vec3 normalA = glm::cross(d.a[1], d.a[2]);
   if (parts(d, normalA)) return true;
@@ -70,7 +70,7 @@ bool certainlyApart(const Corners& a, const Corners& b) {
 
 bool certainlyApartButForCorner(const Corners& a, const Corners& b) {
   const Differences d(a, b);
-  // Across the difference of the middle directions: between the two wedges, if they are not wide.
+  // A plane across the difference of the middle directions separates the two wedges if they are narrow.
   const auto middle = [](Vec3 u, Vec3 v) { return u * glm::length(v) + v * glm::length(u); };
   const Vec3 middleA = middle(d.a[1], d.a[2]);
   const Vec3 middleB = middle(d.b[1], d.b[2]);
@@ -85,7 +85,7 @@ bool certainlyApartButForCorner(const Corners& a, const Corners& b) {
 bool certainlyApartButForEdge(const Corners& a, const Corners& b) {
   const Differences d(a, b);
   const Vec3 edge = d.a[1];
-  // The apexes on different sides of the edge, or not in one plane with it.
+  // Either the apexes lie on different sides of the edge, or not in one plane with it.
   const double m = d.largest;
   const Vec3 towardsA = glm::cross(edge, d.a[2]);
   if (glm::dot(towardsA, glm::cross(edge, d.b[2])) < -kCrossDotError * m * m * m * m) return true;

@@ -7,19 +7,19 @@
 
 namespace qrelief {
 
-using Corners = std::array<Vec3, 3>;  ///< of a triangle; 32-bit floats in doubles
+using Corners = std::array<Vec3, 3>;  ///< corners of a triangle; 32-bit floats held in doubles
 
-// Quick answers about two triangles, right when they say yes: the exact predicates are for the rest. Each looks for a
-// plane between the triangles and allows for the rounding of its own arithmetic. Any corners will do, also those of
-// triangles without area. Cost: tens of nanoseconds.
+// Quick tests of two triangles. True is certain; after false, ask the exact predicates. Each test looks for a plane
+// between the triangles and allows for its own rounding errors. Triangles without area are allowed. Cost: tens of
+// nanoseconds.
 
-/// Whether two triangles certainly have no point in common.
+/// Returns true if two triangles certainly have no point in common.
 bool certainlyApart(const Corners& a, const Corners& b);
 
-/// Whether two triangles that share their first corner certainly have no other point in common.
+/// Returns true if two triangles that share their first corner certainly have no other point in common.
 bool certainlyApartButForCorner(const Corners& a, const Corners& b);
 
-/// Whether two triangles that share their first two corners certainly have no point beyond that edge in common.
+/// Returns true if two triangles that share their first two corners certainly have nothing but that edge in common.
 bool certainlyApartButForEdge(const Corners& a, const Corners& b);
 
 }  // namespace qrelief

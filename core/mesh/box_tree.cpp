@@ -14,7 +14,7 @@ constexpr double kCellsPerAxis = 1 << 16;
 
 FloatBox united(const FloatBox& a, const FloatBox& b) { return {glm::min(a.min, b.min), glm::max(a.max, b.max)}; }
 
-/// Bits of a 16-bit number with two zeros between each.
+/// Returns the bits of a 16-bit number with two zeros between neighbours.
 std::uint64_t spread(std::uint64_t bits) {
   bits = (bits | bits << 16) & 0x0000'ff00'00ffu;
   bits = (bits | bits << 8) & 0xf'00f0'0f00'f00fu;
@@ -22,7 +22,7 @@ std::uint64_t spread(std::uint64_t bits) {
   return (bits | bits << 2) & 0x249'2492'4924'9249u;
 }
 
-/// Boxes by the place of their centres on the curve; which order it is decides how fast the tree is, nothing else.
+/// Sorts boxes by the place of their centres on the curve. The order affects only the tree's speed.
 std::vector<KeyedIndex> alongCurve(std::span<const FloatBox> boxes) {
   Box3 centres;
   for (const FloatBox& box : boxes) centres.add(Vec3(box.min) + Vec3(box.max));
@@ -83,7 +83,7 @@ BoxTree::BoxTree(std::span<const std::uint32_t> items, std::span<const FloatBox>
 void BoxTree::findLeaves(const FloatBox& box, std::size_t first, std::vector<std::uint32_t>& found) const {
   found.clear();
   if (leafCount() == 0 || !bounds().overlaps(box)) return;
-  // At most 32 levels, and one node waits on each.
+  // The tree has at most 32 levels, and one node waits on each.
   std::array<std::pair<std::size_t, std::size_t>, 64> waiting;
   std::size_t count = 0;
   waiting[count++] = {levels_.size() - 2, 0};

@@ -9,12 +9,12 @@
 
 namespace qrelief {
 
-/// Axis-aligned box of a triangle; its corners are coordinates of the mesh, so overlap is decided exactly.
+/// Axis-aligned box of a triangle. Its corners are coordinates of the mesh, so overlap tests are exact.
 struct FloatBox {
   Vec3f min, max;
 
   bool overlaps(const FloatBox& other) const {
-    // Without branches: which of the six decides is anybody's guess.
+    // Without branches, because no branch predictor can guess which of the six comparisons decides.
     return (min.x <= other.max.x) & (other.min.x <= max.x) & (min.y <= other.max.y) & (other.min.y <= max.y) &
            (min.z <= other.max.z) & (other.min.z <= max.z);
   }
@@ -22,8 +22,9 @@ struct FloatBox {
 
 FloatBox boxOfTriangle(const Mesh& mesh, const Triangle& triangle);
 
-/// A tree over the boxes of some triangles of a mesh: these are put in order along a Morton curve, four form a leaf,
-/// and two neighbours each the next level's node [Lauterbach et al. 2009, with the curve cut at fixed places].
+/// A tree over the boxes of some triangles of a mesh. The triangles are sorted along a Morton curve; four form a leaf,
+/// and two neighbouring nodes form a node of the next level [Lauterbach et al. 2009, with the curve cut at fixed
+/// places].
 class BoxTree {
  public:
   static constexpr std::size_t kLeafSize = 4;
@@ -32,21 +33,22 @@ class BoxTree {
   /// @param triangles  no two the same
   BoxTree(const Mesh& mesh, std::span<const std::uint32_t> triangles);
 
-  /// Of anything else that has boxes.
-  /// @param items  a number for each box, no two the same; a leaf's triangles are these
+  /// Makes a tree of any items that have boxes.
+  /// @param items  a number for each box, no two the same; trianglesIn() returns these numbers
   BoxTree(std::span<const std::uint32_t> items, std::span<const FloatBox> boxes);
 
-  /// Box of all; meaningful if there is a leaf.
+  /// Returns the box of all items; meaningful if there is a leaf.
   const FloatBox& bounds() const { return nodes_.back(); }
 
   std::size_t leafCount() const { return (triangles_.size() + kLeafSize - 1) / kLeafSize; }
 
-  /// The triangles of a leaf, and their boxes.
+  /// Return the triangles of a leaf, and their boxes.
   std::span<const std::uint32_t> trianglesIn(std::size_t leaf) const { return ofLeaf(triangles_, leaf); }
   std::span<const FloatBox> boxesIn(std::size_t leaf) const { return ofLeaf(boxes_, leaf); }
   const FloatBox& boxOfLeaf(std::size_t leaf) const { return nodes_[leaf]; }
 
-  /// Leaves from `first` on whose boxes overlap (or touch) the box, ascending. Cost: O(log n + found) as a rule.
+  /// Finds the leaves, from `first` on, whose boxes overlap or touch the box; ascending. Cost: usually O(log n +
+  /// found).
   void findLeaves(const FloatBox& box, std::size_t first, std::vector<std::uint32_t>& found) const;
 
  private:
@@ -56,9 +58,9 @@ class BoxTree {
   }
 
   std::vector<std::uint32_t> triangles_;  // along the curve
-  std::vector<FloatBox> boxes_;           // of these
-  std::vector<FloatBox> nodes_;           // level after level, leaves first; the last is the root
-  std::vector<std::size_t> levels_;       // where each level begins in nodes_, and the end
+  std::vector<FloatBox> boxes_;           // of the triangles, in the same order
+  std::vector<FloatBox> nodes_;           // level by level, leaves first, root last
+  std::vector<std::size_t> levels_;       // first index of each level in nodes_, and the end
 };
 
 }  // namespace qrelief

@@ -62,7 +62,7 @@ std::uint32_t Bvh::build(std::uint32_t begin, std::uint32_t end, int level, cons
     inBin[static_cast<std::size_t>(bin)].add(boxes[order_[i]].min, boxes[order_[i]].max);
     ++countOf[static_cast<std::size_t>(bin)];
   }
-  std::array<double, kBins> costAbove{};  // of everything from this bin on
+  std::array<double, kBins> costAbove{};  // of all boxes from this bin on
   Bounds above;
   std::uint32_t countAbove = 0;
   for (std::size_t bin = kBins - 1; bin > 0; --bin) {

@@ -11,8 +11,8 @@
 
 namespace qrelief {
 
-/// A bounding volume hierarchy over boxes, split where the surface area heuristic says [Goldsmith, Salmon 1987; binned,
-/// Wald 2007]. What a query looks for is the caller's: rays and distances walk the same tree.
+/// A bounding volume hierarchy over boxes, split by the surface area heuristic [Goldsmith, Salmon 1987; binned, Wald
+/// 2007]. The caller defines the query: rays and distances walk the same tree.
 class Bvh {
  public:
   struct Box {
@@ -22,22 +22,22 @@ class Bvh {
   struct Node {
     Box box;
     std::uint32_t
-        begin;  ///< of a leaf: its first item's place in `order`; else the second child (the first is the next)
+        begin;  ///< leaf: index of its first item in `order`; else the second child (the first is the next node)
     std::uint32_t count;  ///< items of a leaf; 0 = inner node
   };
 
   /// Cost: O(n log n).
   explicit Bvh(std::span<const Box> boxes);
 
-  /// The root first, every parent before its children. Empty if there are no boxes.
+  /// Returns the nodes: the root first, every parent before its children. Empty if there are no boxes.
   std::span<const Node> nodes() const { return nodes_; }
 
-  /// Indices of the boxes, leaf after leaf.
+  /// Returns the indices of the boxes, leaf after leaf.
   std::span<const std::uint32_t> order() const { return order_; }
 
-  /// Visits the leaves below all nodes that count.
-  /// @param counts         (index of a node) → whether to look below it; asked when its turn comes
-  /// @param firstIsNearer  (indices of two children) → whether to look below the first one first
+  /// Visits the leaves, skipping every subtree whose root does not count.
+  /// @param counts         (index of a node) → true to descend; called when the node's turn comes
+  /// @param firstIsNearer  (indices of two children) → true to visit the first one first
   /// @param leaf           (begin, end) in `order`
   template <class Counts, class FirstIsNearer, class Leaf>
   void visit(const Counts& counts, const FirstIsNearer& firstIsNearer, const Leaf& leaf) const {

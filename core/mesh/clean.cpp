@@ -11,7 +11,7 @@
 namespace qrelief {
 namespace {
 
-/// Triangles looked at in all rounds of edge flips, some seconds.
+/// Limit of triangles examined in all rounds of edge flips: some seconds.
 constexpr std::size_t kMaxFlipWork = 20'000'000;
 
 bool repeatsAVertex(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
@@ -28,7 +28,7 @@ void dropMarked(std::vector<T>& items, const std::vector<char>& drop) {
   items.resize(kept);
 }
 
-/// Drops triangles, and remembers where those that stay come from.
+/// Drops the marked triangles and records the origin of the rest.
 void dropMarked(Mesh& mesh, const std::vector<char>& drop, Cleaning& report) {
   if (std::find(drop.begin(), drop.end(), 1) == drop.end()) return;
   if (report.origin.empty()) {
@@ -46,7 +46,7 @@ bool isClosed(std::span<const Triangle> triangles) {
   return true;
 }
 
-/// The edge opposite the middle corner.
+/// Returns the edge opposite the middle corner.
 std::size_t longestEdge(const Mesh& mesh, const Triangle& t) {
   std::size_t longest = 0;
   double length = -1;
@@ -57,7 +57,8 @@ std::size_t longestEdge(const Mesh& mesh, const Triangle& t) {
   return longest;
 }
 
-/// One round of flips between slivers and neighbours that no other flip of the round touches; how many were done.
+/// Makes one round of flips between slivers and neighbours; no two flips of a round share a triangle. Returns the
+/// number of flips.
 std::size_t flipSlivers(Mesh& mesh, std::vector<char>& sliver) {
   const Adjacency adjacency = buildAdjacency(mesh.triangles);
   std::vector<char> touched(mesh.triangles.size(), 0);
@@ -93,8 +94,8 @@ void removeSlivers(Mesh& mesh, std::vector<char> sliver, Cleaning& report) {
     dropMarked(mesh, sliver, report);
     return;
   }
-  // A round mends all slivers that are no neighbours of each other, so a chain of n may take more than n rounds, but
-  // not n². Two that lie in one line with each other would flip each other for ever.
+  // A round repairs all slivers that are not neighbours of each other, so a chain of n may take more than n rounds, but
+  // not n². Without a limit, two slivers in one line would flip each other for ever.
   const std::size_t maxRounds = std::min(slivers * slivers + 1, kMaxFlipWork / mesh.triangles.size() + 1);
   for (std::size_t round = 0; round < maxRounds; ++round)
     if (flipSlivers(mesh, sliver) == 0) break;
@@ -112,7 +113,7 @@ bool startsAnEvenTurn(const Triangle& t) {
   return t == s || t == Triangle{s[1], s[2], s[0]} || t == Triangle{s[2], s[0], s[1]};
 }
 
-/// For each half-edge, how many triangles use its edge.
+/// Returns, for each half-edge, the number of triangles that use its edge.
 std::vector<std::uint32_t> countUsers(const EdgeTable& edges) {
   std::vector<std::uint32_t> users(edges.halfEdges.size());
   for (std::size_t e = 0; e < edges.size(); ++e)
@@ -120,8 +121,9 @@ std::vector<std::uint32_t> countUsers(const EdgeTable& edges) {
   return users;
 }
 
-/// How many triangles of a group over the same corners stay. Two that face opposite ways are a wall without thickness:
-/// both go, if that leaves no edge with a single triangle (a misoriented copy in a closed surface would).
+/// Returns how many triangles of a group with the same corners stay. Two that face opposite ways are a wall without
+/// thickness: both go, unless that leaves an edge with a single triangle (as with a misoriented copy in a closed
+/// surface).
 std::size_t survivors(std::span<const std::uint32_t> group, std::span<const Triangle> triangles,
                       std::span<const std::uint32_t> users) {
   const auto even = static_cast<std::size_t>(
@@ -159,8 +161,8 @@ double heightOver(const Mesh& mesh, const Triangle& t, std::size_t k) {
   return glm::length(glm::cross(b - a, c - a)) / glm::distance(a, b);
 }
 
-/// Drops thin triangles that hang on an edge of an otherwise complete surface, their other two edges being open. They
-/// are what is left of triangles without area once coordinates have been rounded.
+/// Drops thin triangles that are attached by one edge to an otherwise complete surface and whose other two edges are
+/// open. They are triangles without area whose coordinates have been rounded.
 void removeFlaps(Mesh& mesh, const EdgeTable& edges, double maxHeight, Cleaning& report) {
   const std::vector<std::uint32_t> users = countUsers(edges);
   std::vector<char> drop(mesh.triangles.size(), 0);

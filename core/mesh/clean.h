@@ -11,20 +11,20 @@
 
 namespace qrelief {
 
-/// What cleanTriangles() did, with one example of each.
+/// Report of cleanTriangles(), with one example of each repair.
 struct Cleaning {
-  std::size_t degenerate = 0;  ///< triangles with collinear corners, dropped or mended
-  std::size_t mended = 0;      ///< how many of these went into their neighbour by an edge flip
-  std::size_t duplicates = 0;  ///< dropped triangles that had the same three vertices as another one
+  std::size_t degenerate = 0;  ///< triangles with collinear corners, dropped or repaired
+  std::size_t mended = 0;      ///< of these, triangles merged into a neighbour by an edge flip
+  std::size_t duplicates = 0;  ///< dropped triangles with the same three vertices as another triangle
   std::optional<Vec3f> degenerateAt, duplicateAt;
-  std::vector<std::uint32_t> origin;  ///< for each triangle that stayed, its number before; empty: all stayed
+  std::vector<std::uint32_t> origin;  ///< for each remaining triangle, its index before; empty: all remain
 };
 
-/// Drops triangles without area and triangles that repeat another one, the order of the rest kept.
+/// Drops triangles without area and duplicate triangles. The rest keep their order.
 ///
-/// A triangle that uses a vertex twice can always go. One with three different but collinear corners may be needed:
-/// without it the long edge has a vertex in its middle (a T-junction). So they are dropped where that leaves a closed
-/// surface; otherwise the neighbour over the long edge is split at the middle corner, which moves nothing:
+/// A triangle that uses a vertex twice is always dropped. A triangle with three different but collinear corners may be
+/// needed: without it the long edge has a vertex in its middle (a T-junction). It is dropped if the surface stays
+/// closed; otherwise the neighbour across the long edge is split at the middle corner, which moves no vertex:
 ///
 ///       d                d
 ///      / \              /|\        .
@@ -32,15 +32,15 @@ struct Cleaning {
 ///    a-----c          a--b--c
 ///     (a b c: no area)
 ///
-/// Of several triangles over the same corners one stays; or none, if they are a wall without thickness (see source).
-/// Thin flaps that hang on an edge of a complete surface count as triangles without area (kFlapHeight).
+/// Of several triangles with the same corners one stays, or none if they form a wall without thickness (see source).
+/// Thin flaps attached to an edge of a complete surface count as triangles without area (kFlapHeight).
 ///
-/// Cost: O(T); with collinear triangles a few edge tables more.
+/// Cost: O(T); plus a few edge tables if there are collinear triangles.
 /// @param mesh  welded
 Cleaning cleanTriangles(Mesh& mesh);
 
-/// False if no two triangles have the same three vertices: one look at each triangle's neighbours says so for most
-/// meshes. Cost: O(T).
+/// Returns false only if no two triangles have the same three vertices. For most meshes a check of each triangle's
+/// neighbours suffices. Cost: O(T).
 /// @param edges  of the triangles
 bool mayHaveDuplicates(std::span<const Triangle> triangles, const EdgeTable& edges);
 

@@ -16,14 +16,14 @@ struct KeyedVertex {
   }
 };
 
-/// Vertices of one cell that look to one side.
+/// Vertices of one cell whose normals point to the same side.
 struct Cluster {
   Vec3 positions{0}, normals{0};  // sums
   std::uint32_t count = 0;
 };
 
 std::vector<KeyedVertex> verticesByCell(const Mesh& mesh, double cellMm) {
-  constexpr double kMaxCells = 1 << 20;  // along an axis: three indices fit into a key
+  constexpr double kMaxCells = 1 << 20;  // along an axis, so that three indices fit into a key
   const Box3 box = boundingBox(mesh);
   const Vec3 size = box.size();
   const double cell = std::max(cellMm, std::max({size.x, size.y, size.z}) / kMaxCells);
@@ -38,7 +38,7 @@ std::vector<KeyedVertex> verticesByCell(const Mesh& mesh, double cellMm) {
   return keyed;
 }
 
-/// A facet with its corners in ascending order, and whether that took an odd number of swaps.
+/// A facet with its corners in ascending order, and the parity of the swaps.
 struct SortedFacet {
   Triangle corners;
   bool turned = false;
@@ -56,8 +56,8 @@ SortedFacet sorted(const Triangle& triangle, std::uint32_t index) {
   return facet;
 }
 
-/// Of facets between the same three vertices those that face one way cancel out those that face the other; at most one
-/// stays.
+/// Drops superfluous facets. Among facets with the same three vertices, pairs that face opposite ways cancel out; at
+/// most one facet stays.
 std::vector<Triangle> withoutFlaps(const std::vector<Triangle>& triangles) {
   std::vector<SortedFacet> facets;
   facets.reserve(triangles.size());

@@ -8,15 +8,16 @@
 
 namespace qrelief {
 
-/// A coarser mesh and where each vertex went.
+/// A coarser mesh, and the new vertex of each old one.
 struct ClusteredMesh {
   Mesh mesh;
-  std::vector<std::uint32_t> clusterOf;  ///< per vertex of the original: vertex of the coarser mesh
+  std::vector<std::uint32_t> clusterOf;  ///< original vertex → vertex of the coarser mesh
 };
 
-/// Merges the vertices of each cell of a cubic grid into their mean [Rossignac, Borrel 1993], but those apart whose
-/// normals look the other way, so that the two sides of a thin wall do not become one. Facets that collapse, and pairs
-/// that come to lie back to back, are dropped. For drawing and measuring roughly: the result need not be a manifold.
+/// Merges the vertices of each cell of a cubic grid into their mean [Rossignac, Borrel 1993]. Vertices whose normals
+/// point the other way are kept apart, so that the two sides of a thin wall do not merge. Facets that collapse are
+/// dropped, and so are pairs that end up back to back. The result is for drawing and rough measuring; it need not be a
+/// manifold.
 ///
 /// Cost: O(V log V + T).
 /// @param normals  unit or zero, one per vertex

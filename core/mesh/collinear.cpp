@@ -9,10 +9,10 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
-/// More than the rounding of two differences, two products and their difference, in units of the products.
+/// Bound of the rounding error of two differences, two products and their difference, relative to the products.
 constexpr double kRounding = 1e-15;
 
-/// a·b - c·d is certainly not zero; floats' products cannot underflow in doubles.
+/// Returns true if a·b - c·d is certainly not zero. Products of floats cannot underflow in doubles.
 bool certainlyNonzero(double a, double b, double c, double d) {
   const double first = a * b;
   const double second = c * d;

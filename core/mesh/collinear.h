@@ -5,7 +5,7 @@
 
 namespace qrelief {
 
-/// Whether three points lie on one line, exactly (a filter in doubles, then CGAL's predicate); also if two are equal.
+/// Returns true if three points lie on one line or two are equal. Exact: a filter in doubles, then CGAL's predicate.
 /// Cost: a few nanoseconds where the triangle has a visible area.
 bool collinear(Vec3f a, Vec3f b, Vec3f c);
 

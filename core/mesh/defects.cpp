@@ -6,7 +6,7 @@
 namespace qrelief {
 namespace {
 
-/// Disjoint sets of vertices, for counting how many loops the open edges form.
+/// Disjoint sets of vertices, to count the loops of open edges.
 class VertexSets {
  public:
   explicit VertexSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }
@@ -15,7 +15,7 @@ class VertexSets {
     while (parent_[v] != v) v = parent_[v] = parent_[parent_[v]];
     return v;
   }
-  /// Whether the two were apart.
+  /// Joins two vertices' sets; returns true if they were separate.
   bool join(std::uint32_t a, std::uint32_t b) {
     a = find(a);
     b = find(b);
@@ -37,7 +37,7 @@ Vec3 middleOf(const Mesh& mesh, std::uint32_t halfEdge) {
   return (Vec3(mesh.positions[ends[0]]) + Vec3(mesh.positions[ends[1]])) * 0.5;
 }
 
-/// Connected groups of open edges: vertices touched less the joins made between them.
+/// Counts the connected groups of open edges: their vertices less the joins between them.
 std::size_t countHoles(const Mesh& mesh, const EdgeTable& edges) {
   VertexSets sets(mesh.positions.size());
   std::vector<char> touched(mesh.positions.size(), 0);
@@ -54,7 +54,7 @@ std::size_t countHoles(const Mesh& mesh, const EdgeTable& edges) {
   return groups;
 }
 
-/// Triangles met on a walk around one corner's vertex; a closed mesh leads back to the start.
+/// Counts the triangles on a walk around one corner's vertex; in a closed mesh the walk returns to the start.
 std::size_t fanSize(const Mesh& mesh, const Adjacency& adjacency, std::uint32_t triangle, std::uint32_t vertex) {
   std::size_t size = 0;
   std::uint32_t t = triangle;
@@ -62,7 +62,7 @@ std::size_t fanSize(const Mesh& mesh, const Adjacency& adjacency, std::uint32_t 
   do {
     const Triangle& corners = mesh.triangles[t];
     const std::size_t k = corners[0] == vertex ? 0 : corners[1] == vertex ? 1 : 2;
-    // The two edges at the vertex: k leads away from it, k + 2 towards it. Leave by the one not entered by.
+    // Of the two edges at the vertex, k leads away from it and k + 2 towards it. Leave by the edge not entered by.
     const std::uint32_t away = adjacency[t][k];
     const std::uint32_t next = away != from ? away : adjacency[t][(k + 2) % 3];
     from = t;

@@ -15,20 +15,20 @@
 namespace qrelief {
 namespace {
 
-/// More loops than that are no holes but a surface in pieces.
+/// Above this number of loops the surface is in pieces rather than full of holes.
 constexpr std::size_t kMaxHoles = 1000;
 
 /// A loop of open edges, in the direction that its patch's triangles take: from corners[i] to corners[i + 1].
 struct Hole {
   std::vector<std::uint32_t> corners;
-  std::vector<std::uint32_t> triangles;  ///< beside each of the edges
+  std::vector<std::uint32_t> triangles;  ///< at each of the edges
 };
 
 struct HoleEdge {
   std::uint32_t from, to, triangle;
 };
 
-/// The open edges turned round, by their start.
+/// Returns the open edges reversed, sorted by their start.
 std::vector<HoleEdge> holeEdges(const Mesh& mesh, const EdgeTable& edges) {
   std::vector<HoleEdge> result;
   for (std::size_t e = 0; e < edges.size(); ++e) {
@@ -42,13 +42,13 @@ std::vector<HoleEdge> holeEdges(const Mesh& mesh, const EdgeTable& edges) {
   return result;
 }
 
-/// Walks along open edges; whenever the walk meets itself, that loop is a hole. Where the walk ends without, its edges
-/// belong to none.
+/// Walks along open edges. Whenever the walk meets itself, the loop is a hole. If the walk ends otherwise, its edges
+/// belong to no hole.
 std::vector<Hole> findHoles(std::size_t vertexCount, const std::vector<HoleEdge>& edges) {
   constexpr std::size_t kOff = std::numeric_limits<std::size_t>::max();
   std::vector<Hole> holes;
   std::vector<std::size_t> placeOnPath(vertexCount, kOff);
-  std::vector<std::size_t> nextFrom(vertexCount, kOff);  // the first edge from a vertex that was not used yet
+  std::vector<std::size_t> nextFrom(vertexCount, kOff);  // first unused edge from each vertex
   for (std::size_t e = edges.size(); e-- > 0;) nextFrom[edges[e].from] = e;
   const auto takeFrom = [&](std::uint32_t vertex) {
     const std::size_t e = nextFrom[vertex];
@@ -91,7 +91,7 @@ double diameterOf(const Mesh& mesh, const Hole& hole) {
   return diameter;
 }
 
-/// Edges between corners of holes, by their lower vertex and then by the higher one.
+/// Edges between corners of holes, sorted by their lower vertex, then by the higher one.
 using NeighbourList = std::vector<std::array<std::uint32_t, 2>>;
 
 bool canBeFilled(const Mesh& mesh, const Hole& hole, double maxDiameterMm) {
@@ -114,7 +114,7 @@ NeighbourList neighboursOnHoles(const Mesh& mesh, const EdgeTable& edges, std::s
   return neighbours;
 }
 
-/// Best triangulations of all runs of a hole's corners, from the short ones to the whole.
+/// Search for the best triangulation of a hole: triangulates all runs of its corners, from short ones to the whole.
 class PatchSearch {
  public:
   PatchSearch(const Mesh& mesh, const NeighbourList& neighbours, const Hole& hole)
@@ -146,7 +146,7 @@ class PatchSearch {
  private:
   static constexpr double kImpossible = std::numeric_limits<double>::infinity();
 
-  /// The corners from i to j, closed by the chord from j to i.
+  /// A run of corners from i to j, closed by the chord from j to i.
   struct Run {
     double fold = kImpossible;  ///< 1 - cosine of the sharpest fold
     double area = 0;
@@ -156,14 +156,14 @@ class PatchSearch {
 
   Vec3 at(std::size_t i) const { return Vec3(mesh_.positions[hole_.corners[i]]); }
 
-  /// Normal of what lies beyond the edge from i to j: the surface, or the run's triangle.
+  /// Returns the normal of the triangle beyond the edge from i to j: the surface's, or the run's.
   Vec3 normalBeyond(std::size_t i, std::size_t j) const {
     return j == i + 1 ? triangleNormal(mesh_, hole_.triangles[i]) : runs_[i * n_ + j].normal;
   }
 
   void findRun(std::size_t i, std::size_t j) {
     const bool whole = i == 0 && j == n_ - 1;
-    if (!whole && isEdge_[i * n_ + j]) return;  // the edge has its triangles
+    if (!whole && isEdge_[i * n_ + j]) return;  // the mesh's edge has both its triangles
     Run& best = runs_[i * n_ + j];
     for (std::size_t m = i + 1; m < j; ++m) {
       const Run& left = runs_[i * n_ + m];
@@ -195,8 +195,8 @@ class PatchSearch {
   const Mesh& mesh_;
   const Hole& hole_;
   std::size_t n_;
-  std::vector<Run> runs_;     // i·n + j
-  std::vector<char> isEdge_;  // of the mesh, i < j
+  std::vector<Run> runs_;     // at i·n + j
+  std::vector<char> isEdge_;  // at i·n + j, i < j: the mesh has an edge between the two corners
 };
 
 struct Patch {
@@ -205,10 +205,10 @@ struct Patch {
   double diameter;
 };
 
-/// For each patch whether its triangles meet any others but at their common edges and corners.
+/// Returns, for each patch, true if its triangles meet others elsewhere than at common edges and corners.
 Result<std::vector<char>> findBadPatches(const Mesh& mesh, const std::vector<Patch>& patches) {
   Mesh filled = mesh;
-  std::vector<std::size_t> patchOf;  // of the triangles added
+  std::vector<std::size_t> patchOf;  // of the added triangles
   std::vector<std::uint32_t> added;
   for (std::size_t i = 0; i < patches.size(); ++i)
     for (const Triangle& t : patches[i].triangles) {

@@ -31,7 +31,7 @@ Box3 boundingBox(const Mesh& mesh) {
 }
 
 double signedVolume(const Mesh& mesh) {
-  // Tetrahedra from the box's centre: far-away models would lose the volume to cancellation.
+  // Tetrahedra start at the box's centre: from the origin, far-away models would lose the volume to cancellation.
   const Box3 box = boundingBox(mesh);
   if (box.empty()) return 0;
   const Vec3 origin = box.centre();
@@ -49,7 +49,7 @@ Vec3 triangleNormal(const Mesh& mesh, std::size_t triangle) {
 }
 
 std::vector<Vec3f> vertexNormals(const Mesh& mesh) {
-  // The angles take most of the time and depend on nothing else; the sums are made in the triangles' order.
+  // The angles take most of the time and are independent of each other. The sums follow the triangles' order.
   std::vector<std::array<double, 3>> angles(mesh.triangles.size());
   parallelFor((mesh.triangles.size() + kTrianglesAPiece - 1) / kTrianglesAPiece, [&](std::size_t piece) {
     const std::size_t begin = piece * kTrianglesAPiece;

@@ -14,8 +14,8 @@ using Triangle = std::array<std::uint32_t, 3>;  ///< vertex indices, counter-clo
 
 /// Indexed triangles in millimetres.
 ///
-/// Positions are 32-bit floats because a binary STL holds nothing finer: what is welded, checked and
-/// carved is then exactly what is written, and an untouched facet comes out bit for bit.
+/// Positions are 32-bit floats because a binary STL holds nothing finer. The mesh that is welded, checked and carved is
+/// then exactly the mesh written, and an untouched facet comes out bit for bit.
 struct Mesh {
   std::vector<Vec3f> positions;
   std::vector<Triangle> triangles;
@@ -27,13 +27,13 @@ struct Mesh {
 
 Box3 boundingBox(const Mesh& mesh);
 
-/// Signed volume, mm³; positive if the triangles face outwards. Closed meshes only.
+/// Returns the signed volume of a closed mesh, mm³; positive if the triangles face outwards.
 double signedVolume(const Mesh& mesh);
 
-/// Unit normal of a triangle; zero for one without area.
+/// Returns the unit normal of a triangle; zero for a triangle without area.
 Vec3 triangleNormal(const Mesh& mesh, std::size_t triangle);
 
-/// Angle-weighted unit vertex normals [Thürmer, Wüthrich 1998], one per vertex; zero where undefined.
+/// Returns angle-weighted unit vertex normals [Thürmer, Wüthrich 1998], one per vertex; zero where undefined.
 std::vector<Vec3f> vertexNormals(const Mesh& mesh);
 
 }  // namespace qrelief

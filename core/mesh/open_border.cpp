@@ -36,7 +36,7 @@ OpenBorder::OpenBorder(const Mesh& mesh, Found found)
 
 std::size_t OpenBorder::findNear(Vec3 point, double reach, std::vector<std::uint32_t>& halfEdges) const {
   halfEdges.clear();
-  // A little more than asked for, so that rounding to floats loses nothing.
+  // Search slightly farther, so that rounding to floats loses nothing.
   const Vec3 margin = reach + 1e-6 * (glm::abs(point) + reach);
   const FloatBox box{Vec3f(point - margin), Vec3f(point + margin)};
   std::vector<std::uint32_t> leaves;

@@ -9,23 +9,23 @@
 
 namespace qrelief {
 
-/// The edges of one triangle each, and what lies near them.
+/// The open edges of a mesh, with a search for nearby ones. An open edge has one triangle.
 class OpenBorder {
  public:
   explicit OpenBorder(const Mesh& mesh);
 
-  /// 3·triangle + k, by (smaller vertex, larger vertex).
+  /// Returns the open half-edges, 3·triangle + k, sorted by (smaller vertex, larger vertex).
   const std::vector<std::uint32_t>& halfEdges() const { return halfEdges_; }
-  /// Vertices of these, ascending.
+  /// Returns the vertices of the open half-edges, ascending.
   const std::vector<std::uint32_t>& vertices() const { return vertices_; }
   bool isOpen(std::uint32_t vertex) const { return isOpen_[vertex] != 0; }
 
-  /// Open half-edges whose boxes come within `reach` of a point along every axis; in no particular order.
-  /// @returns how many were looked at: the cost
+  /// Finds the open half-edges whose boxes come within `reach` of a point along every axis, in no particular order.
+  /// @returns number of half-edges examined: the cost
   std::size_t findNear(Vec3 point, double reach, std::vector<std::uint32_t>& halfEdges) const;
 
-  /// So many half-edges may be looked at in all calls of findNear() for a repair: many times as many as lie near a
-  /// vertex of a sound border. More lie there where a file has loose triangles in a heap, and all pairs of them.
+  /// Returns the limit of half-edges to examine in all calls of findNear() of one repair. It is many times what a sound
+  /// border needs; only a file with heaps of loose triangles, whose pairs all lie near each other, exceeds it.
   std::size_t maxLooks() const { return kMinLooks + kLooksAVertex * vertices_.size(); }
 
  private:
@@ -33,7 +33,7 @@ class OpenBorder {
 
   struct Found {
     std::vector<std::uint32_t> halfEdges, vertices;
-    std::vector<FloatBox> boxes;  ///< of the half-edges
+    std::vector<FloatBox> boxes;  ///< of the half-edges, in the same order
   };
   OpenBorder(const Mesh& mesh, Found found);
   static Found find(const Mesh& mesh);

@@ -14,14 +14,15 @@ void turn(Triangle& triangle, std::array<std::uint32_t, 3>& neighbours) {
   std::swap(neighbours[0], neighbours[2]);  // edge 0 (corners 0, 1) becomes edge 2, edge 1 keeps its place
 }
 
-/// Whether `other` runs along edge k of `triangle` in the same direction: then the two face opposite ways.
+/// Returns true if `other` runs along edge k of `triangle` in the same direction: the two then face opposite ways.
 bool runsAlong(const Triangle& triangle, std::size_t k, const Triangle& other) {
   for (std::size_t j = 0; j < 3; ++j)
     if (other[j] == triangle[k] && other[(j + 1) % 3] == triangle[(k + 1) % 3]) return true;
   return false;
 }
 
-/// Floods the shell of `seed`; `opposite` says of each of its triangles whether it faces the other way than the seed.
+/// Floods the shell of `seed` and returns its triangles. Sets `opposite` for each that faces the other way than the
+/// seed.
 std::vector<std::uint32_t> floodShell(std::span<const Triangle> triangles, const Adjacency& adjacency,
                                       std::uint32_t seed, std::vector<char>& opposite, Consistency& result) {
   const auto shell = static_cast<std::uint32_t>(result.shells.count++);
@@ -93,14 +94,14 @@ Outwardness orientOutwards(Mesh& mesh, Adjacency& adjacency, const Consistency& 
   const ShellNesting nesting = enclosingShells(mesh, shells, closed);
   const std::vector<std::vector<std::uint32_t>>& enclosing = nesting.enclosing;
 
-  std::vector<char> wrong(shells.count, 0);  // by the number of shells around it
+  std::vector<char> wrong(shells.count, 0);  // judged by the number of shells around it
   for (std::size_t s = 0; s < shells.count; ++s)
     wrong[s] = closed[s] && (enclosing[s].size() % 2 == 0 ? volumes[s] < 0 : volumes[s] > 0);
   std::vector<char> turned(shells.count, 0);
   for (std::size_t s = 0; s < shells.count; ++s) {
     const bool allAroundWrong =
         std::all_of(enclosing[s].begin(), enclosing[s].end(), [&](std::uint32_t outer) { return wrong[outer] != 0; });
-    turned[s] = wrong[s] && (allAroundWrong || consistency.wasMixed[s]);  // none around: all of none
+    turned[s] = wrong[s] && (allAroundWrong || consistency.wasMixed[s]);  // no shells around: true, too
   }
 
   Outwardness result;

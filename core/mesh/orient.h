@@ -8,40 +8,41 @@
 
 namespace qrelief {
 
-/// The parts of a mesh that hang together across edges of exactly two triangles.
+/// The connected parts of a mesh; only edges with exactly two triangles connect.
 struct Shells {
-  std::vector<std::uint32_t> of;  ///< for each triangle, its shell, numbered by the lowest triangle
+  std::vector<std::uint32_t> of;  ///< triangle → shell; shells are numbered in the order of their lowest triangle
   std::size_t count = 0;
 };
 
-/// What makeConsistent() found and did.
+/// Report of makeConsistent().
 struct Consistency {
   Shells shells;
-  std::vector<char> wasMixed;  ///< for each shell: some of its triangles faced the other way than the rest
-  std::size_t turned = 0;      ///< triangles turned round
+  std::vector<char> wasMixed;  ///< for each shell: true if its triangles did not all face the same side
+  std::size_t turned = 0;      ///< triangles reversed
   std::optional<std::uint32_t> turnedExample;
-  std::optional<std::uint32_t> oneSided;  ///< a triangle where the surface comes back to itself turned round (Möbius)
+  std::optional<std::uint32_t> oneSided;  ///< a triangle where the surface returns to itself reversed (Möbius)
 };
 
-/// Turns triangles so that neighbours agree; of each shell the smaller part is turned, in a tie not the part of its
-/// first triangle. Cost: O(T).
-/// @param adjacency  of the triangles; kept true
+/// Reverses triangles so that neighbours agree. In each shell reverses the smaller part; in a tie, the part without the
+/// shell's first triangle. Cost: O(T).
+/// @param adjacency  of the triangles; updated
 Consistency makeConsistent(std::vector<Triangle>& triangles, Adjacency& adjacency);
 
-/// What orientOutwards() found and did, in shells.
+/// Report of orientOutwards(); counts are of shells.
 struct Outwardness {
-  std::size_t insideOut = 0;     ///< turned round
-  std::size_t cavities = 0;      ///< closed shells inside others that face inwards
-  std::size_t nestedSolids = 0;  ///< closed shells inside others that face outwards as those do; left as they are
-  bool nestingKnown = true;      ///< false: there was too much to look at, every shell counts as in no other
+  std::size_t insideOut = 0;     ///< reversed
+  std::size_t cavities = 0;      ///< enclosed closed shells that face inwards
+  std::size_t nestedSolids = 0;  ///< enclosed closed shells that face outwards; left unchanged
+  bool nestingKnown = true;      ///< false: nesting was too costly to find, so no shell counts as enclosed
   std::optional<std::uint32_t> insideOutExample, cavityExample, nestedExample;  ///< a triangle of each
 };
 
-/// Turns closed shells so that a shell in no other faces outwards. A shell inside others is turned if those were inside
-/// out or if it was of mixed orientation; by how many it is enclosed then tells whether it bounds a cavity. A
-/// consistent one is left as the file has it. Open shells are left alone.
+/// Reverses closed shells so that every shell enclosed by no other faces outwards. The number of shells around an
+/// enclosed shell decides which way it should face: outwards if even, inwards (a cavity) if odd. If it faces the wrong
+/// way, it is reversed only if all shells around it were wrong, too, or if its own orientation was mixed; otherwise it
+/// stays as in the file. Open shells are left alone.
 ///
-/// Cost: O(T), and of enclosingShells() where there are several shells.
+/// Cost: O(T), plus enclosingShells() if there are several shells.
 Outwardness orientOutwards(Mesh& mesh, Adjacency& adjacency, const Consistency& consistency);
 
 }  // namespace qrelief

@@ -10,21 +10,21 @@
 
 namespace qrelief {
 
-/// One object of a file that holds several (3MF build items).
+/// One of several objects in a file (3MF build items).
 struct ModelPart {
-  std::string name;               ///< as the file has it, may be empty
-  std::size_t firstTriangle = 0;  ///< its triangles go on to the next part's first
+  std::string name;               ///< as in the file, may be empty
+  std::size_t firstTriangle = 0;  ///< its triangles end at the next part's first
 };
 
-/// What a model file says, before anything is trusted: positions in file units, triangles by index
-/// (all indices valid), neither welded nor oriented.
+/// The unchecked content of a model file: positions in file units and triangles by index (all indices valid), neither
+/// welded nor oriented.
 struct PolygonSoup {
   std::vector<Vec3> positions;
   std::vector<Triangle> triangles;
   std::string format;             ///< "STL (binary)", "STL (ASCII)", "OBJ", "PLY", "OFF"
-  std::vector<Message> warnings;  ///< what the reader passed over
-  std::vector<ModelPart> parts;   ///< ascending by first triangle; empty: the file knows one object only
-  std::optional<double> unitMm;   ///< millimetres in a file unit, where the file says so (3MF)
+  std::vector<Message> warnings;  ///< content that the parser ignored
+  std::vector<ModelPart> parts;   ///< ascending by first triangle; empty: the file holds one object only
+  std::optional<double> unitMm;   ///< millimetres in a file unit, if the file states it (3MF)
 };
 
 }  // namespace qrelief

@@ -13,13 +13,13 @@ namespace {
 
 constexpr double kImplausibleMm = 1e7;  // 10 km
 constexpr double kHugeMm = 2000;
-constexpr double kTinyMm = 10;       // no code that can be printed fits
-constexpr double kCoarseMm = 0.001;  // a hundredth of a layer: coarser coordinates begin to show
+constexpr double kTinyMm = 10;       // no printable code fits
+constexpr double kCoarseMm = 0.001;  // a hundredth of a layer: coarser coordinates become visible
 constexpr std::size_t kMaxTriangles = std::size_t{1} << 30;  // half-edges are numbered in 32 bits
-constexpr double kCollinearFraction = 1e-9;  // of a triangle's longest side: height that doubles may invent
+constexpr double kCollinearFraction = 1e-9;  // height of a triangle / its longest side, from rounding alone
 constexpr double kMmPerKm = 1e6;
 
-/// How far apart 32-bit floats are there, at most.
+/// Returns the largest distance between neighbouring 32-bit floats up to there.
 double floatStepMm(double farthestMm) { return farthestMm * std::numeric_limits<float>::epsilon(); }
 
 Status checkSoup(const PolygonSoup& soup, const PrepareOptions& options) {
@@ -47,7 +47,7 @@ std::vector<char> usedPositions(const PolygonSoup& soup) {
   return used;
 }
 
-/// Refuses what no 32-bit float or no printer can hold.
+/// Refuses models too large for 32-bit floats or for any printer.
 Status checkExtent(const Box3& boxMm, double scaleToMm) {
   const Vec3 size = boxMm.size();
   const double largest = std::max({size.x, size.y, size.z});
@@ -63,7 +63,7 @@ Status checkExtent(const Box3& boxMm, double scaleToMm) {
   return {};
 }
 
-/// Scaled, rounded and welded; unused positions are left out.
+/// Scales, rounds and welds the mesh; leaves out unused positions.
 Result<Mesh> weldedMesh(const PolygonSoup& soup, double scaleToMm, FindingList& findings) {
   const std::vector<char> used = usedPositions(soup);
   Box3 box;
@@ -108,7 +108,7 @@ void reportExtent(PreparedModel& model, FindingList& findings) {
     findings.warn(message("far-away", with::lengthMm("distance", farthest), with::lengthMm("step", step)));
 }
 
-/// Which part each triangle of the file belongs to; empty: there is one part only.
+/// Returns the part of each triangle of the file; empty: one part only.
 std::vector<std::uint32_t> partsOf(const PolygonSoup& soup) {
   std::vector<std::uint32_t> parts;
   if (soup.parts.size() < 2) return parts;
@@ -125,7 +125,7 @@ bool hasArea(const PolygonSoup& soup, const Triangle& t) {
   return glm::length(glm::cross(u, v)) > kCollinearFraction * longest * longest;
 }
 
-/// Why no triangle is left.
+/// Returns the reason why no triangle is left.
 Message nothingLeft(const PolygonSoup& soup, const Cleaning& cleaning) {
   const std::size_t triangles = soup.triangles.size();
   if (cleaning.duplicates > 0) return message("model-no-thickness", with::count("count", triangles));

@@ -12,19 +12,19 @@
 
 namespace qrelief {
 
-/// One thing found out about a model. The message's code is stable: "open-edges", "duplicate-triangles". Among its
-/// values are `count`, where there may be several, and `at`, one example's place in file units.
+/// A finding about a model. The message's code is stable: "open-edges", "duplicate-triangles". Its values include
+/// `count`, if there can be several, and `at`, the place of one example in file units.
 struct Finding {
   enum class Severity {
     Note,     ///< nothing is wrong
-    Warning,  ///< harmless, or mended: the finding says how
-    Blocking  ///< the model is no closed, oriented solid: it can be shown, not engraved
+    Warning,  ///< harmless, or repaired as the finding says
+    Blocking  ///< the model is not a closed, oriented solid; it can be shown but not engraved
   };
   Severity severity = Severity::Note;
   Message message;
 };
 
-/// "note", "warning", "blocking": names that scripts rely on.
+/// Returns "note", "warning" or "blocking"; scripts rely on these names.
 const char* severityName(Finding::Severity severity);
 
 struct PrepareOptions {
@@ -40,21 +40,22 @@ struct PreparedModel {
   std::vector<Vec3f> normals;  ///< smooth unit vertex normals
   std::vector<Finding> findings;
   std::size_t shells = 0;
-  bool crossesItself = false;                   ///< triangles cross each other, and were not parted
+  bool crossesItself = false;                   ///< some triangles cross and were not separated
   std::vector<std::uint32_t> partOfTriangle;    ///< index into the soup's parts; empty: one part only
-  std::vector<UnitSuggestion> unitSuggestions;  ///< if the model is tiny; may be empty
+  std::vector<UnitSuggestion> unitSuggestions;  ///< for tiny models; may be empty
 
-  /// The first blocking finding as an error, if there is one.
+  /// Returns the first blocking finding as an error, if there is one.
   Status engravable() const;
 };
 
-/// Scales to mm, rounds to 32-bit floats, welds by equal position (across parts, too: after a round trip through STL
-/// equal positions are one vertex, so parts that touch along an edge are no solid), drops unreferenced vertices, makes
-/// the repairs of mesh/repair.h, and says what it found, where, and what it did.
+/// Prepares a model for engraving: scales it to mm, rounds to 32-bit floats, welds equal positions, drops unreferenced
+/// vertices, makes the repairs of mesh/repair.h, and reports what it found and repaired, and where. Welding joins
+/// parts, too: after a round trip through STL equal positions are one vertex, so parts that touch along an edge are no
+/// solid.
 ///
 /// Cost: O(T log T), most of it the search for crossing triangles.
-/// @returns the model, blocking findings included; an error only for what cannot be represented: no triangle left,
-///          coordinates that are not finite or whose size is implausible as mm (> 10 km across), too many triangles.
+/// @returns the model, with any blocking findings; an error only for a model that cannot be represented: no triangle
+///          left, coordinates that are not finite or implausibly large in mm (> 10 km across), too many triangles.
 Result<PreparedModel> prepareModel(const PolygonSoup& soup, const PrepareOptions& options);
 
 }  // namespace qrelief

@@ -9,7 +9,7 @@
 namespace qrelief {
 namespace {
 
-/// [Ericson 2005, Real-Time Collision Detection, §5.1.5]
+/// Returns the point of a triangle nearest to p [Ericson 2005, Real-Time Collision Detection, §5.1.5].
 Vec3 closestOnTriangle(Vec3 a, Vec3 b, Vec3 c, Vec3 p) {
   const Vec3 ab = b - a;
   const Vec3 ac = c - a;
@@ -32,7 +32,7 @@ Vec3 closestOnTriangle(Vec3 a, Vec3 b, Vec3 c, Vec3 p) {
   return a + ab * (vb / sum) + ac * (vc / sum);
 }
 
-/// Angle that a triangle takes up around a point of it: 2π within, π on a side, less at a corner.
+/// Returns the angle that a triangle takes up around one of its points: 2π within, π on a side, less at a corner.
 double angleAround(Vec3 p, const std::array<Vec3, 3>& corners) {
   double angle = 0;
   for (std::size_t k = 0; k < 3; ++k) {

@@ -7,18 +7,18 @@
 
 namespace qrelief {
 
-/// A surface of triangles that many rays are asked of.
+/// A surface of triangles to query with many rays.
 class RaySurface {
  public:
   virtual ~RaySurface() = default;
 
-  /// First triangle met, farther than `from` along the ray.
+  /// Returns the first triangle met beyond `from` along the ray.
   /// @param direction  any length > 0
-  /// @param from       in units of the direction's length, ≥ 0: what lies nearer is passed over
+  /// @param from       in units of the direction's length, ≥ 0; nearer triangles are ignored
   virtual std::optional<SurfacePoint> firstHit(Vec3 origin, Vec3 direction, double from) const = 0;
   std::optional<SurfacePoint> firstHit(Vec3 origin, Vec3 direction) const { return firstHit(origin, direction, 0); }
 
-  /// Unit normal of the triangle that a point lies in.
+  /// Returns the unit normal of the triangle that contains a point.
   virtual Vec3 normalAt(const SurfacePoint& at) const = 0;
 };
 

@@ -10,7 +10,7 @@
 
 namespace qrelief {
 
-/// For many rays: a bounding volume hierarchy and the watertight triangle test [Woop, Benthin, Wald 2013].
+/// A surface for many rays: a bounding volume hierarchy and the watertight triangle test [Woop, Benthin, Wald 2013].
 class RayTree final : public RaySurface {
  public:
   /// Cost: O(T log T).
@@ -18,7 +18,7 @@ class RayTree final : public RaySurface {
   explicit RayTree(const Mesh& mesh);
 
   using RaySurface::firstHit;
-  /// From either side. Cost: O(log T) as a rule.
+  /// Hits triangles from either side. Cost: usually O(log T).
   std::optional<SurfacePoint> firstHit(Vec3 origin, Vec3 direction, double from) const override;
 
   Vec3 normalAt(const SurfacePoint& at) const override { return triangleNormal(*mesh_, at.triangle); }

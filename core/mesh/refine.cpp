@@ -8,11 +8,11 @@
 namespace qrelief {
 namespace {
 
-constexpr std::uint32_t kWhole = 0xffffffffu;  // an edge without a middle
+constexpr std::uint32_t kWhole = 0xffffffffu;  // an edge without a midpoint
 
-using Middles = std::array<std::uint32_t, 3>;  // vertex in the middle of the edges 01, 12, 20
+using Middles = std::array<std::uint32_t, 3>;  // vertices at the midpoints of the edges 01, 12, 20
 
-/// Cuts a facet at the middles of its edges: into two, three or four.
+/// Cuts a facet at the midpoints of its edges into two, three or four.
 void cut(const Triangle& t, const Middles& m, std::vector<Triangle>& out) {
   const auto count = (m[0] != kWhole) + (m[1] != kWhole) + (m[2] != kWhole);
   if (count == 0) {
@@ -24,7 +24,7 @@ void cut(const Triangle& t, const Middles& m, std::vector<Triangle>& out) {
     const std::uint32_t a = t[k], b = t[(k + 1) % 3], c = t[(k + 2) % 3];
     out.insert(out.end(), {{a, m[k], c}, {m[k], b, c}});
   } else {
-    // Turned so that the whole edge is c–a: the corner b is cut off, and the rest along m(ab)–c.
+    // Rotate the corners so that the uncut edge is c–a. Cut off corner b, then cut the rest along m(ab)–c.
     const std::size_t k = m[0] == kWhole ? 1 : m[1] == kWhole ? 2 : 0;
     const std::uint32_t a = t[k], b = t[(k + 1) % 3], c = t[(k + 2) % 3];
     const std::uint32_t ab = m[k], bc = m[(k + 1) % 3];

@@ -5,12 +5,12 @@
 
 namespace qrelief {
 
-/// The same surface with edges halved until none is longer than `longestMm`: both facets of an edge take its middle, so
-/// that no T-junction arises. The original's vertices come first, unchanged.
+/// Returns the same surface with edges halved until none is longer than `longestMm`. Both facets of an edge share its
+/// midpoint, so no T-junction arises. The original vertices come first, unchanged.
 ///
 /// Cost: O(T log(edge / longestMm)) for T triangles of the result.
 /// @param longestMm      > 0
-/// @param maxTriangles  it stops before a round that would give more
+/// @param maxTriangles  stops before a round that would exceed this
 Mesh refineEdges(Mesh mesh, double longestMm, std::size_t maxTriangles);
 
 }  // namespace qrelief

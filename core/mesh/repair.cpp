@@ -19,7 +19,7 @@ std::size_t countEdges(const EdgeTable& edges, bool open) {
   return count;
 }
 
-/// origin[i] becomes what step[i] stood for before; an empty step changed nothing.
+/// Sets origin[i] to the former origin[step[i]]; an empty step changes nothing.
 void follow(std::vector<std::uint32_t>& origin, const std::vector<std::uint32_t>& step) {
   if (step.empty()) return;
   std::vector<std::uint32_t> followed(step.size());
@@ -82,7 +82,7 @@ void closeSeams(Repaired& r, std::span<const std::uint32_t> partOfTriangle, cons
   }
 }
 
-/// Fills holes in a consistent mesh, and takes stock of the shells again.
+/// Fills holes in a consistent mesh and finds its shells anew.
 Status closeHoles(Repaired& r, EdgeTable& edges) {
   Result<HoleFilling> filling = fillHoles(r.mesh, r.maxHoleMm);
   if (!filling) return tl::unexpected(filling.error());
@@ -101,7 +101,7 @@ Status closeHoles(Repaired& r, EdgeTable& edges) {
   return {};
 }
 
-/// The first pairs that cross, nothing moved.
+/// Counts crossing pairs, up to a limit, and moves nothing.
 Result<Untangling> countCrossings(const Mesh& mesh) {
   constexpr std::size_t kMaxCounted = 1000;
   const auto pairs = findSelfIntersections(mesh, {}, kMaxCounted);

@@ -15,17 +15,17 @@
 
 namespace qrelief {
 
-/// Which repairs may be made. What a repair that is switched off would have mended is reported, and blocks if the model
-/// is no solid without it.
+/// Permitted repairs. A defect whose repair is switched off is reported; it blocks engraving if the model is no solid
+/// without the repair.
 struct RepairOptions {
-  std::optional<double> weldToleranceMm = {};  ///< of open edges' vertices, ≥ 0; absent: kWeldFraction of the diagonal
-  std::optional<double> maxHoleMm = {};  ///< diameter of the largest hole to be filled; absent: kHoleFraction of it
+  std::optional<double> weldToleranceMm = {};  ///< for open edges, ≥ 0; absent: kWeldFraction of the diagonal
+  std::optional<double> maxHoleMm = {};        ///< largest diameter to fill; absent: kHoleFraction of the diagonal
   bool weldNear = true;
   bool splitTJunctions = true;
   bool fillHoles = true;
-  bool dropStray = true;  ///< triangles without area, or that are there twice
-  bool orient = true;     ///< turn triangles and shells round
-  bool untangle = true;   ///< move vertices to part crossing triangles
+  bool dropStray = true;  ///< drop triangles without area and duplicates
+  bool orient = true;     ///< reverse triangles and shells that face the wrong way
+  bool untangle = true;   ///< move vertices to separate crossing triangles
 
   static RepairOptions none() {
     RepairOptions options;
@@ -35,32 +35,32 @@ struct RepairOptions {
   }
 };
 
-/// A mesh after all repairs, what each did, and what is left.
+/// A mesh after all repairs, the report of each repair, and the remaining defects.
 struct Repaired {
   Mesh mesh;
-  std::vector<std::uint32_t> origin;  ///< for each triangle, the one given that it comes from or lies beside
+  std::vector<std::uint32_t> origin;  ///< for each triangle, the original one that it comes from or adjoins
   Adjacency adjacency;
-  double toleranceMm = 0, maxHoleMm = 0;  ///< the values that were used
+  double toleranceMm = 0, maxHoleMm = 0;  ///< the values used
   Cleaning cleaning;
   NearWelding welding;
   TJunctionSplit split;
-  bool seamsCutShort = false;  ///< open edges lie in such heaps that not all of them were compared
+  bool seamsCutShort = false;  ///< too many open edges near each other: not all were compared
   HoleFilling filling;
   Consistency consistency;
   Outwardness outwardness;
   Untangling untangling;
-  Defects defects;  ///< what could not be mended
+  Defects defects;  ///< defects that remain
 
   bool closed() const { return defects.openEdges == 0 && defects.nonManifoldEdges == 0 && !consistency.oneSided; }
 };
 
-/// Drops stray triangles, welds and splits at open edges, turns neighbours to agree, fills holes, turns shells outwards
-/// and parts crossing triangles, in this order; each where it is needed only. A step that would give an edge a third
-/// triangle is not made.
+/// Drops stray triangles, welds and splits at open edges, makes neighbours face the same side, fills holes, turns
+/// shells outwards and separates crossing triangles, in this order and only where needed. Skips any step that would
+/// give an edge a third triangle.
 ///
-/// Cost: O(T log T); on a sound mesh most of it the search for crossing triangles.
+/// Cost: O(T log T); for a sound mesh mostly the search for crossing triangles.
 /// @param mesh            welded by equal position
-/// @param partOfTriangle  vertices of different parts are not welded, unless they are equal; empty: one part
+/// @param partOfTriangle  part of each triangle, empty: one part. Vertices of different parts are welded only if equal
 /// @returns an error only if the exact predicates fail
 Result<Repaired> repairMesh(Mesh mesh, std::span<const std::uint32_t> partOfTriangle, const RepairOptions& options);
 

@@ -6,7 +6,7 @@
 namespace qrelief {
 namespace {
 
-/// What became of it, told within a finding.
+/// Returns the outcome of a repair, to be quoted within a finding.
 Message done(bool allowed, Message repair) { return allowed ? std::move(repair) : message("repair-switched-off"); }
 
 Message droppedOrMerged(const Cleaning& cleaning) {
@@ -52,7 +52,7 @@ void reportFilling(const Repaired& repaired, FindingList& findings) {
                            with::place("at", findings.inFile(filling.blockedAt))));
 }
 
-/// As the file counts them.
+/// Returns the facets' indices in the file.
 std::vector<double> facetsOf(const Repaired& repaired, std::span<const std::uint32_t> triangles) {
   std::vector<double> facets;
   for (const std::uint32_t t : triangles) facets.push_back(repaired.origin[t] + 1.0);
@@ -61,7 +61,7 @@ std::vector<double> facetsOf(const Repaired& repaired, std::span<const std::uint
   return facets;
 }
 
-/// Which facets lie at the first edge of more than two triangles, and which parts touch there, if it is several.
+/// Names the facets at the first edge with more than two triangles, and the parts if several touch there.
 Message edgeOf(const Repaired& repaired, std::span<const ModelPart> parts,
                std::span<const std::uint32_t> partOfTriangle) {
   const std::vector<std::uint32_t>& triangles = repaired.defects.nonManifoldTriangles;
@@ -123,7 +123,7 @@ Message crossingPairs(const Untangling& untangling) {
   return message("crossing-pairs", with::count("count", untangling.pairs));
 }
 
-/// Crossing triangles are no reason to refuse: carving away from them works all the same.
+/// Reports crossing triangles. They do not block: carving elsewhere works.
 void reportUntangling(const Untangling& untangling, FindingList& findings) {
   if (untangling.tooCrowded) findings.warn(message("crossings-too-crowded"));
   if (untangling.pairs == 0) return;
@@ -146,7 +146,7 @@ std::vector<Finding> FindingList::take() {
 
 void reportRepairs(const Repaired& repaired, const RepairOptions& options, std::span<const ModelPart> parts,
                    std::span<const std::uint32_t> partOfTriangle, FindingList& findings) {
-  reportFilling(repaired, findings);  // its reasons say more than the bare count of open edges
+  reportFilling(repaired, findings);  // its reasons are more helpful than a bare count of open edges
   reportDefects(repaired, parts, partOfTriangle, findings);
   reportOrientation(repaired, options.orient, findings);
   reportSeams(repaired, findings);

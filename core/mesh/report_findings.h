@@ -9,7 +9,7 @@
 
 namespace qrelief {
 
-/// Everything that is said about one model; places are given in file units, facets by their number in the file.
+/// List of findings about one model. Places are in file units; facets have their index in the file.
 class FindingList {
  public:
   explicit FindingList(double scaleToMm) : scale_(scaleToMm) {}
@@ -17,13 +17,13 @@ class FindingList {
   void note(Message message) { findings_.push_back({Finding::Severity::Note, std::move(message)}); }
   void warn(Message message) { findings_.push_back({Finding::Severity::Warning, std::move(message)}); }
   void block(Message message) { findings_.push_back({Finding::Severity::Blocking, std::move(message)}); }
-  /// A repair that was made, or one that was needed and is switched off.
+  /// Adds a warning of a repair that was made, or a blocking finding if the repair is switched off.
   void mended(bool allowed, Message message) { allowed ? warn(std::move(message)) : block(std::move(message)); }
 
-  /// A place in file units.
+  /// Converts a place to file units.
   Vec3 inFile(Vec3 mm) const { return mm / scale_; }
 
-  /// What blocks comes first, then warnings; each in the order it was said in.
+  /// Returns the findings: blocking ones first, then warnings, then notes; each in the order added.
   std::vector<Finding> take();
 
  private:
@@ -31,7 +31,7 @@ class FindingList {
   std::vector<Finding> findings_;
 };
 
-/// What each repair found and did, and what is left.
+/// Reports what each repair found and did, and which defects remain.
 /// @param parts           of the soup
 /// @param partOfTriangle  of the repaired mesh, empty: one part
 void reportRepairs(const Repaired& repaired, const RepairOptions& options, std::span<const ModelPart> parts,

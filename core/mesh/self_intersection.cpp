@@ -15,12 +15,12 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
-/// Leaves, or triangles beside the suspects, that make one piece of work: some milliseconds.
+/// Size of a piece of work, in leaves or in triangles other than suspects: some milliseconds.
 constexpr std::size_t kLeavesAPiece = 4096;
 constexpr std::size_t kTrianglesAPiece = 1 << 16;
 
-/// Pairs of boxes looked at, where a pair of triangles that is tested counts as ten: some seconds for a model of few
-/// pieces, then 500 for each triangle of a piece of 4096 leaves. Scans take about 50.
+/// Limits of pairs of boxes examined; a tested pair of triangles counts as ten. They allow some seconds for a model of
+/// few pieces, otherwise 500 for each triangle of a piece of 4096 leaves. Scans take about 50.
 constexpr std::size_t kMaxLooks = 400'000'000, kMaxLooksAPiece = 8'000'000, kLooksATest = 10;
 
 Kernel::Point_3 pointOf(const Mesh& mesh, std::uint32_t vertex) {
@@ -36,7 +36,7 @@ bool hasArea(const Mesh& mesh, const Triangle& t) {
   return !collinear(mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]);
 }
 
-/// Two triangles with what they share moved to the front of both; how they are turned is lost.
+/// Two triangles with their shared vertices moved to the front of both; the orientation is lost.
 struct Meeting {
   Triangle a, b;
   std::size_t shared = 0;
@@ -72,7 +72,8 @@ bool certainlyMeetNowhereElse(const Mesh& mesh, const Meeting& pair) {
   }
 }
 
-/// Triangles with one common vertex: anything else they share reaches from it to the edge opposite it in one of them.
+/// Tests triangles with one common vertex. Anything else they share reaches from that vertex to the opposite edge of
+/// one of them.
 bool meetBesidesVertex(const Mesh& mesh, const Triangle& a, const Triangle& b) {
   const auto oppositeMeets = [&](const Triangle& t, const Triangle& other) {
     const Kernel::Segment_3 opposite(pointOf(mesh, t[1]), pointOf(mesh, t[2]));
@@ -81,7 +82,7 @@ bool meetBesidesVertex(const Mesh& mesh, const Triangle& a, const Triangle& b) {
   return oppositeMeets(a, b) || oppositeMeets(b, a);
 }
 
-/// Triangles with a common edge: they meet elsewhere only if one is folded onto the other in one plane.
+/// Tests triangles with a common edge. They meet elsewhere only if one is folded onto the other in one plane.
 bool foldedTogether(const Mesh& mesh, const Triangle& a, const Triangle& b) {
   const auto p = pointOf(mesh, a[0]);
   const auto q = pointOf(mesh, a[1]);
@@ -101,11 +102,11 @@ bool meet(const Mesh& mesh, const Triangle& first, const Triangle& second) {
     case 2:
       return foldedTogether(mesh, pair.a, pair.b);
     default:
-      return true;  // one triangle twice
+      return true;  // the same triangle twice
   }
 }
 
-/// Pairs in the order they are found in, up to a limit.
+/// Pairs in the order of discovery, up to a limit.
 class PairList {
  public:
   PairList(const Mesh& mesh, std::size_t limit, std::size_t maxLooks)
@@ -128,7 +129,7 @@ class PairList {
   std::vector<TrianglePair> pairs_;
 };
 
-/// Suspects with one another: each leaf with itself and those after it.
+/// Tests suspects against each other: each leaf against itself and later leaves.
 void testAmongLeaves(const BoxTree& tree, std::size_t begin, std::size_t end, PairList& list) {
   std::vector<std::uint32_t> nearby;
   for (std::size_t leaf = begin; leaf < end && !list.full(); ++leaf) {
@@ -147,7 +148,7 @@ void testAmongLeaves(const BoxTree& tree, std::size_t begin, std::size_t end, Pa
   }
 }
 
-/// Suspects with the triangles from `begin` to `end` that are none.
+/// Tests suspects against the other triangles from `begin` to `end`.
 void testBystanders(const Mesh& mesh, const BoxTree& tree, std::span<const char> isSuspect, std::uint32_t begin,
                     std::uint32_t end, PairList& list) {
   std::vector<std::uint32_t> nearby;
@@ -165,7 +166,8 @@ void testBystanders(const Mesh& mesh, const BoxTree& tree, std::span<const char>
   }
 }
 
-/// The work is cut into pieces that depend on the mesh alone; the limit keeps the first pairs of the first pieces.
+/// Finds the pairs in pieces of work that depend on the mesh alone; the limit keeps the first pairs of the first
+/// pieces.
 Result<std::vector<TrianglePair>> findPairs(const Mesh& mesh, std::span<const std::uint32_t> suspects,
                                             std::size_t limit, std::optional<std::size_t> maxLooks) {
   const BoxTree tree(mesh, suspects);

@@ -9,7 +9,7 @@
 namespace qrelief {
 namespace {
 
-constexpr std::size_t kMaxShells = 4000;  // all pairs of boxes are looked at
+constexpr std::size_t kMaxShells = 4000;  // all pairs of boxes are compared
 constexpr int kPointsPerShell = 3;
 
 struct Shell {
@@ -21,15 +21,15 @@ bool contains(const Box3& outer, const Box3& inner) {
   return glm::all(glm::lessThanEqual(outer.min, inner.min)) && glm::all(glm::lessThanEqual(inner.max, outer.max));
 }
 
-/// Whether the edge ab, seen from above, is crossed by the line from q to +x. Both triangles of an edge get the same
-/// answer, because the ends are put in order first.
+/// Returns true if the line from q to +x crosses the edge ab, seen from above. The ends are sorted first, so both
+/// triangles of an edge get the same answer.
 bool crossesRightOf(Vec3 a, Vec3 b, Vec3 q) {
   if ((a.y > q.y) == (b.y > q.y)) return false;
   if (std::array{b.y, b.x, b.z} < std::array{a.y, a.x, a.z}) std::swap(a, b);
   return a.x + (q.y - a.y) * (b.x - a.x) / (b.y - a.y) > q.x;
 }
 
-/// Whether the vertical ray upwards from q crosses the triangle.
+/// Returns true if the vertical ray upwards from q crosses the triangle.
 bool crossesAbove(Vec3 a, Vec3 b, Vec3 c, Vec3 q) {
   if ((crossesRightOf(a, b, q) ^ crossesRightOf(b, c, q) ^ crossesRightOf(c, a, q)) == 0) return false;
   const Vec3 n = glm::cross(b - a, c - a);
@@ -37,7 +37,7 @@ bool crossesAbove(Vec3 a, Vec3 b, Vec3 c, Vec3 q) {
   return z > q.z;
 }
 
-/// A point of a shell that may lie in another one.
+/// A point of a shell that may lie in another shell.
 struct Query {
   Vec3 point;
   std::uint32_t shell;
@@ -48,7 +48,8 @@ Vec3 centroid(const Mesh& mesh, std::uint32_t t) {
   return (mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3.0;
 }
 
-/// Counts the crossings of all queries, ordered by x, with one shell. @returns pairs looked at
+/// Counts the crossings of all queries, sorted by x, with one shell.
+/// @returns pairs examined
 std::size_t countCrossings(const Mesh& mesh, const Shell& shell, std::vector<Query>& queries) {
   std::size_t looks = 0;
   for (const std::uint32_t t : shell.triangles) {

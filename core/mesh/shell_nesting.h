@@ -7,19 +7,19 @@
 
 namespace qrelief {
 
-/// Which shells lie in which.
+/// Nesting of shells.
 struct ShellNesting {
-  std::vector<std::vector<std::uint32_t>> enclosing;  ///< for each shell the shells that enclose it, ascending
-  bool known = true;                                  ///< false: there was too much to look at, all lists are empty
+  std::vector<std::vector<std::uint32_t>> enclosing;  ///< shell → shells around it, ascending
+  bool known = true;                                  ///< false: nesting was too costly to find; all lists are empty
 };
 
-/// Finds the shells that enclose each shell. Only closed shells enclose and are enclosed.
+/// Finds the shells that enclose each shell. Only closed shells enclose or are enclosed.
 ///
-/// By the parity of a vertical ray's crossings, from three points of the inner shell (the majority decides); a ray
-/// through an edge counts for exactly one side. Cost: O(S² + T log S) as a rule; where
-/// more than 4000 shells are closed or points and triangles make too many pairs, nothing is known.
-/// @param closed      for each shell
-/// @param maxCrossings  pairs of a point and a triangle that are looked at
+/// Counts the crossings of a vertical ray from three points of the inner shell; the majority of odd and even decides. A
+/// ray through an edge crosses exactly one side. Gives up (`known` is false) with more than 4000 closed shells or too
+/// many pairs of points and triangles. Cost: usually O(S² + T log S).
+/// @param closed        shell → true if closed
+/// @param maxCrossings  limit of pairs of a point and a triangle to examine
 ShellNesting enclosingShells(const Mesh& mesh, const Shells& shells, const std::vector<char>& closed,
                              std::size_t maxCrossings = 200'000'000);
 

@@ -11,7 +11,7 @@
 namespace qrelief {
 namespace {
 
-/// One edge of a triangle is split in a round; a new triangle has fewer open edges than the old one.
+/// Three suffice: a round splits one edge of a triangle, and each new triangle has fewer open edges than the old one.
 constexpr int kMaxRounds = 3;
 
 /// A vertex on the open edge k of a triangle.
@@ -22,7 +22,7 @@ struct Junction {
   double gap;
 };
 
-/// Junctions at one vertex, on edges whose triangles are no slivers: those would be turned over.
+/// Adds the junctions at one vertex. Skips edges of slivers, which a split could turn over.
 void addJunctions(const Mesh& mesh, std::span<const std::uint32_t> nearby, std::uint32_t vertex, double tolerance,
                   std::vector<Junction>& junctions) {
   const Vec3 p(mesh.positions[vertex]);
@@ -42,8 +42,8 @@ void addJunctions(const Mesh& mesh, std::span<const std::uint32_t> nearby, std::
   }
 }
 
-/// In the order of triangles, edges and places along these.
-/// @param cutShort  becomes true if there is too much to look at
+/// Returns junctions sorted by triangle, edge and place along the edge.
+/// @param cutShort  set to true if there is too much to examine
 std::vector<Junction> findJunctions(const Mesh& mesh, double tolerance, bool& cutShort) {
   const OpenBorder border(mesh);
   std::vector<Junction> junctions;

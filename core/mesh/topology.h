@@ -12,10 +12,10 @@ namespace qrelief {
 
 inline constexpr std::uint32_t kNoTriangle = 0xffffffffu;
 
-/// The half-edges of a triangle mesh, grouped by the undirected edge they run along. A half-edge is written as
-/// 3·triangle + k: from corner k to corner k+1 mod 3.
+/// The half-edges of a triangle mesh, grouped by the undirected edge they run along. Half-edge 3·triangle + k runs from
+/// corner k to corner k+1 mod 3.
 struct EdgeTable {
-  /// Edge after edge, ordered by smaller and then larger vertex; ascending within an edge.
+  /// Edge after edge, sorted by smaller, then larger vertex; ascending within an edge.
   std::vector<std::uint32_t> halfEdges;
   std::vector<std::uint32_t> begins;  ///< index of each edge's first half-edge; the last entry is the end
 
@@ -25,8 +25,8 @@ struct EdgeTable {
   }
 };
 
-/// Cost: O(T): half-edges are counted into their smaller vertex and sorted there. No hashing, so the result depends on
-/// nothing but the input.
+/// Builds the table: sorts half-edges into bins by their smaller vertex, then within each bin. Without hashing, so the
+/// result depends only on the input. Cost: O(T).
 /// @param triangles  at most 2^32/3, each of three different vertices
 EdgeTable buildEdgeTable(std::span<const Triangle> triangles);
 
@@ -38,7 +38,7 @@ using Adjacency = std::vector<std::array<std::uint32_t, 3>>;
 Adjacency buildAdjacency(std::span<const Triangle> triangles);
 Adjacency buildAdjacency(std::span<const Triangle> triangles, const EdgeTable& edges);
 
-/// Which edge of `across` is shared with `triangle`; precondition: they share one.
+/// Returns the edge of `across` that it shares with `triangle`. Precondition: they share an edge.
 int sharedEdge(const Adjacency& adjacency, std::uint32_t across, std::uint32_t triangle);
 
 }  // namespace qrelief

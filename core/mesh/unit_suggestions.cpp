@@ -26,7 +26,7 @@ Message unitAdvice(std::span<const UnitSuggestion> suggestions) {
   const UnitSuggestion& first = suggestions[0];
   if (suggestions.size() == 1)
     return message("unit-that-fits", with::choice("unit", "units", first.unit), with::extentMm("size", first.sizeMm));
-  // Inches and centimetres can both fit, metres only alone: what is 15 mm in centimetres is 1500 mm in metres.
+  // Inches and centimetres can both fit; metres fit only alone, as 15 mm in centimetres is 1500 mm in metres.
   const UnitSuggestion& second = suggestions[1];
   return message("units-that-fit", with::choice("unit", "units", first.unit), with::extentMm("size", first.sizeMm),
                  with::choice("otherUnit", "units", second.unit), with::extentMm("otherSize", second.sizeMm));

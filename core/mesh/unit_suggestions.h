@@ -10,22 +10,22 @@
 
 namespace qrelief {
 
-/// A unit in which a model would have a size that people print.
+/// A unit in which a model would have a printable size.
 struct UnitSuggestion {
   std::string unit;  ///< "m", "in", "cm"
   double scaleToMm = 1;
-  Vec3 sizeMm{0};  ///< of the model, read in this unit
+  Vec3 sizeMm{0};  ///< of the model in this unit
 
   bool operator==(const UnitSuggestion&) const = default;
 };
 
-/// Units in which the longest side of a model would be 15 to 500 mm; at most two, of which none is the present one.
-/// @param sizeMm     of the model as it is read now, longest side < 10 mm
-/// @param scaleToMm  file units → mm, as it is read now
+/// Returns the units in which a model's longest side would be 15 to 500 mm: at most two, never the present unit.
+/// @param sizeMm     present size of the model, longest side < 10 mm
+/// @param scaleToMm  present scale, file units → mm
 std::vector<UnitSuggestion> suggestUnits(Vec3 sizeMm, double scaleToMm);
 
-/// What would help a model that is too small, to be told within another message: the units that were suggested, or, if
-/// there is none, that the unit may be wrong.
+/// Returns advice for a model that is too small, to be quoted within another message: the suggested units, or, without
+/// any, that the unit may be wrong.
 Message unitAdvice(std::span<const UnitSuggestion> suggestions);
 
 }  // namespace qrelief

@@ -13,7 +13,7 @@ namespace qrelief {
 namespace {
 
 constexpr std::size_t kMaxCounted = 1000;
-constexpr std::size_t kMaxMended = 100;      // more pairs than that are parts that overlap, not slips of a scanner
+constexpr std::size_t kMaxMended = 100;      // more pairs mean overlapping parts, not scanner errors
 constexpr std::size_t kMaxWork = 1'000'000;  // triangles tested in all tries together: about 2 s
 
 struct Move {
@@ -30,7 +30,7 @@ bool usesAny(const Triangle& t, const std::vector<std::uint32_t>& ascending) {
   return contains(ascending, t[0]) || contains(ascending, t[1]) || contains(ascending, t[2]);
 }
 
-/// Vertices of the first pair and of all that hang together with it, ascending.
+/// Returns the vertices of the first pair and of all pairs connected with it, ascending.
 std::vector<std::uint32_t> firstTangle(const Mesh& mesh, const std::vector<TrianglePair>& pairs) {
   const Triangle& first = mesh.triangles[pairs.front()[0]];
   std::vector<std::uint32_t> vertices(first.begin(), first.end());
@@ -50,11 +50,11 @@ std::vector<std::uint32_t> firstTangle(const Mesh& mesh, const std::vector<Trian
   return vertices;
 }
 
-/// All triangles that can meet one at the tangle, wherever its vertices are moved: those whose boxes come as near to
-/// the tangle's as the moves may reach. Vertices keep their numbers' order.
+/// All triangles that can meet a triangle at the tangle, wherever its vertices move: their boxes lie within reach of
+/// the moves. Vertices keep their order.
 struct Surroundings {
   Mesh mesh;
-  std::vector<std::uint32_t> vertices;  ///< their numbers in the whole mesh, ascending
+  std::vector<std::uint32_t> vertices;  ///< their indices in the whole mesh, ascending
   std::vector<std::uint32_t> tangle;    ///< in `mesh`
 
   std::uint32_t indexOf(std::uint32_t v) const {
@@ -67,7 +67,7 @@ Surroundings surroundingsOf(const Mesh& mesh, const std::vector<std::uint32_t>& 
   for (const Triangle& t : mesh.triangles)
     if (usesAny(t, tangle))
       for (const std::uint32_t v : t) box.add(Vec3(mesh.positions[v]));
-  const double margin = 1.01 * reach;  // a hundredth for rounding
+  const double margin = 1.01 * reach;  // a hundredth more, for rounding
   const FloatBox region{Vec3f(box.min - margin), Vec3f(box.max + margin)};
   Surroundings around;
   for (const Triangle& t : mesh.triangles)
@@ -84,7 +84,8 @@ Surroundings surroundingsOf(const Mesh& mesh, const std::vector<std::uint32_t>& 
   return around;
 }
 
-/// Where one vertex of the tangle might go: towards the mean of its neighbours, in space and along its normal.
+/// Adds the possible moves of one vertex of the tangle: towards the mean of its neighbours, in space and along its
+/// normal.
 void addMoves(const Mesh& mesh, std::uint32_t v, Vec3 normal, double reach, std::vector<Move>& moves) {
   const Vec3 from(mesh.positions[v]);
   Vec3 sum(0);
@@ -92,7 +93,7 @@ void addMoves(const Mesh& mesh, std::uint32_t v, Vec3 normal, double reach, std:
   double n = 0;
   for (const Triangle& t : mesh.triangles) {
     if (t[0] != v && t[1] != v && t[2] != v) continue;
-    for (const std::uint32_t w : t) {  // a neighbour comes twice, once for either triangle beside the edge
+    for (const std::uint32_t w : t) {  // a neighbour counts twice, once for each triangle at the edge
       if (w == v) continue;
       sum += Vec3(mesh.positions[w]);
       lengths += glm::distance(Vec3(mesh.positions[w]), from);
@@ -109,7 +110,7 @@ void addMoves(const Mesh& mesh, std::uint32_t v, Vec3 normal, double reach, std:
     }
 }
 
-/// The shortest first; ties by vertex.
+/// Returns all moves, the shortest first; ties by vertex.
 std::vector<Move> movesOf(const Surroundings& around, double reach) {
   const std::vector<Vec3f> normals = vertexNormals(around.mesh);
   std::vector<Move> moves;
@@ -128,9 +129,9 @@ bool isTooCrowded(const Result<std::vector<TrianglePair>>& pairs) {
   return !pairs && pairs.error().kind == ErrorKind::NoSolution;
 }
 
-/// Parts the tangle by the shortest move that leaves none of its pairs and makes no other.
+/// Separates the tangle by the shortest move that removes all its pairs and creates no other.
 /// @param work  triangles tested so far, in all tries
-/// @returns whether there is such a move
+/// @returns true if there is such a move
 Result<bool> part(Mesh& mesh, const std::vector<std::uint32_t>& tangle, double reach, std::size_t& work) {
   Surroundings around = surroundingsOf(mesh, tangle, reach);
   auto others = findSelfIntersections(around.mesh);
@@ -141,7 +142,7 @@ Result<bool> part(Mesh& mesh, const std::vector<std::uint32_t>& tangle, double r
            usesAny(around.mesh.triangles[pair[1]], around.tangle);
   };
   const auto end = std::remove_if(others->begin(), others->end(), ofTangle);
-  if (end == others->end()) return true;  // parted with another tangle
+  if (end == others->end()) return true;  // already separated together with another tangle
   others->erase(end, others->end());
 
   for (const Move& move : movesOf(around, reach)) {

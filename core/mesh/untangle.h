@@ -6,25 +6,25 @@
 
 namespace qrelief {
 
-/// What became of a mesh's crossing triangles.
+/// Report of untangle().
 struct Untangling {
-  std::size_t pairs = 0;    ///< how many crossed or touched, as findSelfIntersections counts them (not above its limit)
-  bool atLeast = false;     ///< the count stopped at that limit
-  Vec3 at{0};               ///< a corner of the first pair, before anything was moved
-  bool tooCrowded = false;  ///< not all pairs could be looked at, so nothing was counted or moved
-  bool mended = false;      ///< no pair is left; otherwise the mesh is as it was
-  std::size_t moved = 0;    ///< vertices that lie elsewhere now
+  std::size_t pairs = 0;    ///< pairs that crossed or touched, counted by findSelfIntersections() up to its limit
+  bool atLeast = false;     ///< the count stopped at the limit
+  Vec3 at{0};               ///< a corner of the first pair, before any move
+  bool tooCrowded = false;  ///< too many pairs to examine, so nothing was counted or moved
+  bool mended = false;      ///< no pair is left; if false, the mesh is unchanged
+  std::size_t moved = 0;    ///< number of moved vertices
   double largestMoveMm = 0;
 };
 
-/// Parts the few triangles that cross in tiny tangles, as scans and filled holes have them: a vertex of each tangle is
-/// moved towards the mean of its neighbours, in space or along its normal, by 1/64, 1/32, ... all of the way. Whether
-/// that leaves nothing crossed is tried on the triangles around, with exact predicates, the shortest move first.
-/// Nothing is moved unless everything can be mended within kUntangleEdgeFraction and kUntangleDiagonalFraction: parts
-/// that overlap are left as they are.
+/// Separates the few triangles that cross in tiny tangles, as in scans and filled holes. A vertex of each tangle is
+/// moved towards the mean of its neighbours, in space or along its normal, by 1/64, 1/32, ... all of the way. Moves are
+/// tried shortest first; exact predicates on the triangles around decide whether any still cross. Nothing is moved
+/// unless all tangles can be separated within kUntangleEdgeFraction and kUntangleDiagonalFraction: overlapping parts
+/// are left unchanged.
 ///
-/// Cost: one findSelfIntersections; with crossings O(T) for each tangle and a bounded number of tries.
-/// @param mesh  welded, every triangle with an area; only positions are changed, and no triangle loses its area
+/// Cost: one findSelfIntersections(); plus, for each tangle, O(T) and a bounded number of tries.
+/// @param mesh  welded, every triangle with an area. Only positions change, and no triangle loses its area
 /// @returns an error only if the exact predicates fail
 Result<Untangling> untangle(Mesh& mesh);
 

@@ -11,10 +11,10 @@ namespace {
 
 constexpr std::uint32_t kFree = std::numeric_limits<std::uint32_t>::max();
 
-/// Points whose places in the table are fetched before the first of them is looked up: memory answers late.
+/// Number of points whose table slots are prefetched before the first is looked up, to hide memory latency.
 constexpr std::size_t kAhead = 32;
 
-/// Mixes the bits of three floats [Steele et al. 2014, SplitMix64's finaliser].
+/// Hashes three floats [Steele et al. 2014, SplitMix64's finaliser].
 std::uint64_t hashOf(Vec3f p) {
   std::array<std::uint32_t, 3> bits;
   std::memcpy(bits.data(), &p, sizeof(bits));

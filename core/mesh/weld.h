@@ -9,17 +9,17 @@
 
 namespace qrelief {
 
-/// Points that are equal as 32-bit floats made one; -0 equals 0.
+/// Points with equal ones merged, as 32-bit floats; -0 equals 0.
 struct Welding {
   std::vector<Vec3f> positions;        ///< in the order of first appearance
-  std::vector<std::uint32_t> indexOf;  ///< for each point given, its position
+  std::vector<std::uint32_t> indexOf;  ///< for each input point, the index of its position
 };
 
-/// Cost: O(n), an open-addressing hash table; the result does not depend on the hash.
+/// Welds equal points by an open-addressing hash table; the result does not depend on the hash. Cost: O(n).
 /// @param points  finite, fewer than 2^32
 Welding weldEqual(std::span<const Vec3f> points);
 
-/// What a slicer makes of an STL: corners at one place become one vertex, every triangle stays.
+/// Welds a mesh as a slicer reads an STL: corners at one place become one vertex, and every triangle stays.
 /// @param triangles  of indices into `corners`
 Mesh welded(std::span<const Vec3f> corners, std::vector<Triangle> triangles);
 

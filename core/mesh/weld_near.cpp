@@ -11,10 +11,10 @@
 namespace qrelief {
 namespace {
 
-/// A vertex of a shell of thousands of loose points has as many partners; so many are looked at, then no more.
+/// Limit of pairs examined: a vertex in a heap of thousands of loose points has as many partners.
 constexpr std::size_t kMaxPairs = 20'000'000;
 
-/// Vertices and triangles looked at while clusters are joined, about a second.
+/// Limit of vertices and triangles examined while clusters are joined: about a second.
 constexpr std::size_t kMaxJoinWork = 200'000'000;
 
 struct Pair {
@@ -22,8 +22,8 @@ struct Pair {
   std::uint32_t u, v;  // u < v
 };
 
-/// Open vertices of one part within the tolerance of each other; the nearest first, ties by index.
-/// @param cutShort  becomes true if there are too many to find them all
+/// Finds pairs of open vertices of one part within the tolerance of each other; the nearest first, ties by index.
+/// @param cutShort  set to true if there are too many to find all
 std::vector<Pair> nearPairs(const Mesh& mesh, const OpenBorder& border, double tolerance,
                             const std::vector<std::uint32_t>& partOfVertex, bool& cutShort) {
   std::vector<Pair> pairs;
@@ -49,7 +49,7 @@ std::vector<Pair> nearPairs(const Mesh& mesh, const OpenBorder& border, double t
   return pairs;
 }
 
-/// Vertices that have become one, and the open ones' triangles.
+/// Clusters of merged vertices, and the triangles of the open vertices.
 class Clusters {
  public:
   Clusters(const Mesh& mesh, const OpenBorder& border) : mesh_(mesh), lead_(mesh.positions.size()) {
@@ -63,9 +63,9 @@ class Clusters {
   }
 
   std::uint32_t leadOf(std::uint32_t v) const { return lead_[v]; }
-  std::size_t work() const { return work_; }  ///< vertices and triangles looked at so far
+  std::size_t work() const { return work_; }  ///< vertices and triangles examined so far
 
-  /// Joins the clusters of both unless a vertex would move too far or a triangle collapse.
+  /// Joins the two vertices' clusters unless a vertex would move too far or a triangle collapse.
   void join(std::uint32_t u, std::uint32_t v, double tolerance) {
     const std::uint32_t low = std::min(lead_[u], lead_[v]);
     const std::uint32_t high = std::max(lead_[u], lead_[v]);

@@ -8,19 +8,19 @@
 
 namespace qrelief {
 
-/// What weldNear() did.
+/// Report of weldNear().
 struct NearWelding {
-  std::size_t moved = 0;  ///< vertices that became one with another
+  std::size_t moved = 0;  ///< vertices merged into another
   double largestMoveMm = 0;
-  Vec3 at{0};             ///< place of the first vertex that was moved
-  bool cutShort = false;  ///< not all pairs were looked at: too many vertices lie on one spot
+  Vec3 at{0};             ///< place of the first moved vertex
+  bool cutShort = false;  ///< not all pairs were examined: too many vertices lie on one spot
 };
 
-/// Makes vertices on open edges one if they lie within a tolerance of each other: the nearest first, and the one of the
-/// lowest index stays where it is. Closed surfaces are not touched, however near they come to each other; nor are two
-/// vertices of one triangle ever joined, so no triangle collapses; nor vertices of different parts.
+/// Merges vertices on open edges that lie within a tolerance of each other, the nearest first. The vertex with the
+/// lowest index stays in place. Never touches closed surfaces, however near each other; never joins two vertices of one
+/// triangle, so no triangle collapses; never joins vertices of different parts.
 ///
-/// Cost: O(T), and of the pairs within the tolerance; bounded for each vertex on an open edge.
+/// Cost: O(T), plus the pairs within the tolerance; bounded for each vertex on an open edge.
 /// @param toleranceMm     ≥ 0
 /// @param partOfTriangle  empty: one part
 NearWelding weldNear(Mesh& mesh, double toleranceMm, std::span<const std::uint32_t> partOfTriangle = {});

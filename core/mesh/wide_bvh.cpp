@@ -19,7 +19,7 @@ WideBvh::WideBvh(const Bvh& tree) {
   add(tree, 0);
 }
 
-/// Takes inner nodes apart, the largest first, as long as there is room for their children.
+/// Replaces inner nodes by their children, the largest first, as long as there is room.
 std::uint32_t WideBvh::add(const Bvh& tree, std::uint32_t index) {
   std::vector<std::uint32_t> children = {index};
   while (children.size() < 4) {

@@ -12,18 +12,18 @@
 
 namespace qrelief {
 
-/// A tree whose nodes have four children, for many rays: their four boxes are tested at once, in one instruction for
+/// A tree for many rays whose nodes have four children. The four boxes are tested at once, with one instruction for
 /// each step of the test [Dammertz, Hanika, Keller 2008].
 ///
-/// Boxes are tested in 32-bit numbers that err on the safe side: no leaf is passed over whose box a ray meets, but some
-/// are visited whose box it only nearly meets.
+/// The test uses 32-bit numbers that err on the safe side: it skips no leaf whose box a ray meets, but may visit a leaf
+/// whose box the ray only just misses.
 class WideBvh {
  public:
   /// Cost: O(nodes).
   explicit WideBvh(const Bvh& tree);
 
   /// Visits the leaves whose boxes a ray meets between `from` and `nearest`, both in units of the direction's length;
-  /// nearer ones first as a rule.
+  /// usually nearer ones first.
   /// @param nearest  read again after each leaf
   /// @param leaf     (begin, end) in the order of the tree
   template <class Leaf>
@@ -32,21 +32,21 @@ class WideBvh {
  private:
   using Four = float __attribute__((vector_size(16)));
 
-  /// Unused children have boxes that nothing meets.
+  /// A node. Unused children have boxes that no ray meets.
   struct Node {
     std::array<Four, 3> min, max;
-    std::array<std::uint32_t, 4> begin;  ///< of a leaf: see Bvh::Node; else the child's index
+    std::array<std::uint32_t, 4> begin;  ///< leaf: see Bvh::Node; else the child's index
     std::array<std::uint32_t, 4> count;  ///< items of a leaf; 0 = inner node
   };
 
-  /// A ray for the test, and what rounding may cost.
+  /// A ray prepared for the test, with margins for rounding.
   struct Ray {
-    std::array<Four, 3> above, below;  // next to the origin's coordinates
+    std::array<Four, 3> above, below;  // floats next to the origin's coordinates
     std::array<Four, 3> inverse;
     std::array<bool, 3> isBackward;
   };
-  static constexpr float kRounding = 1e-6f;   // of products of a difference and an inverse: 3 units in the last place
-  static constexpr std::size_t kStack = 512;  // three a level wait at most, and Bvh bounds the levels
+  static constexpr float kRounding = 1e-6f;   // of a difference times an inverse: 3 units in the last place
+  static constexpr std::size_t kStack = 512;  // at most three nodes a level wait, and Bvh bounds the levels
 
   static Ray rayOf(Vec3 origin, Vec3 direction);
   static Four smaller(Four a, Four b) { return a < b ? a : b; }
@@ -83,7 +83,7 @@ void WideBvh::visit(Vec3 origin, Vec3 direction, double from, const double& near
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const Four low = (node.min[axis] - ray.above[axis]) * ray.inverse[axis];
       const Four high = (node.max[axis] - ray.below[axis]) * ray.inverse[axis];
-      // NaN (the ray runs along a side of the box) leaves the bounds as they are.
+      // NaN (the ray runs along a side of the box) leaves the bounds unchanged.
       enter = larger((ray.isBackward[axis] ? high : low) * (1 - kRounding), enter);
       leave = smaller((ray.isBackward[axis] ? low : high) * (1 + kRounding), leave);
     }
@@ -91,7 +91,7 @@ void WideBvh::visit(Vec3 origin, Vec3 direction, double from, const double& near
     const std::size_t first = depth;
     for (std::size_t child = 0; child < 4; ++child) {
       if (!meets[child]) continue;
-      std::size_t at = depth++;  // the nearest is taken first, so it comes last
+      std::size_t at = depth++;  // the nearest is visited first, so it goes last
       for (; at > first && waiting[at - 1].enter < enter[child]; --at) waiting[at] = waiting[at - 1];
       waiting[at] = {enter[child], node.begin[child], node.count[child]};
     }

@@ -5,13 +5,13 @@
 
 namespace qrelief {
 
-/// Makes the body that fills the pockets (embedding/inlay.h) of what was carved before, for printing in two colours,
-/// and checks it as an STL round trip gives it back: EngraveResult::inlay and ::inlaySolidity.
+/// Makes the body that fills the pockets of a carved model (embedding/inlay.h), for printing in two colours, and checks
+/// it after an STL round trip. Sets EngraveResult::inlay and ::inlaySolidity.
 ///
-/// Cost: as carving the mesh and checking the solid, for the pockets alone.
-/// @param model   that was carved
-/// @param surface as it was carved
-/// @returns what embedDepthField() does; Internal if the round trip fails
+/// Cost: carving the mesh and checking the solid, for the pockets alone.
+/// @param model   model before carving
+/// @param surface mode used for carving
+/// @returns the errors of embedDepthField(); Internal if the round trip fails
 Status addInlay(const EngravableModel& model, SurfaceMode surface, EngraveResult& result);
 
 }  // namespace qrelief

@@ -9,7 +9,7 @@ namespace {
 constexpr Colour kBodyColour = {235, 235, 230};
 constexpr Colour kInlayColour = {25, 25, 30};
 
-/// The object that holds the carved part: parts without a triangle have none.
+/// Returns the index of the object with the carved part. Parts without triangles have no object.
 std::size_t carvedObject(const EngraveResult& result) {
   std::vector<std::uint32_t> parts = result.partOfTriangle;
   std::sort(parts.begin(), parts.end());

@@ -10,14 +10,14 @@
 
 namespace qrelief {
 
-/// A carved model as a file holds it: an object for each part of the model, the carved one with the inlay as its second
-/// body, in a colour of its own, if there is an inlay and it is wanted.
-/// @param partNames  of the model's parts; empty: it has one only
+/// Returns the objects of a carved model's file, one for each part of the model. The carved part's object has the inlay
+/// as its second body, in its own colour, if there is an inlay and `withInlay` is set.
+/// @param partNames  names of the model's parts; empty: one part only
 std::vector<ModelObject> carvedObjects(const EngraveResult& result, std::span<const std::string> partNames,
                                        bool withInlay);
 
-/// The same as one of several copies on a plate (batch/plate_layout.h): every object's name begins with the copy's id,
-/// and its description is the code's text.
+/// Returns the objects as one of several copies on a plate (batch/plate_layout.h). Every object's name then begins with
+/// the copy's id, and its description is the code's text.
 std::vector<ModelObject> copyOnPlate(std::vector<ModelObject> objects, const std::string& id, const std::string& text,
                                      Vec3 offsetMm);
 

@@ -9,13 +9,14 @@
 
 namespace qrelief {
 
-/// The part of every triangle of a carved mesh: kept facets stay in theirs, those that carving made belong to one.
+/// Returns the part of every triangle of a carved mesh. Kept facets stay in their part; facets created by carving all
+/// belong to part `carved`.
 ///
-/// Kept facets come first and in their old order (embedding/embed.h), bit for bit: walking both meshes at once, by
-/// equal corners, finds each again. Cost: O(T).
-/// @param partOf  part of each triangle of `before`; empty: there is one only, and so is the answer
+/// Kept facets come first, in their old order and unchanged bit for bit (embedding/embed.h), so a walk along both
+/// meshes matches them by equal corners. Cost: O(T).
+/// @param partOf  part of each triangle of `before`; empty: one part only, and the result is empty, too
 /// @param kept    triangles of `after` that come from `before`
-/// @param carved  part of the new ones
+/// @param carved  part of the new triangles
 std::vector<std::uint32_t> partsAfterCarving(const Mesh& before, std::span<const std::uint32_t> partOf,
                                              const Mesh& after, std::size_t kept, std::uint32_t carved);
 

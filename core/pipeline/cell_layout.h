@@ -9,7 +9,7 @@
 
 namespace qrelief {
 
-/// Where the symbol's submodules lie in a map of cells (one cell a submodule) with a margin all round.
+/// Layout of the symbol's submodules in a map of cells with a margin all round; one cell is one submodule.
 struct CellLayout {
   int modules = 0;  ///< along the symbol's edge
   static constexpr int kN = kSubmodulesPerModule;

@@ -10,10 +10,10 @@
 namespace qrelief {
 namespace {
 
-/// No module is asked for more than this many times what is asked of all, or than a pocket can have at all.
+/// Limits of a module's target contrast: a multiple of the common target, and the most that any pocket can have.
 constexpr double kMostTimes = 2, kMostContrast = 0.8;
 
-/// Of every dark module; 0 for light ones.
+/// Returns the contrast of every dark module; 0 for light ones.
 std::vector<double> contrastsOf(const Symbol& symbol, const std::vector<double>& submodules) {
   const ModuleReflectances seen = measureModules(symbol, submodules);
   const LightNeighbours neighbours(symbol);

@@ -11,15 +11,15 @@
 namespace qrelief {
 
 struct DepthLimitOptions {
-  double maxDepthMm = 0;  ///< of every pocket, > 0
-  double minWallMm = 0;   ///< material that stays behind every floor, ≥ 0
+  double maxDepthMm = 0;  ///< limit for every pocket, > 0
+  double minWallMm = 0;   ///< material that must remain behind every floor, ≥ 0
 };
 
-/// Greatest depth of every submodule, mm, 0 where nothing can be carved: the one asked for, distance to the other side
-/// of the material in any direction (carving/wall_limit.h), and thickness along every texel's ray, which meets what is
-/// too fine for the former's samples.
+/// Returns the greatest depth of every submodule, mm; 0 where nothing can be carved. It is the least of three limits:
+/// the depth requested; the distance to the other side of the material in any direction (carving/wall_limit.h); and the
+/// thickness along every texel's ray, which catches features too fine for the samples of the second limit.
 /// @param thicknessMm  see MeasuredPlace::thicknessMm()
-/// @returns row-major from the symbol's top left, as many as the mask has
+/// @returns one value for each submodule of the mask, row-major from the symbol's top left
 std::vector<double> depthLimits(const Mesh& mesh, const Placement& placement, const SubmoduleMask& mask,
                                 std::span<const double> thicknessMm, const DepthLimitOptions& options);
 

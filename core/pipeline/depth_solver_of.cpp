@@ -12,7 +12,7 @@
 namespace qrelief {
 namespace {
 
-constexpr double kDepthStepMm = 0.1;  // of a search, as published; thicker layers need no coarser one
+constexpr double kDepthStepMm = 0.1;  // the published step; thicker layers need no coarser step
 constexpr int kPassesBeforePrint = 4;
 
 }  // namespace

@@ -9,12 +9,12 @@
 
 namespace qrelief {
 
-/// The search for depths that a request asks for by its objective, its floor and its solver.
+/// Makes the depth search for a request's objective, floor and solver.
 /// @param request           checked (checkSettings)
-/// @param contrastOfModule  what the print asks of each module (contrast_for_print.h), for ContrastSolver::Fast; empty:
-///                          the request's contrast of all; then a request for the print gets a search that ends where
-///                          it is good enough to find that out
-/// @param before            the search that the print was of
+/// @param contrastOfModule  target contrasts from the print (contrast_for_print.h), for ContrastSolver::Fast; empty:
+///                          the request's contrast everywhere. If empty in a request that optimises for the print, the
+///                          search stops after a few passes, which are good enough for the rough print
+/// @param before            the search whose depths were printed
 std::unique_ptr<DepthSolver> makeDepthSolver(const EngraveRequest& request, CarvingTarget target,
                                              std::vector<double> contrastOfModule = {},
                                              const DepthSolver* before = nullptr);

@@ -9,14 +9,14 @@
 
 namespace qrelief {
 
-/// The walls beside the largest code that may be asked for must be known, too (see wallLimits).
+/// The patch must also cover the walls next to the largest possible code (see wallLimits).
 PlacementRequest searchedPlacement(const EngraveRequest& request, int modules) {
   PlacementRequest place = request.placement;
   const double largest = place.sizeMode == SizeMode::Fixed ? place.sizeMm : place.maxSizeMm;
   place.beyondMm = request.minWallMm + request.maxDepthMm.value_or(kMaxDepthModules * largest / modules);
   const bool isReading = request.objective == DepthObjective::Reading;
   const double contrast = isReading ? request.reading.dataContrast : request.contrastAsked();
-  if (contrast <= 0 || contrast >= 1) return place;  // refused later
+  if (contrast <= 0 || contrast >= 1) return place;  // later refused
   const bool isOneLight = request.objective == DepthObjective::OneLight;
   const double depth = isOneLight ? shadowDepth(contrast, request.lamps().front()) : pitDepth(contrast);
   place.pockets = {request.minWallMm, depth};

@@ -13,22 +13,22 @@
 
 namespace qrelief {
 
-/// A model that is ready to be engraved: checked, and in GPU memory.
+/// A model that is ready for engraving: checked, and in GPU memory.
 struct EngravableModel {
   PreparedModel prepared;
   GpuMesh gpu;
   std::shared_ptr<const SurfaceRaster> raster;  ///< of prepared.mesh
 
-  /// @param prepared  blocking findings do not matter here; EngraveJob refuses them
+  /// @param prepared  may have blocking findings; EngraveJob refuses them
   static std::shared_ptr<const EngravableModel> upload(PreparedModel prepared);
 };
 
-/// Parameters of the search for the placement of an engraving.
-/// @param modules  of the symbol along its edge
+/// Returns the parameters of an engraving's placement search.
+/// @param modules  along the symbol's edge
 PlacementRequest searchedPlacement(const EngraveRequest& request, int modules);
 
 /// Checks a request as far as possible without the geometry under the code.
-/// @returns BadUsage or BadInput for a request that cannot be carried out, and for a model with blocking findings
+/// @returns BadUsage or BadInput if the request is impossible or the model has blocking findings
 Status checkEngraving(const EngravableModel& model, const EngraveRequest& request, const Symbol& symbol);
 
 }  // namespace qrelief

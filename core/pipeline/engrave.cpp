@@ -30,13 +30,14 @@ namespace qrelief {
 namespace {
 
 constexpr int kN = kSubmodulesPerModule;
-constexpr double kReachPerDepth = 8;  // a wall seen from eight times its height away hides 0.4 % of the sky
+constexpr double kReachPerDepth = 8;  // at eight times its height away a wall hides 0.4 % of the sky
 constexpr double kLeastReachModules = 3;
-/// Of the picture that is read: along its edge at most, for large symbols, and along a module's at least.
+/// Size of the picture for the decoder, in pixels: at most along its edge, for large symbols, and at least along a
+/// module's edge.
 constexpr int kMostPixels = 1200, kLeastPixelsPerModule = 5;
 
-/// What carving must not bring into a model. Crossings count where it had none: facets that crossed others before may
-/// have been cut.
+/// Refuses defects that carving has added. Crossings count only if the model had none, because facets that crossed
+/// before may have been cut.
 Status checkNewDefects(SolidityReport solidity, const PreparedModel& before) {
   if (before.crossesItself) solidity.selfIntersections = 0;
   if (solidity.solid()) return {};
@@ -64,13 +65,13 @@ CarvedFeatures featuresOf(const EngraveResult& result) {
   return measureFeatures(result.symbol, carved, result.depths.depthMm, result.placement.moduleMm);
 }
 
-/// The stages in their order; each `advance` does one step of the current one.
+/// The job's state. Stages are listed in order; each advance() does one step of the current stage.
 struct EngraveJob::State {
   enum class Stage { Placing, Mapping, Searching, Embedding, Printing, Writing, Checking, Viewing, Done };
 
   std::shared_ptr<const EngravableModel> model;
   EngraveRequest request;
-  EngraveRequest asked;  // before the patterns that it leaves open were decided
+  EngraveRequest asked;  // before open patterns are filled in
   std::shared_ptr<const GeometryPass> pass;
   std::shared_ptr<const LuminancePrograms> programs;
   Stage stage = Stage::Placing;
@@ -81,15 +82,15 @@ struct EngraveJob::State {
   std::vector<std::uint32_t> allCarved;  // indices in the mask
   CellLayout layout;
   std::optional<PlacementSearch> placing;
-  std::shared_ptr<MeasuredPlace> measured;  // before its stage, one that may be that of this place
+  std::shared_ptr<MeasuredPlace> measured;  // before its stage: an earlier measurement, perhaps of this place
   bool isMeasured = false;
   LightBy lightBy = LightBy::Renderer;
   CarvingTarget target;
   std::unique_ptr<DepthSolver> search;
-  std::vector<float> means;  // luminance of every cell of the map
+  std::vector<float> means;  // mean luminance of every cell of the map
   EmbedResult embedded;
   std::unique_ptr<PrintedViewJob> printing;
-  bool isPrinted = false;  // the depths are those that the print asked for
+  bool isPrinted = false;  // true once the print has been taken into account
   EngraveResult result;
 
   Status place();
@@ -194,7 +195,7 @@ Status EngraveJob::State::map() {
   return {};
 }
 
-/// Luminance of the engraved submodules that the search asks for, at its depths.
+/// Measures the luminance of the submodules that the search requests, at its depths.
 void EngraveJob::State::measure() {
   const std::span<const std::uint32_t> due = search->due().empty() ? allCarved : search->due();
   std::vector<std::uint32_t> cells;
@@ -274,7 +275,7 @@ Status EngraveJob::State::embed() {
   return {};
 }
 
-/// Looks at what the printer would make of it, a piece at a time, and searches again for what that lacks.
+/// Simulates the print, a piece at a time, and starts a second search if the print lacks contrast.
 Status EngraveJob::State::print() {
   const auto start = Clock::now();
   if (!printing) {
@@ -303,7 +304,7 @@ Status EngraveJob::State::print() {
   return {};
 }
 
-/// What is offered is what a slicer will read: the file itself, read back.
+/// Writes the file and reads it back: the result is exactly what a slicer will read.
 Status EngraveJob::State::write() {
   const auto start = Clock::now();
   result.stl = writeStl(embedded.mesh);
@@ -323,7 +324,7 @@ Status EngraveJob::State::check() {
   if (!solidity) return tl::unexpected(solidity.error());
   result.solidity = *solidity;
   if (const Status sound = checkNewDefects(result.solidity, model->prepared); !sound) return sound;
-  if (model->prepared.crossesItself) {  // then the whole file is asked; carving has brought none
+  if (model->prepared.crossesItself) {  // count crossings of the whole file; carving has added none
     const auto whole = checkSolidity(result.mesh);
     if (!whole) return tl::unexpected(whole.error());
     result.solidity = *whole;

@@ -24,103 +24,104 @@
 
 namespace qrelief {
 
-/// Milliseconds spent in each stage.
+/// Time spent in each stage, ms.
 struct StageTimings {
   double direction = 0, size = 0, surface = 0, depthSearch = 0, embed = 0, verify = 0;
-  double forPrint = 0;  ///< to find out what the printer would make of the depths of a first search
-  double print = 0;     ///< to find out how it comes off the printer; 0: that was not done
+  double forPrint = 0;  ///< rough print of the first search's depths
+  double print = 0;     ///< simulation of the final print; 0: not simulated
 };
 
-/// The carved solid and everything that is known of it.
+/// The carved solid and all results about it.
 struct EngraveResult {
-  Mesh mesh;                      ///< as an STL round trip gives it back
-  std::vector<std::uint8_t> stl;  ///< the very bytes that were checked
-  std::size_t keptTriangles = 0;  ///< facets of the input that came out bit for bit
-  /// Part of the model (PreparedModel::partOfTriangle) each triangle belongs to, the new ones to that of the facet
-  /// under the centre; empty: one part only.
+  Mesh mesh;                      ///< after an STL round trip
+  std::vector<std::uint8_t> stl;  ///< exactly the bytes that were checked
+  std::size_t keptTriangles = 0;  ///< facets of the input that are unchanged bit for bit
+  /// Triangle → part of the model (PreparedModel::partOfTriangle). New triangles belong to the part of the facet under
+  /// the centre. Empty: one part only.
   std::vector<std::uint32_t> partOfTriangle;
   std::uint32_t carvedPart = 0;
-  EngraveRequest
-      request;  ///< as it was carved: with the patterns and depths that were left open (pipeline/default_patterns.h)
+  EngraveRequest request;  ///< as carved, with defaults filled in (pipeline/default_patterns.h)
   Symbol symbol;
   Placement placement;
   DepthField depths;
-  int searchIterations = 0;           ///< of both searches, where the print asked for a second one
-  std::size_t limitedSubmodules = 0;  ///< that a limit kept from being dark enough
-  /// Of every submodule of symbol and quiet zone, at the depths found; row-major from the quiet zone's top left.
+  int searchIterations = 0;           ///< of both searches, if the print required a second one
+  std::size_t limitedSubmodules = 0;  ///< submodules too light because of a depth limit
+  /// Luminance of every submodule of symbol and quiet zone, at the depths found; row-major from the quiet zone's top
+  /// left.
   std::vector<double> luminance;
-  std::vector<Received> received;  ///< the light that this luminance is made of, in the same order
-  SolidityReport solidity;         ///< of the whole file, after the round trip
-  /// Pairs of crossing triangles among those that the model brought along; all others would have been refused.
+  std::vector<Received> received;  ///< the light that makes this luminance, in the same order
+  SolidityReport solidity;         ///< report on the whole file, after the round trip
+  /// Pairs of crossing triangles inherited from the model; any others would have been refused.
   std::size_t inheritedSelfIntersections = 0;
-  std::optional<Mesh> inlay;        ///< if it was asked for; as an STL round trip gives it back, too
-  SolidityReport inlaySolidity;     ///< of the inlay
-  ReaderView readerView;            ///< what a phone would see
-  ReaderViewOptions readerOptions;  ///< with which it was drawn
-  SearchRecord search;              ///< if it was asked for
+  std::optional<Mesh> inlay;        ///< if requested; also after an STL round trip
+  SolidityReport inlaySolidity;     ///< report on the inlay
+  ReaderView readerView;            ///< the code as a phone sees it
+  ReaderViewOptions readerOptions;  ///< options used to draw it
+  SearchRecord search;              ///< if requested
   StageTimings timingsMs;
 };
 
-/// Mean, maximum and 95th percentile over the carved submodules, mm.
+/// Mean, maximum and 95th percentile of the carved submodules' depths, mm.
 struct DepthSummary {
   double meanMm = 0, maxMm = 0, p95Mm = 0;
 };
 DepthSummary summarise(const DepthField& depths);
 
-/// What a printer has to make of what was carved, from the depths.
+/// Returns the features that a printer has to make, measured from the depths.
 CarvedFeatures featuresOf(const EngraveResult& result);
 
-/// What the inspector shows of a running or finished job. Everything belongs to the job.
+/// Maps of a running or finished job for the inspector. The job owns them all.
 struct InspectorMaps {
-  const gl::Texture* luminance = nullptr;  ///< R32F; null before the surface was measured
+  const gl::Texture* luminance = nullptr;  ///< R32F; null before the surface is measured
   const gl::Texture* depths = nullptr;     ///< R32F, one texel a submodule
   const Symbol* symbol = nullptr;
-  const SearchRecord* search = nullptr;  ///< empty if it was not asked for; moves into the result when that is taken
+  const SearchRecord* search = nullptr;  ///< empty unless requested; takeResult() moves it into the result
 };
 
-/// Engraves one symbol, a bounded piece of work at a time; to cancel, stop calling. Needs the GL context of the model.
+/// Engraves one symbol, a bounded piece of work at a time; to cancel, stop calling advance(). Needs the model's GL
+/// context.
 ///
 ///     auto job = EngraveJob::create(model, request);
 ///     for (;;) { auto progress = job->advance(); if (!progress) …error…; if (progress->done) break; }
 ///     EngraveResult result = job->takeResult();
 class EngraveJob {
  public:
-  /// What has been made before.
+  /// Results of earlier work to reuse.
   struct Known {
-    /// The place: a search of this model for searchedPlacement(request, …) that is done.
+    /// A finished search on this model for searchedPlacement(request, …).
     const PlacementSearch* placed = nullptr;
     std::shared_ptr<const GeometryPass> pass = nullptr;
     std::shared_ptr<const LuminancePrograms> programs = nullptr;
-    const Symbol* symbol = nullptr;  ///< in place of what the request's text and options give
-    /// Of the same model, by a job that is over; measured anew where this one's place is another.
+    const Symbol* symbol = nullptr;  ///< replaces the symbol of the request's text and options
+    /// From a finished job on the same model; the place is measured anew if this job's place differs.
     std::shared_ptr<MeasuredPlace> measured = nullptr;
     LightBy lightBy = LightBy::Renderer;
   };
-  /// @returns what checkEngraving() does
+  /// @returns the errors of checkEngraving()
   static Result<std::unique_ptr<EngraveJob>> create(std::shared_ptr<const EngravableModel> model,
                                                     EngraveRequest request, const Known& known);
   static Result<std::unique_ptr<EngraveJob>> create(std::shared_ptr<const EngravableModel> model,
                                                     EngraveRequest request);
   ~EngraveJob();
 
-  /// What comes next, and what share of the whole is behind it.
+  /// Returns the next stage and the fraction of the job that is done.
   Progress progress() const;
 
-  /// The next piece. After an error or `done` it must not be called again.
+  /// Does the next piece of work. Do not call it again after an error or `done`.
   Result<Progress> advance();
 
-  /// The result, once, after `done`.
+  /// Returns the result. Call it once, after `done`.
   EngraveResult takeResult();
 
-  /// The result as soon as its file, mesh and symbol are set: during the check and the picture. Else null. The job owns
-  /// it.
+  /// Returns the result once its file, mesh and symbol are set, while it is being checked and drawn; else null. The job
+  /// owns it.
   const EngraveResult* writtenResult() const;
 
-  /// Null before the surface was measured.
+  /// Returns null before the surface is measured.
   std::shared_ptr<MeasuredPlace> measuredPlace() const;
 
   InspectorMaps inspectorMaps() const;
-  /// Of the uncarved surface, drawn when they are first asked for; null before the surface was measured.
+  /// Returns maps of the uncarved surface, drawn at the first call; null before the surface is measured.
   const SurfaceMaps* surfaceMaps() const;
 
  private:

@@ -11,10 +11,10 @@ namespace {
 
 constexpr int kN = CellLayout::kN;
 constexpr int kMaxMapTexels = 2048;
-constexpr int kTexelsPerCell = 4;       // of the shaders' maps, where they do not become too large
-constexpr int kDrawnTexelsPerCell = 2;  // by the processor: a cell's facets, and what is thin behind it
+constexpr int kTexelsPerCell = 4;       // of the shaders' maps, unless they become too large
+constexpr int kDrawnTexelsPerCell = 2;  // drawn by the CPU: enough for a cell's facets and thin spots behind it
 
-/// Means over blocks of texels.
+/// Returns the means over blocks of texels.
 HeightMap coarser(const HeightMap& fine, int texels) {
   const int size = fine.size / texels;
   const auto count = static_cast<std::size_t>(size) * static_cast<std::size_t>(size);
@@ -45,7 +45,7 @@ HeightMap coarser(const HeightMap& fine, int texels) {
   return map;
 }
 
-/// Distances from the eye along the rays, 0 where there is nothing.
+/// Returns the distances from the eye along the rays; 0 where there is no surface.
 std::vector<float> distancesOf(const HeightMap& map) {
   std::vector<float> distances(map.height.size(), 0.0f);
   for (int row = 0; row < map.size; ++row)

@@ -14,21 +14,21 @@ namespace qrelief {
 
 struct EngravableModel;
 
-/// Processor that computes the light on a place.
+/// Device that computes the light on a place.
 enum class LightBy : std::uint8_t {
-  Renderer,  ///< shaders on a GPU, the processor where it draws anyway
+  Renderer,  ///< shaders on a GPU; the CPU if it does the rendering anyway
   Shaders,
   Processor
 };
 
-/// The uncarved place: thickness of the material and light on it. It is the same for every symbol of one size, so a
-/// batch measures it once.
+/// Measurements of the uncarved place: the material's thickness and the light on it. They are the same for every symbol
+/// of one size, so a batch measures them once.
 class MeasuredPlace {
  public:
   struct Request {
     ProjectionFrame frame;
     double moduleMm = 0;  ///< on the QR plane, > 0
-    CellLayout layout;    ///< of the symbol
+    CellLayout layout;    ///< layout of the symbol
     float albedo = 0.7f;  ///< of the material, 0 … 1
     std::vector<DirectionalLight> lights = {};
     LightBy lightBy = LightBy::Renderer;
@@ -43,12 +43,12 @@ class MeasuredPlace {
                                                        const Request& request);
 
   const Request& request() const { return request_; }
-  /// Maps of the surface, drawn when they are first asked for; null if the GL implementation cannot draw them.
+  /// Returns maps of the surface, drawn at the first call; null if the GL implementation cannot draw them.
   const SurfaceMaps* maps() const;
-  /// Along the rays through each submodule of the symbol, the least, mm; infinite where no ray meets both sides.
-  /// Row-major from the symbol's top left.
+  /// Returns the least thickness along the rays through each submodule of the symbol, mm; infinite where no ray meets
+  /// both sides. Row-major from the symbol's top left.
   const std::vector<double>& thicknessMm() const { return thicknessMm_; }
-  /// On the place as something carves it; one at a time.
+  /// Returns the light on the place during carving. Only one job may use it at a time.
   PlaceLight& light() { return *light_; }
   const PlaceLight& light() const { return *light_; }
 
@@ -57,7 +57,7 @@ class MeasuredPlace {
   PlaceLightOptions lightOptions() const;
   Status measureByShaders(std::shared_ptr<const LuminancePrograms> programs);
   void measureByProcessor();
-  /// @param front, back  distances from the eye along the rays of texelsPerCell² texels of every cell, 0: none
+  /// @param front, back  distances from the eye along the rays of texelsPerCell² texels of every cell; 0: no surface
   void measureThickness(std::span<const float> front, std::span<const float> back, int texelsPerCell);
 
   Request request_;

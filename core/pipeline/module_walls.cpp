@@ -12,11 +12,11 @@
 namespace qrelief {
 namespace {
 
-constexpr double kShrink = 0.98;      // from one size tried to the next
-constexpr double kRounding = 1e-9;    // what walls were asked for and what is needed are computed apart
-constexpr double kLeastShare = 0.25;  // of the square
+constexpr double kShrink = 0.98;      // ratio of one size tried to the previous
+constexpr double kRounding = 1e-9;    // the depth tested and the depth needed are computed separately
+constexpr double kLeastShare = 0.25;  // smallest size tried, as a share of the square
 
-/// @param module  in modules from the symbol's top left, to the right and down
+/// @param module  position in modules from the symbol's top left, to the right and down
 bool isInFinder(Vec2 module, int modules) {
   const auto isFirst = [](double position) { return position < kFinderModules; };
   const auto isLast = [&](double position) { return position > modules - kFinderModules; };

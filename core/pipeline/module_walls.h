@@ -11,10 +11,10 @@
 
 namespace qrelief {
 
-/// Of the modules, these must take pockets: error correction restores the few others.
+/// Share of the modules that must take pockets; error correction restores the rest.
 inline constexpr double kTakenFraction = 0.98;
 
-/// A square of cells about the origin of the QR plane, each the size of a module.
+/// A square of module-sized cells centred at the origin of the QR plane.
 struct CellSquare {
   double edgeMm = 0;  ///< > 0
   int cells = 0;      ///< along the edge, ≥ 1
@@ -22,28 +22,30 @@ struct CellSquare {
 
 /// The material under each cell of a square, row-major from its top left.
 struct ModuleWalls {
-  std::vector<double> limitMm;      ///< how deep it may be carved (see wallLimits), 0 … the depth asked about
-  std::vector<double> thicknessMm;  ///< along the ray through its centre; infinite where nothing lies behind
+  std::vector<double> limitMm;      ///< greatest depth (see wallLimits), 0 … `depthMm`
+  std::vector<double> thicknessMm;  ///< along the ray through the cell's centre; infinite without a far side
 };
 
-/// @param patch     covers the square; known minWallMm + depthMm farther than it reaches
-/// @param depthMm   that is asked about, > 0
+/// @param patch     covers the square and minWallMm + depthMm beyond it
+/// @param depthMm   depth to test, > 0
 /// @param minWallMm material that must remain, ≥ 0
 Result<ModuleWalls> measureModuleWalls(const Mesh& mesh, const GpuMesh& gpu, const GeometryPass& pass,
                                        const ProjectionFrame& frame, const VisiblePatch& patch, CellSquare square,
                                        double depthMm, double minWallMm);
 
-/// Depth, in widths of it, at which a round pit's floor is darker than the open surface by `contrast`: visibility of
-/// the sky there is r²/(r² + d²). What a lone module needs, about; modules among others need more.
+/// Returns the depth of a round pit, in its widths, whose floor is darker than the open surface by `contrast`: the
+/// floor sees r²/(r² + d²) of the sky. This is about the depth that a lone module needs; modules among others need
+/// more.
 /// @param contrast  0 < c < 1
 double pitDepth(double contrast);
 
-/// The largest code about the origin, no larger than the square, whose walls take the pockets: under all modules of its
-/// finder patterns, and under nearly all others. A smaller code reaches less far, and its pockets are less deep.
-/// @param walls         of the square
-/// @param modules       of the symbol along its edge
-/// @param depthModules  of the pockets, in modules, > 0
-/// @returns mm; 0 if there is none of a quarter of the square's size
+/// Returns the size of the largest code centred at the origin, no larger than the square, whose walls take the pockets:
+/// under all modules of its finder patterns and nearly all others. A smaller code covers less ground and has shallower
+/// pockets.
+/// @param walls         walls under the square
+/// @param modules       along the symbol's edge
+/// @param depthModules  depth of the pockets, in modules, > 0
+/// @returns mm; 0 if no code of at least a quarter of the square's size fits
 double sizeThatWallsTake(const ModuleWalls& walls, CellSquare square, int modules, double depthModules);
 
 }  // namespace qrelief

@@ -13,18 +13,18 @@ namespace {
 constexpr int kN = kSubmodulesPerModule;
 constexpr int kHorizonsPerModule = 2;
 constexpr double kFirstReachModules = 3;
-constexpr LuminanceSampling kUncarvedSampling{1, 4};  // smooth, but for the model's own edges
+constexpr LuminanceSampling kUncarvedSampling{1, 4};  // the surface is smooth but for the model's own edges
 constexpr LightSampling kUncarvedPoints{1, 12}, kPoints{2, 12};
-constexpr double kEveryCell = 12;  // up to here a horizon looks at every cell
+constexpr double kEveryCell = 12;  // up to this distance a horizon checks every cell
 
 class LightByShaders final : public PlaceLight {
  public:
   explicit LightByShaders(LuminancePass pass) : pass_(std::move(pass)) {}
 
-  /// The surroundings are lit once: pockets lie below the light modules and take no sky from them.
+  /// Lights the surroundings, once: pockets lie below the light modules and hide no sky from them.
   void lightUncarved(double moduleMm) {
     pass_.setSampling(kUncarvedSampling);
-    pass_.setRadius(static_cast<float>(moduleMm));  // what lies farther is in the horizon
+    pass_.setRadius(static_cast<float>(moduleMm));  // the horizon covers the rest
     pass_.run();
     pass_.setSampling({});
     uncarved_ = pass_.readReceived();

@@ -14,23 +14,23 @@
 
 namespace qrelief {
 
-/// Light on a place of a model while its cells (one a submodule) are carved to different depths. Cells count row-major
+/// Light on a place of a model while its cells (one a submodule) are carved to different depths. Cells are row-major
 /// from the lower left; luminance 1 = an unoccluded surface in the QR plane.
 class PlaceLight {
  public:
   virtual ~PlaceLight() = default;
 
   /// Measures some cells anew and returns the luminance of all.
-  /// @param cells     to measure, at least one
-  /// @param depthsMm  of all cells
-  /// @param reachMm   surface farther away counts by the place's own horizon
+  /// @param cells     cells to measure, at least one
+  /// @param depthsMm  depths of all cells
+  /// @param reachMm   beyond this distance only the uncarved place's horizon counts
   virtual std::vector<float> luminance(std::span<const std::uint32_t> cells, std::span<const float> depthsMm,
                                        double reachMm) = 0;
-  /// Light of all cells, as it was last looked at.
+  /// Returns the light of all cells, as last measured.
   virtual std::vector<Received> received() const = 0;
-  /// Takes all carving back.
+  /// Resets all depths to zero.
   virtual void uncarve() = 0;
-  /// For the inspector; R32F, a texel a cell.
+  /// Return textures for the inspector; R32F, one texel a cell.
   virtual const gl::Texture& luminanceTexture() const = 0;
   virtual const gl::Texture& depthTexture() const = 0;
 };
@@ -42,15 +42,15 @@ struct PlaceLightOptions {
   std::vector<DirectionalLight> lamps = {};
 };
 
-/// By shaders, on a GPU [LuminancePass].
+/// Makes a PlaceLight that uses shaders on a GPU [LuminancePass].
 /// @param maps, around  see LuminancePass::create
 Result<std::unique_ptr<PlaceLight>> lightByShaders(const SurfaceMaps& maps, const SurfaceMaps& around,
                                                    double eyeDistance, const PlaceLightOptions& options,
                                                    std::shared_ptr<const LuminancePrograms> programs);
 
-/// By the processor [HeightLight].
-/// @param map     a patch a cell, uncarved
-/// @param around  more of the surface in a wider window
+/// Makes a PlaceLight that uses the CPU [HeightLight].
+/// @param map     the uncarved surface, one patch a cell
+/// @param around  the surface around it, in a wider window
 std::unique_ptr<PlaceLight> lightByProcessor(const HeightMap& map, const HeightMap& around,
                                              const PlaceLightOptions& options);
 

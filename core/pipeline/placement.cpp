@@ -21,12 +21,12 @@ namespace {
 
 constexpr int kMaxRounds = 5;
 constexpr double kSettledShare = 0.01;
-constexpr double kFirstShare = 0.15;  // of the model's diagonal: least square that is sampled first
-constexpr double kFirstReach = 1.25;  // of the expected size's half diagonal: how far is looked first,
-constexpr double kNextReach = 1.5;    // and how much farther each next time
+constexpr double kFirstShare = 0.15;  // first estimate of the size, of the model's diagonal
+constexpr double kFirstReach = 1.25;  // first search radius, of the expected size's half diagonal
+constexpr double kNextReach = 1.5;    // growth of the search radius
 
-/// Surface that lies nearer to the eye than the QR plane is seen larger than it is: a margin of the surface's takes up
-/// twice as much of the plane at most, halfway to the eye.
+/// Largest magnification on the QR plane of a margin measured on the surface: surface nearer to the eye than the plane
+/// looks larger, twice as large halfway to the eye.
 constexpr double kNearnessFactor = 2;
 
 double downToHundredths(double mm) { return std::floor(mm * 100) / 100; }
@@ -69,7 +69,8 @@ Status PlacementSearch::start() {
   fitMm_ = std::min(request_.maxSizeMm, kFirstShare * boundingBox(model_->mesh).diagonal());
   if (request_.direction) return measure(*request_.direction);
   if (request_.sizeMode == SizeMode::Fixed) return {};
-  // A single facet's normal says little: from there the code may be tiny, or not fit at all, and from others be large.
+  // A single facet's normal is unreliable: from that direction the code may be tiny or not fit at all, although it is
+  // large from others.
   const double expected = fitMm_;
   const Status measured = measure(surfaceNormal_);
   fitMm_ = measured ? std::max(expected, fitMm_) : expected;
@@ -80,10 +81,10 @@ double PlacementSearch::largestMm() const {
   return request_.sizeMode == SizeMode::Fixed ? std::max(request_.maxSizeMm, request_.sizeMm) : request_.maxSizeMm;
 }
 
-/// The patch as far as it decides the size: looked at as far as the code is expected to reach, then farther and farther
-/// until the size is bounded by a silhouette, or is the largest allowed.
+/// Returns the part of the patch that decides the size. Searches as far as the code is expected to reach, then farther
+/// and farther, until a silhouette bounds the size or the size is the largest allowed.
 Result<VisiblePatch> PlacementSearch::decisivePatch(const ProjectionFrame& frame, GrowingRegion region) const {
-  const double halfDiagonal = std::numbers::sqrt2 / 2 * outerFactor();  // of a code's size
+  const double halfDiagonal = std::numbers::sqrt2 / 2 * outerFactor();  // half diagonal with margin, of a code's size
   const double beyond = kNearnessFactor * request_.beyondMm;
   const double farthest = largestMm() * halfDiagonal + beyond;
   double radius = std::min(farthest, kFirstReach * sampledMm() * halfDiagonal + beyond);
@@ -98,7 +99,7 @@ Result<VisiblePatch> PlacementSearch::decisivePatch(const ProjectionFrame& frame
   }
 }
 
-/// Largest symbol that the silhouette leaves room for; Best: at any rotation.
+/// Returns the largest symbol that fits in the silhouette; for SizeMode::Best, at the best rotation.
 double PlacementSearch::sizeWithin(std::span<const Segment2> silhouette) const {
   const double most = largestMm() * outerFactor();
   const double size = request_.sizeMode == SizeMode::Free   ? freeSize(silhouette)
@@ -107,7 +108,8 @@ double PlacementSearch::sizeWithin(std::span<const Segment2> silhouette) const {
   return std::min(most, size) / outerFactor();
 }
 
-/// Of a patch for a square: as a disc finds it, where that differs.
+/// Returns the largest symbol that fits at every rotation. A partly hidden patch for a square is found again for a
+/// disc.
 Result<double> PlacementSearch::guaranteedMm(const VisiblePatch& patch, const ProjectionFrame& frame) const {
   const auto of = [&](const VisiblePatch& found) {
     return std::min(largestMm(), freeSize(found.silhouette) / outerFactor());
@@ -164,8 +166,8 @@ Status PlacementSearch::measure(Vec3 normal) {
   return {};
 }
 
-/// Where triangles cross each other nearer to the centre than half an edge of the smallest code, none fits at any
-/// rotation: that is said instead of a size.
+/// Returns an error if triangles cross nearer to the centre than half the edge of the smallest code. No code then fits
+/// at any rotation, so the message names the crossing, not a size.
 Status PlacementSearch::checkCrossings() const {
   if (!model_->crossesItself) return {};
   const Vec3 centre = placement_.frame.centre;
@@ -178,7 +180,8 @@ Status PlacementSearch::checkCrossings() const {
                       with::place("at", **crossing / model_->scaleToMm), with::lengthMm("least", leastMm)));
 }
 
-/// What does fit is named so that it still fits as it is written: sizes rounded down, measured at the rounded rotation.
+/// Makes the error with the sizes that do fit. They must still fit as written, so sizes are rounded down and measured
+/// at the rounded rotation.
 Error PlacementSearch::doesNotFit() const {
   const std::vector<Segment2>& silhouette = placement_.patch.silhouette;
   const double found = toDegrees(bestSize(silhouette, largestMm() * outerFactor()).rotation);
@@ -212,7 +215,7 @@ DirectionOptions PlacementSearch::directionOptions() const {
   return options;
 }
 
-/// The first of several directions from which the code fits; else the first one's error.
+/// Measures from the first of several directions from which the code fits; else returns the first direction's error.
 Status PlacementSearch::measureFirstFitting(std::span<const Vec3> normals) {
   const Status first = measure(normals.front());
   if (first) return first;
@@ -221,8 +224,8 @@ Status PlacementSearch::measureFirstFitting(std::span<const Vec3> normals) {
   return first;
 }
 
-/// The direction found, then those that vary more and more: the best may be one from which the code does not fit. The
-/// single facet's normal comes last.
+/// Returns the directions to try: the one found, then the others by increasing variance, as the code may not fit from
+/// the best. The single facet's normal comes last.
 std::vector<Vec3> PlacementSearch::roundCandidates() const {
   std::vector<DirectionIteration> looks(placement_.iterations.begin() + 1, placement_.iterations.end());
   std::stable_sort(looks.begin(), looks.end(), [](const DirectionIteration& a, const DirectionIteration& b) {
@@ -235,7 +238,8 @@ std::vector<Vec3> PlacementSearch::roundCandidates() const {
   return normals;
 }
 
-/// One look for the optimal direction; at the end the best from which the code fits. The start does.
+/// Does one step of the search for the optimal direction. At the end, takes the best direction from which the code
+/// fits; it fits from the first.
 Result<bool> PlacementSearch::refine() {
   {
     const Stopwatch stopwatch(directionMs_);
@@ -256,8 +260,8 @@ Result<bool> PlacementSearch::refine() {
   return true;
 }
 
-/// A found size becomes smaller where walls are too thin for its pockets. Where they take no code at all, it stays:
-/// what is carved then, or that nothing is, is for the search for depths to say.
+/// Reduces a found size if walls are too thin for its pockets. If they take no code at all, keeps the size; the depth
+/// search then decides whether anything can be carved.
 Status PlacementSearch::leaveWalls() {
   const PocketDemand& pockets = request_.pockets;
   if (request_.sizeMode == SizeMode::Fixed || !(pockets.depthModules > 0)) return {};

@@ -15,34 +15,34 @@
 
 namespace qrelief {
 
-/// The answer.
+/// Result of a placement search.
 struct Placement {
   ProjectionFrame frame;
   std::uint32_t seed = 0;  ///< triangle under the centre
   double symbolMm = 0;     ///< edge of the symbol without quiet zone, on the QR plane
   double moduleMm = 0;
-  double guaranteedMm = 0;  ///< largest symbol that fits at every rotation, not cut by maxSizeMm, whatever its walls
-  double bendMm = 0;        ///< of the surface under the symbol, see projection/bend.h
-  double rotationDeg = 0;   ///< of the symbol's top from where upHint points, anticlockwise as the reader sees it
+  double guaranteedMm = 0;  ///< largest symbol up to the size limit that fits at every rotation, walls ignored
+  double bendMm = 0;        ///< bend of the surface under the symbol, see projection/bend.h
+  double rotationDeg = 0;   ///< from upHint to the symbol's top, anticlockwise as the viewer sees it
   VisiblePatch patch;       ///< covers symbol and quiet zone, and beyondMm more
   std::vector<DirectionIteration> iterations;
 };
 
-/// The code that a request asks for, within a sentence: "a code of 35 mm with its quiet zone".
+/// Returns a phrase for the requested code, to be quoted within a message: "a code of 35 mm with its quiet zone".
 Message codeInWords(const PlacementRequest& request);
 
-/// Finds direction and size, which depend on each other: they are found in turn until the size moves by less than 1 %
-/// (at most 5 rounds) [Papp 2022, §3 and §4]. The optimal direction is then looked for once, at the size found, from
-/// the depth-balanced one on.
+/// Finds direction and size. As they depend on each other, finds them in turn until the size changes by less than 1 %
+/// (at most 5 rounds) [Papp 2022, §3 and §4]. Then searches once for the optimal direction, at the size found, starting
+/// from the depth-balanced direction.
 class PlacementSearch {
  public:
   /// @param model, gpu, pass  kept by reference
-  /// @param modules           of the symbol along its edge
+  /// @param modules           along the symbol's edge
   PlacementSearch(const PreparedModel& model, const GpuMesh& gpu, const GeometryPass& pass, int modules,
                   const PlacementRequest& request);
 
-  /// One rendering or one silhouette. @returns true when done; NoSolution where no code fits (says the largest that
-  /// does)
+  /// Does one rendering or one silhouette.
+  /// @returns true when done; NoSolution if the code does not fit (the message names the largest that fits)
   Result<bool> step();
 
   const Placement& placement() const { return placement_; }
@@ -79,7 +79,7 @@ class PlacementSearch {
   std::optional<OptimalDirection> optimal_;
   int round_ = 0;
   bool started_ = false;
-  double fitMm_ = 0;  // symbol size that the last silhouette allows; at first what is expected
+  double fitMm_ = 0;  // symbol size that the last silhouette allows; at first an estimate
   double directionMs_ = 0, sizeMs_ = 0;
 };
 

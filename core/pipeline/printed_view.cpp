@@ -16,11 +16,11 @@ namespace qrelief {
 namespace {
 
 constexpr double kRoughness = 1.5;
-constexpr int kDirections = 12;  // 64 change the mean luminance of a module by 0.0016 on average
-/// Margin of a rough print: the light modules that dark ones are compared with (LightNeighbours), and one more. Pixels
-/// farther out take the value of the border.
+constexpr int kDirections = 12;  // with 64, a module's mean luminance differs by 0.0016 on average
+/// Margin of a rough print: the reach of LightNeighbours, which compares dark modules with light ones, and one module
+/// more. Pixels farther out take the border's value.
 constexpr int kRoughMarginModules = 3;
-constexpr double kEveryPatch = 20;  // up to here a horizon looks at every patch
+constexpr double kEveryPatch = 20;  // up to this distance a horizon checks every patch
 
 }  // namespace
 
@@ -37,7 +37,7 @@ Result<std::optional<PrintedViewRequest>> printedViewOf(const VerifyRequest& req
                             .oneLight = request.oneLight};
 }
 
-/// The stages in their order; each `advance` does one of them.
+/// The job's state. Stages are listed in order; each advance() does one stage.
 struct PrintedViewJob::State {
   enum class Stage { Printing, Light, Done };
 
@@ -48,7 +48,7 @@ struct PrintedViewJob::State {
   PrintedView result;
 
   int edgeModules() const { return request.symbol.size + 2 * kPictureMarginModules; }
-  /// What is printed of it.
+  /// Returns the edge of the printed area, in modules.
   int printedModules() const { return request.isRough ? request.symbol.size + 2 * kRoughMarginModules : edgeModules(); }
   Status print();
   void light();

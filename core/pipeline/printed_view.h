@@ -14,42 +14,42 @@ namespace qrelief {
 
 struct PrintedViewRequest {
   PrintProcess process;
-  ProjectionFrame frame;                          ///< of the code, mm in the model's frame
-  Symbol symbol;                                  ///< of which size and colours are used
-  double symbolMm = 0;                            ///< edge without quiet zone, on the QR plane, > 0
+  ProjectionFrame frame;                          ///< frame of the code, mm in the model's coordinates
+  Symbol symbol;                                  ///< only its size and colours are used
+  double symbolMm = 0;                            ///< edge without the quiet zone, on the QR plane, > 0
   Vec3 buildUp{0, 0, 1};                          ///< the printer's vertical, of any length > 0
   double albedo = 0.7;                            ///< of the printed material
   std::optional<DirectionalLight> oneLight = {};  ///< see VerifyRequest
-  bool isRough = false;  ///< as exactly as the means over modules need, in half the time; no picture to read
+  bool isRough = false;  ///< exact enough for means over modules, in half the time; without a picture
 };
 
-/// The print of what is to be verified; none: how it prints is not asked for.
-/// @returns BadUsage for a printer that there cannot be
+/// Returns the print to simulate for a verification; none if the request names no process.
+/// @returns BadUsage for an impossible printer
 Result<std::optional<PrintedViewRequest>> printedViewOf(const VerifyRequest& request);
 
-/// A code as it comes off a printer.
+/// A simulated print of a code.
 struct PrintedView {
-  ReaderView seen;       ///< from the front, under the sky, or the one light; its light traced on the printed surface;
-                         ///< without a `picture`; empty if it was to be rough
-  double facingDeg = 0;  ///< between the code's normal and the printer's vertical: 0 = it faces up, 90 = it stands
+  ReaderView seen;  ///< from the front, under the sky or the one light, traced on the printed surface; no `picture`;
+                    ///< empty for a rough print
+  double facingDeg = 0;  ///< from the printer's vertical to the code's normal: 0 = faces up, 90 = upright
   /// Mean light of the submodules of symbol and quiet zone, row-major from the quiet zone's top left, 1 = unoccluded.
   std::vector<double> submodules;
-  std::vector<std::uint8_t> misread;  ///< see misreadModules(): what the print has lost
+  std::vector<std::uint8_t> misread;  ///< see misreadModules(): modules lost in print
 };
 
-/// Makes the surface that a printer leaves of a carved model (printing/printed_surface.h) and looks at it, a bounded
-/// piece of work at a time; to cancel, stop calling. Needs no GL context.
+/// Simulates the printed surface of a carved model (printing/printed_surface.h) and views it, a bounded piece of work
+/// at a time; to cancel, stop calling advance(). Needs no GL context.
 class PrintedViewJob {
  public:
-  /// @param mesh  a solid, mm; kept by reference until the first advance() is done
+  /// @param mesh  a solid, mm; kept by reference until the first advance() returns
   /// @returns BadUsage for a build direction of zero
   static Result<std::unique_ptr<PrintedViewJob>> create(const Mesh& mesh, const PrintedViewRequest& request);
   ~PrintedViewJob();
 
-  /// The next piece. After an error or `done` it must not be called again.
+  /// Does the next piece of work. Do not call it again after an error or `done`.
   Result<Progress> advance();
 
-  /// The result, once, after `done`.
+  /// Returns the result. Call it once, after `done`.
   PrintedView takeResult();
 
  private:

@@ -24,20 +24,20 @@
 namespace qrelief {
 namespace {
 
-constexpr double kSliceMs = 30;       // of views drawn in one piece of work
-constexpr double kMapShare = 0.6;     // of the progress
-constexpr double kMapMayErr = 0.9;    // a spot that the map gives this share of the size is worth a test; so is one
-                                      // that takes the square at some rotation only, down to 1/√2 of it
-constexpr double kMostSlopeDeg = 70;  // beyond it readers failed at codes that fitted; the map's own limit is 65°
-constexpr double kTrustedSizeShare = 1.001;  // what fits is to be larger than what is offered by this much
+constexpr double kSliceMs = 30;    // time to draw views in one piece of work
+constexpr double kMapShare = 0.6;  // of the progress
+constexpr double kMapMayErr = 0.9;  // test spots whose size in the map is this share of the size needed, or 1/√2 of it,
+                                    // as some spots fit at one rotation only
+constexpr double kMostSlopeDeg = 70;         // steeper codes fitted but did not decode; the map's own limit is 65°
+constexpr double kTrustedSizeShare = 1.001;  // least ratio of the largest size to the size offered
 constexpr std::size_t kTriesPerSpot = 4;
 constexpr std::size_t kLeastTries = 8;
-constexpr std::size_t kLargestTried = 3;  // spots tried for the largest size where the size asked for fits nowhere
+constexpr std::size_t kLargestTried = 3;  // spots tried for the largest size if the requested size fits nowhere
 constexpr double kAcrossShare = 0.95;
-constexpr double kUnaskedShare = 0.1;  // of the model's diagonal: how fine the map is without a size
+constexpr double kUnaskedShare = 0.1;  // least square of the map if no size is requested, of the diagonal
 constexpr double kPerDirectionUnit = 1e4;
 
-/// How fine the map is where no size is asked for.
+/// Returns the least square that the map must show if no size is requested.
 double unaskedLeastMm(const EngravableModel& model) {
   return kUnaskedShare * boundingBox(model.prepared.mesh).diagonal();
 }
@@ -47,7 +47,7 @@ Vec3 roundedTo(Vec3 v, double perUnit) {
           std::round(v.z * perUnit) / perUnit};
 }
 
-/// What placing has in common with engraving is checked as there.
+/// Checks the settings shared with engraving by the same rules.
 Status checkRequest(const SpotSearchRequest& request) {
   EngraveRequest engraving = defaultRequest();
   engraving.placement = request.placement;
@@ -59,7 +59,7 @@ Status checkRequest(const SpotSearchRequest& request) {
 }
 
 struct Wall {
-  bool takes = false;      ///< pockets of the least depth
+  bool takes = false;      ///< takes pockets of the least depth
   double thicknessMm = 0;  ///< along the rays
 };
 
@@ -75,7 +75,7 @@ std::vector<Message> concernsAt(const OfferedSpot& spot, const SpotSearchRequest
   return concerns;
 }
 
-/// The wall under nearly all modules, by the limits that engraving will keep to.
+/// Measures the wall under nearly all modules, by the limits used in engraving.
 Result<Wall> measureWall(const EngravableModel& model, const GeometryPass& pass, const Placement& placement,
                          int modules, double depthMm, double minWallMm) {
   auto walls = measureModuleWalls(model.prepared.mesh, model.gpu, pass, placement.frame, placement.patch,
@@ -107,20 +107,20 @@ struct SpotSearchJob::State {
 
   std::vector<SpotCandidate> candidates;
   std::size_t candidate = 0;
-  // Candidates stand in this order: those that the map says take the size (`likely`), of them the doubtful ones last
-  // (`deferred`); then all others. The first `screened` have been looked at.
+  // Order of the candidates: first the `likely` ones, which take the size according to the map, with the `deferred`
+  // doubtful ones last among them; then all others. The first `screened` have been checked.
   std::size_t likely = 0, screened = 0, deferred = 0;
-  bool withDirection = false;  // the second try at a candidate
+  bool withDirection = false;  // true during the second try at a candidate
   std::optional<PlacementSearch> search;
-  OfferedSpot offered;            // what is being tested
-  std::optional<Vec3> direction;  // that it is tested with; none: the method's
+  OfferedSpot offered;            // the spot being tested
+  std::optional<Vec3> direction;  // direction for the test; none: found by the request's method
   std::size_t tooThin = 0;
-  double thickestMm = 0;               // of those
-  std::optional<OfferedSpot> largest;  // of those that fit a size less than asked for
+  double thickestMm = 0;               // the thickest of these walls
+  std::optional<OfferedSpot> largest;  // largest spot that takes less than the requested size
   SpotSearchResult result;
-  double fraction = kMapShare;  // of the progress, once spots are tested
+  double fraction = kMapShare;  // progress of the job, once spots are tested
 
-  std::size_t goodSpots() const {  // small ones among them: those that follow are hardly larger
+  std::size_t goodSpots() const {  // counts small ones, too: later spots are hardly larger
     return static_cast<std::size_t>(
         std::count_if(result.spots.begin(), result.spots.end(),
                       [](const OfferedSpot& spot) { return !spot.facesDown && !isUneven(spot); }));
@@ -155,7 +155,7 @@ double SpotSearchJob::State::mostInMap() const {
   return static_cast<double>(*std::max_element(sizes.begin(), sizes.end()));
 }
 
-/// @param leastMm  the least square that the map must show
+/// @param leastMm  smallest square that the map must show
 void SpotSearchJob::State::startMap(double leastMm) {
   SizeMapOptions options;
   options.eyeDistanceMm = request.placement.eyeDistanceMm;
@@ -199,7 +199,7 @@ bool SpotSearchJob::State::facesDown(const ProjectionFrame& frame) const {
   return glm::dot(up, frame.normal) < std::cos(toRadians(kSteepestOverhangDeg));
 }
 
-/// See unevenLight().
+/// Returns unevenLight() for a code there.
 double SpotSearchJob::State::lightOn(const ProjectionFrame& frame, double symbolMm) const {
   const int quietModules = static_cast<int>((outer - 1) * request.modules / 2);
   return unevenLight(model->prepared.mesh, frame, symbolMm, request.modules, std::min(kLitRingModules, quietModules));
@@ -211,8 +211,8 @@ bool SpotSearchJob::State::isDoubtful(const SpotCandidate& spot) const {
   return facesDown(frame) || lightOn(frame, std::min(wantedMm(), spot.sizeMm / outer)) > kMostUnevenLight;
 }
 
-/// Looks at the next candidate, which costs a tenth of a test, and moves a doubtful one behind the other likely ones.
-/// @returns false if the next candidate needs no look
+/// Screens the next candidate at a tenth of a test's cost, and moves a doubtful one behind the other likely ones.
+/// @returns false if the next candidate needs no screening
 bool SpotSearchJob::State::screen() {
   const bool isLooked = screened > candidate || candidate >= likely - deferred;
   if (isLooked || stage != Stage::Testing || screened + deferred >= mostTries()) return false;
@@ -243,7 +243,7 @@ void SpotSearchJob::State::beginTest() {
   ++result.tried;
 }
 
-/// On with the map's direction at the same spot, or with the next spot.
+/// Goes on to the map's direction at the same spot, or to the next spot.
 void SpotSearchJob::State::nextTry() {
   search.reset();
   const bool done = withDirection || request.placement.direction;
@@ -302,7 +302,7 @@ Status SpotSearchJob::State::finishTests() {
   if (result.spots.empty()) {
     stage = Stage::FindingLargest;
     if (result.map.viewsDropped > 0)
-      startMap(unaskedLeastMm(*model));  // they may take a smaller one
+      startMap(unaskedLeastMm(*model));  // dropped views may take a smaller code
     else
       propose(0);
     return {};
@@ -310,7 +310,7 @@ Status SpotSearchJob::State::finishTests() {
   const auto rank = [&](const OfferedSpot& spot) {
     return SpotRank(spot.guaranteedMm, spot.quality, spot.symbolMm * outer, spot.aimToleranceDeg);
   };
-  // In the order of importance.
+  // Doubts in order of importance.
   const auto doubts = [](const OfferedSpot& spot) {
     return std::tuple(!spot.prints, spot.facesDown, isUneven(spot), spot.needsDirection);
   };
@@ -325,7 +325,7 @@ Status SpotSearchJob::State::finishTests() {
 Error SpotSearchJob::State::nothingFound() const {
   const PlacementRequest& place = request.placement;
   if (tooThin > 0) {
-    // Walls are measured along the rays; across they may be a little thinner.
+    // Walls are measured along the rays; measured across, they may be slightly thinner.
     const double spare = std::floor(10 * (kAcrossShare * thickestMm - request.leastDepthMm)) / 10;
     if (spare > 0 && spare < request.minWallMm)
       return {ErrorKind::NoSolution,

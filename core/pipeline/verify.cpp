@@ -18,11 +18,12 @@
 namespace qrelief {
 namespace {
 
-/// A large weak lamp on the right, as in a room, which only the ranges are read under.
+/// A large weak lamp on the right, as in a room; used only to find the ranges.
 constexpr DirectionalLight kRoomLamp{.azimuthDeg = -30, .elevationDeg = 55, .strength = 0.5};
 constexpr double kRoomLampRadiusDeg = 20;
 
-/// Least way through the material from the floors on along the rays. Pockets run along rays, too, so that none is met.
+/// Returns the least thickness of material behind the floors, along the rays. Pockets run along rays, too, so no ray
+/// meets another pocket.
 double leastWall(const RayTree& tree, const ProjectionFrame& frame, const CarvingProfile& profile) {
   constexpr double kBelowFloorMm = 1e-4;
   double least = std::numeric_limits<double>::infinity();
@@ -35,7 +36,7 @@ double leastWall(const RayTree& tree, const ProjectionFrame& frame, const Carvin
   return least;
 }
 
-/// What verifying has in common with engraving is checked as there.
+/// Returns the settings shared with engraving, to be checked by the same rules.
 EngraveRequest settingsOf(const VerifyRequest& request) {
   EngraveRequest engraving = defaultRequest();
   engraving.placement.sizeMode = SizeMode::Fixed;
@@ -64,7 +65,7 @@ VerifyRequest verifyRequestOf(const EngraveRequest& request, const EngraveResult
   wanted.process = request.process;
   wanted.buildUp = request.buildUp.resolve(wanted.frame);
   wanted.minWallMm = request.minWallMm;
-  wanted.albedo = std::round(1e6 * static_cast<double>(request.albedo)) / 1e6;  // as it was given: a float of it is not
+  wanted.albedo = std::round(1e6 * static_cast<double>(request.albedo)) / 1e6;  // undoes the rounding to a float
   if (request.objective == DepthObjective::OneLight) wanted.oneLight = request.lamps().front();
   wanted.ranges = false;
   wanted.inheritedSelfIntersections = result.inheritedSelfIntersections;
@@ -84,7 +85,7 @@ Result<Mesh> meshAsFound(const PolygonSoup& soup, double scaleToMm) {
   return welded(corners, soup.triangles);
 }
 
-/// The stages in their order; each `advance` does one step of the current one.
+/// The job's state. Stages are listed in order; each advance() does one step of the current stage.
 struct VerifyJob::State {
   enum class Stage { Solid, Shape, Light, Reading, Done };
 
@@ -143,7 +144,7 @@ void VerifyJob::State::prepareLight() {
   stage = Stage::Light;
 }
 
-/// Finds the light on the mesh as on a height map.
+/// Computes the light on the mesh as on a height map.
 void VerifyJob::State::lightMesh() {
   MeshLuminanceOptions options{.pixels = light->options().texels,
                                .pixelMm = light->options().texelMm,
@@ -162,7 +163,7 @@ void VerifyJob::State::lightMesh() {
   light->setLight(std::move(found));
 }
 
-/// @returns whether it is done
+/// @returns true when done
 bool VerifyJob::State::bake() {
   bakedRows += kRowsAStep;
   if (!light->bakeRows(kRowsAStep)) return false;

@@ -20,64 +20,63 @@
 
 namespace qrelief {
 
-/// Where a code should be, what it should say, and what it is to be printed with.
+/// The expected code, its place, and the printer.
 struct VerifyRequest {
-  ProjectionFrame frame;  ///< of the code, mm in the model's frame; its normal points to the reader
-  double symbolMm = 0;    ///< edge without quiet zone, on the QR plane
+  ProjectionFrame frame;  ///< frame of the code, mm in the model's coordinates; its normal points to the viewer
+  double symbolMm = 0;    ///< edge without the quiet zone, on the QR plane
   std::string text;       ///< UTF-8, not empty
-  Symbol symbol;          ///< the modules it should have
+  Symbol symbol;          ///< the expected modules
   Printer printer;
-  std::optional<std::size_t> process;  ///< which of namedPrinters() that is; none: how it prints is not found out
+  std::optional<std::size_t> process;  ///< index of the printer in namedPrinters(); none: the print is not simulated
   Vec3 buildUp{0, 0, 1};               ///< the printer's vertical
   double minWallMm = 0.8;
   double albedo = 0.7;  ///< of the printed material
-  /// Beside the sky, and nothing else: the light that it is to read under, see DepthObjective::OneLight. None: it is to
-  /// read under the sky.
+  /// The only lamp, in addition to the sky, under which the code must decode, see DepthObjective::OneLight. None: the
+  /// code must decode under the sky alone.
   std::optional<DirectionalLight> oneLight;
-  bool ranges = true;     ///< find out how far it can be tilted, blurred and so on, too
-  bool isTraced = false;  ///< light is traced path by path, which takes many times as long; else lit as a height map
-  int paths = 16;         ///< of traced light, from every texel of the pictures, ≥ 1
-  std::size_t inheritedSelfIntersections = 0;  ///< pairs of crossing triangles that the model had before, as reported
+  bool ranges = true;     ///< also find the ranges of tilt, blur and so on in which it decodes
+  bool isTraced = false;  ///< trace light path by path, which takes many times as long; else light it as a height map
+  int paths = 16;         ///< paths from every texel of the pictures, for traced light, ≥ 1
+  std::size_t inheritedSelfIntersections = 0;  ///< reported pairs of crossing triangles before carving
 };
 
-/// A phone's lamp from a hand's breadth away; the sun's is half of that.
+/// Angular radius of a phone's lamp a hand's breadth away; the sun's is half of it.
 inline constexpr double kOneLightRadiusDeg = 0.5;
 
 struct EngraveRequest;
 struct EngraveResult;
 
-/// The same code as it was carved.
+/// Returns the request to verify a code as it was carved.
 VerifyRequest verifyRequestOf(const EngraveRequest& request, const EngraveResult& result);
 
-/// A model as its file has it: scaled and welded by equal position, nothing mended.
-/// @returns BadInput for a model without triangles or with coordinates that are no numbers
+/// Returns a model's mesh without repairs: only scaled and welded by equal position.
+/// @returns BadInput if the model has no triangles or a coordinate is not a number
 Result<Mesh> meshAsFound(const PolygonSoup& soup, double scaleToMm);
 
-/// Everything that could be found out about an engraved model from the model itself; what it comes to says
-/// verdict/verdict.h.
+/// All findings about an engraved model from the model itself; verdict/verdict.h draws the conclusion.
 struct VerifyResult {
   SolidityReport solidity;
   CarvingProfile profile;
-  std::optional<CarvedFeatures> features;  ///< if the symbol is carved there
-  std::optional<SymbolGrades> grades;      ///< if it lies as it should
+  std::optional<CarvedFeatures> features;  ///< if the symbol is carved at the expected place
+  std::optional<SymbolGrades> grades;      ///< if the symbol lies as expected
   ReadingSummary reading;
   std::vector<ReadingView> views;
 };
 
-/// Checks an engraved model, a bounded piece of work at a time; to cancel, stop calling. Needs no GL context: light is
-/// found on the mesh itself.
+/// Checks an engraved model, a bounded piece of work at a time; to cancel, stop calling advance(). Needs no GL context,
+/// as light is computed on the mesh itself.
 class VerifyJob {
  public:
   /// @param mesh     see meshAsFound()
   /// @param readers  decoders; see ReadingSweep
-  /// @returns BadUsage for a request that cannot be carried out
+  /// @returns BadUsage for an impossible request
   static Result<std::unique_ptr<VerifyJob>> create(Mesh mesh, VerifyRequest request, std::vector<SymbolReader> readers);
   ~VerifyJob();
 
-  /// The next piece. After an error or `done` it must not be called again.
+  /// Does the next piece of work. Do not call it again after an error or `done`.
   Result<Progress> advance();
 
-  /// The result, once, after `done`.
+  /// Returns the result. Call it once, after `done`.
   VerifyResult takeResult();
 
  private:

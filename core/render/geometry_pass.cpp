@@ -15,7 +15,7 @@ MapWindow surroundingsOf(const MapWindow& map, const ProjectionFrame& frame, con
   for (int k = 0; k < 8; ++k) {
     const Vec3 corner(k & 1 ? model.max.x : model.min.x, k & 2 ? model.max.y : model.min.y,
                       k & 4 ? model.max.z : model.min.z);
-    // A corner beside or behind the eye is seen under any angle.
+    // A corner level with the eye or behind it may appear in any direction: assume the widest window.
     const bool inFront = frame.distanceAlongAxis(corner) > frame.eyeDistance / 100;
     const Vec2 seen = inFront ? frame.project(corner) : Vec2(kMaxMaps * map.extentMm);
     reach = std::max({reach, std::abs(seen.x), std::abs(seen.y)});

@@ -15,19 +15,19 @@ struct MapWindow {
   int texels = 0;       ///< along the edge; texel (0, 0) at the lower left
 
   double texelMm() const { return extentMm / texels; }
-  /// Plane point of a texel's middle.
+  /// Returns the plane point of a texel's middle.
   Vec2 planePoint(int column, int row) const {
     return {(column + 0.5) * texelMm() - extentMm / 2, (row + 0.5) * texelMm() - extentMm / 2};
   }
 };
 
-/// The window in which a frame's eye sees what of a model may stand round a map: the whole model, or 16 times the map
-/// where it is larger; 256 texels.
+/// Returns the window, 256 texels wide, in which the eye sees the model around a map: the whole model, but at most 16
+/// times the map's width.
 MapWindow surroundingsOf(const MapWindow& map, const ProjectionFrame& frame, const Box3& model);
 
-/// What the reader's eye sees: facet normals, smooth normals, heights, distances. Normals in the frame's axes (right,
-/// up, normal); heights in mm over the QR plane, distances in mm from the eye along the rays; all zero where the ray
-/// misses the model.
+/// The surface as the eye sees it: facet normals, smooth normals, heights, distances. Normals are in the frame's axes
+/// (right, up, normal), heights in mm over the QR plane, distances in mm from the eye along the rays. All are zero
+/// where the ray misses the model.
 struct SurfaceMaps {
   MapWindow window;
   gl::Texture surface;          ///< RGBA32F: facet normal, height over the QR plane
@@ -35,7 +35,8 @@ struct SurfaceMaps {
   gl::Framebuffer framebuffer;  ///< attachment 0 = surface, 1 = smooth
 };
 
-/// Distance to the first facet seen from behind, mm; 0 where there is none. With the front distance: thickness.
+/// Distance to the first facet seen from behind, mm; 0 where there is none. Subtract the front distance to get the
+/// thickness.
 struct BackDistanceMap {
   gl::Texture distance;  ///< R32F
   gl::Framebuffer framebuffer;

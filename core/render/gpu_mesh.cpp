@@ -43,7 +43,7 @@ void GpuMesh::draw() const {
 
 void GpuMesh::draw(const ViewPyramid& pyramid) const {
   array_.bind();
-  std::uint32_t begin = 0, end = 0;  // of a run of clusters to be drawn
+  std::uint32_t begin = 0, end = 0;  // of the present run of visible clusters
   for (const TriangleCluster& cluster : clusters_) {
     if (!pyramid.mayMeet(cluster.box)) continue;
     if (cluster.begin != end) {

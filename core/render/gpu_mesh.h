@@ -10,8 +10,7 @@
 namespace qrelief {
 
 /// A mesh in GPU memory: positions relative to the middle of its box (so that far-away models keep their digits) and
-/// smooth normals; attributes 0 and 1.
-/// Attribute 2 is a number per vertex, 0 unless it is given.
+/// smooth normals; attributes 0 and 1. Attribute 2 is a number per vertex, 0 unless set.
 class GpuMesh {
  public:
   GpuMesh() = default;
@@ -22,7 +21,7 @@ class GpuMesh {
   void setValues(std::span<const float> values);
 
   void draw() const;
-  /// Without the clusters of triangles that certainly lie outside the pyramid (model coordinates).
+  /// Draws all but the clusters that certainly lie outside the pyramid (model coordinates).
   void draw(const ViewPyramid& pyramid) const;
   Vec3 origin() const { return box_.centre(); }
   const Box3& box() const { return box_; }

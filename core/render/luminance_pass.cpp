@@ -201,7 +201,7 @@ std::vector<Received> LuminancePass::readReceived() const {
 }
 
 void LuminancePass::setReceived(std::span<const Received> received) {
-  static_assert(sizeof(Received) == 4 * sizeof(float));  // what a texel of the means holds
+  static_assert(sizeof(Received) == 4 * sizeof(float));  // the size of a texel of the means
   assert(received.size() == static_cast<std::size_t>(cells_) * static_cast<std::size_t>(cells_));
   means_.upload(received.data());
 }

@@ -14,26 +14,27 @@
 
 namespace qrelief {
 
-/// Where the light of a cell is looked for.
+/// Sampling of the light that a cell receives.
 struct LuminanceSampling {
-  int computedTexels = 2;  ///< along a cell's edge; more, up to all, where it does not divide the cell
+  int computedTexels = 2;  ///< along a cell's edge; rounded up to a divisor of cellTexels
   int slices = 10;         ///< pairs of half-planes per texel, ≥ 1
 };
 
 struct LuminanceOptions {
-  int cellTexels = 4;  ///< texels along a cell's edge; the map's edge is a whole number of cells
+  int cellTexels = 4;  ///< along a cell's edge; the map's edge is a whole number of cells
   LuminanceSampling sampling = {};
-  bool turnSlices = true;      ///< texels of a 4×4 block take different slices: for cell means; false for pictures
-  float radiusMm = 5;          ///< reach of the march; what lies farther counts by the surface's own horizon
-  float everyBorderMm = 1e6f;  ///< up to here the march stops at every cell border; beyond, at steps that grow
-  float reliefMm = 0;          ///< depth of what is carved into the maps' own surface, beside `setDepths`
-  int horizonSamples = 64;     ///< places along the map's edge for which the surface's own horizon is found, ≥ 1
-  float horizonStartMm = 1;    ///< surface nearer than this is left to the march
-  float albedo = 0.7f;         ///< of the material, 0 … 1; white plastic is about 0.7
+  bool turnSlices = true;      ///< texels of a 4×4 block take different slices: for cell means, not for pictures
+  float radiusMm = 5;          ///< reach of the march; beyond it, only the uncarved surface's horizon counts
+  float everyBorderMm = 1e6f;  ///< the march stops at every cell border up to this distance, then at growing steps
+  float reliefMm = 0;          ///< depth of pockets in the maps' own surface, in addition to setDepths()
+  int horizonSamples = 64;     ///< points along the map's edge at which the uncarved surface's horizon is found, ≥ 1
+  float horizonStartMm = 1;    ///< the horizon ignores surface nearer than this; the march covers it
+  float albedo = 0.7f;         ///< of the material, 0 … 1; about 0.7 for white plastic
   std::vector<DirectionalLight> lights = {};  ///< at most kMaxLights
 };
 
-/// What every LuminancePass of a GL context may share: software renderers make machine code of each anew.
+/// Programs that every LuminancePass of a GL context can share. Software renderers compile each program to machine code
+/// anew.
 struct LuminancePrograms {
   gl::Program horizon, occlusion, reduction, lighting;
 
@@ -41,15 +42,15 @@ struct LuminancePrograms {
 };
 
 /// Luminance of an engraved distance map under a uniform sky and lamps, in three passes: horizon-based occlusion and
-/// shadows, the reduction to one mean a cell, and lighting with interreflection [Papp 2022, §7]. 1 = an unoccluded
-/// surface in the QR plane. Once, when it is made: the horizon of the uncarved surface, far and near.
+/// shadows, reduction to one mean a cell, and lighting with interreflection [Papp 2022, §7]. 1 = an unoccluded surface
+/// in the QR plane. The horizon of the uncarved surface, far and near, is found once, at creation.
 ///
-/// Cost: computed texels of the listed cells × (2·slices + lamps) × cells up to where no rim can matter.
+/// Cost: computed texels of the selected cells × (2·slices + lamps) × cells marched over, until no rim can matter.
 class LuminancePass {
  public:
   /// @param maps          kept by reference: they must outlive the pass
-  /// @param surroundings  the model's further surface from the same eye, in a wider window; may be null
-  /// @param programs      null: of its own
+  /// @param surroundings  the surface around the maps from the same eye, in a wider window; may be null
+  /// @param programs      null: makes its own
   static Result<LuminancePass> create(const SurfaceMaps& maps, const SurfaceMaps* surroundings, double eyeDistance,
                                       const LuminanceOptions& options,
                                       std::shared_ptr<const LuminancePrograms> programs = nullptr);
@@ -67,9 +68,10 @@ class LuminancePass {
   void selectCells(std::span<const std::uint32_t> cells);
 
   void run();
-  std::vector<float> readLuminance() const;    ///< means of the cells², row-major from the lower left
-  std::vector<Received> readReceived() const;  ///< likewise
-  /// Takes back what cells have received, as `readReceived` gave it; the next `run` adds the chosen cells to it.
+  std::vector<float> readLuminance() const;    ///< mean of each cell, row-major from the lower left
+  std::vector<Received> readReceived() const;  ///< mean of each cell, in the same order
+  /// Restores the light that cells have received, as returned by readReceived(). The next run() updates the selected
+  /// cells.
   void setReceived(std::span<const Received> received);
   const gl::Texture& luminance() const { return luminance_; }  ///< R32F, one texel a cell
   const gl::Texture& depths() const { return depths_; }

@@ -14,7 +14,7 @@ namespace {
 constexpr double kTrianglesPerSquaredCell = 3000;
 constexpr int kMaxCells = 64;  // along an edge
 
-/// A rounding error's worth wider than the square: what the rasteriser draws at the very edge is drawn.
+/// Factor that widens the square by more than any rounding error, so that the very edge is drawn as well.
 constexpr double kSlack = 1 + 1e-3;
 
 }  // namespace

@@ -12,25 +12,26 @@ namespace qrelief {
 /// Triangles that lie near one another, and the box around them.
 struct TriangleCluster {
   Box3 box;
-  std::uint32_t begin = 0, end = 0;  ///< its range among the reordered triangles
+  std::uint32_t begin = 0, end = 0;  ///< range among the reordered triangles
 };
 
-/// A mesh's triangles in an order in which neighbours in space are neighbours in memory.
+/// A mesh's triangles, ordered so that neighbours in space are neighbours in memory.
 struct ClusteredTriangles {
-  std::vector<Triangle> triangles;        ///< the mesh's; within a cluster in their old order
-  std::vector<TriangleCluster> clusters;  ///< none empty, one behind the other
+  std::vector<Triangle> triangles;        ///< the mesh's triangles; in their old order within a cluster
+  std::vector<TriangleCluster> clusters;  ///< contiguous, none empty
 };
 
-/// Clusters by a uniform grid over the mesh's box, a few hundred triangles a cell. Cost: O(T).
+/// Clusters triangles by a uniform grid over the mesh's box, a few hundred triangles a cell. Cost: O(T).
 ClusteredTriangles clusterTriangles(const Mesh& mesh);
 
-/// What the eye sees through a square on the QR plane: four planes through the eye.
+/// The part of space that the eye sees through a square on the QR plane, bounded by four planes through the eye.
 class ViewPyramid {
  public:
   /// @param extentMm  edge of the square, sides along the frame's axes, > 0
   ViewPyramid(const ProjectionFrame& frame, double extentMm);
 
-  /// False if no point of the box lies in the pyramid; true may be in vain beside its edges.
+  /// Returns false only if no point of the box lies in the pyramid. Near the pyramid's edges it may return true for a
+  /// box outside.
   bool mayMeet(const Box3& box) const;
 
  private:
