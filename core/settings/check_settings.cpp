@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which values a setting takes: the checks of settings.h.
+// Implements the checks of settings.h: the values that a setting accepts.
 #include <cmath>
 
 #include "settings/settings.h"
