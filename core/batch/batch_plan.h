@@ -23,7 +23,7 @@ struct BatchRequest {
 /// A code of a batch.
 struct BatchRow {
   std::size_t number = 1;  ///< its place in the list, counted from BatchRequest::firstNumber
-  std::uint32_t line = 1;  ///< of the list
+  std::uint32_t line = 1;  ///< line of the list in which the row begins
   std::string id;          ///< the column `id`, or else the number
   std::string file;        ///< a plain name, without a folder
   EngraveRequest request;

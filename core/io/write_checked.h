@@ -9,7 +9,7 @@ namespace qrelief {
 /// in an object with an offset, the last digit may differ. After welding equal positions, as every parser of solids
 /// does, the triangles are the solid that was written.
 ///
-/// Cost: that of writing and of reading.
+/// Cost: writing the file and reading it once.
 /// @returns BadUsage as writeModel(); Internal if the file differs from the input
 Result<std::vector<std::uint8_t>> writeChecked(std::span<const ModelObject> objects, ModelFormat format,
                                                const WriteOptions& options = {});

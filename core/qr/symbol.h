@@ -19,7 +19,7 @@ std::string_view errorCorrectionName(ErrorCorrection level);
 std::optional<ErrorCorrection> errorCorrectionByName(std::string_view name);
 
 /// Function of a module [ISO/IEC 18004, figure 2]. Data includes error correction and remainder bits. Format includes
-/// the module beside the lower left finder that is always dark.
+/// the module next to the lower left finder that is always dark.
 enum class ModuleRole : std::uint8_t { Data, Finder, Separator, Timing, Alignment, Format, Version };
 
 /// Rule that chooses the mask.

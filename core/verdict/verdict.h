@@ -65,7 +65,7 @@ struct Verdict {
   Aspect reads, prints, solid;
 
   bool passed() const { return reads.passed() && solid.passed(); }
-  std::vector<Message> failed() const;  ///< Returns the failed checks of all three.
+  std::vector<Message> failed() const;  ///< failed checks of all three
 };
 
 /// Counts the tries.

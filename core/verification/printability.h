@@ -16,7 +16,7 @@ namespace qrelief {
 struct CarvedFeatures {
   double moduleMm = 0;
   std::optional<ModulePattern> pattern;  ///< the pattern of most data modules; none: not a known one
-  double pocketMm = 0;                   ///< edge of the largest square that fits into a dark module's pocket: median
+  double pocketMm = 0;                   ///< median edge of the largest square that fits into a dark module's pocket
   double gapMm = 0;         ///< least width of material between two pockets, along rows and columns; infinite if there
                             ///< are no gaps
   double meanDepthMm = 0;   ///< over the carved submodules

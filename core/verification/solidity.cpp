@@ -12,7 +12,7 @@
 namespace qrelief {
 namespace {
 
-/// Sets of triangle corners, joined as they turn out to belong to one fan.
+/// Sets of triangle corners that belong to one fan, built by joining corners.
 class Fans {
  public:
   explicit Fans(std::size_t corners) : parent_(corners) { std::iota(parent_.begin(), parent_.end(), 0u); }
