@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
-/// Bytes that no text begins with.
+/// Refuses bytes that are not plain text, such as UTF-16 or a spreadsheet.
 Status checkIsText(std::span<const std::uint8_t> bytes, std::string_view text) {
   if (text.empty()) return badInput(message("list-empty"));
   if (const std::string_view wide = wideEncodingOf(bytes); !wide.empty())
@@ -40,7 +40,7 @@ Status checkLine(std::string_view line, std::uint32_t number) {
   return {};
 }
 
-/// The line that a text begins with, with its end: LF, CR LF or CR.
+/// Returns the first line of a text, with its end: LF, CR LF or CR.
 std::string_view firstLine(std::string_view text) {
   const std::size_t end = text.find_first_of("\r\n");
   if (end == text.npos) return text;
@@ -65,7 +65,7 @@ Status checkColumns(std::span<const std::string> columns) {
   return {};
 }
 
-/// That which stands most often in the first line, outside of quotes.
+/// Returns the separator that occurs most often in the first line, outside quotes.
 char separatorOf(std::string_view line) {
   constexpr std::array kSeparators = {',', ';', '\t'};
   std::array<int, 3> counts{};
@@ -94,7 +94,9 @@ class CsvReader {
       if (problem_) return badInput(std::move(*problem_));
       if (taken < whole.size())
         return badInput(message("list-quote", with::count("line", line), with::count("byte", taken + 1)));
-      if (parser_.entry_pos > kMostCellBytes) return badInput(cellTooLong(parser_.entry_pos));  // an open quotation
+      if (parser_.entry_pos > kMostCellBytes)
+        return badInput(cellTooLong(parser_.entry_pos));  // a quotation that does
+                                                          // not end
       text.remove_prefix(whole.size());
     }
     if (csv_fini(&parser_, &takeCell, &takeRow, this) != 0)
@@ -151,7 +153,7 @@ class CsvReader {
   std::optional<Message> problem_;
 };
 
-/// As a setting's value is typed; none: it has no such form.
+/// Converts a value to the form in which a person types a setting; none if it has no such form.
 std::optional<std::string> cellOf(const Json& value) {
   if (value.is_null()) return "";
   if (value.is_string()) return value.get<std::string>();

@@ -13,7 +13,7 @@ namespace qrelief {
 namespace {
 
 constexpr std::string_view kId = "id", kText = "text", kFile = "file", kNumber = "n";
-constexpr std::size_t kMostNameBytes = 200;  // file systems take 255, and a name of ours may get a suffix
+constexpr std::size_t kMostNameBytes = 200;  // file systems allow 255, and our names may get a suffix
 
 std::string lowered(std::string_view text) {
   std::string low(text);
@@ -22,7 +22,7 @@ std::string lowered(std::string_view text) {
   return low;
 }
 
-/// Names that Windows keeps for devices, whatever their extension.
+/// Returns true for names that Windows reserves for devices, whatever their extension.
 bool isDeviceName(std::string_view name) {
   const std::string stem = lowered(name.substr(0, name.find('.')));
   if (stem.size() == 4 && (stem.starts_with("com") || stem.starts_with("lpt"))) return stem[3] >= '1' && stem[3] <= '9';
@@ -67,7 +67,7 @@ BatchPlan BatchPlan::make(BatchList list, const BatchRequest& request) {
   return plan;
 }
 
-/// Finds out what each column is for.
+/// Finds the use of each column.
 Status BatchPlan::prepare() {
   for (const TextTemplate* wanted : {&text_, &name_})
     if (const Status known = checkNames(*wanted); !known) return known;
@@ -101,7 +101,7 @@ std::string BatchPlan::valueOf(std::size_t index, std::string_view name) const {
   return std::to_string(firstNumber_ + index);
 }
 
-/// But for the version that all have.
+/// Makes a row, without the version that all rows share.
 Result<BatchRow> BatchPlan::made(std::size_t index) const {
   BatchRow row{.number = firstNumber_ + index,
                .line = list_.line(index),
@@ -171,7 +171,8 @@ void BatchPlan::checkRows() {
              });
 }
 
-/// By hashes, as all texts of a million rows would take too much; where hashes agree, by what they are of.
+/// Finds duplicates by their hashes, because all texts of a million rows would take too much memory. Where hashes
+/// agree, compares the values themselves.
 void BatchPlan::checkTwice(std::string (*of)(const BatchRow&),
                            Message (*problem)(const BatchRow&, std::uint32_t otherLine)) {
   std::vector<std::pair<std::size_t, std::uint32_t>> hashes;

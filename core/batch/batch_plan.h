@@ -11,45 +11,48 @@
 
 namespace qrelief {
 
-/// What a batch is asked for.
+/// The settings and templates that all rows of a batch share.
 struct BatchRequest {
-  /// What all rows have, but for its text, which is a template; empty: the list has a column `text`. A version that it
-  /// leaves open becomes the smallest that takes every row's text, so that all codes have one size.
+  /// Settings of all rows. Its text is a template; empty: the list has a column `text`. If it leaves the version open,
+  /// the smallest version that holds every row's text is used, so that all codes have the same size.
   EngraveRequest all;
-  std::string name;             ///< template of the files' names; empty: the list's column `file`, else "{id}.stl"
-  std::size_t firstNumber = 1;  ///< of the rows
+  std::string name;             ///< template for file names; empty: the list's column `file`, else "{id}.stl"
+  std::size_t firstNumber = 1;  ///< number of the first row
 };
 
-/// One code of a batch.
+/// A code of a batch.
 struct BatchRow {
-  std::size_t number = 1;  ///< its place in the list, from BatchRequest::firstNumber on
-  std::uint32_t line = 1;  ///< of the list
-  std::string id;          ///< the column `id`, else the number
+  std::size_t number = 1;  ///< its place in the list, counted from BatchRequest::firstNumber
+  std::uint32_t line = 1;  ///< line of the list in which the row begins
+  std::string id;          ///< the column `id`, or else the number
   std::string file;        ///< a plain name, without a folder
   EngraveRequest request;
 };
 
-/// Everything that a list asks for, checked as a whole before the first row is carved.
+/// The rows that a list asks for, all checked before the first one is carved.
 ///
-/// Columns are `id`, `text`, `file`, keys of settings (an empty cell leaves the setting as all rows have it), and
-/// whatever templates name; `{n}` is the row's number. Refused are: a column that a template names and the list lacks;
-/// a value that a setting does not take; a text or a name that two rows have (names as file systems without capitals
-/// see them); a text that no symbol of the version holds; a name that is more than a plain name of a model file.
+/// Columns are `id`, `text`, `file`, keys of settings (an empty cell keeps the value that all rows have), and any names
+/// used in templates; `{n}` is the row's number. The plan refuses: a column that a template names and the list lacks; a
+/// value that a setting does not accept; a text, a name or an id that two rows share (names are compared without regard
+/// to capitals, as some file systems do); a text that no symbol of the version holds; a name that is not a plain name
+/// of a model file.
 class BatchPlan {
  public:
-  /// Cost: some 10 µs a row.
+  /// Makes the plan. Cost: some 10 µs per row.
   static BatchPlan make(BatchList list, const BatchRequest& request);
 
-  /// Why nothing may be carved, in the order of the list, at most `kMostProblems`; empty: everything may.
+  /// Returns the reasons against carving, in the order of the list, at most `kMostProblems`; empty: everything may be
+  /// carved.
   const std::vector<Message>& problems() const { return problems_; }
   static constexpr std::size_t kMostProblems = 20;
 
-  /// Columns that nothing asks for: a misspelt setting would be among them.
+  /// Returns the columns that nothing uses; a misspelt setting would be among them.
   const std::vector<std::string>& unusedColumns() const { return unused_; }
 
   std::size_t size() const { return list_.size(); }
 
-  /// Only without problems. @param index  from 0
+  /// Returns a row. Call it only if there are no problems.
+  /// @param index  from 0
   BatchRow row(std::size_t index) const;
 
  private:
@@ -75,7 +78,7 @@ class BatchPlan {
   std::vector<Message> problems_;
 };
 
-/// Why a name is not that of a model file in the folder that everything is written to; none: it is.
+/// Returns why a name is not a plain name of a model file in the output folder; none if it is.
 std::optional<Message> whyNoPlainName(std::string_view name);
 
 }  // namespace qrelief

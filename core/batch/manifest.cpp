@@ -21,10 +21,10 @@ using Json = nlohmann::ordered_json;
 constexpr std::array<std::string_view, 3> kStatusNames = {"done", "failed", "refused"};
 constexpr std::array<const char*, 8> kOwnKeys = {"number", "id", "text", "file", "plate", "sha256", "status", "reason"};
 
-/// Text that is no UTF-8 must not lose the line.
+/// Writes JSON. Replaces text that is not UTF-8, so that the line is not lost.
 std::string dumped(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
-/// @returns none if it is no line of a manifest
+/// Quotes a cell where CSV requires it [RFC 4180].
 std::string csvCell(std::string_view text) {
   if (text.find_first_of(",\"\r\n") == text.npos) return std::string(text);
   std::string cell(2 * text.size() + 2, '\0');
@@ -32,7 +32,7 @@ std::string csvCell(std::string_view text) {
   return cell;
 }
 
-/// A value of the details, as a table shows it; empty if it is not there.
+/// Returns a value of the details as the table shows it; empty if it is missing.
 std::string detail(const Json& details, const char* pointer) {
   const Json::json_pointer at(pointer);
   if (!details.contains(at)) return {};

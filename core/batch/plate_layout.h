@@ -9,13 +9,14 @@
 
 namespace qrelief {
 
-/// Where copies of one model stand side by side on a plate: rows of about as many as there are rows, apart by `gapMm`,
-/// the lowest corner of the first at the origin.
-/// @param box   of the model, mm
-/// @returns what each copy is to be moved by, mm, to 0.01 mm upwards
+/// Lays out copies of one model side by side on a plate: about as many rows as columns, `gapMm` apart, with the lowest
+/// corner of the first at the origin.
+/// @param box   bounding box of the model, mm
+/// @returns the offset of each copy, mm, rounded up to 0.01 mm
 std::vector<Vec3> plateOffsets(const Box3& box, std::size_t copies, double gapMm = 5);
 
-/// "plate-007.3mf", in as many digits as the last of them has, at least three. @param plate  from 0
+/// Returns a name such as "plate-007.3mf", with as many digits as the last plate needs, at least three.
+/// @param plate  from 0
 std::string plateName(std::size_t plate, std::size_t plates);
 
 }  // namespace qrelief

@@ -8,7 +8,7 @@
 
 namespace qrelief {
 
-/// The share of one process among several: every `count`-th item, from `index` on.
+/// The share of one process among several: every `count`-th item, starting at `index`.
 struct Shard {
   std::size_t index = 0;  ///< < count
   std::size_t count = 1;
@@ -17,7 +17,8 @@ struct Shard {
   bool isWhole() const { return count == 1; }
   std::string name() const { return std::to_string(index) + "-of-" + std::to_string(count); }
 
-  /// "2/8". @returns none for anything else, or an index that is not below the count
+  /// Parses a text such as "2/8".
+  /// @returns none for anything else, or for an index that is not below the count
   static std::optional<Shard> parse(std::string_view text);
 };
 

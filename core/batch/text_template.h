@@ -11,23 +11,24 @@
 
 namespace qrelief {
 
-/// A text with places to be filled: "https://example.org/p/{n:05}". `{name}` is a value as it is, `{name:05}` a whole
-/// number with zeros before it up to that many digits, `{{` and `}}` are braces.
+/// A text with placeholders: "https://example.org/p/{n:05}". `{name}` becomes the value as it is, `{name:05}` a whole
+/// number padded with zeros to that many digits, `{{` and `}}` are braces.
 class TextTemplate {
  public:
-  /// @returns BadUsage for a brace without its other half, an empty name, or something else behind the colon
+  /// @returns BadUsage for an unmatched brace, an empty name, or an invalid width after the colon
   static Result<TextTemplate> parse(std::string_view text);
 
-  /// Names of the places, each once, in the order of the text.
+  /// Returns the names of the placeholders, each once, in the order of the text.
   const std::vector<std::string>& names() const { return names_; }
 
-  /// @param valueOf  of each of the names
-  /// @returns BadInput if a value that is to have zeros before it is no whole number
+  /// Fills the placeholders.
+  /// @param valueOf  returns the value for a name
+  /// @returns BadInput if a value to be padded is not a whole number
   Result<std::string> filled(const std::function<std::string(std::string_view)>& valueOf) const;
 
  private:
   struct Piece {
-    std::string text;  ///< what stands there, or the place's name
+    std::string text;  ///< literal text, or the placeholder's name
     bool isPlace = false;
     std::size_t digits = 0;
   };

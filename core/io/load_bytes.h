@@ -8,7 +8,8 @@
 
 namespace qrelief {
 
-/// A number of type T from its bytes, on a little-endian machine (x86, ARM, WebAssembly: all that are built for).
+/// Loads a number of type T from its bytes. Assumes a little-endian machine (x86, ARM and WebAssembly, the only
+/// targets).
 template <class T>
 T loadBytes(const std::uint8_t* bytes, bool bigEndian = false) {
   std::array<std::uint8_t, sizeof(T)> raw;

@@ -6,8 +6,8 @@
 
 namespace qrelief {
 
-/// A name as it may stand in a line of text: control characters become blanks, and no backslash is left at the end,
-/// which would join the next line in OBJ.
+/// Makes a name safe for a line of text: control characters become blanks, and trailing backslashes go, because in OBJ
+/// they would join the next line.
 inline std::string oneLine(std::string_view text) {
   std::string line(text);
   for (char& c : line)

@@ -14,14 +14,14 @@ namespace {
 
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
-/// The largest exponent whose power of ten a double holds exactly: 5^22 < 2^53.
+/// Largest exponent for which a double holds the power of ten exactly: 5^22 < 2^53.
 constexpr int kMaxExactPower = 22;
 
 constexpr std::array<double, kMaxExactPower + 1> kPowersOfTen = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                                                  1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
                                                                  1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
 
-/// strtod wants the locale's decimal point and a terminating zero.
+/// Parses by strtod, which needs the locale's decimal point and a terminating zero.
 double parseSlowly(std::string_view token) {
   std::string copy(token);
   if (const std::size_t point = copy.find('.'); point != std::string::npos)

@@ -7,16 +7,16 @@
 
 namespace qrelief {
 
-/// The double nearest to a decimal number, whatever the locale: an optional sign, digits with an optional point, an
-/// optional exponent; also "nan", "inf" and "infinity" in any case, so that a reader can say what it found.
+/// Parses a decimal number to the nearest double, independent of the locale: an optional sign, digits with an optional
+/// point, an optional exponent. Also accepts "nan", "inf" and "infinity" in any case, so that a parser can report them.
 ///
 /// Cost: about 10 ns up to 15 digits and a small exponent (one exact multiplication or division by a power of ten
-/// [Clinger 1990]), else one strtod of a copy.
-/// @param token  the whole of it must be the number: no white space, nothing behind it
-/// @returns empty if it is none
+/// [Clinger 1990]); otherwise one strtod of a copy.
+/// @param token  the number and nothing else: no white space, no trailing characters
+/// @returns empty if the token is not a number
 std::optional<double> parseNumber(std::string_view token);
 
-/// A decimal integer with an optional sign; empty if it is none or does not fit.
+/// Parses a decimal integer with an optional sign; empty if the token is not one or does not fit.
 std::optional<std::int64_t> parseInteger(std::string_view token);
 
 }  // namespace qrelief

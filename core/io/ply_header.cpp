@@ -124,8 +124,8 @@ class HeaderReader {
     return {};
   }
 
-  /// The line end behind "end_header" is of the same kind as the one behind "ply": in a binary file a CR may be
-  /// followed by data that happens to begin with a byte 10.
+  /// Moves to the data. The line end after "end_header" must be of the same kind as the one after "ply", because in a
+  /// binary file the data after a CR may begin with a byte 10.
   void endOfHeader() {
     const std::size_t firstEnd = text_.find_first_of("\r\n");
     const bool returnOnly = text_[firstEnd] == '\r' && text_.substr(firstEnd, 2) != "\r\n";

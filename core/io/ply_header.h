@@ -18,8 +18,8 @@ bool isFloating(PlyType type);
 
 struct PlyProperty {
   std::string name;
-  PlyType type = PlyType::Float32;   ///< of the value, or of a list's items
-  std::optional<PlyType> countType;  ///< of a list's length; empty for a scalar
+  PlyType type = PlyType::Float32;   ///< type of the value or of the list items
+  std::optional<PlyType> countType;  ///< type of the list length; empty for a scalar
 };
 
 struct PlyElement {
@@ -35,10 +35,11 @@ enum class PlyFormat { Ascii, LittleEndian, BigEndian };
 struct PlyHeader {
   PlyFormat format = PlyFormat::Ascii;
   std::vector<PlyElement> elements;
-  std::size_t bytes = 0;  ///< the data begins here
-  std::size_t lines = 0;  ///< lines of the header
+  std::size_t bytes = 0;  ///< offset of the data from the start of the file
+  std::size_t lines = 0;  ///< number of header lines
 };
 
+/// Parses the header at the start of a PLY file.
 /// @param text  the whole file, without byte order mark
 Result<PlyHeader> parsePlyHeader(std::string_view text);
 

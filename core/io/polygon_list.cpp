@@ -22,7 +22,7 @@ Status checkPositions(const std::vector<Vec3>& positions, const std::string& for
   return {};
 }
 
-/// How many faces had something wrong, and the first of them.
+/// Number of faces with a certain fault, and the first of them.
 struct Noted {
   std::size_t count = 0;
   std::size_t first = 0;  ///< in the file's order, from 1
@@ -33,7 +33,7 @@ struct Noted {
   }
 };
 
-/// @returns whether the polygon is simple
+/// @returns true if the polygon is simple
 bool triangulateFace(const PolygonList& list, std::span<const std::uint32_t> face, PolygonSoup& soup) {
   std::vector<Vec3> corners;
   for (const std::uint32_t v : face) corners.push_back(list.positions[v]);

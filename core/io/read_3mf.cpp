@@ -17,8 +17,8 @@ constexpr std::string_view kRelationships = "_rels/.rels";
 constexpr std::string_view kRelationshipSpace = "http://schemas.openxmlformats.org/package/2006/relationships";
 constexpr std::string_view kStartPart = "http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel";
 constexpr std::size_t kMaxParts = 4096;         // model parts of one package
-constexpr std::size_t kMaxNesting = 32;         // of components
-constexpr std::size_t kMaxInstances = 100'000;  // objects after components are put together
+constexpr std::size_t kMaxNesting = 32;         // nesting depth of components
+constexpr std::size_t kMaxInstances = 100'000;  // number of objects after components are assembled
 constexpr std::size_t kLongestTarget = 120;     // in messages
 
 /// The targets of relationships of one type.
@@ -36,7 +36,7 @@ class RelationshipHandler : public XmlHandler {
   }
 };
 
-/// "..", however it is escaped.
+/// Returns true for "..", in any escaped form.
 bool isParent(std::string_view segment) {
   const auto takeDot = [&segment] {
     for (const std::string_view dot : {".", "%2e", "%2E"})
@@ -49,7 +49,8 @@ bool isParent(std::string_view segment) {
   return takeDot() && takeDot() && segment.empty();
 }
 
-/// A part's name as the archive has it, from what a relationship or a `p:path` says; empty if it leads elsewhere.
+/// Returns a part's name as in the archive, from the target of a relationship or a `p:path`; empty if it leads
+/// elsewhere.
 std::optional<std::string> partName(std::string_view target) {
   std::vector<std::string_view> segments;
   if (target.find_first_of(":\\?#") != std::string_view::npos) return std::nullopt;
@@ -70,12 +71,13 @@ std::optional<std::string> partName(std::string_view target) {
   return name.empty() ? std::nullopt : std::optional(name);
 }
 
-/// The model parts of a file, read as they are asked for.
+/// The model parts of a file, read on demand.
 class Package {
  public:
   Package(ZipArchive archive, const ReadLimits& limits) : archive_(std::move(archive)), limits_(limits) {}
 
-  /// Finds and reads the model part that the package is about. @returns its name
+  /// Finds and reads the main model part of the package.
+  /// @returns its name
   Result<std::string> readStart() {
     const ZipEntry* entry = archive_.find(kRelationships);
     if (!entry) return badInput(message("3mf-no-relationships"));
@@ -97,7 +99,7 @@ class Package {
     return *name;
   }
 
-  /// Reads a model part and all that its components and items ask for.
+  /// Reads a model part and all parts that its components and items need.
   Status readModels(const std::string& start) {
     std::vector<std::string> wanted = {start};
     while (!wanted.empty()) {
@@ -135,7 +137,7 @@ class Package {
     return model;
   }
 
-  /// Turns every path into the name of a part, its own where none is given.
+  /// Turns every path into the name of a part; an empty path becomes the part's own name.
   static Status resolvePaths(ThreeMfModel& model, const std::string& own, std::vector<std::string>& wanted) {
     const auto resolve = [&](std::vector<ThreeMfInstance>& instances) -> Status {
       for (ThreeMfInstance& instance : instances) {
@@ -165,12 +167,12 @@ class Package {
   std::size_t triangles_ = 0;
 };
 
-/// What an object comes to with all its components.
+/// Total size of an object with all its components.
 struct Extent {
   std::size_t triangles = 0, vertices = 0, instances = 1, nesting = 1;
 };
 
-/// Puts the build's items together.
+/// Assembles the build's items.
 class Builder {
  public:
   Builder(const Package& package, const ReadLimits& limits) : package_(package), limits_(limits) {}
@@ -209,8 +211,8 @@ class Builder {
     return badInput(message("3mf-nested-too-deep", with::count("limit", kMaxNesting)));
   }
 
-  /// Nothing is multiplied before this has been found to be within limits.
-  /// @param asking  the part that asks for the object
+  /// Measures an object before anything is multiplied, and checks the limits.
+  /// @param asking  the part that refers to the object
   Result<Extent> measure(const ThreeMfInstance& instance, const std::string& asking) {
     const Key key{instance.path, instance.object};
     if (const auto known = extents_.find(key); known != extents_.end()) {
@@ -227,7 +229,7 @@ class Builder {
           message("3mf-slices", with::count("object", instance.object), with::quoted("part", excerpt(instance.path))));
     if (extents_.size() > kMaxInstances)
       return badInput(message("3mf-too-many-objects", with::count("limit", kMaxInstances)));
-    extents_.emplace(key, std::nullopt);  // while it is open: to find circles
+    extents_.emplace(key, std::nullopt);  // while it is open, to find circular references
     if (++depth_ > kMaxNesting) return nestedTooDeep();
     Extent total{object->triangles.size(), object->positions.size(), 1, 1};
     for (const ThreeMfInstance& component : object->components) {
@@ -260,8 +262,8 @@ class Builder {
       soup_.parts.push_back({object.name.empty() ? item.partNumber : object.name, first});
   }
 
-  /// @param outer   where the coordinates of the asking part go
-  /// @param unitMm  of the asking part
+  /// @param outer   transform of the referring part's coordinates
+  /// @param unitMm  unit of the referring part
   void place(const ThreeMfInstance& instance, const Affine& outer, double unitMm) {
     const ThreeMfObject& object = *find(instance);
     const double ownUnitMm = package_.model(instance.path).unitMm;

@@ -5,14 +5,14 @@
 
 namespace qrelief {
 
-/// 3MF, core specification and production extension: every item of the build, its components put together, transforms
-/// applied (a mirrored instance is turned round, so that it still faces outwards); each item is a part of the soup, and
-/// the file's unit is the soup's. Items that are no model (supports and the like), colours, textures and metadata are
-/// passed over.
+/// Reads 3MF, core specification and production extension: every item of the build, with its components assembled and
+/// its transforms applied. A mirrored instance is turned round so that it still faces outwards. Each item becomes a
+/// part of the soup, which takes over the file's unit. Skips items that are not models (supports and the like),
+/// colours, textures and metadata.
 ///
-/// Hostile files end in an error soon and in bounded memory: what is unpacked, its ratio, the number of objects, how
-/// deep components nest and what they multiply to are all limited before anything is made of them; no path leaves the
-/// archive, and nothing but the parts asked for is unpacked.
+/// Hostile files fail quickly and in bounded memory. Limits on unpacked size, compression ratio, number of objects,
+/// nesting depth of components and number of instances apply before anything is built. No path leaves the archive, and
+/// only the parts asked for are unpacked.
 /// @returns BadInput naming the part, the line and the object
 Result<PolygonSoup> read3mf(std::span<const std::uint8_t> bytes, const ReadLimits& limits);
 

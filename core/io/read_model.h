@@ -13,19 +13,19 @@ namespace qrelief {
 struct ReadLimits {
   std::size_t maxBytes = std::size_t{1} << 30;
   std::size_t maxTriangles = 20'000'000;
-  std::uint64_t maxExpandedBytes = std::uint64_t{1} << 31;  ///< of what a 3MF file's archive is unpacked to
+  std::uint64_t maxExpandedBytes = std::uint64_t{1} << 31;  ///< total unpacked size of a 3MF archive
 };
 
 /// Reads OBJ (tinyobjloader), STL (binary and ASCII), PLY (ASCII, both endians), OFF (ASCII) or 3MF.
 ///
-/// The format follows from the name's extension; where the content plainly is another one, that one is read and a
-/// warning says so, or it is refused. Text has to be UTF-8 or ASCII; UTF-16 is refused by name. Nothing is allocated by
-/// a count that the file's size does not bear out. Polygons are triangulated in their own plane (concave ones by ear
+/// The extension of the name gives the format. If the content is clearly another format, that one is read with a
+/// warning, or the file is refused. Text must be UTF-8 or ASCII; UTF-16 is refused by name. Nothing is allocated for a
+/// count that exceeds what the file's size allows. Polygons are triangulated in their own plane (concave ones by ear
 /// clipping).
 /// @param bytes     the whole file
 /// @param fileName  only its extension is used
-/// @returns file units (and what they are, where the file says so); BadInput naming line, facet or byte for anything
-/// malformed
+/// @returns positions in file units (and the unit, where the file states it); BadInput naming line, facet or byte for
+///          anything malformed
 Result<PolygonSoup> readModel(std::span<const std::uint8_t> bytes, std::string_view fileName,
                               const ReadLimits& limits = {});
 

@@ -17,7 +17,7 @@
 namespace qrelief {
 namespace {
 
-/// What a statement begins with: 'v', 'f', or 0 for all that is passed over.
+/// Returns the kind of a statement: 'v', 'f', or 0 for everything that is skipped.
 char kindOf(std::string_view line) {
   const std::size_t first = line.find_first_not_of(" \t");
   if (first == std::string_view::npos || first + 1 >= line.size()) return 0;
@@ -32,13 +32,13 @@ std::size_t countVertices(std::string_view text) {
   return count;
 }
 
-/// A stream buffer that hands out the `v` and `f` statements of an OBJ, one a line, each looked through first; at the
-/// first bad one it ends and keeps the error.
+/// A stream buffer that passes on the `v` and `f` statements of an OBJ, one per line, and checks each one first. It
+/// ends at the first bad statement and keeps the error.
 class VettedStatements : public std::streambuf {
  public:
   explicit VettedStatements(std::string_view text) : scanner_(text), vertices_(countVertices(text)) {}
 
-  std::size_t vertices() const { return vertices_; }  ///< in the whole file
+  std::size_t vertices() const { return vertices_; }  ///< number of vertices in the whole file
   const Status& status() const { return status_; }
   void stop(Error error) { status_ = tl::unexpected(std::move(error)); }
 
@@ -91,7 +91,8 @@ class VettedStatements : public std::streambuf {
     return {};
   }
 
-  /// "7", "7/1", "7//3", "7/1/3"; only the first number is used, and it has to name a vertex of the file.
+  /// Checks a face such as "7", "7/1", "7//3", "7/1/3". Only the first number of a word is used; it must name a vertex
+  /// of the file.
   Status vetFace() {
     TextScanner words(statement_);
     words.wordOnLine();

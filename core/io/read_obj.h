@@ -5,11 +5,11 @@
 
 namespace qrelief {
 
-/// The `v` and `f` lines of a Wavefront OBJ, by tinyobjloader; all others (normals, materials, groups, curves) are
-/// passed over. Relative indices, polygons of any size, continued lines ("\") and every kind of line end are fine.
+/// Reads the `v` and `f` lines of a Wavefront OBJ by tinyobjloader; skips all others (normals, materials, groups,
+/// curves). Accepts relative indices, polygons of any size, continued lines ("\") and every kind of line end.
 ///
-/// tinyobjloader reads 0 where a number is missing or malformed and keeps indices that point nowhere, so each line is
-/// looked through before it gets it.
+/// tinyobjloader reads 0 where a number is missing or malformed and keeps invalid indices, so each line is checked
+/// before tinyobjloader gets it.
 /// @returns BadInput naming the line
 Result<PolygonSoup> readObj(std::span<const std::uint8_t> bytes, const ReadLimits& limits);
 

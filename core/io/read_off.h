@@ -5,12 +5,12 @@
 
 namespace qrelief {
 
-/// OFF as text, with its three-dimensional variants (COFF, NOFF, STOFF and their mixtures): colours, normals and
-/// texture coordinates are passed over; a vertex or face may be followed by more numbers on its line.
+/// Reads OFF as text, with its three-dimensional variants (COFF, NOFF, STOFF and their mixtures). Skips colours,
+/// normals, texture coordinates and further numbers on the line of a vertex or face.
 /// @returns BadInput naming the line
 Result<PolygonSoup> readOff(std::span<const std::uint8_t> bytes, const ReadLimits& limits);
 
-/// The first word of an OFF file: [ST][C][N][4][n]OFF.
+/// Returns true for the first word of an OFF file: [ST][C][N][4][n]OFF.
 bool isOffKeyword(std::string_view word);
 
 }  // namespace qrelief

@@ -13,9 +13,9 @@
 namespace qrelief {
 namespace {
 
-/// The file's values one after the other, as text. Doubles hold every integer type of PLY exactly.
+/// The values of a text file, one after the other. Doubles hold every integer type of PLY exactly.
 ///
-/// What goes wrong is a message that begins with its place; the caller says in which element.
+/// Errors are messages that begin with their place; the caller adds the element.
 class TextValues {
  public:
   TextValues(std::string_view text, const PlyHeader& header)
@@ -31,7 +31,7 @@ class TextValues {
     return failHere(notANumber(word));
   }
 
-  /// @param what  about the value read last
+  /// @param what  describes the value read last
   tl::unexpected<Error> failHere(Message what) const {
     return badInput(
         message("at-line", with::count("line", headerLines_ + scanner_.line()), with::cause("cause", std::move(what))));
@@ -49,7 +49,7 @@ class TextValues {
   std::size_t size_;
 };
 
-/// The same from binary data.
+/// The values of a binary file, with the same interface.
 class BinaryValues {
  public:
   BinaryValues(std::string_view text, const PlyHeader& header)
@@ -104,7 +104,7 @@ class BinaryValues {
 
   std::span<const std::uint8_t> bytes_;
   std::size_t position_;
-  std::size_t valueBegin_ = 0;  // of the value read last, for messages
+  std::size_t valueBegin_ = 0;  // start of the value read last, for messages
   bool bigEndian_;
 };
 
@@ -144,7 +144,7 @@ class PlyReader {
                             with::count("faceElements", faceElements)));
   }
 
-  /// Nothing is reserved for a count that the file's size does not bear out.
+  /// Refuses a count that exceeds what the file's size allows, before anything is reserved for it.
   Status checkRoom(const PlyElement& element) const {
     std::size_t smallest = 0;
     for (const PlyProperty& property : element.properties)
@@ -161,7 +161,8 @@ class PlyReader {
                                     with::cause("cause", error.message)));
   }
 
-  /// @param list  its length is within what is left of the file, so that nothing is skipped or stored by it alone
+  /// Reads the length of a list and checks that the rest of the file is long enough for it, so that no length alone
+  /// makes the parser skip or store anything.
   Result<std::uint64_t> readListLength(const PlyProperty& list) {
     const Result<double> length = values_.next(*list.countType);
     if (!length) return tl::unexpected(length.error());
@@ -254,7 +255,7 @@ class PlyReader {
   Values values_;
   PolygonList list_;
   std::vector<std::uint32_t> polygon_;
-  std::size_t vertices_ = 0;  // that the header announces; they may stand behind the faces
+  std::size_t vertices_ = 0;  // number announced in the header; vertices may follow the faces
 };
 
 }  // namespace

@@ -34,8 +34,8 @@ void addFacet(PolygonSoup& soup, const std::array<Vec3, 3>& corners) {
 
 constexpr std::size_t kFacetsLookedAt = 64;
 
-/// Whether all nine coordinates are of a size that models have. Of random bytes one facet in 20,000 does: each has
-/// about every third of a float's exponents.
+/// Returns true if all nine coordinates have a plausible size. One in 20,000 facets of random bytes does, because about
+/// a third of a float's exponents are plausible.
 bool looksLikeFacet(const std::uint8_t* facet) {
   for (std::size_t i = 3; i < 12; ++i) {
     const float size = std::abs(loadBytes<float>(facet + 4 * i));
@@ -44,8 +44,9 @@ bool looksLikeFacet(const std::uint8_t* facet) {
   return true;
 }
 
-/// Whether half of the first facets look like facets; for want of a whole one, whether that many could be read. Text
-/// does not, whatever numbers its characters make: a facet's attributes are zeros as a rule.
+/// Returns true if half of the first facets look like facets. If there is no whole facet, returns true if the announced
+/// number is within the limit. Text does not look like facets, whatever numbers its characters make, because a facet's
+/// attributes are usually zeros.
 bool looksLikeFacets(std::span<const std::uint8_t> bytes, const ReadLimits& limits) {
   const std::size_t present = (bytes.size() - kHeaderBytes) / kFacetBytes;
   if (present == 0) return announcedFacets(bytes) <= limits.maxTriangles;
@@ -168,7 +169,7 @@ class AsciiReader {
     if (soup_.triangles.size() == limits_.maxTriangles) return tooManyTriangles(limits_.maxTriangles);
     std::string_view word = scanner_.word();
     for (int i = 0; i < 4 && !equalsIgnoringCase(word, "outer"); ++i)
-      word = scanner_.word();  // "normal x y z" is passed over: it follows from the corners
+      word = scanner_.word();  // skip "normal x y z": it follows from the corners
     if (!equalsIgnoringCase(word, "outer")) return unexpected(word, wantsKeyword("outer loop"));
     if (Status s = expect("loop"); !s) return s;
     std::array<Vec3, 3> corners;
@@ -184,7 +185,7 @@ class AsciiReader {
     return {};
   }
 
-  /// Attributes that some programs put behind "endfacet"; what belongs to the format may follow on the same line.
+  /// Skips attributes that some programs write after "endfacet". Words of the format may follow on the same line.
   void passOverWords() {
     const TextScanner before = scanner_;
     const std::string_view word = scanner_.wordOnLine();
@@ -200,7 +201,7 @@ class AsciiReader {
   TextScanner scanner_;
   const ReadLimits& limits_;
   PolygonSoup soup_;
-  std::size_t wordsAfterFacets_ = 0;  // lines that have some
+  std::size_t wordsAfterFacets_ = 0;  // number of lines with such words
   std::size_t firstLineOfWords_ = 0;
 };
 

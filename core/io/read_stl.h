@@ -5,17 +5,17 @@
 
 namespace qrelief {
 
-/// True if the size is exactly what a binary STL of the announced number of facets has: then it is one, whatever its
-/// header says.
+/// Returns true if the size is exactly right for a binary STL with the announced number of facets. Such a file is
+/// binary STL, whatever its header says.
 bool isBinaryStl(std::span<const std::uint8_t> bytes);
 
-/// True if it begins with "solid", a name, and "facet" or "endsolid" in a later line.
+/// Returns true if the file begins with "solid" and a name, and a later line has "facet" or "endsolid".
 bool looksLikeAsciiStl(std::span<const std::uint8_t> bytes);
 
-/// Binary and ASCII STL: three new positions a facet, nothing welded; normals, colours and names are passed over.
+/// Reads binary and ASCII STL: three new positions per facet, nothing welded. Skips normals, colours and names.
 ///
-/// It is binary if the size is 84 + 50·facets, ASCII if it begins with "solid" and "facet" follows, else binary.
-/// ASCII files may hold several solids one after the other; words behind "endfacet" are passed over with a warning.
+/// The file is binary if its size is 84 + 50·facets, ASCII if it begins with "solid" and "facet" follows, otherwise
+/// binary. ASCII files may hold several solids one after the other; words after "endfacet" are skipped with a warning.
 /// @returns BadInput naming sizes, facet or line
 Result<PolygonSoup> readStl(std::span<const std::uint8_t> bytes, const ReadLimits& limits);
 

@@ -22,7 +22,8 @@ constexpr std::size_t kFewestUnits = 8;
 constexpr std::array<std::string_view, 14> kObjKeywords = {"v", "vn", "vt", "vp",     "f",      "l",      "p",
                                                            "o", "g",  "s",  "mtllib", "usemtl", "cstype", "deg"};
 
-/// A "v" line with three numbers, and before it only blank lines, comments and keywords of OBJ.
+/// Returns true if there is a "v" line with three numbers, and before it only blank lines, comments and keywords of
+/// OBJ.
 bool looksLikeObj(std::string_view text) {
   TextScanner scanner(text.substr(0, kBytesLookedAt), '#');
   for (int i = 0; i < kLinesLookedAt && !scanner.atEnd(); ++i, scanner.restOfLine()) {
@@ -37,8 +38,8 @@ bool looksLikeObj(std::string_view text) {
   return false;
 }
 
-/// Whether the first 16-bit units are characters of ASCII text; behind a byte order mark three in four are enough, for
-/// comments in other scripts.
+/// Returns true if the first 16-bit units are characters of ASCII text. After a byte order mark three in four are
+/// enough, to allow comments in other scripts.
 bool looksLikeWideText(std::span<const std::uint8_t> bytes, bool bigEndian) {
   const std::uint8_t first = bytes[bigEndian ? 0 : 1], second = bytes[bigEndian ? 1 : 0];
   const bool marked = first == 0xfe && second == 0xff;

@@ -8,22 +8,22 @@
 
 namespace qrelief {
 
-/// The bytes as text, without a UTF-8 byte order mark.
+/// Returns the bytes as text, without a UTF-8 byte order mark.
 std::string_view textOf(std::span<const std::uint8_t> bytes);
 
-/// Walks through text word by word and knows the line: LF, CR LF and CR all end one.
+/// Walks through text word by word and counts lines: LF, CR LF and CR all end one.
 class TextScanner {
  public:
-  /// @param comment  a character that begins a comment to the end of the line, at the start of a word; 0 for none
+  /// @param comment  character that begins a comment at the start of a word; the comment ends with the line. 0 for none
   explicit TextScanner(std::string_view text, char comment = 0) : text_(text), comment_(comment) {}
 
-  /// The next word on this or a later line; empty at the end of the text.
+  /// Returns the next word on this or a later line; empty at the end of the text.
   std::string_view word();
 
-  /// The next word on this line; empty at its end.
+  /// Returns the next word on this line; empty at its end.
   std::string_view wordOnLine();
 
-  /// What is left of this line, without its end; moves to the next one.
+  /// Returns the rest of this line, without its end, and moves to the next line.
   std::string_view restOfLine();
 
   bool atEnd() const { return position_ >= text_.size(); }

@@ -87,7 +87,7 @@ class ModelHandler : public XmlHandler {
     Component,
     Build,
     Item,
-    Other  ///< passed over with all that is in it
+    Other  ///< skipped with everything in it
   };
 
   static Place placeOf(const XmlElement& element, Place parent) {
@@ -139,7 +139,7 @@ class ModelHandler : public XmlHandler {
       if (known == kUnits.end()) return badInput(message("3mf-unit", with::quoted("unit", excerpt(*unit))));
       model_.unitMm = known->mm;
     }
-    // Extensions that change the geometry. Colours and triangle names do not, nor do slices beside a full mesh.
+    // Refuse extensions that change the geometry. Colours, triangle names and slices in addition to a full mesh do not.
     TextScanner prefixes(element.attribute("requiredextensions").value_or(""));
     for (std::string_view prefix = prefixes.word(); !prefix.empty(); prefix = prefixes.word()) {
       const auto space = spaces_.find(std::string(prefix));
@@ -261,7 +261,7 @@ class ModelHandler : public XmlHandler {
 
   Status endObject() {
     if (!hasContent_) return badObject(message("3mf-no-content"));
-    for (std::size_t t = 0; t < object_->triangles.size(); ++t)  // some may have stood before their vertices
+    for (std::size_t t = 0; t < object_->triangles.size(); ++t)  // triangles may come before their vertices
       for (const std::uint32_t v : object_->triangles[t])
         if (!hasVertex(v)) return badTriangle(t + 1, noSuchVertex(v, object_->positions.size()));
     return {};
@@ -274,7 +274,7 @@ class ModelHandler : public XmlHandler {
   ThreeMfObject* object_ = nullptr;
   std::uint32_t objectId_ = 0;
   bool hasContent_ = false;
-  bool verticesEnded_ = false;  // of the object's mesh: what a triangle asks for has to be there
+  bool verticesEnded_ = false;  // for the object's mesh; from then on, a triangle's vertices must exist
   std::size_t vertices_ = 0, triangles_ = 0, entries_ = 0;
 };
 

@@ -11,43 +11,43 @@
 
 namespace qrelief {
 
-/// Rows of a 3MF transform: a point p becomes p.x·x + p.y·y + p.z·z + origin.
+/// Rows of a 3MF transform: it maps a point p to p.x·x + p.y·y + p.z·z + origin.
 struct Affine {
   Vec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1}, origin{0};
 
   Vec3 operator()(Vec3 p) const { return p.x * x + p.y * y + p.z * z + origin; }
-  /// First `inner`, then this.
+  /// Returns the transform that applies `inner` first and then this one.
   Affine after(const Affine& inner) const;
   double determinant() const;
 };
 
-/// An object put somewhere: a component of another object, or an item of the build.
+/// An object with a transform: a component of another object, or an item of the build.
 struct ThreeMfInstance {
-  std::string path;  ///< of the model part that holds the object; empty: the same part
+  std::string path;  ///< the model part that holds the object; empty: the same part
   std::uint32_t object = 0;
   Affine transform;
-  std::string partNumber;  ///< of an item
+  std::string partNumber;  ///< build items only
 };
 
-/// One object: a mesh, or components.
+/// A 3MF object: a mesh or a list of components.
 struct ThreeMfObject {
   std::string name, type = "model";
   std::vector<Vec3> positions;
   std::vector<Triangle> triangles;  ///< all indices valid
   std::vector<ThreeMfInstance> components;
-  bool isInSlices = false;  ///< a stack of slices has the shape; the mesh is a rough stand-in
+  bool isInSlices = false;  ///< the shape is a stack of slices; the mesh is a rough stand-in
 };
 
-/// One model part of a package.
+/// A model part of a package.
 struct ThreeMfModel {
   double unitMm = 1;
   std::map<std::uint32_t, ThreeMfObject> objects;
-  bool hasBuild = false;  ///< whether there is a <build>; parts beside the start part need none
+  bool hasBuild = false;  ///< true if there is a <build>; only the start part needs one
   std::vector<ThreeMfInstance> items;
 };
 
 /// Reads a model part [3MF core specification 1.3, production extension 1.1, slice extension 1.0.2 as far as it says
-/// which meshes are stand-ins]. Skips everything but geometry, such as colours, textures and metadata.
+/// which meshes are stand-ins]. Reads only geometry; skips colours, textures and metadata, for example.
 /// @param part    its name, for messages
 /// @param limits  at most maxTriangles triangles, three times as many vertices, and 100 000 objects, components and
 ///                items

@@ -14,23 +14,24 @@
 namespace qrelief {
 namespace {
 
-/// Nodes and corners that ear clipping looks at before it gives up. A spiral of a million corners takes 530 a corner;
-/// only a million spikes on one spot take more. The second pair holds once an outline has turned out not to be simple.
+/// Number of nodes and corners that ear clipping looks at before it gives up. A spiral of a million corners takes 530
+/// per corner; only a million spikes on one spot take more. The second pair applies once an outline has turned out not
+/// to be simple.
 constexpr std::size_t kMinTests = 100'000'000, kTestsPerCorner = 1000;
 constexpr std::size_t kMinCrossedTests = 1'000'000, kTestsPerCrossedCorner = 50;
 
-/// Of outlines with more corners the shortest cuts are made first: see EarClipper::Look.
+/// Number of corners above which ear clipping makes the shortest cuts first: see EarClipper::Look.
 constexpr std::size_t kLargeOutline = 1000;
 
 Vec3 newellNormal(std::span<const Vec3> corners) {
-  // About the first corner: far-away polygons would lose the area to cancellation.
+  // Relative to the first corner; otherwise cancellation would lose the area of far-away polygons.
   Vec3 sum(0);
   for (std::size_t i = 1; i + 1 < corners.size(); ++i)
     sum += glm::cross(corners[i] - corners[0], corners[i + 1] - corners[0]);
   return sum;
 }
 
-/// The polygon in its plane, counter-clockwise.
+/// Returns the polygon in its plane, counter-clockwise.
 std::vector<Vec2> flattened(std::span<const Vec3> corners, Vec3 normal) {
   const Vec3 axis = std::abs(normal.x) <= std::abs(normal.y) && std::abs(normal.x) <= std::abs(normal.z) ? Vec3(1, 0, 0)
                     : std::abs(normal.y) <= std::abs(normal.z)                                           ? Vec3(0, 1, 0)
@@ -43,13 +44,13 @@ std::vector<Vec2> flattened(std::span<const Vec3> corners, Vec3 normal) {
   return flat;
 }
 
-/// A left turn at b whose sine is more than `straightSine`.
+/// Returns true for a left turn at b whose sine is more than `straightSine`.
 bool turnsLeft(Vec2 a, Vec2 b, Vec2 c, double straightSine = kStraightSine) {
   return cross2(b - a, c - b) > straightSine * glm::length(b - a) * glm::length(c - b);
 }
 
-/// Fan about corner `apex`, if all its triangles have area and the right sense. Such triangles cover a simple outline
-/// once: a map of the disc that nowhere folds is one-to-one if it is on the boundary.
+/// Returns true if all triangles of the fan about corner `apex` have area and the right sense. Such triangles cover a
+/// simple outline once: a map of the disc that nowhere folds is one-to-one if it is so on the boundary.
 bool fanIsValid(std::span<const Vec2> flat, std::size_t apex) {
   const std::size_t n = flat.size();
   for (std::size_t i = 1; i + 1 < n; ++i)
@@ -64,15 +65,15 @@ void appendFan(std::span<const std::uint32_t> outline, std::size_t apex,
     triangles.push_back({outline[apex], outline[(apex + i) % n], outline[(apex + i + 1) % n]});
 }
 
-/// Inside or on the border of the counter-clockwise triangle, its corners excepted.
+/// Returns true if p lies inside the counter-clockwise triangle or on its border, but not on a corner.
 bool blocks(Vec2 p, Vec2 a, Vec2 b, Vec2 c) {
   if (p == a || p == b || p == c) return false;
   return cross2(b - a, p - a) >= 0 && cross2(c - b, p - b) >= 0 && cross2(a - c, p - c) >= 0;
 }
 
 /// The reflex corners of an outline in a tree of boxes. A node is halved at the outline's middle or across its box,
-/// whichever gives the smaller boxes: the one suits long thin spikes side by side, the other all else. It knows how
-/// many of its corners are left.
+/// whichever gives the smaller boxes: the first suits long thin spikes side by side, the second everything else. Each
+/// node counts its remaining corners.
 class ReflexTree {
  public:
   ReflexTree(std::span<const Vec2> flat, std::vector<std::uint32_t> reflex) : flat_(flat), order_(std::move(reflex)) {
@@ -168,13 +169,13 @@ class ReflexTree {
   }
 
   std::span<const Vec2> flat_;
-  std::vector<std::uint32_t> order_;   // reflex corners, those of a node side by side
-  std::vector<std::uint32_t> leafOf_;  // of each corner of the outline; 0: not in the tree
+  std::vector<std::uint32_t> order_;   // reflex corners; the corners of a node are adjacent
+  std::vector<std::uint32_t> leafOf_;  // leaf of each corner of the outline; 0: not in the tree
   std::vector<Node> nodes_;            // node i has the children 2i and 2i + 1; the root is 1
 };
 
-/// Ear clipping on a ring of corners. A cut can make ears of its two neighbours only, so these alone are looked at
-/// again: a simple outline takes at most three looks a corner.
+/// Ear clipping on a ring of corners. A cut can turn only its two neighbours into ears, so only these are looked at
+/// again: a simple outline takes at most three looks per corner.
 class EarClipper {
  public:
   explicit EarClipper(std::span<const Vec2> flat)
@@ -196,13 +197,13 @@ class EarClipper {
 
   PolygonTriangles clipAll() {
     PolygonTriangles result;
-    std::uint32_t corner = 0;  // one that is left
+    std::uint32_t corner = 0;  // any remaining corner
     while (left_ > 3 && tests_ < maxTests_) {
       const std::size_t before = left_;
       lookAtAll(corner);
       clipEars(corner, result);
       if (left_ < before || left_ <= 3 || tests_ >= maxTests_) continue;
-      if (std::exchange(straightSine_, 0.0) > 0) continue;  // very acute corners look straight, too
+      if (std::exchange(straightSine_, 0.0) > 0) continue;  // very acute corners also look straight
       if (std::exchange(result.simple, false))
         maxTests_ = std::min(maxTests_, tests_ + kMinCrossedTests + kTestsPerCrossedCorner * left_);
       corner = clip(corner, result);
@@ -219,8 +220,8 @@ class EarClipper {
   }
 
  private:
-  /// A corner that may be an ear. Of a large outline the shortest cuts come first, which keeps the ears small and the
-  /// tree's answers near; of others the first entry.
+  /// A corner that may be an ear. In a large outline the shortest cuts come first, which keeps the ears small and the
+  /// tree's answers near. In other outlines the first entry comes first.
   struct Look {
     double cut;
     std::uint64_t entry;
@@ -249,18 +250,19 @@ class EarClipper {
     for (std::size_t i = 0; i < left_; ++i, from = next_[from]) lookAt(from);
   }
 
-  /// @param corner  becomes one that is left
+  /// Clips the ears in the queue.
+  /// @param corner  becomes a remaining corner
   void clipEars(std::uint32_t& corner, PolygonTriangles& result) {
     for (; !queue_.empty() && left_ > 3 && tests_ < maxTests_;) {
       const auto [cut, entry, i, turn] = queue_.top();
       queue_.pop();
-      if (turn != turn_[i] || !isEar(i)) continue;  // it was clipped, or waits farther behind
+      if (turn != turn_[i] || !isEar(i)) continue;  // already clipped, or queued again farther back
       corner = clip(i, result);
     }
   }
 
   /// Cuts the corner off. Its neighbours go to the end of the queue, so that the cuts are spread over the outline.
-  /// @returns the corner after the next
+  /// @returns the corner after the next one
   std::uint32_t clip(std::uint32_t i, PolygonTriangles& result) {
     const std::uint32_t before = previous_[i];
     const std::uint32_t after = next_[i];
@@ -285,7 +287,7 @@ class EarClipper {
   std::vector<std::uint32_t> next_, previous_;
   ReflexTree reflex_{{}, {}};  // a convex corner never becomes reflex
   std::priority_queue<Look, std::vector<Look>, std::greater<>> queue_;
-  std::vector<std::uint32_t> turn_;  // of a corner's last entry; others do not count
+  std::vector<std::uint32_t> turn_;  // the turn of each corner's last entry; older entries are void
   std::uint64_t entries_ = 0;
   std::size_t tests_ = 0;
 };

@@ -10,20 +10,20 @@
 
 namespace qrelief {
 
-/// n - 2 triangles over a polygon's corners, in the polygon's own direction of rotation.
+/// The n - 2 triangles of a polygon with n corners, in the polygon's own direction of rotation.
 struct PolygonTriangles {
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< indices into the polygon's corners
-  bool simple = true;     ///< false: no clean triangulation was found; the polygon crosses itself or has no area
-  std::size_t tests = 0;  ///< steps that ear clipping took
+  bool simple = true;     ///< false: the polygon crosses itself or has no area, so no clean triangulation was found
+  std::size_t tests = 0;  ///< number of ear-clipping steps
 };
 
-/// Triangulates a polygon in its own plane (Newell's normal): a fan where that is valid (of a quadrilateral's two the
-/// one with the shorter diagonal), else ear clipping [Meisters 1975] with the reflex corners in a tree of boxes.
-/// Concave corners, straight corners and holes that are joined to the outline by a doubled edge are fine. The triangles
-/// always span the same closed outline, so neighbouring polygons stay joined even where one is not simple.
+/// Triangulates a polygon in its own plane (Newell's normal). Uses a fan where one is valid (for a quadrilateral, the
+/// fan with the shorter diagonal), otherwise ear clipping [Meisters 1975] with the reflex corners in a tree of boxes.
+/// Concave corners, straight corners and holes joined to the outline by a doubled edge are fine. The triangles always
+/// span the same closed outline, so neighbouring polygons stay joined even where one is not simple.
 ///
-/// Cost: O(n) for a fan, O(n log n) for ear clipping as a rule; never more than a fixed number of tests a corner, after
-/// which the rest is fanned and `simple` is false.
+/// Cost: O(n) for a fan, usually O(n log n) for ear clipping. The number of tests per corner is limited; beyond the
+/// limit the rest becomes a fan and `simple` is false.
 /// @param corners  at least 3, finite
 PolygonTriangles triangulatePolygon(std::span<const Vec3> corners);
 

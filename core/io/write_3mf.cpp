@@ -15,10 +15,10 @@ namespace {
 constexpr std::string_view kXml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
 constexpr std::size_t kPieceBytes = 256 * 1024;
 
-/// Characters that XML 1.0 has no place for, though UTF-8 has: U+FFFE and U+FFFF.
+/// Returns true for characters that UTF-8 can hold but XML 1.0 cannot: U+FFFE and U+FFFF.
 bool isNoCharacter(std::string_view sequence) { return sequence == "\xEF\xBF\xBE" || sequence == "\xEF\xBF\xBF"; }
 
-/// As the value of an attribute; what XML cannot hold becomes a question mark.
+/// Escapes a text for the value of an attribute. Characters that XML cannot hold become question marks.
 std::string escaped(std::string_view text) {
   std::string result;
   while (!text.empty()) {
@@ -45,7 +45,7 @@ std::string escaped(std::string_view text) {
   return result;
 }
 
-/// A body and the numbers it goes by in the file.
+/// A body and its numbers in the file.
 struct NumberedBody {
   const ModelBody* body;
   std::string name;
@@ -55,14 +55,14 @@ struct NumberedBody {
 
 struct NumberedObject {
   std::string name;
-  std::size_t id;  ///< of the body itself if there is one only
+  std::size_t id;  ///< id of the body itself if there is only one
   std::vector<NumberedBody> bodies;
   const ModelObject* object;
 };
 
-/// Everything's numbers: colour group 1, then bodies and objects from 2 on.
+/// Numbers of everything in the file: colour group 1, then bodies and objects from 2 on.
 struct Numbering {
-  std::vector<Colour> colours;  ///< each once, in order of appearance; empty: nothing has a colour
+  std::vector<Colour> colours;  ///< each once, in order of appearance; empty if nothing has a colour
   std::vector<NumberedObject> objects;
 
   Numbering(std::span<const ModelObject> objectsToWrite, const std::string& title) {
@@ -92,7 +92,7 @@ struct Numbering {
   }
 };
 
-/// Text that goes into the archive piece by piece, the last one by finish().
+/// Text that goes into the archive piece by piece; finish() writes the last piece.
 class PartText {
  public:
   explicit PartText(ZipWriter& zip) : zip_(zip) {}

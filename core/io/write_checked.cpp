@@ -11,8 +11,8 @@
 namespace qrelief {
 namespace {
 
-/// Bit for bit; of an object that is moved, but for the last digit: the file has the fewest digits that give the number
-/// again, and their sum with the offset may round the other way.
+/// Compares bit for bit. In an object with an offset the last digit may differ: the file has the fewest digits that
+/// give the number again, and their sum with the offset may be rounded the other way.
 bool isEqual(Vec3 read, Vec3f written, Vec3 offset) {
   if (offset == Vec3(0)) return Vec3f(read) == written;
   const Vec3 expected = Vec3(written) + offset;
@@ -24,7 +24,7 @@ bool isEqual(Vec3 read, Vec3f written, Vec3 offset) {
   return true;
 }
 
-/// How many triangles of the soup, in its order, are those of the bodies; all of them if it is what was written.
+/// Counts the leading triangles of the soup that equal those of the bodies, in order; all of them if the file is right.
 std::size_t countEqual(const PolygonSoup& soup, std::span<const ModelObject> objects) {
   std::size_t equal = 0;
   for (const ModelObject& object : objects)

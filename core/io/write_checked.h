@@ -5,12 +5,12 @@
 
 namespace qrelief {
 
-/// writeModel(), and the very bytes read back: every triangle must come out in its place, its corners bit for bit;
-/// those of an object that is moved, but for the last digit.
-/// Welded by equal positions, as every reader of a solid does, they then are the same solid as what was written.
+/// Calls writeModel() and reads the bytes back. Every triangle must come out in its place with its corners bit for bit;
+/// in an object with an offset, the last digit may differ. After welding equal positions, as every parser of solids
+/// does, the triangles are the solid that was written.
 ///
-/// Cost: that of writing and of reading.
-/// @returns BadUsage as writeModel(); Internal if the file says anything else than it should
+/// Cost: writing the file and reading it once.
+/// @returns BadUsage as writeModel(); Internal if the file differs from the input
 Result<std::vector<std::uint8_t>> writeChecked(std::span<const ModelObject> objects, ModelFormat format,
                                                const WriteOptions& options = {});
 

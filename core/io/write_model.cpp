@@ -11,7 +11,7 @@
 namespace qrelief {
 namespace {
 
-/// One surface of all bodies, for formats that know no objects.
+/// Joins all bodies into one surface, for formats without objects.
 Mesh joined(std::span<const ModelObject> objects) {
   Mesh mesh;
   for (const ModelObject& object : objects)

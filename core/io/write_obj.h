@@ -5,7 +5,7 @@
 
 namespace qrelief {
 
-/// Wavefront OBJ: `o`, `v` and `f` lines; numbers are the shortest that give the same 32-bit floats.
+/// Writes Wavefront OBJ: `o`, `v` and `f` lines. Numbers are the shortest that give the same 32-bit floats.
 std::vector<std::uint8_t> writeObj(std::span<const ModelObject> objects, const WriteOptions& options);
 
 }  // namespace qrelief

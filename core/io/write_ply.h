@@ -5,7 +5,7 @@
 
 namespace qrelief {
 
-/// PLY 1.0, binary little endian, positions as 32-bit floats bit for bit.
+/// Writes PLY 1.0, binary little endian, with positions as 32-bit floats bit for bit.
 std::vector<std::uint8_t> writePly(std::span<const ModelObject> objects, const WriteOptions& options);
 
 }  // namespace qrelief

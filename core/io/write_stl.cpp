@@ -23,7 +23,7 @@ void append(std::vector<std::uint8_t>& bytes, const void* value, std::size_t siz
 }  // namespace
 
 std::vector<std::uint8_t> writeStl(const Mesh& mesh, std::string_view title) {
-  // Readers that trust the word take a file that begins with "solid" for text.
+  // Some parsers take any file that begins with "solid" for text.
   std::string header = title.starts_with("solid") ? "binary " + std::string(title) : std::string(title);
   header.resize(kTitleBytes, ' ');
   std::vector<std::uint8_t> bytes;

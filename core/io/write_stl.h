@@ -9,11 +9,11 @@
 
 namespace qrelief {
 
-/// Binary STL: 80-byte header, count, 50 bytes a triangle, little endian; positions bit for bit.
+/// Writes binary STL: 80-byte header, count, 50 bytes per triangle, little endian; positions bit for bit.
 /// @param title  goes into the header, cut to 80 bytes; never begins with "solid"
 std::vector<std::uint8_t> writeStl(const Mesh& mesh, std::string_view title = "QRelief");
 
-/// ASCII STL; numbers are the shortest that give the same 32-bit floats.
+/// Writes ASCII STL. Numbers are the shortest that give the same 32-bit floats.
 /// @param title  the solid's name
 std::vector<std::uint8_t> writeAsciiStl(const Mesh& mesh, std::string_view title = "QRelief");
 

@@ -15,7 +15,7 @@ constexpr char kBetweenSpaceAndName = '\n';
 constexpr int kMaxDepth = 100;
 constexpr XML_Index kMaxTagBytes = 1 << 20;
 
-/// What Expat hands back to its callbacks.
+/// State that Expat passes to its callbacks.
 struct Session {
   XML_Parser parser = nullptr;
   XmlHandler& handler;
@@ -117,7 +117,7 @@ Status readXml(ZipStream& stream, const std::string& part, XmlHandler& handler) 
       return failHere(message("xml-malformed", with::term("why", XML_ErrorString(XML_GetErrorCode(parser.get())))));
     }
     fed += static_cast<XML_Index>(piece->size());
-    // Expat keeps a tag or comment that has not ended, and looks at it again and again.
+    // Expat keeps an unfinished tag or comment and scans it again and again.
     if (more && fed - XML_GetCurrentByteIndex(parser.get()) > kMaxTagBytes)
       return failHere(message("xml-tag-too-long", with::count("limit", kMaxTagBytes)));
   }

@@ -25,7 +25,7 @@ constexpr std::uint32_t kZip64EndSignature = 0x06064b50;
 constexpr std::uint32_t kDirectorySignature = 0x02014b50;
 constexpr std::uint32_t kLocalSignature = 0x04034b50;
 constexpr std::uint16_t kZip64Field = 0x0001;
-constexpr std::uint32_t kSee64 = 0xffffffff;  // "the number is in the ZIP64 record"
+constexpr std::uint32_t kSee64 = 0xffffffff;  // the number is in the ZIP64 record
 constexpr std::uint16_t kEncrypted = 0x0001, kSizesFollow = 0x0008;
 constexpr std::size_t kPieceBytes = 64 * 1024;
 
@@ -33,12 +33,12 @@ tl::unexpected<Error> damaged(Message what) {
   return badInput(message("zip-damaged", with::cause("cause", std::move(what))));
 }
 
-/// @param what  follows the file's name
+/// @param what  text that follows the file's name
 tl::unexpected<Error> damagedFile(const ZipEntry& entry, Message what) {
   return damaged(message("zip-file", with::quoted("file", excerpt(entry.name)), with::cause("cause", std::move(what))));
 }
 
-/// Numbers of a record one after the other; whoever makes one has checked that the record is all there.
+/// Reads the numbers of a record one after the other. The caller must have checked that the record is complete.
 class Fields {
  public:
   explicit Fields(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
@@ -61,10 +61,10 @@ class Fields {
 
 struct Directory {
   std::uint64_t entries = 0, offset = 0, size = 0;
-  std::uint64_t end = 0;  ///< nothing of the directory or the files may reach beyond
+  std::uint64_t end = 0;  ///< limit that neither the directory nor the files may pass
 };
 
-/// The end record is the last thing in the file, but for a comment of the length it states.
+/// Finds the end record. It is the last thing in the file, except for a comment of the length it states.
 Result<std::size_t> findEndRecord(std::span<const std::uint8_t> bytes) {
   if (bytes.size() < kEndRecordBytes) return damaged(message("zip-too-short", with::count("count", bytes.size())));
   const std::size_t last = bytes.size() - kEndRecordBytes;
@@ -122,13 +122,13 @@ Result<Directory> findDirectory(std::span<const std::uint8_t> bytes) {
   return directory;
 }
 
-/// One line of the directory, and where its file begins.
+/// A line of the directory, and the start of its file.
 struct Listed {
   ZipEntry entry;
   std::uint64_t packedSize = 0, localHeader = 0;
 };
 
-/// The numbers that did not fit into 32 bits, in this order.
+/// Reads the numbers that did not fit into 32 bits, in this order.
 bool take64(std::span<const std::uint8_t> extra, std::array<std::uint64_t*, 3> numbers) {
   for (Fields fields(extra); fields.left() >= 4;) {
     const std::uint16_t kind = fields.u16();
@@ -150,7 +150,7 @@ bool take64(std::span<const std::uint8_t> extra, std::array<std::uint64_t*, 3> n
   return std::none_of(numbers.begin(), numbers.end(), [](const std::uint64_t* n) { return *n == kSee64; });
 }
 
-/// Reads one line and moves on to the next.
+/// Reads a line and moves on to the next.
 Result<Listed> readListed(std::span<const std::uint8_t>& lines, std::uint64_t number) {
   const auto bad = [&](Message what) {
     return damaged(
@@ -182,7 +182,7 @@ Result<Listed> readListed(std::span<const std::uint8_t>& lines, std::uint64_t nu
   return listed;
 }
 
-/// Whether the numbers of a file's own header are those of the directory, where it has them.
+/// Returns true if the numbers of a file's local header, where given, equal those of the directory.
 bool agrees(Fields header, const Listed& listed) {
   header.skip(6);
   const std::uint16_t flags = header.u16(), method = header.u16();
@@ -194,8 +194,8 @@ bool agrees(Fields header, const Listed& listed) {
          (crc == listed.entry.crc && same(packedSize, listed.packedSize) && same(size, listed.entry.size));
 }
 
-/// Finds the compressed bytes; the local header must speak of the same file.
-/// @param limit  where the directory begins
+/// Finds the compressed bytes and checks that the local header describes the same file.
+/// @param limit  start of the directory
 Status findContent(std::span<const std::uint8_t> bytes, std::uint64_t limit, Listed& listed) {
   const auto bad = [&](Message what) { return damagedFile(listed.entry, std::move(what)); };
   const std::uint64_t at = listed.localHeader;
@@ -215,7 +215,7 @@ Status findContent(std::span<const std::uint8_t> bytes, std::uint64_t limit, Lis
   return {};
 }
 
-/// Files packed into each other's bytes are how small archives expand without end.
+/// Refuses files that share bytes: overlapping files let small archives expand without end.
 Status checkOverlap(std::span<const std::uint8_t> bytes, std::vector<Listed>& files) {
   std::sort(files.begin(), files.end(), [](const Listed& a, const Listed& b) { return a.localHeader < b.localHeader; });
   for (std::size_t i = 1; i < files.size(); ++i) {

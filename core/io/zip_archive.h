@@ -12,54 +12,55 @@
 
 namespace qrelief {
 
-/// Ways to keep a file [PKWARE APPNOTE 6.3, §4.4.5].
+/// Compression methods [PKWARE APPNOTE 6.3, §4.4.5].
 inline constexpr std::uint16_t kStored = 0, kDeflated = 8;
 
 /// One file of an archive.
 struct ZipEntry {
-  std::string name;  ///< as the archive has it
+  std::string name;  ///< as in the archive
   std::uint16_t flags = 0;
   std::uint16_t method = 0;              ///< kStored or kDeflated; others cannot be read
   std::uint32_t crc = 0;                 ///< CRC-32 of the content
-  std::uint64_t size = 0;                ///< of the content, bytes
-  std::span<const std::uint8_t> packed;  ///< the compressed bytes
+  std::uint64_t size = 0;                ///< size of the content, bytes
+  std::span<const std::uint8_t> packed;  ///< compressed bytes
 };
 
-/// The files of a ZIP archive in memory [PKWARE APPNOTE 6.3], ZIP64 included, found by the central directory only.
+/// The files of a ZIP archive in memory [PKWARE APPNOTE 6.3], ZIP64 included. Only the central directory says which
+/// files there are.
 ///
-/// Strict where laxness lets two readers see different files, or one file expand over and over: the local headers must
-/// bear out the directory, no two files may share bytes or a name. Nothing is unpacked by opening it.
+/// Strict where laxness would let two parsers see different files, or one file expand over and over: local headers must
+/// match the directory, and no two files may share bytes or a name. Opening an archive unpacks nothing.
 class ZipArchive {
  public:
-  /// @param bytes  the whole archive; has to outlive the archive object
-  /// @returns BadInput for anything malformed or on several disks
+  /// @param bytes  the whole archive; must outlive the archive object
+  /// @returns BadInput for anything malformed or split over several disks
   static Result<ZipArchive> open(std::span<const std::uint8_t> bytes);
 
-  /// The file of that name, or nullptr; names are compared as OPC asks for [ECMA-376 Part 2, §9.1]: without regard to
-  /// ASCII case, and "%20" is a blank.
+  /// Returns the file of that name, or nullptr. Compares names as OPC requires [ECMA-376 Part 2, §9.1]: without regard
+  /// to ASCII case, and "%20" is a blank.
   const ZipEntry* find(std::string_view name) const;
 
  private:
-  std::map<std::string, ZipEntry> entries_;  ///< by the form of the name that is compared
+  std::map<std::string, ZipEntry> entries_;  ///< keys are names in the form used for comparison
 };
 
 /// Unpacks one file, a bounded piece at a time.
 class ZipStream {
  public:
-  /// Files that expand to more than `kFreeBytes` must not expand more than `kMaxRatio`-fold; real models in XML expand
-  /// 4- to 30-fold, deflate's limit is 1032.
+  /// Files that expand to more than `kFreeBytes` must not expand more than `kMaxRatio`-fold. Real models in XML expand
+  /// 4- to 30-fold; the limit of deflate is 1032-fold.
   static constexpr std::uint64_t kMaxRatio = 200;
   static constexpr std::uint64_t kFreeBytes = std::uint64_t{16} << 20;
 
-  /// @returns BadInput if it is encrypted, packed by an unknown method, or expands beyond the limits
+  /// @returns BadInput if the file is encrypted, uses an unknown compression method or expands beyond the limits
   static Result<ZipStream> open(const ZipEntry& entry, std::uint64_t maxBytes);
 
   ZipStream(ZipStream&&) noexcept;
   ZipStream& operator=(ZipStream&&) noexcept;
   ~ZipStream();
 
-  /// The next piece, valid until the next call; empty at the end.
-  /// @returns BadInput if the data is damaged: not what it was packed from, by size or CRC
+  /// Returns the next piece, valid until the next call; empty at the end.
+  /// @returns BadInput if the data is damaged, that is, if its size or CRC does not match
   Result<std::span<const std::uint8_t>> next();
 
  private:

@@ -15,7 +15,8 @@ namespace {
 
 constexpr std::uint16_t kVersionNeeded = 20;  // deflate
 constexpr std::uint16_t kDate = 1 << 5 | 1;   // 1 January 1980, the format's first day
-constexpr int kLevel = 4;                     // on the text of meshes 6 % larger than zlib's default, in half the time
+constexpr int kLevel = 4;                     // text of meshes becomes 6 % larger than with zlib's default, in half the
+                                              // time
 constexpr int kMemoryLevel = 8;
 constexpr std::size_t kCrcInLocalHeader = 14;
 constexpr std::uint64_t kMaxBytes = 0xfffffffe;
@@ -52,7 +53,7 @@ struct ZipWriter::State {
     if (open) deflateEnd(&z);
   }
 
-  /// What the local header and the directory have in common.
+  /// Writes the fields that the local header and the directory share.
   void putCommon(const File& file) {
     put<std::uint16_t>(bytes, kVersionNeeded);
     put<std::uint16_t>(bytes, 0);  // flags

@@ -10,7 +10,7 @@
 
 namespace qrelief {
 
-/// Builds a ZIP archive in memory, deflated; the same content gives the same bytes (no time, no system in them).
+/// Builds a ZIP archive in memory, deflated. The same content gives the same bytes (no time or system is recorded).
 ///
 ///     ZipWriter zip;
 ///     zip.begin("a.txt"); zip.append("text"); …
@@ -20,12 +20,12 @@ class ZipWriter {
   ZipWriter();
   ~ZipWriter();
 
-  /// Begins a file, and ends the one before.
-  /// @param name  relative, ASCII, "/" between folders; each once
+  /// Begins a file and ends the previous one.
+  /// @param name  relative, ASCII, "/" between folders; use each name once
   void begin(std::string_view name);
-  /// More of the file that was begun last; compressed at once, so that a large file never is in memory as a whole.
+  /// Appends to the current file. Compresses at once, so a large file is never in memory as a whole.
   void append(std::string_view content);
-  /// Ends the archive; nothing may be called after it.
+  /// Ends the archive; call nothing after it.
   /// @returns BadUsage if it grew beyond the 4 GB of the plain format
   Result<std::vector<std::uint8_t>> finish();
 

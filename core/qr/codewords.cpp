@@ -34,7 +34,7 @@ constexpr std::array<std::array<int, kVersions>, 4> kBlocks = {{
 /// p of [table 9]: versions 1 to 3.
 constexpr std::array<std::array<int, 3>, 4> kMisdecodeReserve = {{{3, 2, 1}, {2, 0, 0}, {1, 0, 0}, {1, 0, 0}}};
 
-/// Modules outside the function patterns, format and version information.
+/// Returns the number of modules outside the function patterns, format and version information.
 int dataModules(int version) {
   int count = (16 * version + 128) * version + 64;
   if (version >= 2) {
@@ -45,7 +45,8 @@ int dataModules(int version) {
   return count;
 }
 
-/// Data modules in the order in which they are filled: pairs of columns from the right, upwards and downwards in turn.
+/// Returns the data modules in the order in which they are filled: pairs of columns from the right, alternately upwards
+/// and downwards.
 std::vector<int> dataModulesInOrder(const Symbol& symbol) {
   std::vector<int> order;
   bool upwards = true;
@@ -105,7 +106,7 @@ CodewordLayout layoutCodewords(const Symbol& symbol) {
     layout.codewordOfModule[i] = codeword;
     if (!symbol.flipped.empty() && symbol.flipped[i]) layout.isSpoilt[static_cast<std::size_t>(codeword)] = 1;
   }
-  // Codeword by codeword the blocks take turns, those that have no more are passed over; then the check codewords.
+  // Data codewords go to the blocks in turn, skipping blocks that are full; the check codewords follow.
   const int longest = s.codewordsOfBlock(s.blocks - 1) - s.checkCodewords;
   for (int i = 0; i < longest; ++i)
     for (int block = 0; block < s.blocks; ++block)

@@ -48,8 +48,8 @@ const Picture& pictureOf(FinderPattern pattern, ModulePattern modules) {
   return kNone;
 }
 
-/// Along one axis: +1 at the near end of a finder, -1 at the far end, 0 between, so that a corner module is one where
-/// both axes are not 0, and the values lead towards the finder's centre.
+/// Returns +1 at the near end of a finder, -1 at the far end, 0 between, along one axis. In a corner module neither
+/// axis gives 0, and the values point towards the finder's centre.
 int towardsCentre(int position, int size) {
   const int within = position < kFinderModules ? position : position - (size - kFinderModules);
   return within == 0 ? 1 : within == kFinderModules - 1 ? -1 : 0;

@@ -12,7 +12,7 @@ namespace qrelief {
 /// Submodules along a module's edge [Papp 2022, §5].
 inline constexpr int kSubmodulesPerModule = 5;
 
-/// Which submodules of a dark module are carved [Papp 2022, §6, figure 7].
+/// The carved submodules of a dark module [Papp 2022, §6, figure 7].
 ///
 ///     None     Square   ThinPlus Diamond  ThickPlus
 ///     #####    .....    .....    ..#..    .###.
@@ -25,12 +25,12 @@ enum class ModulePattern : std::uint8_t { None, Square, ThinPlus, Diamond, Thick
 /// Edge of a finder pattern, in modules.
 inline constexpr int kFinderModules = 7;
 
-/// The same for the 7×7 finder patterns [figure 9]. With Diamond and ThickPlus the four corner modules of the ring
-/// take a Square shifted by one submodule towards the finder's centre along both axes, so that it touches its
-/// neighbours. ThickPlusSharp has none of that: with its corners whole, more readers found it in simulated pictures.
+/// The carved submodules of the 7×7 finder patterns [figure 9]. With Diamond and ThickPlus, the four corner modules of
+/// the ring become a Square, shifted by one submodule towards the finder's centre along both axes so that it touches
+/// its neighbours. ThickPlusSharp keeps its corners whole: more decoders found it in simulated pictures.
 enum class FinderPattern : std::uint8_t { None, AsModules, Diamond, ThickPlus, ThickPlusSharp };
 
-/// The submodules to be carved: `size × size`, row-major from the symbol's top left, 1 = carved.
+/// The submodules to carve: `size × size`, row-major from the symbol's top left, 1 = carved.
 struct SubmoduleMask {
   int size = 0;  ///< kSubmodulesPerModule · symbol.size
   std::vector<std::uint8_t> carved;
@@ -40,7 +40,7 @@ struct SubmoduleMask {
 
 SubmoduleMask submodulesToCarve(const Symbol& symbol, ModulePattern modules, FinderPattern finders);
 
-/// Names that scripts rely on, "thin-plus".
+/// Return names that scripts rely on, such as "thin-plus".
 std::string_view modulePatternName(ModulePattern pattern);
 std::string_view finderPatternName(FinderPattern pattern);
 

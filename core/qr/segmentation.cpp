@@ -42,15 +42,16 @@ bool isWritable(char character, std::size_t mode) {
 
 int roundedUpToBits(int sixths) { return (sixths + kSixths - 1) / kSixths * kSixths; }
 
-using ModeCosts = std::array<int, kModes>;  ///< of the text so far, its last character written in each mode
+using ModeCosts = std::array<int, kModes>;  ///< cost of the text so far, if its last character is written in each mode
 
-/// For each character and each mode it may be written in: the mode of the character before it on the cheapest way.
+/// For each character and each of its modes: the mode of the previous character on the cheapest way.
 struct CheapestWays {
   std::vector<std::array<int, kModes>> modeBefore;
   int lastMode = 0;
 };
 
-/// A cheaper way to a mode stays the cheaper one, since the same characters follow and rounding up is monotonic.
+/// Finds the cheapest ways. A cheaper way to a mode stays cheaper, because the same characters follow and rounding up
+/// is monotonic.
 CheapestWays findCheapestWays(std::string_view text, int version) {
   CheapestWays ways;
   ways.modeBefore.resize(text.size());

@@ -12,14 +12,15 @@ namespace {
 
 constexpr double kDepthModules = 0.5;
 constexpr int kDirections = 32;
-constexpr double kReachModules = 8;  // a wall that far takes less than 0.4 % of the sky
+constexpr double kReachModules = 8;  // a wall at this distance takes less than 0.4 % of the sky
 
 bool isLight(const Symbol& symbol, int row, int column) {
   const bool inside = row >= 0 && column >= 0 && row < symbol.size && column < symbol.size;
   return !inside || !symbol.isDark(row, column);
 }
 
-/// From the middle of a module to the next light one, in modules, along a direction that is no multiple of 90°.
+/// Returns the distance from the middle of a module to the next light module, in modules, along a direction that is not
+/// a multiple of 90°.
 double distanceToLight(const Symbol& symbol, int row, int column, double angle) {
   const Vec2 along(std::cos(angle), std::sin(angle));  // columns, rows
   GridMarch march({column, row}, Vec2(0.5), along);
@@ -33,7 +34,7 @@ double fractionOf(const Symbol& symbol, int row, int column) {
   if (!symbol.isDark(row, column)) return 1;
   double sum = 0;
   for (int k = 0; k < kDirections; ++k) {
-    // Between the axes and the diagonals, along which two modules only touch.
+    // The directions lie between the axes and the diagonals, because two modules only touch along a diagonal.
     const double distance = distanceToLight(symbol, row, column, 2 * std::numbers::pi * (k + 0.5) / kDirections);
     sum += distance * distance / (distance * distance + kDepthModules * kDepthModules);
   }

@@ -7,26 +7,26 @@
 
 namespace qrelief {
 
-/// How open the dark areas of a symbol are, before anything is carved: the fraction of a uniform sky that the middle of
-/// each dark module would see, cosine-weighted, were all dark modules carved half a module deep. The smaller a dark
-/// area, the less light falls into it, and the less deep it has to be: "an isolated module gives higher contrast than
-/// one with dark neighbours" [Peng 2019, who take the area that is visible in the plane instead].
+/// Openness of a symbol's dark areas, before anything is carved: the fraction of a uniform sky, cosine-weighted, that
+/// the middle of each dark module would see if all dark modules were carved half a module deep. A smaller dark area
+/// receives less light and can be shallower: "an isolated module gives higher contrast than one with dark neighbours"
+/// [Peng 2019, who take the area that is visible in the plane instead].
 ///
 /// In each of 32 directions a wall of height h at distance d leaves d²/(d² + h²) of the sky.
 class SkyFraction {
  public:
   explicit SkyFraction(const Symbol& symbol);
 
-  /// Of a dark module with light ones all round.
+  /// Returns the fraction for a dark module with light ones all round.
   static double ofModuleAlone();
 
-  /// 0 … 1; 1 for light modules.
+  /// Returns the fraction for a module, 0 … 1; 1 for light modules.
   double of(int row, int column) const { return fractions_[static_cast<std::size_t>(row * size_ + column)]; }
 
-  /// Mean over the dark data modules; 0 if there are none.
+  /// Returns the mean over the dark data modules; 0 if there are none.
   double mean(const Symbol& symbol) const;
 
-  /// After one module has become light. Cost: that of the modules that could see it.
+  /// Updates the fractions after one module has become light. Cost: only modules that could see it are computed again.
   void update(const Symbol& symbol, int row, int column);
 
  private:

@@ -19,7 +19,7 @@ namespace {
 constexpr int kLargestVersion = 40;
 constexpr std::size_t kMostCharacters = 7089;  ///< digits in version 40-L, the most that any symbol holds
 
-// What libqrencode says of a module besides its colour.
+// Flags of a module in the output of libqrencode.
 constexpr unsigned kDarkBit = 1, kFormatBit = 4, kVersionBit = 8, kTimingBit = 16, kAlignmentBit = 32,
                    kFinderOrSeparatorBit = 64, kFunctionBit = 128;
 
@@ -50,8 +50,8 @@ QRecLevel toLibrary(ErrorCorrection level) {
 
 constexpr std::array kLevels = {ErrorCorrection::L, ErrorCorrection::M, ErrorCorrection::Q, ErrorCorrection::H};
 
-/// The smallest symbol from `version` on that holds the text in the segments that suit `version`; null if there is
-/// none (errno is ERANGE then).
+/// Encodes the text in the segments that suit `version`. Returns the smallest symbol from `version` on that holds them;
+/// null if there is none (errno is ERANGE then).
 CodeHandle encodeFrom(std::string_view text, int version, ErrorCorrection level) {
   InputHandle input(QRinput_new2(version, toLibrary(level)), &QRinput_free);
   if (!input) return {nullptr, &QRcode_free};
@@ -64,10 +64,10 @@ CodeHandle encodeFrom(std::string_view text, int version, ErrorCorrection level)
   return {QRcode_encodeInput(input.get()), &QRcode_free};
 }
 
-/// The best segments change with the length fields, at versions 10 and 27.
+/// Returns the last version with the same length fields. The best segments change with them, at versions 10 and 27.
 int lastVersionOfGroup(int version) { return version < 10 ? 9 : version < 27 ? 26 : kLargestVersion; }
 
-/// The smallest symbol that holds the text, of at least version `from`; null as in encodeFrom.
+/// Encodes the text in the smallest symbol of at least version `from`; null as in encodeFrom.
 CodeHandle encodeSmallest(std::string_view text, int from, ErrorCorrection level) {
   CodeHandle code = encodeFrom(text, from, level);
   const int last = lastVersionOfGroup(from);
@@ -80,7 +80,7 @@ int smallestVersion(std::string_view text, ErrorCorrection level) {
   return code ? code->version : 0;
 }
 
-/// What else could be asked for, told within the refusal: a larger version, a weaker error correction, or neither.
+/// Returns what would hold the text, for use within the refusal: a larger version, weaker error correction, or neither.
 Message whatWouldHold(std::string_view text, const SymbolOptions& options) {
   if (text.size() > kMostCharacters) return message("no-symbol-holds-it");
   const int asked = options.version.value_or(0);
@@ -118,14 +118,17 @@ bool isInFinder(int row, int column, int size) {
 
 ModuleRole roleOf(unsigned flags, bool inFinder) {
   if (flags & kFinderOrSeparatorBit) return inFinder ? ModuleRole::Finder : ModuleRole::Separator;
-  if (flags & kAlignmentBit) return ModuleRole::Alignment;  // before timing: some alignment patterns lie across it
+  if (flags & kAlignmentBit)
+    return ModuleRole::Alignment;  // must come before timing: some alignment patterns lie
+                                   // across it
   if (flags & kTimingBit) return ModuleRole::Timing;
   if (flags & kFormatBit) return ModuleRole::Format;
   if (flags & kVersionBit) return ModuleRole::Version;
-  return flags & kFunctionBit ? ModuleRole::Format : ModuleRole::Data;  // the dark module stands in the format area
+  return flags & kFunctionBit ? ModuleRole::Format : ModuleRole::Data;  // the dark module is in the format area
 }
 
-/// Bits 12 to 10 of the format information, in row 8, under the fixed mask 101 [ISO/IEC 18004, 7.9.1].
+/// Reads the mask from bits 12 to 10 of the format information, in row 8, under the fixed mask 101 [ISO/IEC 18004,
+/// 7.9.1].
 int maskOf(const Symbol& symbol) {
   const int bits = symbol.isDark(8, 2) << 2 | symbol.isDark(8, 3) << 1 | static_cast<int>(symbol.isDark(8, 4));
   return bits ^ 0b101;

@@ -14,28 +14,28 @@ namespace qrelief {
 
 enum class ErrorCorrection : std::uint8_t { L, M, Q, H };  ///< restores about 7, 15, 25, 30 % of the codewords
 
-/// "L", "M", "Q" or "H", and back; empty if there is no such level.
+/// Convert a level to "L", "M", "Q" or "H", and back; empty if there is no such level.
 std::string_view errorCorrectionName(ErrorCorrection level);
 std::optional<ErrorCorrection> errorCorrectionByName(std::string_view name);
 
-/// What a module is for [ISO/IEC 18004, figure 2]. Data includes error correction and remainder bits,
-/// Format the one module beside the lower left finder that is always dark.
+/// Function of a module [ISO/IEC 18004, figure 2]. Data includes error correction and remainder bits. Format includes
+/// the module next to the lower left finder that is always dark.
 enum class ModuleRole : std::uint8_t { Data, Finder, Separator, Timing, Alignment, Format, Version };
 
-/// How the mask is chosen.
+/// Rule that chooses the mask.
 enum class MaskRule : std::uint8_t {
   Standard,  ///< by the penalties of the standard [ISO/IEC 18004, 7.8.3]
-  Shadiest,  ///< whose dark modules would see the least sky (qr/symbol_shaping.h)
-  Fixed      ///< the one asked for
+  Shadiest,  ///< the mask whose dark modules would see the least sky (qr/symbol_shaping.h)
+  Fixed      ///< the requested mask
 };
 
 struct SymbolOptions {
   ErrorCorrection errorCorrection = ErrorCorrection::M;
-  std::optional<int> version = std::nullopt;  ///< 1 … 40; the smallest that holds the text if empty
-  bool raiseErrorCorrection = false;          ///< to the highest level that needs no larger version
+  std::optional<int> version = std::nullopt;  ///< 1 … 40; empty: the smallest that holds the text
+  bool raiseErrorCorrection = false;          ///< raise it to the highest level that needs no larger version
   MaskRule maskRule = MaskRule::Standard;
   int mask = 0;                   ///< Fixed: 0 … 7
-  bool breakUpDarkAreas = false;  ///< spend error correction on smaller dark areas (qr/symbol_shaping.h)
+  bool breakUpDarkAreas = false;  ///< spend error correction on making dark areas smaller (qr/symbol_shaping.h)
 
   bool operator==(const SymbolOptions&) const = default;
 };
@@ -48,37 +48,38 @@ struct Symbol {
   int size = 21;                   ///< 17 + 4·version
   std::vector<std::uint8_t> dark;  ///< 1 = dark
   std::vector<ModuleRole> roles;
-  std::vector<std::uint8_t> flipped;  ///< 1 = made light on purpose, for readers to restore; empty = none
+  std::vector<std::uint8_t> flipped;  ///< 1 = made light on purpose, for decoders to restore; empty = none
 
   bool isDark(int row, int column) const { return dark[static_cast<std::size_t>(row * size + column)] != 0; }
   ModuleRole role(int row, int column) const { return roles[static_cast<std::size_t>(row * size + column)]; }
 };
 
-/// Quiet zone that the standard asks for on each side, in modules.
+/// Quiet zone that the standard requires on each side, in modules.
 inline constexpr int kQuietZoneModules = 4;
 
 /// Encodes a text as UTF-8 bytes without ECI, as every phone expects [ISO/IEC 18004, by libqrencode]. Digits and
-/// capitals take their shorter modes where that saves bits (qr/segmentation.h), so the symbol is the smallest that the
+/// capitals get their shorter modes where that saves bits (qr/segmentation.h), so the symbol is the smallest that the
 /// standard allows.
 ///
 /// Cost: milliseconds.
 /// @param text  not empty, valid UTF-8, without NUL
-/// @returns BadInput if the text is empty, no UTF-8, or too long for the version and level asked for (says how long it
-///          is and what would hold it); BadUsage if there is no such version or mask
+/// @returns BadInput if the text is empty, not UTF-8, or too long for the requested version and level (the error gives
+///          its length and what would hold it); BadUsage if there is no such version or mask
 Result<Symbol> encodeSymbol(std::string_view text, const SymbolOptions& options = {});
 
-/// The smallest version that holds a text, by the bits that its segments take; 0: none does.
-/// Cost: microseconds a text, milliseconds the first time that so many bits occur.
+/// Cache of the smallest version that holds a text, by the bits that the text's segments take.
+/// Cost: microseconds per text, milliseconds for a new number of bits.
 class VersionsByLength {
  public:
   explicit VersionsByLength(ErrorCorrection level) : level_(level) {}
 
+  /// Returns the smallest version that holds the text; 0: none does.
   /// @param text  as for encodeSymbol()
   int smallest(std::string_view text);
 
  private:
   ErrorCorrection level_;
-  std::map<std::array<int, 3>, int> known_;  ///< by bits in each group of versions with the same length fields
+  std::map<std::array<int, 3>, int> known_;  ///< keys: bits in each group of versions with the same length fields
 };
 
 }  // namespace qrelief

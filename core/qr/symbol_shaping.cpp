@@ -14,8 +14,7 @@ namespace {
 constexpr int kMasks = 8;
 constexpr int kFormatBits = 15;
 
-/// The BCH code (15, 5) of level and mask, under the format's own mask
-/// [ISO/IEC 18004, 7.9.1].
+/// Returns the BCH code (15, 5) of level and mask, under the format's own mask [ISO/IEC 18004, 7.9.1].
 int formatInformation(ErrorCorrection level, int mask) {
   constexpr std::array<int, 4> kLevelBits = {0b01, 0b00, 0b11, 0b10};
   constexpr int kGenerator = 0b10100110111, kFormatMask = 0b101010000010010;
@@ -30,7 +29,7 @@ void setDark(Symbol& symbol, int row, int column, bool dark) {
   symbol.dark[static_cast<std::size_t>(row * symbol.size + column)] = dark ? 1 : 0;
 }
 
-/// Both copies, least significant bit first [ISO/IEC 18004, figure 25].
+/// Writes both copies, least significant bit first [ISO/IEC 18004, figure 25].
 void writeFormatInformation(Symbol& symbol, int bits) {
   const int last = symbol.size - 1;
   for (int i = 0; i < kFormatBits; ++i) {
@@ -48,7 +47,8 @@ void writeFormatInformation(Symbol& symbol, int bits) {
   }
 }
 
-/// Codewords of each block that may become wrong: what is left corrects as much as level L would.
+/// Returns the number of codewords of each block that may become wrong, so that the rest corrects as much as level L
+/// would.
 int sparedPerBlock(const BlockStructure& structure, int version) {
   const BlockStructure least = blockStructure(version, ErrorCorrection::L);
   const int kept = (least.correctable() * least.blocks + structure.blocks - 1) / structure.blocks;
@@ -97,7 +97,7 @@ void breakUpDarkAreas(Symbol& symbol) {
 
   symbol.flipped.assign(symbol.dark.size(), 0);
   SkyFraction sky(symbol);
-  // What sees no more than a module alone gains nothing for its neighbours.
+  // A module that sees no more sky than an isolated one is worth nothing to its neighbours when flipped.
   const double alone = SkyFraction::ofModuleAlone();
   for (;;) {
     std::size_t brightest = symbol.dark.size();

@@ -12,38 +12,41 @@
 #include "verification/grades.h"
 #include "verification/printability.h"
 
-/// Pieces that the reports of `engrave` and `verify` have in common.
+/// Pieces that the reports of `engrave` and `verify` share.
 namespace qrelief {
 
 inline nlohmann::ordered_json triple(Vec3 v) { return nlohmann::ordered_json::array({v.x, v.y, v.z}); }
 
-/// "iso15415" and "iso29158" of a report, marked as simulated.
+/// The parts "iso15415" and "iso29158" of a report, marked as simulated.
 struct GradeReports {
   nlohmann::ordered_json iso15415, iso29158;
 };
 GradeReports describeGrades(const SymbolGrades& grades);
 
-/// How messages are told, in reports that people read; none: as codes and values alone, for who words them itself.
+/// Functions that put messages into words, for reports that people read. If empty, messages are codes and values alone,
+/// for programs that word them.
 struct Wording {
   std::function<std::string(const Message&)> sentence = {}, hint = {};
 };
 
-/// {"code", "values"}, and with a wording {"message", "hint"}, too.
+/// Describe a message as {"code", "values"}, and with a wording {"message", "hint"}, too.
 nlohmann::ordered_json describeMessage(const Message& message, const Wording& wording);
 nlohmann::ordered_json describeMessages(const std::vector<Message>& messages, const Wording& wording);
 
-/// {"passed", "reads": {"level", "passed", "summary", "warnings", "reasons", "remedies"}, "prints", "solid"}; a remedy
-/// is a message with {"change": {"setting", "value"}}, which is absent where another place has to be chosen.
+/// Describe a verdict as {"passed", "reads": {"level", "passed", "summary", "warnings", "reasons", "remedies"},
+/// "prints", "solid"}. A remedy is a message with {"change": {"setting", "value"}}; "change" is absent if another place
+/// has to be chosen.
 nlohmann::ordered_json describeAspect(const Aspect& aspect, const Wording& wording);
 nlohmann::ordered_json describeVerdict(const Verdict& verdict, const Wording& wording);
 
-/// [{"azimuthDeg", "elevationDeg", "strength"}]
+/// Describes lamps as [{"azimuthDeg", "elevationDeg", "strength"}].
 nlohmann::ordered_json describeLights(const std::vector<DirectionalLight>& lights);
 
-/// {"process", "facingDeg", "tries", "reads", "readsNeeded", "read"}. @returns null if it was not found out
+/// Describes a print as {"process", "facingDeg", "tries", "reads", "readsNeeded", "read"}.
+/// @returns null if the print was not simulated
 nlohmann::ordered_json describePrinted(const std::optional<PrintedEvidence>& printed);
 
-/// @returns null for lengths that are not finite
+/// Describes the printed features. Lengths that are not finite become null.
 nlohmann::ordered_json describeFeatures(const CarvedFeatures& features, const Printer& printer);
 
 }  // namespace qrelief

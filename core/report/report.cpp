@@ -72,7 +72,7 @@ Json describeProjection(const EngraveRequest& request, const Placement& placemen
           {"iterations", iterations}};
 }
 
-/// Of the luminance that the depth search ended with, not of a picture.
+/// Adds the grades of the luminance that the depth search ended with, not of a picture.
 void addGrades(Json& verification, const EngraveRequest& request, const EngraveResult& result) {
   GradeReports grades =
       describeGrades(gradeSymbol(measureModules(result.symbol, result.luminance), static_cast<double>(request.albedo)));
@@ -153,7 +153,7 @@ std::string makeReport(const EngraveRequest& request, const EngravableModel& mod
                          {"write", context.writeMs}, {"total", context.totalMs}};
   if (context.spotMs > 0) report["timingsMs"]["spot"] = context.spotMs;
   report["gl"] = {{"renderer", context.gl.renderer}, {"version", context.gl.version}};
-  // Text that is no UTF-8 (a file name, say) must not lose the report.
+  // Text that is not UTF-8 (a file name, say) must not make the report fail.
   return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -12,23 +12,23 @@
 
 namespace qrelief {
 
-/// What the report says beside the result itself.
+/// Contents of the report in addition to the result itself.
 struct ReportContext {
   std::string fileName;
   std::string format;
   double scaleToMm = 1;
-  ReadingEvidence reading;                 ///< what decoders made of the pictures
-  std::optional<PrintedEvidence> printed;  ///< none: it was not found out
-  Verdict verdict;                         ///< of all that is known
-  std::string reader;                      ///< which decoder, "ZXing-C++ 1.4.0"
-  std::optional<Preset> askedPreset;       ///< where a deeper one was carved than was asked for
-  Wording wording;                         ///< of the messages
+  ReadingEvidence reading;                 ///< decoding results of the pictures
+  std::optional<PrintedEvidence> printed;  ///< none: the print was not simulated
+  Verdict verdict;                         ///< based on everything known
+  std::string reader;                      ///< name of the decoder, "ZXing-C++ 1.4.0"
+  std::optional<Preset> askedPreset;       ///< set if the preset carved is deeper than the one requested
+  Wording wording;                         ///< wording of the messages
   gl::Capabilities gl;
   double loadMs = 0, prepareMs = 0, writeMs = 0, totalMs = 0;
-  double spotMs = 0;  ///< to choose the centre, if none was given
+  double spotMs = 0;  ///< time to choose the centre, if none was given
 };
 
-/// The report as JSON with the stable keys of the contract (CHANGELOG says when one changes).
+/// Makes the report as JSON with the stable keys of the contract (CHANGELOG says when one changes).
 std::string makeReport(const EngraveRequest& request, const EngravableModel& model, const EngraveResult& result,
                        const ReportContext& context);
 

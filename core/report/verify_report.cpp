@@ -39,7 +39,7 @@ const char* nameOf(SymbolPose pose) {
   return "not found";
 }
 
-/// Throws what nlohmann's accessors throw.
+/// Reads the request. Throws the exceptions of nlohmann's accessors.
 Result<VerifyRequest> readRequest(const Json& report) {
   VerifyRequest request;
   request.text = report.at("text").get<std::string>();
@@ -175,7 +175,7 @@ std::string makeVerifyReport(const VerifyRequest& request, const VerifyResult& r
       describeLights(request.oneLight ? std::vector{*request.oneLight} : std::vector<DirectionalLight>());
   report["verification"] = describeReading(request, result, context);
   report["timingsMs"] = {{"total", context.totalMs}};
-  // Text that is no UTF-8 (a file name, say) must not lose the report.
+  // Text that is not UTF-8 (a file name, say) must not make the report fail.
   return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

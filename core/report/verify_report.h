@@ -10,28 +10,28 @@
 
 namespace qrelief {
 
-/// What an engraver's report (core/report/report.h) says of place, size, text and modules, and of the one light that it
-/// was carved for; nothing else of it is believed.
+/// Reads place, size, text, modules and the one light that the code was carved for from an engraver's report
+/// (core/report/report.h). Trusts nothing else in it.
 /// @param json  the report
 /// @returns BadInput naming the key that is missing or of the wrong kind
 Result<VerifyRequest> requestFromReport(std::string_view json);
 
-/// The symbol with the modules that a report lists: some may have been made light on purpose (Symbol::flipped).
+/// Returns the symbol with the modules listed in a report: some may have been made light on purpose (Symbol::flipped).
 /// @param rows  '1' = dark, top row first; as many as the symbol has
 Result<Symbol> withModules(Symbol symbol, const std::vector<std::string>& rows);
 
-/// What is said about a verified model beside the result itself.
+/// Contents of the report on a verified model in addition to the result itself.
 struct VerifyReportContext {
   std::string fileName;
   std::string format;
-  std::string reader;  ///< which reader, "ZXing-C++"
+  std::string reader;  ///< name of the decoder, "ZXing-C++"
   double totalMs = 0;
-  std::optional<PrintedEvidence> printed;  ///< none: it was not found out
+  std::optional<PrintedEvidence> printed;  ///< none: the print was not simulated
   Verdict verdict;                         ///< see verdict/verdict.h
-  Wording wording;                         ///< of the messages
+  Wording wording;                         ///< wording of the messages
 };
 
-/// The result as JSON. Keys as in the report of `engrave` where they mean the same.
+/// Makes the report as JSON. Keys are the same as in the report of `engrave` where they mean the same.
 std::string makeVerifyReport(const VerifyRequest& request, const VerifyResult& result,
                              const VerifyReportContext& context);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which values a setting takes: the checks of settings.h.
+// Implements the checks of settings.h: the values that a setting accepts.
 #include <cmath>
 
 #include "settings/settings.h"
@@ -10,9 +10,9 @@ namespace {
 using Kind = Setting::Kind;
 using Unit = Setting::Unit;
 
-bool isWithin(double value, double min, double max) { return value >= min && value <= max; }  // no NaN
+bool isWithin(double value, double min, double max) { return value >= min && value <= max; }  // false for NaN
 
-/// A number of a setting, or of a part of it.
+/// Checks a number of a setting, or of a part of one.
 Status checkNumber(const std::string& key, Unit unit, double value, double min, double max) {
   if (isWithin(value, min, max)) return {};
   switch (unit) {
@@ -52,7 +52,7 @@ Status checkVector(const Setting& setting, const Vec3& vector) {
               message("setting-no-length", with::setting("setting", setting.key), with::place("vector", vector)));
 }
 
-/// Settings that do not go together.
+/// Refuses settings that do not go together.
 Status checkTogether(const EngraveRequest& request) {
   const auto exclude = [](const char* setting, const char* value, const char* other, const char* otherValue) {
     return fail(ErrorKind::BadUsage,

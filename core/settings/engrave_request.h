@@ -19,74 +19,76 @@
 
 namespace qrelief {
 
-/// Which depth is deep enough.
+/// Criterion that makes a depth deep enough.
 enum class DepthObjective : std::uint8_t {
   Contrast,  ///< every submodule darker than its surroundings, as published: carving/depth_search.h
-  Reading,   ///< every module darker than its surroundings, as a reader sees it: carving/reading_search.h
+  Reading,   ///< every module darker than its surroundings, as a decoder sees it: carving/reading_search.h
   OneLight   ///< every submodule darker than its surroundings under one lamp: carving/one_light_search.h
 };
 
-/// "contrast", "reading" or "one-light".
+/// Returns "contrast", "reading" or "one-light".
 const char* depthObjectiveName(DepthObjective objective);
 
-/// DepthObjective::OneLight without a lamp of its own: as strong beside the sky as [Peng 2020] has it; from the
-/// symbol's top left, as drawings are lit: on a diagonal, long rows of dark modules throw no long shadows; and low,
-/// where a flat place needs the least depth (docs/decisions/0035).
+/// The lamp of DepthObjective::OneLight if the request has none. It is as strong relative to the sky as in [Peng 2020].
+/// It shines from the symbol's top left, as in drawings: along a diagonal, so that long rows of dark modules cast no
+/// long shadows. It is low, where a flat place needs the least depth (docs/decisions/0035).
 inline constexpr DirectionalLight kOneLight = {.azimuthDeg = 135, .elevationDeg = 20, .strength = 19};
 
-/// How the depths that DepthObjective::Contrast asks for are found.
+/// Method that finds the depths for DepthObjective::Contrast.
 enum class ContrastSolver : std::uint8_t {
   Fast,       ///< carving/fast_search.h
   PaperSteps  ///< as published: carving/depth_search.h
 };
 
-/// Which surface has to be dark enough.
+/// The surface that has to be dark enough.
 enum class CarveFor : std::uint8_t {
-  Design,  ///< the carved one, as the file has it
-  Print    ///< what the printer leaves of it, too: pipeline/contrast_for_print.h
+  Design,  ///< the carved surface, as in the file
+  Print    ///< the printed surface, too: pipeline/contrast_for_print.h
 };
 
-/// Everything that decides what comes out. What a person can set of it stands in the table of settings/settings.h.
+/// Everything that decides the result. The table of settings/settings.h lists what a person can set.
 struct EngraveRequest {
   std::string text;  ///< UTF-8, not empty
   SymbolOptions symbol;
-  std::optional<ModulePattern> modulePattern;  ///< none: pipeline/default_patterns.h
-  std::optional<FinderPattern> finderPattern;  ///< likewise
+  std::optional<ModulePattern> modulePattern;  ///< none: see pipeline/default_patterns.h
+  std::optional<FinderPattern> finderPattern;  ///< none: the same
   PlacementRequest placement;
   DepthObjective objective = DepthObjective::Contrast;
-  /// Other than flat for DepthObjective::Contrast by ContrastSolver::Fast only.
+  /// Only Flat works with objectives other than DepthObjective::Contrast and with solvers other than
+  /// ContrastSolver::Fast.
   FloorShape floor = FloorShape::Flat;
-  Preset preset = Preset::Balanced;  ///< how dark carved submodules are; where the code does not read, a deeper one
-  bool keepPreset = false;  ///< carve no deeper than the preset says, whether the code and its print read or not
-  /// A carved submodule is darker than its surroundings by this fraction, 0 < c < 1; none: that of the preset.
+  Preset preset = Preset::Balanced;  ///< darkness of carved submodules; a code that does not read gets a deeper preset
+  bool keepPreset = false;  ///< never carve deeper than the preset, even if the code or its print does not read
+  /// Fraction by which a carved submodule is darker than its surroundings, 0 < c < 1; none: the preset's contrast.
   std::optional<double> contrast;
   ContrastSolver solver = ContrastSolver::Fast;
   ReadingOptions reading;
-  /// Print counts for flat floors by ContrastSolver::Fast without lamps, if a process is known; else Design does.
+  /// Print takes effect for flat floors by ContrastSolver::Fast without lamps, if a process is known; otherwise Design
+  /// applies.
   CarveFor carveFor = CarveFor::Design;
-  std::optional<double> maxDepthMm;      ///< none: pipeline/default_patterns.h
-  double minWallMm = 0.8;                ///< material that stays behind every floor, ≥ 0
-  float albedo = 0.7f;                   ///< of the printed material
-  std::vector<DirectionalLight> lights;  ///< beside the uniform sky, at most kMaxLights; see lamps()
+  std::optional<double> maxDepthMm;      ///< none: see pipeline/default_patterns.h
+  double minWallMm = 0.8;                ///< material left behind every floor, ≥ 0
+  float albedo = 0.7f;                   ///< reflectance of the printed material
+  std::vector<DirectionalLight> lights;  ///< in addition to the uniform sky, at most kMaxLights; see lamps()
   SurfaceMode surface = SurfaceMode::Preserved;
-  /// Which of namedPrinters() the printer was taken from; none: whether the code reads as printed is not found out.
+  /// Index of the printer in namedPrinters(); none: the print is not simulated.
   std::optional<std::size_t> process = 0;
-  Printer printer = namedPrinters()[0].printer;  ///< no depth is found more exactly than half a layer needs
-  BuildDirection buildUp;                        ///< how the model stands on it
-  bool inlay = false;         ///< make the body that fills the pockets as well, for printing in two colours
-  bool recordSearch = false;  ///< keep what every pass of the search for depths saw, in EngraveResult::search
+  Printer printer = namedPrinters()[0].printer;  ///< depths are found to within half a layer
+  BuildDirection buildUp;                        ///< orientation of the model on the printer
+  bool inlay = false;         ///< also make the body that fills the pockets, for printing in two colours
+  bool recordSearch = false;  ///< record what every pass of the depth search saw, in EngraveResult::search
 
   bool isForPrint() const {
     return carveFor == CarveFor::Print && process && lights.empty() && objective == DepthObjective::Contrast &&
            solver == ContrastSolver::Fast && floor == FloorShape::Flat;
   }
 
-  /// The lamps that it is carved for and judged under.
+  /// Returns the lamps that the code is carved for and judged under.
   std::vector<DirectionalLight> lamps() const {
     return objective == DepthObjective::OneLight && lights.empty() ? std::vector{kOneLight} : lights;
   }
 
-  /// That of the preset, unless one is asked for by itself.
+  /// Returns the contrast asked for by itself, or else the preset's.
   double contrastAsked() const { return contrast.value_or(presetContrast(preset)); }
 
   bool operator==(const EngraveRequest&) const = default;

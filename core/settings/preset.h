@@ -7,22 +7,22 @@
 
 namespace qrelief {
 
-/// How much is carved so that the code reads, by name. In simulated pictures, `thick-plus` modules were read by more
-/// readers than `square` ones at the same mean depth, so no preset changes the patterns; they differ in the contrast.
-/// Codes with whole finders take less of it, see pipeline/default_patterns.h.
+/// Named depths of carving. In simulated pictures, more decoders read `thick-plus` modules than `square` ones at the
+/// same mean depth, so all presets have the same patterns; they differ in contrast. Codes with whole finder patterns
+/// use less contrast, see pipeline/default_patterns.h.
 enum class Preset : std::uint8_t {
   Shallow,   ///< little depth, for reading from the front in even light
-  Balanced,  ///< for a lamp beside it, too; the default
+  Balanced,  ///< also for light from a lamp nearby; the default
   Robust     ///< deeper, for less even light
 };
 
-/// How much darker carved submodules must be.
+/// Returns the fraction by which carved submodules must be darker than their surroundings.
 double presetContrast(Preset preset);
 
-/// The next deeper one, if there is one.
+/// Returns the next deeper preset, if there is one.
 std::optional<Preset> deeperPreset(Preset preset);
 
-/// "shallow", "balanced" or "robust", and back; empty if there is no such preset.
+/// Convert a preset to "shallow", "balanced" or "robust", and back; empty if there is no such preset.
 const char* presetName(Preset preset);
 std::optional<Preset> presetByName(std::string_view name);
 

@@ -45,7 +45,7 @@ Tunable switchOf(const Setting& setting) {
   return made;
 }
 
-/// A vector cannot be chosen, only be what the page says.
+/// Makes a tunable for a choice. A vector cannot be chosen, only taken over from the page.
 Tunable choiceOf(const Setting& setting) {
   Tunable made = tunableOf(setting, setting.key);
   made.choices = setting.choices;
@@ -68,7 +68,7 @@ Tunable choiceOf(const Setting& setting) {
   return made;
 }
 
-/// Counts where a number is chosen.
+/// Makes the tunable for the number of a choice. It takes effect only while a number is chosen.
 Tunable numberBesideChoice(const Setting& setting) {
   Tunable made = tunableOf(setting, setting.key + ".number");
   made.read = [&setting](const EngraveRequest& request) {
@@ -83,7 +83,7 @@ Tunable numberBesideChoice(const Setting& setting) {
   return made;
 }
 
-/// A lamp that is not there has no strength.
+/// Makes the tunable for a part of a lamp. A missing lamp has strength 0.
 Tunable partOfLamp(const Setting& setting, std::size_t lamp, const LampPart& part) {
   Tunable made = tunableOf(setting, fmt::format("{}.{}.{}", setting.key, lamp + 1, part.key));
   made.min = part.min, made.max = part.max, made.step = part.step;
@@ -126,7 +126,8 @@ void RequestOverrides::set(std::size_t index, double value, const EngraveRequest
   const double pages = tunable.read(page);
   if (!std::isfinite(value)) return;
   value = std::clamp(value, tunable.min, tunable.max);
-  values_[index] = std::abs(value - pages) < 1e-6 ? std::optional<double>() : value;  // floats pass through doubles
+  values_[index] = std::abs(value - pages) < 1e-6 ? std::optional<double>() : value;  // allows for floats that passed
+                                                                                      // through doubles
 }
 
 void RequestOverrides::resetAll() { values_.assign(values_.size(), std::nullopt); }

@@ -11,29 +11,30 @@
 
 namespace qrelief {
 
-/// A setting, or a part of one, that can be tuned as a number: a choice by its index, a switch as 0 or 1, what is set
-/// to nothing as 0, or as what counts then.
+/// A setting, or a part of one, that can be tuned as a number: a choice by its index, a switch as 0 or 1, an empty
+/// setting as 0 or as the value used instead.
 struct Tunable {
   const Setting* setting = nullptr;
-  std::string key;  ///< the setting's, or that and its part's: "contrast", "size.number", "light.1.azimuthDeg"
+  std::string key;  ///< the setting's key, or that and the part's key: "contrast", "size.number", "light.1.azimuthDeg"
   double min = 0, max = 1, step = 1;
-  /// Names; empty for a number or a switch. Behind the setting's own stands "number" or "vector" where it takes one.
+  /// Names of the choices; empty for a number or a switch. Followed by "number" or "vector" if the setting takes one.
   std::vector<std::string> choices;
   bool isSwitch = false;
   std::function<double(const EngraveRequest&)> read;
   std::function<void(EngraveRequest&, double)> write;
 };
 
-/// Everything of a request but its text, centre, up axis and what is recorded; groups stand together.
+/// Returns everything in a request except its text, centre, up axis and what is recorded; groups are adjacent.
 std::span<const Tunable> tunables();
 
-/// What differs from the page's request on purpose, by index in `tunables()`. The page's own controls stay what they
-/// are: what is not overridden follows them.
+/// Deliberate deviations from the page's request, by index in `tunables()`. The page's own controls keep their values,
+/// and everything not overridden follows them.
 class RequestOverrides {
  public:
   RequestOverrides();
 
-  /// @param value  is brought into the tunable's range; the page's own value ends the override
+  /// Overrides a value.
+  /// @param value  clamped to the tunable's range; the page's own value ends the override
   void set(std::size_t index, double value, const EngraveRequest& page);
   void reset(std::size_t index) { values_[index].reset(); }
   void resetAll();

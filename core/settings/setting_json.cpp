@@ -12,7 +12,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Kind = Setting::Kind;
 
-/// Short enough for a message.
+/// Returns a value as text that is short enough for a message.
 std::string shown(const Json& value) {
   constexpr std::size_t kMaxShown = 40;
   const std::string text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
@@ -28,7 +28,7 @@ std::optional<Vec3> vectorFrom(const Json& value) {
   return Vec3(value[0].get<double>(), value[1].get<double>(), value[2].get<double>());
 }
 
-/// What a lamp leaves out is as usual.
+/// Reads a lamp; missing parts keep their defaults.
 std::optional<DirectionalLight> lampFrom(const Json& value) {
   if (!value.is_object()) return {};
   DirectionalLight lamp;
@@ -54,7 +54,7 @@ std::optional<std::vector<DirectionalLight>> lampsFrom(const Json& value) {
   return lamps;
 }
 
-/// Empty if the setting takes no value of this kind.
+/// Reads a value; empty if the setting does not accept this kind.
 std::optional<SettingValue> valueFrom(const Setting& setting, const Json& value) {
   if (value.is_boolean() && setting.kind == Kind::Switch) return value.get<bool>();
   if (isFinite(value) && setting.takesNumber()) return value.get<double>();
@@ -95,7 +95,7 @@ Result<EngraveRequest> requestFromJson(std::string_view json) {
     const auto found = given.find(setting.key);
     if (found == given.end() || found->is_null()) continue;
     const auto value = valueFrom(setting, *found);
-    // A choice that there is not is of the wrong kind, too: there is nothing to write.
+    // An unknown choice also counts as the wrong kind, because there is nothing to write.
     const bool isName = value && std::holds_alternative<std::string>(*value);
     if (!value || (isName && !checkValue(setting, *value))) return tl::unexpected(wrongKind(setting, shown(*found)));
     setting.write(request, *value);

@@ -9,18 +9,19 @@
 
 namespace qrelief {
 
-/// A request from an object by key; what is missing or null has its default (defaultRequest). A number and a switch
-/// are such, a choice is its name, a vector [x, y, z], lamps [{"azimuthDeg", "elevationDeg", "strength"}, …]:
+/// Reads a request from a JSON object by key. A missing or null key gives the default (defaultRequest). Numbers and
+/// switches are JSON numbers and booleans, a choice is its name, a vector [x, y, z], lamps [{"azimuthDeg",
+/// "elevationDeg", "strength"}, …]:
 ///
 ///     {"text": "…", "preset": "robust", "size": 35, "minWallMm": 1.2, "quietZone": false}
 ///
 /// The order of the keys does not matter. The centre is not among them.
-/// @returns BadUsage naming a key that is no setting, or the setting whose value is of the wrong kind, and what was
-///          expected; ranges are checkSettings()'s business
+/// @returns BadUsage naming an unknown key, or the setting whose value is of the wrong kind, and the expected kind;
+///          checkSettings() checks ranges
 Result<EngraveRequest> requestFromJson(std::string_view json);
 
-/// Every setting of a request, so that requestFromJson() gives the same request, centre aside. What is set
-/// to nothing is null.
+/// Writes every setting of a request, so that requestFromJson() gives the same request apart from the centre. An empty
+/// setting becomes null.
 std::string settingsJson(const EngraveRequest& request);
 
 }  // namespace qrelief

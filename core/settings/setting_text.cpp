@@ -21,7 +21,7 @@ std::optional<double> numberFrom(const std::string& text) {
   return {};
 }
 
-/// Numbers between commas; empty if one of them is none.
+/// Parses numbers between commas; empty if one of them is not a number.
 std::vector<double> numbersFrom(const std::string& text) {
   std::vector<double> numbers;
   for (std::size_t begin = 0; begin <= text.size();) {
@@ -51,7 +51,7 @@ std::optional<std::vector<DirectionalLight>> lampsFrom(std::span<const std::stri
   return lamps;
 }
 
-/// Empty if the setting takes no such text.
+/// Parses the texts; empty if the setting does not accept them.
 std::optional<SettingValue> valueFrom(const Setting& setting, std::span<const std::string> texts) {
   if (setting.kind == Kind::Lamps) {
     const auto lamps = lampsFrom(texts);

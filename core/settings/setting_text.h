@@ -9,13 +9,14 @@
 
 namespace qrelief {
 
-/// A value as it is typed: a number with a decimal point, the name of a choice, `X,Y,Z`, `on` or `off`; a lamp is
-/// `AZIMUTH,ELEVATION[,STRENGTH]`, in the order of lampParts(), and each text is one.
-/// @param texts  one; of lamps any number
-/// @returns BadUsage naming the setting, what was found and what was expected; ranges are checkValue()'s business
+/// Parses a value as a person types it: a number with a decimal point, the name of a choice, `X,Y,Z`, `on` or `off`. A
+/// lamp is `AZIMUTH,ELEVATION[,STRENGTH]`, in the order of lampParts(), with one text per lamp.
+/// @param texts  a single text; for lamps, any number
+/// @returns BadUsage naming the setting, the value found and the expected kind; checkValue() checks ranges
 Result<SettingValue> valueFromText(const Setting& setting, std::span<const std::string> texts);
 
-/// The same way back, in as few digits as give the number again. Empty for nothing and for no lamps.
+/// Writes a value in the same form, with the fewest digits that give the number again. Empty for nothing and for no
+/// lamps.
 std::string valueText(const SettingValue& value);
 
 }  // namespace qrelief

@@ -17,18 +17,17 @@ using V = SettingValue;
 using Kind = Setting::Kind;
 using Unit = Setting::Unit;
 
-constexpr double kMaxMm = 1e4;                 // of an edge: no printer is larger
-constexpr double kMaxWallMm = 1000;            // of a wall and a depth
-constexpr const char* kSinceSecond = "0.2.0";  // files of settings from before lack these
+constexpr double kMaxMm = 1e4;                 // largest edge: no printer is larger
+constexpr double kMaxWallMm = 1000;            // largest wall and largest depth
+constexpr const char* kSinceSecond = "0.2.0";  // older settings files lack these
 
 struct Range {
   double min, max, step;
 };
 
-/// Names of an enumeration's first `count` values.
-/// @param nameOf  a lambda: the address of a function taken before a call of it makes Emscripten 3.1.6 declare it
-/// without
-///                parameters
+/// Returns the names of an enumeration's first `count` values.
+/// @param nameOf  a lambda: if the address of a function is taken before its first call, Emscripten 3.1.6 declares it
+///                without parameters
 template <class NameOf>
 std::vector<std::string> namesOf(int count, NameOf nameOf) {
   std::vector<std::string> names;
@@ -36,7 +35,7 @@ std::vector<std::string> namesOf(int count, NameOf nameOf) {
   return names;
 }
 
-std::vector<std::string> sizeModeNames() {  // Fixed is the number
+std::vector<std::string> sizeModeNames() {  // without Fixed, which is given as a number
   return namesOf(3, [](int i) { return sizeModeName(static_cast<SizeMode>(i)); });
 }
 
@@ -60,7 +59,8 @@ Setting made(const char* key, const char* group, Kind kind) {
   return setting;
 }
 
-/// @param Part  lambda from a request, constant or not, to the part of it that is set
+/// Makes a setting for a number.
+/// @param Part  lambda from a request, constant or not, to the field that is set
 template <class Part>
 Setting number(const char* key, const char* group, Unit unit, Range range, Part) {
   Setting setting = made(key, group, Kind::Number);
@@ -69,7 +69,7 @@ Setting number(const char* key, const char* group, Unit unit, Range range, Part)
   setting.isWhole = std::is_same_v<std::decay_t<decltype(Part{}(std::declval<R&>()))>, int>;
   setting.read = [](const R& r) -> V {
     const auto value = Part{}(r);
-    // A float's digits, not those that it has as a double: 0.7f is 0.7.
+    // Gives the digits of the float, not of the double: 0.7f is 0.7.
     if constexpr (std::is_same_v<decltype(value), const float>)
       return std::round(static_cast<double>(value) * 1e6) / 1e6;
     else
@@ -81,7 +81,7 @@ Setting number(const char* key, const char* group, Unit unit, Range range, Part)
   return setting;
 }
 
-/// A number that may be left out.
+/// Makes a setting for a number that may be left out.
 template <class Part>
 Setting optionalNumber(const char* key, const char* group, Unit unit, Range range, Part) {
   using Number = typename std::decay_t<decltype(Part{}(std::declval<R&>()))>::value_type;
@@ -106,6 +106,7 @@ Setting toggle(const char* key, const char* group, Part) {
   return setting;
 }
 
+/// Makes a setting for a choice.
 /// @param Names  lambda to the names in the order of the enumerators
 template <class Part, class Names>
 Setting choice(const char* key, const char* group, Part, Names) {
@@ -118,7 +119,7 @@ Setting choice(const char* key, const char* group, Part, Names) {
   return setting;
 }
 
-/// A choice that may be left to the program, as "auto".
+/// Makes a setting for a choice that "auto" leaves to the program.
 template <class Part, class Names>
 Setting choiceOrAuto(const char* key, const char* group, Part, Names) {
   Setting setting = made(key, group, Kind::Choice);
@@ -143,7 +144,7 @@ Setting text() {
   return setting;
 }
 
-/// What is asked for by its letter is not raised, but for `raiseEcc`.
+/// Makes the setting for error correction. A level given by its letter is not raised unless `raiseEcc` asks for it.
 Setting errorCorrection() {
   Setting setting = made("ecc", "symbol", Kind::Choice);
   setting.choices = namesOf(4, [](int i) { return errorCorrectionName(static_cast<ErrorCorrection>(i)); });
@@ -180,7 +181,7 @@ Setting mask() {
   return setting;
 }
 
-/// Left out, it follows the preset.
+/// Makes the setting for contrast. If left out, it follows the preset.
 Setting contrast() {
   Setting setting = optionalNumber(
       "contrast", "depth", Unit::None, {0.01, 0.99, 0.01}, [](auto& r) -> auto& { return r.contrast; });
@@ -243,7 +244,7 @@ Setting direction() {
     return std::string(directionMethodName(r.placement.directionMethod));
   };
   setting.write = [](R& r, const V& v) {
-    r.placement.direction.reset();  // that of a suggested spot, too
+    r.placement.direction.reset();  // drops the direction of a suggested spot, too
     if (const Vec3* vector = std::get_if<Vec3>(&v))
       r.placement.direction = *vector;
     else
@@ -265,7 +266,7 @@ std::vector<std::string> processNames() {
   return names;
 }
 
-/// Brings nozzle, layer and line along, which come after it.
+/// Makes the setting for the process, which also sets nozzle, layer and line width. These come later in the list.
 Setting process() {
   Setting setting = made("process", "printing", Kind::Choice);
   setting.choices = processNames();

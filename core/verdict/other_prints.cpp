@@ -10,7 +10,7 @@
 namespace qrelief {
 namespace {
 
-constexpr double kAlikeDeg = 15;  // a model that is turned by less stands as before
+constexpr double kAlikeDeg = 15;  // a model turned by less than this keeps its orientation
 
 bool isAlike(Vec3 a, Vec3 b) { return glm::dot(glm::normalize(a), glm::normalize(b)) > std::cos(toRadians(kAlikeDeg)); }
 
@@ -22,7 +22,7 @@ std::vector<SettingChange> otherPrints(const VerifyRequest& printed) {
   for (const BuildPose pose : {BuildPose::AsModelled, BuildPose::CodeUp, BuildPose::CodeUpright}) {
     const Vec3 up = BuildDirection{pose}.resolve(printed.frame);
     const bool isKnown = std::any_of(stood.begin(), stood.end(), [&](Vec3 other) { return isAlike(up, other); });
-    if (isKnown || glm::dot(up, printed.frame.normal) < 0) continue;  // it would face down
+    if (isKnown || glm::dot(up, printed.frame.normal) < 0) continue;  // the code would face down
     stood.push_back(up);
     others.push_back({"buildUp", buildPoseName(pose)});
   }

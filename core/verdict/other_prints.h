@@ -8,11 +8,13 @@
 
 namespace qrelief {
 
-/// Ways that are worth a try where a code does not read as printed, what costs least first: the model stood otherwise;
-/// then other processes with finer layers, the coarsest of them first. Powder, which wants another workshop, is none.
+/// Returns other ways of printing to try if a code does not read as printed, cheapest first: other orientations of the
+/// model, then other processes with finer layers, the coarsest of them first. Powder is left out, because it needs
+/// another workshop.
 /// @param printed  the way that was tried
 std::vector<SettingChange> otherPrints(const VerifyRequest& printed);
 
+/// Returns the request for one of these ways.
 /// @param other  one of otherPrints()
 VerifyRequest printedOtherwise(VerifyRequest request, const SettingChange& other);
 

@@ -11,16 +11,16 @@
 namespace qrelief {
 namespace {
 
-constexpr std::array kNozzlesMm = {0.8, 0.6, 0.4, 0.3, 0.25, 0.2, 0.15};          // that are sold
-constexpr std::array kLayersMm = {0.2, 0.16, 0.12, 0.1, 0.08, 0.06, 0.05, 0.04};  // that printers offer
+constexpr std::array kNozzlesMm = {0.8, 0.6, 0.4, 0.3, 0.25, 0.2, 0.15};          // nozzles on the market
+constexpr std::array kLayersMm = {0.2, 0.16, 0.12, 0.1, 0.08, 0.06, 0.05, 0.04};  // layers that printers offer
 constexpr double kMaxSizeMm = 1000;
 constexpr double kLarger = 1.25;
 constexpr double kRoundingMm = 1e-9;
 
 std::string plain(double value) { return fmt::format("{:g}", value); }
 
-/// A larger code, if the settings are what keeps it small.
-/// @param leastModuleMm  that would do, if it is known; else 0
+/// Adds a larger code, if the settings keep it small.
+/// @param leastModuleMm  width of a module that would suffice; 0 if it is not known
 void addLargerCode(const EngraveRequest& request, const EngraveResult& result, double leastModuleMm,
                    std::vector<Remedy>& remedies) {
   const PlacementRequest& place = request.placement;
@@ -47,7 +47,8 @@ void addDarkerModules(const EngraveRequest& request, std::vector<Remedy>& remedi
   }
 }
 
-/// One lamp lights a curved surface itself unevenly; carved for the sky it reads there.
+/// Adds carving for any light. One lamp by itself lights a curved surface unevenly; a code carved for the sky reads
+/// there.
 void addCarvingForAnyLight(const EngraveRequest& request, std::vector<Remedy>& remedies) {
   if (request.objective == DepthObjective::OneLight)
     remedies.push_back({message("remedy-any-light"), "objective", depthObjectiveName(DepthObjective::Contrast)});
@@ -79,7 +80,7 @@ std::vector<Remedy> printingRemedies(const EngraveRequest& request, const Engrav
   std::vector<Remedy> remedies;
   const double leastModuleMm = printableModuleMm(features, request.printer.nozzleMm);
   const bool isTooFine = features.moduleMm < leastModuleMm - kRoundingMm;
-  if (wasPrinted && !isTooFine) {  // depth helps where the printer makes the modules
+  if (wasPrinted && !isTooFine) {  // depth helps if the printer makes the modules
     addCarvingForAnyLight(request, remedies);
     addCarvingForPrint(request, remedies);
     addDarkerModules(request, remedies);

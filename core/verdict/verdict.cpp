@@ -12,17 +12,17 @@
 namespace qrelief {
 namespace {
 
-/// Contrast of dark and light modules (ISO/IEC 29158, CC) that grade A asks for.
+/// Contrast of dark and light modules (ISO/IEC 29158, CC) that grade A requires.
 constexpr double kGoodContrast = 0.3;
 constexpr double kLeastGrade = 1;  // D
-/// Corners of the symbol farther than this from their places, in modules: it is somewhere else.
+/// Distance of the symbol's corners from their places, in modules, beyond which the symbol is somewhere else.
 constexpr double kMisplacedModules = 1.5;
-/// Fewer tries on a print are luck: 23 of 27 such prints were read by fewer than three of five families of decoders
-/// (bench/printing).
+/// Least fraction of successful tries on a print; fewer are luck. Fewer than three of five families of decoders read 23
+/// of 27 such prints (bench/printing).
 constexpr double kLeastPrintedFraction = 1.0 / 6;
 
-/// Why a code that was found, or not, does not read.
-/// @param grades  none: nothing could be measured
+/// Returns the reasons why a code does not read; empty if it does.
+/// @param grades  null: nothing could be measured
 std::vector<Message> readingFailures(const ReadingEvidence& reading, const std::string& wanted, double meanDepthMm,
                                      const SymbolGrades* grades) {
   const ReadingCount& count = reading.count;
@@ -37,7 +37,7 @@ std::vector<Message> readingFailures(const ReadingEvidence& reading, const std::
                   with::count("needed", count.needed()))};
 }
 
-/// What a code that is read under one lamp must not be offered without.
+/// Returns the warning that must come with a code that is read under one lamp.
 Message oneLightNeeded(const DirectionalLight& lamp) {
   const auto from = [&] {
     const double azimuth = lamp.azimuthDeg - 360 * std::floor(lamp.azimuthDeg / 360);
@@ -94,7 +94,7 @@ Aspect judgeReading(const ReadingEvidence& reading, const std::string& wanted, d
   return aspect;
 }
 
-/// How a code stands in the printer, within a sentence.
+/// Describes how a code faces in the printer, for use within a sentence.
 Message facing(double facingDeg) {
   constexpr double kFacingDeg = 15;
   if (facingDeg <= kFacingDeg) return message("facing-up");
@@ -103,7 +103,7 @@ Message facing(double facingDeg) {
                         : message("facing-down", with::angleDeg("angle", std::round(facingDeg)));
 }
 
-/// What a code is printed with, within a sentence.
+/// Describes how a code is printed, for use within a sentence.
 Message printing(const Printer& printer) {
   switch (printer.technique) {
     case PrintTechnique::Filament:
@@ -117,7 +117,8 @@ Message printing(const Printer& printer) {
                  with::lengthMm("layer", printer.layerMm));
 }
 
-/// @param printed  null: by what published prints say alone
+/// Judges whether a code prints.
+/// @param printed  null: judge by published prints alone
 Aspect judgePrinting(const CarvedFeatures& features, const Printer& printer, double minWallMm,
                      const PrintedEvidence* printed, const std::string& wanted) {
   Aspect aspect;
@@ -135,7 +136,7 @@ Aspect judgePrinting(const CarvedFeatures& features, const Printer& printer, dou
   return aspect;
 }
 
-/// @param inherited  pairs of crossing triangles that the model brought along
+/// @param inherited  pairs of crossing triangles that the model already had
 Aspect judgeSolidity(const SolidityReport& solid, std::size_t inherited) {
   Aspect aspect;
   SolidityReport own = solid;
@@ -159,7 +160,7 @@ Aspect judgeSolidity(const SolidityReport& solid, std::size_t inherited) {
   return aspect;
 }
 
-/// What is wrong with where and how the code lies in a verified file.
+/// Returns the faults in pose and depth of the code in a verified file.
 std::vector<Message> shapeFailures(const VerifyResult& result) {
   const CarvingProfile& profile = result.profile;
   const double depth = profile.meanDepthMm;
@@ -177,7 +178,7 @@ std::vector<Message> shapeFailures(const VerifyResult& result) {
                                                                       static_cast<int>(SymbolPose::AsWanted)))));
       break;
     case SymbolPose::None:
-      // A reader may still find it: then the modules are others than those expected, and nothing is known of them.
+      // A decoder may still find a code: then its modules are not the expected ones, and nothing is known about them.
       if (!result.reading.frontal.enough()) failed.push_back(message("no-code"));
       return failed;
   }

@@ -13,18 +13,19 @@
 namespace qrelief {
 namespace {
 
-/// A baked texel speaks for points this many texels away, as seen straight on: next to it, and over there on a steep
-/// surface.
+/// Distance, in texels, up to which a baked texel gives its light to a point. On a steep surface, points that project
+/// into the same texel lie this far apart.
 constexpr double kNearTexels = 3;
-/// Texels whose planes lie within this fraction of a texel of each other's points are one floor.
+/// Two texels share a floor if each one's point lies within this fraction of a texel of the other's plane.
 constexpr double kSameFloor = 0.3;
 
-/// Texels along the edge of a block, and the order in which they take points: near ones take far ones [Bayer 1973].
+/// Block edge in texels, and the order in which a block's texels take points: neighbouring texels take distant points
+/// [Bayer 1973].
 constexpr int kBlock = 4;
 constexpr std::array<int, 16> kBlockOrder = {0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5};
-constexpr std::uint64_t kBlocksApart = 1u << 20;  // more than a picture has columns
+constexpr std::uint64_t kBlocksApart = 1u << 20;  // larger than the number of columns of a picture
 
-/// Whether two points lie in each other's tangent planes.
+/// Returns true if the two points lie in each other's tangent planes.
 bool sameFloor(Vec3 a, Vec3 normalA, Vec3 b, Vec3 normalB, double texelMm) {
   const double across = kSameFloor * texelMm;
   return normalA != Vec3(0) && normalB != Vec3(0) && std::abs(glm::dot(b - a, normalA)) < across &&
@@ -42,8 +43,8 @@ BakedLight::BakedLight(const RaySurface& surface, const ProjectionFrame& frame, 
 }
 
 SurfaceLight BakedLight::traced(const SurfacePoint& at, Vec3 seen, int row, int column) const {
-  // The texels of a block take their first directions from one set of points, shifted as a whole: so what is too much
-  // in one is too little in its neighbours, and a camera's blur leaves little of it.
+  // The texels of a block take their first directions from one set of points, shifted as a whole. An excess in one
+  // texel is a deficit in its neighbours, so a camera's blur removes most of the error.
   Random block(static_cast<std::uint64_t>(row / kBlock) * kBlocksApart + static_cast<std::uint64_t>(column / kBlock));
   const double shiftU = block.uniform(), shiftV = block.uniform();
   const int first = kBlockOrder[static_cast<std::size_t>(row % kBlock * kBlock + column % kBlock)] * options_.paths;

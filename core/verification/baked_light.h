@@ -8,66 +8,68 @@
 
 namespace qrelief {
 
-/// What leaves a matte surface, the same in all directions. 1 = an unoccluded surface under the sky alone.
+/// Light that a matte surface sends out, equal in all directions. 1 = an unoccluded surface under the sky alone.
 struct SurfaceLight {
   double sky = 0;   ///< under the sky alone, all bounces
-  double lamp = 0;  ///< what the lamp adds, all bounces
+  double lamp = 0;  ///< light added by the lamp, all bounces
 };
 
-/// Rows that a job bakes in one step: between two steps it can be cancelled.
+/// Number of rows that a job bakes in one step. A job can be cancelled between two steps.
 inline constexpr int kRowsAStep = 16;
 
 struct BakeOptions {
-  double texelMm = 0.1;  ///< on the QR plane
-  int texels = 400;      ///< along the edge of the square that is baked, centred on the code
-  int border = 0;        ///< so many texels along each edge are left out, as if the rays missed the model
-  bool isTraced = true;  ///< else setLight() brings the light that the eye sees, and only other light is traced
-  int paths = 16;        ///< of traced light, a texel, ≥ 1
-  double albedo = 0.7;   ///< of the matte material, 0 … 1
+  double texelMm = 0.1;  ///< edge of a texel on the QR plane
+  int texels = 400;      ///< along the edge of the baked square, which is centred on the code
+  int border = 0;        ///< width in texels of a strip along each edge that is not baked, as if the rays missed the
+                         ///< model
+  bool isTraced = true;  ///< false: setLight() supplies the light that the eye sees, and only other light is traced
+  int paths = 16;        ///< light paths per texel, ≥ 1
+  double albedo = 0.7;   ///< reflectance of the matte material, 0 … 1
   Lamp lamp = {};
 };
 
-/// Luminance of what is not the model, as a fraction of an unoccluded surface's.
+/// Luminance of the background, as a fraction of an unoccluded surface's luminance.
 inline constexpr float kBackground = 0.35f;
 
-/// Linear picture, 1 = an unoccluded surface under the sky alone; row 0 at the bottom. What is no model is kBackground
-/// of the open light.
+/// Linear picture, 1 = an unoccluded surface under the sky alone; row 0 at the bottom. Pixels off the model have
+/// kBackground of the open light.
 struct LinearPicture {
   int width = 0;             ///< = height
-  std::vector<float> sky;    ///< under the sky alone
-  std::vector<float> added;  ///< by the lamp
+  std::vector<float> sky;    ///< light of the sky
+  std::vector<float> added;  ///< light added by the lamp
 };
 
-/// The light on a carved surface, computed once by path tracing the mesh itself and seen from anywhere: a matte surface
-/// looks the same from every side, so a tilted reader's picture takes the light that was found in front. What was not
-/// seen there, the walls of the pockets as a rule, is traced when a picture shows it.
+/// The light on a carved surface, path-traced once on the mesh itself and valid from every side. A matte surface looks
+/// the same from everywhere, so the picture of a tilted camera reuses the light found from the front. Surfaces hidden
+/// from the front, usually the walls of pockets, are traced when a picture shows them.
 ///
-/// Independent of the maps that carving works on: it knows the mesh, the eye and nothing else. Deterministic.
+/// Independent of the maps that carving works on: it uses only the mesh and the eye. Deterministic.
 class BakedLight {
  public:
   /// @param surface  kept by reference
   BakedLight(const RaySurface& surface, const ProjectionFrame& frame, const BakeOptions& options);
 
-  /// Bakes the next rows, on all cores. @returns whether that was the last
+  /// Bakes the next rows, on all cores.
   /// Cost: rows × texels × paths × (bounces + 1) rays each for sky and lamp.
+  /// @returns true after the last row
   bool bakeRows(int rows);
 
-  /// Light found otherwise, of every texel; after the last row, where BakeOptions::isTraced is off.
+  /// Sets the light of every texel if BakeOptions::isTraced is off. Call it after the last row.
   void setLight(std::vector<SurfaceLight> light);
 
-  /// Averages each texel with its neighbours on the same floor, which leaves a third of the noise. Once, after the last
-  /// row.
+  /// Averages each texel with its neighbours on the same floor, which leaves a third of the noise. Call it once, after
+  /// the last row.
   void smooth();
 
-  /// What a camera sees at `texels` of `texelMm` along the edge of a square on its own QR plane. Cost: a ray a texel,
-  /// and the paths of the texels that show what the bake does not.
-  /// @param camera  its centre is the code's
+  /// Takes a picture with `texels` of `texelMm` along the edge of a square on the camera's own QR plane. Cost: a ray
+  /// per texel, and the paths of those texels that the bake does not cover.
+  /// @param camera  must have the code's centre
   LinearPicture picture(const ProjectionFrame& camera, int texels, double texelMm) const;
 
-  /// Of the baked square, row-major from the lower left; negative where the model is missed.
+  /// Returns the light of the baked square, row-major from the lower left; negative where rays miss the model.
   const std::vector<SurfaceLight>& light() const { return light_; }
   const BakeOptions& options() const { return options_; }
-  /// Of an unoccluded surface in the QR plane under sky and lamp.
+  /// Returns the light of an unoccluded surface in the QR plane under sky and lamp.
   double openLight() const;
 
  private:
@@ -88,7 +90,8 @@ class BakedLight {
   int baked_ = 0;
 };
 
-/// The same eye distance and centre, leaning by `tiltDeg` towards `azimuthDeg` (0 = right, 90 = the symbol's top).
+/// Returns a frame with the same eye distance and centre that leans by `tiltDeg` towards `azimuthDeg` (0 = right, 90 =
+/// the symbol's top).
 ProjectionFrame tilted(const ProjectionFrame& frame, double tiltDeg, double azimuthDeg);
 
 }  // namespace qrelief

@@ -15,14 +15,14 @@ namespace {
 constexpr int kN = kSubmodulesPerModule;
 constexpr int kWindow = 2;               // modules on each side of a window's middle
 constexpr std::size_t kTerms = 7;        // 1, x, y, x², xy, y², dark
-constexpr double kEvenMm = 1e-3;         // a window no less even than this is bare
-constexpr double kMinFit = 0.5;          // a symbol of other content shares its finder patterns and explains less
-constexpr double kCarvedFraction = 0.3;  // of a module's deepest submodule: what is deeper is carved
+constexpr double kEvenMm = 1e-3;         // windows no more uneven than this are bare
+constexpr double kMinFit = 0.5;          // a symbol with other content shares the finder patterns but explains less
+constexpr double kCarvedFraction = 0.3;  // submodules deeper than this fraction of the module's deepest count as carved
 
 using System = std::array<std::array<double, kTerms + 1>, kTerms>;
 using Terms = std::array<double, kTerms>;
 
-/// Gaussian elimination with pivots; terms that the data do not determine become 0.
+/// Solves by Gaussian elimination with pivots; terms that the data do not determine become 0.
 Terms solved(System a, std::size_t terms) {
   Terms x{};
   std::array<bool, kTerms> known{};
@@ -47,7 +47,8 @@ Terms solved(System a, std::size_t terms) {
   return x;
 }
 
-/// The symbol as it would stand in the picture in each pose. The mirrored ones are four, too: all are one to the user.
+/// Returns the module at a place in the picture if the symbol has this pose: 0 … 3 turned, 4 … 7 mirrored. The user
+/// sees all four mirrored poses as one.
 bool isDarkIn(const Symbol& symbol, int pose, int row, int column) {
   const int last = symbol.size - 1;
   if (row < 0 || column < 0 || row > last || column > last) return false;
@@ -66,7 +67,7 @@ SymbolPose nameOf(int pose) {
   return pose >= 4 ? SymbolPose::Mirrored : kTurned[static_cast<std::size_t>(pose)];
 }
 
-/// Distances from the eye over symbol and quiet zone, a submodule apart.
+/// The surface seen from the eye over symbol and quiet zone, one point per submodule.
 class DistanceGrid {
  public:
   DistanceGrid(const RayTree& tree, const ProjectionFrame& frame, int modules, double moduleMm)
@@ -89,7 +90,7 @@ class DistanceGrid {
     const int offset = kN * kQuietZoneModules;
     return points_[static_cast<std::size_t>((row + offset) * edge_ + column + offset)];
   }
-  /// Of a module's middle.
+  /// Returns the distance at a module's middle.
   double middleOf(int row, int column) const { return at(kN * row + kN / 2, kN * column + kN / 2).distance; }
   bool inside(int row, int column) const {
     return row >= -kQuietZoneModules && column >= -kQuietZoneModules && row < modules_ + kQuietZoneModules &&
@@ -105,8 +106,8 @@ Terms termsAt(double x, double y, bool dark) { return {1, x, y, x * x, x * y, y 
 
 struct WindowFit {
   Terms terms{};
-  double left = 0;        // squares that the surface alone leaves
-  double leftByBoth = 0;  // and with dark and light told apart
+  double left = 0;        // sum of squared residuals of the surface alone
+  double leftByBoth = 0;  // the same with a step between dark and light
 };
 
 WindowFit fitWindow(const DistanceGrid& grid, const Symbol& symbol, int pose, int row, int column) {
@@ -143,7 +144,7 @@ WindowFit fitWindow(const DistanceGrid& grid, const Symbol& symbol, int pose, in
   return fit;
 }
 
-/// Mean over the windows, so that a crease of the surface counts no more than the windows it crosses.
+/// Returns the mean over the windows, so that a crease of the surface counts only in the windows it crosses.
 double explainedBy(const DistanceGrid& grid, const Symbol& symbol, int pose) {
   double sum = 0;
   for (int row = 0; row < symbol.size; ++row)
@@ -154,7 +155,7 @@ double explainedBy(const DistanceGrid& grid, const Symbol& symbol, int pose) {
   return sum / (symbol.size * symbol.size);
 }
 
-/// Depth of each submodule of one dark module.
+/// Measures the depth of each submodule of one dark module.
 void measureModule(const DistanceGrid& grid, const WindowFit& fit, int row, int column, int edge,
                    std::vector<double>& depths) {
   for (int k = 0; k < kN * kN; ++k) {
@@ -168,7 +169,7 @@ void measureModule(const DistanceGrid& grid, const WindowFit& fit, int row, int 
   }
 }
 
-/// Tells the carved submodules of one dark module from those that a pattern leaves.
+/// Separates the carved submodules of one dark module from those that its pattern leaves.
 void markCarved(CarvingProfile& profile, int row, int column, int edge) {
   const auto index = [&](int k) { return static_cast<std::size_t>((kN * row + k / kN) * edge + kN * column + k % kN); };
   double most = 0;

@@ -10,30 +10,30 @@
 
 namespace qrelief {
 
-/// A code is raised or carved if it is so by more than this, mm: less is the grain of a model.
+/// Height difference, mm, above which a code counts as raised or carved. Smaller differences are the grain of a model.
 inline constexpr double kFlatMm = 0.02;
 
-/// How a symbol may lie in the place where it is looked for.
+/// Orientation of a symbol at the place where it is expected.
 enum class SymbolPose : std::uint8_t { AsWanted, Turned90, Turned180, Turned270, Mirrored, None };
 
-/// What is carved where a symbol should be, as the mesh itself has it.
+/// The carving at the place of a symbol, measured on the mesh itself.
 struct CarvingProfile {
-  SymbolPose pose = SymbolPose::None;  ///< None: nothing there fits the symbol
+  SymbolPose pose = SymbolPose::None;  ///< None: the surface does not fit the symbol
   double fit = 0;  ///< fraction of the windows' unevenness that dark and light modules explain, 0 … 1, for `pose`
   double meanDepthMm = 0;  ///< over the carved submodules; negative: they are raised
-  /// Of each submodule under the surface that the light modules around it suggest, (5·modules)², row-major from the
+  /// Depth of each submodule below the surface fitted to the light modules around it, (5·modules)², row-major from the
   /// symbol's top left; 0 in light modules; NaN where the model is missed. Empty if pose is None.
   std::vector<double> depthMm;
   std::vector<std::uint8_t> carved;  ///< for the same submodules: 1 = nearly as deep as the deepest of its module
-  /// Where each submodule's middle ray meets the model; triangle kNoTriangle where it misses.
+  /// Point where each submodule's middle ray meets the model; kNoTriangle where it misses.
   std::vector<SurfacePoint> points;
 };
 
-/// Compares the heights of the modules with the symbol in each of its eight poses: in a window of 5 × 5 modules round
-/// each, a quadratic surface and one step between dark and light are fitted by least squares; the pose that explains
-/// most wins. The step's sign says whether modules are carved or raised, whatever the light does.
+/// Compares the heights of the modules with the symbol in each of its eight poses. In a window of 5 × 5 modules round
+/// each module, fits a quadratic surface and one step between dark and light by least squares; the pose that explains
+/// most wins. The sign of the step tells carved from raised modules, independent of the light.
 ///
-/// Cost: 25 rays a module of symbol and quiet zone, and modules × 8 small systems.
+/// Cost: 25 rays per module of symbol and quiet zone, and modules × 8 small systems.
 CarvingProfile profileCarving(const RayTree& tree, const ProjectionFrame& frame, const Symbol& symbol, double symbolMm);
 
 }  // namespace qrelief

@@ -10,14 +10,14 @@
 
 namespace qrelief {
 
-/// One of the pictures from the front that a code must read in.
+/// Settings of one frontal picture in the reading test.
 struct FrontalView {
   double pixelsPerModule = 8;
-  Vec2 phase{0};              ///< of the pixel grid, in pixels
+  Vec2 phase{0};              ///< offset of the pixel grid, in pixels
   double blurModules = 0.07;  ///< standard deviation, in modules
 };
 
-/// They differ in scale, pixel phase and blur: that a decoder succeeds with one of them says little.
+/// Views that differ in scale, pixel phase and blur, because success with a single view proves little.
 inline constexpr std::array<FrontalView, 6> kFrontalViews = {{{8, Vec2(0, 0), 0.07},
                                                               {8, Vec2(0.5, 0.3), 0.15},
                                                               {6.5, Vec2(0, 0), 0.07},
@@ -25,12 +25,12 @@ inline constexpr std::array<FrontalView, 6> kFrontalViews = {{{8, Vec2(0, 0), 0.
                                                               {5, Vec2(0, 0), 0.07},
                                                               {5, Vec2(0.5, 0.3), 0.15}}};
 
-/// Tries of decoders, and how many of them gave the wanted text, not mirrored.
+/// Number of decoding tries, and of tries that gave the wanted text, not mirrored.
 struct ReadingCount {
   int tries = 0, reads = 0;
 
-  /// A code reads if at least two in five tries succeed. A decoder that gets so many of them through has a code before
-  /// it that most other decoders get, too.
+  /// Returns how many tries must succeed: at least two in five. When one decoder succeeds this often, most other
+  /// decoders read the code, too.
   static int needed(int tries) { return (2 * tries + 4) / 5; }
   int needed() const { return needed(tries); }
   bool enough() const { return tries > 0 && reads >= needed(); }
@@ -38,10 +38,10 @@ struct ReadingCount {
   bool operator==(const ReadingCount&) const = default;
 };
 
-/// What is given to decoders: every view of kFrontalViews in every variant of verification/reading_variants.h. A view
-/// finer than the luminance takes the luminance as it is.
+/// Returns the pictures to decode: every view of kFrontalViews in every variant of verification/reading_variants.h. A
+/// view finer than the luminance uses the luminance as it is.
 /// @param luminance        linear, width² values, row 0 at the bottom
-/// @param pixelsPerModule  of the luminance, > 0
+/// @param pixelsPerModule  resolution of the luminance, > 0
 std::vector<GreyImage> frontalPictures(const std::vector<float>& luminance, int width, double pixelsPerModule);
 
 }  // namespace qrelief

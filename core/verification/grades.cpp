@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kN = kSubmodulesPerModule;
 
-/// Fraction of each row of submodules that the middle 80 % of a module covers: the outer ones by half.
+/// Fraction of each row of submodules within the middle 80 % of a module: the outer rows count half.
 constexpr std::array<double, kN> kAperture = {0.5, 1, 1, 1, 0.5};
 
 /// Lower bounds of the grades A, B, C and D.
@@ -34,8 +34,8 @@ double gradeFrom(double value, const Levels& levels) {
 
 Grade graded(double value, const Levels& levels) { return {value, gradeFrom(value, levels)}; }
 
-/// What error correction is left if the codewords with a wrong module are wrong, and those that are so on purpose: 1 −
-/// errors / correctable, worst block; below 0 where a block cannot be corrected.
+/// Returns the unused error correction of the worst block: 1 − errors / correctable; below 0 where a block cannot be
+/// corrected. Errors are codewords with a wrong module and codewords spoilt on purpose.
 double unusedCorrection(const CodewordLayout& layout, const std::vector<std::uint8_t>& wrongModules) {
   std::vector<std::uint8_t> wrong = layout.isSpoilt;
   for (std::size_t i = 0; i < wrongModules.size(); ++i)
@@ -48,7 +48,7 @@ double unusedCorrection(const CodewordLayout& layout, const std::vector<std::uin
   return 1 - static_cast<double>(worst) / layout.structure.correctable();
 }
 
-/// The highest level at which error correction can make up for the modules below it [ISO/IEC 15415, 7.8.4].
+/// Grades by the highest level at which error correction can make up for the modules below it [ISO/IEC 15415, 7.8.4].
 Grade gradedWithCorrection(const CodewordLayout& layout, const std::vector<double>& modulation) {
   double best = 0;
   std::vector<std::uint8_t> below(modulation.size());
@@ -63,7 +63,7 @@ Grade gradedWithCorrection(const CodewordLayout& layout, const std::vector<doubl
   return {least, best};
 }
 
-/// Grade by the number of damaged things: 4 for none, then one less for each bound that is reached.
+/// Grades by the fraction of damage: 4 for none, otherwise 3, less 1 for each bound that is reached.
 double gradeByFraction(double fraction, const std::array<double, 3>& bounds) {
   if (fraction == 0) return 4;
   for (std::size_t i = 0; i < bounds.size(); ++i)
@@ -78,7 +78,7 @@ bool isFinderOrSeparatorOf(const Symbol& symbol, int corner, int row, int column
   return corner == (bottom ? 2 : right ? 1 : 0);
 }
 
-/// [ISO/IEC 18004, annex on symbol quality]: the least grade of finders, timing and alignment.
+/// Returns the least grade of finder patterns, timing and alignment [ISO/IEC 18004, annex on symbol quality].
 Grade fixedPatternDamage(const Symbol& symbol, const std::vector<std::uint8_t>& wrong) {
   const auto isWrong = [&](int row, int column) {
     return wrong[static_cast<std::size_t>(row * symbol.size + column)] != 0;
@@ -104,7 +104,7 @@ Grade fixedPatternDamage(const Symbol& symbol, const std::vector<std::uint8_t>& 
   if (timing > 0)
     grade = std::min(grade, gradeByFraction(static_cast<double>(timingWrong) / timing, {0.07, 0.11, 0.14}));
   if (alignmentModules > 0) {
-    // Wrong modules within two of each other belong to one pattern.
+    // Wrong modules less than 5 modules apart belong to one pattern.
     int damaged = 0;
     std::vector<std::pair<int, int>> seen;
     for (const auto& [row, column] : alignmentWrong) {
@@ -119,7 +119,8 @@ Grade fixedPatternDamage(const Symbol& symbol, const std::vector<std::uint8_t>& 
   return {static_cast<double>(all), grade};
 }
 
-/// Both copies of the format information, and of the version information: 4 less the wrong bits each, the mean rounded.
+/// Grades format and version information. Each copy gets 4 less its wrong bits; the mean of both copies is rounded, and
+/// the worse of format and version counts.
 Grade formatInformation(const Symbol& symbol, const std::vector<std::uint8_t>& wrong) {
   std::array<int, 2> format{}, version{};
   for (int row = 0; row < symbol.size; ++row) {
@@ -162,7 +163,7 @@ Extremes extremesOf(const ModuleReflectances& measured) {
   return e;
 }
 
-/// Modules that lie on the wrong side of the threshold.
+/// Returns the modules on the wrong side of the threshold.
 std::vector<std::uint8_t> wrongModules(const ModuleReflectances& measured, double threshold) {
   const Symbol& symbol = *measured.symbol;
   std::vector<std::uint8_t> wrong;
@@ -173,8 +174,8 @@ std::vector<std::uint8_t> wrongModules(const ModuleReflectances& measured, doubl
   return wrong;
 }
 
-/// Threshold between the two classes of values that makes their variances least [Otsu 1979; ISO/IEC 29158 asks for the
-/// same by its own histogram method].
+/// Returns the threshold that splits the values into two classes with the least variance within them [Otsu 1979;
+/// ISO/IEC 29158 asks for the same by its own histogram method].
 double separation(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   double total = 0, below = 0, best = -1, threshold = values.front();

@@ -10,10 +10,11 @@
 namespace qrelief {
 namespace {
 
-constexpr double kLeaveSurfaceMm = 1e-6;  // along the new direction, so that a path does not hit where it starts
+constexpr double kLeaveSurfaceMm = 1e-6;  // along the new direction, so that a path does not hit its own start
 constexpr int kSureBounces = 3;
 
-/// About a unit vector: `height` along it, the rest around it by `turn`, 0 … 1 [axes: Duff et al. 2017].
+/// Returns a unit vector with `height` along the unit vector `axis`, turned round it by `turn`, 0 … 1 [axes: Duff et
+/// al. 2017].
 Vec3 directionAbout(Vec3 axis, double height, double turn) {
   const double sign = std::copysign(1.0, axis.z);
   const double a = -1 / (sign + axis.z);
@@ -24,13 +25,14 @@ Vec3 directionAbout(Vec3 axis, double height, double turn) {
   return x * (radius * std::cos(angle)) + y * (radius * std::sin(angle)) + axis * height;
 }
 
-/// Facet normal on the side that the ray comes from.
+/// Returns the facet normal on the side that the ray comes from.
 Vec3 facing(const RaySurface& surface, const SurfacePoint& at, Vec3 direction) {
   const Vec3 normal = surface.normalAt(at);
   return glm::dot(normal, direction) > 0 ? -normal : normal;
 }
 
-/// By one point of each lamp's disc, chosen at random; also for a lamp that is off, so that paths stay the same.
+/// Returns the irradiance by one random point of each lamp's disc. Draws the random numbers even for a lamp that is
+/// off, so that paths stay the same.
 double lampIrradiance(const RaySurface& surface, Vec3 at, Vec3 normal, std::span<const Lamp> lamps, Random& random) {
   double sum = 0;
   for (const Lamp& lamp : lamps) {

@@ -7,13 +7,13 @@
 
 namespace qrelief {
 
-/// A square picture of a lit height map from the reader's eye, centred on it.
+/// Grid of a square picture of a lit height map, seen from the eye and centred on the map.
 struct PictureGrid {
   double pixelMm = 0.1;  ///< on the QR plane, > 0
   int pixels = 400;      ///< along the edge
 };
 
-/// Luminance of the pixels, means over their areas, 1 = an unoccluded surface; row 0 at the bottom.
+/// Returns the luminance of the pixels, averaged over their areas. 1 = an unoccluded surface; row 0 at the bottom.
 /// @param luminance  of every patch
 /// @param missing    luminance where there is no surface
 std::vector<float> litPicture(const HeightMap& map, std::vector<float> luminance, const PictureGrid& grid,

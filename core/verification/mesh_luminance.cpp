@@ -11,9 +11,9 @@
 namespace qrelief {
 namespace {
 
-constexpr LightSampling kSampling{2, 8};  // steps between submodules are as low as a pixel is wide
-constexpr double kEveryPixel = 12;        // up to here a horizon looks at every pixel
-constexpr int kPixelsPerPlace = 10;       // of the far horizon
+constexpr LightSampling kSampling{2, 8};  // height steps between submodules can be as small as a pixel's width
+constexpr double kEveryPixel = 12;        // in pixels: nearer than this, a horizon looks at every pixel
+constexpr int kPixelsPerPlace = 10;       // spacing of the far horizon's places
 
 HeightMap drawn(const SurfaceRaster& raster, const ProjectionFrame& frame, const MapWindow& window) {
   return heightMapOf(raster.draw(frame, window), window.texels, window.texelMm(), frame.eyeDistance);

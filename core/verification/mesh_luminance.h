@@ -11,15 +11,16 @@ namespace qrelief {
 
 struct MeshLuminanceOptions {
   int pixels = 400;                          ///< along the edge of the square picture, centred on the code
-  double pixelMm = 0.1;                      ///< on the QR plane; walls of pockets stand at borders of pixels
-  double nearMm = 10;                        ///< farther surface hides the sky, but throws no sharp shadow
-  double albedo = 0.7;                       ///< of the matte material, 0 … 1
-  std::vector<DirectionalLight> lamps = {};  ///< beside the uniform sky, at most kMaxLights
-  double lampRadiusDeg = 0;                  ///< of their discs
+  double pixelMm = 0.1;                      ///< on the QR plane; choose it so that pocket walls lie on pixel borders
+  double nearMm = 10;                        ///< farther surfaces hide the sky but cast no sharp shadow
+  double albedo = 0.7;                       ///< reflectance of the matte material, 0 … 1
+  std::vector<DirectionalLight> lamps = {};  ///< in addition to the uniform sky, at most kMaxLights
+  double lampRadiusDeg = 0;                  ///< angular radius of the lamps' discs
 };
 
-/// Luminance of a carved mesh as the frame's eye sees it, 1 = an unoccluded surface in the QR plane; kBackground beside
-/// the model. Drawn from the mesh alone, by the processor, and lit as a height map (light/height_light.h).
+/// Returns the luminance of a carved mesh as the frame's eye sees it, 1 = an unoccluded surface in the QR plane;
+/// kBackground off the model. The processor draws it from the mesh alone and lights it as a height map
+/// (light/height_light.h).
 ///
 /// Row-major from the lower left. Cost: O(T + pixels²).
 std::vector<float> meshLuminance(const Mesh& mesh, const ProjectionFrame& frame, const MeshLuminanceOptions& options);

@@ -19,7 +19,7 @@ struct Sums {
   double sky = 0, direct = 0, irradiance = 0;
 };
 
-/// Means over one set of Halton points with one random shift.
+/// Averages over one set of Halton points with one random shift.
 Sums estimate(const RaySurface& surface, const ProjectionFrame& frame, const SeenCell& cell,
               std::span<const Lamp> lamps, double open, int paths, double albedo, Random& random) {
   const std::array<double, 4> shift{random.uniform(), random.uniform(), random.uniform(), random.uniform()};

@@ -11,15 +11,15 @@
 
 namespace qrelief {
 
-/// A rectangle of the QR plane, mm, as a reader at the frame's eye sees it on the surface.
+/// A rectangle on the QR plane, mm, that the frame's eye sees projected onto the surface.
 struct SeenCell {
   Vec2 min, max;
 };
 
 struct PathTraceOptions {
   int paths = 256;                            ///< per cell, ≥ 8; rounded down to a multiple of 8
-  double albedo = 0.7;                        ///< of the matte material, 0 … 1
-  std::uint64_t seed = 1;                     ///< the same seed, the same result
+  double albedo = 0.7;                        ///< reflectance of the matte material, 0 … 1
+  std::uint64_t seed = 1;                     ///< the same seed gives the same result
   std::vector<DirectionalLight> lights = {};  ///< at most kMaxLights
 };
 
@@ -28,20 +28,20 @@ struct Traced {
   double mean = 0, standardError = 0;
 };
 
-/// What reaches a cell.
+/// The light that reaches a cell.
 struct CellLight {
-  Traced visibility;  ///< fraction of a uniform sky that is seen, cosine-weighted
-  Traced direct;      ///< irradiance by the lamps without bounces, 1 = by the whole sky
-  Traced luminance;   ///< of sky and lamps with all bounces; 1 = an unoccluded surface in the QR plane
+  Traced visibility;  ///< visible fraction of a uniform sky, cosine-weighted
+  Traced direct;      ///< irradiance by the lamps without bounces, 1 = irradiance by the whole sky
+  Traced luminance;   ///< under sky and lamps with all bounces; 1 = an unoccluded surface in the QR plane
 };
 
-/// The yardstick for LuminancePass: what light sky and lamps bring to the surface, by path tracing the mesh itself,
-/// with every bounce and the lamps asked at each (traceLight).
-/// Independent of the maps: it knows the mesh, the eye and nothing else.
+/// Computes the light that sky and lamps bring to the surface by path tracing the mesh itself. Follows every bounce and
+/// samples the lamps at each (traceLight). This is the yardstick for LuminancePass. It is independent of the maps: it
+/// uses only the mesh and the eye.
 ///
 /// Each path starts at a point of the cell (Halton points, shifted at random per estimate), goes from the eye to the
 /// surface and on in a cosine-weighted direction. Cells whose ray misses the mesh are open.
-/// Cost: O(cells · paths · log T), on all cores; the result does not depend on their number.
+/// Cost: O(cells · paths · log T), on all cores; the result does not depend on the number of cores.
 std::vector<CellLight> traceCells(const RaySurface& surface, const ProjectionFrame& frame,
                                   std::span<const SeenCell> cells, const PathTraceOptions& options);
 

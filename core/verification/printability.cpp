@@ -13,11 +13,12 @@ namespace {
 
 constexpr int kN = kSubmodulesPerModule;
 
-/// Narrower pockets do not open in print: `thin-plus` with 0.6 nozzle widths did not, `thick-plus` with 0.9 did.
+/// Least width of a pocket that opens in print, in nozzle widths: `thin-plus` with 0.6 nozzle widths did not open,
+/// `thick-plus` with 0.9 did.
 constexpr double kMinPocketNozzles = 0.9;
 constexpr double kMinDepthLayers = 2;
 
-/// Least module that was printed and read with a 0.4 mm nozzle, mm; in nozzle widths for others.
+/// Returns the least module that was printed and read with a 0.4 mm nozzle, in nozzle widths.
 std::optional<double> leastModuleNozzles(ModulePattern pattern) {
   switch (pattern) {
     case ModulePattern::Square:
@@ -44,7 +45,7 @@ class Mask {
   int edge_;
 };
 
-/// Edge of the largest carved square within one module, in submodules.
+/// Returns the edge of the largest carved square within one module, in submodules.
 int largestSquare(const Mask& mask, int row, int column) {
   for (int size = kN; size > 0; --size)
     for (int r = 0; r + size <= kN; ++r)
@@ -57,12 +58,12 @@ int largestSquare(const Mask& mask, int row, int column) {
   return 0;
 }
 
-/// Length of the shortest run of material between two carved submodules in a row or column.
+/// Returns the length of the shortest run of material between two carved submodules in a row or column.
 int shortestGap(const Mask& mask) {
   int shortest = std::numeric_limits<int>::max();
   for (int line = 0; line < mask.edge(); ++line)
     for (const bool across : {true, false}) {
-      int last = -1;  // carved before here
+      int last = -1;  // the last carved one
       for (int k = 0; k < mask.edge(); ++k) {
         if (!(across ? mask.at(line, k) : mask.at(k, line))) continue;
         if (last >= 0 && k - last > 1) shortest = std::min(shortest, k - last - 1);
@@ -72,7 +73,7 @@ int shortestGap(const Mask& mask) {
   return shortest;
 }
 
-/// Submodules of one module in which the mask differs from a pattern.
+/// Counts the submodules of one module in which the mask differs from a pattern.
 int differences(const Mask& mask, int row, int column, const SubmoduleMask& pattern) {
   int count = 0;
   for (int k = 0; k < kN * kN; ++k) {
@@ -82,11 +83,11 @@ int differences(const Mask& mask, int row, int column, const SubmoduleMask& patt
   return count;
 }
 
-/// Pattern that most of the data modules come nearest to.
+/// Finds the pattern that differs least from the data modules on average.
 std::optional<ModulePattern> recognised(const Symbol& symbol, const Mask& mask) {
   constexpr std::array kPatterns = {ModulePattern::None, ModulePattern::Square, ModulePattern::ThinPlus,
                                     ModulePattern::Diamond, ModulePattern::ThickPlus};
-  constexpr double kAlike = 3;  // of 25 submodules, on average
+  constexpr double kAlike = 3;  // differing submodules of 25, on average
   std::optional<ModulePattern> best;
   double least = kAlike;
   for (const ModulePattern pattern : kPatterns) {
@@ -106,10 +107,11 @@ std::optional<ModulePattern> recognised(const Symbol& symbol, const Mask& mask) 
   return best;
 }
 
-/// Deep enough for any printer, for what depends on the depth is not known before carving; no overflow when summed.
+/// Depth that suffices for any printer, used where the depths are not known before carving. Small enough to be summed
+/// without overflow.
 constexpr double kAnyDepthMm = 1e6;
 constexpr double kModuleStepMm = 0.01;
-constexpr int kMostNozzles = 100;  // any pattern's pockets are open with modules of so many nozzle widths
+constexpr int kMostNozzles = 100;  // modules of this many nozzle widths have open pockets in any pattern
 
 CarvedFeatures withModulesOf(CarvedFeatures features, double moduleMm) {
   const double factor = moduleMm / features.moduleMm;
@@ -119,7 +121,7 @@ CarvedFeatures withModulesOf(CarvedFeatures features, double moduleMm) {
   return features;
 }
 
-/// Rounded up to a twentieth of a millimetre.
+/// Rounds up to a twentieth of a millimetre.
 double inTwentieths(double mm) { return std::ceil(mm * 20 - 1e-6) / 20; }
 
 }  // namespace
@@ -181,7 +183,7 @@ std::vector<Message> advisePrinting(const CarvedFeatures& features, const Printe
     const double neededMm = inTwentieths(least.value_or(0) * printer.nozzleMm);
     const std::string_view pattern = modulePatternName(*features.pattern);
     if (!least || features.moduleMm >= *least * printer.nozzleMm - kRoundingMm) {
-      // as large as what was printed and read
+      // no smaller than modules that were printed and read
     } else if (*features.pattern == ModulePattern::ThickPlus) {
       advice.push_back(message("thick-plus-smaller-than-printed", with::lengthMm("module", features.moduleMm),
                                with::choice("pattern", "pattern", pattern), with::lengthMm("nozzle", printer.nozzleMm),
@@ -220,7 +222,7 @@ double leastPrintableModuleMm(const Symbol& symbol, ModulePattern modules, Finde
   const SubmoduleMask mask = submodulesToCarve(symbol, modules, finders);
   const std::vector<double> depths(mask.carved.size(), kAnyDepthMm);
   const CarvedFeatures features = measureFeatures(symbol, mask.carved, depths, 1);
-  // By bisection: what is advised against at one size is advised against at any smaller one.
+  // Bisection works because a warning at one size also applies to all smaller sizes.
   int tooSmall = 0, enough = static_cast<int>(std::ceil(kMostNozzles * printer.nozzleMm / kModuleStepMm));
   while (enough - tooSmall > 1) {
     const int middle = tooSmall + (enough - tooSmall) / 2;

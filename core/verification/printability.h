@@ -12,36 +12,38 @@
 
 namespace qrelief {
 
-/// What a printer has to make of a carved symbol.
+/// Dimensions of a carved symbol that a printer has to reproduce.
 struct CarvedFeatures {
   double moduleMm = 0;
-  std::optional<ModulePattern> pattern;  ///< the one that most data modules have; none: no known one
-  double pocketMm = 0;                   ///< edge of the largest square that fits into a dark module's pocket: median
-  double gapMm = 0;         ///< least material between two pockets, along rows and columns; infinite if there is none
+  std::optional<ModulePattern> pattern;  ///< the pattern of most data modules; none: not a known one
+  double pocketMm = 0;                   ///< median edge of the largest square that fits into a dark module's pocket
+  double gapMm = 0;         ///< least width of material between two pockets, along rows and columns; infinite if there
+                            ///< are no gaps
   double meanDepthMm = 0;   ///< over the carved submodules
   double leastDepthMm = 0;  ///< 5th percentile of the depths of the dark modules' deepest submodules
-  std::optional<double> wallMm;  ///< least material behind a floor, along the rays, if it is known
+  std::optional<double> wallMm;  ///< least thickness of material behind a floor, along the rays, if known
 };
 
+/// Measures the features of a carved symbol.
 /// @param carved   (5·modules)² submodules, row-major from the symbol's top left, 1 = carved
-/// @param depthMm  of the same; only carved ones count
+/// @param depthMm  depths of the same submodules; only carved ones count
 CarvedFeatures measureFeatures(const Symbol& symbol, const std::vector<std::uint8_t>& carved,
                                const std::vector<double>& depthMm, double moduleMm);
 
-/// What may go wrong in print; empty if nothing that is known. The bounds in nozzle widths are what the published
-/// prints allow [Papp 2022, §8, 0.4 mm nozzle]: `square` and `diamond` down to modules of 0.9 mm, `thick-plus` down to
-/// 0.6 mm, no `thin-plus` at 1.2 mm; for other nozzles they are scaled. Depths are counted in layers.
+/// Returns warnings about printing; empty if there are none. The bounds in nozzle widths follow the published prints
+/// [Papp 2022, §8, 0.4 mm nozzle]: `square` and `diamond` down to modules of 0.9 mm, `thick-plus` down to 0.6 mm, no
+/// `thin-plus` at 1.2 mm. They are scaled for other nozzles. Depths are counted in layers.
 /// @param minWallMm  material that should stay behind every floor
 std::vector<Message> advisePrinting(const CarvedFeatures& features, const Printer& printer, double minWallMm = 0.8);
 
-/// The same bounds, asked the other way round: the least module that such a nozzle prints with these pockets, the
-/// widest nozzle that prints these modules, and the highest layer that leaves the shallowest modules deep enough, mm.
+/// Invert these bounds: the smallest module that this nozzle prints with these pockets, the widest nozzle that prints
+/// these modules, and the thickest layer that leaves the shallowest modules deep enough, mm.
 double printableModuleMm(const CarvedFeatures& features, double nozzleMm);
 double printableNozzleMm(const CarvedFeatures& features);
 double printableLayerMm(const CarvedFeatures& features);
 
-/// Before anything is carved: the least module of a symbol against whose width nothing speaks, mm, to a hundredth.
-/// @param printer  of a nozzle between 0 and 1000 mm
+/// Returns the least module width of a symbol without a printing warning, mm, to a hundredth. Needs no carving.
+/// @param printer  with a nozzle between 0 and 1000 mm
 double leastPrintableModuleMm(const Symbol& symbol, ModulePattern modules, FinderPattern finders,
                               const Printer& printer);
 

@@ -15,7 +15,7 @@ namespace {
 constexpr int kHorizonSamples = 64;
 constexpr double kEveryBorderTexels = 8;
 
-/// Of a square picture, whose border goes on beyond it.
+/// Blurs a square picture; border pixels continue outwards.
 std::vector<double> gaussianBlur(const std::vector<double>& image, int width, double sigma) {
   if (sigma <= 0) return image;
   const int reach = static_cast<int>(std::ceil(3 * sigma));
@@ -53,7 +53,7 @@ double srgb(double linear) {
   return v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055;
 }
 
-/// Greys of linear values: 255 of srgb(), rounded.
+/// Converts linear values to greys: 255 · srgb(), rounded.
 class GreyScale {
  public:
   GreyScale() {
@@ -77,8 +77,8 @@ class GreyScale {
 
  private:
   static constexpr int kSteps = 4096;
-  std::array<std::uint8_t, kSteps + 1> first_{};  // grey of the beginning of each step
-  std::array<double, 256> least_{};               // linear value of each grey
+  std::array<std::uint8_t, kSteps + 1> first_{};  // grey at the start of each step
+  std::array<double, 256> least_{};               // least linear value of each grey
 };
 
 }  // namespace

@@ -20,12 +20,12 @@ struct GreyImage {
   std::vector<std::uint8_t> pixels;
 };
 
-/// The carved model as a phone at the reader's eye sees it under a uniform sky and lamps.
+/// Pictures of the carved model as a phone at the eye sees it under a uniform sky and lamps.
 struct ReaderView {
-  GreyImage picture;  ///< exposed, blurred, with noise and sRGB gamma: what is decoded
-  GreyImage clean;    ///< without blur and noise: what is shown
+  GreyImage picture;  ///< exposed, blurred, with noise and sRGB gamma; for decoding
+  GreyImage clean;    ///< without blur and noise; for display
   double pixelsPerModule = 0;
-  std::vector<float> luminance;  ///< linear, of the same width, row 0 at the bottom: what pictures are made of
+  std::vector<float> luminance;  ///< linear, of the same width, row 0 at the bottom; the pictures are made from it
 };
 
 /// Share of light that a phone's lens scatters over the picture.
@@ -33,22 +33,21 @@ inline constexpr double kStrayLight = 0.05;
 
 struct ReaderViewOptions {
   double extentMm = 50;  ///< edge of the square on the QR plane that fills the picture
-  int texels = 560;      ///< along its edge
+  int texels = 560;      ///< along the edge of the square
   float radiusMm = 4;    ///< reach of the march for pockets
-  float reliefMm = 2;    ///< depth of the deepest of them
+  float reliefMm = 2;    ///< depth of the deepest pocket
   float albedo = 0.7f;
-  std::vector<DirectionalLight> lights = {};  ///< beside the uniform sky, at most kMaxLights
+  std::vector<DirectionalLight> lights = {};  ///< in addition to the uniform sky, at most kMaxLights
   double blurPx = 1.0;                        ///< standard deviation, at 700 texels; scales with the size
   double noise = 0.02;                        ///< standard deviation at white, linear
   double strayLight = kStrayLight;            ///< share of light scattered in the lens
 };
 
-/// What a phone makes of a luminance that was found otherwise.
+/// Simulates a phone's pictures of a luminance that was computed elsewhere.
 /// @param luminance  linear, options.texels² values, row 0 at the bottom, 1 = unoccluded
 ReaderView photographed(std::vector<float> luminance, const ReaderViewOptions& options);
 
-/// Renders the mesh itself (not the map that the depth search worked on), so that what the embedding made is what is
-/// judged.
+/// Renders the mesh itself, not the map that the depth search worked on, so that the output of the embedding is judged.
 Result<ReaderView> renderReaderView(const GeometryPass& pass, const GpuMesh& mesh, const ProjectionFrame& frame,
                                     const ReaderViewOptions& options,
                                     std::shared_ptr<const LuminancePrograms> programs = nullptr);
@@ -57,16 +56,16 @@ struct CameraOptions {
   double blurPx = 0;       ///< standard deviation, ≥ 0
   double noise = 0;        ///< standard deviation at white, linear
   double strayLight = 0;   ///< share of light scattered in the lens, 0 … 1
-  double exposure = 0.85;  ///< where the 95th percentile of the picture's middle comes to lie, linear; more is clipped
-  std::uint64_t seed = 1;  ///< of the noise
+  double exposure = 0.85;  ///< linear value of the 95th percentile of the picture's middle; brighter pixels are clipped
+  std::uint64_t seed = 1;  ///< seed of the noise
 };
 
-/// What a camera makes of linear luminance: exposure, stray light, Gaussian blur, shot noise (seeded: the same on every
-/// run), sRGB gamma, 8 bits.
+/// Simulates a camera's picture of linear luminance: exposure, stray light, Gaussian blur, shot noise (seeded: the same
+/// on every run), sRGB gamma, 8 bits.
 /// @param luminance  width² values, row 0 at the bottom
 GreyImage photograph(const std::vector<float>& luminance, int width, const CameraOptions& camera = {});
 
-/// Gaussian blur; the border is continued outwards.
+/// Applies a Gaussian blur; border pixels continue outwards.
 /// @param sigmaPx  ≥ 0
 GreyImage blurred(const GreyImage& image, double sigmaPx);
 

@@ -44,7 +44,7 @@ std::vector<ReadingView> plannedViews(const SweepOptions& options) {
   return views;
 }
 
-/// The last of the values, from the first on, at which everything reads.
+/// Returns the last value, counted from the first, up to which everything reads.
 template <class Reads, std::size_t Count>
 std::optional<double> lastReading(const std::array<double, Count>& values, const Reads& reads) {
   std::optional<double> last;
@@ -93,7 +93,7 @@ std::vector<float> ReadingSweep::luminanceOf(const ReadingView& view) {
 void ReadingSweep::read(ReadingView& view, const GreyImage& picture) {
   for (const GreyImage& variant : readingVariants(picture, view.pixelsPerModule)) {
     for (const SymbolReader& reader : readers_) {
-      // How often is asked of the frontal pictures only; elsewhere, whether at all.
+      // Only frontal pictures count their successes; all others stop at the first one.
       if (view.test != ReadingTest::Frontal && view.read()) return;
       ++view.tries;
       const auto found = reader(variant);

@@ -13,61 +13,64 @@
 
 namespace qrelief {
 
-/// What one picture is there to find out.
+/// Purpose of a simulated picture.
 enum class ReadingTest : std::uint8_t { Frontal, Lamp, Tilt, Distance, Blur, Noise, Exposure };
 std::string_view readingTestName(ReadingTest test);
 
-/// One simulated picture and what the reader made of it, in all reading variants (verification/reading_variants.h).
+/// One simulated picture and its decoding results over all reading variants (verification/reading_variants.h).
 struct ReadingView {
   ReadingTest test = ReadingTest::Frontal;
-  bool lamp = false;                   ///< under sky and lamp; else under the sky alone
+  bool lamp = false;                   ///< true: under sky and lamp; false: under the sky alone
   double tiltDeg = 0, azimuthDeg = 0;  ///< see tilted()
   double pixelsPerModule = 8;
-  Vec2 phase{0};              ///< of the pixel grid, in pixels
+  Vec2 phase{0};              ///< offset of the pixel grid, in pixels
   double blurModules = 0.07;  ///< standard deviation, in modules
   double noise = 0.02;        ///< standard deviation at white, linear
   double exposure = 0.85;     ///< see CameraOptions
-  // What came of it:
-  int tries = 0, reads = 0;    ///< with each variant and reader; reads: gave the wanted text, and not mirrored
-  bool mirrored = false;       ///< one gave it mirrored
-  std::string otherText = {};  ///< one gave this instead
+  // Results:
+  int tries = 0, reads = 0;    ///< one try per variant and decoder; reads: tries that gave the wanted text, not
+                               ///< mirrored
+  bool mirrored = false;       ///< a try gave the text mirrored
+  std::string otherText = {};  ///< a try gave this text instead
 
   bool read() const { return reads > 0; }
 };
 
-/// What a sweep comes to.
+/// Result of a sweep.
 struct ReadingSummary {
   ReadingCount frontal;  ///< all tries in the frontal pictures
   bool mirrored = false;
-  std::string otherText;              ///< that was read instead of the wanted one; empty: none
-  std::optional<double> tiltDeg;      ///< up to which every azimuth reads under the sky; none: not even from the front,
-                                      ///< or SweepOptions::underLamp
+  std::string otherText;              ///< text decoded instead of the wanted one; empty: none
+  std::optional<double> tiltDeg;      ///< largest tilt up to which every azimuth reads under the sky; none: not even
+                                      ///< the front reads, or SweepOptions::underLamp is set
   std::optional<double> tiltDegLamp;  ///< the same under sky and lamp
-  std::optional<double> pixelsPerModule;     ///< least with which it reads, without a gap from the nearest
-  std::optional<double> blurModules;         ///< greatest standard deviation with which it reads, without a gap
-  std::optional<double> cornerErrorModules;  ///< between where it was found and where it should be, the worst corner
+  std::optional<double> pixelsPerModule;     ///< lowest that reads, with no failure nearer by
+  std::optional<double> blurModules;         ///< greatest standard deviation that reads, with no failure below it
+  std::optional<double> cornerErrorModules;  ///< distance between decoded and expected position, for the worst corner
 };
 
 struct SweepOptions {
-  bool ranges = true;      ///< find out how far it can be tilted, blurred and so on, too; else only whether it reads
-  bool underLamp = false;  ///< every picture is taken under sky and lamp: the code is meant for nothing else
+  bool ranges = true;      ///< true: also find the limits of tilt, blur and so on; false: only check that the code
+                           ///< reads
+  bool underLamp = false;  ///< take every picture under sky and lamp, because the code is meant for that light only
 };
 
-/// Pictures of a baked surface, a few at a time, and what readers make of them.
+/// Takes pictures of a baked surface, a few at a time, and decodes them.
 class ReadingSweep {
  public:
-  /// @param light    baked and smoothed, at kBakedPixels a module; kept by reference
+  /// @param light    baked and smoothed, at kBakedPixels per module; kept by reference
   /// @param modules  along the symbol's edge
-  /// @param readers  tried one after the other on each picture, each counts; not empty
+  /// @param readers  all try each picture, one after the other, and each try counts; not empty
   ReadingSweep(const BakedLight& light, const ProjectionFrame& frame, int modules, double symbolMm, std::string text,
                std::vector<SymbolReader> readers, const SweepOptions& options);
 
-  /// Takes the next picture and reads it. @returns whether that was the last
+  /// Takes the next picture and decodes it.
+  /// @returns true after the last
   bool step();
   double doneFraction() const { return static_cast<double>(next_) / static_cast<double>(views_.size()); }
 
   const std::vector<ReadingView>& views() const { return views_; }
-  /// After the last step.
+  /// Returns the result; call it after the last step.
   ReadingSummary summary() const;
 
  private:
@@ -83,26 +86,26 @@ class ReadingSweep {
   SweepOptions options_;
   std::vector<ReadingView> views_;
   std::size_t next_ = 0;
-  LinearPicture seen_;  // by the camera of the view before
+  LinearPicture seen_;  // by the previous view's camera
   double seenTilt_ = -1, seenAzimuth_ = 0;
   std::optional<double> cornerError_;
 };
 
-/// Texels of the bake, and pixels of the pictures before they are resampled, along a module's edge.
+/// Resolution of the bake and of pictures before resampling: texels or pixels along a module's edge.
 inline constexpr int kBakedPixels = 10;
 
-/// Means over the submodules of symbol and quiet zone, row-major from the quiet zone's top left, 1 = unoccluded.
-/// @param picture  luminance at kBakedPixels a module, with the margin of a picture, 1 = unoccluded; row 0 at the
-/// bottom
+/// Averages over the submodules of symbol and quiet zone, row-major from the quiet zone's top left, 1 = unoccluded.
+/// @param picture  luminance at kBakedPixels per module, with the margin of a picture, 1 = unoccluded; row 0 at the
+///                 bottom
 /// @param modules  along the symbol's edge
 std::vector<double> submoduleMeans(std::span<const float> picture, int modules);
 
-/// The same of baked light. What lies beside the model counts as open.
-/// @param light      baked at kBakedPixels a module, with the margin of a picture
-/// @param underLamp  of sky and lamp; else of the sky alone
+/// Averages baked light in the same way. Texels off the model count as open.
+/// @param light      baked at kBakedPixels per module, with the margin of a picture
+/// @param underLamp  true: light of sky and lamp; false: of the sky alone
 std::vector<double> submoduleLight(const BakedLight& light, int modules, bool underLamp);
 
-/// Modules that the pictures show beyond the symbol on each side: quiet zone and something else.
+/// Width of the picture margin on each side of the symbol, in modules: the quiet zone and some of its surroundings.
 inline constexpr int kPictureMarginModules = 6;
 
 }  // namespace qrelief

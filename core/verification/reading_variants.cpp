@@ -10,11 +10,11 @@
 namespace qrelief {
 namespace {
 
-/// 1st and 99th percentile to black and white.
+/// Stretches the contrast: the 1st percentile becomes black and the 99th white.
 GreyImage stretched(GreyImage image) {
   std::array<std::size_t, 256> counts{};
   for (const std::uint8_t pixel : image.pixels) ++counts[pixel];
-  const auto valueAt = [&](std::size_t place) {  // of the sorted pixels
+  const auto valueAt = [&](std::size_t place) {  // in the order of the sorted pixels
     std::size_t value = 0;
     for (std::size_t before = counts[0]; before <= place; before += counts[++value]) {
     }

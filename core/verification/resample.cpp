@@ -8,8 +8,8 @@
 namespace qrelief {
 namespace {
 
-/// Means over cells along the rows of `picture`, which are written as columns: two passes make a whole.
-/// @param first  pixel where they begin
+/// Averages the rows of `picture` over cells and writes them as columns, so that two passes resample both directions.
+/// @param first  pixel where the cells begin
 std::vector<float> alongRows(const std::vector<float>& picture, int width, int height, double step, double first,
                              int cells) {
   std::vector<float> out(static_cast<std::size_t>(cells) * static_cast<std::size_t>(height));

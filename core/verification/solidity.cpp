@@ -12,7 +12,7 @@
 namespace qrelief {
 namespace {
 
-/// Sets of triangle corners, joined as they turn out to belong to one fan.
+/// Sets of triangle corners that belong to one fan, built by joining corners.
 class Fans {
  public:
   explicit Fans(std::size_t corners) : parent_(corners) { std::iota(parent_.begin(), parent_.end(), 0u); }
@@ -30,7 +30,7 @@ class Fans {
   std::vector<std::uint32_t> parent_;
 };
 
-/// Triangles that share an edge, however many, come into one fan at both of its ends.
+/// Groups corners into fans. All triangles that share an edge, however many, join one fan at both of its ends.
 Fans fansOf(const Mesh& mesh, const EdgeTable& edges) {
   Fans fans(3 * mesh.triangles.size());
   const auto cornerAt = [&](std::uint32_t halfEdge, std::uint32_t vertex) {
@@ -91,7 +91,7 @@ void findDuplicates(const Mesh& mesh, const EdgeTable& edges, SolidityReport& re
   }
 }
 
-/// Edges whose two triangles run along them in the same direction.
+/// Finds edges along which both triangles run in the same direction.
 void findMisoriented(const Mesh& mesh, const EdgeTable& edges, SolidityReport& report) {
   const auto start = [&](std::uint32_t halfEdge) { return mesh.triangles[halfEdge / 3][halfEdge % 3]; };
   for (std::size_t e = 0; e < edges.size(); ++e) {
@@ -145,7 +145,7 @@ Result<SolidityReport> checkSolidity(const Mesh& mesh, std::span<const std::uint
   report.nonManifoldEdges = defects.nonManifoldEdges;
   report.nonManifoldEdgeAt = defects.nonManifoldEdgeAt;
   findMisoriented(mesh, edges, report);
-  // A closed surface's fans are counted by walking round its vertices, others by joining corners.
+  // For a closed surface, walking round its vertices has counted the fans; otherwise corners are joined.
   const bool simple = defects.openEdges + defects.nonManifoldEdges == 0 && !anyRepeatsAVertex(mesh);
   if (simple) {
     report.nonManifoldVertices = defects.nonManifoldVertices;

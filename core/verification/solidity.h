@@ -10,20 +10,20 @@
 
 namespace qrelief {
 
-/// One way in which a mesh is no solid.
+/// A defect that keeps a mesh from being a solid.
 struct SolidityFinding {
-  Message message;         ///< what, and how often: to be told within another message
-  std::optional<Vec3> at;  ///< of the first, mm; none where the whole mesh is meant
+  Message message;         ///< the defect and its count; to be quoted within another message
+  std::optional<Vec3> at;  ///< place of the first, mm; none if the whole mesh is meant
 };
 
-/// What a slicer would find in a mesh read back from a file.
+/// Defects that a slicer would find in a mesh read back from a file.
 struct SolidityReport {
   std::size_t triangles = 0, vertices = 0;
   std::size_t openEdges = 0, nonManifoldEdges = 0, misorientedEdges = 0, nonManifoldVertices = 0;
   std::size_t degenerateTriangles = 0, duplicateTriangles = 0;
   std::size_t selfIntersections = 0;  ///< pairs of triangles, among the suspects only
   double volumeMm3 = 0;
-  /// Where the first of each is; meaningful where there is one.
+  /// Place of the first defect of each kind; valid only if there is one.
   Vec3 openAt{0}, nonManifoldEdgeAt{0}, misorientedAt{0}, nonManifoldVertexAt{0}, degenerateAt{0}, duplicateAt{0},
       selfIntersectionAt{0};
 

@@ -11,14 +11,14 @@
 
 namespace qrelief {
 
-/// What a decoder found in a picture.
+/// A symbol that a decoder found in a picture.
 struct SymbolRead {
   std::string text;  ///< UTF-8
   bool mirrored = false;
   std::array<Vec2, 4> corners{};  ///< px from the picture's top left: the symbol's top left, then clockwise
 };
 
-/// A decoder of QR Codes, as the program around the core has one: a picture in, a symbol out or nothing.
+/// A QR Code decoder, supplied by the program around the core. Takes a picture and returns a symbol or nothing.
 using SymbolReader = std::function<std::optional<SymbolRead>(const GreyImage&)>;
 
 }  // namespace qrelief

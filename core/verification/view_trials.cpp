@@ -30,7 +30,7 @@ void ViewTrials::note(bool read) {
   if (done() || tiltDeg == 0 || trials_[next_].tiltDeg == tiltDeg) return;
   const bool anyRead = std::any_of(read_.end() - static_cast<std::ptrdiff_t>(kAzimuthsDeg.size()), read_.end(),
                                    [](bool one) { return one; });
-  for (; !anyRead && !done() && trials_[next_].tiltDeg > 0; ++next_) {  // farther aside nothing reads, either
+  for (; !anyRead && !done() && trials_[next_].tiltDeg > 0; ++next_) {  // larger tilts cannot decode, either
     leftOut_[next_] = true;
     read_.push_back(false);
   }
