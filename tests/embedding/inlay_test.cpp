@@ -97,7 +97,7 @@ TEST(Inlay, OfACheckerboardIsABodyForEachSubmodule) {
     ASSERT_TRUE(result) << result.error().message;
     EXPECT_EQ(problemsOf(result->inlay), "");
     EXPECT_EQ(oracle::eulerCharacteristic(result->inlay),
-              2 * 113);  // 113 of the 15² submodules are carved: 113 spheres
+              2 * 113);  // 113 carved submodules: 113 spheres
   }
 }
 
