@@ -216,8 +216,7 @@ TEST(Embed, CopesWithAPlateWhoseMeshIsTheSubmoduleGridItself) {
 /// one, would collapse.
 TEST(Embed, CarvesAcrossNeedlesAFloatWide) {
   Mesh mesh = shapes::plate({40, 36}, 10, 1, 1);
-  const Triangle t =
-      mesh.triangles[0];  // triangle of the upper face, split at points along and just off its longest edge
+  const Triangle t = mesh.triangles[0];  // upper face; split at points along and just off its longest edge
   std::size_t k = 0;
   const auto length = [&](std::size_t e) { return glm::length(mesh.positions[t[(e + 1) % 3]] - mesh.positions[t[e]]); };
   for (std::size_t e = 1; e < 3; ++e)

@@ -50,8 +50,8 @@ TEST(ContrastForPrint, AsksForWhatThePrintLacksOfTwoThirds) {
 TEST(ContrastForPrint, FindersAndOtherModulesAreComparedWithTheirOwn) {
   const Symbol symbol = *encodeSymbol("QRELIEF", {});
   const auto isFinder = [&](int row, int column) { return symbol.role(row, column) == ModuleRole::Finder; };
-  // The design gives modules a third of the finder patterns' contrast, as square modules would. Finder patterns print
-  // with half their contrast, modules with all of it.
+  // The design gives other modules a third of the finder patterns' contrast, as square modules would. Finder patterns
+  // print with half their contrast, other modules with all of it.
   const auto designed = lit(symbol, [&](int row, int column) { return isFinder(row, column) ? 0.3 : 0.1; });
   const auto printed = lit(symbol, [&](int row, int column) { return isFinder(row, column) ? 0.15 : 0.1; });
   const std::vector<double> asked = contrastForPrint(symbol, designed, printed, kContrast);
@@ -65,8 +65,7 @@ TEST(ContrastForPrint, FindersAndOtherModulesAreComparedWithTheirOwn) {
 TEST(ContrastForPrint, IsAtMostTwiceWhatIsAskedOfAllAndNeverMoreThanAPocketCanHave) {
   const Symbol symbol = *encodeSymbol("QRELIEF", {});
   const auto designed = lit(symbol, [](int, int) { return 0.3; });
-  const auto brighter =
-      lit(symbol, [](int, int) { return -0.5; });  // the print's pits shine and the grooves around them are dark
+  const auto brighter = lit(symbol, [](int, int) { return -0.5; });  // pits shine, grooves are dark
   for (const auto& [contrast, most] : {std::pair{0.3, 0.6}, {0.5, 0.8}, {0.9, 0.9}}) {
     const std::vector<double> asked = contrastForPrint(symbol, designed, brighter, contrast);
     EXPECT_EQ(*std::max_element(asked.begin(), asked.end()), most);

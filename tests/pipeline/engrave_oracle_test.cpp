@@ -10,7 +10,7 @@
 #include "support/shapes.h"
 #include "support/solid_oracle.h"
 
-// An oracle that never says no proves nothing, so these tests show it faults.
+// An oracle that never says no proves nothing, so these tests also show it faults that it must find.
 namespace qrelief {
 namespace {
 

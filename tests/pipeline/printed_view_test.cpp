@@ -67,8 +67,7 @@ TEST_F(PrintedViewTest, ModulesFinerThanTheNozzleDoNotReadThoughTheDesignDoes) {
 
 TEST_F(PrintedViewTest, WhatThePrinterLeavesIsSeenDarkWhereTheCodeIsDark) {
   const Carved plate = carved(25.2);
-  const int modules = plate.request.symbol.size,
-            edge = modules + 2 * 6;  // the view includes six modules around the symbol
+  const int modules = plate.request.symbol.size, edge = modules + 2 * 6;  // six modules around the symbol are seen
   auto job = PrintedViewJob::create(plate.mesh, {.process = *processOf({}),
                                                  .frame = plate.request.frame,
                                                  .symbol = plate.request.symbol,

@@ -55,7 +55,7 @@ TEST(Bend, OfAMeshIsThatOfTheFacetsNamed) {
     if (std::max({mesh.corner(t, 0).z, mesh.corner(t, 1).z, mesh.corner(t, 2).z}) < 1) lower.push_back(t);
   }
   EXPECT_NEAR(bendMm(mesh, lower, frame, 30), 0, 1e-5);
-  // A step of 2 in the middle has a variance of 1, of which the inclined plane takes three quarters.
+  // A step of 2 in the middle has a variance of 1; the inclined plane accounts for three quarters of it.
   EXPECT_NEAR(bendMm(mesh, all, frame, 30), 0.5, 0.02);
 }
 

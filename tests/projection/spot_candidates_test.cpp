@@ -81,7 +81,7 @@ TEST(QualityOf, AnInclinedPlaneIsThatOfItsAngle) {
   const double angle = 25 * std::numbers::pi / 180;
   const ProjectionFrame frame = makeFrame({0, 0, 100}, {std::sin(angle), 0, std::cos(angle)}, {0, 1, 0}, 250);
   const SquareQuality quality = qualityOf(map, frame, 80);
-  // Heights change linearly over the square, so their variance is that of a uniform spread of 80·tan 25°.
+  // Heights change linearly over the square, so they have the variance of a uniform spread of 80·tan 25°.
   const double spread = 80 * std::tan(angle);
   EXPECT_NEAR(quality.varianceMm2, spread * spread / 12, 0.04 * spread * spread / 12);
   EXPECT_NEAR(quality.worstAngleDeg, 25, 1e-3);

@@ -40,8 +40,7 @@ TEST(SettingsTable, EveryKeyIsThereOnceAndGroupsStandTogether) {
 
 TEST(SettingsTable, AKeySaysTheUnit) {
   for (const Setting& setting : settings()) {
-    if (setting.kind != Setting::Kind::Number)
-      continue;  // the key of a choice or number says what it sets, not its unit
+    if (setting.kind != Setting::Kind::Number) continue;  // a choice's key names no unit
     EXPECT_EQ(setting.key.ends_with("Mm"), setting.unit == Setting::Unit::Millimetre) << setting.key;
     EXPECT_EQ(setting.key.ends_with("Deg"), setting.unit == Setting::Unit::Degree) << setting.key;
     EXPECT_EQ(setting.key.ends_with("Modules"), setting.unit == Setting::Unit::Module) << setting.key;

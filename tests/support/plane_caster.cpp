@@ -28,8 +28,7 @@ PlaneCaster::PlaneCaster(const Mesh& mesh, const ProjectionFrame& frame, double 
       hi = glm::max(hi, frame.project(mesh.corner(t, k)));
     }
     if (before == 0) continue;
-    if (before < 3)
-      lo = Vec2(-half_), hi = Vec2(half_);  // the facet reaches behind the eye, so its image may be anywhere
+    if (before < 3) lo = Vec2(-half_), hi = Vec2(half_);  // partly behind the eye: its image may be anywhere
     if (hi.x < -half_ || hi.y < -half_ || lo.x > half_ || lo.y > half_) continue;
     for (int row = bin(lo.y); row <= bin(hi.y); ++row)
       for (int column = bin(lo.x); column <= bin(hi.x); ++column)
