@@ -99,7 +99,7 @@ TEST_F(InspectorModelTest, TheGBufferOfABoxesTopIsTheClosedForm) {
   const ValueMap facing = *model.channel(*engine_, MapChannel::FacetNormal);
   EXPECT_NEAR(middleOf(facing), 0, 0.05);
   EXPECT_NEAR(facing.directions[*facing.indexAt({0.5, 0.5})].z, 1, 1e-5);
-  // The corners' normals lean outwards; so does, slightly, the interpolated normal half a texel beside the middle.
+  // The corners' normals lean outwards, so the interpolated normal half a texel beside the middle leans slightly, too.
   EXPECT_NEAR(middleOf(*model.channel(*engine_, MapChannel::SmoothNormal)), 0, 0.2);
   EXPECT_NEAR(middleOf(*model.channel(*engine_, MapChannel::Height)), 0, 1e-3);
   EXPECT_NEAR(middleOf(*model.channel(*engine_, MapChannel::BackDistance)), eye + kBoxMm, 0.02);

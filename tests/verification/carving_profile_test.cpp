@@ -23,8 +23,8 @@ class CarvingProfileTest : public testing::Test {
     frame_ = makeFrame({0, 0, 0}, {0, 0, 1}, {0, 1, 0}, 10000);
   }
 
-  /// Returns a plate of 29 × 29 modules, `depth` deep where the module at (row, column) of the picture is dark. Its
-  /// middle 3 × 3 submodules are floor; the walls lean over the next ones.
+  /// Returns a plate of 29 × 29 modules, `depth` deep where the module at (row, column) of the picture is dark. In a
+  /// dark module the middle 3 × 3 submodules are floor; the walls lean over the next ones.
   template <class IsDark, class Base>
   Mesh plate(double depth, const IsDark& isDark, const Base& base) const {
     const int modules = symbol_.size + 2 * kQuietZoneModules, cells = kN * modules;
