@@ -18,11 +18,11 @@ TEST(Halton, GivesTheFirstTenPointsOfTheLiterature) {
 TEST(Halton, StartsAtTheCorner) { EXPECT_EQ(halton23(0), (std::array<double, 2>{0, 0})); }
 
 TEST(Halton, PutsOnePointIntoEachBoxOfAnElementaryPartition) {
-  // 2^3 · 3^2 consecutive points: exactly one in each of 8 × 9 boxes.
+  // 2^3 · 3^2 consecutive points: exactly one falls into each of 8 × 9 boxes.
   int boxes[8][9] = {};
   for (std::uint32_t k = 72; k < 144; ++k) {
     const std::array<double, 2> p = halton23(k);
-    // Denominators are powers of 3, so p·9 may fall short of a whole number by rounding only.
+    // Denominators are powers of 3, so p·9 falls short of a whole number only by rounding.
     ++boxes[static_cast<int>(p[0] * 8)][static_cast<int>(p[1] * 9 + 1e-9)];
   }
   for (const auto& column : boxes)

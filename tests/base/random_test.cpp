@@ -38,7 +38,7 @@ TEST(Random, DrawsEachWholeNumberEquallyOften) {
   Random random(2);
   std::array<int, 7> counts{};
   for (int k = 0; k < 70000; ++k) ++counts[static_cast<std::size_t>(random.below(7))];
-  // Standard deviation √(70000·6/49) = 93.
+  // The standard deviation is √(70000·6/49) = 93.
   for (const int count : counts) EXPECT_NEAR(count, 10000, 5 * 93);
 }
 

@@ -14,7 +14,7 @@ Result<BatchList> read(const std::string& text) {
   return readBatchList(std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
 }
 
-/// Cells of a row, or the refusal's code.
+/// Returns the cells of a row, or the code of the refusal.
 std::vector<std::string> row(const Result<BatchList>& list, std::size_t index) {
   if (!list) return {list.error().message.code};
   std::vector<std::string> cells;
@@ -82,14 +82,14 @@ TEST(BatchList, CountedHasRowsWithoutCells) {
   EXPECT_TRUE(list.columns().empty());
 }
 
-/// Names of columns, separated by commas.
+/// Returns `count` column names, separated by commas.
 std::string names(std::size_t count) {
   std::string line;
   for (std::size_t i = 0; i < count; ++i) line += (i == 0 ? "c" : ",c") + std::to_string(i);
   return line;
 }
 
-/// Keys with values, as an object has them.
+/// Returns `count` keys with values, as written in a JSON object.
 std::string keys(std::size_t first, std::size_t count) {
   std::string list;
   for (std::size_t i = first; i < first + count; ++i)
@@ -101,7 +101,7 @@ struct Malformed {
   const char* what;
   std::string text;
   const char* code;
-  double line = 0;  ///< that the refusal names; 0: none
+  double line = 0;  ///< line that the refusal names; 0: none
 };
 
 TEST(BatchList, RefusesWhatIsMalformedAndSaysWhere) {

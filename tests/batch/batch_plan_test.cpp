@@ -19,7 +19,7 @@ BatchPlan planOf(const std::string& list, const std::string& text = "", const st
   return BatchPlan::make(rows ? std::move(*rows) : BatchList(), request);
 }
 
-/// Codes of the problems; of one in a line, the line and the code: "3 text-twice".
+/// Returns the codes of the problems. A problem in a line is its line number and code: "3 text-twice".
 std::vector<std::string> problemsOf(const BatchPlan& plan) {
   std::vector<std::string> codes;
   for (const Message& problem : plan.problems()) {

@@ -16,7 +16,7 @@ TEST(DepthIncrease, TakesTheValuesOfThePapersFormula) {
   EXPECT_NEAR(depthIncrease(1000), 0.689, 5e-4);
 }
 
-/// A symbol of `size` modules with only the given ones dark.
+/// Fixture with a symbol of `size` modules in which only the given modules are dark.
 class DepthSearchTest : public testing::Test {
  protected:
   DepthSearchTest() {
@@ -34,7 +34,7 @@ class DepthSearchTest : public testing::Test {
   DepthSearch start(double limit = 5, DepthSearchOptions options = {}) {
     return {CarvingTarget{&symbol_, &mask_, 21, std::vector<double>(105 * 105, limit)}, options};
   }
-  /// Luminances with 1 on light modules and `carved(depth)` on carved submodules.
+  /// Returns luminances: 1 on light modules, `carved(depth)` on carved submodules.
   template <class Function>
   std::vector<double> luminances(const DepthSearch& search, Function carved) {
     const int edge = 5 * 29;
@@ -61,7 +61,7 @@ TEST_F(DepthSearchTest, EveryCarvedSubmoduleStartsAtOneLayerAndLightOnesStayUnca
 TEST_F(DepthSearchTest, StopsAsSoonAsEverySubmoduleIsDarkEnough) {
   darken(10, 10);
   DepthSearch search = start(5, {.contrast = 0.3});
-  // Luminance falls in a straight line with depth: 0.7 is reached at 0.6 mm.
+  // Luminance falls linearly with depth and reaches 0.7 at 0.6 mm.
   while (!search.finished()) search.update(luminances(search, [](int, int, double depth) { return 1 - 0.5 * depth; }));
   for (const double depth : search.depths().depthMm) {
     if (depth == 0) continue;
@@ -113,7 +113,7 @@ TEST_F(DepthSearchTest, TheSurroundingsAreTheFourDarkestLightNeighbours) {
     for (int k = 0; k < 25; ++k)
       all[static_cast<std::size_t>(((row + 4) * 5 + k / 5) * edge + (column + 4) * 5 + k % 5)] = value;
   };
-  // Four shaded neighbours of luminance 0.5: the threshold is 0.35, not 0.7 as the bright ones would have it.
+  // Four shaded neighbours have luminance 0.5, so the threshold is 0.35, not the 0.7 that bright neighbours would give.
   for (const auto& [row, column] : {std::pair(9, 9), std::pair(9, 10), std::pair(9, 11), std::pair(10, 9)})
     setModule(row, column, 0.5);
   setModule(10, 10, 0.4);
@@ -124,7 +124,7 @@ TEST_F(DepthSearchTest, TheSurroundingsAreTheFourDarkestLightNeighbours) {
 TEST_F(DepthSearchTest, InsideALargeDarkAreaTheRingIsWidenedUntilItHoldsFourLightModules) {
   for (int row = 0; row < 21; ++row)
     for (int column = 0; column < 21; ++column) darken(row, column);
-  symbol_.dark[3 * 21 + 3] = 0;  // one light module, at distance 7 from (10, 10); the quiet zone is at 11
+  symbol_.dark[3 * 21 + 3] = 0;  // one light module at distance 7 from (10, 10); the quiet zone is at distance 11
   for (int k = 0; k < 25; ++k) mask_.carved[static_cast<std::size_t>((15 + k / 5) * 105 + 15 + k % 5)] = 0;
   DepthSearch search = start(5, {.contrast = 0.5});
   const int edge = 5 * 29;
@@ -139,7 +139,7 @@ TEST_F(DepthSearchTest, InsideALargeDarkAreaTheRingIsWidenedUntilItHoldsFourLigh
       if (i < 0 || j < 0 || i > 20 || j > 20) setModule(i, j, 1.0);
   setModule(10, 10, 0.5);
   search.update(all);
-  // Four darkest of {0.6, and the quiet zone's 1.0 …}: AL = 0.9, threshold 0.45.
+  // The four darkest of {0.6, and the quiet zone's 1.0 …} give AL = 0.9 and threshold 0.45.
   EXPECT_NEAR(search.worstExcess(), 0.05, 1e-12);
 }
 

@@ -13,8 +13,8 @@ namespace {
 
 constexpr double kContrast = 0.3;
 
-/// A real symbol on a made-up surface: light as PocketSky says, with interreflection, and besides every submodule
-/// brighter or darker than that by up to a twentieth.
+/// Fixture with a real symbol on a made-up surface. PocketSky with interreflection gives the light; each submodule is
+/// up to a twentieth brighter or darker than that.
 class FastSearchTest : public testing::Test {
  protected:
   FastSearchTest()
@@ -42,7 +42,7 @@ class FastSearchTest : public testing::Test {
     return all;
   }
 
-  /// @returns how often a submodule was measured, in all
+  /// @returns the total number of submodule measurements
   std::size_t run(DepthSolver& solver) const {
     std::size_t measured = 0;
     while (!solver.finished()) {
@@ -52,7 +52,7 @@ class FastSearchTest : public testing::Test {
     return measured;
   }
 
-  /// Submodules with G > 0, all light around being 1.
+  /// Returns the number of submodules with G > 0, if all light modules have luminance 1.
   int tooBright(const DepthField& field) const {
     const std::vector<double> all = luminances(field);
     const SubmoduleLuminances seen(all, symbol_.size);

@@ -43,7 +43,7 @@ TEST_F(LightNeighboursTest, PassesOverDarkNeighboursAndLooksFartherForFour) {
       symbol_.dark[moduleAt(row, column)] = 1;
       luminanceAt(row, column) = 0;
     }
-  symbol_.dark[moduleAt(9, 9)] = 0;  // one light neighbour is left: the ring of 16 beyond joins in
+  symbol_.dark[moduleAt(9, 9)] = 0;  // one light neighbour is left, so the ring of 16 beyond joins in
   luminanceAt(9, 9) = 0.2;
   luminanceAt(8, 8) = 0.6;
   EXPECT_DOUBLE_EQ(LightNeighbours(symbol_).darkestMean(moduleAt(10, 10), luminance_), (0.2 + 0.6 + 1 + 1) / 4);

@@ -17,7 +17,7 @@ constexpr int kQuiet = kSubmodulesPerModule * kQuietZoneModules;
 constexpr double kSubmoduleMm = 0.2;  // modules of 1 mm
 constexpr double kContrast = 0.3;
 
-/// A symbol on a plane with only the given modules dark; the light is found by brute force.
+/// Fixture with a symbol on a plane in which only the given modules are dark; brute force finds the light.
 class OneLightSearchTest : public testing::Test {
  protected:
   OneLightSearchTest() {
@@ -34,13 +34,13 @@ class OneLightSearchTest : public testing::Test {
   }
 
   double lampLight(double elevationDeg) const { return lamp_.strength * std::sin(toRadians(elevationDeg)); }
-  /// Depth that a further submodule of a run gains.
+  /// Returns the depth that each further submodule of a run adds.
   double stepMm() const {
     return kSubmoduleMm * shadowFraction(kContrast, lampLight(lamp_.elevationDeg)) *
            std::tan(toRadians(lamp_.elevationDeg));
   }
 
-  /// Whether something towards the lamp hides it from a place (x, y) of the symbol, in submodules.
+  /// Returns true if something hides the lamp from the point (x, y) of the symbol, in submodules.
   bool isInShadow(const DepthField& field, double x, double y) const {
     const double azimuth = toRadians(lamp_.azimuthDeg), rise = kSubmoduleMm * std::tan(toRadians(surfaceElevationDeg_));
     const auto depthAt = [&](double u, double v) {
@@ -53,7 +53,7 @@ class OneLightSearchTest : public testing::Test {
     return false;
   }
 
-  /// Of every submodule; what is uncarved sees the lamp at `surfaceElevationDeg_`.
+  /// Returns the luminance of every submodule. Uncarved surface sees the lamp at `surfaceElevationDeg_`.
   std::vector<double> luminances(const DepthField& field) const {
     constexpr int kPlaces = 8;
     const int edge = kEdge + 2 * kQuiet;
@@ -75,7 +75,7 @@ class OneLightSearchTest : public testing::Test {
     while (!search.finished()) search.update(luminances(search.depths()));
   }
 
-  /// Carved submodules brighter than asked, all surroundings being open.
+  /// Returns the number of carved submodules brighter than the target, if all surroundings are open.
   int tooBright(const DepthField& field, double tolerance = 0) const {
     const std::vector<double> all = luminances(field);
     const SubmoduleLuminances seen(all, kModules);
@@ -146,7 +146,7 @@ TEST_F(OneLightSearchTest, WhatIsBrightenedByReflectionsGetsDeeperUntilItIsDarkE
   EXPECT_GT(tooBright(first), 0);
   run(search);
   EXPECT_EQ(tooBright(search.depths()), 0);
-  // (1 + 1 + 9.5·(1 − f)) ≤ 0.7·10.5 asks for f ≥ 0.44 in place of 0.33: two fifths more.
+  // (1 + 1 + 9.5·(1 − f)) ≤ 0.7·10.5 requires f ≥ 0.44 instead of 0.33: two fifths more.
   for (std::size_t i = 0; i < first.depthMm.size(); ++i)
     EXPECT_LE(search.depths().depthMm[i], 1.5 * first.depthMm[i] + 5 * kDepthQuantumMm);
   EXPECT_EQ(search.limitedCount(), 0u);

@@ -20,7 +20,7 @@ SubmoduleMask maskOf(int size, const std::function<bool(int, int)>& isCarved) {
 }
 
 TEST(PocketSky, SeesOfASquarePitWhatTheFormFactorSays) {
-  // Between two parallel squares of edge 1 at a distance of 1/2, with x = 1/(1/2): floor and opening.
+  // Form factor of two parallel squares of edge 1 at a distance of 1/2, with x = 1/(1/2): floor and opening.
   const double x = 2, root = std::sqrt(1 + x * x);
   const double factor =
       2 / (std::numbers::pi * x * x) *
@@ -55,7 +55,7 @@ TEST(PocketSky, StepsBetweenFloorsCountByTheirHeight) {
   EXPECT_LT(alone, 0.6);
   for (double& depth : depths) depth = 0.5;
   EXPECT_GT(PocketSky::Depths(sky, depths).fraction(40, 0.5),
-            0.98);  // only the symbol's rim stands out, four and a half submodules away
+            0.98);  // only the symbol's rim shades it, four and a half submodules away
 }
 
 class PocketSkySolve : public testing::Test {
@@ -63,7 +63,6 @@ class PocketSkySolve : public testing::Test {
   PocketSkySolve()
       : sky_(maskOf(20, [](int row, int column) { return (row / 5 + column / 5) % 2 == 0 || row < 5; }), 0.2),
         limits_(sky_.carved().size(), 2) {
-    // Uneven targets.
     for (std::size_t k = 0; k < limits_.size(); ++k) shares_.push_back(0.4 + 0.03 * static_cast<double>(k % 8));
   }
   std::vector<double> solvedFrom(double startMm) const {

@@ -13,7 +13,7 @@ constexpr int kModules = 21;
 constexpr int kEdge = 5 * kModules;
 constexpr int kMapEdge = kEdge + 2 * 5 * kQuietZoneModules;
 
-/// A symbol of 21 modules of 1 mm with only the given ones dark, lit by a closed form.
+/// Fixture with a symbol of 21 modules of 1 mm in which only the given modules are dark; a closed form gives the light.
 class ReadingSearchTest : public testing::Test {
  protected:
   ReadingSearchTest() {
@@ -23,7 +23,7 @@ class ReadingSearchTest : public testing::Test {
     mask_.size = kEdge;
     mask_.carved.assign(kEdge * kEdge, 0);
   }
-  /// @param from, to  of the five submodules along each edge
+  /// @param from, to  range within the five submodules along each edge
   void darken(int row, int column, int from = 0, int to = 5) {
     symbol_.dark[static_cast<std::size_t>(row * kModules + column)] = 1;
     for (int r = from; r < to; ++r)
@@ -33,7 +33,8 @@ class ReadingSearchTest : public testing::Test {
   ReadingSearch start(const ReadingOptions& options, double limit = 5) {
     return {CarvingTarget{&symbol_, &mask_, kModules, std::vector<double>(kEdge * kEdge, limit)}, options};
   }
-  /// Of a pit as wide as a module: r² / (r² + d²), whatever the neighbours do; 1 where nothing is carved.
+  /// Returns the light of a pit as wide as a module, r² / (r² + d²), regardless of its neighbours; 1 where nothing
+  /// is carved.
   static double light(double depth) { return 0.25 / (0.25 + depth * depth); }
   void run(ReadingSearch& search) {
     while (!search.finished()) {

@@ -14,7 +14,7 @@ namespace {
 constexpr double kSymbolMm = 25;
 constexpr double kSlackMm = 0.05;
 
-/// A real symbol on a plane, lit as PocketSky says, with interreflection.
+/// Fixture with a real symbol on a plane, lit as PocketSky computes it, with interreflection.
 class ShapedFloorSearchTest : public testing::Test {
  protected:
   ShapedFloorSearchTest()
@@ -43,7 +43,7 @@ class ShapedFloorSearchTest : public testing::Test {
     return all;
   }
 
-  /// Contrast of the carved part of every dark module, row-major.
+  /// Returns the contrast of the carved part of every dark module, row-major.
   std::vector<double> contrasts(const DepthField& field) const {
     const std::vector<double> all = luminances(field);
     const SubmoduleLuminances seen(all, symbol_.size);
@@ -82,7 +82,7 @@ TEST_F(ShapedFloorSearchTest, EveryModuleIsDarkEnoughAndNoDeeperThanItMustBeByMu
     EXPECT_EQ(search.doneFraction(), 1);
     EXPECT_EQ(search.limitedCount(), 0u);
     const std::vector<double> found = contrasts(search.depths());
-    // Were every module shallower by twice the slack, few were dark enough.
+    // If every module were shallower by twice the slack, few would be dark enough.
     DepthField less = search.depths();
     double deepest = 0;
     for (const double depth : less.depthMm) deepest = std::max(deepest, depth);

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kResolution = kDepthQuantumMm / 2;
 
-/// A model seen from straight above the origin of its upper side, and a symbol there whose submodules are all carved.
+/// Model seen from straight above the origin of its upper side, with a symbol there whose submodules are all carved.
 struct Case {
   Mesh mesh;
   double symbolMm = 10;
@@ -34,7 +34,7 @@ struct Case {
     mask = {size, std::vector<std::uint8_t>(static_cast<std::size_t>(size * size), 1)};
   }
 
-  /// Plane point of a grid position, corners at whole numbers.
+  /// Returns the plane point of a grid position; corners are at whole numbers.
   Vec2 plane(double row, double column) const {
     const double h = symbolMm / size;
     return {-symbolMm / 2 + column * h, symbolMm / 2 - row * h};
@@ -51,8 +51,8 @@ struct Case {
                       {.symbolMm = symbolMm, .maxDepthMm = maxDepthMm, .minWallMm = minWallMm});
   }
 
-  /// The closed form, which is least at a corner or the centre, as `limitAt(point of a flat upper side at height z,
-  /// ray)`.
+  /// Compares the limits with a closed form, `limitAt(point of a flat upper side at height z, ray)`, which is least at
+  /// a corner or the centre of a submodule.
   void expectLimits(double z, const std::function<double(Vec3, Vec3)>& limitAt) const {
     const std::vector<double> actual = limits();
     for (int row = 0; row < size; ++row) {
@@ -104,7 +104,7 @@ TEST(WallLimit, OfAWedgeIsMeasuredAcrossItsBack) {
 }
 
 TEST(WallLimit, BesideASideFaceKeepsTheWallUprightToo) {
-  // Rays lean outwards: the upright wall gets thinner with the depth.
+  // Rays lean outwards, so the vertical wall gets thinner with depth.
   Case c{.mesh = shapes::box({22, 200, 40}), .symbolMm = 20.8, .size = 26};
   c.prepare();
   c.expectLimits(20, [&](Vec3 p, Vec3 ray) {
@@ -115,14 +115,14 @@ TEST(WallLimit, BesideASideFaceKeepsTheWallUprightToo) {
 }
 
 TEST(WallLimit, OfAShellEndsBeforeItsCavity) {
-  // The wall between two concentric spheres is 4 mm; their facets are less than 0.02 mm below them.
+  // The wall between two concentric spheres is 4 mm thick; their facets lie less than 0.02 mm below the spheres.
   Case c{.mesh = shapes::together(shapes::icosphere(50, 6), shapes::insideOut(shapes::icosphere(46, 6)))};
   c.maxDepthMm = 5;
   c.prepare();
   const std::vector<double> limits = c.limits();
   for (int row = 0; row < c.size; ++row) {
     for (int column = 0; column < c.size; ++column) {
-      // Where the ray through the submodule comes within minWall of the cavity.
+      // The limit is where the ray through the submodule comes within minWall of the cavity.
       double expected = c.maxDepthMm;
       for (const Vec2 at : {Vec2(0.5, 0.5), Vec2(0, 0), Vec2(0, 1), Vec2(1, 0), Vec2(1, 1)}) {
         const Vec3 ray = c.frame.rayDirection(c.plane(row + at.x, column + at.y));
@@ -166,7 +166,7 @@ TEST(WallLimit, IsZeroWhereNothingIsCarved) {
 }
 
 TEST(WallLimit, IsZeroWhereThePatchDoesNotCoverTheSubmodule) {
-  // The box ends 1 mm within the symbol on the left and right, which the outermost columns stick out of.
+  // The box ends 1 mm inside the symbol on the left and right, so the outermost columns overhang it.
   Case c{.mesh = shapes::box({8, 200, 60})};
   c.prepare();
   c.minWallMm = 0;
@@ -178,14 +178,14 @@ TEST(WallLimit, IsZeroWhereThePatchDoesNotCoverTheSubmodule) {
 }
 
 TEST(WallLimit, BesideADraftedSideThatTheEyeSeesKeepsTheWall) {
-  // A mould's draft of 5°: sides lean outwards by tan 5° a mm, and rays by half a mm in ten.
+  // The sides have a mould's draft of 5°: they lean outwards by tan 5° per mm, rays by half a mm in ten.
   Mesh block = shapes::box({22, 200, 40});
   const double slope = std::tan(5 * 0.017453292519943295);
   for (Vec3f& p : block.positions)
     if (p.z < 0) p.x += static_cast<float>(p.x > 0 ? 40 * slope : -40 * slope);
   Case c{.mesh = block, .symbolMm = 20.8, .size = 26};
   c.prepare();
-  ASSERT_EQ(c.patch().triangles.size(), 6u);  // the top and both sides are seen
+  ASSERT_EQ(c.patch().triangles.size(), 6u);  // the eye sees the top and both sides
   const Vec3 outward = glm::normalize(Vec3(1, 0, slope));
   c.expectLimits(20, [&](Vec3 p, Vec3 ray) {
     const Vec3 mirrored(std::abs(p.x), p.y, p.z), down(std::abs(ray.x), ray.y, ray.z);
@@ -196,7 +196,7 @@ TEST(WallLimit, BesideADraftedSideThatTheEyeSeesKeepsTheWall) {
 }
 
 TEST(WallLimit, BesideASharpRidgeIsMeasuredThroughItThoughTheEyeSeesBothSides) {
-  // A roof of 50° at its ridge along y: beside the ridge the material is thin from the start.
+  // A roof of 50° at its ridge along y: next to the ridge the material is thin from the start.
   const double slope = 1 / std::tan(25 * 0.017453292519943295);
   Mesh roof;
   roof.positions = {{-10, -100, static_cast<float>(-10 * slope)},
@@ -212,7 +212,8 @@ TEST(WallLimit, BesideASharpRidgeIsMeasuredThroughItThoughTheEyeSeesBothSides) {
   const Vec3 right = glm::normalize(Vec3(slope, 0, 1));
   const std::vector<double> limits = c.limits();
   for (int k = 0; k < c.size * c.size; ++k) {
-    // Through the roof, perpendicularly to its other side, from the point of the submodule nearest to the ridge.
+    // Thickness is measured through the roof, perpendicular to its other side, from the submodule's point nearest to
+    // the ridge.
     double thickness = 1e9;
     for (const double across : {0.0, 1.0}) {
       const int row = k / c.size, column = k % c.size;
@@ -226,7 +227,7 @@ TEST(WallLimit, BesideASharpRidgeIsMeasuredThroughItThoughTheEyeSeesBothSides) {
 }
 
 TEST(WallLimit, OfARoofThatIsNotSharpIsTheGreatestDepth) {
-  // 120° at the ridge: both sides are one surface to be carved.
+  // At 120°, both sides of the ridge are one surface to carve.
   const double slope = 1 / std::tan(60 * 0.017453292519943295);
   const Mesh roof = shapes::plate({40, 40}, 40, 2, 2, [&](double x, double) { return -slope * std::abs(x); });
   Case c{.mesh = roof};
@@ -242,7 +243,7 @@ TEST(WallLimit, IsZeroWithoutDepth) {
 }
 
 TEST(WallLimit, DoesNotTakeTheSurfaceOutsideThePatchesRadiusForAWall) {
-  // The radius ends at the symbol's corners: the floor's facets beyond face the eye and are not hidden.
+  // The radius ends at the symbol's corners. The floor's facets beyond it face the eye and are not hidden.
   Case c{.mesh = shapes::plate({60, 60}, 40, 60, 60)};
   c.patchRadiusMm = c.symbolMm / std::sqrt(2.0);
   c.prepare();

@@ -28,7 +28,7 @@ class BatchCommandTest : public CommandTest {
     return writeBytes(name, std::vector<std::uint8_t>(text.begin(), text.end()));
   }
 
-  /// The cheapest codes: small, and not printed.
+  /// Returns arguments for the cheapest codes: small, and without a print simulation.
   std::vector<std::string> arguments(std::vector<std::string> more, const std::string& folder = "out") const {
     std::vector<std::string> all = {"batch",  model_, "-o",        path(folder), "--at",   "0,0,5",
                                     "--size", "21",   "--process", "none",       "--quiet"};
@@ -76,7 +76,7 @@ TEST_F(BatchCommandTest, CarvesAModelARowAndSaysWhatBecameOfEach) {
   const Json report = Json::parse(contentOf(path("out/B2.stl.json")));
   EXPECT_EQ(report["verification"]["text"], "second; quoted");
 
-  // The same as `engrave` makes of the same text.
+  // `engrave` makes the same file from the same text.
   const Outcome alone = run({"engrave", model_, "--text", "second; quoted", "-o", path("alone.stl"), "--at", "0,0,5",
                              "--size", "21", "--process", "none", "--quiet"});
   ASSERT_EQ(alone.status, 0) << alone.err;
@@ -146,7 +146,7 @@ TEST_F(BatchCommandTest, PutsNamedPartsSideBySideOnPlates) {
   EXPECT_LT(glm::length(box.min), 1e-6);
   EXPECT_LT(glm::length(box.max - Vec3(85, 40, 5)), 1e-6);  // two plates of 40 mm, 5 mm apart
 
-  // One that fails leaves the others on their plate, and a plate is made again as a whole.
+  // A failed row leaves the others on their plate. A plate is always made again as a whole.
   const std::string failing = writeText("l.csv", "id,text,size\nA,one & only,\nB,two,39\nC,three,\n");
   const Outcome partly = run(arguments({"--list", failing, "--per-plate", "2", "--name", "{id}.stl"}, "partly"));
   EXPECT_EQ(partly.status, 1);
@@ -185,7 +185,7 @@ TEST_F(BatchCommandTest, ARowThatFailsStopsNoOther) {
   EXPECT_TRUE(fs::exists(path("out/3.stl")));
   EXPECT_THAT(manifest()[1]["reason"].get<std::string>(), HasSubstr("mm"));
 
-  // Nor does it leave what was made of it with other settings; what somebody has changed stays.
+  // A failed row also removes its file made with other settings, but keeps a file that somebody changed.
   writeText("out/3.stl", "changed");
   EXPECT_EQ(run(arguments({"--list", writeText("l.csv", "text,size\na,39\nb,39\nc,39\n")})).status, 1);
   EXPECT_EQ(filesIn("out"), (std::vector<std::string>{"3.stl", "manifest.csv", "manifest.jsonl"}));
@@ -217,7 +217,7 @@ TEST_F(BatchCommandTest, TakesItsShareFromTheEngineThatRunsIt) {
       {{"JOB_COMPLETION_INDEX=2", "--shards"}, "share 2 of 3"}};
   for (const auto& [variables, says] : engines) {
     std::vector<std::string> names;
-    std::vector<std::string> rows = {"--count", "2", "--text", "{n}"};  // nothing is left for the third
+    std::vector<std::string> rows = {"--count", "2", "--text", "{n}"};  // no rows are left for the third share
     for (const std::string variable : variables) {
       const std::size_t equals = variable.find('=');
       if (equals == variable.npos) {
@@ -245,8 +245,8 @@ nonsense
 )");
   std::vector<std::string> stream = arguments({"--stream"});
   const auto at = std::find(stream.begin(), stream.end(), "--at");
-  stream.erase(at, at + 2);                    // where it finds a spot by itself, stdout has the answers alone, too
-  stream.back() += "' <'" + path("requests");  // the fixture's quotes go round it
+  stream.erase(at, at + 2);  // when the command finds a spot by itself, stdout still has only the answers
+  stream.back() += "' <'" + path("requests");  // the fixture puts quotes around it
   const Outcome made = run(stream);
   EXPECT_EQ(made.status, 0) << made.err;
   std::vector<Json> answers = linesOf(made.out);

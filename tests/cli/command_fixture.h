@@ -17,7 +17,7 @@
 
 namespace qrelief {
 
-/// What a run of the command left behind.
+/// Exit status and output of one run of the command.
 struct Outcome {
   int status = -1;
   std::string out, err;
@@ -28,12 +28,11 @@ inline std::string contentOf(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// Runs the command in a folder of the test's own, which is gone afterwards.
+/// Runs the command in a temporary folder and deletes the folder afterwards.
 class CommandTest : public testing::Test {
  protected:
   void SetUp() override {
-    std::string name =
-        std::filesystem::temp_directory_path() / "qrelief_XXXXXX";  // the same test may run elsewhere, too
+    std::string name = std::filesystem::temp_directory_path() / "qrelief_XXXXXX";  // the same test may run in parallel
     ASSERT_TRUE(mkdtemp(name.data()));
     folder_ = name;
   }
@@ -56,7 +55,7 @@ class CommandTest : public testing::Test {
     return readModel(std::span(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()), name);
   }
 
-  /// Runs the command; arguments are quoted for the shell.
+  /// Runs the command; quotes the arguments for the shell.
   Outcome run(const std::vector<std::string>& arguments) const {
     std::string line = "'" QRELIEF_COMMAND "'";
     for (const std::string& argument : arguments) line += " '" + argument + "'";

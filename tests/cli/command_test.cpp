@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The command as scripts see it: exit statuses, usage, what is printed where.
+// The command as scripts see it: exit statuses, usage, and what goes to stdout and stderr.
 #include <filesystem>
 #include <fmt/format.h>
 #include <fstream>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `qrelief engrave`: what its options do, and what it writes.
+// `qrelief engrave`: effects of its options, and the files it writes.
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -69,7 +69,7 @@ TEST_F(EngraveCommandTest, WritesTheSameSolidInEveryFormat) {
   EXPECT_EQ(readBack("out.STL")->format, "STL (ASCII)");
 }
 
-/// Volume of the soup's triangles from `first` up to `end`, outwards.
+/// Returns the outward volume of the soup's triangles from `first` up to `end`.
 double volumeOf(const PolygonSoup& soup, std::size_t first, std::size_t end) {
   double sixfold = 0;
   for (std::size_t t = first; t < end; ++t) {
@@ -107,7 +107,7 @@ TEST_F(EngraveCommandTest, TheInlayFillsThePocketsOfTheCarvedObjectAndTheOtherOb
         EXPECT_EQ(soup->positions[soup->triangles[cube + t][k]],
                   original->positions[original->triangles[original->parts[1].firstTriangle + t][k]]);
   }
-  // One object after the other, the inlay behind the body that it fills.
+  // Objects follow one another; each inlay comes after the body it fills.
   const std::size_t carved = plain->parts[1].firstTriangle, filled = inlaid->parts[1].firstTriangle;
   ASSERT_GT(filled, carved);
   const double whole = volumeOf(*original, 0, original->parts[1].firstTriangle);
@@ -188,7 +188,7 @@ TEST_F(EngraveCommandTest, ADirectionFromBehindIsNoSolution) {
 }
 
 TEST_F(EngraveCommandTest, ACodeNobodyReadsIsWrittenWithStatusOneAndTheReason) {
-  // One layer deep in modules of 4 mm: no shadow to speak of.
+  // Pockets one layer deep in modules of 4 mm cast almost no shadow.
   const Outcome outcome = run({"engrave", writeModel("ball.stl", shapes::icosphere(100, 4)), "--text", "x", "--at",
                                "0,0,100", "--size", "70", "--max-depth", "0.1", "--pattern", "thin-plus",
                                "--finder-pattern", "as-modules", "-o", path("out.stl"), "--quiet"});
@@ -238,7 +238,7 @@ TEST_F(EngraveCommandTest, PresetsDifferInDepthAndGiveWayToWhatIsSaid) {
 }
 
 TEST_F(EngraveCommandTest, WhatDoesNotReadAsShallowAsAskedForIsCarvedDeeper) {
-  const double slope = std::tan(40 * std::numbers::pi / 180);  // its own shade runs through the code
+  const double slope = std::tan(40 * std::numbers::pi / 180);  // the model's own shade crosses the code
   const Mesh valley = shapes::plate({60, 60}, 60, 2, 2, [&](double x, double) { return slope * std::abs(x); });
   const std::string model = writeModel("valley.stl", valley);
   const auto engrave = [&](std::vector<std::string> options) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `qrelief info`: what it tells of a model, and its warnings.
+// `qrelief info`: the facts it prints about a model, and its warnings.
 #include <nlohmann/json.hpp>
 
 #include "cli/command_fixture.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `qrelief place`: the spots that it offers.
+// `qrelief place`: the spots it offers.
 #include <nlohmann/json.hpp>
 
 #include "cli/command_fixture.h"
@@ -35,7 +35,7 @@ TEST_F(PlaceCommandTest, SaysWhereThePrinterMakesNoCodeAndWhatWould) {
   const Outcome fine = place({});
   ASSERT_EQ(fine.status, 0) << fine.err;
   EXPECT_EQ(fine.out.find("nozzle"), std::string::npos);
-  const Outcome coarse = place({"--nozzle", "1.5"});  // modules of 2.25 mm, 21 of them
+  const Outcome coarse = place({"--nozzle", "1.5"});  // 21 modules of 2.25 mm
   ASSERT_EQ(coarse.status, 0) << coarse.err;
   EXPECT_NE(coarse.out.find("The code is too small for a nozzle of 1.5 mm"), std::string::npos) << coarse.out;
   EXPECT_NE(coarse.out.find("with room for 47.3 mm"), std::string::npos) << coarse.out;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `qrelief verify`: what it says of a file.
+// `qrelief verify`: its verdict on a file.
 #include <fstream>
 #include <nlohmann/json.hpp>
 

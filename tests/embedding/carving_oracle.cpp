@@ -32,7 +32,7 @@ double distanceToOrigin(const std::array<Vec2, 3>& t) {
   return inside ? 0 : nearest;
 }
 
-/// Distances at which the ray meets a triangle from its front; infinite if it does not.
+/// Returns the distance at which the ray meets a triangle from its front; infinite if it does not.
 double hitDistance(const std::array<Vec3, 3>& t, Vec3 origin, Vec3 direction) {
   const Vec3 u = t[1] - t[0], v = t[2] - t[0], w = origin - t[0];
   const double determinant = -glm::dot(direction, glm::cross(u, v));
@@ -43,7 +43,7 @@ double hitDistance(const std::array<Vec3, 3>& t, Vec3 origin, Vec3 direction) {
   return glm::dot(w, glm::cross(u, v)) / determinant;
 }
 
-/// First hits of rays from the eye, the triangles sorted into bins of the plane.
+/// Finds the first hits of rays from the eye; the triangles are sorted into bins of the plane.
 class RayCaster {
  public:
   RayCaster(const Mesh& mesh, const ProjectionFrame& frame, double halfMm) : mesh_(mesh), frame_(frame), half_(halfMm) {
@@ -163,8 +163,8 @@ double largestDepthError(const Mesh& original, const Mesh& carved, const Project
   for (int row = 0; row < field.size; ++row)
     for (int column = 0; column < field.size; ++column)
       for (int k = 0; k < samples; ++k) {
-        // Plastic-number sequence: evenly over the submodule, off its lines of symmetry, where edges of a model may
-        // lie.
+        // A plastic-number sequence covers the submodule evenly and avoids its lines of symmetry, where edges of a
+        // model may lie.
         const Vec2 place(std::fmod(0.47 + 0.7548776662466927 * k, 1.0), std::fmod(0.58 + 0.5698402909980532 * k, 1.0));
         const Vec2 inside = place * (h - 2 * marginMm) + marginMm;
         const Vec2 p = field.corner(row, column) + Vec2(inside.x, -inside.y);

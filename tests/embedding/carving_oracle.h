@@ -7,41 +7,43 @@
 #include "embedding/embed.h"
 #include "mesh/topology.h"
 
-/// What a carved mesh must be, told from the input alone and by brute force.
+/// Required properties of a carved mesh, computed by brute force from the input alone.
 namespace qrelief::oracle {
 
-/// Facets seen from their front whose projection comes within `reachMm` of the centre, connected with the one under
-/// the centre: on a shape without folds in reach, the visible patch.
+/// Returns the front-facing facets whose projection comes within `reachMm` of the centre and that are connected with
+/// the facet under the centre. On a shape without folds in reach, this is the visible patch.
 std::vector<std::uint32_t> frontPatch(const Mesh& mesh, const Adjacency& adjacency, const ProjectionFrame& frame,
                                       double reachMm);
 
-/// frontPatch and embedDepthField.
+/// Calls frontPatch, then embedDepthField.
 Result<EmbedResult> carve(const Mesh& mesh, const ProjectionFrame& frame, const DepthField& field,
                           const EmbedOptions& options = {});
 
-/// A field from a function of (row, column), rounded to the quantum.
+/// Builds a depth field from a function of (row, column), rounded to the depth quantum.
 DepthField fieldOf(int size, double symbolMm, const std::function<double(int, int)>& depthMm);
 
-/// Vertices of equal position become one, as when an STL is read.
+/// Merges vertices of equal position, as reading an STL does.
 Mesh welded(const Mesh& mesh);
 
-/// In words what is no solid about a mesh after a round trip through an STL file; empty if it is one.
+/// Describes why a mesh is no solid after a round trip through an STL file; empty if it is one.
 std::string solidProblems(const EmbedResult& result);
 
-/// V - E + F of a closed mesh.
+/// Returns V - E + F of a closed mesh.
 long eulerCharacteristic(const Mesh& mesh);
 
-/// Largest difference, over `samples` points per submodule at least `marginMm` from its rim, between the distance at
-/// which the ray meets the carved mesh and the one at which it meets the original plus the submodule's depth, mm.
+/// Returns the largest depth error, mm, over `samples` points per submodule that are at least `marginMm` from its rim.
+/// The error is the difference between the ray's distance to the carved mesh and its distance to the original plus the
+/// submodule's depth.
 double largestDepthError(const Mesh& original, const Mesh& carved, const ProjectionFrame& frame,
                          const DepthField& field, double marginMm, int samples = 1);
 
-/// Volume between the surface and the floors if the surface lies at distance(p) from the eye along the ray through
-/// plane point p: the sum over submodules of ∫ cosθ·(d + d²/t + d³/(3·t²)) dA·(t/t₀)², t₀ the plane's own distance.
+/// Returns the volume between the surface and the floors, where the surface lies at distance(p) from the eye along the
+/// ray through plane point p: the sum over submodules of ∫ cosθ·(d + d²/t + d³/(3·t²)) dA·(t/t₀)², t₀ the
+/// plane's own distance.
 double pocketVolume(const ProjectionFrame& frame, const DepthField& field, const std::function<double(Vec2)>& distance);
 
-/// Sum of length times difference of depth over all submodule edges: how much volume a shift of all outlines by 1 mm
-/// could change, on a surface near the plane.
+/// Returns the sum over all submodule edges of length times depth difference. On a surface near the plane it bounds how
+/// much volume a shift of all outlines by 1 mm could change.
 double wallArea(const DepthField& field);
 
 }  // namespace qrelief::oracle

@@ -75,7 +75,7 @@ TEST(Clearance, ThrowsOtherDartsOnRequest) {
 TEST(Clearance, ThrowsFartherWhenAskedOftenButNeverBeyondTheLeeway) {
   OutlineGraph graph = squareOutline(1);
   const std::vector<Vec2> before = graph.nodes;
-  std::vector<EdgeGrid::Edge> fan;  // so dense that no place within the snap is clear
+  std::vector<EdgeGrid::Edge> fan;  // so dense that no point within the snap distance is clear
   for (int k = 0; k < 2000; ++k)
     fan.push_back({Vec2(1, 1), Vec2(1 + 3 * std::cos(k * 3.1416e-3), 1 + 3 * std::sin(k * 3.1416e-3))});
   EdgeGrid edges(fan);

@@ -11,7 +11,7 @@ namespace {
 using Pairs = std::vector<std::array<std::uint32_t, 2>>;
 
 TEST(ConstrainedDelaunay, KeepsAConstraintThatDelaunayWouldNot) {
-  // A flat kite: without the constraint its short diagonal 2-3 is taken.
+  // A flat kite: without the constraint, the triangulation takes its short diagonal 2-3.
   const std::vector<Vec2> points{{-5, 0}, {5, 0}, {0, -1}, {0, 1}};
   for (const bool constrained : {false, true}) {
     const auto result = triangulateConstrained(points, constrained ? Pairs{{0, 1}} : Pairs{});

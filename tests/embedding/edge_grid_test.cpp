@@ -32,8 +32,8 @@ TEST(EdgeGrid, FindsEveryEdgeThatABoxMeetsOnce) {
     const double length = k % 10 == 0 ? 30 : 1;
     edges.push_back({a, a + Vec2(unit() - 0.5, unit() - 0.5) * length});
   }
-  edges.push_back({Vec2(-3, 0), Vec2(-3, 10)});  // upright
-  edges.push_back({Vec2(-20, 5), Vec2(20, 5)});  // level
+  edges.push_back({Vec2(-3, 0), Vec2(-3, 10)});  // vertical
+  edges.push_back({Vec2(-20, 5), Vec2(20, 5)});  // horizontal
   EdgeGrid grid(edges);
   for (int k = 0; k < 300; ++k) {
     const Vec2 lo(50 * unit() - 25, 14 * unit() - 2);

@@ -26,7 +26,7 @@ const Vec3 kTowardsZ(0, 0, 1);
 
 ProjectionFrame aboveOrigin(double z = 0) { return makeFrame({0, 0, z}, kTowardsZ, {0, 1, 0}, 250); }
 
-/// A plate of few large facets whose edges pass the submodules at no special place.
+/// Returns a plate of few large facets whose edges cross the submodules at no special point.
 Mesh coarsePlate() { return shapes::plate({47, 43}, 10, 3, 2); }
 
 double flatDistance(const ProjectionFrame& frame, Vec2 p) { return glm::length(frame.onPlane(p) - frame.eye()); }
@@ -57,8 +57,8 @@ TEST(Embed, LeavesTheMeshAloneWithoutCarving) {
 }
 
 TEST(Embed, SinksOneSubmoduleWithFourWallsAndAFloor) {
-  // One large facet all around: the pocket's 4 walls of 2 triangles, 2 of the floor, and the facet's 3 corners and the
-  // pocket's 4 rim vertices triangulated as a ring, 7 triangles.
+  // One large facet surrounds the pocket. The pocket has 4 walls of 2 triangles and a floor of 2. The facet's 3 corners
+  // and the pocket's 4 rim vertices form a ring of 7 triangles.
   const Mesh mesh = shapes::plate({80, 80}, 10, 1, 1);
   const ProjectionFrame frame = makeFrame({11, -9, 0}, kTowardsZ, {0, 1, 0}, 250);
   const DepthField field = fieldOf(3, 3, [](int r, int c) { return r == 1 && c == 1 ? 0.5 : 0.0; });
@@ -89,7 +89,7 @@ TEST(Embed, MakesPocketsOfAnLShapeOneFloor) {
   const auto result = carve(mesh, frame, fieldOf(3, 3, [](int r, int c) { return r == 2 || c == 0 ? 0.5 : 0.0; }));
   ASSERT_TRUE(result) << result.error().message;
   EXPECT_EQ(oracle::solidProblems(*result), "");
-  // A hexagon: floor 4 triangles, walls 6·2, ring between a triangle and a hexagon 9.
+  // A hexagon has a floor of 4 triangles, walls of 6·2 and a ring of 9 between a triangle and a hexagon.
   EXPECT_EQ(result->newTriangles.size(), 4u + 12u + 9u);
 }
 
@@ -101,8 +101,8 @@ TEST(Embed, KeepsACheckerboardApartByTheChamfer) {
   ASSERT_TRUE(result) << result.error().message;
   EXPECT_EQ(oracle::solidProblems(*result), "");
   EXPECT_EQ(oracle::eulerCharacteristic(result->mesh), 2);
-  // At each of the 14² inner corners both deep cells give way: each loses a kite of two legs, the whole edge long and
-  // chamfer/(2·√2) wide.
+  // At each of the 14² inner corners both deep cells are chamfered: each loses a kite of two legs, as long as the edge
+  // and chamfer/(2·√2) wide.
   const double expected = oracle::pocketVolume(frame, field, [&](Vec2 p) { return flatDistance(frame, p); });
   const double kites = 14 * 14 * 2 * (field.submoduleMm() * EmbedOptions{}.chamferMm / (2 * std::sqrt(2.0)));
   EXPECT_NEAR(volumeLost(mesh, *result), expected - 0.4 * kites, 0.05 * 0.4 * kites);
@@ -196,7 +196,7 @@ TEST(Embed, CarvesAlongTheRaysOnCurvedSurfaces) {
   }
 }
 
-/// The model's vertices and edges lie exactly on the outlines: worst case for the arrangement.
+/// Worst case for the arrangement: the model's vertices and edges lie exactly on the outlines.
 TEST(Embed, CopesWithAPlateWhoseMeshIsTheSubmoduleGridItself) {
   for (const int perSubmodule : {1, 2, 5}) {
     SCOPED_TRACE(perSubmodule);
@@ -212,10 +212,11 @@ TEST(Embed, CopesWithAPlateWhoseMeshIsTheSubmoduleGridItself) {
   }
 }
 
-/// CAD exports have facets a float wide: harmless as they are, but an outline across one, or a copy, would collapse.
+/// CAD exports have facets only one float wide. They do no harm as they are, but an outline across one, or a copy of
+/// one, would collapse.
 TEST(Embed, CarvesAcrossNeedlesAFloatWide) {
   Mesh mesh = shapes::plate({40, 36}, 10, 1, 1);
-  const Triangle t = mesh.triangles[0];  // of the upper face; split at points along and just off its longest edge
+  const Triangle t = mesh.triangles[0];  // upper face; split at points along and just off its longest edge
   std::size_t k = 0;
   const auto length = [&](std::size_t e) { return glm::length(mesh.positions[t[(e + 1) % 3]] - mesh.positions[t[e]]); };
   for (std::size_t e = 1; e < 3; ++e)
@@ -223,7 +224,7 @@ TEST(Embed, CarvesAcrossNeedlesAFloatWide) {
   const std::uint32_t a = t[k], b = t[(k + 1) % 3], c = t[(k + 2) % 3];
   std::vector<std::uint32_t> chain{a};
   for (const int step : {3, 5, 6, 8}) {
-    // On the diagonal of the plate all coordinates of the points are exact; off it by a convex arc of a few floats.
+    // Points on the plate's diagonal have exact coordinates; the others lie off it by a convex arc of a few floats.
     Vec3f p = mesh.positions[a] + (mesh.positions[b] - mesh.positions[a]) * (static_cast<float>(step) / 16.0f);
     const float bulge = static_cast<float>(step * (16 - step)) * 0x1p-23f;
     p += (mesh.positions[c] - p) * bulge / glm::length(mesh.positions[c] - p);
@@ -268,7 +269,7 @@ TEST(Embed, HoldsFarFromTheOriginWhereFloatsAreCoarse) {
 }
 
 TEST(Embed, SaysThatFacetsAreTooFineWhereFloatsCannotHoldPiecesOfThem) {
-  // Every other strip of the plate is four floats wide, so whatever is cut from it collapses.
+  // Every other strip of the plate is four floats wide, so any piece cut from it collapses.
   const Vec3 away(937, -840, 1001);
   Mesh mesh = shapes::plate({40, 40}, 10, 16, 8);
   for (Vec3f& p : mesh.positions)
@@ -297,7 +298,7 @@ TEST(Embed, SaysThatACodeOverAHoleOfThePatchLeavesTheSurface) {
   const Mesh mesh = shapes::plate({20, 20}, 10, 40, 40);
   const Adjacency adjacency = buildAdjacency(mesh.triangles);
   std::vector<std::uint32_t> patch = oracle::frontPatch(mesh, adjacency, aboveOrigin(), 10);
-  // A facet wholly inside a pocket, which no outline comes near.
+  // A facet that lies wholly inside a pocket; no outline comes near it.
   const auto inside =
       std::find_if(patch.begin(), patch.end(), [&](std::uint32_t t) { return glm::length(mesh.corner(t, 0)) < 0.8; });
   ASSERT_NE(inside, patch.end());

@@ -12,14 +12,14 @@ namespace {
 
 const ProjectionFrame kFrame = makeFrame({0, 0, 0}, {0, 0, 1}, {0, 1, 0}, 250);
 
-/// The upper face of a plate of n × n squares.
+/// Returns the facets of the upper face of a plate of n × n squares.
 std::vector<std::uint32_t> upperFace(int n) {
   std::vector<std::uint32_t> patch(static_cast<std::size_t>(2 * n * n));
   std::iota(patch.begin(), patch.end(), 0u);
   return patch;
 }
 
-/// 4 × 4 submodules of 5 mm, of which only (1, 2) is carved: [0, 5] × [0, 5] in plane coordinates.
+/// Returns 4 × 4 submodules of 5 mm of which only (1, 2) is carved: [0, 5] × [0, 5] in plane coordinates.
 DepthLevels oneCarved() {
   DepthLevels levels{4, 20, std::vector<int>(16, 0)};
   levels.level[1 * 4 + 2] = 7;
@@ -27,7 +27,7 @@ DepthLevels oneCarved() {
 }
 
 TEST(Footprint, HoldsTheFacetsThatMeetACarvedSubmodule) {
-  // Squares of 2 mm from -20 to 20: those from [-2, 0] to [4, 6] come within 0.4 mm of [0, 5], 4 × 4.
+  // The squares are 2 mm wide, from -20 to 20. The 4 × 4 squares from [-2, 0] to [4, 6] come within 0.4 mm of [0, 5].
   const Mesh mesh = shapes::plate({40, 40}, 5, 20, 20);
   const auto footprint = findFootprint(mesh, kFrame, upperFace(20), oneCarved(), 0.4);
   ASSERT_TRUE(footprint);
@@ -36,7 +36,7 @@ TEST(Footprint, HoldsTheFacetsThatMeetACarvedSubmodule) {
       const Vec3 p = mesh.corner(f, k);
       EXPECT_TRUE(p.x >= -2 && p.y >= -2 && p.x <= 6 && p.y <= 6);
     }
-  // Of the squares at two opposite corners, one of the two triangles keeps farther off.
+  // In the squares at two opposite corners, one of the two triangles stays farther away.
   EXPECT_EQ(footprint->facets.size(), 30u);
   EXPECT_TRUE(std::is_sorted(footprint->facets.begin(), footprint->facets.end()));
 }

@@ -32,7 +32,7 @@ std::string problemsOf(const Mesh& mesh) {
 
 using CornerTriple = std::array<std::array<float, 3>, 3>;
 
-/// Corners by position, the lowest first, in the order of the triangle or against it.
+/// Returns a triangle's corner positions, lowest first, in the triangle's order or reversed.
 CornerTriple cornersOf(const Mesh& mesh, std::size_t t, bool turned) {
   CornerTriple corners{};
   for (std::size_t k = 0; k < 3; ++k) {
@@ -43,7 +43,7 @@ CornerTriple cornersOf(const Mesh& mesh, std::size_t t, bool turned) {
   return corners;
 }
 
-/// Both bodies' triangles less those that occur in both, back to back.
+/// Returns both bodies' triangles without the ones that occur in both, back to back.
 Mesh gluedTogether(const Mesh& carved, const Mesh& inlay) {
   std::map<CornerTriple, int> turned;
   for (std::size_t t = 0; t < inlay.triangles.size(); ++t) ++turned[cornersOf(inlay, t, true)];
@@ -75,7 +75,7 @@ TEST(Inlay, OfOneSubmoduleOnAPlateIsAFrustumOfTwelveTriangles) {
   ASSERT_TRUE(result) << result.error().message;
   EXPECT_EQ(result->inlay.triangles.size(), 12u);
   EXPECT_EQ(problemsOf(result->inlay), "");
-  // Floors lie along rays: the side lengths grow by the depth's share of the eye distance, each corner on its own ray.
+  // Floors lie along rays: their sides grow by the depth's share of the eye distance, each corner on its own ray.
   const double expected =
       oracle::pocketVolume(frame, field, [&](Vec2 p) { return glm::length(frame.onPlane(p) - frame.eye()); });
   EXPECT_NEAR(signedVolume(result->inlay), expected, 2e-5 * expected);
@@ -96,7 +96,7 @@ TEST(Inlay, OfACheckerboardIsABodyForEachSubmodule) {
     const auto result = oracle::carve(mesh, obliquelyAbove({1.3, 0.7, 0}), field, {.surface = surface, .inlay = true});
     ASSERT_TRUE(result) << result.error().message;
     EXPECT_EQ(problemsOf(result->inlay), "");
-    EXPECT_EQ(oracle::eulerCharacteristic(result->inlay), 2 * 113);  // of 15² submodules, 113 spheres
+    EXPECT_EQ(oracle::eulerCharacteristic(result->inlay), 2 * 113);  // 113 of 15² submodules are carved
   }
 }
 
@@ -125,7 +125,7 @@ TEST(Inlay, FillsThePocketsOfAnyFieldAndShapeExactly) {
     ASSERT_TRUE(result) << result.error().message;
     EXPECT_EQ(problemsOf(result->inlay), "");
 
-    // Glued together the two are a solid without pockets: the model, or the model resampled.
+    // Glued together, the two form a solid without pockets: the model, or the resampled model.
     const Mesh glued = gluedTogether(result->mesh, result->inlay);
     const auto whole = checkSolidity(glued);
     ASSERT_TRUE(whole);
@@ -134,7 +134,7 @@ TEST(Inlay, FillsThePocketsOfAnyFieldAndShapeExactly) {
     const double inlay = signedVolume(result->inlay);
     EXPECT_NEAR(signedVolume(glued) - signedVolume(result->mesh), inlay, 1e-7 * signedVolume(mesh));
     if (surface == SurfaceMode::Preserved) {
-      // Cutting a facet moves its plane by the rounding of the cut's ends, 2 µm each at these coordinates.
+      // Cutting a facet moves its plane by the rounding of the cut's ends: 2 µm each at these coordinates.
       EXPECT_NEAR(signedVolume(mesh) - signedVolume(result->mesh), inlay, 2e-6 * field.symbolMm * field.symbolMm * 2);
     }
   }

@@ -9,14 +9,14 @@ namespace {
 
 const ProjectionFrame kFrame = makeFrame({0, 0, 0}, {0, 0, 1}, {0, 1, 0}, 100);
 
-/// A mesh, its projection and its overlay, made by hand.
+/// Hand-made mesh with its projection and overlay.
 struct Scene {
   Mesh mesh;
   Footprint footprint;
   Arrangement arrangement;
 };
 
-/// A facet cut in two by an outline from corner 0 to a crossing on the opposite edge 1-2.
+/// Returns a facet that an outline cuts in two, from corner 0 to a crossing on the opposite edge 1-2.
 Scene halvedFacet(int leftLevel, int rightLevel) {
   Scene s;
   s.mesh.positions = {{-1, 0, 3}, {1, -1, 3}, {1, 1, 7}};
@@ -61,7 +61,7 @@ TEST(Lift, MovesEachPointAlongItsRayByExactlyTheDepth) {
 }
 
 TEST(Lift, PutsACrossingOnItsEdgeInSpace) {
-  // Seen in perspective a quarter of the way along the edge, which rises towards the eye: less of it in space.
+  // The edge rises towards the eye, so the first quarter of its image is more than a quarter of its length in space.
   const Scene s = halvedFacet(30, 0);
   const LiftedSurface surface = lift(s.mesh, kFrame, s.footprint, s.arrangement);
   for (std::size_t v = 0; v < surface.vertices.size(); ++v) {
@@ -82,13 +82,13 @@ TEST(Lift, TurnsWallsTowardsThePocket) {
       const Triangle& w = surface.triangles[t];
       const Vec3 a(surface.positions[w[0]]);
       const Vec3 normal = glm::cross(Vec3(surface.positions[w[1]]) - a, Vec3(surface.positions[w[2]]) - a);
-      EXPECT_EQ(normal.y > 0, pocketLeft);  // the left half is the one of corner 2, at larger y
+      EXPECT_EQ(normal.y > 0, pocketLeft);  // the left half holds corner 2, at larger y
     }
   }
 }
 
 TEST(Lift, GivesAWallEveryLevelThatOccursAtItsEnds) {
-  // A third level at the crossing only, as of a floor beyond the facet's edge.
+  // The crossing alone has a third level, as if a floor lay beyond the facet's edge.
   Scene s = halvedFacet(30, 0);
   s.arrangement.triangles.push_back({3, 1, 2});
   s.arrangement.facets.push_back(0);

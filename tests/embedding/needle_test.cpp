@@ -7,7 +7,7 @@
 namespace qrelief {
 namespace {
 
-/// Two facets on a long edge of the square [0, 16]², a third of given height between them.
+/// Two facets on a long edge of the square [0, 16]², with a third facet of given height between them.
 struct Scene {
   Mesh mesh;
   Footprint footprint;

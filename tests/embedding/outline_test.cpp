@@ -9,7 +9,7 @@
 namespace qrelief {
 namespace {
 
-/// Rows of digits: the level of each submodule, 1 mm wide.
+/// Parses rows of digits, the level of each submodule; submodules are 1 mm wide.
 DepthLevels levelsOf(const std::vector<std::string>& rows) {
   DepthLevels levels;
   levels.size = static_cast<int>(rows.size());
@@ -25,7 +25,7 @@ double totalLength(const OutlineGraph& graph) {
   return length;
 }
 
-/// Walls on each stretch of each node's ray: how many outlines there have the half level on opposite sides.
+/// Expects two walls on each stretch of each node's ray, i.e. two outlines with the half level on opposite sides.
 void expectAtMostTwoWallsAnywhere(const OutlineGraph& graph) {
   std::map<std::pair<std::uint32_t, int>, int> walls;  // node, stretch below a level
   for (const Outline& o : graph.outlines)
@@ -43,7 +43,7 @@ TEST(Outline, RunsOnceAroundASingleSubmodule) {
   EXPECT_DOUBLE_EQ(totalLength(graph), 4);
   for (const Outline& o : graph.outlines) {
     EXPECT_EQ(o.left + o.right, 3);
-    // The carved side is where the centre lies.
+    // The centre lies on the carved side.
     const Vec2 from = graph.nodes[o.from];
     const bool centreLeft = cross2(graph.nodes[o.to] - from, -from) > 0;
     EXPECT_EQ(centreLeft ? o.left : o.right, 3);
@@ -66,7 +66,7 @@ TEST(Outline, GetsNodesInBetweenWhereItMustNotBeLong) {
 
 TEST(Outline, HasANodeWhereTheDepthsBesideItChange) {
   const OutlineGraph graph = buildOutlines(levelsOf({"12", "12"}), 0.04, kAnyLength);
-  EXPECT_EQ(graph.nodes.size(), 6u);  // four corners, and two where the divide meets the rim
+  EXPECT_EQ(graph.nodes.size(), 6u);  // four corners, and two nodes where the dividing line meets the rim
   EXPECT_EQ(graph.outlines.size(), 7u);
 }
 
@@ -98,7 +98,7 @@ TEST(Outline, RunsBetweenTheNodesOfASaddleWhoseShallowSidesDiffer) {
   for (const Outline& o : graph.outlines) {
     if (std::abs(glm::length(graph.nodes[o.to] - graph.nodes[o.from]) - 0.1) > 1e-9) continue;
     ++between;
-    // Seen along it, the side of the upper right cell carries 1, the other 2.
+    // Seen along the outline, the upper right cell's side has level 1, the other side 2.
     const Vec2 along = graph.nodes[o.to] - graph.nodes[o.from];
     const bool upperRightIsLeft = cross2(along, Vec2(1, 1)) > 0;
     EXPECT_EQ(upperRightIsLeft ? o.left : o.right, 1);
@@ -108,7 +108,7 @@ TEST(Outline, RunsBetweenTheNodesOfASaddleWhoseShallowSidesDiffer) {
   expectAtMostTwoWallsAnywhere(graph);
 }
 
-/// All ways in which four depths can meet: the claim in the header, by exhaustion.
+/// Tries all ways in which four depths can meet, to prove the header's claim by exhaustion.
 TEST(Outline, LeavesTwoWallsOnEveryStretchOfEveryRayForAllFourDepths) {
   for (int code = 0; code < 256; ++code) {
     std::vector<std::string> rows{"00", "00"};

@@ -26,7 +26,7 @@ ProjectionFrame aboveOrigin(double z = 0) { return makeFrame({0, 0, z}, {0, 0, 1
 
 double maximumNorm(Vec2 p) { return std::max(std::abs(p.x), std::abs(p.y)); }
 
-/// Whether a triangle's image has a point in the square |u|, |v| ≤ half: clipping leaves something of it.
+/// Returns true if a triangle's image has a point in the square |u|, |v| ≤ half, i.e. if clipping leaves some of it.
 bool meetsSquare(std::vector<Vec2> polygon, double half) {
   for (const Vec2 outward : {Vec2(1, 0), Vec2(-1, 0), Vec2(0, 1), Vec2(0, -1)}) {
     std::vector<Vec2> rest;
@@ -42,7 +42,7 @@ bool meetsSquare(std::vector<Vec2> polygon, double half) {
 }
 
 TEST(Resampled, ReplacesTheFacetsOfADensePlateByTheGrid) {
-  // 160 × 160 squares on 20 mm: some 5000 facets in the 10 mm square, whose grid has 2·5² cells.
+  // 160 × 160 squares on 20 mm put some 5000 facets into the 10 mm square; its grid has 2·5² cells.
   const Mesh mesh = shapes::plate({20, 20}, 10, 160, 160);
   const ProjectionFrame frame = makeFrame({0.013, 0.027, 0}, {0, 0, 1}, {0.2, 1, 0}, 250);
   const DepthField field = fieldOf(5, 10, [](int r, int c) { return r == 2 && c == 2 ? 0.5 : 0.0; });
@@ -57,13 +57,14 @@ TEST(Resampled, ReplacesTheFacetsOfADensePlateByTheGrid) {
     const double offGrid = maximumNorm((at - 1.0) / 2.0 - glm::round((at - 1.0) / 2.0)) * 2;
     EXPECT_LT(offGrid, 1e-5) << at.x << ", " << at.y;
   }
-  EXPECT_EQ(within, 16u + 4u);  // inner corners, and those of the floor
+  EXPECT_EQ(within, 16u + 4u);  // the inner corners and the floor's corners
 }
 
 TEST(Resampled, TakesTheVolumeOfThePocketsFromAPlate) {
   const Mesh mesh = shapes::plate({47, 43}, 10, 3, 2);
   const ProjectionFrame frame = makeFrame({1.3, 0.7, 0}, {0, 0, 1}, {0.3, 1, 0}, 250);
-  // Nothing on the border, whose nodes may move; no diagonal neighbours, which are kept apart.
+  // The border stays uncarved because its nodes may move. No diagonal neighbours are carved because the outlines keep
+  // them apart.
   const DepthField field = fieldOf(
       25, 25, [](int r, int c) { return r > 0 && r < 24 && c > 0 && c < 24 && r % 2 == 0 ? 0.1 + 0.03 * c : 0.0; });
   const auto result = oracle::carve(mesh, frame, field, kResampled);
@@ -151,7 +152,8 @@ TEST(Resampled, CopesWithAPlateWhoseMeshIsTheSubmoduleGridItself) {
   EXPECT_EQ(oracle::solidProblems(*result), "");
 }
 
-/// As for preserved surfaces (embed_test.cpp); the surface between the grid's lines lies off the model by its bulge.
+/// As for preserved surfaces (embed_test.cpp), except that the surface between grid lines lies off the model by its
+/// bulge.
 TEST(Resampled, MakesASolidOfTheRightDepthWhateverTheFieldAndTheShape) {
   std::mt19937 random(20221122);
   const auto unit = [&] { return static_cast<double>(random()) / 4294967296.0; };
@@ -178,7 +180,7 @@ TEST(Resampled, MakesASolidOfTheRightDepthWhateverTheFieldAndTheShape) {
     ASSERT_TRUE(result) << result.error().message;
     EXPECT_EQ(oracle::solidProblems(*result), "");
     EXPECT_EQ(oracle::eulerCharacteristic(result->mesh), oracle::eulerCharacteristic(mesh));
-    // Sag of a chord of a cell's diagonal over a radius of 20 mm, and the facets' own flatness.
+    // The sag of a chord as long as a cell's diagonal on a radius of 20 mm, plus the facets' own flatness.
     const double sag = field.submoduleMm() * field.submoduleMm() * 2 / (8 * 20);
     EXPECT_LT(oracle::largestDepthError(mesh, result->mesh, frame, field, 0.2 * field.submoduleMm(), 2),
               kind == 0 ? 5e-4 : 2 * sag + 0.02);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Wall limits (carving/wall_limit.h) and embedding together, held against the model by brute force: what is taken out
-// of a body keeps the minimum wall from whatever the eye does not see of it, or sees edge-on, in every direction.
+// Wall limits (carving/wall_limit.h) and embedding together, compared with the model by brute force: in every
+// direction, pockets keep the minimum wall from any surface that the eye does not see or sees edge-on.
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
@@ -21,15 +21,15 @@ constexpr double kMaxDepthMm = 1.5;
 struct Body {
   const char* name;
   Mesh mesh;
-  Vec3 from{0, 0, 300};  ///< the code is centred where a ray from here meets the body
+  Vec3 from{0, 0, 300};  ///< start of the ray that meets the body at the code's centre
   Vec3 normal{0, 0, 1};
   double symbolMm = 12;
 };
 
-/// A sheet of even height: the upper face, and its copy `thickness` below, turned round, joined at the sides.
+/// Builds a sheet of even thickness: the upper face, its flipped copy `thickness` below, and the sides that join them.
 Mesh sheet(const std::function<double(double, double)>& height, double halfMm, double thickness, int n) {
   Mesh mesh = shapes::plate({2 * halfMm, 2 * halfMm}, 50, n, n, height);
-  // The bottom is two triangles: take a grid for it as well.
+  // The plate's bottom is only two triangles, so the sheet uses a grid for it as well.
   Mesh lower = mesh;
   for (Mesh* side : {&mesh, &lower}) {
     std::vector<Triangle> upper;
@@ -61,7 +61,7 @@ Mesh wedge() {
   return mesh;
 }
 
-/// Drafted by 4°, so that the sides are seen.
+/// Returns a block drafted by 4°, so that the eye sees its sides.
 Mesh draftedBlock() {
   Mesh mesh = shapes::box({16, 60, 20});
   for (Vec3f& p : mesh.positions)
@@ -69,7 +69,7 @@ Mesh draftedBlock() {
   return shapes::translated(mesh, {0, 0, -10});
 }
 
-/// Four faces that meet in an apex, 2.2 mm of material between them and a cavity of the same shape.
+/// Returns four faces that meet in an apex, with 2.2 mm of material between them and a cavity of the same shape.
 Mesh hollowPyramid() {
   const auto pyramid = [](float half, float top) {
     Mesh mesh;
@@ -106,7 +106,7 @@ std::vector<Body> bodies() {
   };
 }
 
-/// Facets that the eye does not see at their middle, or sees edge-on, as far as they come within reach of the centre.
+/// Returns the facets within reach of the centre whose middle the eye does not see or sees edge-on.
 std::vector<std::uint32_t> otherSides(const Mesh& mesh, const ProjectionFrame& frame, double reach) {
   std::vector<std::uint32_t> sides;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -161,13 +161,13 @@ TEST(WallOracle, WhatIsTakenOutKeepsTheMinimumWallFromEveryOtherSide) {
                          2.0;
           least = std::min(least, leastDistance(p, body.mesh, sides, 3 * kMinWallMm));
         }
-    // Outlines move by up to snapMm, and floors bulge between the points that were followed.
+    // Outlines move by up to snapMm, and floors bulge between the sampled points.
     EXPECT_GE(least, kMinWallMm - 0.02);
     const std::string name = body.name;
     if (name == "shell thinner than the wall")
       EXPECT_TRUE(carved->inlay.triangles.empty());
     else
-      EXPECT_LE(least, kMinWallMm + 0.1);  // and is used: each body is thin somewhere
+      EXPECT_LE(least, kMinWallMm + 0.1);  // the limit is used: each body is thin somewhere
   }
 }
 

@@ -155,7 +155,7 @@ TEST_F(EngineCarvingsTest, FromStraightAheadThePictureFromAsideIsThatOfTheReader
   for (std::size_t i = 0; i < same.pixels.size(); ++i)
     difference += std::abs(int{same.pixels[i]} - int{straight.pixels[i]});
   EXPECT_LT(difference / static_cast<double>(same.pixels.size()),
-            2);  // the shown mesh has other normals at its creases
+            2);  // the displayed mesh has other normals at its creases
 
   const GreyImage aside = engine_->readerImageFrom(45, 0);
   ASSERT_EQ(aside.pixels.size(), same.pixels.size());

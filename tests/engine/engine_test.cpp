@@ -101,7 +101,7 @@ TEST_F(EngineTest, TheFreeSizeOnABoxesTopIsTheClosedForm) {
   const Json& placement = answer["placement"];
   EXPECT_EQ(placement["modules"], 29);
   EXPECT_EQ(placement["version"], 3);
-  // Symbol and quiet zone, 37 modules, fit a circle of 30 mm about the centre.
+  // Symbol and quiet zone, 37 modules wide, fit a circle of 30 mm radius about the centre.
   EXPECT_NEAR(placement["symbolMm"].get<double>(), std::sqrt(2.0) * 30 * 29 / 37, 0.01);
   EXPECT_NEAR(placement["normal"][2].get<double>(), 1, 1e-6);
   EXPECT_NEAR(placement["moduleMm"].get<double>() * 29, placement["symbolMm"].get<double>(), 1e-9);
@@ -162,9 +162,9 @@ TEST_F(EngineTest, EngravesStepByStepAndReportsWhatCameOut) {
     EXPECT_EQ(same->triangles.size(), carved->triangles.size()) << format;
   }
 
-  engine_->pick(200, 150);  // a new place: the result can still be had
+  engine_->pick(200, 150);  // a new spot: the result can still be exported
   EXPECT_FALSE(engine_->exportModel("stl").empty());
-  ASSERT_EQ(Json::parse(engine_->startEngrave())["ok"], true);  // a new engraving: it is gone
+  ASSERT_EQ(Json::parse(engine_->startEngrave())["ok"], true);  // a new engraving discards it
   EXPECT_TRUE(engine_->exportModel("stl").empty());
 }
 
@@ -286,7 +286,7 @@ TEST_F(EngineTest, TheCodeFollowsThePointerAndItsTruePlaceComesAfter) {
   }
   EXPECT_EQ(found["code"]["exact"], true);
   const double exact = found["code"]["symbolMm"], estimated = about["code"]["symbolMm"];
-  EXPECT_NEAR(estimated / exact, 1, 0.1);  // a texel of the map is 3 % of the sphere's radius
+  EXPECT_NEAR(estimated / exact, 1, 0.1);  // a texel of the map is 3 % of the sphere's radius wide
   engine_->pick(200, 150);
   const Json placed = Json::parse(engine_->placement());
   EXPECT_NEAR(placed["placement"]["symbolMm"], exact, 1e-9);
@@ -310,7 +310,7 @@ TEST_F(EngineTest, TheSearchForDepthsIsSeenWhileItRuns) {
     EXPECT_EQ(depths->values.size(), static_cast<std::size_t>(depths->width * depths->height));
     deepest = std::max<double>(deepest, *std::max_element(depths->values.begin(), depths->values.end()));
     darkest = std::min<double>(darkest, *std::min_element(light->values.begin(), light->values.end()));
-    // Rows begin at the bottom: the finder that the symbol lacks is at its lower right.
+    // Rows begin at the bottom. The corner without a finder pattern is at the symbol's lower right.
     EXPECT_GT(depths->values[static_cast<std::size_t>(depths->width) * 2 + 2], 0);
   }
   EXPECT_GT(deepest, 0.2);
@@ -351,7 +351,7 @@ TEST_F(EngineTest, APlacedCodeIsWhereTheScreenSaysAndIsTurnedAndSized) {
   ASSERT_FALSE(code.is_null());
   EXPECT_NEAR(code["symbolMm"], mm, 1e-9);
   EXPECT_EQ(code["corners"].size(), 4u);
-  EXPECT_LT(code["corners"][0][1].get<double>(), code["corners"][3][1].get<double>());  // its top is above
+  EXPECT_LT(code["corners"][0][1].get<double>(), code["corners"][3][1].get<double>());  // its top edge is above
 
   const Json turned = Json::parse(engine_->adjustCode(45, mm));
   ASSERT_EQ(turned["ok"], true) << turned;
@@ -363,7 +363,7 @@ TEST_F(EngineTest, APlacedCodeIsWhereTheScreenSaysAndIsTurnedAndSized) {
   expectError(engine_->adjustCode(0, 0), "BadUsage", "code-size-unusable");
 
   ASSERT_EQ(Json::parse(engine_->moveCode(200, 150))["hit"], true);
-  EXPECT_EQ(Json::parse(engine_->placement())["placement"]["rotationDeg"], 0);  // the settings count
+  EXPECT_EQ(Json::parse(engine_->placement())["placement"]["rotationDeg"], 0);  // the setting applies
 }
 
 TEST_F(EngineTest, ASizeThatDoesNotFitIsShownAllTheSame) {

@@ -58,7 +58,7 @@ TEST_F(PrintedCodeTest, TheWorkerBesideTheEngineSeesWhatTheCommandSees) {
   ASSERT_TRUE(job);
   const auto view = runToEnd(**job);
   ASSERT_TRUE(view);
-  // The file holds 32-bit coordinates, as the mesh does: the same surface, the same picture.
+  // The file holds 32-bit coordinates like the mesh, so the surface and the picture are the same.
   EXPECT_EQ(printed.picture().pixels, view->seen.clean.pixels);
   EXPECT_FALSE(printed.readingPictures().empty());
 }

@@ -42,7 +42,7 @@ TEST(SymbolFacts, AreThoseOfTheSymbolThatIsEngraved) {
 }
 
 TEST(SymbolFacts, TheRoomIsWhatTheVersionStillHolds) {
-  // Digits, capitals and bytes; versions on both sides of 9|10, where length fields grow; the last version.
+  // Texts of digits, capitals and bytes; versions on both sides of 9|10, where length fields grow; the last version.
   for (const std::string& text :
        {std::string("a"), std::string("12345678901234567890"), std::string("HTTPS://QR.ORG/x"), std::string(150, 'b'),
         std::string(190, 'C'), std::string(1200, 'd')}) {
@@ -74,7 +74,8 @@ TEST(SymbolFacts, TheLeastModuleIsThatOfThePrintedPatternsInNozzleWidths) {
                                                         {ModulePattern::Diamond, 0.9},
                                                         {ModulePattern::ThickPlus, 0.6},
                                                         {ModulePattern::None, 1.2},
-                                                        // pockets of a fifth of the module, 0.9 nozzles at least
+                                                        // pockets a fifth of the module wide need at least 0.9 nozzle
+                                                        // widths
                                                         {ModulePattern::ThinPlus, 1.8}};
   for (const auto& [pattern, moduleMm] : published)
     for (const double factor : {1.0, 2.0}) {

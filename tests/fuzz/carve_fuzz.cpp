@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The bytes decide a model, a request and made-up depths; everything but the rendering runs, so many times as often as
-// in engrave_fuzz.
+// The bytes determine a model, a request and made-up depths. Everything runs except the rendering, so it runs many
+// times as often as engrave_fuzz.
 #include "fuzz/check.h"
 #include "support/engrave_oracle.h"
 

@@ -25,7 +25,8 @@ void checkTriangles(const std::vector<Triangle>& triangles, Index positions) {
     for (const std::uint32_t v : t) require(v < positions, "every index has its position");
 }
 
-/// A model without a blocking finding is closed, every edge lies in two triangles that run along it both ways.
+/// Requires a closed mesh: every edge lies in two triangles that run along it in opposite directions. Models without a
+/// blocking finding are closed.
 void checkClosed(const Mesh& mesh) {
   std::map<std::array<std::uint32_t, 2>, std::array<int, 2>> uses;
   for (const Triangle& t : mesh.triangles)

@@ -9,22 +9,23 @@
 #include "io/read_model.h"
 #include "mesh/prepare.h"
 
-/// What must hold whatever the bytes are. A broken promise ends the process, which the fuzzer takes for a crash.
+/// Invariants that hold for any input bytes. A violation ends the process, which the fuzzer counts as a crash.
 namespace qrelief::fuzz {
 
-/// Small, so that going beyond them is within a fuzzer's reach.
+/// Limits of the readers, small enough for a fuzzer to exceed.
 inline constexpr ReadLimits kLimits{.maxBytes = std::size_t{1} << 16, .maxTriangles = 5000};
 
 /// Ends the process with a message unless `holds`.
 void require(bool holds, std::string_view promise);
 
-/// An error of the given kinds, with a message of printable characters (UTF-8 passes) and no full stop at its end.
+/// Requires kind BadInput or NoSolution, and a message of printable characters (UTF-8 passes) without a full stop at
+/// its end.
 void checkError(const Error& error);
 
-/// Either a soup within the limits, whose indices are valid and whose positions are finite, or BadInput.
+/// Requires a soup within the limits, with valid indices and finite positions, or BadInput.
 void checkSoup(const Result<PolygonSoup>& soup);
 
-/// Either a mesh of the kind that the header promises, searched by plain counting, or BadInput.
+/// Requires a mesh that keeps the promises of mesh/prepare.h, checked by plain counting, or BadInput.
 void checkPrepared(const Result<PreparedModel>& prepared);
 
 inline std::span<const std::uint8_t> bytesOf(const std::uint8_t* data, std::size_t size) { return {data, size}; }

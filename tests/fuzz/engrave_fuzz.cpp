@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The bytes decide a model and a request (tests/support/engrave_case.h); the whole pipeline runs, with small symbols,
-// and the outcome is judged.
+// The bytes determine a model and a request (tests/support/engrave_case.h). The whole pipeline runs with small symbols,
+// and the oracle judges the outcome.
 #include "fuzz/check.h"
 #include "native/egl_context.h"
 #include "support/engrave_oracle.h"

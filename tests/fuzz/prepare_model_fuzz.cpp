@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Any soup: the first byte says how the positions are spread and how many there are, three bytes follow for each
-// position, then three for each triangle. So a few bytes fold, double, cross and tear surfaces.
+// The bytes encode any soup: the first byte sets how the positions are spread and how many there are; then come three
+// bytes per position and three per triangle. A few bytes are enough to fold, double, cross and tear surfaces.
 #include <cmath>
 
 #include "fuzz/check.h"
@@ -8,7 +8,7 @@
 namespace qrelief::fuzz {
 namespace {
 
-/// Spread evenly, or over many orders of magnitude, down to where floats coincide and up to the largest.
+/// Spreads coordinates evenly, or over many orders of magnitude, from where floats coincide up to the largest.
 double coordinate(std::uint8_t byte, bool wild) {
   const double fraction = (byte - 128) / 16.0;
   return wild ? std::copysign(std::exp2(std::abs(fraction) * 16 - 64), fraction) : fraction;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bytes are a 3MF file. What is in its archive seldom gets past the check sums once it has been changed, so this is
-// about the archive itself; read_3mf_parts_fuzz is about what is in it.
+// The bytes are a 3MF file. Changed archive content seldom passes the checksums, so this target tests the archive
+// itself; read_3mf_parts_fuzz tests its content.
 #include "fuzz/check.h"
 #include "io/read_3mf.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bytes are the parts of a 3MF file, with a zero byte between them: the model that the file is about, then those that
-// its paths may name, a.model, b.model, …; they come out of an archive whose check sums are right.
+// The bytes are the parts of a 3MF file, separated by zero bytes: first the main model, then the models that its paths
+// may name, a.model, b.model, … The archive that delivers them has correct checksums.
 #include <algorithm>
 #include <fmt/format.h>
 #include <string>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The first byte chooses the file's name, the others are its content: what readModel makes of names that lie, and
-// what prepareModel makes of what was read.
+// The first byte chooses the file's name, the rest is its content. Tests readModel with misleading names, and
+// prepareModel with the result.
 #include <array>
 
 #include "fuzz/check.h"

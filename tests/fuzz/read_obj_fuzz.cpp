@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bytes are an OBJ file.
+// The bytes are an OBJ file.
 #include "fuzz/check.h"
 #include "io/read_obj.h"
 

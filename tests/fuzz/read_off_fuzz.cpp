@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bytes are an OFF file.
+// The bytes are an OFF file.
 #include "fuzz/check.h"
 #include "io/read_off.h"
 

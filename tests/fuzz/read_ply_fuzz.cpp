@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bytes are a PLY file.
+// The bytes are a PLY file.
 #include "fuzz/check.h"
 #include "io/read_ply.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bytes are an STL file.
+// The bytes are an STL file.
 #include "fuzz/check.h"
 #include "io/read_stl.h"
 

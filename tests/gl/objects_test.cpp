@@ -70,7 +70,7 @@ TEST_F(GlObjectsDeathTest, AUniformThatNoSourceDeclaresStopsTheProgramAndIsNamed
   const auto program = Program::create("tinted", shaders::fullscreen_vert, kTinted);
   ASSERT_TRUE(program.has_value());
   program->use();
-  GTEST_FLAG_SET(death_test_style, "threadsafe");  // the driver has threads, which a fork would not take along
+  GTEST_FLAG_SET(death_test_style, "threadsafe");  // the driver has threads, and a fork would not copy them
   EXPECT_DEATH(program->set("u_tinct", 3.0f), "\"tinted\" declares no uniform u_tinct");
 }
 #endif

@@ -15,7 +15,7 @@ using testing::Field;
 
 class PassTimingsTest : public GlTest {};
 
-/// Something the graphics processor has to do.
+/// Gives the graphics processor some work.
 void clearATexture() {
   const gl::Texture texture(512, 512, gl::Format::RGBA8);
   const gl::Texture* const colours[] = {&texture};
@@ -57,7 +57,7 @@ TEST_F(PassTimingsTest, OneThatHasGoneIsToldNothing) {
     gl::PassTimings gone(false);
     gone.listen();
   }
-  { const gl::TimedPass timed("nobody hears this"); }  // would write to freed memory
+  { const gl::TimedPass timed("nobody hears this"); }  // must not write to freed memory
   gl::PassTimings next(false);
   next.listen();
   { const gl::TimedPass timed("heard by the next"); }
@@ -66,7 +66,7 @@ TEST_F(PassTimingsTest, OneThatHasGoneIsToldNothing) {
 
 TEST_F(PassTimingsTest, KnowsTheProcessorsTimeOfEveryPassNotInsideAnotherWhereThereAreTimerQueriesElseOfNone) {
   const bool known = gl::hasTimerQueries();
-  while (glGetError() != GL_NO_ERROR) {  // of earlier tests
+  while (glGetError() != GL_NO_ERROR) {  // clears errors of earlier tests
   }
   gl::PassTimings timings(known);
   timings.listen();

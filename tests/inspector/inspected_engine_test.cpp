@@ -10,7 +10,7 @@
 namespace qrelief {
 namespace {
 
-/// What the window that was made last was told.
+/// Record of the calls that the latest window received.
 struct Told {
   int made = 0;
   std::vector<std::pair<double, double>> sizes;

@@ -22,7 +22,7 @@ std::size_t tunable(std::string_view name) {
   return 0;
 }
 
-/// A box's top, engraved once.
+/// Fixture with a box whose top is engraved once.
 class InspectorModelTest : public GlTest {
  protected:
   static void SetUpTestSuite() {
@@ -83,7 +83,7 @@ TEST_F(InspectorModelTest, AChannelThatChangesByPassIsThatOfThePass) {
   const ValueMap last = *model.channel(*engine_, MapChannel::Depth);
   const int version = model.channelVersion();
   EXPECT_EQ(model.channel(*engine_, MapChannel::Depth)->values.size(), last.values.size());
-  EXPECT_EQ(model.channelVersion(), version);  // nothing new
+  EXPECT_EQ(model.channelVersion(), version);  // nothing changed
   model.setPass(0);
   const ValueMap first = *model.channel(*engine_, MapChannel::Depth);
   EXPECT_GT(model.channelVersion(), version);
@@ -99,14 +99,14 @@ TEST_F(InspectorModelTest, TheGBufferOfABoxesTopIsTheClosedForm) {
   const ValueMap facing = *model.channel(*engine_, MapChannel::FacetNormal);
   EXPECT_NEAR(middleOf(facing), 0, 0.05);
   EXPECT_NEAR(facing.directions[*facing.indexAt({0.5, 0.5})].z, 1, 1e-5);
-  // The corners' normals lean outwards, and what lies between them half a texel beside the middle does a little.
+  // The corners' normals lean outwards, so the interpolated normal half a texel beside the middle leans slightly, too.
   EXPECT_NEAR(middleOf(*model.channel(*engine_, MapChannel::SmoothNormal)), 0, 0.2);
   EXPECT_NEAR(middleOf(*model.channel(*engine_, MapChannel::Height)), 0, 1e-3);
   EXPECT_NEAR(middleOf(*model.channel(*engine_, MapChannel::BackDistance)), eye + kBoxMm, 0.02);
   EXPECT_NEAR(middleOf(*model.channel(*engine_, MapChannel::Thickness)), kBoxMm, 0.02);
   const ValueMap distance = *model.channel(*engine_, MapChannel::Distance);
   EXPECT_NEAR(middleOf(distance), eye, 0.01);
-  // In the corners the ray is longer: the map covers symbol and quiet zone, no more.
+  // The ray is longer in the corners. The map covers symbol and quiet zone, no more.
   const double half = edge / 2 * (1 - 1.0 / distance.columns);
   EXPECT_NEAR(distance.values.front(), std::sqrt(eye * eye + 2 * half * half), 0.02);
 }
@@ -123,7 +123,7 @@ TEST_F(InspectorModelTest, TheLightOfTheSearchCoversTheSameSquare) {
 
 TEST_F(InspectorModelTest, AClickOnTheModelChoosesTheSubmoduleThere) {
   engine_->readerView();
-  while (engine_->draw()) {  // the camera glides there
+  while (engine_->draw()) {  // lets the camera glide there
   }
   const auto middle = engine_->codePlaceAt(200, 200);
   ASSERT_TRUE(middle.has_value());
@@ -133,7 +133,7 @@ TEST_F(InspectorModelTest, AClickOnTheModelChoosesTheSubmoduleThere) {
   ASSERT_TRUE(upperLeft.has_value());
   EXPECT_LT(upperLeft->x, 0.5);
   EXPECT_LT(upperLeft->y, 0.5);
-  // 1.1 times symbol and quiet zone are seen across 400 pixels.
+  // 400 pixels show 1.1 times the width of symbol and quiet zone.
   EXPECT_NEAR(upperLeft->x, 0.5 - 100.0 / 400 * 1.1, 0.02);
   EXPECT_NEAR(upperLeft->y, 0.5 - 80.0 / 400 * 1.1, 0.02);
   EXPECT_FALSE(engine_->codePlaceAt(1, 1).has_value());
@@ -166,7 +166,7 @@ TEST_F(InspectorModelTest, OverridesCountForOneEngravingAndItsReportAndSolversCa
   ASSERT_TRUE(model.runs()[0] && model.runs()[1]);
   EXPECT_NE(model.runs()[1]->name.find("paper's steps, c = 0.2"), std::string::npos) << model.runs()[1]->name;
   EXPECT_EQ(model.pass(), model.passes() - 1);
-  // What is reported is measured against the contrast that was asked for.
+  // The report measures against the requested contrast.
   EXPECT_EQ(model.runs()[1]->passes.back().unmet, 0);
 }
 

@@ -13,9 +13,9 @@ namespace {
 constexpr double kContrast = 0.3;
 constexpr int kQuiet = 20;  // submodules
 
-/// A search whose numbers are made up so that each can be told by hand: light modules have a luminance of 0.9, what is
-/// carved 0.8, then 0.7, 0.6 in the passes, but for the first submodule, which is 0.01 short of dark enough in the
-/// last.
+/// Fixture with a made-up search whose numbers can be checked by hand. Light modules have a luminance of 0.9. Carved
+/// submodules have 0.8, 0.7 and 0.6 in the three passes, except the first submodule: in the last pass it is 0.01 too
+/// bright.
 class SearchViewTest : public testing::Test {
  protected:
   SearchViewTest()
@@ -114,7 +114,7 @@ TEST_F(SearchViewTest, CountsAsTheSearchItselfDoes) {
   DepthSearch search({&symbol_, &mask_, 25, std::vector<double>(mask_.carved.size(), 3.0)}, {.contrast = kContrast});
   SearchRecord record = record_;
   record.passes.resize(1);
-  // Light modules that differ, so that AL does, too.
+  // Light modules differ, so AL differs, too.
   std::vector<double> luminance;
   for (int row = 0; row < edge_; ++row)
     for (int column = 0; column < edge_; ++column)
@@ -147,7 +147,7 @@ TEST_F(SearchViewTest, TheMapsShowEverySubmoduleInItsPlace) {
   EXPECT_FLOAT_EQ(limits.values[inMap(firstCarved())], 1.5f);
   EXPECT_TRUE(std::isnan(depths.values[0]));
   EXPECT_FLOAT_EQ(luminance.values[0], 0.9f);
-  // A place of the map and the submodule there are the same.
+  // A point of the map and its submodule map to each other.
   for (const SubmodulePlace place : {firstCarved(), SubmodulePlace{-kQuiet, -kQuiet}, SubmodulePlace{50, 3}}) {
     const Vec2 middle((place.column + kQuiet + 0.5) / edge_, (place.row + kQuiet + 0.5) / edge_);
     EXPECT_EQ(view.placeAt(middle), place);

@@ -65,12 +65,12 @@ TEST(ParseNumber, ReadsNanAndInfinitySoThatTheyCanBeReported) {
   EXPECT_EQ(*parseNumber("infinity"), INFINITY);
 }
 
-// Means something only where a locale with a decimal comma is installed.
+// This test is meaningful only where a locale with a decimal comma is installed.
 TEST(ParseNumber, DoesNotDependOnTheLocale) {
   const std::string before = std::setlocale(LC_NUMERIC, nullptr);
   for (const char* name : {"de_DE.UTF-8", "fr_FR.UTF-8", "de_DE", "fr_FR"})
     if (std::setlocale(LC_NUMERIC, name)) break;
-  const double value = parseNumber("0.12345678901234567").value_or(0);  // more digits than the fast way takes
+  const double value = parseNumber("0.12345678901234567").value_or(0);  // more digits than the fast path takes
   std::setlocale(LC_NUMERIC, before.c_str());
   EXPECT_EQ(value, 0.12345678901234567);
 }

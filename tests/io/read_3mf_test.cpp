@@ -44,7 +44,7 @@ double volumeOf(const PolygonSoup& soup) {
   return six / 6;
 }
 
-/// The soup of one box of 1 × 2 × 3 by that item.
+/// Returns the soup of one box of 1 × 2 × 3 that the given item places.
 PolygonSoup placedBox(const std::string& item) {
   const auto soup = read3mf(threeMf(modelPart(boxObject(1, 1, 2, 3), item)), {});
   EXPECT_TRUE(soup) << soup.error().message;
@@ -63,7 +63,7 @@ TEST(ThreeMfReader, ReadsAnObject) {
 }
 
 TEST(ThreeMfReader, AppliesTransformsRowByRow) {
-  // x goes to y, y to z, z to x, then moved by (10, 20, 30).
+  // The transform maps x to y, y to z and z to x, then moves by (10, 20, 30).
   const PolygonSoup soup = placedBox("<item objectid=\"1\" transform=\"0 1 0 0 0 1 1 0 0 10 20 30\"/>");
   EXPECT_EQ(boxOf(soup).min, Vec3(10, 20, 30));
   EXPECT_EQ(boxOf(soup).max, Vec3(13, 21, 32));
@@ -105,7 +105,8 @@ TEST(ThreeMfReader, MakesAPartOfEveryItem) {
 }
 
 TEST(ThreeMfReader, PutsNestedComponentsTogether) {
-  // A pair of boxes, 10 apart; two pairs, the second mirrored in x and 100 up; the whole scaled by two.
+  // The scene is two pairs of boxes. The boxes of a pair are 10 apart; the second pair is mirrored in x and 100 higher.
+  // The whole is scaled by two.
   const std::string resources = boxObject(1, 1, 2, 3) +
                                 "<object id=\"2\"><components><component objectid=\"1\"/><component objectid=\"1\" "
                                 "transform=\"1 0 0 0 1 0 0 0 1 10 0 0\"/></components></object>"
@@ -142,7 +143,7 @@ TEST(ThreeMfReader, ConvertsAPartOfAnotherUnit) {
   const auto soup =
       read3mf(threeMf(root, {{"3D/b.model", modelPart(boxObject(1, 1, 2, 3), "", "unit=\"centimeter\"")}}), {});
   ASSERT_TRUE(soup) << soup.error().message;
-  EXPECT_EQ(boxOf(*soup).min, Vec3(5, 0, 0));  // the transform is in the asking part's unit
+  EXPECT_EQ(boxOf(*soup).min, Vec3(5, 0, 0));  // the transform uses the unit of the part that contains it
   EXPECT_EQ(boxOf(*soup).max, Vec3(15, 20, 30));
 }
 
@@ -237,7 +238,7 @@ TEST(ThreeMfReader, RefusesARequiredExtensionThatChangesTheGeometry) {
                       {}));
 }
 
-/// A box whose object tag has more attributes, of a model that knows the slice extension.
+/// Returns a box whose object tag has more attributes, in a model that declares the slice extension.
 std::string slicedBox(const std::string& attributes, const std::string& required = "") {
   std::string object = boxObject(7, 1, 2, 3);
   object.insert(object.find("id="), attributes + " ");
@@ -318,7 +319,7 @@ TEST(ThreeMfReader, RefusesComponentsThatContainThemselves) {
               HasSubstr("is a component of itself"));
 }
 
-/// Object 1 a box, each further one `width` times the one before.
+/// Returns nested objects: object 1 is `first`, each further one holds `width` copies of the one before.
 std::string tower(int depth, int width, const std::string& first) {
   std::string resources = first;
   for (int level = 2; level <= depth; ++level) {
@@ -336,7 +337,7 @@ TEST(ThreeMfReader, LimitsHowDeepComponentsNest) {
 }
 
 TEST(ThreeMfReader, LimitsWhatComponentsMultiplyTo) {
-  // 10 levels of 100: 10^18 boxes, refused before any is made.
+  // 10 levels of 100 give 10^18 boxes; the reader refuses them before it makes any.
   EXPECT_THAT(errorOf(tower(10, 100, boxObject(1, 1, 1, 1))), HasSubstr("more than 100000 objects"));
   EXPECT_THAT(errorOf(tower(10, 100, "<object id=\"1\"><mesh><vertices/><triangles/></mesh></object>")),
               HasSubstr("more than 100000 objects"));

@@ -37,7 +37,7 @@ std::vector<Sample> samples(const Mesh& mesh) {
           {"a.3mf", *writeModel(mesh, ModelFormat::ThreeMf)}};
 }
 
-/// Either an error with words, or a soup whose indices and positions can be trusted.
+/// Expects either an error with a message, or a soup with valid indices and positions.
 void expectErrorOrValid(const Bytes& bytes, const std::string& name) {
   const auto soup = readModel(bytes, name);
   if (!soup) {
@@ -96,7 +96,7 @@ TEST(ReadModel, ReadsTheContentWithAWarningWhereTheNameIsWrong) {
   EXPECT_EQ(readModel(writeStl(shapes::tetrahedron(10)), "model.obj")->format, "STL (binary)");
 }
 
-/// Text as an editor saves it that calls its encoding "Unicode".
+/// Returns text as saved by an editor that calls its encoding "Unicode".
 Bytes wide(std::string_view text, bool bigEndian, bool marked) {
   Bytes bytes;
   const auto put = [&](std::uint8_t high, std::uint8_t low) {
@@ -132,7 +132,7 @@ TEST(ReadModel, TakesNoBinaryFileForUtf16) {
   Bytes stl = writeStl(shapes::tetrahedron(10));
   stl[0] = 0xff, stl[1] = 0xfe;
   EXPECT_EQ(readModel(stl, "a.stl")->triangles.size(), 4u);
-  stl.push_back(0);  // no longer of the exact size
+  stl.push_back(0);  // the size is no longer exact
   EXPECT_EQ(readModel(stl, "a.stl")->triangles.size(), 4u);
 }
 

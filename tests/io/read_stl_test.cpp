@@ -46,7 +46,7 @@ TEST(StlReader, ReadsBinaryFacetsBitForBit) {
 
 TEST(StlReader, ReadsAsciiWithEveryKindOfLineEnd) {
   for (const char* lineEnd : {"\n", "\r\n", "\r", " "}) {
-    // With blanks for line ends the solid's name would swallow the file, so it gets a line of its own.
+    // With blanks for line ends, the solid's name would swallow the file, so the name gets a line of its own.
     std::string text = model_files::asciiStl(shapes::tetrahedron(2), lineEnd);
     if (*lineEnd == ' ') text.replace(text.find("  facet"), 2, "\n");
     const auto soup = readStl(bytesOf(text), {});

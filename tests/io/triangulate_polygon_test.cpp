@@ -14,7 +14,8 @@ double area(const std::vector<Vec3>& p, const std::array<std::uint32_t, 3>& t, V
   return glm::dot(glm::cross(p[t[1]] - p[t[0]], p[t[2]] - p[t[0]]), normal) / 2;
 }
 
-/// All triangles face along the normal, none overlap (their areas sum to the polygon's), and the border is the outline.
+/// Expects that all triangles face along the normal, that none overlap (their areas sum to the polygon's area), and
+/// that the border is the outline.
 void expectCovers(const std::vector<Vec3>& polygon, Vec3 normal, double wantedArea) {
   const PolygonTriangles cut = triangulatePolygon(polygon);
   EXPECT_TRUE(cut.simple);
@@ -72,7 +73,7 @@ TEST(TriangulatePolygon, LeavesNoTriangleWithoutAreaAtStraightCorners) {
 }
 
 TEST(TriangulatePolygon, CutsARingThatIsJoinedByADoubledEdge) {
-  // A 4 x 4 square with a 2 x 2 hole, entered and left along the edge from (0, 0) to (1, 1).
+  // A 4 x 4 square has a 2 x 2 hole; the outline enters and leaves it along the edge from (0, 0) to (1, 1).
   expectCovers(
       {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {0, 0, 0}, {1, 1, 0}, {1, 3, 0}, {3, 3, 0}, {3, 1, 0}, {1, 1, 0}},
       kUp, 12);
@@ -107,7 +108,7 @@ std::vector<Vec3> starOf(int corners, double innerRadius) {
   return polygon;
 }
 
-/// A saw with teeth of pseudo-random height below a flat top.
+/// Returns a saw with teeth of pseudo-random height below a flat top.
 std::vector<Vec3> sawOf(int corners) {
   std::vector<Vec3> polygon;
   for (int i = 0; i < corners - 2; ++i) polygon.emplace_back(100.0 * i / corners, i * 7919 % 1009 * 0.02, 0);
@@ -144,7 +145,7 @@ TEST(TriangulatePolygon, TakesAFewTestsACornerHoweverManyThereAre) {
 }
 
 TEST(TriangulatePolygon, FansALargeConvexPolygon) {
-  // Ears of three corners side by side would be flatter than floats can tell.
+  // Ears cut from three adjacent corners would be flatter than floats can resolve.
   const PolygonTriangles cut = triangulatePolygon(starOf(20'000, 1));
   EXPECT_TRUE(cut.simple);
   EXPECT_EQ(cut.tests, 0u);
@@ -152,7 +153,7 @@ TEST(TriangulatePolygon, FansALargeConvexPolygon) {
 }
 
 TEST(TriangulatePolygon, CutsVeryAcuteSpikes) {
-  // Their tips turn by nearly half a turn, whose sine is small as well.
+  // The tips turn by nearly half a turn, whose sine is small as well.
   std::vector<Vec3> polygon;
   for (int i = 0; i < 20; ++i) {
     polygon.emplace_back(100, 2e-6 * (2 * i + 1), 0);
@@ -164,7 +165,7 @@ TEST(TriangulatePolygon, CutsVeryAcuteSpikes) {
 }
 
 TEST(TriangulatePolygon, GivesUpOnAHostileOutline) {
-  // A spiral that crosses itself everywhere: no ears, all corners reflex one way or the other.
+  // A spiral crosses itself everywhere: it has no ears, and all its corners are reflex one way or the other.
   std::vector<Vec3> polygon;
   for (int i = 0; i < 20'000; ++i)
     polygon.push_back(Vec3(std::cos(2.4 * i), std::sin(2.4 * i), 0) * (1 + 0.001 * (i % 977)));

@@ -18,7 +18,7 @@ using Bytes = std::vector<std::uint8_t>;
 
 constexpr Colour kWhite = {255, 255, 255}, kBlack = {16, 0, 10};
 
-/// The text of a part; empty if there is none.
+/// Returns the text of a part; empty if there is none.
 std::string partOf(const Bytes& bytes, const std::string& name) {
   const auto archive = ZipArchive::open(bytes);
   if (!archive || !archive->find(name)) return {};
@@ -31,7 +31,7 @@ std::string partOf(const Bytes& bytes, const std::string& name) {
   }
 }
 
-/// A plate with a cube in it, and a box that stands beside them.
+/// Returns a plate with a cube in it, and a separate box next to them.
 std::vector<ModelObject> inlaidPlate() {
   return {{"plate",
            {{"body", shapes::box({30, 30, 4}), kWhite},
@@ -111,7 +111,7 @@ TEST(Write3mf, KeepsNamesOfEveryKind) {
   };
   EXPECT_EQ(nameAfter("a < b & \"c\" > d"), "a < b & \"c\" > d");
   EXPECT_EQ(nameAfter("Ünïcödé 🐇 – 兔"), "Ünïcödé 🐇 – 兔");
-  // What XML cannot hold: control characters, cut off, overlong and surrogate sequences, U+FFFF.
+  // XML cannot hold these: control characters; cut-off, overlong and surrogate sequences; U+FFFF.
   EXPECT_EQ(nameAfter("a\x01\n\xe2\x82"), "a????");
   EXPECT_EQ(nameAfter("\xc0\xaf \xed\xa0\x80 \xef\xbf\xbf \xf5"), "?? ??? ??? ?");
 }

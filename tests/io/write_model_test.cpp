@@ -38,7 +38,7 @@ void expectSameTriangles(const PolygonSoup& soup, const Mesh& mesh, const Kind& 
 }
 
 TEST(WriteModel, GivesEveryFloatBackBitForBit) {
-  // Floats of every size there is, and the hard ones among them.
+  // Random floats cover every magnitude; the hard ones are added.
   Random random(7);
   Mesh mesh;
   const auto anyFloat = [&] {

@@ -15,7 +15,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-/// Writes down what it is told.
+/// Records the parser's events as text.
 class Recorder : public XmlHandler {
  public:
   std::vector<std::string> events;

@@ -40,7 +40,7 @@ std::string errorOf(const Bytes& bytes) {
   return archive ? "" : sentence(archive.error().message);
 }
 
-/// Text that deflate cannot shrink to nothing, longer than several pieces.
+/// Returns text that deflate cannot shrink to nothing, longer than several pieces.
 std::string longText() {
   std::string text;
   for (int i = 0; i < 60'000; ++i) text += std::to_string(i * 7919 % 100'003) + " ";
@@ -108,7 +108,7 @@ TEST(ZipArchive, RefusesBytesAfterTheEndRecord) {
   Bytes bytes = zip_file::zip({{"a.txt", "first"}});
   bytes.push_back('x');
   EXPECT_THAT(errorOf(bytes), HasSubstr("directory at its end is missing"));
-  bytes[bytes.size() - 3] = 1;  // unless they are the comment
+  bytes[bytes.size() - 3] = 1;  // the same bytes pass as the archive's comment
   EXPECT_EQ(contentOf(bytes, "a.txt").value(), "first");
 }
 
@@ -162,7 +162,7 @@ TEST(ZipArchive, RefusesOtherNumbersInTheFilesOwnHeader) {
     ++bytes[static_cast<std::size_t>(at)];
     EXPECT_THAT(errorOf(bytes), HasSubstr("different numbers")) << at;
   }
-  Bytes follow = zip_file::zip({{"a.txt", "first", 8}});  // "the numbers come after the content"
+  Bytes follow = zip_file::zip({{"a.txt", "first", 8}});  // flag: "the numbers come after the content"
   follow[14] = follow[18] = follow[22] = 0;
   EXPECT_EQ(contentOf(follow, "a.txt").value(), "first");
 }

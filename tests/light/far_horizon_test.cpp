@@ -11,7 +11,7 @@ namespace qrelief {
 namespace {
 
 TEST(FarHorizon, AWallBesideTheMapDimsWhatFacesItThroughTheSurroundings) {
-  // A wall of height h at distance x, infinitely long, beside an open plane: V = (1 + x / √(x² + h²)) / 2.
+  // A wall of height h at distance x, infinitely long, next to an open plane: V = (1 + x / √(x² + h²)) / 2.
   const double eye = 20000, wallHeight = 10, distance = 12;
   HeightMap around = planeMap(512, 200.0 / 512, eye);
   for (int row = 0; row < around.size; ++row)
@@ -34,7 +34,7 @@ TEST(FarHorizon, OfAPlaneIsThePlaneItself) {
   ASSERT_EQ(far.cotangents.size(), 16u * FarHorizon::kDirections);
   for (int place = 0; place < 16; ++place) {
     const double x = (place % 4 * 8 + 4.5 - 16) * 0.5, y = (place / 4 * 8 + 4.5 - 16) * 0.5;
-    // To the right: the line of sight leans by x over the distance to the line.
+    // Towards the right, the line of sight leans by x over the distance to the line.
     EXPECT_NEAR(far.cotangents[static_cast<std::size_t>(place)], -x / std::hypot(250, y), 1e-5) << place;
   }
 }

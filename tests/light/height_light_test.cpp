@@ -15,12 +15,12 @@
 namespace qrelief {
 namespace {
 
-constexpr double kFar = 20000;  // so far away that the rays to the eye are parallel
+constexpr double kFar = 20000;  // far enough to make the rays to the eye parallel
 constexpr int kSize = 48;
 
 HeightMap plane(int size, double patchMm) { return planeMap(size, patchMm, kFar); }
 
-/// Depths of the patches whose middles, mm from the map's middle, are in an area.
+/// Returns a depth map that is `depthMm` deep where a patch's middle, mm from the map's middle, lies in the area `in`.
 std::vector<float> depthsOf(int size, double patchMm, double depthMm, const std::function<bool(double, double)>& in) {
   std::vector<float> depths;
   for (int row = 0; row < size; ++row)
@@ -37,7 +37,7 @@ std::vector<Received> measured(const HeightLight& light, const LightOptions& opt
   return received;
 }
 
-/// Seen along `tilt`, the surface is a plane through the frame's centre.
+/// Returns the map of a plane through the frame's centre that is tilted by `tilt`.
 HeightMap tiltedPlane(double tilt, double eyeDistance) {
   const int size = 64;
   const double patchMm = 0.6;
@@ -67,7 +67,7 @@ TEST(HeightLight, ATiltedPlaneSeenInPerspectiveSeesTheWholeSky) {
 }
 
 TEST(HeightLight, ATrenchFloorSeesWhatTheClosedFormSays) {
-  // At x in an infinite trench between walls at ±w/2: V = (sin(atan((w/2 + x)/d)) + sin(atan((w/2 - x)/d))) / 2, whose
+  // At x in an infinite trench between walls at ±w/2, V = (sin(atan((w/2 + x)/d)) + sin(atan((w/2 - x)/d))) / 2. Its
   // integral over x is a difference of √(u² + d²).
   const double patch = 0.25, width = 8 * patch, depth = 1;
   HeightLight light(plane(kSize, patch));
@@ -83,7 +83,7 @@ TEST(HeightLight, ATrenchFloorSeesWhatTheClosedFormSays) {
 }
 
 TEST(HeightLight, ACircularPitFloorSeesWhatTheClosedFormSays) {
-  // Middle of a pit of radius r and depth d: V = r² / (r² + d²). The pit of patches has the circle's area.
+  // The middle of a pit of radius r and depth d has V = r² / (r² + d²). The pit of patches has the circle's area.
   const double patch = 0.1, radius = 1.5, depth = 1.0;
   int carved = 0;
   HeightLight light(plane(kSize, patch));
@@ -152,7 +152,7 @@ TEST(HeightLight, ALampInPerspectiveShinesOnATiltedPlaneByItsCosine) {
 }
 
 TEST(HeightLight, APocketIsAsBrightAsPathTracingSays) {
-  // The rims lie on the mesh's grid, where the map has them; the walls lean inwards by one grid width.
+  // The rims lie on the mesh's grid, exactly where the map has them; the walls lean inwards by one grid width.
   const double grid = 0.04, half = 1, depth = 0.6, patch = half / 4;
   const Mesh carved = shapes::plate({40, 40}, 20, 1000, 1000, [&](double x, double y) {
     return std::max(std::abs(x), std::abs(y)) < half - grid / 2 ? -depth : 0.0;
@@ -161,7 +161,7 @@ TEST(HeightLight, APocketIsAsBrightAsPathTracingSays) {
   std::vector<SeenCell> cells;
   for (int row = -4; row < 4; ++row)
     for (int column = -4; column < 4; ++column) {
-      const Vec2 min(column * patch, row * patch);  // without the foot of the walls
+      const Vec2 min(column * patch, row * patch);  // leaves out the foot of the walls
       cells.push_back({glm::max(min, Vec2(1.5 * grid - half)), glm::min(min + patch, Vec2(half - 1.5 * grid))});
     }
   for (const auto& lamps : {std::vector<DirectionalLight>{},
@@ -181,7 +181,8 @@ TEST(HeightLight, APocketIsAsBrightAsPathTracingSays) {
                64;
     }
     EXPECT_LT(skyError, 0.015);
-    // Beside the walls of so wide a pit more is reflected than its floor's visibility tells: 0.05 too dark there.
+    // Near the walls of such a wide pit, more light is reflected than the floor's visibility predicts: the map is 0.05
+    // too dark there.
     EXPECT_LT(error, 0.045) << lamps.size();
   }
 }

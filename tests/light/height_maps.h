@@ -7,7 +7,7 @@
 
 namespace qrelief {
 
-/// A map of the QR plane itself.
+/// Returns a height map of the QR plane itself.
 inline HeightMap planeMap(int size, double patchMm, double eyeDistance) {
   const auto count = static_cast<std::size_t>(size) * static_cast<std::size_t>(size);
   const std::vector<float> zeros(count, 0.0f);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Light is the same on every machine: each instruction set that this one has gives the same bits.
+// Every machine computes the same light: all instruction sets of this machine give the same bits.
 #include "support/instruction_sets.h"
 
 #include <cmath>
@@ -11,7 +11,7 @@
 namespace qrelief {
 namespace {
 
-/// Uneven ground with pits.
+/// Returns uneven ground with pits.
 HeightMap ground(bool isContinuous) {
   const int size = 100;
   HeightMap map{size, 0.1, 250, {}, {}, {}, isContinuous};

@@ -6,7 +6,7 @@
 namespace qrelief {
 namespace {
 
-// Just behind each border that it crosses, the ray lies in the cell that was entered.
+// Just behind each border that the ray crosses, it lies in the cell it entered.
 TEST(GridMarch, EntersTheCellsThatTheRayPassesInTheirOrder) {
   for (int k = 0; k < 48; ++k) {
     const double angle = 2 * 3.14159265358979 * (k + 0.5) / 48;

@@ -11,14 +11,14 @@
 namespace qrelief {
 namespace {
 
-/// Whole coordinates, so that sums and small multiples are exact; flat ones are as common as others.
+/// Returns a point with whole coordinates, so that sums and small multiples are exact. Half the points have z = 0.
 Vec3 wholePoint(Random& random) {
   const auto coordinate = [&] { return static_cast<double>(random.below(41)) - 20; };
   const bool flat = random.below(2) == 0;
   return {coordinate(), coordinate(), flat ? 0 : coordinate()};
 }
 
-/// Some model's scale and place, by powers of two and whole numbers: what is exact stays exact.
+/// Scales and moves corners like a real model, by powers of two and whole numbers, so exact results stay exact.
 Corners placed(const Corners& corners, double scale) {
   Corners result = corners;
   for (Vec3& p : result) p = (p + Vec3(1000, -300, 77)) * scale;
@@ -54,7 +54,7 @@ TEST(CertainlyApartButForCorner, NeverSaysSoOfTrianglesThatMeetBeyondIt) {
     const Vec3 corner = wholePoint(random);
     const Vec3 u = wholePoint(random);
     const Vec3 v = wholePoint(random);
-    const Vec3 w = wholePoint(random);  // the edges opposite the corner have the same middle
+    const Vec3 w = wholePoint(random);  // the edges opposite the corner share their midpoint
     const Corners a{corner, u, v};
     const Corners b{corner, w, u + v - w};
     ASSERT_FALSE(certainlyApartButForCorner(placed(a, 1), placed(b, 1))) << i;
@@ -81,7 +81,7 @@ TEST(CertainlyApart, SeesAGapAboveBesideAndBetweenEdges) {
   EXPECT_TRUE(certainlyApart(a, {Vec3(1, -0.001, -1), Vec3(2, -0.001, -1), Vec3(1, -0.001, 9)}));
 }
 
-/// The exact predicates are for a few pairs, or the search is slow.
+/// Exact predicates must remain the exception, or the search becomes slow.
 TEST(CertainlyApart, SettlesNearlyAllNeighboursInASurface) {
   for (const Mesh& mesh : {shapes::bumpySphere(10, 2, 4, 3), shapes::torus(10, 3, 40, 20)}) {
     std::size_t pairs = 0;
@@ -108,7 +108,7 @@ TEST(CertainlyApart, SettlesNearlyAllNeighboursInASurface) {
                    : shared == 1 ? certainlyApartButForCorner(corners(a), corners(b))
                                  : certainlyApartButForEdge(corners(a), corners(b));
       }
-    EXPECT_GE(pairs, 6 * mesh.triangles.size());  // 3/2 over edges and some 9/2 at corners, at least
+    EXPECT_GE(pairs, 6 * mesh.triangles.size());  // per triangle 3/2 over edges and about 9/2 at corners, at least
     EXPECT_GE(static_cast<double>(settled), 0.995 * static_cast<double>(pairs));
   }
 }

@@ -16,7 +16,7 @@ std::vector<std::uint32_t> everySecond(const Mesh& mesh) {
   return triangles;
 }
 
-/// Triangles of the leaves found whose own boxes overlap, ascending.
+/// Returns the triangles of the found leaves whose own boxes overlap, ascending.
 std::vector<std::uint32_t> overlapping(const BoxTree& tree, const FloatBox& box) {
   std::vector<std::uint32_t> leaves;
   tree.findLeaves(box, 0, leaves);

@@ -26,7 +26,7 @@ bool holds(const Bvh::Box& outer, const Bvh::Box& inner) {
 
 bool holdsPoint(const Bvh::Box& box, Vec3f p) { return holds(box, {p, p}); }
 
-/// Indices of the boxes in the leaves that are visited for a point, ascending.
+/// Returns the indices of the boxes that hold the point, from the leaves visited for it, ascending.
 std::vector<std::uint32_t> found(const Bvh& tree, std::span<const Bvh::Box> boxes, Vec3f point, bool firstIsNearer) {
   std::vector<std::uint32_t> hits;
   tree.visit([&](std::uint32_t node) { return holdsPoint(tree.nodes()[node].box, point); },

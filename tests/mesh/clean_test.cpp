@@ -37,8 +37,8 @@ TEST(CleanTriangles, DropsTrianglesThatUseAVertexTwice) {
   EXPECT_EQ(*report.degenerateAt, mesh.positions[1]);
 }
 
-/// A box whose upper edge along x has a vertex in its middle on the front face only; a triangle without area over
-/// (0, middle, 1) closes the gap, as some CAD programs write it.
+/// Returns a box whose upper edge along x has a vertex in its middle on the front face only. A triangle without area
+/// over (0, middle, 1) closes the gap, as some CAD programs write it.
 Mesh boxWithSliver() {
   Mesh mesh = shapes::box({2, 2, 2});
   // The front face z = +1 is (4, 5, 7), (4, 7, 6); its lower edge 4-5 gets the vertex 8.
@@ -102,7 +102,7 @@ TEST(CleanTriangles, DropsAThinFlapThatHangsOnAClosedSurface) {
 }
 
 TEST(CleanTriangles, EndsWhereSliversInOneLineFlipEachOther) {
-  // Found by fuzzing: all vertices but one lie in one line.
+  // Found by fuzzing: all vertices except one are collinear.
   Mesh mesh;
   mesh.positions = {{0, 0, 0}, {0, -7.9375f, 0}, {0, 0.8125f, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0.5f, 0}};
   mesh.triangles = {{0, 4, 1}, {0, 1, 2}, {0, 3, 2}, {1, 2, 3}, {0, 2, 1}, {0, 2, 1}, {4, 3, 2}, {5, 0, 4}};

@@ -24,7 +24,7 @@ TEST(ClusterVertices, KeepsTheShapeOfADenseSphereWithAFewPercentOfItsFacets) {
 }
 
 TEST(ClusterVertices, KeepsTheTwoSidesOfAThinWallApart) {
-  // 1 mm thick, cells of 8 mm: every cell but the outermost holds vertices of both sides.
+  // The wall is 1 mm thick and the cells are 8 mm, so every cell except the outermost holds vertices of both sides.
   const Mesh wall =
       shapes::together(shapes::plate({80, 80}, 1, 40, 40),
                        shapes::translated(shapes::insideOut(shapes::plate({80, 80}, 1, 40, 40)), {0, 0, 2}));
@@ -37,7 +37,7 @@ TEST(ClusterVertices, KeepsTheTwoSidesOfAThinWallApart) {
 }
 
 TEST(ClusterVertices, DropsFacetsThatComeToLieBackToBack) {
-  // A flat fin on a large facet: its tip and its two sides collapse onto the edge they stand on.
+  // A flat fin on a large facet: its tip and its two sides collapse onto its base edge.
   Mesh mesh;
   mesh.positions = {{0, 0, 0}, {100, 0, 0}, {0, 100, 0}, {50, -0.1f, 0.1f}, {50, -0.1f, 0.2f}};
   mesh.triangles = {{0, 1, 2}, {0, 3, 1}, {1, 4, 0}};

@@ -11,7 +11,7 @@ TEST(Collinear, IsExactForTheSmallestStepOfAFloat) {
   const Vec3f a(0.1f, 0.2f, 0.3f);
   const Vec3f b(0.2f, 0.4f, 0.6f);
   const Vec3f c(0.4f, 0.8f, 1.2f);
-  EXPECT_TRUE(collinear(a, b, c));  // b = 2a, c = 4a exactly
+  EXPECT_TRUE(collinear(a, b, c));  // exactly b = 2a, c = 4a
   EXPECT_FALSE(collinear(a, b, {c.x, c.y, std::nextafter(c.z, 2.0f)}));
 }
 

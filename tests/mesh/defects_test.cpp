@@ -32,10 +32,10 @@ TEST(FindDefects, CountsOpenEdgesAndHoles) {
 }
 
 TEST(FindDefects, CountsEdgesOfMoreThanTwoTriangles) {
-  // Two boxes that share an edge: the four triangles there belong to one edge.
+  // Two boxes share an edge, so four triangles meet at it.
   Mesh mesh = shapes::box({2, 2, 2});
   const Mesh other = shapes::translated(shapes::box({2, 2, 2}), {2, 2, 0});
-  const std::array<std::uint32_t, 8> index{3, 8, 9, 10, 7, 11, 12, 13};  // its corners 0 and 4 are ours 3 and 7
+  const std::array<std::uint32_t, 8> index{3, 8, 9, 10, 7, 11, 12, 13};  // corners 0 and 4 become 3 and 7
   for (const std::size_t v : {1, 2, 3, 5, 6, 7}) mesh.positions.push_back(other.positions[v]);
   for (const auto& [a, b, c] : other.triangles) mesh.triangles.push_back({index[a], index[b], index[c]});
   const Defects defects = defectsOf(mesh);
@@ -45,7 +45,7 @@ TEST(FindDefects, CountsEdgesOfMoreThanTwoTriangles) {
 }
 
 TEST(FindDefects, CountsVerticesWhereTwoFansMeet) {
-  // Two tetrahedra that touch in vertex 0.
+  // Two tetrahedra touch in vertex 0.
   Mesh mesh = shapes::tetrahedron(2);
   const Mesh other = shapes::translated(mesh, 2.0 * Vec3(mesh.positions[0]));
   for (std::size_t v = 0; v < 3; ++v) mesh.positions.push_back(other.positions[v]);

@@ -25,7 +25,7 @@ bool isClosed(const Mesh& mesh) {
   return true;
 }
 
-/// Without the triangles whose corners all lie above a height.
+/// Removes the triangles whose corners all lie above a height.
 Mesh cutAbove(Mesh mesh, float z) {
   std::erase_if(mesh.triangles, [&](const Triangle& t) {
     return std::all_of(t.begin(), t.end(), [&](std::uint32_t v) { return mesh.positions[v].z > z; });
@@ -72,7 +72,7 @@ TEST(FillHoles, ClosesTwoHolesThatMeetInAVertex) {
   std::vector<std::uint32_t> around;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
     if (std::count(mesh.triangles[t].begin(), mesh.triangles[t].end(), shared)) around.push_back(t);
-  // The first and one that shares only the vertex with it.
+  // Removes the first triangle and one that shares only the vertex with it.
   const Triangle first = mesh.triangles[around[0]];
   const auto apart = std::find_if(around.begin() + 1, around.end(), [&](std::uint32_t t) {
     return std::count_if(first.begin(), first.end(), [&](std::uint32_t v) {
@@ -98,7 +98,7 @@ TEST(FillHoles, DoesNotDoubleALooseTriangle) {
 }
 
 TEST(FillHoles, TakesBackAPatchThatWouldCrossTheSurface) {
-  // A rod through the open top of a block.
+  // A rod passes through the open top of a block.
   const Mesh block = cutAbove(shapes::plate({20, 20}, 5, 6, 6), -1);
   Mesh mesh = shapes::together(block, shapes::box({1, 1, 8}));
   const Mesh before = mesh;

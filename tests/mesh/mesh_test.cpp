@@ -26,7 +26,8 @@ TEST(SignedVolume, DoesNotSufferFarFromTheOrigin) {
 }
 
 TEST(SignedVolume, OfTorusAndCylinderIsThatOfTheirPolygons) {
-  // A ring of n quads about the axis holds sin(2π/n)/(2π/n) of the round one; the tube's m-gon as well.
+  // A ring of n quads about the axis has sin(2π/n)/(2π/n) of the round ring's volume, and likewise for the tube's
+  // m-gon.
   const auto polygonShare = [](int n) { return std::sin(2 * kPi / n) / (2 * kPi / n); };
   EXPECT_NEAR(signedVolume(shapes::cylinder(10, 5, 12)), kPi * 100 * 5 * polygonShare(12), 1e-4);
   EXPECT_NEAR(signedVolume(shapes::torus(10, 3, 400, 300)) / (2 * kPi * kPi * 10 * 9),
@@ -49,7 +50,7 @@ TEST(VertexNormals, OfASphereAreRadial) {
 }
 
 TEST(VertexNormals, OfABoxAreItsDiagonalsHoweverItIsCut) {
-  // Angle weights: each face counts with 90 degrees at a corner, be it one triangle or two.
+  // With angle weights each face contributes 90 degrees at a corner, whether it has one triangle there or two.
   const Mesh mesh = shapes::box({2, 2, 2});
   const std::vector<Vec3f> normals = vertexNormals(mesh);
   for (std::size_t v = 0; v < normals.size(); ++v)

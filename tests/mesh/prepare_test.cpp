@@ -29,7 +29,7 @@ const Finding* find(const PreparedModel& model, std::string_view code) {
   return nullptr;
 }
 
-/// How many; one where a finding does not say so.
+/// Returns a finding's count; 1 if it has none.
 double countIn(const Message& message) {
   for (const MessageValue& value : message.values) {
     if (value.name == "count") return value.numbers[0];
@@ -62,7 +62,7 @@ Message refusalOf(const Mesh& mesh, double scale = 1) {
   return model ? Message{} : model.error().message;
 }
 
-/// As an STL reader hands it over: every triangle with corners of its own.
+/// Returns the soup that an STL reader would return: every triangle has its own corners.
 PolygonSoup loose(const Mesh& mesh) {
   PolygonSoup soup;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -118,7 +118,7 @@ TEST(PrepareModel, BlocksASurfaceThatIsNotWeldable) {
 }
 
 TEST(PrepareModel, WeldsLooseTrianglesThatNearlyTouchAndSaysHowFarItMovedThem) {
-  const Mesh box = shapes::box({10, 10, 10});  // auto: 1/100000 of the diagonal is 0.00017 mm
+  const Mesh box = shapes::box({10, 10, 10});  // the automatic tolerance, 1/100000 of the diagonal, is 0.00017 mm
   PolygonSoup soup = loose(box);
   for (std::size_t i = 0; i < soup.positions.size(); ++i) soup.positions[i].x += 1e-6 * static_cast<double>(i);
   const auto model = prepareModel(soup, {});
@@ -207,8 +207,8 @@ TEST(PrepareModel, SaysThatNotAllOpenEdgesWereCompared) {
 
 TEST(PrepareModel, KeepsWhichPartATriangleBelongsTo) {
   Mesh both = shapes::together(shapes::box({10, 10, 10}), shapes::translated(shapes::icosphere(5, 1), {20, 0, 0}));
-  both.triangles.insert(both.triangles.begin(), {0, 0, 1});  // dropped, so the numbers move
-  both.triangles.pop_back();                                 // a hole, which is filled
+  both.triangles.insert(both.triangles.begin(), {0, 0, 1});  // dropped, so the triangle numbers shift
+  both.triangles.pop_back();                                 // a hole, to be filled
   PolygonSoup soup = shapes::soupOf(both);
   soup.parts = {{"box", 0}, {"ball", 13}};
   const auto model = prepareModel(soup, {.repair = {.maxHoleMm = 10}});
@@ -331,7 +331,7 @@ TEST(PrepareModel, LooksForSelfIntersectionsOnlyInClosedModels) {
 
 TEST(PrepareModel, NotesVerticesThatNoFaceUses) {
   Mesh mesh = shapes::box({10, 10, 10});
-  mesh.positions.insert(mesh.positions.begin(), {1e9f, 0, 0});  // and they do not count for the size
+  mesh.positions.insert(mesh.positions.begin(), {1e9f, 0, 0});  // unused vertices do not count towards the size
   for (Triangle& t : mesh.triangles)
     for (std::uint32_t& v : t) ++v;
   const PreparedModel model = prepared(mesh);

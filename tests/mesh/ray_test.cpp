@@ -102,7 +102,7 @@ TEST(SurfaceNormalAt, IsTheMeanOfTheThreeFacesAtACornerHoweverTheyAreCut) {
 }
 
 TEST(SurfaceNormalAt, IsTheFacetsOwnWhereAllCancel) {
-  // Two boxes that touch in a face: on it normals are opposite.
+  // Two boxes touch in a face, so the normals on it are opposite.
   const Mesh mesh = shapes::together(shapes::box({2, 2, 2}), shapes::translated(shapes::box({2, 2, 2}), {0, 0, 2}));
   const auto point = closestPoint(mesh, {0.2, 0.1, 1});
   EXPECT_EQ(surfaceNormalAt(mesh, *point), triangleNormal(mesh, point->triangle));

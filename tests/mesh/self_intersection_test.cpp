@@ -44,7 +44,7 @@ TEST(FindSelfIntersections, CountsATouchByAVertexThatIsNotShared) {
 
 TEST(FindSelfIntersections, FindsNeighboursFoldedOntoEachOther) {
   EXPECT_EQ(pairsOf(twoTriangles({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 5, 0}}, {0, 1, 2}, {1, 0, 3})), kOnePair);
-  // In one plane, but side by side; and folded almost shut.
+  // Pairs in one plane, but side by side; and pairs folded almost shut.
   EXPECT_TRUE(pairsOf(twoTriangles({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, -5, 0}}, {0, 1, 2}, {1, 0, 3})).empty());
   EXPECT_TRUE(pairsOf(twoTriangles({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 4, 1e-30f}}, {0, 1, 2}, {1, 0, 3})).empty());
 }
@@ -52,10 +52,10 @@ TEST(FindSelfIntersections, FindsNeighboursFoldedOntoEachOther) {
 TEST(FindSelfIntersections, FindsTrianglesThatShareAVertexAndCrossBeyondIt) {
   EXPECT_EQ(pairsOf(twoTriangles({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, -1}, {1, 1, 1}}, {0, 1, 2}, {0, 3, 4})),
             kOnePair);
-  // In one plane and overlapping in a wedge.
+  // A pair in one plane that overlaps in a wedge.
   EXPECT_EQ(pairsOf(twoTriangles({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, 0}, {1, 3, 0}}, {0, 1, 2}, {0, 3, 4})),
             kOnePair);
-  // Touching at the shared vertex only.
+  // A pair that touches at the shared vertex only.
   EXPECT_TRUE(
       pairsOf(twoTriangles({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {-1, -1, 0}, {-1, 0, 3}}, {0, 1, 2}, {0, 3, 4})).empty());
 }
@@ -70,7 +70,7 @@ TEST(FindSelfIntersections, PassesOverTrianglesWithoutArea) {
           .empty());
 }
 
-/// Two boxes, the second pushed through the first's upper face.
+/// Returns two boxes, the second pushed through the first's upper face.
 Mesh crossingBoxes() {
   return shapes::together(shapes::box({4, 4, 4}), shapes::translated(shapes::box({1, 1, 2}), {0.1, 0.2, 2}));
 }
@@ -91,7 +91,7 @@ TEST(FindSelfIntersections, FindsTheSamePairsFromTheSuspectsAlone) {
 }
 
 TEST(FindSelfIntersections, FindsInALargeMeshWhatItFindsInItsParts) {
-  // Large enough for several pieces of work, on as many cores.
+  // The mesh is large enough to be split over several cores.
   const Mesh sphere = shapes::icosphere(10, 5);
   const Mesh mesh = shapes::together(sphere, shapes::translated(sphere, {18, 1, 2}));
   const Pairs all = *findSelfIntersections(mesh, {}, 1'000'000);
@@ -110,7 +110,7 @@ TEST(FindSelfIntersections, FindsInALargeMeshWhatItFindsInItsParts) {
 
 TEST(FindSelfIntersections, StopsAtTheLimit) { EXPECT_EQ(findSelfIntersections(crossingBoxes(), {}, 3)->size(), 3u); }
 
-/// Two cones with one base, of n triangles each round their apexes.
+/// Returns two cones on one base, with n triangles each around their apexes.
 Mesh bicone(std::uint32_t n) {
   Mesh mesh;
   mesh.positions = {{0, 0, 10}, {0, 0, -10}};
@@ -140,8 +140,8 @@ TEST(FindSelfIntersections, LooksAtAllPairsOfAFineCone) {
 }
 
 TEST(FindSelfIntersections, DecidesExactlyOnAGridOfNearlyTouchingPoints) {
-  // A vertex moved by single float steps about the plane of a slanted triangle: on one side they cross, on the other
-  // not. The plane is x + y + z = 3.
+  // A vertex moves by single float steps across the plane of a slanted triangle, x + y + z = 3. The triangles cross on
+  // one side of it and do not on the other.
   for (int step = -8; step <= 8; ++step) {
     float z = 1;
     for (int i = 0; i < std::abs(step); ++i) z = std::nextafter(z, step > 0 ? 2.0f : 0.0f);

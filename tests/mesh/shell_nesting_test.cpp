@@ -47,7 +47,7 @@ TEST(EnclosingShells, FindsABallInTheTubeOfATorus) {
 }
 
 TEST(EnclosingShells, CountsARayThroughVerticesAndEdgesOnce) {
-  // The inner boxes' centroids stand under vertices, edges and diagonals of the outer grid.
+  // The inner boxes' centroids lie below vertices, edges and diagonals of the outer grid.
   Mesh mesh = shapes::plate({12, 12}, 6, 12, 12);
   for (int i = -4; i <= 4; ++i)
     mesh = shapes::together(mesh, shapes::translated(shapes::box({0.75, 0.75, 0.75}), {i, -i, -3}));

@@ -16,7 +16,8 @@ std::size_t openEdges(const Mesh& mesh) {
   return open;
 }
 
-/// A box of edge 2 whose edge from vertex 4 to 5 has one or more vertices on the front face only, `gap` beside it.
+/// Returns a box of edge 2 whose edge from vertex 4 to 5 has one or more extra vertices on the front face only, `gap`
+/// off it.
 Mesh boxWithJunctions(int count, float gap) {
   Mesh mesh = shapes::box({2, 2, 2});
   std::erase(mesh.triangles, Triangle{4, 5, 7});
@@ -32,7 +33,7 @@ Mesh boxWithJunctions(int count, float gap) {
 }
 
 TEST(SplitAtTJunctions, SplitsAnEdgeWithVeryManyVertices) {
-  // Not the boxes of the slivers beside the edge are looked at, which all lie at its apex, but those of their edges.
+  // All slivers next to the edge share an apex. The search compares the boxes of their edges, not of the slivers.
   Mesh mesh = boxWithJunctions(50'000, 0);
   const TJunctionSplit split = splitAtTJunctions(mesh, 1e-6);
   EXPECT_EQ(split.vertices, 50'000u);
@@ -76,7 +77,7 @@ TEST(SplitAtTJunctions, ClosesAGapWithinTheToleranceOnly) {
 }
 
 TEST(SplitAtTJunctions, DoesNothingThatLeavesAsManyOpenEdges) {
-  // The corner of a loose triangle on the edge of another one.
+  // The corner of a loose triangle lies on the edge of another triangle.
   Mesh mesh;
   mesh.positions = {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {1, 0, 0}, {1, -1, 0}, {2, -1, 0}};
   mesh.triangles = {{0, 1, 2}, {3, 4, 5}};

@@ -52,7 +52,7 @@ TEST(Adjacency, IsMutualAcrossTheSameEdge) {
 }
 
 TEST(Adjacency, HasNoTriangleAcrossOpenAndNonManifoldEdges) {
-  const std::vector<Triangle> fan{{0, 1, 2}, {1, 0, 3}, {0, 1, 4}};  // three on one edge, all others open
+  const std::vector<Triangle> fan{{0, 1, 2}, {1, 0, 3}, {0, 1, 4}};  // three triangles on one edge, all others open
   for (const auto& neighbours : buildAdjacency(fan))
     for (const std::uint32_t n : neighbours) EXPECT_EQ(n, kNoTriangle);
 }

@@ -11,7 +11,7 @@
 namespace qrelief {
 namespace {
 
-/// Two boxes, the second pushed through the first's upper face.
+/// Returns two boxes, the second pushed through the first's upper face.
 Mesh crossingBoxes() {
   return shapes::together(shapes::box({4, 4, 4}), shapes::translated(shapes::box({1, 1, 2}), {0.1, 0.2, 2}));
 }

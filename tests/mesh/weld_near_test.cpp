@@ -18,7 +18,7 @@ bool isClosed(const Mesh& mesh) {
   return true;
 }
 
-/// Every triangle with corners of its own, each up to `jitter` off along every axis.
+/// Gives every triangle its own corners, each up to `jitter` off along every axis.
 Mesh looseAndShaken(const Mesh& mesh, double jitter) {
   Random random(7);
   Mesh loose;
@@ -66,7 +66,7 @@ TEST(WeldNear, NeverCollapsesATriangle) {
 }
 
 TEST(WeldNear, GivesUpOnAHeapOfLooseTriangles) {
-  // Each of 36,000 corners lies within the tolerance of all others.
+  // Each of the 36,000 corners lies within the tolerance of all others.
   Mesh mesh;
   for (std::uint32_t i = 0; i < 12'000; ++i) {
     const auto at = static_cast<float>(i) * 1e-6f;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kEndless = std::numeric_limits<double>::infinity();
 
-/// Boxes, some of them flat or a point, at some distance from the origin.
+/// Returns boxes, some of them flat or a line, at some distance from the origin.
 std::vector<Bvh::Box> randomBoxes(int count, float away) {
   Random random(11);
   std::vector<Bvh::Box> boxes;
@@ -24,7 +24,7 @@ std::vector<Bvh::Box> randomBoxes(int count, float away) {
   return boxes;
 }
 
-/// How often each box is in a leaf that is visited.
+/// Counts how often each box is in a visited leaf.
 std::vector<int> visits(const Bvh& tree, const WideBvh& wide, Vec3 origin, Vec3 direction, double from,
                         double nearest) {
   std::vector<int> times(tree.order().size(), 0);
@@ -49,7 +49,7 @@ TEST(WideBvh, VisitsEveryBoxWithAPointOfTheRayOnce) {
     for (std::uint32_t i = 0; i < boxes.size(); ++i) {
       const Vec3 target = within(boxes[i], random);
       Vec3 direction(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
-      if (i % 4 == 0) direction[static_cast<int>(i / 4 % 3)] = 0;  // along the sides of all boxes
+      if (i % 4 == 0) direction[static_cast<int>(i / 4 % 3)] = 0;  // parallel to sides of all boxes
       if (i % 7 == 0) direction = Vec3(0, 0, i % 2 ? 1 : -1);
       const Vec3 origin = target - direction * (i % 9 == 0 ? 0.0 : 60.0);
       const std::vector<int> times = visits(tree, wide, origin, direction, 0, kEndless);

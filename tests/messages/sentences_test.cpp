@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The same cases as those of the page's renderer (web/i18n/messages.test.js), so that the two agree.
+// Uses the same cases as the page's renderer (web/i18n/messages.test.js), so that the two agree.
 #include "messages/sentences.h"
 
 #include <fstream>
@@ -48,7 +48,7 @@ Message messageOf(const Json& json) {
   return message;
 }
 
-/// The page's quotes are those of its language.
+/// Replaces typographic quotes by plain ones; the page uses the quotes of its language.
 std::string withPlainQuotes(std::string text) {
   for (const char* quote : {"“", "”"})
     for (std::size_t at; (at = text.find(quote)) != std::string::npos;)

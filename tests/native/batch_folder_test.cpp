@@ -33,7 +33,7 @@ class BatchFolderTest : public testing::Test {
     return std::move(*opened);
   }
 
-  /// A row whose file has its id.
+  /// Returns a manifest entry for a row whose file contains its id.
   ManifestEntry entry(std::size_t number, RowStatus status = RowStatus::Done, const std::string& id = "id") const {
     ManifestEntry made;
     made.number = number;

@@ -7,7 +7,7 @@
 namespace qrelief {
 namespace {
 
-/// A stream of one letter that never ends, and counts how much of it was taken.
+/// Endless stream of one letter that counts how much was read.
 class Endless : public std::streambuf {
  public:
   std::size_t taken = 0;

@@ -12,7 +12,7 @@ namespace {
 
 const std::vector<std::string> kNames = {"left", "nothing", "right"};
 
-/// The corners of every triangle, bit for bit; which vertices they share is not looked at.
+/// Returns the corners of every triangle, bit for bit, regardless of which vertices they share.
 std::vector<Vec3f> cornersOf(const Mesh& mesh) {
   std::vector<Vec3f> corners;
   for (const Triangle& triangle : mesh.triangles)
@@ -25,7 +25,7 @@ void expectSameMesh(const Mesh& found, const Mesh& expected) {
   EXPECT_EQ(found.triangles, expected.triangles);
 }
 
-/// As if the right one of two boxes had been carved; the part between them has no triangle.
+/// Returns a result as if the right one of two boxes had been carved. The part between them has no triangle.
 EngraveResult twoBoxes() {
   EngraveResult result;
   result.mesh = shapes::together(shapes::box({1, 2, 3}), shapes::translated(shapes::box({4, 4, 4}), {10, 0, 0}));
@@ -90,7 +90,7 @@ TEST(CarvedObjects, AModelOfOnePartIsOneObjectAsItIs) {
 
 class CarvedObjectsOfAnEngravedModel : public GlTest {};
 
-/// A small cube, and a ball behind it in the file that takes the code.
+/// Case with a small cube and, later in the file, a ball that takes the code.
 TEST_F(CarvedObjectsOfAnEngravedModel, KeepTheOtherObjectBitForBitAndFillThePockets) {
   const Mesh cube = shapes::translated(shapes::box({5, 6, 7}), {100, 0, 0}), ball = shapes::icosphere(40, 4);
   PolygonSoup soup = shapes::soupOf(shapes::together(cube, ball));
@@ -119,13 +119,13 @@ TEST_F(CarvedObjectsOfAnEngravedModel, KeepTheOtherObjectBitForBitAndFillThePock
     ASSERT_TRUE(solidity);
     EXPECT_TRUE(solidity->solid()) << testing::PrintToString(solidity->problems());
   }
-  // The surface over the pockets is that of the ball, up to the rounding of new corners to floats.
+  // The surface over the pockets is the ball's, up to the rounding of new corners to floats.
   EXPECT_NEAR((signedVolume(carved) + signedVolume(inlay)) / signedVolume(ball), 1, 1e-6);
   double depths = 0;
   for (int row = 0; row < result->depths.size; ++row)
     for (int column = 0; column < result->depths.size; ++column) depths += result->depths.depth(row, column);
   const double pockets = depths * std::pow(25.0 / result->depths.size, 2);
-  EXPECT_NEAR(signedVolume(inlay) / pockets, 1, 0.05);  // the ball curves away from the plane that the squares lie in
+  EXPECT_NEAR(signedVolume(inlay) / pockets, 1, 0.05);  // the ball curves away from the plane of the squares
 }
 
 }  // namespace

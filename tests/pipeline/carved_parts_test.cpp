@@ -13,7 +13,7 @@ TEST(CarvedParts, KeptFacetsStayInTheirPartAndNewOnesGoToTheCarvedOne) {
   const Mesh before = shapes::together(box, shapes::translated(box, {10, 0, 0}));
   std::vector<std::uint32_t> partOf(12, 0);
   partOf.resize(24, 1);
-  // As carving would leave it: vertices renumbered, facets 3, 4 and 20 gone, two new ones at the end.
+  // Carving would leave this: vertices renumbered, facets 3, 4 and 20 gone, two new ones at the end.
   Mesh after = before;
   after.positions.insert(after.positions.begin(), Vec3f(99, 0, 0));
   for (Triangle& triangle : after.triangles)

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kContrast = 0.3;
 
-/// Light of the submodules if light modules are fully lit and dark ones have a contrast each.
+/// Returns the submodules' light: light modules fully lit, dark ones with the given contrast.
 std::vector<double> lit(const Symbol& symbol, const std::function<double(int row, int column)>& contrastOf) {
   const int edge = kSubmodulesPerModule * (symbol.size + 2 * kQuietZoneModules);
   std::vector<double> light(static_cast<std::size_t>(edge * edge), 1);
@@ -34,7 +34,7 @@ std::vector<double> lit(const Symbol& symbol, const std::function<double(int row
 TEST(ContrastForPrint, AsksForWhatThePrintLacksOfTwoThirds) {
   const Symbol symbol = *encodeSymbol("QRELIEF", {});
   const auto designed = lit(symbol, [](int, int) { return 0.3; });
-  // Columns keep ever more of the design's contrast, from nothing to all of it.
+  // From left to right, columns keep more of the design's contrast, from none to all of it.
   const auto kept = [&](int column) { return static_cast<double>(column) / (symbol.size - 1); };
   const auto printed = lit(symbol, [&](int, int column) { return 0.3 * kept(column); });
   const std::vector<double> asked = contrastForPrint(symbol, designed, printed, kContrast);
@@ -50,8 +50,8 @@ TEST(ContrastForPrint, AsksForWhatThePrintLacksOfTwoThirds) {
 TEST(ContrastForPrint, FindersAndOtherModulesAreComparedWithTheirOwn) {
   const Symbol symbol = *encodeSymbol("QRELIEF", {});
   const auto isFinder = [&](int row, int column) { return symbol.role(row, column) == ModuleRole::Finder; };
-  // Square modules, say: a third of the finders' contrast as designed. Finders print with a half of theirs, others with
-  // all.
+  // The design gives other modules a third of the finder patterns' contrast, as square modules would. Finder patterns
+  // print with half their contrast, other modules with all of it.
   const auto designed = lit(symbol, [&](int row, int column) { return isFinder(row, column) ? 0.3 : 0.1; });
   const auto printed = lit(symbol, [&](int row, int column) { return isFinder(row, column) ? 0.15 : 0.1; });
   const std::vector<double> asked = contrastForPrint(symbol, designed, printed, kContrast);
@@ -65,7 +65,7 @@ TEST(ContrastForPrint, FindersAndOtherModulesAreComparedWithTheirOwn) {
 TEST(ContrastForPrint, IsAtMostTwiceWhatIsAskedOfAllAndNeverMoreThanAPocketCanHave) {
   const Symbol symbol = *encodeSymbol("QRELIEF", {});
   const auto designed = lit(symbol, [](int, int) { return 0.3; });
-  const auto brighter = lit(symbol, [](int, int) { return -0.5; });  // the print's pits shine, grooves around are dark
+  const auto brighter = lit(symbol, [](int, int) { return -0.5; });  // pits shine, grooves are dark
   for (const auto& [contrast, most] : {std::pair{0.3, 0.6}, {0.5, 0.8}, {0.9, 0.9}}) {
     const std::vector<double> asked = contrastForPrint(symbol, designed, brighter, contrast);
     EXPECT_EQ(*std::max_element(asked.begin(), asked.end()), most);
@@ -76,7 +76,7 @@ TEST(ContrastForPrint, IsAtMostTwiceWhatIsAskedOfAllAndNeverMoreThanAPocketCanHa
 class CarvedForPrintTest : public GlTest {
  protected:
   CarvedForPrintTest() {
-    // A dome: the layers' steps are wide on top and narrow at the rim.
+    // On a dome the layers' steps are wide on top and narrow at the rim.
     model_ = EngravableModel::upload(
         *prepareModel(shapes::soupOf(shapes::plate({50, 50}, 12, 100, 100,
                                                    [](double x, double y) { return -0.008 * (x * x + y * y); })),
@@ -93,7 +93,7 @@ class CarvedForPrintTest : public GlTest {
 
   EngraveResult carved(const EngraveRequest& request) const { return *engrave(model_, request); }
 
-  /// How much more is to be asked of the dark modules for their print, on average.
+  /// Returns the additional contrast that the print requires from the dark modules, on average.
   double lacks(const EngraveResult& result) const {
     auto job = PrintedViewJob::create(result.mesh, **printedViewOf(verifyRequestOf(request_, result)));
     const PrintedView printed = *runToEnd(**job);

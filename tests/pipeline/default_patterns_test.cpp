@@ -50,7 +50,7 @@ TEST_F(DefaultPatternsTest, WallsAreThinWhereATenthOfTheFindersIsLimitedToLessTh
   std::vector<double> limits(edge * edge, 1.5 * kModuleMm);
   EXPECT_FALSE(wallsAreThinForWholeFinders(symbol_, limits, kModuleMm));
   for (std::size_t i = edge * 8 * kSubmodulesPerModule; i < limits.size() - edge * 8 * kSubmodulesPerModule; ++i)
-    limits[i] = 0;  // below the upper finders and above the lower one
+    limits[i] = 0;  // below the upper finder patterns and above the lower one
   EXPECT_FALSE(wallsAreThinForWholeFinders(symbol_, limits, kModuleMm));
   for (std::size_t i = 0; i < edge * kSubmodulesPerModule; ++i) limits[i] = 1.4 * kModuleMm;  // 14 of 99 modules
   EXPECT_TRUE(wallsAreThinForWholeFinders(symbol_, limits, kModuleMm));

@@ -10,7 +10,7 @@
 #include "support/shapes.h"
 #include "support/solid_oracle.h"
 
-// A judge that never says no proves nothing: what is false must be seen.
+// An oracle that never says no proves nothing, so these tests also show it faults that it must find.
 namespace qrelief {
 namespace {
 
@@ -40,7 +40,7 @@ TEST(SolidOracle, SeesWhatIsNoSolid) {
   EXPECT_THAT(surfaceProblems(flat), HasSubstr("has no area"));
   Mesh touching = shapes::together(shapes::box({2, 2, 2}), shapes::translated(shapes::box({2, 2, 2}), {2, 2, 2}));
   for (Triangle& t : touching.triangles)
-    for (std::uint32_t& v : t) v = v == 8 ? 7 : v;  // the corner that both have
+    for (std::uint32_t& v : t) v = v == 8 ? 7 : v;  // the corner that both boxes share
   EXPECT_THAT(surfaceProblems(touching), HasSubstr("touch in a point only"));
 }
 
@@ -103,7 +103,7 @@ TEST_F(EngraveOracle, SeesReasonsThatAreNotTrue) {
 }
 
 TEST(CarvingCase, TakesFacetsThatOneBesideTheCodeHidesInPart) {
-  // Found by fuzzing: one corner of the code lies on a facet that a ridge beside the code hides a part of.
+  // Found by fuzzing: one corner of the code lies on a facet that is partly hidden by a ridge beside the code.
   std::ifstream stream(QRELIEF_SOURCE_DIR "/tests/fuzz/seeds/carve/overlapping_facets", std::ios::binary);
   const std::vector<std::uint8_t> bytes(std::istreambuf_iterator<char>(stream), {});
   ASSERT_EQ(bytes.size(), 122u);

@@ -7,11 +7,12 @@ namespace {
 
 constexpr int kShards = 8;
 constexpr int kCasesEach = 25;
-/// Of larger runs: what once ended otherwise. A carved surface beside slivers that two triangles shared, bounds by
+/// Seeds of larger runs that once failed: on a carved surface beside slivers that two triangles shared, on bounds by
 /// crossings, and others.
 constexpr std::uint64_t kOnceFailed[] = {535, 552, 1392, 20031, 20272, 30640};
 
-/// 200 of the cases that qrelief_property_bench runs thousands of; in shards, for ctest to run them side by side.
+/// Runs 200 of the cases of which qrelief_property_bench runs thousands; in shards, so that ctest runs them in
+/// parallel.
 class EngraveProperty : public GlTest, public testing::WithParamInterface<int> {};
 
 TEST_P(EngraveProperty, EveryCaseEndsAsAValidSolidOrARefusalThatIsTrue) {

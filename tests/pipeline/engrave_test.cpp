@@ -35,7 +35,7 @@ class EngraveTest : public GlTest {
     made.placement.sizeMm = sizeMm;
     return made;
   }
-  /// Triangles by their corners' positions, for comparison across meshes.
+  /// Returns the triangles by their corners' positions, to compare meshes.
   static std::set<std::array<std::array<float, 3>, 3>> corners(const Mesh& mesh) {
     std::set<std::array<std::array<float, 3>, 3>> all;
     for (const Triangle& t : mesh.triangles) {
@@ -61,7 +61,7 @@ TEST_F(EngraveTest, ABumpySphereTakesACodeThatReadsAndStaysASolid) {
   EXPECT_EQ(result->placement.symbolMm, 25);
   EXPECT_EQ(result->symbol.size, 17 + 4 * result->symbol.version);
 
-  // Untouched facets come out bit for bit, in number as reported.
+  // Untouched facets come out bit for bit, as many as reported.
   const auto before = corners(model->prepared.mesh);
   const auto after = corners(result->mesh);
   std::size_t kept = 0;
@@ -93,7 +93,7 @@ TEST_F(EngraveTest, APlaceThatAnotherCodeWasCarvedInIsMeasuredNoMore) {
   EXPECT_EQ(result->stl, expected->stl);
   EXPECT_EQ(result->luminance, expected->luminance);
 
-  wanted.albedo = 0.5f;  // what is not of that place is not taken
+  wanted.albedo = 0.5f;  // a place measured for other settings is not reused
   EXPECT_NE(carve(wanted, before)->measuredPlace(), before);
 }
 
@@ -107,7 +107,7 @@ TEST_F(EngraveTest, RecordsEveryPassOfTheSearchIfItIsAskedTo) {
   wanted.recordSearch = true;
   const auto result = engrave(model, wanted);
   ASSERT_TRUE(result.has_value());
-  EXPECT_EQ(result->depths.depthMm, plain->depths.depthMm);  // looking changes nothing
+  EXPECT_EQ(result->depths.depthMm, plain->depths.depthMm);  // recording changes nothing
   const SearchRecord& record = result->search;
   ASSERT_EQ(record.passes.size(), static_cast<std::size_t>(result->searchIterations));
   const SubmoduleMask mask =
@@ -115,7 +115,7 @@ TEST_F(EngraveTest, RecordsEveryPassOfTheSearchIfItIsAskedTo) {
   ASSERT_EQ(record.carved.size(), static_cast<std::size_t>(std::count(mask.carved.begin(), mask.carved.end(), 1)));
   EXPECT_THAT(record.luminance, testing::Pointwise(testing::FloatEq(), std::vector<float>(result->luminance.begin(),
                                                                                           result->luminance.end())));
-  // The last pass looked at what came out.
+  // The last pass measured the final depths.
   const SearchRecord::Pass& last = record.passes.back();
   const int edge = kSubmodulesPerModule * (result->symbol.size + 2 * kQuietZoneModules),
             quiet = kSubmodulesPerModule * kQuietZoneModules;
@@ -173,7 +173,7 @@ TEST_F(EngraveTest, TheDepthVariesBySubmoduleAndOnlyMaskedSubmodulesAreCarved) {
     }
   }
   EXPECT_GE(depths.size(), 4u);
-  // The wide finder patterns need more depth than single modules.
+  // Wide finder patterns need more depth than single modules.
   double finder = 0, data = 0;
   int finderCount = 0, dataCount = 0;
   for (int row = 0; row < mask.size; ++row)
@@ -188,14 +188,14 @@ TEST_F(EngraveTest, TheDepthVariesBySubmoduleAndOnlyMaskedSubmodulesAreCarved) {
 }
 
 TEST_F(EngraveTest, NoFloorComesNearerToTheBackThanTheMinimumWall) {
-  // A plate of 1.3 mm: with 1 mm of wall, 0.3 mm may be carved; the code asks for more.
+  // A plate of 1.3 mm leaves 0.3 mm to carve with 1 mm of wall; the code needs more.
   const Mesh plate = shapes::plate({60, 60}, 1.3, 6, 6);
   EngraveRequest wanted = request({0, 0, 0}, 30);
   wanted.minWallMm = 1;
   const auto result = engrave(upload(plate), wanted);
   ASSERT_TRUE(result.has_value()) << result.error().message;
   EXPECT_GT(result->limitedSubmodules, 0u);
-  // The walls are known as far as they count: beyond the quiet zone by the wall and the deepest pocket, 1.2 modules.
+  // The patch reaches as far as walls matter: beyond the quiet zone by the wall and the deepest pocket, 1.2 modules.
   const double moduleMm = result->placement.moduleMm;
   EXPECT_GE(result->placement.patch.radiusMm, (30 + 8 * moduleMm) / std::sqrt(2.0) + 1 + 1.2 * moduleMm);
   double lowest = 0;
@@ -219,10 +219,10 @@ TEST_F(EngraveTest, ASizeThatDoesNotFitIsRefusedWithTheLargestThatDoes) {
   const auto result = engrave(upload(plate), request({0, 0, 0}, 35));
   ASSERT_FALSE(result.has_value());
   EXPECT_EQ(result.error().kind, ErrorKind::NoSolution);
-  // Version 2 has 25 modules, 33 with the quiet zone: 40 mm · 25/33 = 30.30 mm fit.
+  // Version 2 has 25 modules, 33 with the quiet zone, so 40 mm · 25/33 = 30.30 mm fit.
   EXPECT_NE(sentence(result.error().message).find("30.3 mm"), std::string::npos) << result.error().message;
 
-  // What is named as fitting does fit.
+  // The size named in the message does fit.
   EXPECT_TRUE(engrave(upload(plate), request({0, 0, 0}, 30.29)).has_value());
 }
 
@@ -280,7 +280,7 @@ TEST_F(EngraveTest, TheSymbolsTopPointsWhereItWasAskedTo) {
   const auto turned = engrave(upload(shapes::icosphere(40, 5)), wanted);
   ASSERT_TRUE(upright.has_value() && turned.has_value());
   EXPECT_GT(upright->placement.frame.up.z, 0.99);
-  // Anticlockwise as the reader sees it: seen from +X with +Z up, the top then points to -Y.
+  // The code turns anticlockwise for the viewer: seen from +X with +Z up, its top then points to -Y.
   EXPECT_LT(turned->placement.frame.up.y, -0.99);
 }
 
@@ -329,7 +329,7 @@ TEST_F(EngraveTest, ALampThatShinesIntoThePocketsMakesThemDeeper) {
   const auto byLamp = engrave(model, wanted);
   ASSERT_TRUE(bySky && byLamp);
   EXPECT_GT(summarise(byLamp->depths).meanMm, summarise(bySky->depths).meanMm);
-  // The quiet zone's corner: open.
+  // The quiet zone's corner is open.
   EXPECT_NEAR(byLamp->received[0].lamps, std::sin(60 * std::numbers::pi / 180), 0.01);
   EXPECT_NEAR(byLamp->luminance[0], 1, 0.01);
 }
@@ -416,7 +416,7 @@ TEST_F(EngraveTest, AWrongOrMissingReadingIsAFailedCheck) {
     return codes;
   };
   EXPECT_THAT(failed(wanted.text.c_str()), testing::IsEmpty());
-  EXPECT_THAT(failed(""), testing::ElementsAre("too-shallow"));  // for so little to be read
+  EXPECT_THAT(failed(""), testing::ElementsAre("too-shallow"));  // nothing was decoded
   EXPECT_THAT(failed("another text"), testing::ElementsAre("other-text"));
 }
 

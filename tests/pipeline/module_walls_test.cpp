@@ -32,7 +32,7 @@ TEST(ModuleWalls, ThickWallsTakeTheWholeSize) {
 }
 
 TEST(ModuleWalls, WallsThatWereAskedAboutJustThatDepthTakeIt) {
-  // As the caller computes it, which may differ in the last bit.
+  // The limit is computed as the caller does it, which may differ in the last bit.
   for (int i = 1; i < 100; ++i) {
     const CellSquare square{10 + 0.137 * i, kModules};
     const double moduleMm = square.edgeMm / kModules;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Codes that are carved for one lamp, from the request to the verdict.
+// Codes carved for one lamp, from the request to the verdict.
 #include <functional>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -95,7 +95,7 @@ TEST_F(OneLightTest, TracedLightConfirmsThatCarvedSubmodulesAreDarkUnderTheLamp)
         const Vec2 topLeft = depths.corner(5 * row, 5 * column),
                    bottomRight = depths.corner(5 * row + 5, 5 * column + 5);
         const SeenCell module{{topLeft.x, bottomRight.y}, {bottomRight.x, topLeft.y}};
-        const Vec2 in = 0.2 * (module.max - module.min);  // the middle nine submodules, which are carved
+        const Vec2 in = 0.2 * (module.max - module.min);  // the middle nine submodules; they are carved
         if (result.symbol.isDark(row, column))
           dark.push_back({module.min + in, module.max - in});
         else
@@ -143,7 +143,7 @@ TEST_F(OneLightTest, TheReportSaysWhichLampItNeedsAndVerifyTakesItFromThere) {
   const auto said = nlohmann::json::parse(makeVerifyReport(*request, verified, verifyContext));
   EXPECT_EQ(said["lights"], json["depth"]["lights"]);
   ASSERT_TRUE(verified.grades.has_value());
-  EXPECT_GT(verified.grades->cellContrast.value, 0.1);  // of the light under the lamp
+  EXPECT_GT(verified.grades->cellContrast.value, 0.1);  // share of the light under the lamp
 }
 
 TEST_F(OneLightTest, ItsPrintIsSeenUnderTheLampToo) {

@@ -36,7 +36,7 @@ class PlacementTest : public GlTest {
       if (*done) return search.placement();
     }
   }
-  /// A square plate about the z axis, turned anticlockwise by an angle; its upper side at z = 0.
+  /// Returns a square plate about the z axis, turned anticlockwise by an angle, with its upper side at z = 0.
   static Mesh turnedPlate(double edge, double angle) {
     Mesh plate = shapes::plate({edge, edge}, 5, 4, 4);
     for (Vec3f& p : plate.positions)
@@ -64,7 +64,7 @@ TEST_F(PlacementTest, OnATurnedSquareTheThreeSizesHaveTheirClosedForms) {
     EXPECT_NEAR(placed->symbolMm, outer / kOuter, 1e-3) << sizeModeName(mode);
     EXPECT_NEAR(placed->guaranteedMm, 40 / std::numbers::sqrt2 / kOuter, 1e-3) << sizeModeName(mode);
     EXPECT_NEAR(placed->rotationDeg, mode == SizeMode::Best ? 20 : 0, 1e-3);
-    // What is reported of the frame and its silhouette is in the turned axes.
+    // The reported frame and silhouette use the turned axes.
     const double upTurn = std::atan2(-placed->frame.up.x, placed->frame.up.y);
     EXPECT_NEAR(upTurn * 180 / std::numbers::pi, placed->rotationDeg, 1e-3);
     EXPECT_GE(orientedSize(placed->patch.silhouette), placed->symbolMm * kOuter * (1 - 1e-9));
@@ -100,7 +100,7 @@ TEST_F(PlacementTest, ASizeThatDoesNotFitNamesTheLargestHereAndAtTheBestRotation
   const double bestMm = std::stod(message.substr(message.find(before) + before.size()));
   EXPECT_NEAR(bestMm, 40 / kOuter, 0.1);
 
-  // What is named as fitting fits as it is written.
+  // The size named in the message fits as printed.
   request.sizeMm = std::stod(message.substr(message.find("24.4")));
   EXPECT_NEAR(request.sizeMm, 40 / (std::cos(kTurn) + std::sin(kTurn)) / kOuter, 0.1);
   EXPECT_TRUE(place(request).has_value());
@@ -113,7 +113,7 @@ TEST_F(PlacementTest, ASizeThatDoesNotFitNamesTheLargestHereAndAtTheBestRotation
 }
 
 TEST_F(PlacementTest, AFoundSizeLeavesRoomForItsPocketsInAWallThatGrowsThin) {
-  // 5 mm thick on the left, 0.5 mm on the right.
+  // The wedge is 5 mm thick on the left, 0.5 mm on the right.
   const auto thickness = [](double x) { return 2.75 - 0.1125 * x; };
   Mesh wedge = shapes::plate({40, 40}, 5, 4, 4);
   for (Vec3f& p : wedge.positions)
@@ -127,7 +127,7 @@ TEST_F(PlacementTest, AFoundSizeLeavesRoomForItsPocketsInAWallThatGrowsThin) {
   const double free = 40 / std::numbers::sqrt2 / kOuter;
   const auto placed = place(request);
   ASSERT_TRUE(placed.has_value()) << placed.error().message;
-  // At the right finder patterns' edge: thickness(size / 2) = 1.5 + 0.33 · size / 29.
+  // The limit is at the right finder patterns' edge: thickness(size / 2) = 1.5 + 0.33 · size / 29.
   EXPECT_NEAR(placed->symbolMm, (2.75 - 1.5) / (0.1125 / 2 + 0.33 / kModules), 0.04 * free);
   EXPECT_LT(placed->symbolMm, 0.9 * free);
   EXPECT_DOUBLE_EQ(placed->moduleMm, placed->symbolMm / kModules);
@@ -160,8 +160,8 @@ TEST_F(PlacementTest, ThePatchIsKnownBeyondTheCodeAsFarAsItsWallsReach) {
 }
 
 TEST_F(PlacementTest, HowFarIsLookedDoesNotChangeTheSize) {
-  // The silhouette of a sphere of radius r from a distance D off its surface, on the plane that touches it:
-  // D·r/√((D + r)² - r²) away. Small and large bounds look differently far first.
+  // From a distance D off its surface, the silhouette of a sphere of radius r appears at D·r/√((D + r)² - r²) on
+  // the plane that touches it. Small and large size bounds make the first look reach differently far.
   const double r = 30, d = 250;
   const double silhouette = d * r / std::sqrt((d + r) * (d + r) - r * r);
   load(shapes::icosphere(r, 6));
@@ -208,7 +208,8 @@ TEST_F(PlacementTest, ADirectionFromBehindIsRefusedWithTheReason) {
 }
 
 TEST_F(PlacementTest, ACentreOnASmallSteepFacetIsLookedAtFromWhereTheCodeFits) {
-  // A step of 2 mm within one strip of 0.5 mm: its own normal, 76° off, sees next to nothing of the plate.
+  // The plate has a step of 2 mm within one strip of 0.5 mm. From the strip's own normal, 76° off, hardly any of the
+  // plate is visible.
   load(shapes::plate({60, 60}, 10, 120, 12, [](double x, double) { return x < 0.01 ? 0.0 : 2.0; }));
   PlacementRequest request;
   request.centreMm = {0.25, 1, 1};
@@ -219,7 +220,7 @@ TEST_F(PlacementTest, ACentreOnASmallSteepFacetIsLookedAtFromWhereTheCodeFits) {
 }
 
 TEST_F(PlacementTest, NamesACrossingAtTheCentreInsteadOfASizeThatNobodyCanPrint) {
-  // A column comes through the upper face; the code is wanted a hundredth of a millimetre beside it.
+  // A column comes through the upper face; the code's centre is a hundredth of a millimetre beside it.
   load(shapes::together(shapes::box({40, 40, 10}), shapes::translated(shapes::box({4, 60, 30}), {10, 0, 0})));
   for (const SizeMode mode : {SizeMode::Fixed, SizeMode::Free, SizeMode::Best}) {
     PlacementRequest request;

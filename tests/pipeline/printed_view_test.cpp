@@ -11,7 +11,7 @@ namespace {
 
 class PrintedViewTest : public GlTest {
  protected:
-  /// A code on the upper face of a plate, as `verify` is asked of it.
+  /// Code on the upper face of a plate, with its `verify` request.
   struct Carved {
     Mesh mesh;
     VerifyRequest request;
@@ -67,7 +67,7 @@ TEST_F(PrintedViewTest, ModulesFinerThanTheNozzleDoNotReadThoughTheDesignDoes) {
 
 TEST_F(PrintedViewTest, WhatThePrinterLeavesIsSeenDarkWhereTheCodeIsDark) {
   const Carved plate = carved(25.2);
-  const int modules = plate.request.symbol.size, edge = modules + 2 * 6;  // six modules beside the symbol are seen
+  const int modules = plate.request.symbol.size, edge = modules + 2 * 6;  // six modules around the symbol are seen
   auto job = PrintedViewJob::create(plate.mesh, {.process = *processOf({}),
                                                  .frame = plate.request.frame,
                                                  .symbol = plate.request.symbol,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Codes with floors that are not flat, from the request to the light on the mesh.
+// Codes with shaped floors, from the request to the light on the mesh.
 #include <cmath>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -37,7 +37,7 @@ class ShapedFloorTest : public GlTest {
     return std::move(*result);
   }
 
-  /// Mean light of the carved submodules, traced on the mesh.
+  /// Returns the mean light of the carved submodules, traced on the mesh.
   static double floorLight(const Mesh& mesh, const EngraveResult& result, const PathTraceOptions& options) {
     std::vector<SeenCell> cells;
     for (int row = 0; row < result.depths.size; ++row)

@@ -11,7 +11,7 @@ namespace {
 constexpr int kModules = 25;
 constexpr double kSymbolMm = 30;
 
-/// A plate with a ridge 4 mm high and 2 mm wide along y.
+/// Returns a plate with a ridge 4 mm high and 2 mm wide along y.
 Mesh ridged(double atX) {
   return shapes::plate(Vec2(80, 80), 6, 80, 4, [=](double x, double) { return std::abs(x - atX) < 1.1 ? 4.0 : 0.0; });
 }
@@ -29,10 +29,10 @@ TEST(SpotLight, OfASmoothBendIsEven) {
 
 TEST(SpotLight, BesideARidgeIsUneven) {
   EXPECT_GT(lightOn(ridged(0)), kMostUnevenLight);
-  // In the quiet zone, next to the symbol, which is 15 mm to each side.
+  // The ridge stands in the quiet zone, next to the symbol, which reaches 15 mm to each side.
   EXPECT_GT(lightOn(ridged(17)), kMostUnevenLight);
   EXPECT_LT(lightOn(ridged(18.5), 0), lightOn(ridged(18.5)));
-  // Farther away it takes a little light from all modules alike.
+  // Farther away the ridge takes a little light from all modules alike.
   EXPECT_LT(lightOn(ridged(30)), kMostUnevenLight / 2);
 }
 

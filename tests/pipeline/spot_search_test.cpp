@@ -87,7 +87,7 @@ TEST_F(SpotSearchTest, EveryOfferedSpotTakesTheCode) {
     EXPECT_EQ(spot.symbolMm, 22);
     EXPECT_GE(spot.largestMm, 22);
     EngraveRequest engraving;
-    engraving.text = "HELLO";  // version 1, the one that places are looked for by default
+    engraving.text = "HELLO";  // version 1, the default of the spot search
     engraving.placement = request(22).placement;
     engraving.placement.centreMm = spot.centreMm;
     if (spot.needsDirection) engraving.placement.direction = spot.direction;
@@ -115,13 +115,13 @@ TEST_F(SpotSearchTest, ACubeIsOfferedItsFacesInFullSize) {
     EXPECT_NEAR(spot.guaranteedMm, most / std::sqrt(2), 3);
     EXPECT_EQ(spot.aimToleranceDeg, kMaxAimDeg);
   }
-  // The map's vertices are up to 3.5 mm apart, and a centre beside the middle loses twice the distance.
+  // The map's vertices are up to 3.5 mm apart, and a centre off the middle loses twice its distance.
   EXPECT_GT(found->spots.front().symbolMm, most - 2 * 3.5);
   EXPECT_LT(found->spots.front().symbolMm, most + 1e-3);
 }
 
 TEST_F(SpotSearchTest, OfTwoSpotsTheOneThatIsReadFromFartherAsideComesFirst) {
-  // A ball, on which a code bends, and a plate with a little less room, on which it does not.
+  // A code bends on the ball. The plate has slightly less room, but a code on it stays flat.
   const auto model =
       upload(shapes::together(shapes::icosphere(18, 4), shapes::translated(shapes::box({32, 32, 8}), {60, 0, 0})));
   SpotSearchRequest wanted = request(0);
@@ -158,7 +158,8 @@ TEST_F(SpotSearchTest, NamesTheLargestSizeWhereTheOneAskedForFitsNowhere) {
   const std::size_t at = sentence(found.error().message).find("the largest size found is ");
   ASSERT_NE(at, std::string::npos) << found.error().message;
   const double largest = std::stod(sentence(found.error().message).substr(at + 26));
-  // The visible cap from 250 mm: half angle acos(20/270) about the point; on the plane 250·tan φ from its middle.
+  // From 250 mm the visible cap has a half angle of acos(20/270) about the point; on the plane it ends 250·tan φ from
+  // its middle.
   const double rim = 250 * std::tan(std::asin(20.0 / 270));
   EXPECT_NEAR(largest, std::sqrt(2) * rim * 21 / 29, 1);
 }

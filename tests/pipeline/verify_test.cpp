@@ -21,7 +21,7 @@ using testing::Contains;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-/// A plate that the engraver carved, and the report it wrote: what every sample here is made from.
+/// Plate that the engraver carved, and its report; every sample here derives from it.
 struct Sample {
   Mesh mesh;
   std::string report;
@@ -99,7 +99,7 @@ TEST_F(VerifyTest, AGoodEngravingPassesEveryCheckAndIsMeasuredFromItsMesh) {
   ASSERT_TRUE(result.features);
   EXPECT_EQ(result.features->pattern, ModulePattern::ThickPlus);
   EXPECT_NEAR(result.features->pocketMm, 0.72, 1e-9);
-  // What the engraver says it carved is what the mesh has, found without asking it.
+  // The mesh has the carving that the engraver reports; `verify` finds it without using the report.
   const auto report = nlohmann::json::parse(good().report);
   EXPECT_NEAR(result.features->meanDepthMm, report["depth"]["meanMm"].get<double>(), 0.02);
   ASSERT_TRUE(result.features->wallMm);
@@ -120,7 +120,7 @@ TEST_F(VerifyTest, AMirroredEngravingIsSaidToBeMirrored) {
 }
 
 TEST_F(VerifyTest, ARaisedCodeIsSaidToBeRaised) {
-  // The plate's upper face pushed through: what lay 0.3 … 0.8 mm below it stands so far above.
+  // The plate's upper face is pushed through: floors 0.3 … 0.8 mm below it now lie as far above it.
   Mesh mesh = good().mesh;
   for (Vec3f& p : mesh.positions)
     if (p.z > 0) p.z = 10 - p.z;

@@ -18,14 +18,14 @@ std::vector<std::array<Vec3, 3>> cornersOf(const Mesh& mesh) {
   return corners;
 }
 
-/// Positive if the solid lies on the left.
+/// Returns the enclosed area; positive if the solid lies on the left.
 double enclosedArea(const std::vector<Segment2>& outline) {
   double area = 0;
   for (const auto& [a, b] : outline) area += cross2(a, b) / 2;
   return area;
 }
 
-/// Every segment begins where another ends.
+/// Expects that every segment begins where another ends.
 void expectClosed(const std::vector<Segment2>& outline) {
   std::map<std::pair<double, double>, int> balance;
   for (const auto& [a, b] : outline) {
@@ -49,7 +49,7 @@ TEST(CrossSections, OfASphereTheyAreItsCircles) {
 }
 
 TEST(CrossSections, APlaneThroughVerticesAndFacetsCutsJustBelowThem) {
-  // Planes through bottom, middle and top of a box: the bottom plane has nothing below it.
+  // The planes pass through bottom, middle and top of a box; the bottom plane has nothing below it.
   const CrossSections sections = cutByPlanes(cornersOf(shapes::box({4, 6, 2})), {-1, 1, 3}, Vec2(-9.1), Vec2(9));
   EXPECT_EQ(sections.outlines[0].size(), 0u);
   EXPECT_NEAR(enclosedArea(sections.outlines[1]), 24, 1e-9);

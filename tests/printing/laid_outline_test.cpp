@@ -11,7 +11,7 @@ const PrintProcess kProcess = *processOf({.nozzleMm = 0.4, .layerMm = 0.2});
 constexpr LayerWindow kWindow{Vec2(-4.03), 1.0 / 30, 242, 242};
 constexpr Vec2 kCorner{-4.1, -4.2};
 
-/// Anticlockwise, so that the solid lies on the left.
+/// Returns the segments of an anticlockwise polygon, so that the solid lies on the left.
 std::vector<Segment2> polygon(const std::vector<Vec2>& corners) {
   std::vector<Segment2> segments;
   for (std::size_t i = 0; i < corners.size(); ++i) segments.push_back({corners[i], corners[(i + 1) % corners.size()]});
@@ -35,7 +35,7 @@ TEST(LaidOutline, StraightWallsStayAndCornersBecomeRoundWithHalfALinesWidth) {
 }
 
 TEST(LaidOutline, CornersOfPocketsBecomeRoundOnlyAsFarAsGapsAreClosed) {
-  // An L: its inner corner is at the origin, where the solid covers three quarters of the plane.
+  // An L has its inner corner at the origin, where the solid covers three quarters of the plane.
   const LayerGrid grid = laid(polygon({{-3, -3}, {3, -3}, {3, 0}, {0, 0}, {0, 3}, {-3, 3}}));
   EXPECT_NEAR(grid.at({0, 0}), -kProcess.pocketRadiusMm * (std::sqrt(2) - 1), 0.015);
   EXPECT_NEAR(grid.at({0.12, 0.12}), 0.12, 0.02);
@@ -78,7 +78,7 @@ TEST(LaidOutline, WithoutLinesNothingThinIsMade) {
 }
 
 TEST(LaidOutline, WhatSurroundsTheWindowIsCountedFromItsCorner) {
-  // The window lies within the solid, but for a hole.
+  // The window lies within the solid, except for a hole.
   std::vector<Segment2> hole = rectangle({-1, -1}, {1, 1});
   for (auto& [a, b] : hole) std::swap(a, b);
   const LayerGrid grid = laid(hole, 1);
@@ -88,7 +88,7 @@ TEST(LaidOutline, WhatSurroundsTheWindowIsCountedFromItsCorner) {
 }
 
 TEST(LaidOutline, SolidsThatOverlapAreOne) {
-  // A thin wall stands in a block, half of it within.
+  // A thin wall stands in a block, partly inside it.
   std::vector<Segment2> two = rectangle({-2, -1}, {2, 1});
   for (const Segment2& segment : rectangle({-0.2, -0.5}, {0.2, 3})) two.push_back(segment);
   const LayerGrid grid = laid(two);

@@ -70,7 +70,7 @@ TEST(LayerGrid, TheContourOfACirclesDistancesIsTheCircle) {
 }
 
 TEST(LayerGrid, WhereTwoCornersTouchTheMeanDecidesWhatIsJoined) {
-  LayerGrid grid{Vec2(0), 1, 2, 2, {-3, 1, 1, -3}};  // the diagonal of inner corners wins
+  LayerGrid grid{Vec2(0), 1, 2, 2, {-3, 1, 1, -3}};  // the diagonal of inner corners is joined
   for (const auto& [a, b] : contourOf(grid, 0))
     EXPECT_LT(std::abs(a.x - a.y - b.x + b.y), 1e-9) << "round an outer corner";
   grid.distanceMm = {-1, 3, 3, -1};

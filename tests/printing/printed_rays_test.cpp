@@ -11,7 +11,7 @@
 namespace qrelief {
 namespace {
 
-/// A made-up surface: hills, a pit with steep walls, and a hole.
+/// Returns a made-up surface: hills, a pit with steep walls, and a hole.
 PrintedSurface surface(int texels) {
   PrintedSurface made;
   made.frame = makeFrame({3, -2, 5}, {1, 2, 3}, {0, 0, 1}, 250);
@@ -69,10 +69,10 @@ TEST(PrintedRays, RaysFromTheSurfaceMeetWhatATreeOverItsTrianglesSays) {
       Vec3 normal = tree.normalAt(*start);
       if (glm::dot(normal, made.frame.normal) < 0) normal = -normal;
       if (glm::dot(direction, normal) < 0) direction = -direction;
-      if (glm::dot(direction, normal) < 0.01) continue;  // which of two neighbours is met decides rounding
+      if (glm::dot(direction, normal) < 0.01) continue;  // rounding decides which of two neighbours the ray meets
       const auto wanted = tree.firstHit(start->position, direction, 1e-6),
                  found = rays.firstHit(start->position, direction, 1e-6);
-      // What is met from below, through the hole or beyond the border, is no part of the eye's side.
+      // A hit from below, through the hole or beyond the border, is not on the eye's side.
       if (wanted && glm::dot(tree.normalAt(*wanted), direction) > 0) continue;
       ++all;
       hits += wanted.has_value();

@@ -13,10 +13,10 @@ namespace {
 
 const PrintProcess kProcess = *processOf({.nozzleMm = 0.4, .layerMm = 0.2});
 
-/// Straight from above, over (x, y).
+/// Returns a frame seen straight from above, over (x, y).
 ProjectionFrame above(double x, double y, double z) { return makeFrame({x, y, z}, {0, 0, 1}, {0, 1, 0}, 250); }
 
-/// Heights over the QR plane, NaN where nothing is.
+/// Returns heights over the QR plane, NaN where there is no surface.
 std::vector<double> heightsOf(const PrintedSurface& surface) {
   std::vector<double> heights;
   for (int row = 0; row < surface.texels; ++row)
@@ -57,14 +57,15 @@ TEST(PrintedSurface, AWallHasAGrooveBetweenEveryTwoLayers) {
     sum -= height;
     deepest = std::max(deepest, -height);
   }
-  // Flanks are round: the mean depth of a groove is (1 − π/4) of the deepest, a little less where its bottom is filled.
+  // Flanks are round, so a groove's mean depth is (1 − π/4) of its deepest point, slightly less where its bottom is
+  // filled.
   EXPECT_NEAR(sum / static_cast<double>(heights.size()), kProcess.grooveMm * (1 - std::numbers::pi / 4), 0.0025);
   EXPECT_LE(deepest, kProcess.grooveMm);
   EXPECT_GT(deepest, 0.3 * kProcess.grooveMm);
 }
 
 TEST(PrintedSurface, OnASlopeLayersMakeStepsRoundTheDesignedSurface) {
-  // A wedge: its upper face rises by one in two.
+  // The wedge's upper face rises by one in two.
   const Mesh wedge = shapes::plate({40, 40}, 15, 1, 1, [](double x, double) { return x / 2; });
   const Vec3 normal = glm::normalize(Vec3(-1, 0, 2));
   const auto surface = printSurface(wedge, {kProcess, makeFrame({0, 0, 0}, normal, {0, 1, 0}, 250), 8, {0, 0, 1}});
@@ -102,13 +103,13 @@ TEST(PrintedSurface, ItDoesNotMatterHowTheModelLiesInItsFile) {
   ASSERT_TRUE(upright && lying);
   const std::vector<double> a = heightsOf(*upright), b = heightsOf(*lying);
   ASSERT_EQ(a.size(), b.size());
-  std::size_t apart = 0;  // the nodes of the grids lie elsewhere: rims of layers differ by a little
+  std::size_t apart = 0;  // the grids' nodes lie elsewhere, so rims of layers differ slightly
   for (std::size_t i = 0; i < a.size(); ++i) apart += std::abs(a[i] - b[i]) > 0.02;
   EXPECT_LT(static_cast<double>(apart) / static_cast<double>(a.size()), 0.03);
 }
 
 TEST(PrintedSurface, AWiderViewShowsTheSame) {
-  // Where a layer's tiles end depends on the view: nothing of them may show.
+  // The view determines where a layer's tiles end; the tile borders must not show.
   Mesh block = shapes::translated(shapes::box({60, 60, 10}), {0, 0, 5});
   for (int k = -12; k <= 12; ++k)
     block = shapes::together(block, shapes::translated(shapes::box({0.45, 40, 2}), {1.1 * k + 0.07, 0, 10}));
@@ -118,7 +119,7 @@ TEST(PrintedSurface, AWiderViewShowsTheSame) {
   ASSERT_NEAR(narrow->texelMm, wide->texelMm, 1e-9);
   const int border = (wide->texels - narrow->texels) / 2;
   const std::vector<double> a = heightsOf(*narrow), b = heightsOf(*wide);
-  std::size_t apart = 0;  // nodes lie elsewhere: rims may differ by a little
+  std::size_t apart = 0;  // nodes lie elsewhere, so rims may differ slightly
   for (int row = 0; row < narrow->texels; ++row)
     for (int column = 0; column < narrow->texels; ++column) {
       const double there = b[static_cast<std::size_t>((row + border) * wide->texels + column + border)];

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Goes from the sources to the sentences: what a source makes a message of has words for all its values in each
-// language.
+// Follows messages from the sources to the sentences: every message has words for all its values in each language.
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
@@ -27,22 +26,22 @@ using testing::Contains;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-/// A place in the sources where a message is made.
+/// Place in the sources that makes a message.
 struct Made {
   std::string code;
   Names values;
   std::string where;
   bool onPage = true;
-  std::string complaint;  ///< why the values cannot be told; empty if they can
+  std::string complaint;  ///< why the values cannot be parsed; empty if they can
 };
 
-/// The page shows what these make; the others belong to the command.
+/// Folders whose messages the page shows; the others belong to the command.
 const std::vector<std::string> kOfPage = {"core", "engine", "viewer", "inspector", "wasm", "web"};
 const std::vector<std::string> kOfCommand = {"cli", "native", "study"};
 
 bool isQuote(char c) { return c == '"' || c == '\'' || c == '`'; }
 
-/// Behind the literal that begins at `i`; a digit separator is none.
+/// Returns the index after the literal that begins at `i`; a digit separator is no literal.
 std::size_t pastLiteral(const std::string& text, std::size_t i) {
   const char quote = text[i];
   if (quote == '\'' && i > 0 && std::isalnum(static_cast<unsigned char>(text[i - 1]))) return i + 1;
@@ -69,7 +68,7 @@ std::string withoutComments(const std::string& source) {
   return text;
 }
 
-/// What stands between brackets, split at its commas. @param open  place of the opening bracket
+/// Returns the text between brackets, split at its commas. @param open place of the opening bracket
 std::vector<std::string> partsWithin(const std::string& text, std::size_t open) {
   std::vector<std::string> parts(1);
   int depth = 0;
@@ -163,7 +162,7 @@ std::vector<Made> messagesOfSources() {
   return all;
 }
 
-/// Every file of messages/, as one object.
+/// Returns all files of messages/ as one object.
 Json words(std::vector<std::string>& complaints) {
   Json all = Json::object();
   for (const auto& entry : fs::directory_iterator(fs::path(QRELIEF_SOURCE_DIR) / "messages")) {
@@ -177,7 +176,7 @@ Json words(std::vector<std::string>& complaints) {
   return all;
 }
 
-/// Names of the values in a text or in its two forms, of which `count` chooses one.
+/// Returns the names of the values in a text, or in its two forms, of which `count` chooses one.
 Names placeholders(const Json& forms) {
   static const std::regex kValue(R"(\{(\w+)\})");
   if (forms.is_object()) {

@@ -11,7 +11,7 @@ namespace {
 
 constexpr MapWindow kWindow{20, 40};
 
-/// A map of heights, seen from in front everywhere.
+/// Returns a map of heights whose surface faces the eye everywhere.
 template <class Height>
 std::vector<float> surfaceOf(const Height& height) {
   std::vector<float> surface;
@@ -45,7 +45,7 @@ TEST(Bend, WhatIsNoModelDoesNotCount) {
 }
 
 TEST(Bend, OfAMeshIsThatOfTheFacetsNamed) {
-  // A step between two plates: together they bend, each alone does not.
+  // Two plates form a step: together they bend, each alone does not.
   const Mesh mesh = shapes::together(shapes::translated(shapes::box({40, 40, 4}), {0, 0, -2}),
                                      shapes::translated(shapes::box({20, 40, 2}), {-10, 0, 1}));
   const ProjectionFrame frame = makeFrame({0, 0, 0}, {0, 0, 1}, {0, 1, 0}, 250);
@@ -55,7 +55,7 @@ TEST(Bend, OfAMeshIsThatOfTheFacetsNamed) {
     if (std::max({mesh.corner(t, 0).z, mesh.corner(t, 1).z, mesh.corner(t, 2).z}) < 1) lower.push_back(t);
   }
   EXPECT_NEAR(bendMm(mesh, lower, frame, 30), 0, 1e-5);
-  // A step of 2 in the middle has a variance of 1, of which the inclined plane takes three quarters.
+  // A step of 2 in the middle has a variance of 1; the inclined plane accounts for three quarters of it.
   EXPECT_NEAR(bendMm(mesh, all, frame, 30), 0.5, 0.02);
 }
 

@@ -25,7 +25,7 @@ std::vector<Segment2> polygon(const std::vector<Vec2>& corners) {
   return sides;
 }
 
-/// Corners on a circle, the first at angle `first`.
+/// Returns a polygon with corners on a circle, the first at angle `first`.
 std::vector<Segment2> regularPolygon(int corners, double radius, double first) {
   std::vector<Vec2> points;
   for (int k = 0; k < corners; ++k) points.push_back(polar(radius, first + 2 * pi * k / corners));
@@ -36,7 +36,7 @@ double sizeAt(const std::vector<Segment2>& silhouette, double rotation) {
   return orientedSize(inTurnedAxes(silhouette, rotation));
 }
 
-/// Dense sampling, then halving steps about each of the best samples.
+/// Finds the best size by dense sampling, then by halving steps around each of the best samples.
 double bestBySampling(const std::vector<Segment2>& silhouette) {
   constexpr int kSamples = 2000;
   constexpr double kStep = pi / 2 / kSamples;
@@ -79,7 +79,7 @@ TEST(BestSize, OfASquareIsTheSquareItself) {
 }
 
 TEST(BestSize, OfARegularPolygonPutsTheCornersOnItsCorners) {
-  // With a multiple of four corners the square's own four can lie on them, on the circle that no corner leaves.
+  // With a multiple of four corners, the square's four corners can lie on them, on the circle that bounds all corners.
   for (const int corners : {8, 12, 40, 360}) {
     const TurnedSquare best = bestSize(regularPolygon(corners, 10, pi / 4 + 0.003), kUnbounded);
     EXPECT_NEAR(best.sizeMm, 10 * sqrt2, 1e-12) << corners;
@@ -106,7 +106,7 @@ TEST(BestSize, BesideOnePointPutsItInTheMiddleOfASide) {
 }
 
 TEST(BestSize, BetweenTwoPointsLiesHalfwayModuloAQuarterTurn) {
-  // At 0° and at 60°, which is -30° for a square: 15° off each.
+  // The points lie at 0° and at 60°, which is -30° for a square. The best rotation is 15° off each.
   const std::vector<Segment2> points{{polar(7, 0), polar(7, 0)}, {polar(7, pi / 3), polar(7, pi / 3)}};
   const TurnedSquare best = bestSize(points, kUnbounded);
   EXPECT_NEAR(best.sizeMm, 14 * std::cos(pi / 12), 1e-12);
@@ -122,7 +122,7 @@ TEST(BestSize, IsWhatIsAskedForWhereNothingBoundsIt) {
 }
 
 TEST(BestSize, TurnsNoFartherThanTheGreatestSizeNeeds) {
-  // Between lines at ±c, turned by x against them, half the edge is c/(cos x + sin x) = c/(√2·sin(x + π/4)).
+  // Between lines at ±c, turned by x against the square, half the edge is c/(cos x + sin x) = c/(√2·sin(x + π/4)).
   const Vec2 across = polar(10, 0.6);
   const Vec2 along = polar(200, 0.6 + pi / 2);
   const std::vector<Segment2> lines{{across - along, across + along}, {-across - along, -across + along}};
@@ -163,7 +163,8 @@ TEST(BestSize, OfRandomSegmentsIsBetterThanAnySampledRotation) {
 }
 
 TEST(BestSize, OfSegmentsAlongTheAxesAndThroughTheirCrossingIsBetterThanAnySampledRotation) {
-  // Ends on the axes and diagonals, lines through the origin: every limit of the curves' ranges at once.
+  // Segments end on the axes and diagonals and lie on lines through the origin: every limit of the curves' ranges at
+  // once.
   const std::vector<Segment2> segments{{Vec2(5, 0), Vec2(9, 0)},
                                        {Vec2(0, 6), Vec2(0, 30)},
                                        {Vec2(-7, -7), Vec2(-8, -8)},

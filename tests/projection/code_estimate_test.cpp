@@ -10,7 +10,7 @@
 namespace qrelief {
 namespace {
 
-/// A box of 60 × 60 × 20 mm.
+/// Fixture with a box of 60 × 60 × 20 mm.
 class CodeEstimateTest : public GlTest {
  protected:
   void SetUp() override {

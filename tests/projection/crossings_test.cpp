@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::uint32_t kNone = 0xffffffff;
 
-/// Triangle of the upper face of the first box, a square of 40 mm at z = 5, under a point.
+/// Returns the triangle of the first box's upper face, a square of 40 mm at z = 5, under a point.
 std::uint32_t topTriangle(const Mesh& mesh, Vec2 at) {
   for (std::uint32_t t = 0; t < 12; ++t) {
     Triangle2 flat;
@@ -37,14 +37,15 @@ double sizeAt(const Mesh& mesh, bool withCrossings) {
 }
 
 TEST(Crossings, BoundACodeWhereAnotherBodyComesThroughTheFace) {
-  // Its upper edges are contour edges, and seen from the eye they lie farther out than where it comes through.
+  // The column's upper edges are contour edges. From the eye they appear farther out than where the column comes
+  // through.
   const Mesh mesh =
       shapes::together(shapes::box({40, 40, 10}), shapes::translated(shapes::box({4, 60, 30}), {10, 0, 0}));
   EXPECT_NEAR(sizeAt(mesh, true), 16, 1e-9);
 }
 
 TEST(Crossings, OfASlopeThatRisesOutOfTheFaceAreNoContour) {
-  // A ramp comes out of the face along x = 6 and faces the eye all the way: no contour edge says that it begins there.
+  // A ramp comes out of the face along x = 6 and faces the eye all the way, so no contour edge marks its start.
   Mesh ramp = shapes::plate({20, 60}, 20, 1, 1, [](double x, double) { return x; });
   const Mesh mesh = shapes::together(shapes::box({40, 40, 10}), shapes::translated(ramp, {6, 0, 5}));
   EXPECT_GT(sizeAt(mesh, false), 12.1);
@@ -52,7 +53,7 @@ TEST(Crossings, OfASlopeThatRisesOutOfTheFaceAreNoContour) {
 }
 
 TEST(Crossings, OfBodiesThatTouchAtAPointAreThatPoint) {
-  // The tip of a spike ends in the face, whose own sides come nearer to the centre than that.
+  // The tip of a spike touches the face from inside. The spike's own sides come nearer to the centre than its tip.
   Mesh tip = shapes::box({4, 4, 4});
   for (Vec3f& p : tip.positions)
     p = p.x == p.y && p.y == p.z && p.x > 0 ? Vec3f(9, -3, 5) : p * 0.25f + Vec3f(9, -3, 0);

@@ -9,7 +9,7 @@
 namespace qrelief {
 namespace {
 
-/// A map of texels² whose normals and distances a function gives.
+/// Returns a map of texels² with normals and distances from a function.
 template <class Function>
 std::vector<float> makeMap(int texels, Function at) {
   std::vector<float> map;
@@ -33,13 +33,14 @@ TEST(MapSample, AFlatMapGivesItsNormalInEveryStep) {
 }
 
 TEST(MapSample, TheVarianceOfARampIsItsClosedForm) {
-  // Distances uniform over an interval of length 6: variance 6²/12 = 3, less 1/64² of it for the texels' width.
+  // Distances are uniform over an interval of length 6: variance 6²/12 = 3, reduced by 1/64² of it for the texels'
+  // width.
   const auto map = makeMap(64, [](double x, double) { return std::pair(Vec3(0, 0, 1), 250 + 3 * x); });
   EXPECT_NEAR(sampleMap(map, 64, {}).varianceMm2, 3 * (1 - 1.0 / (64 * 64)), 1e-4);
 }
 
 TEST(MapSample, DepthBalanceTakesOnlyTheNearestAndFarthestCells) {
-  // Two cells are nearest and lean left, two are farthest and lean right by the same angle, the rest point up.
+  // The two nearest cells lean left, the two farthest lean right by the same angle, and the rest point up.
   const auto map = makeMap(64, [](double x, double y) {
     if (y > 0.75 && x < -0.5) return std::pair(glm::normalize(Vec3(-1, 0, 1)), 200.0);
     if (y > 0.75 && x > 0.5) return std::pair(glm::normalize(Vec3(1, 0.5, 1)), 300.0);
@@ -60,7 +61,7 @@ TEST(MapSample, AnOverhangTurnsTheDirectionTowardsTheOverhangingSide) {
 }
 
 TEST(MapSample, APlaneTiltedByAnAngleHasItsClosedFormMeasure) {
-  // From far away the distance is u·tan τ over u = -s/2 … s/2: variance s²·tan² τ/12.
+  // From far away the distance is u·tan τ over u = -s/2 … s/2, with variance s²·tan² τ/12.
   const double tilt = 0.3;
   DirectionOptions options;
   options.eyeDistanceMm = 2e5;
@@ -69,7 +70,7 @@ TEST(MapSample, APlaneTiltedByAnAngleHasItsClosedFormMeasure) {
     return std::pair(Vec3(std::sin(tilt), 0, std::cos(tilt)), options.eyeDistanceMm + 500 * x * std::tan(tilt));
   });
   const MapSample sample = sampleMap(map, 128, options);
-  EXPECT_NEAR(sample.worstAngle, tilt, 0.003);  // the far side is seen s/2 / D = 0.0025 more obliquely
+  EXPECT_NEAR(sample.worstAngle, tilt, 0.003);  // the far side appears s/2 / D = 0.0025 more oblique
   EXPECT_NEAR(sample.measure, std::pow(std::tan(tilt), 2) / 12 + 0.02 * (1 - std::cos(sample.worstAngle)), 2e-6);
   EXPECT_LT(glm::length(sample.leastVariance - Vec3(std::sin(tilt), 0, std::cos(tilt))), 0.01);
   EXPECT_TRUE(sample.centreIsSeen);
@@ -140,7 +141,7 @@ TEST_F(DirectionTest, OnASphereTheDirectionIsTheRadiusWhateverTheFirstNormal) {
     options.sizeMm = 25;
     options.variance = 0;
     const DirectionSearch found = search(shapes::icosphere(40, 6), centre, {0.1, 0.05, 1}, options);
-    // The mean from a first look that is 6.4° wrong leaves some of the error, five rounds leave next to none.
+    // With a first look 6.4° off, the mean normal leaves some of the error; five rounds leave almost none.
     const double limit = method == DirectionMethod::MeanNormal ? 0.06 : 0.01;
     EXPECT_LT(glm::length(found.normal() - Vec3(0, 0, 1)), limit) << static_cast<int>(method);
   }

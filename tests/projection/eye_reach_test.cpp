@@ -38,7 +38,7 @@ TEST_F(EyeReachTest, SquaresOnABoxesTopAreTheClosedFormToATexel) {
 TEST_F(EyeReachTest, TheFractionThatMissesIsThatOfTheAreas) {
   const EyeReach reach = look(shapes::box({60, 60, 20}), {10, 0, 10}, 100);
   EXPECT_EQ(reach.missingFraction(38, 0), 0);
-  // Of a square of 60 mm about the centre 10 mm lie beyond the edge.
+  // 10 mm of a 60 mm square about the centre lie beyond the edge.
   EXPECT_NEAR(reach.missingFraction(60, 0), 1 / 6.0, 0.03);
 }
 

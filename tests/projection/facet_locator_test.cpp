@@ -7,7 +7,7 @@
 namespace qrelief {
 namespace {
 
-/// A fan of eight facets about the origin.
+/// Returns a fan of eight facets about the origin.
 FacetLocator fan() {
   std::vector<Triangle2> images;
   const std::vector<Vec2> rim{{3, 0}, {2, 2}, {0, 3}, {-2, 2}, {-3, 0}, {-2, -2}, {0, -3}, {2, -2}};

@@ -17,7 +17,7 @@ class FirstSpots : public GlTest {
     ASSERT_TRUE(made.has_value()) << made.error().message;
     pass_ = std::move(*made);
   }
-  /// From above.
+  /// Searches from above.
   std::optional<Vec3> spotOn(const Mesh& mesh, double sizeMm) {
     const double widthMm = boundingBox(mesh).diagonal();
     const ProjectionFrame view = makeFrame({0, 0, 0}, {0, 0, 1}, {0, 1, 0}, 2 * widthMm);

@@ -10,7 +10,7 @@ namespace {
 
 const ProjectionFrame kFrame = makeFrame({0, 0, 0}, {0, 0, 1}, {0, 1, 0}, 100);
 
-/// A facet (0, 0), (10, 0), (0, 10) at height 0, and further vertices at will.
+/// Facet (0, 0), (10, 0), (0, 10) at height 0, with arbitrary further vertices.
 struct Scene {
   Mesh mesh;
 
@@ -34,7 +34,7 @@ void expectSegment(const Segment2& actual, Vec2 a, Vec2 b) {
 }
 
 TEST(Occluder, IsThePartOfTheEdgeUponTheFacet) {
-  // At half the eye's height everything looks twice as large.
+  // At half the eye's height everything appears twice as large.
   const std::optional<Occluder> occluder = Scene({{-5, 1, 50}, {20, 1, 50}}).test(3, 4);
   ASSERT_TRUE(occluder);
   EXPECT_TRUE(occluder->crosses);
@@ -68,7 +68,7 @@ TEST(Occluder, TouchesWhereItRunsAlongASideOrThroughACorner) {
 }
 
 TEST(Occluder, OfACornersOwnEdgeIsACusp) {
-  // From corner 0 up and over the facet; along its side; away from it; below it.
+  // Edges from corner 0: up and over the facet, along its side, away from it, and below it.
   const std::optional<Occluder> over = Scene({{1, 1, 50}}).test(0, 3);
   ASSERT_TRUE(over);
   EXPECT_TRUE(over->crosses);
@@ -87,12 +87,12 @@ TEST(Occluder, IsNeverAnEdgeOfTheFacet) {
 }
 
 TEST(Occluder, OfAnEdgeThroughTheFacetsPlaneIsOnlyItsNearerPart) {
-  // Crosses the plane at x = -5, left of the facet, and rises over it.
+  // The edge crosses the plane at x = -5, left of the facet, and rises over it.
   const std::optional<Occluder> rising = Scene({{-10, 2, -10}, {4, 2, 18}}).test(3, 4);
   ASSERT_TRUE(rising);
   EXPECT_TRUE(rising->crosses);
   EXPECT_NEAR(rising->segment[0].x, 0, 1e-9);
-  // Comes down through the plane right of the facet at x = 20 and passes below it.
+  // The edge passes down through the plane right of the facet, at x = 20, and then below the facet.
   EXPECT_FALSE(Scene({{-10, 2, -10}, {25, 2, 1.666f}}).test(3, 4));
 }
 
@@ -109,7 +109,7 @@ TEST(ImagesOverlap, IsExactForNeighboursAndForFacetsOneBehindTheOther) {
 }
 
 TEST(CentreObstruction, NamesTheNearestFacetAndTheDistanceThatClearsAll) {
-  // Two plates over a floor, at heights 20 … 30 and 60 … 70.
+  // Two plates hang over a floor, at heights 20 … 30 and 60 … 70.
   const Mesh floor = shapes::translated(shapes::box({100, 100, 10}), {0, 0, -5});
   const Mesh plates = shapes::together(shapes::translated(shapes::box({9, 8, 10}), {1, 0, 25}),
                                        shapes::translated(shapes::box({9, 8, 10}), {1, 0, 65}));

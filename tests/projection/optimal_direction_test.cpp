@@ -66,7 +66,7 @@ TEST_F(OptimalDirectionTest, StaysWithinItsBound) {
   EXPECT_LE(static_cast<int>(found.iterations().size()), OptimalDirection::kMaxLooks);
   for (const DirectionIteration& look : found.iterations())
     EXPECT_LE(std::acos(glm::dot(look.normal, start)), OptimalDirection::kFarthestTurn + 1e-9);
-  // As far towards the plane's normal as the bound allows, but for one last step.
+  // The result is turned towards the plane's normal as far as the bound allows, except for one last step.
   EXPECT_GT(std::acos(glm::dot(found.normal(), start)), OptimalDirection::kFarthestTurn - 0.04);
 }
 

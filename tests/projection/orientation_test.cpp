@@ -10,7 +10,7 @@ namespace {
 
 __extension__ using Wide = __int128;
 
-/// The determinant's sign in whole numbers; coordinates up to 2^39.
+/// Returns the determinant's sign in integer arithmetic; coordinates up to 2^39.
 int exactSide(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
   const auto whole = [](double x) { return static_cast<Wide>(x); };
   const Wide px = whole(b.x) - whole(a.x), py = whole(b.y) - whole(a.y), pz = whole(b.z) - whole(a.z);

@@ -53,7 +53,7 @@ TEST(PlaneGrid, FindsEveryShapeThatMeetsTheQuery) { expectToFindAll(std::numeric
 TEST(PlaneGrid, FindsShapesFartherOutThanItsCells) { expectToFindAll(8); }
 
 TEST(PlaneGrid, LooksAtFewShapesWhereManyLieElsewhere) {
-  // 10 000 unit segments on a 100 × 100 lattice; a small query must not see more than its neighbourhood.
+  // 10 000 unit segments lie on a 100 × 100 lattice; a small query must return only its neighbourhood.
   std::vector<Triangle2> segments;
   for (int i = 0; i < 100; ++i)
     for (int j = 0; j < 100; ++j) segments.push_back({Vec2(i, j), Vec2(i + 0.5, j), Vec2(i + 0.5, j)});

@@ -18,7 +18,7 @@ PreparedModel prepared(const Mesh& mesh) {
   return std::move(*model);
 }
 
-constexpr CodeRoom kSmallest{21, 29.0 / 21};  // with the quiet zone 5.8 mm
+constexpr CodeRoom kSmallest{21, 29.0 / 21};  // 5.8 mm with the quiet zone
 constexpr double kEyeMm = 250;
 
 TEST(Room, OfAFlatSquareIsItsEdgeWhereTheEyeIsFar) {
@@ -26,7 +26,7 @@ TEST(Room, OfAFlatSquareIsItsEdgeWhereTheEyeIsFar) {
 }
 
 TEST(Room, GrowsAsTheEyeComesNear) {
-  // A diagonal of 50 mm seen from 250 mm: what lies that far in front of the plane is enlarged by 250 / 200.
+  // A diagonal of 50 mm is seen from 250 mm. Points that far in front of the plane are enlarged by 250 / 200.
   EXPECT_NEAR(squareBoundMm({{0, 0, 0}, {30, 40, 0}}, kEyeMm), 50 * 1.25 / std::numbers::sqrt2, 1e-9);
   EXPECT_EQ(squareBoundMm({{0, 0, 0}, {200, 200, 0}}, kEyeMm), std::numeric_limits<double>::infinity());
 }

@@ -28,12 +28,12 @@ Result<VisiblePatch> patchAt(const Mesh& mesh, const brute_force::Spot& spot, do
   return findSilhouette(mesh, buildAdjacency(mesh.triangles), spot.frame, spot.seed, radius, region);
 }
 
-/// Straight from above on the point of the surface over (x, y).
+/// Looks straight from above at the surface point over (x, y).
 brute_force::Spot fromAbove(const Mesh& mesh, double x, double y, Vec3 up = {0, 1, 0}, double eyeDistance = 250) {
   return brute_force::spotSeen(mesh, {x, y, 500}, {0, 0, -1}, {0, 0, 1}, up, eyeDistance);
 }
 
-/// In the disc and the aligned square that the silhouette allows the eye sees nothing but the patch.
+/// Expects that the eye sees nothing but the patch in the disc and in the aligned square that the silhouette allows.
 void expectSeenWithin(const Mesh& mesh, const ProjectionFrame& frame, const VisiblePatch& patch, int samples = 400) {
   std::vector<std::uint8_t> inPatch(mesh.triangles.size(), 0);
   for (const std::uint32_t t : patch.triangles) inPatch[t] = 1;
@@ -53,7 +53,7 @@ void expectSeenWithin(const Mesh& mesh, const ProjectionFrame& frame, const Visi
   }
 }
 
-/// Images of the patch's facets keep apart: no sample point of one lies within another.
+/// Expects that the images of the patch's facets do not overlap: no sample point of one lies inside another.
 void expectNoOverlap(const Mesh& mesh, const ProjectionFrame& frame, const VisiblePatch& patch) {
   std::vector<Triangle2> images;
   for (const std::uint32_t t : patch.triangles)
@@ -74,7 +74,7 @@ void expectNoOverlap(const Mesh& mesh, const ProjectionFrame& frame, const Visib
   }
 }
 
-/// Every facet can be reached from the seed over facets of the patch.
+/// Expects that every facet can be reached from the seed over facets of the patch.
 void expectConnected(const Mesh& mesh, std::uint32_t seed, const VisiblePatch& patch) {
   const Adjacency adjacency = buildAdjacency(mesh.triangles);
   std::vector<std::uint8_t> unreached(mesh.triangles.size(), 0);
@@ -92,7 +92,7 @@ void expectConnected(const Mesh& mesh, std::uint32_t seed, const VisiblePatch& p
   EXPECT_EQ(reached, patch.triangles.size());
 }
 
-/// The nearest point of the silhouette lies on the image of an edge where the surface turns away from the eye.
+/// Expects that the silhouette's nearest point lies on the image of an edge where the surface turns away from the eye.
 void expectEndsForAReason(const Mesh& mesh, const ProjectionFrame& frame, const VisiblePatch& patch) {
   const Vec2 s = nearestSilhouettePoint(patch.silhouette).value();
   const Adjacency adjacency = buildAdjacency(mesh.triangles);
@@ -128,15 +128,15 @@ TEST(Silhouette, OfACubesFaceTurnedBy45DegreesTakesASmallerAlignedSquare) {
 }
 
 TEST(Silhouette, GoesOverTheEdgesOfACubeSeenFromItsCorner) {
-  // Three faces are seen; the plane cuts off less than the hexagonal outline's inner circle in perspective.
+  // The eye sees three faces. In perspective the plane cuts off less than the hexagonal outline's inner circle.
   const Mesh mesh = shapes::box({40, 40, 40});
   const brute_force::Spot spot = brute_force::spotSeen(mesh, {100, 100, 100}, {-1, -1, -1}, {1, 1, 1}, {0, 0, 1});
   const Result<VisiblePatch> patch = patchAt(mesh, spot);
   ASSERT_TRUE(patch);
   EXPECT_EQ(patch->triangles.size(), 6u);
   EXPECT_EQ(patch->silhouette.size(), 6u);
-  // The six outline edges join corners such as (20, 20, -20) and (20, -20, -20): their images' middles and ends differ
-  // in depth; the closed form is the distance of the origin from the line through the two images.
+  // The six outline edges join corners such as (20, 20, -20) and (20, -20, -20). The middles and ends of their images
+  // differ in depth, so the closed form is the origin's distance from the line through the two images.
   const auto image = [&](Vec3 p) { return spot.frame.project(p); };
   const Vec2 a = image({20, 20, -20});
   const Vec2 b = image({20, -20, -20});
@@ -151,7 +151,7 @@ TEST(Silhouette, OfASphereEndsAtTheTangentCone) {
     const brute_force::Spot spot = brute_force::spotSeen(mesh, normal * 100.0, -normal, normal, {0, 1, 0.3});
     const Result<VisiblePatch> patch = patchAt(mesh, spot);
     ASSERT_TRUE(patch);
-    // The polyhedron lies between the sphere through its vertices and the one that its facets touch.
+    // The polyhedron lies between its circumscribed sphere and the sphere that its facets touch.
     double inner = radius;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
       inner = std::min(inner, glm::dot(triangleNormal(mesh, t), mesh.corner(t, 0)));
@@ -160,7 +160,8 @@ TEST(Silhouette, OfASphereEndsAtTheTangentCone) {
     EXPECT_LE(freeSize(patch->silhouette), kRoot2 * tangentRadius(radius) + 1e-5);
     EXPECT_GE(freeSize(patch->silhouette), kRoot2 * tangentRadius(inner));
     EXPECT_LT(tangentRadius(radius) - tangentRadius(inner), 0.05) << "the bound is tight";
-    // A convex body hides nothing of itself: the patch is what faces the eye, the silhouette what bounds it.
+    // A convex body hides no part of itself: the patch is every facet that faces the eye, and the silhouette is the
+    // patch's border.
     std::size_t facing = 0;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
       facing += glm::dot(triangleNormal(mesh, t), spot.frame.eye() - mesh.corner(t, 0)) > 0;
@@ -169,14 +170,14 @@ TEST(Silhouette, OfASphereEndsAtTheTangentCone) {
   }
 }
 
-/// A floor at z = 0 and a box above it, not touching: the floor is partly hidden.
+/// Returns a floor at z = 0 and a box above it that does not touch it, so that the floor is partly hidden.
 Mesh floorUnder(Vec3 boxSize, Vec3 boxCentre, int grid) {
   return shapes::together(shapes::plate({120, 120}, 10, grid, grid),
                           shapes::translated(shapes::box(boxSize), boxCentre));
 }
 
 TEST(Silhouette, EndsAtTheEdgeOfWhatHoversOverIt) {
-  // The box covers 20 ≤ x ≤ 40, 10 ≤ z ≤ 20. Its lower edge at x = 20 hides most: 20·250/240 on the plane.
+  // The box covers 20 ≤ x ≤ 40, 10 ≤ z ≤ 20. Its lower edge at x = 20 hides the most: 20·250/240 on the plane.
   for (const int grid : {1, 3, 24}) {
     const Mesh mesh = floorUnder({20, 20, 10}, {30, 0, 15}, grid);
     const brute_force::Spot spot = fromAbove(mesh, 0, 0);
@@ -203,7 +204,8 @@ TEST(Silhouette, EndsWhereAnEdgeOfTheOccluderCoincidesWithOneOfItsOwn) {
 }
 
 TEST(Silhouette, PassesBetweenTwoOccluders) {
-  // A gap of 10 mm between two boxes over huge facets: an aligned square may not enter it, nor may it be lost before.
+  // There is a gap of 10 mm between two boxes over huge facets. An aligned square may grow up to the gap, but not into
+  // it.
   const Mesh boxes = shapes::together(shapes::translated(shapes::box({20, 20, 10}), {30, 15, 15}),
                                       shapes::translated(shapes::box({20, 20, 10}), {30, -15, 15}));
   const Mesh mesh = shapes::together(shapes::plate({120, 120}, 10, 1, 1), boxes);
@@ -216,7 +218,7 @@ TEST(Silhouette, PassesBetweenTwoOccluders) {
   expectSeenWithin(mesh, spot.frame, *patch);
 }
 
-/// A ridge along y at x = 20, 20 mm high, falling to both sides within 10 mm, |y| ≤ halfLength.
+/// Returns a plate with a ridge along y at x = 20, 20 mm high, falling to both sides within 10 mm, |y| ≤ halfLength.
 Mesh ridge(double halfLength, int n) {
   return shapes::plate({160, 160}, 10, n, n, [=](double x, double y) {
     return std::max(0.0, 20 - 2 * std::abs(x - 20)) * (std::abs(y) <= halfLength ? 1 : 0);
@@ -225,7 +227,7 @@ Mesh ridge(double halfLength, int n) {
 
 TEST(Silhouette, EndsAtARidgeThatHidesItsOtherSide) {
   const Mesh mesh = ridge(1000, 16);
-  // At 45° from the left: the ridge lies in the QR plane, at 20·√2 from the centre.
+  // The view is at 45° from the left, so the ridge lies in the QR plane, at 20·√2 from the centre.
   const brute_force::Spot spot = brute_force::spotSeen(mesh, {0, 0, 50}, {0, 0, -1}, {-1, 0, 1}, {0, 1, 0});
   const Result<VisiblePatch> patch = patchAt(mesh, spot);
   ASSERT_TRUE(patch);
@@ -254,7 +256,7 @@ TEST(Silhouette, GoesRoundARidgeWithoutOverlappingItself) {
         free[k] = freeSize(patch->silhouette);
         oriented[k] = orientedSize(patch->silhouette);
       }
-      // Each leaves its own region the most room.
+      // Each patch leaves the most room for its own kind of region.
       EXPECT_GE(free[0], free[1]);
       EXPECT_GE(oriented[1], oriented[0]);
     }
@@ -262,7 +264,7 @@ TEST(Silhouette, GoesRoundARidgeWithoutOverlappingItself) {
 }
 
 TEST(Silhouette, OfATorusEndsAtItsInnerOcclusionContour) {
-  // From 60° above the hole's axis the near side of the ring hides part of the far side's inner wall.
+  // From 60° above the hole's axis, the near side of the ring hides part of the far side's inner wall.
   const Mesh mesh = shapes::torus(30, 12, 96, 48);
   const Vec3 normal = glm::normalize(Vec3(std::sin(1.05), 0, std::cos(1.05)));
   for (const Vec3 from : {Vec3(30, 0, 100), Vec3(-30, 1, 100), Vec3(-21, 2, 100)}) {
@@ -300,7 +302,7 @@ TEST(Silhouette, LeavesOutFacetsBeyondTheRadiusWithoutASilhouette) {
   ASSERT_TRUE(patch);
   EXPECT_TRUE(patch->silhouette.empty());
   EXPECT_EQ(patch->radiusMm, 10);
-  // Squares of 2 mm that meet a disc of radius 10: by brute force, facet by facet.
+  // Brute force, facet by facet, finds the squares of 2 mm that meet a disc of radius 10.
   std::vector<std::uint32_t> expected;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     if (triangleNormal(mesh, t).z < 0.5) continue;
@@ -350,13 +352,13 @@ TEST(Silhouette, OfAHollowBallSaysWhenTheEyeSitsInOrBehindTheOppositeWall) {
   const auto onInnerWall = [&](double eyeDistance) {
     return brute_force::spotSeen(mesh, {0.1, 0.2, 0}, {0, 0, -1}, {0, 0, 1}, {0, 1, 0}, eyeDistance);
   };
-  // Within the cavity the view is free, and all that is far enough before the eye belongs to the patch.
+  // Inside the cavity nothing blocks the view, and everything far enough in front of the eye belongs to the patch.
   const brute_force::Spot inside = onInnerWall(60);
   const Result<VisiblePatch> patch = patchAt(mesh, inside, 60);
   ASSERT_TRUE(patch) << patch.error().message;
   EXPECT_TRUE(patch->silhouette.empty());
   expectSeenWithin(mesh, inside.frame, *patch, 100);
-  // In the wall, and outside: the inner wall is about 80 mm away.
+  // The eye is in the wall, then outside; the inner wall is about 80 mm away.
   for (const double eyeDistance : {85.0, 250.0}) {
     const Result<VisiblePatch> hidden = patchAt(mesh, onInnerWall(eyeDistance), 60);
     ASSERT_FALSE(hidden);
@@ -376,7 +378,7 @@ TEST(Silhouette, TakesACentreOnAVertexOrAnEdge) {
 
 TEST(Silhouette, IsBoundedByAHoleInTheSurface) {
   Mesh mesh = shapes::plate({100, 100}, 10, 10, 10);
-  // Take away the two facets of the square 20 ≤ x ≤ 30, 0 ≤ y ≤ 10.
+  // Removes the two facets of the square 20 ≤ x ≤ 30, 0 ≤ y ≤ 10.
   std::erase_if(mesh.triangles, [&](const Triangle& t) {
     const Vec3f middle = (mesh.positions[t[0]] + mesh.positions[t[1]] + mesh.positions[t[2]]) / 3.0f;
     return middle.z == 0 && middle.x > 20 && middle.x < 30 && middle.y > 0 && middle.y < 10;

@@ -24,7 +24,8 @@ double largest(const SizeMap& map) {
 }
 
 TEST(LatticeDirection, LeavesNoGapsOnTheSphere) {
-  // Equal caps that cover a sphere have at least 4π/n each, a radius of 7.4° for 240; the lattice needs half more.
+  // Equal caps that cover a sphere have at least 4π/n each, i.e. a radius of 7.4° for 240; the lattice needs half as
+  // much again.
   Random random(3);
   for (int i = 0; i < 2000; ++i) {
     const double z = random.uniform(-1, 1), angle = random.uniform(0, 2 * std::numbers::pi);
@@ -38,15 +39,15 @@ TEST(LatticeDirection, LeavesNoGapsOnTheSphere) {
 TEST(SizeMap, GivesEveryPointOfASphereTheSameSize) {
   const double radius = 40, eye = 250 + radius;
   const SizeMap map = mapOf(shapes::icosphere(radius, 5), {.minMm = 30, .views = 1000});
-  // The disc ends where the surface lies at 65° to the line of sight: polar angle θ and eye angle φ, θ + φ = 65°.
+  // The disc ends where the surface is at 65° to the line of sight: polar angle θ and eye angle φ, θ + φ = 65°.
   double theta = 0, phi = 0;
   while (theta + phi < SizeMapSearch::kMaxTiltDeg * kDegree) {
     theta += 1e-5;
     phi = std::atan(radius * std::sin(theta) / (eye - radius * std::cos(theta)));
   }
   const double expected = std::numbers::sqrt2 * std::tan(phi) * 250;
-  // The nearest of 1000 directions may be 5° away: cos(65° - 5°)… the near rim is nearer by up to r·(sin 65° - sin 60°)
-  // and more, as the circle is seen from beside its axis.
+  // The nearest of 1000 directions may be 5° off: cos(65° - 5°)… Then the near rim is nearer by up to r·(sin 65°
+  // - sin 60°) or more, since the eye sees the circle from off its axis.
   for (std::size_t v = 0; v < map.sizeMm.size(); ++v) {
     EXPECT_LT(map.sizeMm[v], expected * 1.02);
     EXPECT_GT(map.sizeMm[v], expected * 0.86);
@@ -57,7 +58,8 @@ TEST(SizeMap, GivesEveryPointOfASphereTheSameSize) {
 TEST(SizeMap, FindsTheMiddlesOfACubesFacesBest) {
   const double edge = 60;
   const SizeMap map = mapOf(shapes::box({edge, edge, edge}), {.minMm = 30, .views = 1000});
-  // At every rotation: the disc of half the edge, so a square of edge/√2; a texel more or less.
+  // The size fits at every rotation: the disc has a radius of half the edge, so the square is edge/√2, give or take a
+  // texel.
   const double expected = edge / std::numbers::sqrt2;
   EXPECT_NEAR(largest(map), expected, 0.05 * expected);
   for (int axis = 0; axis < 3; ++axis) {
@@ -106,7 +108,7 @@ TEST(SizeMap, PrefersTheBallsOfADumbbellToItsBar) {
   EXPECT_GT(largest(map), 30);
 }
 
-/// The size that the exact silhouette allows around a vertex, seen from where the map saw it.
+/// Returns the size that the exact silhouette allows around a vertex, seen from the map's eye.
 double exactSize(const Mesh& model, const SizeMap& map, std::uint32_t vertex, Vec3 centre, double eyeFromCentre) {
   const Vec3 p(map.mesh.positions[vertex]);
   const Vec3 d(map.direction[vertex]);

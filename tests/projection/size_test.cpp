@@ -24,14 +24,14 @@ TEST(Size, IsMeasuredToTheMiddleOfAnEdgeNotToItsVertices) {
 }
 
 TEST(Size, LetsAnAlignedSquareReachFartherThanAnyRotationMay) {
-  // The corner of a notch at (10, 3): 10 to the side, √109 away.
+  // The corner of a notch lies at (10, 3): 10 to the side, √109 away.
   const std::vector<Segment2> silhouette{{Vec2(10, 3), Vec2(40, 3)}};
   EXPECT_DOUBLE_EQ(orientedSize(silhouette), 20);
   EXPECT_DOUBLE_EQ(freeSize(silhouette), std::sqrt(2 * 109.0));
 }
 
 TEST(Size, StopsAlongADiagonalSideAtTheSquaresCorner) {
-  // |u| + |v| = 10: the square's corner touches at (5, 5).
+  // On |u| + |v| = 10, the square's corner touches at (5, 5).
   const std::vector<Segment2> silhouette{{Vec2(10, 0), Vec2(0, 10)}};
   EXPECT_DOUBLE_EQ(orientedSize(silhouette), 10);
   EXPECT_DOUBLE_EQ(freeSize(silhouette), 10);

@@ -14,7 +14,8 @@ SizeMap mapOf(const Mesh& mesh, double leastMm) { return makeSizeMap(mesh, verte
 
 TEST(SpotCandidates, OfACubeAreItsSixFaces) {
   const SizeMap map = mapOf(shapes::box({60, 60, 60}), 40);
-  // Middles of faces are 42 mm apart, and nowhere else on a face is 36 mm from its middle and far from its edges.
+  // The middles of faces are 42 mm apart. No other point of a face is both 36 mm from its middle and far from its
+  // edges.
   const std::vector<SpotCandidate> spots =
       spotCandidates(map, {.edgeMm = 60, .minSizeMm = 34, .apart = 0.6, .maxCount = 20});
   ASSERT_EQ(spots.size(), 6u);
@@ -37,7 +38,7 @@ TEST(SpotCandidates, KeepTheirDistanceUnlessTheyLookAwayFromEachOther) {
       opposite += away && distance < 20 ? 1 : 0;
     }
   }
-  EXPECT_GT(opposite, 0);  // one behind the other
+  EXPECT_GT(opposite, 0);  // one spot lies behind the other
 }
 
 TEST(SpotCandidates, RankBySizeFirst) {
@@ -47,7 +48,7 @@ TEST(SpotCandidates, RankBySizeFirst) {
   const std::vector<SpotCandidate> spots = spotCandidates(map, {.edgeMm = 20, .minSizeMm = 1, .maxCount = 200});
   bool small = false;
   for (const SpotCandidate& spot : spots) {
-    // Between the balls each hides part of the other.
+    // Between the balls, each hides part of the other.
     EXPECT_FALSE(small && spot.position.z > 60) << "a spot of the large ball after one of the small";
     small = small || spot.position.z < -30;
   }
@@ -61,7 +62,7 @@ TEST(SpotRank, PrefersTheFlatterOfTwoSpotsOfAboutOneSize) {
 }
 
 TEST(SpotRank, CountsASteepSpotAsLessLarge) {
-  // The cosine of 60° is 0.78 of that of 50°: two classes of 10 %.
+  // The cosine of 60° is 0.78 times the cosine of 50°: two classes of 10 %.
   const SquareQuality steep{.varianceMm2 = 1, .worstAngleDeg = 60}, gentle{.varianceMm2 = 1, .worstAngleDeg = 50};
   EXPECT_LT(SpotRank(30, gentle, 30, 20), SpotRank(33, steep, 30, 20));
   EXPECT_LT(SpotRank(45, steep, 30, 20), SpotRank(30, gentle, 30, 20));
@@ -80,7 +81,7 @@ TEST(QualityOf, AnInclinedPlaneIsThatOfItsAngle) {
   const double angle = 25 * std::numbers::pi / 180;
   const ProjectionFrame frame = makeFrame({0, 0, 100}, {std::sin(angle), 0, std::cos(angle)}, {0, 1, 0}, 250);
   const SquareQuality quality = qualityOf(map, frame, 80);
-  // Heights change linearly over the square: the variance of a uniform spread of 80·tan 25°.
+  // Heights change linearly over the square, so they have the variance of a uniform spread of 80·tan 25°.
   const double spread = 80 * std::tan(angle);
   EXPECT_NEAR(quality.varianceMm2, spread * spread / 12, 0.04 * spread * spread / 12);
   EXPECT_NEAR(quality.worstAngleDeg, 25, 1e-3);

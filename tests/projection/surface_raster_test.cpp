@@ -14,7 +14,7 @@ constexpr int kTexels = 96;
 
 class SurfaceRasterTest : public GlTest {
  protected:
-  /// Share of the texels that the raster and the GPU see differently: by more than 1° or 0.01 mm.
+  /// Returns the share of texels where the raster and the GPU differ by more than 1° or 0.01 mm.
   static double differingShare(const Mesh& mesh, const ProjectionFrame& frame, double extentMm) {
     auto pass = GeometryPass::create();
     if (!pass) return 1;
@@ -50,7 +50,7 @@ TEST_F(SurfaceRasterTest, ItSeesWhatTheGpuSees) {
 }
 
 TEST_F(SurfaceRasterTest, AFacetThatReachesBehindTheEyeIsCutOff) {
-  // A wall of two facets along the line of sight, 500 mm past the eye.
+  // A wall of two facets runs along the line of sight, to 500 mm beyond the eye.
   const Mesh wall = shapes::translated(shapes::box({40, 40, 2000}), {60, 0, 0});
   EXPECT_LT(differingShare(wall, makeFrame({0, 0, 0}, {-0.2, 0, 1}, {0, 1, 0}, 250), 300), 0.02);
 }

@@ -39,11 +39,11 @@ TEST(ViewRaster, BlocksASphereFromItsOutlineInwardsAsFarAsItIsTooOblique) {
   const double rim = kEyeDistance * std::tan(phi);
   const std::vector<std::int32_t> squared = squaredDistances(raster.blocked(), window.texels);
   const double middle = std::sqrt(squared[100 * 200 + 100]) * window.texelMm();
-  EXPECT_NEAR(middle, rim, 40 * 0.04 + window.texelMm());  // facets are flat: 0.04 wide, of the radius
+  EXPECT_NEAR(middle, rim, 40 * 0.04 + window.texelMm());  // facets are flat: 0.04 of the radius wide
 }
 
 TEST(ViewRaster, SeesContoursInFrontOfASurfaceButNoneBehindIt) {
-  // A small cube before the middle of a plate, and one behind it.
+  // A small cube lies in front of the middle of a plate, and another behind it.
   const Mesh plate = shapes::box({120, 120, 4});
   const Mesh cube = shapes::box({10, 10, 10});
   const RasterWindow window{160, 160};

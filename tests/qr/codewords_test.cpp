@@ -10,7 +10,7 @@ namespace {
 
 constexpr ErrorCorrection kLevels[] = {ErrorCorrection::L, ErrorCorrection::M, ErrorCorrection::Q, ErrorCorrection::H};
 
-/// Product in GF(256) modulo x⁸ + x⁴ + x³ + x² + 1.
+/// Returns the product in GF(256) modulo x⁸ + x⁴ + x³ + x² + 1.
 int product(int a, int b) {
   int result = 0;
   for (; b; b >>= 1, a = a << 1 ^ (a & 0x80 ? 0x11D : 0))
@@ -18,7 +18,7 @@ int product(int a, int b) {
   return result;
 }
 
-/// Value of the block as a polynomial at α^power.
+/// Evaluates the block as a polynomial at α^power.
 int syndrome(const std::vector<std::uint8_t>& block, int power) {
   int x = 1;
   for (int i = 0; i < power; ++i) x = product(x, 2);

@@ -21,7 +21,8 @@ Symbol exampleSymbol() {
   return symbol.value_or(Symbol{});
 }
 
-/// The submodules of the modules in rows [top, top + rows), columns [left, left + columns), one string a line.
+/// Returns the submodules of the modules in rows [top, top + rows), columns [left, left + columns), one string per
+/// line.
 Lines picture(const SubmoduleMask& mask, int top, int left, int rows, int columns) {
   Lines lines;
   for (int y = top * kSubmodulesPerModule; y < (top + rows) * kSubmodulesPerModule; ++y) {
@@ -38,12 +39,12 @@ void floodFill(Lines& lines, std::size_t y, std::size_t x) {
   if (y >= lines.size() || x >= lines[y].size() || lines[y][x] != '#') return;
   lines[y][x] = '.';
   floodFill(lines, y + 1, x);
-  floodFill(lines, y - 1, x);  // wraps round below 0 and is refused
+  floodFill(lines, y - 1, x);  // wraps round below 0 and is rejected
   floodFill(lines, y, x + 1);
   floodFill(lines, y, x - 1);
 }
 
-/// Carved regions joined along edges.
+/// Counts the carved regions; submodules join along edges.
 int countPieces(Lines lines) {
   int pieces = 0;
   for (std::size_t y = 0; y < lines.size(); ++y) {
@@ -139,7 +140,7 @@ TEST(FinderPattern, CarvesItsShareOfEveryFinder) {
   const auto carved = [&](FinderPattern finder) {
     return countCarved(submodulesToCarve(symbol, ModulePattern::Square, finder)) - others;
   };
-  // A finder has 24 + 9 dark modules; four of them take the nine submodules of a square.
+  // A finder pattern has 24 + 9 dark modules; four of them take the nine submodules of a square.
   EXPECT_EQ(carved(FinderPattern::None), 3 * 33 * 25);
   EXPECT_EQ(carved(FinderPattern::AsModules), 3 * 33 * 9);
   EXPECT_EQ(carved(FinderPattern::Diamond), 3 * (29 * 13 + 4 * 9));

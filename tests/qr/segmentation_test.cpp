@@ -20,7 +20,7 @@ bool writable(char c, SegmentMode mode) {
   return c >= '0' && c <= '9';
 }
 
-/// The fewest bits over every assignment of modes to characters.
+/// Returns the fewest bits over every assignment of modes to characters.
 int fewestBitsByBruteForce(const std::string& text, int version) {
   int fewest = std::numeric_limits<int>::max();
   const int ways = static_cast<int>(std::pow(3, text.size()));
@@ -42,7 +42,7 @@ int fewestBitsByBruteForce(const std::string& text, int version) {
 TEST(Segmentation, CountsTheBitsOfEachModeAsTheStandardDoes) {
   EXPECT_EQ(bitsOf("01234567", 1), 4 + 10 + 10 + 10 + 7);  // the standard's example in annex I
   EXPECT_EQ(bitsOf("0123456789", 10), 4 + 12 + 30 + 4);
-  EXPECT_EQ(bitsOf("AC-42", 1), 4 + 9 + 11 + 11 + 6);  // its example for the alphanumeric mode
+  EXPECT_EQ(bitsOf("AC-42", 1), 4 + 9 + 11 + 11 + 6);  // the standard's example for the alphanumeric mode
   EXPECT_EQ(bitsOf("AC-42", 27), 4 + 13 + 11 + 11 + 6);
   EXPECT_EQ(bitsOf("ab", 1), 4 + 8 + 16);
   EXPECT_EQ(bitsOf("ab", 10), 4 + 16 + 16);
@@ -84,7 +84,7 @@ TEST(Segmentation, FindsTheFewestBits) {
 }
 
 TEST(Segmentation, SwitchesOnlyWhereTheSavingPaysForTheHeader) {
-  // In versions 1 to 9 four digits cost 4 + 10 + 14 bits as a segment of their own and 32 as bytes; two cost 21 and 16.
+  // In versions 1 to 9, four digits cost 4 + 10 + 14 bits as their own segment and 32 as bytes; two cost 21 and 16.
   EXPECT_EQ(segmentText("abc12", 1).size(), 1u);
   EXPECT_EQ(segmentText("abc1234", 1).size(), 2u);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What an independent reader makes of our symbols.
+// Reads our symbols with an independent decoder.
 #include <ZXing/ReadBarcode.h>
 #include <gtest/gtest.h>
 #include <string>
@@ -35,7 +35,7 @@ class EveryLevel : public testing::TestWithParam<ErrorCorrection> {};
 
 TEST_P(EveryLevel, IsReadInAllVersions) {
   for (int version = 1; version <= 40; ++version) {
-    // As full as the level still allows in version 1, growing with the version: all three modes occur.
+    // The text fills what the level allows in version 1 and grows with the version; all three modes occur.
     std::string text = "ab:" + std::to_string(version);
     while (text.size() < static_cast<std::size_t>(version * version / 2))
       text += " K" + std::to_string(text.size() * 977);

@@ -29,7 +29,7 @@ TEST(SymbolMask, IsTheLibrarysWhereItIsTheSame) {
     for (const ErrorCorrection level : kLevels) {
       const Result<Symbol> symbol = encodeSymbol("QRELIEF", {.errorCorrection = level, .version = version});
       ASSERT_TRUE(symbol);
-      // There and back: every module of data and format is written twice.
+      // Changing the mask and back writes every module of data and format twice.
       const Symbol other = withMask(*symbol, (symbol->mask + 3) % 8);
       EXPECT_NE(other.dark, symbol->dark);
       EXPECT_EQ(withMask(other, symbol->mask).dark, symbol->dark) << version << errorCorrectionName(level);
@@ -63,9 +63,9 @@ TEST(ShadiestMask, SeesNoMoreSkyThanAnyOther) {
 }
 
 TEST(SkyFraction, OfAModuleAloneIsThatOfASquarePit) {
-  // Middle of the floor of a square pit of edge 1 and depth 1/2: its opening is the top of a cube's upper half, seen
-  // from the cube's middle plane; form factor of a square of edge a at distance a/2 from its axis, 4 corners of
-  // (1/2π)(x/√(1+x²) atan(y/√(1+x²)) + y/√(1+y²) atan(x/√(1+y²))) with x = y = 1.
+  // In the middle of the floor of a square pit of edge 1 and depth 1/2, the opening is the top of a cube's upper half,
+  // seen from the cube's middle plane. The form factor of a square of edge a at distance a/2 on its axis is 4 corners
+  // of (1/2π)(x/√(1+x²) atan(y/√(1+x²)) + y/√(1+y²) atan(x/√(1+y²))) with x = y = 1.
   const double corner = (std::atan(1 / std::sqrt(2.0)) / std::sqrt(2.0)) * 2 / (2 * 3.14159265358979);
   EXPECT_NEAR(SkyFraction::ofModuleAlone(), 4 * corner, 0.001);  // 32 directions
 }
@@ -103,7 +103,7 @@ TEST(BreakUpDarkAreas, LeavesEachBlockAsMuchCorrectionAsLevelL) {
       const Result<Symbol> broken =
           encodeSymbol("QRELIEF", {.errorCorrection = level, .version = version, .breakUpDarkAreas = true});
       ASSERT_TRUE(plain && broken);
-      // What it says against the codewords that differ.
+      // Compares the reported reserve with the number of codewords that differ.
       const CodewordLayout layout = layoutCodewords(*plain);
       const auto before = readBlocks(*plain, layout), after = readBlocks(*broken, layout);
       int most = 0;
@@ -138,7 +138,7 @@ TEST(BreakUpDarkAreas, ChangesNothingWithLevelL) {
   const SymbolOptions plain{.errorCorrection = ErrorCorrection::L};
   SymbolOptions broken = plain;
   broken.breakUpDarkAreas = true;
-  // But for remainder bits, which no reader looks at.
+  // The blocks are equal; only remainder bits may differ, which no decoder reads.
   const Symbol symbol = symbolOf(plain);
   EXPECT_EQ(readBlocks(symbolOf(broken), layoutCodewords(symbol)), readBlocks(symbol, layoutCodewords(symbol)));
 }

@@ -34,7 +34,7 @@ long countRole(const Symbol& symbol, ModuleRole role) {
   return std::count(symbol.roles.begin(), symbol.roles.end(), role);
 }
 
-/// Along one axis; 0 in version 1.
+/// Returns the number of alignment patterns along one axis; 0 in version 1.
 int alignmentPatternsPerSide(int version) { return version == 1 ? 0 : version / 7 + 2; }
 
 int withCheckBits(int value, int checkBits, int generator) {
@@ -50,7 +50,7 @@ int formatInformation(ErrorCorrection level, int mask) {
   return withCheckBits(levelBits[static_cast<int>(level)] << 3 | mask, 10, 0b10100110111) ^ 0b101010000010010;
 }
 
-/// Both copies, most significant bit first [ISO/IEC 18004, figure 25].
+/// Reads both copies, most significant bit first [ISO/IEC 18004, figure 25].
 std::pair<int, int> readFormatInformation(const Symbol& symbol) {
   const int n = symbol.size;
   int first = 0, second = 0;
@@ -83,7 +83,7 @@ bool maskInverts(int mask, int i, int j) {
   }
 }
 
-/// The codewords in the order they were placed: two columns at a time from the right, up and down in turn.
+/// Reads the codewords in placement order: two columns at a time from the right, alternately up and down.
 std::vector<int> readCodewords(const Symbol& symbol) {
   std::vector<int> codewords;
   int bits = 0, count = 0;
@@ -131,7 +131,7 @@ TEST(Symbol, GivesEveryRoleAsManyModulesAsTheStandard) {
     const Symbol symbol = encoded("x", {.version = version});
     const int n = 17 + 4 * version, a = alignmentPatternsPerSide(version);
     const int alignment = a == 0 ? 0 : 25 * (a * a - 3);
-    const int crossings = a < 3 ? 0 : 2 * (a - 2);  // alignment patterns that lie across a timing pattern
+    const int crossings = a < 3 ? 0 : 2 * (a - 2);  // alignment patterns that cross a timing pattern
     const int timing = 2 * (n - 16) - 5 * crossings;
     const int versionInformation = version < 7 ? 0 : 36;
     ASSERT_EQ(symbol.size, n);
@@ -177,7 +177,7 @@ TEST(Symbol, DrawsFindersSeparatorsAndTimingWhereTheStandardHasThem) {
       }
     }
     for (int i = 8; i < n - 8; ++i) {
-      // Alignment patterns that lie across are in step with the timing pattern.
+      // Alignment patterns that cross the timing pattern are in step with it.
       EXPECT_EQ(symbol.isDark(6, i), i % 2 == 0);
       EXPECT_EQ(symbol.isDark(i, 6), i % 2 == 0);
     }
@@ -255,7 +255,7 @@ TEST(Symbol, HoldsAsMuchAsTheStandardsLargest) {
 }
 
 TEST(Symbol, MixesModesWhereThatSavesAVersion) {
-  // 17 bytes fill 1-L; digits in numeric mode leave room for more.
+  // 17 bytes fill 1-L; digits in numeric mode take less room.
   EXPECT_EQ(encoded("ab0123456789012345678901", {.errorCorrection = ErrorCorrection::L}).version, 1);
 }
 

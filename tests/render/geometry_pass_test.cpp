@@ -44,15 +44,16 @@ TEST_F(GeometryPassTest, ASphereHasItsClosedFormDistancesAndNormals) {
       worstSmooth = std::max(worstSmooth, glm::length(Vec3(smooth[i], smooth[i + 1], smooth[i + 2]) - normal));
     }
   }
-  // An icosphere of level 6 has edges of 0.6 mm: its facets lie up to 0.6²/(8·30)·4/3 = 0.002 mm below the sphere, seen
-  // at 45° at the window's corners.
+  // An icosphere of level 6 has edges of 0.6 mm. Its facets lie up to 0.6²/(8·30)·4/3 = 0.002 mm below the sphere,
+  // and the eye sees them at 45° at the window's corners.
   EXPECT_LT(worstDistance, 0.005);
   EXPECT_LT(worstHeight, 0.005);
   EXPECT_LT(worstSmooth, 0.003);
 }
 
 TEST_F(GeometryPassTest, ASmallWindowOnALargeMeshMissesNoFacet) {
-  // Only clusters of facets near the window are drawn: a hole would show wherever one is left out in vain.
+  // The pass draws only clusters of facets near the window; wherever it wrongly left one out, the map would have a
+  // hole.
   const double radius = 30;
   const GpuMesh sphere = upload(shapes::icosphere(radius, 6));
   for (const Vec3 towards : {Vec3(1, 0, 0), Vec3(-0.3, 0.8, 0.2), Vec3(0.5, -0.5, -0.7), Vec3(0, -1, 0.1)}) {

@@ -12,7 +12,7 @@
 namespace qrelief {
 namespace {
 
-/// A carved flat plate seen from so far that the rays are parallel.
+/// Fixture with a carved flat plate, seen from so far away that the rays are parallel.
 class LuminancePassTest : public GlTest {
  protected:
   static constexpr double kFar = 20000;
@@ -33,7 +33,7 @@ class LuminancePassTest : public GlTest {
     pass_ = std::move(*pass);
   }
 
-  /// Depths of the cells whose middle satisfies `carved(x, y)`, mm from the map's middle.
+  /// Carves the cells whose middle, mm from the map's middle, satisfies `carved(x, y)`.
   template <class Predicate>
   void carve(double cellMm, double depth, Predicate carved) {
     std::vector<float> depths(static_cast<std::size_t>(cells_ * cells_), 0.0f);
@@ -73,7 +73,7 @@ TEST_F(LuminancePassTest, ATiltedPlaneSeenInPerspectiveSeesTheWholeSky) {
 }
 
 TEST_F(LuminancePassTest, ATrenchFloorSeesWhatTheClosedFormSays) {
-  // At x in an infinite trench between walls at ±w/2: V = (sin(atan((w/2 + x)/d)) + sin(atan((w/2 - x)/d))) / 2, whose
+  // At x in an infinite trench between walls at ±w/2, V = (sin(atan((w/2 + x)/d)) + sin(atan((w/2 - x)/d))) / 2. Its
   // integral over x is a difference of √(u² + d²).
   const double cell = 0.25, width = 8 * cell, depth = 1;
   makePass(cell, {.cellTexels = 4, .sampling = {4, 16}});
@@ -90,7 +90,7 @@ TEST_F(LuminancePassTest, ATrenchFloorSeesWhatTheClosedFormSays) {
 }
 
 TEST_F(LuminancePassTest, ACircularPitFloorSeesWhatTheClosedFormSays) {
-  // Middle of a pit of radius r and depth d: V = r² / (r² + d²). The pit of cells has the circle's area.
+  // The middle of a pit of radius r and depth d has V = r² / (r² + d²). The pit of cells has the circle's area.
   const double cell = 0.1, radius = 1.5, depth = 1.0;
   makePass(cell, {.cellTexels = 4, .sampling = {4, 16}});
   int carvedCells = 0;
@@ -155,7 +155,7 @@ TEST_F(LuminancePassTest, ALampAcrossATrenchLightsTheShareOfItsFloorThatTheRimLe
 }
 
 TEST_F(LuminancePassTest, APocketIsAsBrightAsPathTracingSays) {
-  // The rims lie on the mesh's grid, where the map has them; the walls lean inwards by one grid width.
+  // The rims lie on the mesh's grid, exactly where the map has them; the walls lean inwards by one grid width.
   const double grid = 0.04, half = 1, depth = 0.6, cell = half / 4;
   const Mesh carved = shapes::plate({40, 40}, 20, 1000, 1000, [&](double x, double y) {
     return std::max(std::abs(x), std::abs(y)) < half - grid / 2 ? -depth : 0.0;
@@ -165,7 +165,7 @@ TEST_F(LuminancePassTest, APocketIsAsBrightAsPathTracingSays) {
   std::vector<SeenCell> cells;
   for (int row = -4; row < 4; ++row)
     for (int column = -4; column < 4; ++column) {
-      // Without the foot of the walls.
+      // Leaves out the foot of the walls.
       const Vec2 min(column * cell, row * cell);
       cells.push_back({glm::max(min, Vec2(1.5 * grid - half)), glm::min(min + cell, Vec2(half - 1.5 * grid))});
     }
@@ -185,13 +185,14 @@ TEST_F(LuminancePassTest, APocketIsAsBrightAsPathTracingSays) {
       error += std::abs(luminance[at] - traced[i].luminance.mean) / 64;
     }
     EXPECT_LT(skyError, 0.015);
-    // Beside the walls of so wide a pit more is reflected than its floor's visibility tells: 0.05 too dark there.
+    // Near the walls of such a wide pit, more light is reflected than the floor's visibility predicts: the map is 0.05
+    // too dark there.
     EXPECT_LT(error, 0.045) << withLamp;
   }
 }
 
 TEST_F(LuminancePassTest, AWallBesideTheMapDimsWhatFacesItThroughTheSurroundings) {
-  // A wall of height h at distance x, infinitely long, beside an open plane: V = (1 + x / √(x² + h²)) / 2.
+  // A wall of height h at distance x, infinitely long, next to an open plane: V = (1 + x / √(x² + h²)) / 2.
   const double wallHeight = 10, distance = 12;
   const Mesh scene = shapes::together(shapes::translated(shapes::box({400, 400, 10}), {0, 0, -5}),
                                       shapes::translated(shapes::box({20, 400, wallHeight}), {distance + 10, 0, 5}));
@@ -215,7 +216,7 @@ TEST_F(LuminancePassTest, AWallBesideTheMapDimsWhatFacesItThroughTheSurroundings
 
 TEST_F(LuminancePassTest, ListedCellsGetWhatTheyGetAmongAll) {
   const double cell = 0.25;
-  cells_ = 75;  // no power of two: some renderers divide to few bits
+  cells_ = 75;  // not a power of two, because some renderers divide to few bits
   makePass(cell, {});
   const auto pits = [](double x, double y) { return std::abs(x) < 3 && std::abs(y) < 3 && std::sin(3 * x) > 0; };
   carve(cell, 0.6, pits);

@@ -65,7 +65,7 @@ TEST(ViewPyramid, MeetsEveryBoxThatHoldsAPointSeenThroughTheSquare) {
     }
   }
   EXPECT_GT(met, 200);
-  EXPECT_GT(left, 15000);  // most boxes lie elsewhere, and most of these are told
+  EXPECT_GT(left, 15000);  // most boxes lie elsewhere, and the pyramid excludes most of them
 }
 
 TEST(ViewPyramid, LeavesOutWhatIsBehindTheEye) {

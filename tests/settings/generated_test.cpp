@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is generated from the table of settings and committed is what would be written now.
+// Checks that the committed generated files equal what the table of settings would generate now.
 #include <fstream>
 #include <gtest/gtest.h>
 #include <iterator>

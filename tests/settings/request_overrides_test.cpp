@@ -29,18 +29,18 @@ TEST(Tunables, EachHasANameOfItsOwnAndGroupsStandTogether) {
   }
 }
 
-/// A request in which every number that stands beside choices counts.
+/// Returns a request in which every setting with choices or a number uses its number.
 EngraveRequest withNumbers() {
   EngraveRequest request = defaultRequest();
   findSetting("size")->write(request, 35.0);
   findSetting("mask")->write(request, 3.0);
-  findSetting("contrast")->write(request, 0.25);  // else it follows the preset
+  findSetting("contrast")->write(request, 0.25);  // otherwise it follows the preset
   return request;
 }
 
 bool areOfOneSetting(const Tunable& a, const Tunable& b) {
   const auto isLevel = [](const Tunable& tunable) { return tunable.key == "ecc" || tunable.key == "raiseEcc"; };
-  return a.setting == b.setting || (isLevel(a) && isLevel(b));  // a level asked for by name is not raised
+  return a.setting == b.setting || (isLevel(a) && isLevel(b));  // a level requested by name is not raised
 }
 
 TEST(Tunables, EachReadsBackWhatItWroteAndChangesNoOtherSetting) {
@@ -49,7 +49,7 @@ TEST(Tunables, EachReadsBackWhatItWroteAndChangesNoOtherSetting) {
     EngraveRequest request = before;
     const double value = written.read(request) == written.min ? written.max : written.min;
     const Setting* setting = findSetting(written.key);
-    if (setting && setting->takesVector() && value == written.max) continue;  // a vector cannot be chosen
+    if (setting && setting->takesVector() && value == written.max) continue;  // a vector is not one of the choices
     written.write(request, value);
     EXPECT_NEAR(written.read(request), value, 1e-5 * std::abs(value)) << written.key;
     for (const Tunable& other : tunables()) {

@@ -66,7 +66,7 @@ TEST(SettingJson, WhatIsMissingOrNullHasItsDefault) {
   EXPECT_EQ(request->contrast, std::nullopt);
 }
 
-/// Requests in which every setting is another than by default, and takes each kind of value that it takes.
+/// Returns requests in which every setting differs from its default, covering each kind of value that it takes.
 std::vector<EngraveRequest> unusualRequests() {
   std::vector<EngraveRequest> all(3, defaultRequest());
   for (const Setting& setting : settings()) {

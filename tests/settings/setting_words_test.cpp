@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// What lacks words in a language, by name.
+/// Returns the names of texts that lack words in a language.
 std::vector<std::string> unsaid(const std::string& what, const Json& words) {
   std::vector<std::string> missing;
   for (const char* language : {"en", "de"})

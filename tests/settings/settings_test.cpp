@@ -15,10 +15,10 @@ using testing::HasSubstr;
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-/// The code of what is wrong with the default request with this value; empty if nothing is.
+/// Returns the error code of the default request with this value; empty if it is valid.
 std::string codeOf(const Setting& setting, const SettingValue& value) {
   EngraveRequest request = defaultRequest();
-  request.process.reset();  // whether there can be such a printer is another question
+  request.process.reset();  // the printer's own limits are not under test
   setting.write(request, value);
   const Status checked = checkSettings(request);
   return checked ? "" : checked.error().message.code;
@@ -40,7 +40,7 @@ TEST(SettingsTable, EveryKeyIsThereOnceAndGroupsStandTogether) {
 
 TEST(SettingsTable, AKeySaysTheUnit) {
   for (const Setting& setting : settings()) {
-    if (setting.kind != Setting::Kind::Number) continue;  // a choice or a number is asked for by what it is
+    if (setting.kind != Setting::Kind::Number) continue;  // a choice's key names no unit
     EXPECT_EQ(setting.key.ends_with("Mm"), setting.unit == Setting::Unit::Millimetre) << setting.key;
     EXPECT_EQ(setting.key.ends_with("Deg"), setting.unit == Setting::Unit::Degree) << setting.key;
     EXPECT_EQ(setting.key.ends_with("Modules"), setting.unit == Setting::Unit::Module) << setting.key;

@@ -36,7 +36,7 @@ TEST_F(Groove2018, LoneModuleEndsObscureEnoughAndSmooth) {
   ASSERT_TRUE(code.has_value());
   EXPECT_EQ(code->limited, 0u);
   for (const double obscurance : code->ownEstimate) EXPECT_LE(obscurance, 1 - options.contrast);
-  // Deepest in the middle; the light neighbour beside it is carved a little.
+  // The groove is deepest in the middle; the adjacent light module is carved a little.
   const std::vector<std::uint32_t> carved = carvedOf(mask);
   const auto depth = [&](std::uint32_t i) { return code->depths.depthMm[i]; };
   EXPECT_GT(depth(carved[12]), depth(carved[10]));

@@ -22,8 +22,8 @@ TEST_F(OneLight2020, GreyLevelsAreThoseOfTheFit) {
   EXPECT_EQ(oneLightGrey(0, 0), 21);
 }
 
-/// With the lamp on the left, a point lies in the shadow of the rim, or of a step further left, that stands higher over
-/// it than the distance times the tangent of the lamp's elevation.
+/// With the lamp on the left, a point is shaded if the rim, or a step further left, rises above it by more than their
+/// distance times the tangent of the lamp's elevation.
 TEST_F(OneLight2020, LoneModuleIsAsDeepAsItsShadowIsLong) {
   const Spot spot = plateSpot(2);
   const Symbol symbol = withOneDarkModule(spot);

@@ -22,8 +22,8 @@ TEST_F(SelfShadow2019, GreyLevelsAreThoseOfTheFit) {
   EXPECT_EQ(selfShadowGrey(0), 0);
 }
 
-/// A pit as wide as it is long, seen from the middle of its floor: a share F of the sky [view factor of a rectangle] in
-/// a solid angle A.
+/// Returns the visibility from the middle of the floor of a pit as wide as it is long: a share F of the sky [view
+/// factor of a rectangle] in a solid angle A.
 double pitVisibility(double halfWidthMm, double depthMm) {
   const double x = halfWidthMm / depthMm, s = x / std::sqrt(1 + x * x);
   const double share = 4 / std::numbers::pi * s * std::atan(s), angle = 4 * std::asin(x * x / (1 + x * x));
@@ -49,7 +49,7 @@ TEST_F(SelfShadow2019, LonePitIsAsDeepAsItsGreySays) {
   EXPECT_NEAR(code->ownEstimate[0], pitVisibility(spot.submoduleMm() / 2, code->depths.depthMm[middle]), 0.004);
 }
 
-/// Mean steps of the modules that a condition holds for.
+/// Returns the mean number of steps of the modules for which a condition holds.
 template <class Condition>
 double meanSteps(const CarvedCode& code, double stepMm, const Condition& condition) {
   double sum = 0;
@@ -64,9 +64,9 @@ double meanSteps(const CarvedCode& code, double stepMm, const Condition& conditi
   return count > 0 ? sum / count : std::nan("");
 }
 
-/// Against the authors' logged run of June 2017: version 2, 7750 dark submodules, steps a submodule: mean 7.02, 90 % up
-/// to 10, at most 16; a finder's ring 7 to 10, its core 6 to 9, lone modules 3 to 4; 18 passes. The ring takes 6.2
-/// steps here: self_shadow_2019.h says why.
+/// Compares with the authors' logged run of June 2017: version 2, 7750 dark submodules, 18 passes. Steps per submodule:
+/// mean 7.02, 90 % up to 10, at most 16. A finder pattern's ring took 7 to 10 steps, its core 6 to 9, lone modules 3 to
+/// 4. The ring takes 6.2 steps here: self_shadow_2019.h says why.
 TEST_F(SelfShadow2019, StepsOnAPlateAreThoseOfTheAuthorsLog) {
   const Spot spot = plateSpot(2);
   const SubmoduleMask mask = submodulesToCarve(spot.symbol, ModulePattern::None, FinderPattern::None);

@@ -7,7 +7,7 @@
 
 namespace qrelief::study {
 
-/// Tests of methods on a plate, 70 × 70 mm and so thick that no wall is in the way; modules of 1.2 mm.
+/// Fixture with a plate of 70 × 70 mm, too thick for walls to limit depths; modules of 1.2 mm.
 class PlateTest : public GlTest {
  protected:
   static Spot plateSpot(int version) {
@@ -25,7 +25,7 @@ class PlateTest : public GlTest {
     return std::move(*spot);
   }
 
-  /// The spot's symbol with all modules light but one of data, the middle one.
+  /// Returns the spot's symbol as data modules only, all light except the middle one.
   static Symbol withOneDarkModule(const Spot& spot) {
     Symbol symbol = spot.symbol;
     symbol.dark.assign(symbol.dark.size(), 0);

@@ -10,7 +10,7 @@
 namespace qrelief::study {
 namespace {
 
-/// Modules from rows of '#' and '.', all of data.
+/// Returns a symbol of data modules from rows of '#' and '.'.
 Symbol drawn(const std::vector<std::string>& rows) {
   Symbol symbol;
   symbol.size = static_cast<int>(rows.size());
@@ -31,12 +31,12 @@ TEST(SymbolFlips2019, VisibleAreaIsWhatTheDarkAreaShowsOfItself) {
   EXPECT_NEAR(visibleArea2019(drawn({"...", ".#.", "..."}), 1, 1), 1, 0.001);
   EXPECT_NEAR(visibleArea2019(drawn({"...", "##.", "..."}), 1, 0), 2, 0.001);
   EXPECT_NEAR(visibleArea2019(drawn({"###", "###", "###"}), 1, 1), 9, 0.01);
-  // Round the corner of an L the last module is half hidden: the ray from (0.5, 0.5) past (1, 1) meets x + y = 2.
+  // Around the corner of an L the last module is half hidden: the ray from (0.5, 0.5) past (1, 1) meets x + y = 2.
   EXPECT_NEAR(visibleArea2019(drawn({"##.", ".#.", "..."}), 0, 0), 2.5, 0.001);
 }
 
 TEST(SymbolFlips2019, BudgetIsHalfOfWhatLevelHHasMoreThanLevelL) {
-  // Version 3: H has 2 blocks of 22 check codewords, L one of 15.
+  // In version 3, H has 2 blocks of 22 check codewords, L one of 15.
   EXPECT_EQ(flipBudget2019(levelH()), (2 * 22 - 15) / 2 / 2);
   SymbolOptions options;
   options.version = 3;

@@ -17,7 +17,7 @@ using testing::ElementsAre;
 using testing::IsNull;
 using testing::Pointee;
 
-/// Two models by two levels, and a folder that goes when the test ends.
+/// Fixture with an experiment of two models by two levels, and a folder that is deleted when the test ends.
 class StudyTable : public testing::Test {
  protected:
   void SetUp() override { fs::create_directories(folder_); }
@@ -91,7 +91,7 @@ TEST(Study, CasesAreNamedOnceAndHaveAllKeys) {
   }
 }
 
-/// A table that is kept is of the experiment as it stands: its columns, none but its cases.
+/// Checks that committed tables match the current experiments: their columns, and no cases but theirs.
 TEST(Study, KeptTablesHaveAllCasesByThisProgram) {
   const fs::path results = fs::path(QRELIEF_SOURCE_DIR) / "study" / "results";
   int kept = 0;

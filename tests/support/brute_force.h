@@ -7,7 +7,7 @@
 #include "math/frame.h"
 #include "mesh/topology.h"
 
-/// Slow and plain: what faster code is held against.
+/// Slow and simple references that faster code is compared with.
 namespace qrelief::brute_force {
 
 struct Hit {
@@ -15,10 +15,10 @@ struct Hit {
   double distance = std::numeric_limits<double>::infinity();
 };
 
-/// First facet that a ray meets, by all triangles in turn.
+/// Finds the first facet that a ray meets by testing all triangles in turn.
 /// @param direction  unit
 inline Hit castRay(const Mesh& mesh, Vec3 origin, Vec3 direction) {
-  constexpr double kSlack = 1e-12;  // edges belong to both sides
+  constexpr double kSlack = 1e-12;  // an edge belongs to both its triangles
   Hit first;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     const Vec3 a = mesh.corner(t, 0);
@@ -35,20 +35,20 @@ inline Hit castRay(const Mesh& mesh, Vec3 origin, Vec3 direction) {
   return first;
 }
 
-/// A frame about the point where a ray meets the mesh, and the facet there.
+/// Frame at the point where a ray meets the mesh, and the facet there.
 struct Spot {
   ProjectionFrame frame;
   std::uint32_t seed = kNoTriangle;
 };
 
-/// Looks from `from` along `direction` for the centre; the frame's normal is `normal`.
+/// Casts a ray from `from` along `direction` to find the centre; `normal` becomes the frame's normal.
 inline Spot spotSeen(const Mesh& mesh, Vec3 from, Vec3 direction, Vec3 normal, Vec3 up, double eyeDistance = 250) {
   const Vec3 unit = glm::normalize(direction);
   const Hit hit = castRay(mesh, from, unit);
   return {makeFrame(from + unit * hit.distance, normal, up, eyeDistance), hit.triangle};
 }
 
-/// Distance of a point from a facet, by the nearest of its inner region, sides and corners.
+/// Returns a point's distance from a facet: from its inside, its sides or its corners, whichever is nearest.
 inline double distanceToFacet(Vec3 p, Vec3 a, Vec3 b, Vec3 c) {
   const auto toSegment = [p](Vec3 from, Vec3 to) {
     const Vec3 along = to - from;

@@ -10,8 +10,8 @@
 
 namespace qrelief {
 
-/// Where a generated case takes its decisions from: the random numbers of a seed, or a fuzzer's bytes. Two bytes a
-/// decision; when they have run out, every decision is the first or lowest one.
+/// Source of a generated case's decisions: the random numbers of a seed, or a fuzzer's bytes. Each decision takes two
+/// bytes. Once the bytes have run out, every decision is the first or lowest one.
 class Choices {
  public:
   explicit Choices(std::uint64_t seed) : random_(Random(seed)) {}
@@ -22,7 +22,7 @@ class Choices {
     if (random_) return static_cast<std::uint32_t>(random_->below(bound));
     return twoBytes() % bound;
   }
-  /// In [low, high].
+  /// Returns a number in [low, high].
   int between(int low, int high) { return low + static_cast<int>(below(static_cast<std::uint32_t>(high - low + 1))); }
   double between(double low, double high) {
     return low + (high - low) * (random_ ? random_->uniform() : twoBytes() / 65535.0);

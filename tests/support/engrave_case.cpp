@@ -8,8 +8,8 @@
 
 #include "support/shapes.h"
 
-// Every decision stands in a statement of its own: C++ leaves the order of arguments and operands open, and a seed
-// shall mean the same with every compiler.
+// Every decision has its own statement: C++ leaves the evaluation order of arguments and operands open, and a seed must
+// mean the same with every compiler.
 namespace qrelief {
 namespace {
 
@@ -30,7 +30,7 @@ Mesh bumpy(Choices& choices) {
   return shapes::bumpySphere(radius, amplitude, waves, choices.between(3, 4));
 }
 
-/// Star-shaped whatever the numbers are, so it never crosses itself.
+/// Returns a sphere with random radii. It is star-shaped for any numbers, so it never crosses itself.
 Mesh noisy(Choices& choices) {
   const int level = choices.between(2, 4);
   const double radius = choices.between(15.0, 60.0), share = choices.between(0.002, 0.24 / (1 << level));
@@ -68,7 +68,7 @@ Mesh thinPlate(Choices& choices) {
   return shapes::plate({edge, edge}, thickness, columns, choices.between(1, 12));
 }
 
-/// Steep steps: creases, and parts that lean over the plane of a tilted code.
+/// Returns steep steps: creases, and parts that lean over the plane of a tilted code.
 Mesh terraces(Choices& choices) {
   const double edge = choices.between(40.0, 90.0), step = choices.between(0.2, 8.0);
   const double wide = choices.between(5.0, 30.0), thickness = choices.between(3.0, 20.0);
@@ -77,7 +77,7 @@ Mesh terraces(Choices& choices) {
                        [=](double x, double) { return step * std::floor(std::abs(x) / wide); });
 }
 
-/// Grid lines in pairs that lie hardly apart: needles all over.
+/// Returns a plate whose grid lines lie in close pairs: needles everywhere.
 Mesh slivers(Choices& choices) {
   const double edge = choices.between(30.0, 90.0), gap = std::pow(10.0, choices.between(-5.0, -1.0));
   const double thickness = choices.between(3.0, 20.0);
@@ -113,7 +113,7 @@ Mesh cavities(Choices& choices) {
   return mesh;
 }
 
-/// Two bodies beside one another, hardly or far apart, one perhaps in front of the other.
+/// Returns two bodies next to each other, close or far apart, one perhaps in front of the other.
 Mesh severalShells(Choices& choices) {
   const double first = choices.between(20.0, 50.0), second = choices.between(5.0, 50.0);
   const Vec3 offset{(first + second) / 2 + choices.between(0.05, 10.0), choices.between(-10.0, 10.0),
@@ -128,7 +128,7 @@ Mesh overlapping(Choices& choices) {
   return shapes::together(shapes::icosphere(radius, 3), shapes::translated(shapes::icosphere(other, 3), {away, 0, 0}));
 }
 
-/// Deep dents, where the body hides parts of itself; star-shaped.
+/// Returns a star-shaped body with deep dents, where it hides parts of itself.
 Mesh dented(Choices& choices) {
   Mesh mesh = shapes::icosphere(1, 4);
   const double radius = choices.between(20.0, 50.0), dent = choices.between(0.2, 0.7);
@@ -177,7 +177,7 @@ Vec3 unitVector(Choices& choices) {
   return {across * std::cos(angle), across * std::sin(angle), z};
 }
 
-/// Turned about any axis and moved, now and then far enough to coarsen the coordinates.
+/// Turns the mesh about any axis and moves it, sometimes far enough to coarsen the coordinates.
 Mesh moved(Mesh mesh, Choices& choices) {
   if (choices.oneIn(2)) return mesh;
   const Vec3 axis = unitVector(choices);
@@ -279,7 +279,7 @@ EngraveCase makeEngraveCase(Choices& choices) {
   if (choices.oneIn(6)) request.symbol.version = choices.between(1, 5);
   request.modulePattern = choices.of(kModulePatterns);
   request.finderPattern = choices.of(kFinderPatterns);
-  // Rather less than the default, as each step of the depth search costs more than all the rest.
+  // The contrast is mostly below the default, because each step of the depth search costs more than all the rest.
   request.contrast = choices.oneIn(6) ? choices.between(0.2, 0.5) : choices.between(0.02, 0.15);
   if (choices.oneIn(3)) request.maxDepthMm = choices.between(0.1, 3.0);
   if (choices.oneIn(2)) request.minWallMm = choices.between(0.0, 3.0);

@@ -8,19 +8,19 @@
 
 namespace qrelief {
 
-/// A made-up model and what is asked of it.
+/// Generated model and the request for it.
 struct EngraveCase {
   std::string shape;  ///< "torus"
   Mesh mesh;
   EngraveRequest request;
 
-  /// In one line, for reports.
+  /// Describes the case in one line, for reports.
   std::string describe() const;
 };
 
-/// Solids round, saddled, boxy, thin, hollow, noisy, coarse, with slivers, in several shells, a few of them with a
-/// hole; turned and moved; and requests of every kind, centres exactly on vertices and edges included. Everything a
-/// user may ask for is asked for, so some requests have no solution.
+/// Generates a solid and a request. Solids are round, saddled, boxy, thin, hollow, noisy, coarse, full of slivers or
+/// made of several shells; a few have a hole; they are rotated and moved. Requests cover every setting, with centres
+/// exactly on vertices and edges included, so some have no solution.
 EngraveCase makeEngraveCase(Choices& choices);
 
 }  // namespace qrelief

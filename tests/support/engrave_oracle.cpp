@@ -25,7 +25,7 @@ namespace qrelief {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kDeepestMm = 2;  // of depths that are made up
+constexpr double kDeepestMm = 2;  // limit of the made-up depths
 
 double outerFactor(const PlacementRequest& place, int modules) {
   return place.quietZone ? (modules + 2.0 * kQuietZoneModules) / modules : 1.0;
@@ -36,24 +36,25 @@ bool warnedOf(const PreparedModel& prepared, std::string_view code) {
                      [&](const Finding& finding) { return finding.message.code == code; });
 }
 
-/// Plane point k of an even sequence inside a submodule, at least a quarter of it from its rim, where outlines may lie.
+/// Returns plane point k of an even sequence inside a submodule, at least a quarter of the submodule away from its rim,
+/// where outlines may lie.
 Vec2 pointOf(const DepthField& field, int row, int column, int k) {
   const Vec2 place(std::fmod(0.47 + 0.7548776662466927 * k, 1.0), std::fmod(0.58 + 0.5698402909980532 * k, 1.0));
   const Vec2 inside = (place * 0.46 + 0.27) * field.submoduleMm();
   return field.corner(row, column) + Vec2(inside.x, -inside.y);
 }
 
-// ---- How far the surface is seen in one piece ----
+// ---- Extent of the surface visible in one piece ----
 
-/// What rays say about a centre: the largest code about it that none of them contradicts.
+/// Largest code about a centre that no ray contradicts.
 struct Reach {
   double freeMm = std::numeric_limits<double>::infinity();      ///< at any rotation
   double orientedMm = std::numeric_limits<double>::infinity();  ///< at the frame's rotation
-  std::vector<std::uint32_t> facets;                            ///< that rays met on the way, ascending
+  std::vector<std::uint32_t> facets;                            ///< facets that rays met on the way, ascending
 };
 
 /// Walks outwards from the centre in `ways` directions by `steps` steps until a ray misses the model or steps to
-/// another part of it. Finds no gap that is narrower than the steps, so what it says is an upper bound.
+/// another part of it. Misses gaps narrower than the steps, so its result is an upper bound.
 Reach walkOutwards(const Mesh& mesh, const ProjectionFrame& frame, double squareMm, int ways, int steps) {
   const double reach = squareMm / 2;
   const PlaneCaster caster(mesh, frame, 1.01 * reach);
@@ -69,7 +70,7 @@ Reach walkOutwards(const Mesh& mesh, const ProjectionFrame& frame, double square
   }
   std::set<std::uint32_t> met{centre->triangle};
   for (int way = 0; way < ways; ++way) {
-    // Towards points of the square's rim, with a small turn so that no way runs along the model's own axes.
+    // The directions lead to points of the square's rim, slightly rotated so that none runs along the model's own axes.
     const double angle = 2 * kPi * (way + 0.377) / ways;
     const Vec2 unit(std::cos(angle), std::sin(angle));
     const Vec2 rim = unit * (reach / std::max(std::abs(unit.x), std::abs(unit.y)));
@@ -101,7 +102,7 @@ std::string solidFault(const EngravableModel& model, const EngraveResult& result
   if (carved.triangles.size() - made.size() != result.keptTriangles)
     return fmt::format("{} facets are said to be kept, {} are", result.keptTriangles,
                        carved.triangles.size() - made.size());
-  if (warnedOf(model.prepared, "self-intersections")) return {};  // inherited ones cannot be told from new ones
+  if (warnedOf(model.prepared, "self-intersections")) return {};  // inherited crossings look like new ones
   if (const std::size_t crossings = countCrossings(carved, made); crossings > 0)
     return fmt::format("{} pairs of triangles cross", crossings);
   if (!result.solidity.solid())
@@ -109,7 +110,7 @@ std::string solidFault(const EngravableModel& model, const EngraveResult& result
   return {};
 }
 
-/// Facets that face away or whose images stay clear of the code must be there still.
+/// Checks that facets that face away, or whose images stay clear of the code, still exist.
 std::string untouchedFault(const EngravableModel& model, const EngraveResult& result, const Mesh& carved) {
   const Mesh& before = model.prepared.mesh;
   const ProjectionFrame& frame = result.placement.frame;
@@ -132,7 +133,7 @@ std::string untouchedFault(const EngravableModel& model, const EngraveResult& re
 std::string depthFault(const PlaneCaster& before, const PlaneCaster& after, const EngraveResult& result) {
   const DepthField& field = result.depths;
   constexpr int kSamples = 1500;
-  // Outlines give way to the model's corners by so much: a floor that they end on a crease follows it that far beside.
+  // Outlines shift by this much towards the model's corners; a floor that ends on a crease follows it that far.
   const double tolerance = EmbedOptions().snapMm;
   Random random(static_cast<std::uint64_t>(field.size));
   for (int k = 0; k < kSamples; ++k) {
@@ -152,7 +153,7 @@ std::string volumeFault(const PlaneCaster& before, const EngravableModel& model,
   const double lost = signedVolume(model.prepared.mesh) - signedVolume(carved);
   const double pockets =
       oracle::pocketVolume(result.placement.frame, result.depths, [&](Vec2 p) { return before.distance(p); });
-  // Outlines lie a little beside the grid's lines, as far as an eighth of a submodule where the model is dense.
+  // Outlines lie slightly off the grid's lines, up to an eighth of a submodule where the model is dense.
   const double share = std::min(0.02, result.depths.submoduleMm() / 20) * oracle::wallArea(result.depths);
   if (!(lost > 0)) return fmt::format("the volume grew by {:.4g} mm3", -lost);
   if (std::abs(lost - pockets) > share + 0.03 * pockets)
@@ -160,8 +161,8 @@ std::string volumeFault(const PlaneCaster& before, const EngravableModel& model,
   return {};
 }
 
-/// Facets that a floor must keep away from: those that face away, and those that face the eye but do not belong to the
-/// visible patch, as far as the patch says anything about the place.
+/// Returns the facets that a floor must keep away from: facets that face away, and facets near the code that face the
+/// eye but do not belong to the visible patch.
 std::vector<std::uint32_t> wallFacets(const Mesh& mesh, const Placement& placement) {
   const ProjectionFrame& frame = placement.frame;
   std::vector<std::uint32_t> walls;
@@ -222,7 +223,7 @@ OracleVerdict judgeSolid(const EngraveCase& made, const EngravableModel& model, 
   std::string fault = solidFault(model, result, carved);
   if (fault.empty()) fault = untouchedFault(model, result, carved);
   if (fault.empty()) fault = seenFault(made, model, result);
-  // A resampled surface is another than the model's, so depths cannot be measured from that.
+  // A resampled surface differs from the model's, so depths cannot be measured from the model.
   const bool isPreserved = made.request.surface == SurfaceMode::Preserved;
   if (fault.empty() && isPreserved) fault = depthFault(before, after, result);
   if (fault.empty() && isPreserved) fault = volumeFault(before, model, result, carved);
@@ -232,7 +233,7 @@ OracleVerdict judgeSolid(const EngraveCase& made, const EngravableModel& model, 
 
 // ---- Refusals ----
 
-/// The placement search by itself: where it ended, and every direction it looked from.
+/// Result of the placement search alone: its placement, and every direction it looked from.
 struct Search {
   Placement placement;
   std::vector<ProjectionFrame> frames;
@@ -249,7 +250,7 @@ ProjectionFrame frameOf(const PlacementRequest& place, Vec3 centre, Vec3 normal)
 
 Search repeatSearch(const EngraveCase& made, const EngravableModel& model, int modules) {
   const PlacementRequest& place = made.request.placement;
-  // Without a search for the direction nothing is rendered.
+  // Without a direction search nothing is rendered.
   const Result<GeometryPass> pass = place.direction ? GeometryPass() : GeometryPass::create();
   Search repeated;
   if (!pass) return repeated;
@@ -268,13 +269,13 @@ Search repeatSearch(const EngraveCase& made, const EngravableModel& model, int m
   return repeated;
 }
 
-/// True of every direction that was looked from: from there, a code of `symbolMm` is broken.
+/// Checks that from every direction the search looked from, the silhouette breaks a code of `symbolMm`.
 std::string fitFault(const EngraveCase& made, const EngravableModel& model, const Search& search, int modules,
                      double symbolMm) {
   const double square = symbolMm * roomFactor(modules, made.request.placement.quietZone);
   const bool anyRotation = made.request.placement.sizeMode == SizeMode::Free;
   for (const ProjectionFrame& frame : search.frames) {
-    // At any rotation the square's corners sweep a disc, which a larger square holds.
+    // Over all rotations the square's corners sweep a disc; a larger square encloses it.
     const double looked = square * (anyRotation ? std::numbers::sqrt2 : 1.0);
     const Reach reach = walkOutwards(model.prepared.mesh, frame, looked, 720, 200);
     const double largest = anyRotation ? reach.freeMm : reach.orientedMm;
@@ -305,7 +306,7 @@ std::string thinFault(const EngraveCase& made, const EngravableModel& model, con
   return {};
 }
 
-/// Facets that hold the centre: several if it lies on an edge or vertex.
+/// Returns the facets that hold the centre: several if it lies on an edge or vertex.
 std::vector<std::uint32_t> facetsAt(const Mesh& mesh, Vec3 centre) {
   std::vector<std::uint32_t> facets;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
@@ -314,7 +315,7 @@ std::vector<std::uint32_t> facetsAt(const Mesh& mesh, Vec3 centre) {
   return facets;
 }
 
-/// One that does is enough: then the silhouette runs through the centre.
+/// Returns true if any facet at the centre faces away: then the silhouette runs through the centre.
 bool facesAway(const Mesh& mesh, const ProjectionFrame& frame) {
   const std::vector<std::uint32_t> facets = facetsAt(mesh, frame.centre);
   return std::any_of(facets.begin(), facets.end(), [&](std::uint32_t t) {
@@ -335,7 +336,7 @@ bool reachesBehindEye(const Mesh& mesh, const ProjectionFrame& frame) {
   });
 }
 
-/// A reason that is true of one direction that was looked from, at least.
+/// Checks that the reason is true of at least one direction that the search looked from.
 std::string reasonFault(const EngravableModel& model, const Search& search, const char* reason,
                         bool (*isTrue)(const Mesh&, const ProjectionFrame&)) {
   const bool any = std::any_of(search.frames.begin(), search.frames.end(),
@@ -343,7 +344,7 @@ std::string reasonFault(const EngravableModel& model, const Search& search, cons
   return any ? "" : fmt::format("from no direction that was looked from {}", reason);
 }
 
-/// Facets only a few dozen float steps wide, where the code is.
+/// Checks that the code's area has facets only a few dozen float steps wide.
 std::string fineFault(const EngravableModel& model, const Search& search) {
   const Mesh& mesh = model.prepared.mesh;
   const Box3 box = boundingBox(mesh);
@@ -357,7 +358,8 @@ std::string fineFault(const EngravableModel& model, const Search& search) {
   return "no facet there is finer than 100 steps of a float";
 }
 
-/// The diagonal of the smallest code, against the model's, seen from the eye as large as its nearest point may be.
+/// Compares the diagonal of the smallest code with the model's, seen from the eye as large as its nearest point may
+/// appear.
 std::string smallFault(const EngraveCase& made, const EngravableModel& model, int modules) {
   const double diagonal = boundingBox(model.prepared.mesh).diagonal();
   const PlacementRequest& place = made.request.placement;
@@ -379,7 +381,7 @@ OracleVerdict judgeNoSolution(const EngraveCase& made, const EngravableModel& mo
     const double asked = place.sizeMode == SizeMode::Fixed ? place.sizeMm : place.maxSizeMm;
     return {"asks for a tiny code", asked < 0.2 * symbol->size ? "" : "the modules would be wide enough"};
   }
-  if (says("modules-too-small-here"))  // its modules would be narrower than 0.2 mm
+  if (says("modules-too-small-here"))  // the modules would be narrower than 0.2 mm
     return {"fits a tiny code only", fitFault(made, model, search, symbol->size, 0.2 * symbol->size)};
   if (says("centre-faces-away")) return {"faces away", reasonFault(model, search, "the centre faces away", facesAway)};
   if (says("centre-hidden")) return {"hidden", reasonFault(model, search, "anything is before the centre", isHidden)};
@@ -390,7 +392,7 @@ OracleVerdict judgeNoSolution(const EngraveCase& made, const EngravableModel& mo
   return {"no solution", "a reason that nobody checks: " + sentence(error.message)};
 }
 
-/// Bytes that a symbol of version 1 to 5 holds in byte mode [ISO/IEC 18004, table 7].
+/// Capacity, bytes, of a symbol of version 1 to 5 in byte mode [ISO/IEC 18004, table 7].
 constexpr std::array<std::array<std::size_t, 4>, 5> kByteCapacity = {
     {{17, 14, 11, 7}, {32, 26, 20, 14}, {53, 42, 32, 24}, {78, 62, 46, 34}, {106, 84, 60, 44}}};
 
@@ -406,7 +408,8 @@ OracleVerdict judgeBadInput(const EngraveCase& made, const EngravableModel& mode
   return {"text too long", tooLong ? "" : "the text fits: " + sentence(error.message)};
 }
 
-/// Uneven depths for the submodules of a mask: a level a module, or one a submodule, or all the same.
+/// Makes up uneven depths for the submodules of a mask: one level per module, one per submodule, or the same
+/// everywhere.
 std::vector<double> madeUpDepths(const SubmoduleMask& mask, std::span<const double> limits, Choices& choices) {
   const int grain = choices.of(std::array{kSubmodulesPerModule, 1, mask.size});
   const int perEdge = (mask.size + grain - 1) / grain;
@@ -426,7 +429,7 @@ std::vector<double> madeUpDepths(const SubmoduleMask& mask, std::span<const doub
   return depths;
 }
 
-/// Depths, embedding and the file for a placement that was found.
+/// Makes depths, embedding and the file for a placement.
 Result<EngraveResult> carve(const EngraveCase& made, const EngravableModel& model, Placement placement,
                             const Symbol& symbol, Choices& choices) {
   const Mesh& mesh = model.prepared.mesh;

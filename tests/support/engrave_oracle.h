@@ -7,30 +7,30 @@
 
 namespace qrelief {
 
-/// How a case ended, and whether it may end so.
+/// Outcome of a case, and the oracle's verdict on it.
 struct OracleVerdict {
-  std::string kind;   ///< "solid", or what was refused: "does not fit", "hidden", ...
-  std::string fault;  ///< what is wrong about it, in words; empty if it is as it must be
+  std::string kind;   ///< "solid", or the reason for a refusal: "does not fit", "hidden", ...
+  std::string fault;  ///< description of the fault; empty if the outcome is correct
 };
 
-/// Judges the outcome of a case by means of its own. A solid must be
-///   - closed, manifold, oriented, without triangles that have no area or that cross others, once read back from the
-///     very bytes of the STL file; and the job must say so, too;
-///   - the model's facets bit for bit, except for those that come within a submodule of the code;
-///   - at every point looked at, as much deeper than the model as the depth field says, and so smaller by the sum of
-///     the pockets' volumes (surface mode "preserved");
-///   - at least `minWallMm` thick behind and beside the floors looked at;
-///   - of a code that is seen as a whole: no ray through its square misses the model or steps to another part of it.
-/// A refusal must be typed and its reason true: a code that does not fit is crossed by the silhouette, as rays tell, or
-/// needs a facet that lies partly behind another that is seen, or before it; a hidden centre has something before it; a
-/// wall is too thin where its distance is measured; a model that is not closed has an open edge; a text that is too
-/// long has more bytes than the standard's table allows.
+/// Judges the outcome of a case without using the code under test. A solid must
+///   - be closed, manifold and oriented, without triangles that have no area or cross others, once read back from the
+///     bytes of the STL file; the job must agree;
+///   - keep the model's facets bit for bit, except those within a submodule of the code;
+///   - be deeper than the model by the depth field's value at every sampled point, and smaller by the sum of the
+///     pockets' volumes (surface mode "preserved");
+///   - keep at least `minWallMm` of material behind and beside each sampled floor point;
+///   - show the code as a whole: no ray through its square misses the model or steps to another part of it.
+/// A refusal must be typed and its reason true. If a code does not fit, rays find the silhouette crossing it, or it
+/// needs a facet that lies partly behind or in front of another visible facet. If a centre is hidden, something lies in
+/// front of it. If a wall is too thin, so is its measured distance. If a model is not closed, it has an open edge. If a
+/// text is too long, it has more bytes than the standard's table allows.
 OracleVerdict judge(const EngraveCase& made, const EngravableModel& model, const Result<EngraveResult>& result);
 
 /// Prepares, engraves and judges. Needs a GL context.
 OracleVerdict runEngraveCase(const EngraveCase& made);
 
-/// The same without rendering, many times as fast: the direction is the one asked for or the facet's normal, and the
+/// Does the same without rendering, many times faster. The direction is the requested one or the facet's normal; the
 /// depths are made up, as deep and as uneven as the walls allow.
 OracleVerdict runCarvingCase(const EngraveCase& made, Choices& choices);
 

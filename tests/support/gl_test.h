@@ -8,8 +8,8 @@
 
 namespace qrelief {
 
-/// Fixture with a current GL context, made once for the whole program. A machine without one fails the test: a GL test
-/// that silently does not run would hide every fault of the renderer.
+/// Fixture with a current GL context, created once for the whole program. On a machine without one the test fails: a GL
+/// test that silently did not run would hide every fault of the renderer.
 class GlTest : public testing::Test {
  protected:
   static void SetUpTestSuite() {

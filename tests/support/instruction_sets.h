@@ -6,8 +6,8 @@
 
 namespace qrelief {
 
-/// Computes a result with each instruction set of this machine, and expects the same bits.
-/// WebAssembly has one instruction set and no such choice at run time: there the test is skipped.
+/// Computes a result with each instruction set of this machine and expects the same bits. WebAssembly has one
+/// instruction set and no choice at run time, so the test is skipped there.
 /// @param compute  returns a value with operator==
 template <class Compute>
 void expectSameByAllInstructionSets([[maybe_unused]] const Compute& compute) {
@@ -18,7 +18,7 @@ void expectSameByAllInstructionSets([[maybe_unused]] const Compute& compute) {
   ASSERT_GT(all.size(), 1u);
   const auto by = [&](auto target) {
     hwy::SetSupportedTargetsForTest(target);
-    hwy::GetChosenTarget().DeInit();  // the next call chooses
+    hwy::GetChosenTarget().DeInit();  // the next call chooses again
     return compute();
   };
   const auto first = by(all.front());

@@ -16,7 +16,7 @@ void append(Bytes& bytes, T value, bool bigEndian) {
   bytes.insert(bytes.end(), raw.begin(), raw.end());
 }
 
-/// The shortest decimals that read back as the same floats.
+/// Writes the shortest decimals that read back as the same floats.
 std::string decimals(Vec3f p) { return fmt::format("{} {} {}", p.x, p.y, p.z); }
 
 }  // namespace

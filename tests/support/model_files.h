@@ -8,7 +8,7 @@
 
 #include "mesh/mesh.h"
 
-/// Small model files made in memory, each the plainest of its kind.
+/// Small model files built in memory, each the simplest of its kind.
 namespace qrelief::model_files {
 
 using Bytes = std::vector<std::uint8_t>;
@@ -20,7 +20,7 @@ std::string obj(const Mesh& mesh);
 std::string off(const Mesh& mesh);
 
 enum class PlyKind { Ascii, LittleEndian, BigEndian };
-/// Float vertices, faces as "list uchar int vertex_indices".
+/// Writes float vertices, and faces as "list uchar int vertex_indices".
 Bytes ply(const Mesh& mesh, PlyKind kind);
 
 }  // namespace qrelief::model_files

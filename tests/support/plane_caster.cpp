@@ -28,7 +28,7 @@ PlaneCaster::PlaneCaster(const Mesh& mesh, const ProjectionFrame& frame, double 
       hi = glm::max(hi, frame.project(mesh.corner(t, k)));
     }
     if (before == 0) continue;
-    if (before < 3) lo = Vec2(-half_), hi = Vec2(half_);  // reaches behind the eye: its image may be anywhere
+    if (before < 3) lo = Vec2(-half_), hi = Vec2(half_);  // partly behind the eye: its image may be anywhere
     if (hi.x < -half_ || hi.y < -half_ || lo.x > half_ || lo.y > half_) continue;
     for (int row = bin(lo.y); row <= bin(hi.y); ++row)
       for (int column = bin(lo.x); column <= bin(hi.x); ++column)
@@ -49,7 +49,7 @@ std::optional<PlaneCaster::Hit> PlaneCaster::hit(Vec2 p) const {
     const double sign = determinant < 0 ? -1 : 1;
     const Vec3 q = glm::cross(w, direction);
     const double beta = sign * glm::dot(v, q), gamma = -sign * glm::dot(u, q);
-    const double slack = 1e-12 * std::abs(determinant);  // edges belong to both sides
+    const double slack = 1e-12 * std::abs(determinant);  // an edge belongs to both its triangles
     if (determinant == 0 || beta < -slack || gamma < -slack || beta + gamma > std::abs(determinant) + slack) continue;
     const double distance = glm::dot(w, glm::cross(u, v)) / determinant;
     if (distance > 0 && (!first || distance < first->distance)) first = Hit{t, distance, determinant > 0};
@@ -64,8 +64,8 @@ double PlaneCaster::distance(Vec2 p) const {
 
 bool PlaneCaster::connected(Vec2 p, const Hit& atP, Vec2 q, const Hit& atQ) const {
   const auto shared = sharedVertices(mesh_.triangles[atP.triangle], mesh_.triangles[atQ.triangle]);
-  if (shared >= 2) return true;  // at one vertex there may be a fold
-  // Without one, here a facet comes through another.
+  if (shared >= 2) return true;  // a single shared vertex may be a fold
+  // Without a shared vertex, a facet comes through another here.
   if (glm::distance(p, q) < 1e-9 * half_) return shared == 1 && std::abs(atP.distance - atQ.distance) < 1e-4;
   const Vec2 middle = (p + q) * 0.5;
   const auto between = hit(middle);

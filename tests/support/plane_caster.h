@@ -9,13 +9,14 @@
 
 namespace qrelief {
 
-/// First facets that rays from a frame's eye meet, from either side, the facets sorted into bins of the QR plane.
+/// Casts rays from a frame's eye and finds the first facet they meet, from either side. The facets are sorted into bins
+/// of the QR plane.
 class PlaneCaster {
  public:
   struct Hit {
     std::uint32_t triangle = 0;
     double distance = 0;  ///< from the eye, mm
-    bool front = true;    ///< met from the facet's front
+    bool front = true;    ///< the ray met the facet's front
   };
 
   /// @param mesh    outlives this object
@@ -24,11 +25,12 @@ class PlaneCaster {
 
   std::optional<Hit> hit(Vec2 p) const;
 
-  /// Distance of the first facet; infinite where there is none.
+  /// Returns the distance of the first facet; infinite if there is none.
   double distance(Vec2 p) const;
 
-  /// Whether one can walk on the surface from what is seen at `p` to what is seen at `q`: the halves of the way between
-  /// lie on facets that share an edge, down to a way so short that only a step from one part to another is left.
+  /// Returns true if the surface connects the point seen at `p` with the point seen at `q`. Halves the path until
+  /// neighbouring points lie on facets that share an edge (connected), or until it is so short that it must step from
+  /// one part to another (not connected).
   bool connected(Vec2 p, const Hit& atP, Vec2 q, const Hit& atQ) const;
 
  private:

@@ -17,13 +17,13 @@ std::uint32_t addVertex(Mesh& mesh, Vec3 position) {
   return static_cast<std::uint32_t>(mesh.positions.size() - 1);
 }
 
-/// a b c d counter-clockwise seen from outside.
+/// Adds the quad a b c d, counter-clockwise seen from outside.
 void addQuad(Mesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
   mesh.triangles.push_back({a, b, c});
   mesh.triangles.push_back({a, c, d});
 }
 
-/// Unit icosphere in double precision: rounding happens once, after the radius is applied.
+/// Unit icosphere in double precision, so that rounding happens once, after the radius is applied.
 struct UnitSphere {
   std::vector<Vec3> directions;
   std::vector<Triangle> triangles;
@@ -149,7 +149,7 @@ Mesh plate(Vec2 size, double thickness, int n, int m, const std::function<double
   for (int j = 0; j < m; ++j)
     for (int i = 0; i < n; ++i) addQuad(mesh, at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
 
-  // The rim of the upper face, counter-clockwise from above, side by side: front, right, back, left.
+  // Rim of the upper face, counter-clockwise from above, one side at a time: front, right, back, left.
   std::array<std::vector<std::uint32_t>, 4> sides;
   for (int i = 0; i <= n; ++i) sides[0].push_back(at(i, 0));
   for (int j = 0; j <= m; ++j) sides[1].push_back(at(n, j));

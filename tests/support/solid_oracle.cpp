@@ -14,13 +14,13 @@
 namespace qrelief {
 namespace {
 
-/// Whether a·b = c·d, exactly: the rounded products and the errors of rounding agree.
+/// Returns true if a·b = c·d exactly: both the rounded products and their rounding errors agree.
 bool equalProducts(double a, double b, double c, double d) {
   const double ab = a * b, cd = c * d;
   return ab == cd && std::fma(a, b, -ab) == std::fma(c, d, -cd);
 }
 
-/// Differences of floats are taken to be exact as doubles.
+/// Returns true if a triangle has no area; treats differences of floats as exact in double precision.
 bool hasNoArea(Vec3f a, Vec3f b, Vec3f c) {
   const Vec3 u = Vec3(b) - Vec3(a), v = Vec3(c) - Vec3(a);
   return equalProducts(u.x, v.y, u.y, v.x) && equalProducts(u.y, v.z, u.z, v.y) && equalProducts(u.z, v.x, u.x, v.z);
@@ -40,7 +40,7 @@ std::string edgeProblem(const Mesh& mesh) {
   return {};
 }
 
-/// Walks once round each vertex; needs a surface whose edges are right.
+/// Walks once round each vertex; requires correct edges.
 std::string vertexProblem(const Mesh& mesh) {
   using Link = std::array<std::uint32_t, 3>;  // vertex, from, to
   std::vector<Link> links;
@@ -75,7 +75,7 @@ Corners cornersOf(const Mesh& mesh, std::size_t t) {
 
 int side(const std::array<Vec3, 3>& t, Vec3 p) { return sideOfPlane(t[0], t[1], t[2], p); }
 
-/// A segment that is not in the triangle's plane and has a point in common with it.
+/// Returns true if a segment that is not in the triangle's plane has a point in common with the triangle.
 bool meets(Vec3 p, Vec3 q, const std::array<Vec3, 3>& t) {
   const int atP = side(t, p), atQ = side(t, q);
   if (atP * atQ > 0 || (atP == 0 && atQ == 0)) return false;
@@ -88,8 +88,8 @@ bool meets(Vec3 p, Vec3 q, const std::array<Vec3, 3>& t) {
   return left || right;
 }
 
-/// Of two triangles in one plane, whether their inner points overlap: no side of either parts them. Turns in the plane
-/// are told by the side of a plane that stands on it.
+/// Returns true if the inner points of two triangles in one plane overlap, i.e. no side of either separates them.
+/// Orientation in the plane is tested against a plane perpendicular to it.
 bool overlapInPlane(const std::array<Vec3, 3>& s, const std::array<Vec3, 3>& t) {
   const Vec3 normal = glm::normalize(glm::cross(s[1] - s[0], s[2] - s[0])) * glm::distance(s[0], s[1]);
   const auto parts = [&](const std::array<Vec3, 3>& x, const std::array<Vec3, 3>& y) {
@@ -115,8 +115,8 @@ bool cross(const Mesh& mesh, std::uint32_t first, std::uint32_t second) {
   };
   const auto shared = std::count_if(a.begin(), a.end(), [&](std::uint32_t v) { return isShared(b, v); });
   if (std::all_of(t.begin(), t.end(), [&](Vec3 p) { return side(s, p) == 0; })) return overlapInPlane(s, t);
-  if (shared >= 2) return false;  // two planes that meet in the shared edge
-  // With a shared vertex they can only meet elsewhere if the side across from it does.
+  if (shared >= 2) return false;  // their planes meet in the shared edge
+  // With a shared vertex, triangles meet elsewhere only if the side opposite that vertex does.
   const auto anySideMeets = [&](const Triangle& x, const std::array<Vec3, 3>& xs, const Triangle& y,
                                 const std::array<Vec3, 3>& ys) {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -143,7 +143,7 @@ struct Boxes {
   }
 };
 
-/// Square cells over the region of the suspects, across its shortest side: which boxes meet each of them?
+/// Square cells over the region of the suspects, across its shortest side; lists the boxes that meet each cell.
 class Cells {
  public:
   static constexpr int kEdge = 160;
@@ -168,7 +168,7 @@ class Cells {
 
   const std::vector<std::uint32_t>& at(int x, int y) const { return cells_[static_cast<std::size_t>(y * kEdge + x)]; }
 
-  /// Outside the region the nearest cell.
+  /// Returns a point's cell; outside the region, the nearest cell.
   std::array<int, 2> cellOf(Vec3f p) const {
     std::array<int, 2> cell{};
     for (std::size_t k = 0; k < 2; ++k) {
@@ -243,7 +243,7 @@ std::size_t countCrossings(const Mesh& mesh, const std::vector<std::uint32_t>& s
       for (const std::uint32_t s : cells.at(x, y))
         for (const std::uint32_t t : cells.at(x, y)) {
           if (t >= s || (!suspected[s] && !suspected[t]) || !boxes.meet(s, t)) continue;
-          // Two that share several cells are tested in the first.
+          // Pairs that share several cells are tested in the first.
           if (cells.cellOf(glm::max(boxes.lo[s], boxes.lo[t])) == std::array{x, y} && cross(mesh, s, t)) ++crossings;
         }
   return crossings;

@@ -8,21 +8,22 @@
 
 #include "mesh/mesh.h"
 
-/// What makes a solid, by counting and comparing, without the code that is tested.
+/// Checks of a solid by counting and comparing, without the code under test.
 namespace qrelief {
 
-/// The mesh in a binary STL file, corners of equal position made one; nothing else is done to it.
+/// Reads the mesh in a binary STL file and merges corners of equal position; changes nothing else.
 Mesh meshOfStl(std::span<const std::uint8_t> bytes);
 
-/// What is wrong with a closed surface, in words; empty if nothing is: every edge in two triangles that run along it
-/// both ways, the triangles at each vertex one fan, none without area, no two with the same corners.
+/// Describes what is wrong with a closed surface; empty if nothing is. In a correct one every edge has two triangles
+/// that run along it in opposite directions, the triangles at each vertex form one fan, none lacks area, and no two
+/// have the same corners.
 std::string surfaceProblems(const Mesh& mesh);
 
-/// Facets of `mesh` that are no facets of `original`, by the bits of their corners' positions.
+/// Returns the facets of `mesh` that are no facets of `original`, compared by the bits of their corners' positions.
 std::vector<std::uint32_t> facetsNotIn(const Mesh& mesh, const Mesh& original);
 
-/// Pairs of triangles, one of them a suspect, that have a point in common other than along what they share; by exact
-/// predicates, all pairs whose boxes meet. Vertices are the same if their indices are.
+/// Counts pairs of triangles, one of them a suspect, that have a point in common other than along the vertices or edges
+/// they share. Tests all pairs whose boxes meet by exact predicates. Vertices are the same if their indices are.
 std::size_t countCrossings(const Mesh& mesh, const std::vector<std::uint32_t>& suspects);
 
 }  // namespace qrelief

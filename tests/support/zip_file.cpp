@@ -12,7 +12,7 @@ void put(std::string& bytes, T value) {
     bytes += static_cast<char>(static_cast<std::uint64_t>(value) >> (8 * i) & 0xff);
 }
 
-/// Bit by bit, by its definition.
+/// Computes the checksum bit by bit, by its definition.
 std::uint32_t crc32(const std::string& text) {
   std::uint32_t crc = 0xffffffff;
   for (const char c : text) {

@@ -28,7 +28,7 @@ TEST_F(OtherPrintsTest, PosesComeBeforeProcessesAndNothingCoarserOrTheSame) {
 
 TEST_F(OtherPrintsTest, APoseThatHardlyTurnsTheModelIsNoOtherWay) {
   for (const NamedPrinter& named : namedPrinters())
-    if (named.name == "resin-0.05") request_.printer = named.printer;  // none is finer
+    if (named.name == "resin-0.05") request_.printer = named.printer;  // no printer is finer
   request_.buildUp = request_.frame.normal + 0.1 * request_.frame.up;
   EXPECT_THAT(otherPrints(request_),
               ElementsAre(SettingChange{"buildUp", "as-modelled"}, SettingChange{"buildUp", "code-upright"}));

@@ -19,7 +19,7 @@ std::vector<std::string> settingsOf(const std::vector<Remedy>& remedies) {
   return settings;
 }
 
-/// A plain carving of every dark submodule, as deep as asked for.
+/// Returns a carving of every dark submodule to `depthMm`.
 EngraveResult carved(const EngraveRequest& request, double symbolMm, double depthMm) {
   EngraveResult result;
   result.symbol = *encodeSymbol("HELLO", {.version = 1});
@@ -46,7 +46,7 @@ ReadingEvidence evidence(int reads) {
 TEST(ReadingCount, TwoInFiveAreNeededAsWholeTries) {
   EXPECT_EQ(ReadingCount::needed(72), 29);  // 28.8
   EXPECT_EQ(ReadingCount::needed(5), 2);
-  EXPECT_EQ(ReadingCount::needed(192), 77);  // 76.8, which two numbers in per cent would both call 40
+  EXPECT_EQ(ReadingCount::needed(192), 77);  // 76.8; in whole per cent 76 and 77 would both be 40
   EXPECT_FALSE((ReadingCount{72, 28}).enough());
   EXPECT_TRUE((ReadingCount{72, 29}).enough());
   EXPECT_FALSE(ReadingCount{}.enough());
@@ -79,7 +79,7 @@ TEST_F(VerdictTest, ReadsBarelyReadsOrDoesNot) {
 }
 
 TEST_F(VerdictTest, AWeakGradeIsSaidAndPasses) {
-  const Verdict verdict = judged(72);  // light and dark modules are as bright as each other in it
+  const Verdict verdict = judged(72);  // its light and dark modules are equally bright
   EXPECT_EQ(verdict.reads.level, Level::Barely);
   EXPECT_TRUE(verdict.reads.passed());
   EXPECT_EQ(verdict.reads.reasons.back().code, "graded-weak");
@@ -135,7 +135,7 @@ TEST_F(VerdictTest, ReadingRemediesAreDepthSizeAndAnotherSpot) {
   request_.contrast = 0.2;
   request_.placement.sizeMode = SizeMode::Best;
   EXPECT_THAT(settingsOf(judged(0).reads.remedies), ElementsAre("contrast=", "="));
-  request_.placement.maxSizeMm = 30;  // the bound is what keeps it small
+  request_.placement.maxSizeMm = 30;  // the bound limits the size
   EXPECT_THAT(settingsOf(judged(0).reads.remedies), ElementsAre("contrast=", "maxSizeMm=38", "="));
   request_.objective = DepthObjective::OneLight;
   EXPECT_EQ(settingsOf(judged(0).reads.remedies).front(), "objective=contrast");
@@ -144,7 +144,7 @@ TEST_F(VerdictTest, ReadingRemediesAreDepthSizeAndAnotherSpot) {
 TEST_F(VerdictTest, PrintingRemediesAreTheFirstThatAreSoldAndWouldDo) {
   request_.modulePattern = ModulePattern::Square;
   request_.finderPattern = FinderPattern::AsModules;
-  const Verdict verdict = judged(72, 21 * 0.7);  // modules of 0.7 mm: square needs 0.9 with a nozzle of 0.4
+  const Verdict verdict = judged(72, 21 * 0.7);  // modules of 0.7 mm: square needs 0.9 mm with a nozzle of 0.4 mm
   EXPECT_EQ(verdict.prints.level, Level::Barely);
   EXPECT_TRUE(verdict.prints.passed());
   EXPECT_THAT(settingsOf(verdict.prints.remedies), ElementsAre("size=best", "pattern=thick-plus", "nozzleMm=0.3", "="));
@@ -188,7 +188,7 @@ TEST_F(VerdictTest, AsPrintedItReadsBarelyReadsOrDoesNotAndPassesAsAdvice) {
   request_.printer = namedPrinters()[5].printer;
   EXPECT_EQ(made(printed(72, 0)), "printed-in-powder");
   request_.printer = {};
-  const Aspect down = printed(72, 170);  // no simulation shows how it sags there
+  const Aspect down = printed(72, 170);  // the simulation does not show how it sags there
   EXPECT_EQ(facing(down), "facing-down");
   EXPECT_EQ(down.level, Level::Barely);
   EXPECT_EQ(down.reasons.at(1).code, "faces-down");

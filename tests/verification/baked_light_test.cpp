@@ -26,7 +26,7 @@ Mesh plateWithPit(double radius, double depth) {
                        [&](double x, double y) { return std::hypot(x, y) < radius ? -depth : 0.0; });
 }
 
-/// Mean over the texels within `reach` of the middle.
+/// Returns the mean over the texels within `reach` of the middle.
 SurfaceLight meanOfMiddle(const BakedLight& light, double reach) {
   const int edge = light.options().texels;
   SurfaceLight sum;
@@ -83,7 +83,7 @@ TEST(BakedLight, LeavesTheBorderOutAndChangesNothingWithinIt) {
 TEST(BakedLight, ALowLampLeavesThePitDark) {
   const Mesh pit = plateWithPit(3, 2);
   const RayTree tree(pit);
-  const double elevation = 20 * std::numbers::pi / 180;  // the rim hides everything below 33°
+  const double elevation = 20 * std::numbers::pi / 180;  // the rim hides all light from below 33°
   const Lamp lamp{.towards = {0, std::cos(elevation), std::sin(elevation)}, .strength = 1, .radiusDeg = 5};
   const BakedLight light = baked(tree, {.texelMm = 0.05, .texels = 20, .albedo = 0, .lamp = lamp});
   EXPECT_EQ(meanOfMiddle(light, 0.3).lamp, 0);

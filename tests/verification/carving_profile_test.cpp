@@ -19,12 +19,12 @@ class CarvingProfileTest : public testing::Test {
   void SetUp() override {
     symbol_ = *encodeSymbol("QRELIEF", {.version = 1});
     symbolMm_ = kModuleMm * symbol_.size;
-    // From far away: the plate's walls stand upright.
+    // The eye is far away, so the plate's walls are vertical.
     frame_ = makeFrame({0, 0, 0}, {0, 0, 1}, {0, 1, 0}, 10000);
   }
 
-  /// A plate of 29 × 29 modules, `depth` deep where the module at (row, column) of the picture is dark: the middle 3 ×
-  /// 3 submodules are floor, the walls lean over the next.
+  /// Returns a plate of 29 × 29 modules, `depth` deep where the module at (row, column) of the picture is dark. In a
+  /// dark module the middle 3 × 3 submodules are floor; the walls lean over the next ones.
   template <class IsDark, class Base>
   Mesh plate(double depth, const IsDark& isDark, const Base& base) const {
     const int modules = symbol_.size + 2 * kQuietZoneModules, cells = kN * modules;
@@ -56,7 +56,7 @@ TEST_F(CarvingProfileTest, MeasuresTheDepthOfAPlateAndFindsTheFloors) {
   const CarvingProfile found = profile(plate(0.5));
   EXPECT_EQ(found.pose, SymbolPose::AsWanted);
   EXPECT_GT(found.fit, 0.9);
-  // Middles of the floors are 0.5 deep; those of the leaning walls 0.25, and at the corners 0.125 or so.
+  // The middles of the floors are 0.5 deep, of the leaning walls 0.25, and of the corners about 0.125.
   const int edge = kN * symbol_.size;
   for (int row = 0; row < symbol_.size; ++row)
     for (int column = 0; column < symbol_.size; ++column) {
@@ -69,7 +69,7 @@ TEST_F(CarvingProfileTest, MeasuresTheDepthOfAPlateAndFindsTheFloors) {
 TEST_F(CarvingProfileTest, RaisedModulesHaveNegativeDepth) {
   const CarvingProfile found = profile(plate(-0.5));
   EXPECT_EQ(found.pose, SymbolPose::AsWanted);
-  EXPECT_NEAR(found.meanDepthMm, -0.35, 0.01);  // floors -0.5, the leaning walls beside them half that and less
+  EXPECT_NEAR(found.meanDepthMm, -0.35, 0.01);  // floors -0.5, the leaning walls around them half that or less
 }
 
 TEST_F(CarvingProfileTest, KnowsTheMirrorImageFromEverySide) {
@@ -92,7 +92,7 @@ TEST_F(CarvingProfileTest, KnowsTheMirrorImageFromEverySide) {
 TEST_F(CarvingProfileTest, KnowsHowFarTheSymbolIsTurnedAnticlockwise) {
   const int last = symbol_.size - 1;
   const auto flat = [](double, double) { return 0; };
-  // Turned by a quarter anticlockwise, the top right corner comes to the top left.
+  // After a quarter turn anticlockwise, the top right corner is at the top left.
   EXPECT_EQ(profile(plate(
                         0.5, [&](int r, int c) { return symbol_.isDark(c, last - r); }, flat))
                 .pose,

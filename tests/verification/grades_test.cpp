@@ -30,7 +30,8 @@ class SymbolGradesTest : public testing::Test {
     measured.values[static_cast<std::size_t>((row + kQuietZoneModules) * edge + column + kQuietZoneModules)] = value;
   }
 
-  /// Turns one module of each of `count` codewords of block 0 to the other side.
+  /// Gives one module in each of `count` codewords of block 0 the value `light` if it is dark and `dark` if it is
+  /// light.
   void spoil(ModuleReflectances& measured, int count, double light, double dark) const {
     const CodewordLayout layout = layoutCodewords(symbol_);
     for (int codeword = 0; codeword < layout.structure.codewords && count > 0; ++codeword) {
@@ -111,7 +112,7 @@ TEST_F(SymbolGradesTest, WrongCodewordsUseUpErrorCorrection) {
 
 TEST_F(SymbolGradesTest, AFewWeakModulesAreForgivenByErrorCorrection) {
   ModuleReflectances measured = ideal(1, 0.2);
-  spoil(measured, 3, 0.66, 0.54);  // weak, yet on their own side (dark < 0.6 < light) or just over it
+  spoil(measured, 3, 0.66, 0.54);  // weak, but on their own side (dark < 0.6 < light) or just over it
   const SymbolGrades few = gradeSymbol(measured, 1);
   EXPECT_LT(few.modulation.value, 0.2);
   EXPECT_EQ(few.modulation.grade, 4);

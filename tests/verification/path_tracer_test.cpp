@@ -15,7 +15,7 @@ constexpr double kFar = 20000;
 
 ProjectionFrame fromAbove() { return makeFrame({0, 0, 0}, {0, 0, 1}, {0, 1, 0}, kFar); }
 
-/// A plate whose upper face lies at z = 0 and drops steeply to -depth where `inPit(x, y)`.
+/// Returns a plate whose upper face lies at z = 0 and drops steeply to -depth where `inPit(x, y)`.
 template <class Predicate>
 Mesh carvedPlate(double edge, int cells, double depth, Predicate inPit) {
   return shapes::plate({edge, edge}, 20, cells, cells, [&](double x, double y) { return inPit(x, y) ? -depth : 0.0; });
@@ -31,7 +31,7 @@ TEST(PathTracer, AnOpenPlaneSeesTheWholeSky) {
 }
 
 TEST(PathTracer, TheMiddleOfAPitSeesWhatTheClosedFormSays) {
-  // Between the grid's points the walls lean by one grid width: the pit's rim lies at radius + width / 2 on average.
+  // Between grid points the walls lean by one grid width, so the pit's rim lies at radius + width / 2 on average.
   const double grid = 0.05, radius = 3, depth = 2;
   const Mesh pit = carvedPlate(20, 400, depth, [&](double x, double y) { return std::hypot(x, y) < radius; });
   const RayTree tree(pit);
@@ -42,7 +42,7 @@ TEST(PathTracer, TheMiddleOfAPitSeesWhatTheClosedFormSays) {
 }
 
 TEST(PathTracer, TheMiddleOfATrenchSeesWhatTheClosedFormSays) {
-  // Its rims lie on the grid, at ±width/2; the walls lean inwards by one grid width.
+  // The trench's rims lie on the grid, at ±width/2; the walls lean inwards by one grid width.
   const double grid = 0.05, width = 2, depth = 1.5;
   const Mesh trench = carvedPlate(20, 400, depth, [&](double x, double) { return std::abs(x) < width / 2 - grid / 2; });
   const RayTree tree(trench);
@@ -52,8 +52,8 @@ TEST(PathTracer, TheMiddleOfATrenchSeesWhatTheClosedFormSays) {
 }
 
 TEST(PathTracer, InsideASphereWithAHoleEveryPointIsAsBright) {
-  // Integrating sphere: a cap of height h is missing, so from everywhere inside the sky fills the share f = h / 2r of
-  // the cosine-weighted directions, and L = f / (1 - albedo·(1 - f)).
+  // In an integrating sphere without a cap of height h, the sky fills the share f = h / 2r of the cosine-weighted
+  // directions from every inside point, and L = f / (1 - albedo·(1 - f)).
   Mesh sphere = shapes::icosphere(10, 5);
   const double rim = 8;
   std::vector<Triangle> kept;

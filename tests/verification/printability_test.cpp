@@ -39,7 +39,7 @@ TEST(MeasureFeatures, RecognisesThePatternsAndTheirNarrowestParts) {
 
 TEST(MeasureFeatures, GapsAreWhatStandsBetweenPockets) {
   EXPECT_DOUBLE_EQ(carvedWith(ModulePattern::Square, FinderPattern::AsModules, 1, 0.5).gapMm, 0.4);
-  // Whole modules leave only light modules between them.
+  // With whole modules carved, only light modules separate them.
   EXPECT_DOUBLE_EQ(carvedWith(ModulePattern::None, FinderPattern::None, 1, 0.5).gapMm, 1);
 }
 

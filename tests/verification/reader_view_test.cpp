@@ -25,7 +25,7 @@ TEST(Photograph, StrayLightRaisesTheDarkPartTowardsTheMean) {
   const GreyImage clean = photograph(luminance, 100);
   const GreyImage stray = photograph(luminance, 100, {.strayLight = 0.1});
   EXPECT_EQ(clean.pixels[0], 0);
-  // 10 % of the mean 0.5, exposed by 0.85: 0.0425 linear.
+  // Stray light is 10 % of the mean 0.5, exposed by 0.85: 0.0425 linear.
   EXPECT_EQ(stray.pixels[0], 58);
 }
 

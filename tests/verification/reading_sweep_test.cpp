@@ -14,7 +14,7 @@ namespace {
 constexpr int kModules = 21;
 constexpr double kSymbolMm = 21;
 
-/// A sweep over a plain plate: what is read is up to the readers.
+/// Fixture with a sweep over a plain plate; the given decoders determine the result.
 class ReadingSweepTest : public testing::Test {
  protected:
   ReadingSweepTest() {
@@ -29,7 +29,7 @@ class ReadingSweepTest : public testing::Test {
     return made;
   }
 
-  /// The text at its place in every picture.
+  /// Returns the wanted text at its position in every picture.
   static SymbolRead wanted(const GreyImage& picture) {
     const double modules = kModules + 2 * kPictureMarginModules, module = picture.width / modules;
     const double begin = kPictureMarginModules * module, end = (kPictureMarginModules + kModules) * module;
@@ -74,7 +74,7 @@ TEST_F(ReadingSweepTest, AllTriesOfAllReadersCount) {
       sweep({wanted, [](const GreyImage&) { return std::nullopt; }}, {.ranges = false}).summary();
   EXPECT_EQ(summary.frontal, (ReadingCount{72, 36}));
   EXPECT_TRUE(summary.frontal.enough());
-  EXPECT_EQ(summary.tiltDeg, std::nullopt);  // was not asked for
+  EXPECT_EQ(summary.tiltDeg, std::nullopt);  // was not requested
 }
 
 TEST_F(ReadingSweepTest, TheDistanceEndsAtTheFirstPictureThatIsTooSmall) {

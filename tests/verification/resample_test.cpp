@@ -6,7 +6,7 @@
 namespace qrelief {
 namespace {
 
-/// value = column + 10·row
+/// Returns a picture with value = column + 10·row.
 std::vector<float> ramp(int width) {
   std::vector<float> picture;
   for (int y = 0; y < width; ++y) {
@@ -26,7 +26,7 @@ TEST(Resampled, CellsAreMeansOverTheirAreas) {
 }
 
 TEST(Resampled, PixelsOnACellsBorderCountByTheirShare) {
-  // Cells of 1.5 pixels: 0 and half of 1; half of 1 and 2.
+  // Cells are 1.5 pixels wide: 0 and half of 1; half of 1 and 2.
   const std::vector<float> cells = resampled({0, 1, 2, 0, 1, 2, 0, 1, 2}, 3, 1.5);
   ASSERT_EQ(cells.size(), 4u);
   EXPECT_FLOAT_EQ(cells[0], 0.5f / 1.5f);

@@ -54,7 +54,7 @@ TEST(Solidity, CountsTheEdgesOfATriangleTurnedRound) {
 }
 
 TEST(Solidity, CountsAVertexWhereTwoPartsTouch) {
-  // The second box's first corner is welded to the first box's last.
+  // The second box's first corner is welded to the first box's last corner.
   Mesh mesh = shapes::together(shapes::box({2, 2, 2}), shapes::translated(shapes::box({2, 2, 2}), {2, 2, 2}));
   const Vec3f meeting(1, 1, 1);
   std::uint32_t kept = 0;
@@ -81,7 +81,7 @@ TEST(Solidity, CountsAnEdgeOfFourTriangles) {
 }
 
 TEST(Solidity, TellsExactlyCollinearFromNearlyCollinear) {
-  // Two triangles of a box's side, split at a point on their diagonal, and one float beside it.
+  // Two triangles of a box's side are split at a point on their diagonal, then at one that is one float off it.
   for (const bool exact : {true, false}) {
     Mesh mesh = shapes::box({2, 2, 2});
     const Triangle t = mesh.triangles[0];
@@ -117,7 +117,7 @@ TEST(Solidity, FindsCrossingPartsAmongTheSuspectsOnly) {
   const SolidityReport all = check(mesh);
   EXPECT_GT(all.selfIntersections, 0u);
   EXPECT_FALSE(all.solid());
-  std::vector<std::uint32_t> apart;  // sides of the first box, which the second passes by
+  std::vector<std::uint32_t> apart;  // sides of the first box that the second does not cross
   for (std::uint32_t t = 0; t < 12; ++t)
     if (std::abs(triangleNormal(mesh, t).z) < 0.5) apart.push_back(t);
   EXPECT_EQ(check(mesh, apart).selfIntersections, 0u);
@@ -147,7 +147,7 @@ TEST(Solidity, SaysWhereTheFirstOfEachIs) {
   std::swap(mesh.triangles[5][0], mesh.triangles[5][1]);
   const auto turned = check(mesh).findings();
   ASSERT_EQ(turned.size(), 1u);
-  EXPECT_LT(glm::length(*turned[0].at - middle(mesh, 5)), 5);  // it or a neighbour
+  EXPECT_LT(glm::length(*turned[0].at - middle(mesh, 5)), 5);  // the triangle itself or a neighbour
 
   mesh = shapes::icosphere(10, 2);
   const Vec3 hole = middle(mesh, 7);

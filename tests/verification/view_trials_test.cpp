@@ -7,7 +7,7 @@
 namespace qrelief {
 namespace {
 
-/// @param reads  whether a trial succeeds
+/// @param reads  returns true if a trial succeeds
 template <class Reads>
 ViewTrials tried(const Reads& reads) {
   ViewTrials trials(8);
@@ -22,7 +22,7 @@ TEST(ViewTrials, EverythingReads) {
   EXPECT_EQ(summary.safeTiltDeg, 45);
   EXPECT_EQ(summary.pixelsPerModule, 2.0);
   EXPECT_EQ(trials.tried(), trials.all());
-  EXPECT_EQ(trials.all(), 20u + 6u);  // of the distances, those with fewer than 8 pixels
+  EXPECT_EQ(trials.all(), 20u + 6u);  // plus the distances with fewer than 8 pixels
 }
 
 TEST(ViewTrials, ACodeIsSafeUpToTheLastTiltBeforeTheFirstDirectionThatFails) {
@@ -40,7 +40,7 @@ TEST(ViewTrials, FartherAsideThanWhereNothingReadsNothingIsTried) {
                          asked += trial.tiltDeg > 0;
                          return trial.tiltDeg < 10;
                        }).summary();
-  EXPECT_EQ(asked, 8);  // 5 and 10 degrees, from four sides each
+  EXPECT_EQ(asked, 8);  // 5 and 10 degrees, four sides each
   EXPECT_EQ(summary.tilts.size(), 2u);
   EXPECT_EQ(summary.safeTiltDeg, 5);
 }

@@ -32,7 +32,7 @@ TEST(DisplayMesh, AFineSphereStaysWholeAndItsNormalsPointAwayFromTheMiddle) {
 
 TEST(DisplayMesh, ACylinderIsSmoothAroundAndSharpAtItsRims) {
   const DisplayMesh display = splitAtCreases(shapes::cylinder(10, 20, 36));
-  // Rim vertices once for the side and once for the cap, the caps' middles once.
+  // Rim vertices count once for the side and once for the cap, the caps' middles once.
   EXPECT_EQ(display.mesh.positions.size(), 2u * 72 + 2);
 }
 

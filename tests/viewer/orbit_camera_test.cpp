@@ -73,7 +73,7 @@ TEST(OrbitCamera, OrbitingStopsAtThePolesAndNeverTurnsOver) {
 
 TEST(OrbitCamera, DraggingDownRaisesTheCameraAndDraggingRightTurnsTheModelRight) {
   OrbitCamera camera = cameraOver({80, 80, 80});
-  const Vec3 front = camera.view().back * 40.0;  // the point of the model that faces the eye
+  const Vec3 front = camera.view().back * 40.0;  // the model's point facing the eye
   const Vec2 before = camera.toScreen(front);
   camera.orbit(30, 0);
   EXPECT_GT(camera.toScreen(front).x, before.x);
@@ -169,7 +169,7 @@ TEST(OrbitCamera, StandardViewsLookAlongTheAxesOfTheScene) {
     camera.finishGlide();
     expectNear(camera.view().back, back, 1e-9);
     expectNear(camera.view().up, up, 1e-9);
-    camera.setUpAxis(UpAxis::Y);  // the same view of a scene that lies on its back
+    camera.setUpAxis(UpAxis::Y);  // the same view of a scene lying on its back
     camera.lookFrom(side);
     camera.finishGlide();
     expectNear(camera.toTurntable(camera.view().back), back, 1e-9);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kWidth = 240, kHeight = 180;
 
-/// Pixels of a picture, 0 … 1, by screen position as the camera counts (from the upper left).
+/// Pixels of a picture, 0 … 1, addressed by the camera's screen position (from the upper left).
 struct Picture {
   std::vector<float> rgba;  // row 0 at the bottom
 
@@ -51,7 +51,7 @@ class ViewerTest : public GlTest {
     EXPECT_TRUE(more.has_value());
     return more.value_or(false);
   }
-  /// The refined picture.
+  /// Draws until the picture is refined, and returns it.
   Picture refined() {
     double now = clock_;
     int frames = 0;
@@ -88,8 +88,8 @@ TEST_F(ViewerTest, TheBackgroundFollowsTheTheme) {
 }
 
 TEST_F(ViewerTest, OcclusionDarkensAConcaveCornerAndLeavesTheOpenPlateAlone) {
-  // A plate with a step: the corner at the step's foot sees little more than half the sky; what the step reflects
-  // gives back most of what it hides.
+  // On a plate with a step, the corner at the step's foot sees little more than half the sky; light reflected by the
+  // step makes up for most of what it hides.
   show(shapes::plate({80, 80}, 5, 160, 4, [](double x, double) { return x < 0 ? 5.0 : 0.0; }));
   camera_.orbit(0, 30);
   const Picture picture = refined();
@@ -99,7 +99,7 @@ TEST_F(ViewerTest, OcclusionDarkensAConcaveCornerAndLeavesTheOpenPlateAlone) {
   EXPECT_NEAR(picture.brightness(camera_.toScreen({30, 20, 0})), open, 0.02);
 }
 
-/// A print that moves over a finished picture is drawn in its own box alone.
+/// A print that moves over a finished picture is redrawn in its own box only.
 TEST_F(ViewerTest, PrintsThatMoveLookTheSameAsIfTheWholePictureWereDrawnWithThem) {
   const Mesh mesh = shapes::bumpySphere(30, 2, 4, 5);
   show(mesh);
@@ -130,7 +130,7 @@ TEST_F(ViewerTest, PrintsThatMoveLookTheSameAsIfTheWholePictureWereDrawnWithThem
     refined();
     viewer_->setGhost(printAt(beside, k % 3 != 0));
     draw(clock_ += 1);
-    if (k % 2 == 1) {  // the other print moves
+    if (k % 2 == 1) {  // moves the other print
       viewer_->setGhost(std::nullopt);
       draw(clock_ += 1);
       viewer_->setPrint(printAt(beside, true));
@@ -142,7 +142,7 @@ TEST_F(ViewerTest, PrintsThatMoveLookTheSameAsIfTheWholePictureWereDrawnWithThem
     double different = 0;
     for (std::size_t i = 0; i < whole.rgba.size(); ++i)
       different = std::max<double>(different, std::abs(moved.rgba[i] - whole.rgba[i]));
-    EXPECT_LT(different, 2.0 / 255) << k;  // the picture is kept in bytes, with and without the other print
+    EXPECT_LT(different, 2.0 / 255) << k;  // the picture is stored as bytes, with and without the other print
   }
 }
 
@@ -178,7 +178,7 @@ TEST_F(ViewerTest, ThePrintShowsItsInkWhereTheProjectionCarriesIt) {
   print.frame = makeFrame({0, 0, 10}, {0, 0, 1}, {0, 1, 0}, 250);
   print.edgeMm = 40;
   print.size = 2;
-  print.ink = {255, 0,  // upper left, seen by the reader, is dark
+  print.ink = {255, 0,  // the viewer's upper left is dark
                0, 0};
   viewer_->setPrint(print);
   const Picture with = refined();
@@ -196,7 +196,7 @@ TEST_F(ViewerTest, ThePrintIsOnlyOnFacetsTowardsTheReader) {
   show(shapes::box({60, 60, 20}));
   SurfacePrint print;
   print.frame = makeFrame({0, 0, 10}, {0, 0, 1}, {0, 1, 0}, 250);
-  print.edgeMm = 80;  // over the edges, where the sides begin
+  print.edgeMm = 80;  // past the edges, where the sides begin
   print.size = 1;
   print.ink = {255};
   const Vec2 front = camera_.toScreen({0, -30, 0});
@@ -229,7 +229,7 @@ TEST_F(ViewerTest, WhatOfAPrintIsNotReachedHasTheWarningColourOnAndBesideTheMode
   print.reach = reach;
   viewer_->setPrint(print);
   const Picture picture = refined();
-  EXPECT_LT(picture.brightness(camera_.toScreen({15, 5, 10})), 0.35);  // reached: ink
+  EXPECT_LT(picture.brightness(camera_.toScreen({15, 5, 10})), 0.35);  // the print reaches this point: ink
   for (const Vec3 missing : {Vec3(28, 5, 10), Vec3(35, 5, 10)}) {      // on the model, and over its edge
     const Vec3 colour = picture.at(camera_.toScreen(missing));
     EXPECT_GT(colour.x, colour.z + 0.1) << missing.x;
@@ -262,7 +262,7 @@ TEST_F(ViewerTest, AGhostIsFainterThanAPrintAndLeavesTheRefinedPictureAsItIs) {
 
 TEST_F(ViewerTest, ACutShowsASolidSectionInItsColour) {
   show(shapes::box({60, 60, 20}));
-  viewer_->setCut(CuttingPlane{{0, 0, 0}, {0, -1, 0}});  // the half towards the front goes
+  viewer_->setCut(CuttingPlane{{0, 0, 0}, {0, -1, 0}});  // cuts away the front half
   const Picture picture = refined();
   const Vec3 section = picture.at(camera_.toScreen({0, 0, 0}));
   EXPECT_GT(section.x, section.z + 0.15);
