@@ -20,7 +20,7 @@ struct LoadedModel {
   std::vector<Message> warnings;
   std::vector<std::string> partNames;
   std::shared_ptr<const EngravableModel> engravable;
-  SurfaceLook look;  ///< ray-cast by the processor: following the pointer does not wait for renderings
+  SurfaceLook look;  ///< rasterised by the processor: following the pointer does not wait for renderings
   std::shared_ptr<const GpuMesh> display;
 
   const Mesh& mesh() const { return engravable->prepared.mesh; }
