@@ -33,7 +33,7 @@ struct EngraveOptions {
   EngraveRequest request;
 };
 
-/// For the check of -o; empty if such a file can be written.
+/// Checks the value of -o. Empty if such a file can be written.
 std::string whyNotWritable(const std::string& path) {
   const ModelFormat format = formatOfName(path);
   const bool writable = format == ModelFormat::Stl || format == ModelFormat::Obj || format == ModelFormat::Ply ||
@@ -89,7 +89,7 @@ void printSummary(const EngraveOptions& options, const EngraveResult& result, co
   }
 }
 
-/// Where it did not read as asked for: what was done about it.
+/// Prints what was carved instead, if the code did not decode as requested.
 void tellWhatWasCarved(const EngraveRequest& asked, const EngraveRequest& carved) {
   if (carved.preset != asked.preset)
     fmt::print("carved as {}: as {} the code did not read reliably in the simulated pictures\n",
@@ -99,7 +99,7 @@ void tellWhatWasCarved(const EngraveRequest& asked, const EngraveRequest& carved
         "carved for the design alone: for the print, too, the code did not read reliably in the simulated pictures\n");
 }
 
-/// Carves the code for other ways of printing, and says of each what becomes of it. Nothing of that is written.
+/// Carves the code for other ways of printing and prints a verdict on each. Writes no files.
 Status tryOtherPrints(const Engraver& engraver, const EngraveOptions& options, const EngraveResult& result) {
   fmt::print("carved for other ways of printing:\n");
   for (const SettingChange& other : otherPrints(verifyRequestOf(options.request, result))) {
