@@ -219,8 +219,7 @@ std::vector<std::size_t> BatchFolder::doubles() const {
   std::vector<std::size_t> twice;
   std::optional<std::size_t> done;
   for (const Found& line : found()) {
-    if (*line.name == kWhole || line.line.status != RowStatus::Done) continue;  // the merged manifest repeats the
-                                                                                // others
+    if (*line.name == kWhole || line.line.status != RowStatus::Done) continue;  // merged from the others
     if (done == line.number && (twice.empty() || twice.back() != line.number)) twice.push_back(line.number);
     done = line.number;
   }
