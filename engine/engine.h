@@ -21,7 +21,7 @@ namespace qrelief {
 /// The core's interface for the page: a set of verbs. Its state is one model, one place on the model and one engraving.
 /// A class of its own keeps each of them; Engine coordinates these classes and serialises their answers.
 ///
-/// Answers are JSON: {"ok": true, …} or {"ok": false, "error": {"code", "message", "hint"}} with the codes BadUsage,
+/// Answers are JSON: {"ok": true, …} or {"ok": false, "error": {"kind", "code", "values"}} with the kinds BadUsage,
 /// BadInput, NoSolution, Internal. Screen positions are CSS pixels from the upper left of the canvas, lengths are mm.
 /// Needs a current GL context for its whole life; knows nothing of browsers.
 class Engine {

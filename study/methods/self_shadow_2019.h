@@ -31,7 +31,7 @@ namespace qrelief::study {
 ///     by how much the mesh under a submodule grows in a step, so no single step fits both.
 ///   - walls: their program has none; here no floor comes closer to another side than the spot's wall.
 struct SelfShadowOptions {
-  double functionContrast = 0.20;  ///< of the grey scale, for finders, timing, alignment, format and version
+  double functionContrast = 0.20;  ///< of the grey scale, for finder patterns, timing, alignment, format and version
   double dataContrast = 0.20;      ///< for data modules; 0.12 in the later version
   double stepModules = 0.42;       ///< matches its log
   double maxDepthModules = kPublishedMaxDepthModules;
