@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a row of a batch takes on the built page, in Chromium: seconds by the clock and of the processor, and memory after the
+// Measures a row of a batch on the built page, in Chromium: wall-clock and processor seconds, and memory after the
 // fifth row and near the last.
 //
 //     script/bench page-batch [SAMPLE|MODEL] [ROWS] [PRINT_EVERY]
 //
-// Memory is what the page's own engine and those of the rows have in use and have asked for (WebAssembly heaps), and the
-// proportional set size of all processes of the browser. The browser keeps its files in a new folder below build/bench, as a
-// window that is not private does.
+// Memory: WebAssembly heaps of the page's own engine and of the rows' engines, in use and allocated, and the
+// proportional set size of all browser processes. The browser keeps its files in a new folder below build/bench, like
+// a window that is not private.
 import { chromium } from '@playwright/test';
 import { mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync } from 'node:fs';
 import { basename } from 'node:path';
@@ -14,8 +14,8 @@ import { preview } from 'vite';
 
 const [model = 'bunny', rowsGiven = '200', printEvery = '1000000'] = process.argv.slice(2);
 const rows = Number(rowsGiven);
-const kEarly = 5;  // rows, after which memory is first looked at
-const kLooks = 12, kBetweenLooksMs = 400;  // an engine is at rest between two rows only: the least of what it has in use counts
+const kEarly = 5;  // rows before the first look at memory
+const kLooks = 12, kBetweenLooksMs = 400;  // an engine rests only between rows: its least use counts
 
 const server = await preview({ preview: { host: '127.0.0.1', port: 0 } });
 mkdirSync('build/bench', { recursive: true });
@@ -26,7 +26,7 @@ const context = await chromium.launchPersistentContext(folder, {
 });
 const page = context.pages()[0] ?? await context.newPage();
 
-/** All engines of the page, by asking their workers. */
+/** Asks the workers of all engines on the page. */
 await page.addInitScript(() => {
   const Original = globalThis.Worker;
   const engines = new Set();
@@ -52,16 +52,19 @@ await page.addInitScript(() => {
   })));
 });
 
-const kTicksPerSecond = 100;  // of processor time in /proc, on every Linux
+const kTicksPerSecond = 100;  // unit of processor time in /proc, on every Linux
 
-/** Of every process whose command line names the folder, and of their children: memory in MB, processor time in s. */
+/**
+ * Sums memory in MB and processor time in s over the processes that name the folder on their command line, and their
+ * children.
+ */
 function processes() {
   const pids = readdirSync('/proc').filter((name) => /^\d+$/.test(name));
   const read = (pid, file) => {
     try {
       return readFileSync(`/proc/${pid}/${file}`, 'utf8');
     } catch {
-      return '';  // it has ended meanwhile
+      return '';  // the process has ended
     }
   };
   const parents = new Map(pids.map((pid) => [pid, /^PPid:\s*(\d+)/m.exec(read(pid, 'status'))?.[1] ?? '0']));

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the plan and the manifests of a large batch cost, with carving replaced by a recorded result:
+// Measures the cost of a large batch's plan and manifests, with a recorded result in place of carving:
 //
 //     qrelief_batch_scale FOLDER ROWS [SHARES]
 //
-// Makes a list of so many rows, plans them, appends a line for each as SHARES processes (1 by default) would, opens the
-// folder as a process that goes on with the first share, and merges. FOLDER must not be there, and stays. By stage:
-// seconds, those of the processor, and the most memory so far.
+// Makes a list of ROWS rows, plans them, appends a line for each as SHARES processes (1 by default) would, opens the
+// folder as a process that resumes the first share, and merges. FOLDER must not exist yet; it is kept. Prints for each
+// stage: wall-clock seconds, processor seconds, and peak memory so far.
 #include <algorithm>
 #include <charconv>
 #include <ctime>
@@ -22,13 +22,13 @@
 namespace qrelief {
 namespace {
 
-/// What describeRow() said of a row of public/samples/plate.stl.
+/// Output of describeRow() for a row of public/samples/plate.stl.
 constexpr const char* kRecorded =
     R"({"symbol":{"version":2,"errorCorrection":"M","mask":3,"symbolMm":21.0},"verdict":{"passed":true,)"
     R"("reads":"good","prints":"good","solid":"good"},"grades":{"iso15415":1.0,"iso29158":3.0},"depth":)"
     R"({"meanMm":0.4208,"maxMm":0.73,"p95Mm":0.6,"preset":"balanced"},"timingsMs":{"total":962.0}})";
 
-/// The most memory since the last call, in MiB [proc(5)].
+/// Returns the peak memory since the last call, in MiB [proc(5)].
 double peakMiB() {
   double peak = 0;
   std::ifstream status("/proc/self/status");

@@ -13,7 +13,7 @@ const [folder = 'dist', ...wanted] = process.argv.slice(2);
 const kText = 'https://example.org/p/0123456789';
 const kWait = { timeout: 120_000 };
 
-/** In the page: notes when what a click brings is there. @param {Element} button */
+/** In the page: notes when the file and the print are ready after a click. @param {Element} button */
 function watch(button) {
   const { document, performance, MutationObserver } = /** @type {any} */ (globalThis);
   /** @type {{ file?: number, print?: number }} */ const seconds = /** @type {any} */ (globalThis).seconds = {};
@@ -48,7 +48,7 @@ for (const sample of samples) {
   const button = page.getByRole('button', { name: 'Engrave', exact: true });
   await page.getByRole('status').filter({ hasText: 'Ready.' }).waitFor(kWait);
   await page.locator('#placement-facts').filter({ hasText: 'mm wide' }).waitFor(kWait);
-  await page.waitForTimeout(1500);  // what is prepared while the user looks
+  await page.waitForTimeout(1500);  // work that is prepared while the user looks
   const width = /^([\d.]+) mm wide/.exec(await page.locator('#placement-facts').innerText())?.[1];
   await button.evaluate(watch);
   await button.click();

@@ -15,7 +15,7 @@
 
 namespace qrelief::bench {
 
-/// A place for a code, found without a GPU: the eye looks along the mean normal of what lies around the centre.
+/// A place for a code, found without a GPU: the eye looks along the mean normal of the surface around the centre.
 struct Spot {
   ProjectionFrame frame;
   VisiblePatch patch;
@@ -45,7 +45,7 @@ inline Result<Spot> findSpot(const PreparedModel& model, Vec3 centreMm, int modu
   return best;
 }
 
-/// Every submodule of the mask as deep as asked, or as the walls behind it allow.
+/// Carves every submodule of the mask to a depth, or less where the walls behind it limit it.
 inline DepthField carveEvenly(const PreparedModel& model, const Spot& spot, const SubmoduleMask& mask, double depthMm) {
   DepthField field{mask.size, spot.symbolMm, {}};
   for (const double limit :

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The embedding stage alone, and its input for a peer that would do the same by a boolean subtraction: the model, and
-// the pockets as a body that sticks out of the surface a little. Started by script/bench embedding.
+// Measures the embedding stage alone, and writes its input for a peer that does the same by boolean subtraction: the
+// model, and the pockets as a body that sticks out of the surface a little. Started by script/bench embedding.
 //
 //     qrelief_embedding_bench FOLDER {MODEL SCALE X,Y,Z}...       centres in file units
 //
-// For each model and two patterns: median time of some runs, triangles, volume to FOLDER/cases.json; model and pockets
-// as 32-bit floats and indices to FOLDER/NAME.{model,pockets}.{xyz,tri}.
+// For each model and two patterns, writes the median time of some runs, triangles and volume to FOLDER/cases.json, and
+// model and pockets as 32-bit floats and indices to FOLDER/NAME.{model,pockets}.{xyz,tri}.
 #include <cstdio>
 #include <cstdlib>
 #include <fmt/format.h>
@@ -26,8 +26,8 @@ constexpr int kRuns = 7;
 constexpr double kDepthMm = 0.5;
 constexpr double kSticksOutMm = 0.05;
 
-/// The inlay with its vertices on the surface moved towards the eye: those of facets that face it, for walls run along
-/// the rays and floors face away.
+/// Returns the inlay with its surface vertices moved towards the eye: the vertices of facets that face the eye, because
+/// walls run along the rays and floors face away.
 Mesh stickingOut(const Mesh& inlay, const ProjectionFrame& frame) {
   Mesh pockets = inlay;
   std::vector<char> onSurface(inlay.positions.size(), 0);

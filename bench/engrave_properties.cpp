@@ -4,7 +4,7 @@
 //     qrelief_property_bench [CASES] [SEED]           2000 cases with the seeds SEED, SEED + 1, ...; SEED is 1
 //     qrelief_property_bench CASES SEED carving       the same without rendering: depths are made up, too
 //
-// A case that ends as it must not is printed with the command that repeats it, and fails the program.
+// A case with a wrong outcome is printed with the command that repeats it, and makes the program fail.
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>

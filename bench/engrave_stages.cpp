@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the time of an engraving goes, stage by stage: the median of some runs in one process, and each stage's share.
+// Measures the time of an engraving stage by stage: the median of some runs in one process, and each stage's share.
 //
 //     qrelief_bench                                       a bumpy sphere of 82k triangles, version 3, 35 mm
-//     qrelief_bench MODEL SCALE X,Y,Z [SIZE] [RUNS]       a model of one's own, centre in file units
+//     qrelief_bench MODEL SCALE X,Y,Z [SIZE] [RUNS]       a model of your own, centre in file units
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>

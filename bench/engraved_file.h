@@ -13,12 +13,12 @@
 
 namespace qrelief::bench {
 
-/// Three coordinates of a report.
+/// Returns a point of a report.
 inline Vec3 vectorOf(const nlohmann::json& json) {
   return {json[0].get<double>(), json[1].get<double>(), json[2].get<double>()};
 }
 
-/// The mesh of a file in mm, as it is; none if the file cannot be read.
+/// Loads a file's mesh in mm, unrepaired; none if the file cannot be read.
 inline std::optional<Mesh> loadEngraved(const std::string& path) {
   std::ifstream stream(path, std::ios::binary);
   const std::vector<std::uint8_t> bytes(std::istreambuf_iterator<char>(stream), {});
@@ -29,8 +29,8 @@ inline std::optional<Mesh> loadEngraved(const std::string& path) {
   return std::move(*mesh);
 }
 
-/// Mean luminance of every module, row-major from the symbol's top left.
-/// @param picture  kBakedPixels a module, with the margin of a picture; row 0 at the bottom
+/// Returns the mean luminance of every module, row-major from the symbol's top left.
+/// @param picture  kBakedPixels a module, with a picture's margin; row 0 at the bottom
 inline std::vector<double> moduleMeans(const std::vector<float>& picture, int modules) {
   const int texels = kBakedPixels * (modules + 2 * kPictureMarginModules);
   std::vector<double> means;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From how far aside a code on a curved surface can be read at all, however it is made: painted with black ink on the
-// uncarved model, by the same projection. What does not read so, no carving can make readable.
+// Measures the angles from which a code on a curved surface can decode at all, however it is made: painted with black
+// ink on the uncarved model, by the same projection. Where ink does not decode, no carving can.
 //
 //     qrelief_ink_bench FOLDER CENTRES.json [KIND...]       CENTRES.json: see bench/centres.h
 //
-// Version 3, as wide as a centre's width says or as fits, whichever is less; the phone at the reader's distance, from
-// eight sides; blur and noise as in the verification; ZXing-C++ in all its reading variants. What is hidden from in
-// front counts as painted, too, so the counts are, if anything, too high.
+// Version 3, as wide as the centre's width or the largest that fits, whichever is less; the phone at the reader's
+// distance, from eight sides; blur and noise as in the verification; ZXing-C++ in all its reading variants. Surface
+// hidden from the front counts as painted, too, so the counts are, if anything, too high.
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
@@ -55,7 +55,7 @@ Result<bool> reads(const GeometryPass& pass, const EngravableModel& model, const
   return readWithZxing(view) == text;
 }
 
-/// From how many of the sides it reads, by tilt.
+/// Counts the sides from which the code decodes, by tilt.
 using Counts = std::array<int, kTiltsDeg.size()>;
 
 Result<Counts> countSides(const GeometryPass& pass, const EngravableModel& model, const Placement& placement) {
@@ -69,7 +69,7 @@ Result<Counts> countSides(const GeometryPass& pass, const EngravableModel& model
       if (!read) return tl::unexpected(read.error());
       counts[t] += *read;
     }
-    if (counts[t] == 0) break;  // farther aside nothing is read, either
+    if (counts[t] == 0) break;  // nothing decodes at larger tilts, either
   }
   return counts;
 }

@@ -36,7 +36,7 @@ struct Code {
 void compare(const char* name, const Code& code, const HeightMap& map, const RaySurface& surface) {
   const auto start = Clock::now();
   std::vector<Received> received;
-  // As verification/mesh_luminance.cpp and pipeline/printed_view.cpp have it.
+  // As in verification/mesh_luminance.cpp and pipeline/printed_view.cpp.
   const LightOptions options{.sampling = map.isContinuous ? LightSampling{1, 12} : LightSampling{2, 8},
                              .reachMm = map.size * map.patchMm * std::numbers::sqrt2,
                              .everyPatchMm = (map.isContinuous ? 20 : 12) * map.patchMm};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How long a model takes from bytes to a welded, checked, searchable mesh, and how long assimp takes to read and weld
-// it, where it is installed; the median of some runs, one line each: "NAME MILLISECONDS TRIANGLES". Run by
-// bench/load_peers.mjs, which sets three.js beside it.
+// Measures the time from a model's bytes to a welded, checked, searchable mesh, and assimp's time to read and weld it,
+// if assimp is installed. Prints the median of some runs, one line each: "NAME MILLISECONDS TRIANGLES". Run by
+// bench/load_peers.mjs, which compares it with three.js.
 //
 //     qrelief_load_bench MODEL [SCALE] [RUNS]
 #include <algorithm>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Loading a model, ours beside assimp and the loaders of three.js, in one run:
+// Compares our loading of a model with assimp and the loaders of three.js, in one run:
 //
 //     script/bench load MODEL [SCALE] [RUNS]
 //
-// Ours ends with a mesh that is welded, repaired, checked for crossing triangles and has its adjacency and normals; the
-// others end with triangles whose equal corners are one, three.js for STL through mergeVertices (its PLY loader keeps the
-// file's vertices). script/bench installs three into build/bench; nothing but this bench needs it.
+// Ours ends with a mesh that is welded, repaired, checked for crossing triangles and has its adjacency and normals. The
+// others end with triangles that share equal corners; three.js for STL needs mergeVertices (its PLY loader keeps the
+// file's vertices). script/bench installs three into build/bench; only this bench needs it.
 import {execFileSync} from 'node:child_process';
 import {readFileSync} from 'node:fs';
 import {createRequire} from 'node:module';

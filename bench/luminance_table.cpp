@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How far the light that the depth search sees is from path traced light, over engraved models:
+// Measures the error of the depth search's light against path-traced light, over engraved models:
 //
 //     qrelief_luminance_table FOLDER CENTRES.json [CELLS] [PATHS]
 //
 //     CENTRES.json: see bench/centres.h
 //
 // Each flat and each curved centre is engraved with the next of the five patterns, by either objective in turn. The
-// pass works on the map of the model with the depths found; the path tracer on the engraved mesh, as written to a file
-// and read again. Of each, CELLS submodules drawn at random are compared, as many carved as not.
+// pass works on the map of the model with the depths found; the path tracer on the engraved mesh, written to a file and
+// read again. Compares CELLS submodules of each, drawn at random, as many carved as not.
 //
-// Then the interreflection of shaders/interreflection.glsl is fitted anew: to every second model, and judged on the
+// Then fits the interreflection of shaders/interreflection.glsl anew, to every second model, and tests it on the
 // others.
 #include <algorithm>
 #include <array>
@@ -38,7 +38,7 @@ struct Cell {
   int row = 0, column = 0;  // from the quiet zone's top left
   bool carved = false;
   Received received = {};
-  double luminance = 0;  // of the pass, at kAlbedo
+  double luminance = 0;  // from the pass, at kAlbedo
   std::array<CellLight, kFitAlbedos.size()> traced = {};
   int model = 0;
 
@@ -60,7 +60,7 @@ EngraveRequest requestFor(const bench::Centre& centre, int number) {
   return request;
 }
 
-/// At the suggested width, or the largest that fits.
+/// Returns the suggested width, or the largest that fits.
 Result<EngraveResult> engraveAt(const std::shared_ptr<const EngravableModel>& model, EngraveRequest request) {
   auto engraved = engrave(model, request);
   if (engraved) return engraved;
@@ -108,7 +108,7 @@ void trace(const EngraveResult& engraved, int paths, std::vector<Cell>& cells) {
   }
 }
 
-/// Mean of the absolute values and their 99th percentile.
+/// Mean of the absolute values, and their 99th percentile.
 template <class Value>
 std::string summary(const std::vector<Cell>& cells, Value value) {
   std::vector<double> values;
@@ -140,8 +140,8 @@ void printRow(const std::string& name, const std::vector<Cell>& cells) {
   std::fflush(stdout);
 }
 
-/// Of interreflection.glsl: what walls send is wall / (1 - bounces·albedo)·√visibility, what the surface sends
-/// `surface`.
+/// Coefficients of interreflection.glsl: the walls reflect wall / (1 - bounces·albedo)·√visibility, the surface
+/// reflects `surface`.
 struct Factors {
   double wall = 0, bounces = 0, surface = 0;
 };
@@ -152,7 +152,8 @@ double reflectedBy(const Factors& f, const Received& r, double albedo) {
   return albedo * ((1 - pastWalls) * wall + (pastWalls - sky) * f.surface);
 }
 
-/// Least squares over every second model: linear in `wall` and `surface`, tried for every hundredth of `bounces`.
+/// Fits by least squares over every second model: linear in `wall` and `surface`, tried for every hundredth of
+/// `bounces`.
 Factors fitted(const std::vector<Cell>& cells) {
   Factors best;
   double least = std::numeric_limits<double>::infinity();
@@ -174,7 +175,7 @@ Factors fitted(const std::vector<Cell>& cells) {
     }
     const double determinant = xx * yy - xy * xy;
     const double wall = (xt * yy - yt * xy) / determinant, surface = (yt * xx - xt * xy) / determinant;
-    const double squares = -wall * xt - surface * yt;  // beside those of the target
+    const double squares = -wall * xt - surface * yt;  // without the squares of the target
     if (squares < least) {
       least = squares;
       best = {wall, bounces, surface};

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the directions and sizes beyond the paper gain, centre by centre:
+// Measures the gain of the directions and sizes beyond the paper, centre by centre:
 //
 //     qrelief_placement_table FOLDER CENTRES.json [KIND...]
 //
-//     CENTRES.json: see bench/centres.h
-//
-// Every direction is judged in one square: that of the depth-balanced placement. Sizes without quiet zone, mm.
+// Every direction is judged in the same square, the depth-balanced placement's. Sizes without quiet zone, mm.
 #include <algorithm>
 #include <fmt/format.h>
 
@@ -18,7 +16,7 @@ namespace {
 constexpr int kModules = 29;  // version 3
 constexpr double kMostMm = 100;
 
-/// Judged in a square of a given size.
+/// Judges a direction in a square of a given size.
 struct Judged {
   double measure = 0, worstAngleDeg = 0, guaranteedMm = 0;
 };

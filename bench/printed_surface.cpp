@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The surface that a printer leaves of an engraved model, as we make it: how long it takes, whether it reads, and how
-// near it is to one that was made otherwise (from a slicer's paths, or scanned).
+// Measures our simulated print of an engraved model: its time, whether it decodes, and its difference from a print
+// surface of another origin (from a slicer's toolpaths, or scanned).
 #include "printing/printed_surface.h"
 
 #include <algorithm>
@@ -27,7 +27,7 @@ using bench::loadEngraved, bench::moduleMeans, bench::vectorOf;
 constexpr int kMarginModules = kPictureMarginModules, kTexelsAModule = kBakedPixels;
 constexpr int kPaths = 16;
 
-/// What the eye sees of a mesh: heights at the middles of texels, light of the modules, and what readers make of it.
+/// View of a mesh from the eye: heights at the middles of texels, light of the modules, and the decoded tries.
 struct Seen {
   std::vector<double> heightMm;  // NaN: nothing
   std::vector<double> modules;   // mean luminance
@@ -69,7 +69,7 @@ Seen look(const Mesh& mesh, const ProjectionFrame& frame, int modules, double sy
   return seen;
 }
 
-/// With a sliver of a triangle below its lowest point.
+/// Adds a sliver of a triangle below the mesh's lowest point.
 Mesh onFoot(Mesh mesh, Vec3 up, double footMm) {
   up = glm::normalize(up);
   const auto lower = [&](Vec3f a, Vec3f b) { return glm::dot(Vec3(a), up) < glm::dot(Vec3(b), up); };
@@ -117,7 +117,7 @@ int run(int argc, char** argv) {
     fmt::print(stderr, "usage: {} REPORT.json MESH up|side|slant PROCESS [OTHER [OUT.stl [FOOT_MM]]]\n", argv[0]);
     return 2;
   }
-  // Stood on a foot as high as asked for: layers then lie as in a print that stands so.
+  // Place it on a foot of the requested height, so that layers lie as in a print that stands on it.
   const double footMm = argc > 7 ? std::stod(argv[7]) : 0;
   const Json report = Json::parse(std::ifstream(argv[1]), nullptr, false);
   const auto mesh = loadEngraved(argv[2]);

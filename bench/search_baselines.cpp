@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The depth search beside the schemes of earlier work, in one run, to the same end: no carved submodule brighter than
-// (1 − c) of its surroundings.
+// Compares the depth search with the schemes of earlier work, in one run, with the same goal: no carved submodule
+// brighter than (1 − c) of its surroundings.
 //
 //     qrelief_search_bench                                            a bumpy sphere of 82k triangles, 35 mm
-//     qrelief_search_bench MODEL SCALE X,Y,Z [SIZE [RAYS]]            a model of one's own, centre in file units
+//     qrelief_search_bench MODEL SCALE X,Y,Z [SIZE [RAYS]]            a model of your own, centre in file units
 //
-// map           depths on a map that was drawn once: ours, with both solvers
+// map           depths on a map that is drawn once: ours, with both solvers
 // redraw        the same rule and steps as paper-steps, but every iteration carves the mesh, uploads and redraws it
 //               [Papp 2022, §7]
 // ray tracing   every iteration carves the mesh and traces RAYS paths from each dark submodule (their code: 50,000, in
-//               previews 5,000); what is too bright gets a layer deeper [in the manner of Peng 2019]. RAYS is 50, whose
-//               standard error, of a submodule's luminance, stands beside it; how far off maps are: script/bench light
+//               previews 5,000); a submodule that is too bright gets a layer deeper [in the manner of Peng 2019]. RAYS
+//               is 50 by default; the table has the standard error of a submodule's luminance. For the error of maps,
+//               see script/bench light
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -46,7 +47,7 @@ struct Row {
   double meanMm = 0, milliseconds = 0;
 };
 
-/// A placed code and what its depths may be.
+/// A placed code and the limits of its depths.
 struct Spot {
   std::shared_ptr<const EngravableModel> model;
   EngraveRequest request;
@@ -74,7 +75,7 @@ Result<Row> runOnMap(const Spot& spot, ContrastSolver solver, const char* name) 
   return Row{name, result->searchIterations, summarise(result->depths).meanMm, result->timingsMs.depthSearch};
 }
 
-/// The paper's: carve, redraw, light, compare.
+/// Searches as in the paper: carve, redraw, light, compare.
 Result<Row> runRedrawing(const Spot& spot) {
   const auto pass = GeometryPass::create();
   if (!pass) return tl::unexpected(pass.error());
@@ -112,7 +113,7 @@ Result<Row> runRedrawing(const Spot& spot) {
   return Row{"redraw", search.iterations(), summarise(search.depths()).meanMm, millisecondsSince(start)};
 }
 
-/// Peng's: rays from every dark submodule, one layer deeper where it sees too much.
+/// Searches as in Peng 2019: rays from every dark submodule, one layer deeper where it is too bright.
 Result<Row> runTracing(const Spot& spot, int rays) {
   const auto start = Clock::now();
   DepthField depths{spot.mask.size, spot.placement.symbolMm, std::vector<double>(spot.mask.carved.size(), 0)};
@@ -165,7 +166,7 @@ Result<Spot> placedSpot(const std::vector<std::uint8_t>& bytes, const std::strin
   request.placement.sizeMm = sizeMm;
   auto result = engrave(spot.model, request);
   if (!result) return tl::unexpected(result.error());
-  request = std::move(result->request);  // with what it left open
+  request = std::move(result->request);  // with the settings that it left open
   spot.placement = std::move(result->placement);
   spot.symbol = std::move(result->symbol);
   spot.mask = submodulesToCarve(spot.symbol, *request.modulePattern, *request.finderPattern);

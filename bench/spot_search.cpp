@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How the time of the search for spots grows with the model's triangles and with the views; and a view drawn by the
-// processor beside one drawn by the GPU and read back. Best of some runs, and ratios to the first row.
+// Measures how the time of the spot search grows with the model's triangles and with the views, and compares a view
+// drawn by the processor with one drawn by the GPU and read back. Best of some runs, and ratios to the first row.
 //
 //     qrelief_spot_bench            a bumpy sphere of 20k to 1.3 M triangles, 41 mm squares
 #include "pipeline/spot_search.h"

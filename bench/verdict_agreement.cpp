@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether `engrave` and `verify` say the same of what was carved: reads, on pictures drawn by the GPU and traced. At
-// the end, how far apart the tries are that read in drawn and in traced pictures: what isUndecided() rests on.
+// Compares `engrave` and `verify` on the same carvings: whether they decode, in pictures drawn by the GPU and in traced
+// pictures. Finally prints the difference in decoded tries between drawn and traced pictures, on which isUndecided() is
+// based.
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>
@@ -15,7 +16,7 @@
 namespace qrelief {
 namespace {
 
-constexpr int kNone = 1000;  // more than there are tries
+constexpr int kNone = 1000;  // more than the number of tries
 
 struct Case {
   ModulePattern pattern;

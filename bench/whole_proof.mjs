@@ -17,7 +17,7 @@ const kOurs = 'build/release/bin/qrelief';
 const kText = 'https://example.org/p/0123456789';
 const folder = mkdtempSync(join(tmpdir(), 'qrelief-proof-'));
 
-/** Seconds by the clock and of the processor, and what the report says of its stages.
+/** Runs a command: wall-clock and processor seconds, and the stages of its report.
  * @param {string} command @param {string[]} args */
 function run(command, args) {
   const report = join(folder, 'r.json');

@@ -25,7 +25,7 @@ Result<std::vector<std::uint8_t>> readList(const std::string& path) {
   return readText(*stream, kMostLineBytes);
 }
 
-/// The list's rows, or those of --count.
+/// Returns the rows of the list, or the rows that --count numbers.
 Result<BatchList> listOf(const BatchOptions& options) {
   if (options.list.empty() == (options.count == 0)) return fail(ErrorKind::BadUsage, message("batch-list-or-count"));
   if (options.count > 0) return countedBatchList(options.count);
@@ -41,11 +41,11 @@ int printProblems(const BatchPlan& plan, const std::string& list) {
   return kBadInput;
 }
 
-/// Writes the manifest of all, and what became of them. @returns exit status
+/// Writes the manifest of all rows and prints a summary. @returns exit status
 int finish(const BatchFolder& folder, const BatchPlan& plan) {
   std::size_t known = 0, failed = 0;
   const Status read = folder.forEach([&](const ManifestEntry& entry) -> Status {
-    if (entry.number > plan.size()) return {};  // of a longer list before
+    if (entry.number > plan.size()) return {};  // from an earlier, longer list
     ++known;
     if (entry.status == RowStatus::Done) return {};
     ++failed;
@@ -60,7 +60,7 @@ int finish(const BatchFolder& folder, const BatchPlan& plan) {
   return failed + missing == 0 ? kEngraved : kCheckFailed;
 }
 
-/// Joins what the processes of a batch have written.
+/// Merges the manifests that the processes of a batch have written.
 int merge(const BatchOptions& options, const BatchPlan& plan) {
   const auto folder = BatchFolder::open(options.folder, {});
   if (!folder) return printError(folder.error());
@@ -131,7 +131,7 @@ int runRows(const BatchOptions& options, const GivenShard& given, const BatchReq
   return run.failed() == 0 ? kEngraved : kCheckFailed;
 }
 
-/// A stream's request as a row. @param number  of the row, if its name is not one that the folder knows
+/// Makes a row from a line of a stream. @param number  for the row, unless the folder knows its name
 Result<BatchRow> rowOf(const std::string& line, BatchRequest request, std::size_t number) {
   auto list = readBatchList(std::span(reinterpret_cast<const std::uint8_t*>(line.data()), line.size()));
   if (!list) return tl::unexpected(list.error());
@@ -141,8 +141,8 @@ Result<BatchRow> rowOf(const std::string& line, BatchRequest request, std::size_
   return plan.row(0);
 }
 
-/// Requests as they come, one JSON object a line, and an answer to each: its line of the manifest. The numbers go on
-/// where the folder's end; a request whose file is there already is answered by what was said of it.
+/// Carves requests as they come, one JSON object a line, and answers each with its line of the manifest. Row numbers
+/// continue after the folder's last one. A request whose file already exists gets the manifest's line for that file.
 int runStream(const BatchOptions& options, const BatchRequest& request) {
   auto folder = BatchFolder::open(options.folder, {});
   if (!folder) return printError(folder.error());
@@ -181,7 +181,7 @@ int runStream(const BatchOptions& options, const BatchRequest& request) {
       known[row->file] = {next++, row->request.text};
     const auto entries = run.make({*row}, *placed);
     if (!entries) return printError(entries.error());
-    std::cout << manifestLine(entries->front()) << std::endl;  // whoever asks waits for it
+    std::cout << manifestLine(entries->front()) << std::endl;  // flush: the client waits for the line
   }
   return run.failed() == 0 ? kEngraved : kCheckFailed;
 }

@@ -18,7 +18,7 @@
 namespace qrelief {
 namespace {
 
-/// Everything that decides a row's output and that its request does not say.
+/// Returns everything that a row's output depends on beyond its request.
 std::string otherSettings(const BatchOptions& options) {
   const RepairFlags& r = options.model.repair;
   return fmt::format("{} {} {} {} {}", options.model.units, options.model.scale.value_or(0), r.weldTolerance, r.maxHole,
@@ -97,10 +97,10 @@ Result<std::vector<ManifestEntry>> BatchRun::make(std::vector<BatchRow> rows, co
   return entries;
 }
 
-/// Whether each row has a file of its own.
+/// Returns true if each row has a file of its own.
 bool BatchRun::isFiled() const { return options_->perPlate == 0 || !options_->name.empty(); }
 
-/// Fills the entries. @returns an error only if nothing more can be written
+/// Carves rows and fills their entries. @returns an error only if nothing more can be written
 Status BatchRun::carveAll(const std::vector<BatchRow>& rows, std::vector<ManifestEntry>& entries,
                           const std::string& plate) {
   std::vector<ModelObject> objects;
@@ -131,7 +131,7 @@ Status BatchRun::carveAll(const std::vector<BatchRow>& rows, std::vector<Manifes
   return {};
 }
 
-/// Carves a row, and writes its file if it has one. @returns an error if it is not done, and the entry's details
+/// Carves a row, fills its entry, and writes its file if it has one. @returns an error if that fails
 Result<Engraved> BatchRun::carve(const BatchRow& row, ManifestEntry& entry) {
   const auto start = Clock::now();
   const bool looksAtPrint = (row.number - 1) % options_->printEvery == 0;

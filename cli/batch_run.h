@@ -16,7 +16,7 @@
 
 namespace qrelief {
 
-/// What the command line says of a batch.
+/// Command-line options of a batch.
 struct BatchOptions {
   ModelFlags model;
   SettingFlags flags;
@@ -26,25 +26,25 @@ struct BatchOptions {
   bool merge = false, retryFailed = false, stream = false, reports = false, quiet = false;
 };
 
-/// Carves the rows of one process of a batch into its folder. prepare() comes first.
+/// Carves one process's rows of a batch into the folder. Call prepare() first.
 class BatchRun {
  public:
   /// @param options  kept by reference
   BatchRun(const BatchOptions& options, BatchFolder folder) : options_(&options), folder_(std::move(folder)) {}
 
-  /// Loads the model, and finds the place that all rows share. @param all  a row's; then has the place
+  /// Loads the model, and finds the place that all rows share. @param all  any row's request; receives the place
   Status prepare(EngraveRequest& all);
 
-  /// Carves what is not yet there of some rows: of one, or of all of a plate. Their lines are written last.
+  /// Carves the rows that are not done yet: a single row, or all rows of a plate. Writes their lines last.
   /// @param placed  has the place that prepare() found
   /// @param plate   name of the plate's file; empty: none
-  /// @returns an entry a row; an error only if nothing more can be written
+  /// @returns one entry a row; an error only if nothing more can be written
   Result<std::vector<ManifestEntry>> make(std::vector<BatchRow> rows, const EngraveRequest& placed,
                                           const std::string& plate = {});
 
-  std::size_t made() const { return made_; }      ///< rows that were carved now, and passed
-  std::size_t kept() const { return kept_; }      ///< that were there before
-  std::size_t failed() const { return failed_; }  ///< now or before
+  std::size_t made() const { return made_; }      ///< rows carved now that passed
+  std::size_t kept() const { return kept_; }      ///< rows done before
+  std::size_t failed() const { return failed_; }  ///< rows failed now or before
   const BatchFolder& folder() const { return folder_; }
 
  private:
@@ -55,12 +55,12 @@ class BatchRun {
 
   const BatchOptions* options_;
   BatchFolder folder_;
-  std::unique_ptr<EglContext> gl_;  // outlives what lies in it
+  std::unique_ptr<EglContext> gl_;  // outlives the GL objects below
   std::shared_ptr<const EngravableModel> model_;
   std::optional<Engraver> engraver_;
   std::vector<std::string> partNames_;
   std::string input_;     // SHA-256 of the model's file
-  ReportContext report_;  // what all rows' reports have
+  ReportContext report_;  // common to the reports of all rows
   std::size_t made_ = 0, kept_ = 0, failed_ = 0;
 };
 

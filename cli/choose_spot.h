@@ -8,10 +8,10 @@
 
 namespace qrelief {
 
-/// For a request without a centre: sets the best spot for the size asked for, or the one that takes the largest, and
-/// says where it is.
-/// @param scaleToMm  of the file, in whose units it is said
-/// @param to         whom it is said
+/// Completes a request without a centre: sets the best spot for the requested size, or the spot with the largest size,
+/// and prints where it is.
+/// @param scaleToMm  of the file; the position is printed in the file's units
+/// @param to         stream to print to
 Status chooseSpot(std::shared_ptr<const EngravableModel> model, EngraveRequest& request, double scaleToMm, bool quiet,
                   std::FILE* to);
 

@@ -17,27 +17,28 @@ enum ExitStatus { kEngraved = 0, kCheckFailed = 1, kBadUsage = 2, kBadInput = 3,
 
 int exitStatusOf(ErrorKind code);
 
-/// "qrelief: error: FILE: MESSAGE" and the hint on stderr. @returns the error's exit status
-/// @param file  that the command works on; not named where the request itself makes no sense, or if it is empty
+/// Prints "qrelief: error: FILE: MESSAGE" and the hint to stderr. @returns the error's exit status
+/// @param file  that the command works on; left out if it is empty or the request itself makes no sense
 int printError(const Error& error, std::string_view file = {});
 
-/// "qrelief: warning: FILE: MESSAGE" and the hint on stderr.
+/// Prints "qrelief: warning: FILE: MESSAGE" and the hint to stderr.
 void printWarning(const Message& message, std::string_view file);
 
-/// How reports word messages.
+/// Returns the wording of messages in reports.
 Wording commandWording();
 
-/// The checks that a file did not pass, and what would help, on stderr. @returns kEngraved, or kCheckFailed
+/// Prints a file's failed checks and their remedies to stderr. @returns kEngraved, or kCheckFailed
 int printFailed(const Verdict& verdict);
 
-/// Each adds its options to the program and returns what runs it.
+/// Each adds its options to the program and returns the function that runs the command.
 std::function<int()> addBatchCommand(CLI::App& app);
 std::function<int()> addEngraveCommand(CLI::App& app);
 std::function<int()> addInfoCommand(CLI::App& app);
 std::function<int()> addPlaceCommand(CLI::App& app);
 std::function<int()> addVerifyCommand(CLI::App& app);
 
-/// File units → mm by the two options that say so, if one does; `units` is one of mm, cm, m, in or empty.
+/// Returns the factor from file units to mm, if one of the two options sets it; `units` is one of mm, cm, m, in or
+/// empty.
 Result<std::optional<double>> scaleFrom(std::optional<double> scale, const std::string& units);
 
 }  // namespace qrelief

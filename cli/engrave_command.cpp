@@ -33,7 +33,7 @@ struct EngraveOptions {
   EngraveRequest request;
 };
 
-/// For the check of -o; empty if such a file can be written.
+/// Checks the value of -o. Empty if such a file can be written.
 std::string whyNotWritable(const std::string& path) {
   const ModelFormat format = formatOfName(path);
   const bool writable = format == ModelFormat::Stl || format == ModelFormat::Obj || format == ModelFormat::Ply ||
@@ -89,7 +89,7 @@ void printSummary(const EngraveOptions& options, const EngraveResult& result, co
   }
 }
 
-/// Where it did not read as asked for: what was done about it.
+/// Prints what was carved instead, if the code did not decode as requested.
 void tellWhatWasCarved(const EngraveRequest& asked, const EngraveRequest& carved) {
   if (carved.preset != asked.preset)
     fmt::print("engraved with preset {}: with {}, the code or its print did not decode reliably\n",
@@ -98,7 +98,7 @@ void tellWhatWasCarved(const EngraveRequest& asked, const EngraveRequest& carved
     fmt::print("engraved for the design only: when engraved for the print as well, the code did not decode reliably\n");
 }
 
-/// Carves the code for other ways of printing, and says of each what becomes of it. Nothing of that is written.
+/// Carves the code for other ways of printing and prints a verdict on each. Writes no files.
 Status tryOtherPrints(const Engraver& engraver, const EngraveOptions& options, const EngraveResult& result) {
   fmt::print("engraved for other ways of printing:\n");
   for (const SettingChange& other : otherPrints(verifyRequestOf(options.request, result))) {

@@ -18,7 +18,7 @@ struct InfoOptions {
 
 using Json = nlohmann::ordered_json;
 
-/// How many of what a finding says; one, where it can be but one.
+/// Returns the finding's count; 1 if it has none.
 double countIn(const Message& message) {
   for (const MessageValue& value : message.values) {
     if (value.name == "count") return value.numbers[0];
@@ -27,7 +27,7 @@ double countIn(const Message& message) {
   return 1;
 }
 
-/// The words beside the values that they are made of (base/message_json.h).
+/// Writes a finding with its sentence and the values in it (base/message_json.h).
 Json jsonOf(const Finding& finding) {
   return {{"severity", severityName(finding.severity)},
           {"code", finding.message.code},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The `qrelief` command; its options are the contract of the README.
+// The `qrelief` command. The README is the contract for its options.
 #include <cstdio>
 #include <exception>
 #include <fmt/format.h>

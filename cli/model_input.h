@@ -12,7 +12,7 @@
 
 namespace qrelief {
 
-/// The model that a command works on, and how it is to be taken.
+/// Command-line options for the model: its file, units, scale and repairs.
 struct ModelFlags {
   std::string path, units;
   std::optional<double> scale;
@@ -22,10 +22,10 @@ struct ModelFlags {
 /// Adds MODEL, --scale, --units and the repair flags.
 void addModelFlags(CLI::App& command, ModelFlags& flags);
 
-/// A model from a file, checked; it may have blocking findings.
+/// A checked model from a file; it may have blocking findings.
 struct ModelInput {
   std::string format;
-  std::vector<Message> warnings;  ///< of the reader
+  std::vector<Message> warnings;  ///< from the parser
   std::vector<std::string> partNames;
   double scaleToMm = 1;
   PreparedModel prepared;
@@ -34,7 +34,7 @@ struct ModelInput {
 
 Result<ModelInput> loadModel(const ModelFlags& flags);
 
-/// The same for a model that is to be engraved: warnings are said on stderr, a blocking finding is an error.
+/// Loads a model to engrave: prints warnings to stderr, and returns a blocking finding as an error.
 Result<ModelInput> loadEngravable(const ModelFlags& flags);
 
 }  // namespace qrelief

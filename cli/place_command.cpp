@@ -42,7 +42,7 @@ Status completeRequest(PlaceOptions& options) {
   auto engraving = options.flags.request();
   if (!engraving) return tl::unexpected(engraving.error());
   SpotSearchRequest& request = options.request;
-  const std::string shortest = "1";  // where only the version is known
+  const std::string shortest = "1";  // if only the version is known
   if (engraving->text.empty() && !engraving->symbol.version) engraving->symbol.version = 1;
   const auto symbol = encodeSymbol(engraving->text.empty() ? shortest : engraving->text, engraving->symbol);
   if (!symbol) return tl::unexpected(symbol.error());
@@ -139,7 +139,7 @@ int findSpots(PlaceOptions& options) {
   Json json = describe(options, *input, model->prepared.mesh.triangles.size(), result);
   json["timingsMs"] = {
       {"prepare", prepareMs}, {"place", millisecondsSince(placing)}, {"total", millisecondsSince(start)}};
-  // A file name that is no UTF-8 must not lose the report.
+  // A file name that is not UTF-8 must not lose the report.
   const std::string text = json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
   const Status written = writeFileAtomically(options.json, text);
   return written ? kEngraved : printError(written.error());

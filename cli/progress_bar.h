@@ -6,7 +6,7 @@
 
 namespace qrelief {
 
-/// Progress on stderr: one line that is redrawn on a terminal, one plain line a stage otherwise.
+/// Shows progress on stderr: one line that is redrawn on a terminal, one plain line a stage otherwise.
 class ProgressBar {
  public:
   explicit ProgressBar(bool quiet);

@@ -10,7 +10,7 @@
 
 namespace qrelief {
 
-/// What the command line says about repairs.
+/// Command-line options for repairs.
 struct RepairFlags {
   std::string weldTolerance = "auto", maxHole = "auto";
   std::vector<std::string> without;

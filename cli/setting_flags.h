@@ -12,24 +12,24 @@
 
 namespace qrelief {
 
-/// Flags of a command that are settings (settings/settings.h): their names, helps, defaults and checks come from there.
+/// Flags of a command that are settings (settings/settings.h). Names, help, defaults and checks come from there.
 class SettingFlags {
  public:
-  /// Adds the flag of a setting. It must outlive the parsing.
-  /// @param before  what the help begins with
+  /// Adds the flag of a setting. SettingFlags must outlive the parsing.
+  /// @param before  text to put before the help
   CLI::Option& add(CLI::App& command, std::string_view key, std::string_view before = {});
-  /// Adds those of a group, but for texts.
+  /// Adds the settings of a group, except texts.
   void addGroup(CLI::App& command, std::string_view group);
-  /// Adds all, but for texts.
+  /// Adds all settings, except texts.
   void addAll(CLI::App& command);
 
   bool isGiven(std::string_view key) const;
 
-  /// What was given, or what a default request says. @returns BadUsage for a value that is none or is out of its range
+  /// Returns the given value, or the default. @returns BadUsage for a value that is invalid or out of its range
   Result<SettingValue> value(std::string_view key) const;
 
-  /// The default request with what was given laid over it.
-  /// @returns BadUsage for the first value that is none or is out of its range
+  /// Returns the default request with the given values.
+  /// @returns BadUsage for the first value that is invalid or out of its range
   Result<EngraveRequest> request() const;
 
  private:

@@ -13,7 +13,7 @@ std::string variable(const char* name) {
   return value ? value : "";
 }
 
-/// @param index  counts from `first`
+/// Makes a shard from an index and a count. @param index  counts from `first`
 Result<GivenShard> shardOf(const std::string& index, const std::string& first, const std::string& count,
                            const char* from) {
   const auto unknown = [&] {
@@ -24,7 +24,7 @@ Result<GivenShard> shardOf(const std::string& index, const std::string& first, c
     const auto shard = Shard::parse(fmt::format("{}/{}", std::stoll(index) - std::stoll(first), std::stoll(count)));
     if (!shard) return unknown();
     return GivenShard{*shard, from};
-  } catch (const std::exception&) {  // no number
+  } catch (const std::exception&) {  // not a number
     return unknown();
   }
 }

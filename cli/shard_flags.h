@@ -8,19 +8,19 @@
 
 namespace qrelief {
 
-/// The share of this process, and who said so.
+/// The share of this process, and its source.
 struct GivenShard {
   Shard shard;
-  std::string from;  ///< "--shard", or a variable of the environment; empty: it has the whole
+  std::string from;  ///< "--shard", or an environment variable; empty: this process has the whole batch
 };
 
-/// The share that --shard names; else that of an engine which runs arrays of processes, by the variables that it sets:
-/// Slurm's SLURM_ARRAY_TASK_ID, _MIN and _COUNT, AWS Batch's AWS_BATCH_JOB_ARRAY_INDEX and _SIZE, and of Kubernetes'
-/// Indexed Jobs JOB_COMPLETION_INDEX with `shards`, as Kubernetes does not say how many there are.
-/// @param flag    of --shard; may be empty
-/// @param shards  of --shards; 0: not given. How many there are, whatever the engine says: part of an array that is run
-///                again is an array of its own to it; shares count from 0 then
-/// @returns BadUsage for what is no share
+/// Returns the share that --shard names. Without it, returns the share that an array job's environment sets: Slurm's
+/// SLURM_ARRAY_TASK_ID, _MIN and _COUNT, AWS Batch's AWS_BATCH_JOB_ARRAY_INDEX and _SIZE, or JOB_COMPLETION_INDEX of
+/// Kubernetes' Indexed Jobs. Kubernetes does not say how many there are, so it needs `shards`.
+/// @param flag    value of --shard; may be empty
+/// @param shards  value of --shards; 0: not given. Overrides the environment's count, because the engine takes a
+///                partial rerun of an array for an array of its own; shares then count from 0
+/// @returns BadUsage for an invalid share
 Result<GivenShard> shardFrom(const std::string& flag, std::size_t shards);
 
 }  // namespace qrelief

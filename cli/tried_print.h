@@ -9,7 +9,7 @@
 
 namespace qrelief {
 
-/// "Reads as printed, facing up (…); 40 of 72 tries", of a print that was tried.
+/// Describes a print that was tried: "Reads as printed, facing up (…); 40 of 72 tries".
 inline std::string triedPrint(const Aspect& prints, const PrintedEvidence& printed) {
   const ReadingCount& count = printed.reading.count;
   return fmt::format("{}; {} of {} tries", sentence(prints.summary), count.reads, count.tries);

@@ -26,7 +26,7 @@ struct VerifyOptions {
   bool quick = false, traced = false, tryPrints = false, quiet = false;
 };
 
-/// Place, size and text from the command line.
+/// Returns place, size and text from the command line.
 Result<VerifyRequest> requestFromFlags(const VerifyOptions& options, const EngraveRequest& settings) {
   const PlacementRequest& place = settings.placement;
   if (settings.text.empty() || options.at.empty() || !place.direction || place.sizeMode != SizeMode::Fixed)
@@ -103,7 +103,7 @@ void printResult(const std::string& name, const VerifyRequest& request, const Ve
     for (const Message& reason : verdict.solid.reasons) fmt::print("{}\n", sentence(reason));
 }
 
-/// Prints the same model in other ways, in simulation, and says of each what becomes of the code.
+/// Simulates other prints of the same model and prints a verdict on each.
 Status tryOtherPrints(const VerifyRequest& request, const Mesh& carved, bool quiet) {
   fmt::print("this model, printed in other ways:\n");
   for (const SettingChange& other : otherPrints(request)) {
@@ -139,7 +139,7 @@ int verifyModel(const VerifyOptions& options) {
   const VerifyResult result = (*job)->takeResult();
 
   std::optional<PrintedEvidence> printed;
-  // Of what is open no slicer makes what is meant; where nothing is carved, nothing can be read.
+  // A slicer does not make the intended solid from an open mesh, and without a carving there is nothing to decode.
   if (result.solidity.closed() && result.features) {
     ProgressBar bar(options.quiet);
     auto read = readPrinted(*request, *mesh, [&](const Progress& progress) { bar.show(progress); });

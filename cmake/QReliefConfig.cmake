@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # find_package(QRelief) defines
-#   QRelief::core    reading, projecting, carving and writing; needs an OpenGL ES 3 context that the program makes
+#   QRelief::core    parsing, projecting, carving and writing; the program must make an OpenGL ES 3 context
 #   QRelief::native  the core with an EGL context without a window, files, a QR decoder and `Engraver`
 include(CMakeFindDependencyMacro)
 find_dependency(PkgConfig)

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runs clang-tidy over C++ files that the native build compiled, see script/tidy.
+// Runs clang-tidy on the C++ files that the native build has compiled, see script/tidy.
 import { execFile, execFileSync } from 'node:child_process';
 import { createHash } from 'node:crypto';
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { cpus, homedir } from 'node:os';
 import { join, relative, resolve, sep } from 'node:path';
 
-/** @typedef {{ file: string, command: string, output: string }} Compilation  of a file that passed the compiler */
+/** @typedef {{ file: string, command: string, output: string }} Compilation  of a file that has compiled */
 
 const kProject = resolve('.') + sep;
 const kBuild = resolve('build/release');
@@ -18,10 +18,10 @@ const outputOf = (program, options) => execFileSync(program, options, { encoding
 
 const withTests = process.argv.includes('--all');
 
-/** Whether it is to be looked at: not what the build itself wrote. @param {string} file */
+/** True for a file to check; false for a file that the build generated. @param {string} file */
 const isMeant = (file) => file.startsWith(kProject) && !file.startsWith(kBuild) && (withTests || !/^(tests|bench)\//.test(relative(kProject, file)));
 
-/** Each file in compile_commands.json that is meant, once. @returns {Compilation[]} */
+/** Lists each file in compile_commands.json to check, once. @returns {Compilation[]} */
 function compilations() {
   const all = JSON.parse(readFileSync(join(kBuild, 'compile_commands.json'), 'utf8'))
     .filter((/** @type {Compilation} */ { file }) => isMeant(file))
@@ -29,7 +29,7 @@ function compilations() {
   return [...new Map(all.map((/** @type {Compilation} */ one) => [one.file, one])).values()];
 }
 
-/** The files of this project that each object was compiled from, as Ninja keeps them. @returns {Map<string, string[]>} */
+/** Returns this project's source files of each object, as Ninja stores them. @returns {Map<string, string[]>} */
 function sourcesOfObjects() {
   const sources = new Map();
   let current = [];
@@ -54,7 +54,7 @@ function digestOf(file) {
 }
 
 /**
- * Names what decides the outcome for a file: the rules, the way it is compiled, and every file of ours that goes into it.
+ * Names the inputs of the outcome for a file: the rules, its compilation, and all our files that go into it.
  * @returns {(compilation: Compilation) => string} a path
  */
 function stampNamer() {
@@ -84,7 +84,7 @@ const [count, passedBefore] = [left.length, all.length - left.length];
 mkdirSync(kPassed, { recursive: true });
 let failed = 0;
 
-/** Takes files until none is left. */
+/** Checks files until none is left. */
 async function work() {
   for (let next = left.pop(); next; next = left.pop()) {
     const found = await findings(next.compilation);

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# One interface target that every target of ours links: warnings, and arithmetic that is the same everywhere.
+# An interface target that every target of ours links: warnings, and arithmetic that is the same everywhere.
 add_library(qrelief_options INTERFACE)
 target_compile_options(qrelief_options INTERFACE
   -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Third-party libraries as targets qrelief::<name>, the same names natively and for WebAssembly.
+# Third-party libraries as targets qrelief::<name>, with the same names natively and for WebAssembly.
 
-# The headers of a few libraries, linked into a folder of their own: a WASM build must not see /usr/include.
+# A folder that links the headers of a few libraries, because a WASM build must not see /usr/include.
 set(QRELIEF_HEADERS ${CMAKE_BINARY_DIR}/third_party)
 file(MAKE_DIRECTORY ${QRELIEF_HEADERS})
 foreach(name CGAL boost glm hwy tiny_obj_loader.h fmt nlohmann tl)
@@ -22,11 +22,11 @@ endif()
 add_library(qrelief::headers ALIAS qrelief_headers)
 
 if(EMSCRIPTEN)
-  # emcc's optimiser looks for the JavaScript parser acorn, which Debian keeps where only its own Node looks.
+  # emcc's optimiser looks for the JavaScript parser acorn. Debian installs it where only its own Node looks.
   set(CMAKE_CXX_LINKER_LAUNCHER ${CMAKE_COMMAND} -E env NODE_PATH=/usr/share/nodejs)
   include(wasm_sources)  # qrelief::qrencode, zlib, expat, csv and imgui from source
   add_library(qrelief_gles INTERFACE)
-  add_library(qrelief_hwy INTERFACE)  # one instruction set, and so nothing to choose at run time
+  add_library(qrelief_hwy INTERFACE)  # one instruction set, so there is nothing to choose at run time
 else()
   find_package(PkgConfig REQUIRED)
   pkg_check_modules(qrencode REQUIRED IMPORTED_TARGET libqrencode)
@@ -53,7 +53,7 @@ else()
   find_package(ZXing REQUIRED)
   add_library(qrelief_zxing INTERFACE)
   target_link_libraries(qrelief_zxing INTERFACE ZXing::ZXing)
-  target_compile_definitions(qrelief_zxing INTERFACE ZX_USE_UTF8)  # text() gives UTF-8, as later releases do
+  target_compile_definitions(qrelief_zxing INTERFACE ZX_USE_UTF8)  # text() returns UTF-8, as in later releases
   add_library(qrelief::zxing ALIAS qrelief_zxing)
 endif()
 add_library(qrelief::gles ALIAS qrelief_gles)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# embed_shaders(TARGET file...): compiles shader files, their #include lines resolved, into TARGET as
+# embed_shaders(TARGET file...): resolves the #include lines of shader files and compiles the files into TARGET as
 # `qrelief::shaders::<name>_<kind>` (occlusion.frag → occlusion_frag), declared in "shaders.h".
 set(EMBED_SHADERS_SCRIPT ${CMAKE_CURRENT_LIST_DIR}/embed_shaders_script.cmake)
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# `cmake --install build/release --component library`: the static libraries, their headers as <qrelief/...>, and what
-# find_package(QRelief) reads. A consumer needs Debian's packages of script/apt-packages.
+# `cmake --install build/release --component library` installs the static libraries, their headers as <qrelief/...>, and
+# the files for find_package(QRelief). A consumer needs the Debian packages in script/apt-packages.
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# `cpack --config build/release/CPackConfig.cmake`: the command as a Debian package and as a tarball.
+# `cpack --config build/release/CPackConfig.cmake` packs the command as a Debian package and as a tarball.
 install(TARGETS qrelief RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT command)
 install(FILES ${PROJECT_SOURCE_DIR}/docs/options.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT command)
 

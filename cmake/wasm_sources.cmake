@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# qrelief::qrencode, qrelief::zlib, qrelief::expat, qrelief::csv and qrelief::imgui for WebAssembly, from the sources that
-# script/fetch-sources put into build/deps.
+# qrelief::qrencode, qrelief::zlib, qrelief::expat, qrelief::csv and qrelief::imgui for WebAssembly, from the sources
+# that script/fetch-sources puts into build/deps.
 set(deps ${PROJECT_SOURCE_DIR}/build/deps)
 foreach(folder qrencode-4.1.1 zlib-1.2.13.dfsg expat-2.5.0 libcsv-3.0.3+dfsg imgui-1.86)
   if(NOT IS_DIRECTORY ${deps}/${folder})
@@ -20,7 +20,7 @@ add_library(qrelief_qrencode STATIC
   ${folder}/rsecc.c
   ${folder}/split.c)
 target_include_directories(qrelief_qrencode SYSTEM PUBLIC ${folder})
-# What its configure script would have put into config.h.
+# Definitions that its configure script would put into config.h.
 target_compile_definitions(qrelief_qrencode PRIVATE
   STATIC_IN_RELEASE=static HAVE_STRDUP=1 MAJOR_VERSION=4 MINOR_VERSION=1 MICRO_VERSION=1 VERSION="4.1.1")
 add_library(qrelief::qrencode ALIAS qrelief_qrencode)
@@ -36,13 +36,13 @@ add_library(qrelief_zlib STATIC
   ${folder}/trees.c
   ${folder}/zutil.c)
 target_include_directories(qrelief_zlib SYSTEM PUBLIC ${folder})
-target_compile_options(qrelief_zlib PRIVATE -w)  # function definitions of before 1989
+target_compile_options(qrelief_zlib PRIVATE -w)  # function definitions in pre-1989 style
 add_library(qrelief::zlib ALIAS qrelief_zlib)
 
 set(folder ${deps}/expat-2.5.0/expat/lib)
 add_library(qrelief_expat STATIC ${folder}/xmlparse.c ${folder}/xmlrole.c ${folder}/xmltok.c)
 target_include_directories(qrelief_expat SYSTEM PUBLIC ${folder})
-# What its configure script would have put into expat_config.h.
+# Definitions that its configure script would put into expat_config.h.
 target_compile_definitions(qrelief_expat PRIVATE
   BYTEORDER=1234 HAVE_MEMMOVE=1 XML_NS=1 XML_DTD=1 XML_CONTEXT_BYTES=1024 XML_POOR_ENTROPY=1)
 file(WRITE ${CMAKE_BINARY_DIR}/expat/expat_config.h "")

@@ -18,7 +18,7 @@ const char* nameOf(ErrorKind kind) {
   return "Internal";
 }
 
-/// {…, "code", "values"}
+/// Adds "code" and "values" to an object.
 Json besides(Json json, const Message& message) {
   json.update(jsonOf(message));
   return json;

@@ -13,27 +13,27 @@
 
 namespace qrelief {
 
-/// What the engine's verbs answer, as JSON text: {"ok": true, …} or {"ok": false, "error": {"kind", "code", "values"}},
-/// where code and values are those of a message (base/message_json.h).
+/// Answer of one of the engine's verbs, as JSON text: {"ok": true, …} or {"ok": false, "error": {"kind", "code",
+/// "values"}}. Code and values belong to a message (base/message_json.h).
 using Json = nlohmann::ordered_json;
 
-/// Texts from files may hold bytes that are no UTF-8: they become replacement characters.
+/// Serialises JSON. Texts from files may hold bytes that are not UTF-8; each becomes a replacement character.
 std::string textOf(const Json& json);
 
-/// {"ok": true}
+/// Returns {"ok": true}.
 std::string done();
 
 std::string answer(const Error& error);
 std::string answer(ErrorKind kind, Message message);
 
-/// {"ok": true, stage, fraction, done}
+/// Returns {"ok": true, stage, fraction, done}.
 std::string answer(const Progress& progress, const Json& more = Json::object());
 
 Json jsonOf(Vec3 v);
 
 inline const Error kNoModel = {ErrorKind::BadUsage, message("no-model")};
 
-/// The reader's warnings, then what was found out about the model: {"severity", "code", "values"} each.
+/// Lists the parser's warnings, then the findings about the model, each as {"severity", "code", "values"}.
 Json jsonOf(std::span<const Message> warnings, std::span<const Finding> findings);
 
 }  // namespace qrelief

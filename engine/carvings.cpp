@@ -20,7 +20,7 @@
 namespace qrelief {
 namespace {
 
-constexpr int kNormalTexels = 768;  // of the map that gives a carved surface its smooth normals
+constexpr int kNormalTexels = 768;  // for the smooth normals of a carved surface
 constexpr int kPreparedSteps = 5;   // of an engraving: the surface, and the first passes of the search
 
 }  // namespace
@@ -39,7 +39,7 @@ Result<std::unique_ptr<EngraveJob>> Carvings::makeJob(const Ground& ground, cons
        .pass = ground.pass,
        .programs = programs_,
        .measured = std::move(measured),
-       .lightBy = timerQueries_ ? LightBy::Shaders : LightBy::Renderer});  // whose passes are to be timed
+       .lightBy = timerQueries_ ? LightBy::Shaders : LightBy::Renderer});  // timed passes need shaders
 }
 
 bool Carvings::prepare(const Ground& ground, EngraveRequest request, const PlacementSearch* placed) {
@@ -49,8 +49,8 @@ bool Carvings::prepare(const Ground& ground, EngraveRequest request, const Place
   if (!placed || (prepared_ && prepared_->steps == kPreparedSteps)) return true;
   const auto start = Clock::now();
   if (!prepared_) {
-    auto job = makeJob(ground, request, placed, nullptr);  // the last carving's is shown
-    if (!job) return true;                                 // engraving says why
+    auto job = makeJob(ground, request, placed, nullptr);  // the measured place still belongs to the shown carving
+    if (!job) return true;                                 // the engraving itself reports the error
     prepared_ = {std::move(request), std::move(*job)};
   } else if (prepared_->job->advance()) {
     ++prepared_->steps;
@@ -63,7 +63,7 @@ bool Carvings::prepare(const Ground& ground, EngraveRequest request, const Place
 }
 
 Result<Progress> Carvings::start(const Ground& ground, EngraveRequest request, const PlacementSearch* placed) {
-  request.recordSearch = true;  // so that the inspector can show it, whenever it is opened
+  request.recordSearch = true;  // so that the inspector can show it whenever it is opened
   current_.request = std::move(request);
   current_.ms = placed ? placed->directionMs() + placed->sizeMs() : 0;
   std::optional<Prepared> prepared = std::exchange(prepared_, std::nullopt);
@@ -91,7 +91,7 @@ Result<Progress> Carvings::advance() {
     return progress;
   }
   if (progress->done) {
-    runs_ = false;  // the job itself stays: the inspector shows its maps
+    runs_ = false;  // keep the job: the inspector shows its maps
     current_.result = job_->takeResult();
     measured_ = job_->measuredPlace();
     current_.number = ++finished_;
@@ -192,7 +192,7 @@ Result<EngraveRequest> Carvings::printedAs(const std::string& changed) const {
   auto settings = nlohmann::ordered_json::parse(settingsJson(current_.request));
   const auto changes = parseJson(changed);
   if (!changes) return tl::unexpected(changes.error());
-  if (changes->contains("process"))  // which brings its own
+  if (changes->contains("process"))  // a process has its own
     for (const char* key : {"nozzleMm", "layerMm", "lineWidthMm"}) settings.erase(key);
   settings.update(*changes);
   return requestFromJson(settings.dump());

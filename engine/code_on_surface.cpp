@@ -12,7 +12,8 @@ namespace qrelief {
 namespace {
 
 constexpr int kReachTexels = 192;
-constexpr double kReachEdges = 3;  // edge of the map around a placed code, in its own: it can be turned and enlarged
+constexpr double kReachEdges = 3;  // edge of the map around a placed code, in code edges: the code can be turned and
+                                   // enlarged
 
 Result<EyeReach> reachAround(const LoadedModel& model, const SurfacePrint& print) {
   return lookAround(model.look, print.frame, {kReachEdges * print.edgeMm, kReachTexels});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The engine's model, and what is wanted of it.
+// Implements the verbs that load the model and configure the code.
 #include "engine/engine.h"
 
 #include <cmath>

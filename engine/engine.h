@@ -18,192 +18,198 @@
 
 namespace qrelief {
 
-/// What the page asks of the core, as verbs; the state is one model, one place on it, one engraving. Each is kept by a
-/// class of its own; this one knows how they hang together, and words their answers.
+/// The core's interface for the page: a set of verbs. Its state is one model, one place on the model and one engraving.
+/// A class of its own keeps each of them; Engine coordinates these classes and serialises their answers.
 ///
-/// Answers are JSON: {"ok": true, …} or {"ok": false, "error": {"code", "message", "hint"}} with the codes BadUsage,
-/// BadInput, NoSolution, Internal. Screen positions are CSS pixels from the canvas's upper left, lengths mm. Needs a
-/// current GL context from its making to its end; knows nothing of browsers.
+/// Answers are JSON: {"ok": true, …} or {"ok": false, "error": {"kind", "code", "values"}} with the kinds BadUsage,
+/// BadInput, NoSolution, Internal. Screen positions are CSS pixels from the upper left of the canvas, lengths are mm.
+/// Needs a current GL context for its whole life; knows nothing of browsers.
 class Engine {
  public:
-  /// @param renderer  name of the graphics processor, where the caller knows it better than GL_RENDERER (browsers mask
-  /// it)
+  /// @param renderer  name of the graphics processor, if the caller knows it better than GL_RENDERER (browsers mask it)
   explicit Engine(const std::string& renderer = {});
 
-  /// {renderer, version, problems: [text]}; with a problem nothing can be drawn or engraved.
+  /// Returns {renderer, version, problems: [text]}. With a problem, nothing can be drawn or engraved.
   std::string capabilities() const;
 
-  /// {model: {format, scaleToMm, triangles, vertices, sizeMm, shells, engravable, findings, centre}}; `centre` is the
-  /// surface point in the middle of the view, chosen until another is. After an error the old model stays.
-  /// @param bytes      the file; freed as soon as it is read
+  /// Loads a model. Returns {model: {format, scaleToMm, triangles, vertices, sizeMm, shells, engravable, findings,
+  /// centre}}. `centre` is the surface point in the middle of the view, and stays the centre until another one is
+  /// chosen. After an error the old model stays.
+  /// @param bytes      the file; freed as soon as it is parsed
   /// @param scaleToMm  file units → mm; 0: as the file says (3MF), else 1
   std::string loadModel(std::vector<std::uint8_t> bytes, const std::string& fileName, double scaleToMm);
 
-  /// See readSettings. What is engraved follows from the last call.
+  /// Sets the settings for the next engraving, see readSettings. The last call counts.
   std::string configure(const std::string& settings);
-  /// See describeSymbol; changes nothing.
+  /// Describes the symbol for some settings and changes nothing, see describeSymbol.
   std::string symbol(const std::string& settings) const;
 
-  /// {hit: false} or {hit: true, centre}; the centre of the code. Shows the model as it was before carving.
+  /// Makes the surface point at a screen position the centre of the code. Returns {hit: false} or {hit: true, centre}.
+  /// Shows the model as it was before carving.
   std::string pick(double x, double y);
-  /// The same with the surface point nearest to a point in mm.
+  /// Does the same with the surface point nearest to a point in mm.
   std::string setCentre(double x, double y, double z);
 
-  /// {placement: {centre, direction, normal, up, symbolMm, moduleMm, guaranteedMm, rotationDeg, version, modules}}, and
-  /// shows the symbol there; `direction` is the one that the centre came with (chooseSpot), else null. Where none fits,
-  /// what of it does is shown.
+  /// Finds the place and shows the symbol there. Returns {placement: {centre, direction, normal, up, symbolMm,
+  /// moduleMm, guaranteedMm, rotationDeg, version, modules}}. `direction` is the direction that came with the centre
+  /// (chooseSpot), else null. Where no code fits, shows the part that does.
   std::string placement();
 
-  /// {hit: false}, {hit: true, onCode: true} over the code that has its place, else {hit: true, onCode: false, code};
-  /// shows the code where it would about lie. `code`: {symbolMm, moduleMm, guaranteedMm, missingShare, exact}.
+  /// Shows the code about where it would lie. Returns {hit: false}, {hit: true, onCode: true} over the placed code,
+  /// else {hit: true, onCode: false, code} with `code`: {symbolMm, moduleMm, guaranteedMm, missingShare, exact}.
   std::string hover(double x, double y);
   void endHover();
-  /// Starts finding the true place of the code hovered over; ends with the next hover.
+  /// Starts finding the exact place of the hovered code. The next hover ends the search.
   std::string startSettling();
-  /// {done} or {done: true, code}; one bounded piece of work. An error where no code fits.
+  /// Does one bounded piece of that work. Returns {done} or {done: true, code}; an error where no code fits.
   std::string advanceSettling();
-  /// {hit, code}; shows the placed code about there instead, until pick or placement. Beside the model it stays.
+  /// Shows the placed code at about another position, until pick or placement. Returns {hit, code}. Off the model, the
+  /// code stays where it is.
   std::string moveCode(double x, double y);
-  /// {code}; shows the code turned and of another size, until placement. BadUsage without one.
+  /// Shows the code turned and resized, until placement. Returns {code}; BadUsage if there is no code.
   std::string adjustCode(double rotateDeg, double symbolMm);
 
-  /// Starts looking for the best spots for the settings; ends an earlier search.
+  /// Starts searching for the best spots for the settings. Ends an earlier search.
   std::string startSpotSearch();
-  /// {stage, fraction, done}; one bounded piece of work. When done the sizes are shown on the model.
+  /// Does one bounded piece of work. Returns {stage, fraction, done}. When done, the model shows the sizes.
   std::string advanceSpotSearch();
   void cancelSpotSearch();
-  /// {spots: [{centre, sizeMm, concerns: [message]}], topMm}: best first, with the largest size there and the reasons
-  /// why a code may not print or decode there. `topMm` is the size with the last colour of the map. Empty before a
-  /// search is done.
+  /// Returns {spots: [{centre, sizeMm, concerns: [message]}], topMm}: best first, with the largest size there and the
+  /// reasons why a code may not print or decode there. `topMm` is the size that has the last colour of the map. Empty
+  /// before a search is done.
   std::string spots() const;
-  /// {centre}; the spot becomes the code's centre, with the direction that was found for it.
+  /// Makes the spot the centre of the code, with the direction found for it. Returns {centre}.
   std::string chooseSpot(std::size_t index);
-  /// The colours of the largest sizes on the model, if they are known.
+  /// Shows the largest sizes as colours on the model, if they are known.
   void showSizes(bool shown);
 
-  /// {done}; one bounded piece of what the next engraving begins with, so that it has less to do. Nothing is left to do
-  /// (done) while something else is at work, and where no code is placed.
+  /// Does one bounded piece of the work that the next engraving begins with, so that the engraving has less to do.
+  /// Returns {done}. There is nothing to do (done) while other work is running or no code is placed.
   std::string prepareEngrave();
-  /// {stage, fraction, done} of the first piece of work.
-  /// @param overridden  the settings as they are this time; empty: as configured
+  /// Starts an engraving. Returns {stage, fraction, done} of the first piece of work.
+  /// @param overridden  makes the settings of this one engraving from the configured ones; empty: as configured
   std::string startEngrave(const std::function<EngraveRequest(EngraveRequest)>& overridden = {});
-  /// {stage, fraction, done, printable}; one bounded piece of work. When done there is a carved model to be shown
-  /// (showCarved). `printable`: its file is written, so that printOrder() and stlToPrint() work.
+  /// Does one bounded piece of work. Returns {stage, fraction, done, printable}. When done, there is a carved model to
+  /// show (showCarved). `printable`: its file is written, so that printOrder() and stlToPrint() work.
   std::string advance();
   void cancel();
 
-  /// Number of the finished engraving that can be reported and exported; 0: none.
+  /// Returns the number of the finished engraving that can be reported and exported; 0: none.
   int carving() const { return carvings_.number(); }
-  /// Brings a finished engraving back and shows it: the last one, or the one before it, of the same model.
-  /// @returns whether it is still there
+  /// Restores and shows a finished engraving of this model: the last one or the previous one.
+  /// @returns true if it still exists
   bool useCarving(int number);
 
-  /// The report of the contract; an error before an engraving is done.
+  /// Returns the report of the contract; an error before an engraving is done.
   std::string report() const;
-  /// What a phone at the reader's eye sees; empty before an engraving is done.
+  /// Returns the picture that a phone at the eye takes; empty before an engraving is done.
   const GreyImage& readerImage() const;
-  /// The same from aside, see tilted(); empty before an engraving is done, and where it cannot be drawn.
+  /// Returns the picture that a phone takes from the side, see tilted(). Empty before an engraving is done, and where
+  /// it cannot be drawn.
   GreyImage readerImageFrom(double tiltDeg, double azimuthDeg);
-  /// What the engraving job worked on, see jobMap in job_map.h.
+  /// Returns one of the maps that the engraving job worked on, see jobMap in job_map.h.
   std::optional<JobMap> jobMap(const std::string& name) const;
-  /// What decoders are to try, each with each of its binarisers: see frontalPictures(). Empty before an engraving.
+  /// Returns the pictures for the decoders, each to be tried with every binariser: see frontalPictures(). Empty before
+  /// an engraving.
   std::vector<GreyImage> readingPictures() const;
-  /// {passed, next}: whether the code reads by the tries on readingPictures(), and the change to carve with next, or
-  /// null; see changeToTryNext().
-  /// @param texts   a JSON list, in the pictures' order, binariser by binariser; "" where nothing was read
-  /// @param reader  which decoder
+  /// Stores the texts decoded from readingPictures(). Returns {passed, next}: whether the code decodes, and the change
+  /// to carve with next, or null; see changeToTryNext().
+  /// @param texts   a JSON list, in the order of the pictures, binariser by binariser; "" where nothing was decoded
+  /// @param reader  name of the decoder
   std::string setReadings(const std::string& texts, const std::string& reader);
 
-  /// {order}: parameters of a print for PrintedCode::start(), beside stlToPrint(); null if no print process is chosen.
-  /// An error before an engraving is printable, see advance().
-  /// @param changed  settings of the printing that are other than those carved with, as JSON: "{}" for none
+  /// Returns {order}: print parameters for PrintedCode::start(), to pass along with stlToPrint(). Null if no print
+  /// process is chosen. An error before an engraving is printable, see advance().
+  /// @param changed  printing settings that differ from the carved request, as JSON: "{}" for none
   std::string printOrder(const std::string& changed) const;
-  /// The carved model as binary STL; empty before an engraving is printable.
+  /// Returns the carved model as binary STL; empty before an engraving is printable.
   std::vector<std::uint8_t> stlToPrint() const;
-  /// Puts the tries on the print's pictures into the report. {passed, next}: whether the code reads as carved and as
-  /// printed, and the change to carve with next, or null.
-  /// @param texts      as of setReadings()
+  /// Adds the texts decoded from the print's pictures to the report. Returns {passed, next}: whether the code decodes
+  /// as carved and as printed, and the change to carve with next, or null.
+  /// @param texts      as for setReadings()
   /// @param facingDeg  see PrintedCode::advance()
   std::string setPrintedReadings(const std::string& texts, double facingDeg);
-  /// {prints}: what a print with changed settings comes to; the report does not change.
-  /// Other ways of printing the carving that are worth a try (verdict/other_prints.h): {ok, others: [{setting:
-  /// value}]}.
+  /// Suggests other ways to print the carving that are worth trying (verdict/other_prints.h). Returns {ok, others:
+  /// [{setting: value}]}.
   std::string otherPrints() const;
+  /// Judges a print with changed settings. Returns {prints}; the report does not change.
   std::string judgePrint(const std::string& changed, const std::string& texts, double facingDeg) const;
-  /// {passed, failed: [message], details}: what the manifest of a batch says of the carving, see describeRow() in
-  /// batch/manifest.h, and the checks that did not pass. @param totalMs  that it took altogether
+  /// Returns {passed, failed: [message], details}: the carving's details for the manifest of a batch, see describeRow()
+  /// in batch/manifest.h, and the failed checks. @param totalMs  of all its work
   std::string describeRow(double totalMs) const;
 
-  /// {tried, all}: starts looking from where else the code reads (verification/view_trials.h).
+  /// Starts the test of the other angles from which the code decodes (verification/view_trials.h). Returns {tried,
+  /// all}.
   std::string startViewTrials();
-  /// Of the trial that is due; a decoder that reads one of them reads it. Empty where it cannot be drawn.
+  /// Draws the next trial; it passes if one of its pictures decodes. Empty if it cannot be drawn.
   std::vector<GreyImage> viewTrialPictures();
-  /// {done, tried, all, views: {tilts: [{tiltDeg, reads, all}], safeTiltDeg, forgiving, pixelsPerModule, distanceMm}}
+  /// Notes the trial's outcome. Returns {done, tried, all, views: {tilts: [{tiltDeg, reads, all}], safeTiltDeg,
+  /// forgiving, pixelsPerModule, distanceMm}}.
   std::string noteViewTrial(bool read);
-  /// The carved model as "stl" (binary), "obj", "ply", "3mf" or "3mf-inlay" (with the body that fills the pockets),
-  /// read back and compared; empty before an engraving is done, for another format, if the file would say anything
-  /// else, and if the pockets cannot be filled by a solid body.
+  /// Writes the carved model as "stl" (binary), "obj", "ply", "3mf" or "3mf-inlay" (with the body that fills the
+  /// pockets), reads it back and compares. Empty before an engraving is done, for any other format, if the file would
+  /// differ from the model, and if no solid body can fill the pockets.
   std::vector<std::uint8_t> exportModel(const std::string& format);
 
-  /// Begins a plate of copies of the model, each carved with a code of its own; an earlier one is forgotten.
+  /// Begins a plate for copies of the model, each carved with a code of its own. Forgets an earlier plate.
   std::string startPlate(int copies);
-  /// Puts the carving that is there on it. @param place  from 0 @param id  the copy's name
+  /// Puts the current carving on the plate. @param place  from 0 @param id  the copy's name
   std::string addToPlate(int place, const std::string& id);
-  /// The plate as 3MF, read back and compared; it is empty then. Empty bytes if nothing is on it.
+  /// Returns the plate as 3MF, read back and compared, and empties the plate. No bytes if nothing is on it.
   std::vector<std::uint8_t> exportPlate(const std::string& title) { return plate_.taken(title); }
 
   void resize(double width, double height, double devicePixelRatio) { scene_.resize(width, height, devicePixelRatio); }
   void setTheme(bool dark) { scene_.setTheme(dark); }
-  /// "y" or "z": the model's up axis, for the view and as the direction the code's top points to.
+  /// Sets the model's up axis, "y" or "z", for the view and as the direction of the code's top.
   void setUpAxis(const std::string& axis);
   void showCarved(bool carved);
   void orbit(double dx, double dy) { scene_.camera().orbit(dx, dy); }
   void pan(double dx, double dy) { scene_.camera().pan(dx, dy); }
   void zoom(double factor, double x, double y);
   void fit() { scene_.camera().fit(); }
-  /// "front", "back", "left", "right", "top", "bottom" or "iso"; others are ignored.
+  /// Turns the camera to "front", "back", "left", "right", "top", "bottom" or "iso"; ignores other names.
   void standardView(const std::string& name) { scene_.standardView(name); }
   void readerView();
-  /// From the reader's side, with the surroundings in view.
+  /// Looks from the reader's side, with the surroundings in view.
   void faceCode();
   /// Cuts the model open across the code, from top to bottom as its reader sees it.
   /// @param offset  of the cut from the code's middle, in half edges of its square: -1 … 1
   void showSection(bool shown, double offset);
-  /// Turns to where the section is seen.
+  /// Turns the camera to where the section is visible.
   void faceSection();
-  /// Shows carved depths as colours. {topMm, deepestMm}: depth of the last colour and of the deepest pocket; 0 where
-  /// nothing has been carved.
+  /// Shows carved depths as colours. Returns {topMm, deepestMm}: depth of the last colour and of the deepest pocket; 0
+  /// where nothing is carved.
   std::string showDepths(bool shown);
 
-  /// {code: {corners: [[x, y]], facing, symbolMm, rotationDeg} or null, lamps: [{from: [x, y] or null, to: [x, y]}],
+  /// Returns {code: {corners: [[x, y]], facing, symbolMm, rotationDeg} or null, lamps: [{from: [x, y] or null, to: [x, y]}],
   /// axes: [right, up, back]}. `corners`: of the code and its quiet zone on the QR plane, on the screen, upper left
   /// first, clockwise for the viewer; `facing`: cosine between the camera's direction and the code's; `lamps`: a line
   /// from each lamp to the middle of the code, `from` null for a lamp behind the camera; `axes`: the camera's, z up.
   std::string viewState() const;
-  /// A picture of a spot with the code on it; empty if there is no such spot.
+  /// Draws a spot with the code on it; empty if there is no such spot.
   ColourImage spotPicture(std::size_t index, int width, int height);
 
-  /// @param always  present again even if nothing changed, as something is drawn over it
-  /// @returns whether another call would improve the picture
+  /// @param always  present again even if nothing changed, because something else is drawn on top
+  /// @returns true if another call would improve the picture
   bool draw(bool always = false);
 
   // For the inspector.
-  /// Measures the passes of the engravings that start from now on.
+  /// Measures the passes of every engraving that starts from now on.
   void timePasses(bool withTimerQueries) { carvings_.timePasses(withTimerQueries); }
   const Carvings& carvings() const { return carvings_; }
-  /// As configured.
+  /// Returns the settings as configured.
   const EngraveRequest& settings() const { return wanted_.settings(); }
-  /// Distances to the far side of the material, from the eye of the last engraving.
+  /// Returns the distances to the far side of the material, from the eye of the last engraving.
   Result<BackDistanceMap> backDistances() const;
-  /// The place in symbol and quiet zone that is seen at a screen position, if the reader sees it, too: (0, 0) = the
-  /// quiet zone's upper left, (1, 1) = its lower right. Of the last engraving.
+  /// Returns the place in symbol and quiet zone at a screen position, if the eye of the last engraving sees it, too:
+  /// (0, 0) = the quiet zone's upper left, (1, 1) = its lower right.
   std::optional<Vec2> codePlaceAt(double x, double y) const;
   const Placement* placed() const { return placedCode_.placement(); }
   const Viewer* viewer() const { return scene_.viewer(); }
   const gl::Capabilities& gl() const { return gl_; }
 
  private:
-  // What the page is told.
+  // Parts of the answers to the page.
   std::string describeModel() const;
   std::string describePlacement() const;
   std::string describeCode(const CodeOnSurface& code) const;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How the engine engraves, and what it says of what came out.
+// Implements the verbs that engrave, print, report and export.
 #include <algorithm>
 
 #include "base/parse_json.h"

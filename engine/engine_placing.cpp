@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the engine puts the code, the one that follows the pointer, and the spots that it offers.
+// Implements the verbs that place the code, move the code under the pointer, and offer spots.
 #include <cmath>
 
 #include "engine/answers.h"

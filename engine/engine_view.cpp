@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the engine shows, and what it tells of that.
+// Implements the verbs that control and describe the view.
 #include "engine/answers.h"
 #include "engine/engine.h"
 #include "viewer/depth_colours.h"
@@ -7,11 +7,11 @@
 namespace qrelief {
 namespace {
 
-constexpr double kHiddenByMm = 0.01;  // what lies nearer to the reader by more hides a point
+constexpr double kHiddenByMm = 0.01;  // a point is hidden if the surface is nearer to the reader by more than this
 
 Json jsonOf(Vec2 v) { return {v.x, v.y}; }
 
-/// Null where a corner lies behind the camera.
+/// Returns the corners on the screen; null if one of them lies behind the camera.
 Json onScreen(const CodeOnSurface& code, const OrbitCamera& camera) {
   const SurfacePrint& print = code.print;
   const CameraView view = camera.view();
@@ -28,7 +28,7 @@ Json onScreen(const CodeOnSurface& code, const OrbitCamera& camera) {
           {"rotationDeg", code.rotationDeg}};
 }
 
-/// Lamps as lines: from where the lamp is drawn, null if that is behind the camera, to the middle of the code.
+/// Returns each lamp as a line from where it is drawn, null behind the camera, to the middle of the code.
 Json onScreen(const std::vector<DirectionalLight>& lamps, const CodeOnSurface& code, const OrbitCamera& camera) {
   constexpr double kAwayEdges = 0.85;  // in edges of the code and its quiet zone
   const ProjectionFrame& frame = code.print.frame;

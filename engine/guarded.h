@@ -6,7 +6,8 @@
 
 namespace qrelief {
 
-/// A verb's answer, or the exception that ended it as one, with the code out-of-memory or internal-fault.
+/// Returns a verb's answer. If an exception ends the verb, returns an error with the code out-of-memory or
+/// internal-fault.
 std::string guarded(const std::function<std::string()>& verb);
 
 }  // namespace qrelief

@@ -7,7 +7,7 @@
 namespace qrelief {
 namespace {
 
-/// From rows that begin at the top.
+/// Makes a map from rows that begin at the top.
 JobMap fromTop(std::span<const float> values, int edge) {
   JobMap map{edge, edge, 1, {}};
   for (int row = edge - 1; row >= 0; --row) {

@@ -15,10 +15,10 @@
 namespace qrelief {
 namespace {
 
-constexpr double kProposedMm = 50;         // square looked for on a new model, quiet zone included,
-constexpr double kProposedFraction = 0.3;  // and its greatest part of the model's diagonal
+constexpr double kProposedMm = 50;         // edge of the square to find on a new model, with quiet zone,
+constexpr double kProposedFraction = 0.3;  // and its limit as a part of the model's diagonal
 constexpr std::size_t kSpotsTried = 6;
-constexpr double kGoodFit = 0.7;  // a spot that takes this part of it will do
+constexpr double kGoodFit = 0.7;  // part of the square that makes a spot good enough
 
 }  // namespace
 
@@ -26,7 +26,7 @@ Result<LoadedModel> loadedModel(std::vector<std::uint8_t> bytes, const std::stri
   const auto start = Clock::now();
   auto soup = readModel(bytes, fileName);
   if (!soup) return tl::unexpected(soup.error());
-  bytes = {};  // the file and the model need not be in memory at once
+  bytes = {};  // frees the file: file and model need not be in memory at once
   LoadedModel model;
   model.fileName = fileName;
   model.format = soup->format;

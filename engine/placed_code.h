@@ -7,7 +7,7 @@
 
 namespace qrelief {
 
-/// What a place is looked for on, and for which code.
+/// Parameters of a placement: the surface to search and the code to place.
 struct PlacementTask {
   const LoadedModel& model;
   const GeometryPass& pass;
@@ -15,38 +15,37 @@ struct PlacementTask {
   Vec3 upHint{0, 0, 1};
 };
 
-/// Where the code is: its place, found exactly or moved about there; and the one that follows the pointer.
+/// Keeps the code's place, exact or roughly moved, and the code that follows the pointer.
 class PlacedCode {
  public:
-  /// Finds the place of the wanted code, unless it is the one that was found last. Where none fits, the code is what
-  /// would about lie there.
+  /// Finds the place of the wanted code, unless the last search found it. Where no code fits, code() is an estimate.
   Status place(const PlacementTask& task);
-  /// The place of an engraving, and its code.
+  /// Takes over an engraving's place and its code.
   void take(const Placement& placement, Result<CodeOnSurface> code);
-  /// @returns null if that is not what was found last
+  /// @returns null if the last search was for another request
   const PlacementSearch* found(const EngraveRequest& request, const Result<Symbol>& symbol) const;
 
   const Placement* placement() const { return placement_ ? &*placement_ : nullptr; }
   const CodeOnSurface* code() const { return code_ ? &*code_ : nullptr; }
-  /// Shows the code about there; it has no place any more.
+  /// Shows the code at about that point. It has no exact place any more.
   Status move(const PlacementTask& task, const SurfacePoint& to);
-  /// See CodeOnSurface::adjust; there must be a code.
+  /// Turns and resizes the code, see CodeOnSurface::adjust. There must be a code.
   void adjust(double rotateDeg, double symbolMm, double outer);
 
-  /// The code that would about lie under the pointer.
+  /// Estimates the code under the pointer.
   Status hover(const PlacementTask& task, const SurfacePoint& at);
   const CodeOnSurface* hovered() const { return hovered_ ? &*hovered_ : nullptr; }
   void endHover();
-  /// Starts finding the hovered code's true place. @returns whether there is one
+  /// Starts finding the exact place of the hovered code. @returns false if there is no hovered code
   bool startSettling(const PlacementTask& task);
   bool isSettling() const { return settling_.has_value(); }
   void stopSettling() { settling_.reset(); }
-  /// One bounded piece of work. @returns whether the hovered code is at its true place now
+  /// Does one bounded piece of work. @returns true once the hovered code is at its exact place
   Result<bool> settle(const PlacementTask& task);
 
-  /// No place, no code, no hovered one; what was found is still known.
+  /// Forgets the place, the code and the hovered code, but not the result of the last search.
   void forget();
-  /// The model is another.
+  /// Forgets everything, because the model has changed.
   void forgetFound();
 
  private:
@@ -57,7 +56,7 @@ class PlacedCode {
   };
   Status find(const PlacementTask& task, const EngraveRequest& request);
 
-  std::optional<Found> found_;  // last
+  std::optional<Found> found_;  // by the last search
   std::optional<Placement> placement_;
   std::optional<CodeOnSurface> code_, hovered_;
   std::optional<SurfacePoint> hoveredAt_;

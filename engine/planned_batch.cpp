@@ -17,12 +17,12 @@ namespace {
 
 const Error kNoRow = {ErrorKind::BadUsage, message("no-such-row")};
 
-/// What the manifest and the page's table have of a row.
+/// Returns the columns of a row that the manifest and the page's table share.
 Json nameOf(const BatchRow& row, const std::string& file) {
   return {{"number", row.number}, {"line", row.line}, {"id", row.id}, {"text", row.request.text}, {"file", file}};
 }
 
-/// The settings in which a request differs from another, and those that every row has of its own.
+/// Returns the settings in which a request differs from the common one, and those that every row has of its own.
 Json ownSettings(const EngraveRequest& request, const EngraveRequest& all) {
   const Json given = Json::parse(settingsJson(request)), common = Json::parse(settingsJson(all));
   Json own = Json::object();
@@ -71,7 +71,7 @@ std::optional<BatchRow> PlannedBatch::at(double index) const {
   return plan_->row(static_cast<std::size_t>(index));
 }
 
-/// Its own, or that of its plate.
+/// Returns the row's file, or its plate's.
 std::string PlannedBatch::fileOf(const BatchRow& row) const {
   if (perPlate_ == 0) return row.file;
   return plateName((row.number - 1) / perPlate_, (plan_->size() + perPlate_ - 1) / perPlate_);

@@ -13,12 +13,13 @@ namespace qrelief {
 /// Carved copies of a model side by side, as `qrelief batch --per-plate` writes them.
 class Plate {
  public:
-  /// Empties it. @param copies  that it has room for
+  /// Empties the plate. @param copies  that it has room for
   void start(const LoadedModel& model, std::size_t copies);
-  /// @param place  below copies; @param id  names the copy, whose text goes with it
+  /// Puts a carved copy on the plate. @param place  below copies @param id  names the copy; its text goes with it
   void add(const LoadedModel& model, const EngraveResult& result, const EngraveRequest& request, std::size_t place,
            const std::string& id);
-  /// A 3MF, read back and compared; empty if nothing is on it or the file would say anything else. Empties it.
+  /// Returns the plate as a 3MF, read back and compared, and empties it. No bytes if nothing is on the plate or the
+  /// file would differ from it.
   std::vector<std::uint8_t> taken(const std::string& title);
 
  private:

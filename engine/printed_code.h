@@ -11,24 +11,24 @@
 
 namespace qrelief {
 
-/// What Engine::printOrder() hands to PrintedCode::start().
+/// Returns the print parameters that Engine::printOrder() hands to PrintedCode::start().
 Json jsonOf(const PrintedViewRequest& request);
 
-/// A carved code as it comes off a printer, made beside the engine: it needs no GL context, so that a worker of its own
-/// can make it while the engine goes on. Answers are those of Engine.
+/// A carved code as it comes off a printer. It needs no GL context, so a worker of its own can simulate the print while
+/// the engine goes on. Answers have the form that Engine describes.
 class PrintedCode {
  public:
-  /// {stage, fraction, done}
+  /// Starts the simulation. Returns {stage, fraction, done}.
   /// @param stl    the carved model, as Engine::exportModel("stl") gives it
-  /// @param order  of Engine::printOrder()
+  /// @param order  from Engine::printOrder()
   std::string start(std::vector<std::uint8_t> stl, const std::string& order);
-  /// {stage, fraction, done}, one bounded piece of work; when done, too: {facingDeg, misread}, the angle between the
-  /// code's normal and the printer's vertical, and the modules that the print has lost, [row, column] each.
+  /// Does one bounded piece of work. Returns {stage, fraction, done}; when done, also {facingDeg, misread}: the angle
+  /// between the code's normal and the printer's vertical, and the modules that the print has lost, [row, column] each.
   std::string advance();
 
-  /// See Engine::readingPictures(). Empty before it is done.
+  /// Returns the pictures for the decoders, see Engine::readingPictures(). Empty before the simulation is done.
   std::vector<GreyImage> readingPictures() const;
-  /// Symbol, quiet zone and two modules beyond, from the front. Empty before it is done.
+  /// Returns a frontal picture of symbol, quiet zone and two modules beyond. Empty before the simulation is done.
   const GreyImage& picture() const { return view_.seen.clean; }
 
  private:

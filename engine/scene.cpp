@@ -11,12 +11,13 @@
 namespace qrelief {
 namespace {
 
-constexpr double kFacingEdges = 2;       // of the square that is seen around a code that is faced, at least, and
-constexpr double kFacingFraction = 0.7;  // of the model's diagonal
-constexpr double kReaderMargin = 1.1;    // air around symbol and quiet zone in the reader's view
-constexpr double kSectionYaw = 0.9;      // of the camera from the reader's direction, to see a section, radians
+constexpr double kFacingEdges = 2;       // visible square around a faced code: at least this many of its edges, and
+constexpr double kFacingFraction = 0.7;  // this part of the model's diagonal
+constexpr double kReaderMargin = 1.1;    // room around symbol and quiet zone in the reader's view
+constexpr double kSectionYaw = 0.9;      // angle of the camera from the reader's direction when it faces a section,
+                                         // radians
 constexpr double kSectionPitch = 0.3;
-constexpr double kPictureEdges = 1.7;  // of the square that a place's picture shows, in those of the code
+constexpr double kPictureEdges = 1.7;  // edge of the square in a place's picture, in code edges
 constexpr int kPictureFrames = 6;
 
 std::optional<StandardView> standardViewByName(std::string_view name) {
@@ -157,7 +158,7 @@ ColourImage Scene::picture(const std::shared_ptr<const GpuMesh>& model, const Su
     if (!drawn) return {};
     more = *drawn;
   }
-  pictureViewer_->setMesh(nullptr);  // which may be replaced by another model
+  pictureViewer_->setMesh(nullptr);  // the model may be replaced
   return readColours(*target, width, height);
 }
 

@@ -9,7 +9,7 @@
 namespace qrelief {
 namespace {
 
-constexpr double kLegendStepMm = 5;  // the legend of the sizes ends at a multiple of it
+constexpr double kLegendStepMm = 5;  // the legend of the sizes ends at a multiple of this
 
 }  // namespace
 
@@ -35,7 +35,7 @@ void SpotOffers::finish() {
   const SpotSearchResult found = job_->takeResult();
   job_.reset();
   spots_ = found.spots;
-  // The map knows squares with the quiet zone, the legend the symbol in them.
+  // The map has squares with the quiet zone, the legend the symbol in them.
   const double outer = request_.outerFactor();
   const double largest = static_cast<double>(*std::max_element(found.map.sizeMm.begin(), found.map.sizeMm.end()));
   topMm_ = std::max(kLegendStepMm, std::ceil(largest / outer / kLegendStepMm) * kLegendStepMm);

@@ -10,24 +10,24 @@
 
 namespace qrelief {
 
-/// The best spots of a model for the wanted code, and the largest sizes as colours on it.
+/// The best spots on a model for the wanted code, and a colour map of the largest sizes.
 class SpotOffers {
  public:
-  /// Looks for them; ends an earlier search.
+  /// Starts a search. Ends an earlier one.
   Status start(const PlacementTask& task);
   bool isRunning() const { return job_ != nullptr; }
-  /// One bounded piece of work, while a search is running; ends it after an error, too.
+  /// Does one bounded piece of work of the running search. An error ends the search, too.
   Result<Progress> advance();
 
-  /// Best first; empty before a search is done.
+  /// Returns the spots, best first; empty before a search is done.
   std::span<const OfferedSpot> spots() const { return spots_; }
-  /// Of the symbol that is offered at a spot.
+  /// Returns the size of the symbol that is offered at a spot.
   double offeredMm(const OfferedSpot& spot) const;
-  /// What was searched with.
+  /// Returns the request of the search.
   const PlacementRequest& request() const { return request_.placement; }
-  /// Symbol size that has the last colour.
+  /// Returns the symbol size that has the last colour.
   double topMm() const { return topMm_; }
-  /// Null before a search is done.
+  /// Returns null before a search is done.
   const std::shared_ptr<const GpuMesh>& sizesDisplay() const { return sizesDisplay_; }
 
   void forget();

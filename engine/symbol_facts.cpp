@@ -19,13 +19,13 @@ Json rowsOf(const Symbol& symbol) {
   return rows;
 }
 
-/// Of text in any mode, with its headers.
+/// Returns the bits for text in any mode, with its headers.
 int dataBits(int version, ErrorCorrection level) {
   const BlockStructure structure = blockStructure(version, level);
   return 8 * (structure.codewords - structure.blocks * structure.checkCodewords);
 }
 
-/// Bytes that can be added, by bisection: more bytes take more bits.
+/// Returns the number of bytes that can be added, by bisection: more bytes take more bits.
 int roomIn(int version, ErrorCorrection level, const std::string& text) {
   const int most = dataBits(version, level);
   const auto fits = [&](int count) {

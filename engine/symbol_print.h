@@ -6,8 +6,8 @@
 
 namespace qrelief {
 
-/// The symbol with its quiet zone as the viewer shows it on the surface before it is carved: ink where the patterns ask
-/// for carving.
+/// Returns the symbol with its quiet zone as the viewer shows it on the surface before carving: ink where the patterns
+/// carve.
 ///
 /// @param symbolMm  edge without quiet zone
 /// @param request   its patterns count

@@ -23,7 +23,7 @@ EngraveRequest WantedCode::request(Vec3 upHint) const {
   if (direction_) request.placement.direction = direction_;
   BuildDirection& build = request.buildUp;
   const bool isFilesUp = upHint == Vec3(0, 0, 1);
-  if (!build.up && build.pose == BuildPose::AsModelled && !isFilesUp) build.up = upHint;  // as the user sees it stand
+  if (!build.up && build.pose == BuildPose::AsModelled && !isFilesUp) build.up = upHint;  // as the user sees it
   return request;
 }
 

@@ -7,7 +7,7 @@
 
 namespace qrelief {
 
-/// The code that is asked for: the settings, their symbol, and the one place where its centre stands.
+/// The requested code: its settings, its symbol, and its centre.
 class WantedCode {
  public:
   WantedCode();
@@ -16,15 +16,15 @@ class WantedCode {
   const EngraveRequest& settings() const { return settings_; }
   const Result<Symbol>& symbol() const { return symbol_; }
 
-  /// @param direction  that the centre needs, instead of one found from there
+  /// Sets the centre. @param direction  the viewing direction to use there, instead of finding one
   void choose(std::optional<Vec3> centreMm, std::optional<Vec3> direction = {});
   const std::optional<Vec3>& centreMm() const { return centreMm_; }
-  const std::optional<Vec3>& direction() const { return direction_; }  ///< that the centre needs
+  const std::optional<Vec3>& direction() const { return direction_; }  ///< to use at the centre, if set
 
-  /// What is engraved at the centre, which must be chosen.
+  /// Returns the request for an engraving at the centre, which must be chosen.
   /// @param upHint  the axis that is up in the scene
   EngraveRequest request(Vec3 upHint) const;
-  /// What is looked for at another one.
+  /// Returns the request for a placement at another centre.
   PlacementRequest placementAt(Vec3 centreMm, Vec3 upHint) const;
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Writes what is generated and committed: docs/options.md and web/generated/settings.js. A test holds them to be what
-// this writes now (tests/settings/generated_test.cpp).
+// Writes the generated files that are committed: docs/options.md and web/generated/settings.js. A test checks that they
+// are up to date (tests/settings/generated_test.cpp).
 #include <cstdio>
 #include <fstream>
 #include <string>
@@ -21,7 +21,7 @@ bool writeFile(const std::string& path, const std::string& text) {
 
 }  // namespace
 
-/// The repository's folder may be given as the only argument.
+/// Takes the repository's folder as an optional argument.
 int main(int argc, char** argv) {
   const std::string root = argc > 1 ? argv[1] : QRELIEF_SOURCE_DIR;
   const bool written = writeFile(root + "/docs/options.md", qrelief::optionsPage()) &&

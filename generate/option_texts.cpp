@@ -14,7 +14,7 @@ namespace {
 
 using Kind = Setting::Kind;
 
-/// The name of a preset stands for its contrast, `@key` for a flag.
+/// Replaces the name of a preset by its contrast, and `@key` by a flag.
 std::string valueOf(const std::string& name) {
   if (name.starts_with('@')) return flagOf(std::string_view(name).substr(1));
   for (const Preset preset : {Preset::Shallow, Preset::Balanced, Preset::Robust})

@@ -7,13 +7,13 @@
 
 namespace qrelief {
 
-/// What the command and its documentation say of a setting, in English.
+/// English texts of a setting, for the command and its documentation.
 struct OptionTexts {
-  std::string flag;     ///< "--min-wall"; "--no-quiet-zone" of a switch that is on by default
-  std::string values;   ///< "MM", "fast|paper-steps", "MM|free|oriented|best", "X,Y,Z"; empty of a switch
-  std::string help;     ///< what it means
+  std::string flag;     ///< "--min-wall"; "--no-quiet-zone" for a switch that is on by default
+  std::string values;   ///< "MM", "fast|paper-steps", "MM|free|oriented|best", "X,Y,Z"; empty for a switch
+  std::string help;     ///< meaning of the setting
   std::string range;    ///< "0 to 1000"; empty if there is none
-  std::string initial;  ///< what counts where it is not given; empty: it must be given
+  std::string initial;  ///< default; empty: the setting is required
 };
 OptionTexts optionTexts(const Setting& setting);
 

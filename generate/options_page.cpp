@@ -20,7 +20,7 @@ Every setting of an engraving, with its flag for `qrelief engrave` and its key i
 `--min-wall`. The [command line](command-line.md) has the options for files, repairs and batches.
 )";
 
-/// A bar would end the cell of a table.
+/// Escapes bars, which would end a table cell.
 std::string inCell(std::string text) {
   for (std::size_t at = text.find('|'); at != std::string::npos; at = text.find('|', at + 2)) text.insert(at, 1, '\\');
   return text;

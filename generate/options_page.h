@@ -5,7 +5,7 @@
 
 namespace qrelief {
 
-/// docs/options.md: every setting by its group, with its flag, its key in JSON, values, meaning and default.
+/// Returns docs/options.md: every setting by its group, with its flag, its key in JSON, values, meaning and default.
 std::string optionsPage();
 
 }  // namespace qrelief

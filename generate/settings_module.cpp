@@ -62,7 +62,7 @@ const char* nameOf(Setting::Kind kind) {
   return "lamps";
 }
 
-/// Empty if it has none.
+/// Returns the unit's key; empty if there is no unit.
 const char* nameOf(Setting::Unit unit) {
   switch (unit) {
     case Setting::Unit::Millimetre:
@@ -112,14 +112,14 @@ Json describe(const Setting& setting, const Json& defaults) {
   return made;
 }
 
-/// The keys of the object as a constant of the module, one entry a line.
+/// Returns an object's entries as a constant of the module, one entry a line.
 std::string constant(const char* name, const char* type, const Json& entries) {
   std::string text = fmt::format("/** @type {{{}}} */\nexport const {} = {{\n", type, name);
   for (const auto& [key, entry] : entries.items()) text += fmt::format("  {}: {},\n", key, entry.dump());
   return text + "};\n";
 }
 
-/// What each process says of other settings.
+/// Returns the settings that each process implies.
 Json processes() {
   Json all = Json::object();
   for (const auto& [name, printer] : namedPrinters())

@@ -5,8 +5,8 @@
 
 namespace qrelief {
 
-/// web/generated/settings.js: what the page knows of the settings, with types: kinds, units, ranges, defaults, choices,
-/// and the labels in both languages.
+/// Returns web/generated/settings.js, the page's description of the settings, with types: kinds, units, ranges,
+/// defaults, choices, and the labels in both languages.
 std::string settingsModule();
 
 }  // namespace qrelief

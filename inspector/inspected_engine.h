@@ -11,7 +11,7 @@
 
 namespace qrelief {
 
-/// The engine and, once it is wanted, the inspector's window over it. Its verbs are those that concern both.
+/// The engine and, once opened, the inspector's window over it. Its verbs concern both.
 class InspectedEngine {
  public:
   using WindowMaker = std::unique_ptr<InspectorWindow> (*)();
@@ -26,17 +26,19 @@ class InspectedEngine {
 
   void resize(double width, double height, double devicePixelRatio);
   void setTheme(bool dark);
-  /// @param withOverrides  as the inspector's settings say, where they differ from the page's
+  /// Starts an engraving.
+  /// @param withOverrides  use the inspector's settings where they differ from the page's
   std::string startEngrave(bool withOverrides);
-  /// @returns whether another call would improve the picture
+  /// @returns true if another call would improve the picture
   bool draw();
 
-  /// Before it is shown for the first time: after its part of the module was loaded. Passes are timed from then on.
+  /// Makes the window. Call it once, after the inspector's part of the module is loaded. Times the passes from then on.
   void openInspector();
   void showInspector(bool shown);
-  /// @param texts  of the page's language, by the English ones, as a JSON object
+  /// Sets the translations.
+  /// @param texts  in the page's language, keyed by the English texts, as a JSON object
   void inspectorTexts(const std::string& texts);
-  // The rest as in InspectorWindow; without effect while there is no window, keys and pointer while it is not shown.
+  // The rest as in InspectorWindow. No effect before there is a window; keys and pointer also need it to be shown.
   void inspectorArea(double x, double y, double width, double height);
   /// @param metrics  six numbers a glyph: code point, width, height, left, top, advance
   void inspectorGlyphs(float lineHeight, const std::vector<float>& metrics, std::vector<std::uint8_t> alpha);
@@ -53,7 +55,7 @@ class InspectedEngine {
   WindowMaker makeWindow_;
   std::unique_ptr<InspectorWindow> window_;
   bool isShown_ = false;
-  bool hasGone_ = false;  // since the last frame
+  bool hasGone_ = false;  // the window was hidden since the last frame
   bool dark_ = false;
   Vec2 size_{1};
   double devicePixelRatio_ = 1;

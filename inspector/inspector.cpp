@@ -132,7 +132,7 @@ void Inspector::buildFont() {
   ImFontConfig config;
   config.SizePixels = glyphs_.glyphs.empty() ? std::round(13 * ratio) : std::round(glyphs_.lineHeight);
   io.Fonts->Clear();
-  ImFont* font = io.Fonts->AddFontDefault(&config);  // for what is not among the glyphs
+  ImFont* font = io.Fonts->AddFontDefault(&config);  // for characters without a glyph
   std::vector<int> places;
   for (const DrawnGlyphs::Glyph& glyph : glyphs_.glyphs)
     places.push_back(io.Fonts->AddCustomRectFontGlyph(font, static_cast<ImWchar>(glyph.codePoint),
@@ -158,7 +158,7 @@ void Inspector::buildFont() {
 bool Inspector::pointer(double x, double y, int buttons, double wheel) {
   inputs_.push_back({x, y, buttons, wheel, {}, false, false});
   framesWanted_ = 2;
-  // Not WantCaptureMouse, which is of where the pointer was at the last frame.
+  // Not WantCaptureMouse, which refers to the pointer's position in the last frame.
   const bool isOver = x >= windowMin_.x && x < windowMax_.x && y >= windowMin_.y && y < windowMax_.y;
   const ImGuiIO& io = ImGui::GetIO();
   const bool drags = io.MouseDown[0] && io.MouseDownOwned[0];
@@ -171,22 +171,23 @@ void Inspector::key(const std::string& key, bool control, bool shift) {
   framesWanted_ = 2;
 }
 
-/// Hands on what came since the last frame, up to the first press or release of anything: a frame sees one of them, so
-/// that none is lost however slow the frames are.
+/// Passes on the input since the last frame, up to the first press or release. A frame sees only one of them, so that
+/// none is lost however slow the frames are.
 void Inspector::takeInput() {
   ImGuiIO& io = ImGui::GetIO();
   io.MouseWheel = 0;
   io.KeyCtrl = io.KeyShift = false;
   const bool keyWasDown = std::find(std::begin(io.KeysDown), std::end(io.KeysDown), true) != std::end(io.KeysDown);
   std::fill(std::begin(io.KeysDown), std::end(io.KeysDown), false);
-  if (keyWasDown) return;  // it is up now: the same one may come again
+  if (keyWasDown) return;  // now it is up, so that the same key can come again
   bool moved = false;
   while (!inputs_.empty()) {
     const Input input = inputs_.front();
     const bool changes = input.buttons != pointer_.buttons;
     moved = moved || input.x != pointer_.x || input.y != pointer_.y;
     io.MousePos = ImVec2(static_cast<float>(input.x), static_cast<float>(input.y));
-    if (changes && moved) {  // some controls take a press only if they were pointed at before, as fingers never do
+    if (changes && moved) {  // some controls take a press only after the pointer moved onto them, which fingers never
+                             // do
       pointer_.x = input.x;
       pointer_.y = input.y;
       return;
@@ -204,7 +205,7 @@ void Inspector::takeInput() {
       io.KeysDown[*known] = true;
       return;
     }
-    if (!input.control && input.key.size() <= 4) io.AddInputCharactersUTF8(input.key.c_str());  // longer: a key's name
+    if (!input.control && input.key.size() <= 4) io.AddInputCharactersUTF8(input.key.c_str());  // longer: name of a key
     if (changes) return;
   }
 }
@@ -247,7 +248,8 @@ bool Inspector::tab(const char* name) {
   return open;
 }
 
-/// The wheel zooms the map where it is over it; fingers scroll by dragging what is no control.
+/// Scrolls the window's body: by the wheel, unless it is over the map and zooms, or by dragging off all controls, for
+/// fingers.
 void Inspector::scrollBody() {
   const ImGuiIO& io = ImGui::GetIO();
   const bool hovered = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);

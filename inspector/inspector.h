@@ -19,7 +19,7 @@ struct ImGuiContext;
 
 namespace qrelief {
 
-/// The inspector as Dear ImGui draws it.
+/// The inspector, drawn with Dear ImGui.
 class Inspector : public InspectorWindow {
  public:
   Inspector();
@@ -40,7 +40,7 @@ class Inspector : public InspectorWindow {
 
  private:
   enum class Range { Whole, Cut, Own };
-  /// What the pointer did, or, if there is one, a key.
+  /// A pointer event or, if `key` is not empty, a key event.
   struct Input {
     double x = -1e6, y = -1e6;
     int buttons = 0;
@@ -80,14 +80,14 @@ class Inspector : public InspectorWindow {
   DrawnGlyphs glyphs_;
   double devicePixelRatio_ = 1;
   bool fontIsStale_ = true;
-  std::deque<Input> inputs_;   // not yet seen by a frame
-  Input pointer_;              // the last that was
-  bool mapIsHovered_ = false;  // the wheel zooms it then
-  bool scrolls_ = false;       // by a drag that began beside all controls
+  std::deque<Input> inputs_;   // not processed by a frame yet
+  Input pointer_;              // the last one processed
+  bool mapIsHovered_ = false;  // so the wheel zooms the map
+  bool scrolls_ = false;       // a drag that began off all controls scrolls
   Vec2 windowMin_{0}, windowMax_{0};
   std::array<float, 4> freeArea_{12, 12, 380, 640};
   bool placeWindow_ = true;
-  int framesWanted_ = 0;  // ImGui lays out what has changed only in the frame after
+  int framesWanted_ = 0;  // ImGui lays out a change only in the frame after it
   double lastFrameMs_ = 0;
 
   std::string tab_;
@@ -100,7 +100,7 @@ class Inspector : public InspectorWindow {
   Vec2 mapCentre_{0.5};
   double mapZoom_ = 1;
   bool mapMoved_ = false;
-  std::optional<Vec2> mapPointer_;  // place in the map
+  std::optional<Vec2> mapPointer_;  // position in the map
   std::optional<gl::Texture> picture_;
   struct PictureKey {
     int version;

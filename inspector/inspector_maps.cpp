@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The inspector's maps: one channel at a time, its colours, its histogram, and the submodule that was chosen.
+// Draws the inspector's maps: one channel at a time, its colours, its histogram, and the selected submodule.
 #include <algorithm>
 #include <cmath>
 
@@ -14,7 +14,8 @@ constexpr double kCutShare = 0.01;
 constexpr double kMostZoom = 64;
 constexpr double kWheelZoom = 1.2, kButtonZoom = 1.6;
 constexpr float kPanDragPx = 4;
-constexpr float kBesideMapPx = 300, kLeastMapPx = 200;  // height left for what is told of the map; edge of the map
+constexpr float kBesideMapPx = 300, kLeastMapPx = 200;  // height left for the facts about the map; least edge of the
+                                                        // map
 
 ImTextureID textureId(const gl::Texture& texture) {
   return reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture.id()));
@@ -100,7 +101,7 @@ void Inspector::chooseRange(const ValueMap& map) {
   }
 }
 
-/// The wheel zooms about the pointer, a drag moves, a click chooses.
+/// Moves the map: the wheel zooms about the pointer, a drag pans, a click selects.
 void Inspector::moveMap(Vec2 pointer, float edge) {
   const ImGuiIO& io = ImGui::GetIO();
   const auto inMap = [&] { return mapCentre_ + (pointer - 0.5) / mapZoom_; };
@@ -123,7 +124,7 @@ void Inspector::moveMap(Vec2 pointer, float edge) {
   mapCentre_ = glm::clamp(mapCentre_, Vec2(half), Vec2(1 - half));
 }
 
-/// The submodule that was chosen, and the one under the pointer where they are large enough to be seen.
+/// Marks the selected submodule and the one under the pointer, if they are large enough to see.
 void Inspector::drawMapMarks(const ValueMap& map, ImVec2 corner, float edge) {
   const SearchView* search = model_.search();
   if (!search) return;

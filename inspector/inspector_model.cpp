@@ -33,7 +33,8 @@ void InspectorModel::follow(const Engine& engine) {
   }
   const int passes = static_cast<int>(record->passes.size());
   const bool isOther =
-      engine.carvings().started() != engraving_ || engine.carving() != carving_;  // or an earlier one again
+      engine.carvings().started() != engraving_ || engine.carving() != carving_;  // or useCarving() restored an earlier
+                                                                                  // one
   if (!isOther && passes == known && isDone == done_) return;
   if (isOther) pass_.reset();
   ++version_;

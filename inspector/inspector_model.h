@@ -14,10 +14,10 @@
 
 namespace qrelief {
 
-/// What the inspector knows and what its user has chosen, apart from how it is drawn.
+/// Data and choices of the inspector, apart from their drawing.
 class InspectorModel {
  public:
-  /// The convergence of a search, kept after the next one so that solvers can be compared.
+  /// The convergence of a search, kept beyond the next search so that solvers can be compared.
   struct Run {
     std::string name;  ///< "fast, c = 0.3, 28.1 mm"
     std::vector<PassSummary> passes;
@@ -25,15 +25,15 @@ class InspectorModel {
   enum class Solver { Fast, PaperSteps, Reading, OneLight, ShapedFloor };
   static constexpr std::size_t kSolvers = 5;
 
-  /// Takes in what the engine has done since; call it before each frame.
+  /// Takes over the engine's changes since the last call. Call it before each frame.
   void follow(const Engine& engine);
 
   const SearchView* search() const { return search_ ? &*search_ : nullptr; }
-  /// The last search of each solver, by Solver.
+  /// Returns the last search of each solver, indexed by Solver.
   const std::array<std::optional<Run>, kSolvers>& runs() const { return runs_; }
   void forgetRuns() { runs_ = {}; }
 
-  /// The pass that is looked at; follows the last one until it is set to an earlier one.
+  /// Returns the pass shown: the last one, until setPass() chooses an earlier one.
   int pass() const;
   int passes() const { return search_ ? search_->passes() : 0; }
   void setPass(int pass);
@@ -41,9 +41,9 @@ class InspectorModel {
   void select(std::optional<SubmodulePlace> place) { selected_ = place; }
   std::optional<SubmoduleFacts> selected() const;
 
-  /// A channel at the pass that is looked at; null where it is not known yet. Valid until the next call.
+  /// Returns a channel at the pass shown; null if it is not known yet. Valid until the next call.
   const ValueMap* channel(const Engine& engine, MapChannel channel);
-  /// Counts the answers of `channel` that differ from the one before.
+  /// Counts how often `channel` has returned a different map.
   int channelVersion() const { return channelVersion_; }
 
   RequestOverrides& overrides() { return overrides_; }
@@ -59,7 +59,7 @@ class InspectorModel {
   std::optional<ValueMap> read(const Engine& engine, MapChannel channel) const;
 
   int engraving_ = 0, carving_ = 0;
-  int version_ = 0;  // of what was taken in
+  int version_ = 0;  // of the data taken over
   bool done_ = false;
   std::optional<SearchView> search_;
   std::array<std::optional<Run>, kSolvers> runs_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The inspector's view of the search for depths (how it converged, by solver; what became how dark) and of time.
+// Draws the inspector's view of the depth search (convergence by solver, luminance of the submodules) and of the times.
 #include <algorithm>
 
 #include "inspector/inspector.h"

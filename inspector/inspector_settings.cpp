@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The inspector's settings: everything of a request, over what the page's own controls say.
+// Draws the inspector's settings: every setting of a request, as overrides of the page's controls.
 #include <cmath>
 #include <string_view>
 
@@ -9,7 +9,7 @@
 namespace qrelief {
 namespace {
 
-/// @returns whether it was changed
+/// @returns true if the value was changed
 bool edit(const Tunable& tunable, double& value) {
   ImGui::SetNextItemWidth(-1);
   if (tunable.isSwitch) {
@@ -27,7 +27,7 @@ bool edit(const Tunable& tunable, double& value) {
     value = chosen;
     return changed;
   }
-  // Buttons beside the field, as fingers have no keys.
+  // Buttons next to the field, for touch screens without keys.
   ImGui::InputDouble("##value", &value, tunable.step, 0, "%.6g");
   return ImGui::IsItemDeactivatedAfterEdit();
 }

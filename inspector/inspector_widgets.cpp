@@ -15,7 +15,7 @@ struct Box {
   float height() const { return max.y - min.y; }
 };
 
-/// A framed area over the window's whole width that takes the pointer.
+/// Begins a framed area over the window's whole width that takes pointer input.
 Box plotArea(const char* id, float height, const InspectorPalette& palette) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const float width = std::max(80.0f, ImGui::GetContentRegionAvail().x);

@@ -16,24 +16,25 @@
 
 namespace qrelief {
 
-/// The colours of the inspector beside ImGui's own, for dark and light pages.
+/// The inspector's own colours in addition to ImGui's, for dark and light pages.
 struct InspectorPalette {
   ImU32 ink, soft, line, accent;
-  std::array<ImU32, 5> curves;  ///< told apart by anyone who sees light and dark [Okabe, Ito 2008]
+  std::array<ImU32, 5> curves;  ///< distinguishable by lightness alone [Okabe, Ito 2008]
 
   static InspectorPalette of(bool dark);
 };
 
-/// Sets ImGui's colours and measures to those of the page.
+/// Sets ImGui's colours and sizes to match the page.
 void styleInspector(bool dark);
 
-/// Where the controls of a frame are, by the English names they show: for whoever cannot see the canvas.
+/// Positions of a frame's controls, by their English names, for clients that cannot see the canvas.
 using ControlAreas = std::map<std::string, std::array<float, 4>>;
 
-/// Notes the last item.
+/// Adds the last item to the control areas.
 void noteControl(ControlAreas& areas, std::string_view name);
 
-/// Translated; wraps at the window's edge. ImGui takes printf formats; these are checked when they are compiled.
+/// Writes translated text, wrapped at the window's edge. ImGui takes printf formats; these formats are checked at
+/// compile time.
 template <class... Args>
 void write(fmt::format_string<Args...> format, Args&&... args) {
   ImGui::PushTextWrapPos(0);
@@ -41,7 +42,7 @@ void write(fmt::format_string<Args...> format, Args&&... args) {
   ImGui::PopTextWrapPos();
 }
 
-/// The same in the soft ink.
+/// Writes the same in the soft ink.
 template <class... Args>
 void writeSoftly(fmt::format_string<Args...> format, Args&&... args) {
   ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
@@ -49,7 +50,7 @@ void writeSoftly(fmt::format_string<Args...> format, Args&&... args) {
   ImGui::PopStyleColor();
 }
 
-/// A label that ImGui knows by its English text in every language.
+/// Returns a translated label that ImGui identifies by its English text, whatever the language.
 std::string label(const char* english);
 
 struct Curve {
@@ -57,13 +58,13 @@ struct Curve {
   ImU32 colour;
 };
 
-/// Curves over the passes of a search, from zero up.
-/// @param marked  value index with a line through it; none if negative
-/// @returns the index that the pointer is at; negative if it is elsewhere
+/// Plots curves over the passes of a search, from zero up.
+/// @param marked  value index with a line through it; negative: none
+/// @returns the index under the pointer; negative if the pointer is elsewhere
 int plotCurves(const char* name, std::span<const Curve> curves, const char* unit, int marked,
                const InspectorPalette& palette);
 
-/// Parts of a histogram that the panel has room for.
+/// Number of bars that fit in the panel.
 inline constexpr int kBars = 64;
 
 struct Bars {
@@ -71,14 +72,14 @@ struct Bars {
   ImU32 colour;
 };
 
-/// Histograms over one range, one in front of the other; each in shares of its own highest bar.
+/// Plots histograms over one range, one in front of the other, each relative to its own highest bar.
 void plotBars(const char* id, std::span<const Bars> bars, ValueRange range, const char* unit,
               const InspectorPalette& palette);
 
-/// The colours of a scale from left to right, with the numbers at its ends.
+/// Draws the colours of a scale from left to right, with the numbers at its ends.
 void colourBar(ColourScale scale, ValueRange range, const char* unit, const InspectorPalette& palette);
 
-/// As short as it can be said with four digits.
+/// Returns the shortest text with four significant digits.
 std::string numberText(double value, const char* unit = "");
 
 }  // namespace qrelief

@@ -9,7 +9,7 @@
 namespace qrelief {
 namespace {
 
-/// Exact for small angles, too, as the arc cosine is not.
+/// Returns the angle, accurate for small angles, too; the arc cosine is not.
 float angleDeg(const float* normal) {
   return std::atan2(std::hypot(normal[0], normal[1]), normal[2]) * static_cast<float>(toDegrees(1));
 }

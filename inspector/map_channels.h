@@ -11,8 +11,8 @@
 
 namespace qrelief {
 
-/// What can be looked at, over symbol and quiet zone: the first six of the reader's G-buffer, the others one value a
-/// submodule.
+/// A quantity to show over symbol and quiet zone. The first six come from the reader's G-buffer; the others have one
+/// value a submodule.
 enum class MapChannel : std::uint8_t {
   FacetNormal,
   SmoothNormal,
@@ -33,8 +33,8 @@ struct ChannelInfo {
   const char* name;
   const char* what;
   const char* unit;            ///< "" if it has none
-  bool changesByPass = false;  ///< of the search
-  bool isSigned = false;       ///< zero is worth seeing
+  bool changesByPass = false;  ///< during the search
+  bool isSigned = false;       ///< shown on a scale with zero in the middle
 };
 
 inline constexpr std::array<ChannelInfo, 13> kChannels = {{
@@ -57,12 +57,12 @@ inline const ChannelInfo& infoOf(MapChannel channel) { return kChannels[static_c
 inline bool isOfSurface(MapChannel channel) { return channel <= MapChannel::Thickness; }
 inline bool isOfLight(MapChannel channel) { return channel >= MapChannel::Sky; }
 
-/// A channel of the G-buffer.
+/// Extracts a channel of the G-buffer.
 /// @param edgeMm  of symbol and quiet zone; the maps' margin is left out
 /// @param back    for BackDistance and Thickness; may be null for the others
 ValueMap surfaceMap(const SurfaceMaps& maps, const BackDistanceMap* back, double edgeMm, MapChannel channel);
 
-/// A channel of the light that was received.
+/// Extracts a channel of the received light.
 /// @param received  of symbol and quiet zone, row-major from the upper left
 ValueMap lightMap(std::span<const Received> received, MapChannel channel);
 

@@ -10,17 +10,17 @@
 
 namespace qrelief {
 
-/// How numbers become colours.
+/// The mapping from numbers to colours.
 struct MapColours {
   ColourScale scale = ColourScale::Viridis;
   ValueRange range;
-  bool showsDirections = false;  ///< of a map that has them: right, up, towards the reader as red, green, blue
+  bool showsDirections = false;  ///< if the map has directions: right, up, towards the reader as red, green, blue
 };
 
-/// Four bytes a value, row 0 at the top; what is not a number is clear.
+/// Returns four bytes a value, row 0 at the top; transparent for NaN.
 std::vector<std::uint8_t> colouredRgba(const ValueMap& map, const MapColours& colours);
 
-/// The same as a texture, RGBA8, row 0 at the top.
+/// Returns the same picture as a texture, RGBA8, row 0 at the top.
 gl::Texture mapPicture(const ValueMap& map, const MapColours& colours);
 
 }  // namespace qrelief

@@ -12,25 +12,25 @@
 
 namespace qrelief {
 
-/// Where a submodule is: from the symbol's top left, negative in the quiet zone.
+/// Position of a submodule, counted from the symbol's top left; negative in the quiet zone.
 struct SubmodulePlace {
   int row = 0, column = 0;
   bool operator==(const SubmodulePlace&) const = default;
 };
 
-/// "data", "finder", …
+/// Returns "data", "finder", …
 const char* moduleRoleName(ModuleRole role);
 
-/// What the search knows of a submodule at one pass, in the paper's terms [Papp 2022, §7].
+/// The search's data on a submodule at one pass, in the paper's terms [Papp 2022, §7].
 struct SubmoduleFacts {
   SubmodulePlace place;
   ModuleRole role = ModuleRole::Data;
-  bool inSymbol = false;  ///< else in the quiet zone
-  bool dark = false;      ///< its module
+  bool inSymbol = false;  ///< false: in the quiet zone
+  bool dark = false;      ///< true: its module is dark
   bool carved = false;
   float luminance = 0;  ///< LS
-  /// Of a dark module: AL, the mean of the four darkest light modules around it, and G = AL·(c − 1) + LS, what it is
-  /// too bright by.
+  /// For a dark module: AL, the mean of the four darkest light modules around it, and G = AL·(c − 1) + LS, by which it
+  /// is too bright.
   std::optional<float> around, excess;
   std::optional<float> depthMm, limitMm;  ///< if it is carved
 };
@@ -44,18 +44,18 @@ struct PassSummary {
   double ms = 0;
 };
 
-/// A search that was recorded, to look at pass by pass.
+/// A recorded search, to inspect pass by pass.
 class SearchView {
  public:
   /// @param record    has at least one pass; copied
-  /// @param contrast  c, 0 … 1: what G is measured against, whatever the search itself asked for
+  /// @param contrast  c, 0 … 1: the contrast that G is measured against, whatever the search itself aimed for
   SearchView(const Symbol& symbol, SearchRecord record, double contrast);
 
   int passes() const { return static_cast<int>(record_.passes.size()); }
   int carvedCount() const { return static_cast<int>(record_.carved.size()); }
   const std::vector<PassSummary>& summaries() const { return summaries_; }
 
-  // One value a submodule of symbol and quiet zone.
+  // Maps with one value a submodule of symbol and quiet zone.
   ValueMap depths(int pass) const;
   ValueMap luminance(int pass) const;
   ValueMap excess(int pass) const;  ///< G, of the carved ones
@@ -63,14 +63,14 @@ class SearchView {
 
   const std::vector<float>& carvedDepths(int pass) const { return passAt(pass).depthMm; }
   const std::vector<float>& carvedLuminance(int pass) const { return passAt(pass).luminance; }
-  /// Of the light modules' submodules, quiet zone included: the same in every pass.
+  /// Returns the luminance of the light modules' submodules, quiet zone included: the same in every pass.
   const std::vector<float>& lightLuminance() const { return lightLuminance_; }
 
   /// @returns none outside the quiet zone
   std::optional<SubmoduleFacts> facts(int pass, SubmodulePlace place) const;
-  /// The submodule at a place of a map, (0, 0) = upper left of the quiet zone, (1, 1) = lower right.
+  /// Returns the submodule at a position in a map, (0, 0) = upper left of the quiet zone, (1, 1) = lower right.
   std::optional<SubmodulePlace> placeAt(Vec2 mapPlace) const;
-  /// Along the edge of symbol and quiet zone.
+  /// Returns the number of submodules along the edge of symbol and quiet zone.
   int edge() const { return edge_; }
 
  private:

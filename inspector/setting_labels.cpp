@@ -15,7 +15,7 @@ std::string worded(const std::string& key, const std::string& otherwise) {
 
 std::string nameOf(const Tunable& tunable) { return worded("setting:" + tunable.key, tunable.key); }
 
-/// The unit of a lamp's part is not that of the setting.
+/// Returns the unit. Parts of a lamp have units of their own, not the setting's.
 Setting::Unit unitOf(const Tunable& tunable) {
   for (const LampPart& part : lampParts())
     if (tunable.setting->kind == Setting::Kind::Lamps && tunable.key.ends_with(part.key)) return part.unit;
@@ -23,7 +23,7 @@ Setting::Unit unitOf(const Tunable& tunable) {
   return isNumber ? tunable.setting->unit : Setting::Unit::None;
 }
 
-/// Empty if it has none.
+/// Returns the unit's label; empty if there is no unit.
 std::string unitLabelOf(const Tunable& tunable) {
   switch (unitOf(tunable)) {
     case Setting::Unit::Millimetre:

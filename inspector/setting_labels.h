@@ -8,16 +8,17 @@
 
 namespace qrelief {
 
-// What the inspector calls settings: the page's labels, which come with the translation as "setting:KEY",
-// "choice:KEY:NAME", "group:KEY" and "unit:KEY" (web/i18n/inspector_texts.js). Without them, as in tests, the keys.
+// Names of settings in the inspector: the page's labels, which come with the translation as "setting:KEY",
+// "choice:KEY:NAME", "group:KEY" and "unit:KEY" (web/i18n/inspector_texts.js). Without a translation, as in tests, the
+// keys.
 
-/// "Wall left, mm".
+/// Returns "Wall left, mm".
 std::string labelOf(const Tunable& tunable);
 std::string groupLabelOf(const Setting& setting);
 std::vector<std::string> choiceLabelsOf(const Tunable& tunable);
-/// "0.8", "on", "Thick plus".
+/// Returns "0.8", "on", "Thick plus".
 std::string valueText(const Tunable& tunable, double value);
-/// What is overridden, in words: "Contrast 0.4, Wall left 1 mm"; empty if nothing is.
+/// Lists the overrides in words: "Contrast 0.4, Wall left 1 mm"; empty if there are none.
 std::string describe(const RequestOverrides& overrides);
 
 }  // namespace qrelief

@@ -9,20 +9,21 @@
 
 namespace qrelief {
 
-/// Texts of the page's language by their English ones; formats keep their places ({}) and their order.
+/// Texts of the page's language, keyed by the English ones. Formats keep their fields ({}) and the order of the fields.
 using Translation = std::map<std::string, std::string, std::less<>>;
 
-/// What `translated` answers from now on, in the whole module. Empty: English. What was answered before is void.
+/// Sets the translation for the whole module. Empty: English. Pointers that `translated` returned before become
+/// invalid.
 void setTranslation(Translation translation);
 
-/// The text in the page's language; English where that has none.
+/// Returns the text in the page's language; the English text if there is no translation.
 const char* translated(const char* english);
 
-/// The same of each.
+/// Translates each text.
 std::vector<const char*> translated(std::span<const char* const> english);
 
-/// A translated text with values in it. Its places are checked when it is compiled, those of the translations by a test
-/// (web/i18n/inspector_texts.test.js).
+/// Returns a translated text with values filled in. The compiler checks the fields of the English text; a test checks
+/// those of the translations (web/i18n/inspector_texts.test.js).
 template <class... Args>
 std::string phrase(fmt::format_string<Args...> english, Args&&... args) {
   const fmt::string_view text = english;

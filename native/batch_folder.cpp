@@ -45,8 +45,8 @@ Status writeWhole(int file, std::string_view text, const std::string& path) {
   return ::fdatasync(file) == 0 ? Status() : notWritten(path);
 }
 
-/// What a process that was ended has left behind the last line's end would spoil the next line.
-/// @returns where the next line begins
+/// Removes an unfinished last line, left by a killed process, because it would spoil the next line.
+/// @returns position of the next line
 Result<std::uint64_t> dropUnfinishedLine(int file, const std::string& path) {
   std::array<char, 65536> block;
   const off_t size = ::lseek(file, 0, SEEK_END);
@@ -64,7 +64,7 @@ Result<std::uint64_t> dropUnfinishedLine(int file, const std::string& path) {
   return static_cast<std::uint64_t>(end);
 }
 
-/// Whether rows of one share can be in the manifest of another: not if there are as many shares.
+/// Returns true if the manifest may have rows of the share. Another share of the same count has none.
 bool mayHaveRowsOf(const std::string& name, const Shard& shard) {
   return shard.isWhole() || name == manifestName(shard) || !name.ends_with(fmt::format("-of-{}.jsonl", shard.count));
 }
@@ -84,7 +84,7 @@ BatchFolder::BatchFolder(BatchFolder&& other) noexcept
       manifests_(std::move(other.manifests_)) {}
 
 BatchFolder::~BatchFolder() {
-  if (file_ >= 0) ::close(file_);  // and with it the lock
+  if (file_ >= 0) ::close(file_);  // releases the lock, too
 }
 
 Result<BatchFolder> BatchFolder::open(const std::string& path, const Shard& shard) {
@@ -118,7 +118,7 @@ Status BatchFolder::readManifests(const Shard& shard) {
     std::map<std::size_t, Line>& rows = manifests_[name];
     std::uint64_t begin = 0;
     std::size_t number = 1;
-    // A last line without its end, which a process that was ended has left, says nothing.
+    // A last line without a line end, left by a killed process, does not count.
     for (std::string line; std::getline(stream, line) && !stream.eof(); begin += line.size() + 1, ++number) {
       const auto read = readManifestLine(line);
       if (!read) return notRead(name, message("manifest-line", with::count("line", number)));
@@ -129,7 +129,7 @@ Status BatchFolder::readManifests(const Shard& shard) {
 }
 
 Result<ManifestEntry> BatchFolder::entryAt(const std::string& name, const Line& line) const {
-  // Each time anew, as there may be more manifests than a process may have files open.
+  // Open it each time: there may be more manifests than a process may have open files.
   const int file = name == own_ ? file_ : ::open(pathOf(name).c_str(), O_RDONLY | O_CLOEXEC);
   std::string text(line.bytes, '\0');
   const ssize_t n = file < 0 ? -1 : ::pread(file, text.data(), text.size(), static_cast<off_t>(line.begin));
@@ -141,7 +141,7 @@ Result<ManifestEntry> BatchFolder::entryAt(const std::string& name, const Line& 
   return std::move(*entry);
 }
 
-/// @returns none if it is not there; empty for no file
+/// Returns the hash of a file; none if the file does not exist, empty for no file.
 std::optional<std::string> BatchFolder::hashOf(const std::string& file) const {
   if (file.empty()) return "";
   const auto hash = sha256OfFile(pathOf(file));
@@ -164,7 +164,7 @@ BatchFolder::Known BatchFolder::known(const ManifestEntry& wanted) const {
       continue;
     }
     const auto file = hashOf(entry.file), plate = hashOf(entry.plate);
-    if (!file || !plate) continue;  // it is not there any more: made again
+    if (!file || !plate) continue;  // the file is gone: make it again
     if (*file == entry.sha256.output && *plate == entry.sha256.plate) return {Known::State::Done, entry};
     best = {Known::State::Changed, entry};
   }
@@ -190,7 +190,7 @@ Status BatchFolder::append(const ManifestEntry& entry) {
   return {};
 }
 
-/// All lines, those about a row side by side.
+/// Returns all lines, with lines about the same row next to each other.
 std::vector<BatchFolder::Found> BatchFolder::found() const {
   std::vector<Found> all;
   std::size_t count = 0;
@@ -219,7 +219,7 @@ std::vector<std::size_t> BatchFolder::doubles() const {
   std::vector<std::size_t> twice;
   std::optional<std::size_t> done;
   for (const Found& line : found()) {
-    if (*line.name == kWhole || line.line.status != RowStatus::Done) continue;  // it was merged from the others
+    if (*line.name == kWhole || line.line.status != RowStatus::Done) continue;  // merged from the others
     if (done == line.number && (twice.empty() || twice.back() != line.number)) twice.push_back(line.number);
     done = line.number;
   }

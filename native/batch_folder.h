@@ -13,17 +13,18 @@
 
 namespace qrelief {
 
-/// The folder that a batch is written to, and what manifests in it say of its rows. Processes with shares of one batch
-/// use it at the same time, each with a manifest of its own; none may have the share of another that is still at work.
+/// The output folder of a batch, and the manifests in it. Processes with shares of one batch use it at the same time,
+/// each with a manifest of its own. No two running processes may have the same share.
 ///
-/// A row counts as done if a manifest says so, with the hashes that are wanted, and its file has the hash that the
-/// manifest has. A file is renamed to its name before its line is written, in one write that is on the disk when it
-/// returns: a process that is killed loses the row that it is at.
+/// A row is done if a manifest says so with the wanted hashes, and the row's file has the hash in that manifest. A file
+/// gets its final name before its line is written. A line is one write, which is on the disk when it returns. So a
+/// process that is killed loses only its current row.
 class BatchFolder {
  public:
-  /// Makes the folder if need be. What other shares of as many have is not asked for: it is none of this share's.
-  /// @returns BadInput if it cannot be made or written to, if a manifest in it cannot be
-  /// read, or if another process has this share
+  /// Makes the folder if necessary. Reads no manifests of other shares of the same count: they have none of this
+  /// share's rows.
+  /// @returns BadInput if the folder cannot be made or written to, if a manifest in it cannot be read, or if another
+  /// process has this share
   static Result<BatchFolder> open(const std::string& path, const Shard& shard);
   ~BatchFolder();
   BatchFolder(BatchFolder&& other) noexcept;
@@ -31,48 +32,48 @@ class BatchFolder {
 
   std::string pathOf(const std::string& file) const { return path_ + "/" + file; }
 
-  /// What is known of a row.
+  /// State of a row according to the manifests.
   struct Known {
     enum class State {
-      New,      ///< nothing, or what was made of something else
-      Done,     ///< nothing is to be done
-      Failed,   ///< it was tried with the same hashes, in vain
-      Changed,  ///< it was done, but its file is not what was written
+      New,      ///< no entry, or an entry with other hashes
+      Done,     ///< nothing to do
+      Failed,   ///< tried with the same hashes, and failed
+      Changed,  ///< done, but its file has changed since
     };
     State state = State::New;
-    ManifestEntry entry;  ///< of Done and Failed: the manifest's; of Changed: what now is to be said
+    ManifestEntry entry;  ///< the manifest's entry; set unless the state is New
   };
 
-  /// Cost: reading the row's file and plate.
-  /// @param wanted  number, file, plate, and hashes but for those of what was written
+  /// Looks a row up. Cost: reading the row's file and plate.
+  /// @param wanted  number, file, plate, and the hashes of the row's input and settings
   Known known(const ManifestEntry& wanted) const;
 
-  /// Removes the file of a row that has now failed, if it is one that a manifest says was made of the row with other
-  /// hashes: a code that is not wanted any more is not to lie among the others. What somebody has changed stays.
+  /// Removes the outdated file of a row that has now failed: a file that a manifest lists for the row with other
+  /// hashes. An unwanted code must not lie among the others. A file that somebody has changed stays.
   void removeOutdated(const ManifestEntry& failed) const;
 
   /// Adds a line to this process's manifest.
   Status append(const ManifestEntry& entry);
 
-  /// Visits every row that a manifest knows, in their order, as the last line about it has it; one that is done before
-  /// one that is not. Cost: reading its line, and little memory.
-  /// @returns BadInput if a line cannot be read any more, or what `visit` returns if it is an error
+  /// Visits every row in the manifests, in order, with the last line about it; a line that says done wins over one that
+  /// does not. Cost: reading each row's line, and little memory.
+  /// @returns BadInput if a line cannot be read any more, or the error that `visit` returns
   Status forEach(const std::function<Status(const ManifestEntry&)>& visit) const;
 
-  /// Rows that manifests of several shares call done.
+  /// Returns the rows that the manifests of several shares call done.
   std::vector<std::size_t> doubles() const;
 
-  /// Writes manifest.jsonl and manifest.csv of the rows that forEach() visits, up to a number.
+  /// Writes manifest.jsonl and manifest.csv with the rows that forEach() visits, up to a row number.
   Status writeManifest(std::size_t lastNumber) const;
 
  private:
-  /// Where a manifest's last line about a row stands.
+  /// Position of a manifest's last line about a row.
   struct Line {
     std::uint64_t begin;
     std::uint32_t bytes;
     RowStatus status;
   };
-  /// A line of the manifest of some name.
+  /// A line and the name of its manifest.
   struct Found {
     std::size_t number;
     const std::string* name;
@@ -87,7 +88,7 @@ class BatchFolder {
 
   std::string path_, own_;
   int file_ = -1;                                                 // this process's manifest, locked
-  std::uint64_t end_ = 0;                                         // of it
+  std::uint64_t end_ = 0;                                         // of that manifest
   std::map<std::string, std::map<std::size_t, Line>> manifests_;  // by file; a million rows take 80 MB
 };
 

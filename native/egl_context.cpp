@@ -24,7 +24,7 @@ std::vector<EGLDisplay> candidateDisplays() {
     if (queryDevices(static_cast<EGLint>(devices.size()), devices.data(), &count)) {
       for (EGLint i = 0; i < count; ++i) {
         const EGLDeviceEXT device = devices[static_cast<std::size_t>(i)];
-        // Mesa lists its software renderer as a device, too; it comes last, as surfaceless.
+        // Mesa lists its software renderer as a device, too. It comes last, as surfaceless.
         const char* extensions = queryString ? queryString(device, EGL_EXTENSIONS) : nullptr;
         if (extensions && std::string_view(extensions).find("EGL_MESA_device_software") != std::string_view::npos)
           continue;
@@ -42,7 +42,7 @@ EGLContext createContext(EGLDisplay display) {
   const std::array<EGLint, 3> configAttributes = {EGL_RENDERABLE_TYPE, EGL_OPENGL_ES3_BIT, EGL_NONE};
   EGLConfig config = nullptr;
   EGLint count = 0;
-  // Only the context matters, no surface is ever made: where no configuration offers ES 3, none is asked for.
+  // Only the context matters, as no surface is ever made. If no configuration offers ES 3, use none.
   if (!eglChooseConfig(display, configAttributes.data(), &config, 1, &count) || count == 0) config = EGL_NO_CONFIG_KHR;
   const std::array<EGLint, 3> contextAttributes = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_NONE};
   const EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, contextAttributes.data());

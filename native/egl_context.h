@@ -8,9 +8,9 @@
 
 namespace qrelief {
 
-/// A current OpenGL ES 3 context without a window, for the thread that made it: on a GPU if one can be had without a
-/// display (EGL_EXT_platform_device), else Mesa's software renderer (surfaceless).
-/// QRELIEF_GL=software in the environment skips the GPU.
+/// A current OpenGL ES 3 context without a window, for the thread that made it. Uses a GPU if one is available without
+/// a display (EGL_EXT_platform_device), else Mesa's software renderer (surfaceless). QRELIEF_GL=software in the
+/// environment skips the GPU.
 class EglContext {
  public:
   static Result<std::unique_ptr<EglContext>> create();

@@ -10,7 +10,7 @@
 namespace qrelief {
 namespace {
 
-constexpr std::size_t kPlaces = 8;  // rows of a batch may differ in what their place depends on
+constexpr std::size_t kPlaces = 8;  // rows of a batch may differ in settings that their place depends on
 
 }  // namespace
 
@@ -73,7 +73,7 @@ Result<Engraver::Carving> Engraver::carve(const EngraveRequest& request, const T
   return carving;
 }
 
-/// How a carving comes off the printer. It needs no GL context, so that it can be found out beside other work.
+/// Simulates and decodes the print of a carving. Needs no GL context, so it can run in parallel.
 Result<Engraver::Print> Engraver::printed(const VerifyRequest& request, const Mesh& carved) {
   const auto start = Clock::now();
   auto evidence = readPrinted(request, carved, [](const Progress&) {});
@@ -109,7 +109,7 @@ Result<Engraved> Engraver::engrave(const EngraveRequest& request, const Tell& te
   for (auto next = changeToTryNext(deeper, asked->engraved.verdict); next;) {
     apply(*next, deeper);
     auto carved = carve(deeper, tell, false);
-    if (!carved) break;  // what is asked for can be carved: better than nothing
+    if (!carved) break;  // keep the carving as requested: better than none
     next = changeToTryNext(deeper, carved->engraved.verdict);
     if (!carved->engraved.verdict.reads.passed()) continue;
     asked = std::move(carved);
@@ -121,7 +121,8 @@ Result<Engraved> Engraver::engrave(const EngraveRequest& request, const Tell& te
   return untilItPrints(std::move(*printed), tell);
 }
 
-/// With the next deeper presets while too few tries read its print. @returns the first whose print reads, else `asked`
+/// Tries the next deeper presets while too few tries decode the print. @returns the first carving whose print decodes,
+/// else `asked`
 Result<Engraved> Engraver::untilItPrints(Engraved asked, const Tell& tell) const {
   const auto nextAfter = [](const Engraved& carved) {
     return changeToTryNext(carved.request, carved.verdict, carved.printed ? &*carved.printed : nullptr);

@@ -16,17 +16,17 @@
 
 namespace qrelief {
 
-/// A carving, and what was found out about it.
+/// A carving with the results of its checks.
 struct Engraved {
-  EngraveRequest request;  ///< as it was carved, which may be deeper than was asked for
+  EngraveRequest request;  ///< as carved, which may be deeper than requested
   EngraveResult result;
   ReadingEvidence reading;
-  std::optional<PrintedEvidence> printed;  ///< none: the request names no process, or it was not to be looked at
+  std::optional<PrintedEvidence> printed;  ///< none: the request names no process, or the print was not simulated
   Verdict verdict;
 };
 
-/// Engraves code after code into one model, each with all its checks. What codes share is made once: programs, and
-/// places that they are asked for alike, with what was measured there. Needs the GL context of the model.
+/// Engraves one code after another into one model, with all checks. Shares work between codes: the programs, and the
+/// place with its measurements for codes with the same placement request. Needs the GL context of the model.
 class Engraver {
  public:
   using Tell = std::function<void(const Progress&)>;
@@ -34,12 +34,12 @@ class Engraver {
   /// @param model  checked: see PreparedModel::engravable()
   static Result<Engraver> create(std::shared_ptr<const EngravableModel> model);
 
-  /// Carves as asked for. If the code does not read, or its print barely does, tries the changes of changeToTryNext()
-  /// one after the other. The first that mends it is delivered; if none does, the code as asked for.
-  /// @param looksAtPrint  find out how it comes off the printer, too, which takes two fifths of the time
+  /// Carves as requested. If the code does not decode, or its print barely does, tries the changes of changeToTryNext()
+  /// one after the other. Returns the first that helps; if none does, the code as requested.
+  /// @param looksAtPrint  also simulate the print, which takes two fifths of the time
   Result<Engraved> engrave(const EngraveRequest& request, const Tell& tell, bool looksAtPrint = true) const;
 
-  /// The same once, without anything deeper.
+  /// Carves once as requested, without trying any change.
   Result<Engraved> engraveOnce(const EngraveRequest& request, const Tell& tell) const;
 
   const EngravableModel& model() const { return *model_; }
@@ -58,7 +58,7 @@ class Engraver {
   };
   struct Carving {
     Engraved engraved;
-    std::future<Result<Print>> print;  ///< under way beside the reading of the design; not valid: it was not begun
+    std::future<Result<Print>> print;  ///< runs while the design is decoded; not valid: not started
   };
 
   Engraver() = default;
@@ -74,7 +74,7 @@ class Engraver {
   mutable std::list<Place> places_;  // the latest first
 };
 
-/// The carved model in the format of a file's name. @param ascii  see WriteOptions
+/// Encodes the carved model in the format that the file name implies. @param ascii  see WriteOptions
 Result<std::vector<std::uint8_t>> encodeCarved(const EngraveResult& result, std::span<const std::string> partNames,
                                                const std::string& fileName, bool withInlay, const std::string& title,
                                                bool ascii = false);

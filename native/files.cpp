@@ -15,7 +15,7 @@
 namespace qrelief {
 namespace {
 
-constexpr std::size_t kWaitingBytes = 1 << 20;  // to be written at once
+constexpr std::size_t kWaitingBytes = 1 << 20;  // size of a write
 
 }  // namespace
 

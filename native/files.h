@@ -12,13 +12,14 @@
 
 namespace qrelief {
 
-/// Opens a file for reading; BadInput if it cannot be opened or is larger than the readers take.
+/// Opens a file for reading; BadInput if it cannot be opened or is larger than the parsers accept.
 Result<std::ifstream> openFile(const std::string& path);
 
-/// The whole file; BadInput if it cannot be read or is larger than the readers take.
+/// Reads a whole file; BadInput if it cannot be read or is larger than the parsers accept.
 Result<std::vector<std::uint8_t>> readFile(const std::string& path);
 
-/// A file that is written as it comes, under a temporary name beside its own: there is never half a file.
+/// A file written piece by piece under a temporary name in the same folder, so that half a file never has the final
+/// name.
 class AtomicFile {
  public:
   static Result<AtomicFile> create(const std::string& path);
@@ -28,7 +29,7 @@ class AtomicFile {
 
   Status write(std::string_view bytes);
 
-  /// Gives the file its name when all of it is on the disk.
+  /// Gives the file its name once all of it is on the disk.
   Status finish();
 
  private:
@@ -40,11 +41,11 @@ class AtomicFile {
   int file_ = -1;
 };
 
-/// The whole of an AtomicFile.
+/// Writes a whole file through an AtomicFile.
 Status writeFileAtomically(const std::string& path, std::span<const std::uint8_t> bytes);
 Status writeFileAtomically(const std::string& path, std::string_view text);
 
-/// The part of a path after the last slash.
+/// Returns the part of a path after the last slash.
 std::string fileNameOf(const std::string& path);
 
 }  // namespace qrelief

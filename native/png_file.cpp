@@ -14,7 +14,7 @@ Result<std::vector<std::uint8_t>> encodePng(const GreyImage& image) {
   header.format = PNG_FORMAT_GRAY;
   png_alloc_size_t size = 0;
   std::vector<std::uint8_t> bytes;
-  // The first call says how large the file becomes.
+  // The first call returns the size of the file.
   if (png_image_write_to_memory(&header, nullptr, &size, 0, image.pixels.data(), 0, nullptr)) {
     bytes.resize(size);
     if (png_image_write_to_memory(&header, bytes.data(), &size, 0, image.pixels.data(), 0, nullptr)) {

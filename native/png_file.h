@@ -9,7 +9,7 @@
 
 namespace qrelief {
 
-/// 8-bit grey PNG (libpng).
+/// Encodes an 8-bit grey PNG (libpng).
 Result<std::vector<std::uint8_t>> encodePng(const GreyImage& image);
 
 }  // namespace qrelief

@@ -9,12 +9,12 @@
 
 namespace qrelief {
 
-/// Text that ZXing decodes from pictures of a carving.
+/// Decodes pictures of a carving with ZXing.
 ReadingEvidence readCarving(const EngraveRequest& request, const EngraveResult& result);
 
-/// What ZXing makes of a carved model as it comes off the printer; nothing if the request names no process.
+/// Simulates the print of a carved model and decodes it with ZXing; none if the request names no process.
 /// @param carved    a solid
-/// @param progress  of the printing and tracing
+/// @param progress  of printing and tracing
 Result<std::optional<PrintedEvidence>> readPrinted(const VerifyRequest& request, const Mesh& carved,
                                                    const std::function<void(const Progress&)>& progress);
 

@@ -10,11 +10,11 @@
 
 namespace qrelief {
 
-/// Lower-case hexadecimal digits [FIPS 180-4, by OpenSSL].
+/// Returns lower-case hexadecimal digits [FIPS 180-4, by OpenSSL].
 std::string sha256(std::span<const std::uint8_t> bytes);
 std::string sha256(std::string_view text);
 
-/// Of a file, read piece by piece. @returns BadInput if it cannot be read
+/// Hashes a file piece by piece. @returns BadInput if it cannot be read
 Result<std::string> sha256OfFile(const std::string& path);
 
 }  // namespace qrelief

@@ -41,7 +41,7 @@ Result<std::vector<std::uint8_t>> readText(std::istream& stream, std::size_t mos
   return bytes;
 }
 
-/// @returns whether the line has an end
+/// Skips the rest of a line. @returns false if the stream ended before the line did
 bool LineReader::skipRest() {
   std::streambuf& buffer = *stream_.rdbuf();
   for (int c = buffer.sbumpc(); c != std::streambuf::traits_type::eof(); c = buffer.sbumpc())

@@ -11,20 +11,20 @@
 
 namespace qrelief {
 
-/// Reads all of a text, and stops at the first line that is too long: of a file that is one line of a gigabyte no more
-/// than `mostLineBytes` are read.
+/// Reads a whole text, but stops at the first line that is too long: from a file that is one line of a gigabyte, reads
+/// no more than `mostLineBytes`.
 /// @param stream  lines end with LF, CR LF or CR
-/// @returns BadInput naming that line, or if the text is larger than the readers take
+/// @returns BadInput that names the long line, or if the text is larger than the parsers accept
 Result<std::vector<std::uint8_t>> readText(std::istream& stream, std::size_t mostLineBytes);
 
-/// Reads lines as they come, in memory for one line of the accepted length.
+/// Reads lines as they come. Uses memory for one line of the accepted length.
 class LineReader {
  public:
   /// @param stream  lines end with LF
   LineReader(std::istream& stream, std::size_t mostLineBytes) : stream_(stream), most_(mostLineBytes) {}
 
-  /// The next line without its end; empty: there is none. A line that is too long is refused as soon as it is; the call
-  /// after that passes over its rest.
+  /// Returns the next line without its end; none at the end of the stream. Refuses a line as soon as it is too long;
+  /// the call after that skips its rest.
   std::optional<Result<std::string>> next();
 
  private:

@@ -10,17 +10,17 @@
 
 namespace qrelief {
 
-/// Text of the QR Code in a picture as ZXing-C++ reads it in any of its reading variants, with either of its
-/// binarisers; empty if it finds none, or only a mirrored one.
+/// Decodes the QR Code in a picture with ZXing-C++, in any of its reading variants, with either of its binarisers.
+/// Empty if it finds none, or only a mirrored one.
 std::string readWithZxing(const ReaderView& seen);
 
-/// What each try on each of frontalPictures() gives, on all cores: with each binariser in turn; empty if nothing.
+/// Decodes each of frontalPictures() with each binariser in turn, on all cores; one text a try, empty if it failed.
 std::vector<std::string> readFrontal(const ReaderView& seen);
 
-/// ZXing-C++ with each of its binarisers, which differ in what they find: local averages and the global histogram.
+/// Returns ZXing-C++ with each of its binarisers, which find different codes: local averages and the global histogram.
 std::vector<SymbolReader> zxingReaders();
 
-/// "ZXing-C++" and its version, for reports.
+/// Returns "ZXing-C++", for reports.
 std::string zxingName();
 
 }  // namespace qrelief

@@ -1,5 +1,5 @@
 #version 300 es
-// Distance from the eye to the first facet seen from behind: what lies between it and the front is material.
+// Distance from the eye to the first back-facing facet. Between the front and this distance there is material.
 precision highp float;
 
 in vec3 v_position;  // mm, relative to the code's centre

@@ -1,8 +1,8 @@
 #version 300 es
-// One texel of the map of cells for each that is listed.
+// Draws one texel of the map of cells for each listed cell.
 precision highp float;
 
-layout(location = 0) in vec4 a_cell;  // column and row from the map's lower left; the same of where it was computed
+layout(location = 0) in vec4 a_cell;  // column and row from the map's lower left; the same in the computed target
 
 uniform float u_cellsAlongEdge;
 

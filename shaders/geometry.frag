@@ -1,5 +1,5 @@
 #version 300 es
-// What the reader sees of the model, texel by texel.
+// Surface of the model as seen from the reader's eye, texel by texel.
 precision highp float;
 
 in vec3 v_position;  // mm, relative to the code's centre

@@ -10,12 +10,12 @@ layout(location = 1) in vec3 a_normal;    // model space, unit
 uniform vec3 u_right;
 uniform vec3 u_up;
 uniform vec3 u_normal;
-uniform vec3 u_centre;        // the code's centre, in the coordinates of a_position
+uniform vec3 u_centre;        // the code's centre, in the same coordinates as a_position
 uniform float u_eyeDistance;  // mm
 uniform float u_extent;       // edge of the square on the QR plane that fills the viewport, mm
 uniform vec2 u_depthRange;    // near and far distance along the axis, mm
 
-out vec3 v_position;  // relative to the code's centre, axes of view space, mm: keeps the float's digits
+out vec3 v_position;  // relative to the code's centre, axes of view space, mm: preserves float precision
 out vec3 v_normal;    // view space
 
 void main() {

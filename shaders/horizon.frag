@@ -1,6 +1,6 @@
 #version 300 es
-// Horizon of the uncarved surface, far and near, for a coarse grid of places: what the march of occlusion.frag need not
-// look for again and again. Sixteen directions a place, in four texels side by side.
+// Horizon of the uncarved surface, near and far, on a coarse grid of points, so that the march in occlusion.frag need
+// not find it again. Sixteen directions a point, in four texels side by side.
 //
 // Output: cotangents of the angle between the line of sight and the horizon in four directions, turning anticlockwise.
 precision highp float;
@@ -11,8 +11,8 @@ precision highp float;
 uniform sampler2D u_surroundings;    // a wider, coarser map from the same eye
 uniform float u_surroundingsTexels;  // along its edge; 0: there is none
 uniform float u_surroundingsTexelMm;
-uniform float u_horizonSamples;      // places along the edge
-uniform float u_startTexels;         // nearer than this is left to the march
+uniform float u_horizonSamples;      // grid points along the edge
+uniform float u_startTexels;         // the march covers anything nearer
 
 layout(location = 0) out vec4 o_cotangents;
 
@@ -54,5 +54,5 @@ void main() {
   vec4 cotangents;
   for (int i = 0; i < 4; ++i)
     cotangents[i] = horizonCotangent(texel, float(4 * (pixel.x & 3) + i) * kPi / 8.0, origin, sight, surface.xyz);
-  o_cotangents = cotangents;  // whose elements WebGL lets constants alone index
+  o_cotangents = cotangents;  // WebGL allows only constant indices into an output
 }

@@ -1,11 +1,11 @@
-// Light that matte material of an albedo reflects into what is hidden from the sky, as irradiance, 1 = the open sky.
+// Light that matte material of some albedo reflects into areas hidden from the sky, as irradiance, 1 = the open sky.
 //
-// What a pocket's walls send to its floor grows with the root of the floor's own visibility (both see the sky through
-// the same opening); the model's further surface, seen past the walls, is nearly as bright as an open one. The factor
-// of the wall is a fit to path tracing of half the models at the albedos 0.5, 0.7 and 0.85; how far off it is on the
-// other half: bench/luminance_table.cpp.
+// A pocket's walls reflect light onto its floor in proportion to the root of the floor's own visibility, because both
+// see the sky through the same opening. The surface beyond the pocket, seen past the walls, is nearly as bright as an
+// open one. The wall's factor is a fit to path tracing of half the models at the albedos 0.5, 0.7 and 0.85;
+// bench/luminance_table.cpp measures its error on the other half.
 //
-// visibility: of the sky; pastWalls: the same if nothing but the walls of pockets hid it, ≥ visibility.
+// visibility: of the sky; pastWalls: visibility if only the walls of pockets hid the sky, ≥ visibility.
 float interreflection(float visibility, float pastWalls, float albedo) {
   float wall = 0.401 / (1.0 - 0.75 * albedo) * sqrt(max(visibility, 0.0));
   float surface = 0.910;

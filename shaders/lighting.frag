@@ -1,12 +1,12 @@
 #version 300 es
-// Luminance of matte material under sky and lamps with what its surroundings reflect, linear, 1 = an unoccluded surface
-// in the QR plane. A lamp brings as much light into a pocket as the surface round it receives, and there it is
-// reflected as the sky's is.
+// Luminance of matte material under sky and lamps, with light reflected by its surroundings, linear, 1 = an unoccluded
+// surface in the QR plane. A lamp brings as much light into a pocket as the surface around it receives; the pocket
+// reflects it like the sky's.
 precision highp float;
 
 #include "interreflection.glsl"
 
-uniform sampler2D u_received;  // as occlusion.frag writes it
+uniform sampler2D u_received;  // as written by occlusion.frag
 uniform float u_albedo;
 uniform float u_openIrradiance;  // of sky and lamps in the QR plane
 

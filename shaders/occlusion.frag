@@ -1,17 +1,16 @@
 #version 300 es
-// Horizon-based ambient occlusion of the engraved surface [Bavoil 2008; Papp 2022, §7], cosine-weighted
-// [Jimenez 2016].
+// Horizon-based ambient occlusion of the engraved surface [Bavoil 2008; Papp 2022, §7], cosine-weighted [Jimenez 2016].
 //
-// Because every wall runs along a ray from the eye, the engraved surface is the distance map plus the depth of the cell
-// a texel lies in: single-valued along the rays, so what lies below the horizon of a slice through the eye is blocked,
+// Because every wall runs along a ray from the eye, the engraved surface is the distance map plus the depth of each
+// texel's cell: single-valued along the rays. So everything below the horizon of a slice through the eye is blocked,
 // and the horizon integral is the sky visibility itself. The march goes from cell border to cell border, where the
-// walls stand, so no step is too long.
+// walls are, so no step is too long.
 //
-// What is computed lies side by side, without gaps, whichever cells are listed: u_computedTexels² texels of each, a row
-// of entries as long as one of the map's cells.
+// Computed texels lie side by side without gaps, whichever cells are listed: u_computedTexels² texels of each cell,
+// with as many entries in a row as the map has cells.
 //
-// Output: fraction of a uniform sky, cosine-weighted, that reaches the texel, 1 = unoccluded plane; the same past the
-// walls of pockets alone; irradiance by the lamps, 1 = that of the whole sky; the same before anything was carved.
+// Output: fraction of a uniform sky, cosine-weighted, that reaches the texel, 1 = unoccluded plane; the same if only
+// the walls of pockets occluded; irradiance by the lamps, 1 = the whole sky's; the same before anything was carved.
 precision highp float;
 
 #include "distance_map.glsl"
@@ -22,11 +21,11 @@ uniform sampler2D u_horizon;       // of the uncarved surface (horizon.frag)
 uniform float u_horizonSamples;    // places along its edge
 uniform int u_slices;              // pairs of half-planes through the line of sight
 uniform float u_radiusTexels;      // reach of the march
-uniform float u_everyBorderTexels;  // up to here the march stops at every border, beyond at growing steps
-uniform float u_reliefMm;          // depth of what is carved into u_surface itself, beside u_depth
+uniform float u_everyBorderTexels;  // up to here the march stops at every border, beyond it at growing steps
+uniform float u_reliefMm;          // depth carved into u_surface itself, in addition to u_depth
 uniform int u_turnSlices;          // 1: texels of a 4×4 block turn them, so that its mean has 16 times as many
 uniform int u_computedTexels;      // texels along a cell's edge that are computed
-uniform int u_stride;              // texels from one to the next
+uniform int u_stride;              // distance between computed texels, texels
 uniform float u_cellsPerPixel;     // 1 / u_computedTexels
 uniform sampler2D u_list;          // columns and rows of the listed cells
 uniform int u_listed;              // how many there are; 0: all
@@ -36,7 +35,7 @@ uniform vec4 u_lamps[2];           // unit vector to the lamp, strength
 
 layout(location = 0) out vec4 o_received;
 
-// Cotangent of the angle between the line of sight and the uncarved surface's horizon.
+// Returns the cotangent of the angle between the line of sight and the uncarved surface's horizon.
 float horizonOfSurface(vec2 texel, float angle) {
   ivec2 place = ivec2(texel * u_horizonSamples / u_mapTexels);
   float sector = mod(angle * 8.0 / kPi, 16.0);
@@ -47,7 +46,7 @@ float horizonOfSurface(vec2 texel, float angle) {
   return mix(first, second, fract(sector));
 }
 
-// March from cell border to cell border.
+// A march from cell border to cell border.
 struct March {
   vec2 start;
   vec2 direction;
@@ -67,7 +66,8 @@ March marchFrom(vec2 start, vec2 direction) {
   return march;
 }
 
-// From `origin` to the rim at the border reached, as seen from the cell behind it; false beyond the map.
+// Steps to the next border and returns the vector from `origin` to the rim there, as seen from the cell behind it.
+// False beyond the map.
 bool stepMarch(inout March march, vec3 origin, out vec3 towards) {
   float travelled = min(march.next.x, march.next.y);
   march.next += march.perBorder * vec2(lessThanEqual(march.next, vec2(travelled)));
@@ -81,14 +81,16 @@ bool stepMarch(inout March march, vec3 origin, out vec3 towards) {
   return true;
 }
 
-// From the floor of a pocket nothing rises higher over the surface's own horizon than its rim at a distance: whether
-// that is too little to matter. (0.9: the surface lies nearer than the plane.)
+// Returns true if the march can end. From the floor of a pocket, nothing rises higher over the surface's own horizon
+// than a pocket's depth; true if that is too little to matter at this distance. (0.9: the surface is nearer than the
+// plane.)
 bool isSettled(March march, float cotangent, float surfaceHorizon, float pocketMm) {
   float travelled = min(march.next.x, march.next.y);
   return travelled > u_radiusTexels || (cotangent - surfaceHorizon) * (0.9 * travelled * u_texelMm) >= pocketMm;
 }
 
-// Cotangent of the angle between the line of sight and the horizon seen from `origin` in the slice along `along`.
+// Returns the cotangent of the angle between the line of sight and the horizon seen from `origin` in the slice along
+// `along`.
 float horizonCotangent(vec2 start, vec3 along, vec3 origin, SightFrame sight, float tangent, float surfaceHorizon,
                        float pocketMm) {
   March march = marchFrom(start, onPlane(along, sight.ray));
@@ -102,12 +104,12 @@ float horizonCotangent(vec2 start, vec3 along, vec3 origin, SightFrame sight, fl
   return highest;
 }
 
-// Fraction of the texel that a lamp reaches, past rims and past the surface's own horizon. A shadow's edge is as wide as a
-// texel, so that cell means do not jump.
+// Returns the fraction of the texel that a lamp reaches, past rims and past the surface's own horizon. A shadow's edge
+// is as wide as a texel, so that cell means do not jump.
 vec2 lampReaches(vec2 start, vec3 toLamp, vec3 origin, SightFrame sight, float pocketMm) {
   vec3 across = toLamp - sight.toEye * dot(toLamp, sight.toEye);
   float sine = length(across);
-  if (sine < 1e-3) return vec2(1.0);  // beside the eye, which sees the texel
+  if (sine < 1e-3) return vec2(1.0);  // next to the eye, which sees the texel
   vec3 along = across / sine;
   float cotangent = dot(toLamp, sight.toEye) / sine;
   float surfaceHorizon = horizonOfSurface(start, atan(dot(along, sight.upward), dot(along, sight.side)));
@@ -124,8 +126,8 @@ vec2 lampReaches(vec2 start, vec3 toLamp, vec3 origin, SightFrame sight, float p
   return vec2(lit, 1.0);
 }
 
-// Sixteenths, each once in a 4×4 block, and each quarter once in every row and column: directions and places are not
-// to go together. Two orthogonal Latin squares over the field of four elements [Bose 1938].
+// Returns sixteenths, each once in a 4×4 block, and each quarter once in every row and column, so that directions and
+// positions are not correlated. Two orthogonal Latin squares over the field of four elements [Bose 1938].
 float turnOf(ivec2 inBlock) {
   int turned = inBlock.y == 0 ? 0 : inBlock.y == 3 ? 1 : inBlock.y + 1;  // y times the field's generator
   int quarter = inBlock.x ^ inBlock.y;
@@ -133,13 +135,13 @@ float turnOf(ivec2 inBlock) {
   return (float(4 * quarter + within) + 0.5) / 16.0;
 }
 
-// Of each block of texels one is computed; of two times two blocks these are four places of a turned grid.
+// Returns the texel that is computed for a block. In two by two blocks, the four texels form a rotated grid.
 ivec2 texelOf(ivec2 block) {
   return block * u_stride + (u_stride == 2 ? ivec2(block.y & 1, 1 - (block.x & 1)) : ivec2(u_stride >> 1));
 }
 
-// In the map, where the output's is `pixel`; negative beyond the list. (Some software renderers divide integers, too,
-// to few bits.)
+// Returns the block in the map for a pixel of the output; negative beyond the list. (Some software renderers divide
+// even integers to few bits.)
 ivec2 blockOf(vec2 pixel) {
   if (u_listed == 0) return ivec2(pixel);
   ivec2 entry = ivec2(pixel * u_cellsPerPixel);
@@ -161,7 +163,7 @@ void main() {
   vec3 origin = engravedPoint(surface, depth, texel, texel);
   float pocketMm = depth + u_reliefMm;
 
-  ivec2 inBlock = u_stride == 2 ? (block & 1) * ivec2(1, 2) : block & 3;  // of four texels, each has another quarter
+  ivec2 inBlock = u_stride == 2 ? (block & 1) * ivec2(1, 2) : block & 3;  // each of four texels gets another quarter
   float turn = u_turnSlices == 1 ? turnOf(inBlock) : 0.5;
   vec2 visibility = vec2(0.0);
   for (int i = 0; i < 2 * u_slices; ++i) {  // every slice has two sides
@@ -169,14 +171,14 @@ void main() {
     vec3 along = directionAcross(sight, angle);
     vec2 inSlice = vec2(dot(surface.xyz, along), dot(surface.xyz, sight.toEye));
     float gamma = atan(inSlice.x, inSlice.y);
-    // Below the tangent plane nothing counts: that is the lowest horizon.
+    // Directions below the tangent plane do not count: it is the lowest horizon.
     float tangent = tangentCotangent(surface.xyz, along, sight.toEye);
     float far = max(tangent, horizonOfSurface(texel, angle));
     float wall = horizonCotangent(texel, along, origin, sight, tangent, far, pocketMm);
     visibility += length(inSlice) * vec2(visibleArc(atan(1.0, max(wall, far)), gamma), visibleArc(atan(1.0, wall), gamma));
   }
   visibility /= float(u_slices);
-  // Outside pockets what the march met is the surface itself.
+  // Outside pockets the march met only the surface itself.
   if (pocketMm == 0.0) visibility.y = 1.0;
 
   vec2 lamps = vec2(0.0);

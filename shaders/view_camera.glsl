@@ -1,5 +1,5 @@
-// The viewer's camera and its G-buffer. View space: origin at the camera's target, axes right, up, back, mm; the eye is
-// at (0, 0, u_distance). Positions near the target keep their digits, whatever the distance.
+// The viewer's camera and G-buffer. View space: origin at the camera's target, axes right, up, back, mm; the eye is at
+// (0, 0, u_distance). Positions near the target stay precise, whatever the distance.
 
 uniform highp sampler2D u_surface;  // shading normal and z. Its length: 1 + heat: front side, 0.7: cut, 0.5: back side,
                                    // 0: background

@@ -1,5 +1,5 @@
 #version 300 es
-// A finished picture, as it is.
+// Copies a finished picture.
 precision highp float;
 
 uniform sampler2D u_picture;

@@ -1,21 +1,22 @@
 #version 300 es
 // A matte material under a soft sky, dimmed by occlusion, and one key light that moves with the camera.
 //
-// Output: linear colour; luminance of the light, for what is printed on the surface later.
+// Output: linear colour; luminance of the light, for prints drawn on the surface later.
 precision highp float;
 
 #include "view_camera.glsl"
 #include "interreflection.glsl"
 
 uniform highp sampler2D u_visibility;  // sky visibility, z / u_blurUnit
-uniform int u_blur;                    // 1: mean over a 4×4 block of like depth, 0: this pixel alone
+uniform int u_blur;                    // 1: mean over a 4×4 block of similar depth, 0: this pixel alone
 uniform float u_blurUnit;              // mm
-uniform float u_blurReach;             // difference of z up to which a neighbour counts, mm
+uniform float u_blurReach;             // neighbours within this difference of z count, mm
 uniform vec3 u_skyward;                // view space, unit
 uniform vec3 u_background[2];          // at the lower and upper edge
-uniform int u_heatShown;               // 1: the front side has the colours of its heat; 2: but for a heat of 0
-uniform vec4 u_hatch;                  // direction across the stripes of a cut (view space), and the target's place along it, mm
-uniform float u_hatchMm;               // from stripe to stripe
+uniform int u_heatShown;               // 1: the front side has its heat colours; 2: only where heat is above 0
+uniform vec4 u_hatch;                  // direction across a cut's stripes (view space), and the target's position along
+                                       // it, mm
+uniform float u_hatchMm;               // distance between stripes
 
 layout(location = 0) out vec4 o_colour;
 
@@ -50,8 +51,8 @@ vec3 hatched(vec3 position) {
   return kCut * mix(0.72, 1.0, smoothstep(0.25 - soft, 0.25 + soft, abs(fract(across) - 0.5)));
 }
 
-// Viridis, which grows evenly brighter and is told apart by every kind of colour vision: five of its colours, linear,
-// and straight lines between them.
+// Viridis, which grows evenly brighter and works for every kind of colour vision: linear interpolation between five of
+// its colours.
 vec3 heatColour(float heat) {
   const vec3 kStops[5] = vec3[5](vec3(0.058, 0.0004, 0.089), vec3(0.043, 0.085, 0.259), vec3(0.015, 0.282, 0.264),
                                  vec3(0.112, 0.585, 0.121), vec3(0.983, 0.799, 0.019));
@@ -74,7 +75,7 @@ void main() {
   vec3 albedo = isFront ? kMaterial : isCut(surface.xyz) ? cut : kBackSide;
   if (isFront && (u_heatShown == 1 || (u_heatShown == 2 && heat > 1e-3))) albedo = heatColour(heat);
 
-  // To the power of 2.5: the eye is to see the form and the code, not the photometry.
+  // To the power of 2.5: the picture shows the shape and the code rather than the photometry.
   float open = skyVisibility(surface.w);
   float light = open + interreflection(open, open, kMaterial.g);
   float visibility = squareOf(light) * sqrt(light);

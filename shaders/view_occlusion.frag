@@ -1,9 +1,9 @@
 #version 300 es
-// Horizon-based ambient occlusion in screen space [Bavoil 2008], cosine-weighted [Jimenez 2016]: what the viewer shows
-// between the walls of a pocket and in the folds of a model. Far samples fade out, as what lies behind a silhouette is
-// unknown. Directions turn from pixel to pixel and from sample to sample; the viewer averages.
+// Horizon-based ambient occlusion in screen space [Bavoil 2008], cosine-weighted [Jimenez 2016]: shades the pockets and
+// the folds of a model. Far samples fade out, because the surface behind a silhouette is unknown. Directions turn from
+// pixel to pixel and from sample to sample; the viewer averages them.
 //
-// Output: visibility of the sky (1 = all), z in units of u_radius (half floats hold that) for the blur that follows.
+// Output: visibility of the sky (1 = all), z in units of u_radius (which fits half floats) for the blur that follows.
 precision highp float;
 
 #include "view_camera.glsl"
@@ -56,7 +56,7 @@ void main() {
   float radius = radiusPx / pixelsPerMm;
 
   float turn = fract(patternTurn(ivec2(gl_FragCoord.xy)) + u_turn);
-  float shift = fract(turn * 7.0 + u_shift);  // a function of the direction: the averages of all pixels agree
+  float shift = fract(turn * 7.0 + u_shift);  // depends on the direction only, so that the averages of all pixels agree
   float visibility = 0.0;
   for (int slice = 0; slice < u_slices; ++slice) {
     float angle = kPi * (float(slice) + turn) / float(u_slices);

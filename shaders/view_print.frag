@@ -1,11 +1,11 @@
 #version 300 es
-// A code as a print on the surface, carried there by the central projection from the reader's eye [Papp 2022, §3], and
-// what of its square misses the surface. Drawn over the presented picture, so that a code may follow the pointer while
-// the picture stays as it is.
+// Draws a code as a print on the surface, by the central projection from the reader's eye [Papp 2022, §3], and marks
+// the parts of its square that miss the surface. Drawn over the presented picture, so that a code may follow the
+// pointer while the picture stays the same.
 //
 // Output: sRGB colour times alpha, and alpha.
 //
-// Software renderers run both sides of every `if`, for every pixel: there are none that could save anything.
+// Software renderers run both sides of every `if` for every pixel, so no `if` here could save time.
 precision highp float;
 
 #include "view_camera.glsl"
@@ -14,15 +14,15 @@ precision highp float;
 
 uniform highp sampler2D u_colour;  // linear; alpha: luminance of the light on the surface
 uniform vec3 u_accent;             // outline
-uniform vec3 u_warn;               // what of the square misses the surface
+uniform vec3 u_warn;               // parts of the square that miss the surface
 
-// A square picture over a QR plane, in view space, and the map of what its eye sees there.
+// A square picture over a QR plane, in view space, and the map of the surface that its eye sees.
 uniform vec3 u_centre, u_right, u_up, u_normal;
 uniform float u_eyeDistance;  // mm
 uniform float u_edge;         // of the picture on the plane, mm
 uniform float u_strength;     // 0 … 1
-uniform vec2 u_turn;          // cosine and sine: of the picture against the map
-uniform float u_window;       // edge of the map on the plane, mm; 0: none, the eye sees all
+uniform vec2 u_turn;          // cosine and sine: angle of the picture in the map
+uniform float u_window;       // edge of the map on the plane, mm; 0: no map, the eye sees everything
 uniform sampler2D u_ink;      // red: 1 = dark; row 0 = top
 uniform highp sampler2D u_reach;  // height over the plane, 1 = part of the surface about the centre, slope along right
                                   // and up
@@ -31,15 +31,15 @@ layout(location = 0) out vec4 o_colour;
 
 const vec3 kPaper = vec3(0.78, 0.78, 0.77);
 const vec3 kInk = vec3(0.035, 0.04, 0.055);
-const float kMostHeight = 0.75;  // farthest surface from the plane that takes a print, of its edge
+const float kMostHeight = 0.75;  // greatest height of a surface that takes a print, in print edges
 
-// Place in the map, in texels, of a point on the plane.
+// Returns the position in the map, in texels, of a point on the plane.
 vec2 inMap(vec2 onPlane, float texels) {
   vec2 turned = vec2(onPlane.x * u_turn.x - onPlane.y * u_turn.y, onPlane.x * u_turn.y + onPlane.y * u_turn.x);
   return (turned / u_window + 0.5) * texels;
 }
 
-// Fraction of the four nearest texels that belong to the surface about the centre, weighted.
+// Returns the weighted fraction of the four nearest texels that belong to the surface around the centre.
 float reached(vec2 at, int texels) {
   ivec2 last = ivec2(texels - 1);
   vec2 from = floor(at - 0.5);
@@ -49,7 +49,7 @@ float reached(vec2 at, int texels) {
              mix(texelFetch(u_reach, ivec2(low.x, high.y), 0).g, texelFetch(u_reach, high, 0).g, part.x), part.y);
 }
 
-// Whether nothing stands between the eye and a point of that height.
+// Returns true if nothing blocks the line from the eye to a point of that height.
 bool isSeen(vec2 at, int texels, float height) {
   ivec2 texel = clamp(ivec2(at), ivec2(0), ivec2(texels - 1));
   vec4 surface = texelFetch(u_reach, texel, 0);
@@ -61,30 +61,30 @@ bool isSeen(vec2 at, int texels, float height) {
 float inkAt(vec2 onPlane, vec2 dx, vec2 dy) {
   vec2 at = vec2(0.5) + vec2(onPlane.x, -onPlane.y) / u_edge;
   vec2 x = vec2(dx.x, -dx.y) / (16.0 * u_edge), y = vec2(dy.x, -dy.y) / (16.0 * u_edge);
-  // Each row and column of an 8 × 8 grid over the pixel once.
+  // Each row and column of an 8 × 8 grid over the pixel occurs once.
   return (textureLod(u_ink, at - 7.0 * x - y, 0.0).r + textureLod(u_ink, at - 5.0 * x + 5.0 * y, 0.0).r +
           textureLod(u_ink, at - 3.0 * x - 5.0 * y, 0.0).r + textureLod(u_ink, at - x + y, 0.0).r +
           textureLod(u_ink, at + x + 7.0 * y, 0.0).r + textureLod(u_ink, at + 3.0 * x - 3.0 * y, 0.0).r +
           textureLod(u_ink, at + 5.0 * x + 3.0 * y, 0.0).r + textureLod(u_ink, at + 7.0 * x - 7.0 * y, 0.0).r) / 8.0;
 }
 
-// 1 in the dark halves of diagonal stripes.
+// Returns 1 in the dark halves of diagonal stripes.
 float stripes(vec2 onPlane) {
   float across = (onPlane.x + onPlane.y) / (0.06 * u_edge);
   float soft = fwidth(across);
   return smoothstep(0.25 - soft, 0.25 + soft, abs(fract(across) - 0.5));
 }
 
-// Fraction of the pixel inside the square, and in its outline.
+// Returns the fraction of the pixel inside the square, and in its outline.
 vec2 inSquare(vec2 onPlane, vec2 dx, vec2 dy) {
   float pixel = max(1e-6, max(length(dx), length(dy)));
   float beyond = (max(abs(onPlane.x), abs(onPlane.y)) - 0.5 * u_edge) / pixel;
-  float inside = pixel > u_edge ? 0.0 : clamp(0.5 - beyond, 0.0, 1.0);  // not where the plane is seen from its side
-  bool isGrazed = pixel > 0.02 * u_edge;  // a contour of the surface: its pixels reach too far to tell
+  float inside = pixel > u_edge ? 0.0 : clamp(0.5 - beyond, 0.0, 1.0);  // 0 where the plane is seen edge-on
+  bool isGrazed = pixel > 0.02 * u_edge;  // a contour of the surface, where pixels cover too much to tell
   return vec2(inside, isGrazed ? 0.0 : clamp(2.5 - beyond, 0.0, 1.0) - inside);
 }
 
-// A layer over those before; linear colours times alpha.
+// Puts a layer over the previous ones; linear colours times alpha.
 vec4 over(vec4 below, vec3 colour, float alpha) {
   return below * (1.0 - alpha) + vec4(colour * alpha, alpha);
 }
@@ -107,7 +107,7 @@ vec4 onSurface(Sight sight, float light, int texels) {
   return takesPrint ? over(inside * square.x, mix(u_warn, u_accent, held), square.y) : vec4(0.0);
 }
 
-// The square on the QR plane where it lies over nothing that could take it.
+// Draws the square on the QR plane where no surface below could take the print.
 float overhang(Sight sight, int texels) {
   vec3 eye = vec3(0.0, 0.0, u_distance);
   float slant = dot(sight.direction, u_normal);

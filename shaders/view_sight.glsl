@@ -1,4 +1,4 @@
-// What the line of sight through a pixel of the canvas meets in the G-buffer of view_camera.glsl.
+// Intersection of the line of sight through a pixel of the canvas with the surface in the G-buffer of view_camera.glsl.
 
 uniform vec2 u_canvas;    // pixels
 uniform float u_pixelMm;  // size of a pixel at the target
@@ -8,10 +8,10 @@ struct Sight {
   vec3 position;   // of the surface
   vec3 normal;
   bool isSolid;    // there is a surface
-  bool isFront;    // and it is its outside
+  bool isFront;    // and it is the outside
 };
 
-// Where the line of sight meets the surface's tangent plane: as fine as the canvas, however coarse the G-buffer is.
+// Intersects the line of sight with the surface's tangent plane: as fine as the canvas, however coarse the G-buffer.
 vec3 positionAlong(vec3 direction, vec3 found, vec3 normal) {
   vec3 eye = vec3(0.0, 0.0, u_distance);
   float slant = dot(normal, direction);

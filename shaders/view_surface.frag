@@ -1,7 +1,7 @@
 #version 300 es
-// The viewer's G-buffer: one RGBA32F texel says all that the later passes need (see view_camera.glsl). A plane may cut
-// away what lies before it. Where the first thing left is the surface's inside, the line of sight entered the solid
-// through the cut: that is what is written, and the section of a closed solid is capped.
+// The viewer's G-buffer: one RGBA32F texel has all that later passes need (see view_camera.glsl). A cutting plane may
+// remove everything in front of it. If the first remaining surface is an inside, the line of sight entered the solid
+// through the cut. The pass then writes the cut, which caps a closed solid's section.
 precision highp float;
 
 in vec3 v_position;
@@ -9,7 +9,7 @@ in vec3 v_normal;
 in float v_heat;
 
 uniform int u_isCut;
-uniform vec4 u_cut;        // view space: a unit normal and where along it the plane lies; what lies beyond is cut away
+uniform vec4 u_cut;        // view space: a unit normal and the plane's position along it; everything beyond is cut away
 uniform float u_distance;  // eye to target, mm
 
 layout(location = 0) out vec4 o_surface;  // normal towards the eye; z, mm

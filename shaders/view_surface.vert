@@ -1,5 +1,5 @@
 #version 300 es
-// The model as the viewer's camera sees it (spaces: view_camera.glsl).
+// The model in the viewer's camera (spaces: view_camera.glsl).
 precision highp float;
 
 layout(location = 0) in vec3 a_position;  // model space, mm, relative to the mesh's origin
@@ -9,7 +9,7 @@ layout(location = 2) in float a_heat;     // 0 … 1
 uniform vec3 u_right;
 uniform vec3 u_up;
 uniform vec3 u_back;
-uniform vec3 u_target;      // in the coordinates of a_position
+uniform vec3 u_target;      // in the same coordinates as a_position
 uniform float u_distance;   // eye to target, mm
 uniform vec2 u_tanHalf;
 uniform vec2 u_jitter;      // normalised device coordinates

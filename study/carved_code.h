@@ -11,21 +11,21 @@
 
 namespace qrelief::study {
 
-/// What a method makes of a spot.
+/// Result of a method at a spot.
 struct CarvedCode {
-  Symbol symbol;  ///< as it is carved: some methods make modules light
+  Symbol symbol;  ///< as carved: some methods make modules light
   SubmoduleMask mask;
   DepthField depths;
-  /// Share of the unoccluded light that the method itself believes to reach each submodule of the mask's carved ones,
-  /// in their order; empty if it does not say.
+  /// Share of the unoccluded light that reaches each carved submodule of the mask by the method's own estimate, in
+  /// their order; empty if the method has none.
   std::vector<double> ownEstimate;
-  std::optional<DirectionalLight> readUnder = {};  ///< the one lamp that it is made for; none: the sky
+  std::optional<DirectionalLight> readUnder = {};  ///< the one lamp that the code is carved for; none: the sky
   int passes = 0;
-  std::size_t limited = 0;  ///< submodules that a wall kept from being dark enough
-  double milliseconds = 0;  ///< to find the depths
+  std::size_t limited = 0;  ///< submodules that could not get dark enough because of a wall
+  double milliseconds = 0;  ///< for the depth search
 };
 
-/// Indices of the carved submodules, row-major.
+/// Returns the indices of the carved submodules, row-major.
 inline std::vector<std::uint32_t> carvedOf(const SubmoduleMask& mask) {
   std::vector<std::uint32_t> carved;
   for (std::uint32_t i = 0; i < mask.carved.size(); ++i)

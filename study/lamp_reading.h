@@ -8,8 +8,7 @@
 
 namespace qrelief::study {
 
-/// Tries that decode a carved code from the front under the sky and lamps, out of those of the verdict.
-/// @param lights  empty: the sky alone
+/// Counts the verdict's tries that decode a carved code from the front under the sky and lamps.
 Result<int> readsUnder(const Spot& spot, const CarvedCode& code, const std::vector<DirectionalLight>& lights);
 
 }  // namespace qrelief::study

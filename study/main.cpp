@@ -19,7 +19,7 @@
 namespace qrelief::study {
 namespace {
 
-/// Of the table that a share is written to.
+/// Returns the file name of the table that a share writes.
 std::string fileOf(const std::string& path, const Shard& shard) {
   return shard.isWhole() ? path : fmt::format("{}.{}", path, shard.name());
 }
@@ -40,16 +40,16 @@ Row measured(const Experiment& experiment, const Row& key, Workshop& workshop) {
   return none;
 }
 
-/// Cases that a run measures.
+/// Cases for a run to measure.
 struct Chosen {
   Shard shard;
-  std::string only;  ///< a value that one of the keys must have; empty: any
+  std::string only;  ///< a value that one of the keys must have; empty: no restriction
 
   bool has(const Row& key) const { return only.empty() || std::find(key.begin(), key.end(), only) != key.end(); }
 };
 
-/// Measures what the table lacks of the chosen cases; takes the rows of other shards' files over, and removes these
-/// once all is there.
+/// Measures the chosen cases that the table lacks. Takes over the rows in other shares' files, and removes these files
+/// once the table is complete.
 Status run(const Experiment& experiment, const std::string& path, const Chosen& chosen, Workshop& workshop) {
   const Shard& shard = chosen.shard;
   auto table = Table::open(experiment, fileOf(path, shard));
@@ -89,7 +89,8 @@ Status run(const Experiment& experiment, const std::string& path, const Chosen& 
   return written;
 }
 
-/// How far two values of a table are apart: 0 = alike, 1 = as far as the column's values are, or words that differ.
+/// Returns how far two values of a table differ: 0 = equal, 1 = as much as the column's values range, or different
+/// words.
 double apart(const std::string& kept, const std::string& now, double range) {
   char *endKept = nullptr, *endNow = nullptr;
   const double a = std::strtod(kept.c_str(), &endKept), b = std::strtod(now.c_str(), &endNow);
@@ -108,9 +109,9 @@ double rangeOf(const Experiment& experiment, const Table& table, std::size_t col
   return std::max(0.0, most - least);
 }
 
-/// Measures some cases of a kept table once more. @returns how many values are off
+/// Measures some cases of a kept table once more. @returns number of values that differ
 int check(const Experiment& experiment, const std::string& path, int count, Workshop& workshop) {
-  constexpr double kAlike = 0.1;  // of the column's range
+  constexpr double kAlike = 0.1;  // as a part of the column's range
   const auto table = Table::open(experiment, path);
   if (!table) return failed(experiment.name, table.error());
   int off = 0;

@@ -64,7 +64,7 @@ const Row* Table::find(const Row& key) const {
 }
 
 Status Table::add(const Row& key, Row values) {
-  // Whole anew: so no line is ever half there, and one that was cut off is gone.
+  // Write the whole file: so no line is ever half written, and a truncated line is gone.
   values.push_back(version_(key));
   rows_[key] = std::move(values);
   std::string text = fmt::format("{}\n", fmt::join(columns_, ","));

@@ -9,24 +9,24 @@
 
 namespace qrelief::study {
 
-/// The rows of an experiment that are measured, in a CSV file with a line of column names. The file is written with
-/// every row that is measured, so that a run that was stopped goes on where it was. No value has a comma.
+/// The measured rows of an experiment, in a CSV file with a line of column names. The file is written after every
+/// measured row, so that an interrupted run resumes where it stopped. Values contain no commas.
 class Table {
  public:
-  /// Reads what is there, if anything.
-  /// @returns BadInput if the file's columns are not those of the experiment
+  /// Reads the file, if it exists.
+  /// @returns BadInput if the file's columns differ from the experiment's
   static Result<Table> open(const Experiment& experiment, std::string path);
 
-  /// Values of a row; null where it is missing or of another version.
+  /// Returns the values of a row; null if it is missing or of another version.
   const Row* find(const Row& key) const;
 
   /// Adds a row and writes the file, under a temporary name first.
   Status add(const Row& key, Row values);
 
-  /// Takes over the rows of another table, as of another process; the file is not written.
+  /// Takes over the rows of another table, e.g. of another process, without writing the file.
   void take(const Table& other) { rows_.insert(other.rows_.begin(), other.rows_.end()); }
 
-  /// Writes the file anew, with the experiment's cases in their order and nothing else.
+  /// Writes the file anew: the experiment's cases in order and nothing else.
   Status write(const Experiment& experiment) const;
 
  private:
@@ -36,8 +36,8 @@ class Table {
   std::map<Row, Row> rows_;  // values by key
 };
 
-/// Columns after the measures: the code of the error where a case could not be measured, and the version of what the
-/// row depends on.
+/// Columns after the measures: the code of the error if a case could not be measured, and the version of what the row
+/// depends on.
 inline constexpr const char* kFailedColumn = "failed";
 inline constexpr const char* kVersionColumn = "version";
 

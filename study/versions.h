@@ -6,8 +6,8 @@
 
 namespace qrelief::study {
 
-/// A part of the program that rows of tables depend on, with the version of what it computes. Whoever changes that,
-/// other than by rounding, raises the version: `script/study` then measures the rows again that depend on it.
+/// A part of the program that table rows depend on, with the version of its results. Raise the version when you change
+/// its results by more than rounding: `script/study` then measures the dependent rows again.
 struct Part {
   const char* name;
   int version;
@@ -19,7 +19,7 @@ inline constexpr Part kLight{"light", 2};          ///< light on carved surfaces
 inline constexpr Part kPrint{"print", 2};          ///< the surface as printed: core/printing
 inline constexpr Part kDecoding{"decoding", 1};    ///< pictures and decoders: core/verification
 
-/// As tables have it: "search 2 light 2".
+/// Returns the versions as tables have them: "search 2 light 2".
 inline std::string versionOf(std::initializer_list<Part> parts) {
   std::string version;
   for (const Part& part : parts)

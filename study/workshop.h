@@ -12,44 +12,45 @@
 
 namespace qrelief::study {
 
-/// Depth of the mask's submodules alone: smooth pockets reach beyond it.
+/// Returns the depth of the mask's submodules only; smooth pockets reach beyond them.
 DepthSummary depthOf(const CarvedCode& code);
 
-/// What decoders make of a carving, as designed and as printed, and how deep it is.
+/// Depth of a carving, and how many tries decode it, as designed and as printed.
 struct Judged {
-  DepthSummary depth;    ///< over the submodules that the mask has carved
-  double removedMm = 0;  ///< what is carved away, as an even depth of the whole symbol
+  DepthSummary depth;    ///< over the carved submodules of the mask
+  double removedMm = 0;  ///< removed volume, as an even depth over the whole symbol
   ReadingCount designed, printed;
 };
 
-/// The models of the study, and what experiments do with them. Needs a GL context.
+/// The models of the study and the common steps of experiments. Needs a GL context.
 class Workshop {
  public:
-  /// @param samplesFolder  with the page's sample models (npm run samples)
+  /// @param samplesFolder  has the page's sample models (npm run samples)
   explicit Workshop(std::string samplesFolder) : samplesFolder_(std::move(samplesFolder)) {}
 
-  /// The eight models: the page's samples, and a cylinder; flat, curved, edged and wavy.
+  /// Returns the eight models: the page's samples, and a cylinder; flat, curved, edged and wavy.
   static const std::vector<std::string>& models();
 
+  /// Loads a model.
   /// @param scale  of all lengths, > 0
-  /// @returns BadInput if the file is not there
+  /// @returns BadInput if the file does not exist
   Result<std::shared_ptr<const EngravableModel>> model(const std::string& name, double scale = 1);
 
-  /// The usual request at a model's centre: kText, version 3, modules of 1 mm, printed lying by the first process,
-  /// carved for the design.
+  /// Returns the usual request at a model's centre: kText, version 3, modules of 1 mm, printed lying with the first
+  /// process, carved for the design.
   Result<EngraveRequest> usualRequest(const std::string& modelName);
 
-  /// The place of the usual request; found once. @param direction  how
+  /// Returns the place of the usual request; searched only once. @param direction  method for finding the direction
   Result<const Spot*> usualSpot(const std::string& modelName,
                                 DirectionMethod direction = DirectionMethod::DepthBalanced);
 
-  /// The same place for modules of another width, mm, on the model scaled with them, so that the code lies on the same
-  /// surface whatever its size; found once. @param direction  how
+  /// Returns the same place for modules of another width, mm. The model is scaled with them, so that the code lies on
+  /// the same surface at every size. Searched only once. @param direction  method for finding the direction
   Result<const Spot*> spotOfWidth(const std::string& modelName, double moduleMm,
                                   DirectionMethod direction = DirectionMethod::DepthBalanced);
 
-  /// Carves and reads it, under the light that it is made for: light is traced on the design and on what the spot's
-  /// process leaves of it.
+  /// Embeds and decodes a carved code under the light that it is carved for. Traces the light on the design and on the
+  /// print by the spot's process.
   Result<Judged> judge(const Spot& spot, const CarvedCode& code) const;
 
  private:
@@ -58,12 +59,12 @@ class Workshop {
                               const std::string& key);
 
   std::string samplesFolder_;
-  std::map<std::string, Vec3> centres_;  // of the samples
+  std::map<std::string, Vec3> centres_;  // for the samples
   std::map<std::string, std::shared_ptr<const EngravableModel>> models_;
   std::map<std::string, Spot> spots_;
 };
 
-/// Fits version 3 at level H, so that every method has the same number of modules.
+/// Text that fits version 3 at level H, so that every method has the same number of modules.
 inline constexpr const char* kText = "https://example.org/p/1";
 
 }  // namespace qrelief::study

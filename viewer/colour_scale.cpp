@@ -8,7 +8,7 @@
 namespace qrelief {
 namespace {
 
-// Equidistant samples of the published scales: viridis and cividis of matplotlib, RdBu of ColorBrewer.
+// Equidistant samples of the published scales: viridis and cividis from matplotlib, RdBu from ColorBrewer.
 constexpr Rgb8 kViridis[] = {{68, 1, 84},    {72, 40, 120},  {62, 74, 137},  {49, 104, 142}, {38, 130, 142},
                              {31, 158, 137}, {53, 183, 121}, {109, 205, 89}, {180, 222, 44}, {253, 231, 37}};
 constexpr Rgb8 kCividis[] = {{0, 32, 77},     {0, 51, 111},    {57, 72, 107},   {87, 92, 109},  {112, 113, 115},

@@ -8,9 +8,9 @@ namespace qrelief {
 namespace {
 
 constexpr double kTopStepMm = 0.1;
-constexpr double kWallCosine = 0.02;  // facets seen from the eye at less are walls: they run along its rays
+constexpr double kWallCosine = 0.02;  // a facet seen from the eye at less is a wall, which runs along the eye's rays
 
-/// Depth of the submodule under a point of the QR plane; 0 outside the symbol.
+/// Returns the depth of the submodule under a point of the QR plane; 0 outside the symbol.
 double depthAt(const DepthField& depths, Vec2 onPlane) {
   const int column = static_cast<int>(std::floor((onPlane.x + depths.symbolMm / 2) / depths.submoduleMm()));
   const int row = static_cast<int>(std::floor((depths.symbolMm / 2 - onPlane.y) / depths.submoduleMm()));
@@ -35,7 +35,8 @@ std::vector<float> depthColours(const EngraveResult& result, const DisplayMesh& 
   };
   std::vector<Floor> floors;
   std::vector<std::size_t> walls, others;
-  std::vector<float> ofFloors(mesh.positions.size(), 0);  // at each vertex of the mesh: what a wall takes there
+  std::vector<float> ofFloors(mesh.positions.size(), 0);  // per vertex of the mesh: depth of the floors there, for
+                                                          // walls
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const Vec3 middle = (mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3.0;
     const bool isKept = t < result.keptTriangles;
@@ -52,7 +53,8 @@ std::vector<float> depthColours(const EngraveResult& result, const DisplayMesh& 
     floors.push_back({t, value});
     for (const std::uint32_t v : mesh.triangles[t]) ofFloors[v] = std::max(ofFloors[v], value);
   }
-  // The display mesh may share a vertex between a wall and the surface, or a floor: the surface wins, then the floor.
+  // The display mesh may share a vertex between a wall and the surface, or between a wall and a floor: the surface
+  // wins, then the floor.
   for (const std::size_t t : walls)
     for (std::size_t k = 0; k < 3; ++k) values[display.mesh.triangles[t][k]] = ofFloors[mesh.triangles[t][k]];
   std::vector<bool> isSurface(values.size(), false);
@@ -62,7 +64,8 @@ std::vector<float> depthColours(const EngraveResult& result, const DisplayMesh& 
     if (isSurface[v]) values[v] = 0;
   for (const Floor& floor : floors) {
     const Triangle& shown = display.mesh.triangles[floor.triangle];
-    // A crease parts floors from the surface: without one it is a sliver of surface, as outlines move a little.
+    // A crease separates floors from the surface. Without one, it is a sliver of the surface, as outlines move a
+    // little.
     if (isSurface[shown[0]] || isSurface[shown[1]] || isSurface[shown[2]]) continue;
     for (const std::uint32_t v : shown) values[v] = std::max(values[v], floor.value);
   }

@@ -8,13 +8,13 @@
 
 namespace qrelief {
 
-/// Depth of the last colour: 95 % of the pockets are no deeper. Rounded up to a tenth of a millimetre. Single pockets
-/// can be several times as deep, and a scale up to them would show all others in one colour.
+/// Returns the depth of the last colour: 95 % of the pockets are no deeper. Rounded up to a tenth of a millimetre.
+/// Single pockets can be several times as deep; a scale up to their depth would show all the others in one colour.
 double depthColoursTopMm(const DepthField& depths);
 
-/// How deep every vertex of the display mesh lies, 0 … 1, for the viewer; 0: not carved. The floors of the pockets have
-/// the depth of their submodule, walls go from that of one side to that of the other.
-/// @param display  made of the result's mesh
+/// Returns the depth of every vertex of the display mesh, 0 … 1, for the viewer; 0: not carved. The floor of a pocket
+/// has the depth of its submodule; a wall goes from the depth on one side to the depth on the other.
+/// @param display  made from the result's mesh
 std::vector<float> depthColours(const EngraveResult& result, const DisplayMesh& display);
 
 }  // namespace qrelief

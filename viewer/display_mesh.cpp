@@ -28,8 +28,8 @@ CornersOfVertices collectCorners(const Mesh& mesh) {
   return found;
 }
 
-// Above so many facets around a vertex (the tip of a fan) each keeps its own normal: comparing all with all would take
-// quadratic time.
+// With more facets around a vertex (the tip of a fan), each keeps its own normal: comparing each with all others would
+// take quadratic time.
 constexpr std::uint32_t kMostCompared = 256;
 
 float cornerAngle(const Mesh& mesh, std::uint32_t corner) {
@@ -69,7 +69,8 @@ DisplayMesh splitAtCreases(const Mesh& mesh, double creaseDeg) {
         if (glm::dot(own, facets[around.corners[j] / 3]) >= limit) sum += weighted[j - begin];
       const float length = glm::length(sum);
       const Vec3f normal = length > 0 ? sum / length : own;
-      // Corners that average over the same facets add them in the same order: equal to the last bit.
+      // Corners that average over the same facets add them in the same order, so their normals are equal to the last
+      // bit.
       auto copy = isHub ? static_cast<std::uint32_t>(display.normals.size()) : firstCopy;
       while (copy < display.normals.size() && display.normals[copy] != normal) ++copy;
       if (copy == display.normals.size()) {

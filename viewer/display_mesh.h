@@ -9,24 +9,26 @@
 
 namespace qrelief {
 
-/// A mesh to be looked at: vertices on creases are there once for each smooth side of them.
+/// A mesh for display. A vertex on a crease exists once for each smooth side of the crease.
 struct DisplayMesh {
   Mesh mesh;                   ///< the same triangles in the same order
   std::vector<Vec3f> normals;  ///< unit, one per vertex; zero where undefined
 };
 
-/// Smooth normals that respect creases: a corner's normal is the angle-weighted mean over those facets around its
-/// vertex that differ from its own by less than the crease angle [Thürmer, Wüthrich 1998, for the weights].
+/// Computes smooth normals that respect creases: a corner's normal is the angle-weighted mean over the facets around
+/// its vertex whose normals differ from its own by less than the crease angle [Thürmer, Wüthrich 1998, for the
+/// weights].
 ///
 /// Cost: O(T · facets around a vertex).
 /// @param creaseDeg  edges sharper than this stay sharp
 DisplayMesh splitAtCreases(const Mesh& mesh, double creaseDeg = 40);
 
-/// Gives a carved surface the smooth normals of the surface before: carving cuts facets whose normals were interpolated
-/// across them, and the pieces' own normals would show them as facets again. Walls keep their normals.
+/// Gives a carved surface the smooth normals of the uncarved surface. Carving cuts facets whose normals were
+/// interpolated across them; with normals of their own, the pieces would look like facets again. Walls keep their
+/// normals.
 ///
-/// @param firstTriangle  of those that carving made
-/// @param smooth         window.texels² of (unit normal in the frame's axes, any) of the surface before, row 0 at the
+/// @param firstTriangle  first of the triangles that carving made
+/// @param smooth         window.texels² of (unit normal in the frame's axes, any) of the uncarved surface, row 0 at the
 ///                       bottom; zero where there is none
 void takeSmoothNormals(DisplayMesh& carved, std::size_t firstTriangle, const ProjectionFrame& frame,
                        const MapWindow& window, std::span<const float> smooth, double creaseDeg = 40);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kMostRounds = 12;
 
-/// Each vertex takes the mean of itself and its neighbours.
+/// Replaces each vertex's value by the mean over the vertex and its neighbours.
 void smooth(const Mesh& mesh, std::vector<float>& values, int rounds) {
   std::vector<float> sum(values.size()), count(values.size());
   for (int round = 0; round < rounds; ++round) {
@@ -36,7 +36,7 @@ GpuMesh heatMesh(const Mesh& model, const SizeMap& map, double leastMm, double t
     const float sizeMm = map.sizeMm[map.isCoarser ? map.vertexOf[v] : v];
     values[v] = static_cast<double>(sizeMm) < leastMm ? 0 : sizeMm / static_cast<float>(topMm);
   }
-  // A round carries values over one edge; so many model edges lie in one of the map.
+  // A round carries values over one edge of the shown mesh; this many of its edges make up one edge of the map.
   const double edges = std::sqrt(static_cast<double>(values.size()) / static_cast<double>(map.sizeMm.size()));
   smooth(shown, values, std::min(kMostRounds, 1 + static_cast<int>(std::ceil(edges))));
 

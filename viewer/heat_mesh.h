@@ -6,9 +6,10 @@
 
 namespace qrelief {
 
-/// The model in the colours of its size map, for the viewer: values 0 … 1 of the sizes, smoothed over about as far
-/// as the map is fine. Where the map cut long edges of the model, its mesh is shown, as it has more vertices.
-/// @param leastMm  smaller sizes are 0, as if nothing fitted there
+/// Returns the model in the colours of its size map, for the viewer: sizes as values 0 … 1, smoothed over about one
+/// edge of the map's mesh. Where the map has cut long edges of the model, returns the map's mesh, as it has more
+/// vertices.
+/// @param leastMm  smaller sizes are 0, as if no code fitted there
 /// @param topMm    size that is 1, > 0
 GpuMesh heatMesh(const Mesh& model, const SizeMap& map, double leastMm, double topMm);
 

@@ -11,11 +11,11 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 constexpr double kGlideMs = 350;
-constexpr double kRollFadePx = 80;   // a drag this long takes the roll back to 1/e: free turning ends upright
-constexpr double kFitMargin = 1.03;  // air around the model
-constexpr double kClosest = 0.004;   // shortest distance to the target, of the scene's diagonal
+constexpr double kRollFadePx = 80;   // a drag this long reduces the roll to 1/e, so that free turning ends upright
+constexpr double kFitMargin = 1.03;  // room around the model
+constexpr double kClosest = 0.004;   // shortest distance to the target, as a part of the scene's diagonal
 constexpr double kFarthest = 12;     // longest, likewise
-constexpr double kLeash = 0.5;       // how far the target may leave the scene's box, of its diagonal
+constexpr double kLeash = 0.5;       // farthest distance of the target from the scene's box, as a part of its diagonal
 
 struct Axes {
   Vec3 right, up, back;
@@ -31,12 +31,12 @@ Axes axesOf(const CameraPose& pose) {
   return {right * c + up * s, up * c - right * s, back};
 }
 
-// The same angle within half a turn of `near`, so that a glide takes the short way round.
+// Returns the same angle within half a turn of `near`, so that a glide takes the short way round.
 double wrappedNear(double angle, double near) { return angle - 2 * kPi * std::round((angle - near) / (2 * kPi)); }
 
 double mix(double a, double b, double t) { return a + (b - a) * t; }
 
-// Height of the visible part of the plane through the target: what the eye perceives as "how near".
+// Returns the height of the visible part of the plane through the target: perceived as nearness.
 double visibleHeight(const CameraPose& pose) { return 2 * pose.distance * std::tan(pose.fieldOfView / 2); }
 
 CameraPose between(const CameraPose& a, const CameraPose& b, double t) {
@@ -68,7 +68,7 @@ Vec3 OrbitCamera::toTurntable(Vec3 v) const { return upAxis_ == UpAxis::Z ? v : 
 
 void OrbitCamera::orbit(double dx, double dy) {
   interrupt();
-  // The drag in the axes of the unrolled camera, so that the surface follows the pointer in a rolled view, too.
+  // Express the drag in the axes of the unrolled camera, so that the surface follows the pointer in a rolled view, too.
   const double c = std::cos(pose_.roll), s = std::sin(pose_.roll);
   const double across = dx * c + dy * s, upwards = dx * s - dy * c;
   const double perPixel = kPi / std::min(width_, height_);
@@ -89,10 +89,10 @@ void OrbitCamera::zoom(double factor, Vec3 focus) {
   interrupt();
   if (!(factor > 0) || !std::isfinite(factor)) return;
   const double diagonal = std::max(scene_.diagonal(), 1e-6);
-  // What the lens shows counts, not the distance alone: the reader's eye is far off with a long lens.
+  // The size of the visible area counts, not the distance alone: the reader's eye is far away, with a long lens.
   const double lens = std::tan(pose_.fieldOfView / 2) / std::tan(CameraPose{}.fieldOfView / 2);
   const double distance = std::clamp(pose_.distance / factor, kClosest * diagonal / lens, kFarthest * diagonal / lens);
-  // Scaling eye and target about the focus leaves every ray through the focus where it is.
+  // Scaling eye and target about the focus keeps every ray through the focus.
   const double scale = distance / pose_.distance;
   pose_.target = focus + (pose_.target - focus) * scale;
   pose_.distance = distance;
@@ -165,7 +165,7 @@ void OrbitCamera::lookThrough(const ProjectionFrame& frame, double extentMm) {
   to.target = frame.centre;
   to.distance = frame.eyeDistance;
   to.pitch = std::asin(std::clamp(back.z, -1.0, 1.0));
-  // Straight from above or below the yaw alone says where up is.
+  // Straight from above or below, only the yaw says where up is.
   const bool atPole = std::hypot(back.x, back.y) < 1e-9;
   const double sign = back.z > 0 ? -1 : 1;
   to.yaw = atPole ? std::atan2(sign * up.y, sign * up.x) : std::atan2(back.y, back.x);
@@ -210,7 +210,7 @@ CameraView OrbitCamera::view() const {
   view.tanHalf = {tanY * width_ / height_, tanY};
   if (!scene_.empty()) {
     const double middle = glm::dot(view.eye() - scene_.centre(), view.back), reach = scene_.diagonal() / 2;
-    // A near plane at a hundredth of the distance at least keeps the depth buffer's digits.
+    // With the near plane at a hundredth of the distance or farther, the depth buffer stays precise.
     const double nearest = std::max(pose_.distance / 100, middle - reach);
     view.depthRange = {nearest, std::max(nearest * 1.01, middle + reach)};
   }

@@ -10,14 +10,14 @@
 
 namespace qrelief {
 
-/// Which axis of the model points up on the screen.
+/// The axis of the model that points up on the screen.
 enum class UpAxis { Y, Z };
 
-/// From which side the whole scene is looked at, upright: front is from -y of a scene whose up is z.
+/// The side from which the whole scene is viewed, upright. Front is from -y of a scene whose up is z.
 enum class StandardView { Front, Back, Left, Right, Top, Bottom, Iso };
 
-/// Where the camera is: on a sphere about the target, turned about the up axis (yaw), raised over the horizon (pitch),
-/// tilted about the line of sight (roll).
+/// Position of the camera on a sphere about the target: turned about the up axis (yaw), raised above the horizon
+/// (pitch), tilted about the line of sight (roll).
 struct CameraPose {
   Vec3 target{0};  ///< mm, model space
   double yaw = -1.05, pitch = 0.35, roll = 0;
@@ -27,8 +27,8 @@ struct CameraPose {
   bool operator==(const CameraPose&) const = default;
 };
 
-/// What a renderer needs to know of a camera. View space: origin at the *target* (positions near it keep their digits),
-/// axes right, up, back; the eye is at (0, 0, distance).
+/// The camera as a renderer needs it. View space: origin at the *target* (positions near it keep their digits), axes
+/// right, up, back; the eye is at (0, 0, distance).
 struct CameraView {
   Vec3 target{0};
   Vec3 right{1, 0, 0}, up{0, 1, 0}, back{0, 0, 1};
@@ -38,9 +38,9 @@ struct CameraView {
   Vec2 depthRange{1, 1000};  ///< near and far distance along the line of sight, mm
 
   Vec3 eye() const { return target + back * distance; }
-  /// What is seen, as a projection onto the plane through the target.
+  /// Returns the view as a projection onto the plane through the target.
   ProjectionFrame frame() const { return {target, right, up, back, distance}; }
-  /// Edge of the square about the target that holds all of the picture.
+  /// Returns the edge of the square about the target that holds the whole picture.
   double widthAtTargetMm() const { return 2 * distance * std::max(tanHalf.x, tanHalf.y); }
   bool operator==(const CameraView&) const = default;
 };
@@ -49,8 +49,8 @@ struct Ray {
   Vec3 origin, direction;  ///< direction is unit
 };
 
-/// Turntable camera: orbit, pan, zoom towards the pointer, moves that glide. Positions on the screen in CSS pixels from
-/// the upper left.
+/// Turntable camera: orbits, pans, zooms towards the pointer, and glides to new positions. Screen positions are CSS
+/// pixels from the upper left.
 class OrbitCamera {
  public:
   void setViewport(double width, double height);
@@ -58,36 +58,37 @@ class OrbitCamera {
   UpAxis upAxis() const { return upAxis_; }
   Vec3 skyward() const { return fromTurntable({0, 0, 1}); }
 
-  /// The box to look at: limits of panning and zooming follow from it. Does not move the camera.
+  /// Sets the box to view, which also limits panning and zooming. Does not move the camera.
   void setScene(const Box3& box);
 
   void orbit(double dx, double dy);
   void pan(double dx, double dy);
+  /// Moves the camera towards `focus` or away from it.
   /// @param factor  > 1 comes nearer
-  /// @param focus   stays under its pixel: the surface point under the pointer, or where the pointer's ray meets the
-  ///                plane through the target if there is none
+  /// @param focus   stays under its pixel: the surface point under the pointer or, if there is none, the intersection
+  ///                of the pointer's ray with the plane through the target
   void zoom(double factor, Vec3 focus);
-  /// Where the pointer's ray meets the plane through the target that faces the camera.
+  /// Returns the intersection of the pointer's ray with the plane through the target that faces the camera.
   Vec3 onTargetPlane(double x, double y) const;
 
-  /// All of the scene, upright, from the side the camera is on; `fromDefaultSide` from the front, somewhat above.
+  /// Shows the whole scene, upright, from the current side; `fitFromDefaultSide` from the front, slightly raised.
   void fit();
   void fitFromDefaultSide();
   void lookFrom(StandardView side);
-  /// From the reader's eye: the square of `extentMm` on the frame's plane fills the view.
+  /// Looks from the reader's eye: a square of `extentMm` on the frame's plane fills the view.
   void lookThrough(const ProjectionFrame& frame, double extentMm);
 
-  /// Lets a glide come along. @returns true while one is under way
+  /// Moves the camera along its glide. @returns true while the glide lasts
   bool advance(double nowMs);
-  /// Ends a glide where it leads.
+  /// Ends a glide at its destination.
   void finishGlide();
 
   CameraView view() const;
   Ray ray(double x, double y) const;
-  /// Pixel of a point in front of the eye.
+  /// Returns the pixel of a point in front of the eye.
   Vec2 toScreen(Vec3 point) const;
   const CameraPose& pose() const { return pose_; }
-  /// A direction of the model in axes whose z is up.
+  /// Converts a direction of the model to axes whose z is up.
   Vec3 toTurntable(Vec3 v) const;
 
  private:

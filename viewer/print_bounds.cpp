@@ -10,13 +10,15 @@ namespace qrelief {
 namespace {
 
 constexpr double kMostHeight = 0.75;    // as in view_print.frag
-constexpr double kOutlineShare = 0.1;   // at most, of the edge: two and a half pixels of at most 0.02 on either side
-constexpr double kMarginPx = 4;         // for pixels at a contour, which reach farther
-constexpr double kToleranceTexels = 2;  // of the reach: what is a little lower counts as seen, too
-constexpr double kNearest = 0.02;       // of the camera's distance: what comes nearer may be anywhere on the canvas
+constexpr double kOutlineShare = 0.1;   // limit, as a part of the edge: two and a half pixels of at most 0.02 on either
+                                        // side
+constexpr double kMarginPx = 4;         // for pixels at a contour, whose footprint is larger
+constexpr double kToleranceTexels = 2;  // of the reach: slightly lower surface counts as visible, too
+constexpr double kNearest = 0.02;       // as a part of the camera's distance: nearer points may project anywhere on the
+                                        // canvas
 
 struct Range {
-  double low = 0, high = 0;  // the plane itself is drawn where nothing takes the print
+  double low = 0, high = 0;  // the plane itself is drawn where no surface takes the print
 };
 
 Range heightsUnder(const SurfacePrint& print) {
@@ -32,7 +34,7 @@ Range heightsUnder(const SurfacePrint& print) {
       if (glm::length(reach.window.planePoint(column, row)) > radius) continue;
       const auto i = 4 * static_cast<std::size_t>(row * reach.window.texels + column);
       const auto height = static_cast<double>(reach.texels[i]);
-      if (height <= static_cast<double>(EyeReach::kNothing)) return {-most, most};  // a contour: too coarse to tell
+      if (height <= static_cast<double>(EyeReach::kNothing)) return {-most, most};  // a contour: too coarse to know
       const double slope = std::hypot(reach.texels[i + 2], reach.texels[i + 3]);
       const double margin = kToleranceTexels * (1 + slope) * texelMm;
       heights.low = std::min(heights.low, height - margin);

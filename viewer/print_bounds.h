@@ -6,17 +6,17 @@
 
 namespace qrelief {
 
-/// A rectangle of pixels, as glScissor counts them: from the lower left.
+/// A rectangle of pixels, counted from the lower left as in glScissor.
 struct PixelBox {
   int x = 0, y = 0, width = 0, height = 0;
 
   bool operator==(const PixelBox&) const = default;
 };
 
-/// Where on the canvas view_print.frag may draw something of a print: its square over the heights that its reach
-/// knows there, or, without one, over all that take a print; and its outline. Never too small.
+/// Returns the part of the canvas where view_print.frag may draw: the outline of a print, and its square over the range
+/// of heights that its reach knows there or, without a reach, over all heights that take a print. Never too small.
 /// @param width, height  of the canvas, pixels
-/// @returns within the canvas; empty beside it
+/// @returns a box within the canvas; empty if the print is off it
 PixelBox printBounds(const SurfacePrint& print, const CameraView& camera, int width, int height);
 
 }  // namespace qrelief

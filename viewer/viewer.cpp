@@ -13,19 +13,19 @@
 namespace qrelief {
 namespace {
 
-constexpr double kRadiusShare = 0.08;  // reach of the occlusion, of the model's diagonal
-constexpr double kRadiusLimit = 0.15;  // greatest reach on the screen, of the picture's height
-// Sixteenths of a turn, far from those before: few pictures already average to little of a pattern.
+constexpr double kRadiusShare = 0.08;  // reach of the occlusion, as a part of the model's diagonal
+constexpr double kRadiusLimit = 0.15;  // greatest reach on the screen, as a part of the picture's height
+// Sixteenths of a turn, each far from the previous ones: even a few pictures average to little pattern.
 constexpr std::array<int, 16> kTurns = {0, 8, 4, 12, 2, 10, 6, 14, 1, 9, 5, 13, 3, 11, 7, 15};
-constexpr int kFirstShown = 4;       // averages of fewer pictures are noisier than the blurred first one
+constexpr int kFirstShown = 4;       // an average of fewer pictures is noisier than the blurred first one
 constexpr double kSlowFrameMs = 50;  // intervals above this lower the resolution while moving,
 constexpr double kFastFrameMs = 22;  // and below this raise it again
-constexpr int kSlowFrames = 4;       // so many in a row
+constexpr int kSlowFrames = 4;       // this many in a row
 constexpr int kFastFrames = 20;
 constexpr double kCoarsestScale = 0.4;
 constexpr double kGhostStrength = 0.8;
 constexpr double kBesideGhost = 0.45;  // strength of the other print while there is a ghost
-constexpr double kHatchShare = 0.016;  // from stripe to stripe of a cut, of the model's diagonal
+constexpr double kHatchShare = 0.016;  // distance between stripes of a cut, as a part of the model's diagonal
 
 constexpr Vec3f kLightBackground[2] = {{0.66f, 0.69f, 0.73f}, {0.87f, 0.89f, 0.92f}};
 constexpr Vec3f kDarkBackground[2] = {{0.010f, 0.012f, 0.016f}, {0.035f, 0.041f, 0.051f}};
@@ -166,7 +166,7 @@ Status Viewer::prepareStage(std::optional<Stage>& stage, double scale, bool colo
   const int width = std::max(1, static_cast<int>(std::lround(width_ * bounded)));
   const int height = std::max(1, static_cast<int>(std::lround(height_ * bounded)));
   if (stage && stage->width == width && stage->height == height) return {};
-  stage.reset();  // before the new one is made: two sets of full size need not fit
+  stage.reset();  // before making the new one: two sets of full size may not fit
   auto made = makeStage(width, height, colourOnly);
   if (!made) return tl::unexpected(made.error());
   stage = std::move(*made);
@@ -189,7 +189,7 @@ void Viewer::drawSurface(const Stage& stage, const CameraView& camera, Vec2 jitt
   stage.surfaceTarget.bind();
   glDisable(GL_BLEND);
   glDisable(GL_SCISSOR_TEST);
-  glDisable(GL_CULL_FACE);  // open models are shown from inside, too
+  glDisable(GL_CULL_FACE);  // open models are visible from inside, too
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LESS);
   glDepthMask(GL_TRUE);
@@ -306,7 +306,7 @@ void Viewer::setPicture(const gl::Program& program, const CameraView& camera) co
   program.set("u_accent", kAccent);
 }
 
-/// All but the prints.
+/// Presents everything except the prints.
 void Viewer::presentPicture(const CameraView& camera, const gl::Framebuffer* target) {
   bindCanvas(target);
   setPicture(present_, camera);
@@ -379,7 +379,7 @@ Status Viewer::makePlain(const CameraView& camera) {
   return {};
 }
 
-/// The same as `present`, for less where nothing but prints has changed.
+/// Does the same as `present`, more cheaply if only prints have changed.
 Status Viewer::presentPrints(const CameraView& camera, const gl::Framebuffer* target) {
   uploadPrints();
   if (const Status made = makePlain(camera); !made) return made;
@@ -454,7 +454,7 @@ Result<bool> Viewer::draw(const CameraView& camera, double nowMs, const gl::Fram
     return drawMoving(camera, nowMs, target);
   }
   lastMovingMs_.reset();
-  if (printsChanged_) lastChangeMs_ = nowMs;  // refinement would hold up a code that is moved
+  if (printsChanged_) lastChangeMs_ = nowMs;  // so that refinement does not slow down moving a code
   const bool settled = nowMs - lastChangeMs_ >= quality_.settleMs;
   const bool finished = statistics_.samples >= quality_.stillSamples;
   if (settled && !finished) return drawStill(camera, target);

@@ -14,91 +14,92 @@
 
 namespace qrelief {
 
-/// A square picture that the viewer shows on the surface, carried there by a frame's central projection.
+/// A square picture that the viewer projects onto the surface, by a frame's central projection.
 struct SurfacePrint {
   ProjectionFrame frame;
   double edgeMm = 0;              ///< of the picture on the QR plane
   int size = 0;                   ///< texels along an edge
   std::vector<std::uint8_t> ink;  ///< size², row 0 at the top; 255 = dark
-  /// What takes the print: what of its square is not reached has a warning colour, and what is hidden none. None: all
-  /// that faces the eye takes it. Its centre and normal are the frame's.
+  /// Surface that takes the print. Parts of the square that are not reached get a warning colour, hidden parts none.
+  /// None: every surface that faces the eye takes the print. Its centre and normal are the frame's.
   std::shared_ptr<const EyeReach> reach;
 };
 
-/// What lies on the side of the plane that the normal points to is cut away.
+/// A plane that cuts away everything on the side that its normal points to.
 struct CuttingPlane {
   Vec3 point{0};
   Vec3 normal{0, 0, 1};  ///< unit
 };
 
-/// Which values of a mesh are shown as colours.
+/// The values of a mesh that are shown as colours.
 enum class HeatShown { None, All, AboveZero };
 
-/// What a frame may cost. The defaults suit a software renderer; `suitedTo` knows better ones.
+/// Limits on the cost of a frame. The defaults suit a software renderer; `suitedTo` chooses better ones for a faster
+/// renderer.
 struct ViewQuality {
   double movingScale = 0.5;  ///< resolution while something changes, 0 … 1
   int movingSteps = 3;       ///< occlusion samples on each side of a slice while something changes
   int stillSteps = 5;        ///< the same at rest
-  int stillSamples = 16;     ///< pictures that are averaged at rest; multiples of 16 leave no pattern
+  int stillSamples = 16;     ///< averaged at rest; multiples of 16 leave no pattern
   double mostPixels = 8e5;   ///< larger canvases are drawn at a lower resolution and scaled up
-  double settleMs = 120;     ///< without a change before refinement starts
+  double settleMs = 120;     ///< without a change, before refinement starts
 
   static ViewQuality suitedTo(const gl::Capabilities& capabilities);
 };
 
-/// Milliseconds from the last change to the finished picture, and the frames it took; for the inspector.
+/// Frame times and picture quality, for the inspector.
 struct ViewStatistics {
-  double coarseFrameMs = 0;   ///< mean interval between frames while something changed
-  int samples = 0;            ///< averaged so far
+  double coarseFrameMs = 0;   ///< smoothed interval between frames while something changes
+  int samples = 0;            ///< pictures averaged so far
   int width = 0, height = 0;  ///< of the last frame's G-buffer
 };
 
-/// Draws a mesh by deferred shading: G-buffer, horizon-based occlusion, lighting. Coarsely while something changes; at
-/// rest it averages jittered full-resolution pictures, which smooths edges and occlusion alike.
+/// Draws a mesh by deferred shading: G-buffer, horizon-based occlusion, lighting. Draws coarsely while something
+/// changes; at rest, averages jittered full-resolution pictures, which smooths both edges and occlusion.
 ///
-/// Needs the GL context current that it was made in.
+/// Needs the GL context that was current when it was made.
 class Viewer {
  public:
   static Result<Viewer> create(const ViewQuality& quality = {});
 
-  /// Size of what is drawn to, in device pixels.
+  /// Sets the size of the target, in device pixels.
   void resize(int width, int height);
   /// @param mesh  with normals split at creases (display_mesh.h); may be null: background only
   void setMesh(std::shared_ptr<const GpuMesh> mesh);
   /// Shows the mesh in the colours of its values, 0 … 1 (GpuMesh::setValues).
   void showHeat(HeatShown shown);
   void setPrint(std::optional<SurfacePrint> print);
-  /// A second, fainter one of the same symbol, at another place.
+  /// Sets a second, fainter print of the same symbol at another place.
   void setGhost(std::optional<SurfacePrint> ghost);
-  /// Closed solids show a coloured section.
+  /// Cuts the mesh open. Closed solids show a coloured section.
   void setCut(std::optional<CuttingPlane> cut);
   void setMarker(std::optional<Vec3> marker);
   void setTheme(bool dark);
 
-  /// Draws what is due, if anything is.
+  /// Draws the next picture, if one is due.
   /// @param nowMs   a clock that never goes back
   /// @param target  null: the canvas (framebuffer 0)
-  /// @param always  present the last picture again even if nothing is due (something else draws over it)
-  /// @returns true if the picture will get better by another call
+  /// @param always  present the last picture again even if nothing is due (something else draws on top)
+  /// @returns true if another call will improve the picture
   Result<bool> draw(const CameraView& camera, double nowMs, const gl::Framebuffer* target = nullptr,
                     bool always = false);
 
   const ViewStatistics& statistics() const { return statistics_; }
 
  private:
-  // Textures of one resolution.
+  // The textures of one resolution.
   struct Stage {
     int width = 0, height = 0;
     gl::Texture surface, visibility, colour;
     gl::Framebuffer surfaceTarget, visibilityTarget, colourTarget;
   };
-  // A finished picture: its colours, and the G-buffer that was drawn last for it.
+  // A finished picture: its colours, and the last G-buffer drawn for it.
   struct Picture {
     const Stage* colours = nullptr;
     const Stage* surface = nullptr;
     Vec2 jitter{0};
   };
-  // A print and what the graphics processor holds of it.
+  // A print and its data on the graphics processor.
   struct Shown {
     std::optional<SurfacePrint> print;
     gl::Texture reach;
@@ -141,7 +142,8 @@ class Viewer {
   gl::Program surface_, occlusion_, lighting_, present_, printing_, copy_;
   std::optional<Stage> moving_, still_, sum_;
   Picture picture_;
-  // What is presented without the print that moves (the ghost, if there is one), while the picture stays as it is.
+  // The presented picture without the moving print (the ghost, if there is one). Valid while the picture stays the
+  // same.
   gl::Texture plain_;
   gl::Framebuffer plainTarget_;
   bool plainIsCurrent_ = false, plainHasPrint_ = false;
@@ -159,7 +161,7 @@ class Viewer {
   bool printsChanged_ = false;
   double lastChangeMs_ = 0;
   std::optional<double> lastMovingMs_;
-  double mostScale_ = 1;  // of movingScale: as it was at first
+  double mostScale_ = 1;  // initial movingScale, its upper limit
   int slowFrames_ = 0, fastFrames_ = 0;
   ViewStatistics statistics_;
 };

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The module's only door: the verbs of the engine, of the inspector over it, and of the print and the batch beside
-// it, by name.
+// The module's only interface to JavaScript: the verbs of the engine, the inspector, the print and the batch, by name.
 #include <GLES3/gl3.h>
 #include <emscripten/bind.h>
 #include <emscripten/html5_webgl.h>
@@ -16,7 +15,7 @@
 #include "engine/printed_code.h"
 #include "inspector/inspected_engine.h"
 
-/// Every verb that the page may call, and the class that has it.
+/// Every verb that the page may call, with its class.
 // clang-format off
 #define QRELIEF_VERBS(verb) \
   verb(Engine, capabilities) verb(Engine, loadModel) verb(Engine, configure) verb(Engine, symbol) \
@@ -51,7 +50,7 @@ namespace {
 
 using emscripten::val;
 
-/// A typed array of its own, not a view of the heap, which may move.
+/// Copies values into a typed array of its own. A view of the heap would break when the heap moves.
 template <class T>
 val copied(const char* type, std::span<const T> values) {
   return val::global(type).new_(val(emscripten::typed_memory_view(values.size(), values.data())));
@@ -65,7 +64,7 @@ val picture(int width, int height, std::span<const std::uint8_t> pixels) {
   return object;
 }
 
-/// How a value crosses the door: as it is, unless JavaScript has a form of its own for it.
+/// Converts values at the interface: unchanged, unless JavaScript has a form of its own for the type.
 template <class T>
 struct Crossing {
   using Outside = T;
@@ -109,7 +108,7 @@ struct Crossing<ColourImage> {
   static val out(const ColourImage& image) { return picture(image.width, image.height, image.rgba); }
 };
 
-/// Null where there is no such map.
+/// Returns null if there is no such map.
 template <>
 struct Crossing<std::optional<JobMap>> {
   static val out(const std::optional<JobMap>& map) {
@@ -131,7 +130,7 @@ Owner& partOf(InspectedEngine& engine) {
     return engine;
 }
 
-/// Whose verbs stand in an object of their own; all others stand in the engine's.
+/// True for classes with an object of their own in JavaScript. All other verbs belong to the engine's object.
 template <class Owner>
 constexpr bool kStandsAlone = std::is_same_v<Owner, PrintedCode> || std::is_same_v<Owner, PlannedBatch>;
 
@@ -167,7 +166,7 @@ bool enableExtension(const char* name) {
   return emscripten_webgl_enable_extension(emscripten_webgl_get_current_context(), name);
 }
 
-/// What draws: browsers say "WebKit WebGL" and the like unless asked by this extension.
+/// Returns the renderer's name. Without this extension browsers say "WebKit WebGL" and the like.
 std::string rendererName() {
   if (!enableExtension("WEBGL_debug_renderer_info")) return {};
   return gl::rendererName();
@@ -177,7 +176,7 @@ InspectedEngine* makeEngine() {
   return new InspectedEngine(rendererName(), enableExtension("EXT_disjoint_timer_query_webgl2"), &makeInspector);
 }
 
-/// Bytes of the heap in use: what a leak makes grow.
+/// Returns the bytes of the heap in use, which a leak increases.
 double memoryInUse(const InspectedEngine&) { return mallinfo().uordblks; }
 
 }  // namespace

@@ -1,10 +1,11 @@
 #!/usr/bin/env node
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Takes what only the inspector needs, Dear ImGui above all, out of a linked module, into one of its own that is loaded
-// when the inspector is wanted:
+// Moves the functions that only the inspector needs, mostly Dear ImGui, from a linked module into one of their own,
+// which is loaded when the inspector is opened:
 //   split_inspector.js MODULE.wasm INSPECTOR.wasm
-// Both then share one memory and one table of functions (wasm-split of Binaryen). A call of what is not there yet would
-// arrive in the import namespace "inspector"; none does, as only the inspector's own functions lead to what is taken out.
+// Both then share one memory and one table of functions (wasm-split of Binaryen). A call to a function that is not
+// loaded yet would arrive in the import namespace "inspector". There is none, because only the inspector's own
+// functions lead to the moved ones.
 import { execFileSync } from 'node:child_process';
 import { renameSync, rmSync, writeFileSync } from 'node:fs';
 import { pathToFileURL } from 'node:url';
@@ -20,7 +21,7 @@ const kEntrance = /^(qrelief::Inspector::|ImGui|Im[A-Z]|qrelief::makeInspector\\
  */
 
 /**
- * @param {string} dot  what `wasm-opt --print-call-graph` writes
+ * @param {string} dot  output of `wasm-opt --print-call-graph`
  * @returns {CallGraph}
  */
 export function readCallGraph(dot) {
@@ -36,10 +37,10 @@ export function readCallGraph(dot) {
 }
 
 /**
- * All that is called, directly or not.
+ * Returns all functions that are called, directly or not.
  * @param {CallGraph} graph
  * @param {string[]} from
- * @param {Set<string>} without  where it does not go on
+ * @param {Set<string>} without  functions to stop at
  */
 function reached({ callees }, from, without) {
   const found = new Set(from);
@@ -55,7 +56,7 @@ function reached({ callees }, from, without) {
 }
 
 /**
- * What can be reached through the inspector's entrances alone.
+ * Returns the functions that can be reached only through the inspector's entrances.
  * @param {CallGraph} graph
  */
 export function onlyForInspector(graph) {

@@ -6,7 +6,7 @@ import { onlyForInspector, readCallGraph } from './split_inspector.js';
 const kOpen = String.raw`qrelief::makeInspector\28\29`;
 const kDraw = String.raw`qrelief::Inspector::draw\28qrelief::Engine\20const&\29`;
 
-/** As `wasm-opt --print-call-graph` writes it: a key, then a line for each function, its kinds and its calls. */
+/** Writes a graph like `wasm-opt --print-call-graph`: a key, then a line for each function, its kinds and its calls. */
 const graphOf = (/** @type {{ plain: string[], table: string[], exported: string[], calls: [string, string][] }} */ graph) => [
   'digraph call {',
   '  subgraph cluster_key {',
@@ -28,7 +28,7 @@ test('What only the inspector calls is its own, whatever it is named; what anyth
     exported: ['__wasm_call_ctors'],
     calls: [
       [kOpen, 'ImGui::Begin'], [kDraw, 'ImGui::Begin'], [kDraw, 'colours'], ['colours', 'deeper'], ['colours', 'fimport$1'],
-      [kDraw, 'ImVector::~ImVector'], ['qrelief::Viewer::draw', 'ImVector::~ImVector'],  // two that were merged into one
+      [kDraw, 'ImVector::~ImVector'], ['qrelief::Viewer::draw', 'ImVector::~ImVector'],  // two functions merged into one
       ['__wasm_call_ctors', 'qrelief::Viewer::draw'],
     ],
   }));

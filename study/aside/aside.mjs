@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From how far aside a code on a cylinder is read, however it is made: painted in black, projected as we carve it, wrapped
-// round the cylinder as a label is, and half-way between, for versions 2 to 10 and each decoder of npm.
+// Measures the largest viewing angles at which a code on a cylinder decodes, however it is made: painted in black,
+// projected as we carve it, wrapped around the cylinder like a label, and half-way between, for versions 2 to 10 and
+// each npm decoder.
 //
 //     node aside.mjs PEERS FILE.csv       PEERS: the folder in which the npm packages are installed
 //
-// The cylinder stands, the code looks at the reader, who walks round it at one distance: seven symbol widths, as 250 mm
-// for 35 mm. The arc is what the symbol's width takes of the circumference. A pixel is a quarter of a module at most;
-// blur 0.3 modules, shot noise of 2 % at white, seeded. Tilts go up in steps of 5° until two in a row are not read; the table has the
-// last that was read before; empty: not even in front.
+// The cylinder is upright and the code faces the reader, who walks around it at a constant distance: seven symbol
+// widths, as 250 mm for 35 mm. The arc is the part of the circumference that the symbol's width covers. A pixel is a
+// quarter of a module at most; blur 0.3 modules, shot noise of 2 % at white, seeded. Tilts rise in steps of 5° until
+// two in a row do not decode; the table has the last tilt that decoded before; empty: not even from the front.
 import { createRequire } from 'node:module';
 import { writeFileSync } from 'node:fs';
 import { pathToFileURL } from 'node:url';
@@ -37,18 +38,18 @@ function randomFrom(/** @type {number} */ seed) {
 }
 
 /**
- * Where a point of the cylinder lies in the symbol, in symbol widths from its middle.
+ * Returns the position in the symbol of a point of the cylinder, in symbol widths from its middle.
  * @param {number} angle   about the axis, 0 in front, radians
  * @param {number} radius  in symbol widths
  */
 function placeInSymbol(angle, /** @type {number} */ height, /** @type {number} */ radius, /** @type {number} */ wrapped) {
-  const depth = radius * (1 - Math.cos(angle)); // behind the plane that touches the cylinder in front
+  const depth = radius * (1 - Math.cos(angle)); // behind the tangent plane at the front
   const scale = kEyeWidths / (kEyeWidths + depth);
   const projected = [radius * Math.sin(angle) * scale, height * scale];
   return [projected[0] + wrapped * (radius * angle - projected[0]), projected[1] + wrapped * (height - projected[1])];
 }
 
-/** The light that comes from a direction in which the reader looks. */
+/** Returns the light that the reader sees in a direction. */
 function lightOf(/** @type {boolean[][]} */ symbol, /** @type {number} */ radius, /** @type {number} */ wrapped, /** @type {number} */ tilt,
   /** @type {number} */ right, /** @type {number} */ up) {
   // Axis at the origin, code in front at z = radius; the reader looks at its middle.
@@ -76,7 +77,7 @@ function pictureFrom(/** @type {boolean[][]} */ symbol, /** @type {number} */ ra
   return seenByCamera(sharp, fine, width);
 }
 
-/** Blur along both axes, means over pixels, noise, gamma. */
+/** Simulates a camera: blur along both axes, means over pixels, noise, gamma. */
 function seenByCamera(/** @type {Float32Array} */ sharp, /** @type {number} */ fine, /** @type {number} */ width) {
   const sigma = kBlurModules * kPixelsPerModule * kSamples, reach = Math.ceil(3 * sigma);
   const weights = Array.from({ length: 2 * reach + 1 }, (_, i) => Math.exp(-(((i - reach) / sigma) ** 2) / 2));

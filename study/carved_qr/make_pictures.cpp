@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// CarvedQR: pictures of carved codes with truth, for makers of decoders. script/carved-qr runs it; README.md beside
-// this file says what comes out.
+// CarvedQR: pictures of carved codes with ground truth, for developers of decoders. script/carved-qr runs it; README.md
+// in this folder describes the output.
 //
-// Every carving is drawn from its own seed: model, text, patterns, depth, size, process and pose; it is pictured as
-// designed and as printed, each kPicturesOfASurface times with its own camera and light. A carving is done when its
-// part of the truth is written, so that a run that was stopped goes on there, and any process may make any of them.
+// Every carving is drawn from its own seed: model, text, patterns, depth, size, process and pose. It is pictured as
+// designed and as printed, each kPicturesOfASurface times with its own camera and light. A carving is done once its
+// part of the truth is written, so an interrupted run resumes there, and any process may make any carving.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
@@ -37,10 +37,10 @@ namespace fs = std::filesystem;
 
 constexpr int kPicturesOfASurface = 10, kPaths = 8;
 
-/// Edge of a picture in modules: symbol and most of the quiet zone fit in at every roll that is drawn.
+/// Edge of a picture in modules: symbol and most of the quiet zone fit at every roll.
 int edgeModules(int modules) { return modules + 16; }
 
-/// One of some values, all as likely.
+/// Draws one of some values, all equally likely.
 template <class T, std::size_t Count>
 T drawn(Random& random, const std::array<T, Count>& values) {
   return values[random.below(Count)];
@@ -60,7 +60,7 @@ Result<EngraveRequest> drawnRequest(Random& random, Workshop& workshop, const st
   request->symbol = {};
   request->symbol.errorCorrection =
       drawn(random, std::array{ErrorCorrection::L, ErrorCorrection::M, ErrorCorrection::Q, ErrorCorrection::H});
-  if (random.below(2) == 0) {  // else the defaults
+  if (random.below(2) == 0) {  // otherwise the defaults stay
     request->modulePattern = static_cast<ModulePattern>(random.below(5));
     request->finderPattern = static_cast<FinderPattern>(random.below(5));
   }
@@ -83,19 +83,20 @@ Lamp drawnLamp(Random& random, const ProjectionFrame& frame) {
   return lampOf(light, frame, random.uniform(0, 20));
 }
 
-/// To three decimals, as the truth has numbers.
+/// Rounds to three decimals, as the truth has numbers.
 double rounded(double x) { return std::round(1000 * x) / 1000; }
 
-/// A carving, as its pictures need it.
+/// A carving and the data that its pictures need.
 struct Carving {
   Spot spot;
   CarvedCode code;
   Lamp lamp;
-  Json truth;  ///< what all its pictures share
+  Json truth;  ///< common to all its pictures
 };
 
-/// Corners of the symbol in a picture, clockwise from the symbol's top left, pixels from the picture's top left.
-/// @param middle  of what the camera sees, likewise
+/// Returns the corners of the symbol in a picture, clockwise from the symbol's top left, pixels from the picture's top
+/// left.
+/// @param middle  of the camera's view, in the same pixels
 Json cornersIn(const Carving& carving, const RayTree& uncarved, const ProjectionFrame& camera, double pixelsPerMm,
                Vec2 middle) {
   const ProjectionFrame& frame = carving.spot.placement.frame;
@@ -146,8 +147,8 @@ Result<Json> takePicture(Random& random, const Carving& carving, const BakedLigh
   line["blurModules"] = rounded(blur);
   line["noise"] = rounded(camera.noise);
   line["exposure"] = rounded(camera.exposure);
-  // The grid of sensor cells begins at the seen square's lower left; what does not fill a cell is left out at its far
-  // ends.
+  // The grid of sensor cells begins at the lower left of the visible square. Leftovers at its far ends that do not fill
+  // a cell are dropped.
   const double half = seen.width / coarser / 2;
   line["corners"] = cornersIn(carving, uncarved, eye, pixels / moduleMm, {half, width - half});
   return line;
@@ -188,7 +189,7 @@ Result<Carving> carve(Random& random, Workshop& workshop) {
   return carving;
 }
 
-/// Pictures of one surface. @param lines  get the truth
+/// Takes the pictures of one surface. @param lines  receives the truth
 Status picture(Random& random, const Carving& carving, const RaySurface& surface, const std::string& folder,
                const std::string& names, Json& lines) {
   const Placement& placement = carving.spot.placement;
@@ -209,7 +210,7 @@ Status picture(Random& random, const Carving& carving, const RaySurface& surface
   return {};
 }
 
-/// One carving's pictures. @returns lines of the truth; none where the draw cannot be carved
+/// Takes the pictures of one carving. @returns lines of the truth; none if the drawn carving is impossible
 Result<std::string> makeCarving(std::uint64_t seed, const std::string& name, Workshop& workshop,
                                 const std::string& folder) {
   Random random(seed);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How many pictures of CarvedQR the decoders of npm and Debian read.
+// Counts the pictures of CarvedQR that the decoders of npm and Debian decode.
 //
 //     node rates.mjs FOLDER PEERS [--out FILE.csv]    PEERS: the folder in which the npm packages are installed
 //
-// A row for each decoder, surface, light and tilt: pictures, how many gave the code's text, how many another one. Each
-// decoder gets the picture as it is, once, with its own thorough settings and no others.
+// Writes a row for each decoder, surface, light and tilt: number of pictures, of right texts, and of wrong ones. Each
+// decoder gets the unchanged picture, once, with its own thorough settings only.
 import { execFileSync, spawnSync } from 'node:child_process';
 import { readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import { npmDecoders, readPicture } from '../decoders.mjs';
@@ -14,7 +14,7 @@ const outAt = process.argv.indexOf('--out');
 const debianVersion = (/** @type {string} */ name) =>
   execFileSync('dpkg-query', ['--show', '--showformat=${Version}', name], { encoding: 'utf8' }).split(/[+-]/)[0];
 
-/** Decoders of Debian: from files to texts by file. */
+/** Debian's decoders, each a function from files to texts by file. */
 const debianDecoders = {
   [`zbarimg ${debianVersion('zbar-tools')} (Debian)`]: (files) => {
     const out = spawnSync('zbarimg', ['--quiet', '--xml', '-Sdisable', '-Sqrcode.enable', ...files], { encoding: 'utf8', maxBuffer: 1e9 }).stdout;

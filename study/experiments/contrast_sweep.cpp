@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Depth and reads by contrast for each module pattern, by the published steps, on a plate and a curved model, further
-// up than anybody would carve: from which contrast on the paper's order of methods holds [Papp 2022, figure 20].
+// Depth and decoded tries by contrast for each module pattern, with the published steps, on a plate and a curved model,
+// up to higher contrasts than anyone would carve. Shows from which contrast on the paper's order of methods holds [Papp
+// 2022, figure 20].
 #include "study/experiments/experiments.h"
 #include "study/methods/by_engine.h"
 

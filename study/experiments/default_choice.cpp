@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reads as printed against depth of the settings that default_space.cpp left to choose from, each from shallow to deep,
-// at four module widths, lying, upright and slanted. The defaults (pipeline/default_patterns.h) are chosen on the
-// models of kModelsToChooseBy; the figure reports the others.
+// Decoded tries as printed against depth, for the settings left to choose from after default_space.cpp, each from
+// shallow to deep, at four module widths, lying, upright and slanted. The defaults (pipeline/default_patterns.h) are
+// chosen on the models of kModelsToChooseBy; the figure reports the others.
 #include "study/experiments/chosen_settings.h"
 #include "study/experiments/experiments.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Settings that the program chooses on thick walls, by module width (pipeline/default_patterns.h): the figure of
+// Settings that the program chooses on thick walls, by module width (pipeline/default_patterns.h). The figure of
 // default_choice.cpp marks them.
 #include "pipeline/default_patterns.h"
 #include "study/experiments/chosen_settings.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Settings drawn at random from the whole space of patterns, contrasts, depth limits, broken-up areas and error
-// correction, for modules of 0.6 to 1.6 mm, lying and upright. The defaults are chosen from what this table shows
-// (default_choice.cpp). Four of the eight models take part here, so that the other four can test the choice.
+// correction, for modules of 0.6 to 1.6 mm, lying and upright. The defaults are chosen from this table
+// (default_choice.cpp). It uses four of the eight models, so that the other four can test the choice.
 #include <array>
 #include <set>
 
@@ -39,7 +39,7 @@ std::vector<ChosenSettings> draws() {
 Experiment defaultSpace() {
   Experiment experiment = chosenSettingsExperiment("default_space");
   int number = 0;
-  std::set<Row> keys;  // a draw may come twice
+  std::set<Row> keys;  // the same draw may come twice
   for (const ChosenSettings& settings : draws()) {
     const char* pose = number++ % 2 == 0 ? "code-up" : "code-upright";
     for (const double moduleMm : kDefaultModuleWidthsMm)

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reading at one depth: the default, and those methods that come near it in the frontier, each carved as deep on
-// average as the default carves the same model, for several texts; as designed and as printed lying by the first
-// process. One text alone says little: another mask, and a few more or fewer tries read.
+// Decoding at one depth: the default, and the methods close to it in the frontier, for several texts, as designed and
+// as printed lying with the first process. Each method carves as deep on average as the default carves the same model.
+// One text alone says little: with another mask, a few more or fewer tries decode.
 //
-// The level that brings the depth is found for the first text, by interpolating the logarithm of the depth until it is
-// within kAlike of the default's, and kept for the others.
+// The level for this depth is found with the first text, by interpolating the logarithm of the depth until it is within
+// kAlike of the default's. The other texts use the same level.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -22,7 +22,7 @@ constexpr const char* kDefault = "ours";
 constexpr double kAlike = 0.02;
 constexpr int kCorrections = 3;
 
-/// The same place with another text of the same version.
+/// Returns the same place with another text of the same version.
 Result<Spot> spotFor(const Spot& usual, const std::string& text) {
   Spot spot = usual;
   spot.request.text = text;
@@ -32,7 +32,7 @@ Result<Spot> spotFor(const Spot& usual, const std::string& text) {
   return spot;
 }
 
-/// Mean over the carved submodules, mm.
+/// Returns the mean depth of the carved submodules, mm.
 Result<double> depthAt(const Method& method, const Spot& spot, double level) {
   const auto code = method.carve(spot, level);
   if (!code) return tl::unexpected(code.error());
@@ -53,7 +53,7 @@ Result<double> levelFor(const Method& method, const Spot& spot, double depthMm) 
   const double wanted = std::log(depthMm);
   for (int i = 0;; ++i) {
     const auto [a, b] = tried;
-    if (a.logDepth == b.logDepth) return b.level;  // walls decide
+    if (a.logDepth == b.logDepth) return b.level;  // walls limit both depths
     const double level =
         std::clamp(a.level + (b.level - a.level) * (wanted - a.logDepth) / (b.logDepth - a.logDepth), 0.02, 0.9);
     if (i == kCorrections) return level;
@@ -94,7 +94,7 @@ Result<Row> measure(const Row& key, Workshop& workshop) {
   return row;
 }
 
-/// The depth is the default's.
+/// Returns the version, which includes the default's search, because that search sets the depth.
 std::string version(const Row& key) { return versionOfMethod(key) + " default " + versionOf({kSearch}); }
 
 }  // namespace

@@ -5,7 +5,7 @@
 
 namespace qrelief::study {
 
-// One a file; its head says what it shows.
+// Each has a file of its own, whose first comment says what it shows.
 Experiment leastModule();
 Experiment guaranteedSize();
 Experiment patternDepths();

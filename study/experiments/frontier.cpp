@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reading against depth: every method from shallow to deep at the eight models' centres, as designed and as printed
-// lying by the first process.
+// Decoding against depth: every method from shallow to deep at the eight models' centres, as designed and as printed
+// lying with the first process.
 #include "study/experiments/experiments.h"
 #include "study/methods/methods.h"
 

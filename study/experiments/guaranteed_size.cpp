@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How large a code each way to find the direction allows at the eight models' centres [Papp 2022, figures 13 and 14]:
-// at every rotation, upright, and turned by 45°. Edge of a symbol of version 3 without quiet zone, which has to fit,
-// too.
+// Largest code at the eight models' centres for each way to find the direction [Papp 2022, figures 13 and 14]: at every
+// rotation, upright, and turned by 45°. Edge of a symbol of version 3 without the quiet zone, which must fit, too.
 #include "study/experiments/experiments.h"
 
 namespace qrelief::study {

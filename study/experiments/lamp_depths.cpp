@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Depth by the number of lamps beside the sky, with patterns and without, at the eight models' centres [Papp 2022,
-// figure 21], by the published steps. Each lamp is as strong as the sky and stands 33° over the code (123° in the
-// paper's measure), the first at its top, the second on its left.
+// Depth by the number of lamps added to the sky, with and without patterns, at the eight models' centres [Papp 2022,
+// figure 21], with the published steps. Each lamp is as strong as the sky, at an elevation of 33° over the code (123°
+// in the paper's measure); the first is at the code's top, the second on its left.
 #include "study/experiments/experiments.h"
 #include "study/methods/by_engine.h"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The least module that reads as printed, for every module pattern and finder pattern, two nozzles, lying and standing,
-// on a plate [Papp 2022, figure 11].
+// Smallest module that decodes as printed, for every module pattern and finder pattern, two nozzles, lying and
+// standing, on a plate [Papp 2022, figure 11].
 //
-// Modules become smaller by a tenth until two sizes in a row do not read as printed; the least is the one before the
-// first that does not. A print reads if at least two in five tries succeed (verification/frontal_reading.h). Version 2,
-// contrast of the preset `balanced`, carved for the print that is looked at. Depth: mean over the carved submodules.
+// Modules shrink by a tenth until two sizes in a row do not decode as printed; the smallest is the last size before the
+// first failure. A print decodes if at least two in five tries succeed (verification/frontal_reading.h). Version 2,
+// contrast of the preset `balanced`, carved for the simulated print. Depth: mean over the carved submodules.
 #include "native/read_carving.h"
 #include "study/experiments/experiments.h"
 
@@ -42,7 +42,7 @@ Result<Row> measure(const Row& key, Workshop& workshop) {
     failures += !reads;
     if (reads && failures == 0) leastMm = module, depthMm = summarise(carved->depths).meanMm;
   }
-  if (leastMm == 0) return Row{"", ""};  // not even the largest reads
+  if (leastMm == 0) return Row{"", ""};  // not even the largest decodes
   return Row{shown(leastMm, 3), shown(depthMm, 3)};
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A code carved under the sky and one lamp, read under the sky and a lamp that stands higher or lower [Papp 2022,
-// figure 22], on a plate, by the published steps. The lamp stands at the symbol's top and is as strong as the sky.
+// A code carved for the sky and one lamp, decoded under the sky and a lamp at a higher or lower elevation [Papp 2022,
+// figure 22], on a plate, with the published steps. The lamp is at the symbol's top and as strong as the sky.
 //
-// Angles are elevations over the code; the paper measures between the light's way and the normal: 98° is a lamp 8° over
-// the code, 123° one 33° over it. `sky` is no lamp.
+// Angles are elevations over the code. The paper measures between the light's direction and the normal: 98° is a lamp
+// 8° over the code, 123° a lamp 33° over it. `sky` means no lamp.
 #include "study/experiments/experiments.h"
 #include "study/lamp_reading.h"
 #include "study/methods/by_engine.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Depth by module pattern and finder pattern at the eight models' centres [Papp 2022, figures 15 and 16], by the
-// published steps and our default contrast, and how that reads, as designed and as printed lying.
+// Depth by module pattern and finder pattern at the eight models' centres [Papp 2022, figures 15 and 16], with the
+// published steps and our default contrast, and decoding as designed and as printed lying.
 #include "study/experiments/experiments.h"
 #include "study/methods/by_engine.h"
 

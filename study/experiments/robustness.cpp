@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a carved code survives: blur, distance and tilt, by module pattern and finder pattern [Papp 2022, §8], by the
-// published steps and by our default, on a plate, a cylinder and the bumpy sphere. Pictures and readers are those of
-// `verify` (verification/reading_sweep.h); a value is empty where it does not read even from near and in front.
+// Limits of blur, distance and tilt for a carved code, by module pattern and finder pattern [Papp 2022, §8], with the
+// published steps and our default, on a plate, a cylinder and the bumpy sphere. Pictures and decoders are the same as
+// in `verify` (verification/reading_sweep.h); a value is empty if the code does not decode even from nearby in front.
 #include "native/zxing_reader.h"
 #include "pipeline/verify.h"
 #include "study/carved_surface.h"

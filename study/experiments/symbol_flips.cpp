@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Dark areas broken up within the error correction: not at all, as Peng 2019 does, and as we do, for the search of 2019
-// and for ours, whole modules, level H, version 3.
+// Dark areas broken up within the error correction: not at all, as in Peng 2019, and as in our method, for the search
+// of 2019 and for ours. Whole modules, level H, version 3.
 #include <algorithm>
 
 #include "qr/symbol_shaping.h"

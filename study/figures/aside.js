@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How far aside painted codes on cylinders are read: by the arc they take, how they lie on it, and decoder.
+// Largest tilts at which painted codes on cylinders decode, by arc, layout and decoder.
 import { distinct, groupBy, median, rises, tally } from '../page/compare.js';
 import { kColours, series } from '../page/figure.js';
 import { linePlots } from '../page/plots.js';
@@ -8,15 +8,18 @@ import { cases, name, said } from '../page/say.js';
 /** @typedef {import('../page/table.js').Row} Row */
 
 const kManyMarks = 7;  // from this version on a code has six alignment patterns, from 2 to 6 one [ISO/IEC 18004, annex E]
-const kUnread = -Infinity;  // not even in front: less far than every tilt
+const kUnread = -Infinity;  // not even from the front: below every tilt
 
 /** @param {Row} row */
 const tiltOf = (row) => row.tilt_deg ?? kUnread;
 
-/** The decoder without its version: "jsqr" of "jsqr 1.4.0 (npm)". @param {Row} row */
+/** Returns the decoder without its version: "jsqr" of "jsqr 1.4.0 (npm)". @param {Row} row */
 export const decoderOf = ({ reader }) => String(reader).split(' ')[0];
 
-/** Median of the tilts, in degrees; undefined where half of them or more are not read even in front. @param {Row[]} rows */
+/**
+ * Returns the median tilt, in degrees; undefined if half or more do not decode even from the front.
+ * @param {Row[]} rows
+ */
 export function medianTilt(rows) {
   const tilt = median(rows.map(tiltOf));
   return Number.isFinite(tilt) ? tilt : undefined;
@@ -28,8 +31,8 @@ const overVersions = (rows) => [...groupBy(rows.map((row) => ({ ...row, others: 
   .filter(({ tilt_deg: tilt }) => tilt !== undefined);
 
 /**
- * How often codes of one layout are read at least as far aside as those of another, all else the same; what neither reads
- * tells nothing.
+ * Counts how often codes of one layout decode at tilts at least as large as codes of another layout, all else equal.
+ * Codes that decode in neither layout do not count.
  * @param {Row[]} rows @param {string} one @param {string} other
  */
 export function asFarAside(rows, one, other) {
@@ -41,7 +44,8 @@ export function asFarAside(rows, one, other) {
 }
 
 /**
- * Whether one decoder reads larger versions, with more alignment patterns, farther aside than smaller ones at every arc.
+ * True if one decoder decodes larger versions, with more alignment patterns, at larger tilts than smaller ones at every
+ * arc.
  * @param {Row[]} rows  of one decoder and layout
  */
 export const manyMarksHelp = (rows) => [...groupBy(rows, 'arc_deg').values()].every((ofArc) => rises([false, true].map((many) => {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reads at the default's depth, for several texts.
+// Decoded tries at the default's depth, for several texts.
 import { distinct, groupBy, median, tally } from '../page/compare.js';
 import { isOurs, kDefaultMethod } from '../page/methods.js';
 import { models, name, said } from '../page/say.js';
@@ -8,19 +8,33 @@ import { kTries } from '../page/tries.js';
 
 /** @typedef {import('../page/table.js').Row} Row */
 
-/** Median of a method's reads over the texts. @param {Row[]} ofModel @param {string} method @returns {number} */
+/**
+ * Returns the median of a method's decoded tries over the texts.
+ * @param {Row[]} ofModel
+ * @param {string} method
+ * @returns {number}
+ */
 export const readsOf = (ofModel, method) => median(ofModel.filter((row) => row.method === method).map(({ printed }) => printed));
 
-/** Median of that over the models that have rows of the method. @param {Row[]} rows @param {string} method @returns {number} */
+/**
+ * Returns the median of typical tries over the models that have rows of the method.
+ * @param {Row[]} rows
+ * @param {string} method
+ * @returns {number}
+ */
 export const readsOverModels = (rows, method) =>
   median([...groupBy(rows.filter((row) => row.method === method), 'model').values()].map((ofModel) => readsOf(ofModel, method)));
 
-/** How far apart one code's reads are from text to text: median over models and methods. @param {Row[]} rows */
+/**
+ * Returns the spread of one code's decoded tries over the texts: median over models and methods.
+ * @param {Row[]} rows
+ */
 export const spreadOf = (rows) => median([...groupBy(rows, 'model').values()].flatMap((ofModel) =>
   [...groupBy(ofModel, 'method').values()].map((of) => Math.max(...of.map(({ printed }) => printed)) - Math.min(...of.map(({ printed }) => printed)))));
 
 /**
- * Models on which every method, our default among them, was read with every text: on others methods cannot be compared.
+ * Returns the models with rows of every method, our default included, with every text; other models cannot compare
+ * methods.
  * @param {Row[]} rows
  * @returns {Row[][]}  by model
  */
@@ -30,7 +44,7 @@ export function wholeModels(rows) {
     && ofModel.some(({ method }) => method === kDefaultMethod));
 }
 
-/** Methods that are read more often than the default. @param {Row[]} ofModel @returns {string[]} */
+/** Returns the methods that decode more often than the default. @param {Row[]} ofModel @returns {string[]} */
 export const oftener = (ofModel) => distinct(ofModel, 'method').filter((method) => readsOf(ofModel, method) > readsOf(ofModel, kDefaultMethod));
 
 /** @type {import('../page/figure.js').Figure} */

@@ -10,15 +10,19 @@ import { name, said } from '../page/say.js';
 /** Elevation of the paper's lamp for its figure 21, in degrees. */
 const kPaperElevation = 33;
 
-/** Depth under the sky alone, by module pattern. @param {Record<string, Row[]>} tables @returns {Record<string, number>} */
+/**
+ * Returns the depth under the sky alone, by module pattern.
+ * @param {Record<string, Row[]>} tables
+ * @returns {Record<string, number>}
+ */
 const skyDepths = ({ lamp_depths: depths = [] }) => Object.fromEntries(depths
   .filter(({ model, lamps }) => model === 'plate' && lamps === 0).map(({ modules, depth_mm: depth }) => [modules, depth]));
 
 /**
- * Elevations at which the lamp has the same effect at every strength.
+ * Returns the elevations at which the lamp has the same effect at every strength.
  * @param {Row[]} rows  of one module pattern
  * @param {number} skyDepth  depth under the sky alone, mm
- * @returns {{ shallower: number[], deeper: number[], either: number[] }}  in degrees; `either`: it depends on the strength
+ * @returns {{ shallower: number[], deeper: number[], either: number[] }}  in degrees; `either`: the effect depends on the strength
  */
 export function effects(rows, skyDepth) {
   /** @type {ReturnType<typeof effects>} */ const found = { shallower: [], deeper: [], either: [] };

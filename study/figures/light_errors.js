@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How far each method's own idea of the light is from path tracing.
+// Error of each method's own estimate of the light against path tracing.
 import { distinct } from '../page/compare.js';
 import { kDefaultMethod } from '../page/methods.js';
 import { name, said } from '../page/say.js';
@@ -12,7 +12,7 @@ import { typical } from './method_depths.js';
 const compared = (rows) => rows.filter((row) => row.light_error_size !== null);
 
 /**
- * Methods by the size of their error, the least first; medians over the models.
+ * Sorts the methods by the size of their error, the smallest first; medians over the models.
  * @param {Row[]} rows
  * @returns {{ method: string, size: number, mean: number }[]}
  */

@@ -10,9 +10,9 @@ import { typical } from './method_depths.js';
 /** @typedef {import('../page/table.js').Row} Row */
 
 /**
- * Methods of others for the sky that read more often than our default at no more depth.
+ * Returns the methods of others for the sky that decode more often than our default at no more depth.
  * @param {Row[]} ofModel
- * @returns {string[] | undefined}  undefined where our default was not measured
+ * @returns {string[] | undefined}  undefined if our default was not measured
  */
 export function betterThanDefault(ofModel) {
   const ours = ofModel.find(({ method }) => method === kDefaultMethod);

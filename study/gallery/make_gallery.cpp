@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pictures of one sample's codes for the page's gallery, as designed and as printed: by default, for one lamp, and with
-// every module pattern and finder pattern (`script/gallery`). Writes FOLDER/SAMPLE.json and the PNG files that it
-// names.
+// Takes pictures of one sample's codes for the page's gallery, as designed and as printed: with the defaults, for one
+// lamp, and with every module pattern and finder pattern (`script/gallery`). Writes FOLDER/SAMPLE.json and the PNG
+// files that it names.
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -25,7 +25,7 @@ constexpr DirectionalLight kLamp{.azimuthDeg = 90, .elevationDeg = 33, .strength
 /// One code of the gallery.
 struct Exhibit {
   std::string kind;  ///< "default", "lamp" or "pattern"
-  Json settings;     ///< what differs from the defaults, by setting
+  Json settings;     ///< settings that differ from the defaults, by key
   EngraveRequest request;
 };
 
@@ -50,7 +50,7 @@ std::vector<Exhibit> exhibits(const EngraveRequest& usual, bool withPatterns) {
   return all;
 }
 
-/// Half as wide and high.
+/// Halves width and height.
 GreyImage halved(const GreyImage& image) {
   GreyImage half{image.width / 2, image.height / 2, {}};
   for (int y = 0; y < half.height; ++y)

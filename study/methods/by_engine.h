@@ -7,12 +7,12 @@
 
 namespace qrelief::study {
 
-/// The spot's request by the published steps [Papp 2022], without the greatest depth that our defaults have.
+/// Returns the spot's request with the published steps [Papp 2022], without the greatest depth of our defaults.
 EngraveRequest publishedRequest(const Spot& spot, ModulePattern modules, FinderPattern finders);
 
-/// What the program itself makes of a spot: its own methods, and the published steps of Papp 2022.
+/// Carves a spot with the program itself: its own methods, and the published steps of Papp 2022.
 /// @param request  the spot's, with other depths, patterns or symbols of the same size; the place stays
-/// @param symbol   carved in place of the request's, of the same size; null: the request's
+/// @param symbol   carved instead of the request's, of the same size; null: the request's
 Result<CarvedCode> carveByEngine(const Spot& spot, const EngraveRequest& request, const Symbol* symbol = nullptr);
 
 }  // namespace qrelief::study

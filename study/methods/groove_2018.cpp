@@ -11,7 +11,7 @@
 namespace qrelief::study {
 namespace {
 
-/// 1 = nothing near.
+/// Returns the obscurance at a point; 1 = nothing near.
 double obscurance(const CarvedSurface& surface, const SurfacePoint& at, double falloffMm, int rays,
                   std::uint64_t seed) {
   double sum = 0;
@@ -44,7 +44,7 @@ std::vector<double> bSplineValues(const std::vector<double>& control, int size) 
 Result<CarvedCode> carveGrooves2018(const Spot& spot, const Symbol& symbol, const SubmoduleMask& mask,
                                     const GrooveOptions& options) {
   const auto start = Clock::now();
-  // A groove runs out over its neighbours: these are carved as well.
+  // A groove runs out over its neighbours, so these are carved, too.
   std::vector<double> reach(mask.carved.begin(), mask.carved.end());
   reach = bSplineValues(reach, mask.size);
   SubmoduleMask grooved = mask;

@@ -8,15 +8,16 @@
 namespace qrelief::study {
 
 /// The grooves of Kikuchi, Yoshikawa, Jayaraman, Zheng, Maekawa, "Embedding QR codes onto B-spline surfaces for 3D
-/// printing", CAD 102 (2018), on a mesh: knots are inserted, the control points of dark modules are moved down until
-/// each groove point is obscure enough, and the surface stays a smooth B-spline.
+/// printing", CAD 102 (2018), on a mesh: insert knots, move the control points of dark modules down until each groove
+/// point is obscure enough, and keep the surface a smooth B-spline.
 ///
-/// Only the abstract and what Papp 2022, §2 and §7 say of it could be had. Chosen therefore:
-///   - knots: one control point a submodule; the carving depth is the uniform bicubic B-spline of theirs, as our
-///     embedding has it, one depth a submodule. Grooves so run out over half a module of their light neighbours, which
-///     are carved, too;
-///   - obscurance at a submodule's middle [Zhukov, Iones, Kronin 1998]: 1/π ∫ ρ(d) cos ω, d the distance of what a ray
-///     meets, ρ(d) = 1 − exp(−d/d₀), 1 where it meets nothing; d₀ = one module. It is asked of the dark submodules;
+/// Only the abstract and the description in Papp 2022, §2 and §7 were available. Our choices therefore:
+///   - knots: one control point a submodule; the carving depth is their uniform bicubic B-spline, as in our embedding,
+///     with one depth a submodule. So grooves run out over half a module of their light neighbours, which are carved,
+///     too;
+///   - obscurance at a submodule's middle [Zhukov, Iones, Kronin 1998]: 1/π ∫ ρ(d) cos ω, d the distance at which a ray
+///     meets the surface, ρ(d) = 1 − exp(−d/d₀), 1 where it meets nothing; d₀ = one module. Evaluated for the dark
+///     submodules;
 ///   - wanted: obscurance ≤ (1 − contrast) of the mean over the light submodules;
 ///   - step: a tenth of a module; limits as for the other methods.
 /// Its direction of projection, by principal components, is DirectionMethod::Pca.
@@ -33,8 +34,8 @@ struct GrooveOptions {
 Result<CarvedCode> carveGrooves2018(const Spot& spot, const Symbol& symbol, const SubmoduleMask& mask,
                                     const GrooveOptions& options);
 
-/// Values of the uniform bicubic B-spline at its control points: weights 1/6, 4/6, 1/6 along both axes; beyond the
-/// border 0.
+/// Returns the uniform bicubic B-spline at its control points: weights 1/6, 4/6, 1/6 along both axes; beyond the border
+/// 0.
 /// @param control  size × size, row-major
 std::vector<double> bSplineValues(const std::vector<double>& control, int size);
 

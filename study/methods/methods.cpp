@@ -13,7 +13,7 @@
 namespace qrelief::study {
 namespace {
 
-/// With patterned finders, as where walls are thin.
+/// Our patterns, with patterned finder patterns, as where walls are thin.
 constexpr ModulePattern kOurModules = ModulePattern::ThickPlus;
 constexpr FinderPattern kOurFinders = FinderPattern::ThickPlusSharp;
 
@@ -45,7 +45,7 @@ Result<CarvedCode> oneLight2020(const Spot& spot, double contrast) {
   return carveOneLight2020(spot, *symbol, wholeModules(*symbol), options);
 }
 
-/// The spot's request with patterns and a contrast of its own.
+/// Returns the spot's request with the given patterns and contrast.
 EngraveRequest patterned(const Spot& spot, ModulePattern modules, FinderPattern finders, double contrast) {
   EngraveRequest request = spot.request;
   request.modulePattern = modules;
@@ -54,7 +54,7 @@ EngraveRequest patterned(const Spot& spot, ModulePattern modules, FinderPattern 
   return request;
 }
 
-/// Papp 2022 with a module pattern and its finders.
+/// Carves by Papp 2022 with a module pattern and its finder patterns.
 auto paper2022(ModulePattern modules, FinderPattern finders) {
   return [modules, finders](const Spot& spot, double contrast) {
     EngraveRequest request = publishedRequest(spot, modules, finders);
@@ -63,9 +63,10 @@ auto paper2022(ModulePattern modules, FinderPattern finders) {
   };
 }
 
-/// As deep everywhere as asked for, mm, but for walls.
+/// Carves everywhere to the requested depth, mm, except where walls limit it.
 Result<CarvedCode> evenDepth(const Spot& spot, double depthMm) {
-  EngraveRequest request = patterned(spot, kOurModules, kOurFinders, 0.95);  // never reached: all goes to the limit
+  EngraveRequest request = patterned(spot, kOurModules, kOurFinders, 0.95);  // contrast never reached, so every depth
+                                                                             // reaches its limit
   request.maxDepthMm = depthMm;
   return carveByEngine(spot, request);
 }
@@ -78,7 +79,7 @@ Result<CarvedCode> oursReading(const Spot& spot, double contrast) {
   return carveByEngine(spot, request);
 }
 
-/// Papp 2021: whole modules with a tilted or a wavy floor.
+/// Carves by Papp 2021: whole modules with a tilted or a wavy floor.
 auto floors2021(FloorShape shape) {
   return [shape](const Spot& spot, double contrast) {
     EngraveRequest request = patterned(spot, ModulePattern::None, FinderPattern::None, contrast);
@@ -103,7 +104,7 @@ auto ours(ModulePattern modules, FinderPattern finders, CarveFor carveFor) {
   };
 }
 
-/// As the app carves: all is left to pipeline/default_patterns.h but the contrast.
+/// Carves as the app does: pipeline/default_patterns.h decides everything but the contrast.
 Result<CarvedCode> oursByDefault(const Spot& spot, double contrast) {
   EngraveRequest request = spot.request;
   request.carveFor = CarveFor::Print;

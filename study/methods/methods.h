@@ -11,28 +11,28 @@
 
 namespace qrelief::study {
 
-/// One way to carve a code, as the tables name it.
+/// A way to carve a code, as named in the tables.
 struct Method {
   std::string name;
-  /// What the method calls contrast, or depth in mm (even-depth), from shallow to deep; the published one, or our
-  /// default, is `usual`.
+  /// Levels of the method's contrast, or of depth in mm (even-depth), from shallow to deep. `usual` is the published
+  /// level, or our default.
   std::vector<double> levels;
   double usual = 0;
   DirectionMethod direction = DirectionMethod::DepthBalanced;
   std::function<Result<CarvedCode>(const Spot&, double level)> carve;
-  Part search = kSearch;  ///< that finds the depths
+  Part search = kSearch;  ///< part of the program that finds the depths
 };
 
-/// Those that are compared, the oldest first, ours last.
+/// Returns the methods to compare, the oldest first, ours last.
 const std::vector<Method>& methods();
 
-/// Version of a row that has its method in its second column, for Experiment::version.
+/// Returns the version of a row that has its method in its second column, for Experiment::version.
 std::string versionOfMethod(const std::vector<std::string>& key);
 
-/// @returns null if there is none of that name
+/// @returns null if no method has the name
 const Method* findMethod(const std::string& name);
 
-/// The spot's symbol at another level of error correction, in the same version and mask rule.
+/// Returns the spot's symbol at another level of error correction, with the same version and mask rule.
 Result<Symbol> symbolAtLevel(const Spot& spot, ErrorCorrection level);
 
 }  // namespace qrelief::study

@@ -18,9 +18,9 @@ namespace qrelief::study {
 namespace {
 
 constexpr double kGreyScale = 255;
-constexpr double kLampToSky = 456.0 / 24;  // as the grey model has them
+constexpr double kLampToSky = 456.0 / 24;  // as in the grey model
 
-/// L·n where a lamp is seen, else 0: the mean over a submodule.
+/// Returns L·n where the lamp is visible, else 0: mean over a submodule.
 double lampOn(const CarvedSurface& surface, std::uint32_t submodule, Vec3 towardsLamp) {
   double sum = 0;
   int hits = 0;
@@ -75,7 +75,7 @@ void breakUpRuns2020(Symbol& symbol) {
       const int length = end - begin;
       if (length <= 3) continue;
       const int at = begin + (length >= 6 ? 3 : length / 2);
-      if (flip(row, at)) end = at + 1;  // what is right of it is a run of its own
+      if (flip(row, at)) end = at + 1;  // modules to its right form a run of their own
     }
 }
 

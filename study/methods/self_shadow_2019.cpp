@@ -20,7 +20,7 @@ std::vector<SkySeen> skyOf(const CarvedSurface& surface, const std::vector<std::
   std::vector<SkySeen> seen(submodules.size());
   parallelFor(submodules.size(), [&](std::size_t k) {
     const auto at = surface.middleOf(submodules[k]);
-    // The same rays in every pass: fresh noise would in the end make everything deeper once more.
+    // Use the same rays in every pass: new noise in each pass would eventually make every submodule deeper once more.
     const std::uint64_t seed = options.seed * 1000003 + submodules[k];
     seen[k] = at ? skySeen(surface, *at, options.rays, seed) : SkySeen{1, 2 * std::numbers::pi};
   });

@@ -18,7 +18,7 @@ bool isDark(const Symbol& symbol, int row, int column) {
   return row >= 0 && column >= 0 && row < symbol.size && column < symbol.size && symbol.isDark(row, column);
 }
 
-/// Length of a ray from a dark module's middle to the first light module, in modules.
+/// Returns the length of a ray from a dark module's middle to the first light module, in modules.
 double reach(const Symbol& symbol, int row, int column, Vec2 direction) {
   Vec2 next;  // along the ray to the next border, for columns and rows
   for (int axis = 0; axis < 2; ++axis) next[axis] = 0.5 / std::abs(direction[axis]);
@@ -30,7 +30,7 @@ double reach(const Symbol& symbol, int row, int column, Vec2 direction) {
   }
 }
 
-/// Numbers of the 4-connected dark areas by module, -1 for light ones. @returns how many there are
+/// Numbers the 4-connected dark areas by module, -1 for light modules. @returns number of areas
 int labelDarkAreas(const Symbol& symbol, std::vector<int>& label) {
   label.assign(symbol.dark.size(), -1);
   int count = 0;
@@ -54,7 +54,7 @@ int labelDarkAreas(const Symbol& symbol, std::vector<int>& label) {
   return count;
 }
 
-/// Dark modules, those of the widest areas first.
+/// Returns the dark modules, those of the widest areas first.
 std::vector<std::size_t> widestFirst(const Symbol& symbol) {
   std::vector<int> label;
   const auto areas = static_cast<std::size_t>(labelDarkAreas(symbol, label));

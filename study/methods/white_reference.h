@@ -7,7 +7,7 @@
 
 namespace qrelief::study {
 
-/// White as Peng 2019 and Peng 2020 take it: the mean of the brightest tenth of the light submodules' greys.
+/// Returns white as in Peng 2019 and Peng 2020: the mean of the brightest tenth of the light submodules' greys.
 /// @param greys  not empty
 inline double whiteReference(std::vector<double> greys) {
   const std::size_t count = std::max<std::size_t>(1, greys.size() / 10);

@@ -1,28 +1,38 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What tables are asked: how often a statement holds, medians, and what lies between measured points.
+// Questions to tables: how often a statement holds, medians, and values between measured points.
 
 /** @typedef {import('./table.js').Row} Row */
-/** How often a statement holds, and of how many. @typedef {{ holds: number, of: number }} Tally */
+/** Number of cases in which a statement holds, and of all cases. @typedef {{ holds: number, of: number }} Tally */
 
-/** Of an even count the mean of the middle two; NaN of none. @param {number[]} values */
+/** Returns the median: of an even count the mean of the middle two; NaN of none. @param {number[]} values */
 export function median(values) {
   const sorted = [...values].sort((a, b) => a - b);
   const half = sorted.length / 2;
   return (sorted[Math.ceil(half) - 1] + sorted[Math.floor(half)]) / 2;
 }
 
-/** Rows by the value of a column, in the order of appearance. @param {Row[]} rows @param {string} column @returns {Map<any, Row[]>} */
+/**
+ * Groups rows by the value of a column, in the order of appearance.
+ * @param {Row[]} rows
+ * @param {string} column
+ * @returns {Map<any, Row[]>}
+ */
 export function groupBy(rows, column) {
   /** @type {Map<any, Row[]>} */ const groups = new Map();
   for (const row of rows) groups.set(row[column], [...(groups.get(row[column]) ?? []), row]);
   return groups;
 }
 
-/** A column's values, each once, in the order of appearance. @param {Row[]} rows @param {string} column @returns {any[]} */
+/**
+ * Returns a column's values, each once, in the order of appearance.
+ * @param {Row[]} rows
+ * @param {string} column
+ * @returns {any[]}
+ */
 export const distinct = (rows, column) => [...new Set(rows.map((row) => row[column]))];
 
 /**
- * One measure by a column's value; what is empty is not there.
+ * Returns one measure by a column's value; leaves out empty cells.
  * @param {Row[]} rows
  * @param {string} column
  * @param {string} measure
@@ -34,7 +44,7 @@ export const valuesBy = (rows, column, measure) =>
 /**
  * @template T
  * @param {Iterable<T>} items
- * @param {(item: T) => boolean | undefined} judge  undefined: it cannot be said of this one, which does not count then
+ * @param {(item: T) => boolean | undefined} judge  undefined: not applicable, not counted
  * @returns {Tally}
  */
 export function tally(items, judge) {
@@ -42,10 +52,17 @@ export function tally(items, judge) {
   return { holds: judged.filter(Boolean).length, of: judged.length };
 }
 
-/** Of the models of a table. @param {Row[]} rows @param {(ofModel: Row[]) => boolean | undefined} judge */
+/**
+ * Counts the models of a table for which the statement holds.
+ * @param {Row[]} rows
+ * @param {(ofModel: Row[]) => boolean | undefined} judge
+ */
 export const onModels = (rows, judge) => tally(groupBy(rows, 'model').values(), judge);
 
-/** Whether values rise from each to the next; undefined if one is missing. @param {(number | undefined)[]} values */
+/**
+ * True if each value is greater than the previous one; undefined if one is missing.
+ * @param {(number | undefined)[]} values
+ */
 export function rises(values) {
   const known = values.filter((value) => value !== undefined);
   return known.length < values.length ? undefined : known.every((value, at) => at === 0 || value > known[at - 1]);
@@ -54,8 +71,8 @@ export function rises(values) {
 /** @typedef {[depth: number, reads: number]} Point */
 
 /**
- * The most reads that are reached at no more than this depth: levels are joined by straight lines, and whoever may carve
- * deeper may as well carve less deep. Undefined where even the shallowest level is deeper.
+ * Returns the most decoded tries at no more than this depth. Levels are joined by straight lines, and a shallower level
+ * is always allowed. Undefined if even the shallowest level is deeper.
  * @param {Point[]} levels
  * @param {number} depth
  */

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Share of CarvedQR's pictures that each decoder reads, by surface, light and tilt.
+// Share of CarvedQR's pictures that each decoder decodes, by surface, light and tilt.
 import { distinct } from './compare.js';
 import { said } from './say.js';
 
 /** @typedef {import('./table.js').Row} Row */
 /** @typedef {import('./say.js').Said} Said */
 
-/** Columns: which pictures they count. @type {readonly { word: import('./say.js').Word, has: (row: Row) => boolean }[]} */
+/**
+ * Columns and the pictures that they count.
+ * @type {readonly { word: import('./say.js').Word, has: (row: Row) => boolean }[]}
+ */
 const kColumns = [
   { word: 'ratesDesigned', has: ({ surface }) => surface === 'designed' },
   { word: 'ratesPrinted', has: ({ surface }) => surface === 'printed' },

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sentences about tables, in any language: which one is said and what stands in it, the data decide.
+// Sentences about tables, in any language. The data decide which sentence is chosen and its values.
 import { addTexts, textIn } from '../../web/i18n/catalogue.js';
 import { figures } from '../../web/i18n/parts/figures.js';
 
 /** @typedef {import('../../web/i18n/catalogue.js').Language} Language */
 /** @typedef {keyof typeof figures.en} Word  of web/i18n/parts/figures.js */
 /** @typedef {{ say: Word, with?: Record<string, Value> }} Said */
-/** `digits` after the point. @typedef {{ number: number, digits: number }} Measured */
-/** @typedef {string | number | Measured | Said | Said[]} Value  of several it makes a list */
+/** A number with `digits` after the point. @typedef {{ number: number, digits: number }} Measured */
+/** @typedef {string | number | Measured | Said | Said[]} Value  several make a list */
 
 addTexts({ figures });
 
@@ -18,7 +18,7 @@ export const said = (word, values) => (values ? { say: word, with: values } : { 
 export const mm = (value) => ({ number: value, digits: 2 });
 
 /**
- * A name from a table, such as `name('model', 'bunny')`; one without words stands as the table has it.
+ * Returns a name from a table, such as `name('model', 'bunny')`; a name without words stays as in the table.
  * @param {string} kind
  * @param {string} value
  * @returns {Said}
@@ -28,14 +28,15 @@ export function name(kind, value) {
   return word in figures.en ? said(word) : said('asIs', { value });
 }
 
-/** "on all 8 models", "on 3 of 8 models". @param {import('./compare.js').Tally} tally @returns {Said} */
+/** Says "on all 8 models", "on 3 of 8 models". @param {import('./compare.js').Tally} tally @returns {Said} */
 export const models = ({ holds, of }) => said(holds === of ? 'onAllModels' : holds === 0 ? 'onNoModel' : 'onSomeModels', { holds, of });
 
 /** @param {import('./compare.js').Tally} tally @returns {Said} */
 export const cases = ({ holds, of }) => said(holds === of ? 'inAllCases' : holds === 0 ? 'inNoCase' : 'inSomeCases', { holds, of });
 
 /**
- * Whether the tables have all that stands in it: every number is one, and what is counted is counted over something.
+ * True if the tables have every value of a sentence: every number is a number, and every count is over at least one
+ * case.
  * @param {Value} value
  * @returns {boolean}
  */

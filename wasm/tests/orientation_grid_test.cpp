@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// CGAL's exact predicates rest on interval arithmetic, and that on directed rounding, which WebAssembly does not have:
-// without CGAL_ALWAYS_ROUND_TO_NEAREST about half of these orientations are silently wrong.
+// CGAL's exact predicates need interval arithmetic, which needs directed rounding, which WebAssembly does not have.
+// Without CGAL_ALWAYS_ROUND_TO_NEAREST about half of these orientations are silently wrong.
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Interval_nt.h>
 #include <cstdint>
@@ -11,7 +11,7 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
-/// The sign of the orientation of three points given as multiples of 2^-53, by integers that cannot overflow.
+/// Returns the sign of the orientation of three points in multiples of 2^-53, with integers that cannot overflow.
 int exactOrientation(std::int64_t px, std::int64_t py, std::int64_t qx, std::int64_t qy, std::int64_t rx,
                      std::int64_t ry) {
   using Wide = __int128;
@@ -37,7 +37,7 @@ TEST(CgalOnWebAssembly, DecidesNearlyCollinearPointsExactly) {
 TEST(CgalOnWebAssembly, WidensAnIntervalAroundWhatWasRounded) {
   CGAL::Interval_nt<false>::Protector protector;
   const CGAL::Interval_nt<false> third = CGAL::Interval_nt<false>(1) / CGAL::Interval_nt<false>(3);
-  // The double next to 1/3 lies below it, so the upper bound must be the next double at least.
+  // The nearest double to 1/3 is below it, so the upper bound must be at least the next double.
   EXPECT_LE(third.inf(), 1.0 / 3.0);
   EXPECT_GT(third.sup(), 1.0 / 3.0);
 }
