@@ -102,7 +102,7 @@ export class BatchStore {
     return { lines, spans: [...last].sort(([a], [b]) => a - b).map(([, span]) => span) };
   }
 
-  /** A row's file. @param {string} name */
+  /** Opens a row's file. @param {string} name */
   file(name) {
     return this.folder_.read(name);
   }

@@ -125,7 +125,7 @@
  */
 
 /**
- * The part of the report (see the contract) that the page shows.
+ * The part of the report that the page shows; its contract has the rest.
  * @typedef {object} Report
  * @property {string} text
  * @property {{ version: number, ecc: string, modules: number }} symbol
@@ -146,7 +146,7 @@
  *   no rows if there is a problem; `unused`: columns that are not used
  * @typedef {{ number: number, line: number, id: string, text: string, file: string }} BatchRowName
  * @typedef {BatchRowName & { settings: Partial<Settings> & Record<string, unknown> }} BatchRow
- *   `settings`: those that differ from the shared settings
+ *   `settings`: only the values that differ from the shared settings
  * @typedef {{ passed: boolean, failed: Message[], details: object }} DescribedRow  `failed`: failed checks
  * @typedef {{ number: number, id: string, text: string, file: string, status: 'done' | 'failed', reason?: string,
  *   sha256: { input: string, settings: string, output?: string } }} ManifestEntry  plus `details` of DescribedRow

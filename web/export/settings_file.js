@@ -85,7 +85,7 @@ function checkChoice(name, value, choices, refuse) {
 }
 
 /**
- * Checks a setting from outside.
+ * Checks the value of a setting from a file or an address.
  * @param {SettingKey} name
  * @param {unknown} value
  * @param {Refuse} [refuse]  throws an error that says why

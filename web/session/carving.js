@@ -381,7 +381,7 @@ export class Carving {
   }
 
   /**
-   * @param {import('../engine/types.js').Report} report  of what is saved
+   * @param {import('../engine/types.js').Report} report  of the saved carving
    * @param {string} extension
    * @param {string} [addition]
    */
