@@ -125,7 +125,7 @@
  */
 
 /**
- * The part of the report that the page shows; its contract has the rest.
+ * The part of the report (core/report/report.h) that the page shows.
  * @typedef {object} Report
  * @property {string} text
  * @property {{ version: number, ecc: string, modules: number }} symbol
