@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The finished files of a batch and its manifest as a ZIP, written as it is read: no more than a piece of it is in memory.
+// Writes the finished files of a batch and its manifest as a ZIP. The ZIP is streamed: only a piece of it is in memory.
 import { makeZip } from 'client-zip';
 import { saveFile } from '../dom/save_file.js';
 import { entryOf, kManifest } from './batch_store.js';
@@ -12,7 +12,7 @@ import { entryOf, kManifest } from './batch_store.js';
 const kLinesAtOnce = 200;
 
 /**
- * The manifest's last line about each row, in the order of the rows, some at a time.
+ * Yields the manifest's last line of each row, in row order, several lines at a time.
  * @param {Blob} manifest @param {Span[]} spans
  * @returns {AsyncGenerator<string>}
  */
@@ -23,7 +23,12 @@ async function* linesInOrder(manifest, spans) {
   }
 }
 
-/** @param {AsyncGenerator<string>} pieces @param {Client} client @returns {AsyncGenerator<string>} */
+/**
+ * Converts manifest lines to CSV.
+ * @param {AsyncGenerator<string>} pieces
+ * @param {Client} client
+ * @returns {AsyncGenerator<string>}
+ */
 async function* asTable(pieces, client) {
   let withHeader = true;
   for await (const lines of pieces) {
@@ -33,12 +38,13 @@ async function* asTable(pieces, client) {
 }
 
 /**
- * Everything in it: the models of rows that are done, and the manifest of all rows that were tried, as lines and as a table.
+ * Yields the files of the ZIP: the manifest of all attempted rows as JSON lines and as CSV, and the models of finished
+ * rows.
  * @param {BatchStore} store @param {Client} client
  */
 export async function* archiveContents(store, client) {
   const { lines: manifest, spans } = await store.lastLines();
-  /** @type {Set<string>} */ const there = new Set();  // of plates: rows share them
+  /** @type {Set<string>} */ const there = new Set();  // files written; rows of a plate share one
   yield { name: kManifest, input: linesInOrder(manifest, spans) };
   yield { name: 'manifest.csv', input: asTable(linesInOrder(manifest, spans), client) };
   for await (const lines of linesInOrder(manifest, spans)) {
@@ -53,9 +59,9 @@ export async function* archiveContents(store, client) {
 }
 
 /**
- * Asks where it is to be saved, and writes it there; where browsers do not ask, it is a download. Must be called by a click.
+ * Asks for a file and writes the ZIP to it; browsers without a file picker download it. Call this from a click handler.
  * @param {BatchStore} store @param {Client} client @param {string} name
- * @returns {Promise<boolean>}  false: the user did not want to
+ * @returns {Promise<boolean>}  false: the user cancelled
  */
 export async function saveArchive(store, client, name) {
   const pick = /** @type {{ showSaveFilePicker?: Picker }} */ (window).showSaveFilePicker;

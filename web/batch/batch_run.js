@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Carves the rows that are still to be carved, by some engines side by side, each row by whichever is free.
+// Carves the remaining rows of a batch with several parallel engines. Each free engine takes the next row.
 import { describeThrown } from '../engine/engine_error.js';
 import { isLost } from './row_engine.js';
 
@@ -8,17 +8,19 @@ import { isLost } from './row_engine.js';
 /** @typedef {{ promise: Promise<void>, resolve: () => void }} Pause */
 /** @typedef {Pick<import('./row_engine.js').RowEngine, 'start' | 'end' | 'carve'>} Engine */
 
-const kMostLosses = 3;  // of engines without a row between them
+const kMostLosses = 3;  // consecutive engine losses without a finished row
 
 /**
  * @typedef {object} BatchRunOptions
- * @property {import('./row_states.js').RowStates} states  of the rows, kept up to date
+ * @property {import('./row_states.js').RowStates} states  row states, updated here
  * @property {() => Engine} makeEngine
- * @property {number} engines                 how many
- * @property {number} printEvery              whose print is looked at: each so many-th, from the first on
- * @property {number} perPlate                rows that share a file; 0: none do
- * @property {(carved: CarvedUnit) => Promise<string[]>} save  what is lost with the page otherwise; returns why each row failed, '' if it did not
- * @property {(indices: number[], why: Message) => Promise<string[]>} saveLost  the same of rows that engines are lost with
+ * @property {number} engines                 number of engines
+ * @property {number} printEvery              simulate the print of every n-th row, starting with the first
+ * @property {number} perPlate                rows per file; 0: one file per row
+ * @property {(carved: CarvedUnit) => Promise<string[]>} save
+ *   stores the result; returns each row's failure reason, '' if none
+ * @property {(indices: number[], why: Message) => Promise<string[]>} saveLost
+ *   the same for rows that keep crashing engines
  * @property {() => void} onChange
  * @property {() => number} [now]  ms
  */
@@ -36,11 +38,11 @@ export class BatchRun {
     this.onChange_ = onChange;
     this.now_ = now;
     /** @type {Set<Engine>} */ this.working_ = new Set();
-    /** @type {Set<number>} */ this.lost_ = new Set();  // the first rows of units that an engine was lost with
+    /** @type {Set<number>} */ this.lost_ = new Set();  // first row of each unit that crashed an engine
     this.losses_ = 0;
     this.ended = false;
     /** @type {Pause | undefined} */ this.pause_ = undefined;
-    /** What ended it before its rows were carved. @type {Message | undefined} */ this.problem = undefined;
+    /** Error that ended the run early. @type {Message | undefined} */ this.problem = undefined;
     this.carved_ = 0;
     this.carvedMs_ = 0;
     this.since_ = now();
@@ -50,7 +52,10 @@ export class BatchRun {
     return this.pause_ !== undefined;
   }
 
-  /** Until the last row, at the pace so far; none before there is one. @returns {number | undefined}  ms */
+  /**
+   * Estimated time to the end at the current pace, ms; undefined before the first row.
+   * @returns {number | undefined}
+   */
   get remainingMs() {
     const { waiting, running } = this.states_.counts;
     if (this.carved_ === 0) return undefined;
@@ -58,14 +63,14 @@ export class BatchRun {
     return (workedMs / this.carved_) * (waiting + running);
   }
 
-  /** Until all rows are carved, or it is ended. */
+  /** Runs until all rows are carved or end() is called. */
   async run() {
     const engines = Math.max(1, Math.min(this.engines_, this.states_.counts.waiting));
     await Promise.all(Array.from({ length: engines }, () => this.work_()));
     this.end();
   }
 
-  /** The rows that are being carved come to their end first. */
+  /** Pauses after the current rows. */
   pause() {
     if (this.paused || this.ended) return;
     this.carvedMs_ += this.now_() - this.since_;
@@ -82,7 +87,7 @@ export class BatchRun {
     this.onChange_();
   }
 
-  /** At once: rows that are being carved are as if they had not been begun. */
+  /** Ends at once. Unfinished rows wait again. */
   end() {
     if (this.ended) return;
     this.ended = true;
@@ -93,6 +98,7 @@ export class BatchRun {
     this.onChange_();
   }
 
+  /** Carves rows with one engine until none is waiting. */
   async work_() {
     /** @type {Engine | undefined} */ let engine;
     for (;;) {
@@ -101,12 +107,12 @@ export class BatchRun {
       try {
         engine ??= await this.startEngine_();
       } catch (thrown) {
-        if (this.working_.size > 0) return;  // they go on without it
+        if (this.working_.size > 0) return;  // the others go on without it
         this.losses_ += 1;
         if (!isLost(thrown) || this.losses_ >= kMostLosses) this.fail_(thrown);
         continue;
       }
-      const index = this.ended || this.paused ? -1 : this.states_.next('waiting');  // others may have taken the last
+      const index = this.ended || this.paused ? -1 : this.states_.next('waiting');  // the last one may be taken
       if (index >= 0 && !(await this.carve_(engine, this.unitOf_(index)))) {
         this.drop_(engine);
         engine = undefined;
@@ -115,14 +121,19 @@ export class BatchRun {
     if (engine) this.drop_(engine);
   }
 
-  /** The row, and those on the same plate: what is new on a plate makes all of it new. @param {number} index */
+  /** Returns the row and all others on its plate: a plate is carved as a whole. @param {number} index */
   unitOf_(index) {
     if (this.perPlate_ === 0) return [index];
     const first = index - (index % this.perPlate_);
     return Array.from({ length: Math.min(this.perPlate_, this.states_.size - first) }, (_, place) => first + place);
   }
 
-  /** @param {Engine} engine @param {number[]} unit  rows @returns {Promise<boolean>}  whether the engine can go on */
+  /**
+   * Carves and saves a unit.
+   * @param {Engine} engine
+   * @param {number[]} unit  rows
+   * @returns {Promise<boolean>}  false: drop the engine
+   */
   async carve_(engine, unit) {
     unit.forEach((index) => this.states_.set(index, 'running'));
     this.onChange_();
@@ -158,7 +169,11 @@ export class BatchRun {
     this.working_.delete(engine);
   }
 
-  /** @param {number[]} unit @param {{ state: 'done' | 'failed', reason: string }[]} came  of each row */
+  /**
+   * Records results.
+   * @param {number[]} unit
+   * @param {{ state: 'done' | 'failed', reason: string }[]} came  result per row
+   */
   settle_(unit, came) {
     this.carved_ += unit.length;
     this.losses_ = 0;
@@ -166,8 +181,8 @@ export class BatchRun {
   }
 
   /**
-   * The engine was lost, or what was carved could not be kept. Rows are carved once more by a new engine; what was lost with
-   * it again fails. What befalls every row ends the batch.
+   * Handles a lost engine or a failure to save. A new engine carves the rows once more; if it is lost too, the rows
+   * fail. Errors that would affect every row end the run.
    * @param {number[]} unit @param {unknown} thrown
    */
   async lose_(unit, thrown) {
@@ -187,7 +202,7 @@ export class BatchRun {
     }
   }
 
-  /** @param {unknown} thrown */
+  /** Ends the run with an error. @param {unknown} thrown */
   fail_(thrown) {
     if (this.ended) return;
     this.problem = describeThrown(thrown);

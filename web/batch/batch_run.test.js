@@ -10,7 +10,7 @@ const settled = () => new Promise((resolve) => { setImmediate(resolve); });
 const lost = () => new EngineFailure(internal(message('engine-crashed', { detail: { term: 'unreachable' } })));
 const full = () => new EngineFailure(internal(message('storage-full')));
 
-/** Waits with each row until it is told what to make of it. */
+/** Holds each row until the test finishes it. */
 class FakeEngine {
   /** @type {FakeEngine[]} */ static all = [];
   /** @type {(() => Error) | undefined} */ static failStart;
@@ -66,7 +66,7 @@ function runOf(rows, options = {}) {
 
 const engines = () => FakeEngine.all;
 const statesOf = () => Array.from({ length: states.size }, (_, index) => states.of(index));
-/** Finishes what the engines are at, until nothing is left. @param {Promise<void>} ran */
+/** Finishes all rows. @param {Promise<void>} ran */
 async function finishAll(ran) {
   let over = false;
   void ran.then(() => { over = true; });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// All that is kept of a batch, in a folder of the browser: what it was begun with, its list and its model, the manifest line by
-// line, and the finished files. A row counts as done by the manifest's last line about it; its file was written before.
+// Stores a batch in a folder of the browser: its record, list and model, the manifest, and the finished files. The last
+// manifest line of a row gives its state. A row's file is written before its line.
 import { messageWords } from '../i18n/message_words.js';
 import { hintOf, sentenceOf } from '../i18n/messages.js';
 
@@ -12,20 +12,20 @@ import { hintOf, sentenceOf } from '../i18n/messages.js';
 
 /**
  * @typedef {object} BatchRecord
- * @property {Omit<Work, 'bytes'>} work  what the page's controls held; the model's bytes stand in a file
+ * @property {Omit<Work, 'bytes'>} work  state of the page's controls; the model's bytes are in a file
  * @property {number} rows
  * @property {number} printEvery
  * @property {[number, number, number]} centreMm
  * @property {import('../engine/types.js').WantedBatch} wanted
  * @property {string} input   SHA-256 of the model's file
- * @property {string} settingsOfFirst  hash of the first row's settings: another version of the program has another one
+ * @property {string} settingsOfFirst  hash of the first row's settings; differs if the program changed
  */
 
-/** Where a line of the manifest stands: from which byte to which. @typedef {{ begin: number, end: number }} Span */
+/** Byte range of a manifest line. @typedef {{ begin: number, end: number }} Span */
 
 export const kManifest = 'manifest.jsonl';
 const kRecord = 'batch.json', kModel = 'model', kList = 'list';
-const kFormat = 1;  // of what is kept; another one is not gone on with
+const kFormat = 1;  // version of the stored data; other versions are ignored
 const kLineEnd = 10;
 
 export class BatchStore {
@@ -34,31 +34,36 @@ export class BatchStore {
     this.folder_ = folder;
   }
 
-  /** In place of the batch before it. @param {BatchRecord} record @param {{ model: Uint8Array, list: Uint8Array }} files  stay usable */
+  /**
+   * Begins a batch; removes the previous one.
+   * @param {BatchRecord} record
+   * @param {{ model: Uint8Array, list: Uint8Array }} files  remain usable
+   */
   async begin(record, { model, list }) {
     await this.folder_.remove();
     await this.folder_.write(kModel, model.slice());
     await this.folder_.write(kList, list.slice());
-    await this.folder_.write(kRecord, new TextEncoder().encode(JSON.stringify({ ...record, format: kFormat })));  // last: then it counts
+    // Written last: the record makes the batch valid.
+    await this.folder_.write(kRecord, new TextEncoder().encode(JSON.stringify({ ...record, format: kFormat })));
   }
 
-  /** @returns {Promise<BatchRecord | undefined>}  none: there is no batch */
+  /** Reads the record. @returns {Promise<BatchRecord | undefined>}  undefined: there is no batch */
   async recall() {
     const record = await parsed(await this.folder_.read(kRecord).catch(() => undefined));
     return record?.format === kFormat ? record : undefined;
   }
 
-  /** What the batch was begun with. @returns {Promise<{ model: Uint8Array, list: Uint8Array }>} */
+  /** Reads the model and the list. @returns {Promise<{ model: Uint8Array, list: Uint8Array }>} */
   async files() {
     const [model, list] = await Promise.all([kModel, kList].map(async (name) => (await this.folder_.read(name))?.arrayBuffer()));
     return { model: new Uint8Array(model ?? []), list: new Uint8Array(list ?? []) };
   }
 
   /**
-   * The file of the rows, then their lines.
+   * Writes the rows' file, then their manifest lines.
    * @param {CarvedUnit} carved
    * @param {(entry: ManifestEntry) => Promise<string>} lineOf
-   * @returns {Promise<string[]>}  why each row failed, in words; '' if it did not
+   * @returns {Promise<string[]>}  each row's failure reason in words; '' if none
    */
   async save({ rows, file, bytes }, lineOf) {
     if (bytes) await this.folder_.write(file, bytes);
@@ -73,7 +78,7 @@ export class BatchStore {
     return reasons;
   }
 
-  /** What the manifest says of the rows. @param {RowStates} states  none is done yet */
+  /** Reads the row states from the manifest. @param {RowStates} states  all waiting */
   async readStates(states) {
     const file = await this.folder_.read(kManifest);
     if (!file) return;
@@ -83,7 +88,10 @@ export class BatchStore {
     }
   }
 
-  /** The manifest as it is now, and where the last line about each row stands, in the order of the rows. @returns {Promise<{ lines: Blob, spans: Span[] }>} */
+  /**
+   * Returns a snapshot of the manifest and the byte range of each row's last line, in row order.
+   * @returns {Promise<{ lines: Blob, spans: Span[] }>}
+   */
   async lastLines() {
     const lines = new Blob([await this.folder_.copy(kManifest)]);
     /** @type {Map<number, Span>} */ const last = new Map();
@@ -94,7 +102,7 @@ export class BatchStore {
     return { lines, spans: [...last].sort(([a], [b]) => a - b).map(([, span]) => span) };
   }
 
-  /** A row's file. @param {string} name */
+  /** Opens a row's file. @param {string} name */
   file(name) {
     return this.folder_.read(name);
   }
@@ -113,7 +121,11 @@ async function parsed(file) {
   }
 }
 
-/** @param {string} line @returns {ManifestEntry | undefined}  none: it was cut off, as by a page that was closed */
+/**
+ * Parses a manifest line.
+ * @param {string} line
+ * @returns {ManifestEntry | undefined}  undefined: cut off by a closing page
+ */
 export function entryOf(line) {
   try {
     const entry = JSON.parse(line);
@@ -124,7 +136,7 @@ export function entryOf(line) {
 }
 
 /**
- * Line by line, with little of the file in memory.
+ * Yields a file line by line, with only a piece of it in memory.
  * @param {Blob} file
  * @returns {AsyncGenerator<Span & { text: string }>}
  */

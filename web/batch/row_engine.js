@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Carves row after row of a batch, in a worker of its own: model, place and list are given to it once.
+// Carves rows of a batch in its own worker, which gets model, centre and list once.
 import { EngineClient, isReplaced } from '../engine/client.js';
 import { EngineFailure, describeThrown, internal, isFatal } from '../engine/engine_error.js';
 import { message } from '../engine/message.js';
@@ -12,19 +12,19 @@ import { sha256 } from './hashes.js';
 /** @typedef {import('../engine/message.js').Message} Message */
 
 /**
- * What all rows share.
+ * The data that all rows share.
  * @typedef {object} BatchJob
  * @property {{ bytes: Uint8Array, fileName: string, scaleToMm: number, upAxis: import('../engine/types.js').UpAxis }} model
  * @property {string} input  SHA-256 of the model's file
  * @property {[number, number, number]} centreMm
- * @property {Uint8Array} list  none: empty
+ * @property {Uint8Array} list  empty if there is none
  * @property {import('../engine/types.js').WantedBatch} wanted
  */
 
 /**
- * What became of a row, and why it failed if it did.
+ * The result of a row; `why`: the error if it failed.
  * @typedef {{ entry: ManifestEntry, why?: Message }} CarvedRow
- * What became of rows with one file: of one row, or of those on a plate. `bytes`: none if all failed.
+ * The result of one file: of one row, or of all rows on a plate. `bytes`: absent if all failed.
  * @typedef {{ rows: CarvedRow[], file: string, bytes?: Uint8Array<ArrayBuffer> }} CarvedUnit
  */
 
@@ -35,10 +35,10 @@ import { sha256 } from './hashes.js';
  * @property {typeof makePrint} [print]
  */
 
-/** Whether the module must not be used any more. @param {unknown} thrown */
+/** Tells whether the module must not be used any more. @param {unknown} thrown */
 export const isLost = (thrown) => isFatal(thrown) || isReplaced(thrown) || (thrown instanceof EngineFailure && thrown.code === 'engine-hung');
 
-/** An engine whose canvas nobody sees. What befalls it outside of any verb ends it. */
+/** Makes an engine with an invisible canvas. A failure outside any verb ends it. */
 export function makeHiddenClient() {
   /** @type {EngineClient} */ const client = new EngineClient({
     makeCanvas: () => Object.assign(document.createElement('canvas'), { width: 1, height: 1 }),
@@ -60,7 +60,7 @@ export class RowEngine {
     this.ended_ = new AbortController();
   }
 
-  /** Gives it everything that rows share. */
+  /** Starts the engine with the data that all rows share. */
   async start() {
     const { model, centreMm, list, wanted } = this.job_;
     const { problems } = await this.client_.start();
@@ -71,16 +71,16 @@ export class RowEngine {
     await this.client_.setCentre(centreMm);
   }
 
-  /** However busy: what it is at is rejected, as `isLost` tells. */
+  /** Ends even a busy engine. Its pending work is rejected with an error that `isLost` recognises. */
   end() {
     this.ended_.abort();
     this.client_.end();
   }
 
   /**
-   * One row, or all of a plate.
+   * Carves one row, or all rows of a plate.
    * @param {number[]} indices  from 0
-   * @param {(index: number) => boolean} looksAtPrint  whether to find out how it comes off the printer, too
+   * @param {(index: number) => boolean} looksAtPrint  true: simulate the row's print
    * @returns {Promise<CarvedUnit>}
    */
   async carve(indices, looksAtPrint) {
@@ -103,7 +103,7 @@ export class RowEngine {
   }
 
   /**
-   * The file of rows that are done; without it they have failed.
+   * Writes the file of finished rows. If that fails, the rows have failed.
    * @param {CarvedRow[]} rows
    * @param {() => Promise<Uint8Array<ArrayBuffer>>} write
    */
@@ -120,7 +120,13 @@ export class RowEngine {
     }
   }
 
-  /** @param {number} index @param {string} others  what else its file's hash is of @param {boolean} looksAtPrint @returns {Promise<{ row: CarvedRow, withInlay: boolean }>} */
+  /**
+   * Carves one row.
+   * @param {number} index
+   * @param {string} others  further inputs of its settings' hash
+   * @param {boolean} looksAtPrint
+   * @returns {Promise<{ row: CarvedRow, withInlay: boolean }>}
+   */
   async carveRow_(index, others, looksAtPrint) {
     const begun = performance.now();
     const { settings: own, ...name } = await this.client_.batchRow(index);
@@ -141,16 +147,20 @@ export class RowEngine {
     }
   }
 
-  /** Of what decides the row's file beside the model, as the manifest has it. @param {number} index @param {string} [others] */
+  /**
+   * Returns the hash of all inputs of the row's file except the model, as in the manifest.
+   * @param {number} index
+   * @param {string} [others]  further inputs
+   */
   async hashOf(index, others = '') {
     const { model: { scaleToMm, upAxis }, centreMm } = this.job_;
     return sha256(await this.client_.batchRowToHash(index, { centre: centreMm, others: `${scaleToMm} ${upAxis}${others}` }));
   }
 
   /**
-   * As asked for; where it does not read so, as the module proposes next.
+   * Carves with the requested settings and, while the result does not decode, with the module's next proposal.
    * @param {Settings} asked
-   * @returns {Promise<Settings>}  it was carved with at last
+   * @returns {Promise<Settings>}  settings of the last carving
    */
   async carveUntilItReads_(asked) {
     let settings = asked;
@@ -161,7 +171,11 @@ export class RowEngine {
     return settings;
   }
 
-  /** Prints what is carved; if that barely reads, carves deeper until a print reads well, else goes back. @param {Settings} carved */
+  /**
+   * Simulates the print. If it barely decodes, carves deeper until a print decodes well; returns to the first carving
+   * if none does.
+   * @param {Settings} carved
+   */
   async carveUntilItPrints_(carved) {
     const first = await this.client_.carving();
     let settings = carved;
@@ -176,7 +190,11 @@ export class RowEngine {
     }
   }
 
-  /** @param {Settings} settings @returns {Promise<import('../engine/types.js').ReadingResult['next']>}  what to carve with instead */
+  /**
+   * Carves and decodes once.
+   * @param {Settings} settings
+   * @returns {Promise<import('../engine/types.js').ReadingResult['next']>}  change to carve with next
+   */
   async carveOnce_(settings) {
     await this.client_.configure(settings);
     await this.client_.placement();
@@ -186,7 +204,10 @@ export class RowEngine {
     return (await this.client_.setReadings(texts, kReaderName)).next;
   }
 
-  /** @returns {Promise<import('../engine/types.js').ReadingResult>}  of the print; where none is asked for, it passes */
+  /**
+   * Simulates and decodes the print.
+   * @returns {Promise<import('../engine/types.js').ReadingResult>}  passes if no print process is chosen
+   */
   async lookAtPrint_() {
     const job = await this.client_.printJob();
     if (!job) return { passed: true, next: null };
@@ -198,7 +219,7 @@ export class RowEngine {
   }
 }
 
-/** As Engine.exportModel() calls it. @param {string} file @param {boolean} withInlay */
+/** Returns a file's format by the names of Engine.exportModel(). @param {string} file @param {boolean} withInlay */
 export function formatOf(file, withInlay) {
   const extension = file.slice(file.lastIndexOf('.') + 1).toLowerCase();
   return extension === '3mf' && withInlay ? '3mf-inlay' : extension;

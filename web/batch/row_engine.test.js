@@ -16,7 +16,7 @@ const kJob = /** @type {any} */ ({
 /** @type {any[]} */ let nexts;
 /** @type {any} */ let answers;
 /** @type {RowEngine} */ let engine;
-/** What became of the second row. @param {boolean} looks */
+/** Carves the second row. @param {boolean} looks */
 const carveSecond = async (looks = false) => {
   const { rows: [row], bytes, file } = await engine.carve([1], () => looks);
   return { ...row, bytes, file };
@@ -140,5 +140,6 @@ test('Rows of a plate share its file, without those that failed', async () => {
   const output = await sha256(new Uint8Array([9]));
   assert.deepEqual(rows.map(({ entry }) => [entry.status, entry.sha256.output]), [['done', output], ['failed', undefined], ['done', output]]);
   assert.deepEqual(calls.filter((call) => /Plate/.test(call)), ['startPlate 3', 'addToPlate 0 P0', 'addToPlate 2 P2', 'exportPlate plate-001.3mf']);
-  assert.equal(new Set(rows.map(({ entry }) => entry.sha256.settings)).size, 1);  // of all that stand on it: here their own are alike
+  // Each hash covers the whole plate, and the rows' own settings are equal here.
+  assert.equal(new Set(rows.map(({ entry }) => entry.sha256.settings)).size, 1);
 });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What has become of each row of a batch: a byte a row, and words for those that failed.
+// States of a batch's rows: one byte per row, plus the reasons of failed rows.
 
 /** @typedef {'waiting' | 'running' | 'done' | 'failed'} RowState */
 
@@ -18,7 +18,7 @@ export class RowStates {
     return this.states_.length;
   }
 
-  /** Rows that nothing is to be done for any more. */
+  /** Number of rows that are done or failed. */
   get finished() {
     return this.counts.done + this.counts.failed;
   }
@@ -28,7 +28,7 @@ export class RowStates {
     return kStates[this.states_[index]];
   }
 
-  /** Why it failed; '' if it did not. @param {number} index */
+  /** Returns the reason of a failed row; '' for other rows. @param {number} index */
   reasonOf(index) {
     return this.reasons_.get(index) ?? '';
   }
@@ -43,12 +43,17 @@ export class RowStates {
     else this.reasons_.delete(index);
   }
 
-  /** The first row from an index on that is in this state; none: -1. @param {RowState} state @param {number} [from] */
+  /** Returns the first row in this state at or after an index, or -1. @param {RowState} state @param {number} [from] */
   next(state, from = 0) {
     return this.states_.indexOf(kStates.indexOf(state), from);
   }
 
-  /** Indices of the rows in this state, or of all; `count` of them behind the first `skipped`. @param {RowState | 'all'} state @param {number} skipped @param {number} count */
+  /**
+   * Returns up to `count` indices of the rows in this state, after the first `skipped`.
+   * @param {RowState | 'all'} state
+   * @param {number} skipped
+   * @param {number} count
+   */
   page(state, skipped, count) {
     /** @type {number[]} */ const indices = [];
     if (state === 'all') {

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Telephone numbers, e-mail addresses and hosts, checked and written as machines want them.
+// Checks telephone numbers, e-mail addresses and hosts and converts them to their machine-readable form.
 
-/** What HTML calls a valid e-mail address, with any letters in the domain. */
+/** A valid e-mail address as in HTML, but with any letters in the domain. */
 const kEmail = /^[\w.!#$%&'*+/=?^`{|}~-]+@([^\s@.]+\.)+[^\s@.]+$/;
 
 const kMostDigits = 15;  // ITU-T E.164
 const kLeastDigits = 3;
 
 /**
- * In the letters of the domain name system (xn--…), if it has others.
- * @param {string} host  @returns {string | undefined} none if it is no host
+ * Converts a host to ASCII (xn--…).
+ * @param {string} host  @returns {string | undefined} undefined if it is no host
  */
 export function asciiHost(host) {
   try {
@@ -20,8 +20,9 @@ export function asciiHost(host) {
 }
 
 /**
+ * Splits an e-mail address.
  * @param {string} address
- * @returns {{ local: string, host: string } | undefined}  the host in ASCII; none if it is no address
+ * @returns {{ local: string, host: string } | undefined}  the host in ASCII; undefined if it is no address
  */
 export function parseEmail(address) {
   const trimmed = address.trim();
@@ -31,8 +32,9 @@ export function parseEmail(address) {
 }
 
 /**
- * @param {string} number  as people write it
- * @returns {{ dialled: string, international: boolean } | undefined}  none if it cannot be dialled
+ * Normalises a telephone number.
+ * @param {string} number  in any common notation
+ * @returns {{ dialled: string, international: boolean } | undefined}  undefined if it cannot be dialled
  */
 export function parsePhone(number) {
   const dialled = number.trim().replace(/^00(?=[1-9])/, '+').replace(/\(0\)/g, '').replace(/[\s\u00a0().\-/\u2010-\u2015]/g, '');

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An entry for the address book: vCard 3.0 [RFC 2426], or the shorter MeCard of NTT Docomo.
+// Address book entry: vCard 3.0 [RFC 2426], or the shorter MeCard of NTT Docomo.
 import { parseEmail, parsePhone } from './addresses.js';
 import { contentLines, escapeMeCard, escapeText } from './escaping.js';
 import { Findings } from './findings.js';
 import { withScheme } from './link.js';
 
 /** @typedef {import('./types.js').Values} Values */
-/** @typedef {Values & { phone: string, email: string, website: string }} Entry  checked, as machines want it */
+/** @typedef {Values & { phone: string, email: string, website: string }} Entry  checked and normalised */
 
 /** @param {Findings} findings @param {Values} values @returns {Entry} */
 function checkEntry(findings, values) {
@@ -25,7 +25,7 @@ function checkEntry(findings, values) {
   };
 }
 
-/** @param {string} start @param {string} value  already escaped; nothing is written for '' */
+/** Returns a line, or nothing if the value is ''. @param {string} start @param {string} value  already escaped */
 const line = (start, value) => (value === '' ? [] : [`${start}${value}`]);
 
 /** @param {Entry} entry */

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every kind of content with fields of its own, in the order in which they are offered. Links and plain text need none.
+// All kinds of content that have fields, in the order in which the page offers them. Links and plain text have none.
 import { contact } from './contact.js';
 import { email } from './email.js';
 import { event } from './event.js';
@@ -14,10 +14,14 @@ import { wifi } from './wifi.js';
 /** @type {readonly Content[]} */
 export const kContents = [wifi, contact, email, sms, phone, place, event];
 
-/** What the fields hold at first. @param {Content} content @returns {Values} */
+/** Returns the initial values of the fields. @param {Content} content @returns {Values} */
 export const emptyValues = ({ fields }) => Object.fromEntries(fields.map(({ id, options }) => [id, options?.[0].value ?? '']));
 
-/** Builds from what is shown: what a hidden field holds does not count. @param {Content} content @param {Values} values */
+/**
+ * Builds the text from the visible fields; hidden fields count as empty.
+ * @param {Content} content
+ * @param {Values} values
+ */
 export function buildContent(content, values) {
   const shown = content.fields.filter(({ shownWhen }) => shownWhen?.(values) ?? true).map(({ id }) => id);
   return content.build(Object.fromEntries(content.fields.map(({ id }) => [id, shown.includes(id) ? values[id] ?? '' : ''])));

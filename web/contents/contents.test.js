@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the builders write is read back by parsers that follow the formats' own rules.
+// Parses the texts of the builders by the rules of their formats.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { text as words } from '../i18n/catalogue.js';
@@ -17,7 +17,11 @@ function contentOf(id) {
 /** @param {string} id @param {Record<string, string>} values */
 const build = (id, values) => buildContent(contentOf(id), { ...emptyValues(contentOf(id)), ...values });
 
-/** The payload, without any finding. @param {string} id @param {Record<string, string>} values */
+/**
+ * Builds a payload and asserts that there are no findings.
+ * @param {string} id
+ * @param {Record<string, string>} values
+ */
 function payload(id, values) {
   const { payload: written, problems } = build(id, values);
   assert.deepEqual(problems, []);
@@ -27,7 +31,7 @@ function payload(id, values) {
 /** @param {string} id @param {Record<string, string>} values */
 const findings = (id, values) => build(id, values).problems.map(({ field, severity, key }) => `${severity} ${field} ${key}`);
 
-/** WIFI: and MECARD: fields up to unescaped semicolons. @param {string} text @param {string} start */
+/** Splits WIFI: and MECARD: texts into fields at unescaped semicolons. @param {string} text @param {string} start */
 function parseMeCard(text, start) {
   assert.ok(text.startsWith(start) && text.endsWith(';;'), text);
   /** @type {Record<string, string>} */ const fields = {};
@@ -47,7 +51,7 @@ function parseMeCard(text, start) {
   return fields;
 }
 
-/** Content lines, unfolded, each ended by CRLF but the last. @param {string} text */
+/** Splits a text into unfolded content lines; all but the last end with CRLF. @param {string} text */
 function parseLines(text) {
   for (const line of text.split('\r\n')) {
     assert.ok(Buffer.byteLength(line) <= 75, `${Buffer.byteLength(line)} octets: ${line}`);

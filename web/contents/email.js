@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An e-mail that is ready to be sent [RFC 6068].
+// Draft of an e-mail [RFC 6068].
 import { parseEmail } from './addresses.js';
 import { escapeUri } from './escaping.js';
 import { Findings } from './findings.js';

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An appointment for the calendar: iCalendar [RFC 5545], whole or as the bare event that readers of codes know as well.
+// Calendar event: iCalendar [RFC 5545], complete or as the bare VEVENT that decoder apps also accept.
 import { contentLines, escapeText } from './escaping.js';
 import { Findings } from './findings.js';
 
@@ -8,7 +8,7 @@ import { Findings } from './findings.js';
 const kLocalTime = /^\d{4}-\d{2}-\d{2}T\d{2}:\d{2}(:\d{2})?$/;
 
 /**
- * A time of the browser's time zone.
+ * Parses a time in the browser's time zone.
  * @param {Findings} findings @param {string} field @param {string} value
  * @returns {Date | undefined}
  */
@@ -23,10 +23,10 @@ function checkTime(findings, field, value) {
   return undefined;
 }
 
-/** As UTC, which needs no definition of a time zone. @param {Date} time */
+/** Formats a time as UTC, which needs no time zone definition. @param {Date} time */
 const writeUtc = (time) => time.toISOString().replace(/\.\d+Z$/, 'Z').replace(/[-:]/g, '');
 
-/** FNV-1a over UTF-16. @param {string} text */
+/** Returns the FNV-1a hash of the UTF-16 code units. @param {string} text */
 function fingerprint(text) {
   let hash = 0x811c9dc5;
   for (let i = 0; i < text.length; i += 1) hash = Math.imul(hash ^ text.charCodeAt(i), 0x01000193) >>> 0;
@@ -46,7 +46,7 @@ function eventLines({ title, location, description }, start, end) {
 
 /** @param {string[]} lines @param {Date} start */
 function calendarLines(lines, start) {
-  // Its time stamp is its start, and its identity follows from what it says: the same event gives the same code.
+  // Time stamp and UID depend only on the event, so that the same event gives the same code.
   const stamp = writeUtc(start);
   return [
     'BEGIN:VCALENDAR', 'VERSION:2.0', 'PRODID:-//QRelief//EN', 'BEGIN:VEVENT',

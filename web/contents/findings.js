@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Collects what is wrong with the fields of one content.
+// Collects the errors and warnings about the fields of one content.
 
 /** @typedef {import('./types.js').Problem} Problem */
 /** @typedef {import('./types.js').Key} Key */
@@ -20,7 +20,7 @@ export class Findings {
   }
 
   /**
-   * @param {() => string} write  asked only if there is no error
+   * @param {() => string} write  called only if there is no error
    * @returns {import('./types.js').Built}
    */
   built(write) {

@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What can be said of a text that is, or was meant to be, a link; and what it could be instead.
+// Checks texts that are, or were meant to be, links, and suggests corrections and shorter forms.
 import { asciiHost } from './addresses.js';
 
 /** @typedef {import('./types.js').Key} Key */
 
 /**
- * `fixed` is what to write instead.
+ * Advice on a text. `fixed`: the corrected text.
  * @typedef {{ severity: 'warning' | 'note', key: Key, values?: Record<string, string | number>, fixed?: string, fixKey?: Key }} Advice
  */
 
-/** host[:port][/path…]: letters, digits and hyphens between dots, and at the end what may be a top-level domain. */
+/** host[:port][/path…]: labels of letters, digits and hyphens, the last one a possible top-level domain. */
 const kBareAddress = /^(?:[\p{L}\p{N}](?:[\p{L}\p{N}-]*[\p{L}\p{N}])?\.)+(?:\p{L}{2,}|xn--[a-z0-9-]+)(?::\d{1,5})?(?:[/?#]\S*)?$/u;
 const kWebAddress = /^https?:\/\//i;
-/** What looks like an address but is more often a file: no link is made of it unasked. */
+/** Looks like an address but is more often a file name: do not suggest a link. */
 const kFileEnding = /^[^/?#]*\.(?:stl|obj|ply|off|3mf|txt|pdf|png|jpe?g|svg|json|zip|gcode|docx?|xlsx?|html?|md)$/i;
 
-/** Parameters that tell the site where a visitor came from; the page is the same without them. */
+/** Parameters that only tell the site where a visitor came from; the page is the same without them. */
 const kTracking = /^(?:utm_\w+|fbclid|gclid|gclsrc|dclid|gbraid|wbraid|msclkid|twclid|ttclid|li_fat_id|yclid|igshid|igsh|mc_cid|mc_eid|mkt_tok|srsltid|_hsenc|_hsmi|_ga|_gl|vero_id|oly_anon_id|oly_enc_id)$/i;
 
-const kLongLink = 60;  // characters; from there on a link takes version 5 and more
+const kLongLink = 60;  // characters; longer links need version 5 or more
 
 /** @param {string} text  @returns {{ scheme: string, host: string, rest: string } | undefined}  rest: with its slash */
 function splitWebAddress(text) {
@@ -30,9 +30,9 @@ function splitWebAddress(text) {
 export const isWebAddress = (text) => kWebAddress.test(text);
 
 /**
- * A web address with its scheme, which is https where none is given.
+ * Adds https:// to a web address without a scheme.
  * @param {string} address
- * @returns {string | undefined}  none if it is no web address
+ * @returns {string | undefined}  undefined if it is no web address
  */
 export function withScheme(address) {
   const trimmed = address.trim();
@@ -43,7 +43,7 @@ export function withScheme(address) {
 }
 
 /**
- * Without what only counts visitors; the rest stays as it is written.
+ * Removes the tracking parameters of a link and leaves the rest unchanged.
  * @param {string} link
  */
 export function withoutTracking(link) {
@@ -83,7 +83,7 @@ function adviseLink(link) {
 }
 
 /**
- * What is worth saying of a text; nothing for one that is no link.
+ * Returns advice on a text; none if it is no link.
  * @param {string} text
  * @returns {Advice[]}
  */
@@ -100,10 +100,10 @@ export function adviseText(text) {
 }
 
 /**
- * Other ways of writing a link that may need a smaller symbol, the most harmless first. Scheme and host mean the same in
- * capitals [RFC 3986, 6.2.2.1], which take fewer bits, and so does no path instead of a lone slash [6.2.3].
+ * Returns other forms of a link that may need a smaller symbol, the safest first. Scheme and host mean the same in
+ * capitals [RFC 3986, 6.2.2.1], which take fewer bits. An empty path means the same as a lone slash [6.2.3].
  * @param {string} link
- * @returns {{ text: string, key: Key, same: boolean }[]}  `same`: every reader goes to the same page
+ * @returns {{ text: string, key: Key, same: boolean }[]}  `same`: the form always opens the same page
  */
 export function shorterForms(link) {
   const parts = splitWebAddress(link);

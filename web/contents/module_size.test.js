@@ -9,7 +9,7 @@ test('modules that print need no word, down to the very size', () => {
 });
 
 test('modules that are too small say what width they need and how many would fit', () => {
-  // 33 modules of 0.9 mm are 29.7 mm wide; in 24 mm there is room for 26 of them, and no symbol has more than 25 then.
+  // 33 modules of 0.9 mm are 29.7 mm wide. 24 mm has room for 26; the largest symbol within 26 has 25.
   const found = tooSmall(33, 24, 0.9);
   assert.ok(found);
   assert.ok(Math.abs(found.moduleMm - 24 / 33) < 1e-12);

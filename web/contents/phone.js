@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A number to call [RFC 3966].
+// Telephone number to call [RFC 3966].
 import { parsePhone } from './addresses.js';
 import { Findings } from './findings.js';
 
 /**
- * Checks a number that has to be given.
+ * Checks a required number.
  * @param {Findings} findings @param {string} field @param {string} number
  * @returns {string}  as it is dialled
  */

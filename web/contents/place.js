@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A place on the earth [RFC 5870], with what maps on Android look for there as an option.
+// Geographic position [RFC 5870], with an optional search term for maps on Android.
 import { escapeUri } from './escaping.js';
 import { Findings } from './findings.js';
 
-const kDecimals = 6;  // a tenth of a metre
+const kDecimals = 6;  // 0.1 m
 const kDegrees = /^[+-]?\d{1,3}([.,]\d+)?\s*°?$/;
 
-/** Decimal degrees, with a comma as well. @param {string} value @returns {number | undefined} */
+/** Parses decimal degrees, with a point or a comma. @param {string} value @returns {number | undefined} */
 function parseDegrees(value) {
   const trimmed = value.trim().replace('\u2212', '-');
   return kDegrees.test(trimmed) ? Number.parseFloat(trimmed.replace(',', '.')) : undefined;
@@ -21,7 +21,7 @@ function checkDegrees(findings, field, value, most) {
   return degrees ?? 0;
 }
 
-/** Without zeros at the end, never “-0” [RFC 5870, 3.4.2]. @param {number} degrees */
+/** Formats degrees without trailing zeros and never as “-0” [RFC 5870, 3.4.2]. @param {number} degrees */
 const writeDegrees = (degrees) => String(Number(degrees.toFixed(kDecimals)) || 0);
 
 /** @type {import('./types.js').Content} */

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What must not be kept on a device without being asked: the password in a Wi-Fi text.
+// Finds secrets that must not be stored on the device unasked: the password in a Wi-Fi text.
 
 const kWifi = /^(\s*WIFI:)(.*)$/is;
-const kFields = /(?:\\[^]|[^;\\]|\\$)+/g;  // between semicolons that no backslash stands before
+const kFields = /(?:\\[^]|[^;\\]|\\$)+/g;  // separated by unescaped semicolons
 const kPassword = /^\s*P:/i;
 
 /**
- * The text as it may be stored: a Wi-Fi text without its password, however far it has been typed; any other as it is.
+ * Removes the password from a Wi-Fi text, even an incomplete one, and returns any other text unchanged.
  * @param {string} text
  */
 export const withoutSecrets = (text) => text.replace(kWifi, (_, start, fields) =>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A text message that is ready to be sent: SMSTO:number:message, which every reader of phones knows. The message is
-// all that follows the second colon; nothing in it is escaped.
+// Draft of a text message: SMSTO:number:message, which all phones recognise. The message is everything after the second
+// colon, without escaping.
 import { Findings } from './findings.js';
 import { checkPhone } from './phone.js';
 

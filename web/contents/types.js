@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a kind of content is made of: fields to fill in, and the text that a code for them holds. No code.
+// Types of a kind of content: the fields to fill in and the resulting text of the QR code. No program code.
 
 /** @typedef {import('../i18n/catalogue.js').Key} Key */
 
@@ -8,21 +8,21 @@
  * @property {string} id
  * @property {Key} label
  * @property {'text' | 'email' | 'tel' | 'url' | 'password' | 'decimal' | 'datetime' | 'lines' | 'choice' | 'check'} kind
- * @property {Key} [hint]                               stands below it
+ * @property {Key} [hint]                               shown below the field
  * @property {{ value: string, label: Key }[]} [options]  of a choice; the first is the default
  * @property {boolean} [optional]
- * @property {boolean} [half]                           two of them share a line
- * @property {string} [autocomplete]                    as in HTML; off if left out
- * @property {(values: Values) => boolean} [shownWhen]  left out: always
+ * @property {boolean} [half]                           two such fields share a line
+ * @property {string} [autocomplete]                    as in HTML; default: off
+ * @property {(values: Values) => boolean} [shownWhen]  default: always
  */
 
 /**
- * By the field's id. A checkbox is 'true' or ''; a field that is not shown is ''.
+ * Values by field id. A checkbox is 'true' or ''; a hidden field is ''.
  * @typedef {Record<string, string>} Values
  */
 
 /**
- * A warning leaves the content usable.
+ * A problem of a field. A warning leaves the content usable.
  * @typedef {{ field: string, severity: 'error' | 'warning', key: Key, values?: Record<string, string | number> }} Problem
  */
 

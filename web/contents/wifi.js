@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Access to a Wi-Fi network: WIFI:T:WPA;S:name;P:password;; as ZXing made it up and the WPA3 specification (7) took it up.
+// Access to a Wi-Fi network: WIFI:T:WPA;S:name;P:password;; invented by ZXing and adopted by the WPA3 specification
+// (7).
 import { escapeWifi, utf8Length } from './escaping.js';
 import { Findings } from './findings.js';
 
@@ -15,8 +16,8 @@ const kSpaceAtAnEnd = /^\s|\s$/;
 const hasPassword = ({ security }) => security !== 'nopass';
 
 /**
- * A name that consists of hexadecimal digits would be taken for its bytes, so it stands between quotation marks. A
- * password never needs them: what is as long as a key in hexadecimal digits is one.
+ * Formats a network name. A name of hexadecimal digits needs quotation marks, as it would otherwise be read as bytes. A
+ * password never needs them: hexadecimal digits of a key's length are a key.
  * @param {string} ssid
  */
 const writeSsid = (ssid) => (kHex.test(ssid) ? `"${ssid}"` : escapeWifi(ssid));
@@ -75,7 +76,7 @@ export const wifi = {
       const type = values.security === 'WPA3' ? 'WPA' : values.security;
       return [
         `WIFI:T:${type};`,
-        values.security === 'WPA3' ? 'R:1;' : '',  // no change back to WPA2
+        values.security === 'WPA3' ? 'R:1;' : '',  // forbids the fallback to WPA2
         `S:${writeSsid(values.ssid)};`,
         hasPassword(values) ? `P:${escapeWifi(values.password)};` : '',
         values.hidden ? 'H:true;' : '',

@@ -1,28 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reads the carved code back, beside the page: its workers are started when first needed, and stay.
+// Decodes the carved code in workers, which start on first use and stay.
 /** @typedef {import('../engine/types.js').GreyImage} GreyImage */
 /** @typedef {{ resolve: (texts: string[]) => void, reject: (reason: Error) => void }} Pending */
 
 export const kReaderName = 'ZXing-C++ (zxing-wasm)';
 
-const kMostWorkers = 2;  // each holds a reader of its own
+const kMostWorkers = 2;  // each loads its own decoder
 
 /** @type {ScanWorker[]} */
 let workers = [];
 
-/** Starts the workers, so that they are ready when there is something to read. */
+/** Starts the workers in advance. */
 export function prepareReader() {
   if (workers.length > 0) return;
   const count = Math.min(kMostWorkers, navigator.hardwareConcurrency || 1);
   workers = Array.from({ length: count }, () => new ScanWorker(() => {
-    workers = [];  // the next reading starts new ones
+    workers = [];  // the next call starts new ones
   }));
 }
 
 /**
- * Every try on every picture, spread over the workers.
+ * Decodes all pictures with all tries, in parallel.
  * @param {GreyImage[]} pictures
- * @returns {Promise<string[]>}  what each try read, '' if nothing; picture by picture, each with as many tries
+ * @returns {Promise<string[]>}  text decoded in each try, '' if none; the same number of tries for each picture in turn
  */
 export async function readEach(pictures) {
   prepareReader();
@@ -31,14 +31,14 @@ export async function readEach(pictures) {
   return (await Promise.all(scans)).flat();
 }
 
-/** Whether any try on any picture reads the text. @param {GreyImage[]} pictures @param {string} wanted */
+/** Tells whether any try on any picture decodes to the text. @param {GreyImage[]} pictures @param {string} wanted */
 export async function readsAny(pictures, wanted) {
   prepareReader();
   return (await workers[0].scan(pictures, wanted)).includes(wanted);
 }
 
 class ScanWorker {
-  /** @param {() => void} onFailure  it will not answer any more */
+  /** @param {() => void} onFailure  called when the worker has failed for good */
   constructor(onFailure) {
     /** @type {Map<number, Pending>} */ this.pending_ = new Map();
     this.nextId_ = 1;

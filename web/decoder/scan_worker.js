@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The worker's side of the reader: scans the pictures that it is given, one after the other.
+// The worker of reader.js: decodes pictures one after the other.
 import { loadLibrary, scan } from './scans.js';
 
 /** @typedef {{ id: number, pictures: import('./scans.js').GreyImage[], wanted?: string }} Request */
 
 const scope = /** @type {any} */ (globalThis);
 
-loadLibrary().catch(() => {});  // the first scan says it
+loadLibrary().catch(() => {});  // the first scan reports the error
 
 scope.onmessage = async (/** @type {MessageEvent} */ { data }) => {
   const { id, pictures, wanted } = /** @type {Request} */ (data);

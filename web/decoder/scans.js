@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reads pictures with ZXing-C++, a reader that shares nothing with our own code. Loaded when first needed.
+// Decodes pictures with ZXing-C++, which shares no code with the engraver. Loaded on first use.
 import wasmUrl from 'zxing-wasm/reader/zxing_reader.wasm?url';
 
 /** @typedef {import('../engine/types.js').GreyImage} GreyImage */
@@ -9,7 +9,7 @@ const kBinarizers = /** @type {const} */ (['LocalAverage', 'GlobalHistogram']);
 /** @type {Promise<typeof import('zxing-wasm/reader')> | undefined} */
 let library;
 
-/** Before it is needed: fetching and compiling takes a moment. */
+/** Loads the decoder. Call it in advance: fetching and compiling take a moment. */
 export function loadLibrary() {
   library ??= import('zxing-wasm/reader').then(async (reader) => {
     await reader.prepareZXingModule({ overrides: { locateFile: () => wasmUrl }, fireImmediately: true });
@@ -19,10 +19,10 @@ export function loadLibrary() {
 }
 
 /**
- * Each picture with each binariser in turn.
+ * Decodes each picture with each binariser in turn.
  * @param {GreyImage[]} pictures
- * @param {string} [wanted]      with which it ends
- * @returns {Promise<string[]>}  what each try has read, '' if nothing
+ * @param {string} [wanted]      text at which to stop
+ * @returns {Promise<string[]>}  text decoded in each try, '' if none
  */
 export async function scan(pictures, wanted) {
   const { readBarcodes } = await loadLibrary();

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the module answers, as values of the page's own.
+// Turns the module's answers into JavaScript values.
 import { EngineFailure } from './engine_error.js';
 
 /**
- * The module's answer as a value; a failure is thrown.
+ * Parses an answer of the module.
  * @param {string} json
  * @returns {any}
+ * @throws {EngineFailure} if the answer is a failure
  */
 export function parseAnswer(json) {
   const answer = JSON.parse(json);
@@ -13,5 +14,8 @@ export function parseAnswer(json) {
   return answer;
 }
 
-/** One that can be handed over. @param {import('./types.js').GreyImage} image */
+/**
+ * Copies an image out of the module's memory, so that it can be transferred.
+ * @param {import('./types.js').GreyImage} image
+ */
 export const copyOf = ({ width, height, pixels }) => ({ width, height, pixels: pixels.slice() });

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Verbs of the engine that codes for many parts need: the plan of a batch, its manifest, and plates.
+// The engine's verbs for batches: plan, manifest and plates.
 import { parseAnswer } from './answers.js';
 import { EngineFailure, internal } from './engine_error.js';
 import { message } from './message.js';
 
 /**
+ * Makes the batch verbs of a host.
  * @param {() => import('./types.js').Engine} engine
- * @param {() => import('./types.js').PlannedBatch} makePlanned  called once, when it is first needed
+ * @param {() => import('./types.js').PlannedBatch} makePlanned  called once, on first use
  */
 export function makeBatchVerbs(engine, makePlanned) {
   /** @type {import('./types.js').PlannedBatch | undefined} */ let batch;

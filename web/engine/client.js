@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The page's only way to the module: one promise per verb, whether a worker does the work or the page itself.
+// The page's only access to the module: one promise per verb. The module runs in a worker, else in the page.
 import { EngineFailure, crash, describeThrown, hung, internal } from './engine_error.js';
 import { message } from './message.js';
 
@@ -9,24 +9,25 @@ import { message } from './message.js';
 /** @typedef {import('./types.js').ViewSize} ViewSize */
 /** @typedef {import('./types.js').Settings} Settings */
 
-const kCancelPatienceMs = 4000;  // a worker that does not come to the end of its step within this time is replaced
-const kTickMs = 5000;            // of the clock that waits for a worker's signs of life
-const kSilenceMs = 120_000;      // a worker that gives none for so long hangs;
-const kLoadBytesPerMs = 100;     // one that reads a file may take this much longer
+const kCancelPatienceMs = 4000;  // replace a worker that takes longer to end its step
+const kTickMs = 5000;            // interval at which a worker's silence is checked
+const kSilenceMs = 120_000;      // a worker that is silent for longer hangs;
+const kLoadBytesPerMs = 100;     // the limit grows by 1 ms for this many bytes of a file to read
 
 /**
- * Aborting ends the promise at once. The module ends its step and keeps the model; if that takes too long it is replaced.
+ * Options of a job. Aborting settles the promise at once. The module ends its step and keeps the model; it is replaced
+ * if that takes too long.
  * @typedef {{ signal: AbortSignal, onProgress: (progress: EngraveProgress) => void }} JobOptions
  */
 
 /** @typedef {{ resolve: (value: any) => void, reject: (reason: unknown) => void }} Pending */
 
 /**
- * Where the verbs are carried out.
+ * Runs the verbs: in a worker, or in the page.
  * @typedef {{ send: (verb: string, args: any[], transfer: Transferable[]) => Promise<any>, end: () => void }} Backend
  */
 
-/** Whether the reason of a rejection is that the worker was replaced, which is no fault to show. */
+/** Tells whether a promise was rejected because the worker was replaced. Do not show this as an error. */
 export const isReplaced = (/** @type {unknown} */ thrown) => thrown instanceof EngineFailure && thrown.code === 'engine-replaced';
 
 const kReplaced = internal(message('engine-replaced'));
@@ -34,12 +35,15 @@ const kReplaced = internal(message('engine-replaced'));
 export class EngineClient {
   /**
    * @param {object} options
-   * @param {() => HTMLCanvasElement} options.makeCanvas  a fresh canvas in place of the last one
-   * @param {(event: HostEvent) => void} options.onEvent  context lost, or a failure outside any verb
-   * @param {(search: import('./types.js').SearchMaps) => void} [options.onSearch]  while depths are searched for
-   * @param {(state: import('./types.js').ViewState) => void} [options.onView]  after a frame that shows something else
-   * @param {() => void} [options.onReplaced]             the module was replaced: it knows no model, no settings
-   * @param {boolean} [options.draws]                     whether anybody sees the canvas
+   * @param {() => HTMLCanvasElement} options.makeCanvas  puts a fresh canvas in place of the last one
+   * @param {(event: HostEvent) => void} options.onEvent
+   *   called when the context is lost or something fails outside any verb
+   * @param {(search: import('./types.js').SearchMaps) => void} [options.onSearch]  called during a depth search
+   * @param {(state: import('./types.js').ViewState) => void} [options.onView]
+   *   called after a frame that changed the view state
+   * @param {() => void} [options.onReplaced]
+   *   called with a new module, which has no model and no settings yet
+   * @param {boolean} [options.draws]                     false: the canvas is never visible
    */
   constructor({ makeCanvas, onEvent, onView = () => {}, onSearch = () => {}, onReplaced = () => {}, draws = true }) {
     this.makeCanvas_ = makeCanvas;
@@ -53,20 +57,22 @@ export class EngineClient {
     /** @type {((job: import('./types.js').PrintJob | null) => void) | undefined} */ this.onPrintable_ = undefined;
   }
 
-  /** @returns {Promise<import('./types.js').Capabilities>} */
+  /** Loads and starts the module. @returns {Promise<import('./types.js').Capabilities>} */
   async start() {
     if (typeof WebAssembly !== 'object') throw new EngineFailure(internal(message('no-webassembly')));
     this.backend_ = await this.startBackend_();
     return this.call_('capabilities');
   }
 
-  /** Ends the worker, however busy: what was asked of it is rejected, as `isReplaced` tells. */
+  /**
+   * Terminates the worker, even a busy one, and rejects its pending verbs with an error that `isReplaced` recognises.
+   */
   end() {
     this.backend_?.end();
     this.backend_ = undefined;
   }
 
-  /** Ends the worker, however busy, and starts anew. */
+  /** Terminates the worker, even a busy one, and starts a new one. */
   async replace() {
     this.end();
     try {
@@ -79,7 +85,8 @@ export class EngineClient {
   }
 
   /**
-   * @param {Uint8Array} bytes  stays usable: the worker gets a copy
+   * Loads a model from a file.
+   * @param {Uint8Array} bytes  remains usable: the worker gets a copy
    * @param {string} fileName
    * @param {number} scaleToMm
    * @param {{ signal?: AbortSignal }} [options]  aborting replaces the worker
@@ -92,9 +99,11 @@ export class EngineClient {
   }
 
   /**
+   * Carves the code.
    * @param {JobOptions & { withOverrides?: boolean, onPrintable?: (job: import('./types.js').PrintJob | null) => void }} options
-   *   `withOverrides`: of the inspector; `onPrintable`: gets what printJob() returns, before the carving is finished
-   * @returns {Promise<boolean>}  false if it was cancelled
+   *   `withOverrides`: use the inspector's settings; `onPrintable`: gets the result of printJob() before the carving
+   *   finishes
+   * @returns {Promise<boolean>}  false if cancelled
    */
   async engrave({ withOverrides = false, onPrintable, ...options }) {
     this.onPrintable_ = onPrintable;
@@ -106,18 +115,20 @@ export class EngineClient {
   }
 
   /**
+   * Searches for the best spots.
    * @param {JobOptions} options
-   * @returns {Promise<import('./types.js').Spots | undefined>}  none if it was cancelled
+   * @returns {Promise<import('./types.js').Spots | undefined>}  undefined if cancelled
    */
   async findSpots(options) {
     return (await this.runJob_('findSpots', options)) ?? undefined;
   }
 
   /**
+   * Runs a verb as a job that reports progress and can be aborted.
    * @param {string} verb
    * @param {JobOptions} options
    * @param {any[]} args  of the verb
-   * @returns {Promise<any>}  undefined if it was cancelled
+   * @returns {Promise<any>}  undefined if cancelled
    */
   async runJob_(verb, { signal, onProgress }, ...args) {
     if (signal.aborted) return undefined;
@@ -139,52 +150,85 @@ export class EngineClient {
     }
   }
 
-  /** @param {Promise<any>} job */
+  /** Cancels a job; replaces the worker if the job does not end soon. @param {Promise<any>} job */
   stopJob_(job) {
     const patience = setTimeout(() => void this.replace(), kCancelPatienceMs);
     job.catch(() => {}).finally(() => clearTimeout(patience));
     this.call_('cancel').catch(() => {});  // rejected only if the worker is replaced
   }
 
-  /** @param {number} index  into the spots found last @returns {Promise<import('./types.js').PickResult>} */
+  /**
+   * Places the code at a spot.
+   * @param {number} index  into the spots found last
+   * @returns {Promise<import('./types.js').PickResult>}
+   */
   chooseSpot(index) { return this.call_('chooseSpot', index); }
 
-  /** @param {boolean} shown  the largest sizes, as colours on the model @returns {Promise<void>} */
+  /**
+   * Shows or hides the largest possible code sizes as colours on the model.
+   * @param {boolean} shown
+   * @returns {Promise<void>}
+   */
   showSizes(shown) { return this.call_('showSizes', shown); }
 
   /** @param {Settings} settings @returns {Promise<void>} */
   configure(settings) { return this.call_('configure', settings); }
 
-  /** The symbol that these settings engrave. @param {Settings} settings @returns {Promise<import('./types.js').SymbolFacts>} */
+  /**
+   * Returns the symbol that these settings engrave.
+   * @param {Settings} settings
+   * @returns {Promise<import('./types.js').SymbolFacts>}
+   */
   symbol(settings) { return this.call_('symbol', settings); }
 
-  /** @param {number} x @param {number} y @returns {Promise<import('./types.js').PickResult>} */
+  /**
+   * Puts the centre at a position on the canvas.
+   * @param {number} x
+   * @param {number} y
+   * @returns {Promise<import('./types.js').PickResult>}
+   */
   pick(x, y) { return this.call_('pick', x, y); }
 
   /** @param {[number, number, number]} centreMm @returns {Promise<import('./types.js').PickResult>} */
   setCentre(centreMm) { return this.call_('setCentre', ...centreMm); }
 
-  /** @returns {Promise<import('./types.js').Placement>} */
+  /** Finds the placement at the centre. @returns {Promise<import('./types.js').Placement>} */
   placement() { return this.call_('placement'); }
 
-  /** Begins what the next carving begins with, unless there is something else to do. @returns {Promise<void>} */
+  /** Starts work that the next carving needs, unless a job runs. @returns {Promise<void>} */
   async prepareEngrave() {
-    if (this.backend_ instanceof WorkerBackend) await this.call_('prepareEngrave');  // the page itself must not stand still
+    // Without a worker, it would block the page.
+    if (this.backend_ instanceof WorkerBackend) await this.call_('prepareEngrave');
   }
 
-  /** @returns {Promise<number>}  which finished carving can be reported and exported; 0: none */
+  /**
+   * Returns the number of the finished carving that can be reported and exported.
+   * @returns {Promise<number>}  0: none
+   */
   carving() { return this.call_('carving'); }
 
-  /** @param {number} number  of the last carving or the one before it @returns {Promise<boolean>}  whether it is there again */
+  /**
+   * Restores a carving.
+   * @param {number} number  of the last carving or the one before it
+   * @returns {Promise<boolean>}  false: gone
+   */
   useCarving(number) { return this.call_('useCarving', number); }
 
-  /** Shows the code where it would about lie. @param {number} x @param {number} y @returns {Promise<import('./types.js').HoverResult>} */
+  /**
+   * Previews the code at an estimated placement.
+   * @param {number} x
+   * @param {number} y
+   * @returns {Promise<import('./types.js').HoverResult>}
+   */
   hover(x, y) { return this.call_('hover', x, y); }
 
   /** @returns {Promise<void>} */
   endHover() { return this.call_('endHover'); }
 
-  /** @returns {Promise<import('./types.js').HoverResult | null>}  the true place; none if the pointer moved on */
+  /**
+   * Finds the exact placement of the preview.
+   * @returns {Promise<import('./types.js').HoverResult | null>}  null if the pointer moved
+   */
   settle() { return this.call_('settle'); }
 
   /** @param {number} x @param {number} y @returns {Promise<import('./types.js').HoverResult>} */
@@ -193,16 +237,28 @@ export class EngineClient {
   /** @param {number} rotateDeg @param {number} symbolMm @returns {Promise<import('./types.js').CodeFacts>} */
   adjustCode(rotateDeg, symbolMm) { return this.call_('adjustCode', rotateDeg, symbolMm); }
 
-  /** @param {number} index @param {number} width @param {number} height @returns {Promise<import('./types.js').ColourImage>} */
+  /**
+   * Draws a spot.
+   * @param {number} index
+   * @param {number} width
+   * @param {number} height
+   * @returns {Promise<import('./types.js').ColourImage>}
+   */
   spotPicture(index, width, height) { return this.call_('spotPicture', index, width, height); }
 
-  /** @param {boolean} shown @param {number} offset  from the code's middle, -1 … 1 @returns {Promise<void>} */
+  /**
+   * Shows or hides a section through the code.
+   * @param {boolean} shown
+   * @param {number} offset  from its centre, -1 … 1
+   * @returns {Promise<void>}
+   */
   showSection(shown, offset) { return this.call_('showSection', shown, offset); }
 
   /**
+   * Shows or hides the depths as colours on the carved model.
    * @param {boolean} shown
-   * @returns {Promise<{ topMm: number, deepestMm: number }>}  depth of the last colour and of the deepest pocket; 0 without a
-   *   carved model
+   * @returns {Promise<{ topMm: number, deepestMm: number }>}
+   *   depth of the last colour and of the deepest pocket; 0 without a carved model
    */
   showDepths(shown) { return this.call_('showDepths', shown); }
 
@@ -212,66 +268,81 @@ export class EngineClient {
   /** @returns {Promise<import('./types.js').GreyImage>} */
   readerImage() { return this.call_('readerImage'); }
 
-  /** @param {import('./types.js').JobMapName} name @returns {Promise<import('./types.js').JobMap | null>}  none before there is one */
+  /**
+   * @param {import('./types.js').JobMapName} name
+   * @returns {Promise<import('./types.js').JobMap | null>}  null before the first one
+   */
   jobMap(name) { return this.call_('jobMap', name); }
 
-  /** What readers are to try. @returns {Promise<import('./types.js').GreyImage[]>} */
+  /** Draws the pictures to decode. @returns {Promise<import('./types.js').GreyImage[]>} */
   readingPictures() { return this.call_('readingPictures'); }
 
   /**
-   * @param {string[]} texts  what each try on the pictures read, '' if nothing
-   * @param {string} reader   who read it
+   * Reports the decoded texts of the reading pictures.
+   * @param {string[]} texts  text decoded in each try, '' if none
+   * @param {string} reader   name of the decoder
    * @returns {Promise<import('./types.js').ReadingResult>}
    */
   setReadings(texts, reader) { return this.call_('setReadings', texts, reader); }
 
   /**
-   * What makes the carving's print; null: none is asked for.
-   * @param {import('./types.js').PrintChange} [changed]  of the settings carved with
-   * @returns {Promise<import('./types.js').PrintJob | null>}
+   * Returns the print job of the carving.
+   * @param {import('./types.js').PrintChange} [changed]  changes to the settings of the carving
+   * @returns {Promise<import('./types.js').PrintJob | null>}  null: no print process is chosen
    */
   printJob(changed = {}) { return this.call_('printJob', changed); }
 
   /**
-   * Other ways of printing a carving that are worth a try, what costs least first.
+   * Returns other ways to print a carving that are worth trying, the cheapest first.
    * @param {number} number  of the carving
-   * @returns {Promise<import('./types.js').PrintChange[]>}  none if another carving is there now
+   * @returns {Promise<import('./types.js').PrintChange[]>}  empty if the carving is not the current one
    */
   otherPrints(number) { return this.call_('otherPrints', number); }
 
   /**
-   * What a print with changed settings comes to.
+   * Judges a print made with changed settings.
    * @param {number} number     of the carving that was printed
    * @param {import('./types.js').PrintChange} changed
-   * @param {string[]} texts    what each try on the print's pictures read
+   * @param {string[]} texts    text decoded in each try on the print's pictures
    * @param {number} facingDeg  see Print
-   * @returns {Promise<import('./types.js').Aspect | null>}  null if another carving is there now
+   * @returns {Promise<import('./types.js').Aspect | null>}  null if the carving is not the current one
    */
   judgePrint(number, changed, texts, facingDeg) { return this.call_('judgePrint', number, changed, texts, facingDeg); }
 
   /**
+   * Reports the decoded texts of a print's pictures.
    * @param {number} number     of the carving that was printed
-   * @param {string[]} texts    what each try on the print's pictures read, '' if nothing
+   * @param {string[]} texts    text decoded in each try, '' if none
    * @param {number} facingDeg  see Print
-   * @returns {Promise<import('./types.js').PrintedResult | null>}  null if another carving is there now
+   * @returns {Promise<import('./types.js').PrintedResult | null>}  null if the carving is not the current one
    */
   setPrintedReadings(number, texts, facingDeg) { return this.call_('setPrintedReadings', number, texts, facingDeg); }
 
-  /** From where else the code reads: how many pictures there are at most. @returns {Promise<number>} */
+  /**
+   * Starts test-decoding the code from other viewing directions and distances.
+   * @returns {Promise<number>}  trials at most
+   */
   startViewTrials() { return this.call_('startViewTrials'); }
 
-  /** Of the trial that is due: read, if one of them reads. @returns {Promise<import('./types.js').GreyImage[]>} */
+  /**
+   * Draws the pictures of the next trial; decoding one of them is enough.
+   * @returns {Promise<import('./types.js').GreyImage[]>}
+   */
   viewTrialPictures() { return this.call_('viewTrialPictures'); }
 
-  /** @param {boolean} read @returns {Promise<import('./types.js').ViewTrialProgress>} */
+  /**
+   * Reports the outcome of the trial.
+   * @param {boolean} read
+   * @returns {Promise<import('./types.js').ViewTrialProgress>}
+   */
   noteViewTrial(read) { return this.call_('noteViewTrial', read); }
 
   /** @param {string} format @returns {Promise<Uint8Array<ArrayBuffer>>} */
   exportModel(format) { return this.call_('exportModel', format); }
 
   /**
-   * Reads a list and checks it as a whole; its rows are those of the verbs that follow.
-   * @param {Uint8Array} list  stays usable: the worker gets a copy
+   * Reads a list and checks it as a whole. The other batch verbs refer to its rows.
+   * @param {Uint8Array} list  remains usable: the worker gets a copy
    * @param {import('./types.js').WantedBatch} wanted
    * @returns {Promise<import('./types.js').BatchPlan>}
    */
@@ -284,49 +355,66 @@ export class EngineClient {
   batchRow(index) { return this.call_('batchRow', index); }
 
   /**
+   * Returns all settings of a row as one text.
    * @param {number} index
-   * @param {{ centre: number[], others: string }} placed  what else decides the row's file
-   * @returns {Promise<string>}  whose hash the manifest has as that of the row's settings
+   * @param {{ centre: number[], others: string }} placed  further inputs of the row's file
+   * @returns {Promise<string>}  text to hash as the row's settings for the manifest
    */
   batchRowToHash(index, placed) { return this.call_('batchRowToHash', index, placed); }
 
-  /** @param {import('./types.js').ManifestEntry} entry @returns {Promise<string>}  without its end */
+  /**
+   * Formats a manifest line.
+   * @param {import('./types.js').ManifestEntry} entry
+   * @returns {Promise<string>}  without line break
+   */
   manifestLine(entry) { return this.call_('manifestLine', entry); }
 
-  /** @param {string} lines  of a manifest @param {boolean} withHeader @returns {Promise<string>}  the same as a table */
+  /** Converts manifest lines to CSV. @param {string} lines @param {boolean} withHeader @returns {Promise<string>} */
   manifestCsv(lines, withHeader) { return this.call_('manifestCsv', lines, withHeader); }
 
-  /** Begins a plate, in place of an earlier one. @param {number} copies  that stand on it @returns {Promise<void>} */
+  /** Begins a plate; discards an earlier one. @param {number} copies  on the plate @returns {Promise<void>} */
   startPlate(copies) { return this.call_('startPlate', copies); }
 
-  /** Puts the carving that is there on it. @param {number} place  from 0 @param {string} id @returns {Promise<void>} */
+  /**
+   * Puts the current carving on the plate.
+   * @param {number} place  from 0
+   * @param {string} id
+   * @returns {Promise<void>}
+   */
   addToPlate(place, id) { return this.call_('addToPlate', place, id); }
 
-  /** The plate as 3MF; it is empty then. @param {string} title @returns {Promise<Uint8Array<ArrayBuffer>>} */
+  /** Exports the plate as 3MF and empties it. @param {string} title @returns {Promise<Uint8Array<ArrayBuffer>>} */
   exportPlate(title) { return this.call_('exportPlate', title); }
 
-  /** What the manifest has of the carving that is there. @param {number} totalMs @returns {Promise<import('./types.js').DescribedRow>} */
+  /**
+   * Describes the current carving for the manifest.
+   * @param {number} totalMs
+   * @returns {Promise<import('./types.js').DescribedRow>}
+   */
   describeRow(totalMs) { return this.call_('describeRow', totalMs); }
 
-  /** The view as it is now. @returns {Promise<Uint8Array<ArrayBuffer>>}  a PNG */
+  /** Takes a picture of the current view. @returns {Promise<Uint8Array<ArrayBuffer>>}  PNG */
   picture() { return this.call_('picture'); }
 
   /** @param {boolean} dark @returns {Promise<void>} */
   setTheme(dark) { return this.call_('setTheme', dark); }
 
-  /** @param {import('./types.js').UpAxis} axis  of the model; also where the code's top points @returns {Promise<void>} */
+  /**
+   * @param {import('./types.js').UpAxis} axis  of the model; the code's top points along it
+   * @returns {Promise<void>}
+   */
   setUpAxis(axis) { return this.call_('setUpAxis', axis); }
 
   /** @param {boolean} carved @returns {Promise<void>} */
   showCarved(carved) { return this.call_('showCarved', carved); }
 
-  /** Loads and makes the inspector, not shown yet. @returns {Promise<void>} */
+  /** Loads the inspector without showing it. @returns {Promise<void>} */
   openInspector() { return this.call_('openInspector'); }
 
   /** @param {boolean} shown @returns {Promise<void>} */
   setInspector(shown) { return this.call_('setInspector', shown); }
 
-  /** @param {Record<string, string>} texts  of the page's language, by the English ones @returns {Promise<void>} */
+  /** @param {Record<string, string>} texts  translations, by English text @returns {Promise<void>} */
   inspectorTexts(texts) { return this.call_('inspectorTexts', texts); }
 
   /** @param {import('./types.js').Area} area  of the canvas that no control covers @returns {Promise<void>} */
@@ -362,7 +450,7 @@ export class EngineClient {
       } catch (thrown) {
         backend.end();
         if (!(thrown instanceof EngineFailure && thrown.code === 'no-webgl2')) throw thrown;
-        // Some browsers have OffscreenCanvas, but no WebGL on it: the page can still do the work.
+        // Some browsers have OffscreenCanvas without WebGL: run the module in the page.
       }
     }
     const { EngineHost } = await import('./engine_host.js');
@@ -379,7 +467,7 @@ export class EngineClient {
   }
 }
 
-/** The module in a dedicated worker. */
+/** Runs the module in a dedicated worker. */
 class WorkerBackend {
   /** @param {(event: HostEvent) => void} onEvent */
   constructor(onEvent) {
@@ -387,7 +475,7 @@ class WorkerBackend {
     this.nextId_ = 1;
     this.onEvent_ = onEvent;
     /** @type {ReturnType<typeof setInterval> | undefined} */ this.clock_ = undefined;
-    this.silenceMs_ = 0;  // in ticks: a device that slept has not let the worker work, either
+    this.silenceMs_ = 0;  // counted in ticks: while a device sleeps, neither the clock nor the worker runs
     this.allowedMs_ = 0;
     this.worker_ = new Worker(new URL('./worker.js', import.meta.url), { type: 'module', name: 'qrelief' });
     this.worker_.onmessage = ({ data }) => {
@@ -418,7 +506,7 @@ class WorkerBackend {
     });
   }
 
-  /** @param {number} allowedMs */
+  /** Reports a failure if the worker stays silent longer than this. @param {number} allowedMs */
   expectLife_(allowedMs) {
     this.allowedMs_ = Math.max(allowedMs, this.clock_ === undefined ? 0 : this.allowedMs_);
     if (this.clock_ !== undefined) return;
@@ -460,7 +548,7 @@ class WorkerBackend {
   }
 }
 
-/** The module in the page itself. */
+/** Runs the module in the page. */
 class PageBackend {
   /** @param {import('./engine_host.js').EngineHost} host */
   constructor(host) {

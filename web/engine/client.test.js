@@ -7,7 +7,7 @@ import { message } from './message.js';
 const settled = async () => { for (let i = 0; i < 20; i += 1) await Promise.resolve(); };
 const real = { Worker: globalThis.Worker, OffscreenCanvas: globalThis.OffscreenCanvas, HTMLCanvasElement: globalThis.HTMLCanvasElement };
 
-/** Answers start and capabilities by itself; the rest waits in `asked`. */
+/** Answers `start` and `capabilities` at once; keeps all other requests in `asked`. */
 class FakeWorker {
   /** @type {FakeWorker[]} */ static all = [];
   constructor() {

@@ -3,7 +3,7 @@ import { message } from './message.js';
 
 /** @typedef {import('./types.js').EngineError} EngineErrorValue */
 
-/** Something that could not be done: a message, and its kind. It crosses the worker's boundary as a plain value. */
+/** An error with a message and its kind. It crosses the worker's boundary as a plain value. */
 export class EngineFailure extends Error {
   /** @param {EngineErrorValue} value */
   constructor({ kind, code, values }) {
@@ -21,11 +21,15 @@ export class EngineFailure extends Error {
   }
 }
 
-/** A fault of ours, or of the browser. @param {import('./message.js').Message} said @returns {EngineErrorValue} */
+/**
+ * Makes an error caused by the program or the browser.
+ * @param {import('./message.js').Message} said
+ * @returns {EngineErrorValue}
+ */
 export const internal = (said) => ({ kind: 'Internal', ...said });
 
 /**
- * Any thrown thing as an error that can be shown.
+ * Converts anything thrown to an error that can be shown.
  * @param {unknown} thrown
  * @returns {EngineErrorValue}
  */
@@ -37,16 +41,16 @@ export function describeThrown(thrown) {
   return internal(message('internal-fault', { detail: { term: detail } }));
 }
 
-/** The module is beyond use and has to be replaced. @param {string} detail */
+/** Makes the error of a module that crashed and has to be replaced. @param {string} detail */
 export const crash = (detail) => internal(message('engine-crashed', { detail: { term: detail } }));
 
-/** The module gives no sign of life. @param {number} silenceMs */
+/** Makes the error of a module that hangs. @param {number} silenceMs */
 export const hung = (silenceMs) => internal(message('engine-hung', { count: { count: Math.round(silenceMs / 1000) } }));
 
-/** Whether the module must not be called any more. @param {unknown} thrown */
+/** Tells whether the module must not be called any more. @param {unknown} thrown */
 export const isFatal = (thrown) => thrown instanceof EngineFailure && (thrown.code === 'engine-crashed' || thrown.code === 'out-of-memory');
 
-/** Browsers and Emscripten say it in words only. @param {unknown} thrown */
+/** Recognises an out-of-memory error by its text: browsers and Emscripten give no code. @param {unknown} thrown */
 function isOutOfMemory(thrown) {
   return thrown instanceof Error && /out of memory|cannot enlarge memory|allocation failed|bad_alloc|OOM/i.test(thrown.message);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Owns the module and its canvas, in the worker or, where there is no OffscreenCanvas, in the page.
+// Owns the module and its canvas: in the worker, or in the page where there is no OffscreenCanvas.
 import { copyOf, parseAnswer } from './answers.js';
 import { makeBatchVerbs } from './batch_verbs.js';
 import { EngineFailure, describeThrown, internal } from './engine_error.js';
@@ -12,23 +12,23 @@ import { loadModule } from './module.js';
 /** @typedef {import('./types.js').ViewAction} ViewAction */
 /** @typedef {import('./types.js').ViewSize} ViewSize */
 /**
- * A job of the module, done in steps.
+ * A job of the module that runs in steps.
  * @typedef {{ start: () => string, advance: () => string, cancel: () => void, watch?: (progress: import('./types.js').EngraveProgress) => void }} Job
  *   `watch`: called between slices
  */
 
-const kDragged = new Set(['orbit', 'pan', 'zoom']);  // what the inspector's windows take for themselves
+const kDragged = new Set(['orbit', 'pan', 'zoom']);  // actions that the inspector's window intercepts
 const kInspectorFontPx = 14;
-const kPictureMs = 1500;  // to refine a picture that is taken
-const kSliceMs = 40;  // between two looks at the messages: a cancel is seen within one slice and one step
+const kPictureMs = 1500;  // time to refine a picture
+const kSliceMs = 40;  // work between message checks: a cancel takes effect within one slice plus one step
 
-const kSettleSliceMs = 8;  // while the pointer may move on
+const kSettleSliceMs = 8;  // the same while the pointer may move
 
 /** @type {WebGLContextAttributes} */
 const kContextAttributes = { antialias: false, alpha: false, depth: false, stencil: false, powerPreference: 'high-performance' };
 
 /**
- * Lets waiting messages be handled; unlike a timer it is not throttled and costs microseconds.
+ * Lets the event loop handle pending messages. Unlike a timer, this is not throttled and takes microseconds.
  * @returns {Promise<void>}
  */
 function yieldToMessages() {
@@ -51,7 +51,7 @@ function onNextFrame(run) {
   else setTimeout(run, 16);
 }
 
-/** Turns verbs into calls of the module, draws on demand, and runs the jobs in slices. */
+/** Translates verbs to calls of the module, draws on demand, and runs jobs in slices. */
 export class EngineHost {
   /**
    * @param {object} options
@@ -60,7 +60,7 @@ export class EngineHost {
    * @param {HTMLCanvasElement | OffscreenCanvas} options.canvas
    * @param {WebGL2RenderingContext} options.gl  of the canvas
    * @param {(event: HostEvent) => void} options.notify
-   * @param {boolean} options.draws  whether anybody sees the canvas
+   * @param {boolean} options.draws  false: the canvas is never visible
    */
   constructor({ module, loadInspector, canvas, gl, notify, draws }) {
     this.module_ = module;
@@ -68,7 +68,7 @@ export class EngineHost {
     /** @type {Engine} */ this.engine_ = new module.Engine();
     this.canvas_ = canvas;
     this.gl_ = gl;
-    /** @type {WebGLSync | null} */ this.fence_ = null;  // behind the last frame
+    /** @type {WebGLSync | null} */ this.fence_ = null;  // signals the end of the last frame
     this.notify_ = notify;
     this.draws_ = draws;
     this.frameRequested_ = false;
@@ -76,20 +76,21 @@ export class EngineHost {
     this.lost_ = false;
     this.inspectorShown_ = false;
     this.inspectorFrames_ = 0;  // since it was opened
-    this.inspectorTakes_ = false;
+    this.inspectorTakes_ = false;  // the inspector uses the pointer
     this.hovers_ = 0;
     this.viewState_ = '';
     this.inspectorState_ = '';
     this.inspectorStill_ = false;
     this.pixelRatio_ = 1;
-    this.glyphsPx_ = 0;  // that the inspector has
+    this.glyphsPx_ = 0;  // size of the inspector's letters
     /** @type {ViewSize} */ this.size_ = { width: 1, height: 1, devicePixelRatio: 1 };
   }
 
   /**
+   * Loads the module and creates its host.
    * @param {HTMLCanvasElement | OffscreenCanvas} canvas
    * @param {(event: HostEvent) => void} notify
-   * @param {{ draws?: boolean }} [options]  `draws`: whether anybody sees the canvas
+   * @param {{ draws?: boolean }} [options]  `draws`: false: the canvas is never visible
    */
   static async create(canvas, notify, { draws = true } = {}) {
     const gl = /** @type {WebGL2RenderingContext | null} */ (canvas.getContext('webgl2', kContextAttributes));
@@ -106,7 +107,7 @@ export class EngineHost {
     return host;
   }
 
-  /** Every verb the page may call by name. */
+  /** All verbs that the page may call by name. */
   verbs = {
     capabilities: () => JSON.parse(this.engine_.capabilities()),
 
@@ -125,7 +126,7 @@ export class EngineHost {
       this.engine_.resize(width, height, devicePixelRatio);
       this.pixelRatio_ = devicePixelRatio;
       this.giveGlyphs_();
-      this.drawFrame_();  // at once: resizing has cleared the canvas
+      this.drawFrame_();  // immediately: resizing cleared the canvas
     },
 
     /** @param {import('./types.js').Settings} settings */
@@ -147,7 +148,7 @@ export class EngineHost {
     /** @param {number} x @param {number} y */
     hover: async (x, y) => {
       const asked = (this.hovers_ += 1);
-      while (this.lastFrameIsUnderWay_()) await nextFrame();  // more estimates than frames would only slow these
+      while (this.lastFrameIsUnderWay_()) await nextFrame();  // at most one estimate per frame
       if (this.inspectorTakes_ || this.hovers_ !== asked) return { hit: false };
       const found = parseAnswer(this.engine_.hover(x, y));
       this.drawFrame_();
@@ -167,7 +168,7 @@ export class EngineHost {
       try {
         return parseAnswer(this.engine_.placement()).placement;
       } finally {
-        this.invalidate_();  // a placement that failed removes the square
+        this.invalidate_();  // a failed placement removes the square
       }
     },
 
@@ -189,12 +190,15 @@ export class EngineHost {
     prepareEngrave: async () => {
       while (!this.job_ && !parseAnswer(this.engine_.prepareEngrave()).done) await yieldToMessages();
     },
-    /** @param {boolean} [withOverrides]  of the inspector @param {boolean} [printsEarly]  send the print job as soon as the file is written */
+    /**
+     * @param {boolean} [withOverrides]  use the inspector's settings
+     * @param {boolean} [printsEarly]    send the print job as soon as the file is written
+     */
     engrave: (withOverrides = false, printsEarly = false) => this.engrave_(withOverrides, printsEarly),
     cancel: () => {
       this.job_?.cancel();
       this.job_ = undefined;
-      this.engine_.showCarved(false);  // it may just have come to its end
+      this.engine_.showCarved(false);  // the job may have finished just now
       this.drawn_(this.engine_.showSizes(false));
     },
     memory: () => this.memory_(),
@@ -222,7 +226,12 @@ export class EngineHost {
     },
     /** @param {number} number  of the carving @returns {import('./types.js').PrintChange[]} */
     otherPrints: (number) => (this.engine_.carving() === number ? parseAnswer(this.engine_.otherPrints()).others : []),
-    /** @param {number} number  of the carving @param {import('./types.js').PrintChange} changed @param {string[]} texts @param {number} facingDeg */
+    /**
+     * @param {number} number  of the carving
+     * @param {import('./types.js').PrintChange} changed
+     * @param {string[]} texts
+     * @param {number} facingDeg
+     */
     judgePrint: (number, changed, texts, facingDeg) => (this.engine_.carving() === number
       ? parseAnswer(this.engine_.judgePrint(JSON.stringify(changed), JSON.stringify(texts), facingDeg)).prints : null),
     startViewTrials: () => parseAnswer(this.engine_.startViewTrials()).all,
@@ -246,7 +255,7 @@ export class EngineHost {
     setUpAxis: (axis) => this.drawn_(this.engine_.setUpAxis(axis)),
     /** @param {boolean} carved */
     showCarved: (carved) => this.drawn_(this.engine_.showCarved(carved)),
-    /** Makes the inspector, not shown yet; to be called before all that concerns it. */
+    /** Loads the inspector without showing it. Call this before all other inspector verbs. */
     openInspector: async () => {
       await this.loadInspector_();
       this.engine_.openInspector();
@@ -261,7 +270,7 @@ export class EngineHost {
       this.drawn_(this.engine_.showInspector(shown));
       this.giveGlyphs_();
     },
-    /** @param {Record<string, string>} texts  of the page's language, by the English ones */
+    /** @param {Record<string, string>} texts  translations, by English text */
     inspectorTexts: (texts) => this.drawn_(this.engine_.inspectorTexts(JSON.stringify(texts))),
     /** @param {{ x: number, y: number, width: number, height: number }} area  that no control covers */
     inspectorArea: ({ x, y, width, height }) => this.drawn_(this.engine_.inspectorArea(x, y, width, height)),
@@ -316,7 +325,7 @@ export class EngineHost {
     });
   }
 
-  /** Tells what the search for depths has come to, while it runs. @param {import('./types.js').EngraveProgress['stage']} stage */
+  /** Sends the current maps of a depth search. @param {import('./types.js').EngraveProgress['stage']} stage */
   tellSearch_(stage) {
     if (stage?.code !== 'finding-depth') return;
     const [luminance, depths] = [this.engine_.jobMap('search-luminance'), this.engine_.jobMap('search-depths')];
@@ -332,8 +341,8 @@ export class EngineHost {
   }
 
   /**
-   * The true place of the code that follows the pointer, unless the pointer moves on meanwhile.
-   * @returns {Promise<import('./types.js').HoverResult | null>}
+   * Finds the exact placement of the code under the pointer.
+   * @returns {Promise<import('./types.js').HoverResult | null>}  null if the pointer moved meanwhile
    */
   async settle_() {
     const { hovers_: asked } = this;
@@ -350,8 +359,9 @@ export class EngineHost {
   }
 
   /**
-   * Runs a whole job in slices; returns whether it came to its end (false: cancelled).
+   * Runs a job in slices.
    * @param {Job} job
+   * @returns {Promise<boolean>}  false: cancelled
    */
   async runJob_(job) {
     if (this.job_) throw new EngineFailure(internal(message('engine-busy')));
@@ -374,7 +384,7 @@ export class EngineHost {
         done = progress.done;
         if (this.inspectorShown_) this.invalidate_();
         await yieldToMessages();
-        if (this.job_ !== job) return done;  // a message has cancelled it; the next one may run already
+        if (this.job_ !== job) return done;  // a message cancelled it; the next job may already run
       }
       return true;
     } finally {
@@ -393,17 +403,18 @@ export class EngineHost {
     return { usedBytes: this.engine_.memoryInUse(), heapBytes: HEAPU8.length, glObjects, glKinds };
   }
 
-  /** The view, refined for a moment, as PNG. */
+  /** Refines the view for up to kPictureMs and returns it as PNG. */
   async picture_() {
-    this.verbs.resize(this.size_);  // draws anew: what was presented before cannot be read any more
+    this.verbs.resize(this.size_);  // redraws: the presented frame can no longer be read
     const until = performance.now() + kPictureMs;
     do this.waitForFrame_();
     while (!this.lost_ && performance.now() < until && this.engine_.draw());
-    const blob = await canvasAsPng(this.canvas_);  // begun in the same task as drawing, so the picture is still there
+    const blob = await canvasAsPng(this.canvas_);  // starts in the same task as drawing, while the picture still exists
     return new Uint8Array(await blob.arrayBuffer());
   }
 
   /**
+   * Requests a frame and returns the value.
    * @template T
    * @param {T} value
    * @returns {T}
@@ -413,7 +424,7 @@ export class EngineHost {
     return value;
   }
 
-  /** The page's letters, at the canvas's resolution. */
+  /** Gives the inspector the page's letters at the canvas's resolution. */
   giveGlyphs_() {
     const sizePx = kInspectorFontPx * this.pixelRatio_;
     if (!this.inspectorShown_ || this.glyphsPx_ === sizePx) return;
@@ -423,7 +434,9 @@ export class EngineHost {
     this.glyphsPx_ = sizePx;
   }
 
-  /** Dear ImGui lays out what has changed over several frames: it is drawn until one is like the one before it. */
+  /**
+   * Reports the inspector's state. Dear ImGui takes several frames to lay out a change, so draw until two are equal.
+   */
   tellInspector_() {
     const state = this.engine_.inspectorState();
     const still = state === this.inspectorState_;
@@ -434,7 +447,7 @@ export class EngineHost {
     this.notify_({ event: 'inspector', state: { ...JSON.parse(state), still } });
   }
 
-  /** Asks for one frame; many asks before it cost one frame. */
+  /** Requests a frame. Requests before the next frame are merged. */
   invalidate_() {
     if (this.frameRequested_ || this.lost_ || !this.draws_) return;
     this.frameRequested_ = true;
@@ -445,13 +458,13 @@ export class EngineHost {
     });
   }
 
-  /** Until the last frame is drawn, by reading of it: drawing only puts it into the queue. */
+  /** Blocks until the last frame is drawn, by reading a pixel of it: drawing only queues commands. */
   waitForFrame_() {
     this.gl_.bindFramebuffer(this.gl_.READ_FRAMEBUFFER, null);
     this.gl_.readPixels(0, 0, 1, 1, this.gl_.RGBA, this.gl_.UNSIGNED_BYTE, new Uint8Array(4));
   }
 
-  /** Frames sent faster than the GPU draws them would pile up, and everything after them would wait. */
+  /** Tells whether the GPU still draws the last frame. Sending more frames now would delay everything after them. */
   lastFrameIsUnderWay_() {
     if (!this.fence_ || this.lost_) return false;
     if (this.gl_.getSyncParameter(this.fence_, this.gl_.SYNC_STATUS) !== this.gl_.SIGNALED) return true;
@@ -460,7 +473,7 @@ export class EngineHost {
     return false;
   }
 
-  /** Where the code is on the screen now, if it has moved. */
+  /** Reports the view state if it has changed. */
   tellView_() {
     const state = this.engine_.viewState();
     if (state === this.viewState_) return;
@@ -476,8 +489,8 @@ export class EngineHost {
       this.fence_ = this.gl_.fenceSync(this.gl_.SYNC_GPU_COMMANDS_COMPLETE, 0);
       this.gl_.flush();
       this.tellView_();
-      if (this.inspectorShown_ && ++this.inspectorFrames_ > 1) this.tellInspector_();  // the first lays its window out
-      if (wantsAnother && !this.job_) this.invalidate_();  // refinement waits while the job runs
+      if (this.inspectorShown_ && ++this.inspectorFrames_ > 1) this.tellInspector_();  // not after its first layout
+      if (wantsAnother && !this.job_) this.invalidate_();  // no refinement during a job
     } catch (thrown) {
       this.lost_ = true;
       this.notify_({ event: 'failure', error: describeThrown(thrown) });
@@ -494,7 +507,7 @@ function canvasAsPng(canvas) {
 }
 
 /**
- * The buffers to hand over instead of copying.
+ * Returns the buffers to transfer instead of copying.
  * @param {any} value
  * @returns {Transferable[]}
  */

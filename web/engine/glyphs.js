@@ -1,26 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The page's own letters for the inspector, whose library has only a coarse font of its own.
+// Draws the page's letters for the inspector: its library has only a coarse font.
 
 const kFamily = 'system-ui, -apple-system, "Segoe UI", Roboto, "Noto Sans", "Liberation Sans", sans-serif';
-const kMarginPx = 2;     // clear on all sides, so that no letter shows a neighbour's edge between two pixels
-const kLineHeight = 1.3;  // of the letters' size
+const kMarginPx = 2;     // empty border, so that interpolation never picks up a neighbouring letter
+const kLineHeight = 1.3;  // as a multiple of the letter size
 
 const range = (/** @type {number} */ from, /** @type {number} */ to) =>
   Array.from({ length: to - from + 1 }, (_, i) => String.fromCodePoint(from + i)).join('');
 
-/** Printable ASCII, Latin-1 and what else the inspector's texts have. */
+/** Printable ASCII, Latin-1 and the other letters of the inspector's texts. */
 export const kLetters = range(0x20, 0x7e) + range(0xa1, 0xff) + '„“';
 
 /**
  * @typedef {object} Glyphs
  * @property {number} lineHeight
- * @property {Float32Array} metrics  six numbers a letter: code point, width, height, left, top, advance
- * @property {Uint8Array} alpha      of one letter after the other, row by row
+ * @property {Float32Array} metrics  six numbers per letter: code point, width, height, left, top, advance
+ * @property {Uint8Array} alpha      opacity, letter by letter, row by row
  */
 
 /**
- * @param {number} sizePx  of the letters, in device pixels
- * @returns {Glyphs | null}  null where nothing can be drawn apart from the page
+ * Draws all letters.
+ * @param {number} sizePx  letter size, device pixels
+ * @returns {Glyphs | null}  null without OffscreenCanvas or its 2D context
  */
 export function drawGlyphs(sizePx) {
   const edge = Math.ceil(sizePx * 2);

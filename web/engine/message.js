@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is to be told, without words: a code and its values, as core/base/message_json.h writes them. The words stand in
-// messages/*.json; web/i18n/messages.js makes sentences of them.
+// Messages without words: a code and its values, as core/base/message_json.h writes them. The words are in
+// messages/*.json; web/i18n/messages.js makes the sentences.
 
 /**
- * A value by its kind, which decides how it is written.
+ * A value of a message. Its kind decides its format.
  * @typedef {{ count: number } | { number: number } | { lengthMm: number } | { angleDeg: number } | { fraction: number }
  *   | { place: number[] } | { extentMm: number[] } | { quoted: string } | { term: string } | { setting: string }
  *   | { choice: { key: string, value: string } } | { indices: number[] } | { cause: Message }} Value
@@ -11,7 +11,8 @@
  */
 
 /**
- * The only maker of messages, so that a test finds them all in the sources: `message('engine-hung', { count: { count: 3 } })`.
+ * Makes a message, as in `message('engine-hung', { count: { count: 3 } })`. No other function does, so that a test can
+ * find all messages in the sources.
  * @param {string} code  a literal
  * @param {Record<string, Value>} [values]  by literal names
  * @returns {Message}

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Loads the module in its two parts: all that the page needs at first, and the inspector once it is wanted. Both share
-// one memory and one table of functions (wasm/split_inspector.js).
+// Loads the module in two parts: the main part at once, the inspector on demand. Both share one memory and one table of
+// functions (wasm/split_inspector.js).
 import inspectorUrl from 'qrelief-inspector-wasm';
 import createQRelief from 'qrelief-module';
 import wasmUrl from 'qrelief-wasm';
@@ -9,7 +9,7 @@ import { message } from './message.js';
 
 /** @typedef {import('./types.js').QReliefModule} QReliefModule */
 
-/** Stands for what the second part holds, by the name of its place in the table, until that is there. */
+/** Placeholders for the inspector's functions, by their index in the table, until the inspector is loaded. */
 const kPlaceholders = new Proxy({}, {
   get: (_, place) => () => {
     throw new Error(`the inspector was called before it was loaded (${String(place)})`);
@@ -20,14 +20,18 @@ const kPlaceholders = new Proxy({}, {
 async function compile(url) {
   const response = await fetch(url, { credentials: 'same-origin' });
   if (!response.ok) throw new Error(`${response.status} ${response.statusText}`.trim());
-  const isTyped = response.headers.get('Content-Type') === 'application/wasm';  // else it cannot be compiled on the way
+  const isTyped = response.headers.get('Content-Type') === 'application/wasm';  // required to compile while downloading
   return isTyped ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer());
 }
 
 /** @param {unknown} thrown */
 const detailOf = (thrown) => (thrown instanceof Error ? thrown.message : String(thrown));
 
-/** @returns {Promise<{ module: QReliefModule, loadInspector: () => Promise<void> }>}  what it rejects with can be shown */
+/**
+ * Loads the main part.
+ * @returns {Promise<{ module: QReliefModule, loadInspector: () => Promise<void> }>}
+ * @throws {EngineFailure}
+ */
 export async function loadModule() {
   /** @type {WebAssembly.Instance | undefined} */ let first;
   /** @type {Promise<unknown> | undefined} */ let second;
@@ -43,7 +47,7 @@ export async function loadModule() {
       createQRelief({
         instantiateWasm: (imports, receive) => {
           instantiate(imports, receive).catch(reject);
-          return {};  // it comes later
+          return {};  // `receive` gets the exports later
         },
       }).then(resolve, reject);
     });
@@ -58,7 +62,7 @@ export async function loadModule() {
     try {
       await second;
     } catch (thrown) {
-      second = undefined;  // the network may be back the next time
+      second = undefined;  // allows another attempt
       throw new EngineFailure(internal(message('inspector-not-loaded', { detail: { term: detailOf(thrown) } })));
     }
   }

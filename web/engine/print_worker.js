@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Makes one print, in a module of its own: the engine goes on meanwhile, and the memory goes with the worker.
+// Simulates one print in its own module. The engine keeps working, and ending the worker frees the memory.
 import { copyOf, parseAnswer } from './answers.js';
 import { describeThrown } from './engine_error.js';
 import { loadModule } from './module.js';
@@ -8,8 +8,8 @@ import { loadModule } from './module.js';
 
 const scope = /** @type {any} */ (globalThis);
 
-const loading = loadModule();  // before there is a job
-loading.catch(() => {});  // the job says it
+const loading = loadModule();  // starts before the job arrives
+loading.catch(() => {});  // the job reports the error
 
 scope.onmessage = async (/** @type {MessageEvent<PrintJob>} */ { data: { stl, order } }) => {
   try {

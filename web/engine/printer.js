@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The page's way to the worker that makes a print.
+// Runs the worker that simulates a print.
 import { EngineFailure, crash } from './engine_error.js';
 
 /** @typedef {import('./types.js').Print} Print */
@@ -18,9 +18,10 @@ export function dismissPrinter() {
 }
 
 /**
+ * Simulates a print.
  * @param {import('./types.js').PrintJob} job
  * @param {{ signal: AbortSignal, onProgress: (fraction: number) => void }} options
- * @returns {Promise<Print | undefined>}  none: aborted
+ * @returns {Promise<Print | undefined>}  undefined: aborted
  */
 export function makePrint(job, { signal, onProgress }) {
   if (signal.aborted) return Promise.resolve(undefined);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The module as Emscripten writes it; vite.config.js says where it lies.
+// Types of the files that Emscripten writes; vite.config.js resolves their paths.
 
 declare module 'qrelief-module' {
   type Receive = (instance: WebAssembly.Instance) => void;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Types of what crosses the boundary between the page and the module. No code.
+// Types of all values that cross the boundary between the page and the module. No code.
 
 /** @typedef {import('./message.js').Message} Message */
 /** @typedef {Message & { kind: 'BadUsage' | 'BadInput' | 'NoSolution' | 'Internal' }} EngineError */
@@ -9,7 +9,7 @@
  * @typedef {{ format: string, scaleToMm: number, triangles: number, vertices: number,
  *   sizeMm: [number, number, number], shells: number, engravable: boolean, findings: Finding[],
  *   centre: [number, number, number] | null }} ModelInfo
- *   `centre`: a surface point in the middle of the view
+ *   `centre`: proposed centre of the code: a surface point in the middle of the view
  */
 
 /** @typedef {{ x: number, y: number, width: number, height: number }} Area  of the canvas, CSS pixels */
@@ -22,97 +22,110 @@
 /**
  * @typedef {object} Settings
  * @property {string} text
- * @property {'L' | 'M' | 'Q' | 'H'} [ecc]            left out: M, or a higher one where that needs no larger version
- * @property {'shallow' | 'balanced' | 'robust'} preset   how dark the code is carved
+ * @property {'L' | 'M' | 'Q' | 'H'} [ecc]            default: the highest level that needs no larger version than M
+ * @property {'shallow' | 'balanced' | 'robust'} preset   target darkness of the code
  * @property {ModulePattern} pattern
  * @property {FinderPattern} finderPattern
  * @property {'free' | 'oriented' | 'best' | number} size   edge of the symbol without quiet zone; a number is mm
- * @property {number} maxSizeMm                    upper bound for a size that is found
- * @property {boolean} quietZone                   whether the quiet zone has to fit as well
+ * @property {number} maxSizeMm                    upper limit of 'free', 'oriented' and 'best'
+ * @property {boolean} quietZone                   the quiet zone has to fit on the surface
  * @property {'mean-normal' | 'depth-balanced' | 'pca' | 'optimal'} direction
  * @property {number} rotateDeg
- * @property {number} [contrast]                   instead of that of the preset
+ * @property {number} [contrast]                   overrides the preset's
  * @property {number} minWallMm
  * @property {number} nozzleMm                     of the printer, for advice
  * @property {number} layerMm
  * @property {number} [maxDepthMm]
  * @property {number} eyeDistanceMm
- * @property {import('./lamps.js').Lamp[]} [light]   beside the sky
+ * @property {import('./lamps.js').Lamp[]} [light]   in addition to the sky
  */
 
 /**
  * @typedef {{ centre: [number, number, number], normal: [number, number, number], up: [number, number, number],
  *   symbolMm: number, moduleMm: number, guaranteedMm: number, version: number, modules: number, rotationDeg: number,
  *   direction: [number, number, number] | null, aimToleranceDeg: number, forgiving: boolean }} Placement
- *   `direction` that the centre came with, as a spot that was suggested; `aimToleranceDeg`: from how far aside, to every side, it can be read at most
- *   `rotationDeg`: of the symbol's top from upwards, anticlockwise
+ *   `direction`: viewing direction of a suggested spot, null otherwise; `aimToleranceDeg`: largest angle off the
+ *   viewing direction, to any side, at which the code can decode; `rotationDeg`: angle from up to the symbol's top,
+ *   anticlockwise
  */
 
 /**
  * @typedef {{ symbolMm: number, moduleMm: number, guaranteedMm: number, missingShare: number, exact: boolean }} CodeFacts
- *   `missingShare`: of the square that must fit, 0 … 1: overhangs, or is hidden
- * @typedef {{ hit: boolean, onCode?: boolean, code?: CodeFacts }} HoverResult  `onCode`: over the code that has its place
+ *   `missingShare`: share of the required square, 0 … 1, that overhangs or is hidden
+ * @typedef {{ hit: boolean, onCode?: boolean, code?: CodeFacts }} HoverResult
+ *   `onCode`: the pointer is over the placed code
  */
 
 /**
- * Where the code and its quiet zone lie on the screen, CSS pixels: corners of the square from the upper left on,
- * clockwise for its reader; `facing`: cosine at which the camera looks at it.
+ * Position of the code with its quiet zone on the screen. `corners`: CSS pixels, clockwise from the upper left as seen
+ * by the viewer; `facing`: cosine of the angle between the camera's view and the code's normal.
  * @typedef {{ corners: [number, number][], facing: number, symbolMm: number, rotationDeg: number }} CodeOnScreen
  * @typedef {{ from: [number, number] | null, to: [number, number] }} LampOnScreen
- *   `from` the lamp, null behind the camera, `to` the middle of the code, CSS pixels
+ *   line from the lamp, null behind the camera, to the centre of the code, CSS pixels
  * @typedef {{ code: CodeOnScreen | null, lamps: LampOnScreen[], axes: [number, number, number][] }} ViewState
- *   `axes` of the camera: right, up, back, in a space whose z is up
+ *   `axes`: right, up and back of the camera, in a space with z up
  */
 
 /** @typedef {'front' | 'back' | 'left' | 'right' | 'top' | 'bottom' | 'iso'} StandardView */
 
 /**
  * @typedef {{ spots: { centre: [number, number, number], sizeMm: number, aimToleranceDeg: number, concerns: Message[] }[], topMm: number }} Spots
- *   best first, with the largest size there; `concerns`: reasons why a code may not print or decode there; `topMm`: the
- *   size of the map's last colour
+ *   best first; `sizeMm`: largest size that fits; `concerns`: reasons why a code may not print or decode there;
+ *   `topMm`: size of the map's last colour
  */
 
 /**
  * @typedef {{ version: number, ecc: 'L' | 'M' | 'Q' | 'H', mask: number, size: number, rows: string[], bytes: number, room: number,
  *   leastModuleMm: number | null }} SymbolFacts
- *   `rows`: '1' is dark; `bytes` of the text; `room`: more bytes that the version holds; `leastModuleMm`: that the printer
- *   makes of the pattern
+ *   `rows`: '1' is dark; `bytes`: length of the text; `room`: bytes left in this version; `leastModuleMm`: smallest
+ *   module of this pattern that the printer can make
  */
 
 /** @typedef {{ hit: boolean, centre?: [number, number, number] }} PickResult */
 /** @typedef {{ renderer: string, version: string, problems: Message[] }} Capabilities */
 /** @typedef {{ stage: Message, fraction: number }} EngraveProgress */
-/** @typedef {{ usedBytes: number, heapBytes: number, glObjects: number, glKinds: Record<string, number> }} MemoryUse  of the module; its heap never shrinks */
+/**
+ * @typedef {{ usedBytes: number, heapBytes: number, glObjects: number, glKinds: Record<string, number> }} MemoryUse
+ *   `heapBytes` never shrinks
+ */
 /** @typedef {{ width: number, height: number, pixels: Uint8Array }} GreyImage */
-/** The newest pass of a search for depths. @typedef {{ luminance: JobMap, depths: JobMap }} SearchMaps */
+/** The maps of the latest pass of a depth search. @typedef {{ luminance: JobMap, depths: JobMap }} SearchMaps */
 /** @typedef {'surface' | 'luminance' | 'depths' | 'search-luminance' | 'search-depths'} JobMapName */
 /**
  * @typedef {{ width: number, height: number, components: number, values: Float32Array }} JobMap
- *   what the last engraving worked on; row 0 at the bottom. `surface`: normal (right, up, towards the reader) and height
- *   in mm, all zero beside the model; `luminance`: 1 = unoccluded; `depths`: mm, one value a submodule
+ *   a map of the last engraving; row 0 at the bottom. `surface`: normal (right, up, towards the viewer) and height in
+ *   mm, all zero off the model; `luminance`: 1 = unoccluded; `depths`: mm, one value per submodule
  */
 
-/** @typedef {{ moduleMm: number, pocketMm: number, leastDepthMm: number, leastDepthLayers: number, nozzleMm: number }} CarvedFeatures */
-/** @typedef {{ overall: number } & Record<string, any>} Grades  by parameter: `value` in its own unit, `grade` 4 (A) … 0 (F) */
+/**
+ * @typedef {{ moduleMm: number, pocketMm: number, leastDepthMm: number, leastDepthLayers: number, nozzleMm: number }} CarvedFeatures
+ */
+/**
+ * @typedef {{ overall: number } & Record<string, any>} Grades
+ *   per parameter: `value` in its own unit, `grade` 4 (A) … 0 (F)
+ */
 /** @typedef {{ width: number, height: number, pixels: Uint8Array<ArrayBuffer> }} ColourImage  RGBA, row 0 at the top */
 
 /** @typedef {'good' | 'barely' | 'bad'} Level */
 /**
- * What would help: without a change, another place for the code.
- * @typedef {Message & { change?: { setting: string, value: string } }} Remedy  `value`: as settings files write it; '': the default
+ * A remedy: a change of a setting, or, without `change`, moving the code.
+ * @typedef {Message & { change?: { setting: string, value: string } }} Remedy
+ *   `value`: as in settings files; '': the default
  * @typedef {{ level: Level, passed: boolean, summary: Message, warnings: Message[], reasons: Message[], remedies: Remedy[] }} Aspect
  * @typedef {{ passed: boolean, reads: Aspect, prints: Aspect, solid: Aspect }} Verdict
- * @typedef {{ passed: boolean, next: { setting: string, value: string } | null }} ReadingResult  `next`: what to carve with instead
- * @typedef {ReadingResult & { report: Report }} PrintedResult  of a carving and its print; `report`: with the print in it
+ * @typedef {{ passed: boolean, next: { setting: string, value: string } | null }} ReadingResult
+ *   `next`: change to carve with next
+ * @typedef {ReadingResult & { report: Report }} PrintedResult
+ *   result of a carving and its print; `report` includes the print
  * @typedef {{ tilts: { tiltDeg: number, reads: number, all: number }[], safeTiltDeg: number, forgiving: boolean,
  *   pixelsPerModule: number | null, distanceMm: number | null }} ViewTrials
- *   `tilts`: up to the first from which nothing is read; `forgiving`: read from as far aside as hands hold a phone without taking
- *   care; `pixelsPerModule`: a module's least width at which it reads, and `distanceMm`: how far a phone is then
+ *   `tilts`: up to the first tilt at which nothing decodes; `forgiving`: decodes at every tilt of a phone held without
+ *   care; `pixelsPerModule`: smallest module width that decodes; `distanceMm`: distance of a phone at that width
  * @typedef {{ done: boolean, tried: number, all: number, views: ViewTrials }} ViewTrialProgress
  */
 
 /**
- * The part of the report (see the contract) that the page shows.
+ * The part of the report (core/report/report.h) that the page shows.
  * @typedef {object} Report
  * @property {string} text
  * @property {{ version: number, ecc: string, modules: number }} symbol
@@ -125,42 +138,44 @@
  */
 
 /**
- * What a batch is asked for: what all rows have, the templates of text and file name ('' where the list's columns say
- * them), how many rows are numbered without a list, else 0, and how many stand on a plate; 0: each has a file of its own.
+ * A batch request. `settings`: shared by all rows; `text`, `name`: templates of text and file name, '' where the list
+ * has a column for them; `count`: number of rows without a list, else 0; `perPlate`: rows per plate, 0: one file per
+ * row.
  * @typedef {{ settings: Settings, text: string, name: string, count: number, perPlate: number }} WantedBatch
  * @typedef {{ rows: number, problems: Message[], mayBeMore: boolean, unused: string[], version?: number, modules?: number }} BatchPlan
- *   with a problem there are no rows; `unused`: columns that nothing asks for
+ *   no rows if there is a problem; `unused`: columns that are not used
  * @typedef {{ number: number, line: number, id: string, text: string, file: string }} BatchRowName
- * @typedef {BatchRowName & { settings: Partial<Settings> & Record<string, unknown> }} BatchRow  `settings` that are not those of all
- * @typedef {{ passed: boolean, failed: Message[], details: object }} DescribedRow  `failed`: checks
+ * @typedef {BatchRowName & { settings: Partial<Settings> & Record<string, unknown> }} BatchRow
+ *   `settings`: only the values that differ from the shared settings
+ * @typedef {{ passed: boolean, failed: Message[], details: object }} DescribedRow  `failed`: failed checks
  * @typedef {{ number: number, id: string, text: string, file: string, status: 'done' | 'failed', reason?: string,
- *   sha256: { input: string, settings: string, output?: string } }} ManifestEntry  with the details of DescribedRow beside
+ *   sha256: { input: string, settings: string, output?: string } }} ManifestEntry  plus `details` of DescribedRow
  */
 
-/** @typedef {{ order: object, stl: Uint8Array<ArrayBuffer> }} PrintJob  the carved model, and what is to be made of it */
+/** @typedef {{ order: object, stl: Uint8Array<ArrayBuffer> }} PrintJob  the carved model and the print order */
 /**
- * A carved code as the printer leaves it.
+ * A simulated print of a carved code.
  * @typedef {{ facingDeg: number, misread: [number, number][], pictures: GreyImage[], picture: GreyImage }} Print
- *   `facingDeg` between the code's normal and the printer's vertical; `misread`: row and column of the modules that the print
- *   has lost; `pictures` for readers; `picture`: the symbol from the front with 6 modules around it
+ *   `facingDeg`: angle between the code's normal and the printer's vertical; `misread`: row and column of the modules
+ *   lost in the print; `pictures`: for the decoder; `picture`: the symbol from the front with a border of 6 modules
  */
 
-/** @typedef {{ process?: string, buildUp?: string }} PrintChange  as settings files write it */
+/** @typedef {{ process?: string, buildUp?: string }} PrintChange  as in settings files */
 /**
- * Other ways of printing the same carving: how many were made, of how many, and what they came to; `fraction` of the one that
- * is being made, none when it is over; `error`: why it ended.
+ * Trials of other ways to print the same carving. `tried`: finished trials; `all`: number of trials planned;
+ * `fraction`: progress of the current trial, absent at the end; `error`: reason of a failure.
  * @typedef {{ tried: { change: PrintChange, prints: Aspect }[], all: number, fraction?: number, error?: EngineError }} PrintTrials
  */
 
 /**
- * How far the print of a carving is.
+ * State of the print of a carving.
  * @typedef {{ state: 'none' } | { state: 'made', print: Print, trials?: PrintTrials } | { state: 'under-way', fraction: number } | { state: 'stopped' } |
  *   { state: 'failed', error: EngineError }} Printed
- *   none: it is not asked for
+ *   none: no print process is chosen
  */
 
 /**
- * How the module answers a verb: its value, or what went wrong.
+ * The module's answer to a verb that failed.
  * @typedef {{ ok: false, error: EngineError }} Failure
  */
 
@@ -240,7 +255,7 @@
  */
 
 /**
- * The class `PrintedCode` of the module: makes one print, and needs no canvas.
+ * The class `PrintedCode` of the module: simulates one print. It needs no canvas.
  * @typedef {object} PrintedCode
  * @property {(stl: Uint8Array, order: string) => string} start
  * @property {() => string} advance
@@ -249,7 +264,8 @@
  */
 
 /**
- * The class `PlannedBatch` of the module: a list's rows, and the manifest's lines; it needs neither canvas nor model.
+ * The class `PlannedBatch` of the module: the rows of a list and the lines of the manifest. It needs no canvas and no
+ * model.
  * @typedef {object} PlannedBatch
  * @property {(list: Uint8Array, wanted: string) => string} plan
  * @property {(from: number, count: number) => string} rows
@@ -260,7 +276,7 @@
  */
 
 /**
- * Emscripten's tables from the names C++ has to WebGL's objects; null where one was deleted.
+ * Emscripten's tables of WebGL objects by their OpenGL names; null for deleted objects.
  * @typedef {Record<'buffers' | 'programs' | 'framebuffers' | 'renderbuffers' | 'textures' | 'shaders' | 'vaos' | 'queries' | 'syncs',
  *   (object | null)[]>} GlTables
  */
@@ -276,12 +292,12 @@
  */
 
 /**
- * Everything the view may ask for; positions in CSS pixels of the canvas.
+ * An action of the view; positions in CSS pixels of the canvas.
  * @typedef {{ kind: 'orbit', dx: number, dy: number } | { kind: 'pan', dx: number, dy: number }
  *   | { kind: 'zoom', factor: number, x: number, y: number } | { kind: 'fit' } | { kind: 'readerView' } | { kind: 'face' }
  *   | { kind: 'standard', name: StandardView } | { kind: 'faceSection' }
  *   | { kind: 'pointer', x: number, y: number, buttons: number, wheel: number }
- *   | { kind: 'key', key: string, control: boolean, shift: boolean }} ViewAction  `key` is the inspector's
+ *   | { kind: 'key', key: string, control: boolean, shift: boolean }} ViewAction  `key`: for the inspector
  */
 
 /** @typedef {{ width: number, height: number, devicePixelRatio: number }} ViewSize */
@@ -289,26 +305,26 @@
 /** @typedef {[number, number, number, number]} Box  x, y, width, height */
 
 /**
- * What the inspector shows; its canvas says nothing to those who cannot see it, nor to tests.
+ * State of the inspector, for screen readers and tests: they cannot read its canvas.
  * @typedef {object} InspectorState
  * @property {string} tab
  * @property {string} channel
- * @property {number} pass      from 1; 0 before there is any
+ * @property {number} pass      from 1; 0 before the first
  * @property {number} passes
  * @property {{ row: number, column: number, role: string, carved: boolean, LS: number, AL: number | null,
  *   G: number | null, depthMm: number | null, limitMm: number | null } | null} selected  submodule
- * @property {number} overridden     how many settings differ from the page's
- * @property {string} overrides      which, in words
- * @property {number} engraveAsked   how often "Engrave again" was pressed
- * @property {boolean} keyboard      whether it takes the keys
- * @property {string} cursor         over it; empty: elsewhere
+ * @property {number} overridden     number of settings that differ from the page's
+ * @property {string} overrides      these settings, in words
+ * @property {number} engraveAsked   number of times "Engrave again" was pressed
+ * @property {boolean} keyboard      true: it takes keyboard input
+ * @property {string} cursor         CSS cursor; empty while the pointer is elsewhere
  * @property {Box} window
  * @property {Record<string, Box>} controls
- * @property {boolean} still         its layout has come to an end, for what was done so far
+ * @property {boolean} still         true: its layout has settled
  */
 
 /**
- * What the host tells the page unasked.
+ * An event that the host sends to the page.
  * @typedef {{ event: 'progress', progress: EngraveProgress } | { event: 'view', state: ViewState } | { event: 'contextlost' }
  *   | { event: 'failure', error: EngineError } | { event: 'inspector', state: InspectorState }
  *   | { event: 'printable', job: PrintJob | null } | { event: 'search', search: SearchMaps }} HostEvent

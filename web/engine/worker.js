@@ -23,7 +23,7 @@ scope.onmessage = async (/** @type {MessageEvent} */ { data }) => {
     const value = await /** @type {Record<string, (...args: any[]) => any>} */ (verbs)[verb](...args);
     scope.postMessage({ id, value }, transferables(value));
   } catch (thrown) {
-    if (!(thrown instanceof EngineFailure)) console.error(thrown);  // a fault of ours: where it happened helps
+    if (!(thrown instanceof EngineFailure)) console.error(thrown);  // a bug: log its stack
     scope.postMessage({ id, error: describeThrown(thrown) });
   }
 };

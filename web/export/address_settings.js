@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Settings in the page's address, by their names: `?sample=bunny&pattern=square&light=90,33`.
+// Reads settings from the page's address, by name: `?sample=bunny&pattern=square&light=90,33`.
 import { EngineFailure } from '../engine/engine_error.js';
 import { lampsFrom } from '../engine/lamps.js';
 import { message } from '../engine/message.js';
@@ -23,8 +23,9 @@ function valueOf(key, text) {
 }
 
 /**
+ * Reads and checks the settings in an address.
  * @param {URLSearchParams} address
- * @param {readonly SettingKey[]} controls  settings that have a control; others are no business of the address
+ * @param {readonly SettingKey[]} controls  settings that have a control; others are ignored
  * @returns {Partial<import('../engine/types.js').Settings>}
  * @throws {EngineFailure} if a value cannot be used
  */

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Names of the files that are saved: they say what is inside, in characters that every file system takes.
+// Makes names for saved files that describe their contents and are valid on every file system.
 import { parsePhone } from '../contents/addresses.js';
 
 const kMostOfText = 32, kMostOfModel = 48;
-/** Of letters that Unicode does not take apart. */
+/** ASCII for letters that Unicode does not decompose. */
 const kPlainLetters = /** @type {Record<string, string>} */ ({
   ß: 'ss', æ: 'ae', Æ: 'AE', œ: 'oe', Œ: 'OE', ø: 'o', Ø: 'O', ł: 'l', Ł: 'L', đ: 'd', Đ: 'D', ð: 'd', þ: 'th', ı: 'i',
 });
 
 /**
- * In ASCII letters, digits, dots, hyphens and underscores; no separator at an end, no two dots in a row.
+ * Reduces a text to ASCII letters, digits, dots, hyphens and underscores, without separators at the ends or repeated
+ * dots.
  * @param {string} text @param {number} most  characters
  */
 export function safePart(text, most) {
@@ -19,7 +20,7 @@ export function safePart(text, most) {
     .slice(0, most).replace(/^[-._]+|[-._]+$/g, '');
 }
 
-/** The value of a line or field, without the backslashes. @param {string} text @param {RegExp} start */
+/** Returns the value of a line or field without backslashes. @param {string} text @param {RegExp} start */
 const valueAfter = (text, start) => {
   const found = start.exec(text);
   if (!found) return '';
@@ -28,7 +29,7 @@ const valueAfter = (text, start) => {
 };
 
 /**
- * What a code's text is about, in a few characters; never a password.
+ * Returns the subject of a code's text in a few characters; never a password.
  * @param {string} text
  */
 export function subjectOf(text) {
@@ -60,12 +61,12 @@ function decoded(text) {
 }
 
 /**
- * `bunny-qr-en.wikipedia.org-31mm.stl`
+ * Returns a file name such as `bunny-qr-en.wikipedia.org-31mm.stl`.
  * @param {object} of
  * @param {string} of.modelFile
- * @param {string} of.text        that the code holds
- * @param {number} [of.symbolMm]  left out before it is known
- * @param {string} [of.addition]  what sets it apart from other files of the same carving
+ * @param {string} of.text        of the code
+ * @param {number} [of.symbolMm]  absent while unknown
+ * @param {string} [of.addition]  distinguishes files of the same carving
  * @param {string} of.extension
  */
 export function fileNameOf({ modelFile, text, symbolMm, addition, extension }) {
@@ -74,5 +75,9 @@ export function fileNameOf({ modelFile, text, symbolMm, addition, extension }) {
   return `${[model, 'qr', subjectOf(text), size, addition].filter(Boolean).join('-')}.${extension}`;
 }
 
-/** Of the symbol alone: `qr-en.wikipedia.org.svg` @param {string} text @param {string} extension */
+/**
+ * Returns the file name of a symbol, such as `qr-en.wikipedia.org.svg`.
+ * @param {string} text
+ * @param {string} extension
+ */
 export const symbolFileName = (text, extension) => `${['qr', subjectOf(text)].filter(Boolean).join('-')}.${extension}`;

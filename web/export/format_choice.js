@@ -3,7 +3,7 @@ import { recall, remember } from '../storage/remembered.js';
 
 const kKept = 'format';
 
-/** Has the chooser say what was chosen last, also on the last visit. @param {HTMLSelectElement} chooser */
+/** Restores the last choice, also of the last visit, and remembers new ones. @param {HTMLSelectElement} chooser */
 export function rememberFormat(chooser) {
   const last = recall(kKept);
   if ([...chooser.options].some(({ value }) => value === last)) chooser.value = /** @type {string} */ (last);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Settings as a file: all that decides what is carved, and on which model, but for the model itself.
+// Settings files: all inputs of a carving, with a reference to the model but without the model itself.
 import { EngineFailure } from '../engine/engine_error.js';
 import { areLamps } from '../engine/lamps.js';
 import { message } from '../engine/message.js';
@@ -12,8 +12,8 @@ import { kSettings } from '../generated/settings.js';
 
 /**
  * @typedef {object} ModelChoice
- * @property {string} file           its name
- * @property {string} [sample]       which sample it is, if it is one
+ * @property {string} file           file name
+ * @property {string} [sample]       id, if the model is a sample
  * @property {number} scaleToMm
  * @property {UpAxis} upAxis
  * @property {Point} [centreMm]      of the code
@@ -26,12 +26,16 @@ const kVersion = 1;
 const kMostBytes = 1 << 20;
 const kKeys = /** @type {SettingKey[]} */ (Object.keys(kSettings));
 
-const kFirstRelease = '0.1.0';  // whose files know no later setting
+const kFirstRelease = '0.1.0';  // its files lack all later settings
 
-/** What a file has: the text, and what there is a control for. @param {readonly SettingKey[]} controls @returns {SettingKey[]} */
+/**
+ * Returns the keys in a file: the text and all settings with a control.
+ * @param {readonly SettingKey[]} controls
+ * @returns {SettingKey[]}
+ */
 export const fileKeys = (controls) => kKeys.filter((key) => kSettings[key].kind === 'text' || controls.includes(key));
 
-/** What a file may leave out: what counts then, the control begins with. @param {SettingKey} key */
+/** Tells whether a file may leave out a setting; the control's default applies then. @param {SettingKey} key */
 function mayBeMissing(key) {
   const { default: initial, since } = kSettings[key];
   const isEmpty = initial === null || initial === 'auto' || (Array.isArray(initial) && initial.length === 0);
@@ -43,7 +47,7 @@ export const writeSettingsFile = ({ settings, model }) =>
   `${JSON.stringify({ kind: kKind, version: kVersion, settings, ...(model ? { model } : {}) }, null, 2)}\n`;
 
 /**
- * Whether a file may be one of settings rather than a model.
+ * Tells whether a file may be a settings file rather than a model.
  * @param {{ name: string, type: string }} file
  */
 export const looksLikeSettings = ({ name, type }) => /\.json$/i.test(name) || type === 'application/json';
@@ -53,7 +57,7 @@ function refuseFile(why) {
   throw new EngineFailure({ kind: 'BadInput', ...message('settings-file-refused', { why: { cause: why } }) });
 }
 
-/** Short enough for a message. @param {unknown} value */
+/** Formats a value for a message, 40 characters at most. @param {unknown} value */
 function shown(value) {
   const json = JSON.stringify(value) ?? 'undefined';
   return json.length > 40 ? `${json.slice(0, 39)}…` : json;
@@ -81,7 +85,7 @@ function checkChoice(name, value, choices, refuse) {
 }
 
 /**
- * Checks a setting from outside.
+ * Checks the value of a setting from a file or an address.
  * @param {SettingKey} name
  * @param {unknown} value
  * @param {Refuse} [refuse]  throws an error that says why
@@ -131,11 +135,12 @@ function parse(json, name) {
 }
 
 /**
+ * Reads and checks a settings file.
  * @param {string} json
  * @param {string} name  of the file, for messages
- * @param {readonly SettingKey[]} controls  what there is a control for
+ * @param {readonly SettingKey[]} controls  settings that have a control
  * @returns {SettingsFile}
- * @throws {EngineFailure} saying what is wrong with which setting; then nothing of the file may be used
+ * @throws {EngineFailure} naming the wrong setting; then do not use any part of the file
  */
 export function readSettingsFile(json, name, controls) {
   if (json.length > kMostBytes) refuseFile(message('settings-absent', { file: { quoted: name } }));

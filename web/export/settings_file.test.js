@@ -10,7 +10,7 @@ import { fileKeys, looksLikeSettings, readSettingsFile as readFile, writeSetting
 
 await messageWords.come();
 
-/** What the page has controls for. @type {import('../generated/settings.js').SettingKey[]} */
+/** Settings that have a control on the page. @type {import('../generated/settings.js').SettingKey[]} */
 const kControls = [...readFileSync(new URL('../index.html', import.meta.url), 'utf8').matchAll(/data-setting="([^"]+)"/g)]
   .map(([, key]) => /** @type {any} */ (key));
 const kFileKeys = fileKeys(kControls);
@@ -25,7 +25,7 @@ const kSettings = {
 /** @type {import('./settings_file.js').ModelChoice} */
 const kModel = { file: 'bunny.stl', sample: 'bunny', scaleToMm: 1, upAxis: 'z', centreMm: [1.25, -3, 0] };
 
-/** The file's content with other values. @param {any} change */
+/** Returns the file's content with other values. @param {any} change */
 const changed = (change) => JSON.stringify({ ...JSON.parse(writeSettingsFile({ settings: kSettings, model: kModel })), ...change });
 
 /** @param {Record<string, unknown>} change */

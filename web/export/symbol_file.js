@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The symbol alone, with its quiet zone: as SVG, and as the pixels of a PNG.
+// Writes the symbol with its quiet zone as SVG and PNG.
 
 export const kQuietZone = 4;  // modules [ISO/IEC 18004, 6.3.8]
-const kPngPixels = 1024;      // its edge, at least
+const kPngPixels = 1024;      // smallest edge of the PNG
 
 /**
- * The dark modules of a row as runs, by their first column and their length.
+ * Returns the runs of dark modules in a row, by first column and length.
  * @param {string} row  '1' = dark
  */
 const runs = (row) => [...row.matchAll(/1+/g)].map(({ index, 0: { length } }) => ({ from: index, length }));
 
 /**
- * The dark modules as one path, a unit each, from the quiet zone's upper left.
+ * Returns the dark modules as one path. A module is one unit; the origin is the quiet zone's upper left corner.
  * @param {string[]} rows
  */
 export const symbolPath = (rows) => rows.flatMap((row, y) =>
   runs(row).map(({ from, length }) => `M${from + kQuietZone} ${y + kQuietZone}h${length}v1h-${length}z`)).join('');
 
-/** With the quiet zone, in modules. @param {string[]} rows */
+/** Returns the symbol's edge with quiet zone, modules. @param {string[]} rows */
 export const symbolEdge = (rows) => rows.length + 2 * kQuietZone;
 
 /** @param {string} text */
@@ -25,9 +25,11 @@ const escapeXml = (text) => text.replace(/[&<>"]/g, (character) => `&#${characte
   .replace(/[^\t\n\r\x20-\ud7ff\ue000-\ufffd\u{10000}-\u{10ffff}]/gu, '\ufffd');
 
 /**
+ * Writes the symbol as SVG.
  * @param {string[]} rows
- * @param {{ title: string, sizeMm?: number }} options  `title`: for readers of the screen; `sizeMm`: of the symbol
- *   without its quiet zone, left out: of no size of its own
+ * @param {{ title: string, sizeMm?: number }} options
+ *   `title`: for screen readers; `sizeMm`: edge of the symbol without quiet zone; if absent, the SVG has no intrinsic
+ *   size
  */
 export function symbolSvg(rows, { title, sizeMm }) {
   const edge = symbolEdge(rows);
@@ -43,7 +45,7 @@ export function symbolSvg(rows, { title, sizeMm }) {
 }
 
 /**
- * Whole pixels per module.
+ * Draws the symbol with a whole number of pixels per module.
  * @param {string[]} rows
  * @returns {{ edge: number, pixels: Uint8ClampedArray<ArrayBuffer> }}  RGBA
  */

@@ -5,7 +5,7 @@ import { symbolPixels, symbolSvg } from './symbol_file.js';
 
 const kRows = ['101', '011', '110'];
 
-/** Which modules the picture shows dark, by filling the rectangles of its path. @param {string} svg */
+/** Returns the dark modules of a picture by filling the rectangles of its path. @param {string} svg */
 function drawn(svg) {
   const [, edge] = /viewBox="0 0 (\d+) /.exec(svg) ?? [];
   const grid = Array.from({ length: Number(edge) }, () => Array(Number(edge)).fill('0'));

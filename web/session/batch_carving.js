@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Carves all parts of a batch once the first was carved and looked at, keeps them, and goes on after a reload.
+// Carves all parts of a batch after the first part was carved and checked, stores them, and continues after a reload.
 import { saveArchive } from '../batch/archive.js';
 import { BatchRun } from '../batch/batch_run.js';
 import { sha256 } from '../batch/hashes.js';
@@ -18,11 +18,15 @@ import { text } from '../i18n/catalogue.js';
 const kLock = 'qrelief-batch';
 const kNotice = 'batch';
 const kOfferNotice = 'batch-offer';
-const kMostEngines = 2;    // each has the model and a module of its own
-const kLeastMemoryGb = 4;  // of the device, for more than one
-const kRoomLeft = 0.95;    // of what the browser gives
+const kMostEngines = 2;    // each holds its own module and model
+const kLeastMemoryGb = 4;  // device memory required for more than one engine
+const kRoomLeft = 0.95;    // usable share of the browser's free storage
 
-/** Of batches, the one that is open: kept, and gone on with. @typedef {{ record: BatchRecord, job: BatchJob, states: RowStates, release: () => void }} Open */
+/**
+ * The open batch: stored, and being carved.
+ * @typedef {{ record: BatchRecord, job: BatchJob, states: RowStates, release: () => void }} Open
+ *   `release`: releases the lock of the batch's folder
+ */
 
 /**
  * @typedef {object} BatchCarvingOptions
@@ -37,8 +41,8 @@ const kRoomLeft = 0.95;    // of what the browser gives
  * @property {import('../ui/notices.js').Notices} notices
  * @property {import('../ui/messages.js').Messages} messages
  * @property {() => Work | undefined} currentWork
- * @property {(work: Work) => Promise<void>} onContinue  brings what was worked on back
- * @property {(locked: boolean) => void} onLock          the list must stay as it is
+ * @property {(work: Work) => Promise<void>} onContinue  restores the work
+ * @property {(locked: boolean) => void} onLock          true: the list must not change
  * @property {(action: () => Promise<unknown>) => Promise<void>} guard
  * @property {(job: BatchJob) => RowEngine} [makeEngine]
  */
@@ -52,12 +56,12 @@ export class BatchCarving {
     this.isStarting_ = false;
   }
 
-  /** Whether parts are kept that came from the list. */
+  /** True while a batch is open or starting. */
   get isOpen() {
     return this.open_ !== undefined || this.isStarting_;
   }
 
-  /** The first part, or what it was carved from, is another. */
+  /** Updates the panel: the first part or its settings changed. */
   show() {
     if (this.open_ || !this.options_.batching.input) return;
     const { carving, batching, panel } = this.options_;
@@ -67,7 +71,7 @@ export class BatchCarving {
     panel.showBegin({ count: batching.planned?.plan?.rows ?? 0, first });
   }
 
-  /** All parts, like the first. @param {number} printEvery */
+  /** Carves all parts like the first. @param {number} printEvery  simulate the print of every n-th part */
   async begin(printEvery) {
     const { batching, placing, model: { source }, centre, client, store, currentWork } = this.options_;
     const { planned } = batching;
@@ -105,7 +109,11 @@ export class BatchCarving {
     this.options_.panel.reveal();
   }
 
-  /** Whether there is room for files like the first. @param {number} count @param {import('../engine/types.js').BatchRow} first */
+  /**
+   * Throws if the storage has no room for all files.
+   * @param {number} count
+   * @param {import('../engine/types.js').BatchRow} first
+   */
   async checkRoom_(count, { file, settings }) {
     const { quota = Infinity, usage = 0 } = await navigator.storage?.estimate?.() ?? {};
     const bytes = await this.options_.client.exportModel(formatOf(file, settings.inlay === true));
@@ -114,7 +122,7 @@ export class BatchCarving {
     throw new EngineFailure(internal(message('storage-too-small', { count: { count }, needed: { count: needed }, room: { count: room } })));
   }
 
-  /** The rows that are still to be carved. */
+  /** Carves the remaining rows. */
   carve_() {
     const { open_: open } = this;
     if (!open || this.run_) return;
@@ -143,7 +151,7 @@ export class BatchCarving {
     this.showProgress_();
   }
 
-  /** @param {BatchRun} run */
+  /** Reports the end of the run. @param {BatchRun} run */
   showEnd_({ problem }) {
     const { messages } = this.options_;
     this.showProgress_();
@@ -173,12 +181,12 @@ export class BatchCarving {
     else this.carve_();
   }
 
-  /** At once; what is carved stays. */
+  /** Stops at once; carved parts are kept. */
   stop() {
     this.run_?.end();
   }
 
-  /** Rows that failed are to be carved again. */
+  /** Carves the failed rows again. */
   retry() {
     const states = this.open_?.states;
     if (!states || this.run_) return;
@@ -186,7 +194,7 @@ export class BatchCarving {
     this.carve_();
   }
 
-  /** What is there so far. */
+  /** Downloads all parts carved so far. */
   async download() {
     const { store, client, panel, messages } = this.options_;
     if (!this.open_) return;
@@ -202,7 +210,7 @@ export class BatchCarving {
     }
   }
 
-  /** After a question. */
+  /** Discards the batch after asking. */
   discard() {
     const { open_: open, options_: { notices } } = this;
     if (!open) return;
@@ -225,8 +233,8 @@ export class BatchCarving {
   }
 
   /**
-   * Offers what the last visit left.
-   * @returns {Promise<boolean>}  whether there was something
+   * Offers the batch of the last visit.
+   * @returns {Promise<boolean>}  false: there is none, or another tab has it open
    */
   async offer() {
     const { store, notices, guard } = this.options_;
@@ -236,7 +244,7 @@ export class BatchCarving {
     try {
       release = await holdLock();
     } catch {
-      return false;  // another tab is at it
+      return false;  // another tab has it open
     }
     const states = new RowStates(record.rows);
     await store.readStates(states);
@@ -259,7 +267,8 @@ export class BatchCarving {
     const { centreMm, wanted, input } = record;
     const job = { model: { bytes, fileName: work.fileName, scaleToMm: work.scaleToMm, upAxis: work.upAxis }, input, centreMm, list, wanted };
     const settingsOfFirst = await new RowEngine(job, { client }).hashOf(0);
-    const isSame = settingsOfFirst === record.settingsOfFirst;  // else another version of the program would carve the rest
+    // If the hash differs, the program has changed: carve all rows again.
+    const isSame = settingsOfFirst === record.settingsOfFirst;
     const now = { ...record, settingsOfFirst };
     if (!isSame) await store.begin(now, { model: bytes, list });
     this.open_ = { record: now, job, states: isSame ? states : new RowStates(record.rows), release };
@@ -269,14 +278,19 @@ export class BatchCarving {
     if (this.phase_ !== 'over') this.carve_();
   }
 
-  /** What the table has of a row. @param {number} index @returns {Promise<import('../engine/types.js').BatchRowName | undefined>} */
+  /**
+   * Returns a row's number, id, text and file name.
+   * @param {number} index
+   * @returns {Promise<import('../engine/types.js').BatchRowName | undefined>}  undefined while the module is replaced
+   */
   async nameOf(index) {
-    const [name] = await this.options_.client.batchRows(index, 1).catch(() => []);  // a module that is replaced learns it again
+    // A new module gets the list again.
+    const [name] = await this.options_.client.batchRows(index, 1).catch(() => []);
     return name;
   }
 }
 
-/** How many engines carve side by side: where none has a worker of its own, the page itself must not stand still for two. */
+/** Returns the number of parallel engines: one without OffscreenCanvas, as the engine then blocks the page. */
 function engineCount() {
   if (typeof OffscreenCanvas !== 'function') return 1;
   const memory = /** @type {{ deviceMemory?: number }} */ (navigator).deviceMemory ?? kLeastMemoryGb;
@@ -284,8 +298,9 @@ function engineCount() {
 }
 
 /**
- * No other tab carves into the same folder meanwhile.
- * @returns {Promise<() => void>}  gives it back
+ * Locks the batch's folder against other tabs.
+ * @returns {Promise<() => void>}  releases the lock
+ * @throws {EngineFailure} if another tab holds the lock
  */
 async function holdLock() {
   if (!navigator.locks) return () => {};

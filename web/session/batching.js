@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the parts of a batch come from: the list is checked as a whole, and the first part is worked on as one code is.
+// Plans the parts of a batch: checks the list as a whole and offers its first part to be edited like a single code.
 import { isReplaced } from '../engine/client.js';
 import { describeThrown, isFatal } from '../engine/engine_error.js';
 import { text } from '../i18n/catalogue.js';
@@ -12,7 +12,7 @@ import { isEmptyInput } from '../ui/batch_panel.js';
 /** @typedef {import('../engine/message.js').Message} Message */
 /** @typedef {import('../storage/last_work.js').BatchInput} BatchInput */
 /** @typedef {{ input: BatchInput, wanted: WantedBatch, plan?: BatchPlan, problems: Message[], first?: BatchRow }} Planned
- *   `first`: none with problems */
+ *   `first`: absent if there are problems */
 
 const kMostListBytes = 64 * 1024 * 1024;
 
@@ -21,8 +21,8 @@ const kMostListBytes = 64 * 1024 * 1024;
  * @property {Pick<import('../engine/client.js').EngineClient, 'planBatch' | 'batchRow'>} client
  * @property {Pick<import('../ui/batch_panel.js').BatchPanel, 'input' | 'show' | 'takeList'>} panel
  * @property {Pick<import('../ui/messages.js').Messages, 'showError' | 'clearError'>} messages
- * @property {(content: string) => Settings} settings  of the controls, with this text; throws an EngineFailure
- * @property {() => boolean} isLocked                  parts are being carved from the list
+ * @property {(content: string) => Settings} settings  from the controls, with this text; throws an EngineFailure
+ * @property {() => boolean} isLocked                  true: a batch of this list is open
  * @property {(planned: Planned | undefined) => void} onPlanned  undefined: one code
  */
 
@@ -39,39 +39,42 @@ export class Batching {
     /** @type {Promise<void> | undefined} */ this.planning_ = undefined;
   }
 
-  /** None: one code. */
+  /** The source of the parts; undefined: a single code. */
   get input() {
     return this.panel_.input;
   }
 
-  /** Into the controls, without any effect yet. @param {BatchInput | undefined} input */
+  /** Sets the controls without planning. @param {BatchInput | undefined} input */
   set input(input) {
     if (!this.isLocked_()) this.panel_.input = input;
   }
 
-  /** Whether there is something to be said before a part can be carved. */
+  /** True if problems prevent carving a part. */
   get incomplete() {
     return this.input !== undefined && this.planned?.first === undefined;
   }
 
-  /** The settings of the first part; those of one code, where there is none. @param {string} content  of one code */
+  /**
+   * Returns the settings of the first part or, without parts, of the single code.
+   * @param {string} content  of the single code
+   */
   settings(content) {
     const first = this.input && this.planned?.first;
     return first ? { ...this.settings_(first.text), ...first.settings } : this.settings_(content);
   }
 
-  /** Whether the list has the first part's value of a setting. @param {string} setting */
+  /** Tells whether the list overrides a setting of the first part. @param {string} setting */
   decides(setting) {
     const first = this.input && this.planned?.first;
     return first !== undefined && setting in first.settings;
   }
 
-  /** A new module does not know the list. */
+  /** Forgets the plan: a new module does not know the list. */
   forget() {
     this.planned = undefined;
   }
 
-  /** Until what the controls say is planned; nothing is to be done if it is already. */
+  /** Plans the current input, unless it is planned already, and waits for the result. */
   async ready() {
     while (this.planning_) await this.planning_;
     const { input } = this;
@@ -110,7 +113,7 @@ export class Batching {
     this.onPlanned_(planned);
   }
 
-  /** @param {File} file  a list */
+  /** Opens a list. @param {File} file */
   async openList(file) {
     if (this.isLocked_()) return;
     if (file.size > kMostListBytes) {
@@ -122,7 +125,7 @@ export class Batching {
   }
 }
 
-/** What stands beside the step's heading. @param {Planned} planned */
+/** Returns the text next to the step's heading. @param {Planned} planned */
 export function plannedWords({ input, plan, problems }) {
   if (isEmptyInput(input)) return text('batch.listMissing');
   if (problems.length > 0) return text(plan?.mayBeMore ? 'batch.problemsAtLeast' : 'batch.problems', { count: problems.length });
@@ -132,5 +135,5 @@ export function plannedWords({ input, plan, problems }) {
   return text('batch.plannedPlates', { parts, plates, version, modules });
 }
 
-/** Whether a file may be a list rather than a model. @param {{ name: string, type: string }} file */
+/** Tells whether a file may be a list rather than a model. @param {{ name: string, type: string }} file */
 export const looksLikeList = ({ name, type }) => /\.(csv|tsv|txt|jsonl|ndjson)$/i.test(name) || type === 'text/csv';

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Carves the code, reads it back, and hands out what came of it.
+// Carves the code, decodes the result, and offers it for download.
 import { isReplaced } from '../engine/client.js';
 import { isFatal } from '../engine/engine_error.js';
 import { kReaderName, prepareReader, readEach, readsAny } from '../decoder/reader.js';
@@ -12,8 +12,8 @@ import { sameWork } from './work.js';
 
 /** @typedef {import('./work.js').Work} Work */
 /** @typedef {import('../ui/result_panel.js').Result & { number: number, life: number, made: Work }} Carved
- *   `number`: the module's; `life`: of which module; `made`: from what */
-/** @typedef {{ made: Work, number: number, texts: string[] }} Attempt  `texts`: what readers made of it */
+ *   `number`: of the carving in its module; `life`: number of that module; `made`: the work it was carved from */
+/** @typedef {{ made: Work, number: number, texts: string[] }} Attempt  `texts`: decoded texts */
 
 /**
  * @typedef {object} CarvingOptions
@@ -26,14 +26,15 @@ import { sameWork } from './work.js';
  * @property {import('./printing.js').Printing} printing
  * @property {() => Work} work
  * @property {() => import('../engine/types.js').Settings} settings  of the work
- * @property {(change: { setting: string, value: string }) => Work['values']} valuesAfter  what the controls hold then
- * @property {(setting: string) => boolean} [isFree]  whether a control decides it
+ * @property {(change: { setting: string, value: string }) => Work['values']} valuesAfter
+ *   values of the controls after a change
+ * @property {(setting: string) => boolean} [isFree]  true: a control decides the setting, not the list
  * @property {(values: Work['values']) => void} write  into the controls
  * @property {() => void} onStart
  * @property {() => void} onDone
- * @property {(exists: boolean, shown: boolean) => void} onShown  whether there is a carved model, and whether it is seen
- * @property {() => void} onPrinted  the print of the carved model was made
- * @property {(action: () => Promise<unknown>) => Promise<unknown>} [guard]  runs what nobody waits for
+ * @property {(exists: boolean, shown: boolean) => void} onShown  a carved model exists; it is shown
+ * @property {() => void} onPrinted  called when the carved model's print is simulated
+ * @property {(action: () => Promise<unknown>) => Promise<unknown>} [guard]  runs an action that nobody awaits
  */
 
 export class Carving {
@@ -63,7 +64,10 @@ export class Carving {
     /** @type {Promise<unknown>} */ this.restoring_ = Promise.resolve();
   }
 
-  /** @param {string} [overrides]  in words, of the inspector's settings, which count then; else the page's own do */
+  /**
+   * Carves the code.
+   * @param {string} [overrides]  the inspector's settings in words, to use them; else the page's are used
+   */
   async engrave(overrides) {
     if (this.running_ || this.jobs_.busy || !this.model_.engravable) return;
     this.messages_.clearError();
@@ -73,16 +77,20 @@ export class Carving {
     });
   }
 
-  /** @param {import('../i18n/live.js').Words} stage  the first @param {(signal: AbortSignal) => Promise<void>} carve */
+  /**
+   * Runs a job.
+   * @param {import('../i18n/live.js').Words} stage  first stage
+   * @param {(signal: AbortSignal) => Promise<void>} carve
+   */
   run_(stage, carve) {
     this.running_ = this.jobs_.run(stage, carve).finally(() => { this.running_ = undefined; });
     return this.running_;
   }
 
   /**
-   * Where the code goes, with the newest settings; cancelled, nobody waits for it.
+   * Finds the placement with the newest settings. Does not wait for it if cancelled.
    * @param {AbortSignal} signal
-   * @returns {Promise<boolean>}  whether it has a place; if not, it was said why
+   * @returns {Promise<boolean>}  false: no placement, or cancelled; the page shows why
    */
   async place_(signal) {
     /** @type {Promise<void>} */ const aborted = new Promise((resolve) => signal.addEventListener('abort', () => resolve(), { once: true }));
@@ -91,12 +99,12 @@ export class Carving {
     return !signal.aborted && this.placing_.placement !== undefined;
   }
 
-  /** If it runs. */
+  /** Aborts a running carving. */
   abort() {
     if (this.running_) this.jobs_.abort();
   }
 
-  /** Nothing is carved any more. */
+  /** Drops the carving. */
   async drop() {
     this.carved = undefined;
     this.printing_.stop();
@@ -104,16 +112,16 @@ export class Carving {
     await this.show(false);
   }
 
-  /** The module was replaced, and what it had carved went with it. */
+  /** Drops the carving and all earlier ones: their module was replaced. */
   async dropForGood() {
     this.life_ += 1;
     await this.drop();
   }
 
   /**
-   * Back to what was carved in an earlier state.
+   * Restores an earlier carving.
    * @param {Carved | undefined} carved
-   * @returns {Promise<boolean>}  whether it is there again
+   * @returns {Promise<boolean>}  false: it is gone
    */
   async restore(carved) {
     if (!carved || carved.life !== this.life_ || !(await this.client_.useCarving(carved.number))) {
@@ -133,12 +141,12 @@ export class Carving {
     return this.carved?.printed?.state === 'under-way';
   }
 
-  /** Whether what is carved is what would be carved now. */
+  /** True if model and settings have not changed since the carving. */
   get isCurrent() {
     return this.carved !== undefined && sameWork(this.carved.made, this.work_());
   }
 
-  /** Whether the model or the settings have changed since. */
+  /** Marks the result as outdated if model or settings have changed since. */
   compare() {
     if (this.carved) this.panel_.setOutdated(!sameWork(this.carved.made, this.work_()));
   }
@@ -152,7 +160,8 @@ export class Carving {
   }
 
   /**
-   * Carves as asked for; what does not read then, for the design alone and with the next deeper presets.
+   * Carves with the chosen settings. If the result does not decode, carves for the design alone and with deeper
+   * presets.
    * @param {AbortSignal} signal
    * @param {string} [overrides]
    */
@@ -172,7 +181,7 @@ export class Carving {
       if (!reading) {
         this.printing_.stop();
         this.messages_.say(() => text('page.cancelled'));
-        // Once the module's step has ended: nobody waits for it.
+        // Not awaited: it starts when the module's step has ended.
         this.restoring_ = (first ? this.keep_(first, started) : this.restore(before)).catch(() => false);
         return;
       }
@@ -193,9 +202,10 @@ export class Carving {
   }
 
   /**
-   * What is there when the carving that goes deeper is cancelled, or does not read either: as asked for.
+   * Returns to the first attempt when a deeper carving is cancelled or does not decode either.
    * @param {Attempt} attempt
    * @param {number} started
+   * @returns {Promise<boolean>}  false: it is gone
    */
   async keep_({ made, number, texts }, started) {
     const elapsedMs = performance.now() - started;
@@ -209,9 +219,11 @@ export class Carving {
   }
 
   /**
+   * Carves and decodes once.
    * @param {AbortSignal} signal
    * @param {boolean} withOverrides
-   * @returns {Promise<import('../engine/types.js').ReadingResult & { texts: string[] } | undefined>}  none: cancelled
+   * @returns {Promise<import('../engine/types.js').ReadingResult & { texts: string[] } | undefined>}
+   *   undefined: cancelled
    */
   async carveOnce_(signal, withOverrides) {
     const finished = await this.client_.engrave({
@@ -222,11 +234,17 @@ export class Carving {
     if (!finished) return undefined;
     this.messages_.say(() => text('page.readingBack'));
     const pictures = await this.client_.readingPictures();
-    const [texts] = await Promise.all([readEach(pictures), this.client_.showCarved(true)]);  // which has to be made first
+    // Meanwhile the module prepares the carved model for display.
+    const [texts] = await Promise.all([readEach(pictures), this.client_.showCarved(true)]);
     return { ...await this.client_.setReadings(texts, kReaderName), texts };
   }
 
-  /** @param {number} elapsedMs @param {Work} made @param {boolean} [mayDeepen]  if its print barely reads */
+  /**
+   * Takes over the module's carving and starts its print.
+   * @param {number} elapsedMs
+   * @param {Work} made
+   * @param {boolean} [mayDeepen]  carve deeper if the print barely decodes
+   */
   async finish_(elapsedMs, made, mayDeepen = false) {
     const [report, number] = await Promise.all([this.client_.report(), this.client_.carving()]);
     this.carved = { report, elapsedMs, number, life: this.life_, made };
@@ -234,7 +252,7 @@ export class Carving {
     this.print(true, mayDeepen);
   }
 
-  /** Shows what is carved, which is new. */
+  /** Shows a new carving. */
   async present_() {
     await this.show(true);
     if (this.carved) this.panel_.show(this.carved);
@@ -243,8 +261,9 @@ export class Carving {
   }
 
   /**
-   * @param {boolean} wanted       whether the print of what is carved is to be made now, or is to be given up
-   * @param {boolean} [mayDeepen]  whether to carve deeper if the print barely reads
+   * Starts or stops simulating the carving's print.
+   * @param {boolean} wanted       false: stop
+   * @param {boolean} [mayDeepen]  carve deeper if the print barely decodes
    */
   print(wanted, mayDeepen = false) {
     const { carved } = this;
@@ -265,12 +284,12 @@ export class Carving {
   }
 
   /**
-   * The print of `first` barely reads: carves with the next deeper presets until one prints well, else goes back.
+   * Carves with deeper presets until one prints well; returns to `first`, whose print barely decodes, if none does.
    * @param {Carved} first
-   * @param {import('../engine/types.js').ReadingResult['next']} next  with what
+   * @param {import('../engine/types.js').ReadingResult['next']} next  change to carve with
    */
   async deepen_(first, next) {
-    await this.running_?.catch(() => {});  // what made it is about to return
+    await this.running_?.catch(() => {});  // the job that made it is about to end
     if (this.running_ || this.jobs_.busy || this.carved !== first || !this.isCurrent) return;
     const started = performance.now() - first.elapsedMs;
     await this.run_(() => text('page.carvingForPrint'), async (signal) => {
@@ -281,7 +300,7 @@ export class Carving {
         await this.client_.configure(this.settings_());
         this.printing_.expect();
         const reading = await this.carveOnce_(signal, false).catch((thrown) => {
-          if (!isReplaced(thrown) && !isFatal(thrown)) return undefined;  // cannot be carved so deep
+          if (!isReplaced(thrown) && !isFatal(thrown)) return undefined;  // too deep to carve
           this.write_(first.made.values);
           throw thrown;
         });
@@ -308,10 +327,11 @@ export class Carving {
   }
 
   /**
+   * Simulates a print and waits for it.
    * @param {number} number  of the carving
    * @param {AbortSignal} signal
    * @returns {Promise<{ result: import('../engine/types.js').PrintedResult, printed: import('../engine/types.js').Printed } | undefined>}
-   *   none: it was cancelled, or failed
+   *   undefined: cancelled or failed
    */
   async printNow_(number, signal) {
     const stop = () => this.printing_.stop();
@@ -323,7 +343,7 @@ export class Carving {
     return made;
   }
 
-  /** Prints what is carved in other ways, until one of them is told to stop. */
+  /** Simulates other ways to print the carving until stopped. */
   async tryPrints() {
     const { carved } = this;
     if (carved?.printed?.state !== 'made') return;
@@ -360,7 +380,11 @@ export class Carving {
     saveFile(new Blob([json], { type: 'application/json' }), this.nameOf_(report, 'json', 'report'));
   }
 
-  /** @param {import('../engine/types.js').Report} report  of what is saved @param {string} extension @param {string} [addition] */
+  /**
+   * @param {import('../engine/types.js').Report} report  of the saved carving
+   * @param {string} extension
+   * @param {string} [addition]
+   */
   nameOf_({ text: content, size }, extension, addition) {
     return fileNameOf({ modelFile: this.model_.source?.fileName ?? '', text: content, symbolMm: size.symbolMm, addition, extension });
   }

@@ -8,7 +8,7 @@ import { FakeMessages, Pending, fake, noRoom, settled } from './testing.js';
 
 const kText = 'HELLO';
 
-/** Reads `found` in every picture, once. */
+/** A decoder that makes one try per picture and finds `found` in each. */
 class FakeReader {
   static found = kText;
   /** @type {(event: any) => void} */ onmessage = () => {};
@@ -206,7 +206,7 @@ test('The print begins once the result is there, and what it comes to is in the 
   assert.equal(printsSeen, 1);
 });
 
-/** Prints that come to this, one after the other. @param {any[]} results */
+/** Makes prints with these results, one after the other. @param {any[]} results */
 const printsAre = (...results) => {
   printing.answers.begin = async (/** @type {number} */ number, /** @type {any} */ tell) => {
     const result = results.shift();

@@ -1,27 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The centre of the code on the model: the only place where the page knows it.
+// Holds the centre of the code on the model. No other part of the page does.
 
 /** @typedef {[number, number, number]} Point */
 
 export class Centre {
-  /** @param {(mm: Point) => void} onChange  to show it */
+  /** @param {(mm: Point) => void} onChange  shows it */
   constructor(onChange) {
     this.onChange_ = onChange;
     /** @type {Point | undefined} */ this.mm_ = undefined;
     this.isGuess_ = false;
   }
 
-  /** In the model's mm; none: not chosen yet. */
+  /** Centre in the model's mm; undefined: not chosen yet. */
   get mm() {
     return this.mm_;
   }
 
-  /** The module's, not the user's: no error if the code has no place there. */
+  /** True if the module proposed the centre. Then it is no error if the code does not fit there. */
   get isGuess() {
     return this.isGuess_;
   }
 
-  /** The user's, which is kept with the model. */
+  /** Centre chosen by the user, which is stored with the model. */
   get chosenMm() {
     return this.isGuess_ ? undefined : this.mm_;
   }
@@ -33,7 +33,7 @@ export class Centre {
     if (mm) this.onChange_(mm);
   }
 
-  /** From here on it counts as the user's. */
+  /** Treats the centre as chosen by the user from now on. */
   accept() {
     this.isGuess_ = false;
   }

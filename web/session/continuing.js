@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Offers the last visit's work, and keeps this one's.
+// Offers the last visit's work and stores the current work.
 import { text } from '../i18n/catalogue.js';
 
 /** @typedef {import('../storage/last_work.js').Work} Work */
@@ -11,7 +11,7 @@ export class Continuing {
    * @param {object} options
    * @param {import('../storage/last_work.js').LastWork} options.last
    * @param {import('../ui/notices.js').Notices} options.notices
-   * @param {() => Work | undefined} options.current          none while there is no model
+   * @param {() => Work | undefined} options.current          undefined while there is no model
    * @param {(work: Work) => Promise<void>} options.onContinue
    */
   constructor({ last, notices, current, onContinue }) {
@@ -21,16 +21,16 @@ export class Continuing {
     this.onContinue_ = onContinue;
     this.watching_ = false;
     document.addEventListener('visibilitychange', () => {
-      if (document.visibilityState === 'hidden') void this.last_.flush();  // it may never be seen again
+      if (document.visibilityState === 'hidden') void this.last_.flush();  // the page may never become visible again
     });
   }
 
   /**
-   * The page has opened: what is there now is not worth keeping, what it becomes is.
-   * @param {boolean} offer  the last visit's work, too
+   * Starts storing changes to the work with which the page opened.
+   * @param {boolean} offer  offer the last visit's work
    */
   async begin(offer) {
-    this.last_.openedWith(this.current_());  // before anything is waited for: it may change meanwhile
+    this.last_.openedWith(this.current_());  // before the first await: the work may change meanwhile
     this.watching_ = true;
     const work = offer ? await this.last_.recall() : undefined;
     if (!work) return;
@@ -40,7 +40,7 @@ export class Continuing {
     ]);
   }
 
-  /** Something may have changed. */
+  /** Stores the work if it has changed. */
   note() {
     const work = this.current_();
     if (this.watching_ && work) this.last_.note(work);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Hands out what is not the carved model: the symbol, a picture of the view, the settings; and takes settings back.
+// Saves the symbol, a picture of the view and the settings; loads settings.
 import { text } from '../i18n/catalogue.js';
 import { saveFile } from '../dom/save_file.js';
 import { fileNameOf, symbolFileName } from '../export/file_names.js';
@@ -18,12 +18,12 @@ import { symbolPng, symbolSvg } from '../export/symbol_file.js';
  * @property {import('./centre.js').Centre} centre
  * @property {import('./placing.js').Placing} placing
  * @property {import('../ui/messages.js').Messages} messages
- * @property {() => import('../engine/types.js').Settings} settings  of the code that is shown
+ * @property {() => import('../engine/types.js').Settings} settings  of the displayed code
  * @property {() => import('../engine/types.js').Settings} settingsToSave
- * @property {() => import('../ui/settings_form.js').SettingKey[]} settingKeys  what there is a control for
+ * @property {() => import('../ui/settings_form.js').SettingKey[]} settingKeys  settings that have a control
  * @property {(settings: import('../engine/types.js').Settings) => void} onSettings  shows them in the controls
- * @property {() => Promise<void>} onChanged   they decide from now on
- * @property {() => Promise<void>} untilIdle   ends what runs
+ * @property {() => Promise<void>} onChanged   applies the changed settings
+ * @property {() => Promise<void>} untilIdle   stops running work
  */
 
 export class Exporting {
@@ -62,9 +62,10 @@ export class Exporting {
   }
 
   /**
-   * Uses the settings that the page's address asks for; the others stay. They decide from the next model on.
+   * Uses the settings from the page's address and keeps the others. They take effect with the next model.
    * @param {URLSearchParams} address
-   * @returns {{ asksForSettings: boolean, refusal?: unknown }}  `refusal`: why one cannot be used; then none is
+   * @returns {{ asksForSettings: boolean, refusal?: unknown }}
+   *   `refusal`: error of a setting that cannot be used; then none is used
    */
   useAddress(address) {
     try {
@@ -78,7 +79,7 @@ export class Exporting {
   }
 
   /**
-   * Uses settings that were saved here: all of them, or none if one cannot be used.
+   * Uses a settings file: all settings, or none if one cannot be used.
    * @param {File} file
    */
   async useSettings(file) {
@@ -96,9 +97,9 @@ export class Exporting {
   }
 
   /**
-   * The sample that the settings are for, or the model that is open already, in its unit and upright.
+   * Opens the sample of a settings file, or sets unit and up axis of the open model if the file is for it.
    * @param {ModelChoice} wanted
-   * @returns {Promise<boolean>}  whether it is the model they are for
+   * @returns {Promise<boolean>}  true: the open model is the file's model
    */
   async openModelOf_(wanted) {
     if (wanted.sample !== undefined && wanted.sample !== this.model_.source?.sampleId && this.model_.hasSample(wanted.sample)) {

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// States to go back and forth between.
+// Undo history: states to move back and forth between.
 
 const kMostStates = 200;
-const kMostBytes = 512 * 1024 * 1024;  // of models that are no longer open
-const kOneChangeMs = 1000;             // edits of one field in quicker succession are one change
+const kMostBytes = 512 * 1024 * 1024;  // limit for models that are no longer open
+const kOneChangeMs = 1000;             // edits of one field within this time count as one change
 
 /** @template State */
 export class History {
   /**
    * @param {object} options
    * @param {(a: State, b: State) => boolean} options.same
-   * @param {(state: State) => ArrayBufferView | undefined} options.bytesOf  what makes a state large; shared ones count once
+   * @param {(state: State) => ArrayBufferView | undefined} options.bytesOf
+   *   large data of a state; counted once if shared
    * @param {() => number} [options.now]  ms
    */
   constructor({ same, bytesOf, now = () => performance.now() }) {
@@ -19,7 +20,7 @@ export class History {
     this.now_ = now;
     /** @type {State[]} */ this.states_ = [];
     this.at_ = -1;
-    /** @type {string | undefined} */ this.field_ = undefined;  // that was edited last
+    /** @type {string | undefined} */ this.field_ = undefined;  // last edited field
     this.editedMs_ = 0;
   }
 
@@ -32,9 +33,9 @@ export class History {
   }
 
   /**
-   * The state after a change; what had been undone cannot be redone any more.
+   * Records the state after a change and drops all undone states.
    * @param {State} state
-   * @param {string} [field]  that was edited; quick edits of the same one are undone together
+   * @param {string} [field]  edited field; quick edits of the same field are undone together
    */
   record(state, field) {
     if (this.at_ >= 0 && this.same_(this.states_[this.at_], state)) return;
@@ -51,12 +52,12 @@ export class History {
     this.forgetOldest_();
   }
 
-  /** @returns {State | undefined}  the one before */
+  /** Steps back. @returns {State | undefined} */
   undo() {
     return this.canUndo ? this.go_(-1) : undefined;
   }
 
-  /** @returns {State | undefined}  the one that was undone last */
+  /** Steps forward. @returns {State | undefined} */
   redo() {
     return this.canRedo ? this.go_(1) : undefined;
   }

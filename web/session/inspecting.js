@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Opens and closes the inspector. What it consists of, its part of the module and its texts, is loaded only then.
+// Opens and closes the inspector. Loads its part of the module and its texts on first use.
 import { onLanguage } from '../i18n/catalogue.js';
 
 /**
@@ -33,7 +33,7 @@ export class Inspecting {
       await this.client_().openInspector();
       await this.translate_();
       await this.makeRoom();
-      if (!this.toolbar_.inspectorShown) return;  // closed again meanwhile
+      if (!this.toolbar_.inspectorShown) return;  // closed meanwhile
       this.view_.reportsPointer = true;
       await this.client_().setInspector(true);
     } catch (thrown) {
@@ -43,12 +43,12 @@ export class Inspecting {
     }
   }
 
-  /** Keeps it where no control covers it. */
+  /** Keeps the inspector clear of the page's controls. */
   async makeRoom() {
     if (this.toolbar_.inspectorShown) await this.client_().inspectorArea(this.window_.area());
   }
 
-  /** The module was replaced. */
+  /** Reopens the inspector in a new module. */
   async restore() {
     this.window_.update(undefined);
     if (this.toolbar_.inspectorShown) await this.show(true);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Long work, one at a time, with its progress and a way to stop it.
+// Runs long jobs, one at a time, with progress and cancellation.
 import { isReplaced } from '../engine/client.js';
 import { text } from '../i18n/catalogue.js';
 import { sentenceOf } from '../i18n/messages.js';
@@ -28,13 +28,14 @@ export class Jobs {
   }
 
   /**
+   * Runs a job after the current one.
    * @template T
-   * @param {Words} stage  the first
+   * @param {Words} stage  first stage
    * @param {(signal: AbortSignal) => Promise<T>} run
    * @returns {Promise<T>}
    */
   async run(stage, run) {
-    while (this.running_) await this.running_.catch(() => {});  // and then at once: others may wait for the same
+    while (this.running_) await this.running_.catch(() => {});  // no await after this: others may wait for the same job
     const abort = new AbortController();
     this.abort_ = abort;
     this.panel_.begin(stage());
@@ -62,7 +63,7 @@ export class Jobs {
     this.messages_.say(() => text('page.working', { stage: words() }));
   }
 
-  /** For the user, who is told. */
+  /** Aborts on the user's request and says so. */
   cancel() {
     this.messages_.say(() => text('page.stopping'));
     this.abort();
@@ -73,6 +74,6 @@ export class Jobs {
   }
 
   async untilIdle() {
-    while (this.running_) await this.running_.catch(() => {});  // whoever began it hears of its failure
+    while (this.running_) await this.running_.catch(() => {});  // its starter handles the error
   }
 }

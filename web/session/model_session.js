@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The model: where it came from, so that it can be opened again, and what the module says of it.
+// Holds the model: its source, so that it can be opened again, and the module's findings.
 import { isReplaced } from '../engine/client.js';
 import { text } from '../i18n/catalogue.js';
 import { fetchBytes } from './fetch_file.js';
@@ -10,9 +10,9 @@ import { fetchBytes } from './fetch_file.js';
 /** @typedef {[number, number, number]} Point */
 /** @typedef {{ bytes: Uint8Array, fileName: string, scaleToMm: number, upAxis: UpAxis, sampleId?: string, credit: string,
  *   unitStated?: boolean }} Source
- * `scaleToMm` of 0 leaves the unit to the file, and the true one is put in its place; `unitStated`: that was done */
+ * `scaleToMm`: 0 takes the unit from the file, and loading replaces it; `unitStated`: the unit came from the file */
 
-const kMaxFileBytes = 512 * 1024 * 1024;  // beyond it a tab runs out of memory before it can say so
+const kMaxFileBytes = 512 * 1024 * 1024;  // a larger file exhausts a tab's memory before the page can report it
 
 /**
  * @typedef {object} ModelOptions
@@ -21,9 +21,9 @@ const kMaxFileBytes = 512 * 1024 * 1024;  // beyond it a tab runs out of memory 
  * @property {import('../ui/messages.js').Messages} messages
  * @property {import('../ui/model_panel.js').ModelPanel} panel
  * @property {import('./centre.js').Centre} centre
- * @property {() => void} onReplacing          another model is about to be read
- * @property {() => Promise<void>} onLoaded    a model is there, with `source` and `info`
- * @property {() => void} onFailed             the model before it stays
+ * @property {() => void} onReplacing          called before a model is read
+ * @property {() => Promise<void>} onLoaded    called with `source` and `info` of a new model set
+ * @property {() => void} onFailed             called if a model cannot be read; the previous one stays
  */
 
 export class ModelSession {
@@ -58,8 +58,9 @@ export class ModelSession {
   }
 
   /**
-   * @param {string} [id]  none: the first
-   * @param {Partial<Source> & { centreMm?: Point }} [place]  instead of the sample's own
+   * Opens a sample.
+   * @param {string} [id]  default: the first sample
+   * @param {Partial<Source> & { centreMm?: Point }} [place]  overrides the sample's values
    */
   async openSample(id = this.samples_[0].id, place = {}) {
     const sample = this.samples_.find((known) => known.id === id);
@@ -81,7 +82,7 @@ export class ModelSession {
       return;
     }
     const bytes = new Uint8Array(await file.arrayBuffer());
-    const { upAxis } = this.panel_;  // the last ones chosen: parts of one origin share them
+    const { upAxis } = this.panel_;  // last chosen values: files from one source usually share them
     const scaleToMm = /\.3mf$/i.test(file.name) ? 0 : this.source?.unitStated ? 1 : this.panel_.scaleToMm;
     await this.load({ bytes, fileName: file.name, scaleToMm, upAxis, credit: '' });
   }
@@ -102,8 +103,9 @@ export class ModelSession {
   }
 
   /**
-   * @param {Source} source      becomes the current one if it can be read
-   * @param {Point} [centreMm]  of the code on it; none: the one that the module proposes
+   * Loads a model.
+   * @param {Source} source      becomes the current source if it can be read
+   * @param {Point} [centreMm]  centre of the code; default: the module's proposal
    */
   async load(source, centreMm) {
     this.onReplacing_();
@@ -125,7 +127,7 @@ export class ModelSession {
     await this.onLoaded_();
   }
 
-  /** Gives a new module the model of the last. */
+  /** Loads the current model into a new module. */
   async reload() {
     if (!this.source) return;
     await this.client_.setUpAxis(this.source.upAxis);
@@ -138,7 +140,7 @@ export class ModelSession {
       this.client_.loadModel(bytes, fileName, scaleToMm, { signal }));
   }
 
-  /** The file's name, numbers and findings; after a failure those of the model that stays. */
+  /** Shows file name, numbers and findings of the current model; after a failure, that is the previous one. */
   show_() {
     if (this.source && this.info) this.panel_.show(this.info, this.source);
   }

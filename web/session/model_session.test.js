@@ -56,7 +56,7 @@ test('In another unit the centre stays where it is on the model, wherever it was
   assert.deepEqual(centre.chosenMm, [40, 50, 60]);
   centre.put([7, 7, 7], true);
   await model.rescale(1);
-  assert.equal(centre.mm, undefined);  // a guess is made anew
+  assert.equal(centre.mm, undefined);  // a proposal is not kept
 });
 
 test('The unit that a file states takes the place of none', async () => {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the code is: its centre, chosen or proposed, and the direction and size that were found there.
+// Places the code: at the chosen or proposed centre, with the direction and size found there.
 import { isReplaced } from '../engine/client.js';
 import { describeThrown, isFatal } from '../engine/engine_error.js';
 import { text } from '../i18n/catalogue.js';
@@ -17,8 +17,8 @@ import { hintOf, sentenceOf } from '../i18n/messages.js';
  * @property {import('../ui/messages.js').Messages} messages
  * @property {import('../ui/place_panel.js').PlacePanel} panel
  * @property {() => Settings | Promise<Settings>} settings  throws an EngineFailure
- * @property {() => boolean} mayMove                    nothing is at work that needs the centre
- * @property {() => void} onMoved                       another centre was chosen
+ * @property {() => boolean} mayMove                    false while a job needs the centre
+ * @property {() => void} onMoved                       called when another centre is chosen
  * @property {(placement: Placement | undefined) => void} onPlaced
  */
 
@@ -39,12 +39,12 @@ export class Placing {
     this.again_ = false;
   }
 
-  /** Whatever the code has there is worth an error from here on. */
+  /** Reports a failed placement as an error from now on, even at a proposed centre. */
   insist() {
     this.centre_.accept();
   }
 
-  /** Begins with a model that was just loaded: where it was chosen, or where the module proposes. */
+  /** Places the code on a new model: at the chosen centre, or else at the module's proposal. */
   async begin() {
     const { info } = this.model_;
     if (!info) return;
@@ -63,14 +63,18 @@ export class Placing {
     }
   }
 
-  /** The centre of an earlier state, without placing the code. @param {Point | undefined} centreMm @param {boolean} isGuess */
+  /**
+   * Restores an earlier centre without placing the code.
+   * @param {Point | undefined} centreMm
+   * @param {boolean} isGuess
+   */
   async put(centreMm, isGuess) {
     if (!centreMm) return;
     await this.client_.setCentre(centreMm);
     this.centre_.put(centreMm, isGuess);
   }
 
-  /** @param {() => Promise<import('../engine/types.js').PickResult>} pick */
+  /** Moves the code. @param {() => Promise<import('../engine/types.js').PickResult>} pick */
   async move(pick) {
     if (!this.mayMove_() || !this.model_.engravable) return;
     const { hit, centre } = await pick();
@@ -81,7 +85,7 @@ export class Placing {
     await this.place();
   }
 
-  /** Places the code anew; asked again while it runs, it runs once more, with the newest settings. */
+  /** Places the code again. A call while it runs makes it run once more, with the newest settings. */
   place() {
     this.again_ = true;
     this.running_ ??= this.placeUntilNewest_().finally(() => {
@@ -95,7 +99,8 @@ export class Placing {
       this.again_ = false;
       if (!this.model_.engravable) return;
       try {
-        if (this.mayMove_() && this.centre_.mm) this.messages_.say(() => text('page.placing'));  // at once: “Ready” holds no more
+        // At once: “Ready” no longer holds.
+        if (this.mayMove_() && this.centre_.mm) this.messages_.say(() => text('page.placing'));
         await this.client_.configure(await this.settings_());
         if (this.centre_.mm === undefined) {
           this.messages_.say(() => text('page.askForCentre'));
@@ -103,7 +108,8 @@ export class Placing {
         }
         this.messages_.say(() => text('page.placing'));
         this.show_(await this.client_.placement());
-        if (this.mayMove_() && !this.again_) this.messages_.say(() => text('page.ready'));  // else it was asked for by what goes on
+        // Otherwise a job asked for the placement and continues.
+        if (this.mayMove_() && !this.again_) this.messages_.say(() => text('page.ready'));
       } catch (thrown) {
         if (isReplaced(thrown) || isFatal(thrown)) throw thrown;
         this.show_(undefined);

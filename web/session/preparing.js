@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Uses the moments in which nothing is asked for: what the next carving begins with is begun, and its reader is loaded.
-const kQuietMs = 600;  // without a sign of use: it would have to wait for what is prepared
-const kSignsOfUse = ['pointermove', 'pointerdown', 'wheel', 'keydown', 'focusin'];  // before the first, nobody may be there
+// Uses idle moments to start the next carving's first steps and to load its decoder.
+const kQuietMs = 600;  // idle time before preparing: user input has to wait while the module prepares
+// Events of a user. Nothing is prepared before the first one.
+const kSignsOfUse = ['pointermove', 'pointerdown', 'wheel', 'keydown', 'focusin'];
 
 export class Preparing {
   /**
@@ -9,25 +10,26 @@ export class Preparing {
    * @param {Pick<import('../engine/client.js').EngineClient, 'prepareEngrave'>} options.client
    * @param {() => void} options.prepareReader
    * @param {() => boolean} options.isBusy
-   * @param {Pick<EventTarget, 'addEventListener'>} options.user  where its signs are seen
-   * @param {(event: Event) => boolean} options.isOverModel  where the module has to answer every move
+   * @param {Pick<EventTarget, 'addEventListener'>} options.user  target of the user's events
+   * @param {(event: Event) => boolean} options.isOverModel  true: the module has to answer each move
    */
   constructor({ client, prepareReader, isBusy, user, isOverModel }) {
     this.client_ = client;
     this.prepareReader_ = prepareReader;
     this.isBusy_ = isBusy;
     this.isUsed_ = false;
-    this.isDue_ = false;  // a code has its place, and nothing is prepared for it
+    this.isDue_ = false;  // a code is placed and nothing is prepared for it yet
     /** @type {ReturnType<typeof setTimeout> | undefined} */ this.timer_ = undefined;
     const use = (/** @type {Event} */ event) => {
       const isFirst = !this.isUsed_;
       this.isUsed_ = true;
-      if (isFirst || event.type !== 'pointermove' || isOverModel(event)) this.plan();  // on its way to Engrave it asks for nothing
+      // Off the model, a pointer moving to the Engrave button needs no answer and does not postpone.
+      if (isFirst || event.type !== 'pointermove' || isOverModel(event)) this.plan();
     };
     for (const sign of kSignsOfUse) user.addEventListener(sign, use, { capture: true, passive: true });
   }
 
-  /** @param {boolean} isPlaced  anew, or not any more */
+  /** Notes a new placement. @param {boolean} isPlaced  false: there is no placement any more */
   note(isPlaced) {
     this.isDue_ = isPlaced;
     this.plan();
@@ -43,7 +45,7 @@ export class Preparing {
     if (this.isBusy_()) return;
     this.isDue_ = false;
     this.client_.prepareEngrave()
-      .catch(() => {})  // what went wrong, carving meets again, or the client tells
-      .finally(() => this.prepareReader_());  // after it: together they would keep the page from answering
+      .catch(() => {})  // carving meets the error again, or the client reports it
+      .finally(() => this.prepareReader_());  // afterwards: both at once would block the page
   }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Makes the print of what was carved while the user looks at the result, and reads it.
+// Simulates the carving's print while the user looks at the result, and decodes it.
 import { readEach } from '../decoder/reader.js';
 import { describeThrown } from '../engine/engine_error.js';
 import { dismissPrinter, makePrint, preparePrinter } from '../engine/printer.js';
@@ -39,10 +39,10 @@ export class Printing {
     this.make_ = make;
     this.read_ = read;
     /** @type {AbortController | undefined} */ this.abort_ = undefined;
-    /** @type {{ making: Making | undefined } | undefined} */ this.early_ = undefined;  // of a carving that is not finished
+    /** @type {{ making: Making | undefined } | undefined} */ this.early_ = undefined;  // of an unfinished carving
   }
 
-  /** Loads the module of the next print in advance. */
+  /** Loads the next print's module in advance. */
   expect() {
     preparePrinter();
   }
@@ -59,9 +59,10 @@ export class Printing {
   }
 
   /**
-   * Makes and reads the print of the finished carving. Cancels the print of another carving.
+   * Simulates and decodes the print of the finished carving. Cancels the print of another carving.
    * @param {number} number  of the carving
-   * @param {(printed: Printed, result?: PrintedResult) => void} tell  how far it is; the result, once the print is read
+   * @param {(printed: Printed, result?: PrintedResult) => void} tell
+   *   reports the state and, once the print is decoded, the result
    */
   async begin(number, tell) {
     const { early_: early } = this;
@@ -92,16 +93,19 @@ export class Printing {
     }
   }
 
-  /** @param {AbortSignal} signal @returns {Promise<Making | undefined>}  none: no print process is chosen, or it was stopped */
+  /**
+   * @param {AbortSignal} signal
+   * @returns {Promise<Making | undefined>}  undefined: no print process is chosen, or stopped
+   */
   async makingNow_(signal) {
     const job = await this.client_.printJob();
     return job && !signal.aborted ? new Making(this.make_, job, signal) : undefined;
   }
 
   /**
-   * Prints the same carving in other ways, one after the other.
+   * Simulates other ways to print the same carving, one after the other.
    * @param {number} number  of the carving
-   * @param {(trials: PrintTrials) => void} tell  how far it is
+   * @param {(trials: PrintTrials) => void} tell  reports the state
    */
   async tryOthers(number, tell) {
     this.stop();

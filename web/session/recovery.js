@@ -1,28 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whatever goes wrong ends as words on the page; a module that is beyond use is replaced.
+// Shows every error on the page and replaces a module that crashed.
 import { isReplaced } from '../engine/client.js';
 import { describeThrown, isFatal } from '../engine/engine_error.js';
 import { text } from '../i18n/catalogue.js';
 
 /** @typedef {import('../engine/types.js').HostEvent} HostEvent */
 
-const kMaxReplacements = 3;  // by faults within kFaultSpanMs, before the page gives up
+const kMaxReplacements = 3;  // within kFaultSpanMs; then the page gives up
 const kFaultSpanMs = 10 * 60 * 1000;
 
 export class Recovery {
   /**
    * @param {import('../ui/messages.js').Messages} messages
-   * @param {() => Promise<void>} replace  the module by a new one
+   * @param {() => Promise<void>} replace  replaces the module
    */
   constructor(messages, replace) {
     this.messages_ = messages;
     this.replace_ = replace;
-    /** @type {number[]} */ this.faults_ = [];  // when they happened
+    /** @type {number[]} */ this.faults_ = [];  // times, ms
     this.recovering_ = false;
   }
 
   /**
-   * Runs what a control asked for.
+   * Runs a control's action and handles its errors.
    * @param {() => Promise<unknown>} action
    */
   async guard(action) {
@@ -39,7 +39,7 @@ export class Recovery {
 
   /** @param {HostEvent} event */
   async recoverFrom(event) {
-    if (this.recovering_) return;  // one fault is told by every verb that was waiting
+    if (this.recovering_) return;  // each pending verb reports the same fault
     this.recovering_ = true;
     try {
       await this.replaceAfter_(event);

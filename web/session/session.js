@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What follows from what: the page from its start to its next one, with a model, its settings and what is made of them.
+// Coordinates the page: model, settings and result, from load to reload.
 import { EngineFailure, describeThrown, internal } from '../engine/engine_error.js';
 import { message } from '../engine/message.js';
 import { looksLikeSettings } from '../export/settings_file.js';
@@ -8,7 +8,7 @@ import { controlName, shownValue } from '../ui/verdict_lines.js';
 import { looksLikeList } from './batching.js';
 import { fetchJson } from './fetch_file.js';
 
-const kAsked = ['sample', 'text', 'engrave'];  // in the address
+const kAsked = ['sample', 'text', 'engrave'];  // address parameters
 
 /**
  * @typedef {object} Parts
@@ -75,7 +75,10 @@ export class Session {
     return { source: this.parts_.model.source, text: this.parts_.code.text, values: this.parts_.form.values, centreMm, centreIsGuess, batch: this.parts_.batching.input };
   }
 
-  /** Into the controls, without any effect yet; without a word of the parts they stay. @param {Pick<import('./work.js').Work, 'text' | 'values' | 'batch'>} state */
+  /**
+   * Writes a state into the controls without applying it. The parts stay as they are if `batch` is absent.
+   * @param {Pick<import('./work.js').Work, 'text' | 'values' | 'batch'>} state
+   */
   write({ text: content, values, ...state }) {
     this.parts_.code.text = content;
     this.parts_.form.values = values;
@@ -83,12 +86,12 @@ export class Session {
     this.parts_.carvePanel.show();
   }
 
-  /** Of the code that is worked on: the only one, or that of the first part. */
+  /** Returns the settings of the current code: the single code or the first part. */
   settings() {
     return this.parts_.batching.settings(this.parts_.code.text);
   }
 
-  /** The same once the list is checked that the controls hold now. */
+  /** Returns the same settings after checking the current list. */
   async plannedSettings() {
     await this.parts_.batching.ready();
     return this.settings();
@@ -99,7 +102,7 @@ export class Session {
     const started = this.startEngine_(address);
     this.started_ = started;
     if (!(await started)) return;
-    if (this.fileChosen_) {  // by who was quicker than the module
+    if (this.fileChosen_) {  // the user opened a file before the module was ready
       await this.parts_.batchCarving.offer();
       await this.parts_.kept.begin(false);
       return;
@@ -108,7 +111,8 @@ export class Session {
       const { asksForSettings, refusal } = this.parts_.exporting.useAddress(address);
       await this.parts_.model.openSample(address.get('sample') ?? undefined);
       const isOffered = await this.parts_.batchCarving.offer();
-      await this.parts_.kept.begin(!isOffered && !asksForSettings && !kAsked.some((name) => address.has(name)));  // who asked for something gets that
+      // An address that asks for something takes precedence over the last visit's work.
+      await this.parts_.kept.begin(!isOffered && !asksForSettings && !kAsked.some((name) => address.has(name)));
       if (refusal) throw refusal;
       if (address.get('engrave') === '1') await this.parts_.carving.engrave();
     });
@@ -116,7 +120,7 @@ export class Session {
 
   /**
    * @param {URLSearchParams} address
-   * @returns {Promise<boolean>}  whether it runs
+   * @returns {Promise<boolean>}  false: the engine did not start
    */
   async startEngine_(address) {
     this.parts_.code.text = address.get('text') ?? this.parts_.code.text;
@@ -139,7 +143,7 @@ export class Session {
   /** @param {File} file */
   async openFile(file) {
     this.fileChosen_ = true;
-    if (!(await this.started_)) return;  // it was said why not
+    if (!(await this.started_)) return;  // the page shows why
     if (looksLikeSettings(file)) await this.useSettings_(file);
     else if (looksLikeList(file)) await this.parts_.batching.openList(file);
     else await this.parts_.model.openFile(file);
@@ -152,7 +156,7 @@ export class Session {
     await this.parts_.undo.asOne(() => this.parts_.exporting.useSettings(file));
   }
 
-  /** Ends what is being carved. */
+  /** Aborts a running carving and waits until no job runs. */
   async becomeIdle() {
     this.parts_.carving.abort();
     await this.parts_.jobs.untilIdle();
@@ -171,7 +175,7 @@ export class Session {
     await this.changeSettings();
   }
 
-  /** A model was loaded. @returns {Promise<void>} */
+  /** Begins with a newly loaded model. @returns {Promise<void>} */
   useModel() {
     return this.parts_.undo.asOne(async () => {
       await this.parts_.carving.drop();
@@ -182,7 +186,7 @@ export class Session {
     });
   }
 
-  /** @param {string} [field]  that was edited */
+  /** Applies changed settings. @param {string} [field]  edited field */
   async changeSettings(field) {
     this.parts_.kept.note();
     this.parts_.messages.clearError();
@@ -195,23 +199,23 @@ export class Session {
     await this.parts_.placing.place();
   }
 
-  /** The list is another, or one code is wanted again. */
+  /** Applies another list, or the change back to a single code. */
   async changeParts() {
     await this.parts_.batching.ready();
     await this.changeSettings('parts');
   }
 
-  /** @param {import('../engine/types.js').Remedy} remedy @param {string} label */
+  /** Applies a remedy. @param {import('../engine/types.js').Remedy} remedy @param {string} label */
   async remedy({ change }, label) {
     if (!change) return this.parts_.spots.suggest();
     const { id, value } = this.parts_.form.controlFor(change);
     this.write({ text: this.parts_.code.text, values: this.parts_.form.valuesAfter(change) });
     await this.changeSettings();
-    if (!this.parts_.placing.placement) return undefined;  // it was said why not
+    if (!this.parts_.placing.placement) return undefined;  // the page shows why
     return this.parts_.messages.say(() => text('check.done', { label, control: controlName(id), value: shownValue(id, value) }));
   }
 
-  /** The centre was moved: what was carved is elsewhere. */
+  /** Reacts to a moved centre: the carving is at another place now. */
   async leaveCarved() {
     this.parts_.kept.note();
     this.parts_.undo.record('centre');
@@ -221,7 +225,7 @@ export class Session {
     await this.parts_.carving.show(false);
   }
 
-  /** As the page was opened, which can be undone. */
+  /** Returns to the state in which the page opened. Can be undone. */
   async startOver() {
     this.parts_.jobs.abort();
     this.parts_.undo.keep();
@@ -243,7 +247,7 @@ export class Session {
     await this.parts_.carving.show(carved);
   }
 
-  /** @param {boolean} exists @param {boolean} shown  the carved model */
+  /** Reacts to a change of the carved model. @param {boolean} exists @param {boolean} shown */
   noteCarved(exists, shown) {
     this.parts_.toolbar.setCarved(exists, shown);
     this.parts_.tools.reader.show(shown ? this.parts_.carving.carved?.report.verification.text : undefined);
@@ -254,14 +258,14 @@ export class Session {
     else if (this.parts_.toolbar.depthsShown) void this.guard_(() => this.showDepths(true));
   }
 
-  /** The print of what is carved was made, or another is carved now. */
+  /** Updates the print in the view after a new carving or print. */
   notePrinted() {
     const { report, printed } = this.parts_.carving.carved ?? {};
     this.parts_.tools.reader.showPrint(report && printed?.state === 'made'
       ? { print: printed.print, modules: report.symbol.modules, reads: report.verification.verdict.prints.level !== 'bad' } : undefined);
   }
 
-  /** @param {boolean} shown  the depths of the carved model, as colours */
+  /** Shows or hides the depths as colours on the carved model. @param {boolean} shown */
   async showDepths(shown) {
     const { topMm, deepestMm } = await this.parts_.client.showDepths(shown);
     if (shown) this.parts_.legend.show('depths', topMm, deepestMm > topMm);
@@ -275,7 +279,7 @@ export class Session {
     await this.parts_.inspecting.makeRoom();
   }
 
-  /** @param {boolean} allowed  if the model can be engraved */
+  /** Enables or disables engraving and the spot search. @param {boolean} allowed  if the model can be engraved */
   allowWork(allowed) {
     const possible = allowed && this.parts_.model.engravable;
     this.parts_.undo.allow();
@@ -284,7 +288,7 @@ export class Session {
     this.parts_.tools.set({ engravable: this.parts_.model.engravable, busy: !allowed });
   }
 
-  /** Gives a new module what the last one knew. */
+  /** Restores the state in a new module. */
   async restore() {
     await this.parts_.carving.dropForGood();
     this.parts_.batching.forget();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Looks for the best spots, and lets one be chosen.
+// Searches for the best spots and lets the user choose one.
 import { isReplaced } from '../engine/client.js';
 import { text } from '../i18n/catalogue.js';
 
@@ -15,7 +15,7 @@ const kPictureAspect = 1.5;
  * @property {import('../ui/messages.js').Messages} messages
  * @property {import('../ui/spots_panel.js').SpotsPanel} panel
  * @property {() => import('../engine/types.js').Settings} settings
- * @property {() => void} onSizes  the sizes are on the model now
+ * @property {() => void} onSizes  called when the model shows the sizes
  */
 
 export class SpotFinding {
@@ -58,7 +58,7 @@ export class SpotFinding {
     });
   }
 
-  /** One after the other, as the view is drawn in between. @param {number} count */
+  /** Draws the pictures one by one, so that the view is drawn in between. @param {number} count */
   async drawPictures_(count) {
     this.search_ += 1;
     const { search_: search } = this;
@@ -77,7 +77,7 @@ export class SpotFinding {
     if (this.placing_.placement) await this.client_.act({ kind: 'face' });
   }
 
-  /** What was found holds for other settings. */
+  /** Drops the spots: they were found with other settings. */
   async forget() {
     if (this.searching_) this.jobs_.abort();
     if (!this.panel_.known) return;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// For tests: what the parts of the session speak to, without a page and without a module.
+// For tests: fakes of the page and the module.
 import { EngineFailure, internal } from '../engine/engine_error.js';
 import { message } from '../engine/message.js';
 
-/** Remembers what was said, as the page would show it. */
+/** Records the messages that the page would show. */
 export class FakeMessages {
   /** @type {string[]} */ said = [];
   /** @type {any} */ problem;
@@ -20,7 +20,7 @@ export class FakeMessages {
   }
 }
 
-/** Of a verb: it can be answered later. */
+/** A promise that a test settles later. */
 export class Pending {
   constructor() {
     /** @type {(value?: any) => void} */ this.resolve = () => {};
@@ -29,7 +29,10 @@ export class Pending {
   }
 }
 
-/** An object whose methods all note their calls and answer with what is given for them. @param {Record<string, any>} [answers] */
+/**
+ * Makes an object that records the calls of all its methods and returns the given answers.
+ * @param {Record<string, any>} [answers]
+ */
 export function fake(answers = {}) {
   /** @type {string[]} */ const calls = [];
   return /** @type {any} */ (new Proxy({ calls, answers }, {
@@ -45,7 +48,7 @@ export function fake(answers = {}) {
   }));
 }
 
-/** Everything that waits for nothing has run. */
+/** Waits until all pending promise callbacks have run. */
 export const settled = () => new Promise((resolve) => { setImmediate(resolve); });
 
 export const replaced = () => new EngineFailure(internal(message('engine-replaced')));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Undo and redo of everything that decides what is carved, and of the carving itself.
+// Undo and redo of all inputs of the carving, and of the carving itself.
 import { text } from '../i18n/catalogue.js';
 import { byId } from '../dom/dom.js';
 import { History } from './history.js';
@@ -37,21 +37,22 @@ export class Undo {
     this.undo_.addEventListener('click', () => this.undo());
     this.redo_.addEventListener('click', () => this.redo());
     byId('panel', HTMLFormElement).addEventListener('input', ({ target }) =>
-      this.record(target instanceof HTMLElement ? target.id : undefined));  // at once, while its effect waits for a pause
+      // Recorded at once; the edit takes effect only after a pause.
+      this.record(target instanceof HTMLElement ? target.id : undefined));
   }
 
-  /** Something was changed. @param {string} [field]  quick edits of the same one are one change */
+  /** Records a change. @param {string} [field]  edited field; quick edits of the same field are one change */
   record(field) {
     if (this.pauses_ === 0) this.record_(field);
   }
 
-  /** All of it is about to be replaced: it is kept as it stands, even if a change is not complete yet. */
+  /** Records the current state before it is replaced, even amid an incomplete change. */
   keep() {
     if (!this.restoring_) this.record_();
   }
 
   /**
-   * However much it changes, it is one change.
+   * Runs an action and records all its changes as one.
    * @template T
    * @param {() => Promise<T>} action
    */
@@ -65,7 +66,7 @@ export class Undo {
     }
   }
 
-  /** The buttons, which wait while something is at work. */
+  /** Enables the buttons when idle. */
   allow() {
     const idle = !this.options_.jobs.busy && this.pauses_ === 0;
     this.undo_.disabled = !(idle && this.history_.canUndo);

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// All that decides what is carved.
+// The work: all inputs of the carving.
 
 /** @typedef {import('./model_session.js').Source} Source */
 /** @typedef {[number, number, number]} Point */
 /** @typedef {{ source: Source | undefined, text: string, values: import('../ui/settings_form.js').Values,
  *   centreMm: Point | undefined, centreIsGuess: boolean, batch?: import('../storage/last_work.js').BatchInput }} Work
- *   `batch`: none: one code; the same object until something changes */
+ *   `batch`: absent for a single code; the same object until it changes */
 
-/** Whether it is the same file, read the same way. @param {Source | undefined} a @param {Source | undefined} b */
+/**
+ * Tells whether two sources are the same file in the same unit.
+ * @param {Source | undefined} a
+ * @param {Source | undefined} b
+ */
 export const sameModel = (a, b) => a?.bytes === b?.bytes && a?.scaleToMm === b?.scaleToMm;
 
 /** @param {Point | undefined} a @param {Point | undefined} b */
@@ -18,7 +22,7 @@ export const sameWork = (a, b) => sameModel(a.source, b.source) && a.source?.upA
   sameCentre(a.centreMm, b.centreMm) && Object.entries(a.values).every(([id, value]) => b.values[id] === value);
 
 /**
- * The settings that make the code as its handles left it.
+ * Returns the settings for the size and rotation set by the code's handles.
  * @param {{ rotateDeg?: number, symbolMm?: number }} change
  * @param {import('../ui/settings_form.js').Values} now
  * @returns {import('../ui/settings_form.js').Values}
@@ -26,7 +30,7 @@ export const sameWork = (a, b) => sameModel(a.source, b.source) && a.source?.upA
 export function settingsByHandles({ rotateDeg, symbolMm }, now) {
   /** @type {import('../ui/settings_form.js').Values} */ const values = {};
   if (rotateDeg !== undefined) values.rotate = String(rotateDeg);
-  if (rotateDeg !== undefined && now.size === 'best') values.size = 'oriented';  // which else would turn it back
+  if (rotateDeg !== undefined && now.size === 'best') values.size = 'oriented';  // 'best' would rotate it back
   if (symbolMm !== undefined) Object.assign(values, { size: 'fixed', 'size-mm': String(symbolMm) });
   return values;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A few large values that outlive the page, in IndexedDB. Where the browser keeps nothing (private windows, blocked or
-// full storage), nothing is kept and nobody is bothered.
+// Stores a few large values in IndexedDB beyond the visit. Where the browser stores nothing (private windows, blocked
+// or full storage), values are dropped without an error.
 
 const kName = 'qrelief';
 const kStore = 'kept';
@@ -30,7 +30,7 @@ export class Database {
     return this.open_;
   }
 
-  /** @param {string} key @returns {Promise<any>}  undefined if it is not there */
+  /** Reads a value. @param {string} key @returns {Promise<any>}  undefined if absent */
   async get(key) {
     try {
       const database = await this.database_();
@@ -41,9 +41,9 @@ export class Database {
   }
 
   /**
-   * All or none of them.
-   * @param {Record<string, any>} values  by key; undefined removes
-   * @returns {Promise<boolean>}  whether they are kept
+   * Writes all values or none.
+   * @param {Record<string, any>} values  by key; undefined removes a value
+   * @returns {Promise<boolean>}  false: not stored
    */
   async put(values) {
     try {
@@ -55,7 +55,7 @@ export class Database {
       }
       return await new Promise((resolve) => {
         transaction.oncomplete = () => resolve(true);
-        transaction.onabort = () => resolve(false);  // as when the quota is used up
+        transaction.onabort = () => resolve(false);  // for example if the quota is used up
       });
     } catch {
       return false;

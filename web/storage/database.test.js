@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is kept in a real IndexedDB is for e2e/keep.spec.js.
+// e2e/keep.spec.js tests a real IndexedDB.
 import assert from 'node:assert/strict';
 import { afterEach, test } from 'node:test';
 import { holdsSecret } from '../contents/secrets.js';

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A folder of files that outlive the page, in the browser's origin private file system. They are read from the disk when
-// they are asked for, so that their number takes no memory.
+// A folder of files in the browser's origin private file system. The files outlive the page. They are read from disk on
+// demand and take no memory.
 import { EngineFailure, internal } from '../engine/engine_error.js';
 import { message } from '../engine/message.js';
 
 /** @typedef {{ resolve: (value: any) => void, reject: (reason: unknown) => void }} Pending */
 
-/** @returns {Promise<FileSystemDirectoryHandle>}  of all folders */
+/** Returns the folder that holds all folders. @returns {Promise<FileSystemDirectoryHandle>} */
 async function rootFolder() {
   try {
     return await navigator.storage.getDirectory();
   } catch {
-    throw new EngineFailure(internal(message('storage-missing')));  // no secure origin, a private window, or an old browser
+    // No secure origin, a private window, or an old browser.
+    throw new EngineFailure(internal(message('storage-missing')));
   }
 }
 
@@ -32,25 +33,33 @@ export class Folder {
   }
 
   /**
-   * In place of the file of this name.
+   * Writes a file; replaces an existing one.
    * @param {string} file
-   * @param {Uint8Array<ArrayBuffer>} bytes  are handed over
+   * @param {Uint8Array<ArrayBuffer>} bytes  are transferred
    */
   write(file, bytes) {
     return this.send_('write', file, bytes, [bytes.buffer]);
   }
 
-  /** @param {string} file @param {string} line  without its end */
+  /** Appends a line. @param {string} file @param {string} line  without line break */
   append(file, line) {
     return this.send_('append', file, new TextEncoder().encode(`${line}\n`), []);
   }
 
-  /** What a file has that may be written to meanwhile: what `read` gives is of no use then. @param {string} file @returns {Promise<Uint8Array<ArrayBuffer>>} */
+  /**
+   * Copies the contents of a file that may change meanwhile. A later write invalidates the `File` that `read` returns.
+   * @param {string} file
+   * @returns {Promise<Uint8Array<ArrayBuffer>>}
+   */
   copy(file) {
     return this.send_('copy', file, new Uint8Array(), []);
   }
 
-  /** @param {string} file @returns {Promise<File | undefined>}  not read yet; none: it is not there */
+  /**
+   * Opens a file; its contents are read on demand.
+   * @param {string} file
+   * @returns {Promise<File | undefined>}  undefined if absent
+   */
   async read(file) {
     try {
       const folder = await (await rootFolder()).getDirectoryHandle(this.name_);
@@ -61,13 +70,19 @@ export class Folder {
     }
   }
 
-  /** With all that is in it. */
+  /** Removes the folder with all files. */
   async remove() {
     const root = await rootFolder();
-    await root.removeEntry(this.name_, { recursive: true }).catch(() => {});  // it is not there
+    await root.removeEntry(this.name_, { recursive: true }).catch(() => {});  // it does not exist
   }
 
-  /** @param {'write' | 'append' | 'copy'} verb @param {string} file @param {Uint8Array} bytes @param {Transferable[]} transfer @returns {Promise<any>} */
+  /**
+   * @param {'write' | 'append' | 'copy'} verb
+   * @param {string} file
+   * @param {Uint8Array} bytes
+   * @param {Transferable[]} transfer
+   * @returns {Promise<any>}
+   */
   async send_(verb, file, bytes, transfer) {
     await rootFolder();
     const worker = this.worker_ ??= this.start_();

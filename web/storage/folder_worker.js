@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The worker's side of a folder: only here can every browser write to a file in place. What a verb has answered is on the disk.
+// The worker of folder.js: only a worker can write to a file in place in every browser. Data is on disk before a verb
+// answers.
 
-/** @typedef {{ id: number, verb: 'write' | 'append' | 'copy', folder: string, file: string, bytes: Uint8Array }} Request */
+/**
+ * @typedef {{ id: number, verb: 'write' | 'append' | 'copy', folder: string, file: string, bytes: Uint8Array }} Request
+ */
 /** @typedef {{ getSize: () => number, truncate: (size: number) => void, write: (bytes: Uint8Array, options?: { at: number }) => number,
  *   read: (bytes: Uint8Array, options?: { at: number }) => number, flush: () => void, close: () => void }} Access */
 
@@ -9,6 +12,7 @@ const scope = /** @type {any} */ (globalThis);
 const kLineEnd = 10;
 
 /**
+ * Opens a file, uses it and closes it.
  * @template T
  * @param {string} folder @param {string} file @param {(access: Access) => T} use
  */
@@ -26,7 +30,7 @@ async function withFile(folder, file, use) {
   }
 }
 
-/** All of it. @param {Access} access @param {Uint8Array} bytes @param {number} at */
+/** Writes all bytes. @param {Access} access @param {Uint8Array} bytes @param {number} at */
 function put(access, bytes, at) {
   for (let written = 0; written < bytes.length;) {
     const more = access.write(bytes.subarray(written), { at: at + written });
@@ -36,12 +40,12 @@ function put(access, bytes, at) {
 }
 
 const verbs = {
-  /** In place of what the file has. @param {Access} access @param {Uint8Array} bytes */
+  /** Replaces the contents of the file. @param {Access} access @param {Uint8Array} bytes */
   write(access, bytes) {
     access.truncate(0);
     put(access, bytes, 0);
   },
-  /** A line, on a line of its own even if the one before it was cut off. @param {Access} access @param {Uint8Array} bytes */
+  /** Appends a line; first ends the last line if it was cut off. @param {Access} access @param {Uint8Array} bytes */
   append(access, bytes) {
     const size = access.getSize(), last = new Uint8Array(1);
     if (size > 0) access.read(last, { at: size - 1 });
@@ -49,7 +53,7 @@ const verbs = {
     if (isCut) put(access, Uint8Array.of(kLineEnd), size);
     put(access, bytes, size + Number(isCut));
   },
-  /** What the file has between two writes. @param {Access} access */
+  /** Copies the contents of the file between two writes. @param {Access} access */
   copy(access) {
     const bytes = new Uint8Array(access.getSize());
     access.read(bytes, { at: 0 });
@@ -57,7 +61,7 @@ const verbs = {
   },
 };
 
-/** One after the other: a file can be open once only. @type {Promise<void>} */
+/** Queue of requests: a file can be open only once. @type {Promise<void>} */
 let queue = Promise.resolve();
 
 scope.onmessage = (/** @type {MessageEvent} */ { data }) => {

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { LastWork, kMaxBytes } from './last_work.js';
 
-/** Keeps copies, as IndexedDB does; counts the bytes it was given. */
+/** Stores copies, like IndexedDB, and counts the bytes written. */
 class MemoryStore {
   constructor() {
     /** @type {Map<string, any>} */ this.values = new Map();
@@ -35,7 +35,10 @@ const own = () => ({
   values: { preset: 'robust', 'quiet-zone': true }, centreMm: /** @type {[number, number, number]} */ ([1, 2, 3]),
 });
 
-/** The page was opened, with a sample unless `start` is false. @param {{ store?: MemoryStore, isSecret?: (text: string) => boolean, start?: boolean }} [visited] */
+/**
+ * Opens the page, with a sample unless `start` is false.
+ * @param {{ store?: MemoryStore, isSecret?: (text: string) => boolean, start?: boolean }} [visited]
+ */
 function visit({ store = new MemoryStore(), isSecret = noSecrets, start = true } = {}) {
   const last = new LastWork(store, isSecret);
   last.openedWith(start ? opened : undefined);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Small choices kept for the next visit. Storage may be full, forbidden or absent: then there is no next time.
+// Remembers small choices for the next visit. If storage is full, blocked or absent, they are forgotten.
 
 /** @param {string} name @returns {string | undefined} */
 export function recall(name) {
@@ -15,6 +15,6 @@ export function remember(name, value) {
   try {
     localStorage.setItem(`qrelief.${name}`, value);
   } catch {
-    // The choice holds for this visit.
+    // The choice applies to this visit only.
   }
 }
