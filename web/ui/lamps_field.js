@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sets the lamps that a code is carved for by their number and, for each, direction, elevation and strength. The control
-// of the setting, a hidden text, holds what they come to.
+// The editor of the lamps that a code is carved for: their number and, for each, direction, elevation and strength. The
+// setting's own control, a hidden text field, holds the resulting value.
 import { lampsFrom } from '../engine/lamps.js';
 import { byId, make } from '../dom/dom.js';
 import { onLanguage, text } from '../i18n/catalogue.js';
 
 /** @typedef {import('../engine/lamps.js').Lamp} Lamp */
 
-const kMostLamps = 2;  // core/settings/check_settings.cpp
-/** What a lamp begins with: above the code, then at its left. @type {readonly Required<Lamp>[]} */
+const kMostLamps = 2;  // same limit as in core/settings/check_settings.cpp
+/** The initial lamps: the first above the code, the second to its left. @type {readonly Required<Lamp>[]} */
 const kFirst = [{ azimuthDeg: 90, elevationDeg: 40, strength: 1 }, { azimuthDeg: 180, elevationDeg: 40, strength: 1 }];
 const kRanges = { azimuthDeg: { min: -360, max: 360 }, elevationDeg: { min: 1, max: 90 }, strength: { min: 0.05, max: 100 } };
 const kParts = /** @type {(keyof typeof kRanges)[]} */ (Object.keys(kRanges));
@@ -26,10 +26,10 @@ export class LampsField {
     this.read();
   }
 
-  /** Shows what the control of the setting holds now. */
+  /** Shows the value of the setting's control. */
   read() {
     const lamps = lampsFrom(this.value_.value);
-    if (!lamps) return;  // being typed
+    if (!lamps) return;  // the value is still being typed
     this.count_.value = String(Math.min(lamps.length, kMostLamps));
     this.lamps_.forEach(({ inputs }, at) => kParts.forEach((part) => {
       inputs[part].value = String((lamps[at] ? { strength: 1, ...lamps[at] } : kFirst[at])[part]);
@@ -64,7 +64,7 @@ export class LampsField {
     });
   }
 
-  /** Hands what the fields say to the control of the setting, as if it had been typed there. */
+  /** Writes the fields to the setting's control and fires its change event, as if the user had typed there. */
   write_() {
     const used = this.lamps_.slice(0, Number(this.count_.value));
     this.value_.value = used.map(({ inputs }) => kParts.map((part) => inputs[part].value || '?').join(',')).join(' ');
