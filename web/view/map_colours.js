@@ -31,10 +31,7 @@ function paint({ width, height, components }, colour) {
   return { width, height, rgba };
 }
 
-/**
- * @param {JobMap} map
- * @param {number} at  index of the first value of a texel; true if the texel's ray meets the model
- */
+/** Tells whether a texel's ray meets the model. @param {JobMap} map @param {number} at  the texel's first value */
 const isSurface = ({ values }, at) => values[at] !== 0 || values[at + 1] !== 0 || values[at + 2] !== 0;
 
 /** @param {JobMap} surface @returns {Pixels}  −1 … 1 as 0 … 255 */
