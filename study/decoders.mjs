@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The decoders of QR codes that npm offers, behind one face; script/decoders installs them.
+// The QR decoders available from npm, behind one interface; script/decoders installs them.
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { pathToFileURL } from 'node:url';
@@ -19,7 +19,7 @@ export function pictureOf(grey, /** @type {number} */ width, /** @type {number} 
 }
 
 /**
- * A grey PNG.
+ * Reads a grey PNG.
  * @param {string} peers  the folder in which the packages are installed
  */
 export function readPicture(peers, /** @type {string} */ file) {
@@ -28,7 +28,8 @@ export function readPicture(peers, /** @type {string} */ file) {
 }
 
 /**
- * From a picture to its text, or nothing: each with its own thorough settings.
+ * Returns the decoders, each with its own thorough settings. A decoder takes a picture and returns its text, or
+ * undefined.
  * @param {string} peers  the folder in which the packages are installed
  * @returns {Promise<Record<string, (picture: Picture) => string | undefined | Promise<string | undefined>>>}
  */
@@ -40,7 +41,7 @@ export async function npmDecoders(peers) {
   zxingWasm.prepareZXingModule({
     overrides: { wasmBinary: readFileSync(`${peers}/node_modules/zxing-wasm/dist/reader/zxing_reader.wasm`).buffer },
   });
-  /** Nothing where a decoder throws for want of a code. */
+  /** Returns undefined where a decoder throws because it found no code. */
   const orNothing = (/** @type {() => string} */ decode) => {
     try {
       return decode();

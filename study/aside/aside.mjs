@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From how far aside a code on a cylinder is read, however it is made: painted in black, projected as we carve it, wrapped
-// round the cylinder as a label is, and half-way between, for versions 2 to 10 and each decoder of npm.
+// Measures the tilt up to which a code painted in black on a cylinder decodes: projected as we carve it, wrapped round the
+// cylinder like a label, and half-way between, for versions 2 to 10 and each decoder of npm.
 //
 //     node aside.mjs PEERS FILE.csv       PEERS: the folder in which the npm packages are installed
 //
-// The cylinder stands, the code looks at the reader, who walks round it at one distance: seven symbol widths, as 250 mm
-// for 35 mm. The arc is what the symbol's width takes of the circumference. A pixel is a quarter of a module at most;
-// blur 0.3 modules, shot noise of 2 % at white, seeded. Tilts go up in steps of 5° until two in a row are not read; the table has the
-// last that was read before; empty: not even in front.
+// The cylinder is upright and the code faces the phone, which moves round it at a distance of seven symbol widths, such as
+// 250 mm for 35 mm. The arc is the part of the circumference covered by the symbol's width. Seen from the front, a module
+// is six pixels wide. Blur is 0.3 modules; shot noise is 2 % at white, seeded. The tilt increases in steps of 5° until two
+// in a row fail to decode. The table has the last tilt that decoded before; empty: not even from the front.
 import { createRequire } from 'node:module';
 import { writeFileSync } from 'node:fs';
 import { pathToFileURL } from 'node:url';
@@ -37,7 +37,7 @@ function randomFrom(/** @type {number} */ seed) {
 }
 
 /**
- * Where a point of the cylinder lies in the symbol, in symbol widths from its middle.
+ * Returns the place of a point of the cylinder in the symbol, in symbol widths from the symbol's middle.
  * @param {number} angle   about the axis, 0 in front, radians
  * @param {number} radius  in symbol widths
  */
@@ -48,10 +48,10 @@ function placeInSymbol(angle, /** @type {number} */ height, /** @type {number} *
   return [projected[0] + wrapped * (radius * angle - projected[0]), projected[1] + wrapped * (height - projected[1])];
 }
 
-/** The light that comes from a direction in which the reader looks. */
+/** Returns the light that reaches the eye from a direction. */
 function lightOf(/** @type {boolean[][]} */ symbol, /** @type {number} */ radius, /** @type {number} */ wrapped, /** @type {number} */ tilt,
   /** @type {number} */ right, /** @type {number} */ up) {
-  // Axis at the origin, code in front at z = radius; the reader looks at its middle.
+  // The axis is at the origin, the code in front at z = radius. The eye looks at the code's middle.
   const eye = [kEyeWidths * Math.sin(tilt), 0, radius + kEyeWidths * Math.cos(tilt)];
   const ray = [right * Math.cos(tilt) - kEyeWidths * Math.sin(tilt), up, -right * Math.sin(tilt) - kEyeWidths * Math.cos(tilt)];
   const a = ray[0] ** 2 + ray[2] ** 2, b = eye[0] * ray[0] + eye[2] * ray[2], c = eye[0] ** 2 + eye[2] ** 2 - radius ** 2;
@@ -76,7 +76,7 @@ function pictureFrom(/** @type {boolean[][]} */ symbol, /** @type {number} */ ra
   return seenByCamera(sharp, fine, width);
 }
 
-/** Blur along both axes, means over pixels, noise, gamma. */
+/** Applies the camera: blur along both axes, means over pixels, noise, gamma. */
 function seenByCamera(/** @type {Float32Array} */ sharp, /** @type {number} */ fine, /** @type {number} */ width) {
   const sigma = kBlurModules * kPixelsPerModule * kSamples, reach = Math.ceil(3 * sigma);
   const weights = Array.from({ length: 2 * reach + 1 }, (_, i) => Math.exp(-(((i - reach) / sigma) ** 2) / 2));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether the truth of CarvedQR fits its pictures: in each, the modules that the matrix calls dark must be darker, in their
-// middles, than those it calls light, at the places that the corners give, and less so a module further on. Pictures from
-// aside are left out: there a curved surface is no plane between its corners.
+// Checks that the truth of CarvedQR fits its pictures. In each picture, the dark modules of the matrix must be darker than
+// its light modules, sampled in their middles at the positions given by the corners, and the contrast must drop if sampled
+// one module to the right. It skips pictures taken from the side, where a curved surface is no plane between its corners.
 //
 //     node check.mjs FOLDER PEERS        PEERS: the folder in which the npm packages are installed
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
@@ -10,7 +10,8 @@ import { readPicture } from '../decoders.mjs';
 const [folder, peers] = process.argv.slice(2);
 
 /**
- * The projective map of the unit square to a quadrilateral, corners clockwise from the top left [Heckbert 1989].
+ * Returns the projective map from the unit square to a quadrilateral, corners clockwise from the top left [Heckbert
+ * 1989].
  * @param {[number, number][]} corners
  * @returns {(u: number, v: number) => [number, number]}
  */
@@ -21,7 +22,10 @@ function ontoCorners([[x0, y0], [x1, y1], [x2, y2], [x3, y3]]) {
   return (u, v) => [(a * u + b * v + x0) / (g * u + h * v + 1), (d * u + e * v + y0) / (g * u + h * v + 1)];
 }
 
-/** How much darker the dark modules are on the mean, 0 … 255, when all are looked for `off` modules to the right. */
+/**
+ * Returns how much darker the dark modules are on average, 0 … 255, if all modules are sampled `off` modules to the
+ * right.
+ */
 function contrastOf(line, picture, /** @type {number} */ off) {
   const at = ontoCorners(line.corners), size = line.matrix.length, sums = [0, 0], counts = [0, 0];
   for (let row = 0; row < size; row += 1) {

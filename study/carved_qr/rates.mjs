@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How many pictures of CarvedQR the decoders of npm and Debian read.
+// Counts the pictures of CarvedQR that the decoders of npm and Debian read.
 //
 //     node rates.mjs FOLDER PEERS [--out FILE.csv]    PEERS: the folder in which the npm packages are installed
 //
-// A row for each decoder, surface, light and tilt: pictures, how many gave the code's text, how many another one. Each
-// decoder gets the picture as it is, once, with its own thorough settings and no others.
+// The output has a row for each decoder, surface, light and tilt: the pictures, those that gave the code's text, and those
+// that gave another text. Each decoder gets the unchanged picture once, with only its own thorough settings.
 import { execFileSync, spawnSync } from 'node:child_process';
 import { readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import { npmDecoders, readPicture } from '../decoders.mjs';
@@ -14,7 +14,7 @@ const outAt = process.argv.indexOf('--out');
 const debianVersion = (/** @type {string} */ name) =>
   execFileSync('dpkg-query', ['--show', '--showformat=${Version}', name], { encoding: 'utf8' }).split(/[+-]/)[0];
 
-/** Decoders of Debian: from files to texts by file. */
+/** Decoders of Debian. Each takes files and returns their texts by file. */
 const debianDecoders = {
   [`zbarimg ${debianVersion('zbar-tools')} (Debian)`]: (files) => {
     const out = spawnSync('zbarimg', ['--quiet', '--xml', '-Sdisable', '-Sqrcode.enable', ...files], { encoding: 'utf8', maxBuffer: 1e9 }).stdout;
@@ -24,7 +24,7 @@ const debianDecoders = {
     }
     return texts;
   },
-  // Debian's OpenCV is built without its QR decoder.
+  // Debian builds OpenCV without its QR decoder.
   [`ZXingReader ${debianVersion('zxing-cpp-tools')} (Debian)`]: (files) => {
     const out = spawnSync('ZXingReader', ['-1', '-format', 'QRCode', ...files], { encoding: 'utf8', maxBuffer: 1e9 }).stdout;
     const texts = new Map();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How far aside painted codes on cylinders are read: by the arc they take, how they lie on it, and decoder.
+// The tilt up to which painted codes on cylinders decode: by their arc, by how they lie on the cylinder, and by
+// decoder.
 import { distinct, groupBy, median, rises, tally } from '../page/compare.js';
 import { kColours, series } from '../page/figure.js';
 import { linePlots } from '../page/plots.js';
@@ -7,30 +8,35 @@ import { cases, name, said } from '../page/say.js';
 
 /** @typedef {import('../page/table.js').Row} Row */
 
-const kManyMarks = 7;  // from this version on a code has six alignment patterns, from 2 to 6 one [ISO/IEC 18004, annex E]
-const kUnread = -Infinity;  // not even in front: less far than every tilt
+const kManyMarks = 7;  // six alignment patterns or more from this version, one in versions 2 to 6 [ISO/IEC 18004, annex E]
+const kUnread = -Infinity;  // does not decode even from the front, worse than any tilt
 
 /** @param {Row} row */
 const tiltOf = (row) => row.tilt_deg ?? kUnread;
 
-/** The decoder without its version: "jsqr" of "jsqr 1.4.0 (npm)". @param {Row} row */
+/** Returns the decoder without its version: "jsqr" of "jsqr 1.4.0 (npm)". @param {Row} row */
 export const decoderOf = ({ reader }) => String(reader).split(' ')[0];
 
-/** Median of the tilts, in degrees; undefined where half of them or more are not read even in front. @param {Row[]} rows */
+/**
+ * Returns the median tilt in degrees; undefined if half of the codes or more do not decode even from the front.
+ * @param {Row[]} rows
+ */
 export function medianTilt(rows) {
   const tilt = median(rows.map(tiltOf));
   return Number.isFinite(tilt) ? tilt : undefined;
 }
 
-/** @param {Row[]} rows @returns {Row[]} a row for each decoder, layout and arc: the median of the versions */
+/** @param {Row[]} rows @returns {Row[]} a row for each decoder, layout and arc: the median over the versions */
 const overVersions = (rows) => [...groupBy(rows.map((row) => ({ ...row, others: [row.reader, row.layout, row.arc_deg].join() })), 'others').values()]
   .map((group) => ({ reader: decoderOf(group[0]), layout: group[0].layout, arc_deg: group[0].arc_deg, tilt_deg: medianTilt(group) }))
   .filter(({ tilt_deg: tilt }) => tilt !== undefined);
 
 /**
- * How often codes of one layout are read at least as far aside as those of another, all else the same; what neither reads
- * tells nothing.
- * @param {Row[]} rows @param {string} one @param {string} other
+ * Counts how often codes of one layout decode at least as far from the side as codes of another, all else being equal.
+ * Cases in which neither decodes do not count.
+ * @param {Row[]} rows
+ * @param {string} one
+ * @param {string} other
  */
 export function asFarAside(rows, one, other) {
   const groups = groupBy(rows.map((row) => ({ ...row, others: [row.reader, row.version, row.arc_deg].join() })), 'others');
@@ -41,7 +47,8 @@ export function asFarAside(rows, one, other) {
 }
 
 /**
- * Whether one decoder reads larger versions, with more alignment patterns, farther aside than smaller ones at every arc.
+ * Tells whether a decoder reads larger versions, with more alignment patterns, from farther aside than smaller versions
+ * at every arc.
  * @param {Row[]} rows  of one decoder and layout
  */
 export const manyMarksHelp = (rows) => [...groupBy(rows, 'arc_deg').values()].every((ofArc) => rises([false, true].map((many) => {

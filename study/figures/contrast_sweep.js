@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Depth by contrast and module pattern beside the depths of Peng 2019 and 2020 [Papp 2022, figure 20].
+// Depth by contrast and module pattern, compared with Peng 2019 and 2020 [Papp 2022, figure 20].
 import { groupBy, rises } from '../page/compare.js';
 import { inOrder, kColours, series } from '../page/figure.js';
 import { name, said } from '../page/say.js';
@@ -9,16 +9,21 @@ import { name, said } from '../page/say.js';
 const kShadow = 'self-shadow-2019', kLamp = 'one-light-2020';
 const kOthers = [kLamp, kShadow];
 
-/** Depth of a method at its published setting. @param {Record<string, Row[]>} tables @param {string} model @param {string} method */
+/**
+ * Returns the depth of a method at its published setting.
+ * @param {Record<string, Row[]>} tables
+ * @param {string} model
+ * @param {string} method
+ */
 const depthOf = ({ method_comparison: comparison = [] }, model, method) =>
   comparison.find((row) => row.model === model && row.method === method)?.depth_mm;
 
 /**
- * The least contrast at which codes with this pattern are at least so deep.
+ * Returns the least contrast at which codes with this pattern are at least as deep as `depth`.
  * @param {Row[]} ofModel
- * @param {string} modules  pattern
+ * @param {string} modules  module pattern
  * @param {number | undefined} depth  mm
- * @returns {number | undefined}  undefined where none of the contrasts is enough
+ * @returns {number | undefined}  undefined if no contrast is enough
  */
 export function contrastThatReaches(ofModel, modules, depth) {
   if (depth === undefined) return undefined;
@@ -27,7 +32,7 @@ export function contrastThatReaches(ofModel, modules, depth) {
 }
 
 /**
- * Contrasts at which the paper's order holds: Peng 2020, then every pattern, then Peng 2019.
+ * Returns the contrasts at which depths follow the paper's order: Peng 2020, then every pattern, then Peng 2019.
  * @param {Row[]} ofModel
  * @param {number | undefined} lampDepth    of Peng 2020, mm
  * @param {number | undefined} shadowDepth  of Peng 2019, mm

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How the default was chosen: reads as printed against depth of the settings that a search left, on models that the
-// default was not chosen by.
+// The choice of the default: reads as printed against depth, for the settings left by a search, on models that did not
+// take part in the choice.
 import { groupBy, tally } from '../page/compare.js';
 import { kColours, series } from '../page/figure.js';
 import { name, said } from '../page/say.js';
@@ -8,22 +8,22 @@ import { kNeeded, kTries } from '../page/tries.js';
 
 /** @typedef {import('../page/table.js').Row} Row */
 /**
- * Means over poses, and over models where several are given.
+ * Result of one choice of settings: means over poses, and over models if several are given.
  * @typedef {{ modules: string, finders: string, contrast: number, isDefault: boolean, printed: number, depth_mm: number, depth_max_mm: number }} Choice
  */
 
-/** The models that the default was chosen by (study/experiments/chosen_settings.h). */
+/** The models used to choose the default (study/experiments/chosen_settings.h). */
 export const kChosenBy = ['plate', 'saddle', 'star', 'bunny'];
 
 const kMeasures = /** @type {const} */ (['printed', 'depth_mm', 'depth_max_mm']);
 const kSettings = ['modules', 'finders', 'contrast', 'max_depth_modules', 'broken_up'];
-const kMisleading = 'diamond';  // modules that our decoder reads more often than others do
-const kDefaultDepthModules = 4;  // pipeline/default_patterns.h
+const kMisleading = 'diamond';  // our decoder reads this module pattern more often than other decoders do
+const kDefaultDepthModules = 4;  // same as in pipeline/default_patterns.h
 
 /**
- * What each choice of settings comes to with modules of one width.
- * @param {Row[]} rows  of that width
- * @param {Row | undefined} ours  the program's settings for that width, of the table default_settings
+ * Returns the result of each choice of settings for one module width.
+ * @param {Row[]} rows  for that width
+ * @param {Row | undefined} ours  the program's settings for that width, from the table default_settings
  * @returns {Choice[]}
  */
 export function choicesOf(rows, ours) {
@@ -37,19 +37,22 @@ export function choicesOf(rows, ours) {
   });
 }
 
-/** Choices with more reads than the default at no more depth; undefined where the default was not measured. @param {Choice[]} choices */
+/**
+ * Returns the choices with more reads than the default at no more depth; undefined if the default was not measured.
+ * @param {Choice[]} choices
+ */
 export function betterThanDefault(choices) {
   const ours = choices.find(({ isDefault }) => isDefault);
   return ours && choices.filter(({ printed, depth_mm: depth }) => printed > ours.printed && depth <= ours.depth_mm);
 }
 
-/** Rows of the models that the default was not chosen by. @param {Row[]} rows */
+/** Returns the rows of the models that were not used to choose the default. @param {Row[]} rows */
 const tested = (rows) => rows.filter(({ model }) => !kChosenBy.includes(model));
 
-/** The program's settings by module width. @param {Record<string, Row[]>} tables */
+/** Returns the program's settings by module width. @param {Record<string, Row[]>} tables */
 const settingsBy = ({ default_settings: settings = [] }) => new Map(settings.map((row) => [row.module_mm, row]));
 
-/** @param {number} width  of modules, mm @param {import('../page/compare.js').Tally} test */
+/** @param {number} width  module width, mm @param {import('../page/compare.js').Tally} test */
 const at = (width, { holds, of }) => said('choiceFrontierAt', { width: { number: width, digits: 1 }, holds, of });
 
 /** @type {import('../page/figure.js').Figure} */

@@ -8,19 +8,25 @@ import { kTries } from '../page/tries.js';
 
 /** @typedef {import('../page/table.js').Row} Row */
 
-/** Median of a method's reads over the texts. @param {Row[]} ofModel @param {string} method @returns {number} */
+/** Returns a method's median reads over the texts. @param {Row[]} ofModel @param {string} method @returns {number} */
 export const readsOf = (ofModel, method) => median(ofModel.filter((row) => row.method === method).map(({ printed }) => printed));
 
-/** Median of that over the models that have rows of the method. @param {Row[]} rows @param {string} method @returns {number} */
+/**
+ * Returns the median of `readsOf` over the models that have rows of the method.
+ * @param {Row[]} rows
+ * @param {string} method
+ * @returns {number}
+ */
 export const readsOverModels = (rows, method) =>
   median([...groupBy(rows.filter((row) => row.method === method), 'model').values()].map((ofModel) => readsOf(ofModel, method)));
 
-/** How far apart one code's reads are from text to text: median over models and methods. @param {Row[]} rows */
+/** Returns the spread of one code's reads from text to text: the median over models and methods. @param {Row[]} rows */
 export const spreadOf = (rows) => median([...groupBy(rows, 'model').values()].flatMap((ofModel) =>
   [...groupBy(ofModel, 'method').values()].map((of) => Math.max(...of.map(({ printed }) => printed)) - Math.min(...of.map(({ printed }) => printed)))));
 
 /**
- * Models on which every method, our default among them, was read with every text: on others methods cannot be compared.
+ * Returns the models with a row for every method and text, our default included. On other models the methods cannot be
+ * compared.
  * @param {Row[]} rows
  * @returns {Row[][]}  by model
  */
@@ -30,7 +36,7 @@ export function wholeModels(rows) {
     && ofModel.some(({ method }) => method === kDefaultMethod));
 }
 
-/** Methods that are read more often than the default. @param {Row[]} ofModel @returns {string[]} */
+/** Returns the methods with more reads than the default. @param {Row[]} ofModel @returns {string[]} */
 export const oftener = (ofModel) => distinct(ofModel, 'method').filter((method) => readsOf(ofModel, method) > readsOf(ofModel, kDefaultMethod));
 
 /** @type {import('../page/figure.js').Figure} */

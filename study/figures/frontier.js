@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reads against depth, every method from shallow to deep.
+// Reads against depth, for every method from shallow to deep.
 import { distinct, frontierAt, groupBy, tally } from '../page/compare.js';
 import { inOrder, kColours, series } from '../page/figure.js';
 import { isForOneLamp, isOurs, kDefaultMethod, kPatternedFinders } from '../page/methods.js';
@@ -26,16 +26,22 @@ const kStyles = {
   'ours-whole-modules': [kColours.green, 'square', [4, 3]],
   'ours': [kColours.green, 'cross', []],
 };
-const kThin = 1.2, kThick = 2.6;  // lines; the thick one is our default
+const kThin = 1.2, kThick = 2.6;  // line widths; the thick line is our default
 
-/** A method's levels on one model. @param {Row[]} ofModel @param {string} method @param {string} measure @returns {Point[]} */
+/**
+ * Returns a method's levels on one model.
+ * @param {Row[]} ofModel
+ * @param {string} method
+ * @param {string} measure
+ * @returns {Point[]}
+ */
 const levelsOf = (ofModel, method, measure) => ofModel.filter((row) => row.method === method).map((row) => [row.depth_mm, row[measure]]);
 
 /**
- * Methods, none of ours, that reach more reads than our default at no more depth.
- * @param {Row[]} ofModel      of the frontier
- * @param {Row | undefined} ours  our default there
- * @returns {string[] | undefined}  undefined where our default was not measured
+ * Returns the methods, except ours, that reach more reads than our default at no more depth.
+ * @param {Row[]} ofModel      of the table `frontier`
+ * @param {Row | undefined} ours  our default on that model
+ * @returns {string[] | undefined}  undefined if our default was not measured
  */
 export function betterThanDefault(ofModel, ours) {
   if (!ours) return undefined;
@@ -43,7 +49,11 @@ export function betterThanDefault(ofModel, ours) {
     && (frontierAt(levelsOf(ofModel, method, 'printed'), ours.depth_mm) ?? -1) > ours.printed);
 }
 
-/** The least mean depth at which a method reads as printed, at one of its levels. @param {Row[]} ofModel @param {string} method */
+/**
+ * Returns the least mean depth among the levels at which a method reads as printed.
+ * @param {Row[]} ofModel
+ * @param {string} method
+ */
 export function leastDepthThatReads(ofModel, method) {
   const depths = ofModel.filter((row) => row.method === method && row.printed >= kNeeded).map((row) => row.depth_mm);
   return depths.length > 0 ? Math.min(...depths) : undefined;
@@ -51,7 +61,7 @@ export function leastDepthThatReads(ofModel, method) {
 
 /** @param {'designed' | 'printed'} measure @returns {import('../page/figure.js').Figure['draw']} */
 const draw = (measure) => (rows, look) => {
-  const deep = rows.filter((row) => row.depth_mm > 0);  // of 0 there is no logarithm
+  const deep = rows.filter((row) => row.depth_mm > 0);  // 0 has no logarithm
   const { rows: values, order } = look.named(deep, { model: 'model', method: 'method' });
   const methods = inOrder(deep, 'method', 'method');
   const styles = methods.map((method) => kStyles[method] ?? [kColours.ink, 'circle', []]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How large a code each way to find the direction allows [Papp 2022, figures 13 and 14].
+// The code size that each method of finding the direction allows [Papp 2022, figures 13 and 14].
 import { groupBy, median, onModels, tally, valuesBy } from '../page/compare.js';
 import { kColours, series } from '../page/figure.js';
 import { mm, models, name, said } from '../page/say.js';
@@ -7,10 +7,14 @@ import { mm, models, name, said } from '../page/say.js';
 /** @typedef {import('../page/table.js').Row} Row */
 
 const kMeasures = ['guaranteed_mm', 'upright_mm', 'turned_45_mm'];
-const kSameFraction = 0.02;  // differences below it nobody sees on a model
-const kShownFraction = 0.001;  // below it a loss would be said to be 0.0 %
+const kSameFraction = 0.02;  // a smaller difference is invisible on a model
+const kShownFraction = 0.001;  // a smaller loss would be shown as 0.0 %
 
-/** What depth adds to the guaranteed size, as a fraction of that by normals alone. @param {Row[]} ofModel @returns {number | undefined} */
+/**
+ * Returns the gain in guaranteed size by depth, as a fraction of the size by normals alone.
+ * @param {Row[]} ofModel
+ * @returns {number | undefined}
+ */
 export function gainByDepth(ofModel) {
   const { 'depth-balanced': balanced, 'mean-normal': normals } = valuesBy(ofModel, 'direction', 'guaranteed_mm');
   return balanced === undefined || normals === undefined ? undefined : balanced / normals - 1;
@@ -26,7 +30,7 @@ export const sizesOverModels = (rows, fraction) => onModels(rows, (ofModel) => {
   return gain === undefined ? undefined : gain >= fraction;
 });
 
-/** Whether the direction `optimal` allows the largest guaranteed size. @param {Row[]} ofModel */
+/** Tells whether the direction `optimal` allows the largest guaranteed size. @param {Row[]} ofModel */
 export function optimalIsLargest(ofModel) {
   const sizes = valuesBy(ofModel, 'direction', 'guaranteed_mm');
   return sizes.optimal === undefined ? undefined : sizes.optimal >= Math.max(...Object.values(sizes).map(Number));

@@ -7,16 +7,16 @@ import { mm, models, said } from '../page/say.js';
 
 /** @typedef {import('../page/table.js').Row} Row */
 
-/** By lamps: none, one, two. @param {Row[]} ofModel @param {string} pattern */
+/** Returns the depths for no lamp, one lamp and two lamps. @param {Row[]} ofModel @param {string} pattern */
 const depthsOf = (ofModel, pattern) => {
   const depths = valuesBy(ofModel.filter(({ modules }) => modules === pattern), 'lamps', 'depth_mm');
   return [0, 1, 2].map((lamps) => depths[lamps]);
 };
 
-/** Whether each lamp more makes codes deeper. @param {Row[]} ofModel @param {string} pattern */
+/** Tells whether each additional lamp makes codes deeper. @param {Row[]} ofModel @param {string} pattern */
 export const lampsDeepen = (ofModel, pattern) => rises(depthsOf(ofModel, pattern));
 
-/** Whether each lamp more makes codes shallower. @param {Row[]} ofModel @param {string} pattern */
+/** Tells whether each additional lamp makes codes shallower. @param {Row[]} ofModel @param {string} pattern */
 export const lampsMakeShallower = (ofModel, pattern) => rises(depthsOf(ofModel, pattern).reverse());
 
 /** @type {import('../page/figure.js').Figure} */

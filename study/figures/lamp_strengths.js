@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Depth by elevation and strength of one lamp, on a plate: why lamps make codes deeper or shallower.
+// Depth by elevation and strength of one lamp, on a plate. It explains why lamps make codes deeper or shallower.
 import { groupBy } from '../page/compare.js';
 import { inOrder, kColours, series } from '../page/figure.js';
 import { linePlots } from '../page/plots.js';
@@ -7,18 +7,23 @@ import { name, said } from '../page/say.js';
 
 /** @typedef {import('../page/table.js').Row} Row */
 
-/** Elevation of the paper's lamp for its figure 21, in degrees. */
+/** Elevation of the paper's lamp in its figure 21, in degrees. */
 const kPaperElevation = 33;
 
-/** Depth under the sky alone, by module pattern. @param {Record<string, Row[]>} tables @returns {Record<string, number>} */
+/**
+ * Returns the depth under the sky alone, by module pattern.
+ * @param {Record<string, Row[]>} tables
+ * @returns {Record<string, number>}
+ */
 const skyDepths = ({ lamp_depths: depths = [] }) => Object.fromEntries(depths
   .filter(({ model, lamps }) => model === 'plate' && lamps === 0).map(({ modules, depth_mm: depth }) => [modules, depth]));
 
 /**
- * Elevations at which the lamp has the same effect at every strength.
+ * Sorts the elevations by the lamp's effect on the depth at all strengths.
  * @param {Row[]} rows  of one module pattern
  * @param {number} skyDepth  depth under the sky alone, mm
- * @returns {{ shallower: number[], deeper: number[], either: number[] }}  in degrees; `either`: it depends on the strength
+ * @returns {{ shallower: number[], deeper: number[], either: number[] }}  in degrees; `either`: the effect depends on
+ *   the strength
  */
 export function effects(rows, skyDepth) {
   /** @type {ReturnType<typeof effects>} */ const found = { shallower: [], deeper: [], either: [] };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The least module that reads as printed [Papp 2022, figure 11].
+// The smallest module that reads as printed [Papp 2022, figure 11].
 import { groupBy, tally } from '../page/compare.js';
 import { inOrder } from '../page/figure.js';
 import { patternPlots } from '../page/plots.js';
@@ -7,12 +7,20 @@ import { cases, mm, name, said } from '../page/say.js';
 
 /** @typedef {import('../page/table.js').Row} Row */
 
-/** The row with the least module of those that read at all. @param {Row[]} rows @returns {Row | undefined} */
+/**
+ * Returns the row with the smallest module, among the rows that read at all.
+ * @param {Row[]} rows
+ * @returns {Row | undefined}
+ */
 export const leastOf = (rows) => rows.filter((row) => row.module_mm !== null).sort((a, b) => a.module_mm - b.module_mm)[0];
 
 const kKeys = ['process', 'modules', 'finders', 'pose'];
 
-/** The least modules by a column's value, for all else the same. @param {Row[]} rows @param {string} column */
+/**
+ * Returns the smallest modules by a column's value, one map for each case of the other columns.
+ * @param {Row[]} rows
+ * @param {string} column
+ */
 function sizesBy(rows, column) {
   const others = kKeys.filter((key) => key !== column);
   const groups = groupBy(rows.map((row) => ({ ...row, others: others.map((key) => row[key]).join(' ') })), 'others');
@@ -20,8 +28,11 @@ function sizesBy(rows, column) {
 }
 
 /**
- * How often one value of a column allows a module at least as small as another, all else the same.
- * @param {Row[]} rows @param {string} column @param {string} one @param {string} other
+ * Counts how often one value of a column allows a module at least as small as another value, all else being equal.
+ * @param {Row[]} rows
+ * @param {string} column
+ * @param {string} one
+ * @param {string} other
  */
 export const asSmall = (rows, column, one, other) => tally(sizesBy(rows, column), (sizes) => {
   const [a, b] = [sizes.get(one), sizes.get(other)];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reads against the angle of the reading lamp, by the angle of the lamp that was carved for [Papp 2022, figure 22].
+// Reads against the angle of the reading lamp, by the angle of the lamp carved for [Papp 2022, figure 22].
 import { tally } from '../page/compare.js';
 import { kColours, series } from '../page/figure.js';
 import { cases, said } from '../page/say.js';
@@ -7,14 +7,14 @@ import { kNeeded, kTries } from '../page/tries.js';
 
 /** @typedef {import('../page/table.js').Row} Row */
 
-/** Angles the paper's codes were carved for, with how much higher its reading lamp might stand, in degrees. */
+/** Angles that the paper's codes were carved for, and how much higher the reading lamp may be, in degrees. */
 export const kPaper = [{ carvedAt: 33, higher: 30 }, { carvedAt: 8, higher: 15 }];
 
-/** Rows of one carving. @param {Row[]} rows @param {string} modules @param {number | string} carvedAt */
+/** Returns the rows of one carving. @param {Row[]} rows @param {string} modules @param {number | string} carvedAt */
 export const carving = (rows, modules, carvedAt) => rows.filter((row) => row.modules === modules && row.carved_at === carvedAt);
 
 /**
- * Where the reading lamp may stand: runs of angles that were tried, one beside the other, and read.
+ * Returns the angles of the reading lamp at which the code reads, as runs of neighbouring angles tried.
  * @param {Row[]} rows  of one carving
  * @returns {number[][]}  in degrees
  */
@@ -28,7 +28,7 @@ export function readRuns(rows) {
 }
 
 /**
- * Whether it reads with the lamp that it was carved for, and up to so much higher.
+ * Tells whether a code reads with the lamp that it was carved for, and up to `higher` degrees above that lamp.
  * @param {Row[]} rows  of one carving
  * @param {number} carvedAt
  * @param {number} higher
@@ -38,7 +38,7 @@ export const tolerates = (rows, carvedAt, higher) => {
   return tried.length > 0 && tried.every(({ reads }) => reads >= kNeeded);
 };
 
-/** Whether no lower lamp keeps it from being read. @param {Row[]} rows  of one carving @param {number} carvedAt */
+/** Tells whether the code reads with every lower lamp. @param {Row[]} rows  of one carving @param {number} carvedAt */
 export const lowerNeverHurts = (rows, carvedAt) => rows.filter((row) => row.read_at < carvedAt).every(({ reads }) => reads >= kNeeded);
 
 /** @param {Row[]} rows  of one carving */

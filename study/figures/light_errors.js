@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How far each method's own idea of the light is from path tracing.
+// The error of each method's own light model, compared with path tracing.
 import { distinct } from '../page/compare.js';
 import { kDefaultMethod } from '../page/methods.js';
 import { name, said } from '../page/say.js';
@@ -12,7 +12,7 @@ import { typical } from './method_depths.js';
 const compared = (rows) => rows.filter((row) => row.light_error_size !== null);
 
 /**
- * Methods by the size of their error, the least first; medians over the models.
+ * Returns the methods by the size of their error, smallest first; medians over the models.
  * @param {Row[]} rows
  * @returns {{ method: string, size: number, mean: number }[]}
  */

@@ -9,34 +9,50 @@ import { kNeeded } from '../page/tries.js';
 
 const kAlikeFraction = 0.25;
 
-/** The paper's order: one lamp of 2020, then its own patterns, then self-shadows of 2019. @param {Row[]} ofModel */
+/**
+ * Tells whether depths follow the paper's order: one lamp of 2020, then its own patterns, then self-shadows of 2019.
+ * @param {Row[]} ofModel
+ */
 export function isPaperOrder(ofModel) {
   const depths = valuesBy(ofModel, 'method', 'depth_mm');
   return rises([depths['one-light-2020'], depths['papp-2022'], depths['self-shadow-2019']]);
 }
 
-/** Depth of one lamp of 2020 as a fraction of that of self-shadows of 2019. @param {Row[]} ofModel @returns {number | undefined} */
+/**
+ * Returns the depth of one lamp of 2020 as a fraction of the depth of self-shadows of 2019.
+ * @param {Row[]} ofModel
+ * @returns {number | undefined}
+ */
 export function oneLightOfSelfShadows(ofModel) {
   const { 'one-light-2020': light, 'self-shadow-2019': shadow } = valuesBy(ofModel, 'method', 'depth_mm');
   return light === undefined || shadow === undefined ? undefined : light / shadow;
 }
 
-/** How many times as deep as the paper's whole modules those of 2019 are. @param {Row[]} ofModel @returns {number | undefined} */
+/**
+ * Returns the depth of whole modules of 2019 as a multiple of the paper's whole modules.
+ * @param {Row[]} ofModel
+ * @returns {number | undefined}
+ */
 export function selfShadowsTimesWhole(ofModel) {
   const { 'self-shadow-2019': peng, 'papp-2022-whole-modules': whole } = valuesBy(ofModel, 'method', 'depth_mm');
   return peng === undefined || whole === undefined ? undefined : peng / whole;
 }
 
-/** Whether whole modules are carved about as deep as in 2019. @param {Row[]} ofModel */
+/** Tells whether whole modules are about as deep as those of 2019. @param {Row[]} ofModel */
 export function wholeIsAsSelfShadows(ofModel) {
   const times = selfShadowsTimesWhole(ofModel);
   return times === undefined ? undefined : Math.abs(Math.log(times)) <= Math.log(1 + kAlikeFraction);
 }
 
-/** On how many models a method's codes are read as designed. @param {Row[]} rows @param {string} method */
+/** Counts the models on which a method's codes read as designed. @param {Row[]} rows @param {string} method */
 export const readsAsDesigned = (rows, method) => tally(rows.filter((row) => row.method === method), ({ designed }) => designed >= kNeeded);
 
-/** Median over the models. @param {Row[]} rows @param {string} method @param {string} measure */
+/**
+ * Returns the median of a measure over the models.
+ * @param {Row[]} rows
+ * @param {string} method
+ * @param {string} measure
+ */
 export const typical = (rows, method, measure) =>
   median(rows.filter((row) => row.method === method && row[measure] !== null).map((row) => row[measure]));
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every method with modules of 1.2 mm, the width of the paper's prints.
+// All methods with modules of 1.2 mm, the width in the paper's prints.
 import { distinct, groupBy, tally } from '../page/compare.js';
 import { isForOneLamp, isOurs, kDefaultMethod } from '../page/methods.js';
 import { mm, models, name, said } from '../page/say.js';
@@ -10,9 +10,9 @@ import { typical } from './method_depths.js';
 /** @typedef {import('../page/table.js').Row} Row */
 
 /**
- * Methods of others for the sky that read more often than our default at no more depth.
+ * Returns the methods of others, carved for the sky, with more reads than our default at no more depth.
  * @param {Row[]} ofModel
- * @returns {string[] | undefined}  undefined where our default was not measured
+ * @returns {string[] | undefined}  undefined if our default was not measured
  */
 export function betterThanDefault(ofModel) {
   const ours = ofModel.find(({ method }) => method === kDefaultMethod);

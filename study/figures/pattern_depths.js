@@ -7,14 +7,22 @@ import { kNeeded } from '../page/tries.js';
 
 /** @typedef {import('../page/table.js').Row} Row */
 
-/** By module pattern. @param {Row[]} ofModel @param {string} finders  that the codes have */
+/**
+ * Returns the depths by module pattern; undefined if a pattern was not measured.
+ * @param {Row[]} ofModel
+ * @param {string} finders  finder pattern of the codes
+ */
 const depthsOf = (ofModel, finders) => {
   const depths = valuesBy(ofModel.filter((row) => row.finders === finders), 'modules', 'depth_mm');
   return ['none', 'square', 'thin-plus', 'diamond', 'thick-plus'].every((pattern) => depths[pattern] !== undefined)
     ? /** @type {Record<string, number>} */ (depths) : undefined;
 };
 
-/** Whether the two patterns that do not connect are the shallowest. @param {Row[]} ofModel @param {string} [finders] */
+/**
+ * Tells whether the two patterns that do not connect are the shallowest.
+ * @param {Row[]} ofModel
+ * @param {string} [finders]
+ */
 export function looseAreShallowest(ofModel, finders = 'as-modules') {
   const depths = depthsOf(ofModel, finders);
   return depths && Math.max(depths.square, depths['thin-plus']) < Math.min(depths.none, depths.diamond, depths['thick-plus']);
@@ -26,13 +34,16 @@ export function thinPlusIsShallowest(ofModel) {
   return depths && Object.values(depths).every((depth) => depth >= depths['thin-plus']);
 }
 
-/** Of the patterns; whole modules are none. @param {Row[]} ofModel */
+/**
+ * Tells whether the thick plus is the deepest of the patterns; whole modules are not a pattern.
+ * @param {Row[]} ofModel
+ */
 export function thickPlusIsDeepest(ofModel) {
   const depths = depthsOf(ofModel, 'as-modules');
   return depths && ['square', 'thin-plus', 'diamond'].every((pattern) => depths[pattern] <= depths['thick-plus']);
 }
 
-/** Cases with a finder pattern, beside whole finders: whether they are shallower. @param {Row[]} rows */
+/** Counts how often a patterned finder is shallower than a whole finder. @param {Row[]} rows */
 export function findersLowerDepth(rows) {
   const whole = new Map(rows.filter(({ finders }) => finders === 'none').map((row) => [`${row.model} ${row.modules}`, row.depth_mm]));
   return tally(rows.filter(({ finders }) => ['diamond', 'thick-plus'].includes(finders)), (row) => {
@@ -41,7 +52,11 @@ export function findersLowerDepth(rows) {
   });
 }
 
-/** The largest difference between the paper's two finder patterns, in mm. @param {Row[]} rows @returns {number} */
+/**
+ * Returns the largest difference in depth between the paper's two finder patterns, in mm.
+ * @param {Row[]} rows
+ * @returns {number}
+ */
 export function findersApart(rows) {
   const groups = groupBy(rows.map((row) => ({ ...row, others: `${row.model} ${row.modules}` })), 'others');
   return Math.max(...[...groups.values()].map((group) => {

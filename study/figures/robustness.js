@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What codes survive: blur, distance and tilt, by pattern [Papp 2022, section 8].
+// Robustness of codes against blur, distance and tilt, by pattern [Papp 2022, section 8].
 import { groupBy, median, tally } from '../page/compare.js';
 import { inOrder, kColours, series } from '../page/figure.js';
 import { mm, name, said } from '../page/say.js';
@@ -8,11 +8,11 @@ import { mm, name, said } from '../page/say.js';
 
 const kPanels = /** @type {const} */ ([['blur_modules', 'axisBlur'], ['pixels_per_module', 'axisPixels'], ['tilt_deg', 'axisTilt']]);
 
-/** Submodules of 25 that a pattern carves, the paper's order of robustness. */
+/** Module patterns by the number of their 25 submodules that they carve, which is the paper's order of robustness. */
 const kCarved = ['thin-plus', 'square', 'diamond', 'thick-plus', 'none'];
 
 /**
- * Median of a measure by module pattern, of the published search.
+ * Returns the median of a measure by module pattern, for the published search.
  * @param {Row[]} rows
  * @param {string} measure
  * @returns {Record<string, number>}
@@ -23,7 +23,7 @@ export function byPattern(rows, measure) {
 }
 
 /**
- * Whether patterns that carve more survive more, over pairs of patterns: fewer submodules, no more of the measure.
+ * Counts the pairs of patterns in which the pattern with fewer carved submodules has no higher value.
  * @param {Record<string, number>} values  by pattern
  */
 export function moreCarvedSurvivesMore(values) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How long each method takes to find the depths.
+// Time of each method's depth search.
 import { distinct, median } from '../page/compare.js';
 import { name, said } from '../page/say.js';
 import { methodStrips } from '../page/strips.js';
@@ -7,7 +7,7 @@ import { typical } from './method_depths.js';
 
 /** @typedef {import('../page/table.js').Row} Row */
 
-/** Seconds; median over the models. @param {Row[]} rows @param {string} method */
+/** Returns the median time of a method over the models, in seconds. @param {Row[]} rows @param {string} method */
 export const secondsOf = (rows, method) => typical(rows, method, 'search_ms') / 1000;
 
 /** @param {number} seconds */

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Dark areas broken up within the error correction: what it saves and what it costs.
+// Flips that break up dark areas within the error correction: their gain in depth and their cost in reads.
 import { groupBy, median, valuesBy } from '../page/compare.js';
 import { kColours, series } from '../page/figure.js';
 import { said } from '../page/say.js';
@@ -7,7 +7,7 @@ import { said } from '../page/say.js';
 /** @typedef {import('../page/table.js').Row} Row */
 
 /**
- * What flips change, median over the models that have both.
+ * Returns the change by flips, as a median over the models that have both values.
  * @param {Row[]} rows
  * @param {string} search
  * @param {string} flips
@@ -20,10 +20,20 @@ const changeBy = (rows, search, flips, measure, change) => median([...groupBy(ro
   return before === undefined || after === undefined ? [] : [change(before, after)];
 }));
 
-/** How much shallower they make codes, as a fraction. @param {Row[]} rows @param {string} search @param {string} flips */
+/**
+ * Returns how much shallower flips make codes, as a fraction.
+ * @param {Row[]} rows
+ * @param {string} search
+ * @param {string} flips
+ */
 export const savedByFlips = (rows, search, flips) => changeBy(rows, search, flips, 'depth_mm', (before, after) => 1 - after / before);
 
-/** Tries that they win as printed. @param {Row[]} rows @param {string} search @param {string} flips */
+/**
+ * Returns how many more tries succeed with flips, as printed.
+ * @param {Row[]} rows
+ * @param {string} search
+ * @param {string} flips
+ */
 export const triesByFlips = (rows, search, flips) => changeBy(rows, search, flips, 'printed', (before, after) => after - before);
 
 /** @type {import('../page/figure.js').Figure} */

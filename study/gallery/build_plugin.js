@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of the build: puts the pictures that script/gallery has made, and what they show, into gallery.html.
+// Part of the build: puts the pictures made by script/gallery, with their facts, into gallery.html.
 import { existsSync, readFileSync, readdirSync } from 'node:fs';
 import { escaped } from '../../web/i18n/fill.js';
 import { samples as sampleNames } from '../../web/i18n/parts/samples.js';
@@ -8,16 +8,16 @@ import { mm, name, said, sentence } from '../page/say.js';
 
 /** @typedef {import('../../web/i18n/catalogue.js').Language} Language */
 /**
- * One code, as make_gallery.cpp has written it.
+ * One code, as written by make_gallery.cpp.
  * @typedef {object} Exhibit
  * @property {'default' | 'lamp' | 'pattern'} kind
- * @property {Record<string, string>} settings  other than the defaults, as the page's address takes them
+ * @property {Record<string, string>} settings  settings that differ from the defaults, as in the page's address
  * @property {string} designed   PNG file
  * @property {string} printed    PNG file
  * @property {number} depthMm    mean
  * @property {number} moduleMm
- * @property {number} reads         tries that decode, of the design
- * @property {number} printedReads  of the print
+ * @property {number} reads         tries that decode the design
+ * @property {number} printedReads  tries that decode the print
  * @property {number} tries
  */
 /** @typedef {{ sample: string, exhibits: Exhibit[] }} Room */
@@ -34,7 +34,11 @@ export function readGallery(folder) {
     .sort((a, b) => order.indexOf(a.sample) - order.indexOf(b.sample));
 }
 
-/** The app with this code, carved at once. @param {string} sample @param {Exhibit} exhibit */
+/**
+ * Returns the address that opens the app and carves this code at once.
+ * @param {string} sample
+ * @param {Exhibit} exhibit
+ */
 const addressOf = (sample, { settings }) => `./?${new URLSearchParams({ sample, ...settings, engrave: '1' })}`;
 
 /** @param {Language} language @param {import('../page/say.js').Said} one */
@@ -74,7 +78,7 @@ export const galleryMarkup = (rooms) => (rooms.length === 0 ? textMarkup([said('
   : rooms.map((room) => inEach('section', (language) => roomMarkup(language, room))).join('\n'));
 
 /**
- * @param {{ pictures: string }} options  folder that script/gallery has filled; without it the page says so
+ * @param {{ pictures: string }} options  folder filled by script/gallery; if it is empty, the page says so
  * @returns {import('vite').Plugin}
  */
 export function gallery({ pictures }) {
@@ -82,7 +86,7 @@ export function gallery({ pictures }) {
   return {
     name: 'qrelief-gallery',
     transformIndexHtml: {
-      order: 'post',  // Vite looks for the pictures itself otherwise
+      order: 'post',  // earlier, Vite would try to resolve the pictures itself
       handler: (html, { path }) => (path.endsWith('gallery.html') ? html.replace('<div data-gallery></div>', galleryMarkup(readGallery(pictures))) : html),
     },
     generateBundle() {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of the build: draws the figures of study.html from the tables that were measured, says what was found, and puts
-// figures and tables beside the page.
+// Part of the build: draws the figures of study.html from the measured tables, writes the findings, and adds figures
+// and tables to the page.
 import { kLanguages } from '../../web/i18n/catalogue.js';
 import { decoderRates } from './decoder_rates.js';
 import { drawFigure } from './draw.js';
@@ -17,10 +17,17 @@ import { measured, readTables } from './table.js';
 const kFolder = 'study';
 const kRatesFile = `${kFolder}/carved_qr_rates.csv`;
 
-/** Whether each of the figure's columns has a value. @param {import('./figure.js').Figure} figure @param {Row[]} rows */
+/**
+ * Tells whether each of the figure's columns has a value.
+ * @param {import('./figure.js').Figure} figure
+ * @param {Row[]} rows
+ */
 const isShowable = ({ measures }, rows) => measures.every((measure) => rows.some((row) => (row[measure] ?? null) !== null));
 
-/** The paper's statements, and how often each holds. @param {Record<string, Row[]>} rowsOf  by table */
+/**
+ * Writes a table of the paper's statements and how often each holds.
+ * @param {Record<string, Row[]>} rowsOf  by table
+ */
 const statementsMarkup = (rowsOf) => tableMarkup([said('claimPaper'), said('claimHere'), said('claimFigure')],
   kStatements.map(({ claim, section, table, over, judge }) => {
     const counted = judge(rowsOf[table] ?? []);
@@ -40,10 +47,10 @@ ${linkMarkup(kRatesFile, said('download', { count: rows.length }))}`;
 }
 
 /**
- * What the page shows of these tables.
+ * Returns the files and the markup that the page needs for these tables.
  * @param {Record<string, Table>} tables  by name
- * @returns {Promise<{ files: Map<string, string>, markup: Map<string, string> }>}  contents by path; markup by figure, and of
- *   the tables `statements` and `decoderRates`
+ * @returns {Promise<{ files: Map<string, string>, markup: Map<string, string> }>}  contents by path; markup by figure
+ *   name, and for `statements` and `decoderRates`
  */
 export async function makeStudy(tables) {
   /** @type {Map<string, string>} */ const files = new Map();
@@ -78,10 +85,10 @@ export async function makeStudy(tables) {
 }
 
 /**
- * Fills elements that name a figure and are empty.
+ * Fills the empty elements that name a figure.
  * @param {string} html
  * @param {Map<string, string>} markup  by figure
- * @throws {Error} for a figure that is not there
+ * @throws {Error} for an unknown figure
  */
 export const fillFigures = (html, markup) => html.replace(/<div data-figure="(\w+)"><\/div>/g, (_, figure) => {
   const found = markup.get(figure);
@@ -90,7 +97,7 @@ export const fillFigures = (html, markup) => html.replace(/<div data-figure="(\w
 });
 
 /**
- * @param {{ tables: string }} options  folder of the tables
+ * @param {{ tables: string }} options  `tables`: their folder
  * @returns {import('vite').Plugin}
  */
 export function study({ tables }) {
@@ -99,7 +106,7 @@ export function study({ tables }) {
   return {
     name: 'qrelief-study',
     transformIndexHtml: {
-      order: 'post',  // Vite looks for the pictures itself otherwise
+      order: 'post',  // earlier, Vite would try to resolve the pictures itself
       handler: async (html, { path }) => (path.endsWith('study.html') ? fillFigures(html, (await make()).markup) : html),
     },
     async generateBundle() {

@@ -1,28 +1,41 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What tables are asked: how often a statement holds, medians, and what lies between measured points.
+// Questions to tables: how often a statement holds, medians, and values between measured points.
 
 /** @typedef {import('./table.js').Row} Row */
-/** How often a statement holds, and of how many. @typedef {{ holds: number, of: number }} Tally */
+/** How often a statement holds, and the number of cases. @typedef {{ holds: number, of: number }} Tally */
 
-/** Of an even count the mean of the middle two; NaN of none. @param {number[]} values */
+/**
+ * Returns the median: the mean of the middle two values of an even count; NaN of no values.
+ * @param {number[]} values
+ */
 export function median(values) {
   const sorted = [...values].sort((a, b) => a - b);
   const half = sorted.length / 2;
   return (sorted[Math.ceil(half) - 1] + sorted[Math.floor(half)]) / 2;
 }
 
-/** Rows by the value of a column, in the order of appearance. @param {Row[]} rows @param {string} column @returns {Map<any, Row[]>} */
+/**
+ * Groups rows by the value of a column, in the order of appearance.
+ * @param {Row[]} rows
+ * @param {string} column
+ * @returns {Map<any, Row[]>}
+ */
 export function groupBy(rows, column) {
   /** @type {Map<any, Row[]>} */ const groups = new Map();
   for (const row of rows) groups.set(row[column], [...(groups.get(row[column]) ?? []), row]);
   return groups;
 }
 
-/** A column's values, each once, in the order of appearance. @param {Row[]} rows @param {string} column @returns {any[]} */
+/**
+ * Returns the distinct values of a column, in the order of appearance.
+ * @param {Row[]} rows
+ * @param {string} column
+ * @returns {any[]}
+ */
 export const distinct = (rows, column) => [...new Set(rows.map((row) => row[column]))];
 
 /**
- * One measure by a column's value; what is empty is not there.
+ * Returns a measure by the value of a column, without empty values.
  * @param {Row[]} rows
  * @param {string} column
  * @param {string} measure
@@ -34,7 +47,7 @@ export const valuesBy = (rows, column, measure) =>
 /**
  * @template T
  * @param {Iterable<T>} items
- * @param {(item: T) => boolean | undefined} judge  undefined: it cannot be said of this one, which does not count then
+ * @param {(item: T) => boolean | undefined} judge  undefined: the item cannot be judged and does not count
  * @returns {Tally}
  */
 export function tally(items, judge) {
@@ -42,10 +55,17 @@ export function tally(items, judge) {
   return { holds: judged.filter(Boolean).length, of: judged.length };
 }
 
-/** Of the models of a table. @param {Row[]} rows @param {(ofModel: Row[]) => boolean | undefined} judge */
+/**
+ * Counts the models of a table for which a statement holds.
+ * @param {Row[]} rows
+ * @param {(ofModel: Row[]) => boolean | undefined} judge
+ */
 export const onModels = (rows, judge) => tally(groupBy(rows, 'model').values(), judge);
 
-/** Whether values rise from each to the next; undefined if one is missing. @param {(number | undefined)[]} values */
+/**
+ * Tells whether each value is greater than the one before; undefined if a value is missing.
+ * @param {(number | undefined)[]} values
+ */
 export function rises(values) {
   const known = values.filter((value) => value !== undefined);
   return known.length < values.length ? undefined : known.every((value, at) => at === 0 || value > known[at - 1]);
@@ -54,8 +74,8 @@ export function rises(values) {
 /** @typedef {[depth: number, reads: number]} Point */
 
 /**
- * The most reads that are reached at no more than this depth: levels are joined by straight lines, and whoever may carve
- * deeper may as well carve less deep. Undefined where even the shallowest level is deeper.
+ * Returns the most reads reached at no more than this depth. Straight lines join the levels, and a greater depth allows
+ * every shallower level. The result is undefined if even the shallowest level is deeper.
  * @param {Point[]} levels
  * @param {number} depth
  */

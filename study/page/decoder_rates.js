@@ -6,7 +6,10 @@ import { said } from './say.js';
 /** @typedef {import('./table.js').Row} Row */
 /** @typedef {import('./say.js').Said} Said */
 
-/** Columns: which pictures they count. @type {readonly { word: import('./say.js').Word, has: (row: Row) => boolean }[]} */
+/**
+ * The columns, and the pictures that each counts.
+ * @type {readonly { word: import('./say.js').Word, has: (row: Row) => boolean }[]}
+ */
 const kColumns = [
   { word: 'ratesDesigned', has: ({ surface }) => surface === 'designed' },
   { word: 'ratesPrinted', has: ({ surface }) => surface === 'printed' },
@@ -22,7 +25,8 @@ const sum = (rows, column) => rows.reduce((total, row) => total + row[column], 0
 
 /**
  * @param {Row[]} rows  of the table carved_qr_rates
- * @returns {{ head: Said[], body: Said[][], pictures: number, wrong: number }}  decoders from the best to the worst; in %
+ * @returns {{ head: Said[], body: Said[][], pictures: number, wrong: number }}  decoders from the best to the worst; in
+ *   %
  */
 export function decoderRates(rows) {
   const share = (/** @type {Row[]} */ some) => (100 * sum(some, 'read')) / sum(some, 'pictures');

@@ -7,9 +7,9 @@ import { kWidths, Look } from './figure.js';
 /** @typedef {import('./table.js').Row} Row */
 /** @typedef {{ svg: string, width: number, height: number }} Drawing  in CSS pixels */
 
-const kLetterEm = 0.57;  // mean width of a letter; nothing measures text when the page is built
+const kLetterEm = 0.57;  // mean width of a letter; the build has no way to measure text
 
-// Its types do not name it.
+// Vega's types lack this member.
 /** @type {any} */ (vega).textMetrics.width = (/** @type {{ fontSize?: number }} */ { fontSize = 11 }, /** @type {unknown} */ text) =>
   kLetterEm * fontSize * String(text ?? '').length;
 
@@ -31,15 +31,15 @@ async function drawn(figure, rows, look, tables) {
 }
 
 /**
- * A figure as an SVG file of its own.
+ * Draws a figure as an SVG file.
  * @param {Figure} figure
- * @param {Row[]} rows  of its table, measured
+ * @param {Row[]} rows  measured rows of the figure's table
  * @param {import('./figure.js').Language} language
- * @param {keyof typeof kWidths} width  that it fills
- * @param {Record<string, Row[]>} tables  all, as measured
+ * @param {keyof typeof kWidths} width  width to fill
+ * @param {Record<string, Row[]>} tables  measured rows of all tables
  */
 export async function drawFigure(figure, rows, language, width, tables) {
   const whole = kWidths[width];
-  const beside = (await drawn(figure, rows, new Look(language, width, whole), tables)).width - whole;  // labels and what parts the plots
+  const beside = (await drawn(figure, rows, new Look(language, width, whole), tables)).width - whole;  // labels and gaps
   return drawn(figure, rows, new Look(language, width, whole - beside), tables);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the figures have in common: measures, colours, names in the language of the reader.
+// The common parts of all figures: measures, colours, and names in the reader's language.
 import { figures } from '../../web/i18n/parts/figures.js';
 import { name, sentence } from './say.js';
 
@@ -10,29 +10,34 @@ import { name, sentence } from './say.js';
 /** @typedef {import('vega-lite').TopLevelSpec} Spec */
 
 /**
- * A figure of the page, from one table. Rows are those that could be measured.
+ * A figure of the page, made from one table. Its rows are the cases that could be measured.
  * @typedef {object} Figure
- * @property {string} name    of its files, and of its words: NAMEAlt, NAMEShown
+ * @property {string} name    of its files, and of its words NAMEAlt and NAMEShown
  * @property {string} table
- * @property {string[]} measures  columns that it shows; without a value in one of them there is no figure
- * @property {(rows: Row[], look: Look, tables: Record<string, Row[]>) => Spec} draw  `tables` are all, as measured
- * @property {(rows: Row[], tables: Record<string, Row[]>) => Said[]} find  what is said of it; `tables` are all, as measured
+ * @property {string[]} measures  columns shown; the figure is left out if one of them has no value
+ * @property {(rows: Row[], look: Look, tables: Record<string, Row[]>) => Spec} draw  `tables`: the measured rows of all
+ *   tables
+ * @property {(rows: Row[], tables: Record<string, Row[]>) => Said[]} find  returns the findings; `tables`: the measured
+ *   rows of all tables
  */
 
-/** CSS pixels. A wide one fits the column of the page, a narrow one a phone of 360. */
+/** Widths in CSS pixels. A wide figure fits the page's column, a narrow one a phone 360 pixels wide. */
 export const kWidths = { wide: 712, narrow: 328 };
 
-/** Colours that all eyes tell apart, 3:1 on white at least; dark pages turn their lightness round (article.css). */
+/**
+ * Colours for every kind of colour vision, with at least 3:1 contrast on white. Dark pages invert their lightness
+ * (article.css).
+ */
 export const kColours = {
   blue: '#0072b2', orange: '#c85200', green: '#007a58', purple: '#a6427f', grey: '#75797d', olive: '#80751a', teal: '#00899e',
   ink: '#1c1f21', soft: '#575d61', line: '#d9d9d2',
 };
 
 /**
- * A column's values, each once, in the order of their words.
+ * Returns the distinct values of a column, in the order of their names in the texts.
  * @param {Row[]} rows
  * @param {string} column
- * @param {string} kind  of name
+ * @param {string} kind  prefix of the names
  * @returns {any[]}
  */
 export function inOrder(rows, column, kind) {
@@ -45,7 +50,7 @@ export class Look {
   /**
    * @param {Language} language
    * @param {keyof typeof kWidths} width
-   * @param {number} room  for the plots of a row, without what stands beside them
+   * @param {number} room  width for the plots of a row, without labels and gaps, CSS pixels
    */
   constructor(language, width, room) {
     this.language = language;
@@ -64,9 +69,9 @@ export class Look {
   }
 
   /**
-   * Rows with names in place of a column's values, and these names in the order of the words.
+   * Replaces the values of columns by names. Also returns each column's names in the order of the texts.
    * @param {Row[]} rows
-   * @param {Record<string, string>} kinds  of names, by column
+   * @param {Record<string, string>} kinds  prefix of the names, by column
    */
   named(rows, kinds) {
     const named = rows.map((row) => ({ ...row,
@@ -76,7 +81,7 @@ export class Look {
     return { rows: named, order };
   }
 
-  /** Width of one of several plots side by side. @param {number} columns */
+  /** Returns the width of one of several plots side by side. @param {number} columns */
   plotWidth(columns) {
     return Math.floor(this.room / columns);
   }
@@ -86,7 +91,7 @@ export class Look {
     return {
       font: 'system-ui, "Noto Sans", "Liberation Sans", sans-serif',
       background: 'transparent',
-      aria: false,  // an <img> has its words beside it
+      aria: false,  // an <img> carries the words
       locale: { number: this.language === 'de' ? { decimal: ',', thousands: '.', grouping: [3], currency: ['', ' €'] }
         : { decimal: '.', thousands: ',', grouping: [3], currency: ['$', ''] } },
       view: { stroke: null },
@@ -106,7 +111,7 @@ export class Look {
 }
 
 /**
- * A series by colour and shape at once.
+ * Returns encodings that tell series apart by both colour and shape.
  * @param {string} field
  * @param {string[]} names
  * @param {string[]} colours

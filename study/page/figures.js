@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every figure, by the name that study.html has.
+// All figures, by their names in study.html.
 import { aside } from '../figures/aside.js';
 import { contrastSweep } from '../figures/contrast_sweep.js';
 import { defaultChoice } from '../figures/default_choice.js';

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Figures and what is said of them as markup, in every language; article.css shows that of the page's.
+// Markup of figures and their findings, in every language. article.css shows the page's language.
 import { kLanguages } from '../../web/i18n/catalogue.js';
 import { escaped } from '../../web/i18n/fill.js';
 import { isKnown, said, sentence } from './say.js';
@@ -16,9 +16,13 @@ import { isKnown, said, sentence } from './say.js';
  * @property {{ path: string, cases: number, failed: number }} table
  */
 
-const kNarrowest = '(max-width: 760px)';  // of pages whose column is narrower than a wide figure
+const kNarrowest = '(max-width: 760px)';  // widths at which the page's column is narrower than a wide figure
 
-/** An element in each language, of which one is shown. @param {string} tag @param {(language: Language) => string} content */
+/**
+ * Returns an element in each language; one of them is visible.
+ * @param {string} tag
+ * @param {(language: Language) => string} content
+ */
 export const inEach = (tag, content) => kLanguages
   .map((language) => `<${tag} lang="${language}" class="in-${language}">${content(language)}</${tag}>`).join('\n');
 
@@ -47,9 +51,9 @@ ${inEach('figure', (language) => `<div class="chart">${picture(shown, language)}
 }
 
 /**
- * A table in each language; the first cell of a row names it.
+ * Returns a table in each language. The first cell of each row is its header.
  * @param {Said[]} head
- * @param {{ words: Said, section?: string }[][]} body  `section`: id of what it links to
+ * @param {{ words: Said, section?: string }[][]} body  `section`: id of the section to link to
  */
 export const tableMarkup = (head, body) => inEach('table', (language) => {
   const words = (/** @type {Said} */ one) => paragraph(language, [one]);
@@ -58,11 +62,11 @@ export const tableMarkup = (head, body) => inEach('table', (language) => {
   return `<thead><tr>${head.map((one) => `<th scope="col">${words(one)}</th>`).join('')}</tr></thead>\n<tbody>${rows.join('\n')}</tbody>`;
 });
 
-/** A file to download. @param {string} path @param {Said} words */
+/** Returns a link that downloads a file. @param {string} path @param {Said} words */
 export const linkMarkup = (path, words) => inEach('p', (language) => `<a href="${path}" download>${paragraph(language, [words])}</a>`);
 
 /** @param {Said[]} sentences */
 export const textMarkup = (sentences) => inEach('p', (language) => paragraph(language, sentences));
 
-/** Where a table is not there yet. */
+/** Returns the note for a table that has not been measured yet. */
 export const missingMarkup = () => textMarkup([said('notMeasured')]);

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Shapes that several figures have: a plot for each value of a column, with signs or lines of a series.
+// Plots shared by several figures: one plot for each value of a column, with the points or lines of a series.
 import { kColours, series } from './figure.js';
 
 /** @typedef {import('./table.js').Row} Row */
 /** @typedef {import('./figure.js').Look} Look */
 /** @typedef {import('./figure.js').Spec} Spec */
-/** What a plot is of: a column that has names already, and these in order. @typedef {{ field: string, names: string[] }} Plots */
+/**
+ * The column that has one plot for each value, already named, and the names in order.
+ * @typedef {{ field: string, names: string[] }} Plots
+ */
 /** @typedef {{ field: string, title: string }} Axis */
 
 /** @param {Row[]} values @param {Look} look @param {Plots} plots @param {number} columns @param {object} plot @returns {any} */
@@ -16,7 +19,7 @@ const plotsOf = (values, look, { field, names }, columns, plot) => ({
 });
 
 /**
- * A row for each module pattern, a sign for each finder pattern.
+ * Makes plots with a row for each module pattern and a point for each finder pattern.
  * @param {Row[]} rows
  * @param {Look} look
  * @param {{ plots: Plots, columns: number, x: Axis }} shape
@@ -37,7 +40,7 @@ export function patternPlots(rows, look, { plots, columns, x }) {
 }
 
 /**
- * Lines over steps that need not be even.
+ * Makes plots with lines over steps, which may be uneven.
  * @param {Row[]} values
  * @param {Look} look
  * @param {{ plots: Plots, columns: number, height: number, x: Axis, y: Axis, lines: ReturnType<typeof series> }} shape

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sentences about tables, in any language: which one is said and what stands in it, the data decide.
+// Sentences about tables, in any language. The data select the sentences and fill in the values.
 import { addTexts, textIn } from '../../web/i18n/catalogue.js';
 import { figures } from '../../web/i18n/parts/figures.js';
 
 /** @typedef {import('../../web/i18n/catalogue.js').Language} Language */
-/** @typedef {keyof typeof figures.en} Word  of web/i18n/parts/figures.js */
+/** @typedef {keyof typeof figures.en} Word  key of web/i18n/parts/figures.js */
 /** @typedef {{ say: Word, with?: Record<string, Value> }} Said */
-/** `digits` after the point. @typedef {{ number: number, digits: number }} Measured */
-/** @typedef {string | number | Measured | Said | Said[]} Value  of several it makes a list */
+/** A number with `digits` after the decimal point. @typedef {{ number: number, digits: number }} Measured */
+/** @typedef {string | number | Measured | Said | Said[]} Value  an array becomes a list in words */
 
 addTexts({ figures });
 
@@ -18,7 +18,7 @@ export const said = (word, values) => (values ? { say: word, with: values } : { 
 export const mm = (value) => ({ number: value, digits: 2 });
 
 /**
- * A name from a table, such as `name('model', 'bunny')`; one without words stands as the table has it.
+ * Returns the name of a table's value, such as `name('model', 'bunny')`. A value without a name stays as it is.
  * @param {string} kind
  * @param {string} value
  * @returns {Said}
@@ -28,14 +28,15 @@ export function name(kind, value) {
   return word in figures.en ? said(word) : said('asIs', { value });
 }
 
-/** "on all 8 models", "on 3 of 8 models". @param {import('./compare.js').Tally} tally @returns {Said} */
+/** Returns "on all 8 models" or "on 3 of 8 models". @param {import('./compare.js').Tally} tally @returns {Said} */
 export const models = ({ holds, of }) => said(holds === of ? 'onAllModels' : holds === 0 ? 'onNoModel' : 'onSomeModels', { holds, of });
 
 /** @param {import('./compare.js').Tally} tally @returns {Said} */
 export const cases = ({ holds, of }) => said(holds === of ? 'inAllCases' : holds === 0 ? 'inNoCase' : 'inSomeCases', { holds, of });
 
 /**
- * Whether the tables have all that stands in it: every number is one, and what is counted is counted over something.
+ * Tells whether the tables have all values of a sentence: every number is finite, and every count is out of at least
+ * one.
  * @param {Value} value
  * @returns {boolean}
  */

@@ -15,14 +15,14 @@ import { kNeeded } from './tries.js';
 /** @typedef {import('./compare.js').Tally} Tally */
 /**
  * @typedef {object} Statement
- * @property {import('./say.js').Word} claim   what the paper says
- * @property {string} section                  id of the section of study.html that has the figure
+ * @property {import('./say.js').Word} claim   the paper's statement
+ * @property {string} section                  id of the section of study.html with the figure
  * @property {string} table
- * @property {'models' | 'cases'} over         what is counted
- * @property {(rows: Row[]) => Tally} judge    how often it holds
+ * @property {'models' | 'cases'} over         unit of the count
+ * @property {(rows: Row[]) => Tally} judge    counts how often the statement holds
  */
 
-const kFlatModels = ['plate', 'pyramid'];  // there depth decides nothing
+const kFlatModels = ['plate', 'pyramid'];  // depth makes no difference there
 const kSizeFraction = 0.02;
 
 /** @type {readonly Statement[]} */

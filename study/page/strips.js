@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One row a method, a dot a model, a bar at their median.
+// Plots with a row for each method, a dot for each model, and a bar at the median.
 import { kColours } from './figure.js';
 import { isOurs } from './methods.js';
 
 /**
- * @param {import('./table.js').Row[]} rows  one a model and method
+ * @param {import('./table.js').Row[]} rows  one for each model and method
  * @param {import('./figure.js').Look} look
- * @param {{ measure: string, title: string, log?: boolean }[]} panels  each a plot of its own, side by side if there is room
+ * @param {{ measure: string, title: string, log?: boolean }[]} panels  one plot each, side by side if there is room
  * @returns {import('./figure.js').Spec}
  */
 export function methodStrips(rows, look, panels) {

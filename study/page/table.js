@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The tables that were measured (study/table.h): CSV without quotes, the last column says why a case failed.
+// The measured tables (study/table.h): CSV without quotes; the last column says why a case failed.
 import { existsSync, readFileSync, readdirSync } from 'node:fs';
 
-/** Values by column: a number, a word, or null where there is none. @typedef {Record<string, any>} Row */
+/** Values by column: a number, a word, or null if empty. @typedef {Record<string, any>} Row */
 /** @typedef {{ csv: string, rows: Row[] }} Table */
 
 /** @param {string} cell */
 const valueOf = (cell) => (cell === '' ? null : Number.isNaN(Number(cell)) ? cell : Number(cell));
 
-/** Lines that are cut off are left out. @param {string} csv @returns {Row[]} */
+/** Parses a table and skips incomplete lines. @param {string} csv @returns {Row[]} */
 export function parseTable(csv) {
   const [head = '', ...lines] = csv.slice(0, csv.lastIndexOf('\n') + 1).split('\n').slice(0, -1);
   const columns = head.split(',');
@@ -16,7 +16,11 @@ export function parseTable(csv) {
     .map((cells) => Object.fromEntries(columns.map((column, at) => [column, valueOf(cells[at])])));
 }
 
-/** Those of a folder, by name; none where it is not there. @param {string} folder @returns {Record<string, Table>} */
+/**
+ * Reads the tables of a folder, by name; none if the folder does not exist.
+ * @param {string} folder
+ * @returns {Record<string, Table>}
+ */
 export function readTables(folder) {
   const files = existsSync(folder) ? readdirSync(folder).filter((file) => file.endsWith('.csv')).sort() : [];
   return Object.fromEntries(files.map((file) => {
@@ -25,5 +29,5 @@ export function readTables(folder) {
   }));
 }
 
-/** Rows whose case could be measured. @param {Row[]} rows */
+/** Returns the rows whose case could be measured. @param {Row[]} rows */
 export const measured = (rows) => rows.filter(({ failed = null }) => failed === null);
