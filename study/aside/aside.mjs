@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Measures the tilt up to which a code painted in black on a cylinder decodes: projected as we carve it, wrapped round the
-// cylinder like a label, and half-way between, for versions 2 to 10 and each decoder of npm.
+// Measures the tilt up to which a code painted in black on a cylinder decodes: projected as we carve it, wrapped round
+// the cylinder like a label, and half-way between, for versions 2 to 10 and each decoder of npm.
 //
 //     node aside.mjs PEERS FILE.csv       PEERS: the folder in which the npm packages are installed
 //
-// The cylinder is upright and the code faces the phone, which moves round it at a distance of seven symbol widths, such as
-// 250 mm for 35 mm. The arc is the part of the circumference covered by the symbol's width. Seen from the front, a module
-// is six pixels wide. Blur is 0.3 modules; shot noise is 2 % at white, seeded. The tilt increases in steps of 5° until two
-// in a row fail to decode. The table has the last tilt that decoded before; empty: not even from the front.
+// The cylinder is upright and the code faces the phone, which moves round it at a distance of seven symbol widths, such
+// as 250 mm for 35 mm. The arc is the part of the circumference covered by the symbol's width. Seen from the front, a
+// module is six pixels wide. Blur is 0.3 modules; shot noise is 2 % at white, seeded. The tilt increases in steps of 5°
+// until two in a row fail to decode. The table has the last tilt that decoded before; empty: not even from the front.
 import { createRequire } from 'node:module';
 import { writeFileSync } from 'node:fs';
 import { pathToFileURL } from 'node:url';

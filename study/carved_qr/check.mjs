@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Checks that the truth of CarvedQR fits its pictures. In each picture, the dark modules of the matrix must be darker than
-// its light modules, sampled in their middles at the positions given by the corners, and the contrast must drop if sampled
-// one module to the right. It skips pictures taken from the side, where a curved surface is no plane between its corners.
+// Checks that the truth of CarvedQR fits its pictures. In each picture, the dark modules of the matrix must be darker
+// than its light modules, sampled in their middles at the positions given by the corners, and the contrast must drop if
+// sampled one module to the right. It skips pictures taken from the side, where a curved surface is no plane between
+// its corners.
 //
 //     node check.mjs FOLDER PEERS        PEERS: the folder in which the npm packages are installed
 import { existsSync, readdirSync, readFileSync } from 'node:fs';

@@ -3,8 +3,8 @@
 //
 //     node rates.mjs FOLDER PEERS [--out FILE.csv]    PEERS: the folder in which the npm packages are installed
 //
-// The output has a row for each decoder, surface, light and tilt: the pictures, those that gave the code's text, and those
-// that gave another text. Each decoder gets the unchanged picture once, with only its own thorough settings.
+// The output has a row for each decoder, surface, light and tilt: the pictures, those that gave the code's text, and
+// those that gave another text. Each decoder gets the unchanged picture once, with only its own thorough settings.
 import { execFileSync, spawnSync } from 'node:child_process';
 import { readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import { npmDecoders, readPicture } from '../decoders.mjs';

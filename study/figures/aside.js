@@ -8,7 +8,7 @@ import { cases, name, said } from '../page/say.js';
 
 /** @typedef {import('../page/table.js').Row} Row */
 
-const kManyMarks = 7;  // six alignment patterns or more from this version, one in versions 2 to 6 [ISO/IEC 18004, annex E]
+const kManyMarks = 7;  // six or more alignment patterns from here, one in versions 2 to 6 [ISO/IEC 18004, annex E]
 const kUnread = -Infinity;  // does not decode even from the front, worse than any tilt
 
 /** @param {Row} row */

@@ -40,6 +40,6 @@ async function drawn(figure, rows, look, tables) {
  */
 export async function drawFigure(figure, rows, language, width, tables) {
   const whole = kWidths[width];
-  const beside = (await drawn(figure, rows, new Look(language, width, whole), tables)).width - whole;  // labels and gaps
+  const beside = (await drawn(figure, rows, new Look(language, width, whole), tables)).width - whole;  // labels, gaps
   return drawn(figure, rows, new Look(language, width, whole - beside), tables);
 }
