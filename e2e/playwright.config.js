@@ -41,7 +41,8 @@ export default defineConfig({
     { name: 'desktop', testIgnore: 'phone.spec.js', use: { viewport: { width: 1280, height: 800 } } },
     {
       name: 'phone',
-      testMatch: ['phone.spec.js', 'controls.spec.js', 'open.spec.js', 'articles.spec.js', 'axe.spec.js'],  // layout
+      // specs that depend on the layout
+      testMatch: ['phone.spec.js', 'controls.spec.js', 'open.spec.js', 'articles.spec.js', 'axe.spec.js'],
       grepInvert: /@desktop/,
       use: { viewport: { width: 360, height: 740 }, hasTouch: true, isMobile: true, deviceScaleFactor: 2 },
     },

@@ -13,7 +13,8 @@ export async function expectNoViolations(page, state) {
     const axe = new AxeBuilder({ page });
     if (colorScheme === 'dark') axe.withRules(['color-contrast', 'link-in-text-block']);
     const { violations, passes, incomplete } = await axe.analyze();
-    expect(passes.length + incomplete.length, 'axe has looked').toBeGreaterThan(0);  // axe checked something
+    // Axe must have run checks. `incomplete` are the checks that it could not decide.
+    expect(passes.length + incomplete.length, 'axe has looked').toBeGreaterThan(0);
     const found = violations.flatMap(({ id, help, nodes }) => nodes.map(({ html, failureSummary }) => `${id}: ${help}: ${html} ${failureSummary}`));
     expect.soft(found, `${state}, ${colorScheme}`).toEqual([]);
   }

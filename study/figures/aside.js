@@ -47,8 +47,8 @@ export function asFarAside(rows, one, other) {
 }
 
 /**
- * Tells whether a decoder reads larger versions, with more alignment patterns, from farther aside than smaller versions
- * at every arc.
+ * Tells whether a decoder reads larger versions, with more alignment patterns, at greater tilts than smaller versions,
+ * for every arc.
  * @param {Row[]} rows  of one decoder and layout
  */
 export const manyMarksHelp = (rows) => [...groupBy(rows, 'arc_deg').values()].every((ofArc) => rises([false, true].map((many) => {

@@ -40,6 +40,7 @@ async function drawn(figure, rows, look, tables) {
  */
 export async function drawFigure(figure, rows, language, width, tables) {
   const whole = kWidths[width];
-  const beside = (await drawn(figure, rows, new Look(language, width, whole), tables)).width - whole;  // labels, gaps
+  // Labels and the gaps between plots take part of the width.
+  const beside = (await drawn(figure, rows, new Look(language, width, whole), tables)).width - whole;
   return drawn(figure, rows, new Look(language, width, whole - beside), tables);
 }

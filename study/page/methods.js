@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tells which methods (study/methods/methods.cpp) are ours, and which are for one lamp.
+// The methods (study/methods/methods.cpp) that are ours, and those for one lamp.
 
 /** The app's default method. `ours-thick-plus` is the same with patterned finders, as used where walls are thin. */
 export const kDefaultMethod = 'ours', kPatternedFinders = 'ours-thick-plus';

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The common part of the pages besides the app: language, appearance and offline use.
+// The common part of all articles: language, appearance and offline use.
 import { keepOffline } from '../offline/updates.js';
 import { Theme, offerLanguages } from '../ui/preferences.js';
 

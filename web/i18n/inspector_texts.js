@@ -123,7 +123,7 @@ const kGerman = {
 };
 
 /**
- * Returns the texts for the engine, which has its own English texts except for the settings.
+ * Returns the texts for the engine. The engine has English texts of its own, except for the settings.
  * @returns {Record<string, string>}
  */
 export const inspectorTexts = () => ({ ...settingTexts(), ...(currentLanguage() === 'de' ? kGerman : {}) });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The page's names of the settings and their choices. The words come with the table of settings. A control that
-// messages name but that is no setting of the core has its name here.
+// The page's names of the settings and their choices. The words come with the table of settings. Controls that messages
+// mention but that are no core settings have their names here.
 import { kSettingGroups, kSettings, kUnits } from '../generated/settings.js';
 import { currentLanguage, text } from './catalogue.js';
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Our own sample shapes, in mm, z up; those that can stand do so on z = 0. Each is a closed solid.
+// Our own sample shapes, in mm, z up, standing on z = 0 if they can stand. Each is a closed solid.
 import { blended, cone, ellipsoid, standing, surfaceNet } from './implicit.js';
 
 /** @typedef {import('./solid.js').Mesh} Mesh */
