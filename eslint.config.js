@@ -2,7 +2,7 @@
 import js from '@eslint/js';
 import globals from 'globals';
 
-/** Beyond the recommended rules. None is about the layout, and wrong types are found by tsc (`npm run check`). */
+/** Rules in addition to the recommended ones. None concerns layout, and tsc finds type errors (`npm run check`). */
 const kRules = {
   'array-callback-return': 'error',
   'consistent-return': 'error',
@@ -19,10 +19,10 @@ const kRules = {
   'prefer-const': ['error', { destructuring: 'all' }],
 };
 
-/** Parts of web/ that run when the page is built. */
+/** Parts of web/ that run during the build. */
 const kAtBuild = ['web/offline/{app_icon,build_plugin,icons,png}.js', 'web/samples/*.js', 'web/i18n/fill.js'];
 
-/** Files that a person runs at a terminal, and tests, which tell what they measured. */
+/** Files run at a terminal, and tests that print measurements. */
 const kOnTerminal = ['bench/**/*.mjs', 'study/**/*.mjs', 'cmake/*.js', 'e2e/**/*.js', 'wasm/**/*.js', 'web/offline/icons.js', 'web/samples/generate.js', '*.js'];
 
 export default [
@@ -34,10 +34,10 @@ export default [
     rules: { ...js.configs.recommended.rules, ...kRules },
   },
   { files: ['web/**/*.js', 'public/**/*.js'], languageOptions: { globals: globals.browser } },
-  // A classic script: what it declares is seen by every other script of the page.
+  // Classic scripts: their declarations are visible to every other script of the page.
   { files: ['public/**/*.js'], languageOptions: { sourceType: 'script' } },
   { files: ['web/offline/service_worker.js'], languageOptions: { globals: globals.serviceworker } },
-  // What e2e hands to the browser stands in the same files as what runs under Node.
+  // Code that e2e hands to the browser is in the same files as code for Node.
   { files: ['e2e/**/*.js'], languageOptions: { globals: { ...globals.node, ...globals.browser } } },
   {
     files: [
@@ -45,7 +45,7 @@ export default [
     ],
     languageOptions: { globals: globals.node },
   },
-  // The console of the page is only for faults of the program, for those who look into them.
+  // The page writes only faults of the program to the console, for developers.
   { files: ['web/**/*.js'], rules: { 'no-console': ['error', { allow: ['warn', 'error'] }] } },
   { files: kOnTerminal, rules: { 'no-console': 'off' } },
 ];

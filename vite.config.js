@@ -11,7 +11,7 @@ import { fillTexts } from './web/i18n/fill.js';
 const root = fileURLToPath(new URL('.', import.meta.url));
 const moduleFolder = process.env.QRELIEF_WASM_DIR ?? `${root}build/wasm/wasm`;
 
-/** What a page of this origin may do: nothing is fetched from, or sent to, anywhere else. */
+/** The policy for a page of this origin: it fetches nothing from other origins and sends nothing to them. */
 const kPolicy = [
   "default-src 'none'", "script-src 'self' 'wasm-unsafe-eval'", "worker-src 'self'", "connect-src 'self'",
   "style-src 'self'", "img-src 'self' data:", "manifest-src 'self'", "base-uri 'none'", "form-action 'none'",
@@ -32,7 +32,7 @@ function requireModule() {
 }
 
 /**
- * Only in what is built: the development server puts scripts and styles into the page.
+ * Adds the policy to built pages only, since the development server inserts scripts and styles into the page.
  * @returns {import('vite').Plugin}
  */
 function contentSecurityPolicy() {

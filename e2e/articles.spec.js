@@ -5,7 +5,7 @@ import { Engraver } from './support/engraver.js';
 
 /** @typedef {import('@playwright/test').Page} Page */
 
-/** What the page complains of. @param {Page} page */
+/** Collects the page's errors. @param {Page} page */
 function listen(page) {
   /** @type {string[]} */ const complaints = [];
   page.on('pageerror', (error) => complaints.push(error.message));
@@ -29,7 +29,7 @@ test('The guide names the widths of codes, and its plate opens in the app, carve
   await expect(row).toContainText(/29 × 29\s*17\.4 mm\s*34\.8 mm/);
   await expectNoSidewaysScroll(page);
   await expectNoViolations(page, 'guide');
-  if (test.info().project.name === 'phone') {  // where the rest is the same
+  if (test.info().project.name === 'phone') {  // the rest does not depend on the layout
     expect(complaints).toEqual([]);
     return;
   }

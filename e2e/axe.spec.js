@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What axe finds in each state of the app, light and dark: nothing. The other pages are looked at in articles.spec.js.
+// Axe finds no violations in any state of the app, light or dark. articles.spec.js checks the other pages.
 import { expect, test } from '@playwright/test';
 import { expectNoViolations } from './support/axe.js';
 import { Engraver } from './support/engraver.js';

@@ -8,11 +8,16 @@ import { bodiesOf, filesOf, unzip } from './support/three_mf.js';
 import { freeze, freezeAt, holdWorkers, thaw } from './support/workers.js';
 
 const kTexts = ['https://example.org/p/1', 'https://example.org/p/2', 'Teil drei, „ö“', 'https://example.org/p/4', 'https://example.org/p/5'];
-const kTooLarge = 3;  // whose code no plate has room for
+const kTooLarge = 3;  // the part whose code does not fit on the plate
 /** @param {string[]} texts */
 const csv = (texts) => `id;text;size;bin\n${texts.map((text, i) => `P-${i + 1};${text};${i === kTooLarge ? 200 : ''};A${i}\n`).join('')}`;
 
-/** As if the file were dropped onto the page. @param {import('@playwright/test').Page} page @param {string} name @param {string} content */
+/**
+ * Fires the event of dropping a file onto the page.
+ * @param {import('@playwright/test').Page} page
+ * @param {string} name
+ * @param {string} content
+ */
 const drop = (page, name, content) => page.evaluate(([fileName, text]) => {
   const dataTransfer = new DataTransfer();
   dataTransfer.items.add(new File([text], fileName, { type: 'text/csv' }));
@@ -21,7 +26,7 @@ const drop = (page, name, content) => page.evaluate(([fileName, text]) => {
 
 test('A list becomes a code for every part, over a reload, and the parts and their manifest are saved as a ZIP', async ({ page }) => {
   await page.addInitScript(() => {
-    Object.assign(window, { showSaveFilePicker: undefined });  // its dialog is the system’s
+    Object.assign(window, { showSaveFilePicker: undefined });  // a test cannot use the system’s dialog
   });
   await page.addInitScript(holdWorkers);
   const app = new Engraver(page);
@@ -144,7 +149,8 @@ test('A list becomes a code for every part, over a reload, and the parts and the
 
 test('Numbered parts stand on plates, and the ZIP is written to a file that the user chose', async ({ page }) => {
   await page.addInitScript(() => {
-    // Where the browser lets the page write to a file of the user's: one of its own stands for it here.
+    // Where the browser lets the page write to a file of the user's choice: a file in the page's own storage replaces
+    // it.
     Object.assign(window, {
       showSaveFilePicker: async (/** @type {{ suggestedName: string }} */ { suggestedName }) =>
         (await navigator.storage.getDirectory()).getFileHandle(suggestedName, { create: true }),

@@ -6,7 +6,7 @@ import { Engraver } from './support/engraver.js';
 
 test('A model of two million triangles is opened, and a code engraved into it reads', async ({ page }, testInfo) => {
   test.setTimeout(600_000);
-  const file = testInfo.outputPath('two million.stl');  // larger than what can be handed over otherwise
+  const file = testInfo.outputPath('two million.stl');  // too large for Playwright to pass as a buffer
   writeFileSync(file, wavySphereStl(708));
   const app = new Engraver(page);
   await app.open('?sample=pyramid&text=large');

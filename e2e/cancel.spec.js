@@ -9,12 +9,13 @@ import { freeze, holdWorkers } from './support/workers.js';
 const kCancelled = 'Cancelled. The model is unchanged.';
 
 /**
- * Clicks Cancel in the page at the moment the status shows the stage; from then on nothing reaches the worker until the
- * status says that it was cancelled and Cancel is gone. So it is the page that obeys, whatever the worker is at.
+ * Clicks Cancel in the page as soon as the status shows the stage. From then on nothing reaches the worker until the
+ * status says that the work was cancelled and the Cancel button is gone. So the page itself must obey, whatever the
+ * worker does.
  * @param {Page} page
- * @param {string} stage  what the status begins with
- * @param {string} [cancelled]  what it says at last
- * @returns {Promise<number>}  how long that took, ms, by the page's own clock
+ * @param {string} stage  beginning of the status
+ * @param {string} [cancelled]  final status
+ * @returns {Promise<number>}  ms from the click to the final status, by the page's own clock
  */
 const cancelAt = (page, stage, cancelled = kCancelled) => page.evaluate(([begin, end]) => new Promise((resolve) => {
   const status = /** @type {HTMLElement} */ (document.querySelector('[role="status"]'));
@@ -46,7 +47,7 @@ test('Cancel is obeyed at once, whatever the worker is at, and nothing is lost',
   await page.addInitScript(holdWorkers);
   await app.open('?sample=saddle&text=cancelled%20often');
   await page.evaluate(() => {
-    /** @type {any} */ (window).skipped = ['prepareEngrave'];  // else the page begins the carving before it is asked to
+    /** @type {any} */ (window).skipped = ['prepareEngrave'];  // otherwise the page prepares the carving in advance
   });
   await app.expectReady();
   const centre = await app.centre();

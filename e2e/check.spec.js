@@ -4,7 +4,7 @@ import { Engraver } from './support/engraver.js';
 import { blindReaders } from './support/workers.js';
 
 const kText = 'Grüße ☕';
-const kPrinted = { timeout: 60_000 };  // the print is simulated
+const kPrinted = { timeout: 60_000 };  // time for the simulation of the print
 
 test('The verdict says in three lines that a good carving reads, prints and is solid', async ({ page }) => {
   const app = new Engraver(page);

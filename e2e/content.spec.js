@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the code says: its kinds, the symbol drawn as one types, and the advice beside it.
+// The code's content: its kinds, the symbol drawn while one types, and the advice next to it.
 import { expect, test } from '@playwright/test';
 import { decodePath } from './support/decode.js';
 import { Engraver } from './support/engraver.js';
@@ -12,7 +12,11 @@ const symbol = (page) => page.getByRole('img', { name: /^QR code, \d+ × \d+ mod
 /** @param {Page} page */
 const advice = (page) => page.getByRole('list', { name: 'Advice' });
 
-/** The symbol drawn beside the text, read by an independent reader. @param {Page} page @param {string} text */
+/**
+ * Expects an independent decoder to read this text from the symbol next to the textbox.
+ * @param {Page} page
+ * @param {string} text
+ */
 async function expectSymbol(page, text) {
   await expect.poll(async () => {
     const svg = symbol(page);
@@ -26,15 +30,17 @@ async function expectSymbol(page, text) {
 const choose = (page, kind) => page.getByRole('combobox', { name: 'Kind of content' }).selectOption(kind);
 
 /**
- * Fills in fields by their names.
- * @param {Page} page @param {string} kind @param {Record<string, string>} values
+ * Fills in fields by name.
+ * @param {Page} page
+ * @param {string} kind
+ * @param {Record<string, string>} values
  */
 async function fillIn(page, kind, values) {
   const group = page.getByRole('group', { name: kind, exact: true });
   for (const [name, value] of Object.entries(values)) await group.getByLabel(name, { exact: true }).fill(value);
 }
 
-test.use({ timezoneId: 'America/New_York' });  // an event is written in UTC
+test.use({ timezoneId: 'America/New_York' });  // to see that an event is written in UTC
 
 /** @type {{ kind: string, values: Record<string, string>, payload: string }[]} */
 const kCases = [
@@ -108,7 +114,7 @@ test('Every other kind writes its payload to the textbox, and the symbol holds i
   for (const { kind, values, payload } of kCases) {
     await choose(page, kind);
     await fillIn(page, kind, values);
-    await expect(app.text).toHaveValue(payload);  // a textbox gives its line breaks as LF
+    await expect(app.text).toHaveValue(payload);  // a textbox has LF line ends
     await expectSymbol(page, kind === 'Contact' ? payload.replaceAll('\n', '\r\n') : payload);
   }
 
@@ -136,7 +142,7 @@ test('Every other kind writes its payload to the textbox, and the symbol holds i
   });
 
   await test.step('the keyboard alone fills in a phone call; typing in the textbox leaves the builder, and what is typed stays', async () => {
-    await page.reload();  // so that no kind remembers anything
+    await page.reload();  // so that no kind has kept values
     await app.expectReady();
     const kind = page.getByRole('combobox', { name: 'Kind of content' });
     await choose(page, 'Place');
@@ -170,7 +176,7 @@ test('The symbol says its version, how full it is, and how much more fits; a lin
   await expect(facts).toContainText('One more byte, and the modules get smaller');
   await expect(page.getByRole('meter', { name: 'How full it is' })).toHaveJSProperty('value', 26);
   await app.text.fill('a'.repeat(27));
-  await expect(facts).toContainText('Version 3-Q, 29 × 29 modules');  // for the same size, more error correction
+  await expect(facts).toContainText('Version 3-Q, 29 × 29 modules');  // the same size with more error correction
   await app.text.fill('a'.repeat(2332));
   await expect(facts).toContainText('too long for any QR Code');
   await expect(symbol(page)).toHaveCount(0);
@@ -185,7 +191,7 @@ test('The symbol says its version, how full it is, and how much more fits; a lin
   await expect(app.text).toHaveValue('https://example.org/a%20b?c=d');
   await expect(page.getByRole('button', { name: 'Leave them out' })).toHaveCount(0);
 
-  // Modules too small for the nozzle are warned of before carving, and a form that makes them larger is offered.
+  // The page warns of modules too small for the nozzle before carving, and offers a form with larger modules.
   await app.text.fill('short');
   await expect(advice(page)).toBeHidden();
   await app.text.fill(`https://example.org/${'x'.repeat(300)}`);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every control of the page has an effect, pressed with the mouse on a desktop and with a finger on a phone. What each
-// does in full is for the other specs; here none is left out. A control that is not pressed is the same on both.
+// Every control of the page has an effect, whether pressed with a mouse on a desktop or with a finger on a phone. Other
+// specs check the full effect of each control; this one leaves out none. Controls that are not pressed are the same on
+// both.
 import { expect, test } from '@playwright/test';
 import { Engraver } from './support/engraver.js';
 import { Inspector } from './support/inspector.js';
@@ -10,9 +11,12 @@ import { freeze, holdWorkers, thaw } from './support/workers.js';
 
 /** @typedef {import('@playwright/test').Page} Page */
 /** @typedef {{ app: Engraver, page: Page, at: (id: string) => import('@playwright/test').Locator, press: (id: string) => Promise<void> }} Hands */
-/** @typedef {Record<string, (hands: Hands) => Promise<void>>} Effects  by the id of the control, or the side it shows; in this order */
+/**
+ * @typedef {Record<string, (hands: Hands) => Promise<void>>} Effects  by the id of the control or the side it shows;
+ *   run in this order
+ */
 
-/** Of each setting: what is chosen, its name in the settings file, and what the report says of the carving then. */
+/** For each setting: the value to choose, its entry in the settings file, and the value to find in the report. */
 const kSettings = /** @type {Record<string, { value: string | boolean, saved: Record<string, unknown>, reported?: (report: any) => unknown }>} */ ({
   ecc: { value: 'Q', saved: { ecc: 'Q' }, reported: ({ symbol }) => symbol.ecc },
   'quiet-zone': { value: false, saved: { quietZone: false } },
@@ -37,7 +41,7 @@ const kSettings = /** @type {Record<string, { value: string | boolean, saved: Re
   layer: { value: '0.08', saved: { layerMm: 0.08 }, reported: ({ depth }) => depth.features.layerMm },
 });
 
-/** What Save settings saves. @param {Engraver} app */
+/** Returns the contents of the file that Save settings saves. @param {Engraver} app */
 const settingsFile = async (app) => JSON.parse(new TextDecoder().decode((await app.download('Save settings')).bytes));
 
 /** @type {Effects} */
@@ -87,8 +91,12 @@ const kOfTheModel = {
 };
 
 /**
- * Types a coordinate. That is beside the surface: once placed, the code is at the nearest point of it, with other coordinates.
- * @param {Engraver} app @param {import('@playwright/test').Locator} field @param {string} value @param {() => Promise<void>} confirm
+ * Types a coordinate away from the surface. Once placed, the code is at the nearest point of the surface, with other
+ * coordinates.
+ * @param {Engraver} app
+ * @param {import('@playwright/test').Locator} field
+ * @param {string} value
+ * @param {() => Promise<void>} confirm
  */
 async function placeAt(app, field, value, confirm) {
   await field.fill(value);
@@ -98,7 +106,13 @@ async function placeAt(app, field, value, confirm) {
   await app.expectReady();
 }
 
-/** Some choices do not go with others. @param {Engraver} app @param {import('@playwright/test').Locator} field @param {string} setting @param {string} value */
+/**
+ * Chooses a value and restores the old one, since some choices exclude others.
+ * @param {Engraver} app
+ * @param {import('@playwright/test').Locator} field
+ * @param {string} setting
+ * @param {string} value
+ */
 async function chooseAndBack(app, field, setting, value) {
   const before = await field.inputValue();
   await field.selectOption(value);
@@ -210,7 +224,7 @@ const kOfThePlace = {
   },
 };
 
-/** Which sides of the cube are seen. @param {Page} page */
+/** Returns the visible sides of the cube. @param {Page} page */
 const sidesOf = (page) => page.locator('.view-cube [data-view]').evaluateAll((all) => all.map((face) => face.getAttribute('data-view')).sort());
 
 /** @type {Effects} */
@@ -274,7 +288,7 @@ const kOfTheCarving = {
   'show-before': async ({ app, at, page }) => {
     const hide = (/** @type {string} */ opacity) => page.locator('.tools, .legend').evaluateAll((all, to) => {
       for (const one of all) /** @type {HTMLElement} */ (one).style.opacity = to;
-    }, opacity);  // they have the colours of depths, too
+    }, opacity);  // they use the colours of depths, too
     await hide('0');
     await expect.poll(() => shareOf(app.canvas, isTeal)).toBeGreaterThan(0.0013);
     await hold(at('show-before'), async () => {
@@ -308,7 +322,7 @@ const kOfTheCarving = {
   },
   cancel: async ({ app, at, page, press }) => {
     await at('text').fill('carved anew');
-    await freeze(page);  // else it may be done before it is cancelled
+    await freeze(page);  // otherwise the work may end before it is cancelled
     await press('engrave');
     await press('cancel');
     await expect(app.cancelButton).toBeHidden();
@@ -407,7 +421,7 @@ const kOfTheParts = {
   },
 };
 
-/** While all parts are carved; batch.spec.js sees what each does. */
+/** Controls while all parts are carved; batch.spec.js checks their effects. */
 const kOfTheRun = ['print-every', 'carve-all', 'parts-pause', 'parts-resume', 'parts-stop', 'parts-retry', 'parts-shown', 'parts-download', 'parts-discard'];
 
 /** @param {Page} page @returns {Promise<Hands>} */

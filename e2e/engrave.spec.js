@@ -15,7 +15,7 @@ import { bodiesOf, extrudersOf, itemsOf, unzip } from './support/three_mf.js';
 const kCommand = fileURLToPath(new URL('../build/release/bin/qrelief', import.meta.url));
 const kText = 'https://example.org/a/longer/text/x';  // 35 bytes: version 3-M
 
-/** What every engraved solid must be. @param {Mesh} before @param {Mesh} after @param {any} report */
+/** Checks the properties of every engraved solid. @param {Mesh} before @param {Mesh} after @param {any} report */
 function expectEngravedSolid(before, after, report) {
   const check = checkSolid(after);
   expect(check).toMatchObject({ openEdges: 0, nonManifoldEdges: 0, nonManifoldVertices: 0, degenerateTriangles: 0 });
@@ -34,7 +34,7 @@ function expectEngravedSolid(before, after, report) {
   expect(found).toBeGreaterThanOrEqual(report.mesh.keptTriangles);
 }
 
-/** Triangles by their exact coordinates, the smallest corner first. @param {Mesh} mesh */
+/** Returns the triangles by their exact coordinates, each starting at its smallest corner. @param {Mesh} mesh */
 function triangleKeys(mesh) {
   return new Set(mesh.triangles.map((corners) => {
     const words = corners.map((corner) => mesh.positions[corner].map(Math.fround).join(' '));
@@ -73,7 +73,7 @@ test('The bunny is engraved, reads as the text, inside and outside the page, and
   await page.getByRole('button', { name: 'Phone view' }).click();
   await expect.poll(async () => decodePng(await app.canvas.screenshot())).toBe(kText);
 
-  // One core and one set of shaders on two renderers: they must agree within a tolerance.
+  // One core and one set of shaders on two renderers: the results must agree within a tolerance.
   await test.step('The page carves what the command carves', async () => {
     const [model, reported] = [testInfo.outputPath('bunny.stl'), testInfo.outputPath('report.json')];
     writeFileSync(model, stl);
@@ -141,7 +141,7 @@ function expectTwoColours(bytes, report) {
   const bodies = bodiesOf(model);
   const [bodyId, inlayId] = [...bodies.keys()];
   expect(bodies.size).toBe(2);
-  expect(itemsOf(model)).toEqual([[bodyId, inlayId]]);  // one thing on the plate
+  expect(itemsOf(model)).toEqual([[bodyId, inlayId]]);  // one object on the plate
   const [body, inlay] = [...bodies.values()];
   expect(inlay.name).toBe('QR code');
 

@@ -15,7 +15,7 @@ test('A code of the gallery is carved in the app with its settings', async ({ pa
   await expect(page.locator('[data-setting="pattern"]')).toHaveValue('diamond');
   await expect(page.locator('[data-setting="finderPattern"]')).toHaveValue('thick-plus-sharp');
   const { depth } = await app.report();
-  expect(depth.meanMm).toBeLessThan(0.6);  // the default is deeper
+  expect(depth.meanMm).toBeLessThan(0.6);  // the default carves deeper
 });
 
 test('An address with a setting that cannot be used says so, and nothing is carved', async ({ page }) => {

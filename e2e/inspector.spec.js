@@ -9,7 +9,7 @@ import { Inspector } from './support/inspector.js';
 
 const kBalancedContrast = 0.3;
 
-/** How many pixels are far from grey: the colours of a map, not of the model. @param {number[]} rgba */
+/** Counts the pixels far from grey, which belong to a map and not to the model. @param {number[]} rgba */
 function colourful(rgba) {
   let count = 0;
   for (let i = 0; i < rgba.length; i += 4) {
@@ -21,7 +21,7 @@ function colourful(rgba) {
 
 /** Presses the dark middle of the upper left finder pattern. @param {Inspector} inspector */
 async function pressDark(inspector) {
-  await inspector.press('Map', { x: 7.5 / 37, y: 7.5 / 37 });  // of 29 modules and twice 4
+  await inspector.press('Map', { x: 7.5 / 37, y: 7.5 / 37 });  // 29 modules and a margin of 4 on each side
   await expect.poll(async () => (await inspector.state())?.selected?.role).toBe('finder');
   return /** @type {Selected} */ ((await inspector.state())?.selected);
 }
@@ -93,9 +93,9 @@ test('The inspector is drawn over the view alone, shows an engraving and goes wi
     const [x, y] = [box.x + box.width / 2 + 60, box.y + box.height / 2];
     await inspector.expectStill({ x: x - 50, y: y - 50, width: 100, height: 100 });
     await page.mouse.click(x, y);
-    // The reader sees the middle of 145 submodules there, and a little to the right of it.
+    // The phone view shows the middle of the 145 submodules there. The click is a little to its right.
     await inspector.expectState(({ selected }) => selected && [Math.abs(selected.row - 72) < 8, selected.column > 76], [true, true]);
-    expect(await app.centre()).toEqual(before);  // the click was the inspector's
+    expect(await app.centre()).toEqual(before);  // the inspector took the click
   });
 
   await test.step('closed, it leaves no trace', async () => {
@@ -114,7 +114,7 @@ test('Settings of the inspector count for its own Engrave alone, are typed or st
   await expect(app.status).toHaveText('Bereit.');
   await page.getByRole('button', { name: 'Inspektor' }).click();
   await inspector.openTab('Settings');
-  await inspector.press('contrast', { x: 0.97, y: 0.5 });  // its plus
+  await inspector.press('contrast', { x: 0.97, y: 0.5 });  // the field's plus button
   await inspector.expectState((state) => state.overrides, 'Kontrast 0.31');
 
   await test.step('the language follows when that of the page is changed', async () => {

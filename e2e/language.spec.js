@@ -4,7 +4,10 @@ import { writeStl } from '../web/samples/stl.js';
 import { Engraver } from './support/engraver.js';
 import { saddleMesh, truncatedFile } from './support/models.js';
 
-/** Mean of the view's lower left corner, 0 … 255. @param {import('@playwright/test').Page} page */
+/**
+ * Returns the mean brightness in the view's lower left corner, 0 … 255.
+ * @param {import('@playwright/test').Page} page
+ */
 async function cornerBrightness(page) {
   const picture = await page.screenshot({ clip: { x: 4, y: 700, width: 40, height: 40 } });
   return page.evaluate(async (base64) => {
@@ -76,7 +79,7 @@ test('A browser that keeps nothing is no hindrance, and the address may ask for 
     }
   });
   const app = new Engraver(page);
-  await app.open('?lang=de');  // nothing else: then the last visit's work is looked for
+  await app.open('?lang=de');  // without other parameters, the page looks for the last visit's work
   await expect(app.status).toHaveText('Bereit.');
   await page.getByRole('combobox', { name: 'Sprache' }).selectOption('English');
   await expect(page.getByRole('button', { name: 'Engrave' })).toBeVisible();
@@ -104,7 +107,7 @@ test('A chosen appearance overrides the device’s, in the 3D view too, and is k
   await expect(page.getByRole('combobox', { name: 'Appearance' })).toHaveValue('dark');
   expect(await ground()).toBe('rgb(30, 33, 37)');
 
-  // At the first paint already: before any of the page's modules has come.
+  // The appearance is right at the first paint, before any of the page's modules has loaded.
   await page.route(/\/assets\/.*\.js$/, (route) => route.abort());
   await page.goto('about:blank');
   await app.open('');

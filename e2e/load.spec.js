@@ -25,7 +25,7 @@ test('Until it can be used the page needs 1.5 MB at most; the reader of codes, t
   expect(bytes).toBeLessThan(1.5e6);
 
   await test.step('if the inspector cannot be loaded, that is said, and pressing again tries again', async () => {
-    await app.sample.selectOption('Saddle');  // which is soon engraved
+    await app.sample.selectOption('Saddle');  // quick to engrave
     await expect(app.facts).toContainText('Saddle');
     await app.expectReady();
     site.lacks = (path) => kInspector.test(path);
@@ -34,7 +34,7 @@ test('Until it can be used the page needs 1.5 MB at most; the reader of codes, t
     await expect(inspector.button).toHaveAttribute('aria-pressed', 'false');
     expect(await inspector.state()).toBeUndefined();
     await page.getByRole('button', { name: 'Dismiss' }).click();
-    await app.engrave();  // nothing else is amiss
+    await app.engrave();  // everything else still works
 
     site.lacks = () => false;
     await inspector.open();

@@ -12,7 +12,7 @@ test.beforeEach(async () => {
 test.afterEach(() => site.close());
 test.use({ serviceWorkers: 'allow' });
 
-/** The page is kept on the device. @param {Page} page */
+/** Waits until the page is kept on the device. @param {Page} page */
 const untilKept = (page) => expect.poll(() => page.evaluate(() => Boolean(navigator.serviceWorker.controller))).toBe(true);
 
 test('Below any path and without a network the page opens, engraves, and reads the code back', async ({ page, context }) => {

@@ -46,7 +46,7 @@ test('Each sample finds a place of at least 20 mm for its code', { tag: '@deskto
     await test.step(`The sample ${id} finds a place of at least 20 mm for its code`, async () => {
       const before = await app.facts.innerText();
       await app.sample.selectOption(id);
-      await expect(app.facts).not.toHaveText(before);  // no two are of one name
+      await expect(app.facts).not.toHaveText(before);  // each has its own name
       await app.expectReady();
       expect(await app.width()).toBeGreaterThanOrEqual(20);
     });

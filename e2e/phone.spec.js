@@ -83,7 +83,7 @@ test('On a phone fingers place, move and turn the code, and the result can be re
     const { x, y } = await inspector.placeOf('Maps');
     await page.touchscreen.tap(x, y);
     await inspector.expectState((state) => state.tab, 'Maps');
-    expect(await app.centre()).toEqual(before);  // no tap went through to the model
+    expect(await app.centre()).toEqual(before);  // no tap passed through to the model
   });
 });
 
@@ -110,7 +110,7 @@ test('On a phone a Wi-Fi access is filled in by touch, with nothing wider than t
 });
 
 /**
- * Two fingers about (x, y), from one distance to another.
+ * Moves two fingers around (x, y) from one distance to another.
  * @param {import('@playwright/test').Page} page
  * @param {number} x
  * @param {number} y

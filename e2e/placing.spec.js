@@ -5,7 +5,11 @@ import { isOrange, shareOf } from './support/pixels.js';
 
 /** @typedef {[number, number]} Point */
 
-/** The middle of a handle, page pixels. @param {import('@playwright/test').Locator} handle @returns {Promise<Point>} */
+/**
+ * Returns the middle of a handle, in page pixels.
+ * @param {import('@playwright/test').Locator} handle
+ * @returns {Promise<Point>}
+ */
 async function middleOf(handle) {
   await expect(handle).toBeVisible();
   const box = /** @type {{ x: number, y: number, width: number, height: number }} */ (await handle.boundingBox());
@@ -40,7 +44,7 @@ test('The code follows the pointer with its size, exactly once it rests, and a c
     await expect.poll(() => app.centre()).not.toEqual(before);
     await app.expectReady();
     expect(await app.width()).toBeCloseTo(promised, 1);
-    await page.mouse.move(5, 700);  // beside the model
+    await page.mouse.move(5, 700);  // next to the model
     await expect(app.chip).toBeHidden();
   });
 
@@ -61,7 +65,7 @@ test('The code follows the pointer with its size, exactly once it rests, and a c
   await test.step('a drag turns the model and leaves the centre where it is; then a click is elsewhere on the sphere', async () => {
     const before = await app.centre();
     const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
-    await page.mouse.move(x - 120, y - 120);  // beside the code's handles
+    await page.mouse.move(x - 120, y - 120);  // clear of the code's handles
     await page.mouse.down();
     await page.mouse.move(x - 60, y - 100, { steps: 6 });
     await page.mouse.up();
@@ -82,7 +86,7 @@ test('The code follows the pointer with its size, exactly once it rests, and a c
     await app.expectReady();
 
     before = await app.centre();
-    await expect(app.moveHandle).toBeVisible();  // it follows with the next frame
+    await expect(app.moveHandle).toBeVisible();  // the handle appears with the next frame
     await page.keyboard.press('Tab');
     await expect(app.moveHandle).toBeFocused();
     for (const key of ['ArrowRight', 'ArrowRight', 'ArrowUp', 'Enter']) await page.keyboard.press(key);

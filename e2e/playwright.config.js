@@ -3,7 +3,7 @@ import { createServer } from 'node:net';
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from '@playwright/test';
 
-/** A port nobody listens on; the workers, which read this file too, inherit the choice. */
+/** Chooses a free port. The workers, which read this file too, inherit the choice. */
 async function choosePort() {
   process.env.QRELIEF_E2E_PORT ??= await new Promise((resolve) => {
     const server = createServer().listen(0, '127.0.0.1', () => {
@@ -20,14 +20,14 @@ const address = `http://127.0.0.1:${await choosePort()}/`;
 export default defineConfig({
   testDir: '.',
   outputDir: 'results',
-  workers: 1,  // the renderer is software and takes every core
-  timeout: 600_000,  // a journey, beside whatever else the machine is at
+  workers: 1,  // the software renderer uses every core
+  timeout: 600_000,  // long enough for a whole journey on a busy machine
   expect: { timeout: 120_000 },
   forbidOnly: Boolean(process.env.CI),
   reporter: [['list']],
   use: {
     baseURL: address,
-    serviceWorkers: 'block',  // but where a test is about them: what is kept on the device hides what is served
+    serviceWorkers: 'block',  // except in tests of service workers: cached files would hide the served ones
     trace: 'retain-on-failure',
     launchOptions: {
       executablePath: process.env.QRELIEF_CHROMIUM ?? '/usr/bin/chromium',
@@ -41,7 +41,8 @@ export default defineConfig({
     { name: 'desktop', testIgnore: 'phone.spec.js', use: { viewport: { width: 1280, height: 800 } } },
     {
       name: 'phone',
-      testMatch: ['phone.spec.js', 'controls.spec.js', 'open.spec.js', 'articles.spec.js', 'axe.spec.js'],  // where layout tells
+      // specs that depend on the layout
+      testMatch: ['phone.spec.js', 'controls.spec.js', 'open.spec.js', 'articles.spec.js', 'axe.spec.js'],
       grepInvert: /@desktop/,
       use: { viewport: { width: 360, height: 740 }, hasTouch: true, isMobile: true, deviceScaleFactor: 2 },
     },

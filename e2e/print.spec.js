@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The print of what was carved: made while the result is looked at, seen beside the design, given up and made again.
+// The simulation of the print: it runs while the user looks at the result, shows the print next to the design, and can
+// be stopped and started again.
 import { expect, test } from '@playwright/test';
 import { Engraver } from './support/engraver.js';
 

@@ -3,7 +3,7 @@ import { expect, test } from '@playwright/test';
 import { Engraver } from './support/engraver.js';
 import { holdWorkers } from './support/workers.js';
 
-/** How many workers of the module there were. @param {import('@playwright/test').Page} page */
+/** Returns the number of engine workers created so far. @param {import('@playwright/test').Page} page */
 const workersOf = (page) => page.evaluate(() => /** @type {any} */ (window).workers.length);
 
 test('A worker that crashes, or has too little memory, is replaced, with everything kept', async ({ page }) => {
@@ -51,7 +51,7 @@ test('A lost WebGL context of the worker is rebuilt', async ({ page, browser }) 
   await app.open('?sample=saddle&text=and%20again');
   await app.expectReady();
   const session = await browser.newBrowserCDPSession();
-  await session.send('Browser.crashGpuProcess').catch(() => {});  // it answers that it crashed
+  await session.send('Browser.crashGpuProcess').catch(() => {});  // fails, since the browser reports the crash
   await expect.poll(() => workersOf(page)).toBeGreaterThan(1);
   await app.expectReady();
   await app.engrave();
@@ -60,7 +60,7 @@ test('A lost WebGL context of the worker is rebuilt', async ({ page, browser }) 
 
 test('Without a worker for it, a lost WebGL context is rebuilt, too', async ({ page }) => {
   await page.addInitScript(() => {
-    delete /** @type {any} */ (HTMLCanvasElement.prototype).transferControlToOffscreen;  // so that the page holds the context
+    delete /** @type {any} */ (HTMLCanvasElement.prototype).transferControlToOffscreen;  // the page holds the context
   });
   const app = new Engraver(page);
   await app.open('?sample=saddle&text=again');
@@ -69,7 +69,7 @@ test('Without a worker for it, a lost WebGL context is rebuilt, too', async ({ p
     canvas.setAttribute('data-lost', '');
     /** @type {HTMLCanvasElement} */ (canvas).getContext('webgl2')?.getExtension('WEBGL_lose_context')?.loseContext();
   });
-  await expect(page.locator('canvas[data-lost]')).toHaveCount(0);  // a new one has taken its place
+  await expect(page.locator('canvas[data-lost]')).toHaveCount(0);  // a new canvas has replaced it
   await app.expectReady();
   await app.engrave();
   await expect(app.result).toContainText('Reads as again');

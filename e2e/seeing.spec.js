@@ -36,7 +36,8 @@ test('The model is looked at from every side, cut open, carved, and as a phone s
 
   await test.step('by menu, by keys and by the cube', async () => {
     const faces = page.locator('.view-cube [data-view]');
-    const seen = () => faces.evaluateAll((all) => all.map((face) => face.getAttribute('data-view')));  // more on the way
+    // The visible faces. There may be more while the cube turns.
+    const seen = () => faces.evaluateAll((all) => all.map((face) => face.getAttribute('data-view')));
     const views = page.getByRole('button', { name: 'Views' });
     await views.click();
     await page.getByRole('group', { name: 'Views' }).getByRole('button', { name: 'Top' }).click();

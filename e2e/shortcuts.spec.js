@@ -13,7 +13,7 @@ test('Keys do the work, from the text to the download, but never while typing or
     const sheet = page.getByRole('dialog', { name: 'Keys, mouse and fingers' });
     await expect(sheet).toBeVisible();
     await expect(sheet).toContainText('Ctrl Shift ZRedo');
-    await page.keyboard.press('e');  // under the sheet no shortcut works
+    await page.keyboard.press('e');  // no shortcut works under the dialog
     await expect(app.progress).toBeHidden();
     await expect(app.status).toHaveText('Ready.');
     await page.keyboard.press('Escape');

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is taken away beside the carved model, and settings that are brought back.
+// The downloads next to the carved model, and loading saved settings.
 import { expect, test } from '@playwright/test';
 import { decodePng } from './support/decode.js';
 import { Engraver } from './support/engraver.js';
@@ -9,7 +9,11 @@ import { saddleFile } from './support/models.js';
 
 const kText = 'https://example.org/Grüße?a=1&b=<2>';
 
-/** Drops a file onto the page, as a hand would. @param {Page} page @param {{ name: string, bytes: Uint8Array | string }} file */
+/**
+ * Drops a file onto the page like a user.
+ * @param {Page} page
+ * @param {{ name: string, bytes: Uint8Array | string }} file
+ */
 async function drop(page, { name, bytes }) {
   const transfer = await page.evaluateHandle(([fileName, content]) => {
     const data = new DataTransfer();
@@ -19,7 +23,12 @@ async function drop(page, { name, bytes }) {
   for (const type of ['dragenter', 'dragover', 'drop']) await page.dispatchEvent('#view', type, { dataTransfer: transfer });
 }
 
-/** A picture file shown by a page of its own. @param {Page} page @param {Uint8Array} bytes @param {string} type */
+/**
+ * Shows a picture file in a page of its own and takes a screenshot.
+ * @param {Page} page
+ * @param {Uint8Array} bytes
+ * @param {string} type
+ */
 async function screenshotOf(page, bytes, type) {
   const other = await page.context().newPage();
   await other.setContent(`<body style="margin:0"><img style="width:400px" src="data:${type};base64,${Buffer.from(bytes).toString('base64')}">`);

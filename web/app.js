@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Makes the panels, the view, the parts of the session and the engine, and ties them together; what they do is elsewhere.
+// Creates the panels, the view, the session's parts and the engine, and connects them. The work itself is done
+// elsewhere.
 import { EngineClient } from './engine/client.js';
 import { holdsSecret } from './contents/secrets.js';
 import { Continuing } from './session/continuing.js';
@@ -247,7 +248,7 @@ export class App {
   makeSpotsPanel_() {
     return new SpotsPanel({
       onSuggest: () => this.guard_(async () => {
-        await this.code_.settle();  // it would end the search
+        await this.code_.settle();  // apply the text first, or its change would end the search
         await this.spots_.suggest();
       }),
       onSpot: (index) => this.guard_(() => this.spots_.choose(index)),
@@ -292,7 +293,7 @@ export class App {
       onShown: (exists, shown) => this.session_.noteCarved(exists, shown),
       onPrinted: () => {
         this.session_.notePrinted();
-        this.preparing_.plan();  // it waited for the print
+        this.preparing_.plan();  // planning had to wait for the print
       },
       guard: (action) => this.guard_(action),
     });
@@ -338,7 +339,7 @@ export class App {
     });
   }
 
-  /** What a carving is read and told by. */
+  /** Loads the decoder and the message words that the result will need. */
   prepareTelling_() {
     prepareReader();
     void messageWords.come();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// docs/comparison.md says of each of our features which tests hold it: they must be there, by file and name.
+// Checks the tests that docs/comparison.md names for each of our features: each must exist, by file and name.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';

@@ -1,28 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Holds the layers of the page: what a folder of web/ may import. This is the place where their order is written down.
+// Checks the layers of the page: the folders that a folder of web/ may import. Their order is defined here.
 import assert from 'node:assert/strict';
 import { readFileSync, readdirSync } from 'node:fs';
 import { posix } from 'node:path';
 import { test } from 'node:test';
 
-/** Lowest first: a folder imports, types included, only itself and what stands before it. */
+/** Lowest first: a folder imports, types included, only itself and the folders before it. */
 const kLayers = [
-  'generated', // what the core tells of its settings
+  'generated', // the core's description of its settings
   'offline',   // keeps the page for visits without a network
-  'engine',    // the module, its worker and its answers
-  'storage',   // what the browser keeps
-  'i18n',      // every text, number and message in every language
-  'dom',       // elements and files, for all that follows
-  'decoder',   // reads pictures of codes
-  'contents',  // what a code can hold
-  'export',    // the files that can be saved
-  'batch',     // a code for every part: rows, the engines that carve them, what is kept of them
+  'engine',    // the engine, its worker and its answers
+  'storage',   // data that the browser keeps
+  'i18n',      // all texts, numbers and messages in all languages
+  'dom',       // elements and files, for all layers above
+  'decoder',   // decodes codes in pictures
+  'contents',  // kinds of content
+  'export',    // files that can be saved
+  'batch',     // a code for every part: rows, the engines that carve them, and the storage of the results
   'view',      // the model on the screen
   'ui',        // the panels
-  'session',   // what is worked on, and what goes on with it
+  'session',   // the current work and its jobs
   'guide', 'method', 'study', 'gallery',  // articles
-  'app.js',   // composes all of it
-  'main.js',  // begins
+  'app.js',   // connects all of them
+  'main.js',  // starts the page
 ];
 const kApart = ['samples', 'styles'];  // models made by the build, and styles
 
@@ -34,7 +34,7 @@ const folderOf = (path) => (path.includes('/') ? path.slice(0, path.indexOf('/')
 /** @param {string} folder */
 const layerOf = (folder) => kLayers.indexOf(folder);
 
-/** What a source imports from web/ that it must not. @param {string} path @param {string} source */
+/** Returns the forbidden imports of a source from web/. @param {string} path @param {string} source */
 function violationsIn(path, source) {
   const own = layerOf(folderOf(path));
   return [...source.matchAll(/(?:\bfrom |\bimport |\bimport\()'(\.[^']*)'/g)]
@@ -43,7 +43,7 @@ function violationsIn(path, source) {
     .map((target) => `${path} imports ${target}`);
 }
 
-/** Of one folder. @param {string[]} paths  below web/ @param {(path: string) => string} read */
+/** Returns the import cycles in a folder. @param {string[]} paths  below web/ @param {(path: string) => string} read */
 function cyclesAmong(paths, read) {
   /** @type {Map<string, string[]>} */
   const imports = new Map(paths.map((path) => [path, [...withoutComments(read(path)).matchAll(/^(?:import|export)\b[^;]*? from '(\.[^']*)'/gm)]

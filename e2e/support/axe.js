@@ -3,9 +3,9 @@ import { AxeBuilder } from '@axe-core/playwright';
 import { expect } from '@playwright/test';
 
 /**
- * Axe finds nothing, light or dark. Of its rules only those of colours can tell the one from the other.
+ * Expects axe to find no violations, light and dark. Only its colour rules depend on the colour scheme.
  * @param {import('@playwright/test').Page} page
- * @param {string} state  of the page, in words
+ * @param {string} state  name of the page's state
  */
 export async function expectNoViolations(page, state) {
   for (const colorScheme of /** @type {const} */ (['light', 'dark'])) {
@@ -13,7 +13,8 @@ export async function expectNoViolations(page, state) {
     const axe = new AxeBuilder({ page });
     if (colorScheme === 'dark') axe.withRules(['color-contrast', 'link-in-text-block']);
     const { violations, passes, incomplete } = await axe.analyze();
-    expect(passes.length + incomplete.length, 'axe has looked').toBeGreaterThan(0);  // where it cannot tell, too
+    // Axe must have run checks. `incomplete` are the checks that it could not decide.
+    expect(passes.length + incomplete.length, 'axe has looked').toBeGreaterThan(0);
     const found = violations.flatMap(({ id, help, nodes }) => nodes.map(({ html, failureSummary }) => `${id}: ${help}: ${html} ${failureSummary}`));
     expect.soft(found, `${state}, ${colorScheme}`).toEqual([]);
   }

@@ -2,7 +2,7 @@
 // Binary STL files of any size, written without holding the mesh.
 
 /**
- * A sphere of radius 50 mm with waves of 1 mm, closed, of 4 · rows · (rows − 1) triangles.
+ * Returns a closed sphere of radius 50 mm with waves of 1 mm, with 4 · rows · (rows − 1) triangles.
  * @param {number} rows  from pole to pole
  * @returns {Buffer}
  */
@@ -35,7 +35,7 @@ export function wavySphereStl(rows) {
       const triangles = [[[above, k], [below, k], [below, next]], [[above, k], [below, next], [above, next]]];
       for (const triangle of triangles) {
         if ((i === 0 && triangle[2][0] === above) || (i === rows - 1 && triangle[1][0] === below && triangle[2][0] === below)) continue;
-        at += 12;  // readers find the normal by themselves
+        at += 12;  // normals are zero; parsers compute them
         triangle.forEach(([points, index]) => corner(points, index));
         at += 2;
       }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reads a QR code from a PNG, outside the page.
+// Decodes a QR code outside the page.
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { prepareZXingModule, readBarcodes } from 'zxing-wasm/reader';
@@ -12,10 +12,10 @@ prepareZXingModule({ overrides: { wasmBinary: wasm.buffer.slice(wasm.byteOffset,
 const kPixelsPerModule = 4;
 
 /**
- * Reads a QR code from an SVG's path of unit-high bars, without drawing it.
+ * Decodes a QR code from an SVG's path of unit-high bars, without rendering the SVG.
  * @param {string} path  `M4 4h7v1h-7z…`
- * @param {number} edge  of the picture, in its units
- * @returns {Promise<string>}  '' if there is none
+ * @param {number} edge  of the picture, in the SVG's units
+ * @returns {Promise<string>}  '' if no code is found
  */
 export async function decodePath(path, edge) {
   const width = edge * kPixelsPerModule;
@@ -32,10 +32,10 @@ export async function decodePath(path, edge) {
 
 /**
  * @param {Uint8Array} png
- * @returns {Promise<string>}  '' if there is none
+ * @returns {Promise<string>}  '' if no code is found
  */
 export async function decodePng(png) {
-  for (const tryDenoise of [false, true]) {  // which closes the gaps between the squares of a pattern
+  for (const tryDenoise of [false, true]) {  // denoising closes the gaps between the squares of a pattern
     const [found] = await readBarcodes(new Uint8Array(png), { formats: ['QRCode'], tryHarder: true, tryDenoise });
     if (found?.isValid) return found.text;
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The page as its user knows it: by roles and names.
+// The page as its user knows it, by roles and names.
 import { readFile } from 'node:fs/promises';
 import { expect } from '@playwright/test';
 
@@ -22,7 +22,7 @@ export class Engraver {
     this.placement = page.locator('#placement-facts');
     this.facts = page.locator('#model-state');
     this.spots = page.getByRole('list', { name: 'Spots' }).getByRole('button');
-    this.chip = page.locator('.code-chip');  // beside the pointer, and hidden from screen readers
+    this.chip = page.locator('.code-chip');  // next to the pointer, hidden from screen readers
     this.moveHandle = page.getByRole('button', { name: 'Move the code' });
     this.turnHandle = page.getByRole('slider', { name: 'Turn the code' });
     this.sizeHandle = page.getByRole('slider', { name: 'Size of the code on the model' });
@@ -33,7 +33,7 @@ export class Engraver {
     await this.page.goto(`./${query}`);
   }
 
-  /** A model is loaded, its code has a place. */
+  /** Waits until a model is loaded and its code is placed. */
   async expectReady() {
     await expect(this.placement).toContainText('mm wide');
     await expect(this.status).toHaveText('Ready.');
@@ -51,13 +51,13 @@ export class Engraver {
     while ((await folded.count()) > 0) await folded.first().click();
   }
 
-  /** The centre in the model's coordinates, mm. */
+  /** Returns the centre in the model's coordinates, mm. */
   async centre() {
     const values = await Promise.all(['x', 'y', 'z'].map((axis) => this.page.locator(`#centre-${axis}`).inputValue()));
     return values.map(Number);
   }
 
-  /** Of the symbol, mm, as the page says it. */
+  /** Returns the symbol's width shown on the page, mm. */
   async width() {
     return Number(/^([\d.]+) mm wide/.exec(await this.placement.innerText())?.[1]);
   }
@@ -66,7 +66,7 @@ export class Engraver {
     return Number(await this.page.locator('#rotate').inputValue());
   }
 
-  /** Has spots suggested and waits for them. */
+  /** Asks for suggested spots and waits for them. */
   async suggest() {
     await this.page.getByRole('button', { name: 'Suggest spots' }).click();
     await expect(this.status).toHaveText('Choose a spot, or click the model.');
@@ -74,11 +74,11 @@ export class Engraver {
 
   /** Clicks Engrave and waits for the result. */
   async engrave() {
-    await this.engraveButton.click();  // from here on the status speaks of the work, until it is done
+    await this.engraveButton.click();  // from here to the end the status shows the work
     await this.expectResult();
   }
 
-  /** Engraving was begun, and comes to its end. */
+  /** Waits until the engraving in progress has ended. */
   async expectResult() {
     await expect(this.status).toHaveText(/^Engraved/, { timeout: 240_000 });
     await expect(this.result).toBeVisible();

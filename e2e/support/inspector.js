@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The inspector, whose controls are pixels of the canvas: pressed where it says they are.
+// The inspector. Its controls are pixels of the canvas, so tests press where its state says they are.
 import { expect } from '@playwright/test';
 
 /** @typedef {import('@playwright/test').Page} Page */
@@ -25,7 +25,7 @@ export class Inspector {
     return told === null ? undefined : JSON.parse(told);
   }
 
-  /** Waits until the state is as asked. @param {(state: State) => unknown} value @param {unknown} wanted */
+  /** Waits until the state has the wanted value. @param {(state: State) => unknown} value @param {unknown} wanted */
   async expectState(value, wanted) {
     await expect.poll(async () => {
       const state = await this.state();
@@ -34,9 +34,9 @@ export class Inspector {
   }
 
   /**
-   * A place on the page, once the window no longer changes.
+   * Returns a point of a control in page coordinates, once the window no longer changes.
    * @param {string} control
-   * @param {{ x: number, y: number }} [share]  of its width and height; the middle if left out
+   * @param {{ x: number, y: number }} [share]  fraction of the control's width and height; the middle if left out
    */
   async placeOf(control, share = { x: 0.5, y: 0.5 }) {
     /** @type {State | undefined} */ let state;
@@ -61,7 +61,7 @@ export class Inspector {
     await this.expectState((state) => state.tab, tab);
   }
 
-  /** A control's area on the page. @param {string} control @returns {Promise<Clip>} */
+  /** Returns a control's area on the page. @param {string} control @returns {Promise<Clip>} */
   async clipOf(control) {
     const from = await this.placeOf(control, { x: 0, y: 0 });
     const to = await this.placeOf(control, { x: 1, y: 1 });
@@ -81,7 +81,7 @@ export class Inspector {
   }
 
   /**
-   * What is seen of a part of the page, as RGBA.
+   * Returns a part of the page as RGBA.
    * @param {Clip} clip
    * @returns {Promise<number[]>}
    */

@@ -3,7 +3,7 @@ import { expect } from '@playwright/test';
 
 /** @typedef {import('@playwright/test').Page} Page */
 
-/** What was done last has been written. @param {Page} page @param {(kept: any) => boolean | undefined} holds */
+/** Waits until the latest work is stored. @param {Page} page @param {(kept: any) => boolean | undefined} holds */
 export const untilKept = (page, holds) => expect.poll(async () => Boolean(holds(await page.evaluate(() => new Promise((resolve) => {
   const request = indexedDB.open('qrelief');
   request.onerror = () => resolve(undefined);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Measures each page with Lighthouse, as a desktop computer on a cable does: `script/lighthouse`.
+// Measures each page with Lighthouse as on a desktop computer with a wired connection: `script/lighthouse`.
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { chromium } from '@playwright/test';
@@ -10,14 +10,14 @@ const kPages = ['', 'guide.html', 'method.html', 'study.html', 'gallery.html'];
 const kLeast = { performance: 90, accessibility: 95, 'best-practices': 95, seo: 95 };
 const kResults = fileURLToPath(new URL('../../build/lighthouse', import.meta.url));
 
-const kPort = 9333;  // by which Lighthouse drives the browser
+const kPort = 9333;  // for Lighthouse to control the browser
 
 mkdirSync(kResults, { recursive: true });
 const site = await new Site('/').open();
 const browser = await chromium.launch({
   executablePath: process.env.QRELIEF_CHROMIUM ?? '/usr/bin/chromium',
-  // Painting by the processor, as of a page without WebGL, WebGL by SwiftShader: painting by SwiftShader takes longer than
-  // what is measured.
+  // Paint with the processor, as on a page without WebGL, but run WebGL with SwiftShader. Painting with SwiftShader
+  // takes longer than the steps being measured.
   args: [`--remote-debugging-port=${kPort}`, '--no-sandbox', '--enable-unsafe-swiftshader', '--disable-gpu-compositing',
     '--disable-background-networking'],
 });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Model files for the tests, made by the samples' generator.
+// Model files for the tests, made by the generator of the samples.
 import { pyramid, saddle } from '../../web/samples/shapes.js';
 import { writeStl } from '../../web/samples/stl.js';
 
@@ -11,9 +11,9 @@ const asFile = (name, bytes) => ({ name, mimeType: 'model/stl', buffer: Buffer.f
 export const saddleMesh = saddle(24);
 export const saddleFile = asFile('my saddle.stl', writeStl(saddleMesh, 'test'));
 
-/** Its count says more triangles than there are. */
+/** A file that announces more triangles than it contains. */
 export const truncatedFile = asFile('cut off.stl', writeStl(saddleMesh, 'test').subarray(0, 10_000));
 
 const whole = pyramid();
-/** Three edges are open. */
+/** A file with three open edges. */
 export const openFile = asFile('open.stl', writeStl({ ...whole, triangles: whole.triangles.slice(1) }, 'test'));

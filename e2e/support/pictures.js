@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Takes a picture of every state of the built page, to be looked at, and those that README and guide show:
+// Takes a picture of every state of the built page for visual checks, and the pictures for README and guide:
 // `script/pictures`.
 import { mkdirSync } from 'node:fs';
 import { dirname } from 'node:path';
@@ -13,7 +13,7 @@ import { Site } from './site.js';
 /** @typedef {(app: Engraver, page: Page) => Promise<void>} Walk */
 
 const kRoot = fileURLToPath(new URL('../../', import.meta.url));
-const kSettleMs = 2500;  // the view refines its picture
+const kSettleMs = 2500;  // for the view to refine its picture
 
 /** @type {Record<string, import('@playwright/test').BrowserContextOptions>} */
 const kLooks = {
@@ -47,7 +47,7 @@ async function seePrint(app, page, settings) {
 }
 
 /**
- * Each begins with the page freshly opened, and ends with what is to be seen.
+ * The states. Each walk starts on a freshly opened page and ends in the state to be shown.
  * @type {Record<string, { query?: string, walk: Walk, wholePage?: boolean }>}
  */
 const kStates = {
@@ -121,7 +121,7 @@ const kStates = {
   },
 };
 
-/** Those that README and guide show: of the page, or of the view alone, without the buttons over it. */
+/** Pictures for README and guide: of the page, or of the view alone without the buttons over it. */
 const kShown = [
   { file: 'docs/engraved_bunny.png', state: 'result', look: 'desktop-light' },
   { file: 'docs/suggested_spots.jpg', state: 'spots', look: 'desktop-dark' },
@@ -177,7 +177,7 @@ const site = await new Site('/').open();
 let failed = false;
 try {
   for (const picture of chosen(...(/** @type {[string | undefined, string?]} */ (process.argv.slice(2))))) {
-    const browser = await chromium.launch({  // a new one for each: what software draws stays in its memory
+    const browser = await chromium.launch({  // a new browser for each: software rendering never frees its memory
       executablePath: process.env.QRELIEF_CHROMIUM ?? '/usr/bin/chromium',
       args: ['--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--no-sandbox', '--disable-background-networking'],
     });

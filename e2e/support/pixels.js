@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What colours a picture of the page holds.
+// Colours in a picture of the page.
 
 /** @typedef {(red: number, green: number, blue: number) => boolean} Colour */
 
 /**
- * Share of the pixels of an element that have a colour, 0 … 1.
+ * Returns the share of an element's pixels that have a colour, 0 … 1.
  * @param {import('@playwright/test').Locator} element
  * @param {Colour} colour
  */
@@ -13,7 +13,7 @@ export async function shareOf(element, colour) {
   const pixels = await element.page().evaluate(async (encoded) => {
     const bytes = Uint8Array.from(atob(encoded), (letter) => letter.charCodeAt(0));
     const picture = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
-    const scale = Math.min(1, 240 / picture.width);  // pixels enough, and few to hand over
+    const scale = Math.min(1, 240 / picture.width);  // enough pixels, yet few to transfer
     const [width, height] = [Math.round(picture.width * scale), Math.round(picture.height * scale)];
     const context = /** @type {OffscreenCanvasRenderingContext2D} */ (new OffscreenCanvas(width, height).getContext('2d'));
     context.imageSmoothingEnabled = false;
@@ -25,8 +25,8 @@ export async function shareOf(element, colour) {
   return (4 * count) / pixels.length;
 }
 
-/** A section, or what of a code misses the surface. @type {Colour} */
+/** A section, or the part of a code that misses the surface. @type {Colour} */
 export const isOrange = (red, green, blue) => red > 1.35 * green && green > 1.1 * blue && red > 90;
 
-/** The middle of the map of depths; the page's own green, of buttons over the view, counts too. @type {Colour} */
+/** The middle colour of the depth map. The page's own green, as in buttons over the view, counts too. @type {Colour} */
 export const isTeal = (red, green, blue) => green > 1.3 * red && blue > 1.1 * red && blue < 1.15 * green && green > 60;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The built page as any static host serves it: below a path of its own, compressed, with nothing added.
+// A server for the built page, like any static host: below a path, compressed, with no extra headers.
 import { readFileSync, statSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { extname } from 'node:path';
@@ -18,11 +18,11 @@ const kTypes = {
 /** @type {Map<string, Buffer>} */ const packed = new Map();
 
 export class Site {
-  /** @param {string} base  path of the page, with slashes around it */
+  /** @param {string} base  path of the page, between slashes */
   constructor(base) {
     this.base = base;
     this.origin = '';
-    /** @type {Map<string, (content: string) => string>} */ this.changes = new Map();  // by file, for another version
+    /** @type {Map<string, (content: string) => string>} */ this.changes = new Map();  // by file, for a new version
     /** @type {{ path: string, bytes: number }[]} */ this.sent = [];
     /** @type {(path: string) => boolean} */ this.lacks = () => false;
     this.types = { ...kTypes };

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reads the 3MF files that the page gives back, by means that are not its own.
+// Reads the 3MF files from the page without the page's own code.
 import { inflateRawSync } from 'node:zlib';
 
 /** @typedef {import('../../web/samples/solid.js').Mesh} Mesh */
 /** @typedef {{ name: string, colour: string, cura: string, mesh: Mesh }} Body */
 
 /**
- * The files of an archive, by its central directory.
+ * Returns the files of an archive, from its central directory.
  * @param {Uint8Array} bytes
  * @returns {Map<string, Buffer>}
  */
@@ -29,19 +29,20 @@ export function filesOf(bytes) {
   return files;
 }
 
-/** The same as texts. @param {Uint8Array} bytes */
+/** Returns the files of an archive as text. @param {Uint8Array} bytes */
 export const unzip = (bytes) => new Map([...filesOf(bytes)].map(([name, content]) => [name, content.toString('utf8')]));
 
 /**
- * Attributes of every element of that name.
- * @param {string} xml @param {string} name
+ * Returns the attributes of every element with this name.
+ * @param {string} xml
+ * @param {string} name
  * @returns {Record<string, string>[]}
  */
 const elements = (xml, name) => [...xml.matchAll(new RegExp(`<${name}\\b([^>]*)>`, 'g'))].map(([, attributes]) =>
   Object.fromEntries([...attributes.matchAll(/([\w:]+)="([^"]*)"/g)].map(([, key, value]) => [key, value])));
 
 /**
- * Every object that has a mesh, by its id.
+ * Returns every object with a mesh, by id.
  * @param {string} model
  * @returns {Map<string, Body>}
  */
@@ -65,7 +66,7 @@ export function bodiesOf(model) {
 }
 
 /**
- * Ids of the bodies of each thing on the plate.
+ * Returns the ids of the bodies in each object on the plate.
  * @param {string} model
  */
 export function itemsOf(model) {
@@ -75,7 +76,7 @@ export function itemsOf(model) {
 }
 
 /**
- * The extruder that slicers' own settings give each body, by its id.
+ * Returns the extruder of each body in the slicers' own settings, by the body's id.
  * @param {Map<string, string>} files
  */
 export function extrudersOf(files) {

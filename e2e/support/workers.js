@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A hold of the page's workers: runs in the page before its own scripts (`page.addInitScript(holdWorkers)`).
+// Control over the page's workers. It is installed in the page before the page's own scripts
+// (`page.addInitScript(holdWorkers)`).
 
 /**
- * `window.workers` are the module's; `window.skipped` names verbs that are answered at once, with nothing done;
- * `window.failNext` answers the next call of a verb with an error; after `window.freeze()` nothing reaches a worker until
- * `window.thaw()` lets it all, in its order.
+ * Wraps the page's workers. `window.workers` are the engine's workers. `window.skipped` names verbs that are answered
+ * at once without doing anything. `window.failNext` answers the next call of a verb with an error. After
+ * `window.freeze()` nothing reaches a worker until `window.thaw()` sends everything in order.
  */
 export const holdWorkers = () => {
   const page = /** @type {any} */ (window);
@@ -39,11 +40,11 @@ export const holdWorkers = () => {
   };
 };
 
-/** Nothing reaches a worker until it is thawed. @param {import('@playwright/test').Page} page */
+/** Holds back all messages to workers until `thaw`. @param {import('@playwright/test').Page} page */
 export const freeze = (page) => page.evaluate(() => /** @type {any} */ (window).freeze());
 
 /**
- * Freezes in the moment in which a text that changes on the page reads as it should, however fast the workers are.
+ * Freezes at the moment when a changing text on the page matches the pattern, however fast the workers are.
  * @param {import('@playwright/test').Locator} text
  * @param {RegExp} pattern
  */
@@ -62,7 +63,7 @@ export const freezeAt = (text, pattern) => text.evaluate((element, { source }) =
 export const thaw = (page) => page.evaluate(() => /** @type {any} */ (window).thaw());
 
 /**
- * What the newest worker answers to a verb that the page itself does not ask for.
+ * Returns the newest worker's answer to a verb that the page itself does not use.
  * @param {import('@playwright/test').Page} page
  * @param {string} verb
  * @returns {Promise<any>}
@@ -80,7 +81,7 @@ export const askWorker = (page, verb) => page.evaluate((asked) => new Promise((r
 }), verb);
 
 /**
- * Readers that find nothing in what was carved by some of the presets (`page.addInitScript(blindReaders, presets)`).
+ * Makes the decoders find no text in codes carved with these presets (`page.addInitScript(blindReaders, presets)`).
  * @param {string[]} presets
  */
 export const blindReaders = (presets) => {

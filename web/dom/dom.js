@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /**
- * The element of the page with this id, of this kind.
+ * Returns the element with this id, checked to be of this class.
  * @template {HTMLElement} T
  * @param {string} id
  * @param {new () => T} kind

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the pages beside the app have in common: language, appearance, and being kept on the device.
+// The common part of all articles: language, appearance and offline use.
 import { keepOffline } from '../offline/updates.js';
 import { Theme, offerLanguages } from '../ui/preferences.js';
 
@@ -10,6 +10,6 @@ import { Theme, offerLanguages } from '../ui/preferences.js';
 export function openArticle(onTheme = () => {}) {
   offerLanguages();
   const theme = new Theme(onTheme);
-  if (import.meta.env.PROD) void keepOffline(() => {});  // the app offers new versions
+  if (import.meta.env.PROD) void keepOffline(() => {});  // only the app offers new versions
   return theme;
 }

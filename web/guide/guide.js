@@ -5,8 +5,8 @@ import { byId, make } from '../dom/dom.js';
 import { openArticle } from './article.js';
 import { kSizes, widthMm } from './sizes.js';
 
-const kSmallestModuleMm = 0.6;     // printed and read with a 0.4 mm nozzle: Papp 2022, figure 11
-const kComfortableModuleMm = 1.2;  // of most of that paper's prints
+const kSmallestModuleMm = 0.6;     // the smallest module printed and decoded with a 0.4 mm nozzle: Papp 2022, figure 11
+const kComfortableModuleMm = 1.2;  // the module of most prints in that paper
 
 function showSizes() {
   const mm = new Intl.NumberFormat(currentLanguage(), { minimumFractionDigits: 1, maximumFractionDigits: 1 });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every text of the app in every language. A part of the page keeps its texts in parts/, all languages side by side; an
-// article brings its own along.
+// All texts of the app in all languages. The texts of each part of the page are in parts/, all languages side by side.
+// An article adds its own texts.
 import { recall, remember } from '../storage/remembered.js';
 import { batch } from './parts/batch.js';
 import { check } from './parts/check.js';
@@ -16,7 +16,10 @@ import { take } from './parts/take.js';
 import { view } from './parts/view.js';
 
 /** @typedef {'en' | 'de'} Language */
-/** @typedef {string | { one: string, other: string }} Entry  chosen by the value `count`; `{name}` stands for a value */
+/**
+ * @typedef {string | { one: string, other: string }} Entry  the value `count` selects the form; `{name}` stands for a
+ *   value
+ */
 
 const kParts = { batch, check, code, help, inspector, keep, links, page, samples, settings, take, view };
 
@@ -28,7 +31,7 @@ const kParts = { batch, check, code, help, inspector, keep, links, page, samples
 /** @typedef {typeof kParts & Articles} Parts */
 /** @typedef {{ [P in keyof Parts]: `${P}.${string & keyof Parts[P]['en']}` }[keyof Parts]} Key */
 
-/** @param {Partial<Articles>} articles  whose texts are asked for from here on */
+/** @param {Partial<Articles>} articles  articles whose texts `text` will find from now on */
 export const addTexts = (articles) => void Object.assign(kParts, articles);
 
 /** @type {readonly Language[]} */
@@ -38,7 +41,10 @@ const kStored = 'language';
 /** @param {unknown} value @returns {value is Language} */
 const isLanguage = (value) => kLanguages.includes(/** @type {Language} */ (value));
 
-/** The one asked for in the address, else the one chosen before, else the first of the browser's that we have. */
+/**
+ * Returns the language named in the address, else the stored choice, else the first of the browser's languages that we
+ * have.
+ */
 function preferredLanguage() {
   if (typeof document === 'undefined') return 'en';
   const wanted = [new URLSearchParams(location.search).get('lang'), recall(kStored),
@@ -54,12 +60,15 @@ export const currentLanguage = () => language;
 /** @type {(() => void)[]} */
 const listeners = [];
 
-/** @param {() => void} listener  writes its texts again: another language is chosen, or the words of a message have come */
+/**
+ * @param {() => void} listener  writes its texts again after the language has changed or the words of a message have
+ *   loaded
+ */
 export function onLanguage(listener) {
   listeners.push(listener);
 }
 
-/** Keeps it for the next visit, and has what is on the page written again. @param {Language} chosen */
+/** Stores the language for the next visit and has all texts on the page written again. @param {Language} chosen */
 export function setLanguage(chosen) {
   language = chosen;
   remember(kStored, chosen);
@@ -77,12 +86,12 @@ function entry(of, key) {
 /**
  * @param {Key} key
  * @param {Record<string, string | number>} [values]
- * @throws {Error} for a key or a value that is not there
+ * @throws {Error} if the key or a value is missing
  */
 export const text = (key, values = {}) => textIn(language, key, values);
 
 /**
- * As `text`, in a language that need not be the one chosen.
+ * Returns a text like `text`, but in any language.
  * @param {Language} of
  * @param {Key} key
  * @param {Record<string, string | number>} [values]
@@ -100,8 +109,8 @@ export function textIn(of, key, values = {}) {
 }
 
 /**
- * Puts texts where the markup names them: `data-text="page.model"` for the content, `data-text-label` for aria-label,
- * `data-text-placeholder`, `data-text-title` and `data-text-content` for these attributes.
+ * Writes texts where the markup names them: `data-text="page.model"` for the content, `data-text-label` for aria-label,
+ * and `data-text-placeholder`, `data-text-title` and `data-text-content` for these attributes.
  * @param {ParentNode} root
  */
 export function localise(root) {
@@ -117,7 +126,7 @@ export function localise(root) {
 }
 
 /**
- * The text of a name that may be unknown, such as one that the core or a list of samples gives; else `otherwise`.
+ * Returns the text for a name from the core or from a list of samples, or `otherwise` if the name is unknown.
  * @param {keyof typeof kParts} part
  * @param {string} name
  * @param {string} [otherwise]
@@ -126,5 +135,5 @@ export function localise(root) {
 export const textOr = (part, name, otherwise = name, values = {}) =>
   (entry(language, `${part}.${name}`) === undefined ? otherwise : text(/** @type {Key} */ (`${part}.${name}`), values));
 
-/** For tests: every part that was asked for. */
+/** Returns every loaded part, for tests. */
 export const allParts = () => kParts;

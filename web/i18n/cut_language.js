@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of the build: of a module that is imported as `message_catalogues.js?language=de` only that language is left. Where
-// nothing is built, under Node and from the development server, it has all of them.
+// Build plugin: reduces a module imported as `message_catalogues.js?language=de` to that language. Without a build,
+// under Node and from the development server, the module has all languages.
 import { kLanguages } from './catalogue.js';
 import { catalogue } from './message_catalogues.js';
 
 /**
- * Without the other languages, and without what only the command says.
+ * Returns the words in one language, without the words that only the command uses.
  * @param {string} language
  * @returns {import('./message_words.js').Catalogue}
  */

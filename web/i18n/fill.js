@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of the build: puts the English texts into the markup, for who runs no scripts and before they run.
+// Part of the build: puts the English texts into the markup, for readers without scripts and for the time before
+// scripts run.
 import { addTexts, text } from './catalogue.js';
 import { gallery } from './parts/gallery.js';
 import { guide } from './parts/guide.js';
@@ -15,7 +16,7 @@ export const escaped = (words) => words.replaceAll('&', '&amp;').replaceAll('<',
 const textOf = (key) => escaped(text(/** @type {import('./catalogue.js').Key} */ (key)));
 
 /**
- * Fills elements that name their text and are empty, and what a description says.
+ * Fills empty elements that name a text, and the page's description.
  * @param {string} html
  * @returns {string}
  */

@@ -1,21 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Numbers as they are written in the language chosen.
+// Formats numbers for the current language.
 import { currentLanguage } from './catalogue.js';
 
-/** @param {number} value @param {number} [digits] after the point */
+/** @param {number} value @param {number} [digits] after the decimal point */
 export const formatNumber = (value, digits = 0) =>
   value.toLocaleString(currentLanguage(), { minimumFractionDigits: digits, maximumFractionDigits: digits });
 
-/** As many digits as a length is worth. @param {number} mm */
+/** Returns the number of useful decimals for a length. @param {number} mm */
 const digitsOf = (mm) => (mm < 10 ? 2 : mm < 1000 ? 1 : 0);
 
 /** @param {number} mm */
 export const formatMm = (mm) => `${formatNumber(mm, digitsOf(mm))} mm`;
 
-/** Width × depth × height. @param {readonly number[]} mm */
+/** Formats width × depth × height. @param {readonly number[]} mm */
 export const formatBox = (mm) => `${mm.map((edge) => formatNumber(edge, edge < 10 ? 2 : 1)).join(' × ')} mm`;
 
-/** A number as a person would write it: no digits that say nothing. @param {number} value @param {number} [digits] at most */
+/**
+ * Formats a number as a person would write it, without needless digits.
+ * @param {number} value
+ * @param {number} [digits] at most
+ */
 export const formatPlain = (value, digits = 2) => value.toLocaleString(currentLanguage(), { maximumFractionDigits: digits });
 
 /** @param {number} share */

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The inspector's texts, which the module draws, by their English ones as inspector/*.cpp write them. A file of its own: it
-// comes with the inspector, not with the page.
+// The inspector's texts, which the engine draws. Their keys are the English texts in inspector/*.cpp. They are a file
+// of their own, so that the page loads them only with the inspector.
 import { currentLanguage } from './catalogue.js';
 import { settingTexts } from './setting_names.js';
 
@@ -122,5 +122,8 @@ const kGerman = {
   'paper\'s steps': 'Schritte der Arbeit',
 };
 
-/** For the module, which speaks English by itself but for the settings. @returns {Record<string, string>} */
+/**
+ * Returns the texts for the engine. The engine has English texts of its own, except for the settings.
+ * @returns {Record<string, string>}
+ */
 export const inspectorTexts = () => ({ ...settingTexts(), ...(currentLanguage() === 'de' ? kGerman : {}) });

@@ -9,10 +9,10 @@ import { settingTexts } from './setting_names.js';
 
 const folder = new URL('../../inspector/', import.meta.url);
 const kSources = [...readdirSync(folder), '../viewer/colour_scale.cpp', '../viewer/colour_scale.h'].filter((name) => /\.(cpp|h)$/.test(name));
-/** The C++ with neighbouring literals joined, as the compiler does. */
+/** The C++ sources with adjacent string literals joined, as the compiler joins them. */
 const source = kSources.map((name) => readFileSync(new URL(name, folder), 'utf8')).join('\n').replace(/"\s*\n\s*"/g, '');
 const literals = new Set([...source.matchAll(/"((?:[^"\\]|\\.)*)"/g)].map(([, literal]) => literal));
-/** Those that are shown as they stand, wherever they are. */
+/** Calls that show their literal as it is, wherever they are. */
 const kShown = /\b(?:translated|phrase|label|write|writeSoftly|fact|plot)\(\s*"((?:[^"\\]|\\.)*)"/g;
 /** Names and abbreviations that are the same in every language. */
 const kSame = new Set(['', '{}', 'LS', 'AL', 'G', 'L', 'M', 'Q', 'H', 'mm']);
@@ -20,7 +20,7 @@ const places = (/** @type {string} */ text) => text.match(/\{[^}]*\}|%d/g) ?? []
 
 after(() => setLanguage('en'));
 
-/** Those that the module does not get with the settings. */
+/** Returns the texts that the engine does not get with the settings. */
 const ownTexts = () => Object.fromEntries(Object.entries(inspectorTexts()).filter(([key]) => !(key in settingTexts())));
 
 test('English is what the module speaks by itself, but for the settings', () => {

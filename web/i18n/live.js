@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Texts that follow the language after they were written.
+// Texts that are written again when the language changes.
 import { onLanguage } from './catalogue.js';
 
-/** @typedef {() => string} Words  a text in the language chosen */
+/** @typedef {() => string} Words  returns a text in the current language */
 
 /** @type {Map<Element, Words>} */
 const written = new Map();
@@ -16,7 +16,7 @@ export function write(element, words) {
 /** @param {Element} element @param {Words} words */
 function show(element, words) {
   const text = words();
-  if (element.textContent !== text) element.textContent = text;  // the same again would be read out again
+  if (element.textContent !== text) element.textContent = text;  // screen readers would read it again
 }
 
 onLanguage(() => written.forEach((words, element) => show(element, words)));

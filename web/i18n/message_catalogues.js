@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The words of all messages, of the core and of the page: every file of messages/ but the command’s, which a test holds. The
-// page fetches them by message_words.js.
+// The words of all messages of the core and the page: every file of messages/ except the command's. A test checks this.
+// The page loads them through message_words.js.
 import batch from '../../messages/batch.json' with { type: 'json' };
 import engine from '../../messages/engine.json' with { type: 'json' };
 import files from '../../messages/files.json' with { type: 'json' };

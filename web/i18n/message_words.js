@@ -1,39 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The words of messages, which are more than all other texts of the page, are fetched when the first is to be told, and only
-// in the language chosen (cut_language.js).
+// Loads the words of messages, which are larger than all other texts of the page. It loads them when the first message
+// is to be shown, and only in the current language (cut_language.js).
 import { currentLanguage, writeAgain } from './catalogue.js';
 
 /** @typedef {import('./catalogue.js').Language} Language */
-/** @typedef {string | { one: string, other: string }} Forms  chosen by the value `count` */
+/** @typedef {string | { one: string, other: string }} Forms  the value `count` selects the form */
 /** @typedef {{ [L in Language]?: Forms }} Words */
 /** @typedef {Words & { hint?: Words }} Entry */
-/** @typedef {Record<string, Entry>} Catalogue  by the code of the message */
+/** @typedef {Record<string, Entry>} Catalogue  by message code */
 
-const kRetryMs = 10_000;    // what could not be fetched is not asked for again sooner
-const kPatienceMs = 8_000;  // what has not come within this time is told without its words, until they come
+const kRetryMs = 10_000;    // least time between a failed fetch and the next try
+const kPatienceMs = 8_000;  // a message waits so long for its words and is then shown without them, until they arrive
 
-/** What there is while the first words come. @type {Catalogue} */
+/** The catalogue while the first words are loading. @type {Catalogue} */
 export const kComing = {};
-/** What there is when none could be fetched. @type {Catalogue} */
+/** The catalogue if no words could be loaded. @type {Catalogue} */
 export const kNoWords = {};
 
 export class MessageWords {
   /**
    * @param {Record<Language, () => Promise<{ catalogue: Catalogue }>>} fetches
-   * @param {() => void} onChange  what was told without them can be told better
+   * @param {() => void} onChange  words have arrived or failed, so messages shown without them need writing again
    */
   constructor(fetches, onChange) {
     this.fetches_ = fetches;
     this.onChange_ = onChange;
     /** @type {Map<Language, Catalogue>} */ this.there_ = new Map();
     /** @type {Map<Language, Promise<void>>} */ this.coming_ = new Map();
-    /** @type {Map<Language, number>} */ this.failed_ = new Map();  // when
+    /** @type {Map<Language, number>} */ this.failed_ = new Map();  // when its fetch failed, ms
     this.isMissed_ = false;
   }
 
   /**
-   * Those of the language chosen, else those of another until they come. Whoever tells something now tells it again with
-   * `onLanguage`.
+   * The words in the current language or, until they arrive, in another. Code that shows them writes them again in its
+   * `onLanguage` listener.
    * @returns {Catalogue}
    */
   get now() {
@@ -46,7 +46,7 @@ export class MessageWords {
     return other ?? (this.coming_.has(language) ? kComing : kNoWords);
   }
 
-  /** @param {Language} [language] @returns {Promise<void>}  settled when they are there, or cannot be had */
+  /** @param {Language} [language] @returns {Promise<void>}  settles once the words have arrived or failed */
   come(language = currentLanguage()) {
     const coming = this.coming_.get(language) ?? this.fetch_(language);
     this.coming_.set(language, coming);
@@ -75,7 +75,7 @@ export class MessageWords {
   }
 }
 
-/** @param {Promise<void>} arrived  rejected if it takes too long */
+/** @param {Promise<void>} arrived  rejects if it takes too long */
 async function inTime(arrived) {
   /** @type {ReturnType<typeof setTimeout> | undefined} */ let timer;
   const late = new Promise((_, reject) => {

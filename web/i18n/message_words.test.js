@@ -13,7 +13,7 @@ import { asSentence, hintOf, sentenceOf } from './messages.js';
 const kTold = message('no-such-spot', { index: { count: 7 } });
 const kSentence = { en: 'There is no spot 7', de: 'Es gibt keine Stelle 7' };
 
-/** How each fetch ends is the test's to say. */
+/** Fetches that end when and how the test decides. */
 class Fetches {
   /** @type {Language[]} */ asked = [];
   /** @type {(() => void)[]} */ arrive = [];
@@ -31,7 +31,7 @@ class Fetches {
 /** @type {Fetches} */ let fetches;
 /** @type {MessageWords} */ let words;
 /** @type {string[]} */ let shown;
-/** As a part of the page does. */
+/** Shows a message as a part of the page would. */
 const show = () => void shown.push(sentenceOf(kTold, words.now));
 const settled = () => new Promise((resolve) => { setImmediate(resolve); });
 

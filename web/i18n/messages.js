@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Makes sentences of messages, in the language chosen, by the rules of messages/sentences.h; settings are called as their
-// controls are. A sentence may be told before its words have come: whoever shows it writes it again with `onLanguage`.
+// Makes sentences from messages in the current language, by the rules of messages/sentences.h. Settings have the names
+// of their controls. A sentence may be requested before its words have loaded, so code that shows it writes it again in
+// its `onLanguage` listener.
 import { currentLanguage, kLanguages, text } from './catalogue.js';
 import { kComing, kNoWords, messageWords } from './message_words.js';
 import { choiceLabel, controlLabel } from './setting_names.js';
@@ -10,18 +11,27 @@ import { choiceLabel, controlLabel } from './setting_names.js';
 /** @typedef {import('./message_words.js').Catalogue} Catalogue */
 /** @typedef {import('./message_words.js').Words} Words */
 
-const kMostNamed = 6;  // of a list
+const kMostNamed = 6;  // most entries listed by name
 const kQuotes = { en: ['“', '”'], de: ['„', '“'] };
 const kAnd = { en: ' and ', de: ' und ' };
 
-/** What was found, without full stop; '' until the words come. @param {Message} message @param {Catalogue} [words] */
+/**
+ * Returns the problem or fact that a message states, without full stop; '' until its words have loaded.
+ * @param {Message} message
+ * @param {Catalogue} [words]
+ */
 export function sentenceOf(message, words = messageWords.now) {
   if (words === kComing) return '';
   const entry = words[message.code];
   return entry ? filled(entry, message, words) : unworded(message);
 }
 
-/** What would help, its cause's if it has none of its own; '' if nothing is known. @param {Message} message @param {Catalogue} [words] @returns {string} */
+/**
+ * Returns the message's advice, or else the advice of its cause; '' if there is none.
+ * @param {Message} message
+ * @param {Catalogue} [words]
+ * @returns {string}
+ */
 export function hintOf(message, words = messageWords.now) {
   if (words === kComing) return '';
   if (words === kNoWords) return text('page.noWords');
@@ -31,17 +41,17 @@ export function hintOf(message, words = messageWords.now) {
   return '';
 }
 
-/** Messages come without a full stop. @param {string} said */
+/** Adds the capital letter and the full stop that messages lack. @param {string} said */
 export function asSentence(said) {
   const capital = said.charAt(0).toUpperCase() + said.slice(1);
   return said === '' || /[.!?…]$/.test(capital) ? capital : `${capital}.`;
 }
 
-/** As a sentence writes it. @param {Value} value */
+/** Returns a value as a sentence writes it. @param {Value} value */
 export const writtenValue = (value) => written(value, messageWords.now);
 
 /**
- * A value of a report, with the sentence and the hint beside each message in it, for people who read the file.
+ * Returns a value of a report with the sentence and the hint added to each message in it, for people who read the file.
  * @param {unknown} value
  * @returns {unknown}
  */
@@ -87,12 +97,12 @@ function written(value, words) {
 /** @param {string} words */
 const quoted = (words) => kQuotes[currentLanguage()].join(words);
 
-/** Less than a millionth is an error of rounding. @param {number} value */
+/** Formats a coordinate; less than a millionth is rounding error. @param {number} value */
 const coordinate = (value) => digits(Math.abs(value) < 1e-6 ? 0 : value, 6);
 
 /**
- * As in messages/sentences.cpp: never fewer digits than those before the decimal point, and what nobody writes out has an
- * exponent.
+ * Formats a number like messages/sentences.cpp: it never drops digits before the decimal point, and it uses an exponent
+ * for very large and very small numbers.
  * @param {number} value
  * @param {number} significant
  */
@@ -117,6 +127,9 @@ function listed(indices) {
   return names.length < 2 ? names.join() : names.slice(0, -1).join(', ') + kAnd[currentLanguage()] + names[names.length - 1];
 }
 
-/** A fault of ours, which tests find; it says as much as there is. @param {Message} message */
+/**
+ * Shows the code and the values of a message without words. Tests find such a fault of ours.
+ * @param {Message} message
+ */
 const unworded = ({ code, values }) =>
   [code, ...Object.entries(values).map(([name, value]) => `${name}=${Object.values(value).map((part) => JSON.stringify(part)).join()}`)].join(' ');

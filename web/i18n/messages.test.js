@@ -9,9 +9,9 @@ import { hintOf, sentenceOf } from './messages.js';
 import { isKnownSetting } from './setting_names.js';
 
 const kFolder = new URL('../../messages/', import.meta.url);
-// The same as for the command's renderer (tests/messages/sentences_test.cpp), so that the two agree.
+// The cases that the command's renderer is tested with, too (tests/messages/sentences_test.cpp), so that the two agree.
 const shared = JSON.parse(readFileSync(new URL('../../tests/messages/cases.json', import.meta.url), 'utf8'));
-/** What only the command says is left out. */
+/** The page's words, without the words that only the command uses. */
 const kPageWords = JSON.stringify(Object.values(catalogue), (key, value) => (key === 'command' ? undefined : value));
 
 afterEach(() => setLanguage('en'));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the page calls a setting of the core, and each of its choices. The words come with the table of settings; what is
-// no setting, but has a control that messages name, is called here.
+// The page's names of the settings and their choices. The words come with the table of settings. Controls that messages
+// mention but that are no core settings have their names here.
 import { kSettingGroups, kSettings, kUnits } from '../generated/settings.js';
 import { currentLanguage, text } from './catalogue.js';
 
@@ -16,19 +16,25 @@ const kUnitNames = /** @type {const} */ ({ m: 'settings.metres', cm: 'settings.c
 /** @param {string} key @returns {Setting | undefined} */
 const settingOf = (key) => /** @type {Record<string, Setting>} */ (kSettings)[key];
 
-/** The number beside a setting's choices has a control of its own: "sizeMm". @param {string} key */
+/**
+ * Returns the label of a number that has its own control next to the setting's choices: "sizeMm".
+ * @param {string} key
+ */
 const numberBeside = (key) => (key === 'sizeMm' ? kSettings.size.partLabels?.number : undefined);
 
 export const isKnownSetting = (/** @type {string} */ key) => key in kSettings || key in kOtherControls || numberBeside(key) !== undefined;
 
-/** Returns the label of the control without its unit: "Minimum wall". @param {string} key  of the core */
+/** Returns the label of the control without its unit: "Minimum wall". @param {string} key  of a setting of the core */
 export function controlLabel(key) {
   const words = settingOf(key)?.label ?? numberBeside(key);
   if (words) return words[currentLanguage()];
   return key in kOtherControls ? text(kOtherControls[key]).replace(/ \([^)]*\)$/, '') : key;
 }
 
-/** Returns the label of the control with its unit: "Minimum wall (mm)". @param {string} key  of the core */
+/**
+ * Returns the label of the control with its unit: "Minimum wall (mm)".
+ * @param {string} key  of a setting of the core
+ */
 export function controlName(key) {
   if (key in kOtherControls) return text(kOtherControls[key]);
   const setting = settingOf(key);
@@ -43,7 +49,7 @@ export function choiceLabel(key, value) {
 }
 
 /**
- * All of them by the keys that the module asks for (inspector/setting_labels.h).
+ * Returns the texts of all settings by the keys that the engine uses (inspector/setting_labels.h).
  * @returns {Record<string, string>}
  */
 export function settingTexts() {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Computes the page's pictures: one sample, carved by the app's own engine, looked at step by step.
+// Computes the page's pictures: the app's own engine carves one sample and shows every step.
 import { EngineClient } from '../engine/client.js';
 import { describeThrown } from '../engine/engine_error.js';
 import { openArticle } from '../guide/article.js';
@@ -17,7 +17,7 @@ import { paintDepths, paintHeights, paintLight, paintNormals } from '../view/map
 
 const kText = 'https://en.wikipedia.org/wiki/QR_code';
 
-/** What the app begins with. @type {import('../engine/types.js').Settings} */
+/** The app's initial settings. @type {import('../engine/types.js').Settings} */
 const kSettings = {
   text: kText, preset: 'balanced', pattern: 'thick-plus', finderPattern: 'thick-plus-sharp', size: 'free', maxSizeMm: 40,
   quietZone: true, direction: 'depth-balanced', rotateDeg: 0, minWallMm: 0.8, nozzleMm: 0.4, layerMm: 0.1, eyeDistanceMm: 250,
@@ -101,7 +101,7 @@ class Demonstration {
     say(() => text('method.failed', { reason: [sentenceOf(error), hintOf(error)].filter(Boolean).join('. ') }));
   }
 
-  /** @returns {Promise<number>}  triangles of the model */
+  /** @returns {Promise<number>}  the model's triangle count */
   async place_() {
     const [, [sample]] = await Promise.all([this.client_.start(), fetchJson('samples/manifest.json')]);
     this.view_.announceSize();

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Draws the app's icon, an SVG of straight lines on a rounded square, as pixels: for the build, not for the page.
+// Draws the app's icon, an SVG of straight lines on a rounded square, as pixels. It is used by the build, not by the
+// page.
 
 /** @typedef {[number, number, number]} Colour */
 /** @typedef {{ size: number, radius: number, ground: Colour, ink: Colour, edges: Edge[] }} Icon */
 /** @typedef {{ x0: number, y0: number, x1: number, y1: number }} Edge */
 
-const kSamples = 4;  // a pixel's edge is sampled this often
+const kSamples = 4;  // samples along a pixel's edge
 
 /** @param {string} text  #rgb or #rrggbb @returns {Colour} */
 function colour(text) {
@@ -15,7 +16,7 @@ function colour(text) {
 }
 
 /**
- * @param {string} path  of the commands M, h, v, H, V and z
+ * @param {string} path  with the commands M, h, v, H, V and z
  * @returns {Edge[]}
  */
 function edgesOf(path) {
@@ -39,7 +40,8 @@ function edgesOf(path) {
 }
 
 /**
- * @param {string} svg  a square view box from 0, one <rect> as ground, then paths of one colour, filled by even and odd
+ * @param {string} svg  a square view box from 0, one <rect> as background, then paths of one colour with the even-odd
+ *   rule
  * @returns {Icon}
  */
 export function readIcon(svg) {
@@ -51,7 +53,12 @@ export function readIcon(svg) {
   return { size: Number(size), radius: Number(radius), ground: colour(ground), ink: colour(ink), edges: paths.flatMap(edgesOf) };
 }
 
-/** Whether a point lies inside a square with rounded corners. @param {Icon} icon @param {number} x @param {number} y */
+/**
+ * Tells whether a point lies inside a square with rounded corners.
+ * @param {Icon} icon
+ * @param {number} x
+ * @param {number} y
+ */
 function onGround({ size, radius }, x, y) {
   if (x < 0 || y < 0 || x > size || y > size) return false;
   const beyond = (/** @type {number} */ v) => Math.max(radius - v, v - (size - radius), 0);
@@ -67,9 +74,9 @@ function inside(edges, x, y) {
 
 /**
  * @param {Icon} icon
- * @param {number} pixels  edge of the picture
- * @param {{ maskable?: boolean }} [options]  maskable: the ground fills the square, and the drawing keeps to the middle
- *   80 % that every mask leaves
+ * @param {number} pixels  the picture's edge
+ * @param {{ maskable?: boolean }} [options]  maskable: the background fills the square, and the drawing stays in the
+ *   middle 80 % that every mask keeps
  * @returns {Uint8Array}  RGBA
  */
 export function drawIcon(icon, pixels, { maskable = false } = {}) {

@@ -14,13 +14,13 @@ const kInk = [255, 255, 255, 255];
 const pixel = (rgba, pixels, x, y) => [...rgba.subarray(4 * (y * pixels + x), 4 * (y * pixels + x) + 4)];
 
 test('the icon has the colours of its drawing where the drawing has them', () => {
-  const rgba = drawIcon(icon, 64);  // two pixels a unit
-  assert.deepEqual(pixel(rgba, 64, 0, 0), [0, 0, 0, 0]);       // outside of the round corner
+  const rgba = drawIcon(icon, 64);  // two pixels per unit
+  assert.deepEqual(pixel(rgba, 64, 0, 0), [0, 0, 0, 0]);       // outside the rounded corner
   assert.deepEqual(pixel(rgba, 64, 32, 4), kGround);
-  assert.deepEqual(pixel(rgba, 64, 14, 14), kInk);             // in the upper left finder's ring
-  assert.deepEqual(pixel(rgba, 64, 20, 20), kGround);          // in its hole
+  assert.deepEqual(pixel(rgba, 64, 14, 14), kInk);             // in the ring of the upper left finder pattern
+  assert.deepEqual(pixel(rgba, 64, 20, 20), kGround);          // in the gap within the ring
   assert.deepEqual(pixel(rgba, 64, 36, 36), kInk);             // a module
-  assert.deepEqual(pixel(rgba, 64, 42, 36), kGround);          // beside it
+  assert.deepEqual(pixel(rgba, 64, 42, 36), kGround);          // next to the module
 });
 
 test('the maskable icon fills the square and draws within its middle 80 %', () => {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Part of the build: writes the service worker with the list of what it keeps, and what search engines ask for.
+// Part of the build: writes the service worker with the list of the files it keeps, and the files for search engines.
 import { createHash } from 'node:crypto';
 import { readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
@@ -7,13 +7,13 @@ import { fileURLToPath } from 'node:url';
 const kSource = fileURLToPath(new URL('service_worker.js', import.meta.url));
 const kWorker = 'service_worker.js';
 const kNotKept = new Set([kWorker, 'robots.txt', 'sitemap.xml']);
-const kTooMany = /^gallery\//;  // pictures that few visitors look at twice
+const kTooMany = /^gallery\//;  // pictures that few visitors see twice
 
 /** @param {string | Uint8Array} content */
 const hashOf = (content) => createHash('sha256').update(content).digest('hex').slice(0, 16);
 
 /**
- * Every file below a folder with the hash of its content, by name; hidden ones are left out.
+ * Lists every file below a folder with the hash of its content, sorted by path, without hidden files.
  * @param {string} folder
  * @returns {[path: string, hash: string][]}
  */
@@ -27,7 +27,7 @@ export function listFiles(folder) {
 }
 
 /**
- * The service worker of a built page. Its version changes with any file and with its own source.
+ * Returns the service worker for a built page. Its version changes with any file and with its own source.
  * @param {[path: string, hash: string][]} files
  * @returns {string}
  */
@@ -38,7 +38,7 @@ export function serviceWorkerFor(files) {
 }
 
 /**
- * @param {string} site     where the page is published, with a slash at its end
+ * @param {string} site     address of the published page, with a slash at its end
  * @param {string[]} pages
  */
 const sitemap = (site, pages) => ['<?xml version="1.0" encoding="UTF-8"?>',
@@ -46,7 +46,7 @@ const sitemap = (site, pages) => ['<?xml version="1.0" encoding="UTF-8"?>',
   ...pages.map((page) => `  <url><loc>${site}${page === 'index.html' ? '' : page}</loc></url>`), '</urlset>', ''].join('\n');
 
 /**
- * @param {{ site?: string }} options  `site`: the address the page will have, for the sitemap; without it there is none
+ * @param {{ site?: string }} options  `site`: address of the published page; without it there is no sitemap
  * @returns {import('vite').Plugin}
  */
 export function offline({ site }) {

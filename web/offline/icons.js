@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Writes the app's icon as the PNG files that installing asks for, into public/icons/: `npm run icons`.
+// Writes the app's icon to public/icons/ as the PNG files needed for installation: `npm run icons`.
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { drawIcon, readIcon } from './app_icon.js';
@@ -7,7 +7,7 @@ import { writePng } from './png.js';
 
 const kPublic = fileURLToPath(new URL('../../public', import.meta.url));
 
-/** The touch icon is of the maskable kind: the phone rounds it. */
+/** The touch icon is maskable, since the phone rounds it. */
 const kFiles = [
   { name: 'icon-192.png', pixels: 192, maskable: false },
   { name: 'icon-512.png', pixels: 512, maskable: false },

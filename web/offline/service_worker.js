@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Serves the page from this device. The build puts in front of this file what belongs to its version; every version has
-// a cache of its own, filled completely before it is used, so that no page mixes two of them.
+// Serves the page from this device. The build prepends the data of its version. Every version has its own cache, which
+// is complete before it is used, so that no page mixes two versions.
 
 /**
- * What the build says: each file, relative to the folder of this script, with the hash of its content.
+ * The build's data: each file, relative to the folder of this script, with the hash of its content.
  * @typedef {{ version: string, files: [path: string, hash: string][] }} Build
  */
 
-/** The little of a service worker's scope that is used here; TypeScript knows it only without a page's. */
+/** The part of a service worker's scope used here. TypeScript declares it only when it does not declare the page's. */
 const scope = /** @type {{ registration: ServiceWorkerRegistration, qreliefBuild: Build, clients: { claim: () => Promise<void> },
  *   skipWaiting: () => Promise<void>, addEventListener: (type: string, listener: (event: any) => void) => void }} */ (
   /** @type {unknown} */ (self));
@@ -18,11 +18,11 @@ const kOurs = `qrelief ${home} `;  // other pages of this origin have caches, to
 const kCache = kOurs + version;
 const kIndex = 'index.html';
 
-/** The cache's key of each file's address: with the hash, so that what did not change is known to any version. */
+/** The cache key of each file's address. It contains the hash, so that every version finds an unchanged file. */
 const keys = new Map(files.map(([path, hash]) => [new URL(path, home).href, `${new URL(path, home).href}?${hash}`]));
 keys.set(home, /** @type {string} */ (keys.get(new URL(kIndex, home).href)));
 
-/** Takes every file from the version before where it is the same, else from the network. */
+/** Fills the cache with every file: from an earlier version if unchanged, else from the network. */
 async function fill() {
   const cache = await caches.open(kCache);
   await Promise.all(files.map(async ([path]) => {
@@ -37,7 +37,7 @@ async function fill() {
 async function fetchAnew(address) {
   const response = await fetch(address, { cache: 'no-cache' });
   if (!response.ok) throw new Error(`${address} could not be fetched (status ${response.status})`);
-  // A page must not be answered with a response that was redirected, as hosts do with index.html.
+  // A page must not be answered with a redirected response; some hosts redirect index.html.
   return response.redirected ? new Response(response.body, { headers: response.headers }) : response;
 }
 
@@ -49,7 +49,7 @@ async function removeOtherVersions() {
 /** @param {Request} request @param {string} key */
 async function answer(request, key) {
   const cache = await caches.open(kCache);
-  return (await cache.match(key)) ?? fetch(request);  // browsers may take a cache away
+  return (await cache.match(key)) ?? fetch(request);  // browsers may delete a cache
 }
 
 scope.addEventListener('install', (event) => event.waitUntil(fill()));

@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Keeps the page on this device, and says when a newer one is there.
+// Keeps the page on this device, and reports new versions.
 
 const kCheckEveryMs = 60 * 60 * 1000;
 
 /**
- * Registers the service worker. A new version is fetched quietly; it takes over when the user says so, or once no window
- * of the page is open.
- * @param {(reload: () => void) => void} onNewVersion  `reload` changes to it
+ * Registers the service worker. It fetches a new version in the background. The new version takes over when the user
+ * agrees, or once no window of the page is open.
+ * @param {(reload: () => void) => void} onNewVersion  `reload` switches to the new version
  */
 export async function keepOffline(onNewVersion) {
   const workers = navigator.serviceWorker;
-  if (!workers) return;  // as in a private window: the page works, as long as there is a network
+  if (!workers) return;  // for example in a private window; the page then needs the network
   /** @type {ServiceWorkerRegistration | undefined} */ let registration;
   try {
     registration = await workers.register('service_worker.js', { updateViaCache: 'none' });
   } catch {
     return;  // storage may be switched off
   }
-  if (!registration) return;  // as extensions do that block service workers
-  let known = Boolean(workers.controller);  // else the first version takes over, which is no news
+  if (!registration) return;  // some extensions block service workers this way
+  let known = Boolean(workers.controller);  // otherwise the first version takes over, which is no news
   const kept = registration;
   const offer = () => onNewVersion(() => reloadInto(kept));
   if (kept.waiting && known) offer();
@@ -29,7 +29,7 @@ export async function keepOffline(onNewVersion) {
     });
   });
   workers.addEventListener('controllerchange', () => {
-    if (known) offer();  // another window has changed to it
+    if (known) offer();  // another window has switched to the new version
     known = true;
   });
   checkNowAndThen(kept);
@@ -45,12 +45,12 @@ function reloadInto(registration) {
   registration.waiting.postMessage('activate');
 }
 
-/** A page that stays open for days hears of new versions, too. @param {ServiceWorkerRegistration} registration */
+/** Looks for new versions on a page that stays open for days. @param {ServiceWorkerRegistration} registration */
 function checkNowAndThen(registration) {
   let checked = Date.now();
   document.addEventListener('visibilitychange', () => {
     if (document.visibilityState !== 'visible' || Date.now() - checked < kCheckEveryMs) return;
     checked = Date.now();
-    registration.update().catch(() => {});  // no network: next time
+    registration.update().catch(() => {});  // no network: try again next time
   });
 }

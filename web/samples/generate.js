@@ -13,8 +13,8 @@ import { writeStl } from './stl.js';
 const kOwnCredit = 'Made by QRelief; CC0.';
 
 /**
- * The bunny of the npm package: the reduced Stanford scan, y up, with the holes of its base. Closed, smoothed by one
- * step of subdivision, z up, 100 mm high.
+ * Returns the bunny of the npm package, the reduced Stanford scan (y up, with holes in its base), closed, smoothed by
+ * one step of subdivision, z up, 100 mm high.
  * @returns {Mesh}
  */
 function stanfordBunny() {
@@ -32,7 +32,7 @@ function stanfordBunny() {
 }
 
 /**
- * `centreMm` lies on or very near the surface, where a code fits well.
+ * The samples. `centreMm` is a point on or very near the surface where a code fits well.
  * @type {{ id: string, name: string, mesh: Mesh, centreMm: Point, credit: string }[]}
  */
 export const samples = [

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Closed meshes of solids that are given as distance functions, by surface nets [Gibson 1998].
+// Closed meshes of solids given as distance functions, by surface nets [Gibson 1998].
 
 /** @typedef {import('./solid.js').Mesh} Mesh */
 /** @typedef {import('./solid.js').Point} Point */
 /** @typedef {import('./solid.js').Triangle} Triangle */
-/** Distance to a solid's surface in mm, negative inside; need not be exact. @typedef {(x: number, y: number, z: number) => number} Distance */
+/**
+ * Distance to a solid's surface in mm, negative inside; need not be exact.
+ * @typedef {(x: number, y: number, z: number) => number} Distance
+ */
 
 /** @param {Point} centre @param {Point} radii @returns {Distance} */
 export const ellipsoid = ([cx, cy, cz], [rx, ry, rz]) => (x, y, z) => {
@@ -14,7 +17,14 @@ export const ellipsoid = ([cx, cy, cz], [rx, ry, rz]) => (x, y, z) => {
   return k1 === 0 ? -Math.min(rx, ry, rz) : (k0 * (k0 - 1)) / k1;
 };
 
-/** A capsule whose radius changes evenly from one end to the other. @param {Point} a @param {Point} b @param {number} ra @param {number} rb @returns {Distance} */
+/**
+ * Returns a capsule whose radius changes evenly from one end to the other.
+ * @param {Point} a
+ * @param {Point} b
+ * @param {number} ra
+ * @param {number} rb
+ * @returns {Distance}
+ */
 export const cone = (a, b, ra, rb) => (x, y, z) => {
   const along = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
   const from = [x - a[0], y - a[1], z - a[2]];
@@ -23,20 +33,25 @@ export const cone = (a, b, ra, rb) => (x, y, z) => {
   return Math.hypot(from[0] - t * along[0], from[1] - t * along[1], from[2] - t * along[2]) - (ra + t * (rb - ra));
 };
 
-/** A union whose seam is rounded over `blendMm`. @param {number} blendMm @param {Distance[]} parts @returns {Distance} */
+/**
+ * Returns a union whose seam is rounded over `blendMm`.
+ * @param {number} blendMm
+ * @param {Distance[]} parts
+ * @returns {Distance}
+ */
 export const blended = (blendMm, ...parts) => (x, y, z) => parts.map((part) => part(x, y, z)).reduce((a, b) => {
   const h = Math.max(blendMm - Math.abs(a - b), 0) / blendMm;
   return Math.min(a, b) - (h * h * blendMm) / 4;
 });
 
-/** The part of a solid above z = 0. @param {Distance} solid @returns {Distance} */
+/** Returns the part of a solid above z = 0. @param {Distance} solid @returns {Distance} */
 export const standing = (solid) => (x, y, z) => Math.max(solid(x, y, z), -z);
 
 /**
- * One vertex in each cell that the surface crosses, at the mean of the crossings of its edges; one quad across each
- * crossed edge of the grid.
+ * Meshes a solid: one vertex in each cell that the surface crosses, at the mean of the crossings of its edges; one quad
+ * across each crossed edge of the grid.
  * @param {Distance} distance
- * @param {Point} min     of a box that the solid lies within, mm
+ * @param {Point} min     of a box around the solid, mm
  * @param {Point} max
  * @param {number} cellMm
  * @returns {Mesh}
@@ -81,7 +96,10 @@ export function surfaceNet(distance, min, max, cellMm) {
 const kCorners = /** @type {Point[]} */ ([0, 1, 2, 3, 4, 5, 6, 7].map((corner) => [corner & 1, (corner >> 1) & 1, corner >> 2]));
 const kEdges = kCorners.flatMap((from, a) => [1, 2, 4].filter((bit) => (a & bit) === 0).map((bit) => [from, kCorners[a | bit]]));
 
-/** Where the surface crosses a cell's edges, on average, in cells; none: it does not. @param {(i: number, j: number, k: number) => number} value */
+/**
+ * Returns the mean point where the surface crosses a cell's edges, in cells; undefined if it does not cross.
+ * @param {(i: number, j: number, k: number) => number} value
+ */
 function meanCrossing(value) {
   const sum = [0, 0, 0];
   let crossings = 0;

@@ -9,7 +9,7 @@ import { readStl, writeStl } from './stl.js';
 /** @typedef {import('./solid.js').Mesh} Mesh */
 /** @typedef {import('./solid.js').Point} Point */
 
-/** Distance of a point from a triangle [Ericson 2005, §5.1.5], by projection and clamping to the edges. */
+/** Returns the distance of a point from a triangle [Ericson 2005, §5.1.5], by projection and clamping to the edges. */
 function distanceToTriangle(/** @type {Point} */ p, /** @type {Point[]} */ [a, b, c]) {
   const normal = cross(subtract(b, a), subtract(c, a));
   const length = Math.sqrt(dot(normal, normal));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The sample shapes of our own, in mm, z up, standing on z = 0 where they stand at all. Each is a closed solid.
+// Our own sample shapes, in mm, z up, standing on z = 0 if they can stand. Each is a closed solid.
 import { blended, cone, ellipsoid, standing, surfaceNet } from './implicit.js';
 
 /** @typedef {import('./solid.js').Mesh} Mesh */
@@ -7,7 +7,7 @@ import { blended, cone, ellipsoid, standing, surfaceNet } from './implicit.js';
 /** @typedef {import('./solid.js').Triangle} Triangle */
 
 /**
- * Sphere of radius 48 mm with bumps of ±2.5 mm, from an icosahedron split `levels` times.
+ * Makes a sphere of radius 48 mm with bumps of ±2.5 mm, from an icosahedron split `levels` times.
  * @param {number} levels
  * @returns {Mesh}
  */
@@ -53,7 +53,7 @@ function icosphere(levels) {
 }
 
 /**
- * Vase 120 mm high with a wall of 6 mm and a floor of 6 mm, turned from a profile.
+ * Makes a vase 120 mm high with a wall of 6 mm and a floor of 6 mm, turned from a profile.
  * @param {number} segments  around the axis
  * @param {number} rows      along the outside
  * @returns {Mesh}
@@ -62,7 +62,7 @@ export function vase(segments, rows) {
   const height = 120;
   const wall = 6;
   const outer = (/** @type {number} */ z) => 34 + 12 * Math.sin((Math.PI * z) / 95 + 0.1);
-  /** @type {[number, number][]} */ const profile = [];  // (radius, z), from the axis below to the axis inside
+  /** @type {[number, number][]} */ const profile = [];  // (radius, z), from the axis at the bottom to the axis inside
   for (let i = 0; i <= rows; i += 1) profile.push([outer((height * i) / rows), (height * i) / rows]);
   for (let i = rows; i >= 0; i -= 1) {
     const z = wall + ((height - wall) * i) / rows;
@@ -72,7 +72,7 @@ export function vase(segments, rows) {
 }
 
 /**
- * Chess pawn 114 mm high: a turned foot, a waist, a collar, and a ball of radius 28 mm as its head.
+ * Makes a chess pawn 114 mm high: a turned foot, a waist, a collar, and a ball of radius 28 mm as its head.
  * @param {number} segments  around the axis
  * @returns {Mesh}
  */
@@ -86,15 +86,15 @@ export function pawn(segments) {
   };
   profile.push([42, 0]);
   arc([36, 7], 7, -60, 75, 12);
-  arc([52, 38], 32, 228, 158, 24);  // the waist, hollow
+  arc([52, 38], 32, 228, 158, 24);  // the hollow waist
   arc([24, 53], 4, -70, 90, 8);
   arc([0, 86], 28, -57, 89, 60);
   return revolve(profile, segments);
 }
 
 /**
- * Owl 113 mm high: a body, a head with tufts, eyes and a beak, wings and feet, blended.
- * @param {number} cellMm  of the grid it is meshed on
+ * Makes an owl 113 mm high: a body, a head with tufts, eyes and a beak, wings and feet, blended.
+ * @param {number} cellMm  of the grid for meshing
  * @returns {Mesh}
  */
 export function owl(cellMm) {
@@ -110,8 +110,8 @@ export function owl(cellMm) {
 }
 
 /**
- * @param {[number, number][]} profile  (radius > 0, z) from bottom outside to inside; closed with a point on the axis at
- *   both ends
+ * @param {[number, number][]} profile  (radius > 0, z) from bottom outside to inside; closed with a point on the axis
+ *   at both ends
  * @param {number} segments
  * @returns {Mesh}
  */
@@ -140,7 +140,7 @@ function revolve(profile, segments) {
 }
 
 /**
- * Five-pointed star with a ridge to every point: 20 large triangles, two apexes.
+ * Makes a five-pointed star with a ridge to every point: 20 large triangles, two apexes.
  * @returns {Mesh}
  */
 export function star() {
@@ -159,7 +159,7 @@ export function star() {
 }
 
 /**
- * Plate of 44 × 44 × 4 mm, to try a printer with.
+ * Makes a plate of 44 × 44 × 4 mm for testing a printer.
  * @returns {Mesh}
  */
 export function plate() {
@@ -174,7 +174,7 @@ export function plate() {
 }
 
 /**
- * Pyramid of six triangles: base 120 × 120 mm, 80 mm high.
+ * Makes a pyramid of six triangles: base 120 × 120 mm, 80 mm high.
  * @returns {Mesh}
  */
 export function pyramid() {
@@ -185,7 +185,7 @@ export function pyramid() {
 }
 
 /**
- * Block of 90 × 90 mm whose top is a hyperbolic paraboloid, ±10 mm about 30 mm.
+ * Makes a block of 90 × 90 mm whose top is a hyperbolic paraboloid, ±10 mm about 30 mm.
  * @param {number} cells  along an edge
  * @returns {Mesh}
  */

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Indexed triangle meshes for the samples and for the checks of what the page gives back.
+// Indexed triangle meshes, for the samples and for checks of the page's results.
 
 /** @typedef {[number, number, number]} Point */
 /** @typedef {[number, number, number]} Triangle  counter-clockwise from outside */
 /** @typedef {{ positions: Point[], triangles: Triangle[] }} Mesh */
 
 /**
- * What keeps a mesh from being a closed 2-manifold; all counts are 0 for a solid.
+ * Defects that keep a mesh from being a closed 2-manifold. All counts are 0 for a solid.
  * @typedef {{ openEdges: number, nonManifoldEdges: number, nonManifoldVertices: number, degenerateTriangles: number,
  *   volume: number, min: Point, max: Point }} SolidCheck
  */
@@ -25,7 +25,8 @@ export const cross = (a, b) => [
 export const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 
 /**
- * Signed volume by the divergence theorem: tetrahedra against the first vertex, which keeps the terms small.
+ * Returns the signed volume by the divergence theorem, with tetrahedra from the first vertex, which keeps the terms
+ * small.
  * @param {Mesh} mesh
  */
 export function volume(mesh) {
@@ -41,7 +42,7 @@ export function volume(mesh) {
 }
 
 /**
- * Directed edges, each with how often it occurs; vertices are below 2²⁶, so the key is an exact number.
+ * Counts the occurrences of each directed edge. Vertex indices are below 2²⁶, so the key is an exact number.
  * @param {Triangle[]} triangles
  * @returns {Map<number, number>}
  */
@@ -62,7 +63,7 @@ const kKeyBase = 2 ** 26;
 const edgeKey = (from, to) => from * kKeyBase + to;
 
 /**
- * A vertex is manifold if the triangles around it form one fan.
+ * Counts the vertices whose triangles do not form exactly one fan.
  * @param {Mesh} mesh
  */
 function countNonManifoldVertices(mesh) {
@@ -128,13 +129,13 @@ export function bounds(mesh) {
 }
 
 /**
- * Closes every boundary loop with a fan around its centroid; right for holes that are small and nearly flat.
+ * Closes every boundary loop with a fan around its centroid. This suits holes that are small and nearly flat.
  * @param {Mesh} mesh
  * @returns {Mesh}
  */
 export function fillHoles(mesh) {
   const edges = countDirectedEdges(mesh.triangles);
-  /** @type {Map<number, number>} */ const boundary = new Map();  // against the direction of the missing triangle
+  /** @type {Map<number, number>} */ const boundary = new Map();  // in the direction of the missing triangles
   for (const key of edges.keys()) {
     const from = Math.floor(key / kKeyBase);
     const to = key % kKeyBase;
@@ -159,7 +160,7 @@ export function fillHoles(mesh) {
 }
 
 /**
- * One step of Loop subdivision of a closed mesh [Loop 1987]: four triangles for each.
+ * Performs one step of Loop subdivision on a closed mesh [Loop 1987]: four triangles replace each.
  * @param {Mesh} mesh
  * @returns {Mesh}
  */

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Binary STL: 80 bytes of header, the count, then 50 bytes a triangle, little-endian.
+// Binary STL: an 80-byte header, the count, then 50 bytes per triangle, little-endian.
 import { cross, dot, subtract } from './solid.js';
 
 /** @typedef {import('./solid.js').Mesh} Mesh */
@@ -32,7 +32,7 @@ export function writeStl(mesh, title) {
 }
 
 /**
- * Reads a binary STL and welds vertices of equal coordinates.
+ * Reads a binary STL and welds vertices with equal coordinates.
  * @param {Uint8Array} bytes
  * @returns {Mesh}
  */

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One code, or a code for every part: the list or the numbers that the parts come from, and what is wrong with them.
+// The choice between one code and a code for every part, the list or the numbers that the parts come from, and the
+// problems found in them.
 import { onLanguage, text } from '../i18n/catalogue.js';
 import { formatNumber } from '../i18n/format.js';
 import { hintOf, sentenceOf } from '../i18n/messages.js';
@@ -11,19 +12,19 @@ import { showFindings } from './messages.js';
 /** @typedef {import('../engine/types.js').BatchRow} BatchRow */
 
 const kTypingPauseMs = 250;
-const kMostShownBytes = 20_000;  // a longer list is shown by its name
+const kMostShownBytes = 20_000;  // the panel shows a longer list by its name only
 const kNumberedText = 'https://example.org/p/{n:05}';
-const kPerPlate = 12;  // while what is typed is no number of parts
-const kPasted = '';  // the name of a list that is no file
+const kPerPlate = 12;  // used while the field holds no valid number of parts
+const kPasted = '';  // the name of a list that was typed or pasted
 
-/** What the panel holds before anything was typed. @type {BatchInput} */
+/** The input before anything is typed. @type {BatchInput} */
 export const kEmptyInput = Object.freeze({ from: 'list', list: new Uint8Array(), listName: kPasted, count: 100, text: '', name: '', perPlate: 0 });
 
 export class BatchPanel {
   /**
    * @param {object} listener
-   * @param {() => void} listener.onChange    the input is another, or is not looked at any more
-   * @param {(file: File) => void} listener.onFile  a list was chosen
+   * @param {() => void} listener.onChange    the input has changed, or is no longer in use
+   * @param {(file: File) => void} listener.onFile  the user chose a list file
    */
   constructor({ onChange, onFile }) {
     this.onChange_ = onChange;
@@ -53,7 +54,7 @@ export class BatchPanel {
       field.addEventListener('change', () => this.take_());
       field.addEventListener('keydown', (event) => {
         const isEnter = event instanceof KeyboardEvent && event.key === 'Enter';
-        if (isEnter && field !== this.pasted_) event.preventDefault();  // else it would engrave before it is planned
+        if (isEnter && field !== this.pasted_) event.preventDefault();  // Enter would engrave before planning
         if (isEnter && field !== this.pasted_) this.take_();
       });
     }
@@ -61,7 +62,7 @@ export class BatchPanel {
     file.addEventListener('change', () => {
       const [chosen] = file.files ?? [];
       if (chosen) onFile(chosen);
-      file.value = '';  // the same again, once it was corrected
+      file.value = '';  // allows choosing the same file again after correcting it
     });
     byId('batch-file-remove', HTMLButtonElement).addEventListener('click', () => {
       this.put_({ ...this.input_, list: new Uint8Array(), listName: kPasted });
@@ -73,7 +74,10 @@ export class BatchPanel {
     this.showFields_();
   }
 
-  /** None: one code. The same object until something changes. @returns {BatchInput | undefined} */
+  /**
+   * The batch input, undefined for one code. It stays the same object until something changes.
+   * @returns {BatchInput | undefined}
+   */
   get input() {
     return this.isMany_.checked ? this.input_ : undefined;
   }
@@ -85,7 +89,7 @@ export class BatchPanel {
     this.showFields_();
   }
 
-  /** Another list, by its file. @param {Uint8Array} list @param {string} listName */
+  /** Takes over a list from a file. @param {Uint8Array} list @param {string} listName */
   takeList(list, listName) {
     this.isMany_.checked = true;
     this.from_.value = 'list';
@@ -94,7 +98,7 @@ export class BatchPanel {
     this.changed_();
   }
 
-  /** While parts are carved the list must stay. @param {boolean} locked */
+  /** Locks the input while parts are carved, so that the list cannot change. @param {boolean} locked */
   lock(locked) {
     this.fields_.disabled = locked;
     this.isOne_.disabled = locked;
@@ -102,14 +106,14 @@ export class BatchPanel {
     this.fields_.title = locked ? text('batch.locked') : '';
   }
 
-  /** Goes to what is wrong, or missing. */
+  /** Moves the focus to the first problem, or to the field that is still empty. */
   reveal() {
     if (this.problems_.childElementCount > 0) this.problems_.focus();
     else (this.from_.value === 'count' ? this.count_ : this.pasted_).focus();
   }
 
   /**
-   * What the input comes to.
+   * Shows the problems and the first part of the planned batch.
    * @param {{ plan?: BatchPlan, problems: import('../engine/message.js').Message[], first?: BatchRow }} planned
    */
   show({ plan, problems, first }) {
@@ -143,7 +147,7 @@ export class BatchPanel {
     this.pause_ = setTimeout(() => this.take_(), kTypingPauseMs);
   }
 
-  /** What the controls hold, if it is something else. */
+  /** Takes over the values of the controls if they have changed. */
   take_() {
     clearTimeout(this.pause_);
     const { list, listName } = this.input_;
@@ -183,7 +187,7 @@ export class BatchPanel {
     this.showTexts_();
   }
 
-  /** What has values in it. */
+  /** Writes the texts that contain values. */
   showTexts_() {
     byId('batch-hint', HTMLElement).textContent = text('batch.hint', { plain: '{n}', padded: '{n:05}' });
     this.text_.placeholder = this.from_.value === 'count' ? kNumberedText : text('batch.textAuto');

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What will be carved, in one line.
+// One line that sums up the carving to be made.
 import { onLanguage, text } from '../i18n/catalogue.js';
 import { choiceLabel } from '../i18n/setting_names.js';
 import { byId } from '../dom/dom.js';

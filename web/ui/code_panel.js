@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the code says: the text, the builders that write it, and the symbol it makes.
+// The content of the code: the text, the builders that write it, and the resulting symbol.
 import { ContentPanel } from './content_panel.js';
 import { SymbolPanel } from './symbol_panel.js';
 import { text } from '../i18n/catalogue.js';
@@ -8,14 +8,18 @@ import { showStep } from './steps.js';
 
 /** @typedef {import('../engine/types.js').Placement} Placement */
 /** @typedef {import('../engine/types.js').SymbolFacts} SymbolFacts */
-/** @typedef {{ words: () => string, isWrong: boolean, first?: { text: string } }} Parts  of a batch, and the first of them if there is one */
+/**
+ * @typedef {{ words: () => string, isWrong: boolean, first?: { text: string } }} Parts  state of a batch, with its
+ *   first part if there is one
+ */
 
 const kTypingPauseMs = 250;
 
 /**
  * @typedef {object} CodeOptions
- * @property {() => Promise<unknown>} onChange   the text is another, once typing pauses; not while a builder lacks something
- * @property {(content: string) => import('../engine/types.js').Settings} settings  those chosen, with this text
+ * @property {() => Promise<unknown>} onChange   the text has changed and typing has paused; not called while a builder
+ *   lacks a field
+ * @property {(content: string) => import('../engine/types.js').Settings} settings  the chosen settings, with this text
  * @property {(settings: import('../engine/types.js').Settings) => Promise<SymbolFacts>} symbolOf
  */
 
@@ -25,7 +29,7 @@ export class CodePanel {
     this.onChange_ = onChange;
     this.text_ = byId('text', HTMLTextAreaElement);
     this.content_ = '';
-    this.plain_ = '';  // before a builder wrote the text
+    this.plain_ = '';  // the text before a builder replaced it
     this.builderWrote_ = false;
     /** @type {Parts | undefined} */ this.parts_ = undefined;
     /** @type {Placement | undefined} */ this.placement_ = undefined;
@@ -45,7 +49,7 @@ export class CodePanel {
     this.showPlaced(undefined);
   }
 
-  /** What the code holds: the textbox, with the line breaks of its format. */
+  /** The code's text: the textbox with the line breaks that its format needs. */
   get text() {
     return this.content_;
   }
@@ -56,29 +60,29 @@ export class CodePanel {
     this.set_(value);
   }
 
-  /** Whether a builder still lacks something. */
+  /** True while a required field of the builder is missing or wrong. */
   get incomplete() {
     return this.parts_ === undefined && this.builder_.incomplete;
   }
 
-  /** Instead of one code. @param {Parts | undefined} parts */
+  /** Shows the parts of a batch, or a single code if there are none. @param {Parts | undefined} parts */
   showParts(parts) {
     this.parts_ = parts;
     this.symbol_.setAdvising(parts === undefined);
     this.showPlaced(this.placement_);
   }
 
-  /** Shows what the builder lacks. */
+  /** Shows which fields of the builder are missing or wrong. */
   reveal() {
     this.builder_.reveal();
   }
 
-  /** The settings or the module are others. */
+  /** Draws the symbol again after the settings or the engine have changed. */
   refresh() {
     this.symbol_.show(this.parts_ ? this.parts_.first?.text ?? '' : this.content_);
   }
 
-  /** @param {Placement | undefined} placement  of the symbol */
+  /** @param {Placement | undefined} placement  the symbol's placement */
   showPlaced(placement) {
     this.placement_ = placement;
     this.symbol_.setRoom(placement);
@@ -105,7 +109,7 @@ export class CodePanel {
     else this.pause_ = setTimeout(() => void this.settle(), kTypingPauseMs);
   }
 
-  /** What was typed counts now, not only after a pause. */
+  /** Applies the typed text now instead of after the pause. */
   async settle() {
     if (this.pause_ === undefined) return;
     clearTimeout(this.pause_);
@@ -113,7 +117,7 @@ export class CodePanel {
     await this.onChange_();
   }
 
-  /** @param {string} payload  of the builder */
+  /** @param {string} payload  from the builder */
   take_(payload) {
     if (!this.builderWrote_) this.plain_ = this.content_;
     this.builderWrote_ = true;
@@ -125,14 +129,17 @@ export class CodePanel {
     this.changed_(this.content_ === '' ? this.plain_ : this.content_);
   }
 
-  /** @param {string} content  the user took it over */
+  /** @param {string} content  the text that the user accepted */
   replace_(content) {
     this.builder_.leave();
     this.builderWrote_ = false;
     this.changed_(content);
   }
 
-  /** Other ways in which the builder can write the same. @returns {import('./symbol_panel.js').Form[]} */
+  /**
+   * Returns other forms in which the builder can write the same content.
+   * @returns {import('./symbol_panel.js').Form[]}
+   */
   otherForms_() {
     /** @type {[string, import('../i18n/catalogue.js').Key][]} */
     const forms = [['mecard', 'code.shorter.mecard'], ['event', 'code.shorter.event']];
@@ -141,5 +148,5 @@ export class CodePanel {
   }
 }
 
-/** Cards and calendars end their lines with CRLF, which a textbox does not keep. @param {string} typed */
+/** Restores the CRLF line ends of cards and calendars, which a textbox does not keep. @param {string} typed */
 const withLineBreaks = (typed) => (/^BEGIN:V/i.test(typed) ? typed.replace(/\r?\n/g, '\r\n') : typed);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The kind of content, and the fields of the kind that is chosen.
+// The kind of content, and the fields of the chosen kind.
 import { localise, onLanguage } from '../i18n/catalogue.js';
 import { byId, make } from '../dom/dom.js';
 import { buildContent, kContents } from '../contents/contents.js';
@@ -8,14 +8,14 @@ import { FieldView } from './field_view.js';
 /** @typedef {import('../contents/types.js').Content} Content */
 /** @typedef {import('../contents/types.js').Values} Values */
 
-const kForm = 'form';  // the field of those kinds that can be written in several ways
-const kPlain = 'text';  // no fields: what stands in the textbox
+const kForm = 'form';  // the field that selects the form, in kinds that can be written in several ways
+const kPlain = 'text';  // no fields: the textbox holds the content
 
 export class ContentPanel {
   /**
    * @param {object} listener
-   * @param {(payload: string) => void} listener.onPayload  the fields say something else; '' while they are incomplete
-   * @param {() => void} listener.onPlain                    the text itself is to be given
+   * @param {(payload: string) => void} listener.onPayload  the fields have changed; '' while they are incomplete
+   * @param {() => void} listener.onPlain                    the user wants to type the text directly
    */
   constructor({ onPayload, onPlain }) {
     this.onPayload_ = onPayload;
@@ -32,32 +32,32 @@ export class ContentPanel {
     localise(mount);
     /** @type {Content | undefined} */ this.content_ = undefined;
     /** @type {FieldView[]} */ this.views_ = [];
-    /** @type {Set<string>} */ this.visited_ = new Set();  // what is not yet filled in is no error
-    /** @type {Map<string, Values>} */ this.kept_ = new Map();  // of the other kinds, for as long as the page is open
+    /** @type {Set<string>} */ this.visited_ = new Set();  // a field that the user has not visited yet shows no error
+    /** @type {Map<string, Values>} */ this.kept_ = new Map();  // values of the other kinds, until the page closes
     this.kind_.addEventListener('change', () => this.choose_());
     onLanguage(() => this.views_.forEach((view) => view.relocalise()));
   }
 
-  /** Whether fields have to be filled in before there is a code. */
+  /** True while a required field is missing or wrong, so that there is no code yet. */
   get incomplete() {
     return this.content_ !== undefined && buildContent(this.content_, this.values_()).payload === '';
   }
 
-  /** The text stands for itself from now on. */
+  /** Closes the builder; the user edits the text directly from now on. */
   leave() {
     if (!this.content_) return;
     this.kind_.value = kPlain;
     this.open_(undefined);
   }
 
-  /** Shows everything that is missing, and goes to the first of it. */
+  /** Shows all missing fields and moves the focus to the first. */
   reveal() {
     this.views_.forEach(({ field }) => this.visited_.add(field.id));
     this.update_();
     this.views_.find(({ control }) => control.getAttribute('aria-invalid') === 'true')?.control.focus();
   }
 
-  /** What would be written in another form; '' if this kind has no such form. @param {string} form */
+  /** Returns the content in another form; '' if this kind has no such form. @param {string} form */
   payloadAs(form) {
     const known = this.content_?.fields.find(({ id }) => id === kForm)?.options?.some(({ value }) => value === form);
     return this.content_ && known ? buildContent(this.content_, { ...this.values_(), [kForm]: form }).payload : '';
@@ -102,7 +102,7 @@ export class ContentPanel {
 
   /** @param {FieldView} view */
   visit_(view) {
-    if (this.visited_.has(view.field.id) || !this.views_.includes(view)) return;  // one that is taken away is left, too
+    if (this.visited_.has(view.field.id) || !this.views_.includes(view)) return;  // removing a field also blurs it
     this.visited_.add(view.field.id);
     this.showProblems_();
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The buttons for what can be taken away beside the carved model.
+// The buttons for the other downloads, next to the carved model.
 import { localise } from '../i18n/catalogue.js';
 import { byId, make } from '../dom/dom.js';
 
@@ -22,7 +22,7 @@ export class ExportPanel {
     localise(mount);
   }
 
-  /** @param {boolean} secret  the text holds a password, and so would a file of settings */
+  /** @param {boolean} secret  the text holds a password, so a settings file would contain it */
   setSecret(secret) {
     this.secret_.hidden = !secret;
     if (secret) this.settings_.setAttribute('aria-describedby', this.secret_.id);

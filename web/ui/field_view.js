@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One field of a content: its label, its control, and what is said below it.
+// One field of a kind of content: its label, its control and the note below.
 import { localise, text } from '../i18n/catalogue.js';
 import { make } from '../dom/dom.js';
 
@@ -10,11 +10,11 @@ import { make } from '../dom/dom.js';
 /** @type {Record<Exclude<Field['kind'], 'choice' | 'lines'>, { type: string, mode?: string }>} */
 const kInputs = {
   text: { type: 'text' },
-  email: { type: 'text', mode: 'email' },  // the browser's own idea of an address would change what is typed
+  email: { type: 'text', mode: 'email' },  // the browser's own e-mail check would change the typed text
   tel: { type: 'tel' },
   url: { type: 'text', mode: 'url' },
   password: { type: 'password' },
-  decimal: { type: 'text', mode: 'text' },  // a keyboard of digits may lack the minus
+  decimal: { type: 'text', mode: 'text' },  // a numeric keyboard may lack the minus
   datetime: { type: 'datetime-local' },
   check: { type: 'checkbox' },
 };
@@ -41,7 +41,7 @@ function makeControl({ kind, options = [] }) {
 
 export class FieldView {
   /**
-   * @param {string} prefix  of its ids
+   * @param {string} prefix  of its element ids
    * @param {Field} field
    * @param {{ onInput: () => void, onLeave: () => void }} listener
    */
@@ -76,7 +76,7 @@ export class FieldView {
     this.element.hidden = !shown;
   }
 
-  /** @param {Problem | undefined} problem  none takes the last one away */
+  /** @param {Problem | undefined} problem  undefined removes the note */
   showProblem(problem) {
     this.problem_ = problem;
     const words = problem ? text(problem.key, problem.values) : '';
@@ -88,7 +88,7 @@ export class FieldView {
     this.describe_();
   }
 
-  /** In the language chosen. */
+  /** Writes the note again in the current language. */
   relocalise() {
     this.showProblem(this.problem_);
   }
@@ -114,14 +114,14 @@ export class FieldView {
     if (this.field.optional) {
       const optional = make('span', { className: 'optional' });
       optional.dataset.text = 'code.optional';
-      optional.setAttribute('aria-hidden', 'true');  // “required” says it to those who listen
+      optional.setAttribute('aria-hidden', 'true');  // screen readers announce “required” instead
       head.append(optional);
     }
     const control = this.field.kind === 'password' ? make('div', { className: 'with-button' }, this.control, this.makeReveal_()) : this.control;
     return make('div', { className: `field${this.field.half ? ' half' : ''}` }, head, control, this.note_, ...(this.field.hint ? [this.hint_] : []));
   }
 
-  /** The button that shows a password. */
+  /** Makes the button that shows or hides a password. */
   makeReveal_() {
     const button = make('button', { className: 'quiet' });
     button.type = 'button';

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The measurements behind the verdict, and from where else the code reads, on demand.
+// The measurements behind the verdict and, on demand, the other views from which the code reads.
 import { onLanguage, text } from '../i18n/catalogue.js';
 import { byId, make } from '../dom/dom.js';
 import { formatNumber, formatPercent, formatPlain } from '../i18n/format.js';
@@ -10,7 +10,7 @@ import { formatNumber, formatPercent, formatPlain } from '../i18n/format.js';
 /** @typedef {(report: Report, onTrial: (tried: number, all: number) => void, signal: AbortSignal) => Promise<Trials | undefined>} ViewTrier */
 
 const kLetters = ['F', 'D', 'C', 'B', 'A'];
-const kCounts = ['fixedPatternDamage', 'formatInformation'];  // the others are shares
+const kCounts = ['fixedPatternDamage', 'formatInformation'];  // the other measurements are shares
 const kParameters = /** @type {const} */ ({
   iso15415: ['decode', 'unusedErrorCorrection', 'fixedPatternDamage', 'formatInformation', 'symbolContrast', 'modulation', 'reflectanceMargin'],
   iso29158: ['decode', 'unusedErrorCorrection', 'fixedPatternDamage', 'formatInformation', 'cellContrast', 'cellModulation'],
@@ -122,5 +122,5 @@ function valueOf(name, value) {
   return kCounts.includes(name) ? formatNumber(value) : formatPercent(value);
 }
 
-/** @param {number} grade  4 … 0 */
+/** @param {number} grade  4 (best) … 0 */
 const letterOf = (grade) => `${kLetters[Math.floor(grade)]} (${formatPlain(grade, 1)})`;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What keys, mouse and fingers do, on a sheet over the page.
+// A dialog that explains keys, mouse and touch.
 import { recall, remember } from '../storage/remembered.js';
 import { onLanguage, text } from '../i18n/catalogue.js';
 import { byId, make } from '../dom/dom.js';
@@ -25,7 +25,7 @@ export class HelpSheet {
     byId('help', HTMLButtonElement).addEventListener('click', () => this.sheet_.showModal());
     byId('help-close', HTMLButtonElement).addEventListener('click', () => this.sheet_.close());
     this.sheet_.addEventListener('click', (event) => {
-      if (event.target === this.sheet_) this.sheet_.close();  // the ground around the sheet
+      if (event.target === this.sheet_) this.sheet_.close();  // a click on the backdrop
     });
     listenForShortcuts(() => this.single_.checked);
     onLanguage(() => this.fill_());

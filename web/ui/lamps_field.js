@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sets the lamps that a code is carved for by their number and, for each, direction, elevation and strength. The control
-// of the setting, a hidden text, holds what they come to.
+// The editor of the lamps that a code is carved for: their number and, for each, direction, elevation and strength. The
+// setting's own control, a hidden text field, holds the resulting value.
 import { lampsFrom } from '../engine/lamps.js';
 import { byId, make } from '../dom/dom.js';
 import { kSettings } from '../generated/settings.js';
@@ -11,7 +11,7 @@ import { onLanguage, text } from '../i18n/catalogue.js';
 const { parts: kRanges = {}, most: kMostLamps = 0 } = kSettings.light;
 const kParts = /** @type {const} */ (['azimuthDeg', 'elevationDeg', 'strength']);
 const kDefaults = /** @type {Required<Lamp>} */ (Object.fromEntries(kParts.map((part) => [part, kRanges[part].default])));
-/** First values of each lamp: above the code, then at its left. @type {readonly Required<Lamp>[]} */
+/** The initial lamps: the first above the code, the second to its left. @type {readonly Required<Lamp>[]} */
 const kFirst = Array.from({ length: kMostLamps }, (_, at) => ({ ...kDefaults, azimuthDeg: 90 * (at + 1), elevationDeg: 40 }));
 
 export class LampsField {
@@ -27,10 +27,10 @@ export class LampsField {
     this.read();
   }
 
-  /** Shows what the control of the setting holds now. */
+  /** Shows the value of the setting's control. */
   read() {
     const lamps = lampsFrom(this.value_.value);
-    if (!lamps) return;  // being typed
+    if (!lamps) return;  // the value is still being typed
     this.count_.value = String(Math.min(lamps.length, kMostLamps));
     this.lamps_.forEach(({ inputs }, at) => kParts.forEach((part) => {
       inputs[part].value = String((lamps[at] ? { ...kDefaults, ...lamps[at] } : kFirst[at])[part]);
@@ -65,7 +65,7 @@ export class LampsField {
     });
   }
 
-  /** Hands what the fields say to the control of the setting, as if it had been typed there. */
+  /** Writes the fields to the setting's control and fires its change event, as if the user had typed there. */
   write_() {
     const used = this.lamps_.slice(0, Number(this.count_.value));
     this.value_.value = used.map(({ inputs }) => kParts.map((part) => inputs[part].value || '?').join(',')).join(' ');

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the page says: the status line, and errors with what was found and what helps.
+// The page's messages: the status line, and errors with their hints.
 import { onLanguage } from '../i18n/catalogue.js';
 import { write } from '../i18n/live.js';
 import { asSentence, hintOf, sentenceOf } from '../i18n/messages.js';
@@ -7,7 +7,7 @@ import { byId, make } from '../dom/dom.js';
 
 /** @typedef {import('../i18n/live.js').Words} Words */
 /** @typedef {import('../engine/message.js').Message} Message */
-/** @typedef {Message | { found: Words, help: Words }} Problem  the page's own has words in place of a code */
+/** @typedef {Message | { found: Words, help: Words }} Problem  the page's own problems carry words instead of a code */
 
 export class Messages {
   constructor() {
@@ -30,7 +30,7 @@ export class Messages {
     const [found, help] = 'code' in problem ? [sentenceOf(problem), hintOf(problem)] : [problem.found(), problem.help()];
     this.text_.replaceChildren(make('strong', { text: asSentence(found) }));
     if (help) this.text_.append(' ', asSentence(help));
-    this.box_.hidden = found === '';  // until its words come
+    this.box_.hidden = found === '';  // hidden until the words have loaded
   }
 
   clearError() {
@@ -40,11 +40,11 @@ export class Messages {
   }
 }
 
-/** @typedef {{ label: string, run: () => void }} Remedy  that one click brings */
+/** @typedef {{ label: string, run: () => void }} Remedy  one click applies it */
 /** @typedef {{ severity: string, found: string, help: string, remedies?: Remedy[] }} Shown */
 
 /**
- * Fills a list with findings, worst first.
+ * Fills a list with findings, most severe first.
  * @param {HTMLElement} list
  * @param {Shown[]} findings
  */

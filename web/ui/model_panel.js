@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which model: a sample, a file, a file dropped anywhere; and what was found in it.
+// The choice of model (a sample, a chosen file, or a file dropped anywhere) and the findings about it.
 import { onLanguage, text, textOr } from '../i18n/catalogue.js';
 import { hintOf, sentenceOf, writtenValue } from '../i18n/messages.js';
 import { choiceLabel } from '../i18n/setting_names.js';
@@ -67,7 +67,7 @@ export class ModelPanel {
   }
 
   /**
-   * Shows what is loaded, whichever way it came.
+   * Shows the loaded model, whatever its source.
    * @param {ModelInfo} model
    * @param {ShownSource} source
    */
@@ -82,7 +82,7 @@ export class ModelPanel {
     this.showTexts_();
   }
 
-  /** The unit's name, or the factor where it is no unit's. @param {number} scaleToMm */
+  /** Selects the unit with this scale, or adds the factor as an entry of its own. @param {number} scaleToMm */
   showScale_(scaleToMm) {
     const value = String(scaleToMm);
     this.unit_.querySelector('.own')?.remove();
@@ -94,7 +94,7 @@ export class ModelPanel {
     this.unit_.value = value;
   }
 
-  /** @returns {number}  of the model, mm; 0: there is none */
+  /** @returns {number}  of the model, mm; 0 without a model */
   get heightMm_() {
     return this.shown_?.model.sizeMm[this.upAxis === 'y' ? 1 : 2] ?? 0;
   }
@@ -103,7 +103,7 @@ export class ModelPanel {
     this.height_.value = this.heightMm_ > 0 ? String(Number(this.heightMm_.toPrecision(4))) : '';
   }
 
-  /** The model becomes as high as was typed; what is no height is put back. */
+  /** Scales the model to the typed height, or restores the field if the input is no valid height. */
   takeHeight_() {
     const wanted = this.height_.valueAsNumber;
     if (this.shown_ && this.height_.validity.valid && this.heightMm_ > 0) this.listener_.onScale(this.shown_.source.scaleToMm * wanted / this.heightMm_);
@@ -115,7 +115,7 @@ export class ModelPanel {
     return sampleId === undefined ? fileName : textOr('samples', sampleId);
   }
 
-  /** What is in the language chosen. */
+  /** Writes the texts in the current language. */
   showTexts_() {
     if (this.samples_.length > 0) this.setSamples(this.samples_);
     if (!this.shown_) return;
@@ -141,7 +141,7 @@ export class ModelPanel {
 
   /** @param {ModelListener} listener */
   listenForDrops_(listener) {
-    let depth = 0;  // dragenter and dragleave come for every element that is crossed
+    let depth = 0;  // dragenter and dragleave fire for every element that the pointer crosses
     const hasFiles = (/** @type {DragEvent} */ event) => event.dataTransfer?.types.includes('Files') ?? false;
     document.addEventListener('dragenter', (event) => {
       if (!hasFiles(event)) return;
@@ -168,7 +168,7 @@ export class ModelPanel {
 }
 
 /**
- * Units in which a model that is too small would have a usual size.
+ * Returns the units in which a model that is too small would have a usual size.
  * @param {import('../engine/types.js').Finding} finding
  * @returns {{ unit: string, sizeMm: number[] }[]}
  */

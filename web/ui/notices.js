@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Quiet bars over the view that offer something and wait; unlike an alert they are no one's fault.
+// Bars over the view that offer something and wait. Unlike an alert, a notice reports no error.
 import { make } from '../dom/dom.js';
 
-/** @typedef {{ label: string, run: () => void, primary?: boolean }} NoticeAction  the bar goes when one is chosen */
+/** @typedef {{ label: string, run: () => void, primary?: boolean }} NoticeAction  choosing it closes the bar */
 
 export class Notices {
   /** @param {HTMLElement} parent */
@@ -14,7 +14,7 @@ export class Notices {
   }
 
   /**
-   * @param {string} id  of what is offered: one bar each
+   * @param {string} id  of the offer; each has at most one bar
    * @param {string} words
    * @param {NoticeAction[]} actions
    */

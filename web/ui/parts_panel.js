@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// All parts of a batch: how they are begun, how far they are, and what can be taken away.
+// All parts of a batch: starting them, their progress and their download.
 import { onLanguage, text } from '../i18n/catalogue.js';
 import { write } from '../i18n/live.js';
 import { byId } from '../dom/dom.js';
@@ -9,19 +9,19 @@ import { showStep } from './steps.js';
 /** @typedef {import('../batch/row_states.js').RowStates} RowStates */
 
 /**
- * Before anything is carved: how many parts there are, and whether the first was carved and passed.
+ * State before the batch is started: the number of parts, and whether the first part was carved and passed.
  * @typedef {{ count: number, first: 'none' | 'bad' | 'good' }} Begin
  * @typedef {'starting' | 'carving' | 'pausing' | 'paused' | 'stopped' | 'over'} Phase
  * @typedef {{ states: RowStates, phase: Phase, remainingMs?: number }} Progress
  */
 
-const kTableMs = 500;  // between two changes of the table: it is read
+const kTableMs = 500;  // least time between two updates of the table, so that it stays readable
 
 /**
  * @typedef {object} PartsListener
  * @property {(printEvery: number) => void} onBegin
  * @property {() => void} onPause
- * @property {() => void} onResume  or go on with what was stopped
+ * @property {() => void} onResume  or continues a stopped batch
  * @property {() => void} onStop
  * @property {() => void} onRetry
  * @property {() => void} onDownload
@@ -51,7 +51,7 @@ export class PartsPanel {
       if (this.every_.reportValidity()) onBegin(this.every_.valueAsNumber);
     });
     this.every_.addEventListener('keydown', (event) => {
-      if (event.key === 'Enter') event.preventDefault();  // else it would engrave the first part
+      if (event.key === 'Enter') event.preventDefault();  // otherwise Enter would engrave the first part
     });
     for (const [button, act] of /** @type {const} */ ([
       [this.pause_, onPause], [this.resume_, onResume], [this.stop_, onStop], [this.retry_, onRetry], [this.download_, onDownload],
@@ -60,7 +60,7 @@ export class PartsPanel {
     onLanguage(() => this.renew_());
   }
 
-  /** Nothing is carved yet. @param {Begin} begin */
+  /** Shows that no part has been carved yet. @param {Begin} begin */
   showBegin({ count, first }) {
     this.renew_ = () => this.showBegin({ count, first });
     byId('parts-begin', HTMLElement).hidden = false;
@@ -106,7 +106,7 @@ export class PartsPanel {
     this.renew_();
   }
 
-  /** To where the parts are carved. */
+  /** Scrolls to the parts and moves the focus there. */
   reveal() {
     byId('step-parts', HTMLElement).scrollIntoView({ block: 'start' });
     byId('parts-heading', HTMLElement).focus({ preventScroll: true });
@@ -126,7 +126,7 @@ export class PartsPanel {
   }
 }
 
-/** As people say it: 40 seconds, 12 minutes, 3 hours. @param {number} ms */
+/** Returns a duration in everyday words: 40 seconds, 12 minutes, 3 hours. @param {number} ms */
 export function durationOf(ms) {
   const seconds = Math.max(1, Math.round(ms / 1000));
   if (seconds < 90) return text('batch.seconds', { count: seconds < 20 ? seconds : Math.round(seconds / 10) * 10 });

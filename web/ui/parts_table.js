@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The parts of a batch, a page of rows at a time: however many there are, the page holds few.
+// The table of a batch's parts. It holds one page of rows at a time, however many parts there are.
 import { onLanguage, text } from '../i18n/catalogue.js';
 import { formatNumber } from '../i18n/format.js';
 import { localise } from '../i18n/catalogue.js';
@@ -67,7 +67,7 @@ export class PartsTable {
     void this.update();
   }
 
-  /** As the states are now. */
+  /** Shows the current states. */
   async update() {
     const { states_: states } = this;
     if (!states) return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the code is: its width there, and the exact centre.
+// The code's placement: its width and its exact centre.
 import { text } from '../i18n/catalogue.js';
 import { write } from '../i18n/live.js';
 import { byId } from '../dom/dom.js';
@@ -21,7 +21,7 @@ export class PlacePanel {
     for (const input of this.centre_) {
       input.addEventListener('keydown', (event) => {
         if (event.key !== 'Enter') return;
-        event.preventDefault();  // else it would engrave, where the code still is
+        event.preventDefault();  // otherwise Enter would engrave at the old place
         place();
       });
     }

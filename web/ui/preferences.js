@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Language and appearance: chosen on the page, kept for the next visit, in effect at once.
+// Language and appearance: chosen on the page, effective at once and kept for the next visit.
 import { recall, remember } from '../storage/remembered.js';
 import { currentLanguage, localise, onLanguage, setLanguage } from '../i18n/catalogue.js';
 import { byId } from '../dom/dom.js';
@@ -8,9 +8,9 @@ import { byId } from '../dom/dom.js';
 
 const kThemes = ['auto', 'light', 'dark'];
 const kThemeName = 'theme';
-const kGround = { light: '#f4f4f1', dark: '#17191c' };  // --ground of styles.css, for the browser's own frame
+const kGround = { light: '#f4f4f1', dark: '#17191c' };  // --ground of styles.css, for the browser's toolbar
 
-/** Writes every text of the page and offers the languages. */
+/** Writes every text of the page and lists the languages. */
 export function offerLanguages() {
   const select = byId('language', HTMLSelectElement);
   const follow = () => {
@@ -24,7 +24,7 @@ export function offerLanguages() {
 }
 
 export class Theme {
-  /** @param {(dark: boolean) => void} onChange  now dark, or now light */
+  /** @param {(dark: boolean) => void} onChange  `dark`: the appearance is dark now */
   constructor(onChange) {
     this.system_ = matchMedia('(prefers-color-scheme: dark)');
     this.select_ = byId('theme', HTMLSelectElement);

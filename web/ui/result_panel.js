@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What came out: the verdict, the file, the numbers.
+// The result: the verdict, the file and the numbers.
 import { onLanguage, text } from '../i18n/catalogue.js';
 import { byId, make } from '../dom/dom.js';
 import { formatMm, formatSeconds } from '../i18n/format.js';
@@ -12,8 +12,10 @@ import { isUnderWay, printingWords, tryingWords, verdictLines } from './verdict_
 /** @typedef {import('../engine/types.js').Verdict} Verdict */
 /** @typedef {import('../engine/types.js').Remedy} Remedy */
 /** @typedef {import('./grades_panel.js').ViewTrier} ViewTrier */
-/** @typedef {{ report: Report, elapsedMs: number, printed?: import('../engine/types.js').Printed }} Result
- *   `elapsedMs`: from the click to the end; `printed`: none before anything is known of it */
+/**
+ * @typedef {{ report: Report, elapsedMs: number, printed?: import('../engine/types.js').Printed }} Result  `elapsedMs`:
+ *   from the click to the end; `printed`: undefined until something is known about the print
+ */
 
 export class ResultPanel {
   /**
@@ -21,8 +23,8 @@ export class ResultPanel {
    * @param {(format: string) => void} listener.onDownload
    * @param {() => void} listener.onSaveReport
    * @param {(remedy: Remedy, label: string) => void} listener.onRemedy
-   * @param {(wanted: boolean) => void} listener.onPrint  the print is to be made, or not
-   * @param {() => void} listener.onTryPrints  others are to be made
+   * @param {(wanted: boolean) => void} listener.onPrint  start or stop the simulation of the print
+   * @param {() => void} listener.onTryPrints  try other print settings
    * @param {ViewTrier} listener.onTryViews
    */
   constructor({ onDownload, onSaveReport, onRemedy, onPrint, onTryPrints, onTryViews }) {
@@ -51,19 +53,19 @@ export class ResultPanel {
     this.render_();
   }
 
-  /** More is known of the result that is shown. */
+  /** Shows new facts about the current result. */
   update() {
     const { printed } = this.result_ ?? {};
     const heading = this.verdict_.querySelector('.printing'), trying = this.verdict_.querySelector('.trying-prints');
     const trials = printed?.state === 'made' ? printed.trials : undefined;
     const isSameTrial = trials?.fraction !== undefined && this.verdict_.querySelectorAll('.print-trials li').length === trials.tried.length;
-    // What is pressed must not be replaced under the finger.
+    // Change only the words where possible: replacing a button under the pointer would lose a click.
     if (heading && isUnderWay(printed)) heading.textContent = printingWords(printed);
     else if (trying && isSameTrial) trying.textContent = tryingWords(trials);
     else this.render_();
   }
 
-  /** @param {boolean} outdated  the model or the settings have changed since */
+  /** @param {boolean} outdated  the model or the settings have changed since the result */
   setOutdated(outdated) {
     if (outdated === this.outdated_) return;
     this.outdated_ = outdated;
@@ -77,12 +79,12 @@ export class ResultPanel {
     this.render_();
   }
 
-  /** To what was found, for the eye and for the screen reader. */
+  /** Scrolls to the verdict and moves the focus there, for screen readers. */
   reveal() {
     byId('step-check', HTMLElement).scrollIntoView({ block: 'start' });
     const at = document.activeElement;
     const isWaiting = at === null || at === document.body || at.closest('.actions') !== null;
-    if (isWaiting) byId('check-heading', HTMLElement).focus({ preventScroll: true });  // else something else is being done
+    if (isWaiting) byId('check-heading', HTMLElement).focus({ preventScroll: true });  // otherwise the user is busy
   }
 
   render_() {

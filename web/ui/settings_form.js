@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every control that carries `data-setting`, the key of its setting: what it offers, what it says, and what the module is
-// to do with it.
+// The controls with `data-setting`, the key of their setting: their labels, bounds, choices and values, and the
+// settings that they add up to for the engine.
 import { EngineFailure } from '../engine/engine_error.js';
 import { areLamps, lampsFrom, lampsText } from '../engine/lamps.js';
 import { message } from '../engine/message.js';
@@ -15,16 +15,16 @@ import { LampsField } from './lamps_field.js';
 /** @typedef {import('../generated/settings.js').SettingKey} SettingKey */
 /** @typedef {import('../storage/last_work.js').Values} Values */
 
-/** The choice beside which a number counts. */
+/** The choice that reads its number from a field. */
 const kFixed = 'fixed';
 
-const kMostListed = 16;  // numbers among choices
+const kMostListed = 16;  // most numbers listed as choices
 
-/** The objective that a lamp is for. */
+/** The objective that allows a lamp. */
 const kOneLight = 'one-light';
 
 export class SettingsForm {
-  /** @param {(id: string) => void} onChange  the control that was changed */
+  /** @param {(id: string) => void} onChange  id of the changed control */
   constructor(onChange) {
     this.onChange_ = onChange;
     this.lamps_ = new LampsField();
@@ -56,17 +56,17 @@ export class SettingsForm {
     this.follow_();
   }
 
-  /** What there is a control for. @returns {SettingKey[]} */
+  /** The settings that have a control. @returns {SettingKey[]} */
   get keys() {
     return this.controls_.map(keyOf);
   }
 
-  /** What the controls have to hold for these settings. @param {Settings} settings @returns {Values} */
+  /** Returns the control values that produce these settings. @param {Settings} settings @returns {Values} */
   valuesFor(settings) {
     return controlValues(settings, this.controls_.map((control) => ({ id: control.id, key: keyOf(control) })), this.defaults);
   }
 
-  /** As if the user had typed them, at once. @param {Values} values */
+  /** Sets several controls at once, as if the user had typed the values. @param {Values} values */
   change(values) {
     this.values = values;
     this.onChange_(Object.keys(values)[0]);
@@ -86,8 +86,8 @@ export class SettingsForm {
   }
 
   /**
-   * The control of a setting, and what it holds for a value of the setting.
-   * @param {{ setting: string, value: string }} change  `value` '': the setting's default
+   * Finds the control of a setting, and the control's value for a value of the setting.
+   * @param {{ setting: string, value: string }} change  `value` '' stands for the setting's default
    */
   controlFor({ setting, value }) {
     const control = this.controls_.find((one) => keyOf(one) === setting);
@@ -96,7 +96,11 @@ export class SettingsForm {
     return { id: control.id, value: hasAuto ? 'auto' : value };
   }
 
-  /** What the controls hold after a change of a setting. @param {{ setting: string, value: string }} change @returns {Values} */
+  /**
+   * Returns the values of all controls after a setting changes.
+   * @param {{ setting: string, value: string }} change
+   * @returns {Values}
+   */
   valuesAfter(change) {
     const { id, value } = this.controlFor(change);
     return { ...this.values, [id]: value, ...this.brought_({ ...change, value }) };
@@ -112,7 +116,7 @@ export class SettingsForm {
     this.follow_();
   }
 
-  /** What depends on what others hold. */
+  /** Updates the labels and hints that depend on other controls. */
   follow_() {
     byId('size-mm-label', HTMLElement).textContent = controlName(sizeKey());
     this.lamps_.read();
@@ -121,8 +125,8 @@ export class SettingsForm {
 }
 
 /**
- * What other controls hold after a choice: the printer of a process, and no lamp where what was carved for it alone is not
- * any more.
+ * Returns the settings that a choice changes along with itself: a process sets its printer, and an objective without
+ * lamps clears the lamps.
  * @param {{ setting: string, value: string }} change
  * @returns {Record<string, string>}  by setting
  */
@@ -132,7 +136,8 @@ export function broughtBy({ setting, value }) {
 }
 
 /**
- * The inverse of `SettingsForm.settings`: what is left out is as the controls begin.
+ * Returns the control values for these settings, the inverse of `SettingsForm.settings`. A setting that is left out
+ * gets its control's default.
  * @param {Settings} settings
  * @param {{ id: string, key: SettingKey }[]} controls
  * @param {Values} defaults
@@ -156,16 +161,20 @@ const choice = (id) => byId(id, HTMLSelectElement).value;
 /** @param {Control} control */
 const keyOf = (control) => /** @type {SettingKey} */ (control.dataset.setting);
 
-/** Whether a choice is a number of a short range. @param {string} value */
+/** Tells whether a choice is a whole number. @param {string} value */
 const isWhole = (value) => /^\d+$/.test(value);
 
-/** What stands for the numbers of a setting among its choices: each of a short range, else one word. @param {SettingKey} key @returns {string[]} */
+/**
+ * Returns the choices that stand for a setting's numbers: every number of a short range, otherwise one word for all.
+ * @param {SettingKey} key
+ * @returns {string[]}
+ */
 function numbersOf(key) {
   const { whole, min = 0, max = Infinity } = kSettings[key];
   return whole && max - min < kMostListed ? Array.from({ length: max - min + 1 }, (_, at) => String(min + at)) : [kFixed];
 }
 
-/** What it offers and begins with. @param {Control} control */
+/** Sets a control's choices, bounds and default. @param {Control} control */
 function prepare(control) {
   const { choices = [], kind, min, max, default: initial } = kSettings[keyOf(control)];
   if (control instanceof HTMLSelectElement) {
@@ -175,12 +184,12 @@ function prepare(control) {
     control.defaultChecked = Boolean(initial);
   } else if (kind === 'number') {
     Object.assign(control, { min: String(min), max: String(max) });
-    // What may be empty begins so; a value of the page's own stands in the markup.
+    // A field that may be empty begins empty; the page's own defaults are in the markup.
     if (control.required && !control.defaultValue) control.defaultValue = String(initial);
   }
 }
 
-/** Its label and its choices. @param {Control} control */
+/** Writes a control's label and the names of its choices. @param {Control} control */
 function name(control) {
   const key = keyOf(control), label = control.labels?.[0];
   if (label) (label.querySelector('span') ?? label).textContent = controlName(key);
@@ -192,8 +201,8 @@ function name(control) {
 
 /**
  * @param {Control} control
- * @returns {string | number | boolean | import('../engine/lamps.js').Lamp[] | undefined}  undefined: left empty
- * @throws {EngineFailure} if a number is missing or out of range, or a lamp is none
+ * @returns {string | number | boolean | import('../engine/lamps.js').Lamp[] | undefined}  undefined if left empty
+ * @throws {EngineFailure} if a number is missing or out of range, or a lamp is malformed
  */
 function valueOf(control) {
   if (control instanceof HTMLSelectElement) return isWhole(control.value) ? Number(control.value) : control.value;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Keys that do what a control of the page does. They are silent while something is typed and under an open dialog.
+// Keys that work a control of the page. They do nothing while the user is typing or a dialog is open.
 
 /**
  * @typedef {object} Shortcut
- * @property {string} key          as KeyboardEvent.key gives it, in lower case
- * @property {boolean} [ctrl]      with Ctrl, or ⌘ on a Mac
- * @property {boolean} [shift]     with it; of signs it does not matter
- * @property {string} control      the id of the control it works; focused if it is a text, else clicked
+ * @property {string} key          KeyboardEvent.key, in lower case
+ * @property {boolean} [ctrl]      together with Ctrl, or ⌘ on a Mac
+ * @property {boolean} [shift]     together with Shift; checked for letters only
+ * @property {string} control      id of the control: a text field is focused, anything else is clicked
  * @property {import('../i18n/catalogue.js').Key} name
  */
 
@@ -28,7 +28,7 @@ export const kShortcuts = [
 
 const kTypedInto = ['text', 'number', 'search', 'url', 'email', 'tel', 'password', 'date', 'time', 'datetime-local'];
 
-/** Whether what is pressed there is text. @param {EventTarget | null} target */
+/** Tells whether a key pressed on this element is text input. @param {EventTarget | null} target */
 function isTyping(target) {
   if (target instanceof HTMLInputElement) return kTypedInto.includes(target.type);
   return target instanceof HTMLTextAreaElement || (target instanceof HTMLElement && target.isContentEditable);
@@ -47,14 +47,14 @@ export function shortcutOf({ key, ctrlKey, metaKey, altKey, shiftKey }) {
     (!isLetter || (one.shift ?? false) === shiftKey));
 }
 
-/** @param {() => boolean} singleKeys  whether keys without Ctrl count */
+/** @param {() => boolean} singleKeys  tells whether keys without Ctrl are enabled */
 export function listenForShortcuts(singleKeys) {
   document.addEventListener('keydown', (event) => {
     if (event.defaultPrevented || isTyping(event.target) || document.querySelector('dialog[open]')) return;
     const shortcut = shortcutOf(event);
-    if (!shortcut || shortcut.control === 'cancel') return;  // which also works while typing, see WorkPanel
+    if (!shortcut || shortcut.control === 'cancel') return;  // WorkPanel handles Escape, which also works while typing
     if (!shortcut.ctrl && (!singleKeys() || event.target instanceof HTMLSelectElement || event.repeat)) return;
-    if (shortcut.ctrl) event.preventDefault();  // else the browser would undo in a field of its own choice
+    if (shortcut.ctrl) event.preventDefault();  // otherwise the browser would undo in a field of its choice
     const control = document.getElementById(shortcut.control);
     if (!control || (control instanceof HTMLButtonElement && control.disabled) || !control.checkVisibility()) return;
     event.preventDefault();

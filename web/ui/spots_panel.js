@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where a code could go: suggestions to choose from, and the sizes as colours on the model.
+// Suggested spots for the code, and the possible sizes as colours on the model.
 import { onLanguage, text } from '../i18n/catalogue.js';
 import { byId, make } from '../dom/dom.js';
 import { formatPlain } from '../i18n/format.js';
@@ -65,7 +65,11 @@ export class SpotsPanel {
     this.note_.textContent = text('page.noGoodSpot');
   }
 
-  /** The code on a spot, as its reader sees it. @param {number} index @param {import('../engine/types.js').ColourImage} picture */
+  /**
+   * Draws the code at a spot as its viewer sees it.
+   * @param {number} index
+   * @param {import('../engine/types.js').ColourImage} picture
+   */
   showPicture(index, { width, height, pixels }) {
     const canvas = this.list_.querySelectorAll('canvas')[index];
     if (!canvas || width === 0) return;
@@ -81,7 +85,7 @@ export class SpotsPanel {
     this.setSizesShown(false);
   }
 
-  /** @param {number} [index]  none: the centre is somewhere else */
+  /** @param {number} [index]  undefined if the code's centre is elsewhere */
   mark(index) {
     [...this.list_.querySelectorAll('button')].forEach((button, i) => button.setAttribute('aria-pressed', String(i === index)));
   }
@@ -101,8 +105,8 @@ export class SpotsPanel {
 /** @param {Spots['spots'][number]} spot */
 const factsOf = ({ sizeMm, aimToleranceDeg }) => text('page.upTo', { size: `${formatPlain(wholeMm(sizeMm))} mm`, deg: Math.floor(aimToleranceDeg) });
 
-/** Warnings of a spot. @param {Spots['spots'][number]} spot */
+/** Returns the warnings about a spot. @param {Spots['spots'][number]} spot */
 const concernsOf = ({ concerns }) => concerns.map((concern) => make('span', { className: 'warning', text: sentenceOf(concern) }));
 
-/** Rounded down: so much does fit. @param {number} mm */
+/** Rounds down, so that a code of this size does fit. @param {number} mm */
 const wholeMm = (mm) => (mm < 10 ? Math.floor(mm * 10) / 10 : Math.floor(mm));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The state of each step, in one line beside its heading and in the mark before it.
+// The state of each step: one line next to its heading, and the mark before it.
 import { write } from '../i18n/live.js';
 import { byId } from '../dom/dom.js';
 

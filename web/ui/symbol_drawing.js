@@ -4,9 +4,9 @@ import { symbolEdge, symbolPath } from '../export/symbol_file.js';
 const kSvg = 'http://www.w3.org/2000/svg';
 
 /**
- * The symbol with its quiet zone, dark on light whatever the page's colours are, as cameras want it.
+ * Draws the symbol with its quiet zone, dark on light in any colour scheme, as cameras expect it.
  * @param {string[]} rows
- * @param {string} name  for those who do not see it
+ * @param {string} name  for screen readers
  */
 export function drawSymbol(rows, name) {
   const svg = document.createElementNS(kSvg, 'svg');

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The symbol of the text as it is typed: its picture, how full it is, whether its modules print, what would make them
-// larger.
+// The symbol of the typed text: its picture, how full it is, whether its modules can be printed and what would enlarge
+// them.
 import { isReplaced } from '../engine/client.js';
 import { describeThrown, isFatal } from '../engine/engine_error.js';
 import { onLanguage, text } from '../i18n/catalogue.js';
@@ -14,8 +14,14 @@ import { drawSymbol } from './symbol_drawing.js';
 /** @typedef {import('../engine/types.js').Settings} Settings */
 /** @typedef {import('../engine/types.js').SymbolFacts} SymbolFacts */
 /** @typedef {import('../i18n/catalogue.js').Key} Key */
-/** @typedef {{ text: string, key: Key, use: () => void }} Form  another way of writing the same, and how to take it */
-/** @typedef {{ symbolMm: number, guaranteedMm: number }} Room  its edge where it is placed, and what fits there at any rotation */
+/**
+ * @typedef {{ text: string, key: Key, use: () => void }} Form  another way to write the same content, and the function
+ *   that applies it
+ */
+/**
+ * @typedef {{ symbolMm: number, guaranteedMm: number }} Room  the symbol's edge as placed, and the edge that fits there
+ *   at any rotation
+ */
 /** @typedef {{ severity: 'warning' | 'note', words: string, action?: { words: string, run: () => void } }} Line */
 /** @typedef {{ content: string, settings: Settings, facts: SymbolFacts, shorter: { form: Form, facts: SymbolFacts }[] }} Shown */
 
@@ -24,10 +30,10 @@ const kLargestVersion = 40;
 
 /**
  * @typedef {object} SymbolOptions
- * @property {(content: string) => Settings} settings   those chosen, with this text; throws an EngineFailure
+ * @property {(content: string) => Settings} settings   the chosen settings, with this text; throws an EngineFailure
  * @property {(settings: Settings) => Promise<SymbolFacts>} symbolOf
- * @property {() => Form[]} otherForms                  of the builder
- * @property {(content: string) => void} onReplace      another text was chosen
+ * @property {() => Form[]} otherForms                  from the builder
+ * @property {(content: string) => void} onReplace      the user chose another text
  */
 
 export class SymbolPanel {
@@ -51,7 +57,7 @@ export class SymbolPanel {
     this.render_();
   }
 
-  /** The symbol of what was typed last, if it has one. */
+  /** The symbol of the current text; undefined until the engine has answered, or if the text has none. */
   get current() {
     return this.shown_?.content === this.content_ ? this.shown_.facts : undefined;
   }
@@ -63,7 +69,7 @@ export class SymbolPanel {
     this.pause_ = setTimeout(() => void this.ask_(), kPauseMs);
   }
 
-  /** @param {boolean} advises  on the text, and on shorter ones */
+  /** @param {boolean} advises  whether to advise on the text and on shorter forms */
   setAdvising(advises) {
     this.advises_ = advises;
     this.render_();
@@ -88,7 +94,7 @@ export class SymbolPanel {
       this.render_();
       if (this.shown_ && this.advises_) await this.findShorter_(this.shown_, isNewest);
     } catch (thrown) {
-      if (!isNewest() || isReplaced(thrown) || isFatal(thrown)) return;  // a new module is asked anew
+      if (!isNewest() || isReplaced(thrown) || isFatal(thrown)) return;  // the new engine is asked again
       this.shown_ = undefined;
       this.problem_ = describeThrown(thrown);
       this.render_();
@@ -158,7 +164,7 @@ export class SymbolPanel {
       least: `${formatPlain(facts.leastModuleMm)} mm`,
     });
     const needed = formatMm(found.neededMm);
-    const full = symbolMm < maxSizeMm && found.neededMm > guaranteedMm;  // else it is the size asked for that is too small
+    const full = symbolMm < maxSizeMm && found.neededMm > guaranteedMm;  // otherwise the chosen size is too small
     const larger = text(full ? 'code.symbol.otherPlace' : 'code.symbol.larger', { needed });
     const shorter = found.printable === undefined ? '' : ` ${text('code.symbol.shorten', { modules: found.printable })}`;
     const link = !hasShorter && isWebAddress(this.content_) ? ` ${text('code.shorter.link')}.` : '';

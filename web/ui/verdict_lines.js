@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The verdict in three lines, each with its reasons and what one click would change.
+// The verdict in three lines, each with its reasons and one-click remedies.
 import { text } from '../i18n/catalogue.js';
 import { asSentence, hintOf, sentenceOf } from '../i18n/messages.js';
 import { choiceLabel } from '../i18n/setting_names.js';
@@ -12,12 +12,18 @@ import { remedyButtons } from './messages.js';
 /** @typedef {import('../engine/types.js').Remedy} Remedy */
 /** @typedef {(remedy: Remedy, label: string) => void} OnRemedy */
 /** @typedef {import('../engine/types.js').Printed} Printed */
-/** @typedef {{ onRemedy: OnRemedy, onPrint: (wanted: boolean) => void, onTryPrints: () => void }} Listener
- *   `onPrint`: the print is to be made, or not; `onTryPrints`: others are to be made */
+/**
+ * @typedef {{ onRemedy: OnRemedy, onPrint: (wanted: boolean) => void, onTryPrints: () => void }} Listener  `onPrint`:
+ *   start or stop the simulation of the print; `onTryPrints`: try other print settings
+ */
 
 const kUnlinkedLength = 80;
 
-/** @param {Report} report @param {Printed | undefined} printed  none: nothing is known of it yet @param {Listener} listener */
+/**
+ * @param {Report} report
+ * @param {Printed | undefined} printed  undefined until something is known about the print
+ * @param {Listener} listener
+ */
 export function verdictLines({ text: wanted, verification: { verdict } }, printed, listener) {
   const { onRemedy, onPrint } = listener;
   return [
@@ -40,7 +46,13 @@ const printingLine = (printed, onPrint) => make('li', { className: 'under-way' }
   make('p', { text: text('check.printingWhy') }),
   ...remedyButtons([{ label: text('check.stopPrint'), run: () => onPrint(false) }]));
 
-/** What can be done about the print. @param {Printed} printed @param {Aspect} prints @param {Listener} listener @returns {Node[]} */
+/**
+ * Returns the actions available for the print.
+ * @param {Printed} printed
+ * @param {Aspect} prints
+ * @param {Listener} listener
+ * @returns {Node[]}
+ */
 function printNotes(printed, prints, listener) {
   const { onPrint } = listener;
   if (printed.state === 'made') return prints.level === 'good' && !printed.trials ? [] : trialNotes(printed.trials, listener);
@@ -56,7 +68,12 @@ const failureWords = (error) => [text('check.printFailed'), sentenceOf(error)].m
 export const tryingWords = ({ tried, all, fraction = 0 }) =>
   text('check.tryingPrints', { number: Math.min(tried.length + 1, all), all, percent: Math.round(100 * fraction) });
 
-/** Other ways of printing it: asked for, under way, and what they came to. @param {import('../engine/types.js').PrintTrials | undefined} trials @param {Listener} listener @returns {Node[]} */
+/**
+ * Shows the trials of other print settings: the offer, the progress and the outcomes.
+ * @param {import('../engine/types.js').PrintTrials | undefined} trials
+ * @param {Listener} listener
+ * @returns {Node[]}
+ */
 function trialNotes(trials, { onRemedy, onPrint, onTryPrints }) {
   if (!trials) return remedyButtons([{ label: text('check.tryPrints'), run: onTryPrints }]);
   const { tried, fraction, error } = trials;
@@ -87,7 +104,7 @@ const line = ({ level, warnings, reasons, remedies }, heading, onRemedy, notes =
 /** @param {import('../engine/types.js').Message[]} messages */
 const wordsOf = (messages) => messages.flatMap((one) => [sentenceOf(one), hintOf(one)]).filter(Boolean).map(asSentence).join(' ');
 
-/** The summary, its text as a link where it is one. @param {string} wanted @param {Aspect} aspect */
+/** Returns the summary, with the decoded text as a link if it is one. @param {string} wanted @param {Aspect} aspect */
 function readsHeading(wanted, { summary }) {
   const { text: said } = summary.values;
   if (!said || !('term' in said) || said.term !== wanted) return [sentenceOf(summary)];
@@ -99,7 +116,7 @@ function readsHeading(wanted, { summary }) {
   return [before, words, after];
 }
 
-/** What a control would show of a value. @param {string} id @param {string} value */
+/** Returns the text that a control would show for a value. @param {string} id @param {string} value */
 export function shownValue(id, value) {
   const control = document.getElementById(id);
   if (control instanceof HTMLSelectElement) return [...control.options].find((option) => option.value === value)?.text ?? value;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The buttons over the 3D view: from where it is looked at, and what of the model is seen.
+// The buttons over the 3D view: viewing directions, and the parts of the model to show.
 import { byId } from '../dom/dom.js';
 
 /** @typedef {import('../engine/types.js').StandardView} StandardView */
@@ -7,12 +7,12 @@ import { byId } from '../dom/dom.js';
 /**
  * @typedef {object} ToolbarListener
  * @property {(carved: boolean) => void} onCarved
- * @property {(before: boolean) => void} onBefore  the model as it was, as long as the button is held
+ * @property {(before: boolean) => void} onBefore  show the model before carving while the button is held
  * @property {() => void} onReaderView
  * @property {() => void} onFit
  * @property {(name: StandardView) => void} onStandard
- * @property {(shown: boolean, offset: number) => void} onSection  offset: from the code's middle, -1 … 1
- * @property {() => void} onFaceSection  to where it is seen
+ * @property {(shown: boolean, offset: number) => void} onSection  offset from the code's middle, -1 … 1
+ * @property {() => void} onFaceSection  turn to face the section
  * @property {(shown: boolean) => void} onDepths
  * @property {(shown: boolean) => void} onInspector
  */
@@ -70,7 +70,7 @@ export class ViewToolbar {
     });
   }
 
-  /** Held by pointer, by Space or Enter on the button, or by the key B on the view. */
+  /** Shows the model before carving while the pointer, Space or Enter holds the button, or B is held over the view. */
   followBefore_() {
     const { before_: button } = this;
     const isKey = (/** @type {KeyboardEvent} */ event) => event.key === ' ' || event.key === 'Enter';
@@ -85,7 +85,7 @@ export class ViewToolbar {
     button.addEventListener('keyup', (event) => {
       if (isKey(event)) this.hold(false);
     });
-    button.addEventListener('contextmenu', (event) => event.preventDefault());  // of a long press
+    button.addEventListener('contextmenu', (event) => event.preventDefault());  // the menu of a long press
   }
 
   /** @param {boolean} held */
@@ -105,7 +105,7 @@ export class ViewToolbar {
     if (shown) this.listener_.onFaceSection();
   }
 
-  /** @param {boolean} exists  a carved model @param {boolean} shown */
+  /** @param {boolean} exists  whether there is a carved model @param {boolean} shown */
   setCarved(exists, shown) {
     this.carved_.disabled = !exists;
     this.carved_.setAttribute('aria-pressed', String(shown));
@@ -114,7 +114,7 @@ export class ViewToolbar {
     if (!exists) this.depths_.setAttribute('aria-pressed', 'false');
   }
 
-  /** @param {boolean} placed  a code has its place */
+  /** @param {boolean} placed  whether a code is placed */
   setPlaced(placed) {
     this.reader_.disabled = !placed;
     this.section_.disabled = !placed;
@@ -126,7 +126,7 @@ export class ViewToolbar {
     return isPressed(this.depths_);
   }
 
-  /** It could not be shown. */
+  /** Resets the button after the inspector could not be opened. */
   releaseInspector() {
     this.inspector_.setAttribute('aria-pressed', 'false');
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Engrave, Cancel and how far the work has come.
+// The buttons Engrave and Cancel, and the progress bar.
 import { text } from '../i18n/catalogue.js';
 import { byId } from '../dom/dom.js';
 
@@ -19,9 +19,9 @@ export class WorkPanel {
     });
   }
 
-  /** What Engrave is called. @param {'page.engrave' | 'batch.engraveFirst'} key */
+  /** Sets the label of the Engrave button. @param {'page.engrave' | 'batch.engraveFirst'} key */
   nameEngrave(key) {
-    this.engrave_.dataset.text = key;  // for another language
+    this.engrave_.dataset.text = key;  // used again when the language changes
     this.engrave_.textContent = text(key);
   }
 
@@ -30,7 +30,7 @@ export class WorkPanel {
     this.engrave_.disabled = !allowed;
   }
 
-  /** @param {string} stage  without a fraction: nobody knows how long it takes */
+  /** @param {string} stage  without a fraction, since the duration is unknown */
   begin(stage) {
     this.focusReturns_ = document.activeElement === this.engrave_;
     this.engrave_.disabled = true;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The small sign beside the pointer, or the handle, that says how large the code would be there.
+// The label next to the pointer or the handle that shows how large the code would be there.
 import { make } from '../dom/dom.js';
 import { text } from '../i18n/catalogue.js';
 
 /** @typedef {import('../engine/types.js').CodeFacts} CodeFacts */
 
 const kOffsetPx = 20;
-const kLeastModuleMm = 0.2;  // finer ones are refused (core/pipeline/placement.cpp)
+const kLeastModuleMm = 0.2;  // the engine refuses smaller modules (core/projection/room.h)
 
 export class CodeChip {
   /** @param {HTMLElement} overlay  covers the canvas */
@@ -17,11 +17,11 @@ export class CodeChip {
     this.warning_ = make('span', { className: 'warning' });
     this.element_ = make('div', { className: 'code-chip' }, this.size_, this.module_, this.warning_);
     this.element_.hidden = true;
-    this.element_.setAttribute('aria-hidden', 'true');  // the panel says it, without a word for every pixel
+    this.element_.setAttribute('aria-hidden', 'true');  // the panel announces the size, but not for every pixel
     overlay.append(this.element_);
   }
 
-  /** @param {CodeFacts} facts @param {number} x @param {number} y  of what it stands beside */
+  /** @param {CodeFacts} facts @param {number} x @param {number} y  position of the pointer or handle */
   show({ symbolMm, moduleMm, missingShare, exact }, x, y) {
     const isPossible = moduleMm >= kLeastModuleMm;
     this.size_.textContent = isPossible ? text(exact ? 'view.chipSize' : 'view.chipAbout', { mm: millimetres(symbolMm) }) : '';
@@ -45,7 +45,7 @@ export class CodeChip {
     this.element_.hidden = true;
   }
 
-  /** Beside the point, on the side where there is room. @param {number} x @param {number} y */
+  /** Puts the label next to the point, on the side that has room. @param {number} x @param {number} y */
   place_(x, y) {
     this.element_.hidden = false;
     const { offsetWidth, offsetHeight } = this.element_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Moves, turns and sizes the placed code by its handles, the keyboard, two fingers and Shift with the wheel. While it is
-// held the module shows it at once; what comes out is handed on as a place or as settings.
+// Moves, turns and sizes the placed code with its handles, the keyboard, two fingers, or Shift and the wheel. During
+// the gesture the engine shows every change at once; at its end the listener gets the new place or settings.
 import { isReplaced } from '../engine/client.js';
 import { CodeHandles } from './code_handles.js';
 import { roundedSize, scaleBetween, snappedRotation, squareMaps, turnBetween, twistBetween } from './handle_geometry.js';
@@ -13,30 +13,30 @@ import { NewestOnly } from './newest_only.js';
 /** @typedef {import('./handle_geometry.js').HandleKind} HandleKind */
 /** @typedef {import('./handle_geometry.js').Point} Point */
 
-const kLeastMm = 5;      // of the fields that take the settings
+const kLeastMm = 5;      // same limits as the fields of these settings
 const kMostMm = 1000;
 const kClickSlopPx = 4;
 const kKeyStepPx = 6;
 const kWheelStepDeg = 5;
-const kCommitMs = 450;   // without another key or turn of the wheel
+const kCommitMs = 450;   // pause after the last key or wheel step
 
 /**
  * @typedef {object} EditListener
- * @property {(x: number, y: number) => void} onPlace  the code is to have its place there, CSS pixels of the canvas
+ * @property {(x: number, y: number) => void} onPlace  move the code there, CSS pixels of the canvas
  * @property {(change: { rotateDeg?: number, symbolMm?: number }) => void} onAdjust
- * @property {() => void} onCancel  what was shown does not hold
+ * @property {() => void} onCancel  discard the preview
  */
 
 /**
- * A handle that is held, and the code as it was.
+ * A handle that is held, and the code at the start of the gesture.
  * @typedef {object} Drag
  * @property {HandleKind | 'twist'} kind
  * @property {number} pointerId
- * @property {Point} from            screen
+ * @property {Point} from            on the screen
  * @property {Point} at
  * @property {CodeOnScreen} code
  * @property {boolean} moved
- * @property {{ pointerId: number, from: Point, at: Point }} [second]  finger
+ * @property {{ pointerId: number, from: Point, at: Point }} [second]  second finger
  */
 
 export class CodeEditor {
@@ -57,7 +57,7 @@ export class CodeEditor {
     /** @type {CodeOnScreen | null} */ this.code_ = null;
     /** @type {Drag | undefined} */ this.drag_ = undefined;
     /** @type {{ rotateDeg?: number, symbolMm?: number, at?: Point }} */ this.pending_ = {};
-    /** @type {{ rotateDeg?: number, symbolMm?: number }} */ this.committed_ = {};  // and not seen yet
+    /** @type {{ rotateDeg?: number, symbolMm?: number }} */ this.committed_ = {};  // but not yet shown by the engine
     /** @type {ReturnType<typeof setTimeout> | undefined} */ this.commit_ = undefined;
     this.queue_ = new NewestOnly((/** @type {() => Promise<void>} */ task) => task());
     for (const kind of /** @type {HandleKind[]} */ (['move', 'turn', 'size'])) {
@@ -74,13 +74,13 @@ export class CodeEditor {
     };
   }
 
-  /** @param {boolean} allowed  nothing else is going on, and a code may be placed */
+  /** @param {boolean} allowed  a code may be placed and no job runs */
   allow(allowed) {
     this.allowed_ = allowed;
     this.handles_.show(allowed ? this.code_ : null);
   }
 
-  /** @param {CodeOnScreen | null} code  as it is shown now */
+  /** @param {CodeOnScreen | null} code  as shown now */
   update(code) {
     const { code_: before } = this;
     if (code?.rotationDeg !== before?.rotationDeg || code?.symbolMm !== before?.symbolMm) this.committed_ = {};
@@ -88,7 +88,12 @@ export class CodeEditor {
     if (this.allowed_) this.handles_.show(code);
   }
 
-  /** Shift with the wheel: so many notches. @param {number} notches @param {number} x @param {number} y */
+  /**
+   * Turns the code by notches of the wheel while Shift is held.
+   * @param {number} notches
+   * @param {number} x
+   * @param {number} y
+   */
   turn(notches, x, y) {
     const { code_: code } = this;
     if (!code || !this.allowed_) return;
@@ -114,7 +119,7 @@ export class CodeEditor {
     addEventListener('keydown', this.escape_, { capture: true });
   }
 
-  /** A second finger while the grip is held turns and sizes. @param {PointerEvent} event */
+  /** Lets a second finger on the held grip turn and size the code. @param {PointerEvent} event */
   secondFinger_(event) {
     const { drag_: drag } = this;
     if (!drag) return;
@@ -160,7 +165,7 @@ export class CodeEditor {
     this.adjust_(rotateDeg, symbolMm, drag.at);
   }
 
-  /** Where a code that is moved by its grip has its middle. @param {Drag} drag @returns {Point} */
+  /** Returns where the middle of the code goes when its grip is dragged. @param {Drag} drag @returns {Point} */
   target_({ at, from, code }) {
     const [x, y] = squareMaps(code.corners).toScreen([0, 0]);
     return [x + at[0] - from[0], y + at[1] - from[1]];
@@ -239,7 +244,12 @@ export class CodeEditor {
     event.stopPropagation();
   }
 
-  /** @param {'turn' | 'size'} kind @param {number} steps  NaN: upright @param {CodeOnScreen} code @param {Point} beside */
+  /**
+   * @param {'turn' | 'size'} kind
+   * @param {number} steps  NaN: upright
+   * @param {CodeOnScreen} code
+   * @param {Point} beside
+   */
   step_(kind, steps, code, beside) {
     const { rotateDeg, symbolMm } = this.soFar_(code);
     if (kind === 'turn') this.pending_.rotateDeg = Number.isNaN(steps) ? 0 : wrapped(rotateDeg + steps);
@@ -248,7 +258,7 @@ export class CodeEditor {
     this.commitSoon_();
   }
 
-  /** What the next step starts from. @param {CodeOnScreen} code */
+  /** Returns the rotation and size that the next step starts from. @param {CodeOnScreen} code */
   soFar_({ rotationDeg, symbolMm }) {
     return { rotateDeg: Math.round(rotationDeg), symbolMm, ...this.committed_, ...this.pending_ };
   }
@@ -303,7 +313,11 @@ const distance = (a, b) => Math.hypot(a[0] - b[0], a[1] - b[1]);
 /** @param {number} deg */
 const wrapped = (deg) => deg - 360 * Math.round(deg / 360) + 0;
 
-/** Of a slider: what the key adds; NaN: back to the start. @param {KeyboardEvent} event @returns {number | undefined} */
+/**
+ * Returns the step that a key adds to a slider's value; NaN resets the value.
+ * @param {KeyboardEvent} event
+ * @returns {number | undefined}
+ */
 function stepOf(event) {
   return {
     ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1, PageDown: -15, PageUp: 15, Home: NaN,

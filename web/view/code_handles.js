@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The three handles over a placed code, as elements: a grip that moves it, sliders that turn and size it, and a button
-// that sets it upright. What is done with them is code_editor.js's business.
+// The elements of the handles over a placed code: a grip that moves it, sliders that turn and size it, and a button
+// that sets it upright. code_editor.js handles their events.
 import { text } from '../i18n/catalogue.js';
 import { make } from '../dom/dom.js';
 import { handlePositions } from './handle_geometry.js';
@@ -9,7 +9,7 @@ import { handlePositions } from './handle_geometry.js';
 /** @typedef {import('./handle_geometry.js').HandleKind} HandleKind */
 /** @typedef {import('./handle_geometry.js').Point} Point */
 
-const kLeastFacing = 0.2;  // cosine: a code seen along its plane cannot be handled
+const kLeastFacing = 0.2;  // cosine: a code seen nearly edge-on cannot be handled
 const kLeastEdgePx = 48;
 const kSvg = 'http://www.w3.org/2000/svg';
 
@@ -70,7 +70,7 @@ export class CodeHandles {
     this.upright.hidden = deg === 0;
   }
 
-  /** @param {HandleKind | undefined} kind  the one that is held */
+  /** @param {HandleKind | undefined} kind  the handle that is held */
   hold(kind) {
     this.box_.classList.toggle('held', kind !== undefined);
     for (const [name, element] of Object.entries(this.handles)) element.classList.toggle('active', name === kind);

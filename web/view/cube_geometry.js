@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The faces of the view cube as a camera sees them, without perspective.
+// The faces of the view cube as the camera sees them, without perspective.
 
 /** @typedef {import('../engine/types.js').StandardView} StandardView */
 /** @typedef {[number, number, number]} Vector */
-/** @typedef {{ name: StandardView, facing: number, matrix: number[] }} CubeFace
- * `matrix`: of the SVG transform that carries the face's square (-1 … 1, x to the right, y downwards) to the screen */
+/**
+ * @typedef {{ name: StandardView, facing: number, matrix: number[] }} CubeFace  `matrix`: the SVG transform from the
+ *   face's square (-1 … 1, x to the right, y downwards) to the screen
+ */
 
-/** Where the faces look, and what is right and up on them for who looks at them. @type {[StandardView, Vector, Vector, Vector][]} */
+/**
+ * Each face's normal, and its right and up directions as seen from outside.
+ * @type {[StandardView, Vector, Vector, Vector][]}
+ */
 const kFaces = [
   ['front', [0, -1, 0], [1, 0, 0], [0, 0, 1]],
   ['back', [0, 1, 0], [-1, 0, 0], [0, 0, 1]],
@@ -21,8 +26,8 @@ const kLeastFacing = 0.02;
 const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 
 /**
- * The faces that are seen, those that face the camera most first.
- * @param {number[][]} axes  right, up, back of the camera, z up
+ * Returns the visible faces, starting with the face that faces the camera most.
+ * @param {number[][]} axes  the camera's right, up and back, z up
  * @param {number} halfEdge  px
  * @returns {CubeFace[]}
  */

@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where a window can open over the view without meeting what the page shows there.
+// Finds room for a window over the view that covers none of the page's overlays.
 
 /** @typedef {import('../engine/types.js').Area} Area */
 
 const kMargin = 12;
-/** More than this is not asked for: among areas that are large enough the one nearest to the upper left is taken. */
+/**
+ * A larger area counts no more than this size. Of the areas that are large enough, the nearest to the upper left wins.
+ */
 const kEnough = { width: 400, height: 720 };
 
 /**
- * The best rectangle that meets no obstacle, found by trying all that obstacles and edges bound.
+ * Finds the best rectangle free of obstacles by trying all rectangles bounded by obstacles and edges.
  * @param {{ width: number, height: number }} stage
  * @param {readonly Area[]} obstacles
- * @returns {Area}  without any obstacle the whole stage but its margin
+ * @returns {Area}  the whole stage but its margin if there are no obstacles
  */
 export function freeArea({ width, height }, obstacles) {
   const grown = obstacles.map((o) => ({ left: o.x - kMargin, top: o.y - kMargin, right: o.x + o.width + kMargin, bottom: o.y + o.height + kMargin }));
@@ -37,12 +39,12 @@ export function freeArea({ width, height }, obstacles) {
   return best;
 }
 
-const kWrapperShare = 0.6;  // of the stage: what covers more only holds others
+const kWrapperShare = 0.6;  // of the view: a larger element is only a container
 
 /**
- * What is shown over the view, in its coordinates; the stage may be larger.
+ * Returns the elements shown over the view, in the view's coordinates. The stage may be larger than the view.
  * @param {HTMLElement} stage
- * @param {HTMLElement} view  the canvas's element, which is not in the way
+ * @param {HTMLElement} view  the canvas's element, which is no obstacle
  * @returns {Area[]}
  */
 export function obstaclesOver(stage, view) {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pointer events to gestures: one pointer orbits (right, middle or shift: pans), two pan and pinch, a still one clicks.
+// Turns pointer events into gestures: one pointer orbits (right or middle button, or Shift: pans), two pan and pinch, a
+// still one clicks.
 
 const kClickMouseSlopPx = 4;
 const kClickTouchSlopPx = 10;
 const kWheelZoomPerPx = 0.0015;
-const kPinchWheelZoomPerPx = 0.01;  // a trackpad's pinch arrives as a wheel with Ctrl and small steps
+const kPinchWheelZoomPerPx = 0.01;  // a trackpad sends a pinch as small wheel steps with Ctrl
 const kWheelLinePx = 16;
 const kWheelPagePx = 400;
 
@@ -12,7 +13,7 @@ const kWheelPagePx = 400;
  * @typedef {object} GestureListener
  * @property {(dx: number, dy: number) => void} onOrbit
  * @property {(dx: number, dy: number) => void} onPan
- * @property {(factor: number, x: number, y: number) => void} onZoom  factor > 1 comes nearer
+ * @property {(factor: number, x: number, y: number) => void} onZoom  factor > 1 zooms in
  * @property {(x: number, y: number) => void} onClick
  */
 
@@ -31,7 +32,7 @@ export class GestureReader {
 
   /**
    * @param {'pointerdown' | 'pointermove' | 'pointerup' | 'pointercancel'} type
-   * @param {PointerLike} event  offsets are relative to the canvas
+   * @param {PointerLike} event  offsets relative to the canvas
    */
   pointer(type, event) {
     if (type === 'pointerdown') this.down_(event);
@@ -64,7 +65,7 @@ export class GestureReader {
     const now = { x: event.offsetX, y: event.offsetY };
     const [dx, dy] = [now.x - last.x, now.y - last.y];
     this.travelPx_ += Math.hypot(dx, dy);
-    if (this.mayClick_ && this.travelPx_ <= slopPx(event)) return;  // last stays: no movement is lost
+    if (this.mayClick_ && this.travelPx_ <= slopPx(event)) return;  // keeps `last`, so no movement is lost
     this.mayClick_ = false;
     const other = [...this.pointers_].find(([id]) => id !== event.pointerId)?.[1];
     this.pointers_.set(event.pointerId, now);

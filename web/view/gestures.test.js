@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { GestureReader } from './gestures.js';
 
-/** What the listener hears of a series of events. @param {(reader: GestureReader) => void} play */
+/** Returns the listener's calls for a series of events. @param {(reader: GestureReader) => void} play */
 function heard(play) {
   /** @type {any[]} */ const calls = [];
   const tell = (/** @type {string} */ name) => (/** @type {number[]} */ ...values) => calls.push([name, ...values]);

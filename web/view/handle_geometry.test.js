@@ -14,7 +14,10 @@ function near(actual, expected) {
 
 /** @type {Point[]} */ const kUpright = [[100, 50], [300, 50], [300, 250], [100, 250]];
 
-/** A square of half edge 1 seen by a pinhole: turned about its vertical axis. @returns {Point[]} */
+/**
+ * Returns the corners of a square of half edge 1, turned about its vertical axis, in a pinhole's view.
+ * @returns {Point[]}
+ */
 function inPerspective() {
   const [c, s] = [Math.cos(0.7), Math.sin(0.7)];
   return /** @type {Point[]} */ ([[-1, 1], [1, 1], [1, -1], [-1, -1]].map(([u, v]) => pinhole(u, v, c, s)));
@@ -45,7 +48,7 @@ test('The turning handle stands off the upper edge, whichever way the code is tu
   near(move, [200, 150]);
   near(turn, [200, 16]);
   near(size, [300, 250]);
-  const quarter = [kUpright[3], kUpright[0], kUpright[1], kUpright[2]];  // its upper left is now at the lower left
+  const quarter = [kUpright[3], kUpright[0], kUpright[1], kUpright[2]];  // the upper left is now at the lower left
   near(handlePositions(quarter).turn, [66, 150]);
 });
 

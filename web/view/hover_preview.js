@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The code that follows the mouse over the model: quickly estimated while it moves, exact once it rests.
+// The code that follows the mouse over the model: a quick estimate while the mouse moves, exact once it rests.
 import { isReplaced } from '../engine/client.js';
 import { NewestOnly } from './newest_only.js';
 
@@ -20,7 +20,7 @@ export class HoverPreview {
     this.latest_ = 0;
   }
 
-  /** @param {boolean} allowed  there is a model that can take a code, and nothing else is going on */
+  /** @param {boolean} allowed  a code may be placed and no job runs */
   allow(allowed) {
     this.allowed_ = allowed;
     if (!allowed) this.end();
@@ -42,7 +42,7 @@ export class HoverPreview {
     this.chip_.hide();
     if (!this.shown_) return;
     this.shown_ = false;
-    this.client_().endHover().catch(() => {});  // rejected only if the module is replaced: then nothing is shown either
+    this.client_().endHover().catch(() => {});  // fails only if the engine is replaced, which shows no code either
   }
 
   /** @param {{ x: number, y: number }} at */

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The page's side of the inspector, which the module draws on the canvas: where it may open, which keys are its own,
-// and what it shows, in words for whoever cannot see it.
+// The page's side of the inspector, which the engine draws on the canvas: the area where it may open, the keys that it
+// takes, and its state in words for those who cannot see it.
 import { freeArea, obstaclesOver } from './free_area.js';
 
 /** @typedef {import('../engine/types.js').InspectorState} InspectorState */
@@ -12,7 +12,8 @@ export class InspectorView {
    * @param {HTMLElement} view  holds the canvas
    * @param {object} listener
    * @param {(action: ViewAction) => void} listener.onAct
-   * @param {(overrides: string) => void} listener.onEngrave  its own Engrave was pressed; what it changes, in words
+   * @param {(overrides: string) => void} listener.onEngrave  the inspector's Engrave button was pressed; the changes it
+   *   makes, in words
    */
   constructor(stage, view, { onAct, onEngrave }) {
     this.stage_ = stage;
@@ -21,17 +22,17 @@ export class InspectorView {
     this.onEngrave_ = onEngrave;
     this.takesKeys_ = false;
     this.engraveAsked_ = 0;
-    // Before the view and the page hear of it, both of which have shortcuts.
+    // Capture the keys before the view and the page, both of which have shortcuts.
     view.addEventListener('keydown', (event) => this.key_(event), { capture: true });
   }
 
-  /** The part of the view that nothing of the page covers. */
+  /** Returns the part of the view that no element of the page covers. */
   area() {
     const { width, height } = this.view_.getBoundingClientRect();
     return freeArea({ width, height }, obstaclesOver(this.stage_, this.view_));
   }
 
-  /** @param {InspectorState | undefined} state  undefined: it was closed, or its module is gone */
+  /** @param {InspectorState | undefined} state  undefined: the inspector was closed, or its engine is gone */
   update(state) {
     this.takesKeys_ = state?.keyboard ?? false;
     const canvas = this.view_.querySelector('canvas');

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The lamps that the code is carved for, drawn over the model: a sun for each, and a line from it to the code.
+// The lamps that the code is carved for, drawn over the model: each as a sun with a line towards the code.
 
 /** @typedef {import('../engine/types.js').LampOnScreen} LampOnScreen */
 
 const kSvg = 'http://www.w3.org/2000/svg';
 const kSunPx = 7, kRayPx = [10, 14], kRays = 8;
-const kGapPx = 16;  // between the sun's middle and the line
+const kGapPx = 16;  // from the sun's middle to the line
 
 export class LampMarks {
   /** @param {HTMLElement} overlay  covers the canvas */
   constructor(overlay) {
     this.svg_ = document.createElementNS(kSvg, 'svg');
     this.svg_.classList.add('lamp-marks');
-    this.svg_.setAttribute('aria-hidden', 'true');  // the fields say the same
+    this.svg_.setAttribute('aria-hidden', 'true');  // the lamp fields give the same information
     overlay.append(this.svg_);
   }
 

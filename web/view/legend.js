@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the colours on the model stand for, mm.
+// The legend of the colours on the model, in mm.
 import { text } from '../i18n/catalogue.js';
 import { write } from '../i18n/live.js';
 import { byId } from '../dom/dom.js';
@@ -15,7 +15,11 @@ export class Legend {
     /** @type {LegendKind | undefined} */ this.kind_ = undefined;
   }
 
-  /** @param {LegendKind} kind @param {number} topMm  of the last colour @param {boolean} [isExceeded]  by what has that colour */
+  /**
+   * @param {LegendKind} kind
+   * @param {number} topMm  value of the last colour
+   * @param {boolean} [isExceeded]  some values with that colour are larger
+   */
   show(kind, topMm, isExceeded = false) {
     this.kind_ = kind;
     write(this.title_, () => text(kind === 'sizes' ? 'view.sizesLegend' : 'view.depthsLegend'));
@@ -24,7 +28,7 @@ export class Legend {
     this.figure_.hidden = false;
   }
 
-  /** @param {LegendKind} kind  another's stays */
+  /** @param {LegendKind} kind  the legend of another kind stays */
   hide(kind) {
     if (this.kind_ === kind) this.figure_.hidden = true;
   }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Maps of numbers as pixels. The maps' first row is the lowest, a picture's the highest.
+// Paints maps of numbers as pictures. The first row of a map is the lowest, the first row of a picture the highest.
 
 /** @typedef {import('../engine/types.js').JobMap} JobMap */
 /** @typedef {{ width: number, height: number, rgba: Uint8ClampedArray<ArrayBuffer> }} Pixels */
 
-/** Viridis by its own samples, as the app's legend shows it: equally readable for all kinds of colour vision. */
+/** Samples of Viridis, as in the page's legend. It suits every kind of colour vision. */
 const kRamp = [[68, 1, 84], [58, 82, 139], [33, 144, 140], [93, 201, 98], [253, 231, 37]];
 
 /** @param {number} share  0 … 1 @returns {number[]} */
@@ -16,7 +16,8 @@ export function rampColour(share) {
 
 /**
  * @param {JobMap} map
- * @param {(at: number) => number[] | undefined} colour  of the texel whose first value is values[at]; none: see-through
+ * @param {(at: number) => number[] | undefined} colour  of the texel whose first value is values[at]; undefined:
+ *   transparent
  * @returns {Pixels}
  */
 function paint({ width, height, components }, colour) {
@@ -30,7 +31,7 @@ function paint({ width, height, components }, colour) {
   return { width, height, rgba };
 }
 
-/** @param {JobMap} map @param {number} at  whether the ray of that texel meets the model */
+/** Tells whether a texel's ray meets the model. @param {JobMap} map @param {number} at  the texel's first value */
 const isSurface = ({ values }, at) => values[at] !== 0 || values[at + 1] !== 0 || values[at + 2] !== 0;
 
 /** @param {JobMap} surface @returns {Pixels}  −1 … 1 as 0 … 255 */
@@ -61,10 +62,10 @@ function paintRamp(map, valueOf) {
 /** @param {JobMap} surface */
 export const paintHeights = (surface) => paintRamp(surface, (at) => (isSurface(surface, at) ? surface.values[at + 3] : undefined));
 
-/** What is not carved stays see-through. @param {JobMap} depths */
+/** Paints the depths of the carved texels; the rest stays transparent. @param {JobMap} depths */
 export const paintDepths = (depths) => paintRamp(depths, (at) => (depths.values[at] > 0 ? depths.values[at] : undefined));
 
-/** @param {JobMap} luminance @returns {Pixels}  linear light as the grey that a screen shows it by */
+/** @param {JobMap} luminance @returns {Pixels}  linear light, as the grey that a screen needs to show it */
 export const paintLight = (luminance) => paint(luminance, (at) => {
   const grey = 255 * Math.min(1, Math.max(0, luminance.values[at])) ** (1 / 2.2);
   return [grey, grey, grey];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /**
- * Runs one task at a time; of those asked for meanwhile only the newest follows.
+ * Runs one task at a time. Of the tasks requested meanwhile, it runs only the newest.
  * @template T
  */
 export class NewestOnly {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The printed code as a picture over the code in the view, with the modules marked that the print has lost.
+// A picture of the printed code over the code in the view. It marks the modules that the print has lost.
 import { make } from '../dom/dom.js';
 
 /** @typedef {import('../engine/types.js').Print} Print */
 /** @typedef {import('../engine/types.js').CodeOnScreen} CodeOnScreen */
 
-const kQuietZoneModules = 4;     // what the corners enclose beside the symbol
-const kPictureMarginModules = 6; // what the picture shows beside it
+const kQuietZoneModules = 4;     // margin around the symbol within the code's corners
+const kPictureMarginModules = 6; // margin around the symbol within the picture
 const kMark = 'rgb(255 64 32 / 90%)';
 
 export class PrintPicture {
@@ -14,7 +14,7 @@ export class PrintPicture {
   constructor(overlay) {
     this.canvas_ = make('canvas', { className: 'print-picture' });
     this.canvas_.hidden = true;
-    this.canvas_.setAttribute('aria-hidden', 'true');  // the caption says it
+    this.canvas_.setAttribute('aria-hidden', 'true');  // the caption gives the same information
     overlay.append(this.canvas_);
     this.modules_ = 0;
     /** @type {CodeOnScreen | null} */ this.code_ = null;
@@ -42,7 +42,7 @@ export class PrintPicture {
     this.canvas_.hidden = true;
   }
 
-  /** @param {CodeOnScreen | null} code  where it is seen now */
+  /** @param {CodeOnScreen | null} code  its position on the screen now */
   place(code) {
     this.code_ = code;
     if (this.canvas_.hidden || !code) return;

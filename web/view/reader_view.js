@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The frame of a phone's camera around the reader's view, under it what was read, and a switch between the carved model and
-// its print.
+// The phone view: the frame of a phone's camera, a caption with the decoded text, and a switch between the carved model
+// and its print.
 import { onLanguage, text } from '../i18n/catalogue.js';
 import { write } from '../i18n/live.js';
 import { make } from '../dom/dom.js';
@@ -47,19 +47,22 @@ export class ReaderView {
     this.say_();
   }
 
-  /** @param {string | undefined} read  of the carved model, where that is seen; '': nothing */
+  /**
+   * @param {string | undefined} read  text decoded from the carved model if it is shown; '': not decoded; undefined: no
+   *   carved model is shown
+   */
   show(read) {
     this.read_ = read;
     this.say_();
   }
 
-  /** @param {SeenPrint | undefined} print  of the carved model, once it was made */
+  /** @param {SeenPrint | undefined} print  of the carved model, once simulated */
   showPrint(print) {
     this.print_ = print;
     this.say_();
   }
 
-  /** @param {CodeOnScreen | null} code  where the code is seen */
+  /** @param {CodeOnScreen | null} code  the code's position on the screen */
   update(code) {
     this.picture_.place(code);
   }
@@ -82,7 +85,7 @@ export class ReaderView {
     this.printed_.textContent = text('view.printed');
   }
 
-  /** The print, where it is what is seen. @returns {SeenPrint | undefined} */
+  /** The print, if it is shown. @returns {SeenPrint | undefined} */
   get seenPrint_() {
     return this.showsPrint_ && this.read_ !== undefined ? this.print_ : undefined;
   }

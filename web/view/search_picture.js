@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The search for depths as it goes: the light that its newest pass saw and the depths that it tried, as the reader sees the
-// code.
+// The progress of the depth search: the light in its newest pass and the depths that it tried, as the code's viewer
+// sees them.
 import { byId } from '../dom/dom.js';
 import { paintDepths, paintLight } from './map_colours.js';
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The 3D view's element: its canvas, its size, and what hand and keyboard do on it.
+// The element of the 3D view: its canvas, its size, and its pointer and keyboard input.
 import { GestureReader } from './gestures.js';
 
 /** @typedef {import('../engine/types.js').ViewAction} ViewAction */
@@ -8,7 +8,7 @@ import { GestureReader } from './gestures.js';
 const kKeyOrbitPx = 30;
 const kKeyPanPx = 30;
 const kKeyZoom = 1.2;
-const kMaxPixelRatio = 2;  // finer than this costs time and shows nothing
+const kMaxPixelRatio = 2;  // a finer canvas costs time without visible gain
 
 /** @type {Record<string, import('../engine/types.js').StandardView>} */
 export const kStandardViews = { 1: 'front', 2: 'back', 3: 'left', 4: 'right', 5: 'top', 6: 'bottom', 7: 'iso' };
@@ -17,10 +17,10 @@ export const kStandardViews = { 1: 'front', 2: 'back', 3: 'left', 4: 'right', 5:
  * @typedef {object} ViewListener
  * @property {(action: ViewAction) => void} onAct
  * @property {(x: number, y: number) => void} onPick
- * @property {(x: number, y: number) => void} [onHover]  of a mouse without a button held
+ * @property {(x: number, y: number) => void} [onHover]  the mouse moved with no button held
  * @property {() => void} [onHoverEnd]
- * @property {(held: boolean) => void} [onBefore]  the key for the model as it was is held
- * @property {(notches: number, x: number, y: number) => void} [onTurn]  Shift with the wheel
+ * @property {(held: boolean) => void} [onBefore]  B, which shows the model before carving, is held
+ * @property {(notches: number, x: number, y: number) => void} [onTurn]  the wheel, with Shift held
  * @property {(size: ViewSize) => void} onResize
  */
 
@@ -32,9 +32,9 @@ export class View {
   constructor(stage, listener) {
     this.stage_ = stage;
     this.listener_ = listener;
-    /** Whether the inspector wants to know where the pointer is. */
+    /** True while the inspector needs the pointer's position. */
     this.reportsPointer = false;
-    this.turned_ = 0;  // by the wheel, notches
+    this.turned_ = 0;  // wheel notches left over, less than one
     const gestures = new GestureReader({
       onOrbit: (dx, dy) => listener.onAct({ kind: 'orbit', dx, dy }),
       onPan: (dx, dy) => listener.onAct({ kind: 'pan', dx, dy }),
@@ -74,7 +74,7 @@ export class View {
   }
 
   /**
-   * A fresh canvas in place of the last: one handed to a worker can never be taken back.
+   * Replaces the canvas by a new one, since a canvas handed to a worker cannot be taken back.
    * @returns {HTMLCanvasElement}
    */
   makeCanvas() {
@@ -84,7 +84,7 @@ export class View {
     canvas.setAttribute('aria-label', '3D view');
     canvas.setAttribute('aria-describedby', 'view-help');
     if (this.canvas_) this.canvas_.replaceWith(canvas);
-    else this.stage_.prepend(canvas);  // under what lies over the view
+    else this.stage_.prepend(canvas);  // below the overlays
     this.canvas_ = canvas;
     return canvas;
   }
@@ -94,12 +94,12 @@ export class View {
     if (width > 0 && height > 0) this.listener_.onResize({ width, height, devicePixelRatio: pixelRatio() });
   }
 
-  /** The point in the middle, in CSS pixels of the canvas. */
+  /** Returns the point in the middle of the view, in CSS pixels of the canvas. */
   middle_() {
     return { x: this.stage_.clientWidth / 2, y: this.stage_.clientHeight / 2 };
   }
 
-  /** Parts of a notch add up. @param {WheelEvent} event */
+  /** Adds up fractions of a notch and reports whole notches. @param {WheelEvent} event */
   turn_(event) {
     this.turned_ += notchesOf(event);
     const whole = Math.trunc(this.turned_);
@@ -151,8 +151,8 @@ export class View {
 }
 
 /**
- * Notches of the wheel, upwards positive: browsers send several as one, and trackpads parts of one. With Shift some
- * systems send them sideways.
+ * Returns the notches of a wheel event, positive upwards. Browsers send several notches as one event, and trackpads
+ * send fractions. With Shift, some systems send them sideways.
  * @param {WheelEvent} event
  */
 const notchesOf = (event) => -(event.deltaY || event.deltaX) / [100, 3, 1][event.deltaMode];

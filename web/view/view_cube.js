@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A small cube that turns with the camera; a click on a face looks at it. For hands on a pointer only: the menu "Views"
-// and the keys 1 to 7 do the same.
+// A small cube that turns with the camera. A click on a face turns the camera to it. It is for pointers only: the menu
+// "Views" and the keys 1 to 7 do the same.
 import { text } from '../i18n/catalogue.js';
 import { visibleFaces } from './cube_geometry.js';
 
@@ -21,7 +21,7 @@ export class ViewCube {
     place.append(this.svg_);
   }
 
-  /** @param {number[][]} axes  of the camera */
+  /** @param {number[][]} axes  the camera's */
   turn(axes) {
     const visible = visibleFaces(axes, kHalfEdge);
     this.svg_.replaceChildren(...visible.reverse().map(({ name, matrix, facing }) => {

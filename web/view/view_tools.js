@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What lies over the 3D view: the code that follows the pointer, the handles of the one that is placed, the cube, and the
-// reader's view with its caption.
+// The overlays of the 3D view: the code that follows the pointer, the handles of the placed code, the cube, and the
+// phone view with its caption.
 import { make } from '../dom/dom.js';
 import { CodeChip } from './code_chip.js';
 import { CodeEditor } from './code_editor.js';
@@ -17,7 +17,7 @@ import { ViewCube } from './view_cube.js';
  * @typedef {object} ViewToolsOptions
  * @property {() => EngineClient} client
  * @property {HTMLElement} stage     holds the canvas
- * @property {HTMLElement} overlays  of what is no part of the canvas
+ * @property {HTMLElement} overlays  holds the overlays outside the canvas
  * @property {import('./code_editor.js').EditListener} onEdit
  * @property {(action: ViewAction) => void} onAct
  */
@@ -41,7 +41,7 @@ export class ViewTools {
     this.placed_ = false;
   }
 
-  /** Every move of the camera that is asked for comes through here. @param {ViewAction} action */
+  /** Passes on every camera action. @param {ViewAction} action */
   act(action) {
     if (action.kind === 'readerView' && !this.placed_) return;
     if (action.kind === 'readerView') this.reader.enter();
@@ -59,8 +59,8 @@ export class ViewTools {
   }
 
   /**
-   * @param {{ engravable?: boolean, busy?: boolean, carved?: boolean, placed?: boolean }} state  whether the model takes a
-   *   code, a job runs, the carved model is seen, and a code has its place
+   * @param {{ engravable?: boolean, busy?: boolean, carved?: boolean, placed?: boolean }} state  whether the model can
+   *   take a code, a job runs, the carved model is shown, and a code is placed
    */
   set({ engravable = this.engravable_, busy = this.busy_, carved = this.carved_, placed = this.placed_ }) {
     this.engravable_ = engravable;

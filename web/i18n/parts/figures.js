@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Texts of the study's figures, and sentences about them that the build chooses by the data (study/figures).
+// Texts of the study's figures, with sentences that the build chooses according to the data (study/figures).
 
 export const figures = {
   en: {

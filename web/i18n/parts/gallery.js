@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The frame of the gallery; study/gallery fills it.
+// Texts of the gallery's frame; study/gallery fills it.
 
 export const gallery = {
   en: {

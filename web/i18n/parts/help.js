@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Texts of the help sheet: keys, mouse and fingers.
+// Texts of the help sheet: keys, mouse and touch.
 
 export const help = {
   en: {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Links from the app to the articles, between them, and back.
+// Texts of the links between the app and the articles.
 
 export const links = {
   en: {

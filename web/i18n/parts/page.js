@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Texts of the page's frame, and of its status while it works.
+// Texts of the page's frame and of its status line.
 
 export const page = {
   en: {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Texts around the settings; the names of the settings come with their table (setting_names.js).
+// Texts around the settings. The names of the settings come with their table (setting_names.js).
 
 export const settings = {
   en: {
