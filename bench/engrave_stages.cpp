@@ -17,7 +17,7 @@
 #include "io/write_stl.h"
 #include "messages/sentences.h"
 #include "native/egl_context.h"
-#include "native/zxing_reader.h"
+#include "native/zxing_decoder.h"
 #include "pipeline/engrave.h"
 #include "support/shapes.h"
 

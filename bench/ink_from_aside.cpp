@@ -12,8 +12,8 @@
 #include <fmt/format.h>
 
 #include "bench/centres.h"
-#include "native/zxing_reader.h"
-#include "projection/bend.h"
+#include "native/zxing_decoder.h"
+#include "projection/flatness.h"
 #include "verification/baked_light.h"
 
 namespace qrelief {

@@ -13,7 +13,7 @@
 #include "bench/engraved_file.h"
 #include "io/write_stl.h"
 #include "mesh/ray_tree.h"
-#include "native/zxing_reader.h"
+#include "native/zxing_decoder.h"
 #include "verdict/verdict.h"
 #include "verification/baked_light.h"
 #include "verification/frontal_reading.h"
@@ -60,7 +60,7 @@ Seen look(const Mesh& mesh, const ProjectionFrame& frame, int modules, double sy
   start = Clock::now();
   std::vector<std::string> texts;
   for (const GreyImage& image : frontalPictures(picture, texels, kTexelsAModule))
-    for (const SymbolReader& read : zxingReaders()) {
+    for (const Decoder& read : zxingDecoders()) {
       const auto found = read(image);
       texts.push_back(found && !found->mirrored ? found->text : "");
     }

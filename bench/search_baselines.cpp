@@ -21,10 +21,10 @@
 #include <iterator>
 
 #include "base/clock.h"
-#include "carving/depth_search.h"
-#include "carving/submodule_luminances.h"
-#include "carving/wall_limit.h"
-#include "embedding/embed.h"
+#include "carving/embed.h"
+#include "depth/depth_search.h"
+#include "depth/submodule_luminances.h"
+#include "depth/wall_limit.h"
 #include "io/read_model.h"
 #include "io/write_stl.h"
 #include "mesh/ray_tree.h"

@@ -9,7 +9,7 @@
 #include "base/progress.h"
 #include "bench/centres.h"
 #include "native/read_carving.h"
-#include "native/zxing_reader.h"
+#include "native/zxing_decoder.h"
 #include "pipeline/verify.h"
 #include "settings/preset.h"
 
@@ -54,7 +54,7 @@ int run(const GeometryPass&, const bench::TableArguments& arguments) {
           const ReadingEvidence reading = readCarving(request, *result);
           VerifyRequest wanted = verifyRequestOf(request, *result);
           wanted.isTraced = true;
-          auto job = VerifyJob::create(result->mesh, wanted, zxingReaders());
+          auto job = VerifyJob::create(result->mesh, wanted, zxingDecoders());
           if (!job) return tl::unexpected(job.error());
           const auto verified = runToEnd(**job);
           if (!verified) return tl::unexpected(verified.error());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "native/read_carving.h"
 
-#include "native/zxing_reader.h"
+#include "native/zxing_decoder.h"
 #include "pipeline/printed_view.h"
 
 namespace qrelief {

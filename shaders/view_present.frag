@@ -1,6 +1,6 @@
 #version 300 es
 // Draws the finished picture on the canvas, with the marker; then applies sRGB's transfer curve, and noise of half a
-// grey level against bands in the background. Does not draw prints (view_print.frag).
+// grey level against bands in the background. Does not draw prints (view_decal.frag).
 precision highp float;
 
 #include "view_camera.glsl"

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "carving/depth_field.h"
+#include "depth/depth_field.h"
 #include "light/directional_light.h"
 #include "qr/module_pattern.h"
 #include "qr/symbol.h"

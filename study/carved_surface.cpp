@@ -7,7 +7,7 @@
 
 #include "base/halton.h"
 #include "base/random.h"
-#include "embedding/embed.h"
+#include "carving/embed.h"
 
 namespace qrelief::study {
 

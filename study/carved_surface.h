@@ -5,7 +5,7 @@
 #include <memory>
 #include <optional>
 
-#include "carving/depth_field.h"
+#include "depth/depth_field.h"
 #include "mesh/ray_tree.h"
 #include "study/spot.h"
 

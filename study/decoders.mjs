@@ -38,7 +38,7 @@ export async function npmDecoders(peers) {
   const [jsqr, zxing] = [require('jsqr'), require('@zxing/library')];
   const [zxingWasm, qr, zbar] = [await imported('zxing-wasm/reader'), await imported('qr/decode.js'), await imported('@undecaf/zbar-wasm')];
   zxingWasm.prepareZXingModule({
-    overrides: { wasmBinary: readFileSync(`${peers}/node_modules/zxing-wasm/dist/reader/zxing_reader.wasm`).buffer },
+    overrides: { wasmBinary: readFileSync(`${peers}/node_modules/zxing-wasm/dist/reader/zxing_decoder.wasm`).buffer },
   });
   /** Returns nothing if the decoder throws because it finds no code. */
   const orNothing = (/** @type {() => string} */ decode) => {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "base/result.h"
+#include "study/study_context.h"
 #include "study/versions.h"
-#include "study/workshop.h"
 
 namespace qrelief::study {
 
@@ -21,7 +21,7 @@ struct Experiment {
   Row measures;            ///< columns that are measured
   std::vector<Row> cases;  ///< key values of each row, in the table's order
   /// Measures a row. If a case is impossible, returns an error; the table then holds the code of its message.
-  std::function<Result<Row>(const Row& key, Workshop& workshop)> measure;
+  std::function<Result<Row>(const Row& key, StudyContext& context)> measure;
   /// Returns the version of everything that a row depends on (versions.h). A row of another version is measured again.
   std::function<std::string(const Row& key)> version;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/lamp_reading.h"
 
-#include "native/zxing_reader.h"
+#include "native/zxing_decoder.h"
 #include "study/carved_surface.h"
 #include "verdict/verdict.h"
 

@@ -29,8 +29,8 @@ int failed(const std::string& what, const Error& error) {
   return 1;
 }
 
-Row measured(const Experiment& experiment, const Row& key, Workshop& workshop) {
-  auto values = experiment.measure(key, workshop);
+Row measured(const Experiment& experiment, const Row& key, StudyContext& context) {
+  auto values = experiment.measure(key, context);
   if (values) {
     values->emplace_back();
     return std::move(*values);
@@ -50,7 +50,7 @@ struct Chosen {
 
 /// Measures the chosen cases that the table lacks. Takes over the rows in other shares' files, and removes these files
 /// once the table is complete.
-Status run(const Experiment& experiment, const std::string& path, const Chosen& chosen, Workshop& workshop) {
+Status run(const Experiment& experiment, const std::string& path, const Chosen& chosen, StudyContext& context) {
   const Shard& shard = chosen.shard;
   auto table = Table::open(experiment, fileOf(path, shard));
   if (!table) return tl::unexpected(table.error());
@@ -78,7 +78,7 @@ Status run(const Experiment& experiment, const std::string& path, const Chosen& 
     if (isTerminal)
       fmt::print(stderr, "\r\033[K{}: {} of {}{} ", experiment.name, i + 1, missing.size(),
                  i == 0 ? "" : ", " + durationInWords(left) + " left");
-    if (const Status added = table->add(*missing[i], measured(experiment, *missing[i], workshop)); !added) return added;
+    if (const Status added = table->add(*missing[i], measured(experiment, *missing[i], context)); !added) return added;
   }
   fmt::print(stderr, "{}{}: {} rows, {} of them measured now, {}\n", isTerminal ? "\r\033[K" : "", experiment.name,
              experiment.cases.size(), missing.size(), durationInWords(millisecondsSince(start) / 1000));
@@ -110,7 +110,7 @@ double rangeOf(const Experiment& experiment, const Table& table, std::size_t col
 }
 
 /// Measures some cases of a kept table once more. @returns number of values that differ
-int check(const Experiment& experiment, const std::string& path, int count, Workshop& workshop) {
+int check(const Experiment& experiment, const std::string& path, int count, StudyContext& context) {
   constexpr double kAlike = 0.1;  // as a part of the column's range
   const auto table = Table::open(experiment, path);
   if (!table) return failed(experiment.name, table.error());
@@ -124,7 +124,7 @@ int check(const Experiment& experiment, const std::string& path, int count, Work
       ++off;
       continue;
     }
-    const Row now = measured(experiment, key, workshop);
+    const Row now = measured(experiment, key, context);
     for (std::size_t column = 0; column < now.size(); ++column) {
       const bool isTime = column < experiment.measures.size() && experiment.measures[column].ends_with("_ms");
       if (isTime || apart((*kept)[column], now[column], rangeOf(experiment, *table, column)) <= kAlike) continue;
@@ -158,7 +158,7 @@ int run(int argc, char** argv) {
   const Shard shard = *given;
   const auto context = EglContext::create();
   if (!context) return failed("EGL", context.error());
-  Workshop workshop(samples);
+  StudyContext context(samples);
   const std::vector<Experiment> all = allExperiments();
   for (const std::string& name : names)
     if (std::none_of(all.begin(), all.end(), [&](const Experiment& e) { return e.name == name; })) {
@@ -172,8 +172,8 @@ int run(int argc, char** argv) {
     if (!names.empty() && std::find(names.begin(), names.end(), experiment.name) == names.end()) continue;
     const std::string path = folder + "/" + experiment.name + ".csv";
     if (checked > 0)
-      off += check(experiment, path, checked, workshop);
-    else if (const Status done = run(experiment, path, {shard, only}, workshop); !done)
+      off += check(experiment, path, checked, context);
+    else if (const Status done = run(experiment, path, {shard, only}, context); !done)
       return failed(experiment.name, done.error());
   }
   if (checked > 0)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/spot.h"
 
-#include "carving/wall_limit.h"
+#include "depth/wall_limit.h"
 #include "pipeline/placement.h"
 
 namespace qrelief::study {

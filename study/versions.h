@@ -14,7 +14,7 @@ struct Part {
 };
 
 inline constexpr Part kPlacement{"placement", 1};  ///< directions and sizes: core/projection
-inline constexpr Part kSearch{"search", 2};        ///< depths by the program itself: core/carving, core/pipeline
+inline constexpr Part kSearch{"search", 2};        ///< depths by the program itself: core/depth, core/pipeline
 inline constexpr Part kLight{"light", 2};          ///< light on carved surfaces, 1: by path tracing (decision 0040)
 inline constexpr Part kPrint{"print", 2};          ///< the surface as printed: core/printing
 inline constexpr Part kDecoding{"decoding", 1};    ///< pictures and decoders: core/verification

@@ -2,7 +2,7 @@
 // Creates the panels, the view, the session's parts and the engine, and connects them. The work itself is done
 // elsewhere.
 import { EngineClient } from './engine/client.js';
-import { holdsSecret } from './contents/secrets.js';
+import { holdsSecret } from './payloads/secrets.js';
 import { Continuing } from './session/continuing.js';
 import { Database } from './storage/database.js';
 import { Folder } from './storage/folder.js';

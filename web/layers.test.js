@@ -14,7 +14,7 @@ const kLayers = [
   'i18n',      // all texts, numbers and messages in all languages
   'dom',       // elements and files, for all layers above
   'decoder',   // decodes codes in pictures
-  'contents',  // kinds of content
+  'payloads',  // kinds of content
   'export',    // files that can be saved
   'batch',     // a code for every part: rows, the engines that carve them, and the storage of the results
   'view',      // the model on the screen

@@ -27,7 +27,7 @@ class OffReader {
       return facesWord.empty() ? failHere(message("off-face-count-missing"))
                                : failHere(message("off-face-count", with::quoted("word", excerpt(facesWord))));
     scanner_.restOfLine();  // the number of edges: often wrong, never needed
-    if (Status s = checkRoom(*vertices, *faces); !s) return tl::unexpected(s.error());
+    if (Status s = checkSizeBound(*vertices, *faces); !s) return tl::unexpected(s.error());
     if (Status s = list_.reserve(*vertices, *faces); !s) return tl::unexpected(s.error());
 
     const auto vertexCount = static_cast<std::size_t>(*vertices);
@@ -63,7 +63,7 @@ class OffReader {
 
   /// Checks the counts against the bytes left. The shortest vertex takes six bytes ("0 0 0" and a line end), the
   /// shortest face two ("0").
-  Status checkRoom(std::uint64_t vertices, std::uint64_t faces) const {
+  Status checkSizeBound(std::uint64_t vertices, std::uint64_t faces) const {
     if (vertices <= (left() + 1) / 6 && faces <= (left() + 1) / 2) return {};
     return badInput(message("off-announces", with::count("vertices", vertices), with::count("faces", faces),
                             with::count("bytes", left())));

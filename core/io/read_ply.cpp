@@ -118,7 +118,7 @@ class PlyReader {
   Result<PolygonSoup> read() {
     if (Status s = checkElements(); !s) return tl::unexpected(s.error());
     for (const PlyElement& element : header_.elements) {
-      if (Status s = checkRoom(element); !s) return tl::unexpected(s.error());
+      if (Status s = checkSizeBound(element); !s) return tl::unexpected(s.error());
       const Status s = element.name == "vertex" ? readVertices(element)
                        : element.name == "face" ? readFaces(element)
                                                 : skipElement(element);
@@ -145,7 +145,7 @@ class PlyReader {
   }
 
   /// Refuses a count that exceeds what the file's size allows, before anything is reserved for it.
-  Status checkRoom(const PlyElement& element) const {
+  Status checkSizeBound(const PlyElement& element) const {
     std::size_t smallest = 0;
     for (const PlyProperty& property : element.properties)
       smallest += Values::shortest(property.countType ? *property.countType : property.type);

@@ -6,9 +6,9 @@
 #include <numeric>
 
 #include "base/parallel.h"
-#include "mesh/apart.h"
 #include "mesh/box_tree.h"
 #include "mesh/collinear.h"
+#include "mesh/triangle_separation.h"
 
 namespace qrelief {
 namespace {
@@ -37,11 +37,11 @@ bool hasArea(const Mesh& mesh, const Triangle& t) {
 }
 
 /// Two triangles with their shared vertices moved to the front of both; the orientation is lost.
-struct Meeting {
+struct Contact {
   Triangle a, b;
   std::size_t shared = 0;
 
-  Meeting(const Triangle& first, const Triangle& second) : a(first), b(second) {
+  Contact(const Triangle& first, const Triangle& second) : a(first), b(second) {
     for (std::size_t k = 0; k < 3; ++k)
       for (std::size_t j = shared; j < 3; ++j)
         if (a[k] == b[j]) {
@@ -57,16 +57,16 @@ Corners cornersOf(const Mesh& mesh, const Triangle& t) {
   return {Vec3(mesh.positions[t[0]]), Vec3(mesh.positions[t[1]]), Vec3(mesh.positions[t[2]])};
 }
 
-bool certainlyMeetNowhereElse(const Mesh& mesh, const Meeting& pair) {
+bool certainlyMeetNowhereElse(const Mesh& mesh, const Contact& pair) {
   const Corners a = cornersOf(mesh, pair.a);
   const Corners b = cornersOf(mesh, pair.b);
   switch (pair.shared) {
     case 0:
-      return certainlyApart(a, b);
+      return certainlySeparate(a, b);
     case 1:
-      return certainlyApartButForCorner(a, b);
+      return certainlySeparateButForCorner(a, b);
     case 2:
-      return certainlyApartButForEdge(a, b);
+      return certainlySeparateButForEdge(a, b);
     default:
       return false;
   }
@@ -92,7 +92,7 @@ bool foldedTogether(const Mesh& mesh, const Triangle& a, const Triangle& b) {
 }
 
 bool meet(const Mesh& mesh, const Triangle& first, const Triangle& second) {
-  const Meeting pair(first, second);
+  const Contact pair(first, second);
   if (certainlyMeetNowhereElse(mesh, pair) || !hasArea(mesh, first) || !hasArea(mesh, second)) return false;
   switch (pair.shared) {
     case 0:

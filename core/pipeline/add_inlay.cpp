@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/add_inlay.h"
 
-#include "embedding/embed.h"
+#include "carving/embed.h"
 #include "io/read_model.h"
 #include "io/write_stl.h"
 #include "mesh/weld.h"

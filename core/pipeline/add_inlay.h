@@ -5,7 +5,7 @@
 
 namespace qrelief {
 
-/// Makes the body that fills the pockets of a carved model (embedding/inlay.h), for printing in two colours, and checks
+/// Makes the body that fills the pockets of a carved model (carving/inlay.h), for printing in two colours, and checks
 /// it after an STL round trip. Sets EngraveResult::inlay and ::inlaySolidity.
 ///
 /// Cost: carving the mesh and checking the solid, for the pockets alone.

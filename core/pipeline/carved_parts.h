@@ -12,7 +12,7 @@ namespace qrelief {
 /// Returns the part of every triangle of a carved mesh. Kept facets stay in their part; facets created by carving all
 /// belong to part `carved`.
 ///
-/// Kept facets come first, in their old order and unchanged bit for bit (embedding/embed.h), so a walk along both
+/// Kept facets come first, in their old order and unchanged bit for bit (carving/embed.h), so a walk along both
 /// meshes matches them by equal corners. Cost: O(T).
 /// @param partOf  part of each triangle of `before`; empty: one part only, and the result is empty, too
 /// @param kept    triangles of `after` that come from `before`

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "carving/submodule_luminances.h"
+#include "depth/submodule_luminances.h"
 #include "qr/module_pattern.h"
 #include "qr/symbol.h"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "carving/light_neighbours.h"
+#include "depth/light_neighbours.h"
 #include "verification/grades.h"
 
 namespace qrelief {

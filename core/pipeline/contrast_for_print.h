@@ -16,7 +16,7 @@ inline constexpr double kPrintedShare = 2.0 / 3;
 /// print falls short of kPrintedShare is added. No target decreases, as the design has to decode, too.
 ///
 /// A module's contrast is 1 − M/A, where M is its light through a verifier's aperture and A the light of its
-/// surroundings (carving/light_neighbours.h). The print's contrast is compared with the design's mean contrast,
+/// surroundings (depth/light_neighbours.h). The print's contrast is compared with the design's mean contrast,
 /// separately for finders and other modules, as their patterns differ.
 ///
 /// @param designed, printed  light of the submodules of symbol and quiet zone, carved with the target `contrast`

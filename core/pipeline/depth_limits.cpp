@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "carving/wall_limit.h"
+#include "depth/wall_limit.h"
 
 namespace qrelief {
 

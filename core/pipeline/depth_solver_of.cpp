@@ -3,11 +3,11 @@
 
 #include <algorithm>
 
-#include "carving/depth_search.h"
-#include "carving/fast_search.h"
-#include "carving/one_light_search.h"
-#include "carving/reading_search.h"
-#include "carving/shaped_floor_search.h"
+#include "depth/depth_search.h"
+#include "depth/fast_search.h"
+#include "depth/one_light_search.h"
+#include "depth/reading_search.h"
+#include "depth/shaped_floor_search.h"
 
 namespace qrelief {
 namespace {

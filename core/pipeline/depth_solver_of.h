@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "carving/depth_solver.h"
+#include "depth/depth_solver.h"
 #include "settings/engrave_request.h"
 
 namespace qrelief {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/engravable_model.h"
 
-#include "carving/one_light_search.h"
+#include "depth/one_light_search.h"
 #include "pipeline/default_patterns.h"
 #include "pipeline/module_walls.h"
-#include "projection/room.h"
+#include "projection/size_bound.h"
 #include "settings/settings.h"
 
 namespace qrelief {
@@ -26,8 +26,8 @@ PlacementRequest searchedPlacement(const EngraveRequest& request, int modules) {
 Status checkEngraving(const EngravableModel& model, const EngraveRequest& request, const Symbol& symbol) {
   if (const Status checked = checkSettings(request); !checked) return checked;
   if (const Status engravable = model.prepared.engravable(); !engravable) return engravable;
-  const CodeRoom room{symbol.size, roomFactor(symbol.size, request.placement.quietZone)};
-  return checkRoom(model.prepared, room, request.placement.eyeDistanceMm);
+  const SizeBound room{symbol.size, roomFactor(symbol.size, request.placement.quietZone)};
+  return checkSizeBound(model.prepared, room, request.placement.eyeDistanceMm);
 }
 
 std::shared_ptr<const EngravableModel> EngravableModel::upload(PreparedModel prepared) {

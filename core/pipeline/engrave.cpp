@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "base/clock.h"
-#include "carving/submodule_luminances.h"
-#include "embedding/embed.h"
+#include "carving/embed.h"
+#include "depth/submodule_luminances.h"
 #include "io/read_model.h"
 #include "io/write_stl.h"
 #include "math/tolerance.h"

@@ -8,9 +8,9 @@
 
 #include "base/progress.h"
 #include "base/result.h"
-#include "carving/depth_search.h"
-#include "carving/fast_search.h"
-#include "carving/search_record.h"
+#include "depth/depth_search.h"
+#include "depth/fast_search.h"
+#include "depth/search_record.h"
 #include "pipeline/engravable_model.h"
 #include "pipeline/measured_place.h"
 #include "pipeline/placement.h"

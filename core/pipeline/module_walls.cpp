@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "carving/wall_limit.h"
+#include "depth/wall_limit.h"
 #include "qr/module_pattern.h"
 
 namespace qrelief {

@@ -10,11 +10,11 @@
 #include "math/angle.h"
 #include "math/round_down.h"
 #include "mesh/ray.h"
-#include "projection/bend.h"
 #include "projection/best_size.h"
 #include "projection/crossings.h"
-#include "projection/room.h"
+#include "projection/flatness.h"
 #include "projection/size.h"
+#include "projection/size_bound.h"
 
 namespace qrelief {
 namespace {

@@ -22,7 +22,7 @@ struct Placement {
   double symbolMm = 0;     ///< edge of the symbol without quiet zone, on the QR plane
   double moduleMm = 0;
   double guaranteedMm = 0;  ///< largest symbol up to the size limit that fits at every rotation, walls ignored
-  double bendMm = 0;        ///< bend of the surface under the symbol, see projection/bend.h
+  double bendMm = 0;        ///< bend of the surface under the symbol, see projection/flatness.h
   double rotationDeg = 0;   ///< from upHint to the symbol's top, anticlockwise as the viewer sees it
   VisiblePatch patch;       ///< covers symbol and quiet zone, and beyondMm more
   std::vector<DirectionIteration> iterations;

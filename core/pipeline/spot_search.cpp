@@ -16,9 +16,9 @@
 #include "pipeline/module_walls.h"
 #include "pipeline/placement.h"
 #include "pipeline/spot_light.h"
-#include "projection/bend.h"
-#include "projection/room.h"
+#include "projection/flatness.h"
 #include "projection/size.h"
+#include "projection/size_bound.h"
 #include "settings/settings.h"
 
 namespace qrelief {
@@ -358,8 +358,8 @@ Result<std::unique_ptr<SpotSearchJob>> SpotSearchJob::create(std::shared_ptr<con
                                                              SpotSearchRequest request) {
   if (const Status checked = checkRequest(request); !checked) return tl::unexpected(checked.error());
   if (const Status engravable = model->prepared.engravable(); !engravable) return tl::unexpected(engravable.error());
-  const CodeRoom room{request.modules, request.outerFactor()};
-  if (const Status large = checkRoom(model->prepared, room, request.placement.eyeDistanceMm); !large)
+  const SizeBound room{request.modules, request.outerFactor()};
+  if (const Status large = checkSizeBound(model->prepared, room, request.placement.eyeDistanceMm); !large)
     return tl::unexpected(large.error());
   auto pass = GeometryPass::create();
   if (!pass) return tl::unexpected(pass.error());

@@ -52,7 +52,7 @@ struct OfferedSpot {
   double symbolMm = 0;            ///< the size requested or found
   double largestMm = 0;           ///< largest size from that direction, at the requested rotation
   double guaranteedMm = 0;        ///< largest size at every rotation
-  double aimToleranceDeg = 0;     ///< of the symbol, see projection/bend.h
+  double aimToleranceDeg = 0;     ///< of the symbol, see projection/flatness.h
   SquareQuality quality;          ///< of the symbol, with its quiet zone if that must fit
   std::vector<Message> concerns;  ///< reasons why a code may not print or decode there; empty if none
 };

@@ -91,7 +91,7 @@ struct VerifyJob::State {
 
   Mesh mesh;
   VerifyRequest request;
-  std::vector<SymbolReader> readers;
+  std::vector<Decoder> decoders;
   Stage stage = Stage::Solid;
   double fraction = 0;
   RayTree tree;
@@ -100,8 +100,8 @@ struct VerifyJob::State {
   std::optional<ReadingSweep> sweep;
   VerifyResult result;
 
-  State(Mesh model, VerifyRequest wanted, std::vector<SymbolReader> decoders)
-      : mesh(std::move(model)), request(std::move(wanted)), readers(std::move(decoders)), tree(mesh) {}
+  State(Mesh model, VerifyRequest wanted, std::vector<Decoder> decoders)
+      : mesh(std::move(model)), request(std::move(wanted)), decoders(std::move(decoders)), tree(mesh) {}
 
   double moduleMm() const { return request.symbolMm / request.symbol.size; }
   Status checkSolid();
@@ -176,7 +176,7 @@ bool VerifyJob::State::bake() {
         measureModules(request.symbol, submoduleLight(*light, request.symbol.size, request.oneLight.has_value()));
     result.grades = gradeSymbol(measured, request.albedo);
   }
-  sweep.emplace(*light, request.frame, request.symbol.size, request.symbolMm, request.text, readers,
+  sweep.emplace(*light, request.frame, request.symbol.size, request.symbolMm, request.text, decoders,
                 SweepOptions{.ranges = request.ranges, .underLamp = request.oneLight.has_value()});
   stage = Stage::Reading;
   return true;
@@ -193,13 +193,12 @@ bool VerifyJob::State::read() {
 VerifyJob::VerifyJob(std::unique_ptr<State> state) : state_(std::move(state)) {}
 VerifyJob::~VerifyJob() = default;
 
-Result<std::unique_ptr<VerifyJob>> VerifyJob::create(Mesh mesh, VerifyRequest request,
-                                                     std::vector<SymbolReader> readers) {
+Result<std::unique_ptr<VerifyJob>> VerifyJob::create(Mesh mesh, VerifyRequest request, std::vector<Decoder> decoders) {
   if (request.text.empty()) return fail(ErrorKind::BadUsage, message("verify-no-text"));
   if (!(std::abs(glm::length(request.frame.normal) - 1) < 1e-6))
     return fail(ErrorKind::BadUsage, message("verify-no-direction"));
   if (const Status checked = checkSettings(settingsOf(request)); !checked) return tl::unexpected(checked.error());
-  auto state = std::make_unique<State>(std::move(mesh), std::move(request), std::move(readers));
+  auto state = std::make_unique<State>(std::move(mesh), std::move(request), std::move(decoders));
   return std::unique_ptr<VerifyJob>(new VerifyJob(std::move(state)));
 }
 

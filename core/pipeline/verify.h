@@ -68,9 +68,9 @@ struct VerifyResult {
 class VerifyJob {
  public:
   /// @param mesh     see meshAsFound()
-  /// @param readers  decoders; see ReadingSweep
+  /// @param decoders  decoders; see ReadingSweep
   /// @returns BadUsage for an impossible request
-  static Result<std::unique_ptr<VerifyJob>> create(Mesh mesh, VerifyRequest request, std::vector<SymbolReader> readers);
+  static Result<std::unique_ptr<VerifyJob>> create(Mesh mesh, VerifyRequest request, std::vector<Decoder> decoders);
   ~VerifyJob();
 
   /// Does the next piece of work. Do not call it again after an error or `done`.

@@ -11,7 +11,7 @@ namespace {
 Vec2 flat(Vec3 p) { return {p.x, p.y}; }
 
 /// Returns the point where an edge meets a plane; it is the same in both directions of the edge.
-Vec2 meeting(Vec3 a, Vec3 b, double height) {
+Vec2 crossing(Vec3 a, Vec3 b, double height) {
   if (b.z < a.z) std::swap(a, b);
   return flat(a) + (flat(b) - flat(a)) * ((height - a.z) / (b.z - a.z));
 }
@@ -24,7 +24,7 @@ Segment2 cut(const std::array<Vec3, 3>& corners, double height) {
   std::size_t alone = 0;
   while ((corners[alone].z >= height) != (above == 1)) ++alone;
   const Vec3 &apex = corners[alone], &next = corners[(alone + 1) % 3], &last = corners[(alone + 2) % 3];
-  const Vec2 p = meeting(apex, next, height), q = meeting(apex, last, height);
+  const Vec2 p = crossing(apex, next, height), q = crossing(apex, last, height);
   return above == 1 ? Segment2{p, q} : Segment2{q, p};
 }
 

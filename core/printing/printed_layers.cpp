@@ -7,7 +7,7 @@
 
 #include "base/parallel.h"
 #include "printing/cross_sections.h"
-#include "printing/laid_outline.h"
+#include "printing/extruded_outline.h"
 
 namespace qrelief {
 namespace {
@@ -87,7 +87,7 @@ PrintedLayers::PrintedLayers(std::vector<Corners> triangles, const ProjectionFra
   for (const Corners& triangle : triangles_)
     for (const Vec3& corner : triangle) bedMm_ = std::min(bedMm_, corner.z);
   findTiles(extentMm);
-  lay(roughness);
+  extrude(roughness);
 }
 
 /// A ray from the eye, with the greatest steps that distances from plastic allow.
@@ -111,7 +111,7 @@ struct PrintedLayers::Ray {
   Vec2 at(double t) const { return Vec2(eye) + Vec2(direction) * t; }
 };
 
-double PrintedLayers::firstMeeting(Vec2 at, double fromMm) const {
+double PrintedLayers::firstHit(Vec2 at, double fromMm) const {
   if (layers_.empty()) return 0;
   const Ray ray(frame_.eye(), frame_.rayDirection(at), process_.grooveMm);
   const double top = topOf(static_cast<int>(layers_.size()) - 1), bottom = topOf(-1);
@@ -128,7 +128,7 @@ double PrintedLayers::firstMeeting(Vec2 at, double fromMm) const {
   while (begin < end && layer >= 0 && layer < static_cast<int>(layers_.size())) {
     double leaves = end;
     if (climb != 0) leaves = std::min(end, (topOf(climb > 0 ? layer : layer - 1) - eyeZ) * perClimb);
-    if (const double met = meetingInLayer(layer, ray, begin, leaves); met > 0) return met;
+    if (const double met = hitInLayer(layer, ray, begin, leaves); met > 0) return met;
     begin = std::max(begin, leaves);
     if (climb == 0) break;
     layer += climb > 0 ? 1 : -1;
@@ -241,9 +241,9 @@ void PrintedLayers::addTiles(Layer& layer, const Polygon& within, double marginM
 }
 
 /// Returns the margin of outline considered beyond a tile, so that the tile does not depend on where it ends.
-double PrintedLayers::haloMm() const { return 2 * process_.cornerRadiusMm + kLaidReachMm; }
+double PrintedLayers::haloMm() const { return 2 * process_.cornerRadiusMm + kExtrudedReachMm; }
 
-void PrintedLayers::lay(double roughness) {
+void PrintedLayers::extrude(double roughness) {
   std::size_t tiles = 0;
   for (const Layer& layer : layers_) tiles += layer.tiles.size();
   if (tiles == 0) return;
@@ -313,7 +313,7 @@ const LayerGrid* PrintedLayers::tileAt(int layer, Vec2 at) const {
 }
 
 /// Returns the distance along a ray to the end of the tile that contains a point.
-double PrintedLayers::wayOutOfTile(const Ray& ray, Vec2 at) const {
+double PrintedLayers::exitOfTile(const Ray& ray, Vec2 at) const {
   double way = std::numeric_limits<double>::infinity();
   for (int axis = 0; axis < 2; ++axis) {
     const double place = (at[axis] - origin_[axis]) / tileMm_, before = std::floor(place);
@@ -363,7 +363,7 @@ class PrintedLayers::RayInTile {
   double u_ = 0, v_ = 0, w_ = 0, uPerMm_ = 0, vPerMm_ = 0, wPerMm_ = 0;  // in steps, and in half layers
 };
 
-double PrintedLayers::meetingInLayer(int layer, const Ray& ray, double begin, double end) const {
+double PrintedLayers::hitInLayer(int layer, const Ray& ray, double begin, double end) const {
   if (layers_[static_cast<std::size_t>(layer)].tiles.empty() || begin >= end) return 0;
   // The ray cannot hit plastic before it passes the outline. Between outline and flank, perFall bounds how fast the
   // distance falls along the ray; flanks are steeper only where the ray almost hits them.
@@ -371,7 +371,7 @@ double PrintedLayers::meetingInLayer(int layer, const Ray& ray, double begin, do
   double before = begin;
   for (double t = begin;;) {
     const Vec2 at = ray.at(t);
-    const double leaves = t + std::max(wayOutOfTile(ray, at), kNearestStepMm);
+    const double leaves = t + std::max(exitOfTile(ray, at), kNearestStepMm);
     if (const LayerGrid* tile = tileAt(layer, at)) {
       const RayInTile inTile(*tile, ray, middleZ, process_);
       for (;;) {

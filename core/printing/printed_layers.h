@@ -15,9 +15,9 @@ namespace qrelief {
 /// The layers of a print around a code, as far as an eye sees them: on a slope only a band of each. Everything is in
 /// the printer's space, whose third axis is up; the lowest corner of the model lies on the bed.
 ///
-/// A layer has the outline that laid_outline.h computes from the model's cross-section at half its height, and round
-/// flanks, so that a groove lies between two layers. Its plane is divided into square tiles; only tiles that may be
-/// visible are computed.
+/// A layer has the outline that extruded_outline.h computes from the model's cross-section at half its height, and
+/// round flanks, so that a groove lies between two layers. Its plane is divided into square tiles; only tiles that may
+/// be visible are computed.
 class PrintedLayers {
  public:
   using Corners = std::array<Vec3, 3>;
@@ -55,7 +55,7 @@ class PrintedLayers {
 
   /// Returns the distance from the eye at which the ray to a point of the QR plane hits plastic; 0: no hit.
   /// @param fromMm  start of the search; there is no plastic nearer to the eye
-  double firstMeeting(Vec2 at, double fromMm = 0) const;
+  double firstHit(Vec2 at, double fromMm = 0) const;
 
  private:
   struct Ray;
@@ -79,13 +79,13 @@ class PrintedLayers {
   TileRange tilesRound(const Polygon& polygon, double marginMm) const;
   void addRange(Layer& layer, const TileRange& range) const;
   void addTiles(Layer& layer, const Polygon& within, double marginMm) const;
-  void lay(double roughness);
+  void extrude(double roughness);
   void layLayer(Layer& layer, std::span<const Segment2> outline, Vec2 corner, int winding, int steps) const;
   std::vector<std::vector<Segment2>> nearTiles(const Layer& layer, std::span<const Segment2> outline, Vec2 first,
                                                double beyond) const;
   const LayerGrid* tileAt(int layer, Vec2 at) const;
-  double wayOutOfTile(const Ray& ray, Vec2 at) const;
-  double meetingInLayer(int layer, const Ray& ray, double begin, double end) const;
+  double exitOfTile(const Ray& ray, Vec2 at) const;
+  double hitInLayer(int layer, const Ray& ray, double begin, double end) const;
   double refined(int layer, const Ray& ray, double outside, double inside) const;
 
   PrintProcess process_;

@@ -14,7 +14,7 @@ constexpr float kNothing = -std::numeric_limits<float>::infinity();
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
 /// Returns the step at which a coordinate that begins at `at` and grows by `step` leaves [low, high].
-double wayOut(double at, double step, double low, double high) {
+double exitDistance(double at, double step, double low, double high) {
   return step > 0 ? (high - at) / step : step < 0 ? (low - at) / step : kNever;
 }
 
@@ -98,8 +98,8 @@ std::optional<SurfacePoint> PrintedRays::firstHit(Vec3 origin, Vec3 direction, d
       if (ray.at[axis] < 0 || ray.at[axis] > texels_ - 1) return std::nullopt;
       continue;
     }
-    begin = std::max(begin, wayOut(ray.at[axis], -ray.step[axis], 0, texels_ - 1) * -1);
-    end = std::min(end, wayOut(ray.at[axis], ray.step[axis], 0, texels_ - 1));
+    begin = std::max(begin, exitDistance(ray.at[axis], -ray.step[axis], 0, texels_ - 1) * -1);
+    end = std::min(end, exitDistance(ray.at[axis], ray.step[axis], 0, texels_ - 1));
   }
   return begin < end ? walk(ray, begin, end, origin, direction) : std::nullopt;
 }
@@ -137,8 +137,9 @@ std::optional<SurfacePoint> PrintedRays::walk(const MapRay& ray, double begin, d
   for (double s = begin; s < end;) {
     const int blockColumn = column / kBlockTexels, blockRow = row / kBlockTexels;
     const double top = static_cast<double>(blockTops_[static_cast<std::size_t>(blockRow * blocks_ + blockColumn)]);
-    const double outX = wayOut(ray.at.x, ray.step.x, blockColumn * kBlockTexels, (blockColumn + 1) * kBlockTexels);
-    const double outY = wayOut(ray.at.y, ray.step.y, blockRow * kBlockTexels, (blockRow + 1) * kBlockTexels);
+    const double outX =
+        exitDistance(ray.at.x, ray.step.x, blockColumn * kBlockTexels, (blockColumn + 1) * kBlockTexels);
+    const double outY = exitDistance(ray.at.y, ray.step.y, blockRow * kBlockTexels, (blockRow + 1) * kBlockTexels);
     const double out = std::min({outX, outY, end});
     if (std::min(ray.point(s).z, ray.point(out).z) > top) {
       if (out >= end) return std::nullopt;
@@ -155,8 +156,8 @@ std::optional<SurfacePoint> PrintedRays::walk(const MapRay& ray, double begin, d
       continue;
     }
 
-    const double cellOutX = wayOut(ray.at.x, ray.step.x, column, column + 1);
-    const double cellOutY = wayOut(ray.at.y, ray.step.y, row, row + 1);
+    const double cellOutX = exitDistance(ray.at.x, ray.step.x, column, column + 1);
+    const double cellOutY = exitDistance(ray.at.y, ray.step.y, row, row + 1);
     const double cellOut = std::max(s, std::min({cellOutX, cellOutY, end}));
     const auto cell = cellAt(column, row);
     if (!cell) {

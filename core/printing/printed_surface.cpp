@@ -90,9 +90,9 @@ std::vector<float> leastAlongRows(const std::vector<float>& values, int texels, 
 
 /// Lower bounds of the distance at which rays hit plastic. Layers end up to half their height above the solid, and thin
 /// lines lie outside it.
-class NearestPlastic {
+class NearestMaterial {
  public:
-  NearestPlastic(const Mesh& mesh, const PrintRequest& request) : extentMm_(request.extentMm) {
+  NearestMaterial(const Mesh& mesh, const PrintRequest& request) : extentMm_(request.extentMm) {
     const PrintProcess& process = request.process;
     const double beyondMm = process.layerMm + process.thinnestLineMm / 2 + process.grooveMm;
     texels_ = std::clamp(static_cast<int>(std::ceil(extentMm_ / (process.finestMm / kTexelsPerFinestSeen))), 3,
@@ -224,12 +224,12 @@ Result<PrintedSurface> printSurface(const Mesh& mesh, const PrintRequest& reques
   surface.texels = static_cast<int>(std::min(kMaxTexels, std::ceil(request.extentMm / texelMm)));
   surface.texelMm = request.extentMm / surface.texels;
   surface.distanceMm.assign(static_cast<std::size_t>(surface.texels) * static_cast<std::size_t>(surface.texels), 0);
-  const NearestPlastic nearest(mesh, request);
+  const NearestMaterial nearest(mesh, request);
   parallelFor(static_cast<std::size_t>(surface.texels), [&](std::size_t row) {
     for (int column = 0; column < surface.texels; ++column) {
       const Vec2 at = surface.planePoint(column, static_cast<int>(row));
       surface.distanceMm[row * static_cast<std::size_t>(surface.texels) + static_cast<std::size_t>(column)] =
-          static_cast<float>(layers.firstMeeting(at, nearest.distance(at)));
+          static_cast<float>(layers.firstHit(at, nearest.distance(at)));
     }
   });
   if (process.grooveMm > 0) fillCrevices(surface, process.grooveMm);

@@ -99,7 +99,7 @@ void addLine(std::vector<Curve>& curves, Segment2 segment) {
 }
 
 /// Solves (a + b·t)(c + d·t) = 1 + t².
-std::vector<double> meetingsWithLine(double a, double b, double c, double d) {
+std::vector<double> crossingsWithLine(double a, double b, double c, double d) {
   const double second = b * d - 1;
   const double first = a * d + b * c;
   const double constant = a * c - 1;
@@ -113,15 +113,15 @@ std::vector<double> meetingsWithLine(double a, double b, double c, double d) {
   return solutions;
 }
 
-std::vector<double> meetings(const Curve& p, const Curve& q) {
-  if (p.isLine != q.isLine) return meetingsWithLine(p.a, p.b, q.a, q.b);
+std::vector<double> crossings(const Curve& p, const Curve& q) {
+  if (p.isLine != q.isLine) return crossingsWithLine(p.a, p.b, q.a, q.b);
   if (p.b == q.b) return {};
   return {(p.a - q.a) / (q.b - p.b)};
 }
 
-std::vector<double> meetingsWithLevel(const Curve& curve, double half) {
+std::vector<double> crossingsWithLevel(const Curve& curve, double half) {
   const double scale = curve.isLine ? half : 1 / half;
-  return meetingsWithLine(curve.a * scale, curve.b * scale, curve.a * scale, curve.b * scale);
+  return crossingsWithLine(curve.a * scale, curve.b * scale, curve.a * scale, curve.b * scale);
 }
 
 void append(Envelope& envelope, double end, std::uint32_t curve) {
@@ -166,7 +166,7 @@ class EnvelopeBuilder {
 
   void addLower(Envelope& lower, double begin, double end, std::uint32_t p, std::uint32_t q) const {
     if (p == kNoCurve || q == kNoCurve) return append(lower, end, p == kNoCurve ? q : p);
-    std::vector<double> cuts = meetings(curves_[p], curves_[q]);
+    std::vector<double> cuts = crossings(curves_[p], curves_[q]);
     cuts.push_back(end);
     for (const double cut : cuts) {
       if (!(cut > begin && cut <= end)) continue;
@@ -196,7 +196,7 @@ void addCandidates(std::vector<Candidate>& candidates, const Curve* curve, doubl
   add(0);
   if (!curve) return;
   if (!curve->isLine && curve->a > 0) add(curve->b / curve->a);
-  for (const double t : meetingsWithLevel(*curve, mostHalf)) add(t);
+  for (const double t : crossingsWithLevel(*curve, mostHalf)) add(t);
 }
 
 /// Returns tan of the rotation at which the largest square fits.

@@ -41,7 +41,7 @@ Result<Vec3> directionAt(const EstimatedSurface& surface, const SurfacePoint& ce
   return search.normal();
 }
 
-double bestTurn(const EyeReach& reach) {
+double bestTurn(const VisibilityMap& reach) {
   double best = 0, largest = reach.alignedMm(0);
   for (int i = 1; i < kTurns; ++i) {
     const double turn = toRadians(i * 90.0 / kTurns - (2 * i > kTurns ? 90 : 0));
@@ -78,7 +78,7 @@ Result<CodeEstimate> estimateWithin(double room, double sampled, int looks, cons
                         : request.sizeMode == SizeMode::Free ? estimate.guaranteedMm
                                                              : std::min(most, reach->alignedMm(turn) / outer);
     estimate.missingFraction = isFixed ? reach->missingFraction(most * outer, turn) : 0;
-    estimate.reach = std::make_shared<const EyeReach>(std::move(*reach));
+    estimate.reach = std::make_shared<const VisibilityMap>(std::move(*reach));
     if (isFixed || request.direction || estimate.symbolMm >= kMuchSmaller * sampled || estimate.symbolMm <= 0) break;
     sampled = estimate.symbolMm;
   }

@@ -6,8 +6,8 @@
 
 #include "base/result.h"
 #include "mesh/ray.h"
-#include "projection/eye_reach.h"
 #include "projection/placement_request.h"
+#include "projection/visibility_map.h"
 
 namespace qrelief {
 
@@ -21,7 +21,7 @@ struct EstimatedSurface {
 /// An approximate placement of a code.
 struct CodeEstimate {
   ProjectionFrame frame;  ///< turned by the requested rotation
-  std::shared_ptr<const EyeReach> reach;
+  std::shared_ptr<const VisibilityMap> reach;
   double symbolMm = 0;
   double guaranteedMm = 0;     ///< size that fits at every rotation, at most the requested size or limit
   double rotationDeg = 0;      ///< from the direction of upHint
@@ -29,7 +29,7 @@ struct CodeEstimate {
 };
 
 /// Estimates the answer of PlacementSearch, fast enough for a code that follows the pointer. It uses the same direction
-/// method with few and small maps, and takes the size from one map (eye_reach.h) instead of the exact silhouette.
+/// method with few and small maps, and takes the size from one map (visibility_map.h) instead of the exact silhouette.
 /// Cost: 3 to 6 small looks; 2 looks at a part of the model if the size is close to the expected one.
 /// @param centre   on the model
 /// @param modules  along the symbol's edge

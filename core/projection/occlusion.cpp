@@ -23,7 +23,7 @@ int insideOfSide(const Corners& corners, std::size_t k, Vec3 p, Vec3 eye) {
 }
 
 /// Returns true if the boxes around two images are apart despite rounding.
-bool certainlyApart(const Triangle2& triangle, const Segment2& segment, double noise) {
+bool certainlySeparate(const Triangle2& triangle, const Segment2& segment, double noise) {
   const Vec2 low = glm::min(glm::min(triangle[0], triangle[1]), triangle[2]) - noise;
   const Vec2 high = glm::max(glm::max(triangle[0], triangle[1]), triangle[2]) + noise;
   const Vec2 from = glm::min(segment[0], segment[1]);
@@ -49,7 +49,7 @@ std::optional<Segment2> clipped(const Segment2& segment, const Triangle2& triang
   return Segment2{segment[0] + along * enter, segment[0] + along * leave};
 }
 
-/// Returns the point of the segment nearest to the triangle's middle, for a meeting found by exact tests but too small
+/// Returns the point of the segment nearest to the triangle's middle, for a overlap found by exact tests but too small
 /// for `clipped`.
 Segment2 touchingPoint(const Segment2& segment, const Triangle2& triangle) {
   const Vec2 middle = (triangle[0] + triangle[1] + triangle[2]) / 3.0;
@@ -60,24 +60,24 @@ Segment2 touchingPoint(const Segment2& segment, const Triangle2& triangle) {
   return {point, point};
 }
 
-enum class Meeting { None, Touches, Crosses };
+enum class Overlap { None, Touches, Crosses };
 
-/// Classifies the meeting of a facet's image and the image of an edge that starts at corner `shared` of the facet; the
+/// Classifies the overlap of a facet's image and the image of an edge that starts at corner `shared` of the facet; the
 /// corner itself does not count.
-Meeting meetingFromCorner(const Corners& corners, std::size_t shared, Vec3 otherEnd, Vec3 eye) {
+Overlap overlapFromCorner(const Corners& corners, std::size_t shared, Vec3 otherEnd, Vec3 eye) {
   const int left = insideOfSide(corners, shared, otherEnd, eye);
   const int right = insideOfSide(corners, (shared + 2) % 3, otherEnd, eye);
-  if (left < 0 || right < 0) return Meeting::None;
-  return left > 0 && right > 0 ? Meeting::Crosses : Meeting::Touches;
+  if (left < 0 || right < 0) return Overlap::None;
+  return left > 0 && right > 0 ? Overlap::Crosses : Overlap::Touches;
 }
 
-/// Classifies the meeting of the images of an edge and a facet that share no corner: it looks for a side that separates
+/// Classifies the overlap of the images of an edge and a facet that share no corner: it looks for a side that separates
 /// them.
-Meeting meetingApart(const Corners& corners, const std::array<Vec3, 2>& ends, Vec3 eye) {
+Overlap overlapElsewhere(const Corners& corners, const std::array<Vec3, 2>& ends, Vec3 eye) {
   bool crosses = true;
   for (std::size_t k = 0; k < 3; ++k) {
     const int inner = std::max(insideOfSide(corners, k, ends[0], eye), insideOfSide(corners, k, ends[1], eye));
-    if (inner < 0) return Meeting::None;
+    if (inner < 0) return Overlap::None;
     crosses = crosses && inner > 0;
   }
   int least = 1;
@@ -87,8 +87,8 @@ Meeting meetingApart(const Corners& corners, const std::array<Vec3, 2>& ends, Ve
     least = std::min(least, side);
     most = std::max(most, side);
   }
-  if (least > 0 || most < 0) return Meeting::None;
-  return crosses && least < 0 && most > 0 ? Meeting::Crosses : Meeting::Touches;
+  if (least > 0 || most < 0) return Overlap::None;
+  return crosses && least < 0 && most > 0 ? Overlap::Crosses : Overlap::Touches;
 }
 
 /// Returns the part of the edge's image in front of the facet's plane.
@@ -111,7 +111,7 @@ std::optional<Occluder> occluderOf(const Mesh& mesh, std::uint32_t triangle, con
                                    const ProjectionFrame& frame, const EyeView& view) {
   const Triangle& vertices = mesh.triangles[triangle];
   const Triangle2 image = view.triangle(vertices);
-  if (certainlyApart(image, edge.projected, view.noiseMm)) return {};
+  if (certainlySeparate(image, edge.projected, view.noiseMm)) return {};
 
   const Corners corners = cornersOf(mesh, triangle);
   std::array<int, 2> shared{-1, -1};  // the facet's corner at which the edge begins, ends
@@ -123,20 +123,20 @@ std::optional<Occluder> occluderOf(const Mesh& mesh, std::uint32_t triangle, con
   }
   if (inFront[0] <= 0 && inFront[1] <= 0) return {};  // an edge of the facet, or no part of it is nearer
 
-  Meeting meeting;
+  Overlap overlap;
   if (shared[0] >= 0)
-    meeting = meetingFromCorner(corners, static_cast<std::size_t>(shared[0]), edge.ends[1], eye);
+    overlap = overlapFromCorner(corners, static_cast<std::size_t>(shared[0]), edge.ends[1], eye);
   else if (shared[1] >= 0)
-    meeting = meetingFromCorner(corners, static_cast<std::size_t>(shared[1]), edge.ends[0], eye);
+    overlap = overlapFromCorner(corners, static_cast<std::size_t>(shared[1]), edge.ends[0], eye);
   else
-    meeting = meetingApart(corners, edge.ends, eye);
-  if (meeting == Meeting::None) return {};
+    overlap = overlapElsewhere(corners, edge.ends, eye);
+  if (overlap == Overlap::None) return {};
 
   const Segment2 part = partInFront(corners, edge, inFront, frame);
   const std::optional<Segment2> segment = clipped(part, image, view.noiseMm);
   const bool throughPlane = inFront[0] * inFront[1] < 0;
   if (!segment && throughPlane) return {};  // it passes behind the facet
-  return Occluder{segment ? *segment : touchingPoint(part, image), meeting == Meeting::Crosses};
+  return Occluder{segment ? *segment : touchingPoint(part, image), overlap == Overlap::Crosses};
 }
 
 bool imagesOverlap(const Mesh& mesh, std::uint32_t first, std::uint32_t second, Vec3 eye) {
@@ -158,7 +158,7 @@ std::optional<CentreObstruction> whatHidesCentre(const Mesh& mesh, const Project
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     const Triangle& vertices = mesh.triangles[t];
     if (view.inFront[vertices[0]] && view.inFront[vertices[1]] && view.inFront[vertices[2]] &&
-        certainlyApart(view.triangle(vertices), {Vec2(0), Vec2(0)}, view.noiseMm))
+        certainlySeparate(view.triangle(vertices), {Vec2(0), Vec2(0)}, view.noiseMm))
       continue;
     const Corners corners = cornersOf(mesh, t);
     int least = 1;

@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "math/angle.h"
-#include "projection/bend.h"
+#include "projection/flatness.h"
 
 namespace qrelief {
 namespace {

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "math/angle.h"
-#include "projection/bend.h"
+#include "projection/flatness.h"
 #include "qr/symbol_shaping.h"
 #include "report/json_parts.h"
 #include "verification/grades.h"

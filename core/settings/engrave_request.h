@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "carving/reading_search.h"
-#include "carving/shaped_floor_search.h"
-#include "embedding/surface_mode.h"
+#include "carving/surface_mode.h"
+#include "depth/reading_search.h"
+#include "depth/shaped_floor_search.h"
 #include "light/directional_light.h"
 #include "printing/build_direction.h"
 #include "printing/print_process.h"
@@ -21,9 +21,9 @@ namespace qrelief {
 
 /// Criterion that makes a depth deep enough.
 enum class DepthObjective : std::uint8_t {
-  Contrast,  ///< every submodule darker than its surroundings, as published: carving/depth_search.h
-  Reading,   ///< every module darker than its surroundings, as a decoder sees it: carving/reading_search.h
-  OneLight   ///< every submodule darker than its surroundings under one lamp: carving/one_light_search.h
+  Contrast,  ///< every submodule darker than its surroundings, as published: depth/depth_search.h
+  Reading,   ///< every module darker than its surroundings, as a decoder sees it: depth/reading_search.h
+  OneLight   ///< every submodule darker than its surroundings under one lamp: depth/one_light_search.h
 };
 
 /// Returns "contrast", "reading" or "one-light".
@@ -36,8 +36,8 @@ inline constexpr DirectionalLight kOneLight = {.azimuthDeg = 135, .elevationDeg 
 
 /// Method that finds the depths for DepthObjective::Contrast.
 enum class ContrastSolver : std::uint8_t {
-  Fast,       ///< carving/fast_search.h
-  PaperSteps  ///< as published: carving/depth_search.h
+  Fast,       ///< depth/fast_search.h
+  PaperSteps  ///< as published: depth/depth_search.h
 };
 
 /// The surface that has to be dark enough.

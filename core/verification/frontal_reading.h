@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "math/vec.h"
-#include "verification/symbol_reader.h"
+#include "verification/decoder.h"
 
 namespace qrelief {
 

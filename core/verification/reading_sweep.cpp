@@ -64,16 +64,16 @@ std::string_view readingTestName(ReadingTest test) {
 }
 
 ReadingSweep::ReadingSweep(const BakedLight& light, const ProjectionFrame& frame, int modules, double symbolMm,
-                           std::string text, std::vector<SymbolReader> readers, const SweepOptions& options)
+                           std::string text, std::vector<Decoder> decoders, const SweepOptions& options)
     : light_(&light),
       frame_(frame),
       modules_(modules),
       symbolMm_(symbolMm),
       text_(std::move(text)),
-      readers_(std::move(readers)),
+      decoders_(std::move(decoders)),
       options_(options),
       views_(plannedViews(options)) {
-  assert(!readers_.empty());
+  assert(!decoders_.empty());
 }
 
 std::vector<float> ReadingSweep::luminanceOf(const ReadingView& view) {
@@ -92,11 +92,11 @@ std::vector<float> ReadingSweep::luminanceOf(const ReadingView& view) {
 
 void ReadingSweep::read(ReadingView& view, const GreyImage& picture) {
   for (const GreyImage& variant : readingVariants(picture, view.pixelsPerModule)) {
-    for (const SymbolReader& reader : readers_) {
+    for (const Decoder& decoder : decoders_) {
       // Only frontal pictures count their successes; all others stop at the first one.
       if (view.test != ReadingTest::Frontal && view.read()) return;
       ++view.tries;
-      const auto found = reader(variant);
+      const auto found = decoder(variant);
       if (!found) continue;
       if (found->text != text_) {
         view.otherText = found->text;

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "verification/baked_light.h"
+#include "verification/decoder.h"
 #include "verification/frontal_reading.h"
-#include "verification/symbol_reader.h"
 
 namespace qrelief {
 
@@ -60,9 +60,9 @@ class ReadingSweep {
  public:
   /// @param light    baked and smoothed, at kBakedPixels per module; kept by reference
   /// @param modules  along the symbol's edge
-  /// @param readers  all try each picture, one after the other, and each try counts; not empty
+  /// @param decoders  all try each picture, one after the other, and each try counts; not empty
   ReadingSweep(const BakedLight& light, const ProjectionFrame& frame, int modules, double symbolMm, std::string text,
-               std::vector<SymbolReader> readers, const SweepOptions& options);
+               std::vector<Decoder> decoders, const SweepOptions& options);
 
   /// Takes the next picture and decodes it.
   /// @returns true after the last
@@ -82,7 +82,7 @@ class ReadingSweep {
   int modules_;
   double symbolMm_;
   std::string text_;
-  std::vector<SymbolReader> readers_;
+  std::vector<Decoder> decoders_;
   SweepOptions options_;
   std::vector<ReadingView> views_;
   std::size_t next_ = 0;

@@ -23,7 +23,7 @@
 #include "printing/printed_rays.h"
 #include "study/carved_surface.h"
 #include "study/methods/by_engine.h"
-#include "study/workshop.h"
+#include "study/study_context.h"
 #include "verification/baked_light.h"
 #include "verification/reader_view.h"
 #include "verification/reading_sweep.h"
@@ -53,8 +53,8 @@ std::string drawnText(Random& random) {
   return text;
 }
 
-Result<EngraveRequest> drawnRequest(Random& random, Workshop& workshop, const std::string& model) {
-  auto request = workshop.usualRequest(model);
+Result<EngraveRequest> drawnRequest(Random& random, StudyContext& context, const std::string& model) {
+  auto request = context.usualRequest(model);
   if (!request) return request;
   request->text = drawnText(random);
   request->symbol = {};
@@ -154,11 +154,11 @@ Result<Json> takePicture(Random& random, const Carving& carving, const BakedLigh
   return line;
 }
 
-Result<Carving> carve(Random& random, Workshop& workshop) {
-  const std::string name = Workshop::models()[random.below(Workshop::models().size())];
-  const auto model = workshop.model(name);
+Result<Carving> carve(Random& random, StudyContext& context) {
+  const std::string name = StudyContext::models()[random.below(StudyContext::models().size())];
+  const auto model = context.model(name);
   if (!model) return tl::unexpected(model.error());
-  const auto request = drawnRequest(random, workshop, name);
+  const auto request = drawnRequest(random, context, name);
   if (!request) return tl::unexpected(request.error());
   auto spot = findSpot(name, *model, *request);
   if (!spot) return tl::unexpected(spot.error());
@@ -211,10 +211,10 @@ Status picture(Random& random, const Carving& carving, const RaySurface& surface
 }
 
 /// Takes the pictures of one carving. @returns lines of the truth; none if the drawn carving is impossible
-Result<std::string> makeCarving(std::uint64_t seed, const std::string& name, Workshop& workshop,
+Result<std::string> makeCarving(std::uint64_t seed, const std::string& name, StudyContext& context,
                                 const std::string& folder) {
   Random random(seed);
-  auto carving = carve(random, workshop);
+  auto carving = carve(random, context);
   if (!carving) {
     fmt::print(stderr, "{} is left out: {}\n", name, sentence(carving.error().message));
     return std::string();
@@ -263,13 +263,13 @@ int run(int argc, char** argv) {
   CLI11_PARSE(app, argc, argv);
   const auto context = EglContext::create();
   if (!context) return failed("EGL", context.error());
-  Workshop workshop(samples);
+  StudyContext context(samples);
   fs::create_directories(folder + "/pictures");
   fs::create_directories(folder + "/truth");
   for (std::size_t k = first; k < carvings; k += std::max<std::size_t>(1, step)) {
     const std::string name = fmt::format("{:05}", k), part = fmt::format("{}/truth/{}.jsonl", folder, name);
     if (fs::exists(part)) continue;
-    const auto lines = makeCarving(seed * 1000003 + k, name, workshop, folder + "/pictures");
+    const auto lines = makeCarving(seed * 1000003 + k, name, context, folder + "/pictures");
     if (!lines) return failed(name, lines.error());
     if (const Status written = writeFileAtomically(part, *lines); !written) return failed(part, written.error());
   }

@@ -13,9 +13,9 @@ BuildDirection buildDirection(const std::string& pose, const ProjectionFrame& fr
   return {.pose = byName<BuildPose>(pose, buildPoseName)};
 }
 
-Result<Row> measure(const Row& key, Workshop& workshop) {
+Result<Row> measure(const Row& key, StudyContext& context) {
   const double moduleMm = std::stod(key[1]);
-  const auto place = workshop.spotOfWidth(key[0], moduleMm);
+  const auto place = context.spotOfWidth(key[0], moduleMm);
   if (!place) return tl::unexpected(place.error());
   Spot spot = **place;
   EngraveRequest& request = spot.request;
@@ -31,7 +31,7 @@ Result<Row> measure(const Row& key, Workshop& workshop) {
   const auto code = carveByEngine(spot, request, &*symbol);
   if (!code) return tl::unexpected(code.error());
   (*place)->measured = spot.measured;
-  const auto judged = workshop.judge(spot, *code);
+  const auto judged = context.judge(spot, *code);
   if (!judged) return tl::unexpected(judged.error());
   Row row = readingRow(*judged);
   row.push_back(shown(judged->depth.p95Mm, 3));

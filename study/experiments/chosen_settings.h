@@ -10,7 +10,7 @@ namespace qrelief::study {
 /// Module widths that the default settings are chosen for, mm.
 inline constexpr std::array kDefaultModuleWidthsMm = {0.6, 0.8, 1.0, 1.2, 1.4, 1.6};
 
-/// Two halves of Workshop::models(): one to choose the defaults by, one to test them on.
+/// Two halves of StudyContext::models(): one to choose the defaults by, one to test them on.
 inline constexpr std::array kModelsToChooseBy = {"plate", "saddle", "star", "bunny"};
 inline constexpr std::array kModelsToTestBy = {"pyramid", "cylinder", "vase", "bumpy-sphere"};
 

@@ -8,8 +8,8 @@
 namespace qrelief::study {
 namespace {
 
-Result<Row> measure(const Row& key, Workshop& workshop) {
-  const auto spot = workshop.usualSpot(key[0]);
+Result<Row> measure(const Row& key, StudyContext& context) {
+  const auto spot = context.usualSpot(key[0]);
   if (!spot) return tl::unexpected(spot.error());
   const auto modules = byName<ModulePattern>(key[1], modulePatternName);
   EngraveRequest request = publishedRequest(
@@ -17,7 +17,7 @@ Result<Row> measure(const Row& key, Workshop& workshop) {
   request.contrast = std::stod(key[2]);
   const auto code = carveByEngine(**spot, request);
   if (!code) return tl::unexpected(code.error());
-  const auto judged = workshop.judge(**spot, *code);
+  const auto judged = context.judge(**spot, *code);
   if (!judged) return tl::unexpected(judged.error());
   Row row = readingRow(*judged);
   row.push_back(std::to_string(code->limited));

@@ -8,7 +8,7 @@
 namespace qrelief::study {
 namespace {
 
-Result<Row> measure(const Row& key, Workshop&) {
+Result<Row> measure(const Row& key, StudyContext&) {
   const EngraveRequest chosen = withDefaultPatterns({}, std::stod(key[0]));
   return Row{std::string(modulePatternName(*chosen.modulePattern)),
              std::string(finderPatternName(*chosen.finderPattern)), shown(*chosen.contrast, 2)};

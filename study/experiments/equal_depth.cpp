@@ -64,12 +64,12 @@ Result<double> levelFor(const Method& method, const Spot& spot, double depthMm) 
   }
 }
 
-Result<Row> measure(const Row& key, Workshop& workshop) {
+Result<Row> measure(const Row& key, StudyContext& context) {
   const Method& method = *findMethod(key[1]);
   const Method& usual = *findMethod(kDefault);
-  const auto ours = workshop.usualSpot(key[0], usual.direction);
+  const auto ours = context.usualSpot(key[0], usual.direction);
   if (!ours) return tl::unexpected(ours.error());
-  const auto place = workshop.usualSpot(key[0], method.direction);
+  const auto place = context.usualSpot(key[0], method.direction);
   if (!place) return tl::unexpected(place.error());
   static std::map<std::string, double> levels;  // by model and method
   const auto [known, isNew] = levels.try_emplace(key[0] + " " + key[1], usual.usual);
@@ -87,7 +87,7 @@ Result<Row> measure(const Row& key, Workshop& workshop) {
   if (!spot) return tl::unexpected(spot.error());
   const auto code = method.carve(*spot, known->second);
   if (!code) return tl::unexpected(code.error());
-  const auto judged = workshop.judge(*spot, *code);
+  const auto judged = context.judge(*spot, *code);
   if (!judged) return tl::unexpected(judged.error());
   Row row = readingRow(*judged);
   row.push_back(shown(known->second, 3));
@@ -104,7 +104,7 @@ Experiment equalDepth() {
   measures.emplace_back("level");
   Experiment experiment{"equal_depth", {"model", "method", "text"}, measures, {}, measure, version};
   for (std::size_t text = 1; text <= kTexts.size(); ++text)
-    for (const std::string& model : Workshop::models())
+    for (const std::string& model : StudyContext::models())
       for (const char* method : {kDefault, "ours-thick-plus", "ours-whole-modules", "ours-for-design", "papp-2022",
                                  "papp-2022-whole-modules", "tilted-2021", "groove-2018"})
         experiment.cases.push_back({model, method, std::to_string(text)});

@@ -7,13 +7,13 @@
 namespace qrelief::study {
 namespace {
 
-Result<Row> measure(const Row& key, Workshop& workshop) {
+Result<Row> measure(const Row& key, StudyContext& context) {
   const Method& method = *findMethod(key[1]);
-  const auto spot = workshop.usualSpot(key[0], method.direction);
+  const auto spot = context.usualSpot(key[0], method.direction);
   if (!spot) return tl::unexpected(spot.error());
   const auto code = method.carve(**spot, std::stod(key[2]));
   if (!code) return tl::unexpected(code.error());
-  const auto judged = workshop.judge(**spot, *code);
+  const auto judged = context.judge(**spot, *code);
   if (!judged) return tl::unexpected(judged.error());
   return readingRow(*judged);
 }
@@ -22,7 +22,7 @@ Result<Row> measure(const Row& key, Workshop& workshop) {
 
 Experiment frontier() {
   Experiment experiment{"frontier", {"model", "method", "level"}, readingColumns(), {}, measure, versionOfMethod};
-  for (const std::string& model : Workshop::models())
+  for (const std::string& model : StudyContext::models())
     for (const Method& method : methods())
       for (const double level : method.levels) experiment.cases.push_back({model, method.name, shown(level, 2)});
   return experiment;

@@ -8,10 +8,10 @@ namespace {
 
 constexpr double kLargestMm = 100;
 
-Result<double> largestMm(Workshop& workshop, const Row& key, SizeMode mode, double rotateDeg) {
-  const auto model = workshop.model(key[0]);
+Result<double> largestMm(StudyContext& context, const Row& key, SizeMode mode, double rotateDeg) {
+  const auto model = context.model(key[0]);
   if (!model) return tl::unexpected(model.error());
-  auto request = workshop.usualRequest(key[0]);
+  auto request = context.usualRequest(key[0]);
   if (!request) return tl::unexpected(request.error());
   PlacementRequest& place = request->placement;
   place.sizeMode = mode;
@@ -23,11 +23,11 @@ Result<double> largestMm(Workshop& workshop, const Row& key, SizeMode mode, doub
   return spot->placement.symbolMm;
 }
 
-Result<Row> measure(const Row& key, Workshop& workshop) {
+Result<Row> measure(const Row& key, StudyContext& context) {
   Row row;
   for (const auto& [mode, rotateDeg] :
        {std::pair(SizeMode::Free, 0.0), std::pair(SizeMode::Oriented, 0.0), std::pair(SizeMode::Oriented, 45.0)}) {
-    const auto mm = largestMm(workshop, key, mode, rotateDeg);
+    const auto mm = largestMm(context, key, mode, rotateDeg);
     if (!mm) return tl::unexpected(mm.error());
     row.push_back(shown(*mm, 2));
   }
@@ -40,7 +40,7 @@ Experiment guaranteedSize() {
   Experiment experiment{
       "guaranteed_size", {"model", "direction"},   {"guaranteed_mm", "upright_mm", "turned_45_mm"}, {},
       measure,           dependingOn({kPlacement})};
-  for (const std::string& model : Workshop::models())
+  for (const std::string& model : StudyContext::models())
     for (int i = 0; i < 4; ++i)
       experiment.cases.push_back({model, directionMethodName(static_cast<DirectionMethod>(i))});
   return experiment;

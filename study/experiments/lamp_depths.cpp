@@ -10,8 +10,8 @@ namespace {
 
 constexpr double kElevationDeg = 33;
 
-Result<Row> measure(const Row& key, Workshop& workshop) {
-  const auto spot = workshop.usualSpot(key[0]);
+Result<Row> measure(const Row& key, StudyContext& context) {
+  const auto spot = context.usualSpot(key[0]);
   if (!spot) return tl::unexpected(spot.error());
   const auto modules = byName<ModulePattern>(key[1], modulePatternName);
   EngraveRequest request = publishedRequest(
@@ -28,7 +28,7 @@ Result<Row> measure(const Row& key, Workshop& workshop) {
 Experiment lampDepths() {
   Experiment experiment{"lamp_depths", {"model", "modules", "lamps"}, {"depth_mm", "limited"}, {},
                         measure,       dependingOn({kSearch})};
-  for (const std::string& model : Workshop::models())
+  for (const std::string& model : StudyContext::models())
     for (const char* modules : {"none", "square"})
       for (const char* lamps : {"0", "1", "2"}) experiment.cases.push_back({model, modules, lamps});
   return experiment;

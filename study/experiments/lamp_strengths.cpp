@@ -11,8 +11,8 @@ namespace {
 
 constexpr double kAzimuthDeg = 90;
 
-Result<Row> measure(const Row& key, Workshop& workshop) {
-  const auto spot = workshop.usualSpot("plate");
+Result<Row> measure(const Row& key, StudyContext& context) {
+  const auto spot = context.usualSpot("plate");
   if (!spot) return tl::unexpected(spot.error());
   const auto modules = byName<ModulePattern>(key[0], modulePatternName);
   EngraveRequest request = publishedRequest(

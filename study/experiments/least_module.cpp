@@ -14,8 +14,8 @@ namespace {
 constexpr double kLargestNozzles = 4, kSmallestNozzles = 0.6, kStep = 0.9;
 constexpr int kVersion = 2, kModules = 25;
 
-Result<Row> measure(const Row& key, Workshop& workshop) {
-  const auto plate = workshop.model("plate");
+Result<Row> measure(const Row& key, StudyContext& context) {
+  const auto plate = context.model("plate");
   if (!plate) return tl::unexpected(plate.error());
   EngraveRequest request;
   request.carveFor = CarveFor::Print;

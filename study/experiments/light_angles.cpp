@@ -18,8 +18,8 @@ std::vector<DirectionalLight> lampAt(const std::string& elevation) {
   return {{.azimuthDeg = kAzimuthDeg, .elevationDeg = std::stod(elevation), .strength = kStrength}};
 }
 
-Result<Row> measure(const Row& key, Workshop& workshop) {
-  const auto spot = workshop.usualSpot("plate");
+Result<Row> measure(const Row& key, StudyContext& context) {
+  const auto spot = context.usualSpot("plate");
   if (!spot) return tl::unexpected(spot.error());
   const auto modules = byName<ModulePattern>(key[0], modulePatternName);
   EngraveRequest request = publishedRequest(

@@ -42,13 +42,13 @@ Result<LightError> lightError(const Spot& spot, const CarvedCode& code) {
   return error;
 }
 
-Result<Row> measure(const Row& key, Workshop& workshop) {
+Result<Row> measure(const Row& key, StudyContext& context) {
   const Method& method = *findMethod(key[1]);
-  const auto spot = workshop.usualSpot(key[0], method.direction);
+  const auto spot = context.usualSpot(key[0], method.direction);
   if (!spot) return tl::unexpected(spot.error());
   const auto code = method.carve(**spot, method.usual);
   if (!code) return tl::unexpected(code.error());
-  const auto judged = workshop.judge(**spot, *code);
+  const auto judged = context.judge(**spot, *code);
   if (!judged) return tl::unexpected(judged.error());
   const auto error = lightError(**spot, *code);
   if (!error) return tl::unexpected(error.error());
@@ -66,7 +66,7 @@ Experiment methodComparison() {
   for (const char* column : {"passes", "limited", "light_error", "light_error_size", "search_ms"})
     measures.emplace_back(column);
   Experiment experiment{"method_comparison", {"model", "method"}, measures, {}, measure, versionOfMethod};
-  for (const std::string& model : Workshop::models())
+  for (const std::string& model : StudyContext::models())
     for (const Method& method : methods()) experiment.cases.push_back({model, method.name});
   return experiment;
 }

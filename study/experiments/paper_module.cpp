@@ -9,13 +9,13 @@ namespace {
 
 constexpr double kPaperModuleMm = 1.2;
 
-Result<Row> measure(const Row& key, Workshop& workshop) {
+Result<Row> measure(const Row& key, StudyContext& context) {
   const Method& method = *findMethod(key[1]);
-  const auto spot = workshop.spotOfWidth(key[0], kPaperModuleMm, method.direction);
+  const auto spot = context.spotOfWidth(key[0], kPaperModuleMm, method.direction);
   if (!spot) return tl::unexpected(spot.error());
   const auto code = method.carve(**spot, method.usual);
   if (!code) return tl::unexpected(code.error());
-  const auto judged = workshop.judge(**spot, *code);
+  const auto judged = context.judge(**spot, *code);
   if (!judged) return tl::unexpected(judged.error());
   return readingRow(*judged);
 }
@@ -24,7 +24,7 @@ Result<Row> measure(const Row& key, Workshop& workshop) {
 
 Experiment paperModule() {
   Experiment experiment{"paper_module", {"model", "method"}, readingColumns(), {}, measure, versionOfMethod};
-  for (const std::string& model : Workshop::models())
+  for (const std::string& model : StudyContext::models())
     for (const Method& method : methods()) experiment.cases.push_back({model, method.name});
   return experiment;
 }

@@ -7,14 +7,14 @@
 namespace qrelief::study {
 namespace {
 
-Result<Row> measure(const Row& key, Workshop& workshop) {
-  const auto spot = workshop.usualSpot(key[0]);
+Result<Row> measure(const Row& key, StudyContext& context) {
+  const auto spot = context.usualSpot(key[0]);
   if (!spot) return tl::unexpected(spot.error());
   const EngraveRequest request = publishedRequest(**spot, byName<ModulePattern>(key[1], modulePatternName),
                                                   byName<FinderPattern>(key[2], finderPatternName));
   const auto code = carveByEngine(**spot, request);
   if (!code) return tl::unexpected(code.error());
-  const auto judged = workshop.judge(**spot, *code);
+  const auto judged = context.judge(**spot, *code);
   if (!judged) return tl::unexpected(judged.error());
   return readingRow(*judged);
 }
@@ -25,7 +25,7 @@ Experiment patternDepths() {
   Experiment experiment{"pattern_depths", {"model", "modules", "finders"},
                         readingColumns(), {},
                         measure,          dependingOn({kSearch, kLight, kPrint, kDecoding})};
-  for (const std::string& model : Workshop::models())
+  for (const std::string& model : StudyContext::models())
     for (int pattern = 0; pattern < 5; ++pattern)
       for (int finder = 0; finder < 5; ++finder)
         experiment.cases.push_back({model, std::string(modulePatternName(static_cast<ModulePattern>(pattern))),

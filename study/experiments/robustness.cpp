@@ -2,7 +2,7 @@
 // Limits of blur, distance and tilt for a carved code, by module pattern and finder pattern [Papp 2022, §8], with the
 // published steps and our default, on a plate, a cylinder and the bumpy sphere. Pictures and decoders are the same as
 // in `verify` (verification/reading_sweep.h); a value is empty if the code does not decode even from nearby in front.
-#include "native/zxing_reader.h"
+#include "native/zxing_decoder.h"
 #include "pipeline/verify.h"
 #include "study/carved_surface.h"
 #include "study/experiments/experiments.h"
@@ -15,8 +15,8 @@ std::string shownIfAny(const std::optional<double>& value, int decimals) {
   return value ? shown(*value, decimals) : std::string();
 }
 
-Result<Row> measure(const Row& key, Workshop& workshop) {
-  const auto spot = workshop.usualSpot(key[0]);
+Result<Row> measure(const Row& key, StudyContext& context) {
+  const auto spot = context.usualSpot(key[0]);
   if (!spot) return tl::unexpected(spot.error());
   const auto modules = byName<ModulePattern>(key[2], modulePatternName);
   const auto finders = byName<FinderPattern>(key[3], finderPatternName);
@@ -35,7 +35,7 @@ Result<Row> measure(const Row& key, Workshop& workshop) {
   result.symbol = code->symbol;
   VerifyRequest wanted = verifyRequestOf(request, result);
   wanted.ranges = true;
-  auto job = VerifyJob::create(surface->mesh(), wanted, zxingReaders());
+  auto job = VerifyJob::create(surface->mesh(), wanted, zxingDecoders());
   if (!job) return tl::unexpected(job.error());
   const auto verified = runToEnd(**job);
   if (!verified) return tl::unexpected(verified.error());

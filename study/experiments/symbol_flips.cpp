@@ -26,12 +26,12 @@ Result<CarvedCode> carve(const Spot& spot, const std::string& flips, const std::
   return carveByEngine(spot, request, &*symbol);
 }
 
-Result<Row> measure(const Row& key, Workshop& workshop) {
-  const auto spot = workshop.usualSpot(key[0]);
+Result<Row> measure(const Row& key, StudyContext& context) {
+  const auto spot = context.usualSpot(key[0]);
   if (!spot) return tl::unexpected(spot.error());
   const auto code = carve(**spot, key[2], key[1]);
   if (!code) return tl::unexpected(code.error());
-  const auto judged = workshop.judge(**spot, *code);
+  const auto judged = context.judge(**spot, *code);
   if (!judged) return tl::unexpected(judged.error());
   Row row = {std::to_string(std::count(code->symbol.flipped.begin(), code->symbol.flipped.end(), 1))};
   for (std::string& value : readingRow(*judged)) row.push_back(std::move(value));

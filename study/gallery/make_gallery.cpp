@@ -12,7 +12,7 @@
 #include "native/files.h"
 #include "native/png_file.h"
 #include "pipeline/printed_view.h"
-#include "study/workshop.h"
+#include "study/study_context.h"
 
 namespace qrelief::study {
 namespace {
@@ -106,10 +106,10 @@ Result<Json> show(const Engraver& engraver, const Exhibit& exhibit, const std::s
 Status make(const std::string& sample, const std::string& samples, const std::string& folder, bool withPatterns) {
   const auto context = EglContext::create();
   if (!context) return tl::unexpected(context.error());
-  Workshop workshop(samples);
-  const auto model = workshop.model(sample);
+  StudyContext context(samples);
+  const auto model = context.model(sample);
   if (!model) return tl::unexpected(model.error());
-  auto usual = workshop.usualRequest(sample);
+  auto usual = context.usualRequest(sample);
   if (!usual) return tl::unexpected(usual.error());
   usual->symbol.version.reset();
   usual->keepPreset = false;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/methods/by_engine.h"
 
-#include "carving/submodule_luminances.h"
+#include "depth/submodule_luminances.h"
 
 namespace qrelief::study {
 

@@ -76,7 +76,7 @@ test('every model, method and pattern of the tables has a name', () => {
   const source = (/** @type {string} */ path) => readFileSync(new URL(path, import.meta.url), 'utf8');
   const quoted = (/** @type {string | undefined} */ code) => [...(code ?? '').matchAll(/"([\w-]+)"/g)].map(([, word]) => word);
   const found = {
-    model: quoted(/kNames = \{([^}]*)\}/.exec(source('../workshop.cpp'))?.[1]),
+    model: quoted(/kNames = \{([^}]*)\}/.exec(source('../study_context.cpp'))?.[1]),
     method: [...source('../methods/methods.cpp').matchAll(/^ {6}\{"([\w-]+)",/gm)].map(([, method]) => method),
     pattern: ['none', 'square', 'thin-plus', 'diamond', 'thick-plus'],
   };

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <gmock/gmock.h>
 
-#include "carving/depth_search.h"
+#include "depth/depth_search.h"
 #include "qr/module_pattern.h"
 
 namespace qrelief {

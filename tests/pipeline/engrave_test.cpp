@@ -9,7 +9,7 @@
 #include <set>
 
 #include "messages/sentences.h"
-#include "native/zxing_reader.h"
+#include "native/zxing_decoder.h"
 #include "pipeline/default_patterns.h"
 #include "report/report.h"
 #include "support/brute_force.h"

@@ -4,10 +4,10 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "carving/one_light_search.h"
+#include "depth/one_light_search.h"
 #include "mesh/ray_tree.h"
 #include "native/read_carving.h"
-#include "native/zxing_reader.h"
+#include "native/zxing_decoder.h"
 #include "pipeline/printed_view.h"
 #include "report/report.h"
 #include "report/verify_report.h"
@@ -54,7 +54,7 @@ class OneLightTest : public GlTest {
   }
   static ReadingCount tries(const Sample& sample, VerifyRequest request) {
     request.ranges = false;
-    auto job = VerifyJob::create(sample.result.mesh, request, zxingReaders());
+    auto job = VerifyJob::create(sample.result.mesh, request, zxingDecoders());
     return runToEnd(**job)->reading.frontal;
   }
 };
@@ -133,7 +133,7 @@ TEST_F(OneLightTest, TheReportSaysWhichLampItNeedsAndVerifyTakesItFromThere) {
   ASSERT_TRUE(request.has_value());
   EXPECT_EQ(request->oneLight, kOneLight);
 
-  auto job = VerifyJob::create(sample.result.mesh, *request, zxingReaders());
+  auto job = VerifyJob::create(sample.result.mesh, *request, zxingDecoders());
   const VerifyResult verified = *runToEnd(**job);
   VerifyReportContext verifyContext;
   verifyContext.verdict = judge(*request, verified);
@@ -165,7 +165,7 @@ TEST_F(OneLightTest, ItsPrintIsSeenUnderTheLampToo) {
 TEST_F(OneLightTest, ALampThatCannotBeIsRefusedByVerify) {
   VerifyRequest request = verifyRequestOf(onPlate().request, onPlate().result);
   request.oneLight->elevationDeg = -3;
-  const auto job = VerifyJob::create(onPlate().result.mesh, request, zxingReaders());
+  const auto job = VerifyJob::create(onPlate().result.mesh, request, zxingDecoders());
   ASSERT_FALSE(job.has_value());
   EXPECT_EQ(job.error().message.code, "setting-out-of-range");
 }

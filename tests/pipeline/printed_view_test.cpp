@@ -2,7 +2,7 @@
 #include "pipeline/printed_view.h"
 
 #include "native/read_carving.h"
-#include "native/zxing_reader.h"
+#include "native/zxing_decoder.h"
 #include "support/gl_test.h"
 #include "support/shapes.h"
 
@@ -57,7 +57,7 @@ TEST_F(PrintedViewTest, ModulesMuchWiderThanTheNozzleReadAsPrintedLyingAndStandi
 
 TEST_F(PrintedViewTest, ModulesFinerThanTheNozzleDoNotReadThoughTheDesignDoes) {
   const Carved plate = carved(7);  // modules of a third of a millimetre
-  auto job = VerifyJob::create(plate.mesh, plate.request, zxingReaders());
+  auto job = VerifyJob::create(plate.mesh, plate.request, zxingDecoders());
   ASSERT_TRUE(job);
   EXPECT_TRUE(runToEnd(**job)->reading.frontal.enough());
   const auto evidence = printed(plate, {0, 0, 1});

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "carving/shaped_floor_search.h"
-#include "embedding/embed.h"
+#include "carving/embed.h"
+#include "depth/shaped_floor_search.h"
 #include "math/tolerance.h"
 #include "mesh/ray_tree.h"
 #include "pipeline/engrave.h"

@@ -7,7 +7,7 @@
 #include "messages/sentences.h"
 #include "pipeline/engrave.h"
 #include "pipeline/spot_light.h"
-#include "projection/bend.h"
+#include "projection/flatness.h"
 #include "support/gl_test.h"
 #include "support/shapes.h"
 

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "messages/sentences.h"
-#include "native/zxing_reader.h"
+#include "native/zxing_decoder.h"
 #include "report/report.h"
 #include "report/verify_report.h"
 #include "support/gl_test.h"
@@ -59,7 +59,7 @@ class VerifyTest : public GlTest {
     Verdict verdict;
   };
   static Verified verify(const Mesh& mesh, const VerifyRequest& request) {
-    auto job = VerifyJob::create(mesh, request, zxingReaders());
+    auto job = VerifyJob::create(mesh, request, zxingDecoders());
     EXPECT_TRUE(job.has_value());
     double before = 0;
     for (;;) {
@@ -251,7 +251,7 @@ TEST_F(VerifyTest, RequestsThatMakeNoSenseAreRefused) {
   const auto codeOf = [&](auto change) {
     VerifyRequest request = fine;
     change(request);
-    const auto job = VerifyJob::create(good().mesh, request, zxingReaders());
+    const auto job = VerifyJob::create(good().mesh, request, zxingDecoders());
     return job ? std::optional<ErrorKind>() : job.error().kind;
   };
   EXPECT_EQ(codeOf([](VerifyRequest& r) { r.text.clear(); }), ErrorKind::BadUsage);

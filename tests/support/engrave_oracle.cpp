@@ -8,8 +8,8 @@
 #include <numbers>
 #include <set>
 
-#include "carving/wall_limit.h"
-#include "embedding/carving_oracle.h"
+#include "carving/carving_oracle.h"
+#include "depth/wall_limit.h"
 #include "io/write_stl.h"
 #include "math/angle.h"
 #include "math/tolerance.h"

@@ -22,8 +22,8 @@ class ReadingSweepTest : public testing::Test {
     }
   }
 
-  ReadingSweep sweep(std::vector<SymbolReader> readers, const SweepOptions& options = {}) {
-    ReadingSweep made(light_, frame_, kModules, kSymbolMm, "WANTED", std::move(readers), options);
+  ReadingSweep sweep(std::vector<Decoder> decoders, const SweepOptions& options = {}) {
+    ReadingSweep made(light_, frame_, kModules, kSymbolMm, "WANTED", std::move(decoders), options);
     while (!made.step()) {
     }
     return made;

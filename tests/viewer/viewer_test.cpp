@@ -6,8 +6,8 @@
 #include "mesh/ray.h"
 #include "support/gl_test.h"
 #include "support/shapes.h"
+#include "viewer/decal_bounds.h"
 #include "viewer/display_mesh.h"
-#include "viewer/print_bounds.h"
 
 namespace qrelief {
 namespace {
@@ -99,41 +99,41 @@ TEST_F(ViewerTest, OcclusionDarkensAConcaveCornerAndLeavesTheOpenPlateAlone) {
   EXPECT_NEAR(picture.brightness(camera_.toScreen({30, 20, 0})), open, 0.02);
 }
 
-/// A print that moves over a finished picture is redrawn in its own box only.
+/// A decal that moves over a finished picture is redrawn in its own box only.
 TEST_F(ViewerTest, PrintsThatMoveLookTheSameAsIfTheWholePictureWereDrawnWithThem) {
   const Mesh mesh = shapes::bumpySphere(30, 2, 4, 5);
   show(mesh);
   const GpuMesh seen(mesh, vertexNormals(mesh));
   auto pass = GeometryPass::create();
   ASSERT_TRUE(pass.has_value());
-  const auto printAt = [&](Vec3 direction, bool withReach) {
-    SurfacePrint print;
+  const auto decalAt = [&](Vec3 direction, bool withReach) {
+    Decal decal;
     const auto hit = firstHit(mesh, direction * 100.0, -direction);
     EXPECT_TRUE(hit.has_value());
-    print.frame = makeFrame(hit->position, direction, {0, 0, 1}, 250);
-    print.edgeMm = 24;
-    print.size = 2;
-    print.ink = {255, 0, 0, 255};
-    if (!withReach) return print;
-    auto reach = lookAround(lookByRendering(*pass, seen), print.frame, {50, 96});
+    decal.frame = makeFrame(hit->position, direction, {0, 0, 1}, 250);
+    decal.edgeMm = 24;
+    decal.size = 2;
+    decal.ink = {255, 0, 0, 255};
+    if (!withReach) return decal;
+    auto reach = lookAround(lookByRendering(*pass, seen), decal.frame, {50, 96});
     EXPECT_TRUE(reach.has_value());
-    print.reach = std::make_shared<const EyeReach>(std::move(*reach));
-    return print;
+    decal.reach = std::make_shared<const VisibilityMap>(std::move(*reach));
+    return decal;
   };
   for (int k = 0; k < 6; ++k) {
     const double angle = k * 1.1;
     const Vec3 towards = glm::normalize(Vec3(std::cos(angle), std::sin(angle), 0.3 * k - 0.7));
     const Vec3 beside = glm::normalize(towards + Vec3(0, 0.3, 0.4));
     camera_.orbit(60.0 * k, 25);
-    viewer_->setPrint(printAt(towards, k % 2 == 0));
+    viewer_->setDecal(decalAt(towards, k % 2 == 0));
     viewer_->setGhost(std::nullopt);
     refined();
-    viewer_->setGhost(printAt(beside, k % 3 != 0));
+    viewer_->setGhost(decalAt(beside, k % 3 != 0));
     draw(clock_ += 1);
-    if (k % 2 == 1) {  // moves the other print
+    if (k % 2 == 1) {  // moves the other decal
       viewer_->setGhost(std::nullopt);
       draw(clock_ += 1);
-      viewer_->setPrint(printAt(beside, true));
+      viewer_->setDecal(decalAt(beside, true));
       draw(clock_ += 1);
     }
     const Picture moved{target_.readRgba()};
@@ -142,22 +142,22 @@ TEST_F(ViewerTest, PrintsThatMoveLookTheSameAsIfTheWholePictureWereDrawnWithThem
     double different = 0;
     for (std::size_t i = 0; i < whole.rgba.size(); ++i)
       different = std::max<double>(different, std::abs(moved.rgba[i] - whole.rgba[i]));
-    EXPECT_LT(different, 2.0 / 255) << k;  // the picture is stored as bytes, with and without the other print
+    EXPECT_LT(different, 2.0 / 255) << k;  // the picture is stored as bytes, with and without the other decal
   }
 }
 
 TEST_F(ViewerTest, APrintsBoxIsNoLargerThanItMustBe) {
   show(shapes::box({60, 60, 20}));
   camera_.orbit(0, 400);  // from above
-  SurfacePrint print;
-  print.frame = makeFrame({0, 0, 10}, {0, 0, 1}, {0, 1, 0}, 250);
-  print.edgeMm = 20;
-  auto reach = std::make_shared<EyeReach>();
-  reach->frame = print.frame;
+  Decal decal;
+  decal.frame = makeFrame({0, 0, 10}, {0, 0, 1}, {0, 1, 0}, 250);
+  decal.edgeMm = 20;
+  auto reach = std::make_shared<VisibilityMap>();
+  reach->frame = decal.frame;
   reach->window = {40, 64};
   reach->texels.assign(4 * 64 * 64, 0.0f);
-  print.reach = reach;
-  const PixelBox box = printBounds(print, camera_.view(), kWidth, kHeight);
+  decal.reach = reach;
+  const PixelBox box = decalBounds(decal, camera_.view(), kWidth, kHeight);
   Vec2 low(1e9), high(-1e9);
   for (const Vec3 corner : {Vec3(10, 10, 10), Vec3(-10, 10, 10), Vec3(-10, -10, 10), Vec3(10, -10, 10)}) {
     low = glm::min(low, camera_.toScreen(corner));
@@ -167,20 +167,20 @@ TEST_F(ViewerTest, APrintsBoxIsNoLargerThanItMustBe) {
   EXPECT_LE(box.width, high.x - low.x + 24);
   EXPECT_GE(box.height, high.y - low.y);
   EXPECT_LE(box.height, high.y - low.y + 24);
-  print.frame = makeFrame({0, 0, 1000}, {0, 0, 1}, {0, 1, 0}, 250);  // behind the camera
-  EXPECT_EQ(printBounds(print, camera_.view(), kWidth, kHeight), (PixelBox{0, 0, kWidth, kHeight}));
+  decal.frame = makeFrame({0, 0, 1000}, {0, 0, 1}, {0, 1, 0}, 250);  // behind the camera
+  EXPECT_EQ(decalBounds(decal, camera_.view(), kWidth, kHeight), (PixelBox{0, 0, kWidth, kHeight}));
 }
 
 TEST_F(ViewerTest, ThePrintShowsItsInkWhereTheProjectionCarriesIt) {
   show(shapes::box({60, 60, 20}));
   camera_.orbit(0, 400);  // from above
-  SurfacePrint print;
-  print.frame = makeFrame({0, 0, 10}, {0, 0, 1}, {0, 1, 0}, 250);
-  print.edgeMm = 40;
-  print.size = 2;
-  print.ink = {255, 0,  // the viewer's upper left is dark
+  Decal decal;
+  decal.frame = makeFrame({0, 0, 10}, {0, 0, 1}, {0, 1, 0}, 250);
+  decal.edgeMm = 40;
+  decal.size = 2;
+  decal.ink = {255, 0,  // the viewer's upper left is dark
                0, 0};
-  viewer_->setPrint(print);
+  viewer_->setDecal(decal);
   const Picture with = refined();
   const double ink = with.brightness(camera_.toScreen({-10, 10, 10}));
   for (const Vec3 paper : {Vec3(10, 10, 10), Vec3(-10, -10, 10), Vec3(10, -10, 10)})
@@ -188,20 +188,20 @@ TEST_F(ViewerTest, ThePrintShowsItsInkWhereTheProjectionCarriesIt) {
   const double plain = with.brightness(camera_.toScreen({26, 0, 10}));
   EXPECT_GT(with.brightness(camera_.toScreen({10, 10, 10})), plain + 0.03);
 
-  viewer_->setPrint(std::nullopt);
+  viewer_->setDecal(std::nullopt);
   EXPECT_GT(refined().brightness(camera_.toScreen({-10, 10, 10})), ink + 0.3);
 }
 
 TEST_F(ViewerTest, ThePrintIsOnlyOnFacetsTowardsTheReader) {
   show(shapes::box({60, 60, 20}));
-  SurfacePrint print;
-  print.frame = makeFrame({0, 0, 10}, {0, 0, 1}, {0, 1, 0}, 250);
-  print.edgeMm = 80;  // past the edges, where the sides begin
-  print.size = 1;
-  print.ink = {255};
+  Decal decal;
+  decal.frame = makeFrame({0, 0, 10}, {0, 0, 1}, {0, 1, 0}, 250);
+  decal.edgeMm = 80;  // past the edges, where the sides begin
+  decal.size = 1;
+  decal.ink = {255};
   const Vec2 front = camera_.toScreen({0, -30, 0});
   const double before = refined().brightness(front);
-  viewer_->setPrint(print);
+  viewer_->setDecal(decal);
   const Picture with = refined();
   EXPECT_NEAR(with.brightness(front), before, 0.01);
   EXPECT_LT(with.brightness(camera_.toScreen({0, 0, 10})), 0.35);
@@ -210,26 +210,26 @@ TEST_F(ViewerTest, ThePrintIsOnlyOnFacetsTowardsTheReader) {
 TEST_F(ViewerTest, WhatOfAPrintIsNotReachedHasTheWarningColourOnAndBesideTheModel) {
   show(shapes::box({60, 60, 20}));
   camera_.orbit(0, 400);  // from above
-  auto reach = std::make_shared<EyeReach>();
+  auto reach = std::make_shared<VisibilityMap>();
   reach->frame = makeFrame({20, 0, 10}, {0, 0, 1}, {0, 1, 0}, 250);
   reach->window = {60, 64};
   for (int row = 0; row < 64; ++row) {
     for (int column = 0; column < 64; ++column) {
       const double x = 20 + reach->window.planePoint(column, row).x;
       const bool isMet = x < 30;
-      for (const float value : {isMet ? 0.0f : EyeReach::kNothing, x < 25 ? 1.0f : 0.0f, 0.0f, 0.0f})
+      for (const float value : {isMet ? 0.0f : VisibilityMap::kNothing, x < 25 ? 1.0f : 0.0f, 0.0f, 0.0f})
         reach->texels.push_back(value);
     }
   }
-  SurfacePrint print;
-  print.frame = reach->frame;
-  print.edgeMm = 40;
-  print.size = 1;
-  print.ink = {255};
-  print.reach = reach;
-  viewer_->setPrint(print);
+  Decal decal;
+  decal.frame = reach->frame;
+  decal.edgeMm = 40;
+  decal.size = 1;
+  decal.ink = {255};
+  decal.reach = reach;
+  viewer_->setDecal(decal);
   const Picture picture = refined();
-  EXPECT_LT(picture.brightness(camera_.toScreen({15, 5, 10})), 0.35);  // the print reaches this point: ink
+  EXPECT_LT(picture.brightness(camera_.toScreen({15, 5, 10})), 0.35);  // the decal reaches this point: ink
   for (const Vec3 missing : {Vec3(28, 5, 10), Vec3(35, 5, 10)}) {      // on the model, and over its edge
     const Vec3 colour = picture.at(camera_.toScreen(missing));
     EXPECT_GT(colour.x, colour.z + 0.1) << missing.x;
@@ -242,18 +242,18 @@ TEST_F(ViewerTest, AGhostIsFainterThanAPrintAndLeavesTheRefinedPictureAsItIs) {
   const Vec2 inside = camera_.toScreen({0, 0, 10}), outside = camera_.toScreen({25, 25, 10});
   const Picture plain = refined();
   const int samples = viewer_->statistics().samples;
-  SurfacePrint print;
-  print.frame = makeFrame({0, 0, 10}, {0, 0, 1}, {0, 1, 0}, 250);
-  print.edgeMm = 20;
-  print.size = 1;
-  print.ink = {255};
-  viewer_->setGhost(print);
+  Decal decal;
+  decal.frame = makeFrame({0, 0, 10}, {0, 0, 1}, {0, 1, 0}, 250);
+  decal.edgeMm = 20;
+  decal.size = 1;
+  decal.ink = {255};
+  viewer_->setGhost(decal);
   EXPECT_FALSE(draw(clock_ + 1));
   const Picture ghost{target_.readRgba()};
   EXPECT_EQ(viewer_->statistics().samples, samples);
   EXPECT_NEAR(ghost.brightness(outside), plain.brightness(outside), 1.0 / 255);
   viewer_->setGhost(std::nullopt);
-  viewer_->setPrint(print);
+  viewer_->setDecal(decal);
   EXPECT_FALSE(draw(clock_ + 2));
   const Picture printed{target_.readRgba()};
   EXPECT_LT(printed.brightness(inside), ghost.brightness(inside) - 0.05);

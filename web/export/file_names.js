@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Makes names for saved files that describe their contents and are valid on every file system.
-import { parsePhone } from '../contents/addresses.js';
+import { parsePhone } from '../payloads/addresses.js';
 
 const kMostOfText = 32, kMostOfModel = 48;
 /** ASCII for letters that Unicode does not decompose. */

@@ -7,12 +7,12 @@ import { check } from './parts/check.js';
 import { code } from './parts/code.js';
 import { help } from './parts/help.js';
 import { inspector } from './parts/inspector.js';
-import { keep } from './parts/keep.js';
+import { autosave } from './parts/autosave.js';
 import { links } from './parts/links.js';
 import { page } from './parts/page.js';
 import { samples } from './parts/samples.js';
 import { settings } from './parts/settings.js';
-import { take } from './parts/take.js';
+import { exports } from './parts/exports.js';
 import { view } from './parts/view.js';
 
 /** @typedef {'en' | 'de'} Language */
@@ -21,7 +21,7 @@ import { view } from './parts/view.js';
  *   value
  */
 
-const kParts = { batch, check, code, help, inspector, keep, links, page, samples, settings, take, view };
+const kParts = { batch, check, code, help, inspector, autosave, links, page, samples, settings, exports, view };
 
 /**
  * @typedef {{ guide: typeof import('./parts/guide.js').guide, method: typeof import('./parts/method.js').method,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The inspector's texts, which the engine draws. Their keys are the English texts in inspector/*.cpp. They are a file
+// The inspector's texts, which the engine draws. Their keys are the English texts in app/inspector/*.cpp. They are a file
 // of their own, so that the page loads them only with the inspector.
 import { currentLanguage } from './catalogue.js';
 import { settingTexts } from './setting_names.js';

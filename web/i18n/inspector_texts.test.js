@@ -7,7 +7,7 @@ import { setLanguage } from './catalogue.js';
 import { inspectorTexts } from './inspector_texts.js';
 import { settingTexts } from './setting_names.js';
 
-const folder = new URL('../../inspector/', import.meta.url);
+const folder = new URL('../../app/inspector/', import.meta.url);
 const kSources = [...readdirSync(folder), '../viewer/colour_scale.cpp', '../viewer/colour_scale.h'].filter((name) => /\.(cpp|h)$/.test(name));
 /** The C++ sources with adjacent string literals joined, as the compiler joins them. */
 const source = kSources.map((name) => readFileSync(new URL(name, folder), 'utf8')).join('\n').replace(/"\s*\n\s*"/g, '');

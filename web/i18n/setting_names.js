@@ -49,7 +49,7 @@ export function choiceLabel(key, value) {
 }
 
 /**
- * Returns the texts of all settings by the keys that the engine uses (inspector/setting_labels.h).
+ * Returns the texts of all settings by the keys that the engine uses (app/inspector/setting_labels.h).
  * @returns {Record<string, string>}
  */
 export function settingTexts() {

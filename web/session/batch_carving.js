@@ -251,7 +251,7 @@ export class BatchCarving {
     const isOver = states.finished === record.rows;
     const values = { done: states.counts.done, count: record.rows, name: record.work.fileName };
     notices.show(kOfferNotice, text(isOver ? 'batch.offerOver' : 'batch.offer', values), [
-      { label: text('keep.discard'), run: () => void guard(() => store.discard().finally(release)) },
+      { label: text('autosave.discard'), run: () => void guard(() => store.discard().finally(release)) },
       { label: text(isOver ? 'batch.showThem' : 'batch.goOn'), run: () => void guard(() => this.goOn_(record, states, release)), primary: true },
     ]);
     return true;

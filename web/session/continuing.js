@@ -34,9 +34,9 @@ export class Continuing {
     this.watching_ = true;
     const work = offer ? await this.last_.recall() : undefined;
     if (!work) return;
-    this.notices_.show(kNotice, text('keep.continueWith', { name: work.fileName }), [
-      { label: text('keep.discard'), run: () => void this.last_.discard() },
-      { label: text('keep.continue'), run: () => void this.onContinue_(work), primary: true },
+    this.notices_.show(kNotice, text('autosave.continueWith', { name: work.fileName }), [
+      { label: text('autosave.discard'), run: () => void this.last_.discard() },
+      { label: text('autosave.continue'), run: () => void this.onContinue_(work), primary: true },
     ]);
   }
 

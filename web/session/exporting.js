@@ -91,8 +91,8 @@ export class Exporting {
     const centre = onItsModel ? model?.centreMm : undefined;
     await this.onChanged_();
     if (centre) await this.placing_.move(() => this.client_.setCentre(centre));
-    const words = onItsModel ? () => text('take.settingsUsed', { file: file.name })
-      : () => text('take.settingsOtherModel', { file: file.name, model: model.file });
+    const words = onItsModel ? () => text('exports.settingsUsed', { file: file.name })
+      : () => text('exports.settingsOtherModel', { file: file.name, model: model.file });
     this.messages_.say(words);
   }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// e2e/keep.spec.js tests a real IndexedDB.
+// e2e/autosave.spec.js tests a real IndexedDB.
 import assert from 'node:assert/strict';
 import { afterEach, test } from 'node:test';
-import { holdsSecret } from '../contents/secrets.js';
+import { holdsSecret } from '../payloads/secrets.js';
 import { Database } from './database.js';
 import { LastWork } from './last_work.js';
 

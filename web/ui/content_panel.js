@@ -2,11 +2,11 @@
 // The kind of content, and the fields of the chosen kind.
 import { localise, onLanguage } from '../i18n/catalogue.js';
 import { byId, make } from '../dom/dom.js';
-import { buildContent, kContents } from '../contents/contents.js';
+import { buildContent, kContents } from '../payloads/payloads.js';
 import { FieldView } from './field_view.js';
 
-/** @typedef {import('../contents/types.js').Content} Content */
-/** @typedef {import('../contents/types.js').Values} Values */
+/** @typedef {import('../payloads/types.js').Content} Content */
+/** @typedef {import('../payloads/types.js').Values} Values */
 
 const kForm = 'form';  // the field that selects the form, in kinds that can be written in several ways
 const kPlain = 'text';  // no fields: the textbox holds the content
@@ -94,7 +94,7 @@ export class ContentPanel {
     localise(byId('content-builder', HTMLElement));
   }
 
-  /** @param {string} prefix @param {import('../contents/types.js').Field} field */
+  /** @param {string} prefix @param {import('../payloads/types.js').Field} field */
   makeView_(prefix, field) {
     const view = new FieldView(prefix, field, { onInput: () => this.update_(), onLeave: () => this.visit_(view) });
     return view;

@@ -10,15 +10,15 @@ export class ExportPanel {
   constructor({ onPicture, onSettings, onSymbol }) {
     const mount = byId('take-away', HTMLElement);
     this.secret_ = make('p', { className: 'field-note' });
-    this.secret_.dataset.text = 'take.secret';
+    this.secret_.dataset.text = 'exports.secret';
     this.secret_.id = 'take-secret';
     this.secret_.hidden = true;
-    this.settings_ = makeButton('take.settings', 'take.settingsTitle', onSettings);
-    this.picture_ = makeButton('take.picture', 'take.pictureTitle', onPicture);
+    this.settings_ = makeButton('exports.settings', 'exports.settingsTitle', onSettings);
+    this.picture_ = makeButton('exports.picture', 'exports.pictureTitle', onPicture);
     mount.append(make('div', { className: 'take-buttons' },
       this.settings_, this.picture_,
-      makeButton('take.symbolSvg', 'take.symbolSvgTitle', () => onSymbol('svg')),
-      makeButton('take.symbolPng', 'take.symbolPngTitle', () => onSymbol('png'))), this.secret_);
+      makeButton('exports.symbolSvg', 'exports.symbolSvgTitle', () => onSymbol('svg')),
+      makeButton('exports.symbolPng', 'exports.symbolPngTitle', () => onSymbol('png'))), this.secret_);
     localise(mount);
   }
 

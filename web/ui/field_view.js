@@ -3,8 +3,8 @@
 import { localise, text } from '../i18n/catalogue.js';
 import { make } from '../dom/dom.js';
 
-/** @typedef {import('../contents/types.js').Field} Field */
-/** @typedef {import('../contents/types.js').Problem} Problem */
+/** @typedef {import('../payloads/types.js').Field} Field */
+/** @typedef {import('../payloads/types.js').Problem} Problem */
 /** @typedef {HTMLInputElement | HTMLSelectElement | HTMLTextAreaElement} Control */
 
 /** @type {Record<Exclude<Field['kind'], 'choice' | 'lines'>, { type: string, mode?: string }>} */

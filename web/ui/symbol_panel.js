@@ -7,8 +7,8 @@ import { onLanguage, text } from '../i18n/catalogue.js';
 import { asSentence, hintOf, sentenceOf } from '../i18n/messages.js';
 import { byId, make } from '../dom/dom.js';
 import { formatMm, formatNumber, formatPlain } from '../i18n/format.js';
-import { adviseText, isWebAddress, shorterForms } from '../contents/link.js';
-import { tooSmall } from '../contents/module_size.js';
+import { adviseText, isWebAddress, shorterForms } from '../payloads/link.js';
+import { tooSmall } from '../payloads/module_size.js';
 import { drawSymbol } from './symbol_drawing.js';
 
 /** @typedef {import('../engine/types.js').Settings} Settings */

@@ -6,7 +6,7 @@ import { text } from '../i18n/catalogue.js';
 /** @typedef {import('../engine/types.js').CodeFacts} CodeFacts */
 
 const kOffsetPx = 20;
-const kLeastModuleMm = 0.2;  // the engine refuses smaller modules (core/projection/room.h)
+const kLeastModuleMm = 0.2;  // the engine refuses smaller modules (core/projection/size_bound.h)
 
 export class CodeChip {
   /** @param {HTMLElement} overlay  covers the canvas */

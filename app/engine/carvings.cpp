@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/carvings.h"
+
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "base/clock.h"
+#include "base/parse_json.h"
+#include "batch/manifest.h"
+#include "engine/symbol_decal.h"
+#include "io/write_checked.h"
+#include "pipeline/add_inlay.h"
+#include "pipeline/carved_objects.h"
+#include "settings/setting_json.h"
+#include "verification/baked_light.h"
+#include "verification/reading_variants.h"
+#include "viewer/depth_colours.h"
+#include "viewer/display_mesh.h"
+
+namespace qrelief {
+namespace {
+
+constexpr int kNormalTexels = 768;  // for the smooth normals of a carved surface
+constexpr int kPreparedSteps = 5;   // of an engraving: the surface, and the first passes of the search
+
+}  // namespace
+
+Result<std::unique_ptr<EngraveJob>> Carvings::makeJob(const Ground& ground, const EngraveRequest& request,
+                                                      const PlacementSearch* placed,
+                                                      std::shared_ptr<MeasuredPlace> measured) {
+  if (!programs_) {
+    auto compiled = LuminancePrograms::create();
+    if (!compiled) return tl::unexpected(compiled.error());
+    programs_ = std::move(*compiled);
+  }
+  return EngraveJob::create(
+      ground.model.engravable, request,
+      {.placed = placed,
+       .pass = ground.pass,
+       .programs = programs_,
+       .measured = std::move(measured),
+       .lightBy = timerQueries_ ? LightBy::Shaders : LightBy::Renderer});  // timed passes need shaders
+}
+
+bool Carvings::prepare(const Ground& ground, EngraveRequest request, const PlacementSearch* placed) {
+  if (timerQueries_) return true;
+  request.recordSearch = true;
+  if (prepared_ && !(placed && prepared_->request == request)) prepared_.reset();
+  if (!placed || (prepared_ && prepared_->steps == kPreparedSteps)) return true;
+  const auto start = Clock::now();
+  if (!prepared_) {
+    auto job = makeJob(ground, request, placed, nullptr);  // the measured place still belongs to the shown carving
+    if (!job) return true;                                 // the engraving itself reports the error
+    prepared_ = {std::move(request), std::move(*job)};
+  } else if (prepared_->job->advance()) {
+    ++prepared_->steps;
+  } else {
+    prepared_.reset();
+    return true;
+  }
+  prepared_->ms += millisecondsSince(start);
+  return prepared_->steps == kPreparedSteps;
+}
+
+Result<Progress> Carvings::start(const Ground& ground, EngraveRequest request, const PlacementSearch* placed) {
+  request.recordSearch = true;  // so that the inspector can show it whenever it is opened
+  current_.request = std::move(request);
+  current_.ms = placed ? placed->directionMs() + placed->sizeMs() : 0;
+  std::optional<Prepared> prepared = std::exchange(prepared_, std::nullopt);
+  if (prepared && placed && !timerQueries_ && prepared->request == current_.request) {
+    job_ = std::move(prepared->job);
+    current_.ms += prepared->ms;
+  } else {
+    auto job = makeJob(ground, current_.request, placed, std::exchange(measured_, nullptr));
+    if (!job) return tl::unexpected(job.error());
+    job_ = std::move(*job);
+  }
+  if (timerQueries_) passTimings_ = std::make_unique<gl::PassTimings>(*timerQueries_);
+  ++started_;
+  runs_ = true;
+  return job_->progress();
+}
+
+Result<Progress> Carvings::advance() {
+  const auto start = Clock::now();
+  if (passTimings_) passTimings_->listen();
+  const Result<Progress> progress = job_->advance();
+  if (passTimings_) passTimings_->stopListening();
+  if (!progress) {
+    forgetCurrent();
+    return progress;
+  }
+  if (progress->done) {
+    runs_ = false;  // keep the job: the inspector shows its maps
+    current_.result = job_->takeResult();
+    measured_ = job_->measuredPlace();
+    current_.number = ++finished_;
+  }
+  current_.ms += millisecondsSince(start);
+  return progress;
+}
+
+void Carvings::forgetCurrent() {
+  job_.reset();
+  runs_ = false;
+  current_.result.reset();
+  current_.display.reset();
+  current_.reading = {};
+  current_.printed.reset();
+  current_.viewTrials.reset();
+  current_.reader.clear();
+}
+
+void Carvings::setAside() {
+  if (current_.result) {
+    const EngraveRequest request = current_.request;
+    earlier_ = std::exchange(current_, {});
+    current_.request = request;
+  }
+  forgetCurrent();
+}
+
+void Carvings::cancel() {
+  if (runs_) forgetCurrent();
+}
+
+void Carvings::forgetAll() {
+  earlier_.reset();
+  prepared_.reset();
+  measured_.reset();
+  forgetCurrent();
+}
+
+bool Carvings::use(int wanted) {
+  if (runs_) return false;
+  if (number() == wanted) return true;
+  if (!earlier_ || earlier_->number != wanted) return false;
+  Carving brought = std::move(*earlier_);
+  earlier_.reset();
+  setAside();
+  current_ = std::move(brought);
+  return true;
+}
+
+const std::shared_ptr<const GpuMesh>& Carvings::display(const Ground& ground) {
+  if (current_.display || !current_.result) return current_.display;
+  const EngraveResult& result = *current_.result;
+  const Placement& placement = result.placement;
+  DisplayMesh display = splitAtCreases(result.mesh);
+  const double edge = symbolDecal(result.symbol, placement.frame, placement.symbolMm, current_.request).edgeMm;
+  const auto before = ground.pass->render(*ground.model.display, placement.frame, {edge, kNormalTexels});
+  if (before)
+    takeSmoothNormals(display, result.keptTriangles, placement.frame, before->window, before->framebuffer.readRgba(1));
+  GpuMesh carved(display.mesh, display.normals);
+  carved.setValues(depthColours(result, display));
+  current_.display = std::make_shared<const GpuMesh>(std::move(carved));
+  return current_.display;
+}
+
+std::string Carvings::report(const LoadedModel& model, const gl::Capabilities& gl) const {
+  ReportContext context;
+  context.fileName = model.fileName;
+  context.format = model.format;
+  context.scaleToMm = model.scaleToMm;
+  context.reading = current_.reading;
+  context.printed = current_.printed;
+  context.verdict = verdict();
+  context.reader = current_.reader;
+  context.gl = gl;
+  context.loadMs = model.loadMs;
+  context.prepareMs = model.prepareMs;
+  context.totalMs = model.loadMs + model.prepareMs + current_.ms;
+  return makeReport(current_.request, *model.engravable, *current_.result, context);
+}
+
+GreyImage Carvings::readerImageFrom(const Ground& ground, double tiltDeg, double azimuthDeg) {
+  const EngraveResult& result = *current_.result;
+  const ProjectionFrame frame = tilted(result.placement.frame, tiltDeg, azimuthDeg);
+  auto seen = renderReaderView(*ground.pass, *display(ground), frame, result.readerOptions, programs_);
+  return seen ? std::move(seen->picture) : GreyImage{};
+}
+
+Verdict Carvings::setReadings(const std::vector<std::string>& texts, const std::string& reader) {
+  current_.reading = evidenceOf(texts, current_.request.text);
+  current_.reader = reader;
+  return verdict();
+}
+
+Verdict Carvings::verdict() const { return judge(current_.request, *current_.result, current_.reading, printed()); }
+
+Result<EngraveRequest> Carvings::printedAs(const std::string& changed) const {
+  auto settings = nlohmann::ordered_json::parse(settingsJson(current_.request));
+  const auto changes = parseJson(changed);
+  if (!changes) return tl::unexpected(changes.error());
+  if (changes->contains("process"))  // a process has its own
+    for (const char* key : {"nozzleMm", "layerMm", "lineWidthMm"}) settings.erase(key);
+  settings.update(*changes);
+  return requestFromJson(settings.dump());
+}
+
+Result<std::optional<PrintedViewRequest>> Carvings::printedView(const std::string& changed) const {
+  const auto request = printedAs(changed);
+  if (!request) return tl::unexpected(request.error());
+  return printedViewOf(verifyRequestOf(*request, *printable()));
+}
+
+Result<Aspect> Carvings::judgePrint(const std::string& changed, const std::vector<std::string>& texts,
+                                    double facingDeg) const {
+  const auto request = printedAs(changed);
+  if (!request) return tl::unexpected(request.error());
+  const PrintedEvidence printed{evidenceOf(texts, request->text, true), {}, facingDeg};
+  return judge(*request, *current_.result, current_.reading, &printed).prints;
+}
+
+Verdict Carvings::setPrintedReadings(const std::vector<std::string>& texts, double facingDeg) {
+  current_.printed = {evidenceOf(texts, current_.request.text, true),
+                      std::string(namedPrinters()[*current_.request.process].name), facingDeg};
+  return verdict();
+}
+
+Carvings::Row Carvings::row(double totalMs) const {
+  Verdict judged = verdict();
+  std::string details =
+      describeRow({current_.request, *current_.result, current_.reading, current_.printed, judged, totalMs});
+  return {std::move(judged), std::move(details)};
+}
+
+ViewTrials& Carvings::startViewTrials() {
+  return current_.viewTrials.emplace(current_.result->readerView.pixelsPerModule);
+}
+
+std::vector<GreyImage> Carvings::viewTrialPictures(const Ground& ground) {
+  if (!current_.viewTrials || current_.viewTrials->done()) return {};
+  const ViewTrial& trial = current_.viewTrials->due();
+  const ReaderView& seen = current_.result->readerView;
+  if (trial.pixelsPerModule)
+    return readingVariants(fromFarther(seen.picture, *trial.pixelsPerModule / seen.pixelsPerModule),
+                           *trial.pixelsPerModule);
+  const GreyImage aside = readerImageFrom(ground, trial.tiltDeg, trial.azimuthDeg);
+  return aside.width > 0 ? readingVariants(aside, seen.pixelsPerModule) : std::vector<GreyImage>();
+}
+
+std::vector<std::uint8_t> Carvings::exported(const LoadedModel& model, const std::string& format) {
+  if (!current_.result) return {};
+  EngraveResult& result = *current_.result;
+  if (format == "stl") return result.stl;
+  const bool withInlay = format == "3mf-inlay";
+  if (withInlay && !result.inlay) {
+    const Status made = addInlay(*model.engravable, current_.request.surface, result);
+    if (!made || !result.inlaySolidity.solid()) return {};
+  }
+  const auto bytes =
+      writeChecked(carvedObjects(result, model.partNames, withInlay),
+                   withInlay ? ModelFormat::ThreeMf : formatOfName("." + format), {.title = model.fileName});
+  return bytes ? *bytes : std::vector<std::uint8_t>();
+}
+
+const SearchRecord* Carvings::search() const {
+  const SearchRecord* record = current_.result ? &current_.result->search
+                               : job_          ? job_->inspectorMaps().search
+                                               : nullptr;
+  return record && !record->passes.empty() ? record : nullptr;
+}
+
+const Symbol* Carvings::symbol() const {
+  return current_.result ? &current_.result->symbol : job_ ? job_->inspectorMaps().symbol : nullptr;
+}
+
+double Carvings::codeEdgeMm() const {
+  return current_.result ? current_.result->placement.moduleMm * (current_.result->symbol.size + 2 * kQuietZoneModules)
+                         : 0;
+}
+
+}  // namespace qrelief

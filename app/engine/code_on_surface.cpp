@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/code_on_surface.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/symbol_decal.h"
+#include "math/angle.h"
+#include "projection/code_estimate.h"
+
+namespace qrelief {
+namespace {
+
+constexpr int kReachTexels = 192;
+constexpr double kReachEdges = 3;  // edge of the map around a placed code, in code edges: the code can be turned and
+                                   // enlarged
+
+Result<VisibilityMap> reachAround(const LoadedModel& model, const Decal& decal) {
+  return lookAround(model.look, decal.frame, {kReachEdges * decal.edgeMm, kReachTexels});
+}
+
+std::shared_ptr<const VisibilityMap> trusted(VisibilityMap reach) {
+  reach.trust();
+  return std::make_shared<const VisibilityMap>(std::move(reach));
+}
+
+}  // namespace
+
+bool CodeOnSurface::covers(const Mesh& mesh, const SurfacePoint& at) const {
+  const Vec2 onPlane = glm::abs(decal.frame.project(at.position));
+  const bool isTowards = glm::dot(triangleNormal(mesh, at.triangle), decal.frame.eye() - at.position) > 0;
+  return isTowards && std::max(onPlane.x, onPlane.y) < decal.edgeMm / 2;
+}
+
+void CodeOnSurface::adjust(double toRotationDeg, double toSymbolMm, double outer) {
+  decal.frame = turned(decal.frame, toRadians(toRotationDeg - rotationDeg));
+  decal.edgeMm *= toSymbolMm / symbolMm;
+  decal.reach = reach;
+  rotationDeg = toRotationDeg;
+  symbolMm = toSymbolMm;
+  isExact = false;
+  const Vec3 right = decal.frame.right;
+  const double turn = std::atan2(glm::dot(right, reach->frame.up), glm::dot(right, reach->frame.right));
+  missingFraction = reach->missingFraction(symbolMm * outer, turn);
+}
+
+Result<CodeOnSurface> estimatedCode(const LoadedModel& model, const WantedCode& wanted, Vec3 upHint,
+                                    const SurfacePoint& at, std::optional<double> expectedMm) {
+  const Symbol& symbol = *wanted.symbol();
+  const EstimatedSurface surface{model.mesh(), model.look, model.engravable->gpu.box().diagonal()};
+  auto estimate = estimateCode(surface, at, symbol.size, wanted.placementAt(at.position, upHint), expectedMm);
+  if (!estimate) return tl::unexpected(estimate.error());
+  CodeOnSurface code;
+  code.symbolMm = estimate->symbolMm;
+  code.modules = symbol.size;
+  code.rotationDeg = estimate->rotationDeg;
+  code.guaranteedMm = estimate->guaranteedMm;
+  code.missingFraction = estimate->missingFraction;
+  code.reach = estimate->reach;
+  code.decal = symbolDecal(symbol, estimate->frame, estimate->symbolMm, wanted.settings());
+  code.decal.reach = estimate->reach;
+  return code;
+}
+
+Result<CodeOnSurface> exactCode(const LoadedModel& model, const Symbol& symbol, const EngraveRequest& request,
+                                const Placement& placement) {
+  CodeOnSurface code;
+  code.decal = symbolDecal(symbol, placement.frame, placement.symbolMm, request);
+  code.symbolMm = placement.symbolMm;
+  code.modules = symbol.size;
+  code.rotationDeg = placement.rotationDeg;
+  code.guaranteedMm = placement.guaranteedMm;
+  code.isExact = true;
+  auto reach = reachAround(model, code.decal);
+  if (!reach) return tl::unexpected(reach.error());
+  code.decal.reach = trusted(*reach);
+  code.reach = std::make_shared<const VisibilityMap>(std::move(*reach));
+  return code;
+}
+
+Result<Decal> visibleDecal(const LoadedModel& model, const Symbol& symbol, const ProjectionFrame& frame,
+                           double symbolMm, const EngraveRequest& request) {
+  Decal decal = symbolDecal(symbol, frame, symbolMm, request);
+  auto reach = reachAround(model, decal);
+  if (!reach) return tl::unexpected(reach.error());
+  decal.reach = trusted(std::move(*reach));
+  return decal;
+}
+
+}  // namespace qrelief

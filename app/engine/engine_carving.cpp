@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Implements the verbs that engrave, print, report and export.
+#include <algorithm>
+
+#include "base/parse_json.h"
+#include "engine/answers.h"
+#include "engine/engine.h"
+#include "engine/printed_code.h"
+#include "projection/flatness.h"
+#include "report/json_parts.h"
+#include "verdict/other_prints.h"
+
+namespace qrelief {
+namespace {
+
+const Error kNoResult = {ErrorKind::BadUsage, message("nothing-engraved")};
+
+Json jsonOf(const std::optional<SettingChange>& change) {
+  return change ? Json{{"setting", change->setting}, {"value", change->value}} : Json();
+}
+
+}  // namespace
+
+std::string Engine::prepareEngrave() {
+  bool isDone = true;
+  if (model_ && wanted_.centreMm() && wanted_.symbol() && !carvings_.isRunning() && !offers_.isRunning()) {
+    const EngraveRequest request = wanted_.request(scene_.camera().skyward());
+    isDone = carvings_.prepare(ground(), request, placedCode_.found(request, wanted_.symbol()));
+  }
+  return textOf({{"ok", true}, {"done", isDone}});
+}
+
+std::string Engine::startEngrave(const std::function<EngraveRequest(EngraveRequest)>& overridden) {
+  scene_.show(Scene::Surface::Sizes, false);
+  scene_.show(Scene::Surface::Carved, false);
+  carvings_.setAside();
+  updateView();
+  if (!model_) return answer(kNoModel);
+  if (!wanted_.centreMm()) return answer(ErrorKind::BadUsage, message("no-centre"));
+  const EngraveRequest asked = wanted_.request(scene_.camera().skyward());
+  const auto started = overridden ? carvings_.start(ground(), overridden(asked), nullptr)
+                                  : carvings_.start(ground(), asked, placedCode_.found(asked, wanted_.symbol()));
+  return started ? answer(*started) : answer(started.error());
+}
+
+std::string Engine::advance() {
+  if (!carvings_.isRunning()) return answer(ErrorKind::BadUsage, message("not-engraving"));
+  const Result<Progress> progress = carvings_.advance();
+  if (!progress) return answer(progress.error());
+  if (progress->done) {
+    const EngraveResult& result = *carvings_.result();
+    placedCode_.take(result.placement, exactCode(*model_, result.symbol, carvings_.request(), result.placement));
+    updateView();
+  }
+  return answer(*progress, {{"printable", carvings_.printable() != nullptr}});
+}
+
+void Engine::cancel() { carvings_.cancel(); }
+
+bool Engine::useCarving(int number) {
+  if (!carvings_.use(number)) return false;
+  showCarved(true);
+  return true;
+}
+
+bool Engine::showsCarved() const {
+  return scene_.surface() == Scene::Surface::Carved && carvings_.madeDisplay() != nullptr;
+}
+
+void Engine::showCarved(bool carved) {
+  scene_.show(Scene::Surface::Carved, carved);
+  if (carved && model_) carvings_.display(ground());
+  endHover();
+  updateView();
+}
+
+std::string Engine::report() const { return carvings_.result() ? carvings_.report(*model_, gl_) : answer(kNoResult); }
+
+const GreyImage& Engine::readerImage() const {
+  static const GreyImage kNone;
+  return carvings_.result() ? carvings_.result()->readerView.picture : kNone;
+}
+
+GreyImage Engine::readerImageFrom(double tiltDeg, double azimuthDeg) {
+  return carvings_.result() ? carvings_.readerImageFrom(ground(), tiltDeg, azimuthDeg) : GreyImage{};
+}
+
+std::vector<GreyImage> Engine::readingPictures() const {
+  if (!carvings_.result()) return {};
+  const ReaderView& seen = carvings_.result()->readerView;
+  return frontalPictures(seen.luminance, seen.clean.width, seen.pixelsPerModule);
+}
+
+std::string Engine::setReadings(const std::string& texts, const std::string& reader) {
+  if (!carvings_.result()) return answer(kNoResult);
+  const Result<Json> read = parseJson(texts);
+  if (!read) return answer(read.error());
+  const Verdict verdict = carvings_.setReadings(read->get<std::vector<std::string>>(), reader);
+  return textOf({{"ok", true},
+                 {"passed", verdict.reads.passed()},
+                 {"next", jsonOf(changeToTryNext(carvings_.request(), verdict))}});
+}
+
+std::string Engine::printOrder(const std::string& changed) const {
+  if (!carvings_.printable()) return answer(kNoResult);
+  const auto wanted = carvings_.printedView(changed);
+  if (!wanted) return answer(wanted.error());
+  return textOf({{"ok", true}, {"order", *wanted ? jsonOf(**wanted) : Json()}});
+}
+
+std::vector<std::uint8_t> Engine::stlToPrint() const {
+  return carvings_.printable() ? carvings_.printable()->stl : std::vector<std::uint8_t>{};
+}
+
+std::string Engine::setPrintedReadings(const std::string& texts, double facingDeg) {
+  if (!carvings_.result() || !carvings_.request().process) return answer(kNoResult);
+  const Result<Json> read = parseJson(texts);
+  if (!read) return answer(read.error());
+  const Verdict verdict = carvings_.setPrintedReadings(read->get<std::vector<std::string>>(), facingDeg);
+  return textOf({{"ok", true},
+                 {"passed", verdict.reads.passed() && carvings_.printed()->reading.count.enough()},
+                 {"next", jsonOf(changeToTryNext(carvings_.request(), verdict, carvings_.printed()))}});
+}
+
+std::string Engine::otherPrints() const {
+  if (!carvings_.result()) return answer(kNoResult);
+  Json others = Json::array();
+  for (const SettingChange& other : qrelief::otherPrints(verifyRequestOf(carvings_.request(), *carvings_.result())))
+    others.push_back({{other.setting, other.value}});
+  return textOf({{"ok", true}, {"others", others}});
+}
+
+std::string Engine::judgePrint(const std::string& changed, const std::string& texts, double facingDeg) const {
+  if (!carvings_.result()) return answer(kNoResult);
+  const Result<Json> read = parseJson(texts);
+  if (!read) return answer(read.error());
+  const auto prints = carvings_.judgePrint(changed, read->get<std::vector<std::string>>(), facingDeg);
+  if (!prints) return answer(prints.error());
+  return textOf({{"ok", true}, {"prints", describeAspect(*prints, {})}});
+}
+
+std::string Engine::describeRow(double totalMs) const {
+  if (!carvings_.result()) return answer(kNoResult);
+  const auto row = carvings_.row(totalMs);
+  Json failed = Json::array();
+  for (const Message& check : row.verdict.failed()) failed.push_back(jsonOf(check));
+  return textOf({{"ok", true},
+                 {"passed", row.verdict.passed()},
+                 {"failed", std::move(failed)},
+                 {"details", Json::parse(row.details)}});
+}
+
+std::string Engine::startViewTrials() {
+  if (!carvings_.result()) return answer(kNoResult);
+  return textOf({{"ok", true}, {"tried", 0}, {"all", carvings_.startViewTrials().all()}});
+}
+
+std::vector<GreyImage> Engine::viewTrialPictures() {
+  return carvings_.result() ? carvings_.viewTrialPictures(ground()) : std::vector<GreyImage>();
+}
+
+std::string Engine::noteViewTrial(bool read) {
+  ViewTrials* trials = carvings_.result() ? carvings_.viewTrials() : nullptr;
+  if (!trials || trials->done()) return answer(kNoResult);
+  trials->note(read);
+  const ViewTrialSummary summary = trials->summary();
+  Json tilts = Json::array();
+  for (const ViewTrialSummary::Tilt& tilt : summary.tilts)
+    tilts.push_back({{"tiltDeg", tilt.tiltDeg}, {"reads", tilt.reads}, {"all", tilt.all}});
+  const std::optional<double> pixels = summary.pixelsPerModule;
+  const double moduleMm = carvings_.result()->placement.moduleMm;
+  const Json views = {{"tilts", tilts},
+                      {"safeTiltDeg", summary.safeTiltDeg},
+                      {"forgiving", summary.safeTiltDeg >= kForgivingTiltDeg},
+                      {"pixelsPerModule", pixels ? Json(*pixels) : Json()},
+                      {"distanceMm", pixels ? Json(videoDistanceMm(moduleMm, *pixels)) : Json()}};
+  return textOf(
+      {{"ok", true}, {"done", trials->done()}, {"tried", trials->tried()}, {"all", trials->all()}, {"views", views}});
+}
+
+std::vector<std::uint8_t> Engine::exportModel(const std::string& format) {
+  return carvings_.result() ? carvings_.exported(*model_, format) : std::vector<std::uint8_t>();
+}
+
+std::string Engine::startPlate(int copies) {
+  if (!model_) return answer(kNoModel);
+  plate_.start(*model_, static_cast<std::size_t>(std::max(copies, 0)));
+  return done();
+}
+
+std::string Engine::addToPlate(int place, const std::string& id) {
+  if (!carvings_.result()) return answer(kNoResult);
+  plate_.add(*model_, *carvings_.result(), carvings_.request(), static_cast<std::size_t>(std::max(place, 0)), id);
+  return done();
+}
+
+std::optional<JobMap> Engine::jobMap(const std::string& name) const {
+  return carvings_.job() ? qrelief::jobMap(*carvings_.job(), name) : std::nullopt;
+}
+
+}  // namespace qrelief

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Implements the verbs that place the code, move the code under the pointer, and offer spots.
+#include <cmath>
+
+#include "engine/answers.h"
+#include "engine/engine.h"
+#include "math/angle.h"
+#include "projection/flatness.h"
+
+namespace qrelief {
+namespace {
+
+const Error kNoCode = {ErrorKind::BadUsage, message("no-code-placed")};
+
+}  // namespace
+
+PlacementTask Engine::task() const { return {*model_, *pass_, wanted_, scene_.camera().skyward()}; }
+
+bool Engine::takesCode() const {
+  return model_ && !carvings_.isRunning() && wanted_.symbol() && model_->engravable->prepared.engravable();
+}
+
+Status Engine::placeCode() {
+  if (!model_) return tl::unexpected(kNoModel);
+  if (!wanted_.centreMm()) return fail(ErrorKind::BadUsage, message("no-centre"));
+  if (const Status engravable = model_->engravable->prepared.engravable(); !engravable) return engravable;
+  if (!wanted_.symbol()) return tl::unexpected(wanted_.symbol().error());
+  return placedCode_.place(task());
+}
+
+std::string Engine::placement() {
+  placedCode_.forget();
+  const Status placed = placeCode();
+  updateView();
+  return placed ? describePlacement() : answer(placed.error());
+}
+
+std::string Engine::describePlacement() const {
+  const Placement& placement = *placedCode_.placement();
+  return textOf({{"ok", true},
+                 {"placement",
+                  {{"centre", jsonOf(placement.frame.centre)},
+                   {"direction", wanted_.direction() ? jsonOf(*wanted_.direction()) : Json()},
+                   {"normal", jsonOf(placement.frame.normal)},
+                   {"up", jsonOf(placement.frame.up)},
+                   {"symbolMm", placement.symbolMm},
+                   {"moduleMm", placement.moduleMm},
+                   {"guaranteedMm", placement.guaranteedMm},
+                   {"aimToleranceDeg", aimToleranceDeg(placement.bendMm, placement.moduleMm)},
+                   {"forgiving", aimToleranceDeg(placement.bendMm, placement.moduleMm) >= kForgivingTiltDeg},
+                   {"rotationDeg", placement.rotationDeg},
+                   {"version", wanted_.symbol()->version},
+                   {"modules", wanted_.symbol()->size}}}});
+}
+
+std::string Engine::describeCode(const CodeOnSurface& code) const {
+  return textOf({{"ok", true},
+                 {"hit", true},
+                 {"done", true},
+                 {"onCode", false},
+                 {"code",
+                  {{"symbolMm", code.symbolMm},
+                   {"moduleMm", code.moduleMm()},
+                   {"guaranteedMm", code.guaranteedMm},
+                   {"missingShare", code.missingFraction},
+                   {"exact", code.isExact}}}});
+}
+
+std::string Engine::hover(double x, double y) {
+  placedCode_.stopSettling();
+  const auto at = takesCode() && !showsCarved() ? surfaceAt(x, y) : std::nullopt;
+  if (!at) {
+    endHover();
+    return textOf({{"ok", true}, {"hit", false}});
+  }
+  if (placedCode_.code() && placedCode_.code()->covers(model_->mesh(), *at)) {
+    endHover();
+    return textOf({{"ok", true}, {"hit", true}, {"onCode", true}});
+  }
+  if (const Status hovered = placedCode_.hover(task(), *at); !hovered) return answer(hovered.error());
+  scene_.setGhost(placedCode_.hovered());
+  return describeCode(*placedCode_.hovered());
+}
+
+void Engine::endHover() {
+  placedCode_.endHover();
+  scene_.setGhost(nullptr);
+}
+
+std::string Engine::startSettling() {
+  return takesCode() && placedCode_.startSettling(task()) ? done() : answer(kNoCode);
+}
+
+std::string Engine::advanceSettling() {
+  if (!placedCode_.isSettling()) return answer(kNoCode);
+  const Result<bool> settled = placedCode_.settle(task());
+  if (!settled) return answer(settled.error());
+  if (!*settled) return textOf({{"ok", true}, {"done", false}});
+  scene_.setGhost(placedCode_.hovered());
+  return describeCode(*placedCode_.hovered());
+}
+
+std::string Engine::moveCode(double x, double y) {
+  const auto at = takesCode() ? surfaceAt(x, y) : std::nullopt;
+  if (!at) return textOf({{"ok", true}, {"hit", false}});
+  if (const Status moved = placedCode_.move(task(), *at); !moved) return answer(moved.error());
+  scene_.setGhost(nullptr);
+  scene_.setDecal(placedCode_.code());
+  return describeCode(*placedCode_.code());
+}
+
+std::string Engine::adjustCode(double rotateDeg, double symbolMm) {
+  if (!placedCode_.code() || !takesCode()) return answer(kNoCode);
+  if (!std::isfinite(rotateDeg) || !(symbolMm > 0))
+    return answer(ErrorKind::BadUsage, message("code-size-unusable", with::lengthMm("size", symbolMm),
+                                               with::angleDeg("rotation", rotateDeg)));
+  placedCode_.adjust(rotateDeg, symbolMm, roomFactor(wanted_.symbol()->size, settings().placement.quietZone));
+  scene_.setDecal(placedCode_.code());
+  return describeCode(*placedCode_.code());
+}
+
+std::string Engine::startSpotSearch() {
+  offers_.forget();
+  showSizes(false);
+  if (!model_) return answer(kNoModel);
+  if (!wanted_.symbol()) return answer(wanted_.symbol().error());
+  const Status started = offers_.start(task());
+  return started ? done() : answer(started.error());
+}
+
+std::string Engine::advanceSpotSearch() {
+  if (!offers_.isRunning()) return answer(ErrorKind::BadUsage, message("not-finding-spots"));
+  const Result<Progress> progress = offers_.advance();
+  if (!progress) return answer(progress.error());
+  if (progress->done) showSizes(true);
+  return answer(*progress);
+}
+
+void Engine::cancelSpotSearch() {
+  if (offers_.isRunning()) offers_.forget();
+}
+
+std::string Engine::spots() const {
+  Json spots = Json::array();
+  for (const OfferedSpot& spot : offers_.spots()) {
+    Json concerns = Json::array();
+    for (const Message& concern : spot.concerns) concerns.push_back(jsonOf(concern));
+    spots.push_back({{"centre", jsonOf(spot.centreMm)},
+                     {"aimToleranceDeg", spot.aimToleranceDeg},
+                     {"sizeMm", offers_.offeredMm(spot)},
+                     {"concerns", concerns}});
+  }
+  return textOf({{"ok", true}, {"spots", spots}, {"topMm", offers_.topMm()}});
+}
+
+std::string Engine::chooseSpot(std::size_t index) {
+  if (index >= offers_.spots().size())
+    return answer(ErrorKind::BadUsage, message("no-such-spot", with::count("index", index + 1)));
+  const OfferedSpot& spot = offers_.spots()[index];
+  const std::string chosen = setCentre(spot.centreMm.x, spot.centreMm.y, spot.centreMm.z);
+  if (spot.needsDirection) wanted_.choose(wanted_.centreMm(), spot.direction);
+  return chosen;
+}
+
+void Engine::showSizes(bool shown) {
+  scene_.show(Scene::Surface::Sizes, shown && offers_.sizesDisplay());
+  updateView();
+}
+
+ColourImage Engine::spotPicture(std::size_t index, int width, int height) {
+  if (index >= offers_.spots().size() || !model_ || !wanted_.symbol()) return {};
+  const OfferedSpot& spot = offers_.spots()[index];
+  const PlacementRequest& request = offers_.request();
+  const ProjectionFrame upright =
+      makeFrame(spot.centreMm, spot.direction, scene_.camera().skyward(), request.eyeDistanceMm);
+  const auto decal = visibleDecal(*model_, *wanted_.symbol(), turned(upright, toRadians(request.rotateDeg)),
+                                  spot.symbolMm, settings());
+  return decal ? scene_.picture(model_->display, *decal, upright, width, height) : ColourImage{};
+}
+
+}  // namespace qrelief

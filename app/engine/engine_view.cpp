@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Implements the verbs that control and describe the view.
+#include "engine/answers.h"
+#include "engine/engine.h"
+#include "viewer/depth_colours.h"
+
+namespace qrelief {
+namespace {
+
+constexpr double kHiddenByMm = 0.01;  // a point is hidden if the surface is nearer to the reader by more than this
+
+Json jsonOf(Vec2 v) { return {v.x, v.y}; }
+
+/// Returns the corners on the screen; null if one of them lies behind the camera.
+Json onScreen(const CodeOnSurface& code, const OrbitCamera& camera) {
+  const Decal& decal = code.decal;
+  const CameraView view = camera.view();
+  const Vec3 eye = view.eye();
+  Json corners = Json::array();
+  for (const Vec2 corner : {Vec2(-1, 1), Vec2(1, 1), Vec2(1, -1), Vec2(-1, -1)}) {
+    const Vec3 point = decal.frame.onPlane(corner * (decal.edgeMm / 2));
+    if (!(glm::dot(eye - point, view.back) > 0)) return {};
+    corners.push_back(jsonOf(camera.toScreen(point)));
+  }
+  return {{"corners", corners},
+          {"facing", glm::dot(glm::normalize(eye - decal.frame.centre), decal.frame.normal)},
+          {"symbolMm", code.symbolMm},
+          {"rotationDeg", code.rotationDeg}};
+}
+
+/// Returns each lamp as a line from where it is drawn, null behind the camera, to the middle of the code.
+Json onScreen(const std::vector<DirectionalLight>& lamps, const CodeOnSurface& code, const OrbitCamera& camera) {
+  constexpr double kAwayEdges = 0.85;  // in edges of the code and its quiet zone
+  const ProjectionFrame& frame = code.decal.frame;
+  const Vec3 eye = camera.view().eye(), back = camera.view().back;
+  Json lines = Json::array();
+  for (const DirectionalLight& lamp : lamps) {
+    const Vec3 way = towards(lamp);
+    const Vec3 point =
+        frame.centre + kAwayEdges * code.decal.edgeMm * (way.x * frame.right + way.y * frame.up + way.z * frame.normal);
+    const Json from = glm::dot(eye - point, back) > 0 ? jsonOf(camera.toScreen(point)) : Json();
+    lines.push_back({{"from", from}, {"to", jsonOf(camera.toScreen(frame.centre))}});
+  }
+  return lines;
+}
+
+}  // namespace
+
+void Engine::updateView() {
+  scene_.update({model_ ? model_->display : nullptr, carvings_.madeDisplay(), offers_.sizesDisplay(),
+                 placedCode_.code(), placedCode_.hovered(), wanted_.centreMm()});
+}
+
+void Engine::setUpAxis(const std::string& axis) {
+  scene_.camera().setUpAxis(axis == "y" ? UpAxis::Y : UpAxis::Z);
+  scene_.camera().fitFromDefaultSide();
+}
+
+void Engine::zoom(double factor, double x, double y) {
+  const auto surface = surfaceAt(x, y);
+  scene_.camera().zoom(factor, surface ? surface->position : scene_.camera().onTargetPlane(x, y));
+}
+
+void Engine::readerView() {
+  if (placedCode_.placement() && placedCode_.code())
+    scene_.lookAsReader(placedCode_.placement()->frame, placedCode_.code()->decal.edgeMm);
+}
+
+void Engine::faceCode() {
+  if (placedCode_.placement() && placedCode_.code())
+    scene_.faceCode(placedCode_.placement()->frame, placedCode_.code()->decal.edgeMm,
+                    model_->display->box().diagonal());
+}
+
+void Engine::showSection(bool shown, double offset) {
+  scene_.showSection(shown, offset);
+  updateView();
+}
+
+void Engine::faceSection() {
+  if (placedCode_.code()) scene_.faceSection(*placedCode_.code());
+}
+
+std::string Engine::showDepths(bool shown) {
+  scene_.showDepths(shown);
+  updateView();
+  const EngraveResult* result = carvings_.result();
+  if (!result) return textOf({{"ok", true}, {"topMm", 0}, {"deepestMm", 0}});
+  return textOf(
+      {{"ok", true}, {"topMm", depthColoursTopMm(result->depths)}, {"deepestMm", summarise(result->depths).maxMm}});
+}
+
+bool Engine::draw(bool always) {
+  const Result<bool> more = scene_.draw(always);
+  if (more) return *more;
+  problems_.push_back(more.error().message);
+  return false;
+}
+
+std::string Engine::viewState() const {
+  const OrbitCamera& camera = scene_.camera();
+  const CameraView view = camera.view();
+  Json axes = Json::array();
+  for (const Vec3 axis : {view.right, view.up, view.back}) axes.push_back(qrelief::jsonOf(camera.toTurntable(axis)));
+  const CodeOnSurface* placed = placedCode_.code();
+  const Json code = placed && !showsCarved() ? onScreen(*placed, camera) : Json();
+  const Json lamps = placed ? onScreen(wanted_.settings().lamps(), *placed, camera) : Json::array();
+  return textOf({{"code", code}, {"lamps", lamps}, {"axes", axes}});
+}
+
+Result<BackDistanceMap> Engine::backDistances() const {
+  const EngraveResult* result = carvings_.result();
+  const SurfaceMaps* maps = carvings_.job() ? carvings_.job()->surfaceMaps() : nullptr;
+  if (!result || !maps) return fail(ErrorKind::BadUsage, message("nothing-engraved"));
+  return pass_->renderBack(model_->engravable->gpu, result->placement.frame, maps->window);
+}
+
+std::optional<Vec2> Engine::codePlaceAt(double x, double y) const {
+  const EngraveResult* result = carvings_.result();
+  if (!result) return {};
+  const Mesh& mesh = scene_.surface() == Scene::Surface::Carved ? result->mesh : model_->mesh();
+  const Ray ray = scene_.camera().ray(x, y);
+  const auto hit = firstHit(mesh, ray.origin, ray.direction);
+  if (!hit) return {};
+  const ProjectionFrame& frame = result->placement.frame;
+  if (frame.distanceAlongAxis(hit->position) <= 0) return {};
+  const Vec3 fromEye = hit->position - frame.eye();
+  const auto seen = firstHit(mesh, frame.eye(), fromEye);
+  if (!seen || seen->distance < glm::length(fromEye) - kHiddenByMm) return {};
+  const Vec2 onPlane = frame.project(hit->position) / carvings_.codeEdgeMm();
+  const Vec2 place(0.5 + onPlane.x, 0.5 - onPlane.y);
+  if (place.x < 0 || place.y < 0 || place.x >= 1 || place.y >= 1) return {};
+  return place;
+}
+
+}  // namespace qrelief

@@ -1,0 +1,469 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "viewer/viewer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+
+#include "base/halton.h"
+#include "shaders.h"
+#include "viewer/decal_bounds.h"
+
+namespace qrelief {
+namespace {
+
+constexpr double kRadiusShare = 0.08;  // reach of the occlusion, as a part of the model's diagonal
+constexpr double kRadiusLimit = 0.15;  // greatest reach on the screen, as a part of the picture's height
+// Sixteenths of a turn, each far from the previous ones: even a few pictures average to little pattern.
+constexpr std::array<int, 16> kTurns = {0, 8, 4, 12, 2, 10, 6, 14, 1, 9, 5, 13, 3, 11, 7, 15};
+constexpr int kFirstShown = 4;       // an average of fewer pictures is noisier than the blurred first one
+constexpr double kSlowFrameMs = 50;  // intervals above this lower the resolution while moving,
+constexpr double kFastFrameMs = 22;  // and below this raise it again
+constexpr int kSlowFrames = 4;       // this many in a row
+constexpr int kFastFrames = 20;
+constexpr double kCoarsestScale = 0.4;
+constexpr double kGhostStrength = 0.8;
+constexpr double kBesideGhost = 0.45;  // strength of the other decal while there is a ghost
+constexpr double kHatchShare = 0.016;  // distance between stripes of a cut, as a part of the model's diagonal
+
+constexpr Vec3f kLightBackground[2] = {{0.66f, 0.69f, 0.73f}, {0.87f, 0.89f, 0.92f}};
+constexpr Vec3f kDarkBackground[2] = {{0.010f, 0.012f, 0.016f}, {0.035f, 0.041f, 0.051f}};
+constexpr Vec3f kAccent = {0.01f, 0.30f, 0.85f};
+constexpr Vec3f kWarn = {0.95f, 0.22f, 0.01f};
+
+Vec3f inView(const CameraView& camera, Vec3 direction) {
+  return Vec3f(
+      Vec3(glm::dot(direction, camera.right), glm::dot(direction, camera.up), glm::dot(direction, camera.back)));
+}
+
+Vec3f pointInView(const CameraView& camera, Vec3 point) { return inView(camera, point - camera.target); }
+
+bool isSoftware(std::string_view renderer) {
+  return renderer.find("SwiftShader") != std::string_view::npos ||
+         renderer.find("llvmpipe") != std::string_view::npos || renderer.find("Basic Render") != std::string_view::npos;
+}
+
+}  // namespace
+
+ViewQuality ViewQuality::suitedTo(const gl::Capabilities& capabilities) {
+  ViewQuality quality;
+  if (isSoftware(capabilities.renderer)) return quality;
+  quality.movingScale = 1;
+  quality.movingSteps = 4;
+  quality.stillSteps = 8;
+  quality.stillSamples = 32;
+  quality.mostPixels = 4.2e6;
+  return quality;
+}
+
+Result<Viewer> Viewer::create(const ViewQuality& quality) {
+  struct Source {
+    gl::Program Viewer::*program;
+    const char* name;
+    const char* vertex;
+    const char* fragment;
+  };
+  const std::array<Source, 6> sources = {{
+      {&Viewer::surface_, "view surface", shaders::view_surface_vert, shaders::view_surface_frag},
+      {&Viewer::occlusion_, "view occlusion", shaders::fullscreen_vert, shaders::view_occlusion_frag},
+      {&Viewer::lighting_, "view lighting", shaders::fullscreen_vert, shaders::view_lighting_frag},
+      {&Viewer::present_, "view present", shaders::fullscreen_vert, shaders::view_present_frag},
+      {&Viewer::decalProgram_, "view decal", shaders::fullscreen_vert, shaders::view_decal_frag},
+      {&Viewer::copy_, "view copy", shaders::fullscreen_vert, shaders::view_copy_frag},
+  }};
+  Viewer viewer;
+  viewer.quality_ = quality;
+  viewer.mostScale_ = quality.movingScale;
+  for (const Source& source : sources) {
+    auto program = gl::Program::create(source.name, source.vertex, source.fragment);
+    if (!program) return tl::unexpected(program.error());
+    viewer.*source.program = std::move(*program);
+  }
+  return viewer;
+}
+
+void Viewer::resize(int width, int height) {
+  width_ = std::max(1, width);
+  height_ = std::max(1, height);
+  changed_ = true;
+}
+
+void Viewer::setMesh(std::shared_ptr<const GpuMesh> mesh) {
+  if (mesh_ == mesh) return;
+  mesh_ = std::move(mesh);
+  changed_ = true;
+}
+
+void Viewer::showHeat(HeatShown shown) {
+  if (heatShown_ == shown) return;
+  heatShown_ = shown;
+  changed_ = true;
+}
+
+void Viewer::setDecal(std::optional<Decal> decal) {
+  decal_.decal = std::move(decal);
+  decal_.isUploaded = false;
+  printsChanged_ = true;
+  if (plainHasPrint_) plainIsCurrent_ = false;
+}
+
+void Viewer::setGhost(std::optional<Decal> ghost) {
+  if (!ghost && !ghost_.decal) return;
+  ghost_.decal = std::move(ghost);
+  ghost_.isUploaded = false;
+  printsChanged_ = true;
+}
+
+void Viewer::setCut(std::optional<CuttingPlane> cut) {
+  if (!cut && !cut_) return;
+  cut_ = cut;
+  changed_ = true;
+}
+
+void Viewer::setMarker(std::optional<Vec3> marker) {
+  marker_ = marker;
+  printsChanged_ = true;
+  plainIsCurrent_ = false;
+}
+
+void Viewer::setTheme(bool dark) {
+  dark_ = dark;
+  changed_ = true;
+}
+
+Result<Viewer::Stage> Viewer::makeStage(int width, int height, bool colourOnly) {
+  Stage stage;
+  stage.width = width;
+  stage.height = height;
+  struct Target {
+    gl::Texture Stage::*texture;
+    gl::Framebuffer Stage::*framebuffer;
+    gl::Format format;
+    bool withDepth;
+  };
+  const std::array<Target, 3> targets = {{
+      {&Stage::colour, &Stage::colourTarget, gl::Format::RGBA16F, false},
+      {&Stage::visibility, &Stage::visibilityTarget, gl::Format::RGBA16F, false},
+      {&Stage::surface, &Stage::surfaceTarget, gl::Format::RGBA32F, true},
+  }};
+  for (const Target& target : targets) {
+    gl::Texture& texture = stage.*target.texture;
+    texture = gl::Texture(width, height, target.format);
+    const gl::Texture* const colours[] = {&texture};
+    auto framebuffer = gl::Framebuffer::create(colours, target.withDepth);
+    if (!framebuffer) return tl::unexpected(framebuffer.error());
+    stage.*target.framebuffer = std::move(*framebuffer);
+    if (colourOnly) break;
+  }
+  stage.colour.useLinearFilter();
+  return stage;
+}
+
+Status Viewer::prepareStage(std::optional<Stage>& stage, double scale, bool colourOnly) {
+  const double pixels = static_cast<double>(width_) * height_;
+  const double bounded = scale * std::min(1.0, std::sqrt(quality_.mostPixels / pixels));
+  const int width = std::max(1, static_cast<int>(std::lround(width_ * bounded)));
+  const int height = std::max(1, static_cast<int>(std::lround(height_ * bounded)));
+  if (stage && stage->width == width && stage->height == height) return {};
+  stage.reset();  // before making the new one: two sets of full size may not fit
+  auto made = makeStage(width, height, colourOnly);
+  if (!made) return tl::unexpected(made.error());
+  stage = std::move(*made);
+  return {};
+}
+
+void Viewer::setCamera(const gl::Program& program, const CameraView& camera, Vec2 jitter) const {
+  program.use();
+  program.set("u_tanHalf", glm::vec2(camera.tanHalf));
+  program.set("u_distance", static_cast<float>(camera.distance));
+  program.set("u_jitter", glm::vec2(jitter));
+}
+
+void Viewer::setGBuffer(const gl::Program& program, const Stage& stage, const CameraView& camera, Vec2 jitter) const {
+  setCamera(program, camera, jitter);
+  program.set("u_size", glm::vec2(stage.width, stage.height));
+}
+
+void Viewer::drawSurface(const Stage& stage, const CameraView& camera, Vec2 jitter) const {
+  stage.surfaceTarget.bind();
+  glDisable(GL_BLEND);
+  glDisable(GL_SCISSOR_TEST);
+  glDisable(GL_CULL_FACE);  // open models are visible from inside, too
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LESS);
+  glDepthMask(GL_TRUE);
+  glFrontFace(GL_CCW);
+  glClearColor(0, 0, 0, 0);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  if (!mesh_) return;
+  setCamera(surface_, camera, jitter);
+  surface_.set("u_right", Vec3f(camera.right));
+  surface_.set("u_up", Vec3f(camera.up));
+  surface_.set("u_back", Vec3f(camera.back));
+  surface_.set("u_target", Vec3f(camera.target - mesh_->origin()));
+  surface_.set("u_depthRange", glm::vec2(camera.depthRange));
+  surface_.set("u_isCut", cut_ ? 1 : 0);
+  if (cut_) {
+    const double along = glm::dot(cut_->point - camera.target, cut_->normal);
+    surface_.set("u_cut", glm::vec4(inView(camera, cut_->normal), static_cast<float>(along)));
+  }
+  mesh_->draw();
+  glDisable(GL_DEPTH_TEST);
+}
+
+double Viewer::radiusMm() const { return mesh_ ? kRadiusShare * mesh_->box().diagonal() : 1; }
+
+void Viewer::drawOcclusion(const Stage& stage, const CameraView& camera, Vec2 jitter, const Sample& sample) const {
+  stage.visibilityTarget.bind();
+  setGBuffer(occlusion_, stage, camera, jitter);
+  occlusion_.setTexture("u_surface", 0, stage.surface);
+  occlusion_.set("u_slices", sample.slices);
+  occlusion_.set("u_steps", sample.steps);
+  occlusion_.set("u_radius", static_cast<float>(radiusMm()));
+  occlusion_.set("u_radiusLimit", static_cast<float>(kRadiusLimit * stage.height));
+  occlusion_.set("u_turn", static_cast<float>(sample.turn));
+  occlusion_.set("u_shift", static_cast<float>(sample.shift));
+  gl::drawFullscreen();
+}
+
+void Viewer::drawLighting(const Stage& stage, const Stage& into, const CameraView& camera, Vec2 jitter,
+                          const Sample& sample) const {
+  into.colourTarget.bind();
+  const double pixelMm = 2 * camera.tanHalf.y * camera.distance / stage.height;
+  const CuttingPlane cut = cut_.value_or(CuttingPlane{});
+  const Vec3 across = glm::normalize(makeFrame({}, cut.normal, camera.skyward, 1).onPlane({1, 1}));
+  setGBuffer(lighting_, stage, camera, jitter);
+  lighting_.setTexture("u_surface", 0, stage.surface);
+  lighting_.setTexture("u_visibility", 1, stage.visibility);
+  lighting_.set("u_blur", sample.blur ? 1 : 0);
+  lighting_.set("u_blurUnit", static_cast<float>(radiusMm()));
+  lighting_.set("u_blurReach", static_cast<float>(8 * pixelMm));
+  lighting_.set("u_skyward", inView(camera, camera.skyward));
+  lighting_.set("u_background[0]", dark_ ? kDarkBackground[0] : kLightBackground[0]);
+  lighting_.set("u_background[1]", dark_ ? kDarkBackground[1] : kLightBackground[1]);
+  lighting_.set("u_heatShown", static_cast<int>(heatShown_));
+  lighting_.set("u_hatch", glm::vec4(inView(camera, across), static_cast<float>(glm::dot(camera.target, across))));
+  lighting_.set("u_hatchMm", static_cast<float>(kHatchShare / kRadiusShare * radiusMm()));
+  if (sample.weight < 1) {
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_ALPHA);
+    glBlendColor(0, 0, 0, static_cast<float>(sample.weight));
+  }
+  gl::drawFullscreen();
+  glDisable(GL_BLEND);
+}
+
+Vec2 Viewer::jitterOf(const Sample& sample, const Stage& stage) {
+  return {2 * sample.jitterPx.x / stage.width, 2 * sample.jitterPx.y / stage.height};
+}
+
+void Viewer::drawSample(const Stage& stage, const Stage& into, const CameraView& camera, const Sample& sample) const {
+  const Vec2 jitter = jitterOf(sample, stage);
+  drawSurface(stage, camera, jitter);
+  drawOcclusion(stage, camera, jitter, sample);
+  drawLighting(stage, into, camera, jitter, sample);
+}
+
+void Viewer::uploadInk() {
+  const Decal* decal = decal_.decal ? &*decal_.decal : ghost_.decal ? &*ghost_.decal : nullptr;
+  if (!decal || print->ink == inkShown_) return;
+  inkShown_ = print->ink;
+  std::vector<std::uint8_t> texels(4 * inkShown_.size(), 255);
+  for (std::size_t i = 0; i < inkShown_.size(); ++i) texels[4 * i] = inkShown_[i];
+  ink_ = gl::Texture(print->size, print->size, gl::Format::RGBA8, texels.data());
+}
+
+void Viewer::uploadDecal(Shown& shown) {
+  if (!shown.decal || shown.isUploaded) return;
+  shown.isUploaded = true;
+  if (!shown.print->reach) return;
+  const int texels = shown.print->reach->window.texels;
+  const void* const data = shown.print->reach->texels.data();
+  if (shown.reach.width() == texels)
+    shown.reach.upload(data);
+  else
+    shown.reach = gl::Texture(texels, texels, gl::Format::RGBA32F, data);
+}
+
+void Viewer::bindCanvas(const gl::Framebuffer* target) const {
+  if (target) {
+    target->bind();
+  } else {
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  }
+  glViewport(0, 0, width_, height_);
+  glDisable(GL_BLEND);
+  glDisable(GL_SCISSOR_TEST);
+}
+
+void Viewer::setPicture(const gl::Program& program, const CameraView& camera) const {
+  setGBuffer(program, *picture_.surface, camera, picture_.jitter);
+  program.setTexture("u_colour", 0, picture_.colours->colour);
+  program.setTexture("u_surface", 1, picture_.surface->surface);
+  program.set("u_canvas", glm::vec2(width_, height_));
+  program.set("u_pixelMm", static_cast<float>(2 * camera.tanHalf.y * camera.distance / height_));
+  program.set("u_accent", kAccent);
+}
+
+/// Presents everything except the decals.
+void Viewer::presentPicture(const CameraView& camera, const gl::Framebuffer* target) {
+  bindCanvas(target);
+  setPicture(present_, camera);
+  present_.set("u_markerShown", marker_ ? 1 : 0);
+  if (marker_) present_.set("u_marker", pointInView(camera, *marker_));
+  gl::drawFullscreen();
+}
+
+void Viewer::drawDecal(const Shown& shown, double strength, const CameraView& camera, const gl::Framebuffer* target) {
+  if (!shown.decal) return;
+  const Decal& decal = *shown.decal;
+  bindCanvas(target);
+  const PixelBox box = decalBounds(decal, camera, width_, height_);
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(box.x, box.y, box.width, box.height);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  setPicture(decalProgram_, camera);
+  decalProgram_.set("u_warn", kWarn);
+  decalProgram_.setTexture("u_ink", 2, ink_);
+  decalProgram_.setTexture("u_reach", 3, decal.reach ? shown.reach : nothing_);
+  decalProgram_.set("u_strength", static_cast<float>(strength));
+  decalProgram_.set("u_centre", pointInView(camera, decal.frame.centre));
+  decalProgram_.set("u_right", inView(camera, decal.frame.right));
+  decalProgram_.set("u_up", inView(camera, decal.frame.up));
+  decalProgram_.set("u_normal", inView(camera, decal.frame.normal));
+  decalProgram_.set("u_eyeDistance", static_cast<float>(decal.frame.eyeDistance));
+  decalProgram_.set("u_edge", static_cast<float>(decal.edgeMm));
+  decalProgram_.set("u_window", decal.reach ? static_cast<float>(decal.reach->window.extentMm) : 0.0f);
+  const ProjectionFrame& seen = decal.reach ? decal.reach->frame : decal.frame;
+  decalProgram_.set("u_turn", glm::vec2(glm::dot(decal.frame.right, seen.right), glm::dot(decal.frame.right, seen.up)));
+  gl::drawFullscreen();
+  glDisable(GL_BLEND);
+  glDisable(GL_SCISSOR_TEST);
+}
+
+void Viewer::drawPrints(const CameraView& camera, const gl::Framebuffer* target) {
+  drawDecal(decal_, ghost_.decal ? kBesideGhost : 1, camera, target);
+  drawDecal(ghost_, kGhostStrength, camera, target);
+  printsChanged_ = false;
+}
+
+void Viewer::uploadPrints() {
+  uploadInk();
+  uploadDecal(decal_);
+  uploadDecal(ghost_);
+  if (nothing_.width() == 0) nothing_ = gl::Texture(1, 1, gl::Format::RGBA32F);
+}
+
+void Viewer::present(const CameraView& camera, const gl::Framebuffer* target) {
+  uploadPrints();
+  presentPicture(camera, target);
+  drawPrints(camera, target);
+}
+
+Status Viewer::makePlain(const CameraView& camera) {
+  const bool withDecal = ghost_.decal.has_value();
+  if (plainIsCurrent_ && plainHasPrint_ == withDecal) return {};
+  if (plain_.width() != width_ || plain_.height() != height_) {
+    plain_ = gl::Texture(width_, height_, gl::Format::RGBA8);
+    const gl::Texture* const colours[] = {&plain_};
+    auto made = gl::Framebuffer::create(colours, false);
+    if (!made) return tl::unexpected(made.error());
+    plainTarget_ = std::move(*made);
+  }
+  presentPicture(camera, &plainTarget_);
+  if (withDecal) drawDecal(decal_, kBesideGhost, camera, &plainTarget_);
+  plainIsCurrent_ = true;
+  plainHasPrint_ = withDecal;
+  return {};
+}
+
+/// Does the same as `present`, more cheaply if only decals have changed.
+Status Viewer::presentPrints(const CameraView& camera, const gl::Framebuffer* target) {
+  uploadPrints();
+  if (const Status made = makePlain(camera); !made) return made;
+  bindCanvas(target);
+  copy_.use();
+  copy_.setTexture("u_picture", 0, plain_);
+  gl::drawFullscreen();
+  if (ghost_.decal) {
+    drawDecal(ghost_, kGhostStrength, camera, target);
+  } else {
+    drawDecal(decal_, 1, camera, target);
+  }
+  printsChanged_ = false;
+  return {};
+}
+
+void Viewer::adaptToInterval(double nowMs) {
+  if (!lastMovingMs_) return;
+  const double interval = nowMs - *lastMovingMs_;
+  statistics_.coarseFrameMs =
+      statistics_.coarseFrameMs > 0 ? 0.8 * statistics_.coarseFrameMs + 0.2 * interval : interval;
+  slowFrames_ = interval > kSlowFrameMs ? slowFrames_ + 1 : 0;
+  fastFrames_ = interval < kFastFrameMs ? fastFrames_ + 1 : 0;
+  if (slowFrames_ < kSlowFrames && fastFrames_ < kFastFrames) return;
+  const double wanted = quality_.movingScale * (slowFrames_ > 0 ? 0.75 : 1.15);
+  quality_.movingScale = std::clamp(wanted, std::min(kCoarsestScale, mostScale_), mostScale_);
+  slowFrames_ = fastFrames_ = 0;
+}
+
+Result<bool> Viewer::drawMoving(const CameraView& camera, double nowMs, const gl::Framebuffer* target) {
+  adaptToInterval(nowMs);
+  if (auto ready = prepareStage(moving_, quality_.movingScale, false); !ready) return tl::unexpected(ready.error());
+  Sample sample;
+  sample.steps = quality_.movingSteps;
+  sample.blur = true;
+  drawSample(*moving_, *moving_, camera, sample);
+  picture_ = {&*moving_, &*moving_, {}};
+  plainIsCurrent_ = false;
+  present(camera, target);
+  statistics_ = {statistics_.coarseFrameMs, 0, moving_->width, moving_->height};
+  lastMovingMs_ = nowMs;
+  return true;
+}
+
+Result<bool> Viewer::drawStill(const CameraView& camera, const gl::Framebuffer* target) {
+  if (auto ready = prepareStage(still_, 1, false); !ready) return tl::unexpected(ready.error());
+  if (auto ready = prepareStage(sum_, 1, true); !ready) return tl::unexpected(ready.error());
+  const auto index = static_cast<std::uint32_t>(++statistics_.samples);
+  const auto [x, y] = halton23(index);
+  Sample sample;
+  sample.jitterPx = {x - 0.5, y - 0.5};
+  sample.turn = kTurns[index % 16] / 16.0;
+  const std::uint32_t round = index / 16;
+  sample.shift = 0.35 + 0.5 * round;
+  sample.steps = quality_.stillSteps;
+  sample.weight = 1.0 / index;
+  drawSample(*still_, *sum_, camera, sample);
+  statistics_.width = still_->width;
+  statistics_.height = still_->height;
+  if (statistics_.samples >= std::min(kFirstShown, quality_.stillSamples))
+    picture_ = {&*sum_, &*still_, jitterOf(sample, *still_)};
+  plainIsCurrent_ = false;
+  present(camera, target);
+  return statistics_.samples < quality_.stillSamples;
+}
+
+Result<bool> Viewer::draw(const CameraView& camera, double nowMs, const gl::Framebuffer* target, bool always) {
+  if (changed_ || camera != lastCamera_) {
+    changed_ = false;
+    lastCamera_ = camera;
+    lastChangeMs_ = nowMs;
+    return drawMoving(camera, nowMs, target);
+  }
+  lastMovingMs_.reset();
+  if (printsChanged_) lastChangeMs_ = nowMs;  // so that refinement does not slow down moving a code
+  const bool settled = nowMs - lastChangeMs_ >= quality_.settleMs;
+  const bool finished = statistics_.samples >= quality_.stillSamples;
+  if (settled && !finished) return drawStill(camera, target);
+  if (printsChanged_) {
+    if (const Status drawn = presentPrints(camera, target); !drawn) return tl::unexpected(drawn.error());
+  } else if (always) {
+    present(camera, target);
+  }
+  return !finished;
+}
+
+}  // namespace qrelief

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "base/result.h"
+#include "gl/objects.h"
+#include "math/frame.h"
+#include "projection/visibility_map.h"
+#include "render/gpu_mesh.h"
+#include "viewer/orbit_camera.h"
+
+namespace qrelief {
+
+/// A square picture that the viewer projects onto the surface, by a frame's central projection.
+struct Decal {
+  ProjectionFrame frame;
+  double edgeMm = 0;              ///< of the picture on the QR plane
+  int size = 0;                   ///< texels along an edge
+  std::vector<std::uint8_t> ink;  ///< size², row 0 at the top; 255 = dark
+  /// Surface that takes the decal. Parts of the square that are not reached get a warning colour, hidden parts none.
+  /// None: every surface that faces the eye takes the decal. Its centre and normal are the frame's.
+  std::shared_ptr<const VisibilityMap> reach;
+};
+
+/// A plane that cuts away everything on the side that its normal points to.
+struct CuttingPlane {
+  Vec3 point{0};
+  Vec3 normal{0, 0, 1};  ///< unit
+};
+
+/// The values of a mesh that are shown as colours.
+enum class HeatShown { None, All, AboveZero };
+
+/// Limits on the cost of a frame. The defaults suit a software renderer; `suitedTo` chooses better ones for a faster
+/// renderer.
+struct ViewQuality {
+  double movingScale = 0.5;  ///< resolution while something changes, 0 … 1
+  int movingSteps = 3;       ///< occlusion samples on each side of a slice while something changes
+  int stillSteps = 5;        ///< the same at rest
+  int stillSamples = 16;     ///< averaged at rest; multiples of 16 leave no pattern
+  double mostPixels = 8e5;   ///< larger canvases are drawn at a lower resolution and scaled up
+  double settleMs = 120;     ///< without a change, before refinement starts
+
+  static ViewQuality suitedTo(const gl::Capabilities& capabilities);
+};
+
+/// Frame times and picture quality, for the inspector.
+struct ViewStatistics {
+  double coarseFrameMs = 0;   ///< smoothed interval between frames while something changes
+  int samples = 0;            ///< pictures averaged so far
+  int width = 0, height = 0;  ///< of the last frame's G-buffer
+};
+
+/// Draws a mesh by deferred shading: G-buffer, horizon-based occlusion, lighting. Draws coarsely while something
+/// changes; at rest, averages jittered full-resolution pictures, which smooths both edges and occlusion.
+///
+/// Needs the GL context that was current when it was made.
+class Viewer {
+ public:
+  static Result<Viewer> create(const ViewQuality& quality = {});
+
+  /// Sets the size of the target, in device pixels.
+  void resize(int width, int height);
+  /// @param mesh  with normals split at creases (display_mesh.h); may be null: background only
+  void setMesh(std::shared_ptr<const GpuMesh> mesh);
+  /// Shows the mesh in the colours of its values, 0 … 1 (GpuMesh::setValues).
+  void showHeat(HeatShown shown);
+  void setDecal(std::optional<Decal> decal);
+  /// Sets a second, fainter decal of the same symbol at another place.
+  void setGhost(std::optional<Decal> ghost);
+  /// Cuts the mesh open. Closed solids show a coloured section.
+  void setCut(std::optional<CuttingPlane> cut);
+  void setMarker(std::optional<Vec3> marker);
+  void setTheme(bool dark);
+
+  /// Draws the next picture, if one is due.
+  /// @param nowMs   a clock that never goes back
+  /// @param target  null: the canvas (framebuffer 0)
+  /// @param always  present the last picture again even if nothing is due (something else draws on top)
+  /// @returns true if another call will improve the picture
+  Result<bool> draw(const CameraView& camera, double nowMs, const gl::Framebuffer* target = nullptr,
+                    bool always = false);
+
+  const ViewStatistics& statistics() const { return statistics_; }
+
+ private:
+  // The textures of one resolution.
+  struct Stage {
+    int width = 0, height = 0;
+    gl::Texture surface, visibility, colour;
+    gl::Framebuffer surfaceTarget, visibilityTarget, colourTarget;
+  };
+  // A finished picture: its colours, and the last G-buffer drawn for it.
+  struct Picture {
+    const Stage* colours = nullptr;
+    const Stage* surface = nullptr;
+    Vec2 jitter{0};
+  };
+  // A decal and its data on the graphics processor.
+  struct Shown {
+    std::optional<Decal> decal;
+    gl::Texture reach;
+    bool isUploaded = false;
+  };
+  struct Sample {
+    Vec2 jitterPx{0};
+    double turn = 0, shift = 0.35;
+    int slices = 1, steps = 3;
+    bool blur = false;
+    double weight = 1;  // of this picture in the average
+  };
+  static Result<Stage> makeStage(int width, int height, bool colourOnly);
+  Status prepareStage(std::optional<Stage>& stage, double scale, bool colourOnly);
+  void setCamera(const gl::Program& program, const CameraView& camera, Vec2 jitter) const;
+  void setGBuffer(const gl::Program& program, const Stage& stage, const CameraView& camera, Vec2 jitter) const;
+  void drawSurface(const Stage& stage, const CameraView& camera, Vec2 jitter) const;
+  void drawOcclusion(const Stage& stage, const CameraView& camera, Vec2 jitter, const Sample& sample) const;
+  void drawLighting(const Stage& stage, const Stage& into, const CameraView& camera, Vec2 jitter,
+                    const Sample& sample) const;
+  static Vec2 jitterOf(const Sample& sample, const Stage& stage);
+  void drawSample(const Stage& stage, const Stage& into, const CameraView& camera, const Sample& sample) const;
+  void drawDecal(const Shown& shown, double strength, const CameraView& camera, const gl::Framebuffer* target);
+  void drawPrints(const CameraView& camera, const gl::Framebuffer* target);
+  void uploadDecal(Shown& shown);
+  void uploadInk();
+  void uploadPrints();
+  void setPicture(const gl::Program& program, const CameraView& camera) const;
+  void presentPicture(const CameraView& camera, const gl::Framebuffer* target);
+  void present(const CameraView& camera, const gl::Framebuffer* target);
+  Status presentPrints(const CameraView& camera, const gl::Framebuffer* target);
+  Status makePlain(const CameraView& camera);
+  void bindCanvas(const gl::Framebuffer* target) const;
+  Result<bool> drawMoving(const CameraView& camera, double nowMs, const gl::Framebuffer* target);
+  Result<bool> drawStill(const CameraView& camera, const gl::Framebuffer* target);
+  double radiusMm() const;
+  void adaptToInterval(double nowMs);
+
+  ViewQuality quality_;
+  gl::Program surface_, occlusion_, lighting_, present_, decalProgram_, copy_;
+  std::optional<Stage> moving_, still_, sum_;
+  Picture picture_;
+  // The presented picture without the moving decal (the ghost, if there is one). Valid while the picture stays the
+  // same.
+  gl::Texture plain_;
+  gl::Framebuffer plainTarget_;
+  bool plainIsCurrent_ = false, plainHasPrint_ = false;
+  std::shared_ptr<const GpuMesh> mesh_;
+  Shown decal_, ghost_;
+  gl::Texture ink_, nothing_;
+  std::vector<std::uint8_t> inkShown_;
+  std::optional<Vec3> marker_;
+  std::optional<CuttingPlane> cut_;
+  bool dark_ = false;
+  HeatShown heatShown_ = HeatShown::None;
+  int width_ = 1, height_ = 1;
+  CameraView lastCamera_;
+  bool changed_ = true;
+  bool printsChanged_ = false;
+  double lastChangeMs_ = 0;
+  std::optional<double> lastMovingMs_;
+  double mostScale_ = 1;  // initial movingScale, its upper limit
+  int slowFrames_ = 0, fastFrames_ = 0;
+  ViewStatistics statistics_;
+};
+
+}  // namespace qrelief

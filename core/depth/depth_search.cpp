@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "depth/depth_search.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "depth/submodule_luminances.h"
+#include "math/tolerance.h"
+
+namespace qrelief {
+namespace {
+
+constexpr int kN = kSubmodulesPerModule;
+
+}  // namespace
+
+double depthIncrease(int x) {
+  constexpr double c0 = 0.1, d = 2, e = 3, f = 2.5;
+  return c0 - c0 * e * (std::tanh(1 / d - f) + std::tanh(f - x / d));
+}
+
+DepthSearch::DepthSearch(CarvingTarget target, const DepthSearchOptions& options)
+    : target_(std::move(target)), options_(options), neighbours_(*target_.symbol) {
+  const std::size_t count = target_.mask->carved.size();
+  assert(target_.limitMm.size() == count);
+  depths_ = {target_.mask->size, target_.symbolMm, std::vector<double>(count, 0)};
+  states_.assign(count, DepthState::Light);
+  previous_.assign(count, 0);
+  unchanged_.assign(count, 0);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!target_.mask->carved[i]) continue;
+    states_[i] = DepthState::Searching;
+    depths_.depthMm[i] = quantisedDepth(options_.initialDepthMm, target_.limitMm[i]);
+  }
+}
+
+void DepthSearch::update(std::span<const double> luminance) {
+  const int m = target_.symbol->size;
+  const SubmoduleLuminances seen(luminance, m);
+  const std::vector<double> moduleLuminance = seen.moduleMeans();
+
+  bool deepened = false;
+  worstExcess_ = 0;
+  for (int module = 0; module < m * m; ++module) {
+    const auto moduleIndex = static_cast<std::size_t>(module);
+    if (!target_.symbol->dark[moduleIndex]) continue;
+    const double threshold = neighbours_.darkestMean(moduleIndex, moduleLuminance) * (1 - options_.contrast);
+    for (int k = 0; k < kN * kN; ++k) {
+      const int row = module / m * kN + k / kN;
+      const int column = module % m * kN + k % kN;
+      const auto i = static_cast<std::size_t>(row * depths_.size + column);
+      if (states_[i] == DepthState::Light) continue;
+      const double now = seen.of(row, column);
+      unchanged_[i] =
+          iterations_ > 0 && std::abs(now - previous_[i]) < options_.significantChange ? unchanged_[i] + 1 : 0;
+      previous_[i] = now;
+      const double excess = now - threshold;  // G
+      worstExcess_ = std::max(worstExcess_, excess);
+      if (excess <= 0) {
+        states_[i] = DepthState::DarkEnough;
+        continue;
+      }
+      const double deeper = quantisedDepth(depths_.depthMm[i] + depthIncrease(unchanged_[i]), target_.limitMm[i]);
+      states_[i] = deeper > depths_.depthMm[i] ? DepthState::Searching : DepthState::Limited;
+      deepened = deepened || deeper > depths_.depthMm[i];
+      depths_.depthMm[i] = std::max(deeper, depths_.depthMm[i]);
+    }
+  }
+  ++iterations_;
+  finished_ = !deepened || iterations_ >= options_.maxIterations;
+}
+
+double DepthSearch::doneFraction() const {
+  std::size_t carved = 0, done = 0;
+  for (const DepthState state : states_) {
+    carved += state != DepthState::Light;
+    done += state == DepthState::DarkEnough || state == DepthState::Limited;
+  }
+  return carved ? static_cast<double>(done) / static_cast<double>(carved) : 1;
+}
+
+std::size_t DepthSearch::limitedCount() const {
+  return static_cast<std::size_t>(std::count(states_.begin(), states_.end(), DepthState::Limited));
+}
+
+}  // namespace qrelief

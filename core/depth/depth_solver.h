@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "depth/depth_field.h"
+#include "qr/module_pattern.h"
+#include "qr/symbol.h"
+
+namespace qrelief {
+
+/// Input of a depth search.
+struct CarvingTarget {
+  const Symbol* symbol = nullptr;
+  const SubmoduleMask* mask = nullptr;
+  double symbolMm = 0;
+  std::vector<double> limitMm;  ///< greatest depth of each submodule, row-major from the symbol's top left
+};
+
+/// A search for carving depths that does no rendering: it takes luminances and returns depths.
+///
+///     while (!solver.finished()) solver.update(luminances(solver.depths(), solver.due()));
+class DepthSolver {
+ public:
+  virtual ~DepthSolver() = default;
+
+  /// Runs one pass.
+  /// @param luminance  mean of every submodule of symbol and quiet zone at `depths()`, linear, 1 = unoccluded;
+  ///                   row-major from the quiet zone's top left, edge = 5·(modules + 8)
+  virtual void update(std::span<const double> luminance) = 0;
+
+  /// Returns the carved submodules whose luminance the next `update` reads, as indices in the mask; the luminance of
+  /// the others may be outdated. Empty: all carved submodules.
+  virtual std::span<const std::uint32_t> due() const { return {}; }
+
+  virtual bool finished() const = 0;
+  virtual int iterations() const = 0;
+  /// Returns the fraction of carved submodules that are done; not monotone, because deeper neighbours brighten each
+  /// other.
+  virtual double doneFraction() const = 0;
+  virtual const DepthField& depths() const = 0;
+  /// Returns the number of submodules that a limit keeps from being dark enough.
+  virtual std::size_t limitedCount() const = 0;
+};
+
+}  // namespace qrelief

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "depth/fast_search.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+#include "depth/submodule_luminances.h"
+
+namespace qrelief {
+namespace {
+
+constexpr int kN = kSubmodulesPerModule;
+constexpr double kFirstDepthModules = 0.25;
+// Margin by which the search aims darker, as a fraction of the threshold, so that G ends at 0 or below.
+constexpr double kAimFraction = 0.003;
+constexpr double kMaxAimFraction = 0.2;
+constexpr double kChangeFraction = 0.4;  // of a floor's last change of difference: extra darkness to aim at
+constexpr double kMaxChange = 0.3;       // limit on the change that counts
+constexpr int kSweepsPerPass = 3;
+constexpr int kFreePasses = 3, kFreePassesAfterAnother = 1;
+constexpr double kMaxAlbedo = 0.95;
+
+/// log((1 − V)/V)
+double darkness(double fraction) {
+  const double v = std::clamp(fraction, 1e-3, 1 - 1e-3);
+  return std::log((1 - v) / v);
+}
+
+double fractionOfDarkness(double darkness) { return 1 / (1 + std::exp(darkness)); }
+
+}  // namespace
+
+FastSearch::FastSearch(CarvingTarget target, const FastSearchOptions& options, const FastSearch* before)
+    : target_(std::move(target)),
+      options_(options),
+      neighbours_(*target_.symbol),
+      sky_(before ? before->sky_
+                  : std::make_shared<const PocketSky>(*target_.mask, target_.symbolMm / target_.mask->size)),
+      freePasses_(before ? kFreePassesAfterAnother : kFreePasses) {
+  depths_ = {target_.mask->size, target_.symbolMm, std::vector<double>(target_.mask->carved.size(), 0)};
+  const int modules = target_.symbol->size;
+  for (const std::uint32_t i : sky_->carved()) {
+    limitMm_.push_back(target_.limitMm[i]);
+    const int row = static_cast<int>(i) / depths_.size / kN, column = static_cast<int>(i) % depths_.size / kN;
+    fractionAsked_.push_back(1 - (options_.contrastOfModule.empty()
+                                      ? options_.contrast
+                                      : options_.contrastOfModule[static_cast<std::size_t>(row * modules + column)]));
+  }
+  const std::size_t count = sky_->carved().size();
+  solvedMm_.assign(count, kFirstDepthModules * target_.symbolMm / target_.symbol->size);
+  difference_.assign(count, std::log(1 - std::min(options_.albedo, kMaxAlbedo)));
+  differenceChange_.assign(count, 0);
+  seenFraction_.assign(count, 1);
+  states_.assign(count, State::TooBright);
+  isDue_.assign(count, 1);
+  isStale_.assign(count, 1);
+  if (before) {
+    assert(before->difference_.size() == count);
+    solvedMm_ = before->solvedMm_;
+    difference_ = before->difference_;
+  }
+  solve();
+}
+
+void FastSearch::solve() {
+  // The few floors that stay too bright are those that the plane predicts badly, so aim darker for them.
+  const double lastAim =
+      std::min(kAimFraction * std::pow(3.0, std::max(0, iterations_ - freePasses_ + 1)), kMaxAimFraction);
+  std::vector<double> fractions;
+  for (std::size_t k = 0; k < states_.size(); ++k) {
+    const double margin = states_[k] == State::TooBright ? lastAim : kAimFraction;
+    const double allowance = kChangeFraction * std::min(differenceChange_[k], kMaxChange);
+    fractions.push_back(fractionOfDarkness(darkness(fractionAsked_[k] * (1 - margin)) + allowance - difference_[k]));
+  }
+  sky_->solve(fractions, limitMm_, solvedMm_, isDue_, kSweepsPerPass);
+  const PocketSky::Depths solved(*sky_, solvedMm_);
+  for (std::size_t k = 0; k < states_.size(); ++k) {
+    double& depth = depths_.depthMm[sky_->carved()[k]];
+    const double next = quantisedDepth(std::max(solvedMm_[k], kDepthQuantumMm), limitMm_[k]);
+    const bool isFree = iterations_ < freePasses_;
+    if (!isFree && states_[k] == State::TooBright)
+      depth = quantisedDepth(std::max(next, depth + kDepthQuantumMm), limitMm_[k]);
+    else if (isFree || (next > depth && expectedFraction(k, solved.fraction(k, depth)) > fractionAsked_[k]))
+      depth = next;
+  }
+}
+
+/// Returns the expected LS/AL of a floor: the plane's prediction corrected by the measured difference.
+double FastSearch::expectedFraction(std::size_t k, double planeFraction) const {
+  return fractionOfDarkness(darkness(planeFraction) + difference_[k]);
+}
+
+/// Returns the depths in the order of sky_->carved().
+std::vector<double> FastSearch::carvedDepths() const {
+  std::vector<double> depths;
+  for (const std::uint32_t i : sky_->carved()) depths.push_back(depths_.depthMm[i]);
+  return depths;
+}
+
+/// Chooses the floors to measure: floors that moved or touch one that moved, and floors that may now be too bright if
+/// the change since their last measurement is twice what the plane predicts. While all floors may still move, chooses
+/// all.
+void FastSearch::chooseDue(const std::vector<double>& depthsBefore) {
+  dueInMask_.clear();
+  if (iterations_ < freePasses_) return;
+  const std::vector<double> depths = carvedDepths();
+  const PocketSky::Depths onPlane(*sky_, depths);
+  const auto moved = [&](int row, int column) {
+    if (row < 0 || column < 0 || row >= depths_.size || column >= depths_.size) return false;
+    const auto i = static_cast<std::size_t>(row * depths_.size + column);
+    return depths_.depthMm[i] != depthsBefore[i];
+  };
+  for (std::size_t k = 0; k < isDue_.size(); ++k) {
+    const std::uint32_t i = sky_->carved()[k];
+    const int row = static_cast<int>(i) / depths_.size, column = static_cast<int>(i) % depths_.size;
+    bool due = false;
+    for (int near = 0; near < 9; ++near) due = due || moved(row - 1 + near / 3, column - 1 + near % 3);
+    if (!due && states_[k] == State::Done) {
+      const double expected = expectedFraction(k, onPlane.fraction(k, depths[k]));
+      due = expected + (expected - seenFraction_[k]) > fractionAsked_[k];
+    }
+    isDue_[k] = due;
+    if (due) dueInMask_.push_back(i);
+  }
+}
+
+void FastSearch::update(std::span<const double> luminance) {
+  const int m = target_.symbol->size;
+  const SubmoduleLuminances seen(luminance, m);
+  const std::vector<double> modules = seen.moduleMeans();
+  const std::vector<double> depths = carvedDepths();
+  const PocketSky::Depths onPlane(*sky_, depths);
+  std::size_t module = std::numeric_limits<std::size_t>::max();
+  double around = 1;
+  for (std::size_t k = 0; k < states_.size(); ++k) {
+    if (!isDue_[k]) continue;
+    isStale_[k] = 0;
+    const int row = static_cast<int>(sky_->carved()[k]) / depths_.size;
+    const int column = static_cast<int>(sky_->carved()[k]) % depths_.size;
+    const auto of = static_cast<std::size_t>(row / kN * m + column / kN);
+    if (of != module) around = neighbours_.darkestMean(of, modules);
+    module = of;
+    const double fraction = seen.of(row, column) / around;
+    seenFraction_[k] = fraction;
+    const double difference = darkness(fraction) - darkness(onPlane.fraction(k, depths[k]));
+    if (iterations_ > 0) differenceChange_[k] = std::abs(difference - difference_[k]);
+    difference_[k] = difference;
+    if (fraction > fractionAsked_[k]) {
+      states_[k] =
+          quantisedDepth(depths[k] + kDepthQuantumMm, limitMm_[k]) > depths[k] ? State::TooBright : State::Limited;
+    } else {
+      const double aim = darkness(fractionAsked_[k] * (1 - kAimFraction));
+      const double less = std::max(depths[k] - options_.slackMm, 0.0);
+      const bool couldBeLess =
+          iterations_ + 1 < freePasses_ && less > 0 && darkness(onPlane.fraction(k, less)) + difference_[k] > aim;
+      states_[k] = couldBeLess ? State::TooDeep : State::Done;
+    }
+  }
+  ++iterations_;
+  const bool allDone = std::all_of(states_.begin(), states_.end(),
+                                   [](State state) { return state == State::Done || state == State::Limited; });
+  if (allAreDue() && (allDone || iterations_ > freePasses_)) allRemeasured_ = true;
+  finished_ = iterations_ >= options_.maxIterations;
+  if (finished_) return;
+  if (allDone) {
+    chooseStale();
+    return;
+  }
+  const std::vector<double> depthsBefore = depths_.depthMm;
+  solve();
+  markStale(depthsBefore);
+  chooseDue(depthsBefore);
+}
+
+/// Chooses the floors to measure before the search may end; ends it if there are none.
+void FastSearch::chooseStale() {
+  if (!allRemeasured_) isStale_.assign(isStale_.size(), 1);
+  isDue_ = isStale_;
+  dueInMask_.clear();
+  for (std::size_t k = 0; k < isDue_.size(); ++k)
+    if (isDue_[k]) dueInMask_.push_back(sky_->carved()[k]);
+  finished_ = dueInMask_.empty();
+  if (dueInMask_.size() == isDue_.size()) dueInMask_.clear();
+}
+
+void FastSearch::markStale(const std::vector<double>& depthsBefore) {
+  for (std::size_t k = 0; k < isStale_.size(); ++k) {
+    if (depths_.depthMm[sky_->carved()[k]] == depthsBefore[sky_->carved()[k]]) continue;
+    isStale_[k] = 1;
+    sky_->forEachInSight(k, [&](std::uint32_t other) { isStale_[other] = 1; });
+  }
+}
+
+double FastSearch::doneFraction() const {
+  const auto done = std::count_if(states_.begin(), states_.end(),
+                                  [](State state) { return state == State::Done || state == State::Limited; });
+  return states_.empty() ? 1 : static_cast<double>(done) / static_cast<double>(states_.size());
+}
+
+std::size_t FastSearch::limitedCount() const {
+  return static_cast<std::size_t>(std::count(states_.begin(), states_.end(), State::Limited));
+}
+
+}  // namespace qrelief

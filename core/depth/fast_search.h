@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "depth/depth_solver.h"
+#include "depth/light_neighbours.h"
+#include "depth/pocket_sky.h"
+
+namespace qrelief {
+
+struct FastSearchOptions {
+  double contrast = 0.3;  ///< c: a carved submodule must be darker than its surroundings by this fraction, 0 … 1
+  /// c per module, row-major from the symbol's top left; empty: `contrast` for all.
+  std::vector<double> contrastOfModule = {};
+  double slackMm = 0.05;  ///< tolerated excess depth of a submodule, approximate, > 0
+  double albedo = 0.7;    ///< albedo of the material, 0 … 1: first estimate of interreflection
+  int maxIterations = 24;
+};
+
+/// Reaches the same target as the paper's search (DepthSearch: no submodule with G = AL·(c − 1) + LS > 0) with less
+/// rendering and no greater depths.
+///
+/// It solves for the depths on a plane without rendering (PocketSky), neighbours included. Each pass then measures how
+/// much brighter or darker interreflection and curvature make a floor than the plane predicts. The next solution
+/// applies this difference, taken in log((1 − V)/V), V = LS/AL, which depends little on the depth. Where the difference
+/// has changed, the search aims darker. In the first passes depths may rise and fall. Afterwards a floor that is dark
+/// enough gets deeper only if deeper neighbours brighten it, so the search ends, and it measures only floors that moved
+/// or that such a move may have brightened. Before it ends it measures all floors once more, and then again the floors
+/// in sight of one that had to move, as far as the plane tells.
+class FastSearch final : public DepthSolver {
+ public:
+  /// @param before  a search for the same target with another contrast, whose result is the start; null: start from the
+  ///                plane
+  FastSearch(CarvingTarget target, const FastSearchOptions& options, const FastSearch* before = nullptr);
+
+  void update(std::span<const double> luminance) override;
+
+  std::span<const std::uint32_t> due() const override { return dueInMask_; }
+
+  bool finished() const override { return finished_; }
+  int iterations() const override { return iterations_; }
+  double doneFraction() const override;
+  const DepthField& depths() const override { return depths_; }
+  std::size_t limitedCount() const override;
+
+ private:
+  enum class State : std::uint8_t { TooBright, TooDeep, Done, Limited };
+
+  void solve();
+  std::vector<double> carvedDepths() const;
+  double expectedFraction(std::size_t k, double planeFraction) const;
+  void chooseDue(const std::vector<double>& depthsBefore);
+  void markStale(const std::vector<double>& depthsBefore);
+  void chooseStale();
+  bool allAreDue() const { return dueInMask_.empty(); }
+
+  CarvingTarget target_;
+  FastSearchOptions options_;
+  LightNeighbours neighbours_;
+  std::shared_ptr<const PocketSky> sky_;
+  DepthField depths_;
+  // Per carved submodule, in the order of sky_->carved():
+  std::vector<double> limitMm_, solvedMm_;
+  std::vector<double> fractionAsked_;     // 1 − c: greatest LS/AL
+  std::vector<double> difference_;        // measured minus predicted by the plane
+  std::vector<double> differenceChange_;  // change of that at the last measurement
+  std::vector<double> seenFraction_;      // LS/AL at the last measurement
+  std::vector<State> states_;
+  std::vector<char> isDue_;
+  std::vector<char> isStale_;             // something in its sight has moved since its last measurement
+  std::vector<std::uint32_t> dueInMask_;  // none: all
+  int iterations_ = 0;
+  int freePasses_ = 0;  // after these passes no depth decreases, so the search ends
+  bool allRemeasured_ = false;
+  bool finished_ = false;
+};
+
+}  // namespace qrelief

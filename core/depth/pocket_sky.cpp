@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "depth/pocket_sky.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "math/grid_march.h"
+
+namespace qrelief {
+namespace {
+
+constexpr double kSettledMm = 2e-3, kShortStepMm = 1e-2;
+constexpr int kSteps = 24;
+// Positions on a floor, in its width: the two-point Gauss–Legendre nodes. (A low step next to a floor hardly darkens
+// its middle.)
+constexpr double kPlaces[2] = {0.2113, 0.7887};
+
+}  // namespace
+
+PocketSky::PocketSky(const SubmoduleMask& mask, double submoduleMm) {
+  const int stride = mask.size + 2, beyond = mask.size * stride + mask.size;  // offset of the farthest step
+  floorOf_.assign(static_cast<std::size_t>(stride * stride + 2 * beyond), kLight);
+  for (std::uint32_t i = 0; i < mask.carved.size(); ++i) {
+    if (!mask.carved[i]) continue;
+    const int row = static_cast<int>(i) / mask.size, column = static_cast<int>(i) % mask.size;
+    cell_.push_back(static_cast<std::uint32_t>(beyond + (row + 1) * stride + column + 1));
+    floorOf_[cell_.back()] = static_cast<std::uint32_t>(carved_.size());
+    carved_.push_back(i);
+  }
+  for (std::size_t k = 0; k < kFloorDirections; ++k) {
+    // Between the axes and the diagonals.
+    const double angle = 2 * std::numbers::pi * (static_cast<double>(k) + 0.5) / kFloorDirections;
+    const Vec2 place(kPlaces[k % 2], kPlaces[(k + k / 2) % 2]);
+    GridMarch march({0, 0}, place, {std::cos(angle), std::sin(angle)});
+    for (std::size_t i = k;; i += kFloorDirections) {  // path through the whole mask
+      const double distanceMm = march.step() * submoduleMm;
+      const glm::ivec2 cell = march.cell();
+      if (std::max(std::abs(cell.x), std::abs(cell.y)) > mask.size) break;
+      if (i >= steps_.offset.size()) {
+        steps_.offset.resize(steps_.offset.size() + kFloorDirections, 0);
+        steps_.perMm.resize(steps_.offset.size(), 0);
+      }
+      steps_.offset[i] = cell.y * stride + cell.x;
+      steps_.perMm[i] = static_cast<float>(1 / distanceMm);
+    }
+  }
+}
+
+/// Spreads the floors' values over the grid; 0 in light cells.
+std::vector<float> PocketSky::onGrid(std::span<const double> values) const {
+  std::vector<float> grid(floorOf_.size(), 0);
+  for (std::size_t k = 0; k < cell_.size(); ++k) grid[cell_[k]] = static_cast<float>(values[k]);
+  return grid;
+}
+
+/// Finds the depth at which a floor sees the wanted fraction. It takes Newton steps in log h and y = log((1 − V)/V), in
+/// which a pocket with walls of equal height is a line of slope 2. The steps stay between the depths known to be too
+/// bright and dark enough.
+double PocketSky::depthFor(std::size_t k, double wanted, double limitMm, const std::vector<float>& grid) const {
+  double low = 0, high = limitMm;
+  double depth = std::clamp(static_cast<double>(grid[cell_[k]]), std::min(kSettledMm, limitMm), limitMm);
+  for (int i = 0; i < kSteps; ++i) {
+    const SkySeen seen = skySeenFrom(&grid[cell_[k]], static_cast<float>(depth), steps_);
+    if (seen.fraction > wanted) {
+      if (depth >= limitMm) return limitMm;
+      low = depth;
+    } else {
+      high = depth;
+    }
+    const double v = std::clamp(seen.fraction, 1e-9, 1 - 1e-9);
+    const double perLogDepth = -seen.perMm * depth / (v * (1 - v));
+    const double wantedMore = std::log((1 - wanted) / wanted * v / (1 - v));
+    double next = perLogDepth > 0 ? depth * std::exp(wantedMore / perLogDepth) : high;
+    if (next > high && high >= limitMm && low == depth) next = limitMm;
+    const bool isStep = (next > low && next < high) || next == limitMm;
+    if (!isStep) next = (low + high) / 2;
+    // The error of a short Newton step is of the order of its square.
+    if (std::abs(next - depth) < (isStep ? kShortStepMm : kSettledMm / 4) || high - low < kSettledMm / 4)
+      return std::min(next, limitMm);
+    depth = next;
+  }
+  return high;
+}
+
+void PocketSky::solve(std::span<const double> fractions, std::span<const double> limitsMm, std::span<double> depthsMm,
+                      std::vector<char> isDue, int maxSweeps) const {
+  std::vector<float> grid = onGrid(depthsMm);
+  for (int sweep = 0; sweep < maxSweeps; ++sweep) {
+    bool moved = false;
+    for (std::size_t i = 0; i < carved_.size(); ++i) {
+      const std::size_t k = sweep % 2 == 0 ? i : carved_.size() - 1 - i;  // there and back
+      if (!isDue[k]) continue;
+      isDue[k] = 0;
+      const double depth = depthFor(k, fractions[k], limitsMm[k], grid);
+      const double change = std::abs(depth - depthsMm[k]);
+      depthsMm[k] = depth;
+      grid[cell_[k]] = static_cast<float>(depth);
+      if (change < kSettledMm) continue;
+      moved = true;
+      forEachInSight(k, [&](std::uint32_t other) { isDue[other] = 1; });
+    }
+    if (!moved) return;
+  }
+}
+
+}  // namespace qrelief

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "depth/wall_limit.h"
+
+#include <algorithm>
+#include <cassert>
+#include <optional>
+
+#include "depth/facet_tree.h"
+#include "math/tolerance.h"
+#include "projection/facet_locator.h"
+#include "projection/orientation.h"
+
+namespace qrelief {
+namespace {
+
+/// Sampled points along a submodule's edge, minus one.
+constexpr int kStepsPerEdge = 2;
+
+/// A point of the surface over the symbol.
+struct Sample {
+  Vec3 surface{0}, down{0};  // down: unit, along the ray
+  Vec3 normal{0};            // of the facet, unit; zero where there is no surface
+};
+
+/// Returns the projected corners, counter-clockwise; empty if the facet is not seen from the front or not in front of
+/// the eye.
+std::optional<Triangle2> imageOf(const Mesh& mesh, const ProjectionFrame& frame, std::uint32_t t) {
+  Triangle2 image;
+  for (int k = 0; k < 3; ++k) {
+    const Vec3 corner = mesh.corner(t, k);
+    if (frame.distanceAlongAxis(corner) <= kNearPlaneFraction * frame.eyeDistance) return std::nullopt;
+    image[static_cast<std::size_t>(k)] = frame.project(corner);
+  }
+  if (cross2(image[1] - image[0], image[2] - image[0]) <= 0) return std::nullopt;
+  return image;
+}
+
+/// The part of the patch over the symbol; finds the surface under a plane point.
+class BaseSurface {
+ public:
+  BaseSurface(const Mesh& mesh, const VisiblePatch& patch, const ProjectionFrame& frame, double symbolMm)
+      : mesh_(mesh), frame_(frame) {
+    std::vector<Triangle2> images;
+    for (const std::uint32_t t : patch.triangles) {
+      const auto image = imageOf(mesh, frame, t);
+      if (!image) continue;
+      const Vec2 lo = glm::min(glm::min((*image)[0], (*image)[1]), (*image)[2]);
+      const Vec2 hi = glm::max(glm::max((*image)[0], (*image)[1]), (*image)[2]);
+      if (std::max(lo.x, lo.y) > symbolMm / 2 || std::min(hi.x, hi.y) < -symbolMm / 2) continue;
+      facets_.push_back(t);
+      images.push_back(*image);
+    }
+    if (!images.empty()) locator_.emplace(std::move(images));
+  }
+
+  Sample at(Vec2 point) {
+    Sample sample;
+    if (!locator_) return sample;
+    const std::uint32_t found = locator_->nearest(point);
+    if (locator_->depthIn(found, point) < -kCoveredMm) return sample;
+    sample.normal = triangleNormal(mesh_, facets_[found]);
+    sample.down = frame_.rayDirection(point);
+    const Vec3 eye = frame_.eye();
+    const double along = glm::dot(sample.normal, mesh_.corner(facets_[found], 0) - eye);
+    sample.surface = eye + sample.down * (along / glm::dot(sample.normal, sample.down));
+    return sample;
+  }
+
+ private:
+  const Mesh& mesh_;
+  const ProjectionFrame& frame_;
+  std::vector<std::uint32_t> facets_;
+  std::optional<FacetLocator> locator_;
+};
+
+/// Returns coordinates along the frame's axes, in which the carved region is flat.
+Vec3 alongAxes(const ProjectionFrame& frame, Vec3 p) {
+  return {glm::dot(p - frame.centre, frame.right), glm::dot(p - frame.centre, frame.up),
+          glm::dot(p - frame.centre, frame.normal)};
+}
+
+/// Returns true for a facet that is front-facing and wholly outside the patch's radius: untested, perhaps visible
+/// surface.
+bool isUnknown(const FacetTree::Facet& facet, const VisiblePatch& patch, const ProjectionFrame& frame) {
+  const auto inFront = [&](Vec3 p) { return frame.distanceAlongAxis(p) > kNearPlaneFraction * frame.eyeDistance; };
+  if (sideOfPlane(facet[0], facet[1], facet[2], frame.eye()) <= 0) return false;
+  if (!std::all_of(facet.begin(), facet.end(), inFront)) return false;
+  const Triangle2 image{frame.project(facet[0]), frame.project(facet[1]), frame.project(facet[2])};
+  return distanceToTriangle(Vec2(0), image) > patch.radiusMm;
+}
+
+/// Returns true if the eye sees a facet of the patch nearly edge-on.
+bool isGrazing(const FacetTree::Facet& facet, const ProjectionFrame& frame) {
+  const Vec3 normal = glm::cross(facet[1] - facet[0], facet[2] - facet[0]);
+  const Vec3 toEye = frame.eye() - (facet[0] + facet[1] + facet[2]) / 3.0;
+  return glm::dot(normal, toEye) < kGrazingCosine * glm::length(normal) * glm::length(toEye);
+}
+
+struct Sides {
+  FacetTree walls;    ///< other sides of the material wherever a pocket is
+  FacetTree surface;  ///< facets of the patch: other sides for facets that face away from them
+};
+
+Sides sidesNear(const Mesh& mesh, const VisiblePatch& patch, const ProjectionFrame& frame, const Box3& region) {
+  std::vector<Vec3> positions;
+  positions.reserve(mesh.positions.size());
+  for (const Vec3f& p : mesh.positions) positions.push_back(alongAxes(frame, Vec3(p)));
+  std::vector<std::uint8_t> inPatch(mesh.triangles.size(), 0);
+  for (const std::uint32_t t : patch.triangles) inPatch[t] = 1;
+  std::vector<FacetTree::Facet> walls, surface;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    Box3 box;
+    for (const std::uint32_t v : mesh.triangles[t]) box.add(positions[v]);
+    const bool apart = glm::any(glm::lessThan(box.max, region.min)) || glm::any(glm::greaterThan(box.min, region.max));
+    if (apart) continue;
+    const FacetTree::Facet facet{mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)};
+    if (inPatch[t] != 0 && !isGrazing(facet, frame))
+      surface.push_back(facet);
+    else if (inPatch[t] != 0 || !isUnknown(facet, patch, frame))
+      walls.push_back(facet);
+  }
+  return {FacetTree(walls), FacetTree(surface)};
+}
+
+/// Returns the least distance from any other side of the material, at most `reach`.
+double distanceThrough(const Sides& sides, const Sample& sample, double depth, double reach) {
+  const Vec3 point = sample.surface + sample.down * depth;
+  return sides.surface.distanceOfTurned(point, sides.walls.distance(point, reach), sample.normal, kOppositeCosine);
+}
+
+double limitOf(const Sides& sides, const Sample& sample, const WallLimitOptions& options) {
+  double depth = 0;
+  for (;;) {
+    const double reach = options.minWallMm + options.maxDepthMm - depth;
+    const double spare = distanceThrough(sides, sample, depth, reach) - options.minWallMm;
+    if (spare < 0) return std::max(0.0, depth - kDepthQuantumMm / 2);
+    depth += std::max(spare, kDepthQuantumMm / 2);
+    if (depth >= options.maxDepthMm) return options.maxDepthMm;
+  }
+}
+
+/// The sampled points of the carved submodules, each once.
+class SampleGrid {
+ public:
+  SampleGrid(const SubmoduleMask& carved, double symbolMm)
+      : carved_(carved), symbolMm_(symbolMm), side_(kStepsPerEdge * carved.size + 1) {
+    used_.assign(static_cast<std::size_t>(side_ * side_), 0);
+    forEachCarved([&](std::size_t, std::size_t point) { used_[point] = 1; });
+  }
+
+  /// Calls `visit(submodule, point)` for each pair of a carved submodule and a point of it.
+  template <class Visit>
+  void forEachCarved(const Visit& visit) const {
+    for (int row = 0; row < carved_.size; ++row)
+      for (int column = 0; column < carved_.size; ++column)
+        for (int k = 0; carved_.isCarved(row, column) && k < (kStepsPerEdge + 1) * (kStepsPerEdge + 1); ++k)
+          visit(static_cast<std::size_t>(row * carved_.size + column),
+                static_cast<std::size_t>((kStepsPerEdge * row + k / (kStepsPerEdge + 1)) * side_ +
+                                         kStepsPerEdge * column + k % (kStepsPerEdge + 1)));
+  }
+
+  std::size_t size() const { return used_.size(); }
+  bool isUsed(std::size_t point) const { return used_[point] != 0; }
+  Vec2 at(std::size_t point) const {
+    const double step = symbolMm_ / (side_ - 1);
+    const std::size_t row = point / static_cast<std::size_t>(side_), column = point % static_cast<std::size_t>(side_);
+    return {-symbolMm_ / 2 + static_cast<double>(column) * step, symbolMm_ / 2 - static_cast<double>(row) * step};
+  }
+
+ private:
+  const SubmoduleMask& carved_;
+  const double symbolMm_;
+  const int side_;
+  std::vector<std::uint8_t> used_;
+};
+
+}  // namespace
+
+std::vector<double> wallLimits(const Mesh& mesh, const VisiblePatch& patch, const ProjectionFrame& frame,
+                               const SubmoduleMask& carved, const WallLimitOptions& options) {
+  assert(carved.size > 0 && carved.carved.size() == static_cast<std::size_t>(carved.size) * carved.size);
+  assert(options.symbolMm > 0);
+  std::vector<double> limits(carved.carved.size(), 0);
+  if (options.maxDepthMm <= 0) return limits;
+
+  const SampleGrid grid(carved, options.symbolMm);
+  BaseSurface surface(mesh, patch, frame, options.symbolMm);
+  std::vector<Sample> samples(grid.size());
+  Box3 region;
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    if (!grid.isUsed(k)) continue;
+    samples[k] = surface.at(grid.at(k));
+    if (samples[k].normal != Vec3(0)) region.add(alongAxes(frame, samples[k].surface));
+  }
+  const double reach = options.maxDepthMm + options.minWallMm;
+  region.min -= Vec3(reach);
+  region.max += Vec3(reach);
+
+  const Sides sides = sidesNear(mesh, patch, frame, region);
+  std::vector<double> sampleLimits(samples.size(), 0);
+  for (std::size_t k = 0; k < samples.size(); ++k)
+    if (samples[k].normal != Vec3(0)) sampleLimits[k] = limitOf(sides, samples[k], options);
+  grid.forEachCarved([&](std::size_t submodule, std::size_t) { limits[submodule] = options.maxDepthMm; });
+  grid.forEachCarved([&](std::size_t submodule, std::size_t point) {
+    limits[submodule] = std::min(limits[submodule], sampleLimits[point]);
+  });
+  return limits;
+}
+
+}  // namespace qrelief

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <fmt/format.h>
+
+#include "base/clock.h"
+#include "cli/choose_spot.h"
+#include "cli/commands.h"
+#include "cli/model_input.h"
+#include "cli/progress_bar.h"
+#include "cli/setting_flags.h"
+#include "cli/tried_print.h"
+#include "io/sniff_format.h"
+#include "messages/sentences.h"
+#include "native/egl_context.h"
+#include "native/engraver.h"
+#include "native/files.h"
+#include "native/png_file.h"
+#include "native/zxing_decoder.h"
+#include "report/report.h"
+#include "settings/preset.h"
+#include "settings/settings.h"
+#include "verdict/other_prints.h"
+
+namespace qrelief {
+namespace {
+
+struct EngraveOptions {
+  ModelFlags model;
+  std::string output, report, preview;
+  SettingFlags flags;
+  std::vector<double> at;
+  bool ascii = false, tryPrints = false, quiet = false;
+  EngraveRequest request;
+};
+
+/// Checks the value of -o. Empty if such a file can be written.
+std::string whyNotWritable(const std::string& path) {
+  const ModelFormat format = formatOfName(path);
+  const bool writable = format == ModelFormat::Stl || format == ModelFormat::Obj || format == ModelFormat::Ply ||
+                        format == ModelFormat::ThreeMf;
+  return writable ? std::string() : fmt::format("{}: choose a name that ends in .stl, .obj, .ply or .3mf", path);
+}
+
+Status completeRequest(EngraveOptions& options) {
+  auto request = options.flags.request();
+  if (!request) return tl::unexpected(request.error());
+  options.request = std::move(*request);
+  if (options.ascii && formatOfName(options.output) != ModelFormat::Stl)
+    return fail(ErrorKind::BadUsage, message("ascii-is-for-stl", with::term("output", options.output)));
+  if (options.request.inlay && formatOfName(options.output) != ModelFormat::ThreeMf)
+    return fail(ErrorKind::BadUsage, message("inlay-is-for-3mf", with::term("output", options.output)));
+  return {};
+}
+
+Status writeOutputs(const EngraveOptions& options, const EngravableModel& model, const EngraveResult& result,
+                    const std::vector<std::string>& partNames, ReportContext& context, Clock::time_point start) {
+  const auto writing = Clock::now();
+  const auto bytes = encodeCarved(result, partNames, options.output, options.request.inlay,
+                                  fileNameOf(options.model.path), options.ascii);
+  if (!bytes) return tl::unexpected(bytes.error());
+  if (const Status written = writeFileAtomically(options.output, *bytes); !written) return written;
+  if (!options.preview.empty()) {
+    const auto png = encodePng(result.readerView.clean);
+    if (!png) return tl::unexpected(png.error());
+    if (const Status written = writeFileAtomically(options.preview, *png); !written) return written;
+  }
+  context.writeMs = millisecondsSince(writing);
+  context.totalMs = millisecondsSince(start);
+  if (options.report.empty()) return {};
+  return writeFileAtomically(options.report, makeReport(options.request, model, result, context));
+}
+
+void printSummary(const EngraveOptions& options, const EngraveResult& result, const ReportContext& context) {
+  const DepthSummary depth = summarise(result.depths);
+  fmt::print("{}: version {} code, {:.4g} mm wide ({:.3g} mm modules), {:.2g} mm deep on average, {:.2g} mm at most\n",
+             options.output, result.symbol.version, result.placement.symbolMm, result.placement.moduleMm, depth.meanMm,
+             depth.maxMm);
+  if (result.limitedSubmodules > 0)
+    fmt::print("{} submodules are shallower than needed: the maximum depth or the minimum wall stops them\n",
+               result.limitedSubmodules);
+  const ReadingEvidence& reading = context.reading;
+  if (!reading.text.empty()) fmt::print("reads as: {}\n", reading.text);
+  for (const Message& warning : context.verdict.reads.warnings) fmt::print("{}\n", sentenceAndHint(warning));
+  for (const Aspect* aspect : {&context.verdict.reads, &context.verdict.prints, &context.verdict.solid}) {
+    const bool foundOut = aspect == &context.verdict.prints && context.printed;
+    if ((aspect->level == Level::Good && !foundOut) || !aspect->passed()) continue;
+    fmt::print("{}\n", sentence(aspect->summary));
+    for (const Message& reason : aspect->reasons) fmt::print("  {}\n", sentenceAndHint(reason));
+  }
+}
+
+/// Prints what was carved instead, if the code did not decode as requested.
+void tellWhatWasCarved(const EngraveRequest& asked, const EngraveRequest& carved) {
+  if (carved.preset != asked.preset)
+    fmt::print("engraved with preset {}: with {}, the code or its print did not decode reliably\n",
+               presetName(carved.preset), presetName(asked.preset));
+  else if (carved != asked)
+    fmt::print("engraved for the design only: when engraved for the print as well, the code did not decode reliably\n");
+}
+
+/// Carves the code for other ways of printing and prints a verdict on each. Writes no files.
+Status tryOtherPrints(const Engraver& engraver, const EngraveOptions& options, const EngraveResult& result) {
+  fmt::print("engraved for other ways of printing:\n");
+  for (const SettingChange& other : otherPrints(verifyRequestOf(options.request, result))) {
+    EngraveRequest changed = options.request;
+    apply(other, changed);
+    ProgressBar bar(options.quiet);
+    const auto carved = engraver.engraveOnce(changed, [&](const Progress& progress) { bar.show(progress); });
+    if (!carved) return tl::unexpected(carved.error());
+    fmt::print("  {} {}: {}\n", flagOf(other.setting), other.value,
+               triedPrint(carved->verdict.prints, *carved->printed));
+  }
+  return {};
+}
+
+int engraveModel(EngraveOptions& options) {
+  const auto start = Clock::now();
+  if (const Status completed = completeRequest(options); !completed) return printError(completed.error());
+  ReportContext context;
+  context.fileName = fileNameOf(options.model.path);
+  auto input = loadEngravable(options.model);
+  if (!input) return printError(input.error(), context.fileName);
+  context.format = input->format;
+  context.scaleToMm = input->scaleToMm;
+  context.loadMs = input->loadMs;
+  if (!options.at.empty())
+    options.request.placement.centreMm = Vec3(options.at[0], options.at[1], options.at[2]) * input->scaleToMm;
+
+  const auto uploading = Clock::now();
+  const auto gl = EglContext::create();
+  if (!gl) return printError(gl.error());
+  const auto capabilities = gl::queryCapabilities();
+  if (!capabilities) return printError(capabilities.error());
+  context.gl = *capabilities;
+  const auto model = EngravableModel::upload(std::move(input->prepared));
+  context.prepareMs = input->prepareMs + millisecondsSince(uploading);
+
+  const auto choosing = Clock::now();
+  if (options.at.empty()) {
+    if (const Status chosen = chooseSpot(model, options.request, input->scaleToMm, options.quiet, stdout); !chosen)
+      return printError(chosen.error(), context.fileName);
+    context.spotMs = millisecondsSince(choosing);
+  }
+  const auto engraver = Engraver::create(model);
+  if (!engraver) return printError(engraver.error());
+  const EngraveRequest asked = options.request;
+  auto carved = [&] {
+    ProgressBar bar(options.quiet);
+    return engraver->engrave(asked, [&](const Progress& progress) { bar.show(progress); });
+  }();
+  if (!carved) return printError(carved.error(), context.fileName);
+  options.request = carved->request;
+  tellWhatWasCarved(asked, carved->request);
+  const EngraveResult& result = carved->result;
+  context.printed = carved->printed;
+  context.reading = carved->reading;
+  context.verdict = carved->verdict;
+  context.askedPreset = asked.preset;
+  context.wording = commandWording();
+  context.reader = zxingName();
+
+  if (const Status written = writeOutputs(options, *model, result, input->partNames, context, start); !written)
+    return printError(written.error());
+  printSummary(options, result, context);
+  if (options.tryPrints && context.printed && context.verdict.prints.level != Level::Good)
+    if (const Status tried = tryOtherPrints(*engraver, options, result); !tried) return printError(tried.error());
+  return printFailed(context.verdict);
+}
+
+}  // namespace
+
+std::function<int()> addEngraveCommand(CLI::App& app) {
+  auto o = std::make_shared<EngraveOptions>();
+  CLI::App* c = app.add_subcommand("engrave", "Engrave a QR code");
+  addModelFlags(*c, o->model);
+  o->flags.add(*c, "text").required();
+  c->add_option("-o", o->output, "engraved model in mm: .stl, .obj, .ply or .3mf")->required()->check(whyNotWritable);
+  c->add_flag("--ascii", o->ascii, "write the STL as text");
+  c->add_option(
+       "--at", o->at,
+       "X,Y,Z: centre of the code in file units; QRelief moves it to the nearest point of the surface [best spot]")
+      ->delimiter(',')
+      ->expected(3);
+  o->flags.addAll(*c);
+  c->add_option("--report", o->report, "write a report of all results and measurements as JSON");
+  c->add_option("--preview", o->preview, "write a picture of the result, as a phone sees it, as PNG");
+  c->add_flag(
+      "--try-prints", o->tryPrints,
+      "if the print does not decode reliably, engrave for other orientations and finer processes and list the results");
+  c->add_flag("--quiet", o->quiet, "print no progress");
+  return [o] { return engraveModel(*o); };
+}
+
+}  // namespace qrelief

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include "base/clock.h"
+#include "cli/commands.h"
+#include "cli/model_input.h"
+#include "cli/progress_bar.h"
+#include "cli/setting_flags.h"
+#include "cli/tried_print.h"
+#include "io/read_model.h"
+#include "messages/sentences.h"
+#include "native/files.h"
+#include "native/read_carving.h"
+#include "native/zxing_decoder.h"
+#include "report/verify_report.h"
+#include "verdict/other_prints.h"
+
+namespace qrelief {
+namespace {
+
+struct VerifyOptions {
+  std::string path, units, report, json;
+  SettingFlags flags;
+  std::optional<double> scale;
+  std::vector<double> at;
+  bool quick = false, traced = false, tryPrints = false, quiet = false;
+};
+
+/// Returns place, size and text from the command line.
+Result<VerifyRequest> requestFromFlags(const VerifyOptions& options, const EngraveRequest& settings) {
+  const PlacementRequest& place = settings.placement;
+  if (settings.text.empty() || options.at.empty() || !place.direction || place.sizeMode != SizeMode::Fixed)
+    return fail(ErrorKind::BadUsage, message("verify-place-unknown"));
+  VerifyRequest request;
+  request.text = settings.text;
+  request.symbolMm = place.sizeMm;
+  auto encoded = encodeSymbol(settings.text, settings.symbol);
+  if (!encoded) return tl::unexpected(encoded.error());
+  request.symbol = std::move(*encoded);
+  const Vec3 centre(options.at[0], options.at[1], options.at[2]);
+  request.frame = makeFrame(centre, *place.direction, place.upHint, place.eyeDistanceMm);
+  return request;
+}
+
+Result<VerifyRequest> requestFromFile(const std::string& report) {
+  const auto bytes = readFile(report);
+  if (!bytes) return tl::unexpected(bytes.error());
+  return requestFromReport({reinterpret_cast<const char*>(bytes->data()), bytes->size()});
+}
+
+Result<VerifyRequest> requestFrom(const VerifyOptions& options) {
+  const auto settings = options.flags.request();
+  if (!settings) return tl::unexpected(settings.error());
+  auto request = options.report.empty() ? requestFromFlags(options, *settings) : requestFromFile(options.report);
+  if (!request) return request;
+  request->printer = settings->printer;
+  request->process = settings->process;
+  request->buildUp = settings->buildUp.resolve(request->frame);
+  request->minWallMm = settings->minWallMm;
+  if (settings->lights.size() > 1)
+    return fail(ErrorKind::BadUsage, message("setting-too-many", with::setting("setting", "light"),
+                                             with::count("count", settings->lights.size()), with::count("max", 1)));
+  if (!settings->lights.empty()) request->oneLight = settings->lights.front();
+  return request;
+}
+
+std::string rangeOf(const ReadingSummary& reading) {
+  std::string words;
+  const auto add = [&](std::string part) { words += (words.empty() ? "" : ", ") + std::move(part); };
+  const auto tilt = [](double deg) { return deg > 0 ? fmt::format("tilted up to {:g}°", deg) : "straight ahead only"; };
+  if (reading.tiltDeg) add(tilt(*reading.tiltDeg));
+  if (reading.tiltDegLamp) add("with a lamp " + tilt(*reading.tiltDegLamp));
+  if (reading.pixelsPerModule) add(fmt::format("from as far as {:g} pixels a module", *reading.pixelsPerModule));
+  if (reading.blurModules) add(fmt::format("blurred by up to {:g} modules", *reading.blurModules));
+  return words;
+}
+
+void printResult(const std::string& name, const VerifyRequest& request, const VerifyResult& result,
+                 const Verdict& verdict, bool printed) {
+  const SolidityReport& solid = result.solidity;
+  fmt::print("{}: {}, {} triangles\n", name, solid.solid() ? "a closed solid" : "not a clean solid", solid.triangles);
+  const ReadingSummary& reading = result.reading;
+  if (verdict.reads.level == Level::Good)
+    fmt::print("reads as: {}\n", request.text);
+  else
+    fmt::print("{}\n", sentence(verdict.reads.summary));
+  fmt::print("{} of {} tries from the front decoded ({} needed)\n", reading.frontal.reads, reading.frontal.tries,
+             reading.frontal.needed());
+  for (const Message& warning : verdict.reads.warnings) fmt::print("{}\n", sentenceAndHint(warning));
+  if (const std::string range = rangeOf(reading); reading.frontal.enough() && !range.empty())
+    fmt::print("reads {}\n", range);
+  if (result.features)
+    fmt::print("pockets {:.2f} mm deep on average, {:.2f} mm wide, modules {:.2f} mm\n", result.features->meanDepthMm,
+               result.features->pocketMm, result.features->moduleMm);
+  if (result.grades)
+    fmt::print("simulated grades: ISO/IEC 15415 {:g}, ISO/IEC 29158 {:g}; fixed pattern damage {:g}\n",
+               result.grades->iso15415, result.grades->iso29158, result.grades->fixedPatternDamage.grade);
+  if (printed || verdict.prints.level != Level::Good) fmt::print("{}\n", sentence(verdict.prints.summary));
+  for (const Message& reason :
+       verdict.prints.level == Level::Good && !printed ? std::vector<Message>() : verdict.prints.reasons)
+    fmt::print("  {}\n", sentenceAndHint(reason));
+  if (verdict.solid.passed() && verdict.solid.level != Level::Good)
+    for (const Message& reason : verdict.solid.reasons) fmt::print("{}\n", sentence(reason));
+}
+
+/// Simulates other prints of the same model and prints a verdict on each.
+Status tryOtherPrints(const VerifyRequest& request, const Mesh& carved, bool quiet) {
+  fmt::print("this model, printed in other ways:\n");
+  for (const SettingChange& other : otherPrints(request)) {
+    const VerifyRequest changed = printedOtherwise(request, other);
+    ProgressBar bar(quiet);
+    const auto printed = readPrinted(changed, carved, [&](const Progress& progress) { bar.show(progress); });
+    if (!printed) return tl::unexpected(printed.error());
+    const Aspect prints = judgePrinted(**printed, changed.printer, changed.text);
+    fmt::print("  {} {}: {}\n", flagOf(other.setting), other.value, triedPrint(prints, **printed));
+  }
+  return {};
+}
+
+int verifyModel(const VerifyOptions& options) {
+  const auto start = Clock::now();
+  auto request = requestFrom(options);
+  if (!request) return printError(request.error());
+  request->ranges = !options.quick;
+  request->isTraced = options.traced;
+  const auto scale = scaleFrom(options.scale, options.units);
+  if (!scale) return printError(scale.error());
+  const std::string name = fileNameOf(options.path);
+  const auto bytes = readFile(options.path);
+  if (!bytes) return printError(bytes.error(), name);
+  const auto soup = readModel(*bytes, options.path);
+  if (!soup) return printError(soup.error(), name);
+  auto mesh = meshAsFound(*soup, scale->value_or(soup->unitMm.value_or(1)));
+  if (!mesh) return printError(mesh.error(), name);
+
+  auto job = VerifyJob::create(*mesh, *request, zxingDecoders());
+  if (!job) return printError(job.error(), name);
+  if (const Status done = runWithProgress(**job, options.quiet); !done) return printError(done.error(), name);
+  const VerifyResult result = (*job)->takeResult();
+
+  std::optional<PrintedEvidence> printed;
+  // A slicer does not make the intended solid from an open mesh, and without a carving there is nothing to decode.
+  if (result.solidity.closed() && result.features) {
+    ProgressBar bar(options.quiet);
+    auto read = readPrinted(*request, *mesh, [&](const Progress& progress) { bar.show(progress); });
+    if (!read) return printError(read.error(), name);
+    printed = std::move(*read);
+  }
+  const Verdict verdict = judge(*request, result, printed ? &*printed : nullptr);
+  printResult(name, *request, result, verdict, printed.has_value());
+  if (options.tryPrints && printed && verdict.prints.level != Level::Good)
+    if (const Status tried = tryOtherPrints(*request, *mesh, options.quiet); !tried)
+      return printError(tried.error(), name);
+  const int status = printFailed(verdict);
+  if (!options.json.empty()) {
+    const double total = millisecondsSince(start);
+    const std::string report = makeVerifyReport(
+        *request, result, {name, soup->format, zxingName(), total, printed, verdict, commandWording()});
+    if (const Status written = writeFileAtomically(options.json, report); !written) return printError(written.error());
+  }
+  return status;
+}
+
+}  // namespace
+
+std::function<int()> addVerifyCommand(CLI::App& app) {
+  auto o = std::make_shared<VerifyOptions>();
+  CLI::App* c = app.add_subcommand("verify", "Check an engraved model: is it a solid, does it decode, does it print?");
+  c->add_option("MODEL", o->path, "OBJ, STL, PLY, OFF or 3MF file; verify repairs nothing")->required();
+  c->add_option("--scale", o->scale, "millimetres in one unit of the file [1; 3MF: from the file]");
+  c->add_option("--units", o->units, "unit of the file; replaces --scale")
+      ->check(CLI::IsMember({"mm", "cm", "m", "in"}));
+  c->add_option("--report", o->report, "report that engrave wrote: gives placement, size, text and modules");
+  constexpr const char* kWithoutReport = "without --report: ";
+  o->flags.add(*c, "text", kWithoutReport);
+  c->add_option("--at", o->at, "without --report: X,Y,Z, centre of the code on the uncarved surface, mm")
+      ->delimiter(',')
+      ->expected(3);
+  for (const char* key : {"direction", "up", "size", "eyeDistanceMm"}) o->flags.add(*c, key, kWithoutReport);
+  o->flags.addGroup(*c, "symbol");
+  o->flags.addGroup(*c, "printing");
+  o->flags.add(*c, "minWallMm");
+  o->flags.add(*c, "light", "instead of the report's lamps, at most one: ");
+  c->add_flag("--quick", o->quick, "skip the search for the limits of distance, tilt and blur");
+  c->add_flag("--traced", o->traced, "trace light paths with all bounces; the reference, but many times slower");
+  c->add_flag(
+      "--try-prints", o->tryPrints,
+      "if the print does not decode reliably, simulate other orientations and finer processes and list the results");
+  c->add_option("--json", o->json, "write all results as JSON");
+  c->add_flag("--quiet", o->quiet, "print no progress");
+  return [o] { return verifyModel(*o); };
+}
+
+}  // namespace qrelief

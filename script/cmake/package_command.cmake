@@ -1,0 +1,19 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# `cpack --config build/release/CPackConfig.cmake` packs the command as a Debian package and as a tarball.
+install(TARGETS qrelief RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT command)
+install(FILES ${PROJECT_SOURCE_DIR}/docs/options.md ${PROJECT_SOURCE_DIR}/docs/command-line.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT command)
+
+set(CPACK_GENERATOR DEB TGZ)
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Engraves QR codes into 3D models")
+set(CPACK_PACKAGE_CONTACT "QRelief contributors")
+set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/COPYING)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_COMPONENTS_ALL command)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_ARCHIVE_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_COMMAND_PACKAGE_NAME qrelief)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_COMMAND_PACKAGE_DEPENDS "libgl1-mesa-dri")
+include(CPack)

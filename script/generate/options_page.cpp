@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "script/generate/options_page.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "messages/setting_words.h"
+#include "script/generate/option_texts.h"
+
+namespace qrelief {
+namespace {
+
+constexpr const char* kPageHead = R"(# Options
+
+<!-- Written by build/release/bin/qrelief_generate from core/settings and messages/settings: do not edit. -->
+
+Every setting of an engraving, with its flag for `qrelief engrave` and its key in reports, settings files and the page.
+`place` accepts the flags of Symbol and Placement, the patterns, `--min-wall`, `--process`, `--nozzle` and `--layer`.
+`verify` accepts the flags of Symbol and Printing, `--direction`, `--up`, `--size`, `--eye-distance`, `--light` and
+`--min-wall`. The [command line](command-line.md) has the options for files, repairs and batches.
+)";
+
+/// Escapes bars, which would end a table cell.
+std::string inCell(std::string text) {
+  for (std::size_t at = text.find('|'); at != std::string::npos; at = text.find('|', at + 2)) text.insert(at, 1, '\\');
+  return text;
+}
+
+std::string rowOf(const Setting& setting) {
+  const OptionTexts texts = optionTexts(setting);
+  const std::string flag = texts.values.empty() ? texts.flag : texts.flag + " " + texts.values;
+  const std::string range = texts.range.empty() ? "" : fmt::format("; {}", texts.range);
+  return fmt::format("| `{}` | `{}` | {}{} | {} | {} |\n", inCell(flag), setting.key, inCell(texts.help), range,
+                     setting.kind == Setting::Kind::Text ? "required" : texts.initial, setting.since);
+}
+
+}  // namespace
+
+std::string optionsPage() {
+  std::string page = kPageHead, group;
+  for (const Setting& setting : settings()) {
+    if (setting.group != group) {
+      group = setting.group;
+      page += fmt::format("\n## {}\n\n| flag | key | meaning | default | since |\n|---|---|---|---|---|\n",
+                          settingWords().at("groups").at(group).at("en").get<std::string>());
+    }
+    page += rowOf(setting);
+  }
+  return page;
+}
+
+}  // namespace qrelief

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "script/generate/settings_module.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "messages/setting_words.h"
+#include "settings/setting_json.h"
+#include "settings/settings.h"
+
+namespace qrelief {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kModuleHead = R"(// SPDX-License-Identifier: GPL-3.0-or-later
+// Written by build/release/bin/qrelief_generate from core/settings and messages/settings: do not edit.
+
+/** @typedef {{ en: string, de: string }} Words  in every language of the page */
+
+/**
+ * @typedef {object} Setting
+ * @property {string} group
+ * @property {'text' | 'switch' | 'number' | 'choice' | 'choice-or-number' | 'choice-or-vector' | 'vector' | 'lamps'} kind
+ * @property {'mm' | 'deg' | 'modules' | 'skies'} [unit]
+ * @property {number} [min]          of a number, inclusive
+ * @property {number} [max]
+ * @property {number} [step]
+ * @property {boolean} [whole]       a number without decimals
+ * @property {boolean} [mayBeEmpty]  may be left out: what then counts follows from the rest
+ * @property {readonly string[]} [choices]
+ * @property {unknown} default       null: it is empty
+ * @property {string} since          the version that knew it first
+ * @property {Words} label           without the unit
+ * @property {Readonly<Record<string, Words>>} [choiceNames]  and of `number` and `vector`, where it takes those
+ * @property {Readonly<Record<string, Words>>} [partLabels]   of the parts that it is set by
+ * @property {Readonly<Record<string, { min: number, max: number, step: number, default: number }>>} [parts]  of a lamp
+ * @property {number} [most]         lamps
+ */
+
+)";
+
+const char* nameOf(Setting::Kind kind) {
+  switch (kind) {
+    case Setting::Kind::Text:
+      return "text";
+    case Setting::Kind::Switch:
+      return "switch";
+    case Setting::Kind::Number:
+      return "number";
+    case Setting::Kind::Choice:
+      return "choice";
+    case Setting::Kind::ChoiceOrNumber:
+      return "choice-or-number";
+    case Setting::Kind::ChoiceOrVector:
+      return "choice-or-vector";
+    case Setting::Kind::Vector:
+      return "vector";
+    case Setting::Kind::Lamps:
+      break;
+  }
+  return "lamps";
+}
+
+/// Returns the unit's key; empty if there is no unit.
+const char* nameOf(Setting::Unit unit) {
+  switch (unit) {
+    case Setting::Unit::Millimetre:
+      return "mm";
+    case Setting::Unit::Degree:
+      return "deg";
+    case Setting::Unit::Module:
+      return "modules";
+    case Setting::Unit::Sky:
+      return "skies";
+    case Setting::Unit::None:
+      break;
+  }
+  return "";
+}
+
+/// Ranges and defaults of the numbers of a lamp.
+Json partsOfLamp() {
+  Json parts = Json::object();
+  for (const LampPart& part : lampParts())
+    parts[std::string(part.key)] = {
+        {"min", part.min}, {"max", part.max}, {"step", part.step}, {"default", DirectionalLight().*part.value}};
+  return parts;
+}
+
+Json describe(const Setting& setting, const Json& defaults) {
+  const nlohmann::json& words = settingWords().at("settings").at(setting.key);
+  Json made = {{"group", setting.group}, {"kind", nameOf(setting.kind)}};
+  if (*nameOf(setting.unit)) made["unit"] = nameOf(setting.unit);
+  if (setting.takesNumber()) {
+    made["min"] = setting.min;
+    made["max"] = setting.max;
+    made["step"] = setting.step;
+    if (setting.isWhole) made["whole"] = true;
+  }
+  if (setting.mayBeEmpty) made["mayBeEmpty"] = true;
+  if (!setting.choices.empty()) made["choices"] = setting.choices;
+  made["default"] = defaults.at(setting.key);
+  made["since"] = setting.since;
+  made["label"] = words.at("label");
+  if (words.contains("choices")) made["choiceNames"] = words.at("choices");
+  if (words.contains("parts")) made["partLabels"] = words.at("parts");
+  if (setting.kind == Setting::Kind::Lamps) {
+    made["parts"] = partsOfLamp();
+    made["most"] = kMaxLights;
+  }
+  return made;
+}
+
+/// Returns an object's entries as a constant of the module, one entry a line.
+std::string constant(const char* name, const char* type, const Json& entries) {
+  std::string text = fmt::format("/** @type {{{}}} */\nexport const {} = {{\n", type, name);
+  for (const auto& [key, entry] : entries.items()) text += fmt::format("  {}: {},\n", key, entry.dump());
+  return text + "};\n";
+}
+
+/// Returns the settings that each process implies.
+Json processes() {
+  Json all = Json::object();
+  for (const auto& [name, printer] : namedPrinters())
+    all[fmt::format("'{}'", name)] = {{"nozzleMm", printer.nozzleMm}, {"layerMm", printer.layerMm}};
+  return all;
+}
+
+}  // namespace
+
+std::string settingsModule() {
+  const Json defaults = Json::parse(settingsJson(defaultRequest()));
+  Json all = Json::object();
+  std::string keys;
+  for (const Setting& setting : settings()) {
+    all[setting.key] = describe(setting, defaults);
+    keys += fmt::format("{}'{}'", keys.empty() ? "" : " | ", setting.key);
+  }
+  return fmt::format("{}/** @typedef {{{}}} SettingKey */\n\n", kModuleHead, keys) +
+         constant("kSettings", "Readonly<Record<SettingKey, Setting>>", all) + "\n" +
+         constant("kProcesses", "Readonly<Record<string, { nozzleMm: number, layerMm: number }>>", processes()) + "\n" +
+         constant("kSettingGroups", "Readonly<Record<string, Words>>", Json(settingWords().at("groups"))) + "\n" +
+         constant("kUnits", "Readonly<Record<string, Words>>", Json(settingWords().at("units")));
+}
+
+}  // namespace qrelief

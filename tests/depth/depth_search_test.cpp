@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "depth/depth_search.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "math/tolerance.h"
+
+namespace qrelief {
+namespace {
+
+TEST(DepthIncrease, TakesTheValuesOfThePapersFormula) {
+  EXPECT_NEAR(depthIncrease(0), 0.0932, 5e-5);
+  EXPECT_NEAR(depthIncrease(1), 0.1, 1e-12);
+  EXPECT_NEAR(depthIncrease(5), 0.389, 5e-4);
+  EXPECT_NEAR(depthIncrease(1000), 0.689, 5e-4);
+}
+
+/// Fixture with a symbol of `size` modules in which only the given modules are dark.
+class DepthSearchTest : public testing::Test {
+ protected:
+  DepthSearchTest() {
+    symbol_.size = 21;
+    symbol_.dark.assign(21 * 21, 0);
+    symbol_.roles.assign(21 * 21, ModuleRole::Data);
+    mask_.size = 105;
+    mask_.carved.assign(105 * 105, 0);
+  }
+  void darken(int row, int column) {
+    symbol_.dark[static_cast<std::size_t>(row * 21 + column)] = 1;
+    for (int k = 0; k < 25; ++k)
+      mask_.carved[static_cast<std::size_t>((row * 5 + k / 5) * 105 + column * 5 + k % 5)] = 1;
+  }
+  DepthSearch start(double limit = 5, DepthSearchOptions options = {}) {
+    return {CarvingTarget{&symbol_, &mask_, 21, std::vector<double>(105 * 105, limit)}, options};
+  }
+  /// Returns luminances: 1 on light modules, `carved(depth)` on carved submodules.
+  template <class Function>
+  std::vector<double> luminances(const DepthSearch& search, Function carved) {
+    const int edge = 5 * 29;
+    std::vector<double> all(static_cast<std::size_t>(edge * edge), 1.0);
+    for (int row = 0; row < 105; ++row)
+      for (int column = 0; column < 105; ++column)
+        if (mask_.isCarved(row, column))
+          all[static_cast<std::size_t>((row + 20) * edge + column + 20)] =
+              carved(row, column, search.depths().depth(row, column));
+    return all;
+  }
+  Symbol symbol_;
+  SubmoduleMask mask_;
+};
+
+TEST_F(DepthSearchTest, EveryCarvedSubmoduleStartsAtOneLayerAndLightOnesStayUncarved) {
+  darken(10, 10);
+  const DepthSearch search = start();
+  for (int row = 0; row < 105; ++row)
+    for (int column = 0; column < 105; ++column)
+      EXPECT_DOUBLE_EQ(search.depths().depth(row, column), mask_.isCarved(row, column) ? 0.1 : 0);
+}
+
+TEST_F(DepthSearchTest, StopsAsSoonAsEverySubmoduleIsDarkEnough) {
+  darken(10, 10);
+  DepthSearch search = start(5, {.contrast = 0.3});
+  // Luminance falls linearly with depth and reaches 0.7 at 0.6 mm.
+  while (!search.finished()) search.update(luminances(search, [](int, int, double depth) { return 1 - 0.5 * depth; }));
+  for (const double depth : search.depths().depthMm) {
+    if (depth == 0) continue;
+    EXPECT_GE(depth, 0.6 - 1e-9);
+    EXPECT_LE(depth, 0.6 + 0.1 + 1e-9);  // overshoots by at most one step
+  }
+  EXPECT_EQ(search.limitedCount(), 0u);
+  EXPECT_LE(search.worstExcess(), 0);
+}
+
+TEST_F(DepthSearchTest, SubmodulesAreJudgedOneByOne) {
+  darken(10, 10);
+  DepthSearch search = start();
+  while (!search.finished())
+    search.update(
+        luminances(search, [](int row, int, double depth) { return 1 - (row % 5 == 0 ? 2.0 : 0.5) * depth; }));
+  EXPECT_LT(search.depths().depth(50, 50), 0.3);
+  EXPECT_GE(search.depths().depth(52, 50), 0.6 - 1e-9);
+}
+
+TEST_F(DepthSearchTest, ALimitIsNeverPassedAndIsCounted) {
+  darken(10, 10);
+  DepthSearch search = start(0.333);
+  while (!search.finished()) search.update(luminances(search, [](int, int, double) { return 0.95; }));
+  for (const double depth : search.depths().depthMm) EXPECT_LE(depth, 0.333);
+  EXPECT_NEAR(search.depths().depth(52, 52), 0.33, 1e-12);  // on the depth grid
+  EXPECT_EQ(search.limitedCount(), 25u);
+  EXPECT_NEAR(search.worstExcess(), 0.25, 1e-12);
+}
+
+TEST_F(DepthSearchTest, StepsGrowWhileTheLuminanceStalls) {
+  darken(10, 10);
+  DepthSearch search = start(1000);
+  std::vector<double> depths;
+  for (int i = 0; i < 12; ++i) {
+    search.update(luminances(search, [](int, int, double) { return 0.9; }));
+    depths.push_back(search.depths().depth(52, 52));
+  }
+  EXPECT_NEAR(depths[1] - depths[0], depthIncrease(1), kDepthQuantumMm);
+  EXPECT_NEAR(depths[6] - depths[5], depthIncrease(6), kDepthQuantumMm);
+}
+
+TEST_F(DepthSearchTest, TheSurroundingsAreTheFourDarkestLightNeighbours) {
+  darken(10, 10);
+  DepthSearch search = start(5, {.contrast = 0.3});
+  const int edge = 5 * 29;
+  std::vector<double> all(static_cast<std::size_t>(edge * edge), 1.0);
+  const auto setModule = [&](int row, int column, double value) {
+    for (int k = 0; k < 25; ++k)
+      all[static_cast<std::size_t>(((row + 4) * 5 + k / 5) * edge + (column + 4) * 5 + k % 5)] = value;
+  };
+  // Four shaded neighbours have luminance 0.5, so the threshold is 0.35, not the 0.7 that bright neighbours would give.
+  for (const auto& [row, column] : {std::pair(9, 9), std::pair(9, 10), std::pair(9, 11), std::pair(10, 9)})
+    setModule(row, column, 0.5);
+  setModule(10, 10, 0.4);
+  search.update(all);
+  EXPECT_NEAR(search.worstExcess(), 0.05, 1e-12);
+}
+
+TEST_F(DepthSearchTest, InsideALargeDarkAreaTheRingIsWidenedUntilItHoldsFourLightModules) {
+  for (int row = 0; row < 21; ++row)
+    for (int column = 0; column < 21; ++column) darken(row, column);
+  symbol_.dark[3 * 21 + 3] = 0;  // one light module at distance 7 from (10, 10); the quiet zone is at distance 11
+  for (int k = 0; k < 25; ++k) mask_.carved[static_cast<std::size_t>((15 + k / 5) * 105 + 15 + k % 5)] = 0;
+  DepthSearch search = start(5, {.contrast = 0.5});
+  const int edge = 5 * 29;
+  std::vector<double> all(static_cast<std::size_t>(edge * edge), 0.0);
+  const auto setModule = [&](int row, int column, double value) {
+    for (int k = 0; k < 25; ++k)
+      all[static_cast<std::size_t>(((row + 4) * 5 + k / 5) * edge + (column + 4) * 5 + k % 5)] = value;
+  };
+  setModule(3, 3, 0.6);
+  for (int i = -4; i < 25; ++i)
+    for (int j = -4; j < 25; ++j)
+      if (i < 0 || j < 0 || i > 20 || j > 20) setModule(i, j, 1.0);
+  setModule(10, 10, 0.5);
+  search.update(all);
+  // The four darkest of {0.6, and the quiet zone's 1.0 …} give AL = 0.9 and threshold 0.45.
+  EXPECT_NEAR(search.worstExcess(), 0.05, 1e-12);
+}
+
+TEST_F(DepthSearchTest, EndsAfterTheGivenNumberOfIterations) {
+  darken(10, 10);
+  DepthSearch search = start(1e6, {.maxIterations = 7});
+  int updates = 0;
+  while (!search.finished()) {
+    search.update(luminances(search, [](int, int, double) { return 1.0; }));
+    ++updates;
+  }
+  EXPECT_EQ(updates, 7);
+}
+
+}  // namespace
+}  // namespace qrelief

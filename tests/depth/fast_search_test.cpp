@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "depth/fast_search.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <memory>
+
+#include "depth/depth_search.h"
+#include "depth/submodule_luminances.h"
+
+namespace qrelief {
+namespace {
+
+constexpr double kContrast = 0.3;
+
+/// Fixture with a real symbol on a made-up surface. PocketSky with interreflection gives the light; each submodule is
+/// up to a twentieth brighter or darker than that.
+class FastSearchTest : public testing::Test {
+ protected:
+  FastSearchTest()
+      : symbol_(*encodeSymbol("https://qrelief.example", {})),
+        mask_(submodulesToCarve(symbol_, ModulePattern::Square, FinderPattern::ThickPlus)),
+        sky_(mask_, kSymbolMm / mask_.size) {}
+
+  static constexpr double kSymbolMm = 25;
+
+  CarvingTarget target(double limitMm) const {
+    return {&symbol_, &mask_, kSymbolMm, std::vector<double>(mask_.carved.size(), limitMm)};
+  }
+
+  std::vector<double> luminances(const DepthField& field) const {
+    const int edge = 5 * (symbol_.size + 8);
+    std::vector<double> all(static_cast<std::size_t>(edge * edge), 1.0), depths;
+    for (const std::uint32_t i : sky_.carved()) depths.push_back(field.depthMm[i]);
+    const PocketSky::Depths onPlane(sky_, depths);
+    for (std::size_t k = 0; k < depths.size(); ++k) {
+      const int row = static_cast<int>(sky_.carved()[k]) / mask_.size;
+      const int column = static_cast<int>(sky_.carved()[k]) % mask_.size;
+      const double sky = onPlane.fraction(k, depths[k]), uneven = 1 + 0.05 * std::sin(7.0 * row + 3.0 * column);
+      all[static_cast<std::size_t>((row + 20) * edge + column + 20)] = uneven * sky / (1 - 0.7 * (1 - sky));
+    }
+    return all;
+  }
+
+  /// @returns the total number of submodule measurements
+  std::size_t run(DepthSolver& solver) const {
+    std::size_t measured = 0;
+    while (!solver.finished()) {
+      measured += solver.due().empty() ? sky_.carved().size() : solver.due().size();
+      solver.update(luminances(solver.depths()));
+    }
+    return measured;
+  }
+
+  /// Returns the number of submodules with G > 0, if all light modules have luminance 1.
+  int tooBright(const DepthField& field) const {
+    const std::vector<double> all = luminances(field);
+    const SubmoduleLuminances seen(all, symbol_.size);
+    int count = 0;
+    for (const std::uint32_t i : sky_.carved())
+      count += seen.of(static_cast<int>(i) / mask_.size, static_cast<int>(i) % mask_.size) > 1 - kContrast;
+    return count;
+  }
+
+  double meanMm(const DepthField& field) const {
+    double sum = 0;
+    for (const double depth : field.depthMm) sum += depth;
+    return sum / static_cast<double>(sky_.carved().size());
+  }
+
+  Symbol symbol_;
+  SubmoduleMask mask_;
+  PocketSky sky_;
+};
+
+TEST_F(FastSearchTest, ReachesThePapersGoalWithHalfTheMeasuringAndNoDeeper) {
+  FastSearch fast(target(5), {.contrast = kContrast});
+  DepthSearch paper(target(5), {.contrast = kContrast});
+  const std::size_t measured = run(fast), measuredByPaper = run(paper);
+  EXPECT_EQ(tooBright(fast.depths()), 0);
+  EXPECT_EQ(tooBright(paper.depths()), 0);
+  EXPECT_LT(fast.iterations(), paper.iterations());
+  EXPECT_LE(2 * measured, measuredByPaper);
+  EXPECT_LE(meanMm(fast.depths()), meanMm(paper.depths()));
+  EXPECT_EQ(fast.limitedCount(), 0u);
+}
+
+TEST_F(FastSearchTest, AModuleOfWhichMoreIsAskedGetsAllOfItAndOthersHardlyMore) {
+  FastSearchOptions options{.contrast = kContrast};
+  options.contrastOfModule.assign(symbol_.dark.size(), kContrast);
+  const auto isAsked = [&](int row, int column) { return (row / 5 + column / 5) % 2 == 0; };  // a chessboard of modules
+  for (int row = 0; row < symbol_.size; ++row)
+    for (int column = 0; column < symbol_.size; ++column)
+      if (isAsked(5 * row, 5 * column))
+        options.contrastOfModule[static_cast<std::size_t>(row * symbol_.size + column)] = 0.45;
+  FastSearch uneven(target(5), options), even(target(5), {.contrast = kContrast});
+  run(uneven);
+  run(even);
+  const std::vector<double> all = luminances(uneven.depths());
+  const SubmoduleLuminances seen(all, symbol_.size);
+  double asked = 0, askedBefore = 0, others = 0, othersBefore = 0;
+  for (const std::uint32_t i : sky_.carved()) {
+    const int row = static_cast<int>(i) / mask_.size, column = static_cast<int>(i) % mask_.size;
+    EXPECT_LE(seen.of(row, column), 1 - (isAsked(row, column) ? 0.45 : kContrast));
+    (isAsked(row, column) ? asked : others) += uneven.depths().depthMm[i];
+    (isAsked(row, column) ? askedBefore : othersBefore) += even.depths().depthMm[i];
+  }
+  EXPECT_GT(asked, 1.3 * askedBefore);
+  EXPECT_LT(others, 1.15 * othersBefore);
+}
+
+TEST_F(FastSearchTest, BeginningAtWhatAnotherFoundItMeasuresLessAndEndsNoDeeper) {
+  FastSearchOptions options{.contrast = kContrast};
+  options.contrastOfModule.assign(symbol_.dark.size(), kContrast);
+  for (std::size_t module = 0; module < symbol_.dark.size(); module += 3) options.contrastOfModule[module] = 0.33;
+  FastSearch before(target(5), {.contrast = kContrast, .maxIterations = 4});
+  run(before);
+  FastSearch after(target(5), options, &before), anew(target(5), options);
+  const std::size_t measured = run(after), measuredAnew = run(anew);
+  EXPECT_LT(static_cast<double>(measured), 0.75 * static_cast<double>(measuredAnew));
+  EXPECT_LT(meanMm(after.depths()), 1.01 * meanMm(anew.depths()));
+  EXPECT_EQ(after.limitedCount(), 0u);
+  const std::vector<double> all = luminances(after.depths());
+  const SubmoduleLuminances seen(all, symbol_.size);
+  for (const std::uint32_t i : sky_.carved()) {
+    const int row = static_cast<int>(i) / mask_.size, column = static_cast<int>(i) % mask_.size;
+    const auto module = static_cast<std::size_t>(row / 5 * symbol_.size + column / 5);
+    EXPECT_LE(seen.of(row, column), 1 - options.contrastOfModule[module]);
+  }
+}
+
+TEST_F(FastSearchTest, NeedsNoLuminanceButThatOfWhatIsDueAndLooksAtAllInTheEnd) {
+  FastSearch fast(target(5), {.contrast = kContrast});
+  const int edge = 5 * (symbol_.size + 8);
+  std::vector<double> told = luminances(fast.depths());
+  std::size_t measured = 0;
+  bool allInTheEnd = false;
+  while (!fast.finished()) {
+    const bool all = fast.due().empty();
+    measured += all ? sky_.carved().size() : fast.due().size();
+    allInTheEnd = allInTheEnd || (all && fast.iterations() >= 3);
+    const std::vector<double> now = luminances(fast.depths());
+    for (const std::uint32_t i : all ? std::span<const std::uint32_t>(sky_.carved()) : fast.due()) {
+      const auto at = static_cast<std::size_t>((static_cast<int>(i) / mask_.size + 20) * edge +
+                                               static_cast<int>(i) % mask_.size + 20);
+      told[at] = now[at];
+    }
+    fast.update(told);
+  }
+  EXPECT_TRUE(allInTheEnd);
+  EXPECT_EQ(tooBright(fast.depths()), 0);
+  EXPECT_LT(measured, static_cast<std::size_t>(fast.iterations()) * sky_.carved().size() * 3 / 4);
+}
+
+TEST_F(FastSearchTest, LeavesFewSubmodulesDeeperThanTheyMustBe) {
+  FastSearch fast(target(5), {.contrast = kContrast, .slackMm = 0.05});
+  run(fast);
+  int tooDeep = 0;
+  for (const std::uint32_t i : sky_.carved()) {
+    DepthField less = fast.depths();
+    less.depthMm[i] = std::max(0.01, less.depthMm[i] - 0.1);
+    tooDeep += tooBright(less) == 0;
+  }
+  EXPECT_LE(tooDeep, static_cast<int>(sky_.carved().size()) / 100);
+}
+
+TEST_F(FastSearchTest, StopsAtTheLimitsAndCountsWhatTheyKeepTooBright) {
+  FastSearch fast(target(0.123), {.contrast = kContrast});
+  run(fast);
+  for (const double depth : fast.depths().depthMm) EXPECT_LE(depth, 0.123);
+  EXPECT_EQ(fast.limitedCount(), static_cast<std::size_t>(tooBright(fast.depths())));
+  EXPECT_GT(fast.limitedCount(), 0u);
+}
+
+TEST_F(FastSearchTest, WhereThereIsNoRoomNothingIsCarved) {
+  FastSearch fast(target(0), {.contrast = kContrast});
+  run(fast);
+  EXPECT_EQ(fast.iterations(), 1);
+  EXPECT_EQ(meanMm(fast.depths()), 0);
+  EXPECT_EQ(fast.limitedCount(), sky_.carved().size());
+}
+
+}  // namespace
+}  // namespace qrelief

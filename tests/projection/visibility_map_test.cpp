@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "projection/visibility_map.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "support/gl_test.h"
+#include "support/shapes.h"
+
+namespace qrelief {
+namespace {
+
+class EyeReachTest : public GlTest {
+ protected:
+  void SetUp() override {
+    auto made = GeometryPass::create();
+    ASSERT_TRUE(made.has_value()) << made.error().message;
+    pass_ = std::make_unique<GeometryPass>(std::move(*made));
+  }
+  VisibilityMap look(const Mesh& mesh, Vec3 centre, double extentMm) {
+    const GpuMesh gpu(mesh, vertexNormals(mesh));
+    auto reach =
+        lookAround(lookByRendering(*pass_, gpu), makeFrame(centre, {0, 0, 1}, {0, 1, 0}, 250), {extentMm, 128});
+    EXPECT_TRUE(reach.has_value());
+    return *reach;
+  }
+  std::unique_ptr<GeometryPass> pass_;
+};
+
+TEST_F(EyeReachTest, SquaresOnABoxesTopAreTheClosedFormToATexel) {
+  const VisibilityMap reach = look(shapes::box({60, 60, 20}), {0, 0, 10}, 100);
+  const double texel = reach.window.texelMm();
+  EXPECT_NEAR(reach.freeMm(), std::numbers::sqrt2 * 30, 2 * texel);
+  EXPECT_NEAR(reach.alignedMm(0), 60, 2 * texel);
+  EXPECT_NEAR(reach.alignedMm(std::numbers::pi / 4), std::numbers::sqrt2 * 30, 2 * texel);
+}
+
+TEST_F(EyeReachTest, TheFractionThatMissesIsThatOfTheAreas) {
+  const VisibilityMap reach = look(shapes::box({60, 60, 20}), {10, 0, 10}, 100);
+  EXPECT_EQ(reach.missingFraction(38, 0), 0);
+  // 10 mm of a 60 mm square about the centre lie beyond the edge.
+  EXPECT_NEAR(reach.missingFraction(60, 0), 1 / 6.0, 0.03);
+}
+
+TEST_F(EyeReachTest, WhatStandsApartIsSeenButNotReached) {
+  const Mesh two =
+      shapes::together(shapes::box({20, 20, 20}), shapes::translated(shapes::box({20, 20, 20}), {25, 0, 0}));
+  VisibilityMap reach = look(two, {0, 0, 10}, 80);
+  const auto texel = [&](double x) { return static_cast<int>((x / 80 + 0.5) * 128); };
+  EXPECT_TRUE(reach.isReached(texel(8), 64));
+  EXPECT_FALSE(reach.isReached(texel(25), 64));
+  reach.trust();
+  EXPECT_TRUE(reach.isReached(texel(25), 64));
+}
+
+TEST_F(EyeReachTest, NothingIsReachedFromACentreThatIsHidden) {
+  const Mesh two =
+      shapes::together(shapes::box({20, 20, 20}), shapes::translated(shapes::box({20, 20, 2}), {0, 0, 60}));
+  const VisibilityMap reach = look(two, {0, 0, 10}, 40);
+  EXPECT_LT(reach.freeMm(), reach.window.texelMm());
+  EXPECT_EQ(reach.missingFraction(10, 0), 1);
+}
+
+}  // namespace
+}  // namespace qrelief
