@@ -23,7 +23,16 @@ const kRules = {
 const kAtBuild = ['web/offline/{app_icon,build_plugin,icons,png}.js', 'web/samples/*.js', 'web/i18n/fill.js'];
 
 /** Files run at a terminal, and tests that print measurements. */
-const kOnTerminal = ['bench/**/*.mjs', 'study/**/*.mjs', 'script/cmake/*.js', 'e2e/**/*.js', 'wasm/**/*.js', 'web/offline/icons.js', 'web/samples/generate.js', '*.js'];
+const kOnTerminal = [
+  'bench/**/*.mjs',
+  'study/**/*.mjs',
+  'script/cmake/*.js',
+  'e2e/**/*.js',
+  'wasm/**/*.js',
+  'web/offline/icons.js',
+  'web/samples/generate.js',
+  '*.js',
+];
 
 export default [
   { ignores: ['build/', 'dist/', 'e2e/results/'] },
@@ -41,7 +50,15 @@ export default [
   { files: ['e2e/**/*.js'], languageOptions: { globals: { ...globals.node, ...globals.browser } } },
   {
     files: [
-      'bench/**/*.mjs', 'study/**/*.mjs', 'study/**/*.js', 'script/cmake/*.js', 'wasm/**/*.js', '*.js', '**/*.test.js', 'web/session/testing.js', ...kAtBuild,
+      'bench/**/*.mjs',
+      'study/**/*.mjs',
+      'study/**/*.js',
+      'script/cmake/*.js',
+      'wasm/**/*.js',
+      '*.js',
+      '**/*.test.js',
+      'web/session/testing.js',
+      ...kAtBuild,
     ],
     languageOptions: { globals: globals.node },
   },

@@ -13,8 +13,15 @@ const moduleFolder = process.env.QRELIEF_WASM_DIR ?? `${root}build/wasm/wasm`;
 
 /** The policy for a page of this origin: it fetches nothing from other origins and sends nothing to them. */
 const kPolicy = [
-  "default-src 'none'", "script-src 'self' 'wasm-unsafe-eval'", "worker-src 'self'", "connect-src 'self'",
-  "style-src 'self'", "img-src 'self' data:", "manifest-src 'self'", "base-uri 'none'", "form-action 'none'",
+  "default-src 'none'",
+  "script-src 'self' 'wasm-unsafe-eval'",
+  "worker-src 'self'",
+  "connect-src 'self'",
+  "style-src 'self'",
+  "img-src 'self' data:",
+  "manifest-src 'self'",
+  "base-uri 'none'",
+  "form-action 'none'",
 ].join('; ');
 
 /** @returns {import('vite').Plugin} */
@@ -24,7 +31,9 @@ function requireModule() {
     buildStart() {
       for (const file of ['qrelief.js', 'qrelief.wasm', 'qrelief_inspector.wasm']) {
         if (!existsSync(`${moduleFolder}/${file}`)) {
-          this.error(`${moduleFolder}/${file} is not there: build the module first (cmake --preset wasm && cmake --build --preset wasm)`);
+          this.error(
+            `${moduleFolder}/${file} is not there: build the module first (cmake --preset wasm && cmake --build --preset wasm)`,
+          );
         }
       }
     },
@@ -62,14 +71,24 @@ export default defineConfig({
     },
   },
   plugins: [
-    requireModule(), texts(), oneLanguage(), study({ tables: `${root}study/results` }),
-    gallery({ pictures: `${root}build/gallery` }), contentSecurityPolicy(),
+    requireModule(),
+    texts(),
+    oneLanguage(),
+    study({ tables: `${root}study/results` }),
+    gallery({ pictures: `${root}build/gallery` }),
+    contentSecurityPolicy(),
     offline({ site: process.env.QRELIEF_SITE }),
   ],
   worker: { format: 'es' },
   build: {
-    outDir: `${root}dist`, emptyOutDir: true, target: 'es2022', assetsInlineLimit: 0, modulePreload: { polyfill: false },
-    rolldownOptions: { input: ['index', 'guide', 'method', 'study', 'gallery'].map((page) => `${root}web/${page}.html`) },
+    outDir: `${root}dist`,
+    emptyOutDir: true,
+    target: 'es2022',
+    assetsInlineLimit: 0,
+    modulePreload: { polyfill: false },
+    rolldownOptions: {
+      input: ['index', 'guide', 'method', 'study', 'gallery'].map((page) => `${root}web/${page}.html`),
+    },
   },
   server: { fs: { allow: [root, moduleFolder] } },
 });

@@ -14,17 +14,20 @@ import { preview } from 'vite';
 
 const [model = 'bunny', rowsGiven = '200', printEvery = '1000000'] = process.argv.slice(2);
 const rows = Number(rowsGiven);
-const kEarly = 5;  // rows before the first look at memory
-const kLooks = 12, kBetweenLooksMs = 400;  // an engine rests only between rows: its least use counts
+const kEarly = 5; // rows before the first look at memory
+const kLooks = 12,
+  kBetweenLooksMs = 400; // an engine rests only between rows: its least use counts
 
 const server = await preview({ preview: { host: '127.0.0.1', port: 0 } });
 mkdirSync('build/bench', { recursive: true });
 const folder = mkdtempSync('build/bench/chromium-');
 const context = await chromium.launchPersistentContext(folder, {
-  executablePath: process.env.QRELIEF_CHROMIUM ?? '/usr/bin/chromium', viewport: { width: 1280, height: 800 }, serviceWorkers: 'block',
+  executablePath: process.env.QRELIEF_CHROMIUM ?? '/usr/bin/chromium',
+  viewport: { width: 1280, height: 800 },
+  serviceWorkers: 'block',
   args: ['--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--no-sandbox'],
 });
-const page = context.pages()[0] ?? await context.newPage();
+const page = context.pages()[0] ?? (await context.newPage());
 
 /** Asks the workers of all engines on the page. */
 await page.addInitScript(() => {
@@ -40,19 +43,25 @@ await page.addInitScript(() => {
       super.terminate();
     }
   };
-  globalThis.engineMemory = () => Promise.all([...engines].map((worker) => new Promise((resolve) => {
-    const id = `bench ${Math.random()}`;
-    const listen = ({ data }) => {
-      if (data.id !== id) return;
-      worker.removeEventListener('message', listen);
-      resolve(data.value);
-    };
-    worker.addEventListener('message', listen);
-    worker.postMessage({ id, verb: 'memory', args: [] });
-  })));
+  globalThis.engineMemory = () =>
+    Promise.all(
+      [...engines].map(
+        (worker) =>
+          new Promise((resolve) => {
+            const id = `bench ${Math.random()}`;
+            const listen = ({ data }) => {
+              if (data.id !== id) return;
+              worker.removeEventListener('message', listen);
+              resolve(data.value);
+            };
+            worker.addEventListener('message', listen);
+            worker.postMessage({ id, verb: 'memory', args: [] });
+          }),
+      ),
+    );
 });
 
-const kTicksPerSecond = 100;  // unit of processor time in /proc, on every Linux
+const kTicksPerSecond = 100; // unit of processor time in /proc, on every Linux
 
 /**
  * Sums memory in MB and processor time in s over the processes that name the folder on their command line, and their
@@ -64,17 +73,22 @@ function processes() {
     try {
       return readFileSync(`/proc/${pid}/${file}`, 'utf8');
     } catch {
-      return '';  // the process has ended
+      return ''; // the process has ended
     }
   };
   const parents = new Map(pids.map((pid) => [pid, /^PPid:\s*(\d+)/m.exec(read(pid, 'status'))?.[1] ?? '0']));
-  const isOurs = (pid) => pid !== '0' && parents.has(pid) && (read(pid, 'cmdline').includes(basename(folder)) || isOurs(parents.get(pid)));
+  const isOurs = (pid) =>
+    pid !== '0' && parents.has(pid) && (read(pid, 'cmdline').includes(basename(folder)) || isOurs(parents.get(pid)));
   const kinds = { renderer: 0, gpu: 0, other: 0 };
   let seconds = 0;
   for (const pid of pids.filter(isOurs)) {
     const kind = /--type=(renderer|gpu)/.exec(read(pid, 'cmdline'))?.[1] ?? 'other';
     kinds[kind] += Number(/^Pss:\s*(\d+)/m.exec(read(pid, 'smaps_rollup'))?.[1] ?? 0) / 1024;
-    const [user = 0, system = 0] = read(pid, 'stat').replace(/^.*\) /s, '').split(' ').slice(11, 13).map(Number);
+    const [user = 0, system = 0] = read(pid, 'stat')
+      .replace(/^.*\) /s, '')
+      .split(' ')
+      .slice(11, 13)
+      .map(Number);
     seconds += (user + system) / kTicksPerSecond;
   }
   return { ...kinds, seconds };
@@ -92,9 +106,11 @@ async function memory() {
   const { renderer, gpu, other, seconds } = processes();
   return {
     seconds,
-    words: `engines use ${mb('usedBytes')} MB of heaps of ${mb('heapBytes')} MB; processes ${(renderer + gpu + other).toFixed(0)} MB ` +
+    words:
+      `engines use ${mb('usedBytes')} MB of heaps of ${mb('heapBytes')} MB; processes ${(renderer + gpu + other).toFixed(0)} MB ` +
       `(renderer ${renderer.toFixed(0)}, GPU ${gpu.toFixed(0)})`,
-    used: engines.reduce((sum, { usedBytes }) => sum + usedBytes, 0), heap: engines.reduce((sum, { heapBytes }) => sum + heapBytes, 0),
+    used: engines.reduce((sum, { usedBytes }) => sum + usedBytes, 0),
+    heap: engines.reduce((sum, { heapBytes }) => sum + heapBytes, 0),
     processes: renderer + gpu + other,
   };
 }
@@ -123,8 +139,13 @@ try {
   await page.getByText(`${rows} parts,`).waitFor();
   await page.getByRole('status').getByText('Ready.').waitFor({ timeout: 300_000 });
   await page.getByRole('button', { name: 'Engrave the first part' }).click();
-  await page.getByRole('status').getByText(/^Engraved/).waitFor({ timeout: 600_000 });
-  console.log(`${await page.locator('#model-state').innerText()}; ${await page.locator('#placement-facts').innerText()}; first part ${await page.locator('#numbers dd').nth(2).innerText()}`);
+  await page
+    .getByRole('status')
+    .getByText(/^Engraved/)
+    .waitFor({ timeout: 600_000 });
+  console.log(
+    `${await page.locator('#model-state').innerText()}; ${await page.locator('#placement-facts').innerText()}; first part ${await page.locator('#numbers dd').nth(2).innerText()}`,
+  );
   await page.getByText(/^Simulating the print/).waitFor({ state: 'detached', timeout: 600_000 });
   await page.locator('#print-every').fill(printEvery);
   const begun = Date.now();
@@ -134,21 +155,26 @@ try {
   await untilFinished(kEarly);
   const early = await memory();
   console.log(`first row after ${((first - begun) / 1000).toFixed(1)} s; after row ${kEarly}: ${early.words}`);
-  const from = Date.now(), before = kEarly;
+  const from = Date.now(),
+    before = kEarly;
   let late = early;
   for (let row = 25; row < rows; row += 25) {
     await untilFinished(row);
     late = await memory();
     console.log(`row ${row}: ${((Date.now() - from) / 1000 / (row - before)).toFixed(2)} s a row; ${late.words}`);
   }
-  await untilFinished(rows - 6);  // both engines are still at work
+  await untilFinished(rows - 6); // both engines are still at work
   late = await memory();
   const cpu = (late.seconds - early.seconds) / (rows - 6 - before);
   const grown = (key) => `${(100 * (late[key] / early[key] - 1)).toFixed(1)} %`;
   console.log(`at the end: ${late.words}`);
   await untilFinished(rows);
-  console.log(`${((Date.now() - from) / 1000 / (rows - before)).toFixed(2)} s a row over ${rows - before} rows, ${cpu.toFixed(2)} s of the processor; ${await page.locator('#parts-state').innerText()}`);
-  console.log(`memory since row ${kEarly}: in use ${grown('used')}, heaps ${grown('heap')}, processes ${grown('processes')}`);
+  console.log(
+    `${((Date.now() - from) / 1000 / (rows - before)).toFixed(2)} s a row over ${rows - before} rows, ${cpu.toFixed(2)} s of the processor; ${await page.locator('#parts-state').innerText()}`,
+  );
+  console.log(
+    `memory since row ${kEarly}: in use ${grown('used')}, heaps ${grown('heap')}, processes ${grown('processes')}`,
+  );
 } finally {
   await context.close();
   rmSync(folder, { recursive: true, force: true });

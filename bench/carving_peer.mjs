@@ -58,9 +58,14 @@ for (const { name, model, triangles, pattern, volumeMm3, ours } of cases) {
   const { preserved, resampled } = ours;
   const theirs = subtract(name);
   const cells = [
-    basename(model), triangles, pattern, `${preserved.ms.toFixed(0)} (${resampled.ms.toFixed(0)})`,
-    `${theirs.ms.toFixed(0)} (${theirs.takeMs.toFixed(0)})`, (preserved.ms / theirs.ms).toFixed(2),
-    `${preserved.triangles} (${resampled.triangles})`, theirs.triangles,
+    basename(model),
+    triangles,
+    pattern,
+    `${preserved.ms.toFixed(0)} (${resampled.ms.toFixed(0)})`,
+    `${theirs.ms.toFixed(0)} (${theirs.takeMs.toFixed(0)})`,
+    (preserved.ms / theirs.ms).toFixed(2),
+    `${preserved.triangles} (${resampled.triangles})`,
+    theirs.triangles,
     `${(volumeMm3 - preserved.volumeMm3).toFixed(2)}, ${(volumeMm3 - theirs.volume).toFixed(2)}`,
   ];
   console.log(`| ${cells.join(' | ')} |`);

@@ -16,16 +16,22 @@ const kWait = { timeout: 120_000 };
 /** In the page: notes when the file and the print are ready after a click. @param {Element} button */
 function watch(button) {
   const { document, performance, MutationObserver } = /** @type {any} */ (globalThis);
-  /** @type {{ file?: number, print?: number }} */ const seconds = /** @type {any} */ (globalThis).seconds = {};
-  button.addEventListener('click', () => {
-    const start = performance.now();
-    new MutationObserver(() => {
-      const since = (performance.now() - start) / 1000;
-      const download = document.getElementById('download'), lines = document.querySelectorAll('#verdict > li');
-      if (download.offsetParent && !download.disabled) seconds.file ??= since;
-      if (seconds.file !== undefined && lines.length > 0 && !document.querySelector('#verdict > .under-way')) seconds.print ??= since;
-    }).observe(document.body, { attributes: true, childList: true, subtree: true });
-  }, { capture: true, once: true });
+  /** @type {{ file?: number, print?: number }} */ const seconds = /** @type {any} */ (globalThis.seconds = {});
+  button.addEventListener(
+    'click',
+    () => {
+      const start = performance.now();
+      new MutationObserver(() => {
+        const since = (performance.now() - start) / 1000;
+        const download = document.getElementById('download'),
+          lines = document.querySelectorAll('#verdict > li');
+        if (download.offsetParent && !download.disabled) seconds.file ??= since;
+        if (seconds.file !== undefined && lines.length > 0 && !document.querySelector('#verdict > .under-way'))
+          seconds.print ??= since;
+      }).observe(document.body, { attributes: true, childList: true, subtree: true });
+    },
+    { capture: true, once: true },
+  );
 }
 
 const server = await preview({ preview: { host: '127.0.0.1', port: 0 }, build: { outDir: resolve(folder) } });
@@ -38,28 +44,44 @@ const page = await browser.newPage({ viewport: { width: 1280, height: 800 }, ser
 await page.goto(`${address}`);
 const chooser = page.getByRole('combobox', { name: 'Sample model' });
 await page.getByRole('status').filter({ hasText: 'Ready.' }).waitFor(kWait);
-const samples = wanted.length > 0 ? wanted
-  : await chooser.locator('option[value]:not([value=""])').evaluateAll((options) => options.map((option) => option.value));
+const samples =
+  wanted.length > 0
+    ? wanted
+    : await chooser
+        .locator('option[value]:not([value=""])')
+        .evaluateAll((options) => options.map((option) => option.value));
 mkdirSync('build/bench', { recursive: true });
-console.log('| sample | mm wide | click to file, s | click to the print’s verdict, s | reads | prints | solid |\n|---|---:|---:|---:|---|---|---|');
+console.log(
+  '| sample | mm wide | click to file, s | click to the print’s verdict, s | reads | prints | solid |\n|---|---:|---:|---:|---|---|---|',
+);
 /** @type {string[]} */ const stages = [];
 for (const sample of samples) {
   await page.goto(`${address}?sample=${sample}&text=${encodeURIComponent(kText)}`);
   const button = page.getByRole('button', { name: 'Engrave', exact: true });
   await page.getByRole('status').filter({ hasText: 'Ready.' }).waitFor(kWait);
   await page.locator('#placement-facts').filter({ hasText: 'mm wide' }).waitFor(kWait);
-  await page.waitForTimeout(1500);  // work that is prepared while the user looks
+  await page.waitForTimeout(1500); // work that is prepared while the user looks
   const width = /^([\d.]+) mm wide/.exec(await page.locator('#placement-facts').innerText())?.[1];
   await button.evaluate(watch);
   await button.click();
-  const lines = page.getByRole('region', { name: 'Result' }).getByRole('list', { name: 'Verdict' }).getByRole('listitem');
+  const lines = page
+    .getByRole('region', { name: 'Result' })
+    .getByRole('list', { name: 'Verdict' })
+    .getByRole('listitem');
   await page.waitForFunction(() => /** @type {any} */ (globalThis).seconds?.print !== undefined, undefined, kWait);
   const { file, print } = await page.evaluate(() => /** @type {any} */ (globalThis).seconds);
   const levels = await lines.evaluateAll((items) => items.map((item) => item.textContent?.trim().slice(0, 60)));
   await page.screenshot({ path: `build/bench/click-${sample}.png` });
-  const [saved] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Save report' }).click()]);
+  const [saved] = await Promise.all([
+    page.waitForEvent('download'),
+    page.getByRole('button', { name: 'Save report' }).click(),
+  ]);
   const { timingsMs } = JSON.parse(readFileSync(await saved.path(), 'utf8'));
-  stages.push(`${sample}: ${Object.entries(timingsMs).map(([stage, ms]) => `${stage} ${Math.round(Number(ms))}`).join(', ')} ms`);
+  stages.push(
+    `${sample}: ${Object.entries(timingsMs)
+      .map(([stage, ms]) => `${stage} ${Math.round(Number(ms))}`)
+      .join(', ')} ms`,
+  );
   console.log(`| ${sample} | ${width} | ${file.toFixed(2)} | ${print.toFixed(2)} | ${levels.join(' | ')} |`);
 }
 console.log(`\nStages:\n\n${stages.join('\n')}`);

@@ -21,9 +21,25 @@ const folder = mkdtempSync(join(tmpdir(), 'qrelief-proof-'));
  * @param {string} command @param {string[]} args */
 function run(command, args) {
   const report = join(folder, 'r.json');
-  const all = ['engrave', model, '--scale', scale, '--text', kText, '-o', join(folder, 'c.stl'), '--report', report, '--quiet', ...args];
-  const done = spawnSync('bash', ['-c', 'TIMEFORMAT="%R %U %S"; time "$@" >/dev/null 2>/dev/null', 'run', command, ...all],
-    { encoding: 'utf8', env: { ...process.env, QRELIEF_GL: 'software' } });
+  const all = [
+    'engrave',
+    model,
+    '--scale',
+    scale,
+    '--text',
+    kText,
+    '-o',
+    join(folder, 'c.stl'),
+    '--report',
+    report,
+    '--quiet',
+    ...args,
+  ];
+  const done = spawnSync(
+    'bash',
+    ['-c', 'TIMEFORMAT="%R %U %S"; time "$@" >/dev/null 2>/dev/null', 'run', command, ...all],
+    { encoding: 'utf8', env: { ...process.env, QRELIEF_GL: 'software' } },
+  );
   const [wall, user, system] = done.stderr.trim().split('\n').at(-1).split(' ').map(Number);
   return { wall, processor: user + system, stages: JSON.parse(readFileSync(report, 'utf8')).timingsMs };
 }
@@ -34,7 +50,9 @@ const kCases = {
   'best spot, 36 mm': ['--size', '36'],
 };
 
-console.log('| | seconds, other | this | ratio | of the processor, other | this | ratio |\n|---|---:|---:|---:|---:|---:|---:|');
+console.log(
+  '| | seconds, other | this | ratio | of the processor, other | this | ratio |\n|---|---:|---:|---:|---:|---:|---:|',
+);
 /** @type {string[]} */ const stages = [];
 for (const [name, args] of Object.entries(kCases)) {
   const best = [other, kOurs].map(() => ({ wall: Infinity, processor: Infinity, stages: {} }));
@@ -45,9 +63,20 @@ for (const [name, args] of Object.entries(kCases)) {
       best[which].processor = Math.min(best[which].processor, processor);
     });
   const [old, ours] = best;
-  const columns = [old.wall, ours.wall, ours.wall / old.wall, old.processor, ours.processor, ours.processor / old.processor];
+  const columns = [
+    old.wall,
+    ours.wall,
+    ours.wall / old.wall,
+    old.processor,
+    ours.processor,
+    ours.processor / old.processor,
+  ];
   console.log(`| ${name} | ${columns.map((value) => value.toFixed(2)).join(' | ')} |`);
-  stages.push(`${name}: ${Object.entries(ours.stages).map(([stage, ms]) => `${stage} ${Math.round(ms)}`).join(', ')} ms`);
+  stages.push(
+    `${name}: ${Object.entries(ours.stages)
+      .map(([stage, ms]) => `${stage} ${Math.round(ms)}`)
+      .join(', ')} ms`,
+  );
 }
 console.log(`\nStages of this build:\n\n${stages.join('\n')}`);
 rmSync(folder, { recursive: true });

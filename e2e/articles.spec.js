@@ -15,7 +15,9 @@ function listen(page) {
 
 /** @param {Page} page */
 async function expectNoSidewaysScroll(page) {
-  expect(await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth)).toBe(0);
+  expect(await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth)).toBe(
+    0,
+  );
 }
 
 test('The guide names the widths of codes, and its plate opens in the app, carved', async ({ page }) => {
@@ -29,7 +31,8 @@ test('The guide names the widths of codes, and its plate opens in the app, carve
   await expect(row).toContainText(/29 × 29\s*17\.4 mm\s*34\.8 mm/);
   await expectNoSidewaysScroll(page);
   await expectNoViolations(page, 'guide');
-  if (test.info().project.name === 'phone') {  // the rest does not depend on the layout
+  if (test.info().project.name === 'phone') {
+    // the rest does not depend on the layout
     expect(complaints).toEqual([]);
     return;
   }
@@ -54,10 +57,17 @@ test('The method page computes its pictures, and reads the one that the phone se
   await page.goto('./method.html');
   await expect(page.getByRole('status')).toHaveText(/^Done in [\d.]+ seconds\.$/, { timeout: 300_000 });
   await expect(page.getByText('Decoded: https://en.wikipedia.org/wiki/QR_code')).toBeVisible();
-  for (const name of [/Normals of the surface/, /Height above the plane/, /The light that arrives/, /The final depths/, /The view of the phone/]) {
+  for (const name of [
+    /Normals of the surface/,
+    /Height above the plane/,
+    /The light that arrives/,
+    /The final depths/,
+    /The view of the phone/,
+  ]) {
     const colours = await page.getByRole('img', { name }).evaluate((element) => {
       const canvas = /** @type {HTMLCanvasElement} */ (element);
-      const pixels = canvas.getContext('2d')?.getImageData(0, 0, canvas.width, canvas.height).data ?? new Uint8ClampedArray();
+      const pixels =
+        canvas.getContext('2d')?.getImageData(0, 0, canvas.width, canvas.height).data ?? new Uint8ClampedArray();
       return new Set(new Uint32Array(pixels.buffer)).size;
     });
     expect(colours, String(name)).toBeGreaterThan(20);

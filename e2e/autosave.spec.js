@@ -4,7 +4,9 @@ import { Engraver } from './support/engraver.js';
 import { untilKept } from './support/kept.js';
 import { saddleFile } from './support/models.js';
 
-test('What was done is offered after a reload and comes back; what was only looked at or was discarded is not offered', async ({ page }) => {
+test('What was done is offered after a reload and comes back; what was only looked at or was discarded is not offered', async ({
+  page,
+}) => {
   const app = new Engraver(page);
   const offer = page.getByText(/^Continue with .*\?$/);
   await app.open();
@@ -48,8 +50,15 @@ test('What was done is offered after a reload and comes back; what was only look
     await expect.poll(() => app.centre()).not.toEqual(proposed);
     await app.expectReady();
     const centre = await app.centre();
-    await untilKept(page, (kept) => kept?.text === 'to be continued' && kept.values.rotate === '15' && kept.centreMm?.every(
-      (/** @type {number} */ v, /** @type {number} */ axis) => Math.abs(v - centre[axis]) < 0.01));
+    await untilKept(
+      page,
+      (kept) =>
+        kept?.text === 'to be continued' &&
+        kept.values.rotate === '15' &&
+        kept.centreMm?.every(
+          (/** @type {number} */ v, /** @type {number} */ axis) => Math.abs(v - centre[axis]) < 0.01,
+        ),
+    );
 
     await page.reload();
     await app.expectReady();

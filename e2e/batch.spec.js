@@ -7,10 +7,17 @@ import { Engraver } from './support/engraver.js';
 import { bodiesOf, filesOf, unzip } from './support/three_mf.js';
 import { freeze, freezeAt, holdWorkers, thaw } from './support/workers.js';
 
-const kTexts = ['https://example.org/p/1', 'https://example.org/p/2', 'Teil drei, „ö“', 'https://example.org/p/4', 'https://example.org/p/5'];
-const kTooLarge = 3;  // the part whose code does not fit on the plate
+const kTexts = [
+  'https://example.org/p/1',
+  'https://example.org/p/2',
+  'Teil drei, „ö“',
+  'https://example.org/p/4',
+  'https://example.org/p/5',
+];
+const kTooLarge = 3; // the part whose code does not fit on the plate
 /** @param {string[]} texts */
-const csv = (texts) => `id;text;size;bin\n${texts.map((text, i) => `P-${i + 1};${text};${i === kTooLarge ? 200 : ''};A${i}\n`).join('')}`;
+const csv = (texts) =>
+  `id;text;size;bin\n${texts.map((text, i) => `P-${i + 1};${text};${i === kTooLarge ? 200 : ''};A${i}\n`).join('')}`;
 
 /**
  * Fires the event of dropping a file onto the page.
@@ -18,20 +25,27 @@ const csv = (texts) => `id;text;size;bin\n${texts.map((text, i) => `P-${i + 1};$
  * @param {string} name
  * @param {string} content
  */
-const drop = (page, name, content) => page.evaluate(([fileName, text]) => {
-  const dataTransfer = new DataTransfer();
-  dataTransfer.items.add(new File([text], fileName, { type: 'text/csv' }));
-  document.body.dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }));
-}, [name, content]);
+const drop = (page, name, content) =>
+  page.evaluate(
+    ([fileName, text]) => {
+      const dataTransfer = new DataTransfer();
+      dataTransfer.items.add(new File([text], fileName, { type: 'text/csv' }));
+      document.body.dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }));
+    },
+    [name, content],
+  );
 
-test('A list becomes a code for every part, over a reload, and the parts and their manifest are saved as a ZIP', async ({ page }) => {
+test('A list becomes a code for every part, over a reload, and the parts and their manifest are saved as a ZIP', async ({
+  page,
+}) => {
   await page.addInitScript(() => {
-    Object.assign(window, { showSaveFilePicker: undefined });  // a test cannot use the system’s dialog
+    Object.assign(window, { showSaveFilePicker: undefined }); // a test cannot use the system’s dialog
   });
   await page.addInitScript(holdWorkers);
   const app = new Engraver(page);
   const press = (/** @type {string} */ name) => page.getByRole('button', { name, exact: true }).click();
-  const state = page.locator('#parts-state'), plan = page.locator('#code-state');
+  const state = page.locator('#parts-state'),
+    plan = page.locator('#code-state');
   const problems = page.getByRole('list', { name: 'Problems in the list' }).getByRole('listitem');
   const rows = page.getByRole('table', { name: 'Parts' }).getByRole('row');
   const finished = async () => Number(/(\d+) of 5/.exec(await state.innerText())?.[1] ?? 0);
@@ -43,7 +57,10 @@ test('A list becomes a code for every part, over a reload, and the parts and the
     await expect(page.getByRole('radio', { name: 'A code for every part' })).toBeChecked();
     await expect(problems).toHaveText([/^A quotation mark in line 7 of the list is never closed\./]);
     await drop(page, 'parts.csv', csv(kTexts).replace('p/5', 'p/4'));
-    await expect(problems).toHaveText([/^Line 6: The text “https:\/\/example\.org\/p\/4” is also in line 5\. Give every part/, /“bin”|bin/]);
+    await expect(problems).toHaveText([
+      /^Line 6: The text “https:\/\/example\.org\/p\/4” is also in line 5\. Give every part/,
+      /“bin”|bin/,
+    ]);
     await expect(plan).toHaveText('The list has a problem');
     await expectNoViolations(page, 'a list with mistakes');
     await press('Engrave the first part');
@@ -68,7 +85,10 @@ test('A list becomes a code for every part, over a reload, and the parts and the
     await page.getByLabel('Simulate the print of every … part').fill('4');
     await press('Make all 5 parts');
     await freezeAt(state, /[1-9] of 5/);
-    expect(await page.evaluate(() => /** @type {any} */ (window).workers.length), 'the page’s own engine, and two').toBe(3);
+    expect(
+      await page.evaluate(() => /** @type {any} */ (window).workers.length),
+      'the page’s own engine, and two',
+    ).toBe(3);
     await press('Pause');
     await thaw(page);
     await expect(state).toHaveText(/^Paused: \d of 5/);
@@ -115,15 +135,28 @@ test('A list becomes a code for every part, over a reload, and the parts and the
     expect(name).toBe('plate-qr-parts.zip');
     const files = filesOf(bytes);
     expect([...files.keys()]).toEqual(['manifest.jsonl', 'manifest.csv', 'P-1.stl', 'P-2.stl', 'P-3.stl', 'P-5.stl']);
-    const entries = String(files.get('manifest.jsonl')).trimEnd().split('\n').map((line) => JSON.parse(line));
+    const entries = String(files.get('manifest.jsonl'))
+      .trimEnd()
+      .split('\n')
+      .map((line) => JSON.parse(line));
     expect(entries.map(({ text }) => text)).toEqual(kTexts);
     const [failed] = entries.splice(kTooLarge, 1);
-    expect(failed).toMatchObject({ number: 4, id: 'P-4', file: 'P-4.stl', status: 'failed', reason: expect.stringContaining('200 mm') });
+    expect(failed).toMatchObject({
+      number: 4,
+      id: 'P-4',
+      file: 'P-4.stl',
+      status: 'failed',
+      reason: expect.stringContaining('200 mm'),
+    });
     for (const { file, sha256, status, verdict, symbol } of entries) {
       expect(status).toBe('done');
       expect(verdict).toMatchObject({ passed: true, solid: 'good' });
       expect(symbol.version).toBe(2);
-      expect(createHash('sha256').update(/** @type {Buffer} */ (files.get(file))).digest('hex')).toBe(sha256.output);
+      expect(
+        createHash('sha256')
+          .update(/** @type {Buffer} */ (files.get(file)))
+          .digest('hex'),
+      ).toBe(sha256.output);
     }
     expect(entries.map(({ printed }) => printed !== undefined)).toEqual([true, false, false, true]);
     const table = String(files.get('manifest.csv')).trimEnd().split('\r\n');
@@ -136,14 +169,20 @@ test('A list becomes a code for every part, over a reload, and the parts and the
   await test.step('discarded, nothing of it is left', async () => {
     await press('Discard the parts');
     await expectNoViolations(page, 'parts, carved');
-    await page.getByText('Discard 4 engraved parts?').locator('..').getByRole('button', { name: 'Discard the parts' }).click();
+    await page
+      .getByText('Discard 4 engraved parts?')
+      .locator('..')
+      .getByRole('button', { name: 'Discard the parts' })
+      .click();
     await expect(page.getByRole('button', { name: 'Make all 5 parts' })).toBeVisible();
     await expect(page.getByRole('radio', { name: 'One code' })).toBeEnabled();
-    expect(await page.evaluate(async () => {
-      const names = [];
-      for await (const name of /** @type {any} */ (await navigator.storage.getDirectory()).keys()) names.push(name);
-      return names;
-    })).toEqual([]);
+    expect(
+      await page.evaluate(async () => {
+        const names = [];
+        for await (const name of /** @type {any} */ (await navigator.storage.getDirectory()).keys()) names.push(name);
+        return names;
+      }),
+    ).toEqual([]);
   });
 });
 
@@ -184,7 +223,14 @@ test('Numbered parts stand on plates, and the ZIP is written to a file that the 
   };
   expect(namesOn('plate-001.3mf')).toEqual(['1', '2']);
   expect(namesOn('plate-002.3mf')).toEqual(['3']);
-  const lines = String(files.get('manifest.jsonl')).trimEnd().split('\n').map((line) => JSON.parse(line));
-  expect(lines.map(({ text, file }) => `${text} ${file}`)).toEqual(['Nr. 001 plate-001.3mf', 'Nr. 002 plate-001.3mf', 'Nr. 003 plate-002.3mf']);
+  const lines = String(files.get('manifest.jsonl'))
+    .trimEnd()
+    .split('\n')
+    .map((line) => JSON.parse(line));
+  expect(lines.map(({ text, file }) => `${text} ${file}`)).toEqual([
+    'Nr. 001 plate-001.3mf',
+    'Nr. 002 plate-001.3mf',
+    'Nr. 003 plate-002.3mf',
+  ]);
   expect(lines[0].sha256.output).toBe(lines[1].sha256.output);
 });

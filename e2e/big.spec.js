@@ -6,7 +6,7 @@ import { Engraver } from './support/engraver.js';
 
 test('A model of two million triangles is opened, and a code engraved into it reads', async ({ page }, testInfo) => {
   test.setTimeout(600_000);
-  const file = testInfo.outputPath('two million.stl');  // too large for Playwright to pass as a buffer
+  const file = testInfo.outputPath('two million.stl'); // too large for Playwright to pass as a buffer
   writeFileSync(file, wavySphereStl(708));
   const app = new Engraver(page);
   await app.open('?sample=pyramid&text=large');
@@ -20,6 +20,8 @@ test('A model of two million triangles is opened, and a code engraved into it re
   const placed = Date.now();
   await app.engraveButton.click();
   await expect(app.result).toContainText('Reads as large', { timeout: 300_000 });
-  console.log(`2,002,224 triangles: opened in ${opened - begun} ms, placed in ${placed - opened} ms, engraved in ${Date.now() - placed} ms`);
+  console.log(
+    `2,002,224 triangles: opened in ${opened - begun} ms, placed in ${placed - opened} ms, engraved in ${Date.now() - placed} ms`,
+  );
   rmSync(file);
 });

@@ -17,37 +17,50 @@ const kCancelled = 'Cancelled. The model is unchanged.';
  * @param {string} [cancelled]  final status
  * @returns {Promise<number>}  ms from the click to the final status, by the page's own clock
  */
-const cancelAt = (page, stage, cancelled = kCancelled) => page.evaluate(([begin, end]) => new Promise((resolve) => {
-  const status = /** @type {HTMLElement} */ (document.querySelector('[role="status"]'));
-  const button = /** @type {HTMLElement} */ ([...document.querySelectorAll('button')].find(({ textContent }) => textContent?.trim() === 'Cancel'));
-  const { freeze: hold, thaw } = /** @type {any} */ (window);
-  let clicked = 0;
-  const look = () => {
-    const words = status.textContent ?? '';
-    if (clicked === 0 && words.startsWith(begin) && button.offsetParent !== null) {
-      clicked = performance.now();
-      hold();
-      button.click();
-    } else if (clicked > 0 && words === end && button.offsetParent === null) {
-      observer.disconnect();
-      resolve(performance.now() - clicked);
-      thaw();
-    }
-  };
-  const observer = new MutationObserver(look);
-  observer.observe(document.body, { childList: true, characterData: true, attributes: true, subtree: true });
-  look();
-}), [stage, cancelled]);
+const cancelAt = (page, stage, cancelled = kCancelled) =>
+  page.evaluate(
+    ([begin, end]) =>
+      new Promise((resolve) => {
+        const status = /** @type {HTMLElement} */ (document.querySelector('[role="status"]'));
+        const button = /** @type {HTMLElement} */ (
+          [...document.querySelectorAll('button')].find(({ textContent }) => textContent?.trim() === 'Cancel')
+        );
+        const { freeze: hold, thaw } = /** @type {any} */ (window);
+        let clicked = 0;
+        const look = () => {
+          const words = status.textContent ?? '';
+          if (clicked === 0 && words.startsWith(begin) && button.offsetParent !== null) {
+            clicked = performance.now();
+            hold();
+            button.click();
+          } else if (clicked > 0 && words === end && button.offsetParent === null) {
+            observer.disconnect();
+            resolve(performance.now() - clicked);
+            thaw();
+          }
+        };
+        const observer = new MutationObserver(look);
+        observer.observe(document.body, { childList: true, characterData: true, attributes: true, subtree: true });
+        look();
+      }),
+    [stage, cancelled],
+  );
 
-const kStages = ['Preparing', 'Measuring the surface', 'Finding the depth', 'Engraving the mesh',
-  'Checking the solid', 'Checking the result'];
+const kStages = [
+  'Preparing',
+  'Measuring the surface',
+  'Finding the depth',
+  'Engraving the mesh',
+  'Checking the solid',
+  'Checking the result',
+];
 
 test('Cancel is obeyed at once, whatever the worker is at, and nothing is lost', async ({ page }) => {
   const app = new Engraver(page);
   await page.addInitScript(holdWorkers);
   await app.open('?sample=saddle&text=cancelled%20often');
   await page.evaluate(() => {
-    /** @type {any} */ (window).skipped = ['prepareEngrave'];  // otherwise the page prepares the carving in advance
+    /** @type {any} */ (window).skipped = ['prepareEngrave']; // otherwise the page prepares the carving in advance
   });
   await app.expectReady();
   const centre = await app.centre();

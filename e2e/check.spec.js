@@ -4,7 +4,7 @@ import { Engraver } from './support/engraver.js';
 import { blindReaders } from './support/workers.js';
 
 const kText = 'Grüße ☕';
-const kPrinted = { timeout: 60_000 };  // time for the simulation of the print
+const kPrinted = { timeout: 60_000 }; // time for the simulation of the print
 
 test('The verdict says in three lines that a good carving reads, prints and is solid', async ({ page }) => {
   const app = new Engraver(page);
@@ -16,8 +16,13 @@ test('The verdict says in three lines that a good carving reads, prints and is s
   await app.expectResult();
   const lines = app.result.getByRole('list', { name: 'Verdict' }).getByRole('listitem');
   await expect(lines).toHaveCount(3);
-  await expect(lines.nth(0)).toContainText(/Reads as Grüße ☕\s*\d+ of 72 tries on simulated phone pictures succeeded; 29 are needed\. \d+ % of the error correction is left\./);
-  await expect(lines.nth(1)).toContainText(/Reads as printed, facing up \(0\.4 mm nozzle, 0\.2 mm layers\)\s*\d+ of 72 tries on simulated phone pictures of the printed surface succeeded; 29 are needed\./, kPrinted);
+  await expect(lines.nth(0)).toContainText(
+    /Reads as Grüße ☕\s*\d+ of 72 tries on simulated phone pictures succeeded; 29 are needed\. \d+ % of the error correction is left\./,
+  );
+  await expect(lines.nth(1)).toContainText(
+    /Reads as printed, facing up \(0\.4 mm nozzle, 0\.2 mm layers\)\s*\d+ of 72 tries on simulated phone pictures of the printed surface succeeded; 29 are needed\./,
+    kPrinted,
+  );
   await expect(lines.nth(2)).toContainText(/Solid\s*Closed and manifold, \d+ triangles\./);
   await expect(lines.getByRole('button')).toHaveCount(0);
   await expect(page.locator('#check-state')).toHaveText('Reads, prints, solid');
@@ -32,8 +37,12 @@ test('The verdict says in three lines that a good carving reads, prints and is s
     const { verification } = await app.report();
     const letter = 'FDCBA'[verification.iso29158.overall];
     await expect(table.getByRole('row', { name: 'Overall' })).toContainText(letter);
-    await expect(table.getByRole('row', { name: 'Cell contrast' })).toContainText(`${Math.round(verification.iso29158.cellContrast.value * 100)}%`);
-    await expect(page.getByRole('table', { name: 'As a printed symbol, ISO/IEC 15415' }).getByRole('row')).toHaveCount(9);
+    await expect(table.getByRole('row', { name: 'Cell contrast' })).toContainText(
+      `${Math.round(verification.iso29158.cellContrast.value * 100)}%`,
+    );
+    await expect(page.getByRole('table', { name: 'As a printed symbol, ISO/IEC 15415' }).getByRole('row')).toHaveCount(
+      9,
+    );
 
     await page.getByRole('button', { name: 'Try other views' }).click();
     await expect(app.result).toContainText(/Tilted by 5°: 4 of 4 directions read/);
@@ -51,7 +60,9 @@ test('The verdict says in three lines that a good carving reads, prints and is s
   });
 });
 
-test('A carving too fine for the nozzle comes with remedies, of which one click sets the control and places the code anew', async ({ page }) => {
+test('A carving too fine for the nozzle comes with remedies, of which one click sets the control and places the code anew', async ({
+  page,
+}) => {
   const app = new Engraver(page);
   await app.open('?sample=saddle&text=fine');
   await app.expectReady();
@@ -63,7 +74,10 @@ test('A carving too fine for the nozzle comes with remedies, of which one click 
   await app.expectReady();
   await app.engrave();
   const line = app.result.getByRole('list', { name: 'Verdict' }).getByRole('listitem').nth(1);
-  await expect(line).toContainText(/(Does not read|Barely reads) as printed, facing up \(1\.2 mm nozzle, 0\.2 mm layers\)/, kPrinted);
+  await expect(line).toContainText(
+    /(Does not read|Barely reads) as printed, facing up \(1\.2 mm nozzle, 0\.2 mm layers\)/,
+    kPrinted,
+  );
   await expect(page.locator('#check-state')).toHaveText('Reads, but may not print');
   const before = await app.placement.innerText();
   await line.getByRole('button', { name: /^Allow \d+ mm$/ }).click();

@@ -18,12 +18,17 @@ const advice = (page) => page.getByRole('list', { name: 'Advice' });
  * @param {string} text
  */
 async function expectSymbol(page, text) {
-  await expect.poll(async () => {
-    const svg = symbol(page);
-    if ((await svg.count()) === 0) return '';
-    const [box, path] = await svg.evaluate((element) => [element.getAttribute('viewBox'), element.lastElementChild?.getAttribute('d')]);
-    return decodePath(path ?? '', Number(box?.split(' ')[2]));
-  }).toBe(text);
+  await expect
+    .poll(async () => {
+      const svg = symbol(page);
+      if ((await svg.count()) === 0) return '';
+      const [box, path] = await svg.evaluate((element) => [
+        element.getAttribute('viewBox'),
+        element.lastElementChild?.getAttribute('d'),
+      ]);
+      return decodePath(path ?? '', Number(box?.split(' ')[2]));
+    })
+    .toBe(text);
 }
 
 /** @param {Page} page @param {string} kind */
@@ -40,23 +45,32 @@ async function fillIn(page, kind, values) {
   for (const [name, value] of Object.entries(values)) await group.getByLabel(name, { exact: true }).fill(value);
 }
 
-test.use({ timezoneId: 'America/New_York' });  // to see that an event is written in UTC
+test.use({ timezoneId: 'America/New_York' }); // to see that an event is written in UTC
 
 /** @type {{ kind: string, values: Record<string, string>, payload: string }[]} */
 const kCases = [
   {
     kind: 'Contact',
     values: { 'First name': 'Zoë', 'Last name': 'Müller; Groß', Phone: '+49 30 1234', Website: 'example.org' },
-    payload: 'BEGIN:VCARD\nVERSION:3.0\nN:Müller\\; Groß;Zoë;;;\nFN:Zoë Müller\\; Groß\nTEL:+49301234\nURL:https://example.org\nEND:VCARD',
+    payload:
+      'BEGIN:VCARD\nVERSION:3.0\nN:Müller\\; Groß;Zoë;;;\nFN:Zoë Müller\\; Groß\nTEL:+49301234\nURL:https://example.org\nEND:VCARD',
   },
   {
     kind: 'E-mail',
     values: { 'E-mail address': 'a@example.org', Subject: 'Hi & bye', Message: 'one\ntwo' },
     payload: 'mailto:a@example.org?subject=Hi%20%26%20bye&body=one%0D%0Atwo',
   },
-  { kind: 'Text message', values: { 'Phone number': '+49 151 234567', Message: 'On: my way' }, payload: 'SMSTO:+49151234567:On: my way' },
+  {
+    kind: 'Text message',
+    values: { 'Phone number': '+49 151 234567', Message: 'On: my way' },
+    payload: 'SMSTO:+49151234567:On: my way',
+  },
   { kind: 'Phone call', values: { 'Phone number': '+44 (0)20 7946 0018' }, payload: 'tel:+442079460018' },
-  { kind: 'Place', values: { 'Latitude (°)': '52.5163', 'Longitude (°)': '13,3777', 'Search for': 'Tor' }, payload: 'geo:52.5163,13.3777?q=Tor' },
+  {
+    kind: 'Place',
+    values: { 'Latitude (°)': '52.5163', 'Longitude (°)': '13,3777', 'Search for': 'Tor' },
+    payload: 'geo:52.5163,13.3777?q=Tor',
+  },
 ];
 
 test('A Wi-Fi access is filled in, engraved, and reads back as it should', async ({ page }) => {
@@ -106,7 +120,9 @@ test('A Wi-Fi access is filled in, engraved, and reads back as it should', async
   expect(stored).not.toContain('word');
 });
 
-test('Every other kind writes its payload to the textbox, and the symbol holds it; a contact is shorter as a MeCard', async ({ page }) => {
+test('Every other kind writes its payload to the textbox, and the symbol holds it; a contact is shorter as a MeCard', async ({
+  page,
+}) => {
   const app = new Engraver(page);
   await app.open('?sample=saddle');
   await app.expectReady();
@@ -114,13 +130,19 @@ test('Every other kind writes its payload to the textbox, and the symbol holds i
   for (const { kind, values, payload } of kCases) {
     await choose(page, kind);
     await fillIn(page, kind, values);
-    await expect(app.text).toHaveValue(payload);  // a textbox has LF line ends
+    await expect(app.text).toHaveValue(payload); // a textbox has LF line ends
     await expectSymbol(page, kind === 'Contact' ? payload.replaceAll('\n', '\r\n') : payload);
   }
 
   await test.step('a MeCard', async () => {
     await choose(page, 'Contact');
-    await fillIn(page, 'Contact', { 'First name': 'Ada', 'Last name': 'Lovelace', Phone: '+44 20 7946 0018', Website: '', 'E-mail address': 'ada@example.org' });
+    await fillIn(page, 'Contact', {
+      'First name': 'Ada',
+      'Last name': 'Lovelace',
+      Phone: '+44 20 7946 0018',
+      Website: '',
+      'E-mail address': 'ada@example.org',
+    });
     const line = advice(page).getByRole('listitem').filter({ hasText: 'As a MeCard it needs version' });
     await line.getByRole('button', { name: 'Use it' }).click();
     await expect(app.text).toHaveValue('MECARD:N:Lovelace,Ada;TEL:+442079460018;EMAIL:ada@example.org;;');
@@ -138,11 +160,14 @@ test('Every other kind writes its payload to the textbox, and the symbol holds i
     await expect(app.text).toHaveValue('');
     await end.fill('2027-07-01T22:00');
     await expect(end).not.toHaveAttribute('aria-invalid');
-    await expectSymbol(page, 'BEGIN:VEVENT\r\nSUMMARY:Party\r\nDTSTART:20270701T223000Z\r\nDTEND:20270702T020000Z\r\nEND:VEVENT');
+    await expectSymbol(
+      page,
+      'BEGIN:VEVENT\r\nSUMMARY:Party\r\nDTSTART:20270701T223000Z\r\nDTEND:20270702T020000Z\r\nEND:VEVENT',
+    );
   });
 
   await test.step('the keyboard alone fills in a phone call; typing in the textbox leaves the builder, and what is typed stays', async () => {
-    await page.reload();  // so that no kind has kept values
+    await page.reload(); // so that no kind has kept values
     await app.expectReady();
     const kind = page.getByRole('combobox', { name: 'Kind of content' });
     await choose(page, 'Place');
@@ -163,7 +188,9 @@ test('Every other kind writes its payload to the textbox, and the symbol holds i
   });
 });
 
-test('The symbol says its version, how full it is, and how much more fits; a link is put right by a click', async ({ page }) => {
+test('The symbol says its version, how full it is, and how much more fits; a link is put right by a click', async ({
+  page,
+}) => {
   const app = new Engraver(page);
   await app.open('?sample=saddle');
   await app.expectReady();
@@ -176,7 +203,7 @@ test('The symbol says its version, how full it is, and how much more fits; a lin
   await expect(facts).toContainText('One more byte, and the modules get smaller');
   await expect(page.getByRole('meter', { name: 'How full it is' })).toHaveJSProperty('value', 26);
   await app.text.fill('a'.repeat(27));
-  await expect(facts).toContainText('Version 3-Q, 29 × 29 modules');  // the same size with more error correction
+  await expect(facts).toContainText('Version 3-Q, 29 × 29 modules'); // the same size with more error correction
   await app.text.fill('a'.repeat(2332));
   await expect(facts).toContainText('too long for any QR Code');
   await expect(symbol(page)).toHaveCount(0);
@@ -196,14 +223,16 @@ test('The symbol says its version, how full it is, and how much more fits; a lin
   await expect(advice(page)).toBeHidden();
   await app.text.fill(`https://example.org/${'x'.repeat(300)}`);
   const line = advice(page).getByRole('listitem').filter({ hasText: 'each module is' });
-  await expect(line).toContainText(/At [\d.]+ mm each module is 0\.\d\d mm; a 0\.4 mm nozzle needs about 0\.6 mm for this pattern\./);
+  await expect(line).toContainText(
+    /At [\d.]+ mm each module is 0\.\d\d mm; a 0\.4 mm nozzle needs about 0\.6 mm for this pattern\./,
+  );
   await expect(line).toContainText(/ [\d.]+ mm wide.* Or shorten the text to fit \d+ × \d+ modules\./);
   await app.openSettings();
   await app.setting('Nozzle (mm)').fill('0.1');
   await app.setting('Nozzle (mm)').blur();
   await expect(line).toHaveCount(0);
 
-  await app.text.fill('https://subdomain.example.org/a');  // 31 bytes: version 3-M; in capitals version 2
+  await app.text.fill('https://subdomain.example.org/a'); // 31 bytes: version 3-M; in capitals version 2
   const capitals = advice(page).getByRole('listitem').filter({ hasText: 'in capitals needs version 2' });
   await expect(capitals).toContainText('modules 16 % larger');
   await capitals.getByRole('button', { name: 'Use it' }).click();

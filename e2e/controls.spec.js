@@ -17,29 +17,38 @@ import { freeze, holdWorkers, thaw } from './support/workers.js';
  */
 
 /** For each setting: the value to choose, its entry in the settings file, and the value to find in the report. */
-const kSettings = /** @type {Record<string, { value: string | boolean, saved: Record<string, unknown>, reported?: (report: any) => unknown }>} */ ({
-  ecc: { value: 'Q', saved: { ecc: 'Q' }, reported: ({ symbol }) => symbol.ecc },
-  'quiet-zone': { value: false, saved: { quietZone: false } },
-  rotate: { value: '10', saved: { rotateDeg: 10 }, reported: ({ size }) => size.rotationDeg },
-  size: { value: 'fixed', saved: { size: 40 } },
-  'size-mm': { value: '31', saved: { size: 31 }, reported: ({ size }) => size.symbolMm },
-  direction: { value: 'mean-normal', saved: { direction: 'mean-normal' }, reported: ({ projection }) => projection.method },
-  'eye-distance': { value: '300', saved: { eyeDistanceMm: 300 }, reported: ({ projection }) => projection.eyeDistanceMm },
-  preset: { value: 'shallow', saved: { preset: 'shallow' } },
-  pattern: { value: 'square', saved: { pattern: 'square' }, reported: ({ depth }) => depth.features.pattern },
-  'finder-pattern': { value: 'diamond', saved: { finderPattern: 'diamond' } },
-  contrast: { value: '0.28', saved: { contrast: 0.28 }, reported: ({ depth }) => depth.contrast },
-  'carve-for': { value: 'design', saved: { carveFor: 'design' }, reported: ({ depth }) => depth.carvedFor },
-  version: { value: '5', saved: { version: 5 }, reported: ({ symbol }) => symbol.version },
-  mask: { value: '3', saved: { mask: 3 }, reported: ({ symbol }) => symbol.mask },
-  floor: { value: 'wavy', saved: { floor: 'wavy' }, reported: ({ depth }) => depth.floor },
-  'min-wall': { value: '1.5', saved: { minWallMm: 1.5 } },
-  'max-depth': { value: '1.4', saved: { maxDepthMm: 1.4 } },
-  process: { value: 'resin-0.05', saved: { process: 'resin-0.05' } },
-  'build-up': { value: 'code-up', saved: { buildUp: 'code-up' } },
-  nozzle: { value: '0.3', saved: { nozzleMm: 0.3 }, reported: ({ depth }) => depth.features.nozzleMm },
-  layer: { value: '0.08', saved: { layerMm: 0.08 }, reported: ({ depth }) => depth.features.layerMm },
-});
+const kSettings =
+  /** @type {Record<string, { value: string | boolean, saved: Record<string, unknown>, reported?: (report: any) => unknown }>} */ ({
+    ecc: { value: 'Q', saved: { ecc: 'Q' }, reported: ({ symbol }) => symbol.ecc },
+    'quiet-zone': { value: false, saved: { quietZone: false } },
+    rotate: { value: '10', saved: { rotateDeg: 10 }, reported: ({ size }) => size.rotationDeg },
+    size: { value: 'fixed', saved: { size: 40 } },
+    'size-mm': { value: '31', saved: { size: 31 }, reported: ({ size }) => size.symbolMm },
+    direction: {
+      value: 'mean-normal',
+      saved: { direction: 'mean-normal' },
+      reported: ({ projection }) => projection.method,
+    },
+    'eye-distance': {
+      value: '300',
+      saved: { eyeDistanceMm: 300 },
+      reported: ({ projection }) => projection.eyeDistanceMm,
+    },
+    preset: { value: 'shallow', saved: { preset: 'shallow' } },
+    pattern: { value: 'square', saved: { pattern: 'square' }, reported: ({ depth }) => depth.features.pattern },
+    'finder-pattern': { value: 'diamond', saved: { finderPattern: 'diamond' } },
+    contrast: { value: '0.28', saved: { contrast: 0.28 }, reported: ({ depth }) => depth.contrast },
+    'carve-for': { value: 'design', saved: { carveFor: 'design' }, reported: ({ depth }) => depth.carvedFor },
+    version: { value: '5', saved: { version: 5 }, reported: ({ symbol }) => symbol.version },
+    mask: { value: '3', saved: { mask: 3 }, reported: ({ symbol }) => symbol.mask },
+    floor: { value: 'wavy', saved: { floor: 'wavy' }, reported: ({ depth }) => depth.floor },
+    'min-wall': { value: '1.5', saved: { minWallMm: 1.5 } },
+    'max-depth': { value: '1.4', saved: { maxDepthMm: 1.4 } },
+    process: { value: 'resin-0.05', saved: { process: 'resin-0.05' } },
+    'build-up': { value: 'code-up', saved: { buildUp: 'code-up' } },
+    nozzle: { value: '0.3', saved: { nozzleMm: 0.3 }, reported: ({ depth }) => depth.features.nozzleMm },
+    layer: { value: '0.08', saved: { layerMm: 0.08 }, reported: ({ depth }) => depth.features.layerMm },
+  });
 
 /** Returns the contents of the file that Save settings saves. @param {Engraver} app */
 const settingsFile = async (app) => JSON.parse(new TextDecoder().decode((await app.download('Save settings')).bytes));
@@ -60,7 +69,8 @@ const kOfTheModel = {
     await app.expectReady();
   },
   height: async ({ app, at }) => {
-    const before = await app.facts.innerText(), height = await at('height').inputValue();
+    const before = await app.facts.innerText(),
+      height = await at('height').inputValue();
     await at('height').fill(String(2 * Number(height)));
     await at('height').press('Tab');
     await expect(at('unit')).toHaveValue('2');
@@ -225,15 +235,21 @@ const kOfThePlace = {
 };
 
 /** Returns the visible sides of the cube. @param {Page} page */
-const sidesOf = (page) => page.locator('.view-cube [data-view]').evaluateAll((all) => all.map((face) => face.getAttribute('data-view')).sort());
+const sidesOf = (page) =>
+  page.locator('.view-cube [data-view]').evaluateAll((all) => all.map((face) => face.getAttribute('data-view')).sort());
 
 /** @type {Effects} */
 const kOfTheView = {
-  ...Object.fromEntries(['front', 'back', 'left', 'right', 'top', 'bottom'].map((side) => [side, async (/** @type {Hands} */ { page, press }) => {
-    await press('views');
-    await press(side);
-    await expect.poll(() => sidesOf(page)).toEqual([side]);
-  }])),
+  ...Object.fromEntries(
+    ['front', 'back', 'left', 'right', 'top', 'bottom'].map((side) => [
+      side,
+      async (/** @type {Hands} */ { page, press }) => {
+        await press('views');
+        await press(side);
+        await expect.poll(() => sidesOf(page)).toEqual([side]);
+      },
+    ]),
+  ),
   iso: async ({ page, press }) => {
     await press('views');
     await press('iso');
@@ -286,9 +302,10 @@ const kOfTheCarving = {
     await expect(page.getByLabel('Colours of the model')).toContainText('Depth of the engraving');
   },
   'show-before': async ({ app, at, page }) => {
-    const hide = (/** @type {string} */ opacity) => page.locator('.tools, .legend').evaluateAll((all, to) => {
-      for (const one of all) /** @type {HTMLElement} */ (one).style.opacity = to;
-    }, opacity);  // they use the colours of depths, too
+    const hide = (/** @type {string} */ opacity) =>
+      page.locator('.tools, .legend').evaluateAll((all, to) => {
+        for (const one of all) /** @type {HTMLElement} */ (one).style.opacity = to;
+      }, opacity); // they use the colours of depths, too
     await hide('0');
     await expect.poll(() => shareOf(app.canvas, isTeal)).toBeGreaterThan(0.0013);
     await hold(at('show-before'), async () => {
@@ -322,7 +339,7 @@ const kOfTheCarving = {
   },
   cancel: async ({ app, at, page, press }) => {
     await at('text').fill('carved anew');
-    await freeze(page);  // otherwise the work may end before it is cancelled
+    await freeze(page); // otherwise the work may end before it is cancelled
     await press('engrave');
     await press('cancel');
     await expect(app.cancelButton).toBeHidden();
@@ -412,7 +429,9 @@ const kOfTheParts = {
   },
   'batch-name': async ({ at, page }) => {
     await at('batch-name').fill('a/{n}.stl');
-    await expect(page.getByRole('list', { name: 'Problems in the list' })).toContainText('“a/1.stl” is not a plain file name');
+    await expect(page.getByRole('list', { name: 'Problems in the list' })).toContainText(
+      '“a/1.stl” is not a plain file name',
+    );
   },
   'code-for-one': async ({ at, app }) => {
     await at('code-for-one').check();
@@ -422,7 +441,17 @@ const kOfTheParts = {
 };
 
 /** Controls while all parts are carved; batch.spec.js checks their effects. */
-const kOfTheRun = ['print-every', 'carve-all', 'parts-pause', 'parts-resume', 'parts-stop', 'parts-retry', 'parts-shown', 'parts-download', 'parts-discard'];
+const kOfTheRun = [
+  'print-every',
+  'carve-all',
+  'parts-pause',
+  'parts-resume',
+  'parts-stop',
+  'parts-retry',
+  'parts-shown',
+  'parts-download',
+  'parts-discard',
+];
 
 /** @param {Page} page @returns {Promise<Hands>} */
 async function open(page) {
@@ -439,7 +468,9 @@ async function open(page) {
 /** @param {import('@playwright/test').Locator} button @param {() => Promise<void>} meanwhile */
 async function hold(button, meanwhile) {
   await button.scrollIntoViewIfNeeded();
-  const { x, y, width, height } = /** @type {{ x: number, y: number, width: number, height: number }} */ (await button.boundingBox());
+  const { x, y, width, height } = /** @type {{ x: number, y: number, width: number, height: number }} */ (
+    await button.boundingBox()
+  );
   const page = button.page();
   const point = { x: x + width / 2, y: y + height / 2 };
   if (await page.evaluate(() => navigator.maxTouchPoints > 0)) {
@@ -457,22 +488,29 @@ async function hold(button, meanwhile) {
 
 /** @param {Hands} hands @param {Effects[]} parts */
 async function tryAll(hands, ...parts) {
-  for (const [id, effect] of parts.flatMap((effects) => Object.entries(effects))) await test.step(id, () => effect(hands));
+  for (const [id, effect] of parts.flatMap((effects) => Object.entries(effects)))
+    await test.step(id, () => effect(hands));
 }
 
 test('Every control before the carving has its effect, and none of the page is left out', async ({ page }) => {
   const hands = await open(page);
   await tryAll(hands, kOfTheModel, kOfTheParts, kOfThePlace, kOfTheView, kOfThePage);
 
-  const all = await page.evaluate(() => [...document.querySelectorAll('button, input, select, textarea')]
-    .filter((control) => control.getAttribute('type') !== 'hidden' && (control.id || control.closest('.views-menu')))
-    .map((control) => control.id || String(control.getAttribute('data-view'))));
-  const tested = [kOfTheModel, kOfTheParts, kOfThePlace, kOfTheView, kOfTheCarving, kOfThePage, kSettings].flatMap((part) => Object.keys(part)).concat(kOfTheRun);
+  const all = await page.evaluate(() =>
+    [...document.querySelectorAll('button, input, select, textarea')]
+      .filter((control) => control.getAttribute('type') !== 'hidden' && (control.id || control.closest('.views-menu')))
+      .map((control) => control.id || String(control.getAttribute('data-view'))),
+  );
+  const tested = [kOfTheModel, kOfTheParts, kOfThePlace, kOfTheView, kOfTheCarving, kOfThePage, kSettings]
+    .flatMap((part) => Object.keys(part))
+    .concat(kOfTheRun);
   expect(all.filter((id) => !tested.includes(id))).toEqual([]);
   expect(tested.filter((id) => !all.includes(id))).toEqual([]);
 });
 
-test('Every setting is saved, those that the report names are the ones carved with, and every control of the carving has its effect', async ({ page }) => {
+test('Every setting is saved, those that the report names are the ones carved with, and every control of the carving has its effect', async ({
+  page,
+}) => {
   const hands = await open(page);
   const { app, at, press } = hands;
   const isPhone = test.info().project.name === 'phone';
@@ -482,7 +520,8 @@ test('Every setting is saved, those that the report names are the ones carved wi
     await test.step(id, async () => {
       const control = at(id);
       if (typeof setting.value === 'boolean') await press(id);
-      else if (await control.evaluate((element) => element.tagName === 'SELECT')) await control.selectOption(setting.value);
+      else if (await control.evaluate((element) => element.tagName === 'SELECT'))
+        await control.selectOption(setting.value);
       else await control.fill(setting.value);
       await control.blur();
       const after = (await settingsFile(app)).settings;

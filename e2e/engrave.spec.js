@@ -13,7 +13,7 @@ import { bodiesOf, extrudersOf, itemsOf, unzip } from './support/three_mf.js';
 /** @typedef {import('../web/samples/solid.js').Mesh} Mesh */
 
 const kCommand = fileURLToPath(new URL('../build/release/bin/qrelief', import.meta.url));
-const kText = 'https://example.org/a/longer/text/x';  // 35 bytes: version 3-M
+const kText = 'https://example.org/a/longer/text/x'; // 35 bytes: version 3-M
 
 /** Checks the properties of every engraved solid. @param {Mesh} before @param {Mesh} after @param {any} report */
 function expectEngravedSolid(before, after, report) {
@@ -36,11 +36,13 @@ function expectEngravedSolid(before, after, report) {
 
 /** Returns the triangles by their exact coordinates, each starting at its smallest corner. @param {Mesh} mesh */
 function triangleKeys(mesh) {
-  return new Set(mesh.triangles.map((corners) => {
-    const words = corners.map((corner) => mesh.positions[corner].map(Math.fround).join(' '));
-    const first = words.indexOf([...words].sort()[0]);
-    return [0, 1, 2].map((i) => words[(first + i) % 3]).join(' | ');
-  }));
+  return new Set(
+    mesh.triangles.map((corners) => {
+      const words = corners.map((corner) => mesh.positions[corner].map(Math.fround).join(' '));
+      const first = words.indexOf([...words].sort()[0]);
+      return [0, 1, 2].map((i) => words[(first + i) % 3]).join(' | ');
+    }),
+  );
 }
 
 /** @param {number[]} a @param {number[]} b @returns degrees */
@@ -49,7 +51,9 @@ function angleBetween(a, b) {
   return (Math.acos(Math.min(1, dot)) * 180) / Math.PI;
 }
 
-test('The bunny is engraved, reads as the text, inside and outside the page, and downloads as a solid', async ({ page }, testInfo) => {
+test('The bunny is engraved, reads as the text, inside and outside the page, and downloads as a solid', async ({
+  page,
+}, testInfo) => {
   const app = new Engraver(page);
   await app.open();
   await app.expectReady();
@@ -78,9 +82,22 @@ test('The bunny is engraved, reads as the text, inside and outside the page, and
     const [model, reported] = [testInfo.outputPath('bunny.stl'), testInfo.outputPath('report.json')];
     writeFileSync(model, stl);
     const at = report.projection.centre.join(',');
-    execFileSync(kCommand, ['engrave', model, '--text', kText, `--at=${at}`, '-o', testInfo.outputPath('carved.stl'), '--report', reported, '--quiet']);
+    execFileSync(kCommand, [
+      'engrave',
+      model,
+      '--text',
+      kText,
+      `--at=${at}`,
+      '-o',
+      testInfo.outputPath('carved.stl'),
+      '--report',
+      reported,
+      '--quiet',
+    ]);
     const native = JSON.parse(readFileSync(reported, 'utf8'));
-    console.log(`page ${report.gl.renderer}: ${JSON.stringify(report.depth)}; command ${native.gl.renderer}: ${JSON.stringify(native.depth)}`);
+    console.log(
+      `page ${report.gl.renderer}: ${JSON.stringify(report.depth)}; command ${native.gl.renderer}: ${JSON.stringify(native.depth)}`,
+    );
     expect(report.symbol).toEqual(native.symbol);
     expect(angleBetween(report.projection.normal, native.projection.normal)).toBeLessThan(0.5);
     expect(Math.abs(report.size.symbolMm / native.size.symbolMm - 1)).toBeLessThan(0.01);
@@ -141,12 +158,17 @@ function expectTwoColours(bytes, report) {
   const bodies = bodiesOf(model);
   const [bodyId, inlayId] = [...bodies.keys()];
   expect(bodies.size).toBe(2);
-  expect(itemsOf(model)).toEqual([[bodyId, inlayId]]);  // one object on the plate
+  expect(itemsOf(model)).toEqual([[bodyId, inlayId]]); // one object on the plate
   const [body, inlay] = [...bodies.values()];
   expect(inlay.name).toBe('QR code');
 
   for (const { mesh } of [body, inlay]) {
-    expect(checkSolid(mesh)).toMatchObject({ openEdges: 0, nonManifoldEdges: 0, nonManifoldVertices: 0, degenerateTriangles: 0 });
+    expect(checkSolid(mesh)).toMatchObject({
+      openEdges: 0,
+      nonManifoldEdges: 0,
+      nonManifoldVertices: 0,
+      degenerateTriangles: 0,
+    });
   }
   expect(volume(body.mesh) / report.mesh.volumeMm3).toBeCloseTo(1, 6);
   expect((volume(body.mesh) + volume(inlay.mesh)) / volume(saddleMesh)).toBeCloseTo(1, 6);

@@ -36,7 +36,9 @@ test('A file that cannot be used is refused in words, and the model before it st
   });
 });
 
-test('An empty text, a code that is too large and a setting out of its range are refused in words', async ({ page }) => {
+test('An empty text, a code that is too large and a setting out of its range are refused in words', async ({
+  page,
+}) => {
   const app = new Engraver(page);
   await app.open('?sample=saddle');
   await app.expectReady();
@@ -65,7 +67,7 @@ test('An empty text, a code that is too large and a setting out of its range are
 test('A browser without WebGL 2 or without WebAssembly is told so', async ({ page, context }) => {
   await page.addInitScript(() => {
     Object.defineProperty(HTMLCanvasElement.prototype, 'transferControlToOffscreen', { value: undefined });
-    delete /** @type {any} */ (HTMLCanvasElement.prototype).transferControlToOffscreen;
+    delete (/** @type {any} */ (HTMLCanvasElement.prototype).transferControlToOffscreen);
     HTMLCanvasElement.prototype.getContext = () => null;
   });
   const app = new Engraver(page);
@@ -75,7 +77,7 @@ test('A browser without WebGL 2 or without WebAssembly is told so', async ({ pag
 
   const other = new Engraver(await context.newPage());
   await other.page.addInitScript(() => {
-    delete /** @type {any} */ (window).WebAssembly;
+    delete (/** @type {any} */ (window).WebAssembly);
   });
   await other.open();
   await expect(other.alert).toContainText('WebAssembly');

@@ -15,12 +15,16 @@ const kText = 'https://example.org/Grüße?a=1&b=<2>';
  * @param {{ name: string, bytes: Uint8Array | string }} file
  */
 async function drop(page, { name, bytes }) {
-  const transfer = await page.evaluateHandle(([fileName, content]) => {
-    const data = new DataTransfer();
-    data.items.add(new File([content], fileName, { type: 'application/json' }));
-    return data;
-  }, [name, typeof bytes === 'string' ? bytes : new TextDecoder().decode(bytes)]);
-  for (const type of ['dragenter', 'dragover', 'drop']) await page.dispatchEvent('#view', type, { dataTransfer: transfer });
+  const transfer = await page.evaluateHandle(
+    ([fileName, content]) => {
+      const data = new DataTransfer();
+      data.items.add(new File([content], fileName, { type: 'application/json' }));
+      return data;
+    },
+    [name, typeof bytes === 'string' ? bytes : new TextDecoder().decode(bytes)],
+  );
+  for (const type of ['dragenter', 'dragover', 'drop'])
+    await page.dispatchEvent('#view', type, { dataTransfer: transfer });
 }
 
 /**
@@ -31,8 +35,12 @@ async function drop(page, { name, bytes }) {
  */
 async function screenshotOf(page, bytes, type) {
   const other = await page.context().newPage();
-  await other.setContent(`<body style="margin:0"><img style="width:400px" src="data:${type};base64,${Buffer.from(bytes).toString('base64')}">`);
-  await expect.poll(() => other.locator('img').evaluate((img) => /** @type {HTMLImageElement} */ (img).naturalWidth)).toBeGreaterThan(0);
+  await other.setContent(
+    `<body style="margin:0"><img style="width:400px" src="data:${type};base64,${Buffer.from(bytes).toString('base64')}">`,
+  );
+  await expect
+    .poll(() => other.locator('img').evaluate((img) => /** @type {HTMLImageElement} */ (img).naturalWidth))
+    .toBeGreaterThan(0);
   const png = await other.locator('img').screenshot();
   await other.close();
   return png;
@@ -117,7 +125,9 @@ test('Settings that were saved are used again when their file is dropped onto th
     foreign.model = { file: 'vessel.stl', scaleToMm: 1, upAxis: 'z', centreMm: [1, 2, 3] };
     foreign.settings.text = 'for another';
     await drop(page, { name: 'vessel.json', bytes: JSON.stringify(foreign) });
-    await expect(app.status).toHaveText('Using the settings from vessel.json, made for vessel.stl: choose the place on this model.');
+    await expect(app.status).toHaveText(
+      'Using the settings from vessel.json, made for vessel.stl: choose the place on this model.',
+    );
     await expect(app.text).toHaveValue('for another');
     expect(await app.centre()).toEqual(proposed);
   });
@@ -129,7 +139,10 @@ test('Settings that were saved are used again when their file is dropped onto th
       ['not json', '“x.json” is not a JSON file.'],
       [JSON.stringify({ qrelief: '0.1.0' }), '“x.json” is a report, not settings.'],
       [JSON.stringify({ ...good, version: 9 }), '“x.json” has settings of version 9'],
-      [JSON.stringify({ ...good, settings: { ...good.settings, text: 'other', nozzleMm: -1 } }), 'The setting nozzleMm must be a number from 0.01 to 10, not -1.'],
+      [
+        JSON.stringify({ ...good, settings: { ...good.settings, text: 'other', nozzleMm: -1 } }),
+        'The setting nozzleMm must be a number from 0.01 to 10, not -1.',
+      ],
     ];
     for (const [bytes, message] of wrong) {
       await drop(page, { name: 'x.json', bytes });

@@ -7,7 +7,9 @@ test('A code of the gallery is carved in the app with its settings', async ({ pa
   await page.goto('./gallery.html');
   await expect(page.getByRole('heading', { name: 'Stanford bunny' })).toBeVisible();
   expect(await page.locator('.in-en .exhibit').count()).toBeGreaterThan(2 * 9 + 25);
-  expect(await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth)).toBe(0);
+  expect(await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth)).toBe(
+    0,
+  );
   await expectNoViolations(page, 'gallery');
   await page.locator('.in-en .matrix .exhibit').filter({ hasText: 'Diamond / Thick plus, sharp' }).first().click();
   const app = new Engraver(page);
@@ -15,7 +17,7 @@ test('A code of the gallery is carved in the app with its settings', async ({ pa
   await expect(page.locator('[data-setting="pattern"]')).toHaveValue('diamond');
   await expect(page.locator('[data-setting="finderPattern"]')).toHaveValue('thick-plus-sharp');
   const { depth } = await app.report();
-  expect(depth.meanMm).toBeLessThan(0.6);  // the default carves deeper
+  expect(depth.meanMm).toBeLessThan(0.6); // the default carves deeper
 });
 
 test('An address with a setting that cannot be used says so, and nothing is carved', async ({ page }) => {
@@ -23,6 +25,6 @@ test('An address with a setting that cannot be used says so, and nothing is carv
   await app.open('?sample=plate&pattern=star&engrave=1');
   await expect(app.placement).toContainText('mm wide');
   await expect(app.status).toHaveText('That did not work.');
-  await expect(page.getByText('The page\'s address')).toBeVisible();
+  await expect(page.getByText("The page's address")).toBeVisible();
   await expect(app.result).toBeHidden();
 });

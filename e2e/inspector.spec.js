@@ -21,7 +21,7 @@ function colourful(rgba) {
 
 /** Presses the dark middle of the upper left finder pattern. @param {Inspector} inspector */
 async function pressDark(inspector) {
-  await inspector.press('Map', { x: 7.5 / 37, y: 7.5 / 37 });  // 29 modules and a margin of 4 on each side
+  await inspector.press('Map', { x: 7.5 / 37, y: 7.5 / 37 }); // 29 modules and a margin of 4 on each side
   await expect.poll(async () => (await inspector.state())?.selected?.role).toBe('finder');
   return /** @type {Selected} */ ((await inspector.state())?.selected);
 }
@@ -94,8 +94,11 @@ test('The inspector is drawn over the view alone, shows an engraving and goes wi
     await inspector.expectStill({ x: x - 50, y: y - 50, width: 100, height: 100 });
     await page.mouse.click(x, y);
     // The phone view shows the middle of the 145 submodules there. The click is a little to its right.
-    await inspector.expectState(({ selected }) => selected && [Math.abs(selected.row - 72) < 8, selected.column > 76], [true, true]);
-    expect(await app.centre()).toEqual(before);  // the inspector took the click
+    await inspector.expectState(
+      ({ selected }) => selected && [Math.abs(selected.row - 72) < 8, selected.column > 76],
+      [true, true],
+    );
+    expect(await app.centre()).toEqual(before); // the inspector took the click
   });
 
   await test.step('closed, it leaves no trace', async () => {
@@ -107,14 +110,16 @@ test('The inspector is drawn over the view alone, shows an engraving and goes wi
   });
 });
 
-test('Settings of the inspector count for its own Engrave alone, are typed or stepped, and can be reset; it speaks the page’s language', async ({ page }) => {
+test('Settings of the inspector count for its own Engrave alone, are typed or stepped, and can be reset; it speaks the page’s language', async ({
+  page,
+}) => {
   const app = new Engraver(page);
   const inspector = new Inspector(page);
   await app.open('?sample=bumpy-sphere&lang=de');
   await expect(app.status).toHaveText('Bereit.');
   await page.getByRole('button', { name: 'Inspektor' }).click();
   await inspector.openTab('Settings');
-  await inspector.press('contrast', { x: 0.97, y: 0.5 });  // the field's plus button
+  await inspector.press('contrast', { x: 0.97, y: 0.5 }); // the field's plus button
   await inspector.expectState((state) => state.overrides, 'Kontrast 0.31');
 
   await test.step('the language follows when that of the page is changed', async () => {

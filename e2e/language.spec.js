@@ -35,7 +35,9 @@ test('Another language takes effect at once, with its numbers, and is kept', asy
   await expect(page).toHaveTitle(/einen QR-Code/);
 
   await page.getByRole('button', { name: 'Gravieren' }).click();
-  await expect(page.getByRole('region', { name: 'Ergebnis' })).toContainText(/Tiefe\s*\d+,\d\d mm im Mittel/, { timeout: 240_000 });
+  await expect(page.getByRole('region', { name: 'Ergebnis' })).toContainText(/Tiefe\s*\d+,\d\d mm im Mittel/, {
+    timeout: 240_000,
+  });
   await page.getByRole('combobox', { name: 'Sprache' }).selectOption('English');
   await expect(app.result).toContainText(/Depth\s*\d+\.\d\d mm on average/);
 
@@ -44,9 +46,17 @@ test('Another language takes effect at once, with its numbers, and is kept', asy
   await expect(page.getByRole('button', { name: 'Gravieren' })).toBeVisible();
 });
 
-test('What was found and what went wrong is said in the language chosen, and one click reads a tiny model in a unit that makes it printable', async ({ page }) => {
-  const positions = saddleMesh.positions.map((point) => /** @type {[number, number, number]} */ (point.map((v) => v / 1000)));
-  const metres = { name: 'metres.stl', mimeType: 'model/stl', buffer: Buffer.from(writeStl({ ...saddleMesh, positions }, 'in metres')) };
+test('What was found and what went wrong is said in the language chosen, and one click reads a tiny model in a unit that makes it printable', async ({
+  page,
+}) => {
+  const positions = saddleMesh.positions.map(
+    (point) => /** @type {[number, number, number]} */ (point.map((v) => v / 1000)),
+  );
+  const metres = {
+    name: 'metres.stl',
+    mimeType: 'model/stl',
+    buffer: Buffer.from(writeStl({ ...saddleMesh, positions }, 'in metres')),
+  };
   const app = new Engraver(page);
   await app.open('?sample=saddle&lang=de');
   await expect(app.status).toHaveText('Bereit.');
@@ -60,7 +70,9 @@ test('What was found and what went wrong is said in the language chosen, and one
   await expect(app.alert).toContainText(/facets|triangles/);
 
   const findings = page.getByRole('list', { name: 'Found in the model' });
-  await expect(findings).toContainText('The model is tiny: 0.09 × 0.09 × 0.04 mm. If it should be larger, choose another unit: in metres it is 90 × 90 × 40 mm.');
+  await expect(findings).toContainText(
+    'The model is tiny: 0.09 × 0.09 × 0.04 mm. If it should be larger, choose another unit: in metres it is 90 × 90 × 40 mm.',
+  );
   await expect(findings).not.toContainText('--');
   await findings.getByRole('button', { name: 'Read it in metres: 90 × 90 × 40 mm' }).click();
   await expect(app.facts).toHaveText('metres.stl, 90.0 × 90.0 × 40.0 mm');
@@ -75,11 +87,15 @@ test('A browser that keeps nothing is no hindrance, and the address may ask for 
   page.on('pageerror', (error) => complaints.push(error.message));
   await page.addInitScript(() => {
     for (const storage of ['localStorage', 'indexedDB']) {
-      Object.defineProperty(window, storage, { get: () => { throw new DOMException('denied', 'SecurityError'); } });
+      Object.defineProperty(window, storage, {
+        get: () => {
+          throw new DOMException('denied', 'SecurityError');
+        },
+      });
     }
   });
   const app = new Engraver(page);
-  await app.open('?lang=de');  // without other parameters, the page looks for the last visit's work
+  await app.open('?lang=de'); // without other parameters, the page looks for the last visit's work
   await expect(app.status).toHaveText('Bereit.');
   await page.getByRole('combobox', { name: 'Sprache' }).selectOption('English');
   await expect(page.getByRole('button', { name: 'Engrave' })).toBeVisible();

@@ -13,7 +13,9 @@ test.afterEach(() => site.close());
 
 const kInspector = /inspector.*\.wasm$/;
 
-test('Until it can be used the page needs 1.5 MB at most; the reader of codes, the inspector and the words of messages come later', async ({ page }) => {
+test('Until it can be used the page needs 1.5 MB at most; the reader of codes, the inspector and the words of messages come later', async ({
+  page,
+}) => {
   const app = new Engraver(page);
   const inspector = new Inspector(page);
   await page.goto(site.address);
@@ -25,7 +27,7 @@ test('Until it can be used the page needs 1.5 MB at most; the reader of codes, t
   expect(bytes).toBeLessThan(1.5e6);
 
   await test.step('if the inspector cannot be loaded, that is said, and pressing again tries again', async () => {
-    await app.sample.selectOption('Saddle');  // quick to engrave
+    await app.sample.selectOption('Saddle'); // quick to engrave
     await expect(app.facts).toContainText('Saddle');
     await app.expectReady();
     site.lacks = (path) => kInspector.test(path);
@@ -34,7 +36,7 @@ test('Until it can be used the page needs 1.5 MB at most; the reader of codes, t
     await expect(inspector.button).toHaveAttribute('aria-pressed', 'false');
     expect(await inspector.state()).toBeUndefined();
     await page.getByRole('button', { name: 'Dismiss' }).click();
-    await app.engrave();  // everything else still works
+    await app.engrave(); // everything else still works
 
     site.lacks = () => false;
     await inspector.open();
@@ -45,7 +47,9 @@ test('Until it can be used the page needs 1.5 MB at most; the reader of codes, t
   });
 });
 
-test('The words of messages come with the first one, in its language; if they cannot be loaded, that is said', async ({ page }) => {
+test('The words of messages come with the first one, in its language; if they cannot be loaded, that is said', async ({
+  page,
+}) => {
   const words = () => site.sent.filter(({ path }) => /message_catalogues/.test(path));
   const app = new Engraver(page);
   await page.goto(site.address);

@@ -13,9 +13,13 @@ test.afterEach(() => site.close());
 test.use({ serviceWorkers: 'allow' });
 
 /** Waits until the page is kept on the device. @param {Page} page */
-const untilKept = (page) => expect.poll(() => page.evaluate(() => Boolean(navigator.serviceWorker.controller))).toBe(true);
+const untilKept = (page) =>
+  expect.poll(() => page.evaluate(() => Boolean(navigator.serviceWorker.controller))).toBe(true);
 
-test('Below any path and without a network the page opens, engraves, and reads the code back', async ({ page, context }) => {
+test('Below any path and without a network the page opens, engraves, and reads the code back', async ({
+  page,
+  context,
+}) => {
   const app = new Engraver(page);
   await page.goto(site.address);
   await app.expectReady();
@@ -40,8 +44,9 @@ test('A new version is offered, and takes over when its reader says so', async (
   await app.expectReady();
   await untilKept(page);
   site.changes.set('index.html', (html) => html.replace(/<title\b.*<\/title>/, '<title>The next version</title>'));
-  site.changes.set('service_worker.js', (code) => code
-    .replace(/"version":"\w+"/, '"version":"next"').replace(/\["index.html","\w+"\]/, '["index.html","next"]'));
+  site.changes.set('service_worker.js', (code) =>
+    code.replace(/"version":"\w+"/, '"version":"next"').replace(/\["index.html","\w+"\]/, '["index.html","next"]'),
+  );
   await page.reload();
   await expect(page.getByText('A new version is ready.')).toBeVisible();
   await expect(page).not.toHaveTitle('The next version');
@@ -55,15 +60,23 @@ test('A new version is offered, and takes over when its reader says so', async (
 
 test('The page can be installed: a manifest with a name and icons of the sizes it states', async ({ page }) => {
   await page.goto(site.address);
-  const address = await page.locator('link[rel="manifest"]').evaluate((link) => /** @type {HTMLLinkElement} */ (link).href);
+  const address = await page
+    .locator('link[rel="manifest"]')
+    .evaluate((link) => /** @type {HTMLLinkElement} */ (link).href);
   const manifest = await (await page.request.get(address)).json();
   expect(manifest).toMatchObject({ short_name: 'QRelief', display: 'standalone', start_url: './', scope: './' });
-  const measured = await page.evaluate((icons) => Promise.all(icons.map(async (/** @type {{ src: string }} */ { src }) => {
-    const image = new Image();
-    image.src = src;
-    await image.decode();
-    return `${image.naturalWidth}x${image.naturalHeight}`;
-  })), manifest.icons.filter((/** @type {{ sizes: string }} */ { sizes }) => sizes !== 'any'));
+  const measured = await page.evaluate(
+    (icons) =>
+      Promise.all(
+        icons.map(async (/** @type {{ src: string }} */ { src }) => {
+          const image = new Image();
+          image.src = src;
+          await image.decode();
+          return `${image.naturalWidth}x${image.naturalHeight}`;
+        }),
+      ),
+    manifest.icons.filter((/** @type {{ sizes: string }} */ { sizes }) => sizes !== 'any'),
+  );
   expect(measured).toEqual(['192x192', '512x512', '512x512']);
   const touch = page.locator('link[rel="apple-touch-icon"]');
   const response = await page.request.get(await touch.evaluate((link) => /** @type {HTMLLinkElement} */ (link).href));

@@ -2,13 +2,17 @@
 import { expect, test } from '@playwright/test';
 import { Engraver } from './support/engraver.js';
 
-test('The page opens with the bunny loaded and a place for the code, so that Engrave is the first click', async ({ page, baseURL }) => {
+test('The page opens with the bunny loaded and a place for the code, so that Engrave is the first click', async ({
+  page,
+  baseURL,
+}) => {
   /** @type {string[]} */ const complaints = [];
   /** @type {string[]} */ const elsewhere = [];
   page.on('pageerror', (error) => complaints.push(error.message));
   page.on('console', (message) => message.type() === 'error' && complaints.push(message.text()));
   page.on('request', (request) => {
-    if (!request.url().startsWith(/** @type {string} */ (baseURL)) && !request.url().startsWith('data:')) elsewhere.push(request.url());
+    if (!request.url().startsWith(/** @type {string} */ (baseURL)) && !request.url().startsWith('data:'))
+      elsewhere.push(request.url());
   });
   const app = new Engraver(page);
   await app.open();
@@ -21,14 +25,19 @@ test('The page opens with the bunny loaded and a place for the code, so that Eng
 
   await test.step('nothing is asked of any other place than the one the page came from', async () => {
     expect(elsewhere).toEqual([]);
-    await expect(page.locator('meta[http-equiv="Content-Security-Policy"]')).toHaveAttribute('content', /default-src 'none'/);
+    await expect(page.locator('meta[http-equiv="Content-Security-Policy"]')).toHaveAttribute(
+      'content',
+      /default-src 'none'/,
+    );
   });
   await test.step('it does not scroll sideways', async () => {
     await app.openSettings();
-    const overflow = await page.evaluate(() => ['html', '#panel'].map((selector) => {
-      const element = /** @type {Element} */ (document.querySelector(selector));
-      return element.scrollWidth - element.clientWidth;
-    }));
+    const overflow = await page.evaluate(() =>
+      ['html', '#panel'].map((selector) => {
+        const element = /** @type {Element} */ (document.querySelector(selector));
+        return element.scrollWidth - element.clientWidth;
+      }),
+    );
     expect(overflow).toEqual([0, 0]);
   });
   expect(complaints).toEqual([]);
@@ -39,14 +48,16 @@ test('Each sample finds a place of at least 20 mm for its code', { tag: '@deskto
   await app.open('?sample=plate');
   await app.expectReady();
   await expect(app.sample).toHaveValue('plate');
-  const ids = await app.sample.locator('option').evaluateAll((all) => all.map((option) => /** @type {HTMLOptionElement} */ (option).value));
+  const ids = await app.sample
+    .locator('option')
+    .evaluateAll((all) => all.map((option) => /** @type {HTMLOptionElement} */ (option).value));
   expect(ids).toEqual(['bunny', 'owl', 'pawn', 'bumpy-sphere', 'vase', 'star', 'pyramid', 'saddle', 'plate']);
   expect(await app.width()).toBeGreaterThanOrEqual(20);
   for (const id of ids) {
     await test.step(`The sample ${id} finds a place of at least 20 mm for its code`, async () => {
       const before = await app.facts.innerText();
       await app.sample.selectOption(id);
-      await expect(app.facts).not.toHaveText(before);  // each has its own name
+      await expect(app.facts).not.toHaveText(before); // each has its own name
       await app.expectReady();
       expect(await app.width()).toBeGreaterThanOrEqual(20);
     });

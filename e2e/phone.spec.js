@@ -12,19 +12,27 @@ test('On a phone fingers place, move and turn the code, and the result can be re
     for (const name of ['Views', 'With code', 'Phone view', 'Fit', 'Inspector', 'Section']) {
       const box = await page.getByRole('button', { name }).boundingBox();
       expect(box?.height).toBeGreaterThanOrEqual(44);
-      expect((box?.x ?? -1)).toBeGreaterThanOrEqual(0);
+      expect(box?.x ?? -1).toBeGreaterThanOrEqual(0);
       expect((box?.x ?? 0) + (box?.width ?? 1000)).toBeLessThanOrEqual(360);
     }
   });
 
   await test.step('a finger on the grip moves the code, and a second one turns it', async () => {
     const before = await app.centre();
-    const box = /** @type {{ x: number, y: number, width: number, height: number }} */ (await app.moveHandle.boundingBox());
+    const box = /** @type {{ x: number, y: number, width: number, height: number }} */ (
+      await app.moveHandle.boundingBox()
+    );
     expect(box.width).toBeGreaterThanOrEqual(44);
     const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
     const client = await page.context().newCDPSession(page);
-    const touch = (/** @type {'touchStart' | 'touchMove' | 'touchEnd'} */ type, /** @type {[number, number][]} */ ...points) =>
-      client.send('Input.dispatchTouchEvent', { type, touchPoints: points.map(([px, py], id) => ({ x: px, y: py, id })) });
+    const touch = (
+      /** @type {'touchStart' | 'touchMove' | 'touchEnd'} */ type,
+      /** @type {[number, number][]} */ ...points
+    ) =>
+      client.send('Input.dispatchTouchEvent', {
+        type,
+        touchPoints: points.map(([px, py], id) => ({ x: px, y: py, id })),
+      });
     await touch('touchStart', [x, y]);
     await touch('touchMove', [x + 12, y + 8]);
     await touch('touchMove', [x + 20, y + 12]);
@@ -69,8 +77,12 @@ test('On a phone fingers place, move and turn the code, and the result can be re
     const inspector = new Inspector(page);
     await inspector.open();
     const { window } = /** @type {import('../web/engine/types.js').InspectorState} */ (await inspector.state());
-    const canvas = /** @type {{ x: number, y: number, width: number, height: number }} */ (await app.canvas.boundingBox());
-    const tools = /** @type {{ x: number, y: number, width: number, height: number }} */ (await page.getByRole('toolbar', { name: 'View' }).boundingBox());
+    const canvas = /** @type {{ x: number, y: number, width: number, height: number }} */ (
+      await app.canvas.boundingBox()
+    );
+    const tools = /** @type {{ x: number, y: number, width: number, height: number }} */ (
+      await page.getByRole('toolbar', { name: 'View' }).boundingBox()
+    );
     expect(canvas.y + window[1] >= tools.y + tools.height || canvas.y + window[1] + window[3] <= tools.y).toBe(true);
     expect(window[0] + window[2]).toBeLessThanOrEqual(canvas.width);
     expect(window[1] + window[3]).toBeLessThanOrEqual(canvas.height);
@@ -83,7 +95,7 @@ test('On a phone fingers place, move and turn the code, and the result can be re
     const { x, y } = await inspector.placeOf('Maps');
     await page.touchscreen.tap(x, y);
     await inspector.expectState((state) => state.tab, 'Maps');
-    expect(await app.centre()).toEqual(before);  // no tap passed through to the model
+    expect(await app.centre()).toEqual(before); // no tap passed through to the model
   });
 });
 
@@ -101,7 +113,10 @@ test('On a phone a Wi-Fi access is filled in by touch, with nothing wider than t
 
   await page.getByRole('combobox', { name: 'Kind of content' }).selectOption('Contact');
   await page.getByLabel('First name').fill('Ada');
-  for (const control of await page.getByRole('group', { name: 'Contact', exact: true }).locator('input, select').all()) {
+  for (const control of await page
+    .getByRole('group', { name: 'Contact', exact: true })
+    .locator('input, select')
+    .all()) {
     const box = await control.boundingBox();
     expect(box?.height).toBeGreaterThanOrEqual(40);
     expect((box?.x ?? 0) + (box?.width ?? 1000)).toBeLessThanOrEqual(360);
@@ -120,7 +135,8 @@ test('On a phone a Wi-Fi access is filled in by touch, with nothing wider than t
 async function pinch(page, x, y, from, to) {
   const client = await page.context().newCDPSession(page);
   const fingers = (/** @type {number} */ distance) => [
-    { x: x - distance / 2, y, id: 0 }, { x: x + distance / 2, y, id: 1 },
+    { x: x - distance / 2, y, id: 0 },
+    { x: x + distance / 2, y, id: 1 },
   ];
   await client.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints: fingers(from) });
   for (let step = 1; step <= 5; step += 1) {

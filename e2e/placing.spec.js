@@ -23,7 +23,9 @@ async function drag(page, from, through) {
   for (const point of through) await page.mouse.move(...point, { steps: 3 });
 }
 
-test('The code follows the pointer with its size, exactly once it rests, and a click places it there', async ({ page }) => {
+test('The code follows the pointer with its size, exactly once it rests, and a click places it there', async ({
+  page,
+}) => {
   const app = new Engraver(page);
   await app.open('?sample=bumpy-sphere');
   await app.expectReady();
@@ -44,28 +46,33 @@ test('The code follows the pointer with its size, exactly once it rests, and a c
     await expect.poll(() => app.centre()).not.toEqual(before);
     await app.expectReady();
     expect(await app.width()).toBeCloseTo(promised, 1);
-    await page.mouse.move(5, 700);  // next to the model
+    await page.mouse.move(5, 700); // next to the model
     await expect(app.chip).toBeHidden();
   });
 
   await test.step('the grip moves the code', async () => {
     const before = await app.centre();
     const from = await middleOf(app.moveHandle);
-    await drag(page, from, [[from[0] + 30, from[1] - 20], [from[0] + 45, from[1] - 25]]);
+    await drag(page, from, [
+      [from[0] + 30, from[1] - 20],
+      [from[0] + 45, from[1] - 25],
+    ]);
     await expect(app.chip).toContainText('mm wide');
     await page.mouse.up();
     await expect.poll(() => app.centre()).not.toEqual(before);
     await app.expectReady();
-    await expect.poll(async () => {
-      const after = await middleOf(app.moveHandle);
-      return Math.hypot(after[0] - from[0] - 45, after[1] - from[1] + 25);
-    }).toBeLessThan(6);  // the handles follow with the next frame
+    await expect
+      .poll(async () => {
+        const after = await middleOf(app.moveHandle);
+        return Math.hypot(after[0] - from[0] - 45, after[1] - from[1] + 25);
+      })
+      .toBeLessThan(6); // the handles follow with the next frame
   });
 
   await test.step('a drag turns the model and leaves the centre where it is; then a click is elsewhere on the sphere', async () => {
     const before = await app.centre();
     const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
-    await page.mouse.move(x - 120, y - 120);  // clear of the code's handles
+    await page.mouse.move(x - 120, y - 120); // clear of the code's handles
     await page.mouse.down();
     await page.mouse.move(x - 60, y - 100, { steps: 6 });
     await page.mouse.up();
@@ -75,7 +82,7 @@ test('The code follows the pointer with its size, exactly once it rests, and a c
     await expect.poll(() => app.centre()).not.toEqual(before);
     await app.expectReady();
     const [cx, cy, cz] = await app.centre();
-    expect(Math.abs(Math.hypot(cx, cy, cz - 50) - 48)).toBeLessThan(2.6);  // on the bumpy sphere
+    expect(Math.abs(Math.hypot(cx, cy, cz - 50) - 48)).toBeLessThan(2.6); // on the bumpy sphere
   });
 
   await test.step('by keyboard alone the model is turned, and the code placed, moved, turned and sized', async () => {
@@ -86,7 +93,7 @@ test('The code follows the pointer with its size, exactly once it rests, and a c
     await app.expectReady();
 
     before = await app.centre();
-    await expect(app.moveHandle).toBeVisible();  // the handle appears with the next frame
+    await expect(app.moveHandle).toBeVisible(); // the handle appears with the next frame
     await page.keyboard.press('Tab');
     await expect(app.moveHandle).toBeFocused();
     for (const key of ['ArrowRight', 'ArrowRight', 'ArrowUp', 'Enter']) await page.keyboard.press(key);
@@ -140,14 +147,16 @@ test('The turning handle turns the code, near upright it snaps, and one button s
   await app.expectReady();
 
   const awayFromUpright = async () => Math.abs((await middleOf(app.turnHandle))[0] - handle[0]);
-  await expect.poll(awayFromUpright).toBeLessThan(2);  // the handles follow with the next frame
+  await expect.poll(awayFromUpright).toBeLessThan(2); // the handles follow with the next frame
   const again = await middleOf(app.turnHandle);
   await drag(page, again, [[again[0] + 3, again[1]]]);
   await page.mouse.up();
   expect(await app.rotation()).toBe(0);
 });
 
-test('The corner handle makes the code smaller; drawn beyond the model it warns, and Escape leaves it as it was', async ({ page }) => {
+test('The corner handle makes the code smaller; drawn beyond the model it warns, and Escape leaves it as it was', async ({
+  page,
+}) => {
   const app = new Engraver(page);
   await app.open('?sample=saddle');
   await app.expectReady();
@@ -165,7 +174,7 @@ test('The corner handle makes the code smaller; drawn beyond the model it warns,
   expect(await app.width()).toBe(before);
 
   const fromCorner = async () => Math.abs((await middleOf(app.sizeHandle))[0] - corner[0]);
-  await expect.poll(fromCorner).toBeLessThan(2);  // the handles follow with the next frame
+  await expect.poll(fromCorner).toBeLessThan(2); // the handles follow with the next frame
   await drag(page, corner, [at(0.6)]);
   await page.mouse.up();
   await expect(app.setting('Size of the code')).toHaveValue('fixed');
@@ -184,7 +193,11 @@ test('What the handles did is undone and redone one by one', async ({ page }) =>
   const states = [await state()];
   const middle = await middleOf(app.moveHandle);
   const drags = [
-    { handle: app.sizeHandle, by: (/** @type {Point} */ [x, y]) => /** @type {Point} */ ([x + (middle[0] - x) * 0.3, y + (middle[1] - y) * 0.3]) },
+    {
+      handle: app.sizeHandle,
+      by: (/** @type {Point} */ [x, y]) =>
+        /** @type {Point} */ ([x + (middle[0] - x) * 0.3, y + (middle[1] - y) * 0.3]),
+    },
     { handle: app.turnHandle, by: (/** @type {Point} */ [x, y]) => /** @type {Point} */ ([x + 60, y + 30]) },
     { handle: app.moveHandle, by: (/** @type {Point} */ [x, y]) => /** @type {Point} */ ([x + 25, y + 15]) },
   ];

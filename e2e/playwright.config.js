@@ -20,20 +20,25 @@ const address = `http://127.0.0.1:${await choosePort()}/`;
 export default defineConfig({
   testDir: '.',
   outputDir: 'results',
-  workers: 1,  // the software renderer uses every core
-  timeout: 600_000,  // long enough for a whole journey on a busy machine
+  workers: 1, // the software renderer uses every core
+  timeout: 600_000, // long enough for a whole journey on a busy machine
   expect: { timeout: 120_000 },
   forbidOnly: Boolean(process.env.CI),
   reporter: [['list']],
   use: {
     baseURL: address,
-    serviceWorkers: 'block',  // except in tests of service workers: cached files would hide the served ones
+    serviceWorkers: 'block', // except in tests of service workers: cached files would hide the served ones
     trace: 'retain-on-failure',
     launchOptions: {
       executablePath: process.env.QRELIEF_CHROMIUM ?? '/usr/bin/chromium',
       args: [
-        '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--no-sandbox', '--disable-background-networking',
-        '--disable-component-update', '--disable-sync', '--no-first-run',
+        '--use-angle=swiftshader',
+        '--enable-unsafe-swiftshader',
+        '--no-sandbox',
+        '--disable-background-networking',
+        '--disable-component-update',
+        '--disable-sync',
+        '--no-first-run',
       ],
     },
   },

@@ -6,7 +6,9 @@ import { Engraver } from './support/engraver.js';
 
 const kPrinted = { timeout: 120_000 };
 
-test('The print is simulated beside the result, seen in the reader’s view, and follows process and pose', async ({ page }) => {
+test('The print is simulated beside the result, seen in the reader’s view, and follows process and pose', async ({
+  page,
+}) => {
   const app = new Engraver(page);
   await app.open('?sample=saddle&text=HELLO');
   await app.expectReady();

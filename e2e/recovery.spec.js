@@ -31,7 +31,9 @@ test('A worker that crashes, or has too little memory, is replaced, with everyth
   });
 
   await test.step('too little memory', async () => {
-    await page.evaluate(() => /** @type {any} */ (window).failNext('configure', { kind: 'Internal', code: 'out-of-memory', values: {} }));
+    await page.evaluate(() =>
+      /** @type {any} */ (window).failNext('configure', { kind: 'Internal', code: 'out-of-memory', values: {} }),
+    );
     await app.text.fill('more');
     await expect(app.alert).toContainText('no more memory');
     await expect.poll(() => workersOf(page)).toBe(3);
@@ -51,7 +53,7 @@ test('A lost WebGL context of the worker is rebuilt', async ({ page, browser }) 
   await app.open('?sample=saddle&text=and%20again');
   await app.expectReady();
   const session = await browser.newBrowserCDPSession();
-  await session.send('Browser.crashGpuProcess').catch(() => {});  // fails, since the browser reports the crash
+  await session.send('Browser.crashGpuProcess').catch(() => {}); // fails, since the browser reports the crash
   await expect.poll(() => workersOf(page)).toBeGreaterThan(1);
   await app.expectReady();
   await app.engrave();
@@ -60,7 +62,7 @@ test('A lost WebGL context of the worker is rebuilt', async ({ page, browser }) 
 
 test('Without a worker for it, a lost WebGL context is rebuilt, too', async ({ page }) => {
   await page.addInitScript(() => {
-    delete /** @type {any} */ (HTMLCanvasElement.prototype).transferControlToOffscreen;  // the page holds the context
+    delete (/** @type {any} */ (HTMLCanvasElement.prototype).transferControlToOffscreen); // the page holds the context
   });
   const app = new Engraver(page);
   await app.open('?sample=saddle&text=again');
@@ -69,7 +71,7 @@ test('Without a worker for it, a lost WebGL context is rebuilt, too', async ({ p
     canvas.setAttribute('data-lost', '');
     /** @type {HTMLCanvasElement} */ (canvas).getContext('webgl2')?.getExtension('WEBGL_lose_context')?.loseContext();
   });
-  await expect(page.locator('canvas[data-lost]')).toHaveCount(0);  // a new canvas has replaced it
+  await expect(page.locator('canvas[data-lost]')).toHaveCount(0); // a new canvas has replaced it
   await app.expectReady();
   await app.engrave();
   await expect(app.result).toContainText('Reads as again');

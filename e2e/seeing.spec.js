@@ -45,7 +45,13 @@ test('The model is looked at from every side, cut open, carved, and as a phone s
     await expect.poll(seen).toEqual(['top']);
 
     await app.canvas.focus();
-    for (const [key, name] of [['1', 'front'], ['2', 'back'], ['3', 'left'], ['4', 'right'], ['6', 'bottom']]) {
+    for (const [key, name] of [
+      ['1', 'front'],
+      ['2', 'back'],
+      ['3', 'left'],
+      ['4', 'right'],
+      ['6', 'bottom'],
+    ]) {
       await page.keyboard.press(key);
       await expect.poll(seen).toEqual([name]);
     }

@@ -2,7 +2,9 @@
 import { expect, test } from '@playwright/test';
 import { Engraver } from './support/engraver.js';
 
-test('Keys do the work, from the text to the download, but never while typing or under the help sheet, and can be switched off', async ({ page }) => {
+test('Keys do the work, from the text to the download, but never while typing or under the help sheet, and can be switched off', async ({
+  page,
+}) => {
   const app = new Engraver(page);
   await app.open('?sample=saddle&text=start');
   await app.expectReady();
@@ -13,7 +15,7 @@ test('Keys do the work, from the text to the download, but never while typing or
     const sheet = page.getByRole('dialog', { name: 'Keys, mouse and fingers' });
     await expect(sheet).toBeVisible();
     await expect(sheet).toContainText('Ctrl Shift ZRedo');
-    await page.keyboard.press('e');  // no shortcut works under the dialog
+    await page.keyboard.press('e'); // no shortcut works under the dialog
     await expect(app.progress).toBeHidden();
     await expect(app.status).toHaveText('Ready.');
     await page.keyboard.press('Escape');

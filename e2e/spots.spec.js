@@ -11,7 +11,9 @@ test('A suggested spot takes a code of the size that it promises, and is engrave
   await app.expectReady();
 
   await test.step('a place says how straight a phone must be held, and what would forgive more', async () => {
-    await expect(aim).toHaveText(/must hold the phone straight: it reads the code from \d° to the side at most. A smaller code or a flatter place forgives more/);
+    await expect(aim).toHaveText(
+      /must hold the phone straight: it reads the code from \d° to the side at most. A smaller code or a flatter place forgives more/,
+    );
     const before = await degrees();
     await app.openSettings();
     await app.setting('At most (mm)').fill('15');
@@ -26,12 +28,15 @@ test('A suggested spot takes a code of the size that it promises, and is engrave
   const proposed = await app.centre();
   await app.suggest();
   await expect(page.getByRole('button', { name: 'Sizes' })).toHaveAttribute('aria-pressed', 'true');
-  await expect(page.getByLabel('Colours of the model')).toContainText(/Largest code that fits and prints\s*0 mm\s*[\d.]+ mm\s*\d+ mm/);
+  await expect(page.getByLabel('Colours of the model')).toContainText(
+    /Largest code that fits and prints\s*0 mm\s*[\d.]+ mm\s*\d+ mm/,
+  );
 
   expect(await app.spots.count()).toBeGreaterThanOrEqual(3);
   await expect(app.spots.locator('canvas.drawn')).toHaveCount(await app.spots.count());
-  const isDark = (/** @type {number} */ red, /** @type {number} */ green, /** @type {number} */ blue) => Math.max(red, green, blue) < 115;
-  expect(await shareOf(app.spots.first().locator('canvas'), isDark)).toBeGreaterThan(0.03);  // a code's modules
+  const isDark = (/** @type {number} */ red, /** @type {number} */ green, /** @type {number} */ blue) =>
+    Math.max(red, green, blue) < 115;
+  expect(await shareOf(app.spots.first().locator('canvas'), isDark)).toBeGreaterThan(0.03); // a code's modules
   const spot = app.spots.nth(1);
   const [, promised, aside] = (/up to ([\d.]+) mm, (\d+)°/.exec(await spot.innerText()) ?? []).map(Number);
   await spot.click();
@@ -41,14 +46,16 @@ test('A suggested spot takes a code of the size that it promises, and is engrave
   const width = Number(/^([\d.]+) mm wide/.exec(await app.placement.innerText())?.[1]);
   expect(width).toBeGreaterThanOrEqual(promised);
   expect(width).toBeLessThan(promised + 1.1);
-  expect(Math.abs(await degrees() - aside)).toBeLessThanOrEqual(1);
+  expect(Math.abs((await degrees()) - aside)).toBeLessThanOrEqual(1);
 
   await app.engrave();
   await expect(app.result).toContainText('Reads as');
   await expect(page.getByLabel('Colours of the model')).toBeHidden();
 });
 
-test('Spots asked for while the text is still being typed are looked for with it; other settings forget them', async ({ page }) => {
+test('Spots asked for while the text is still being typed are looked for with it; other settings forget them', async ({
+  page,
+}) => {
   const app = new Engraver(page);
   await app.open('?sample=plate&text=A');
   await app.expectReady();

@@ -59,7 +59,9 @@ test('The text, the size and the centre are undone and redone one by one', async
   await expect(app.text).toHaveValue('second');
 });
 
-test('Undoing a carve shows the uncarved model, and redoing it brings the result back without carving', async ({ page }) => {
+test('Undoing a carve shows the uncarved model, and redoing it brings the result back without carving', async ({
+  page,
+}) => {
   const app = new Engraver(page);
   const { undo, redo } = buttons(page);
   await app.open('?sample=saddle&text=one');
@@ -96,7 +98,9 @@ test('Undoing a carve shows the uncarved model, and redoing it brings the result
   expect(Buffer.from((await app.download()).bytes).equals(Buffer.from(first))).toBe(true);
 });
 
-test('A change of model is undone, with its unit and the centre on it; Start over brings back what the page opens with', async ({ page }) => {
+test('A change of model is undone, with its unit and the centre on it; Start over brings back what the page opens with', async ({
+  page,
+}) => {
   const app = new Engraver(page);
   const { undo, redo, startOver } = buttons(page);
   await app.open();

@@ -24,7 +24,11 @@ export function pictureOf(grey, /** @type {number} */ width, /** @type {number} 
  */
 export function readPicture(peers, /** @type {string} */ file) {
   const { width, height, data } = requireFrom(peers)('pngjs').PNG.sync.read(readFileSync(file));
-  return pictureOf(Uint8Array.from({ length: width * height }, (_, i) => data[4 * i]), width, height);
+  return pictureOf(
+    Uint8Array.from({ length: width * height }, (_, i) => data[4 * i]),
+    width,
+    height,
+  );
 }
 
 /**
@@ -36,7 +40,11 @@ export async function npmDecoders(peers) {
   const require = requireFrom(peers);
   const imported = (/** @type {string} */ name) => import(pathToFileURL(require.resolve(name)).href);
   const [jsqr, zxing] = [require('jsqr'), require('@zxing/library')];
-  const [zxingWasm, qr, zbar] = [await imported('zxing-wasm/reader'), await imported('qr/decode.js'), await imported('@undecaf/zbar-wasm')];
+  const [zxingWasm, qr, zbar] = [
+    await imported('zxing-wasm/reader'),
+    await imported('qr/decode.js'),
+    await imported('@undecaf/zbar-wasm'),
+  ];
   zxingWasm.prepareZXingModule({
     overrides: { wasmBinary: readFileSync(`${peers}/node_modules/zxing-wasm/dist/reader/zxing_decoder.wasm`).buffer },
   });
@@ -52,17 +60,23 @@ export async function npmDecoders(peers) {
     `${name} ${JSON.parse(readFileSync(`${peers}/node_modules/${name}/package.json`, 'utf8')).version} (npm)`;
   return {
     [named('jsqr')]: (p) => (jsqr.default ?? jsqr)(p.rgba, p.width, p.height)?.data,
-    [named('@zxing/library')]: (p) => orNothing(() => {
-      const source = new zxing.RGBLuminanceSource(new Uint8ClampedArray(p.grey), p.width, p.height);
-      const bitmap = new zxing.BinaryBitmap(new zxing.HybridBinarizer(source));
-      return new zxing.QRCodeReader().decode(bitmap, new Map([[zxing.DecodeHintType.TRY_HARDER, true]])).getText();
-    }),
+    [named('@zxing/library')]: (p) =>
+      orNothing(() => {
+        const source = new zxing.RGBLuminanceSource(new Uint8ClampedArray(p.grey), p.width, p.height);
+        const bitmap = new zxing.BinaryBitmap(new zxing.HybridBinarizer(source));
+        return new zxing.QRCodeReader().decode(bitmap, new Map([[zxing.DecodeHintType.TRY_HARDER, true]])).getText();
+      }),
     [named('zxing-wasm')]: async (p) =>
-      (await zxingWasm.readBarcodes({ data: p.rgba, width: p.width, height: p.height }, { formats: ['QRCode'], tryHarder: true }))
-        .find((/** @type {{ isValid: boolean }} */ found) => found.isValid)?.text,
+      (
+        await zxingWasm.readBarcodes(
+          { data: p.rgba, width: p.width, height: p.height },
+          { formats: ['QRCode'], tryHarder: true },
+        )
+      ).find((/** @type {{ isValid: boolean }} */ found) => found.isValid)?.text,
     [named('qr')]: (p) => orNothing(() => qr.default({ width: p.width, height: p.height, data: p.rgba })),
     [named('@undecaf/zbar-wasm')]: async (p) =>
       (await zbar.scanGrayBuffer(p.grey.buffer, p.width, p.height))
-        .find((/** @type {{ typeName: string }} */ found) => found.typeName === 'ZBAR_QRCODE')?.decode(),
+        .find((/** @type {{ typeName: string }} */ found) => found.typeName === 'ZBAR_QRCODE')
+        ?.decode(),
   };
 }

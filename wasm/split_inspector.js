@@ -61,22 +61,40 @@ function reached({ callees }, from, without) {
  */
 export function onlyForInspector(graph) {
   const inspectors = new Set(graph.entrances.filter((name) => kEntrance.test(name)));
-  const others = reached(graph, graph.entrances.filter((name) => !inspectors.has(name)), new Set());
+  const others = reached(
+    graph,
+    graph.entrances.filter((name) => !inspectors.has(name)),
+    new Set(),
+  );
   const own = [...inspectors].filter((name) => !others.has(name));
   return [...reached(graph, own, others)].filter((name) => !graph.imports.has(name));
 }
 
 /** @param {string[]} argv */
 function main([module, inspector]) {
-  const dot = execFileSync('wasm-opt', ['--all-features', '--print-call-graph', module, '-o', '/dev/null'],
-    { encoding: 'utf8', maxBuffer: 1 << 28 });
+  const dot = execFileSync('wasm-opt', ['--all-features', '--print-call-graph', module, '-o', '/dev/null'], {
+    encoding: 'utf8',
+    maxBuffer: 1 << 28,
+  });
   const later = onlyForInspector(readCallGraph(dot));
-  if (later.length < 100) throw new Error(`only ${later.length} functions are the inspector's alone: are there names in ${module}?`);
+  if (later.length < 100)
+    throw new Error(`only ${later.length} functions are the inspector's alone: are there names in ${module}?`);
   const list = `${module}.later`;
   const first = `${module}.first`;
   writeFileSync(list, later.join('\n'));
-  execFileSync('wasm-split', ['--all-features', module, `--split-funcs=@${list}`, '--export-prefix=%',
-    '--placeholder-namespace=inspector', `--primary-output=${first}`, `--secondary-output=${inspector}`], { stdio: 'inherit' });
+  execFileSync(
+    'wasm-split',
+    [
+      '--all-features',
+      module,
+      `--split-funcs=@${list}`,
+      '--export-prefix=%',
+      '--placeholder-namespace=inspector',
+      `--primary-output=${first}`,
+      `--secondary-output=${inspector}`,
+    ],
+    { stdio: 'inherit' },
+  );
   renameSync(first, module);
   rmSync(list);
 }

@@ -64,7 +64,10 @@ export class App {
     this.tools_ = this.makeTools_();
     this.toolbar_ = this.makeToolbar_();
     this.inspecting_ = new Inspecting({
-      client: () => this.client_, view: this.view_, window: this.inspector_, toolbar: this.toolbar_,
+      client: () => this.client_,
+      view: this.view_,
+      window: this.inspector_,
+      toolbar: this.toolbar_,
       guard: (action) => this.guard_(action),
     });
     this.client_ = new EngineClient({
@@ -81,14 +84,26 @@ export class App {
     this.code_ = this.makeCode_();
     this.batchPanel_ = this.makeBatchPanel_();
     this.batching_ = this.makeBatching_();
-    this.workPanel_ = new WorkPanel({ onEngrave: () => this.guard_(() => this.session_.engrave()), onCancel: () => this.jobs_.cancel() });
+    this.workPanel_ = new WorkPanel({
+      onEngrave: () => this.guard_(() => this.session_.engrave()),
+      onCancel: () => this.jobs_.cancel(),
+    });
     this.carvePanel_ = new CarvePanel();
-    this.jobs_ = new Jobs({ panel: this.workPanel_, messages: this.messages_, onBusy: (busy) => this.session_.allowWork(!busy) });
-    this.placePanel_ = new PlacePanel((centreMm) => this.guard_(() => this.placing_.move(() => this.client_.setCentre(centreMm))));
+    this.jobs_ = new Jobs({
+      panel: this.workPanel_,
+      messages: this.messages_,
+      onBusy: (busy) => this.session_.allowWork(!busy),
+    });
+    this.placePanel_ = new PlacePanel((centreMm) =>
+      this.guard_(() => this.placing_.move(() => this.client_.setCentre(centreMm))),
+    );
     this.centre_ = new Centre((mm) => this.placePanel_.showCentre(mm));
     this.model_ = this.makeModel_();
     this.preparing_ = new Preparing({
-      client: this.client_, prepareReader: () => this.prepareTelling_(), isBusy: () => this.jobs_.busy || this.carving_.isPrinting, user: window,
+      client: this.client_,
+      prepareReader: () => this.prepareTelling_(),
+      isBusy: () => this.jobs_.busy || this.carving_.isPrinting,
+      user: window,
       isOverModel: ({ target }) => target instanceof HTMLCanvasElement,
     });
     this.placing_ = this.makePlacing_();
@@ -104,11 +119,32 @@ export class App {
     this.help_ = new HelpSheet();
     byId('start-over', HTMLButtonElement).addEventListener('click', () => this.guard_(() => this.session_.startOver()));
     this.session_ = new Session({
-      client: this.client_, view: this.view_, theme: this.theme_, legend: this.legend_, tools: this.tools_,
-      toolbar: this.toolbar_, inspecting: this.inspecting_, form: this.form_, code: this.code_,
-      workPanel: this.workPanel_, carvePanel: this.carvePanel_, jobs: this.jobs_, messages: this.messages_,
-      model: this.model_, centre: this.centre_, placing: this.placing_, spotsPanel: this.spotsPanel_, spots: this.spots_,
-      carving: this.carving_, batching: this.batching_, batchPanel: this.batchPanel_, batchCarving: this.batchCarving_, exporting: this.exporting_, kept: this.kept_, undo: this.undo_, recovery: this.recovery_,
+      client: this.client_,
+      view: this.view_,
+      theme: this.theme_,
+      legend: this.legend_,
+      tools: this.tools_,
+      toolbar: this.toolbar_,
+      inspecting: this.inspecting_,
+      form: this.form_,
+      code: this.code_,
+      workPanel: this.workPanel_,
+      carvePanel: this.carvePanel_,
+      jobs: this.jobs_,
+      messages: this.messages_,
+      model: this.model_,
+      centre: this.centre_,
+      placing: this.placing_,
+      spotsPanel: this.spotsPanel_,
+      spots: this.spots_,
+      carving: this.carving_,
+      batching: this.batching_,
+      batchPanel: this.batchPanel_,
+      batchCarving: this.batchCarving_,
+      exporting: this.exporting_,
+      kept: this.kept_,
+      undo: this.undo_,
+      recovery: this.recovery_,
     });
   }
 
@@ -177,11 +213,15 @@ export class App {
   /** @returns {Batching} */
   makeBatching_() {
     return new Batching({
-      client: this.client_, panel: this.batchPanel_, messages: this.messages_,
+      client: this.client_,
+      panel: this.batchPanel_,
+      messages: this.messages_,
       settings: (content) => this.form_.settings(content),
       isLocked: () => this.batchCarving_.isOpen,
       onPlanned: (planned) => {
-        this.code_.showParts(planned && { words: () => plannedWords(planned), isWrong: planned.problems.length > 0, first: planned.first });
+        this.code_.showParts(
+          planned && { words: () => plannedWords(planned), isWrong: planned.problems.length > 0, first: planned.first },
+        );
         this.workPanel_.nameEngrave(planned ? 'batch.engraveFirst' : 'page.engrave');
         this.batchCarving_.show();
       },
@@ -205,8 +245,16 @@ export class App {
   /** @param {import('./ui/notices.js').Notices} notices @returns {BatchCarving} */
   makeBatchCarving_(notices) {
     return new BatchCarving({
-      client: this.client_, store: new BatchStore(new Folder('batch')), batching: this.batching_, carving: this.carving_,
-      placing: this.placing_, model: this.model_, centre: this.centre_, panel: this.partsPanel_, notices, messages: this.messages_,
+      client: this.client_,
+      store: new BatchStore(new Folder('batch')),
+      batching: this.batching_,
+      carving: this.carving_,
+      placing: this.placing_,
+      model: this.model_,
+      centre: this.centre_,
+      panel: this.partsPanel_,
+      notices,
+      messages: this.messages_,
       currentWork: () => this.session_.currentWork(),
       onContinue: (work) => this.session_.continueWith(work),
       onLock: (locked) => this.batchPanel_.lock(locked),
@@ -222,7 +270,11 @@ export class App {
       onUpAxis: (upAxis) => this.guard_(() => this.session_.turnUp(upAxis)),
     });
     return new ModelSession({
-      client: this.client_, jobs: this.jobs_, messages: this.messages_, panel, centre: this.centre_,
+      client: this.client_,
+      jobs: this.jobs_,
+      messages: this.messages_,
+      panel,
+      centre: this.centre_,
       onReplacing: () => this.carving_.abort(),
       onLoaded: () => this.session_.useModel(),
       onFailed: () => this.session_.allowWork(true),
@@ -231,7 +283,11 @@ export class App {
 
   makePlacing_() {
     return new Placing({
-      client: this.client_, model: this.model_, centre: this.centre_, messages: this.messages_, panel: this.placePanel_,
+      client: this.client_,
+      model: this.model_,
+      centre: this.centre_,
+      messages: this.messages_,
+      panel: this.placePanel_,
       settings: () => this.session_.plannedSettings(),
       mayMove: () => !this.jobs_.busy,
       onMoved: () => this.guard_(() => this.session_.leaveCarved()),
@@ -246,19 +302,27 @@ export class App {
   }
 
   makeSpotsPanel_() {
-    return new SpotsPanel({
-      onSuggest: () => this.guard_(async () => {
-        await this.code_.settle();  // apply the text first, or its change would end the search
-        await this.spots_.suggest();
-      }),
-      onSpot: (index) => this.guard_(() => this.spots_.choose(index)),
-      onSizes: (shown) => this.guard_(() => this.session_.showSizes(shown)),
-    }, this.legend_);
+    return new SpotsPanel(
+      {
+        onSuggest: () =>
+          this.guard_(async () => {
+            await this.code_.settle(); // apply the text first, or its change would end the search
+            await this.spots_.suggest();
+          }),
+        onSpot: (index) => this.guard_(() => this.spots_.choose(index)),
+        onSizes: (shown) => this.guard_(() => this.session_.showSizes(shown)),
+      },
+      this.legend_,
+    );
   }
 
   makeSpotFinding_() {
     return new SpotFinding({
-      client: this.client_, jobs: this.jobs_, model: this.model_, placing: this.placing_, messages: this.messages_,
+      client: this.client_,
+      jobs: this.jobs_,
+      model: this.model_,
+      placing: this.placing_,
+      messages: this.messages_,
       panel: this.spotsPanel_,
       settings: () => this.session_.settings(),
       onSizes: () => this.guard_(() => this.carving_.show(false)),
@@ -281,7 +345,12 @@ export class App {
       },
     });
     return new Carving({
-      client: this.client_, jobs: this.jobs_, model: this.model_, placing: this.placing_, messages: this.messages_, panel,
+      client: this.client_,
+      jobs: this.jobs_,
+      model: this.model_,
+      placing: this.placing_,
+      messages: this.messages_,
+      panel,
       printing: new Printing({ client: this.client_ }),
       work: () => this.session_.work(),
       settings: () => this.session_.settings(),
@@ -293,7 +362,7 @@ export class App {
       onShown: (exists, shown) => this.session_.noteCarved(exists, shown),
       onPrinted: () => {
         this.session_.notePrinted();
-        this.preparing_.plan();  // planning had to wait for the print
+        this.preparing_.plan(); // planning had to wait for the print
       },
       guard: (action) => this.guard_(action),
     });
@@ -309,7 +378,11 @@ export class App {
 
   makeExporting_() {
     return new Exporting({
-      client: this.client_, model: this.model_, centre: this.centre_, placing: this.placing_, messages: this.messages_,
+      client: this.client_,
+      model: this.model_,
+      centre: this.centre_,
+      placing: this.placing_,
+      messages: this.messages_,
       settings: () => this.session_.settings(),
       settingsToSave: () => this.form_.settings(this.code_.text),
       settingKeys: () => this.form_.keys,
@@ -322,7 +395,8 @@ export class App {
   /** @param {import('./ui/notices.js').Notices} notices */
   makeContinuing_(notices) {
     return new Continuing({
-      last: new LastWork(new Database(), holdsSecret), notices,
+      last: new LastWork(new Database(), holdsSecret),
+      notices,
       current: () => this.session_.currentWork(),
       onContinue: (work) => this.guard_(() => this.session_.continueWith(work)),
     });
@@ -330,8 +404,13 @@ export class App {
 
   makeUndo_() {
     return new Undo({
-      client: this.client_, jobs: this.jobs_, model: this.model_, placing: this.placing_, spots: this.spots_,
-      carving: this.carving_, messages: this.messages_,
+      client: this.client_,
+      jobs: this.jobs_,
+      model: this.model_,
+      placing: this.placing_,
+      spots: this.spots_,
+      carving: this.carving_,
+      messages: this.messages_,
       work: () => this.session_.work(),
       write: (state) => this.session_.write(state),
       guard: (action) => this.guard_(action),

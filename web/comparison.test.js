@@ -7,7 +7,11 @@ import { test } from 'node:test';
 const read = (/** @type {string} */ path) => readFileSync(new URL(`../${path}`, import.meta.url), 'utf8');
 
 const [table, list] = read('docs/comparison.md').split('## Held by');
-const held = [...list.matchAll(/^- \[(\d+)\] `([^`]+)` “([^”]+)”$/gm)].map(([, feature, file, name]) => ({ feature, file, name }));
+const held = [...list.matchAll(/^- \[(\d+)\] `([^`]+)` “([^”]+)”$/gm)].map(([, feature, file, name]) => ({
+  feature,
+  file,
+  name,
+}));
 
 test('each feature of ours names tests, and none is named for nothing', () => {
   const features = [...table.matchAll(/\[(\d+)\]/g)].map(([, number]) => number);

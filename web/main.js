@@ -8,8 +8,10 @@ import { byId } from './dom/dom.js';
 const notices = new Notices(byId('stage', HTMLElement));
 await new App(notices).start(new URLSearchParams(location.search));
 if (import.meta.env.PROD) {
-  await keepOffline((reload) => notices.show('version', text('autosave.newVersion'), [
-    { label: text('autosave.reload'), run: reload, primary: true },
-    { label: text('autosave.later'), run: () => {} },
-  ]));
+  await keepOffline((reload) =>
+    notices.show('version', text('autosave.newVersion'), [
+      { label: text('autosave.reload'), run: reload, primary: true },
+      { label: text('autosave.later'), run: () => {} },
+    ]),
+  );
 }

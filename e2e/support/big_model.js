@@ -15,10 +15,13 @@ export function wavySphereStl(rows) {
     const points = new Float32Array(3 * columns);
     const polar = (Math.PI * i) / rows;
     for (let k = 0; k < columns; k += 1) {
-      const angle = i === 0 || i === rows ? 0 : (2 * Math.PI * k) / columns;  // each pole is one point
+      const angle = i === 0 || i === rows ? 0 : (2 * Math.PI * k) / columns; // each pole is one point
       const radius = 50 + Math.sin(8 * polar) ** 2 * Math.cos(9 * angle);
       const across = i === 0 || i === rows ? 0 : Math.sin(polar);
-      points.set([radius * across * Math.cos(angle), radius * across * Math.sin(angle), radius * Math.cos(polar)], 3 * k);
+      points.set(
+        [radius * across * Math.cos(angle), radius * across * Math.sin(angle), radius * Math.cos(polar)],
+        3 * k,
+      );
     }
     return points;
   };
@@ -32,10 +35,25 @@ export function wavySphereStl(rows) {
     for (let k = 0; k < columns; k += 1) {
       const next = (k + 1) % columns;
       /** @type {[Float32Array, number][][]} */
-      const triangles = [[[above, k], [below, k], [below, next]], [[above, k], [below, next], [above, next]]];
+      const triangles = [
+        [
+          [above, k],
+          [below, k],
+          [below, next],
+        ],
+        [
+          [above, k],
+          [below, next],
+          [above, next],
+        ],
+      ];
       for (const triangle of triangles) {
-        if ((i === 0 && triangle[2][0] === above) || (i === rows - 1 && triangle[1][0] === below && triangle[2][0] === below)) continue;
-        at += 12;  // normals are zero; parsers compute them
+        if (
+          (i === 0 && triangle[2][0] === above) ||
+          (i === rows - 1 && triangle[1][0] === below && triangle[2][0] === below)
+        )
+          continue;
+        at += 12; // normals are zero; parsers compute them
         triangle.forEach(([points, index]) => corner(points, index));
         at += 2;
       }

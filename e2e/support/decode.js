@@ -5,7 +5,9 @@ import { createRequire } from 'node:module';
 import { prepareZXingModule, readBarcodes } from 'zxing-wasm/reader';
 
 const wasm = readFileSync(createRequire(import.meta.url).resolve('zxing-wasm/reader/zxing_decoder.wasm'));
-prepareZXingModule({ overrides: { wasmBinary: wasm.buffer.slice(wasm.byteOffset, wasm.byteOffset + wasm.byteLength) } });
+prepareZXingModule({
+  overrides: { wasmBinary: wasm.buffer.slice(wasm.byteOffset, wasm.byteOffset + wasm.byteLength) },
+});
 
 /** @typedef {{ data: Uint8ClampedArray, width: number, height: number }} Picture */
 
@@ -19,14 +21,21 @@ const kPixelsPerModule = 4;
  */
 export async function decodePath(path, edge) {
   const width = edge * kPixelsPerModule;
-  const picture = /** @type {Picture} */ ({ data: new Uint8ClampedArray(4 * width * width).fill(255), width, height: width });
+  const picture = /** @type {Picture} */ ({
+    data: new Uint8ClampedArray(4 * width * width).fill(255),
+    width,
+    height: width,
+  });
   for (const [, x, y, length] of path.matchAll(/M(\d+) (\d+)h(\d+)v1h-\3z/g)) {
     for (let row = 0; row < kPixelsPerModule; row += 1) {
       const begin = (Number(y) * kPixelsPerModule + row) * width + Number(x) * kPixelsPerModule;
       for (let i = begin; i < begin + Number(length) * kPixelsPerModule; i += 1) picture.data.fill(0, 4 * i, 4 * i + 3);
     }
   }
-  const [found] = await readBarcodes(/** @type {ImageData} */ (/** @type {unknown} */ (picture)), { formats: ['QRCode'], tryHarder: true });
+  const [found] = await readBarcodes(/** @type {ImageData} */ (/** @type {unknown} */ (picture)), {
+    formats: ['QRCode'],
+    tryHarder: true,
+  });
   return found?.isValid ? found.text : '';
 }
 
@@ -35,7 +44,8 @@ export async function decodePath(path, edge) {
  * @returns {Promise<string>}  '' if no code is found
  */
 export async function decodePng(png) {
-  for (const tryDenoise of [false, true]) {  // denoising closes the gaps between the squares of a pattern
+  for (const tryDenoise of [false, true]) {
+    // denoising closes the gaps between the squares of a pattern
     const [found] = await readBarcodes(new Uint8Array(png), { formats: ['QRCode'], tryHarder: true, tryDenoise });
     if (found?.isValid) return found.text;
   }

@@ -22,7 +22,7 @@ export class Engraver {
     this.placement = page.locator('#placement-facts');
     this.facts = page.locator('#model-state');
     this.spots = page.getByRole('list', { name: 'Spots' }).getByRole('button');
-    this.chip = page.locator('.code-chip');  // next to the pointer, hidden from screen readers
+    this.chip = page.locator('.code-chip'); // next to the pointer, hidden from screen readers
     this.moveHandle = page.getByRole('button', { name: 'Move the code' });
     this.turnHandle = page.getByRole('slider', { name: 'Turn the code' });
     this.sizeHandle = page.getByRole('slider', { name: 'Size of the code on the model' });
@@ -74,7 +74,7 @@ export class Engraver {
 
   /** Clicks Engrave and waits for the result. */
   async engrave() {
-    await this.engraveButton.click();  // from here to the end the status shows the work
+    await this.engraveButton.click(); // from here to the end the status shows the work
     await this.expectResult();
   }
 
@@ -88,7 +88,8 @@ export class Engraver {
   /** @returns {Promise<{ name: string, bytes: Uint8Array }>} */
   async download(button = 'Download') {
     const [download] = await Promise.all([
-      this.page.waitForEvent('download'), this.page.getByRole('button', { name: button }).click(),
+      this.page.waitForEvent('download'),
+      this.page.getByRole('button', { name: button }).click(),
     ]);
     return { name: download.suggestedFilename(), bytes: new Uint8Array(await readFile(await download.path())) };
   }

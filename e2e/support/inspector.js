@@ -27,10 +27,12 @@ export class Inspector {
 
   /** Waits until the state has the wanted value. @param {(state: State) => unknown} value @param {unknown} wanted */
   async expectState(value, wanted) {
-    await expect.poll(async () => {
-      const state = await this.state();
-      return state && value(state);
-    }).toEqual(wanted);
+    await expect
+      .poll(async () => {
+        const state = await this.state();
+        return state && value(state);
+      })
+      .toEqual(wanted);
   }
 
   /**
@@ -40,10 +42,12 @@ export class Inspector {
    */
   async placeOf(control, share = { x: 0.5, y: 0.5 }) {
     /** @type {State | undefined} */ let state;
-    await expect.poll(async () => {
-      state = await this.state();
-      return state?.still ? Object.keys(state.controls) : [];
-    }).toContain(control);
+    await expect
+      .poll(async () => {
+        state = await this.state();
+        return state?.still ? Object.keys(state.controls) : [];
+      })
+      .toContain(control);
     const [x, y, width, height] = /** @type {State} */ (state).controls[control];
     const box = /** @type {{ x: number, y: number }} */ (await this.canvas.boundingBox());
     return { x: box.x + x + width * share.x, y: box.y + y + height * share.y };
@@ -72,12 +76,17 @@ export class Inspector {
   async expectStill(clip) {
     let last = '';
     let alike = 0;
-    await expect.poll(async () => {
-      const now = (await this.page.screenshot({ clip })).toString('base64');
-      alike = now === last ? alike + 1 : 0;
-      last = now;
-      return alike;
-    }, { intervals: [500] }).toBe(4);
+    await expect
+      .poll(
+        async () => {
+          const now = (await this.page.screenshot({ clip })).toString('base64');
+          alike = now === last ? alike + 1 : 0;
+          last = now;
+          return alike;
+        },
+        { intervals: [500] },
+      )
+      .toBe(4);
   }
 
   /**

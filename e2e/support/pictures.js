@@ -13,14 +13,26 @@ import { Site } from './site.js';
 /** @typedef {(app: Engraver, page: Page) => Promise<void>} Walk */
 
 const kRoot = fileURLToPath(new URL('../../', import.meta.url));
-const kSettleMs = 2500;  // for the view to refine its picture
+const kSettleMs = 2500; // for the view to refine its picture
 
 /** @type {Record<string, import('@playwright/test').BrowserContextOptions>} */
 const kLooks = {
   'desktop-light': { viewport: { width: 1280, height: 800 }, colorScheme: 'light' },
   'desktop-dark': { viewport: { width: 1280, height: 800 }, colorScheme: 'dark' },
-  'phone-light': { viewport: { width: 360, height: 740 }, hasTouch: true, isMobile: true, deviceScaleFactor: 2, colorScheme: 'light' },
-  'phone-dark': { viewport: { width: 360, height: 740 }, hasTouch: true, isMobile: true, deviceScaleFactor: 2, colorScheme: 'dark' },
+  'phone-light': {
+    viewport: { width: 360, height: 740 },
+    hasTouch: true,
+    isMobile: true,
+    deviceScaleFactor: 2,
+    colorScheme: 'light',
+  },
+  'phone-dark': {
+    viewport: { width: 360, height: 740 },
+    hasTouch: true,
+    isMobile: true,
+    deviceScaleFactor: 2,
+    colorScheme: 'dark',
+  },
   view: { viewport: { width: 1060, height: 560 }, colorScheme: 'light', bypassCSP: true },
 };
 
@@ -96,10 +108,22 @@ const kStates = {
     },
   },
   printed: { walk: (app, page) => seePrint(app, page, {}) },
-  'printed-standing': { query: kPlate, walk: (app, page) => seePrint(app, page, { 'Orientation on the printer': 'code-upright' }) },
-  'printed-lying': { query: kPlate, walk: (app, page) => seePrint(app, page, { 'Orientation on the printer': 'code-up' }) },
-  'printed-fine': { query: kPlate, walk: (app, page) => seePrint(app, page, { Process: 'fdm-0.25/0.1', 'Orientation on the printer': 'code-up' }) },
-  'printed-resin': { query: kPlate, walk: (app, page) => seePrint(app, page, { Process: 'resin-0.05', 'Orientation on the printer': 'code-up' }) },
+  'printed-standing': {
+    query: kPlate,
+    walk: (app, page) => seePrint(app, page, { 'Orientation on the printer': 'code-upright' }),
+  },
+  'printed-lying': {
+    query: kPlate,
+    walk: (app, page) => seePrint(app, page, { 'Orientation on the printer': 'code-up' }),
+  },
+  'printed-fine': {
+    query: kPlate,
+    walk: (app, page) => seePrint(app, page, { Process: 'fdm-0.25/0.1', 'Orientation on the printer': 'code-up' }),
+  },
+  'printed-resin': {
+    query: kPlate,
+    walk: (app, page) => seePrint(app, page, { Process: 'resin-0.05', 'Orientation on the printer': 'code-up' }),
+  },
   unread: {
     query: '?sample=bunny&text=too%20small',
     walk: async (app) => {
@@ -150,7 +174,12 @@ async function takeView(page, file) {
  */
 async function take(browser, site, { state, look, file }) {
   const { query = '?sample=bunny', walk, wholePage = false } = kStates[state];
-  const context = await browser.newContext({ ...kLooks[look], baseURL: site.address, locale: 'en', serviceWorkers: 'block' });
+  const context = await browser.newContext({
+    ...kLooks[look],
+    baseURL: site.address,
+    locale: 'en',
+    serviceWorkers: 'block',
+  });
   try {
     const page = await context.newPage();
     const app = new Engraver(page);
@@ -168,18 +197,30 @@ async function take(browser, site, { state, look, file }) {
 }
 
 /** @param {string | undefined} wantedState @param {string} [wantedLook] */
-const chosen = (wantedState, wantedLook = '') => (wantedState === 'shown' ? kShown
-  : Object.keys(kStates).filter((name) => !wantedState || name === wantedState).flatMap((state) =>
-    Object.keys(kLooks).filter((name) => name !== 'view' && name.startsWith(wantedLook)).map((look) =>
-      ({ file: `build/pictures/${state}-${look}.png`, state, look }))));
+const chosen = (wantedState, wantedLook = '') =>
+  wantedState === 'shown'
+    ? kShown
+    : Object.keys(kStates)
+        .filter((name) => !wantedState || name === wantedState)
+        .flatMap((state) =>
+          Object.keys(kLooks)
+            .filter((name) => name !== 'view' && name.startsWith(wantedLook))
+            .map((look) => ({ file: `build/pictures/${state}-${look}.png`, state, look })),
+        );
 
 const site = await new Site('/').open();
 let failed = false;
 try {
-  for (const picture of chosen(...(/** @type {[string | undefined, string?]} */ (process.argv.slice(2))))) {
-    const browser = await chromium.launch({  // a new browser for each: software rendering never frees its memory
+  for (const picture of chosen(.../** @type {[string | undefined, string?]} */ (process.argv.slice(2)))) {
+    const browser = await chromium.launch({
+      // a new browser for each: software rendering never frees its memory
       executablePath: process.env.QRELIEF_CHROMIUM ?? '/usr/bin/chromium',
-      args: ['--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--no-sandbox', '--disable-background-networking'],
+      args: [
+        '--use-angle=swiftshader',
+        '--enable-unsafe-swiftshader',
+        '--no-sandbox',
+        '--disable-background-networking',
+      ],
     });
     try {
       await take(browser, site, picture);

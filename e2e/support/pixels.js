@@ -13,9 +13,11 @@ export async function shareOf(element, colour) {
   const pixels = await element.page().evaluate(async (encoded) => {
     const bytes = Uint8Array.from(atob(encoded), (letter) => letter.charCodeAt(0));
     const picture = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
-    const scale = Math.min(1, 240 / picture.width);  // enough pixels, yet few to transfer
+    const scale = Math.min(1, 240 / picture.width); // enough pixels, yet few to transfer
     const [width, height] = [Math.round(picture.width * scale), Math.round(picture.height * scale)];
-    const context = /** @type {OffscreenCanvasRenderingContext2D} */ (new OffscreenCanvas(width, height).getContext('2d'));
+    const context = /** @type {OffscreenCanvasRenderingContext2D} */ (
+      new OffscreenCanvas(width, height).getContext('2d')
+    );
     context.imageSmoothingEnabled = false;
     context.drawImage(picture, 0, 0, width, height);
     return [...context.getImageData(0, 0, width, height).data];

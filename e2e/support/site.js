@@ -10,9 +10,18 @@ const kFolder = fileURLToPath(new URL('../../dist', import.meta.url));
 
 /** @type {Record<string, string>} */
 const kTypes = {
-  '.html': 'text/html; charset=utf-8', '.js': 'text/javascript', '.css': 'text/css', '.json': 'application/json',
-  '.wasm': 'application/wasm', '.svg': 'image/svg+xml', '.png': 'image/png', '.jpg': 'image/jpeg', '.webmanifest': 'application/manifest+json',
-  '.stl': 'model/stl', '.txt': 'text/plain', '.xml': 'application/xml',
+  '.html': 'text/html; charset=utf-8',
+  '.js': 'text/javascript',
+  '.css': 'text/css',
+  '.json': 'application/json',
+  '.wasm': 'application/wasm',
+  '.svg': 'image/svg+xml',
+  '.png': 'image/png',
+  '.jpg': 'image/jpeg',
+  '.webmanifest': 'application/manifest+json',
+  '.stl': 'model/stl',
+  '.txt': 'text/plain',
+  '.xml': 'application/xml',
 };
 
 /** @type {Map<string, Buffer>} */ const packed = new Map();
@@ -22,7 +31,7 @@ export class Site {
   constructor(base) {
     this.base = base;
     this.origin = '';
-    /** @type {Map<string, (content: string) => string>} */ this.changes = new Map();  // by file, for a new version
+    /** @type {Map<string, (content: string) => string>} */ this.changes = new Map(); // by file, for a new version
     /** @type {{ path: string, bytes: number }[]} */ this.sent = [];
     /** @type {(path: string) => boolean} */ this.lacks = () => false;
     this.types = { ...kTypes };
@@ -54,12 +63,18 @@ export class Site {
       return;
     }
     const change = this.changes.get(path);
-    const content = change ? gzipSync(change(readFileSync(file, 'utf8'))) : (packed.get(path) ?? gzipSync(readFileSync(file)));
+    const content = change
+      ? gzipSync(change(readFileSync(file, 'utf8')))
+      : (packed.get(path) ?? gzipSync(readFileSync(file)));
     if (!change) packed.set(path, content);
     this.sent.push({ path, bytes: content.length });
-    response.writeHead(200, {
-      'Content-Type': this.types[extname(path)] ?? 'application/octet-stream', 'Content-Encoding': 'gzip',
-      'Content-Length': content.length, 'Cache-Control': 'max-age=600',
-    }).end(content);
+    response
+      .writeHead(200, {
+        'Content-Type': this.types[extname(path)] ?? 'application/octet-stream',
+        'Content-Encoding': 'gzip',
+        'Content-Length': content.length,
+        'Cache-Control': 'max-age=600',
+      })
+      .end(content);
   }
 }

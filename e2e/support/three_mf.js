@@ -17,7 +17,10 @@ export function filesOf(bytes) {
   let at = data.readUInt32LE(end + 16);
   for (let left = data.readUInt16LE(end + 10); left > 0; left -= 1) {
     const [packedSize, nameSize, extraSize, commentSize, header] = [
-      data.readUInt32LE(at + 20), data.readUInt16LE(at + 28), data.readUInt16LE(at + 30), data.readUInt16LE(at + 32),
+      data.readUInt32LE(at + 20),
+      data.readUInt16LE(at + 28),
+      data.readUInt16LE(at + 30),
+      data.readUInt16LE(at + 32),
       data.readUInt32LE(at + 42),
     ];
     const begin = header + 30 + data.readUInt16LE(header + 26) + data.readUInt16LE(header + 28);
@@ -38,8 +41,10 @@ export const unzip = (bytes) => new Map([...filesOf(bytes)].map(([name, content]
  * @param {string} name
  * @returns {Record<string, string>[]}
  */
-const elements = (xml, name) => [...xml.matchAll(new RegExp(`<${name}\\b([^>]*)>`, 'g'))].map(([, attributes]) =>
-  Object.fromEntries([...attributes.matchAll(/([\w:]+)="([^"]*)"/g)].map(([, key, value]) => [key, value])));
+const elements = (xml, name) =>
+  [...xml.matchAll(new RegExp(`<${name}\\b([^>]*)>`, 'g'))].map(([, attributes]) =>
+    Object.fromEntries([...attributes.matchAll(/([\w:]+)="([^"]*)"/g)].map(([, key, value]) => [key, value])),
+  );
 
 /**
  * Returns every object with a mesh, by id.
@@ -70,8 +75,12 @@ export function bodiesOf(model) {
  * @param {string} model
  */
 export function itemsOf(model) {
-  const objects = new Map([...model.matchAll(/<object\b.*?<\/object>/gs)].map(([text]) =>
-    [elements(text, 'object')[0].id, elements(text, 'component').map(({ objectid }) => objectid)]));
+  const objects = new Map(
+    [...model.matchAll(/<object\b.*?<\/object>/gs)].map(([text]) => [
+      elements(text, 'object')[0].id,
+      elements(text, 'component').map(({ objectid }) => objectid),
+    ]),
+  );
   return elements(model, 'item').map(({ objectid }) => objects.get(objectid));
 }
 
@@ -80,10 +89,17 @@ export function itemsOf(model) {
  * @param {Map<string, string>} files
  */
 export function extrudersOf(files) {
-  const bambu = [...(files.get('Metadata/model_settings.config') ?? '')
-    .matchAll(/<part id="(\d+)"(?:(?!<\/part>).)*key="extruder" value="(\d+)"/gs)];
-  const prusa = [...(files.get('Metadata/Slic3r_PE_model.config') ?? '')
-    .matchAll(/<object id="(\d+)"(?:(?!<\/object>).)*?key="extruder" value="(\d+)"/gs)];
-  const byId = (/** @type {RegExpMatchArray[]} */ found) => Object.fromEntries(found.map(([, id, number]) => [id, number]));
+  const bambu = [
+    ...(files.get('Metadata/model_settings.config') ?? '').matchAll(
+      /<part id="(\d+)"(?:(?!<\/part>).)*key="extruder" value="(\d+)"/gs,
+    ),
+  ];
+  const prusa = [
+    ...(files.get('Metadata/Slic3r_PE_model.config') ?? '').matchAll(
+      /<object id="(\d+)"(?:(?!<\/object>).)*?key="extruder" value="(\d+)"/gs,
+    ),
+  ];
+  const byId = (/** @type {RegExpMatchArray[]} */ found) =>
+    Object.fromEntries(found.map(([, id, number]) => [id, number]));
   return { bambu: byId(bambu), prusa: byId(prusa) };
 }

@@ -33,7 +33,8 @@ export const holdWorkers = () => {
       const error = failing.get(message.verb);
       failing.delete(message.verb);
       if (error) this.dispatchEvent(new MessageEvent('message', { data: { id: message.id, error } }));
-      else if (page.skipped.includes(message.verb)) setTimeout(() => this.dispatchEvent(new MessageEvent('message', { data: { id: message.id } })));
+      else if (page.skipped.includes(message.verb))
+        setTimeout(() => this.dispatchEvent(new MessageEvent('message', { data: { id: message.id } })));
       else if (waiting) waiting.push(() => super.postMessage(message, transfer));
       else super.postMessage(message, transfer);
     }
@@ -48,16 +49,21 @@ export const freeze = (page) => page.evaluate(() => /** @type {any} */ (window).
  * @param {import('@playwright/test').Locator} text
  * @param {RegExp} pattern
  */
-export const freezeAt = (text, pattern) => text.evaluate((element, { source }) => new Promise((resolve) => {
-  const look = () => {
-    if (!new RegExp(source).test(element.textContent ?? '')) return;
-    observer.disconnect();
-    resolve(/** @type {any} */ (window).freeze());
-  };
-  const observer = new MutationObserver(look);
-  observer.observe(element, { childList: true, characterData: true, subtree: true });
-  look();
-}), { source: pattern.source });
+export const freezeAt = (text, pattern) =>
+  text.evaluate(
+    (element, { source }) =>
+      new Promise((resolve) => {
+        const look = () => {
+          if (!new RegExp(source).test(element.textContent ?? '')) return;
+          observer.disconnect();
+          resolve(/** @type {any} */ (window).freeze());
+        };
+        const observer = new MutationObserver(look);
+        observer.observe(element, { childList: true, characterData: true, subtree: true });
+        look();
+      }),
+    { source: pattern.source },
+  );
 
 /** @param {import('@playwright/test').Page} page */
 export const thaw = (page) => page.evaluate(() => /** @type {any} */ (window).thaw());
@@ -68,17 +74,22 @@ export const thaw = (page) => page.evaluate(() => /** @type {any} */ (window).th
  * @param {string} verb
  * @returns {Promise<any>}
  */
-export const askWorker = (page, verb) => page.evaluate((asked) => new Promise((resolve) => {
-  const worker = /** @type {any} */ (window).workers.at(-1);
-  const id = `test ${Math.random()}`;
-  const listen = (/** @type {MessageEvent} */ { data }) => {
-    if (data.id !== id) return;
-    worker.removeEventListener('message', listen);
-    resolve(data.value);
-  };
-  worker.addEventListener('message', listen);
-  worker.postMessage({ id, verb: asked, args: [] });
-}), verb);
+export const askWorker = (page, verb) =>
+  page.evaluate(
+    (asked) =>
+      new Promise((resolve) => {
+        const worker = /** @type {any} */ (window).workers.at(-1);
+        const id = `test ${Math.random()}`;
+        const listen = (/** @type {MessageEvent} */ { data }) => {
+          if (data.id !== id) return;
+          worker.removeEventListener('message', listen);
+          resolve(data.value);
+        };
+        worker.addEventListener('message', listen);
+        worker.postMessage({ id, verb: asked, args: [] });
+      }),
+    verb,
+  );
 
 /**
  * Makes the decoders find no text in codes carved with these presets (`page.addInitScript(blindReaders, presets)`).

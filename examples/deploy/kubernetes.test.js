@@ -21,10 +21,25 @@ async function faultsOf(job) {
   const folder = await mkdtemp(path.join(build, 'kubernetes-'));
   try {
     const file = path.join(folder, 'job.ts');
-    await writeFile(file, `import type { Job } from 'kubernetes-types/batch/v1';\nexport const job: Job = ${JSON.stringify(job)};\n`);
-    const options = ['--noEmit', '--strict', '--ignoreConfig', '--types', '', '--module', 'esnext', '--moduleResolution', 'bundler'];
+    await writeFile(
+      file,
+      `import type { Job } from 'kubernetes-types/batch/v1';\nexport const job: Job = ${JSON.stringify(job)};\n`,
+    );
+    const options = [
+      '--noEmit',
+      '--strict',
+      '--ignoreConfig',
+      '--types',
+      '',
+      '--module',
+      'esnext',
+      '--moduleResolution',
+      'bundler',
+    ];
     return await new Promise((resolve) => {
-      execFile(path.join(kProject, 'node_modules/.bin/tsc'), [...options, file], (error, out) => resolve(error ? out || error.message : ''));
+      execFile(path.join(kProject, 'node_modules/.bin/tsc'), [...options, file], (error, out) =>
+        resolve(error ? out || error.message : ''),
+      );
     });
   } finally {
     await rm(folder, { recursive: true });
@@ -71,8 +86,11 @@ test('The container needs no rights and writes to the mounted folder alone', () 
   const pod = manifest.spec.template.spec;
   const [container] = pod.containers;
   assert.equal(pod.securityContext.runAsNonRoot, true);
-  assert.deepEqual(container.securityContext,
-    { readOnlyRootFilesystem: true, allowPrivilegeEscalation: false, capabilities: { drop: ['ALL'] } });
+  assert.deepEqual(container.securityContext, {
+    readOnlyRootFilesystem: true,
+    allowPrivilegeEscalation: false,
+    capabilities: { drop: ['ALL'] },
+  });
   const written = container.args[container.args.indexOf('-o') + 1];
   assert.ok(written.startsWith(`${container.volumeMounts[0].mountPath}/`));
 });

@@ -19,13 +19,20 @@ const outputOf = (program, options) => execFileSync(program, options, { encoding
 const withTests = process.argv.includes('--all');
 
 /** True for a file to check; false for a file that the build generated. @param {string} file */
-const isMeant = (file) => file.startsWith(kProject) && !file.startsWith(kBuild) && (withTests || !/^(tests|bench)\//.test(relative(kProject, file)));
+const isMeant = (file) =>
+  file.startsWith(kProject) &&
+  !file.startsWith(kBuild) &&
+  (withTests || !/^(tests|bench)\//.test(relative(kProject, file)));
 
 /** Lists each file in compile_commands.json to check, once. @returns {Compilation[]} */
 function compilations() {
   const all = JSON.parse(readFileSync(join(kBuild, 'compile_commands.json'), 'utf8'))
     .filter((/** @type {Compilation} */ { file }) => isMeant(file))
-    .map((/** @type {Compilation} */ { file, command }) => ({ file, command, output: / -o (\S+) /.exec(command)?.[1] }));
+    .map((/** @type {Compilation} */ { file, command }) => ({
+      file,
+      command,
+      output: / -o (\S+) /.exec(command)?.[1],
+    }));
   return [...new Map(all.map((/** @type {Compilation} */ one) => [one.file, one])).values()];
 }
 
@@ -35,10 +42,15 @@ function sourcesOfObjects() {
   let current = [];
   for (const line of outputOf('ninja', ['-C', kBuild, '-t', 'deps']).split('\n')) {
     const object = /^(\S+): #deps/.exec(line);
-    if (object) sources.set(object[1], current = []);
+    if (object) sources.set(object[1], (current = []));
     else if (line.startsWith(' ')) current.push(resolve(kBuild, line.trim()));
   }
-  return new Map([...sources].map(([object, files]) => [object, files.filter((/** @type {string} */ file) => file.startsWith(kProject))]));
+  return new Map(
+    [...sources].map(([object, files]) => [
+      object,
+      files.filter((/** @type {string} */ file) => file.startsWith(kProject)),
+    ]),
+  );
 }
 
 /** @param {string | Buffer} bytes */
@@ -59,7 +71,10 @@ function digestOf(file) {
  */
 function stampNamer() {
   const sources = sourcesOfObjects();
-  const rules = [outputOf(kClangTidy, ['--version']), ...['.clang-tidy', 'tests/.clang-tidy'].map((file) => digestOf(resolve(file)))];
+  const rules = [
+    outputOf(kClangTidy, ['--version']),
+    ...['.clang-tidy', 'tests/.clang-tidy'].map((file) => digestOf(resolve(file))),
+  ];
   return ({ command, output }) => {
     const files = sources.get(output);
     if (!files) throw new Error(`${output} was not built: build the preset release first`);
@@ -98,5 +113,7 @@ async function work() {
 }
 
 await Promise.all(cpus().map(work));
-console.log(`clang-tidy looked at ${count} files, ${failed} of them failed; ${passedBefore} have not changed since they passed`);
+console.log(
+  `clang-tidy looked at ${count} files, ${failed} of them failed; ${passedBefore} have not changed since they passed`,
+);
 process.exitCode = failed ? 1 : 0;

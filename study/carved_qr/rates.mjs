@@ -17,7 +17,10 @@ const debianVersion = (/** @type {string} */ name) =>
 /** Debian's decoders, each a function from files to texts by file. */
 const debianDecoders = {
   [`zbarimg ${debianVersion('zbar-tools')} (Debian)`]: (files) => {
-    const out = spawnSync('zbarimg', ['--quiet', '--xml', '-Sdisable', '-Sqrcode.enable', ...files], { encoding: 'utf8', maxBuffer: 1e9 }).stdout;
+    const out = spawnSync('zbarimg', ['--quiet', '--xml', '-Sdisable', '-Sqrcode.enable', ...files], {
+      encoding: 'utf8',
+      maxBuffer: 1e9,
+    }).stdout;
     const texts = new Map();
     for (const [, file, body] of out.matchAll(/<source href='([^']*)'>(.*?)<\/source>/gs)) {
       texts.set(file, /<data><!\[CDATA\[(.*?)\]\]>/s.exec(body)?.[1]);
@@ -26,17 +29,34 @@ const debianDecoders = {
   },
   // Debian's OpenCV is built without its QR decoder.
   [`ZXingReader ${debianVersion('zxing-cpp-tools')} (Debian)`]: (files) => {
-    const out = spawnSync('ZXingReader', ['-1', '-format', 'QRCode', ...files], { encoding: 'utf8', maxBuffer: 1e9 }).stdout;
+    const out = spawnSync('ZXingReader', ['-1', '-format', 'QRCode', ...files], {
+      encoding: 'utf8',
+      maxBuffer: 1e9,
+    }).stdout;
     const texts = new Map();
     for (const [, file, text] of out.matchAll(/^(\S+) QRCode "(.*)"$/gm)) texts.set(file, text);
     return texts;
   },
 };
 
-const truth = readdirSync(`${folder}/truth`).sort().flatMap((part) =>
-  readFileSync(`${folder}/truth/${part}`, 'utf8').split('\n').filter(Boolean).map((line) => JSON.parse(line)));
-const kTilts = [[0, '0'], [20, 'up to 20'], [45, 'up to 45']];
-const classOf = (line) => [line.surface, line.lamp ? 'sky and lamp' : 'sky', kTilts.find(([most]) => line.tiltDeg <= most)[1]];
+const truth = readdirSync(`${folder}/truth`)
+  .sort()
+  .flatMap((part) =>
+    readFileSync(`${folder}/truth/${part}`, 'utf8')
+      .split('\n')
+      .filter(Boolean)
+      .map((line) => JSON.parse(line)),
+  );
+const kTilts = [
+  [0, '0'],
+  [20, 'up to 20'],
+  [45, 'up to 45'],
+];
+const classOf = (line) => [
+  line.surface,
+  line.lamp ? 'sky and lamp' : 'sky',
+  kTilts.find(([most]) => line.tiltDeg <= most)[1],
+];
 
 const rows = new Map();
 function count(/** @type {string} */ decoder, line, text) {
@@ -57,7 +77,9 @@ for (const [name, decode] of Object.entries(debianDecoders)) {
   for (const line of truth) count(name, line, texts.get(`${folder}/pictures/${line.picture}`));
   console.error(`${name}: ${truth.length} pictures`);
 }
-const csv = ['decoder,surface,light,tilt_deg,pictures,read,wrong',
-  ...[...rows].sort(([a], [b]) => (a < b ? -1 : 1)).map(([key, r]) => `${key},${r.pictures},${r.read},${r.wrong}`)].join('\n');
+const csv = [
+  'decoder,surface,light,tilt_deg,pictures,read,wrong',
+  ...[...rows].sort(([a], [b]) => (a < b ? -1 : 1)).map(([key, r]) => `${key},${r.pictures},${r.read},${r.wrong}`),
+].join('\n');
 if (outAt > 0) writeFileSync(process.argv[outAt + 1], `${csv}\n`);
 else console.log(csv);

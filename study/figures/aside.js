@@ -7,8 +7,8 @@ import { cases, name, said } from '../page/say.js';
 
 /** @typedef {import('../page/table.js').Row} Row */
 
-const kManyMarks = 7;  // from this version on a code has six alignment patterns, from 2 to 6 one [ISO/IEC 18004, annex E]
-const kUnread = -Infinity;  // not even from the front: below every tilt
+const kManyMarks = 7; // from this version on a code has six alignment patterns, from 2 to 6 one [ISO/IEC 18004, annex E]
+const kUnread = -Infinity; // not even from the front: below every tilt
 
 /** @param {Row} row */
 const tiltOf = (row) => row.tilt_deg ?? kUnread;
@@ -26,9 +26,20 @@ export function medianTilt(rows) {
 }
 
 /** @param {Row[]} rows @returns {Row[]} a row for each decoder, layout and arc: the median of the versions */
-const overVersions = (rows) => [...groupBy(rows.map((row) => ({ ...row, others: [row.reader, row.layout, row.arc_deg].join() })), 'others').values()]
-  .map((group) => ({ reader: decoderOf(group[0]), layout: group[0].layout, arc_deg: group[0].arc_deg, tilt_deg: medianTilt(group) }))
-  .filter(({ tilt_deg: tilt }) => tilt !== undefined);
+const overVersions = (rows) =>
+  [
+    ...groupBy(
+      rows.map((row) => ({ ...row, others: [row.reader, row.layout, row.arc_deg].join() })),
+      'others',
+    ).values(),
+  ]
+    .map((group) => ({
+      reader: decoderOf(group[0]),
+      layout: group[0].layout,
+      arc_deg: group[0].arc_deg,
+      tilt_deg: medianTilt(group),
+    }))
+    .filter(({ tilt_deg: tilt }) => tilt !== undefined);
 
 /**
  * Counts how often codes of one layout decode at tilts at least as large as codes of another layout, all else equal.
@@ -36,9 +47,14 @@ const overVersions = (rows) => [...groupBy(rows.map((row) => ({ ...row, others: 
  * @param {Row[]} rows @param {string} one @param {string} other
  */
 export function asFarAside(rows, one, other) {
-  const groups = groupBy(rows.map((row) => ({ ...row, others: [row.reader, row.version, row.arc_deg].join() })), 'others');
+  const groups = groupBy(
+    rows.map((row) => ({ ...row, others: [row.reader, row.version, row.arc_deg].join() })),
+    'others',
+  );
   return tally(groups.values(), (group) => {
-    const [a, b] = [one, other].map((layout) => group.find((row) => row.layout === layout)).map((row) => row && tiltOf(row));
+    const [a, b] = [one, other]
+      .map((layout) => group.find((row) => row.layout === layout))
+      .map((row) => row && tiltOf(row));
     return a === undefined || b === undefined || Math.max(a, b) === kUnread ? undefined : a >= b;
   });
 }
@@ -48,20 +64,36 @@ export function asFarAside(rows, one, other) {
  * arc.
  * @param {Row[]} rows  of one decoder and layout
  */
-export const manyMarksHelp = (rows) => [...groupBy(rows, 'arc_deg').values()].every((ofArc) => rises([false, true].map((many) => {
-  const tilts = ofArc.filter(({ version }) => version >= kManyMarks === many).map(tiltOf);
-  return tilts.length > 0 ? median(tilts) : undefined;
-})) === true);
+export const manyMarksHelp = (rows) =>
+  [...groupBy(rows, 'arc_deg').values()].every(
+    (ofArc) =>
+      rises(
+        [false, true].map((many) => {
+          const tilts = ofArc.filter(({ version }) => version >= kManyMarks === many).map(tiltOf);
+          return tilts.length > 0 ? median(tilts) : undefined;
+        }),
+      ) === true,
+  );
 
 /** @type {import('../page/figure.js').Figure} */
 export const aside = {
-  name: 'aside', table: 'aside', measures: ['tilt_deg'],
+  name: 'aside',
+  table: 'aside',
+  measures: ['tilt_deg'],
   draw: (rows, look) => {
     const { rows: values, order } = look.named(overVersions(rows), { reader: 'decoder', layout: 'layout' });
     return linePlots(values, look, {
-      plots: { field: 'reader', names: order('reader') }, columns: look.narrow ? 2 : 5, height: 130,
-      x: { field: 'arc_deg', title: look.word('axisArc') }, y: { field: 'tilt_deg', title: look.word('axisAside') },
-      lines: series('layout', order('layout'), [kColours.blue, kColours.grey, kColours.orange], ['circle', 'triangle-up', 'square']),
+      plots: { field: 'reader', names: order('reader') },
+      columns: look.narrow ? 2 : 5,
+      height: 130,
+      x: { field: 'arc_deg', title: look.word('axisArc') },
+      y: { field: 'tilt_deg', title: look.word('axisAside') },
+      lines: series(
+        'layout',
+        order('layout'),
+        [kColours.blue, kColours.grey, kColours.orange],
+        ['circle', 'triangle-up', 'square'],
+      ),
     });
   },
   find: (rows) => {
@@ -75,12 +107,27 @@ export const aside = {
       return tilt === 0 ? said('asideOnlyFront') : said('asideUpTo', { tilt });
     };
     const inFront = (/** @type {string} */ layout) => tally(ofLayout.get(layout) ?? [], (row) => tiltOf(row) > kUnread);
-    const helped = [...groupBy(projected.map((row) => ({ ...row, decoder: decoderOf(row) })), 'decoder')]
-      .filter(([, ofDecoder]) => manyMarksHelp(ofDecoder)).map(([decoder]) => name('decoder', decoder));
+    const helped = [
+      ...groupBy(
+        projected.map((row) => ({ ...row, decoder: decoderOf(row) })),
+        'decoder',
+      ),
+    ]
+      .filter(([, ofDecoder]) => manyMarksHelp(ofDecoder))
+      .map(([decoder]) => name('decoder', decoder));
     return [
-      said('asideArcs', { narrow: arcs[0], narrowTilt: upTo(arcs[0]), wide: arcs[arcs.length - 1], wideTilt: upTo(arcs[arcs.length - 1]) }),
+      said('asideArcs', {
+        narrow: arcs[0],
+        narrowTilt: upTo(arcs[0]),
+        wide: arcs[arcs.length - 1],
+        wideTilt: upTo(arcs[arcs.length - 1]),
+      }),
       said('asideLayouts', { cases: cases(asFarAside(rows, 'projected', 'wrapped')) }),
-      said('asideFront', { projected: cases(inFront('projected')), halfway: cases(inFront('halfway')), wrapped: cases(inFront('wrapped')) }),
+      said('asideFront', {
+        projected: cases(inFront('projected')),
+        halfway: cases(inFront('halfway')),
+        wrapped: cases(inFront('wrapped')),
+      }),
       said('asideMarks', { version: kManyMarks, list: helped }),
       said('asidePaper'),
     ];

@@ -14,7 +14,8 @@ import { kTries } from '../page/tries.js';
  * @param {string} method
  * @returns {number}
  */
-export const readsOf = (ofModel, method) => median(ofModel.filter((row) => row.method === method).map(({ printed }) => printed));
+export const readsOf = (ofModel, method) =>
+  median(ofModel.filter((row) => row.method === method).map(({ printed }) => printed));
 
 /**
  * Returns the median of typical tries over the models that have rows of the method.
@@ -23,14 +24,27 @@ export const readsOf = (ofModel, method) => median(ofModel.filter((row) => row.m
  * @returns {number}
  */
 export const readsOverModels = (rows, method) =>
-  median([...groupBy(rows.filter((row) => row.method === method), 'model').values()].map((ofModel) => readsOf(ofModel, method)));
+  median(
+    [
+      ...groupBy(
+        rows.filter((row) => row.method === method),
+        'model',
+      ).values(),
+    ].map((ofModel) => readsOf(ofModel, method)),
+  );
 
 /**
  * Returns the spread of one code's decoded tries over the texts: median over models and methods.
  * @param {Row[]} rows
  */
-export const spreadOf = (rows) => median([...groupBy(rows, 'model').values()].flatMap((ofModel) =>
-  [...groupBy(ofModel, 'method').values()].map((of) => Math.max(...of.map(({ printed }) => printed)) - Math.min(...of.map(({ printed }) => printed)))));
+export const spreadOf = (rows) =>
+  median(
+    [...groupBy(rows, 'model').values()].flatMap((ofModel) =>
+      [...groupBy(ofModel, 'method').values()].map(
+        (of) => Math.max(...of.map(({ printed }) => printed)) - Math.min(...of.map(({ printed }) => printed)),
+      ),
+    ),
+  );
 
 /**
  * Returns the models with rows of every method, our default included, with every text; other models cannot compare
@@ -40,29 +54,38 @@ export const spreadOf = (rows) => median([...groupBy(rows, 'model').values()].fl
  */
 export function wholeModels(rows) {
   const each = distinct(rows, 'method').length * distinct(rows, 'text').length;
-  return [...groupBy(rows, 'model').values()].filter((ofModel) => ofModel.length === each
-    && ofModel.some(({ method }) => method === kDefaultMethod));
+  return [...groupBy(rows, 'model').values()].filter(
+    (ofModel) => ofModel.length === each && ofModel.some(({ method }) => method === kDefaultMethod),
+  );
 }
 
 /** Returns the methods that decode more often than the default. @param {Row[]} ofModel @returns {string[]} */
-export const oftener = (ofModel) => distinct(ofModel, 'method').filter((method) => readsOf(ofModel, method) > readsOf(ofModel, kDefaultMethod));
+export const oftener = (ofModel) =>
+  distinct(ofModel, 'method').filter((method) => readsOf(ofModel, method) > readsOf(ofModel, kDefaultMethod));
 
 /** @type {import('../page/figure.js').Figure} */
 export const equalDepth = {
-  name: 'equalDepth', table: 'equal_depth', measures: ['depth_mm', 'printed'],
-  draw: (rows, look) => methodStrips(rows, look, [{ measure: 'printed', title: look.word('axisReads', { of: kTries }) }]),
+  name: 'equalDepth',
+  table: 'equal_depth',
+  measures: ['depth_mm', 'printed'],
+  draw: (rows, look) =>
+    methodStrips(rows, look, [{ measure: 'printed', title: look.word('axisReads', { of: kTries }) }]),
   find: (rows) => {
-    const ofModels = wholeModels(rows), compared = ofModels.flat();
+    const ofModels = wholeModels(rows),
+      compared = ofModels.flat();
     const holds = (/** @type {(method: string) => boolean} */ counts) =>
       models(tally(ofModels, (ofModel) => oftener(ofModel).filter(counts).length === 0));
     const others = distinct(compared, 'method').filter((method) => method !== kDefaultMethod);
     return [
       said('equalDepthOthers', { texts: distinct(compared, 'text').length, cases: holds((method) => !isOurs(method)) }),
       said('equalDepthList', {
-        list: others.map((method) => said('equalDepthBy', {
-          method: name('method', method), cases: models(tally(ofModels, (ofModel) => oftener(ofModel).includes(method))),
-          reads: { number: readsOverModels(compared, method), digits: 1 },
-        })),
+        list: others.map((method) =>
+          said('equalDepthBy', {
+            method: name('method', method),
+            cases: models(tally(ofModels, (ofModel) => oftener(ofModel).includes(method))),
+            reads: { number: readsOverModels(compared, method), digits: 1 },
+          }),
+        ),
         reads: { number: readsOverModels(compared, kDefaultMethod), digits: 1 },
       }),
       said('equalDepthSpread', { spread: { number: spreadOf(compared), digits: 1 } }),

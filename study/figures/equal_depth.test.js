@@ -7,7 +7,11 @@ import { oftener, readsOf, readsOverModels, spreadOf, wholeModels } from './equa
 const rowsOf = (method, reads) => reads.map((printed, at) => ({ model: 'plate', method, text: at + 1, printed }));
 
 test('methods are compared by the median over texts', () => {
-  const rows = [...rowsOf('ours', [40, 44, 30, 41]), ...rowsOf('a', [60, 39, 38, 41]), ...rowsOf('b', [41, 41, 41, 42])];
+  const rows = [
+    ...rowsOf('ours', [40, 44, 30, 41]),
+    ...rowsOf('a', [60, 39, 38, 41]),
+    ...rowsOf('b', [41, 41, 41, 42]),
+  ];
   assert.equal(readsOf(rows, 'ours'), 40.5);
   assert.deepEqual(oftener(rows), ['b']);
   assert.equal(spreadOf(rows), 14);

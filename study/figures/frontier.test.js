@@ -3,8 +3,17 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { betterThanDefault, leastDepthThatReads } from './frontier.js';
 
-const row = (/** @type {string} */ method, /** @type {number} */ mm, /** @type {number} */ printed) => ({ method, depth_mm: mm, printed });
-const kRows = [row('papp-2022', 0.2, 10), row('papp-2022', 0.4, 50), row('even-depth', 0.5, 70), row('ours-for-design', 0.2, 72)];
+const row = (/** @type {string} */ method, /** @type {number} */ mm, /** @type {number} */ printed) => ({
+  method,
+  depth_mm: mm,
+  printed,
+});
+const kRows = [
+  row('papp-2022', 0.2, 10),
+  row('papp-2022', 0.4, 50),
+  row('even-depth', 0.5, 70),
+  row('ours-for-design', 0.2, 72),
+];
 
 test('our default is beaten by methods that reach more reads at no more depth, and not by ours', () => {
   assert.deepEqual(betterThanDefault(kRows, row('ours', 0.3, 30)), []);

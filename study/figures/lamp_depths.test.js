@@ -3,7 +3,8 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { lampsDeepen, lampsMakeShallower } from './lamp_depths.js';
 
-const rows = (/** @type {number[]} */ ...depths) => depths.map((mm, lamps) => ({ modules: 'none', lamps, depth_mm: mm }));
+const rows = (/** @type {number[]} */ ...depths) =>
+  depths.map((mm, lamps) => ({ modules: 'none', lamps, depth_mm: mm }));
 
 test('every lamp counts, and one that is missing decides nothing', () => {
   assert.equal(lampsDeepen(rows(0.3, 0.4, 0.5), 'none'), true);

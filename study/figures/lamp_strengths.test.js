@@ -7,13 +7,19 @@ const lamp = (/** @type {number} */ elevation, /** @type {number[]} */ ...depths
   depths.map((depth, strength) => ({ modules: 'none', elevation, strength, depth_mm: depth }));
 
 test('an elevation counts where the lamp has one effect at every strength', () => {
-  assert.deepEqual(effects([...lamp(8, 0.7, 0.6), ...lamp(33, 0.7, 0.9), ...lamp(70, 0.9, 1.2)], 0.8),
-    { shallower: [8], deeper: [70], either: [33] });
+  assert.deepEqual(effects([...lamp(8, 0.7, 0.6), ...lamp(33, 0.7, 0.9), ...lamp(70, 0.9, 1.2)], 0.8), {
+    shallower: [8],
+    deeper: [70],
+    either: [33],
+  });
 });
 
 test('nothing is said of a pattern whose depth under the sky is not known', () => {
   const rows = [...lamp(8, 0.7), ...lamp(33, 0.7, 0.9), ...lamp(70, 0.9)];
   const sky = [{ model: 'plate', modules: 'none', lamps: 0, depth_mm: 0.8 }];
-  assert.deepEqual(lampStrengths.find(rows, { lamp_depths: sky }).map(({ say }) => say), ['strengthsSides', 'strengthsWhy']);
+  assert.deepEqual(
+    lampStrengths.find(rows, { lamp_depths: sky }).map(({ say }) => say),
+    ['strengthsSides', 'strengthsWhy'],
+  );
   assert.deepEqual(lampStrengths.find(rows, {}), []);
 });

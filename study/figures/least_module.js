@@ -8,14 +8,18 @@ import { cases, mm, name, said } from '../page/say.js';
 /** @typedef {import('../page/table.js').Row} Row */
 
 /** Returns the row with the smallest module that decodes. @param {Row[]} rows @returns {Row | undefined} */
-export const leastOf = (rows) => rows.filter((row) => row.module_mm !== null).sort((a, b) => a.module_mm - b.module_mm)[0];
+export const leastOf = (rows) =>
+  rows.filter((row) => row.module_mm !== null).sort((a, b) => a.module_mm - b.module_mm)[0];
 
 const kKeys = ['process', 'modules', 'finders', 'pose'];
 
 /** Groups the smallest modules by a column's value, all else equal. @param {Row[]} rows @param {string} column */
 function sizesBy(rows, column) {
   const others = kKeys.filter((key) => key !== column);
-  const groups = groupBy(rows.map((row) => ({ ...row, others: others.map((key) => row[key]).join(' ') })), 'others');
+  const groups = groupBy(
+    rows.map((row) => ({ ...row, others: others.map((key) => row[key]).join(' ') })),
+    'others',
+  );
   return [...groups.values()].map((group) => new Map(group.map((row) => [row[column], row.module_mm ?? Infinity])));
 }
 
@@ -23,31 +27,45 @@ function sizesBy(rows, column) {
  * Counts how often one value of a column allows a module at least as small as another value, all else equal.
  * @param {Row[]} rows @param {string} column @param {string} one @param {string} other
  */
-export const asSmall = (rows, column, one, other) => tally(sizesBy(rows, column), (sizes) => {
-  const [a, b] = [sizes.get(one), sizes.get(other)];
-  return a === undefined || b === undefined || (a === Infinity && b === Infinity) ? undefined : a <= b;
-});
+export const asSmall = (rows, column, one, other) =>
+  tally(sizesBy(rows, column), (sizes) => {
+    const [a, b] = [sizes.get(one), sizes.get(other)];
+    return a === undefined || b === undefined || (a === Infinity && b === Infinity) ? undefined : a <= b;
+  });
 
 /** @type {import('../page/figure.js').Figure} */
 export const leastModule = {
-  name: 'leastModule', table: 'least_module', measures: ['module_mm'],
+  name: 'leastModule',
+  table: 'least_module',
+  measures: ['module_mm'],
   draw: (rows, look) => {
     /** @param {any} process @param {any} pose */
-    const print = (process, pose) => look.word('printAs', { process: name('process', process), pose: name('pose', pose) });
-    const prints = inOrder(rows, 'process', 'process')
-      .flatMap((process) => inOrder(rows, 'pose', 'pose').map((pose) => print(process, pose)));
+    const print = (process, pose) =>
+      look.word('printAs', { process: name('process', process), pose: name('pose', pose) });
+    const prints = inOrder(rows, 'process', 'process').flatMap((process) =>
+      inOrder(rows, 'pose', 'pose').map((pose) => print(process, pose)),
+    );
     const labelled = rows.map((row) => ({ ...row, print: print(row.process, row.pose) }));
     return patternPlots(labelled, look, {
-      plots: { field: 'print', names: prints }, columns: look.narrow ? 1 : 2, x: { field: 'module_mm', title: look.word('axisModule') },
+      plots: { field: 'print', names: prints },
+      columns: look.narrow ? 1 : 2,
+      x: { field: 'module_mm', title: look.word('axisModule') },
     });
   },
   find: (rows) => {
     const least = [...groupBy(rows, 'process').values()].flatMap((ofProcess) => {
       const row = leastOf(ofProcess);
-      return row ? [said('leastOne', {
-        process: name('process', row.process), module: mm(row.module_mm), pattern: name('pattern', row.modules),
-        finders: name('finder', row.finders), pose: name('pose', row.pose),
-      })] : [];
+      return row
+        ? [
+            said('leastOne', {
+              process: name('process', row.process),
+              module: mm(row.module_mm),
+              pattern: name('pattern', row.modules),
+              finders: name('finder', row.finders),
+              pose: name('pose', row.pose),
+            }),
+          ]
+        : [];
     });
     const unread = rows.filter((row) => row.module_mm === null).length;
     return [

@@ -16,16 +16,25 @@ const compared = (rows) => rows.filter((row) => row.light_error_size !== null);
  * @param {Row[]} rows
  * @returns {{ method: string, size: number, mean: number }[]}
  */
-export const byError = (rows) => distinct(compared(rows), 'method')
-  .map((method) => ({ method, size: typical(rows, method, 'light_error_size'), mean: typical(rows, method, 'light_error') }))
-  .sort((a, b) => a.size - b.size);
+export const byError = (rows) =>
+  distinct(compared(rows), 'method')
+    .map((method) => ({
+      method,
+      size: typical(rows, method, 'light_error_size'),
+      mean: typical(rows, method, 'light_error'),
+    }))
+    .sort((a, b) => a.size - b.size);
 
 /** @type {import('../page/figure.js').Figure} */
 export const lightErrors = {
-  name: 'lightErrors', table: 'method_comparison', measures: ['light_error', 'light_error_size'],
-  draw: (rows, look) => methodStrips(compared(rows), look, [
-    { measure: 'light_error_size', title: look.word('axisErrorSize') }, { measure: 'light_error', title: look.word('axisError') },
-  ]),
+  name: 'lightErrors',
+  table: 'method_comparison',
+  measures: ['light_error', 'light_error_size'],
+  draw: (rows, look) =>
+    methodStrips(compared(rows), look, [
+      { measure: 'light_error_size', title: look.word('axisErrorSize') },
+      { measure: 'light_error', title: look.word('axisError') },
+    ]),
   find: (rows) => {
     const errors = byError(rows);
     const [least, most] = [errors[0], errors[errors.length - 1]];
@@ -33,10 +42,19 @@ export const lightErrors = {
     const fraction = (/** @type {number} */ number) => ({ number, digits: 3 });
     return [
       said('errorsRange', {
-        least: name('method', least.method), leastError: fraction(least.size),
-        most: name('method', most.method), mostError: fraction(most.size),
+        least: name('method', least.method),
+        leastError: fraction(least.size),
+        most: name('method', most.method),
+        mostError: fraction(most.size),
       }),
-      ...(ours ? [said(ours.mean < 0 ? 'errorsOursDark' : 'errorsOursBright', { size: fraction(ours.size), mean: fraction(Math.abs(ours.mean)) })] : []),
+      ...(ours
+        ? [
+            said(ours.mean < 0 ? 'errorsOursDark' : 'errorsOursBright', {
+              size: fraction(ours.size),
+              mean: fraction(Math.abs(ours.mean)),
+            }),
+          ]
+        : []),
       said('errorsWhy'),
     ];
   },

@@ -45,7 +45,11 @@ export function wholeIsAsSelfShadows(ofModel) {
 }
 
 /** Counts the models on which a method's codes decode as designed. @param {Row[]} rows @param {string} method */
-export const readsAsDesigned = (rows, method) => tally(rows.filter((row) => row.method === method), ({ designed }) => designed >= kNeeded);
+export const readsAsDesigned = (rows, method) =>
+  tally(
+    rows.filter((row) => row.method === method),
+    ({ designed }) => designed >= kNeeded,
+  );
 
 /** Returns a measure's median over the models. @param {Row[]} rows @param {string} method @param {string} measure */
 export const typical = (rows, method, measure) =>
@@ -53,23 +57,46 @@ export const typical = (rows, method, measure) =>
 
 /** @type {import('../page/figure.js').Figure} */
 export const methodDepths = {
-  name: 'methodDepths', table: 'method_comparison', measures: ['depth_mm', 'designed', 'printed'],
+  name: 'methodDepths',
+  table: 'method_comparison',
+  measures: ['depth_mm', 'designed', 'printed'],
   draw: (rows, look) => methodStrips(rows, look, [{ measure: 'depth_mm', title: look.word('axisDepth') }]),
   find: (rows) => {
-    const times = [...groupBy(rows, 'model').values()].map(selfShadowsTimesWhole).filter((value) => value !== undefined);
-    const halves = [...groupBy(rows, 'model').values()].map(oneLightOfSelfShadows).filter((value) => value !== undefined);
+    const times = [...groupBy(rows, 'model').values()]
+      .map(selfShadowsTimesWhole)
+      .filter((value) => value !== undefined);
+    const halves = [...groupBy(rows, 'model').values()]
+      .map(oneLightOfSelfShadows)
+      .filter((value) => value !== undefined);
     const alike = onModels(rows, wholeIsAsSelfShadows);
     const depth = (/** @type {string} */ method) => mm(typical(rows, method, 'depth_mm'));
     const unread = distinct(rows, 'method').filter((method) => typical(rows, method, 'printed') < kNeeded);
     const order = onModels(rows, isPaperOrder);
     const lamps = ['one-light-2020', 'ours-one-light'].map((method) => readsAsDesigned(rows, method));
     return [
-      said('methodsOrder', { cases: models(order), light: depth('one-light-2020'), papp: depth('papp-2022'), shadow: depth('self-shadow-2019') }),
-      said('methodsHalf', { least: mm(Math.min(...halves)), middle: mm(median(halves)), most: mm(Math.max(...halves)) }),
-      said('methodsWhole', { cases: models(alike), times: { number: median(times), digits: 1 }, percent: 100 * kAlikeFraction }),
+      said('methodsOrder', {
+        cases: models(order),
+        light: depth('one-light-2020'),
+        papp: depth('papp-2022'),
+        shadow: depth('self-shadow-2019'),
+      }),
+      said('methodsHalf', {
+        least: mm(Math.min(...halves)),
+        middle: mm(median(halves)),
+        most: mm(Math.max(...halves)),
+      }),
+      said('methodsWhole', {
+        cases: models(alike),
+        times: { number: median(times), digits: 1 },
+        percent: 100 * kAlikeFraction,
+      }),
       ...(alike.holds < alike.of || order.holds < order.of ? [said('methodsWhy')] : []),
-      ...(lamps.some(({ holds, of }) => holds < of) ? [said('methodsLamp', { peng: models(lamps[0]), ours: models(lamps[1]) })] : []),
-      unread.length > 0 ? said('methodsUnread', { list: unread.map((method) => name('method', method)) }) : said('methodsAllRead'),
+      ...(lamps.some(({ holds, of }) => holds < of)
+        ? [said('methodsLamp', { peng: models(lamps[0]), ours: models(lamps[1]) })]
+        : []),
+      unread.length > 0
+        ? said('methodsUnread', { list: unread.map((method) => name('method', method)) })
+        : said('methodsAllRead'),
     ];
   },
 };

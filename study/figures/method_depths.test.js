@@ -1,7 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { isPaperOrder, oneLightOfSelfShadows, readsAsDesigned, selfShadowsTimesWhole, typical, wholeIsAsSelfShadows } from './method_depths.js';
+import {
+  isPaperOrder,
+  oneLightOfSelfShadows,
+  readsAsDesigned,
+  selfShadowsTimesWhole,
+  typical,
+  wholeIsAsSelfShadows,
+} from './method_depths.js';
 
 const depths = (/** @type {Record<string, number>} */ byMethod) =>
   Object.entries(byMethod).map(([method, mm]) => ({ method, depth_mm: mm }));
@@ -18,7 +25,8 @@ test('a depth of 2020 is a fraction of that of 2019 where both were measured', (
 });
 
 test('whole modules are as deep as those of 2019 within a quarter, up or down', () => {
-  const judged = (/** @type {number} */ peng) => wholeIsAsSelfShadows(depths({ 'self-shadow-2019': peng, 'papp-2022-whole-modules': 0.8 }));
+  const judged = (/** @type {number} */ peng) =>
+    wholeIsAsSelfShadows(depths({ 'self-shadow-2019': peng, 'papp-2022-whole-modules': 0.8 }));
   assert.deepEqual([0.63, 0.65, 0.99, 1.01].map(judged), [false, true, true, false]);
   assert.equal(selfShadowsTimesWhole(depths({ 'self-shadow-2019': 2, 'papp-2022-whole-modules': 0.8 })), 2.5);
   assert.equal(wholeIsAsSelfShadows(depths({ 'self-shadow-2019': 2 })), undefined);

@@ -16,16 +16,27 @@ import { typical } from './method_depths.js';
  */
 export function betterThanDefault(ofModel) {
   const ours = ofModel.find(({ method }) => method === kDefaultMethod);
-  return ours && ofModel.filter(({ method, printed, depth_mm: depth }) =>
-    !isOurs(method) && !isForOneLamp(method) && printed > ours.printed && depth <= ours.depth_mm).map(({ method }) => method);
+  return (
+    ours &&
+    ofModel
+      .filter(
+        ({ method, printed, depth_mm: depth }) =>
+          !isOurs(method) && !isForOneLamp(method) && printed > ours.printed && depth <= ours.depth_mm,
+      )
+      .map(({ method }) => method)
+  );
 }
 
 /** @type {import('../page/figure.js').Figure} */
 export const paperModule = {
-  name: 'paperModule', table: 'paper_module', measures: ['depth_mm', 'printed'],
-  draw: (rows, look) => methodStrips(rows, look, [
-    { measure: 'depth_mm', title: look.word('axisDepth') }, { measure: 'printed', title: look.word('axisReads', { of: kTries }) },
-  ]),
+  name: 'paperModule',
+  table: 'paper_module',
+  measures: ['depth_mm', 'printed'],
+  draw: (rows, look) =>
+    methodStrips(rows, look, [
+      { measure: 'depth_mm', title: look.word('axisDepth') },
+      { measure: 'printed', title: look.word('axisReads', { of: kTries }) },
+    ]),
   find: (rows) => {
     const others = distinct(rows, 'method').filter((method) => !isOurs(method) && !isForOneLamp(method));
     const reads = (/** @type {string} */ method) => Math.round(typical(rows, method, 'printed'));
@@ -36,7 +47,13 @@ export const paperModule = {
     return [
       said('paperModuleReads', { reads: reads(kDefaultMethod), depth: mm(typical(rows, kDefaultMethod, 'depth_mm')) }),
       said('paperModuleOthers', {
-        list: others.map((method) => said('paperModuleOther', { method: name('method', method), reads: reads(method), depth: mm(typical(rows, method, 'depth_mm')) })),
+        list: others.map((method) =>
+          said('paperModuleOther', {
+            method: name('method', method),
+            reads: reads(method),
+            depth: mm(typical(rows, method, 'depth_mm')),
+          }),
+        ),
       }),
       said('paperModuleDefault', { cases: models(onOrAbove) }),
     ];

@@ -9,15 +9,22 @@ import { kNeeded } from '../page/tries.js';
 
 /** Returns depths by module pattern. @param {Row[]} ofModel @param {string} finders  pattern of the finder patterns */
 const depthsOf = (ofModel, finders) => {
-  const depths = valuesBy(ofModel.filter((row) => row.finders === finders), 'modules', 'depth_mm');
+  const depths = valuesBy(
+    ofModel.filter((row) => row.finders === finders),
+    'modules',
+    'depth_mm',
+  );
   return ['none', 'square', 'thin-plus', 'diamond', 'thick-plus'].every((pattern) => depths[pattern] !== undefined)
-    ? /** @type {Record<string, number>} */ (depths) : undefined;
+    ? /** @type {Record<string, number>} */ (depths)
+    : undefined;
 };
 
 /** True if the two patterns that do not connect are the shallowest. @param {Row[]} ofModel @param {string} [finders] */
 export function looseAreShallowest(ofModel, finders = 'as-modules') {
   const depths = depthsOf(ofModel, finders);
-  return depths && Math.max(depths.square, depths['thin-plus']) < Math.min(depths.none, depths.diamond, depths['thick-plus']);
+  return (
+    depths && Math.max(depths.square, depths['thin-plus']) < Math.min(depths.none, depths.diamond, depths['thick-plus'])
+  );
 }
 
 /** @param {Row[]} ofModel */
@@ -34,11 +41,16 @@ export function thickPlusIsDeepest(ofModel) {
 
 /** Counts the cases in which patterned finder patterns are shallower than whole ones. @param {Row[]} rows */
 export function findersLowerDepth(rows) {
-  const whole = new Map(rows.filter(({ finders }) => finders === 'none').map((row) => [`${row.model} ${row.modules}`, row.depth_mm]));
-  return tally(rows.filter(({ finders }) => ['diamond', 'thick-plus'].includes(finders)), (row) => {
-    const depth = whole.get(`${row.model} ${row.modules}`);
-    return depth === undefined ? undefined : row.depth_mm < depth;
-  });
+  const whole = new Map(
+    rows.filter(({ finders }) => finders === 'none').map((row) => [`${row.model} ${row.modules}`, row.depth_mm]),
+  );
+  return tally(
+    rows.filter(({ finders }) => ['diamond', 'thick-plus'].includes(finders)),
+    (row) => {
+      const depth = whole.get(`${row.model} ${row.modules}`);
+      return depth === undefined ? undefined : row.depth_mm < depth;
+    },
+  );
 }
 
 /**
@@ -47,20 +59,29 @@ export function findersLowerDepth(rows) {
  * @returns {number}
  */
 export function findersApart(rows) {
-  const groups = groupBy(rows.map((row) => ({ ...row, others: `${row.model} ${row.modules}` })), 'others');
-  return Math.max(...[...groups.values()].map((group) => {
-    const { diamond, 'thick-plus': thickPlus } = valuesBy(group, 'finders', 'depth_mm');
-    return diamond === undefined || thickPlus === undefined ? 0 : Math.abs(diamond - thickPlus);
-  }));
+  const groups = groupBy(
+    rows.map((row) => ({ ...row, others: `${row.model} ${row.modules}` })),
+    'others',
+  );
+  return Math.max(
+    ...[...groups.values()].map((group) => {
+      const { diamond, 'thick-plus': thickPlus } = valuesBy(group, 'finders', 'depth_mm');
+      return diamond === undefined || thickPlus === undefined ? 0 : Math.abs(diamond - thickPlus);
+    }),
+  );
 }
 
 /** @type {import('../page/figure.js').Figure} */
 export const patternDepths = {
-  name: 'patternDepths', table: 'pattern_depths', measures: ['depth_mm', 'designed', 'printed'],
+  name: 'patternDepths',
+  table: 'pattern_depths',
+  measures: ['depth_mm', 'designed', 'printed'],
   draw: (rows, look) => {
     const { rows: values, order } = look.named(rows, { model: 'model' });
     return patternPlots(values, look, {
-      plots: { field: 'model', names: order('model') }, columns: look.narrow ? 2 : 4, x: { field: 'depth_mm', title: look.word('axisDepth') },
+      plots: { field: 'model', names: order('model') },
+      columns: look.narrow ? 2 : 4,
+      x: { field: 'depth_mm', title: look.word('axisDepth') },
     });
   },
   find: (rows) => {
@@ -68,18 +89,27 @@ export const patternDepths = {
     const reads = (/** @type {string} */ pattern) =>
       Math.round(median(rows.filter(({ modules }) => modules === pattern).map(({ printed }) => printed)));
     const readsWith = (/** @type {Row[]} */ some) => ({
-      cases: cases(tally(some, ({ designed }) => designed >= kNeeded)), printed: cases(tally(some, ({ printed }) => printed >= kNeeded)),
+      cases: cases(tally(some, ({ designed }) => designed >= kNeeded)),
+      printed: cases(tally(some, ({ printed }) => printed >= kNeeded)),
     });
-    const loose = (/** @type {string} */ finderPattern) => models(onModels(rows, (ofModel) => looseAreShallowest(ofModel, finderPattern)));
+    const loose = (/** @type {string} */ finderPattern) =>
+      models(onModels(rows, (ofModel) => looseAreShallowest(ofModel, finderPattern)));
     const alike = rows.filter((row) => row.finders === 'as-modules' && row.modules !== 'none');
     return [
       said('patternsLoose', { cases: loose('as-modules'), whole: loose('none'), thick: loose('thick-plus') }),
-      said('patternsBest', { best: models(onModels(rows, thinPlusIsShallowest)), last: models(onModels(rows, thickPlusIsDeepest)) }),
+      said('patternsBest', {
+        best: models(onModels(rows, thinPlusIsShallowest)),
+        last: models(onModels(rows, thickPlusIsDeepest)),
+      }),
       said('patternsFinders', { cases: cases(finders), apart: mm(findersApart(rows)) }),
       said('patternsWhole', readsWith(alike)),
       said('patternsDiamond', readsWith(rows.filter(({ finders }) => finders === 'diamond'))),
       said('patternsReads', {
-        thin: reads('thin-plus'), square: reads('square'), diamond: reads('diamond'), thick: reads('thick-plus'), whole: reads('none'),
+        thin: reads('thin-plus'),
+        square: reads('square'),
+        diamond: reads('diamond'),
+        thick: reads('thick-plus'),
+        whole: reads('none'),
       }),
     ];
   },

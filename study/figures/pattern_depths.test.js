@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { findersApart, findersLowerDepth, looseAreShallowest, thickPlusIsDeepest, thinPlusIsShallowest } from './pattern_depths.js';
+import {
+  findersApart,
+  findersLowerDepth,
+  looseAreShallowest,
+  thickPlusIsDeepest,
+  thinPlusIsShallowest,
+} from './pattern_depths.js';
 
 const depths = (/** @type {Record<string, number>} */ byPattern) =>
   Object.entries(byPattern).map(([modules, mm]) => ({ modules, finders: 'as-modules', depth_mm: mm }));
@@ -21,8 +27,12 @@ test('the paper’s order of patterns is recognised, and each statement fails al
 });
 
 test('finder patterns are compared with whole finders of the same modules and model', () => {
-  const row = (/** @type {string} */ model, /** @type {string} */ finders, /** @type {number} */ mm) =>
-    ({ model, modules: 'square', finders, depth_mm: mm });
+  const row = (/** @type {string} */ model, /** @type {string} */ finders, /** @type {number} */ mm) => ({
+    model,
+    modules: 'square',
+    finders,
+    depth_mm: mm,
+  });
   const others = [row('b', 'diamond', 0.1), row('a', 'as-modules', 0.1)];
   const rows = [row('a', 'none', 0.5), row('a', 'diamond', 0.4), row('a', 'thick-plus', 0.5), ...others];
   assert.deepEqual(findersLowerDepth(rows), { holds: 1, of: 2 });

@@ -6,7 +6,11 @@ import { mm, name, said } from '../page/say.js';
 
 /** @typedef {import('../page/table.js').Row} Row */
 
-const kPanels = /** @type {const} */ ([['blur_modules', 'axisBlur'], ['pixels_per_module', 'axisPixels'], ['tilt_deg', 'axisTilt']]);
+const kPanels = /** @type {const} */ ([
+  ['blur_modules', 'axisBlur'],
+  ['pixels_per_module', 'axisPixels'],
+  ['tilt_deg', 'axisTilt'],
+]);
 
 /** Carved submodules of 25 in each pattern, in the paper's order of robustness. */
 const kCarved = ['thin-plus', 'square', 'diamond', 'thick-plus', 'none'];
@@ -18,8 +22,13 @@ const kCarved = ['thin-plus', 'square', 'diamond', 'thick-plus', 'none'];
  * @returns {Record<string, number>}
  */
 export function byPattern(rows, measure) {
-  const groups = groupBy(rows.filter((row) => row.search !== 'ours' && row[measure] !== null), 'modules');
-  return Object.fromEntries([...groups].map(([modules, ofPattern]) => [modules, median(ofPattern.map((row) => row[measure]))]));
+  const groups = groupBy(
+    rows.filter((row) => row.search !== 'ours' && row[measure] !== null),
+    'modules',
+  );
+  return Object.fromEntries(
+    [...groups].map(([modules, ofPattern]) => [modules, median(ofPattern.map((row) => row[measure]))]),
+  );
 }
 
 /**
@@ -34,24 +43,48 @@ export function moreCarvedSurvivesMore(values) {
 
 /** @type {import('../page/figure.js').Figure} */
 export const robustness = {
-  name: 'robustness', table: 'robustness', measures: ['blur_modules'],
+  name: 'robustness',
+  table: 'robustness',
+  measures: ['blur_modules'],
   draw: (rows, look) => {
-    const carving = (/** @type {Row} */ row) => (row.search === 'ours' ? look.word('carvingOurs')
-      : look.word('carvingPattern', { modules: name('pattern', row.modules), finders: name('finder', row.finders) }));
-    const byRank = inOrder(rows, 'search', 'search').flatMap((search) => inOrder(rows, 'modules', 'pattern')
-      .flatMap((modules) => rows.filter((row) => row.search === search && row.modules === modules)));
+    const carving = (/** @type {Row} */ row) =>
+      row.search === 'ours'
+        ? look.word('carvingOurs')
+        : look.word('carvingPattern', { modules: name('pattern', row.modules), finders: name('finder', row.finders) });
+    const byRank = inOrder(rows, 'search', 'search').flatMap((search) =>
+      inOrder(rows, 'modules', 'pattern').flatMap((modules) =>
+        rows.filter((row) => row.search === search && row.modules === modules),
+      ),
+    );
     const carvings = [...new Set(byRank.map(carving))];
-    const { rows: values, order } = look.named(rows.map((row) => ({ ...row, carving: carving(row) })), { model: 'model' });
+    const { rows: values, order } = look.named(
+      rows.map((row) => ({ ...row, carving: carving(row) })),
+      { model: 'model' },
+    );
     const across = look.narrow ? 1 : 3;
     return /** @type {any} */ ({
-      data: { values }, columns: across, spacing: 16,
+      data: { values },
+      columns: across,
+      spacing: 16,
       concat: kPanels.map(([measure, title], at) => ({
-        width: look.plotWidth(across), height: { step: 22 },
+        width: look.plotWidth(across),
+        height: { step: 22 },
         mark: { type: 'point', size: 44, strokeWidth: 1.7 },
         encoding: {
-          y: { field: 'carving', type: 'nominal', sort: carvings, title: null, axis: { grid: true, labels: look.narrow || at === 0 } },
+          y: {
+            field: 'carving',
+            type: 'nominal',
+            sort: carvings,
+            title: null,
+            axis: { grid: true, labels: look.narrow || at === 0 },
+          },
           x: { field: measure, type: 'quantitative', title: look.word(title) },
-          ...series('model', order('model'), [kColours.grey, kColours.blue, kColours.orange], ['circle', 'square', 'triangle-up']),
+          ...series(
+            'model',
+            order('model'),
+            [kColours.grey, kColours.blue, kColours.orange],
+            ['circle', 'square', 'triangle-up'],
+          ),
         },
       })),
     });
@@ -64,9 +97,12 @@ export const robustness = {
     const ours = rows.filter((row) => row.search === 'ours' && row.blur_modules !== null);
     return [
       said('robustPairs', { holds: pairs.holds, of: pairs.of }),
-      said('robustBlur', { list: shown.map((pattern) => said('robustOf', { pattern: name('pattern', pattern), blur: mm(blur[pattern]) })) }),
+      said('robustBlur', {
+        list: shown.map((pattern) => said('robustOf', { pattern: name('pattern', pattern), blur: mm(blur[pattern]) })),
+      }),
       said('robustOurs', {
-        blur: mm(median(ours.map((row) => row.blur_modules))), tilt: Math.round(median(ours.map((row) => row.tilt_deg ?? 0))),
+        blur: mm(median(ours.map((row) => row.blur_modules))),
+        tilt: Math.round(median(ours.map((row) => row.tilt_deg ?? 0))),
       }),
       ...(unread > 0 ? [said('robustUnread', { count: unread, of: rows.length })] : []),
       said('robustPaper'),

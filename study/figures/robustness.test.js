@@ -4,9 +4,17 @@ import { test } from 'node:test';
 import { byPattern, moreCarvedSurvivesMore } from './robustness.js';
 
 test('medians are of the published search, by pattern, without what does not read', () => {
-  const row = (/** @type {string} */ search, /** @type {string} */ modules, /** @type {number | null} */ blur) =>
-    ({ search, modules, blur_modules: blur });
-  const rows = [row('papp-2022', 'square', 0.25), row('papp-2022', 'square', 0.5), row('papp-2022', 'none', null), row('ours', 'none', 1)];
+  const row = (/** @type {string} */ search, /** @type {string} */ modules, /** @type {number | null} */ blur) => ({
+    search,
+    modules,
+    blur_modules: blur,
+  });
+  const rows = [
+    row('papp-2022', 'square', 0.25),
+    row('papp-2022', 'square', 0.5),
+    row('papp-2022', 'none', null),
+    row('ours', 'none', 1),
+  ];
   assert.deepEqual(byPattern(rows, 'blur_modules'), { square: 0.375 });
 });
 

@@ -15,21 +15,26 @@ const shown = (seconds) => ({ number: seconds, digits: seconds < 1 ? 2 : seconds
 
 /** @type {import('../page/figure.js').Figure} */
 export const searchTimes = {
-  name: 'searchTimes', table: 'method_comparison', measures: ['search_ms'],
+  name: 'searchTimes',
+  table: 'method_comparison',
+  measures: ['search_ms'],
   draw: (rows, look) => {
     const timed = rows.filter((row) => row.search_ms > 0).map((row) => ({ ...row, seconds: row.search_ms / 1000 }));
     return methodStrips(timed, look, [{ measure: 'seconds', title: look.word('axisSeconds'), log: true }]);
   },
   find: (rows) => {
-    const methods = distinct(rows, 'method').map((method) => ({ method, seconds: secondsOf(rows, method) }))
+    const methods = distinct(rows, 'method')
+      .map((method) => ({ method, seconds: secondsOf(rows, method) }))
       .sort((a, b) => a.seconds - b.seconds);
     const [fastest, slowest] = [methods[0], methods[methods.length - 1]];
     const peng = median(['self-shadow-2019', 'one-light-2020'].map((method) => secondsOf(rows, method)));
     const papp = secondsOf(rows, 'papp-2022');
     return [
       said('timesRange', {
-        fastest: name('method', fastest.method), least: shown(fastest.seconds),
-        slowest: name('method', slowest.method), most: shown(slowest.seconds),
+        fastest: name('method', fastest.method),
+        least: shown(fastest.seconds),
+        slowest: name('method', slowest.method),
+        most: shown(slowest.seconds),
       }),
       said(peng > papp ? 'timesPaperHolds' : 'timesPaperFails', { papp: shown(papp), peng: shown(peng) }),
       said('timesWhy'),

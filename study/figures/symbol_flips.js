@@ -14,11 +14,18 @@ import { said } from '../page/say.js';
  * @param {string} measure
  * @param {(before: number, after: number) => number} change
  */
-const changeBy = (rows, search, flips, measure, change) => median([...groupBy(rows, 'model').values()].flatMap((ofModel) => {
-  const values = valuesBy(ofModel.filter((row) => row.search === search), 'flips', measure);
-  const [before, after] = [values.none, values[flips]];
-  return before === undefined || after === undefined ? [] : [change(before, after)];
-}));
+const changeBy = (rows, search, flips, measure, change) =>
+  median(
+    [...groupBy(rows, 'model').values()].flatMap((ofModel) => {
+      const values = valuesBy(
+        ofModel.filter((row) => row.search === search),
+        'flips',
+        measure,
+      );
+      const [before, after] = [values.none, values[flips]];
+      return before === undefined || after === undefined ? [] : [change(before, after)];
+    }),
+  );
 
 /**
  * Returns how much shallower flips make codes, as a fraction.
@@ -26,7 +33,8 @@ const changeBy = (rows, search, flips, measure, change) => median([...groupBy(ro
  * @param {string} search
  * @param {string} flips
  */
-export const savedByFlips = (rows, search, flips) => changeBy(rows, search, flips, 'depth_mm', (before, after) => 1 - after / before);
+export const savedByFlips = (rows, search, flips) =>
+  changeBy(rows, search, flips, 'depth_mm', (before, after) => 1 - after / before);
 
 /**
  * Returns the decoded tries as printed that flips gain.
@@ -34,24 +42,34 @@ export const savedByFlips = (rows, search, flips) => changeBy(rows, search, flip
  * @param {string} search
  * @param {string} flips
  */
-export const triesByFlips = (rows, search, flips) => changeBy(rows, search, flips, 'printed', (before, after) => after - before);
+export const triesByFlips = (rows, search, flips) =>
+  changeBy(rows, search, flips, 'printed', (before, after) => after - before);
 
 /** @type {import('../page/figure.js').Figure} */
 export const symbolFlips = {
-  name: 'symbolFlips', table: 'symbol_flips', measures: ['depth_mm', 'printed'],
+  name: 'symbolFlips',
+  table: 'symbol_flips',
+  measures: ['depth_mm', 'printed'],
   draw: (rows, look) => {
     const { rows: values, order } = look.named(rows, { model: 'model', search: 'search', flips: 'flips' });
     const columns = look.narrow ? 1 : 2;
     return {
-      data: { values }, columns,
+      data: { values },
+      columns,
       facet: { field: 'search', type: 'nominal', sort: order('search') },
       spec: {
-        width: look.plotWidth(columns), height: { step: 30 },
+        width: look.plotWidth(columns),
+        height: { step: 30 },
         mark: { type: 'point', size: 52, strokeWidth: 1.8 },
         encoding: {
           y: { field: 'flips', type: 'nominal', sort: order('flips'), title: null, axis: { grid: true } },
           x: { field: 'depth_mm', type: 'quantitative', title: look.word('axisDepth') },
-          ...series('model', order('model'), [kColours.grey, kColours.blue, kColours.orange], ['circle', 'square', 'triangle-up']),
+          ...series(
+            'model',
+            order('model'),
+            [kColours.grey, kColours.blue, kColours.orange],
+            ['circle', 'square', 'triangle-up'],
+          ),
         },
       },
     };
@@ -59,14 +77,18 @@ export const symbolFlips = {
   find: (rows) => {
     const flipped = (/** @type {string} */ flips) =>
       Math.round(median(rows.filter((row) => row.flips === flips).map((row) => row.flipped_modules)));
-    const percent = (/** @type {string} */ search, /** @type {string} */ flips) => Math.round(100 * savedByFlips(rows, search, flips));
-    const tries = ['self-shadow-2019', 'ours']
-      .flatMap((search) => ['peng-2019', 'ours'].map((flips) => Math.abs(triesByFlips(rows, search, flips))));
+    const percent = (/** @type {string} */ search, /** @type {string} */ flips) =>
+      Math.round(100 * savedByFlips(rows, search, flips));
+    const tries = ['self-shadow-2019', 'ours'].flatMap((search) =>
+      ['peng-2019', 'ours'].map((flips) => Math.abs(triesByFlips(rows, search, flips))),
+    );
     return [
       said('flipsCount', { peng: flipped('peng-2019'), ours: flipped('ours') }),
       said('flipsSaved', {
-        peng2019: percent('self-shadow-2019', 'peng-2019'), ours2019: percent('self-shadow-2019', 'ours'),
-        peng: percent('ours', 'peng-2019'), ours: percent('ours', 'ours'),
+        peng2019: percent('self-shadow-2019', 'peng-2019'),
+        ours2019: percent('self-shadow-2019', 'ours'),
+        peng: percent('ours', 'peng-2019'),
+        ours: percent('ours', 'ours'),
       }),
       said('flipsReads', { tries: Math.round(Math.max(...tries)) }),
     ];

@@ -30,7 +30,8 @@ const kFinders = ['none', 'as-modules', 'diamond', 'thick-plus', 'thick-plus-sha
 export function readGallery(folder) {
   const order = Object.keys(sampleNames.en);
   const files = existsSync(folder) ? readdirSync(folder).filter((file) => file.endsWith('.json')) : [];
-  return files.map((file) => JSON.parse(readFileSync(`${folder}/${file}`, 'utf8')))
+  return files
+    .map((file) => JSON.parse(readFileSync(`${folder}/${file}`, 'utf8')))
     .sort((a, b) => order.indexOf(a.sample) - order.indexOf(b.sample));
 }
 
@@ -54,24 +55,40 @@ function card(language, sample, exhibit, title) {
 function roomMarkup(language, { sample, exhibits }) {
   const title = escaped(sampleNames[language][/** @type {keyof typeof sampleNames.en} */ (sample)] ?? sample);
   const titles = { default: said('galleryDefault'), lamp: said('galleryLamp') };
-  const usual = exhibits.filter(({ kind }) => kind !== 'pattern')
-    .map((exhibit) => card(language, sample, exhibit, titles[/** @type {'default' | 'lamp'} */ (exhibit.kind)])).join('\n');
+  const usual = exhibits
+    .filter(({ kind }) => kind !== 'pattern')
+    .map((exhibit) => card(language, sample, exhibit, titles[/** @type {'default' | 'lamp'} */ (exhibit.kind)]))
+    .join('\n');
   const patterned = exhibits.filter(({ kind }) => kind === 'pattern');
   const at = (/** @type {string} */ pattern, /** @type {string} */ finders) =>
     patterned.find(({ settings }) => settings.pattern === pattern && settings.finderPattern === finders);
-  const rows = kPatterns.map((pattern) => `<tr>${kFinders.map((finders) => {
-    const exhibit = at(pattern, finders);
-    const patterns = said('carvingPattern', { modules: name('pattern', pattern), finders: name('finder', finders) });
-    return `<td>${exhibit ? card(language, sample, exhibit, patterns) : ''}</td>`;
-  }).join('')}</tr>`).join('\n');
-  const table = patterned.length > 0
-    ? `<h3>${words(language, said('galleryPatterns'))}</h3>\n<div class="scroll" tabindex="0" role="region" aria-label="${title}: ${words(language, said('galleryPatterns'))}"><table class="matrix"><tbody>${rows}</tbody></table></div>` : '';
+  const rows = kPatterns
+    .map(
+      (pattern) =>
+        `<tr>${kFinders
+          .map((finders) => {
+            const exhibit = at(pattern, finders);
+            const patterns = said('carvingPattern', {
+              modules: name('pattern', pattern),
+              finders: name('finder', finders),
+            });
+            return `<td>${exhibit ? card(language, sample, exhibit, patterns) : ''}</td>`;
+          })
+          .join('')}</tr>`,
+    )
+    .join('\n');
+  const table =
+    patterned.length > 0
+      ? `<h3>${words(language, said('galleryPatterns'))}</h3>\n<div class="scroll" tabindex="0" role="region" aria-label="${title}: ${words(language, said('galleryPatterns'))}"><table class="matrix"><tbody>${rows}</tbody></table></div>`
+      : '';
   return `<h2>${title}</h2>\n<div class="exhibits">${usual}</div>\n${table}`;
 }
 
 /** @param {Room[]} rooms @returns {string} */
-export const galleryMarkup = (rooms) => (rooms.length === 0 ? textMarkup([said('galleryMissing')])
-  : rooms.map((room) => inEach('section', (language) => roomMarkup(language, room))).join('\n'));
+export const galleryMarkup = (rooms) =>
+  rooms.length === 0
+    ? textMarkup([said('galleryMissing')])
+    : rooms.map((room) => inEach('section', (language) => roomMarkup(language, room))).join('\n');
 
 /**
  * @param {{ pictures: string }} options  folder filled by script/gallery; without it the page says so
@@ -82,12 +99,16 @@ export function gallery({ pictures }) {
   return {
     name: 'qrelief-gallery',
     transformIndexHtml: {
-      order: 'post',  // otherwise Vite would look for the pictures itself
-      handler: (html, { path }) => (path.endsWith('gallery.html') ? html.replace('<div data-gallery></div>', galleryMarkup(readGallery(pictures))) : html),
+      order: 'post', // otherwise Vite would look for the pictures itself
+      handler: (html, { path }) =>
+        path.endsWith('gallery.html')
+          ? html.replace('<div data-gallery></div>', galleryMarkup(readGallery(pictures)))
+          : html,
     },
     generateBundle() {
       for (const { designed, printed } of readGallery(pictures).flatMap(({ exhibits }) => exhibits)) {
-        for (const file of [designed, printed]) this.emitFile({ type: 'asset', fileName: `${kFolder}/${file}`, source: bytesOf(file) });
+        for (const file of [designed, printed])
+          this.emitFile({ type: 'asset', fileName: `${kFolder}/${file}`, source: bytesOf(file) });
       }
     },
     configureServer(server) {

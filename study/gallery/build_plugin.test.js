@@ -5,11 +5,24 @@ import { test } from 'node:test';
 import { galleryMarkup } from './build_plugin.js';
 
 const exhibit = (/** @type {object} */ change) => ({
-  kind: 'default', settings: {}, designed: 'a.png', printed: 'b.png', depthMm: 0.654, moduleMm: 1.2, reads: 60, printedReads: 40, tries: 72, ...change,
+  kind: 'default',
+  settings: {},
+  designed: 'a.png',
+  printed: 'b.png',
+  depthMm: 0.654,
+  moduleMm: 1.2,
+  reads: 60,
+  printedReads: 40,
+  tries: 72,
+  ...change,
 });
 
 test('every code is a link that opens it in the app, with both pictures and what they come to', () => {
-  const html = galleryMarkup(/** @type {any} */ ([{ sample: 'bunny', exhibits: [exhibit({}), exhibit({ kind: 'lamp', settings: { light: '90,33,1' } })] }]));
+  const html = galleryMarkup(
+    /** @type {any} */ ([
+      { sample: 'bunny', exhibits: [exhibit({}), exhibit({ kind: 'lamp', settings: { light: '90,33,1' } })] },
+    ]),
+  );
   assert.match(html, /<section lang="en" class="in-en"><h2>Stanford bunny<\/h2>/);
   assert.match(html, /<section lang="de" class="in-de"><h2>Stanford-Hase<\/h2>/);
   assert.match(html, /href="\.\/\?sample=bunny&amp;engrave=1"/);
@@ -20,7 +33,14 @@ test('every code is a link that opens it in the app, with both pictures and what
 });
 
 test('patterns make a table, a place for each', () => {
-  const html = galleryMarkup(/** @type {any} */ ([{ sample: 'plate', exhibits: [exhibit({ kind: 'pattern', settings: { pattern: 'square', finderPattern: 'none' } })] }]));
+  const html = galleryMarkup(
+    /** @type {any} */ ([
+      {
+        sample: 'plate',
+        exhibits: [exhibit({ kind: 'pattern', settings: { pattern: 'square', finderPattern: 'none' } })],
+      },
+    ]),
+  );
   assert.equal(html.match(/<td>/g)?.length, 2 * 25);
   assert.equal(html.match(/pattern=square&amp;finderPattern=none/g)?.length, 2);
 });

@@ -22,24 +22,38 @@ const kRatesFile = `${kFolder}/carved_qr_rates.csv`;
  * @param {import('./figure.js').Figure} figure
  * @param {Row[]} rows
  */
-const isShowable = ({ measures }, rows) => measures.every((measure) => rows.some((row) => (row[measure] ?? null) !== null));
+const isShowable = ({ measures }, rows) =>
+  measures.every((measure) => rows.some((row) => (row[measure] ?? null) !== null));
 
 /** Returns the paper's statements, and how often each holds. @param {Record<string, Row[]>} rowsOf  by table */
-const statementsMarkup = (rowsOf) => tableMarkup([said('claimPaper'), said('claimHere'), said('claimFigure')],
-  kStatements.map(({ claim, section, table, over, judge }) => {
-    const counted = judge(rowsOf[table] ?? []);
-    const { holds, of } = counted;
-    const answer = holds === of ? 'claimHolds' : holds === 0 ? 'claimFails' : 'claimInPart';
-    const here = of === 0 ? said('claimNotMeasured') : said(answer, { cases: over === 'models' ? models(counted) : cases(counted) });
-    return [{ words: said(claim) }, { words: here }, { words: said(/** @type {any} */ (`section-${section}`)), section }];
-  }));
+const statementsMarkup = (rowsOf) =>
+  tableMarkup(
+    [said('claimPaper'), said('claimHere'), said('claimFigure')],
+    kStatements.map(({ claim, section, table, over, judge }) => {
+      const counted = judge(rowsOf[table] ?? []);
+      const { holds, of } = counted;
+      const answer = holds === of ? 'claimHolds' : holds === 0 ? 'claimFails' : 'claimInPart';
+      const here =
+        of === 0
+          ? said('claimNotMeasured')
+          : said(answer, { cases: over === 'models' ? models(counted) : cases(counted) });
+      return [
+        { words: said(claim) },
+        { words: here },
+        { words: said(/** @type {any} */ (`section-${section}`)), section },
+      ];
+    }),
+  );
 
 /** @param {Row[]} rows */
 function decoderRatesMarkup(rows) {
   const { head, body, pictures, wrong } = decoderRates(rows);
   if (body.length === 0) return missingMarkup();
   return `${textMarkup([said('ratesShown', { pictures }), said('ratesWrong', { count: wrong })])}
-<div class="scroll" tabindex="0" role="region" aria-label="CarvedQR">${tableMarkup(head, body.map((line) => line.map((words) => ({ words }))))}</div>
+<div class="scroll" tabindex="0" role="region" aria-label="CarvedQR">${tableMarkup(
+    head,
+    body.map((line) => line.map((words) => ({ words }))),
+  )}</div>
 ${linkMarkup(kRatesFile, said('download', { count: rows.length }))}`;
 }
 
@@ -69,11 +83,17 @@ export async function makeStudy(tables) {
         drawn[language][width] = { path, ...size };
       }
     }
-    const { csv, rows: { length: cases } } = tables[figure.table];
+    const {
+      csv,
+      rows: { length: cases },
+    } = tables[figure.table];
     const path = `${kFolder}/${figure.table}.csv`;
     files.set(path, csv);
     const found = figure.find(rows, rowsOf);
-    markup.set(figure.name, figureMarkup({ figure, drawn, found, table: { path, cases, failed: cases - rows.length } }));
+    markup.set(
+      figure.name,
+      figureMarkup({ figure, drawn, found, table: { path, cases, failed: cases - rows.length } }),
+    );
   }
   markup.set('statements', statementsMarkup(rowsOf));
   markup.set('decoderRates', decoderRatesMarkup(rowsOf.carved_qr_rates ?? []));
@@ -87,11 +107,12 @@ export async function makeStudy(tables) {
  * @param {Map<string, string>} markup  by figure
  * @throws {Error} for an unknown figure
  */
-export const fillFigures = (html, markup) => html.replace(/<div data-figure="(\w+)"><\/div>/g, (_, figure) => {
-  const found = markup.get(figure);
-  if (found === undefined) throw new Error(`There is no figure "${figure}"`);
-  return found;
-});
+export const fillFigures = (html, markup) =>
+  html.replace(/<div data-figure="(\w+)"><\/div>/g, (_, figure) => {
+    const found = markup.get(figure);
+    if (found === undefined) throw new Error(`There is no figure "${figure}"`);
+    return found;
+  });
 
 /**
  * @param {{ tables: string }} options  folder of the tables
@@ -103,8 +124,9 @@ export function study({ tables }) {
   return {
     name: 'qrelief-study',
     transformIndexHtml: {
-      order: 'post',  // otherwise Vite would look for the pictures itself
-      handler: async (html, { path }) => (path.endsWith('study.html') ? fillFigures(html, (await make()).markup) : html),
+      order: 'post', // otherwise Vite would look for the pictures itself
+      handler: async (html, { path }) =>
+        path.endsWith('study.html') ? fillFigures(html, (await make()).markup) : html,
     },
     async generateBundle() {
       for (const [fileName, source] of (await make()).files) this.emitFile({ type: 'asset', fileName, source });

@@ -13,8 +13,13 @@ import { kNeeded, kTries } from './tries.js';
 const kHead = 'model,search,flips,flipped_modules,depth_mm,removed_mm,designed,printed,failed\n';
 const kFailed = 'star,ours,none,,,,,,no-place\n';
 const kMeasured = ['none,0,1.000', 'peng-2019,16,0.900', 'ours,53,0.800'].map((flips) => `${flips},0.4,50,40,\n`);
-const kFlips = [kHead, ...['plate', 'cylinder'].flatMap((model) => ['self-shadow-2019', 'ours'].flatMap((search) =>
-  kMeasured.map((row) => `${model},${search},${row}`))), kFailed].join('');
+const kFlips = [
+  kHead,
+  ...['plate', 'cylinder'].flatMap((model) =>
+    ['self-shadow-2019', 'ours'].flatMap((search) => kMeasured.map((row) => `${model},${search},${row}`)),
+  ),
+  kFailed,
+].join('');
 
 const tableOf = (/** @type {string} */ csv) => ({ csv, rows: parseTable(csv) });
 
@@ -39,7 +44,10 @@ test('where a table is missing or empty the figure is left out, and the page say
   const { files, markup } = await makeStudy({ symbol_flips: tableOf(kHead + kFailed) });
   assert.equal(files.size, 0);
   const { statements, decoderRates, ...figures } = Object.fromEntries(markup);
-  assert.deepEqual(Object.keys(figures), kFigures.map(({ name }) => name));
+  assert.deepEqual(
+    Object.keys(figures),
+    kFigures.map(({ name }) => name),
+  );
   for (const shown of Object.values(figures)) assert.match(shown, /has not been measured yet/);
   assert.match(decoderRates, /has not been measured yet/);
   assert.equal(statements.match(/Not measured yet/g)?.length, kStatements.length);
@@ -55,26 +63,38 @@ test('sentences that lack a number are not said', () => {
 test('how often a statement holds is said in words', () => {
   const words = (/** @type {number} */ holds) => sentence('en', models({ holds, of: 8 }));
   assert.deepEqual([0, 7, 8].map(words), ['on none of the 8 models', 'on 7 of 8 models', 'on all 8 models']);
-  assert.equal(sentence('de', said('robustOf', { pattern: said('pattern-square'), blur: { number: 0.5, digits: 2 } })), 'Quadrat 0,50');
+  assert.equal(
+    sentence('de', said('robustOf', { pattern: said('pattern-square'), blur: { number: 0.5, digits: 2 } })),
+    'Quadrat 0,50',
+  );
 });
 
 test('every figure stands on the page once, and one that is not there fails the build', () => {
   const page = readFileSync(new URL('../../web/study.html', import.meta.url), 'utf8');
-  assert.deepEqual([...page.matchAll(/data-figure="(\w+)"/g)].map(([, name]) => name).sort(), [...kFigures.map(({ name }) => name), 'statements', 'decoderRates'].sort());
+  assert.deepEqual(
+    [...page.matchAll(/data-figure="(\w+)"/g)].map(([, name]) => name).sort(),
+    [...kFigures.map(({ name }) => name), 'statements', 'decoderRates'].sort(),
+  );
   assert.throws(() => fillFigures('<div data-figure="nothing"></div>', new Map()), /no figure "nothing"/);
 });
 
 test('a figure’s table is one that an experiment makes, with the columns it shows', () => {
   const source = (/** @type {string} */ path) => readFileSync(new URL(`../${path}`, import.meta.url), 'utf8');
   for (const { table, measures } of kFigures) {
-    const maker = table === 'aside' ? source('aside/aside.mjs') : source(`experiments/${table}.cpp`) + source('experiments/experiments.cpp') + source('experiments/chosen_settings.cpp');
+    const maker =
+      table === 'aside'
+        ? source('aside/aside.mjs')
+        : source(`experiments/${table}.cpp`) +
+          source('experiments/experiments.cpp') +
+          source('experiments/chosen_settings.cpp');
     for (const measure of measures) assert.match(maker, new RegExp(`[",]${measure}[",]`), `${table}: ${measure}`);
   }
 });
 
 test('every model, method and pattern of the tables has a name', () => {
   const source = (/** @type {string} */ path) => readFileSync(new URL(path, import.meta.url), 'utf8');
-  const quoted = (/** @type {string | undefined} */ code) => [...(code ?? '').matchAll(/"([\w-]+)"/g)].map(([, word]) => word);
+  const quoted = (/** @type {string | undefined} */ code) =>
+    [...(code ?? '').matchAll(/"([\w-]+)"/g)].map(([, word]) => word);
   const found = {
     model: quoted(/kNames = \{([^}]*)\}/.exec(source('../study_context.cpp'))?.[1]),
     method: [...source('../methods/methods.cpp').matchAll(/^ {6}\{"([\w-]+)",/gm)].map(([, method]) => method),
@@ -91,5 +111,8 @@ test('the line that figures mark is the core’s', () => {
   assert.equal(kNeeded, 29);
   const core = readFileSync(new URL('../../core/verification/frontal_reading.h', import.meta.url), 'utf8');
   assert.match(core, /needed\(int tries\) \{ return \(2 \* tries \+ 4\) \/ 5; \}/);
-  assert.match(readFileSync(new URL('../README.md', import.meta.url), 'utf8'), new RegExp(`: ${kTries}; ${kNeeded} are needed`));
+  assert.match(
+    readFileSync(new URL('../README.md', import.meta.url), 'utf8'),
+    new RegExp(`: ${kTries}; ${kNeeded} are needed`),
+  );
 });

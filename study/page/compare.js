@@ -83,7 +83,7 @@ export function frontierAt(levels, depth) {
   const next = sorted[reached.length];
   if (next) {
     const [from, reads] = sorted[reached.length - 1];
-    reached.push(reads + (next[1] - reads) * (depth - from) / (next[0] - from));
+    reached.push(reads + ((next[1] - reads) * (depth - from)) / (next[0] - from));
   }
   return Math.max(...reached);
 }

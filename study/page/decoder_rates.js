@@ -33,10 +33,13 @@ export function decoderRates(rows) {
   const decoders = distinct(rows, 'decoder').sort((a, b) => share(ofDecoder(b)) - share(ofDecoder(a)));
   return {
     head: [said('ratesDecoder'), ...kColumns.map(({ word }) => said(word))],
-    body: decoders.map((decoder) => [said('asIs', { value: decoder }), ...kColumns.map(({ has }) => {
-      const some = ofDecoder(decoder).filter(has);
-      return some.length === 0 ? said('ratesNone') : said('percent', { value: Math.round(share(some)) });
-    })]),
+    body: decoders.map((decoder) => [
+      said('asIs', { value: decoder }),
+      ...kColumns.map(({ has }) => {
+        const some = ofDecoder(decoder).filter(has);
+        return some.length === 0 ? said('ratesNone') : said('percent', { value: Math.round(share(some)) });
+      }),
+    ]),
     pictures: decoders.length > 0 ? sum(ofDecoder(decoders[0]), 'pictures') : 0,
     wrong: sum(rows, 'wrong'),
   };

@@ -7,11 +7,13 @@ import { kWidths, Look } from './figure.js';
 /** @typedef {import('./table.js').Row} Row */
 /** @typedef {{ svg: string, width: number, height: number }} Drawing  in CSS pixels */
 
-const kLetterEm = 0.57;  // mean width of a letter, because nothing measures text during the build
+const kLetterEm = 0.57; // mean width of a letter, because nothing measures text during the build
 
 // The types lack it.
-/** @type {any} */ (vega).textMetrics.width = (/** @type {{ fontSize?: number }} */ { fontSize = 11 }, /** @type {unknown} */ text) =>
-  kLetterEm * fontSize * String(text ?? '').length;
+/** @type {any} */ (vega).textMetrics.width = (
+  /** @type {{ fontSize?: number }} */ { fontSize = 11 },
+  /** @type {unknown} */ text,
+) => kLetterEm * fontSize * String(text ?? '').length;
 
 /**
  * @param {Figure} figure
@@ -26,7 +28,8 @@ async function drawn(figure, rows, look, tables) {
   const view = new vega.View(vega.parse(drawing), { renderer: 'none' });
   const svg = (await view.toSVG()).replace(/\d+\.\d{3,}/g, (number) => String(Number(Number(number).toFixed(2))));
   view.finalize();
-  const pixels = (/** @type {string} */ side) => Math.round(Number(new RegExp(`<svg[^>]*\\b${side}="([\\d.]+)"`).exec(svg)?.[1]));
+  const pixels = (/** @type {string} */ side) =>
+    Math.round(Number(new RegExp(`<svg[^>]*\\b${side}="([\\d.]+)"`).exec(svg)?.[1]));
   return { svg, width: pixels('width'), height: pixels('height') };
 }
 
@@ -40,6 +43,6 @@ async function drawn(figure, rows, look, tables) {
  */
 export async function drawFigure(figure, rows, language, width, tables) {
   const whole = kWidths[width];
-  const beside = (await drawn(figure, rows, new Look(language, width, whole), tables)).width - whole;  // labels and gaps between the plots
+  const beside = (await drawn(figure, rows, new Look(language, width, whole), tables)).width - whole; // labels and gaps between the plots
   return drawn(figure, rows, new Look(language, width, whole - beside), tables);
 }

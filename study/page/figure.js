@@ -24,8 +24,16 @@ export const kWidths = { wide: 712, narrow: 328 };
 
 /** Colours for every kind of colour vision, 3:1 on white at least; dark pages invert their lightness (article.css). */
 export const kColours = {
-  blue: '#0072b2', orange: '#c85200', green: '#007a58', purple: '#a6427f', grey: '#75797d', olive: '#80751a', teal: '#00899e',
-  ink: '#1c1f21', soft: '#575d61', line: '#d9d9d2',
+  blue: '#0072b2',
+  orange: '#c85200',
+  green: '#007a58',
+  purple: '#a6427f',
+  grey: '#75797d',
+  olive: '#80751a',
+  teal: '#00899e',
+  ink: '#1c1f21',
+  soft: '#575d61',
+  line: '#d9d9d2',
 };
 
 /**
@@ -69,8 +77,10 @@ export class Look {
    * @param {Record<string, string>} kinds  of names, by column
    */
   named(rows, kinds) {
-    const named = rows.map((row) => ({ ...row,
-      ...Object.fromEntries(Object.entries(kinds).map(([column, kind]) => [column, this.name(kind, row[column])])) }));
+    const named = rows.map((row) => ({
+      ...row,
+      ...Object.fromEntries(Object.entries(kinds).map(([column, kind]) => [column, this.name(kind, row[column])])),
+    }));
     /** @param {string} column */
     const order = (column) => inOrder(rows, column, kinds[column]).map((value) => this.name(kinds[column], value));
     return { rows: named, order };
@@ -86,18 +96,41 @@ export class Look {
     return {
       font: 'system-ui, "Noto Sans", "Liberation Sans", sans-serif',
       background: 'transparent',
-      aria: false,  // the <img> has its alternative text
-      locale: { number: this.language === 'de' ? { decimal: ',', thousands: '.', grouping: [3], currency: ['', ' €'] }
-        : { decimal: '.', thousands: ',', grouping: [3], currency: ['$', ''] } },
+      aria: false, // the <img> has its alternative text
+      locale: {
+        number:
+          this.language === 'de'
+            ? { decimal: ',', thousands: '.', grouping: [3], currency: ['', ' €'] }
+            : { decimal: '.', thousands: ',', grouping: [3], currency: ['$', ''] },
+      },
       view: { stroke: null },
       axis: {
-        labelFontSize: size, labelColor: kColours.ink, titleFontSize: size, titleFontWeight: 500, titleColor: kColours.soft,
-        titlePadding: 6, gridColor: kColours.line, domainColor: kColours.grey, tickColor: kColours.grey, labelLimit: 160, tickCount: 4,
+        labelFontSize: size,
+        labelColor: kColours.ink,
+        titleFontSize: size,
+        titleFontWeight: 500,
+        titleColor: kColours.soft,
+        titlePadding: 6,
+        gridColor: kColours.line,
+        domainColor: kColours.grey,
+        tickColor: kColours.grey,
+        labelLimit: 160,
+        tickCount: 4,
       },
       axisY: { domain: false, ticks: false },
       legend: {
-        orient: 'top', labelFontSize: size, labelColor: kColours.ink, labelLimit: 240, symbolSize: 60, symbolStrokeWidth: 2,
-        titleFontSize: size, titleFontWeight: 600, titleColor: kColours.ink, columnPadding: 12, offset: 6, columns: this.narrow ? 2 : 5,
+        orient: 'top',
+        labelFontSize: size,
+        labelColor: kColours.ink,
+        labelLimit: 240,
+        symbolSize: 60,
+        symbolStrokeWidth: 2,
+        titleFontSize: size,
+        titleFontWeight: 600,
+        titleColor: kColours.ink,
+        columnPadding: 12,
+        offset: 6,
+        columns: this.narrow ? 2 : 5,
       },
       header: { labelFontSize: size + 1, labelFontWeight: 600, labelColor: kColours.ink, title: null, labelPadding: 4 },
       facet: { spacing: this.narrow ? 14 : 18 },
@@ -115,5 +148,8 @@ export class Look {
  */
 export const series = (field, names, colours, shapes, title = null) => {
   const of = { field, type: /** @type {const} */ ('nominal'), legend: { title } };
-  return { color: { ...of, scale: { domain: names, range: colours } }, shape: { ...of, scale: { domain: names, range: shapes } } };
+  return {
+    color: { ...of, scale: { domain: names, range: colours } },
+    shape: { ...of, scale: { domain: names, range: shapes } },
+  };
 };

@@ -20,6 +20,22 @@ import { symbolFlips } from '../figures/symbol_flips.js';
 
 /** @type {readonly import('./figure.js').Figure[]} */
 export const kFigures = [
-  leastModule, guaranteedSize, patternDepths, methodDepths, contrastSweep, paperModule, frontierPrinted, defaultChoice, frontierDesigned, equalDepth, searchTimes,
-  lightErrors, lampDepths, lampStrengths, lightAngles, robustness, aside, symbolFlips,
+  leastModule,
+  guaranteedSize,
+  patternDepths,
+  methodDepths,
+  contrastSweep,
+  paperModule,
+  frontierPrinted,
+  defaultChoice,
+  frontierDesigned,
+  equalDepth,
+  searchTimes,
+  lightErrors,
+  lampDepths,
+  lampStrengths,
+  lightAngles,
+  robustness,
+  aside,
+  symbolFlips,
 ];

@@ -16,15 +16,17 @@ import { isKnown, said, sentence } from './say.js';
  * @property {{ path: string, cases: number, failed: number }} table
  */
 
-const kNarrowest = '(max-width: 760px)';  // pages whose column is narrower than a wide figure
+const kNarrowest = '(max-width: 760px)'; // pages whose column is narrower than a wide figure
 
 /**
  * Returns an element in each language, one of which is shown.
  * @param {string} tag
  * @param {(language: Language) => string} content
  */
-export const inEach = (tag, content) => kLanguages
-  .map((language) => `<${tag} lang="${language}" class="in-${language}">${content(language)}</${tag}>`).join('\n');
+export const inEach = (tag, content) =>
+  kLanguages
+    .map((language) => `<${tag} lang="${language}" class="in-${language}">${content(language)}</${tag}>`)
+    .join('\n');
 
 /** @param {Language} language @param {Said[]} sentences */
 const paragraph = (language, sentences) => escaped(sentences.map((one) => sentence(language, one)).join(' '));
@@ -43,9 +45,13 @@ function picture({ figure, drawn }, language) {
 export function figureMarkup(shown) {
   const { figure, found, table } = shown;
   const what = said(/** @type {any} */ (`${figure.name}Shown`));
-  const caption = (/** @type {Language} */ language) => `${paragraph(language, [what])} `
-    + `<a href="${table.path}" download>${paragraph(language, [said('download', { count: table.cases })])}</a>`;
-  const sentences = [...found.filter(isKnown), ...(table.failed > 0 ? [said('failed', { count: table.failed, of: table.cases })] : [])];
+  const caption = (/** @type {Language} */ language) =>
+    `${paragraph(language, [what])} ` +
+    `<a href="${table.path}" download>${paragraph(language, [said('download', { count: table.cases })])}</a>`;
+  const sentences = [
+    ...found.filter(isKnown),
+    ...(table.failed > 0 ? [said('failed', { count: table.failed, of: table.cases })] : []),
+  ];
   return `${inEach('p', (language) => paragraph(language, sentences))}
 ${inEach('figure', (language) => `<div class="chart">${picture(shown, language)}</div>\n<figcaption>${caption(language)}</figcaption>`)}`;
 }
@@ -55,15 +61,21 @@ ${inEach('figure', (language) => `<div class="chart">${picture(shown, language)}
  * @param {Said[]} head
  * @param {{ words: Said, section?: string }[][]} body  `section`: id of the linked section
  */
-export const tableMarkup = (head, body) => inEach('table', (language) => {
-  const words = (/** @type {Said} */ one) => paragraph(language, [one]);
-  const cell = (/** @type {{ words: Said, section?: string }} */ { words: one, section }) => (section ? `<a href="#${section}">${words(one)}</a>` : words(one));
-  const rows = body.map(([name, ...cells]) => `<tr><th scope="row">${cell(name)}</th>${cells.map((one) => `<td>${cell(one)}</td>`).join('')}</tr>`);
-  return `<thead><tr>${head.map((one) => `<th scope="col">${words(one)}</th>`).join('')}</tr></thead>\n<tbody>${rows.join('\n')}</tbody>`;
-});
+export const tableMarkup = (head, body) =>
+  inEach('table', (language) => {
+    const words = (/** @type {Said} */ one) => paragraph(language, [one]);
+    const cell = (/** @type {{ words: Said, section?: string }} */ { words: one, section }) =>
+      section ? `<a href="#${section}">${words(one)}</a>` : words(one);
+    const rows = body.map(
+      ([name, ...cells]) =>
+        `<tr><th scope="row">${cell(name)}</th>${cells.map((one) => `<td>${cell(one)}</td>`).join('')}</tr>`,
+    );
+    return `<thead><tr>${head.map((one) => `<th scope="col">${words(one)}</th>`).join('')}</tr></thead>\n<tbody>${rows.join('\n')}</tbody>`;
+  });
 
 /** Returns a link to download a file. @param {string} path @param {Said} words */
-export const linkMarkup = (path, words) => inEach('p', (language) => `<a href="${path}" download>${paragraph(language, [words])}</a>`);
+export const linkMarkup = (path, words) =>
+  inEach('p', (language) => `<a href="${path}" download>${paragraph(language, [words])}</a>`);
 
 /** @param {Said[]} sentences */
 export const textMarkup = (sentences) => inEach('p', (language) => paragraph(language, sentences));

@@ -2,7 +2,8 @@
 // The methods (study/methods/methods.cpp) that are ours, and those for one lamp.
 
 /** The app's default; `ours-thick-plus` is the same with patterned finder patterns, as where walls are thin. */
-export const kDefaultMethod = 'ours', kPatternedFinders = 'ours-thick-plus';
+export const kDefaultMethod = 'ours',
+  kPatternedFinders = 'ours-thick-plus';
 
 /** @param {string} method */
 export const isOurs = (method) => method.startsWith('ours');

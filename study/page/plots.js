@@ -13,7 +13,8 @@ import { kColours, series } from './figure.js';
 
 /** @param {Row[]} values @param {Look} look @param {Plots} plots @param {number} columns @param {object} plot @returns {any} */
 const plotsOf = (values, look, { field, names }, columns, plot) => ({
-  data: { values }, columns,
+  data: { values },
+  columns,
   facet: { field, type: 'nominal', sort: names },
   spec: { width: look.plotWidth(columns), ...plot },
 });
@@ -33,8 +34,13 @@ export function patternPlots(rows, look, { plots, columns, x }) {
     encoding: {
       y: { field: 'modules', type: 'nominal', sort: order('modules'), title: null, axis: { grid: true } },
       x: { ...x, type: 'quantitative' },
-      ...series('finders', order('finders'), [kColours.grey, kColours.ink, kColours.orange, kColours.blue, kColours.green],
-        ['circle', 'square', 'diamond', 'cross', 'triangle-up'], look.word('legendFinders')),
+      ...series(
+        'finders',
+        order('finders'),
+        [kColours.grey, kColours.ink, kColours.orange, kColours.blue, kColours.green],
+        ['circle', 'square', 'diamond', 'cross', 'triangle-up'],
+        look.word('legendFinders'),
+      ),
     },
   });
 }
@@ -46,8 +52,13 @@ export function patternPlots(rows, look, { plots, columns, x }) {
  * @param {{ plots: Plots, columns: number, height: number, x: Axis, y: Axis, lines: ReturnType<typeof series> }} shape
  * @returns {Spec}
  */
-export const linePlots = (values, look, { plots, columns, height, x, y, lines }) => plotsOf(values, look, plots, columns, {
-  height,
-  mark: { type: 'line', point: { size: 44 }, strokeWidth: 2 },
-  encoding: { x: { ...x, type: 'ordinal', axis: { labelAngle: 0 } }, y: { ...y, type: 'quantitative', scale: { nice: 4 } }, ...lines },
-});
+export const linePlots = (values, look, { plots, columns, height, x, y, lines }) =>
+  plotsOf(values, look, plots, columns, {
+    height,
+    mark: { type: 'line', point: { size: 44 }, strokeWidth: 2 },
+    encoding: {
+      x: { ...x, type: 'ordinal', axis: { labelAngle: 0 } },
+      y: { ...y, type: 'quantitative', scale: { nice: 4 } },
+      ...lines,
+    },
+  });

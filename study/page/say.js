@@ -29,10 +29,12 @@ export function name(kind, value) {
 }
 
 /** Says "on all 8 models", "on 3 of 8 models". @param {import('./compare.js').Tally} tally @returns {Said} */
-export const models = ({ holds, of }) => said(holds === of ? 'onAllModels' : holds === 0 ? 'onNoModel' : 'onSomeModels', { holds, of });
+export const models = ({ holds, of }) =>
+  said(holds === of ? 'onAllModels' : holds === 0 ? 'onNoModel' : 'onSomeModels', { holds, of });
 
 /** @param {import('./compare.js').Tally} tally @returns {Said} */
-export const cases = ({ holds, of }) => said(holds === of ? 'inAllCases' : holds === 0 ? 'inNoCase' : 'inSomeCases', { holds, of });
+export const cases = ({ holds, of }) =>
+  said(holds === of ? 'inAllCases' : holds === 0 ? 'inNoCase' : 'inSomeCases', { holds, of });
 
 /**
  * True if the tables have every value of a sentence: every number is a number, and every count is over at least one
@@ -54,9 +56,15 @@ function written(language, value) {
   if (Array.isArray(value)) return new Intl.ListFormat(language).format(value.map((part) => sentence(language, part)));
   if ('say' in value) return sentence(language, value);
   const { number, digits } = value;
-  return number.toLocaleString(language, { minimumFractionDigits: digits, maximumFractionDigits: digits }).replace('-', '−');
+  return number
+    .toLocaleString(language, { minimumFractionDigits: digits, maximumFractionDigits: digits })
+    .replace('-', '−');
 }
 
 /** @param {Language} language @param {Said} said @returns {string} */
-export const sentence = (language, { say, with: values = {} }) => textIn(language, `figures.${say}`,
-  Object.fromEntries(Object.entries(values).map(([key, value]) => [key, written(language, value)])));
+export const sentence = (language, { say, with: values = {} }) =>
+  textIn(
+    language,
+    `figures.${say}`,
+    Object.fromEntries(Object.entries(values).map(([key, value]) => [key, written(language, value)])),
+  );

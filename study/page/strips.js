@@ -15,14 +15,26 @@ export function methodStrips(rows, look, panels) {
   const across = look.narrow ? 1 : panels.length;
   /** @type {any} */
   const color = {
-    field: 'isOurs', type: 'nominal', scale: { domain: [false, true], range: [kColours.blue, kColours.green] }, legend: null,
+    field: 'isOurs',
+    type: 'nominal',
+    scale: { domain: [false, true], range: [kColours.blue, kColours.green] },
+    legend: null,
   };
   return /** @type {import('./figure.js').Spec} */ ({
-    data: { values }, columns: across, spacing: 18,
+    data: { values },
+    columns: across,
+    spacing: 18,
     concat: panels.map(({ measure, title, log }, at) => ({
-      width: look.plotWidth(across), height: { step: 26 },
+      width: look.plotWidth(across),
+      height: { step: 26 },
       encoding: {
-        y: { field: 'method', type: 'nominal', sort: order('method'), title: null, axis: { grid: true, labels: across === 1 || at === 0 } },
+        y: {
+          field: 'method',
+          type: 'nominal',
+          sort: order('method'),
+          title: null,
+          axis: { grid: true, labels: across === 1 || at === 0 },
+        },
       },
       layer: [
         {

@@ -10,9 +10,14 @@ const valueOf = (cell) => (cell === '' ? null : Number.isNaN(Number(cell)) ? cel
 
 /** Parses a table; leaves out truncated lines. @param {string} csv @returns {Row[]} */
 export function parseTable(csv) {
-  const [head = '', ...lines] = csv.slice(0, csv.lastIndexOf('\n') + 1).split('\n').slice(0, -1);
+  const [head = '', ...lines] = csv
+    .slice(0, csv.lastIndexOf('\n') + 1)
+    .split('\n')
+    .slice(0, -1);
   const columns = head.split(',');
-  return lines.map((line) => line.split(',')).filter((cells) => cells.length === columns.length)
+  return lines
+    .map((line) => line.split(','))
+    .filter((cells) => cells.length === columns.length)
     .map((cells) => Object.fromEntries(columns.map((column, at) => [column, valueOf(cells[at])])));
 }
 
@@ -22,11 +27,17 @@ export function parseTable(csv) {
  * @returns {Record<string, Table>}
  */
 export function readTables(folder) {
-  const files = existsSync(folder) ? readdirSync(folder).filter((file) => file.endsWith('.csv')).sort() : [];
-  return Object.fromEntries(files.map((file) => {
-    const csv = readFileSync(`${folder}/${file}`, 'utf8');
-    return [file.slice(0, -'.csv'.length), { csv, rows: parseTable(csv) }];
-  }));
+  const files = existsSync(folder)
+    ? readdirSync(folder)
+        .filter((file) => file.endsWith('.csv'))
+        .sort()
+    : [];
+  return Object.fromEntries(
+    files.map((file) => {
+      const csv = readFileSync(`${folder}/${file}`, 'utf8');
+      return [file.slice(0, -'.csv'.length), { csv, rows: parseTable(csv) }];
+    }),
+  );
 }
 
 /** Returns the rows whose case could be measured. @param {Row[]} rows */

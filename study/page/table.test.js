@@ -14,7 +14,10 @@ test('a table is read: numbers, words, nothing; the end of a file that is cut of
 });
 
 test('cases that failed are not measured', () => {
-  assert.deepEqual(measured(parseTable(kTable)).map(({ model }) => model), ['plate']);
+  assert.deepEqual(
+    measured(parseTable(kTable)).map(({ model }) => model),
+    ['plate'],
+  );
 });
 
 test('a folder that is not there has no tables', () => {

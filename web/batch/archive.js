@@ -18,7 +18,9 @@ const kLinesAtOnce = 200;
  */
 async function* linesInOrder(manifest, spans) {
   for (let from = 0; from < spans.length; from += kLinesAtOnce) {
-    const lines = await Promise.all(spans.slice(from, from + kLinesAtOnce).map(({ begin, end }) => manifest.slice(begin, end).text()));
+    const lines = await Promise.all(
+      spans.slice(from, from + kLinesAtOnce).map(({ begin, end }) => manifest.slice(begin, end).text()),
+    );
     yield lines.map((line) => `${line}\n`).join('');
   }
 }
@@ -44,7 +46,7 @@ async function* asTable(pieces, client) {
  */
 export async function* archiveContents(store, client) {
   const { lines: manifest, spans } = await store.lastLines();
-  /** @type {Set<string>} */ const there = new Set();  // files written; rows of a plate share one
+  /** @type {Set<string>} */ const there = new Set(); // files written; rows of a plate share one
   yield { name: kManifest, input: linesInOrder(manifest, spans) };
   yield { name: 'manifest.csv', input: asTable(linesInOrder(manifest, spans), client) };
   for await (const lines of linesInOrder(manifest, spans)) {

@@ -8,7 +8,7 @@ import { isLost } from './row_engine.js';
 /** @typedef {{ promise: Promise<void>, resolve: () => void }} Pause */
 /** @typedef {Pick<import('./row_engine.js').RowEngine, 'start' | 'end' | 'carve'>} Engine */
 
-const kMostLosses = 3;  // consecutive engine losses without a finished row
+const kMostLosses = 3; // consecutive engine losses without a finished row
 
 /**
  * @typedef {object} BatchRunOptions
@@ -27,7 +27,17 @@ const kMostLosses = 3;  // consecutive engine losses without a finished row
 
 export class BatchRun {
   /** @param {BatchRunOptions} options */
-  constructor({ states, makeEngine, engines, printEvery, perPlate, save, saveLost, onChange, now = () => performance.now() }) {
+  constructor({
+    states,
+    makeEngine,
+    engines,
+    printEvery,
+    perPlate,
+    save,
+    saveLost,
+    onChange,
+    now = () => performance.now(),
+  }) {
     this.states_ = states;
     this.makeEngine_ = makeEngine;
     this.engines_ = engines;
@@ -38,7 +48,7 @@ export class BatchRun {
     this.onChange_ = onChange;
     this.now_ = now;
     /** @type {Set<Engine>} */ this.working_ = new Set();
-    /** @type {Set<number>} */ this.lost_ = new Set();  // first row of each unit that crashed an engine
+    /** @type {Set<number>} */ this.lost_ = new Set(); // first row of each unit that crashed an engine
     this.losses_ = 0;
     this.ended = false;
     /** @type {Pause | undefined} */ this.pause_ = undefined;
@@ -107,12 +117,12 @@ export class BatchRun {
       try {
         engine ??= await this.startEngine_();
       } catch (thrown) {
-        if (this.working_.size > 0) return;  // the others go on without it
+        if (this.working_.size > 0) return; // the others go on without it
         this.losses_ += 1;
         if (!isLost(thrown) || this.losses_ >= kMostLosses) this.fail_(thrown);
         continue;
       }
-      const index = this.ended || this.paused ? -1 : this.states_.next('waiting');  // the last one may be taken
+      const index = this.ended || this.paused ? -1 : this.states_.next('waiting'); // the last one may be taken
       if (index >= 0 && !(await this.carve_(engine, this.unitOf_(index)))) {
         this.drop_(engine);
         engine = undefined;
@@ -140,7 +150,10 @@ export class BatchRun {
     try {
       const carved = await engine.carve(unit, (index) => index % this.printEvery_ === 0);
       const reasons = await this.save_(carved);
-      this.settle_(unit, carved.rows.map(({ entry }, i) => ({ state: entry.status, reason: reasons[i] })));
+      this.settle_(
+        unit,
+        carved.rows.map(({ entry }, i) => ({ state: entry.status, reason: reasons[i] })),
+      );
       return true;
     } catch (thrown) {
       unit.forEach((index) => this.states_.set(index, 'waiting'));
@@ -195,7 +208,10 @@ export class BatchRun {
     } else if (isAgain) {
       try {
         const reasons = await this.saveLost_(unit, describeThrown(thrown));
-        this.settle_(unit, reasons.map((reason) => ({ state: 'failed', reason })));
+        this.settle_(
+          unit,
+          reasons.map((reason) => ({ state: 'failed', reason })),
+        );
       } catch (unsaved) {
         this.fail_(unsaved);
       }
@@ -213,6 +229,8 @@ export class BatchRun {
 /** @returns {Pause} */
 function makePause() {
   /** @type {() => void} */ let resolve = () => {};
-  /** @type {Promise<void>} */ const promise = new Promise((settle) => { resolve = settle; });
+  /** @type {Promise<void>} */ const promise = new Promise((settle) => {
+    resolve = settle;
+  });
   return { promise, resolve };
 }

@@ -6,7 +6,10 @@ import { message } from '../engine/message.js';
 import { BatchRun } from './batch_run.js';
 import { RowStates } from './row_states.js';
 
-const settled = () => new Promise((resolve) => { setImmediate(resolve); });
+const settled = () =>
+  new Promise((resolve) => {
+    setImmediate(resolve);
+  });
 const lost = () => new EngineFailure(internal(message('engine-crashed', { detail: { term: 'unreachable' } })));
 const full = () => new EngineFailure(internal(message('storage-full')));
 
@@ -32,7 +35,8 @@ class FakeEngine {
     this.units.push(unit);
     for (const index of unit) this.carved.push([index, looksAtPrint(index)]);
     return new Promise((resolve, reject) => {
-      this.finish = (/** @type {'done' | 'failed'} */ status = 'done') => resolve({ rows: unit.map((index) => ({ entry: { number: index + 1, status } })) });
+      this.finish = (/** @type {'done' | 'failed'} */ status = 'done') =>
+        resolve({ rows: unit.map((index) => ({ entry: { number: index + 1, status } })) });
       this.reject = reject;
     });
   }
@@ -50,7 +54,13 @@ let now = 0;
 function runOf(rows, options = {}) {
   states = new RowStates(rows);
   return new BatchRun({
-    states, engines: 2, printEvery: 3, perPlate: 0, onChange: () => {}, now: () => now, makeEngine: () => /** @type {any} */ (new FakeEngine()),
+    states,
+    engines: 2,
+    printEvery: 3,
+    perPlate: 0,
+    onChange: () => {},
+    now: () => now,
+    makeEngine: () => /** @type {any} */ (new FakeEngine()),
     save: async (carved) => {
       if (failSave) throw failSave();
       saved.push(...carved.rows.map(({ entry }) => entry.number));
@@ -69,10 +79,14 @@ const statesOf = () => Array.from({ length: states.size }, (_, index) => states.
 /** Finishes all rows. @param {Promise<void>} ran */
 async function finishAll(ran) {
   let over = false;
-  void ran.then(() => { over = true; });
+  void ran.then(() => {
+    over = true;
+  });
   for (let turns = 0; !over && turns < 100; turns += 1) {
     await settled();
-    engines().filter(({ ended }) => !ended).forEach((engine) => engine.finish?.());
+    engines()
+      .filter(({ ended }) => !ended)
+      .forEach((engine) => engine.finish?.());
   }
   await ran;
 }
@@ -90,7 +104,10 @@ test('Two engines share the rows, each row is carved and kept once, and each so 
   await finishAll(run.run());
   assert.deepEqual(states.counts, { waiting: 0, running: 0, done: 7, failed: 0 });
   assert.deepEqual([...saved].sort(), [1, 2, 3, 4, 5, 6, 7]);
-  const printed = engines().flatMap(({ carved }) => carved).filter(([, looks]) => looks).map(([index]) => index);
+  const printed = engines()
+    .flatMap(({ carved }) => carved)
+    .filter(([, looks]) => looks)
+    .map(([index]) => index);
   assert.deepEqual(printed.sort(), [0, 3, 6]);
   assert.equal(engines().length, 2);
   assert.ok(engines().every(({ ended, carved }) => ended && carved.length > 1));
@@ -199,7 +216,10 @@ test('Without a second engine the first carves all', async () => {
   const run = runOf(3, {
     makeEngine: () => {
       const engine = new FakeEngine();
-      if (engines().length === 2) engine.start = async () => { throw new EngineFailure(internal(message('out-of-memory'))); };
+      if (engines().length === 2)
+        engine.start = async () => {
+          throw new EngineFailure(internal(message('out-of-memory')));
+        };
       return /** @type {any} */ (engine);
     },
   });
@@ -228,7 +248,10 @@ test('Rows of a plate are carved together, all of them if one is new', async () 
   const run = runOf(8, { engines: 1, perPlate: 3 });
   for (const index of [0, 1, 2, 4]) states.set(index, 'done');
   await finishAll(run.run());
-  assert.deepEqual(engines()[0].units, [[3, 4, 5], [6, 7]]);
+  assert.deepEqual(engines()[0].units, [
+    [3, 4, 5],
+    [6, 7],
+  ]);
   assert.equal(states.counts.done, 8);
   assert.deepEqual(saved, [4, 5, 6, 7, 8]);
 });

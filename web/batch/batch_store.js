@@ -24,8 +24,10 @@ import { hintOf, sentenceOf } from '../i18n/messages.js';
 /** Byte range of a manifest line. @typedef {{ begin: number, end: number }} Span */
 
 export const kManifest = 'manifest.jsonl';
-const kRecord = 'batch.json', kModel = 'model', kList = 'list';
-const kFormat = 1;  // version of the stored data; other versions are ignored
+const kRecord = 'batch.json',
+  kModel = 'model',
+  kList = 'list';
+const kFormat = 1; // version of the stored data; other versions are ignored
 const kLineEnd = 10;
 
 export class BatchStore {
@@ -55,7 +57,9 @@ export class BatchStore {
 
   /** Reads the model and the list. @returns {Promise<{ model: Uint8Array, list: Uint8Array }>} */
   async files() {
-    const [model, list] = await Promise.all([kModel, kList].map(async (name) => (await this.folder_.read(name))?.arrayBuffer()));
+    const [model, list] = await Promise.all(
+      [kModel, kList].map(async (name) => (await this.folder_.read(name))?.arrayBuffer()),
+    );
     return { model: new Uint8Array(model ?? []), list: new Uint8Array(list ?? []) };
   }
 
@@ -143,7 +147,8 @@ export function entryOf(line) {
 export async function* linesOf(file) {
   const decoder = new TextDecoder();
   const reader = file.stream().getReader();
-  let rest = new Uint8Array(), begin = 0;
+  let rest = new Uint8Array(),
+    begin = 0;
   for (;;) {
     const { value, done } = await reader.read();
     if (done) break;

@@ -36,7 +36,8 @@ import { sha256 } from './hashes.js';
  */
 
 /** Tells whether the module must not be used any more. @param {unknown} thrown */
-export const isLost = (thrown) => isFatal(thrown) || isReplaced(thrown) || (thrown instanceof EngineFailure && thrown.code === 'engine-hung');
+export const isLost = (thrown) =>
+  isFatal(thrown) || isReplaced(thrown) || (thrown instanceof EngineFailure && thrown.code === 'engine-hung');
 
 /** Makes an engine with an invisible canvas. A failure outside any verb ends it. */
 export function makeHiddenClient() {
@@ -95,9 +96,15 @@ export class RowEngine {
       const { id, status, file } = row.entry;
       rows.push(row);
       if (status === 'done' && isPlate) await this.client_.addToPlate(place, id);
-      else if (status === 'done') bytes = await this.written_([row], () => this.client_.exportModel(formatOf(file, withInlay)));
+      else if (status === 'done')
+        bytes = await this.written_([row], () => this.client_.exportModel(formatOf(file, withInlay)));
     }
-    const [{ entry: { file } }] = rows, done = rows.filter(({ entry }) => entry.status === 'done');
+    const [
+        {
+          entry: { file },
+        },
+      ] = rows,
+      done = rows.filter(({ entry }) => entry.status === 'done');
     if (isPlate && done.length > 0) bytes = await this.written_(done, () => this.client_.exportPlate(file));
     return { rows, file, ...(bytes && { bytes }) };
   }
@@ -115,7 +122,8 @@ export class RowEngine {
       return bytes;
     } catch (thrown) {
       if (isLost(thrown)) throw thrown;
-      for (const row of rows) Object.assign(row, { entry: { ...row.entry, status: 'failed' }, why: describeThrown(thrown) });
+      for (const row of rows)
+        Object.assign(row, { entry: { ...row.entry, status: 'failed' }, why: describeThrown(thrown) });
       return undefined;
     }
   }
@@ -133,7 +141,14 @@ export class RowEngine {
     const settings = /** @type {Settings & { inlay?: boolean }} */ ({ ...this.job_.wanted.settings, ...own });
     const { number, id, text, file } = name;
     /** @type {ManifestEntry} */
-    const entry = { number, id, text, file, status: 'failed', sha256: { input: this.job_.input, settings: await this.hashOf(index, others) } };
+    const entry = {
+      number,
+      id,
+      text,
+      file,
+      status: 'failed',
+      sha256: { input: this.job_.input, settings: await this.hashOf(index, others) },
+    };
     const withInlay = settings.inlay ?? false;
     try {
       const carved = await this.carveUntilItReads_(settings);
@@ -153,8 +168,13 @@ export class RowEngine {
    * @param {string} [others]  further inputs
    */
   async hashOf(index, others = '') {
-    const { model: { scaleToMm, upAxis }, centreMm } = this.job_;
-    return sha256(await this.client_.batchRowToHash(index, { centre: centreMm, others: `${scaleToMm} ${upAxis}${others}` }));
+    const {
+      model: { scaleToMm, upAxis },
+      centreMm,
+    } = this.job_;
+    return sha256(
+      await this.client_.batchRowToHash(index, { centre: centreMm, others: `${scaleToMm} ${upAxis}${others}` }),
+    );
   }
 
   /**
@@ -164,7 +184,7 @@ export class RowEngine {
    */
   async carveUntilItReads_(asked) {
     let settings = asked;
-    for (let next = await this.carveOnce_(settings); next; ) {
+    for (let next = await this.carveOnce_(settings); next;) {
       settings = { ...settings, [next.setting]: next.value };
       next = await this.carveOnce_(settings);
     }
@@ -179,12 +199,15 @@ export class RowEngine {
   async carveUntilItPrints_(carved) {
     const first = await this.client_.carving();
     let settings = carved;
-    for (let result = await this.lookAtPrint_(); !result.passed && result.next; ) {
+    for (let result = await this.lookAtPrint_(); !result.passed && result.next;) {
       settings = { ...settings, [result.next.setting]: result.next.value };
-      const reads = await this.carveOnce_(settings).then((next) => next === null, (thrown) => {
-        if (isLost(thrown)) throw thrown;
-        return false;
-      });
+      const reads = await this.carveOnce_(settings).then(
+        (next) => next === null,
+        (thrown) => {
+          if (isLost(thrown)) throw thrown;
+          return false;
+        },
+      );
       result = reads ? await this.lookAtPrint_() : { passed: false, next: null };
       if (!result.passed && !result.next) await this.client_.useCarving(first);
     }
@@ -213,7 +236,11 @@ export class RowEngine {
     if (!job) return { passed: true, next: null };
     const print = await this.print_(job, { signal: this.ended_.signal, onProgress: () => {} });
     if (!print) throw new EngineFailure(internal(message('engine-replaced')));
-    const result = await this.client_.setPrintedReadings(await this.client_.carving(), await this.read_(print.pictures), print.facingDeg);
+    const result = await this.client_.setPrintedReadings(
+      await this.client_.carving(),
+      await this.read_(print.pictures),
+      print.facingDeg,
+    );
     if (!result) throw new EngineFailure(internal(message('engine-replaced')));
     return result;
   }

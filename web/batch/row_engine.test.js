@@ -7,8 +7,11 @@ import { sha256 } from './hashes.js';
 import { RowEngine } from './row_engine.js';
 
 const kJob = /** @type {any} */ ({
-  model: { bytes: new Uint8Array(3), fileName: 'cube.stl', scaleToMm: 25.4, upAxis: 'y' }, input: 'aa', centreMm: [1, 2, 3],
-  list: new Uint8Array(), wanted: { settings: { text: '', preset: 'balanced' }, text: '', name: '', count: 2, perPlate: 0 },
+  model: { bytes: new Uint8Array(3), fileName: 'cube.stl', scaleToMm: 25.4, upAxis: 'y' },
+  input: 'aa',
+  centreMm: [1, 2, 3],
+  list: new Uint8Array(),
+  wanted: { settings: { text: '', preset: 'balanced' }, text: '', name: '', count: 2, perPlate: 0 },
 });
 
 /** @type {string[]} */ let calls;
@@ -18,7 +21,11 @@ const kJob = /** @type {any} */ ({
 /** @type {RowEngine} */ let engine;
 /** Carves the second row. @param {boolean} looks */
 const carveSecond = async (looks = false) => {
-  const { rows: [row], bytes, file } = await engine.carve([1], () => looks);
+  const {
+    rows: [row],
+    bytes,
+    file,
+  } = await engine.carve([1], () => looks);
   return { ...row, bytes, file };
 };
 
@@ -38,14 +45,23 @@ beforeEach(() => {
     carving: 7,
     setPrintedReadings: () => ({ passed: true, next: null }),
   };
-  const client = new Proxy({}, { get: (_, name) => async (/** @type {any[]} */ ...args) => {
-    calls.push([name, ...args.filter((arg) => typeof arg !== 'object')].join(' '));
-    const answer = answers[name];
-    if (answer instanceof Error) throw answer;
-    return typeof answer === 'function' ? answer(...args) : answer;
-  } });
+  const client = new Proxy(
+    {},
+    {
+      get:
+        (_, name) =>
+        async (/** @type {any[]} */ ...args) => {
+          calls.push([name, ...args.filter((arg) => typeof arg !== 'object')].join(' '));
+          const answer = answers[name];
+          if (answer instanceof Error) throw answer;
+          return typeof answer === 'function' ? answer(...args) : answer;
+        },
+    },
+  );
   engine = new RowEngine(kJob, {
-    client: /** @type {any} */ (client), read: async () => ['two'], print: async () => /** @type {any} */ ({ pictures: [], facingDeg: 12 }),
+    client: /** @type {any} */ (client),
+    read: async () => ['two'],
+    print: async () => /** @type {any} */ ({ pictures: [], facingDeg: 12 }),
   });
 });
 
@@ -58,10 +74,15 @@ test('A row is carved with the settings of all and its own, and its line has the
   const carved = await carveSecond();
   assert.deepEqual(configured, [{ text: 'two', preset: 'balanced', version: 1 }]);
   assert.deepEqual(carved.entry, {
-    number: 2, id: 'b', text: 'two', file: 'b.3mf', status: 'done', grades: 'A',
+    number: 2,
+    id: 'b',
+    text: 'two',
+    file: 'b.3mf',
+    status: 'done',
+    grades: 'A',
     sha256: { input: 'aa', settings: await sha256('hash me'), output: await sha256(new Uint8Array([1, 2])) },
   });
-  assert.deepEqual([...carved.bytes ?? []], [1, 2]);
+  assert.deepEqual([...(carved.bytes ?? [])], [1, 2]);
   assert.ok(calls.includes('exportModel 3mf'));
   assert.ok(!calls.includes('printJob'));
 });
@@ -74,7 +95,10 @@ test('The print is looked at where that is asked for', async () => {
 test('What does not read is carved as the module proposes', async () => {
   nexts = [{ setting: 'preset', value: 'robust' }, null];
   assert.equal((await carveSecond()).entry.status, 'done');
-  assert.deepEqual(configured.map(({ preset }) => preset), ['balanced', 'robust']);
+  assert.deepEqual(
+    configured.map(({ preset }) => preset),
+    ['balanced', 'robust'],
+  );
 });
 
 test('What barely reads as printed is carved deeper, and stays so only if its print reads then', async () => {
@@ -83,10 +107,16 @@ test('What barely reads as printed is carved deeper, and stays so only if its pr
     calls = [];
     configured = [];
     nexts = [null, null];
-    const prints = [{ passed: false, next: robust }, { passed: isMended, next: null }];
+    const prints = [
+      { passed: false, next: robust },
+      { passed: isMended, next: null },
+    ];
     answers.setPrintedReadings = () => prints.shift();
     assert.equal((await carveSecond(true)).entry.status, 'done');
-    assert.deepEqual(configured.map(({ preset }) => preset), ['balanced', 'robust']);
+    assert.deepEqual(
+      configured.map(({ preset }) => preset),
+      ['balanced', 'robust'],
+    );
     assert.equal(calls.includes('useCarving 7'), !isMended);
   }
 });
@@ -105,7 +135,10 @@ test('What cannot be carved deeper for its print stays as it was asked for', asy
 test('A row whose checks do not pass has no file, and says which', async () => {
   answers.describeRow = { passed: false, failed: [message('row-without-text')], details: { grades: 'F' } };
   const carved = await carveSecond();
-  assert.deepEqual([carved.entry.status, /** @type {any} */ (carved.entry).grades, carved.why?.code, carved.bytes], ['failed', 'F', 'row-without-text', undefined]);
+  assert.deepEqual(
+    [carved.entry.status, /** @type {any} */ (carved.entry).grades, carved.why?.code, carved.bytes],
+    ['failed', 'F', 'row-without-text', undefined],
+  );
 });
 
 test('A row that cannot be carved fails; an engine that is beyond use is told', async () => {
@@ -130,16 +163,36 @@ test('A row whose file cannot be written fails', async () => {
 
 test('Rows of a plate share its file, without those that failed', async () => {
   const job = { ...kJob, wanted: { ...kJob.wanted, perPlate: 3 } };
-  engine = new RowEngine(job, { client: /** @type {any} */ (engine).client_, read: async () => ['two'], print: async () => undefined });
-  answers.batchRow = (/** @type {number} */ index) => ({ number: index + 1, id: `P${index}`, text: 't', file: 'plate-001.3mf', settings: {} });
+  engine = new RowEngine(job, {
+    client: /** @type {any} */ (engine).client_,
+    read: async () => ['two'],
+    print: async () => undefined,
+  });
+  answers.batchRow = (/** @type {number} */ index) => ({
+    number: index + 1,
+    id: `P${index}`,
+    text: 't',
+    file: 'plate-001.3mf',
+    settings: {},
+  });
   let described = 0;
   answers.describeRow = () => ({ passed: (described += 1) !== 2, failed: [message('row-without-text')], details: {} });
   answers.exportPlate = new Uint8Array([9]);
   const { rows, file, bytes } = await engine.carve([0, 1, 2], () => false);
-  assert.deepEqual([file, [...bytes ?? []]], ['plate-001.3mf', [9]]);
+  assert.deepEqual([file, [...(bytes ?? [])]], ['plate-001.3mf', [9]]);
   const output = await sha256(new Uint8Array([9]));
-  assert.deepEqual(rows.map(({ entry }) => [entry.status, entry.sha256.output]), [['done', output], ['failed', undefined], ['done', output]]);
-  assert.deepEqual(calls.filter((call) => /Plate/.test(call)), ['startPlate 3', 'addToPlate 0 P0', 'addToPlate 2 P2', 'exportPlate plate-001.3mf']);
+  assert.deepEqual(
+    rows.map(({ entry }) => [entry.status, entry.sha256.output]),
+    [
+      ['done', output],
+      ['failed', undefined],
+      ['done', output],
+    ],
+  );
+  assert.deepEqual(
+    calls.filter((call) => /Plate/.test(call)),
+    ['startPlate 3', 'addToPlate 0 P0', 'addToPlate 2 P2', 'exportPlate plate-001.3mf'],
+  );
   // Each hash covers the whole plate, and the rows' own settings are equal here.
   assert.equal(new Set(rows.map(({ entry }) => entry.sha256.settings)).size, 1);
 });

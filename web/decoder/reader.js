@@ -5,7 +5,7 @@
 
 export const kReaderName = 'ZXing-C++ (zxing-wasm)';
 
-const kMostWorkers = 2;  // each loads its own decoder
+const kMostWorkers = 2; // each loads its own decoder
 
 /** @type {ScanWorker[]} */
 let workers = [];
@@ -14,9 +14,13 @@ let workers = [];
 export function prepareReader() {
   if (workers.length > 0) return;
   const count = Math.min(kMostWorkers, navigator.hardwareConcurrency || 1);
-  workers = Array.from({ length: count }, () => new ScanWorker(() => {
-    workers = [];  // the next call starts new ones
-  }));
+  workers = Array.from(
+    { length: count },
+    () =>
+      new ScanWorker(() => {
+        workers = []; // the next call starts new ones
+      }),
+  );
 }
 
 /**

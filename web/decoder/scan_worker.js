@@ -6,7 +6,7 @@ import { loadLibrary, scan } from './scans.js';
 
 const scope = /** @type {any} */ (globalThis);
 
-loadLibrary().catch(() => {});  // the first scan reports the error
+loadLibrary().catch(() => {}); // the first scan reports the error
 
 scope.onmessage = async (/** @type {MessageEvent} */ { data }) => {
   const { id, pictures, wanted } = /** @type {Request} */ (data);

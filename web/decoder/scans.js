@@ -30,7 +30,12 @@ export async function scan(pictures, wanted) {
   for (const picture of pictures) {
     const data = toImageData(picture);
     for (const binarizer of kBinarizers) {
-      const [found] = await readBarcodes(data, { formats: ['QRCode'], tryHarder: true, maxNumberOfSymbols: 1, binarizer });
+      const [found] = await readBarcodes(data, {
+        formats: ['QRCode'],
+        tryHarder: true,
+        maxNumberOfSymbols: 1,
+        binarizer,
+      });
       texts.push(found?.isValid && !found.isMirrored ? found.text : '');
       if (wanted !== undefined && texts.at(-1) === wanted) return texts;
     }

@@ -9,10 +9,10 @@ import { message } from './message.js';
 /** @typedef {import('./types.js').ViewSize} ViewSize */
 /** @typedef {import('./types.js').Settings} Settings */
 
-const kCancelPatienceMs = 4000;  // replace a worker that takes longer to end its step
-const kTickMs = 5000;            // interval at which a worker's silence is checked
-const kSilenceMs = 120_000;      // a worker that is silent for longer hangs;
-const kLoadBytesPerMs = 100;     // the limit grows by 1 ms for this many bytes of a file to read
+const kCancelPatienceMs = 4000; // replace a worker that takes longer to end its step
+const kTickMs = 5000; // interval at which a worker's silence is checked
+const kSilenceMs = 120_000; // a worker that is silent for longer hangs;
+const kLoadBytesPerMs = 100; // the limit grows by 1 ms for this many bytes of a file to read
 
 /**
  * Options of a job. Aborting settles the promise at once. The module ends its step and keeps the model; it is replaced
@@ -28,7 +28,8 @@ const kLoadBytesPerMs = 100;     // the limit grows by 1 ms for this many bytes 
  */
 
 /** Tells whether a promise was rejected because the worker was replaced. Do not show this as an error. */
-export const isReplaced = (/** @type {unknown} */ thrown) => thrown instanceof EngineFailure && thrown.code === 'engine-replaced';
+export const isReplaced = (/** @type {unknown} */ thrown) =>
+  thrown instanceof EngineFailure && thrown.code === 'engine-replaced';
 
 const kReplaced = internal(message('engine-replaced'));
 
@@ -95,7 +96,9 @@ export class EngineClient {
   loadModel(bytes, fileName, scaleToMm, { signal } = {}) {
     const replace = () => void this.replace();
     signal?.addEventListener('abort', replace, { once: true });
-    return this.call_('loadModel', bytes, fileName, scaleToMm).finally(() => signal?.removeEventListener('abort', replace));
+    return this.call_('loadModel', bytes, fileName, scaleToMm).finally(() =>
+      signal?.removeEventListener('abort', replace),
+    );
   }
 
   /**
@@ -154,7 +157,7 @@ export class EngineClient {
   stopJob_(job) {
     const patience = setTimeout(() => void this.replace(), kCancelPatienceMs);
     job.catch(() => {}).finally(() => clearTimeout(patience));
-    this.call_('cancel').catch(() => {});  // rejected only if the worker is replaced
+    this.call_('cancel').catch(() => {}); // rejected only if the worker is replaced
   }
 
   /**
@@ -162,24 +165,32 @@ export class EngineClient {
    * @param {number} index  into the spots found last
    * @returns {Promise<import('./types.js').PickResult>}
    */
-  chooseSpot(index) { return this.call_('chooseSpot', index); }
+  chooseSpot(index) {
+    return this.call_('chooseSpot', index);
+  }
 
   /**
    * Shows or hides the largest possible code sizes as colours on the model.
    * @param {boolean} shown
    * @returns {Promise<void>}
    */
-  showSizes(shown) { return this.call_('showSizes', shown); }
+  showSizes(shown) {
+    return this.call_('showSizes', shown);
+  }
 
   /** @param {Settings} settings @returns {Promise<void>} */
-  configure(settings) { return this.call_('configure', settings); }
+  configure(settings) {
+    return this.call_('configure', settings);
+  }
 
   /**
    * Returns the symbol that these settings engrave.
    * @param {Settings} settings
    * @returns {Promise<import('./types.js').SymbolFacts>}
    */
-  symbol(settings) { return this.call_('symbol', settings); }
+  symbol(settings) {
+    return this.call_('symbol', settings);
+  }
 
   /**
    * Puts the centre at a position on the canvas.
@@ -187,13 +198,19 @@ export class EngineClient {
    * @param {number} y
    * @returns {Promise<import('./types.js').PickResult>}
    */
-  pick(x, y) { return this.call_('pick', x, y); }
+  pick(x, y) {
+    return this.call_('pick', x, y);
+  }
 
   /** @param {[number, number, number]} centreMm @returns {Promise<import('./types.js').PickResult>} */
-  setCentre(centreMm) { return this.call_('setCentre', ...centreMm); }
+  setCentre(centreMm) {
+    return this.call_('setCentre', ...centreMm);
+  }
 
   /** Finds the placement at the centre. @returns {Promise<import('./types.js').Placement>} */
-  placement() { return this.call_('placement'); }
+  placement() {
+    return this.call_('placement');
+  }
 
   /** Starts work that the next carving needs, unless a job runs. @returns {Promise<void>} */
   async prepareEngrave() {
@@ -205,14 +222,18 @@ export class EngineClient {
    * Returns the number of the finished carving that can be reported and exported.
    * @returns {Promise<number>}  0: none
    */
-  carving() { return this.call_('carving'); }
+  carving() {
+    return this.call_('carving');
+  }
 
   /**
    * Restores a carving.
    * @param {number} number  of the last carving or the one before it
    * @returns {Promise<boolean>}  false: gone
    */
-  useCarving(number) { return this.call_('useCarving', number); }
+  useCarving(number) {
+    return this.call_('useCarving', number);
+  }
 
   /**
    * Previews the code at an estimated placement.
@@ -220,22 +241,32 @@ export class EngineClient {
    * @param {number} y
    * @returns {Promise<import('./types.js').HoverResult>}
    */
-  hover(x, y) { return this.call_('hover', x, y); }
+  hover(x, y) {
+    return this.call_('hover', x, y);
+  }
 
   /** @returns {Promise<void>} */
-  endHover() { return this.call_('endHover'); }
+  endHover() {
+    return this.call_('endHover');
+  }
 
   /**
    * Finds the exact placement of the preview.
    * @returns {Promise<import('./types.js').HoverResult | null>}  null if the pointer moved
    */
-  settle() { return this.call_('settle'); }
+  settle() {
+    return this.call_('settle');
+  }
 
   /** @param {number} x @param {number} y @returns {Promise<import('./types.js').HoverResult>} */
-  moveCode(x, y) { return this.call_('moveCode', x, y); }
+  moveCode(x, y) {
+    return this.call_('moveCode', x, y);
+  }
 
   /** @param {number} rotateDeg @param {number} symbolMm @returns {Promise<import('./types.js').CodeFacts>} */
-  adjustCode(rotateDeg, symbolMm) { return this.call_('adjustCode', rotateDeg, symbolMm); }
+  adjustCode(rotateDeg, symbolMm) {
+    return this.call_('adjustCode', rotateDeg, symbolMm);
+  }
 
   /**
    * Draws a spot.
@@ -244,7 +275,9 @@ export class EngineClient {
    * @param {number} height
    * @returns {Promise<import('./types.js').ColourImage>}
    */
-  spotPicture(index, width, height) { return this.call_('spotPicture', index, width, height); }
+  spotPicture(index, width, height) {
+    return this.call_('spotPicture', index, width, height);
+  }
 
   /**
    * Shows or hides a section through the code.
@@ -252,7 +285,9 @@ export class EngineClient {
    * @param {number} offset  from its centre, -1 … 1
    * @returns {Promise<void>}
    */
-  showSection(shown, offset) { return this.call_('showSection', shown, offset); }
+  showSection(shown, offset) {
+    return this.call_('showSection', shown, offset);
+  }
 
   /**
    * Shows or hides the depths as colours on the carved model.
@@ -260,22 +295,32 @@ export class EngineClient {
    * @returns {Promise<{ topMm: number, deepestMm: number }>}
    *   depth of the last colour and of the deepest pocket; 0 without a carved model
    */
-  showDepths(shown) { return this.call_('showDepths', shown); }
+  showDepths(shown) {
+    return this.call_('showDepths', shown);
+  }
 
   /** @returns {Promise<import('./types.js').Report>} */
-  report() { return this.call_('report'); }
+  report() {
+    return this.call_('report');
+  }
 
   /** @returns {Promise<import('./types.js').GreyImage>} */
-  readerImage() { return this.call_('readerImage'); }
+  readerImage() {
+    return this.call_('readerImage');
+  }
 
   /**
    * @param {import('./types.js').JobMapName} name
    * @returns {Promise<import('./types.js').JobMap | null>}  null before the first one
    */
-  jobMap(name) { return this.call_('jobMap', name); }
+  jobMap(name) {
+    return this.call_('jobMap', name);
+  }
 
   /** Draws the pictures to decode. @returns {Promise<import('./types.js').GreyImage[]>} */
-  readingPictures() { return this.call_('readingPictures'); }
+  readingPictures() {
+    return this.call_('readingPictures');
+  }
 
   /**
    * Reports the decoded texts of the reading pictures.
@@ -283,21 +328,27 @@ export class EngineClient {
    * @param {string} reader   name of the decoder
    * @returns {Promise<import('./types.js').ReadingResult>}
    */
-  setReadings(texts, reader) { return this.call_('setReadings', texts, reader); }
+  setReadings(texts, reader) {
+    return this.call_('setReadings', texts, reader);
+  }
 
   /**
    * Returns the print job of the carving.
    * @param {import('./types.js').PrintChange} [changed]  changes to the settings of the carving
    * @returns {Promise<import('./types.js').PrintJob | null>}  null: no print process is chosen
    */
-  printJob(changed = {}) { return this.call_('printJob', changed); }
+  printJob(changed = {}) {
+    return this.call_('printJob', changed);
+  }
 
   /**
    * Returns other ways to print a carving that are worth trying, the cheapest first.
    * @param {number} number  of the carving
    * @returns {Promise<import('./types.js').PrintChange[]>}  empty if the carving is not the current one
    */
-  otherPrints(number) { return this.call_('otherPrints', number); }
+  otherPrints(number) {
+    return this.call_('otherPrints', number);
+  }
 
   /**
    * Judges a print made with changed settings.
@@ -307,7 +358,9 @@ export class EngineClient {
    * @param {number} facingDeg  see Print
    * @returns {Promise<import('./types.js').Aspect | null>}  null if the carving is not the current one
    */
-  judgePrint(number, changed, texts, facingDeg) { return this.call_('judgePrint', number, changed, texts, facingDeg); }
+  judgePrint(number, changed, texts, facingDeg) {
+    return this.call_('judgePrint', number, changed, texts, facingDeg);
+  }
 
   /**
    * Reports the decoded texts of a print's pictures.
@@ -316,29 +369,39 @@ export class EngineClient {
    * @param {number} facingDeg  see Print
    * @returns {Promise<import('./types.js').PrintedResult | null>}  null if the carving is not the current one
    */
-  setPrintedReadings(number, texts, facingDeg) { return this.call_('setPrintedReadings', number, texts, facingDeg); }
+  setPrintedReadings(number, texts, facingDeg) {
+    return this.call_('setPrintedReadings', number, texts, facingDeg);
+  }
 
   /**
    * Starts test-decoding the code from other viewing directions and distances.
    * @returns {Promise<number>}  trials at most
    */
-  startViewTrials() { return this.call_('startViewTrials'); }
+  startViewTrials() {
+    return this.call_('startViewTrials');
+  }
 
   /**
    * Draws the pictures of the next trial; decoding one of them is enough.
    * @returns {Promise<import('./types.js').GreyImage[]>}
    */
-  viewTrialPictures() { return this.call_('viewTrialPictures'); }
+  viewTrialPictures() {
+    return this.call_('viewTrialPictures');
+  }
 
   /**
    * Reports the outcome of the trial.
    * @param {boolean} read
    * @returns {Promise<import('./types.js').ViewTrialProgress>}
    */
-  noteViewTrial(read) { return this.call_('noteViewTrial', read); }
+  noteViewTrial(read) {
+    return this.call_('noteViewTrial', read);
+  }
 
   /** @param {string} format @returns {Promise<Uint8Array<ArrayBuffer>>} */
-  exportModel(format) { return this.call_('exportModel', format); }
+  exportModel(format) {
+    return this.call_('exportModel', format);
+  }
 
   /**
    * Reads a list and checks it as a whole. The other batch verbs refer to its rows.
@@ -346,13 +409,19 @@ export class EngineClient {
    * @param {import('./types.js').WantedBatch} wanted
    * @returns {Promise<import('./types.js').BatchPlan>}
    */
-  planBatch(list, wanted) { return this.call_('planBatch', list, wanted); }
+  planBatch(list, wanted) {
+    return this.call_('planBatch', list, wanted);
+  }
 
   /** @param {number} from @param {number} count  at most @returns {Promise<import('./types.js').BatchRowName[]>} */
-  batchRows(from, count) { return this.call_('batchRows', from, count); }
+  batchRows(from, count) {
+    return this.call_('batchRows', from, count);
+  }
 
   /** @param {number} index  from 0 @returns {Promise<import('./types.js').BatchRow>} */
-  batchRow(index) { return this.call_('batchRow', index); }
+  batchRow(index) {
+    return this.call_('batchRow', index);
+  }
 
   /**
    * Returns all settings of a row as one text.
@@ -360,20 +429,28 @@ export class EngineClient {
    * @param {{ centre: number[], others: string }} placed  further inputs of the row's file
    * @returns {Promise<string>}  text to hash as the row's settings for the manifest
    */
-  batchRowToHash(index, placed) { return this.call_('batchRowToHash', index, placed); }
+  batchRowToHash(index, placed) {
+    return this.call_('batchRowToHash', index, placed);
+  }
 
   /**
    * Formats a manifest line.
    * @param {import('./types.js').ManifestEntry} entry
    * @returns {Promise<string>}  without line break
    */
-  manifestLine(entry) { return this.call_('manifestLine', entry); }
+  manifestLine(entry) {
+    return this.call_('manifestLine', entry);
+  }
 
   /** Converts manifest lines to CSV. @param {string} lines @param {boolean} withHeader @returns {Promise<string>} */
-  manifestCsv(lines, withHeader) { return this.call_('manifestCsv', lines, withHeader); }
+  manifestCsv(lines, withHeader) {
+    return this.call_('manifestCsv', lines, withHeader);
+  }
 
   /** Begins a plate; discards an earlier one. @param {number} copies  on the plate @returns {Promise<void>} */
-  startPlate(copies) { return this.call_('startPlate', copies); }
+  startPlate(copies) {
+    return this.call_('startPlate', copies);
+  }
 
   /**
    * Puts the current carving on the plate.
@@ -381,53 +458,81 @@ export class EngineClient {
    * @param {string} id
    * @returns {Promise<void>}
    */
-  addToPlate(place, id) { return this.call_('addToPlate', place, id); }
+  addToPlate(place, id) {
+    return this.call_('addToPlate', place, id);
+  }
 
   /** Exports the plate as 3MF and empties it. @param {string} title @returns {Promise<Uint8Array<ArrayBuffer>>} */
-  exportPlate(title) { return this.call_('exportPlate', title); }
+  exportPlate(title) {
+    return this.call_('exportPlate', title);
+  }
 
   /**
    * Describes the current carving for the manifest.
    * @param {number} totalMs
    * @returns {Promise<import('./types.js').DescribedRow>}
    */
-  describeRow(totalMs) { return this.call_('describeRow', totalMs); }
+  describeRow(totalMs) {
+    return this.call_('describeRow', totalMs);
+  }
 
   /** Takes a picture of the current view. @returns {Promise<Uint8Array<ArrayBuffer>>}  PNG */
-  picture() { return this.call_('picture'); }
+  picture() {
+    return this.call_('picture');
+  }
 
   /** @param {boolean} dark @returns {Promise<void>} */
-  setTheme(dark) { return this.call_('setTheme', dark); }
+  setTheme(dark) {
+    return this.call_('setTheme', dark);
+  }
 
   /**
    * @param {import('./types.js').UpAxis} axis  of the model; the code's top points along it
    * @returns {Promise<void>}
    */
-  setUpAxis(axis) { return this.call_('setUpAxis', axis); }
+  setUpAxis(axis) {
+    return this.call_('setUpAxis', axis);
+  }
 
   /** @param {boolean} carved @returns {Promise<void>} */
-  showCarved(carved) { return this.call_('showCarved', carved); }
+  showCarved(carved) {
+    return this.call_('showCarved', carved);
+  }
 
   /** Loads the inspector without showing it. @returns {Promise<void>} */
-  openInspector() { return this.call_('openInspector'); }
+  openInspector() {
+    return this.call_('openInspector');
+  }
 
   /** @param {boolean} shown @returns {Promise<void>} */
-  setInspector(shown) { return this.call_('setInspector', shown); }
+  setInspector(shown) {
+    return this.call_('setInspector', shown);
+  }
 
   /** @param {Record<string, string>} texts  translations, by English text @returns {Promise<void>} */
-  inspectorTexts(texts) { return this.call_('inspectorTexts', texts); }
+  inspectorTexts(texts) {
+    return this.call_('inspectorTexts', texts);
+  }
 
   /** @param {import('./types.js').Area} area  of the canvas that no control covers @returns {Promise<void>} */
-  inspectorArea(area) { return this.call_('inspectorArea', area); }
+  inspectorArea(area) {
+    return this.call_('inspectorArea', area);
+  }
 
   /** @param {ViewSize} size @returns {Promise<void>} */
-  resize(size) { return this.call_('resize', size); }
+  resize(size) {
+    return this.call_('resize', size);
+  }
 
   /** @param {ViewAction} action @returns {Promise<void>} */
-  act(action) { return this.call_('act', action); }
+  act(action) {
+    return this.call_('act', action);
+  }
 
   /** @returns {Promise<import('./types.js').MemoryUse>} */
-  memory() { return this.call_('memory'); }
+  memory() {
+    return this.call_('memory');
+  }
 
   /**
    * @param {string} verb
@@ -454,7 +559,9 @@ export class EngineClient {
       }
     }
     const { EngineHost } = await import('./engine_host.js');
-    return new PageBackend(await EngineHost.create(this.makeCanvas_(), (event) => this.receive_(event), { draws: this.draws_ }));
+    return new PageBackend(
+      await EngineHost.create(this.makeCanvas_(), (event) => this.receive_(event), { draws: this.draws_ }),
+    );
   }
 
   /** @param {HostEvent} event */
@@ -475,7 +582,7 @@ class WorkerBackend {
     this.nextId_ = 1;
     this.onEvent_ = onEvent;
     /** @type {ReturnType<typeof setInterval> | undefined} */ this.clock_ = undefined;
-    this.silenceMs_ = 0;  // counted in ticks: while a device sleeps, neither the clock nor the worker runs
+    this.silenceMs_ = 0; // counted in ticks: while a device sleeps, neither the clock nor the worker runs
     this.allowedMs_ = 0;
     this.worker_ = new Worker(new URL('./worker.js', import.meta.url), { type: 'module', name: 'qrelief' });
     this.worker_.onmessage = ({ data }) => {
@@ -557,7 +664,9 @@ class PageBackend {
 
   /** @param {string} verb @param {any[]} args */
   async send(verb, args) {
-    return /** @type {Record<string, (...args: any[]) => any>} */ (/** @type {unknown} */ (this.host_.verbs))[verb](...args);
+    return /** @type {Record<string, (...args: any[]) => any>} */ (/** @type {unknown} */ (this.host_.verbs))[verb](
+      ...args,
+    );
   }
 
   end() {

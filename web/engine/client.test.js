@@ -4,8 +4,14 @@ import { afterEach, beforeEach, mock, test } from 'node:test';
 import { EngineClient } from './client.js';
 import { message } from './message.js';
 
-const settled = async () => { for (let i = 0; i < 20; i += 1) await Promise.resolve(); };
-const real = { Worker: globalThis.Worker, OffscreenCanvas: globalThis.OffscreenCanvas, HTMLCanvasElement: globalThis.HTMLCanvasElement };
+const settled = async () => {
+  for (let i = 0; i < 20; i += 1) await Promise.resolve();
+};
+const real = {
+  Worker: globalThis.Worker,
+  OffscreenCanvas: globalThis.OffscreenCanvas,
+  HTMLCanvasElement: globalThis.HTMLCanvasElement,
+};
 
 /** Answers `start` and `capabilities` at once; keeps all other requests in `asked`. */
 class FakeWorker {
@@ -20,7 +26,8 @@ class FakeWorker {
   /** @param {{ id: number, verb: string, args: any[] }} request */
   postMessage(request) {
     const at = { start: undefined, capabilities: { problems: [] } };
-    if (request.verb in at) queueMicrotask(() => this.onmessage({ data: { id: request.id, value: /** @type {any} */ (at)[request.verb] } }));
+    if (request.verb in at)
+      queueMicrotask(() => this.onmessage({ data: { id: request.id, value: /** @type {any} */ (at)[request.verb] } }));
     else this.asked.push(request);
   }
   terminate() {
@@ -46,11 +53,15 @@ beforeEach(async () => {
   events = [];
   replacements = 0;
   class Canvas {
-    transferControlToOffscreen() { return {}; }
+    transferControlToOffscreen() {
+      return {};
+    }
   }
   Object.assign(globalThis, { Worker: FakeWorker, OffscreenCanvas: class {}, HTMLCanvasElement: Canvas });
   client = new EngineClient({
-    makeCanvas: () => /** @type {any} */ (new Canvas()), onEvent: (event) => void events.push(event), onReplaced: () => void (replacements += 1),
+    makeCanvas: () => /** @type {any} */ (new Canvas()),
+    onEvent: (event) => void events.push(event),
+    onReplaced: () => void (replacements += 1),
   });
   await client.start();
 });
@@ -78,7 +89,12 @@ test('A verb is asked of the worker, and its answer given', async () => {
 test('What the engine refuses is thrown with its kind, code and values', async () => {
   const placed = client.placement();
   worker().answer('placement', { error: { kind: 'NoSolution', ...message('no-such-spot', { index: { count: 2 } }) } });
-  await assert.rejects(placed, { name: 'EngineFailure', kind: 'NoSolution', code: 'no-such-spot', values: { index: { count: 2 } } });
+  await assert.rejects(placed, {
+    name: 'EngineFailure',
+    kind: 'NoSolution',
+    code: 'no-such-spot',
+    values: { index: { count: 2 } },
+  });
 });
 
 test('A job tells how far it has come, and is over at once when it is cancelled', async () => {
@@ -94,7 +110,7 @@ test('A job tells how far it has come, and is over at once when it is cancelled'
   await settled();
   mock.timers.tick(10_000);
   await settled();
-  assert.equal(FakeWorker.all.length, 1);  // it ended its step in time
+  assert.equal(FakeWorker.all.length, 1); // it ended its step in time
 });
 
 test('A worker that does not end its step is replaced, and who waits for it hears so', async () => {
@@ -107,26 +123,39 @@ test('A worker that does not end its step is replaced, and who waits for it hear
   mock.timers.tick(4000);
   await stopped;
   await settled();
-  assert.deepEqual(FakeWorker.all.map(({ ended }) => ended), [true, false]);
+  assert.deepEqual(
+    FakeWorker.all.map(({ ended }) => ended),
+    [true, false],
+  );
   assert.equal(replacements, 1);
 });
 
 test('A worker that gives no sign of life is told of, once', async () => {
   client.placement().catch(() => {});
   for (let i = 0; i < 30; i += 1) mock.timers.tick(5000);
-  assert.deepEqual(events.map(({ event, error }) => [event, error.code, error.values]), [['failure', 'engine-hung', { count: { count: 120 } }]]);
+  assert.deepEqual(
+    events.map(({ event, error }) => [event, error.code, error.values]),
+    [['failure', 'engine-hung', { count: { count: 120 } }]],
+  );
 });
 
 test('A worker that breaks ends every verb with a crash', async () => {
-  const both = [client.placement(), client.report()].map((verb) => assert.rejects(verb, { code: 'engine-crashed', values: { detail: { term: 'unreachable' } } }));
+  const both = [client.placement(), client.report()].map((verb) =>
+    assert.rejects(verb, { code: 'engine-crashed', values: { detail: { term: 'unreachable' } } }),
+  );
   worker().onerror({ preventDefault: () => {}, message: 'unreachable' });
   await Promise.all(both);
-  assert.deepEqual(events.map(({ error }) => error.code), ['engine-crashed']);
+  assert.deepEqual(
+    events.map(({ error }) => error.code),
+    ['engine-crashed'],
+  );
 });
 
 test('Ended while it reads a model, it is replaced at once', async () => {
   const abort = new AbortController();
-  const loaded = assert.rejects(client.loadModel(new Uint8Array(3), 'a.stl', 1, { signal: abort.signal }), { code: 'engine-replaced' });
+  const loaded = assert.rejects(client.loadModel(new Uint8Array(3), 'a.stl', 1, { signal: abort.signal }), {
+    code: 'engine-replaced',
+  });
   abort.abort();
   await loaded;
   await settled();
@@ -138,7 +167,10 @@ test('A worker of which nothing is asked, and one that tells of its work, is lef
   const job = client.engrave({ signal: new AbortController().signal, onProgress: () => {} });
   for (let i = 0; i < 120; i += 1) {
     mock.timers.tick(5000);
-    if (i % 20 === 0) worker().onmessage({ data: { event: 'progress', progress: { stage: message('finding-depth'), fraction: i / 120 } } });
+    if (i % 20 === 0)
+      worker().onmessage({
+        data: { event: 'progress', progress: { stage: message('finding-depth'), fraction: i / 120 } },
+      });
   }
   worker().answer('engrave', { value: true });
   assert.equal(await job, true);

@@ -48,9 +48,13 @@ export const crash = (detail) => internal(message('engine-crashed', { detail: { 
 export const hung = (silenceMs) => internal(message('engine-hung', { count: { count: Math.round(silenceMs / 1000) } }));
 
 /** Tells whether the module must not be called any more. @param {unknown} thrown */
-export const isFatal = (thrown) => thrown instanceof EngineFailure && (thrown.code === 'engine-crashed' || thrown.code === 'out-of-memory');
+export const isFatal = (thrown) =>
+  thrown instanceof EngineFailure && (thrown.code === 'engine-crashed' || thrown.code === 'out-of-memory');
 
 /** Recognises an out-of-memory error by its text: browsers and Emscripten give no code. @param {unknown} thrown */
 function isOutOfMemory(thrown) {
-  return thrown instanceof Error && /out of memory|cannot enlarge memory|allocation failed|bad_alloc|OOM/i.test(thrown.message);
+  return (
+    thrown instanceof Error &&
+    /out of memory|cannot enlarge memory|allocation failed|bad_alloc|OOM/i.test(thrown.message)
+  );
 }

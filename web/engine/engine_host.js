@@ -17,15 +17,21 @@ import { loadModule } from './module.js';
  *   `watch`: called between slices
  */
 
-const kDragged = new Set(['orbit', 'pan', 'zoom']);  // actions that the inspector's window intercepts
+const kDragged = new Set(['orbit', 'pan', 'zoom']); // actions that the inspector's window intercepts
 const kInspectorFontPx = 14;
-const kPictureMs = 1500;  // time to refine a picture
-const kSliceMs = 40;  // work between message checks: a cancel takes effect within one slice plus one step
+const kPictureMs = 1500; // time to refine a picture
+const kSliceMs = 40; // work between message checks: a cancel takes effect within one slice plus one step
 
-const kSettleSliceMs = 8;  // the same while the pointer may move
+const kSettleSliceMs = 8; // the same while the pointer may move
 
 /** @type {WebGLContextAttributes} */
-const kContextAttributes = { antialias: false, alpha: false, depth: false, stencil: false, powerPreference: 'high-performance' };
+const kContextAttributes = {
+  antialias: false,
+  alpha: false,
+  depth: false,
+  stencil: false,
+  powerPreference: 'high-performance',
+};
 
 /**
  * Lets the event loop handle pending messages. Unlike a timer, this is not throttled and takes microseconds.
@@ -68,21 +74,21 @@ export class EngineHost {
     /** @type {Engine} */ this.engine_ = new module.Engine();
     this.canvas_ = canvas;
     this.gl_ = gl;
-    /** @type {WebGLSync | null} */ this.fence_ = null;  // signals the end of the last frame
+    /** @type {WebGLSync | null} */ this.fence_ = null; // signals the end of the last frame
     this.notify_ = notify;
     this.draws_ = draws;
     this.frameRequested_ = false;
     /** @type {Job | undefined} */ this.job_ = undefined;
     this.lost_ = false;
     this.inspectorShown_ = false;
-    this.inspectorFrames_ = 0;  // since it was opened
-    this.inspectorTakes_ = false;  // the inspector uses the pointer
+    this.inspectorFrames_ = 0; // since it was opened
+    this.inspectorTakes_ = false; // the inspector uses the pointer
     this.hovers_ = 0;
     this.viewState_ = '';
     this.inspectorState_ = '';
     this.inspectorStill_ = false;
     this.pixelRatio_ = 1;
-    this.glyphsPx_ = 0;  // size of the inspector's letters
+    this.glyphsPx_ = 0; // size of the inspector's letters
     /** @type {ViewSize} */ this.size_ = { width: 1, height: 1, devicePixelRatio: 1 };
   }
 
@@ -126,7 +132,7 @@ export class EngineHost {
       this.engine_.resize(width, height, devicePixelRatio);
       this.pixelRatio_ = devicePixelRatio;
       this.giveGlyphs_();
-      this.drawFrame_();  // immediately: resizing cleared the canvas
+      this.drawFrame_(); // immediately: resizing cleared the canvas
     },
 
     /** @param {import('./types.js').Settings} settings */
@@ -139,8 +145,10 @@ export class EngineHost {
     symbol: (settings) => parseAnswer(this.engine_.symbol(JSON.stringify(settings))).symbol,
 
     /** @param {number} x @param {number} y */
-    pick: (x, y) => (this.inspectorTakes_ || this.drawn_(this.engine_.inspectorPick(x, y)) ? { hit: false }
-      : this.drawn_(JSON.parse(this.engine_.pick(x, y)))),
+    pick: (x, y) =>
+      this.inspectorTakes_ || this.drawn_(this.engine_.inspectorPick(x, y))
+        ? { hit: false }
+        : this.drawn_(JSON.parse(this.engine_.pick(x, y))),
 
     /** @param {number} x @param {number} y @param {number} z */
     setCentre: (x, y, z) => this.drawn_(JSON.parse(this.engine_.setCentre(x, y, z))),
@@ -148,7 +156,7 @@ export class EngineHost {
     /** @param {number} x @param {number} y */
     hover: async (x, y) => {
       const asked = (this.hovers_ += 1);
-      while (this.lastFrameIsUnderWay_()) await nextFrame();  // at most one estimate per frame
+      while (this.lastFrameIsUnderWay_()) await nextFrame(); // at most one estimate per frame
       if (this.inspectorTakes_ || this.hovers_ !== asked) return { hit: false };
       const found = parseAnswer(this.engine_.hover(x, y));
       this.drawFrame_();
@@ -168,7 +176,7 @@ export class EngineHost {
       try {
         return parseAnswer(this.engine_.placement()).placement;
       } finally {
-        this.invalidate_();  // a failed placement removes the square
+        this.invalidate_(); // a failed placement removes the square
       }
     },
 
@@ -198,7 +206,7 @@ export class EngineHost {
     cancel: () => {
       this.job_?.cancel();
       this.job_ = undefined;
-      this.engine_.showCarved(false);  // the job may have finished just now
+      this.engine_.showCarved(false); // the job may have finished just now
       this.drawn_(this.engine_.showSizes(false));
     },
     memory: () => this.memory_(),
@@ -232,8 +240,10 @@ export class EngineHost {
      * @param {string[]} texts
      * @param {number} facingDeg
      */
-    judgePrint: (number, changed, texts, facingDeg) => (this.engine_.carving() === number
-      ? parseAnswer(this.engine_.judgePrint(JSON.stringify(changed), JSON.stringify(texts), facingDeg)).prints : null),
+    judgePrint: (number, changed, texts, facingDeg) =>
+      this.engine_.carving() === number
+        ? parseAnswer(this.engine_.judgePrint(JSON.stringify(changed), JSON.stringify(texts), facingDeg)).prints
+        : null,
     startViewTrials: () => parseAnswer(this.engine_.startViewTrials()).all,
     viewTrialPictures: () => this.engine_.viewTrialPictures().map(copyOf),
     /** @param {boolean} read */
@@ -245,7 +255,10 @@ export class EngineHost {
       throw new EngineFailure(internal(message('model-not-written', { format: { term: format.toUpperCase() } })));
     },
 
-    ...makeBatchVerbs(() => this.engine_, () => new this.module_.PlannedBatch()),
+    ...makeBatchVerbs(
+      () => this.engine_,
+      () => new this.module_.PlannedBatch(),
+    ),
 
     picture: () => this.picture_(),
 
@@ -367,7 +380,8 @@ export class EngineHost {
     if (this.job_) throw new EngineFailure(internal(message('engine-busy')));
     this.job_ = job;
     try {
-      const tell = (/** @type {import('./types.js').EngraveProgress} */ { stage, fraction }) => this.notify_({ event: 'progress', progress: { stage, fraction } });
+      const tell = (/** @type {import('./types.js').EngraveProgress} */ { stage, fraction }) =>
+        this.notify_({ event: 'progress', progress: { stage, fraction } });
       const begun = parseAnswer(job.start());
       if (begun.stage) tell(begun);
       let told = begun.stage?.code;
@@ -376,7 +390,7 @@ export class EngineHost {
         let progress;
         do {
           progress = parseAnswer(job.advance());
-          if (progress.stage?.code !== told) tell(progress);  // even if the previous stage ended in the same slice
+          if (progress.stage?.code !== told) tell(progress); // even if the previous stage ended in the same slice
           told = progress.stage?.code;
         } while (!progress.done && performance.now() < sliceEnd);
         tell(progress);
@@ -384,7 +398,7 @@ export class EngineHost {
         done = progress.done;
         if (this.inspectorShown_) this.invalidate_();
         await yieldToMessages();
-        if (this.job_ !== job) return done;  // a message cancelled it; the next job may already run
+        if (this.job_ !== job) return done; // a message cancelled it; the next job may already run
       }
       return true;
     } finally {
@@ -398,18 +412,20 @@ export class EngineHost {
     const { GL, HEAPU8 } = this.module_;
     const { buffers, programs, framebuffers, renderbuffers, textures, shaders, vaos, queries, syncs } = GL;
     const tables = { buffers, programs, framebuffers, renderbuffers, textures, shaders, vaos, queries, syncs };
-    const glKinds = Object.fromEntries(Object.entries(tables).map(([kind, table]) => [kind, table.filter(Boolean).length]));
+    const glKinds = Object.fromEntries(
+      Object.entries(tables).map(([kind, table]) => [kind, table.filter(Boolean).length]),
+    );
     const glObjects = Object.values(glKinds).reduce((sum, count) => sum + count, 0);
     return { usedBytes: this.engine_.memoryInUse(), heapBytes: HEAPU8.length, glObjects, glKinds };
   }
 
   /** Refines the view for up to kPictureMs and returns it as PNG. */
   async picture_() {
-    this.verbs.resize(this.size_);  // redraws: the presented frame can no longer be read
+    this.verbs.resize(this.size_); // redraws: the presented frame can no longer be read
     const until = performance.now() + kPictureMs;
     do this.waitForFrame_();
     while (!this.lost_ && performance.now() < until && this.engine_.draw());
-    const blob = await canvasAsPng(this.canvas_);  // starts in the same task as drawing, while the picture still exists
+    const blob = await canvasAsPng(this.canvas_); // starts in the same task as drawing, while the picture still exists
     return new Uint8Array(await blob.arrayBuffer());
   }
 
@@ -489,8 +505,8 @@ export class EngineHost {
       this.fence_ = this.gl_.fenceSync(this.gl_.SYNC_GPU_COMMANDS_COMPLETE, 0);
       this.gl_.flush();
       this.tellView_();
-      if (this.inspectorShown_ && ++this.inspectorFrames_ > 1) this.tellInspector_();  // not after its first layout
-      if (wantsAnother && !this.job_) this.invalidate_();  // no refinement during a job
+      if (this.inspectorShown_ && ++this.inspectorFrames_ > 1) this.tellInspector_(); // not after its first layout
+      if (wantsAnother && !this.job_) this.invalidate_(); // no refinement during a job
     } catch (thrown) {
       this.lost_ = true;
       this.notify_({ event: 'failure', error: describeThrown(thrown) });
@@ -502,7 +518,10 @@ export class EngineHost {
 function canvasAsPng(canvas) {
   if (!('toBlob' in canvas)) return canvas.convertToBlob({ type: 'image/png' });
   return new Promise((resolve, reject) => {
-    canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new EngineFailure(internal(message('no-picture'))))), 'image/png');
+    canvas.toBlob(
+      (blob) => (blob ? resolve(blob) : reject(new EngineFailure(internal(message('no-picture'))))),
+      'image/png',
+    );
   });
 }
 

@@ -2,8 +2,8 @@
 // Draws the page's letters for the inspector: its library has only a coarse font.
 
 const kFamily = 'system-ui, -apple-system, "Segoe UI", Roboto, "Noto Sans", "Liberation Sans", sans-serif';
-const kMarginPx = 2;     // empty border, so that interpolation never picks up a neighbouring letter
-const kLineHeight = 1.3;  // as a multiple of the letter size
+const kMarginPx = 2; // empty border, so that interpolation never picks up a neighbouring letter
+const kLineHeight = 1.3; // as a multiple of the letter size
 
 const range = (/** @type {number} */ from, /** @type {number} */ to) =>
   Array.from({ length: to - from + 1 }, (_, i) => String.fromCodePoint(from + i)).join('');
@@ -25,8 +25,12 @@ export const kLetters = range(0x20, 0x7e) + range(0xa1, 0xff) + '„“';
  */
 export function drawGlyphs(sizePx) {
   const edge = Math.ceil(sizePx * 2);
-  const context = typeof OffscreenCanvas === 'function'
-    ? /** @type {OffscreenCanvasRenderingContext2D | null} */ (new OffscreenCanvas(edge, edge).getContext('2d', { willReadFrequently: true })) : null;
+  const context =
+    typeof OffscreenCanvas === 'function'
+      ? /** @type {OffscreenCanvasRenderingContext2D | null} */ (
+          new OffscreenCanvas(edge, edge).getContext('2d', { willReadFrequently: true })
+        )
+      : null;
   if (!context) return null;
   context.font = `${sizePx}px ${kFamily}`;
   context.textBaseline = 'alphabetic';

@@ -4,7 +4,10 @@ import { test } from 'node:test';
 import { kSettings } from '../generated/settings.js';
 import { areLamps, lampsFrom, lampsText } from './lamps.js';
 
-const kLamps = [{ azimuthDeg: 135, elevationDeg: 20, strength: 19 }, { azimuthDeg: -90, elevationDeg: 22.5 }];
+const kLamps = [
+  { azimuthDeg: 135, elevationDeg: 20, strength: 19 },
+  { azimuthDeg: -90, elevationDeg: 22.5 },
+];
 
 test('lamps are read as the command takes them, and written so that they are read again', () => {
   assert.deepEqual(lampsFrom('135,20,19 -90,22.5'), kLamps);
@@ -15,7 +18,20 @@ test('lamps are read as the command takes them, and written so that they are rea
 });
 
 test('what is no lamp is nothing', () => {
-  for (const text of ['top', '135', '135,20,19,1', '135,20,', ',20', '135,,19', '135;20;19', '0x10,20', '1e2,20', '135,20,19 left', 'NaN,20', '.,20']) {
+  for (const text of [
+    'top',
+    '135',
+    '135,20,19,1',
+    '135,20,',
+    ',20',
+    '135,,19',
+    '135;20;19',
+    '0x10,20',
+    '1e2,20',
+    '135,20,19 left',
+    'NaN,20',
+    '.,20',
+  ]) {
     assert.equal(lampsFrom(text), undefined, text);
   }
 });
@@ -23,7 +39,18 @@ test('what is no lamp is nothing', () => {
 test('lamps of a file have numbers for their parts and nothing else', () => {
   assert.ok(areLamps(kLamps) && areLamps([]));
   const [lamp] = kLamps;
-  for (const value of [null, '135,20,19', {}, [null], [[135, 20]], [{}], [{ azimuthDeg: 135 }], [{ ...lamp, strength: '19' }], [{ ...lamp, colour: 1 }], [{ ...lamp, elevationDeg: null }]]) {
+  for (const value of [
+    null,
+    '135,20,19',
+    {},
+    [null],
+    [[135, 20]],
+    [{}],
+    [{ azimuthDeg: 135 }],
+    [{ ...lamp, strength: '19' }],
+    [{ ...lamp, colour: 1 }],
+    [{ ...lamp, elevationDeg: null }],
+  ]) {
     assert.equal(areLamps(value), false, JSON.stringify(value));
   }
 });

@@ -10,17 +10,20 @@ import { message } from './message.js';
 /** @typedef {import('./types.js').QReliefModule} QReliefModule */
 
 /** Placeholders for the inspector's functions, by their index in the table, until the inspector is loaded. */
-const kPlaceholders = new Proxy({}, {
-  get: (_, place) => () => {
-    throw new Error(`the inspector was called before it was loaded (${String(place)})`);
+const kPlaceholders = new Proxy(
+  {},
+  {
+    get: (_, place) => () => {
+      throw new Error(`the inspector was called before it was loaded (${String(place)})`);
+    },
   },
-});
+);
 
 /** @param {string} url @returns {Promise<WebAssembly.Module>} */
 async function compile(url) {
   const response = await fetch(url, { credentials: 'same-origin' });
   if (!response.ok) throw new Error(`${response.status} ${response.statusText}`.trim());
-  const isTyped = response.headers.get('Content-Type') === 'application/wasm';  // required to compile while downloading
+  const isTyped = response.headers.get('Content-Type') === 'application/wasm'; // required to compile while downloading
   return isTyped ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer());
 }
 
@@ -47,14 +50,16 @@ export async function loadModule() {
       createQRelief({
         instantiateWasm: (imports, receive) => {
           instantiate(imports, receive).catch(reject);
-          return {};  // `receive` gets the exports later
+          return {}; // `receive` gets the exports later
         },
       }).then(resolve, reject);
     });
   }
 
   async function addInspector() {
-    await WebAssembly.instantiate(await compile(inspectorUrl), { primary: /** @type {WebAssembly.Instance} */ (first).exports });
+    await WebAssembly.instantiate(await compile(inspectorUrl), {
+      primary: /** @type {WebAssembly.Instance} */ (first).exports,
+    });
   }
 
   async function loadInspector() {
@@ -62,7 +67,7 @@ export async function loadModule() {
     try {
       await second;
     } catch (thrown) {
-      second = undefined;  // allows another attempt
+      second = undefined; // allows another attempt
       throw new EngineFailure(internal(message('inspector-not-loaded', { detail: { term: detailOf(thrown) } })));
     }
   }

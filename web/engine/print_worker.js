@@ -8,8 +8,8 @@ import { loadModule } from './module.js';
 
 const scope = /** @type {any} */ (globalThis);
 
-const loading = loadModule();  // starts before the job arrives
-loading.catch(() => {});  // the job reports the error
+const loading = loadModule(); // starts before the job arrives
+loading.catch(() => {}); // the job reports the error
 
 scope.onmessage = async (/** @type {MessageEvent<PrintJob>} */ { data: { stl, order } }) => {
   try {

@@ -14,7 +14,11 @@ scope.onmessage = async (/** @type {MessageEvent} */ { data }) => {
   const { id, verb, args } = /** @type {Request} */ (data);
   try {
     if (verb === 'start') {
-      host = EngineHost.create(args[0], (event) => scope.postMessage(event, 'job' in event ? transferables(event.job) : []), args[1]);
+      host = EngineHost.create(
+        args[0],
+        (event) => scope.postMessage(event, 'job' in event ? transferables(event.job) : []),
+        args[1],
+      );
       await host;
       scope.postMessage({ id, value: undefined });
       return;
@@ -23,7 +27,7 @@ scope.onmessage = async (/** @type {MessageEvent} */ { data }) => {
     const value = await /** @type {Record<string, (...args: any[]) => any>} */ (verbs)[verb](...args);
     scope.postMessage({ id, value }, transferables(value));
   } catch (thrown) {
-    if (!(thrown instanceof EngineFailure)) console.error(thrown);  // a bug: log its stack
+    if (!(thrown instanceof EngineFailure)) console.error(thrown); // a bug: log its stack
     scope.postMessage({ id, error: describeThrown(thrown) });
   }
 };

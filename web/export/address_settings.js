@@ -18,7 +18,8 @@ function valueOf(key, text) {
   const { kind } = kSettings[key];
   if (kind === 'switch') return text === 'true' ? true : text === 'false' ? false : text;
   if (kind === 'lamps') return lampsFrom(text) ?? text;
-  const isNumber = (kind === 'number' || kind === 'choice-or-number') && text.trim() !== '' && Number.isFinite(Number(text));
+  const isNumber =
+    (kind === 'number' || kind === 'choice-or-number') && text.trim() !== '' && Number.isFinite(Number(text));
   return isNumber ? Number(text) : text;
 }
 
@@ -31,9 +32,11 @@ function valueOf(key, text) {
  */
 export function settingsFromAddress(address, controls) {
   const keys = fileKeys(controls).filter((key) => kSettings[key].kind !== 'text' && address.has(key));
-  return Object.fromEntries(keys.map((key) => {
-    const value = valueOf(key, address.get(key) ?? '');
-    checkSetting(key, value, refuse);
-    return [key, value];
-  }));
+  return Object.fromEntries(
+    keys.map((key) => {
+      const value = valueOf(key, address.get(key) ?? '');
+      checkSetting(key, value, refuse);
+      return [key, value];
+    }),
+  );
 }

@@ -8,9 +8,19 @@ const kControls = ['pattern', 'contrast', 'maxSizeMm', 'light', 'keepPreset', 'm
 const read = (/** @type {string} */ query) => settingsFromAddress(new URLSearchParams(query), kControls);
 
 test('settings are read by their names, each by its kind', () => {
-  assert.deepEqual(read('sample=bunny&text=HELLO&pattern=square&contrast=0.4&light=90,33,1+180,20&keepPreset=true&mask=3'), {
-    pattern: 'square', contrast: 0.4, light: [{ azimuthDeg: 90, elevationDeg: 33, strength: 1 }, { azimuthDeg: 180, elevationDeg: 20 }], keepPreset: true, mask: 3,
-  });
+  assert.deepEqual(
+    read('sample=bunny&text=HELLO&pattern=square&contrast=0.4&light=90,33,1+180,20&keepPreset=true&mask=3'),
+    {
+      pattern: 'square',
+      contrast: 0.4,
+      light: [
+        { azimuthDeg: 90, elevationDeg: 33, strength: 1 },
+        { azimuthDeg: 180, elevationDeg: 20 },
+      ],
+      keepPreset: true,
+      mask: 3,
+    },
+  );
   assert.deepEqual(read('mask=shadiest&finderPattern=none'), { mask: 'shadiest' }, 'what has no control is left out');
   assert.deepEqual(read('sample=bunny'), {});
 });

@@ -2,10 +2,24 @@
 // Makes names for saved files that describe their contents and are valid on every file system.
 import { parsePhone } from '../payloads/addresses.js';
 
-const kMostOfText = 32, kMostOfModel = 48;
+const kMostOfText = 32,
+  kMostOfModel = 48;
 /** ASCII for letters that Unicode does not decompose. */
 const kPlainLetters = /** @type {Record<string, string>} */ ({
-  ß: 'ss', æ: 'ae', Æ: 'AE', œ: 'oe', Œ: 'OE', ø: 'o', Ø: 'O', ł: 'l', Ł: 'L', đ: 'd', Đ: 'D', ð: 'd', þ: 'th', ı: 'i',
+  ß: 'ss',
+  æ: 'ae',
+  Æ: 'AE',
+  œ: 'oe',
+  Œ: 'OE',
+  ø: 'o',
+  Ø: 'O',
+  ł: 'l',
+  Ł: 'L',
+  đ: 'd',
+  Đ: 'D',
+  ð: 'd',
+  þ: 'th',
+  ı: 'i',
 });
 
 /**
@@ -14,10 +28,15 @@ const kPlainLetters = /** @type {Record<string, string>} */ ({
  * @param {string} text @param {number} most  characters
  */
 export function safePart(text, most) {
-  return text.replace(/\P{ASCII}/gu, (letter) => kPlainLetters[letter] ?? letter)
-    .normalize('NFKD').replace(/\p{M}/gu, '')
-    .replace(/[^A-Za-z0-9._-]+/g, '-').replace(/\.{2,}/g, '.').replace(/-{2,}/g, '-')
-    .slice(0, most).replace(/^[-._]+|[-._]+$/g, '');
+  return text
+    .replace(/\P{ASCII}/gu, (letter) => kPlainLetters[letter] ?? letter)
+    .normalize('NFKD')
+    .replace(/\p{M}/gu, '')
+    .replace(/[^A-Za-z0-9._-]+/g, '-')
+    .replace(/\.{2,}/g, '.')
+    .replace(/-{2,}/g, '-')
+    .slice(0, most)
+    .replace(/^[-._]+|[-._]+$/g, '');
 }
 
 /** Returns the value of a line or field without backslashes. @param {string} text @param {RegExp} start */

@@ -4,10 +4,25 @@ import { test } from 'node:test';
 import { fileNameOf, safePart, subjectOf, symbolFileName } from './file_names.js';
 
 test('the name says model, subject and size', () => {
-  assert.equal(fileNameOf({ modelFile: 'bunny.stl', text: 'https://en.wikipedia.org/wiki/QR_code', symbolMm: 31.4, extension: 'stl' }),
-    'bunny-qr-en.wikipedia.org-31mm.stl');
-  assert.equal(fileNameOf({ modelFile: 'my saddle.v2.3mf', text: 'Grüße aus Łódź', symbolMm: 25, addition: 'inlay', extension: '3mf' }),
-    'my-saddle.v2-qr-Grusse-aus-Lodz-25mm-inlay.3mf');
+  assert.equal(
+    fileNameOf({
+      modelFile: 'bunny.stl',
+      text: 'https://en.wikipedia.org/wiki/QR_code',
+      symbolMm: 31.4,
+      extension: 'stl',
+    }),
+    'bunny-qr-en.wikipedia.org-31mm.stl',
+  );
+  assert.equal(
+    fileNameOf({
+      modelFile: 'my saddle.v2.3mf',
+      text: 'Grüße aus Łódź',
+      symbolMm: 25,
+      addition: 'inlay',
+      extension: '3mf',
+    }),
+    'my-saddle.v2-qr-Grusse-aus-Lodz-25mm-inlay.3mf',
+  );
   assert.equal(fileNameOf({ modelFile: '模型.stl', text: '你好', extension: 'stl' }), 'model-qr.stl');
   assert.equal(symbolFileName('https://www.example.org/', 'svg'), 'qr-example.org.svg');
   assert.equal(symbolFileName('你好', 'png'), 'qr.png');
@@ -33,7 +48,18 @@ test('every kind of content has its subject, and a password is in no name', () =
 });
 
 test('whatever goes in, the name is safe on every file system', () => {
-  const nasty = ['../../etc/passwd', 'CON', 'a\\b:c*d?e"f<g>h|i', '\u202egnp.exe', 'x'.repeat(500), '...', '-rf', 'a\u0000b', 'ﬁle ½', ' . '];
+  const nasty = [
+    '../../etc/passwd',
+    'CON',
+    'a\\b:c*d?e"f<g>h|i',
+    '\u202egnp.exe',
+    'x'.repeat(500),
+    '...',
+    '-rf',
+    'a\u0000b',
+    'ﬁle ½',
+    ' . ',
+  ];
   for (const modelFile of nasty) {
     for (const text of nasty) {
       const name = fileNameOf({ modelFile, text, symbolMm: 12.5, extension: 'stl' });

@@ -26,7 +26,7 @@ const kVersion = 1;
 const kMostBytes = 1 << 20;
 const kKeys = /** @type {SettingKey[]} */ (Object.keys(kSettings));
 
-const kFirstRelease = '0.1.0';  // its files lack all later settings
+const kFirstRelease = '0.1.0'; // its files lack all later settings
 
 /**
  * Returns the keys in a file: the text and all settings with a control.
@@ -76,12 +76,27 @@ const isPoint = (value) => Array.isArray(value) && value.length === 3 && value.e
 
 /** @param {string} name @param {unknown} value @param {readonly [number, number]} range @param {Refuse} refuse */
 function checkNumber(name, value, [from, to], refuse) {
-  if (!isNumber(value) || value < from || value > to) refuse(message('settings-wrong-number', { name: { term: name }, from: { number: from }, to: { number: to }, value: { term: shown(value) } }));
+  if (!isNumber(value) || value < from || value > to)
+    refuse(
+      message('settings-wrong-number', {
+        name: { term: name },
+        from: { number: from },
+        to: { number: to },
+        value: { term: shown(value) },
+      }),
+    );
 }
 
 /** @param {string} name @param {unknown} value @param {readonly string[]} choices @param {Refuse} refuse */
 function checkChoice(name, value, choices, refuse) {
-  if (!choices.includes(/** @type {string} */ (value))) refuse(message('settings-wrong-choice', { name: { term: name }, choices: { term: choices.join(', ') }, value: { term: shown(value) } }));
+  if (!choices.includes(/** @type {string} */ (value)))
+    refuse(
+      message('settings-wrong-choice', {
+        name: { term: name },
+        choices: { term: choices.join(', ') },
+        value: { term: shown(value) },
+      }),
+    );
 }
 
 /**
@@ -95,9 +110,11 @@ export function checkSetting(name, value, refuse = refuseFile) {
   if (kind === 'text') {
     if (typeof value !== 'string') refuse(message('settings-wrong-text', { value: { term: shown(value) } }));
   } else if (kind === 'switch') {
-    if (typeof value !== 'boolean') refuse(message('settings-wrong-switch', { name: { term: name }, value: { term: shown(value) } }));
+    if (typeof value !== 'boolean')
+      refuse(message('settings-wrong-switch', { name: { term: name }, value: { term: shown(value) } }));
   } else if (kind === 'lamps') {
-    if (!areLamps(value)) refuse(message('settings-wrong-lamps', { name: { term: name }, value: { term: shown(value) } }));
+    if (!areLamps(value))
+      refuse(message('settings-wrong-lamps', { name: { term: name }, value: { term: shown(value) } }));
   } else if (kind === 'number' || (kind === 'choice-or-number' && isNumber(value))) {
     checkNumber(name, value, [min, max], refuse);
   } else {
@@ -118,11 +135,19 @@ function checkSettings(settings, keys) {
 function checkModel(model) {
   if (!isObject(model)) refuseFile(message('settings-wrong-model', { value: { term: shown(model) } }));
   const { file, sample, scaleToMm, upAxis, centreMm } = model;
-  if (typeof file !== 'string' || (sample !== undefined && typeof sample !== 'string')) refuseFile(message('settings-wrong-model', { value: { term: shown(file) } }));
+  if (typeof file !== 'string' || (sample !== undefined && typeof sample !== 'string'))
+    refuseFile(message('settings-wrong-model', { value: { term: shown(file) } }));
   checkNumber('scaleToMm', scaleToMm, [1e-6, 1e6], refuseFile);
   checkChoice('upAxis', upAxis, ['y', 'z'], refuseFile);
-  if (centreMm !== undefined && !isPoint(centreMm)) refuseFile(message('settings-wrong-centre', { value: { term: shown(centreMm) } }));
-  return /** @type {ModelChoice} */ ({ file, scaleToMm, upAxis, ...(sample === undefined ? {} : { sample }), ...(centreMm ? { centreMm } : {}) });
+  if (centreMm !== undefined && !isPoint(centreMm))
+    refuseFile(message('settings-wrong-centre', { value: { term: shown(centreMm) } }));
+  return /** @type {ModelChoice} */ ({
+    file,
+    scaleToMm,
+    upAxis,
+    ...(sample === undefined ? {} : { sample }),
+    ...(centreMm ? { centreMm } : {}),
+  });
 }
 
 /** @param {string} json @param {string} name */
@@ -145,9 +170,17 @@ function parse(json, name) {
 export function readSettingsFile(json, name, controls) {
   if (json.length > kMostBytes) refuseFile(message('settings-absent', { file: { quoted: name } }));
   const content = parse(json.replace(/^\ufeff/, ''), name);
-  if (isObject(content) && typeof content.qrelief === 'string') refuseFile(message('settings-are-report', { file: { quoted: name } }));
+  if (isObject(content) && typeof content.qrelief === 'string')
+    refuseFile(message('settings-are-report', { file: { quoted: name } }));
   if (!isObject(content) || content.kind !== kKind) refuseFile(message('settings-absent', { file: { quoted: name } }));
-  if (content.version !== kVersion) refuseFile(message('settings-other-version', { file: { quoted: name }, version: { term: shown(content.version) }, known: { count: kVersion } }));
+  if (content.version !== kVersion)
+    refuseFile(
+      message('settings-other-version', {
+        file: { quoted: name },
+        version: { term: shown(content.version) },
+        known: { count: kVersion },
+      }),
+    );
   if (!isObject(content.settings)) refuseFile(message('settings-missing', { name: { term: 'settings' } }));
   checkSettings(content.settings, fileKeys(controls));
   const settings = /** @type {Settings} */ (/** @type {unknown} */ (content.settings));

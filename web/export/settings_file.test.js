@@ -11,30 +11,56 @@ import { fileKeys, looksLikeSettings, readSettingsFile as readFile, writeSetting
 await messageWords.come();
 
 /** Settings that have a control on the page. @type {import('../generated/settings.js').SettingKey[]} */
-const kControls = [...readFileSync(new URL('../index.html', import.meta.url), 'utf8').matchAll(/data-setting="([^"]+)"/g)]
-  .map(([, key]) => /** @type {any} */ (key));
+const kControls = [
+  ...readFileSync(new URL('../index.html', import.meta.url), 'utf8').matchAll(/data-setting="([^"]+)"/g),
+].map(([, key]) => /** @type {any} */ (key));
 const kFileKeys = fileKeys(kControls);
 const readSettingsFile = (/** @type {string} */ json, /** @type {string} */ name) => readFile(json, name, kControls);
 
 /** @type {import('../engine/types.js').Settings} */
 const kSettings = {
-  ...Object.fromEntries(kFileKeys.flatMap((key) => (kTable[key].mayBeEmpty || key === 'ecc' ? [] : [[key, kTable[key].default]]))),
-  text: 'Grüße\n"☕"', preset: 'robust', pattern: 'square', finderPattern: 'diamond', size: 31.5, maxSizeMm: 40, quietZone: true,
-  direction: 'pca', rotateDeg: -12.5, minWallMm: 0, nozzleMm: 0.4, layerMm: 0.1, eyeDistanceMm: 250,
+  ...Object.fromEntries(
+    kFileKeys.flatMap((key) => (kTable[key].mayBeEmpty || key === 'ecc' ? [] : [[key, kTable[key].default]])),
+  ),
+  text: 'Grüße\n"☕"',
+  preset: 'robust',
+  pattern: 'square',
+  finderPattern: 'diamond',
+  size: 31.5,
+  maxSizeMm: 40,
+  quietZone: true,
+  direction: 'pca',
+  rotateDeg: -12.5,
+  minWallMm: 0,
+  nozzleMm: 0.4,
+  layerMm: 0.1,
+  eyeDistanceMm: 250,
 };
 /** @type {import('./settings_file.js').ModelChoice} */
 const kModel = { file: 'bunny.stl', sample: 'bunny', scaleToMm: 1, upAxis: 'z', centreMm: [1.25, -3, 0] };
 
 /** Returns the file's content with other values. @param {any} change */
-const changed = (change) => JSON.stringify({ ...JSON.parse(writeSettingsFile({ settings: kSettings, model: kModel })), ...change });
+const changed = (change) =>
+  JSON.stringify({ ...JSON.parse(writeSettingsFile({ settings: kSettings, model: kModel })), ...change });
 
 /** @param {Record<string, unknown>} change */
 const withSettings = (change) => changed({ settings: { ...kSettings, ...change } });
 
 test('what is written is read again, with and without a model', () => {
-  const whole = { settings: { ...kSettings, ecc: /** @type {const} */ ('Q'), contrast: 0.3, maxDepthMm: 1.5, light: [{ azimuthDeg: 135, elevationDeg: 20, strength: 19 }] }, model: kModel };
+  const whole = {
+    settings: {
+      ...kSettings,
+      ecc: /** @type {const} */ ('Q'),
+      contrast: 0.3,
+      maxDepthMm: 1.5,
+      light: [{ azimuthDeg: 135, elevationDeg: 20, strength: 19 }],
+    },
+    model: kModel,
+  };
   assert.deepEqual(readSettingsFile(writeSettingsFile(whole), 'x.json'), whole);
-  assert.deepEqual(readSettingsFile(`\ufeff${writeSettingsFile({ settings: kSettings })}`, 'x.json'), { settings: kSettings });
+  assert.deepEqual(readSettingsFile(`\ufeff${writeSettingsFile({ settings: kSettings })}`, 'x.json'), {
+    settings: kSettings,
+  });
   assert.equal(readSettingsFile(withSettings({ light: undefined }), 'x.json').settings.light, undefined);
   for (const size of /** @type {const} */ (['free', 'oriented', 'best'])) {
     assert.equal(readSettingsFile(withSettings({ size }), 'x.json').settings.size, size);
@@ -43,38 +69,66 @@ test('what is written is read again, with and without a model', () => {
 
 /** @param {RegExp} found */
 const refusedWith = (found) => (/** @type {unknown} */ thrown) =>
-  thrown instanceof EngineFailure && thrown.kind === 'BadInput' && found.test(sentenceOf(thrown)) && hintOf(thrown) !== '';
+  thrown instanceof EngineFailure &&
+  thrown.kind === 'BadInput' &&
+  found.test(sentenceOf(thrown)) &&
+  hintOf(thrown) !== '';
 
 test('another file is refused, and said what it is', () => {
   const refused = [
-    ['', /x\.json” is not a JSON file/], ['solid bunny', /not a JSON/], ['[]', /no QRelief settings/], ['null', /no QRelief settings/],
-    ['{}', /no QRelief settings/], ['{"qrelief": "0.1.0", "text": "a"}', /x\.json” is a report/],
-    [changed({ version: 2 }), /settings of version 2; this page uses version 1/], [changed({ version: undefined }), /version undefined/],
-    [changed({ settings: [] }), /settings is missing/], [`"${'x'.repeat(2 ** 20)}"`, /no QRelief settings/],
+    ['', /x\.json” is not a JSON file/],
+    ['solid bunny', /not a JSON/],
+    ['[]', /no QRelief settings/],
+    ['null', /no QRelief settings/],
+    ['{}', /no QRelief settings/],
+    ['{"qrelief": "0.1.0", "text": "a"}', /x\.json” is a report/],
+    [changed({ version: 2 }), /settings of version 2; this page uses version 1/],
+    [changed({ version: undefined }), /version undefined/],
+    [changed({ settings: [] }), /settings is missing/],
+    [`"${'x'.repeat(2 ** 20)}"`, /no QRelief settings/],
   ];
   for (const [json, message] of refused) {
-    assert.throws(() => readSettingsFile(/** @type {string} */ (json), 'x.json'), refusedWith(/** @type {RegExp} */ (message)));
+    assert.throws(
+      () => readSettingsFile(/** @type {string} */ (json), 'x.json'),
+      refusedWith(/** @type {RegExp} */ (message)),
+    );
   }
 });
 
 test('every wrong setting is named with its value', () => {
   const wrong = [
-    [{ text: 5 }, /setting text must be text, not 5/], [{ quietZone: 1 }, /quietZone must be true or false, not 1/],
-    [{ preset: 'deep' }, /preset must be one of shallow, balanced, robust, not "deep"/], [{ size: 'huge' }, /size must be one of free, oriented, best/],
-    [{ size: 0.05 }, /size must be a number from 0.1 to 10000, not 0.05/], [{ rotateDeg: '0' }, /rotateDeg must be a number/], [{ ecc: null }, /ecc must be one of/],
-    [{ nozzleMm: null }, /nozzleMm must be a number/], [{ contrast: 1 }, /contrast must be a number from 0.01 to 0.99, not 1/],
-    [{ preset: undefined }, /preset is missing/], [{ colour: 'red' }, /no setting "colour"/], [{ ['__proto__x']: 1 }, /no setting/],
-    [{ pattern: ['square'] }, /pattern must be one of/], [{ light: '135,20,19' }, /light must be a list of lamps with azimuthDeg, .*not "135,20,19"/], [{ light: [{ azimuthDeg: 1 }] }, /light must be a list of lamps/], [{ preset: `${'x'.repeat(1000)}` }, /not "x{38}…/],
+    [{ text: 5 }, /setting text must be text, not 5/],
+    [{ quietZone: 1 }, /quietZone must be true or false, not 1/],
+    [{ preset: 'deep' }, /preset must be one of shallow, balanced, robust, not "deep"/],
+    [{ size: 'huge' }, /size must be one of free, oriented, best/],
+    [{ size: 0.05 }, /size must be a number from 0.1 to 10000, not 0.05/],
+    [{ rotateDeg: '0' }, /rotateDeg must be a number/],
+    [{ ecc: null }, /ecc must be one of/],
+    [{ nozzleMm: null }, /nozzleMm must be a number/],
+    [{ contrast: 1 }, /contrast must be a number from 0.01 to 0.99, not 1/],
+    [{ preset: undefined }, /preset is missing/],
+    [{ colour: 'red' }, /no setting "colour"/],
+    [{ ['__proto__x']: 1 }, /no setting/],
+    [{ pattern: ['square'] }, /pattern must be one of/],
+    [{ light: '135,20,19' }, /light must be a list of lamps with azimuthDeg, .*not "135,20,19"/],
+    [{ light: [{ azimuthDeg: 1 }] }, /light must be a list of lamps/],
+    [{ preset: `${'x'.repeat(1000)}` }, /not "x{38}…/],
   ];
   for (const [change, message] of wrong) {
-    assert.throws(() => readSettingsFile(withSettings(/** @type {any} */ (change)), 'x.json'), refusedWith(/** @type {RegExp} */ (message)));
+    assert.throws(
+      () => readSettingsFile(withSettings(/** @type {any} */ (change)), 'x.json'),
+      refusedWith(/** @type {RegExp} */ (message)),
+    );
   }
 });
 
 test('every wrong property of the model is named', () => {
   const wrong = [
-    [null, /model in the settings is null/], [{ ...kModel, file: 1 }, /model in the settings is 1/], [{ ...kModel, scaleToMm: 0 }, /scaleToMm must be/],
-    [{ ...kModel, upAxis: 'x' }, /upAxis must be one of y, z/], [{ ...kModel, centreMm: [1, 2] }, /centre .* must be three numbers, not \[1,2\]/],
+    [null, /model in the settings is null/],
+    [{ ...kModel, file: 1 }, /model in the settings is 1/],
+    [{ ...kModel, scaleToMm: 0 }, /scaleToMm must be/],
+    [{ ...kModel, upAxis: 'x' }, /upAxis must be one of y, z/],
+    [{ ...kModel, centreMm: [1, 2] }, /centre .* must be three numbers, not \[1,2\]/],
     [{ ...kModel, centreMm: [1, 2, null] }, /three numbers/],
   ];
   for (const [model, message] of wrong) {
@@ -95,10 +149,24 @@ test('a file has what the page has controls for, and the text', () => {
 });
 
 test('what files of the first release had must be there, but for what is empty or automatic at first', () => {
-  const had = ['text', 'preset', 'size', 'maxSizeMm', 'quietZone', 'direction', 'rotateDeg', 'minWallMm',
-    'nozzleMm', 'layerMm', 'eyeDistanceMm'];
+  const had = [
+    'text',
+    'preset',
+    'size',
+    'maxSizeMm',
+    'quietZone',
+    'direction',
+    'rotateDeg',
+    'minWallMm',
+    'nozzleMm',
+    'layerMm',
+    'eyeDistanceMm',
+  ];
   for (const key of had) {
-    assert.throws(() => readSettingsFile(withSettings({ [key]: undefined }), 'x.json'), refusedWith(new RegExp(`${key} is missing`)));
+    assert.throws(
+      () => readSettingsFile(withSettings({ [key]: undefined }), 'x.json'),
+      refusedWith(new RegExp(`${key} is missing`)),
+    );
   }
   for (const key of ['ecc', 'contrast', 'maxDepthMm']) {
     assert.deepEqual(readSettingsFile(withSettings({ [key]: undefined }), 'x.json').settings, kSettings, key);
@@ -110,9 +178,13 @@ test('every number is checked at both ends', () => {
   assert.ok(numbers.length > 7);
   for (const key of numbers) {
     const { min = 0, max = 0 } = kTable[key];
-    const read = (/** @type {number} */ value) => /** @type {Record<string, unknown>} */ ({ ...readSettingsFile(withSettings({ [key]: value }), 'x.json').settings })[key];
+    const read = (/** @type {number} */ value) =>
+      /** @type {Record<string, unknown>} */ ({
+        ...readSettingsFile(withSettings({ [key]: value }), 'x.json').settings,
+      })[key];
     for (const value of [min, max]) assert.equal(read(value), value);
-    for (const value of [min - 0.001, max * 1.001]) assert.throws(() => read(value), refusedWith(new RegExp(`${key} must be a number`)));
+    for (const value of [min - 0.001, max * 1.001])
+      assert.throws(() => read(value), refusedWith(new RegExp(`${key} must be a number`)));
   }
 });
 

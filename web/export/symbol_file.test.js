@@ -16,7 +16,11 @@ function drawn(svg) {
   return grid.map((row) => row.join(''));
 }
 
-const kWithQuietZone = [...Array(4).fill('0'.repeat(11)), ...kRows.map((row) => `0000${row}0000`), ...Array(4).fill('0'.repeat(11))];
+const kWithQuietZone = [
+  ...Array(4).fill('0'.repeat(11)),
+  ...kRows.map((row) => `0000${row}0000`),
+  ...Array(4).fill('0'.repeat(11)),
+];
 
 test('the SVG shows every module and a quiet zone of four', () => {
   assert.deepEqual(drawn(symbolSvg(kRows, { title: 'x' })), kWithQuietZone);

@@ -10,6 +10,6 @@ import { Theme, offerLanguages } from '../ui/preferences.js';
 export function openArticle(onTheme = () => {}) {
   offerLanguages();
   const theme = new Theme(onTheme);
-  if (import.meta.env.PROD) void keepOffline(() => {});  // only the app offers new versions
+  if (import.meta.env.PROD) void keepOffline(() => {}); // only the app offers new versions
   return theme;
 }

@@ -47,8 +47,11 @@ const isLanguage = (value) => kLanguages.includes(/** @type {Language} */ (value
  */
 function preferredLanguage() {
   if (typeof document === 'undefined') return 'en';
-  const wanted = [new URLSearchParams(location.search).get('lang'), recall(kStored),
-    ...navigator.languages.map((tag) => tag.split('-')[0])];
+  const wanted = [
+    new URLSearchParams(location.search).get('lang'),
+    recall(kStored),
+    ...navigator.languages.map((tag) => tag.split('-')[0]),
+  ];
   return wanted.find(isLanguage) ?? 'en';
 }
 
@@ -99,8 +102,10 @@ export const text = (key, values = {}) => textIn(language, key, values);
 export function textIn(of, key, values = {}) {
   const found = entry(of, key);
   if (found === undefined) throw new Error(`There is no text "${key}" in "${of}"`);
-  const template = typeof found === 'string' ? found
-    : found[new Intl.PluralRules(of).select(Number(values.count)) === 'one' ? 'one' : 'other'];
+  const template =
+    typeof found === 'string'
+      ? found
+      : found[new Intl.PluralRules(of).select(Number(values.count)) === 'one' ? 'one' : 'other'];
   return template.replace(/\{(\w+)\}/g, (_, name) => {
     const value = values[name];
     if (value === undefined) throw new Error(`The text "${key}" lacks the value "${name}"`);
@@ -114,8 +119,15 @@ export function textIn(of, key, values = {}) {
  * @param {ParentNode} root
  */
 export function localise(root) {
-  const attributes = { textLabel: 'aria-label', textPlaceholder: 'placeholder', textTitle: 'title', textContent: 'content' };
-  for (const element of root.querySelectorAll('[data-text],[data-text-label],[data-text-placeholder],[data-text-title],[data-text-content]')) {
+  const attributes = {
+    textLabel: 'aria-label',
+    textPlaceholder: 'placeholder',
+    textTitle: 'title',
+    textContent: 'content',
+  };
+  for (const element of root.querySelectorAll(
+    '[data-text],[data-text-label],[data-text-placeholder],[data-text-title],[data-text-content]',
+  )) {
     if (!(element instanceof HTMLElement || element instanceof SVGElement)) continue;
     if (element.dataset.text) element.textContent = text(/** @type {Key} */ (element.dataset.text));
     for (const [from, to] of Object.entries(attributes)) {
@@ -133,7 +145,7 @@ export function localise(root) {
  * @param {Record<string, string | number>} [values]
  */
 export const textOr = (part, name, otherwise = name, values = {}) =>
-  (entry(language, `${part}.${name}`) === undefined ? otherwise : text(/** @type {Key} */ (`${part}.${name}`), values));
+  entry(language, `${part}.${name}`) === undefined ? otherwise : text(/** @type {Key} */ (`${part}.${name}`), values);
 
 /** Returns every loaded part, for tests. */
 export const allParts = () => kParts;

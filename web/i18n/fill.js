@@ -20,6 +20,13 @@ const textOf = (key) => escaped(text(/** @type {import('./catalogue.js').Key} */
  * @param {string} html
  * @returns {string}
  */
-export const fillTexts = (html) => html
-  .replace(/(<(\w+)\b[^>]*\bdata-text="([^"]+)"[^>]*>)(<\/\2>)/g, (_, open, _tag, key, close) => open + textOf(key) + close)
-  .replace(/(<meta\b[^>]*\bdata-text-content="([^"]+)"[^>]*\bcontent=")(")/g, (_, open, key, close) => open + textOf(key) + close);
+export const fillTexts = (html) =>
+  html
+    .replace(
+      /(<(\w+)\b[^>]*\bdata-text="([^"]+)"[^>]*>)(<\/\2>)/g,
+      (_, open, _tag, key, close) => open + textOf(key) + close,
+    )
+    .replace(
+      /(<meta\b[^>]*\bdata-text-content="([^"]+)"[^>]*\bcontent=")(")/g,
+      (_, open, key, close) => open + textOf(key) + close,
+    );

@@ -5,13 +5,17 @@ import { text } from './catalogue.js';
 import { fillTexts } from './fill.js';
 
 test('an empty element gets its text, with the signs of markup escaped; what has one keeps it', () => {
-  assert.equal(fillTexts('<p class="a" data-text="guide.size"></p><h2 data-text="guide.light">Kept</h2>'),
-    `<p class="a" data-text="guide.size">${text('guide.size')}</p><h2 data-text="guide.light">Kept</h2>`);
+  assert.equal(
+    fillTexts('<p class="a" data-text="guide.size"></p><h2 data-text="guide.light">Kept</h2>'),
+    `<p class="a" data-text="guide.size">${text('guide.size')}</p><h2 data-text="guide.light">Kept</h2>`,
+  );
 });
 
 test('a description gets its text', () => {
-  assert.equal(fillTexts('<meta name="description" data-text-content="guide.description" content="" />'),
-    `<meta name="description" data-text-content="guide.description" content="${text('guide.description')}" />`);
+  assert.equal(
+    fillTexts('<meta name="description" data-text-content="guide.description" content="" />'),
+    `<meta name="description" data-text-content="guide.description" content="${text('guide.description')}" />`,
+  );
 });
 
 test('a text that does not exist fails the build', () => {

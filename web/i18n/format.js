@@ -20,10 +20,12 @@ export const formatBox = (mm) => `${mm.map((edge) => formatNumber(edge, edge < 1
  * @param {number} value
  * @param {number} [digits] at most
  */
-export const formatPlain = (value, digits = 2) => value.toLocaleString(currentLanguage(), { maximumFractionDigits: digits });
+export const formatPlain = (value, digits = 2) =>
+  value.toLocaleString(currentLanguage(), { maximumFractionDigits: digits });
 
 /** @param {number} share */
-export const formatPercent = (share) => share.toLocaleString(currentLanguage(), { style: 'percent', maximumFractionDigits: 0 });
+export const formatPercent = (share) =>
+  share.toLocaleString(currentLanguage(), { style: 'percent', maximumFractionDigits: 0 });
 
 /** @param {number} ms */
 export const formatSeconds = (ms) => `${formatNumber(ms / 1000, 1)} s`;

@@ -8,9 +8,14 @@ import { inspectorTexts } from './inspector_texts.js';
 import { settingTexts } from './setting_names.js';
 
 const folder = new URL('../../app/inspector/', import.meta.url);
-const kSources = [...readdirSync(folder), '../viewer/colour_scale.cpp', '../viewer/colour_scale.h'].filter((name) => /\.(cpp|h)$/.test(name));
+const kSources = [...readdirSync(folder), '../viewer/colour_scale.cpp', '../viewer/colour_scale.h'].filter((name) =>
+  /\.(cpp|h)$/.test(name),
+);
 /** The C++ sources with adjacent string literals joined, as the compiler joins them. */
-const source = kSources.map((name) => readFileSync(new URL(name, folder), 'utf8')).join('\n').replace(/"\s*\n\s*"/g, '');
+const source = kSources
+  .map((name) => readFileSync(new URL(name, folder), 'utf8'))
+  .join('\n')
+  .replace(/"\s*\n\s*"/g, '');
 const literals = new Set([...source.matchAll(/"((?:[^"\\]|\\.)*)"/g)].map(([, literal]) => literal));
 /** Calls that show their literal as it is, wherever they are. */
 const kShown = /\b(?:translated|phrase|label|write|writeSoftly|fact|plot)\(\s*"((?:[^"\\]|\\.)*)"/g;
@@ -42,7 +47,10 @@ test('Every translation belongs to a text of the inspector, and has its values i
 test('There is a glyph of every letter', () => {
   setLanguage('de');
   const letters = new Set(Object.values(inspectorTexts()).join(''));
-  assert.deepEqual([...letters].filter((letter) => !kLetters.includes(letter)), []);
+  assert.deepEqual(
+    [...letters].filter((letter) => !kLetters.includes(letter)),
+    [],
+  );
 });
 
 test('Every text that the inspector writes is translated', () => {
@@ -50,7 +58,10 @@ test('Every text that the inspector writes is translated', () => {
   const texts = inspectorTexts();
   const shown = [...source.matchAll(kShown)].map(([, literal]) => literal);
   assert.ok(shown.length > 40);
-  assert.deepEqual(shown.filter((text) => !kSame.has(text) && texts[text] === undefined), []);
+  assert.deepEqual(
+    shown.filter((text) => !kSame.has(text) && texts[text] === undefined),
+    [],
+  );
 });
 
 test('So is every channel', () => {
@@ -59,5 +70,8 @@ test('So is every channel', () => {
   const channels = /kChannels = \{\{([\s\S]*?)\}\};/.exec(source)?.[1] ?? '';
   const named = [...channels.matchAll(/\{"([^"]*)", "([^"]*)"/g)].flatMap(([, name, what]) => [name, what]);
   assert.equal(named.length, 26);
-  assert.deepEqual(named.filter((text) => !kSame.has(text) && texts[text] === undefined), []);
+  assert.deepEqual(
+    named.filter((text) => !kSame.has(text) && texts[text] === undefined),
+    [],
+  );
 });

@@ -16,7 +16,7 @@ export function write(element, words) {
 /** @param {Element} element @param {Words} words */
 function show(element, words) {
   const text = words();
-  if (element.textContent !== text) element.textContent = text;  // screen readers would read it again
+  if (element.textContent !== text) element.textContent = text; // screen readers would read it again
 }
 
 onLanguage(() => written.forEach((words, element) => show(element, words)));

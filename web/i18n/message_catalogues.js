@@ -19,6 +19,19 @@ import verdict from '../../messages/verdict.json' with { type: 'json' };
 
 /** @type {import('./message_words.js').Catalogue} */
 export const catalogue = {
-  ...batch, ...engine, ...files, ...graphics, ...model, ...pageBatch, ...pageEngine, ...pageSettings, ...pipeline, ...place, ...printing,
-  ...settingsErrors, ...stages, ...text, ...verdict,
+  ...batch,
+  ...engine,
+  ...files,
+  ...graphics,
+  ...model,
+  ...pageBatch,
+  ...pageEngine,
+  ...pageSettings,
+  ...pipeline,
+  ...place,
+  ...printing,
+  ...settingsErrors,
+  ...stages,
+  ...text,
+  ...verdict,
 };

@@ -9,8 +9,8 @@ import { currentLanguage, writeAgain } from './catalogue.js';
 /** @typedef {Words & { hint?: Words }} Entry */
 /** @typedef {Record<string, Entry>} Catalogue  by message code */
 
-const kRetryMs = 10_000;    // least time between a failed fetch and the next try
-const kPatienceMs = 8_000;  // a message waits so long for its words and is then shown without them, until they arrive
+const kRetryMs = 10_000; // least time between a failed fetch and the next try
+const kPatienceMs = 8_000; // a message waits so long for its words and is then shown without them, until they arrive
 
 /** The catalogue while the first words are loading. @type {Catalogue} */
 export const kComing = {};
@@ -27,7 +27,7 @@ export class MessageWords {
     this.onChange_ = onChange;
     /** @type {Map<Language, Catalogue>} */ this.there_ = new Map();
     /** @type {Map<Language, Promise<void>>} */ this.coming_ = new Map();
-    /** @type {Map<Language, number>} */ this.failed_ = new Map();  // when its fetch failed, ms
+    /** @type {Map<Language, number>} */ this.failed_ = new Map(); // when its fetch failed, ms
     this.isMissed_ = false;
   }
 
@@ -84,7 +84,7 @@ async function inTime(arrived) {
   await Promise.race([arrived, late]).finally(() => clearTimeout(timer));
 }
 
-export const messageWords = new MessageWords({
-  en: () => import('./message_catalogues.js?language=en'),
-  de: () => import('./message_catalogues.js?language=de'),
-}, writeAgain);
+export const messageWords = new MessageWords(
+  { en: () => import('./message_catalogues.js?language=en'), de: () => import('./message_catalogues.js?language=de') },
+  writeAgain,
+);

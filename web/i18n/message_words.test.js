@@ -33,7 +33,10 @@ class Fetches {
 /** @type {string[]} */ let shown;
 /** Shows a message as a part of the page would. */
 const show = () => void shown.push(sentenceOf(kTold, words.now));
-const settled = () => new Promise((resolve) => { setImmediate(resolve); });
+const settled = () =>
+  new Promise((resolve) => {
+    setImmediate(resolve);
+  });
 
 beforeEach(() => {
   mock.timers.enable({ apis: ['Date', 'setTimeout'] });

@@ -11,7 +11,7 @@ import { choiceLabel, controlLabel } from './setting_names.js';
 /** @typedef {import('./message_words.js').Catalogue} Catalogue */
 /** @typedef {import('./message_words.js').Words} Words */
 
-const kMostNamed = 6;  // most entries listed by name
+const kMostNamed = 6; // most entries listed by name
 const kQuotes = { en: ['“', '”'], de: ['„', '“'] };
 const kAnd = { en: ' and ', de: ' und ' };
 
@@ -58,7 +58,9 @@ export const writtenValue = (value) => written(value, messageWords.now);
 export function worded(value) {
   if (Array.isArray(value)) return value.map(worded);
   if (typeof value !== 'object' || value === null) return value;
-  const parts = Object.fromEntries(Object.entries(value).map(([name, part]) => [name, name === 'values' ? part : worded(part)]));
+  const parts = Object.fromEntries(
+    Object.entries(value).map(([name, part]) => [name, name === 'values' ? part : worded(part)]),
+  );
   const isMessage = 'code' in value && 'values' in value;
   const told = /** @type {Message} */ (value);
   return isMessage ? { ...parts, message: sentenceOf(told), hint: hintOf(told) } : parts;
@@ -111,12 +113,17 @@ function digits(value, significant) {
   if (size === 0) return '0';
   if (!(size >= 1e-6 && size < 1e15)) return withExponent(value, significant);
   const decimals = Math.max(0, significant - 1 - Math.floor(Math.log10(size)));
-  return Number(value.toFixed(decimals)).toLocaleString(currentLanguage(), { useGrouping: false, maximumFractionDigits: decimals });
+  return Number(value.toFixed(decimals)).toLocaleString(currentLanguage(), {
+    useGrouping: false,
+    maximumFractionDigits: decimals,
+  });
 }
 
 /** @param {number} value @param {number} significant */
 function withExponent(value, significant) {
-  const figures = Number(value.toPrecision(significant)).toExponential().replace(/e([+-])(\d)$/, 'e$10$2');
+  const figures = Number(value.toPrecision(significant))
+    .toExponential()
+    .replace(/e([+-])(\d)$/, 'e$10$2');
   return currentLanguage() === 'de' ? figures.replace('.', ',') : figures;
 }
 
@@ -124,7 +131,9 @@ function withExponent(value, significant) {
 function listed(indices) {
   const names = indices.slice(0, kMostNamed).map(String);
   if (indices.length > kMostNamed) return `${names.join(', ')}, …`;
-  return names.length < 2 ? names.join() : names.slice(0, -1).join(', ') + kAnd[currentLanguage()] + names[names.length - 1];
+  return names.length < 2
+    ? names.join()
+    : names.slice(0, -1).join(', ') + kAnd[currentLanguage()] + names[names.length - 1];
 }
 
 /**
@@ -132,4 +141,12 @@ function listed(indices) {
  * @param {Message} message
  */
 const unworded = ({ code, values }) =>
-  [code, ...Object.entries(values).map(([name, value]) => `${name}=${Object.values(value).map((part) => JSON.stringify(part)).join()}`)].join(' ');
+  [
+    code,
+    ...Object.entries(values).map(
+      ([name, value]) =>
+        `${name}=${Object.values(value)
+          .map((part) => JSON.stringify(part))
+          .join()}`,
+    ),
+  ].join(' ');

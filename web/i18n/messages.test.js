@@ -28,22 +28,34 @@ test('Sentences and hints are those of the shared cases, in both languages', () 
 });
 
 test('A setting is called as its control is, without the unit', () => {
-  const words = { thin: { en: 'Raise {@minWallMm}, not {which} to {pattern}', de: '{@minWallMm} erhöhen, nicht {which} auf {pattern}' } };
-  const told = message('thin', { which: { setting: 'eyeDistanceMm' }, pattern: { choice: { key: 'pattern', value: 'thin-plus' } } });
+  const words = {
+    thin: {
+      en: 'Raise {@minWallMm}, not {which} to {pattern}',
+      de: '{@minWallMm} erhöhen, nicht {which} auf {pattern}',
+    },
+  };
+  const told = message('thin', {
+    which: { setting: 'eyeDistanceMm' },
+    pattern: { choice: { key: 'pattern', value: 'thin-plus' } },
+  });
   assert.equal(sentenceOf(told, words), 'Raise “Minimum wall”, not “Viewing distance” to Thin plus');
   setLanguage('de');
   assert.equal(sentenceOf(told, words), '„Restwand“ erhöhen, nicht „Betrachtungsabstand“ auf Dünnes Plus');
 });
 
 test('The page has the words of every file of messages/ but the command’s', () => {
-  const all = readdirSync(kFolder).filter((name) => name.endsWith('.json') && name !== 'command.json')
+  const all = readdirSync(kFolder)
+    .filter((name) => name.endsWith('.json') && name !== 'command.json')
     .map((name) => JSON.parse(readFileSync(new URL(name, kFolder), 'utf8')));
   assert.deepEqual(Object.keys(catalogue).sort(), all.flatMap(Object.keys).sort());
 });
 
 test('Every setting that a message names has a name on the page', () => {
   const named = [...kPageWords.matchAll(/\{@(\w+)\}/g)].map(([, key]) => key);
-  assert.deepEqual(named.filter((key) => !isKnownSetting(key)), []);
+  assert.deepEqual(
+    named.filter((key) => !isKnownSetting(key)),
+    [],
+  );
 });
 
 test('No words of the page speak of the command’s options', () => {

@@ -9,7 +9,11 @@ import { currentLanguage, text } from './catalogue.js';
 
 /** @type {Record<string, Key>} */
 const kOtherControls = {
-  centreMm: 'settings.centre', units: 'settings.unit', unit: 'settings.unit', scale: 'settings.unit', upAxis: 'settings.upAxis',
+  centreMm: 'settings.centre',
+  units: 'settings.unit',
+  unit: 'settings.unit',
+  scale: 'settings.unit',
+  upAxis: 'settings.upAxis',
 };
 const kUnitNames = /** @type {const} */ ({ m: 'settings.metres', cm: 'settings.centimetres', in: 'settings.inches' });
 
@@ -22,7 +26,8 @@ const settingOf = (key) => /** @type {Record<string, Setting>} */ (kSettings)[ke
  */
 const numberBeside = (key) => (key === 'sizeMm' ? kSettings.size.partLabels?.number : undefined);
 
-export const isKnownSetting = (/** @type {string} */ key) => key in kSettings || key in kOtherControls || numberBeside(key) !== undefined;
+export const isKnownSetting = (/** @type {string} */ key) =>
+  key in kSettings || key in kOtherControls || numberBeside(key) !== undefined;
 
 /** Returns the label of the control without its unit: "Minimum wall". @param {string} key  of a setting of the core */
 export function controlLabel(key) {
@@ -61,7 +66,9 @@ export function settingTexts() {
     for (const [choice, name] of Object.entries(choiceNames)) texts[`choice:${key}:${choice}`] = name[language];
     for (const [part, name] of Object.entries(partLabels)) {
       if (kind !== 'lamps') texts[`setting:${key}.${part}`] = name[language];
-      else for (const lamp of [1, 2]) texts[`setting:${key}.${lamp}.${part}`] = `${label[language]} ${lamp}, ${name[language]}`;
+      else
+        for (const lamp of [1, 2])
+          texts[`setting:${key}.${lamp}.${part}`] = `${label[language]} ${lamp}, ${name[language]}`;
     }
   }
   for (const [key, name] of Object.entries(kSettingGroups)) texts[`group:${key}`] = name[language];

@@ -52,10 +52,12 @@ test('until the script runs, the page says of its controls what it will say then
   assert.equal(controls.length, page.split('data-setting=').length - 1);
   for (const [, id, key] of controls) {
     assert.ok(key in kSettings, key);
-    if (new RegExp(`data-setting="${key}" type="hidden"`).test(page)) continue;  // has its own controls
+    if (new RegExp(`data-setting="${key}" type="hidden"`).test(page)) continue; // has its own controls
     const setting = /** @type {import('../generated/settings.js').SettingKey} */ (key);
-    const said = kSettings[setting].kind === 'switch' ? new RegExp(`data-setting="${key}"[^>]*>\\s*<span>([^<]*)<`).exec(page)
-      : new RegExp(`<label for="${id}"[^>]*>([^<]*)<`).exec(page);
+    const said =
+      kSettings[setting].kind === 'switch'
+        ? new RegExp(`data-setting="${key}"[^>]*>\\s*<span>([^<]*)<`).exec(page)
+        : new RegExp(`<label for="${id}"[^>]*>([^<]*)<`).exec(page);
     assert.equal(said?.[1], controlName(setting), key);
   }
 });

@@ -19,8 +19,19 @@ const kText = 'https://en.wikipedia.org/wiki/QR_code';
 
 /** The app's initial settings. @type {import('../engine/types.js').Settings} */
 const kSettings = {
-  text: kText, preset: 'balanced', pattern: 'thick-plus', finderPattern: 'thick-plus-sharp', size: 'free', maxSizeMm: 40,
-  quietZone: true, direction: 'depth-balanced', rotateDeg: 0, minWallMm: 0.8, nozzleMm: 0.4, layerMm: 0.1, eyeDistanceMm: 250,
+  text: kText,
+  preset: 'balanced',
+  pattern: 'thick-plus',
+  finderPattern: 'thick-plus-sharp',
+  size: 'free',
+  maxSizeMm: 40,
+  quietZone: true,
+  direction: 'depth-balanced',
+  rotateDeg: 0,
+  minWallMm: 0.8,
+  nozzleMm: 0.4,
+  layerMm: 0.1,
+  eyeDistanceMm: 250,
 };
 
 /** @param {Words} words */
@@ -47,11 +58,15 @@ function showScale(id, { from, to }) {
 
 /** @param {string} id @param {[name: Words, value: Words][]} rows */
 function showNumbers(id, rows) {
-  byId(id, HTMLElement).replaceChildren(...rows.flatMap((row) => ['dt', 'dd'].map((tag, at) => {
-    const cell = make(/** @type {'dt' | 'dd'} */ (tag));
-    write(cell, row[at]);
-    return cell;
-  })));
+  byId(id, HTMLElement).replaceChildren(
+    ...rows.flatMap((row) =>
+      ['dt', 'dd'].map((tag, at) => {
+        const cell = make(/** @type {'dt' | 'dd'} */ (tag));
+        write(cell, row[at]);
+        return cell;
+      }),
+    ),
+  );
 }
 
 class Demonstration {
@@ -70,8 +85,14 @@ class Demonstration {
       onReplaced: () => {},
     });
     this.carved_ = byId('carved', HTMLButtonElement);
-    this.carved_.addEventListener('click', () => void this.showCarved_(this.carved_.getAttribute('aria-pressed') !== 'true'));
-    byId('from-reader', HTMLButtonElement).addEventListener('click', () => void this.client_.act({ kind: 'readerView' }));
+    this.carved_.addEventListener(
+      'click',
+      () => void this.showCarved_(this.carved_.getAttribute('aria-pressed') !== 'true'),
+    );
+    byId('from-reader', HTMLButtonElement).addEventListener(
+      'click',
+      () => void this.client_.act({ kind: 'readerView' }),
+    );
     byId('beside', HTMLButtonElement).addEventListener('click', () => void this.lookFromAside_());
   }
 
@@ -121,7 +142,8 @@ class Demonstration {
 
   async showMaps_() {
     const [surface, luminance, depths] = await Promise.all(
-      (/** @type {const} */ (['surface', 'luminance', 'depths'])).map((name) => this.client_.jobMap(name)));
+      /** @type {const} */ (['surface', 'luminance', 'depths']).map((name) => this.client_.jobMap(name)),
+    );
     if (surface) {
       show('normals', paintNormals(surface));
       const heights = paintHeights(surface);

@@ -6,12 +6,13 @@
 /** @typedef {{ size: number, radius: number, ground: Colour, ink: Colour, edges: Edge[] }} Icon */
 /** @typedef {{ x0: number, y0: number, x1: number, y1: number }} Edge */
 
-const kSamples = 4;  // samples along a pixel's edge
+const kSamples = 4; // samples along a pixel's edge
 
 /** @param {string} text  #rgb or #rrggbb @returns {Colour} */
 function colour(text) {
   const digits = text.slice(1);
-  const pairs = digits.length === 3 ? [...digits].map((digit) => digit + digit) : [0, 2, 4].map((at) => digits.slice(at, at + 2));
+  const pairs =
+    digits.length === 3 ? [...digits].map((digit) => digit + digit) : [0, 2, 4].map((at) => digits.slice(at, at + 2));
   return /** @type {Colour} */ (pairs.map((pair) => parseInt(pair, 16)));
 }
 
@@ -50,7 +51,13 @@ export function readIcon(svg) {
   const [, ink] = /<g fill="(#\w+)"/.exec(svg) ?? [];
   const paths = [...svg.matchAll(/<path d="([^"]+)"/g)].map(([, path]) => path);
   if (!size || !radius || !ink || paths.length === 0) throw new Error('The icon is not of the form that is drawn here');
-  return { size: Number(size), radius: Number(radius), ground: colour(ground), ink: colour(ink), edges: paths.flatMap(edgesOf) };
+  return {
+    size: Number(size),
+    radius: Number(radius),
+    ground: colour(ground),
+    ink: colour(ink),
+    edges: paths.flatMap(edgesOf),
+  };
 }
 
 /**
@@ -68,7 +75,7 @@ function onGround({ size, radius }, x, y) {
 /** @param {Edge[]} edges @param {number} x @param {number} y */
 function inside(edges, x, y) {
   let crossings = 0;
-  for (const { x0, y0, x1, y1 } of edges) if (x0 === x1 && (y0 > y) !== (y1 > y) && x < x0) crossings += 1;
+  for (const { x0, y0, x1, y1 } of edges) if (x0 === x1 && y0 > y !== y1 > y && x < x0) crossings += 1;
   return crossings % 2 === 1;
 }
 
@@ -95,8 +102,13 @@ export function drawIcon(icon, pixels, { maskable = false } = {}) {
       }
       if (covered === 0) continue;
       const share = inked / covered;
-      rgba.set([...icon.ground.map((v, i) => Math.round(v + (icon.ink[i] - v) * share)),
-        Math.round((255 * covered) / (kSamples * kSamples))], 4 * (row * pixels + column));
+      rgba.set(
+        [
+          ...icon.ground.map((v, i) => Math.round(v + (icon.ink[i] - v) * share)),
+          Math.round((255 * covered) / (kSamples * kSamples)),
+        ],
+        4 * (row * pixels + column),
+      );
     }
   }
   return rgba;

@@ -14,13 +14,13 @@ const kInk = [255, 255, 255, 255];
 const pixel = (rgba, pixels, x, y) => [...rgba.subarray(4 * (y * pixels + x), 4 * (y * pixels + x) + 4)];
 
 test('the icon has the colours of its drawing where the drawing has them', () => {
-  const rgba = drawIcon(icon, 64);  // two pixels per unit
-  assert.deepEqual(pixel(rgba, 64, 0, 0), [0, 0, 0, 0]);       // outside the rounded corner
+  const rgba = drawIcon(icon, 64); // two pixels per unit
+  assert.deepEqual(pixel(rgba, 64, 0, 0), [0, 0, 0, 0]); // outside the rounded corner
   assert.deepEqual(pixel(rgba, 64, 32, 4), kGround);
-  assert.deepEqual(pixel(rgba, 64, 14, 14), kInk);             // in the ring of the upper left finder pattern
-  assert.deepEqual(pixel(rgba, 64, 20, 20), kGround);          // in the gap within the ring
-  assert.deepEqual(pixel(rgba, 64, 36, 36), kInk);             // a module
-  assert.deepEqual(pixel(rgba, 64, 42, 36), kGround);          // next to the module
+  assert.deepEqual(pixel(rgba, 64, 14, 14), kInk); // in the ring of the upper left finder pattern
+  assert.deepEqual(pixel(rgba, 64, 20, 20), kGround); // in the gap within the ring
+  assert.deepEqual(pixel(rgba, 64, 36, 36), kInk); // a module
+  assert.deepEqual(pixel(rgba, 64, 42, 36), kGround); // next to the module
 });
 
 test('the maskable icon fills the square and draws within its middle 80 %', () => {
@@ -43,6 +43,11 @@ test('a PNG file holds the pixels it was given, row by row', () => {
 });
 
 test('an icon with curves is refused by the name of the command', () => {
-  assert.throws(() => readIcon('<svg viewBox="0 0 8 8"><rect rx="1" fill="#000"/><g fill="#fff"><path d="M1 1c1 1 1 1 1 1z"/></g></svg>'),
-    /command "c"/);
+  assert.throws(
+    () =>
+      readIcon(
+        '<svg viewBox="0 0 8 8"><rect rx="1" fill="#000"/><g fill="#fff"><path d="M1 1c1 1 1 1 1 1z"/></g></svg>',
+      ),
+    /command "c"/,
+  );
 });

@@ -7,7 +7,7 @@ import { fileURLToPath } from 'node:url';
 const kSource = fileURLToPath(new URL('service_worker.js', import.meta.url));
 const kWorker = 'service_worker.js';
 const kNotKept = new Set([kWorker, 'robots.txt', 'sitemap.xml']);
-const kTooMany = /^gallery\//;  // pictures that few visitors see twice
+const kTooMany = /^gallery\//; // pictures that few visitors see twice
 
 /** @param {string | Uint8Array} content */
 const hashOf = (content) => createHash('sha256').update(content).digest('hex').slice(0, 16);
@@ -41,9 +41,14 @@ export function serviceWorkerFor(files) {
  * @param {string} site     address of the published page, with a slash at its end
  * @param {string[]} pages
  */
-const sitemap = (site, pages) => ['<?xml version="1.0" encoding="UTF-8"?>',
-  '<urlset xmlns="http://www.sitemaps.org/schemas/sitemap/0.9">',
-  ...pages.map((page) => `  <url><loc>${site}${page === 'index.html' ? '' : page}</loc></url>`), '</urlset>', ''].join('\n');
+const sitemap = (site, pages) =>
+  [
+    '<?xml version="1.0" encoding="UTF-8"?>',
+    '<urlset xmlns="http://www.sitemaps.org/schemas/sitemap/0.9">',
+    ...pages.map((page) => `  <url><loc>${site}${page === 'index.html' ? '' : page}</loc></url>`),
+    '</urlset>',
+    '',
+  ].join('\n');
 
 /**
  * @param {{ site?: string }} options  `site`: address of the published page; without it there is no sitemap
@@ -64,7 +69,13 @@ export function offline({ site }) {
       if (site) {
         const home = site.endsWith('/') ? site : `${site}/`;
         robots.push(`Sitemap: ${home}sitemap.xml`);
-        writeFileSync(`${folder}/sitemap.xml`, sitemap(home, files.map(([path]) => path).filter((path) => path.endsWith('.html'))));
+        writeFileSync(
+          `${folder}/sitemap.xml`,
+          sitemap(
+            home,
+            files.map(([path]) => path).filter((path) => path.endsWith('.html')),
+          ),
+        );
       }
       writeFileSync(`${folder}/robots.txt`, `${robots.join('\n')}\n`);
     },

@@ -23,9 +23,22 @@ function withFolder(contents, run) {
 const versionOf = (code) => /"version":"(\w+)"/.exec(code)?.[1];
 
 test('every file is kept but hidden ones, the worker itself and what only search engines read', () => {
-  withFolder({ 'gallery/x.png': 'p', 'index.html': 'a', 'assets/x.js': 'b', 'samples/.gitignore': '*', 'service_worker.js': 'c', 'robots.txt': 'd' }, (folder) => {
-    assert.deepEqual(listFiles(folder).map(([path]) => path), ['assets/x.js', 'index.html']);
-  });
+  withFolder(
+    {
+      'gallery/x.png': 'p',
+      'index.html': 'a',
+      'assets/x.js': 'b',
+      'samples/.gitignore': '*',
+      'service_worker.js': 'c',
+      'robots.txt': 'd',
+    },
+    (folder) => {
+      assert.deepEqual(
+        listFiles(folder).map(([path]) => path),
+        ['assets/x.js', 'index.html'],
+      );
+    },
+  );
 });
 
 test('the version is the same for the same files, and another one when a byte of them changes', () => {

@@ -28,10 +28,14 @@ export function writePng(width, height, rgba) {
   const header = Buffer.alloc(13);
   header.writeUInt32BE(width, 0);
   header.writeUInt32BE(height, 4);
-  header.set([8, 6], 8);  // 8 bits, RGBA; then the only compression and filter methods, not interlaced
-  const rows = Buffer.alloc(height * (1 + 4 * width));  // each row begins with its filter type: none
-  for (let y = 0; y < height; y += 1) rows.set(rgba.subarray(4 * width * y, 4 * width * (y + 1)), y * (1 + 4 * width) + 1);
+  header.set([8, 6], 8); // 8 bits, RGBA; then the only compression and filter methods, not interlaced
+  const rows = Buffer.alloc(height * (1 + 4 * width)); // each row begins with its filter type: none
+  for (let y = 0; y < height; y += 1)
+    rows.set(rgba.subarray(4 * width * y, 4 * width * (y + 1)), y * (1 + 4 * width) + 1);
   return Buffer.concat([
-    kSignature, chunk('IHDR', header), chunk('IDAT', deflateSync(rows, { level: 9 })), chunk('IEND', new Uint8Array()),
+    kSignature,
+    chunk('IHDR', header),
+    chunk('IDAT', deflateSync(rows, { level: 9 })),
+    chunk('IEND', new Uint8Array()),
   ]);
 }

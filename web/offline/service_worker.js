@@ -8,13 +8,15 @@
  */
 
 /** The part of a service worker's scope used here. TypeScript declares it only when it does not declare the page's. */
-const scope = /** @type {{ registration: ServiceWorkerRegistration, qreliefBuild: Build, clients: { claim: () => Promise<void> },
- *   skipWaiting: () => Promise<void>, addEventListener: (type: string, listener: (event: any) => void) => void }} */ (
-  /** @type {unknown} */ (self));
+const scope =
+  /** @type {{ registration: ServiceWorkerRegistration, qreliefBuild: Build, clients: { claim: () => Promise<void> },
+   *   skipWaiting: () => Promise<void>, addEventListener: (type: string, listener: (event: any) => void) => void }} */ (
+    /** @type {unknown} */ (self)
+  );
 
 const { version, files } = scope.qreliefBuild;
 const home = scope.registration.scope;
-const kOurs = `qrelief ${home} `;  // other pages of this origin have caches, too
+const kOurs = `qrelief ${home} `; // other pages of this origin have caches, too
 const kCache = kOurs + version;
 const kIndex = 'index.html';
 
@@ -25,12 +27,14 @@ keys.set(home, /** @type {string} */ (keys.get(new URL(kIndex, home).href)));
 /** Fills the cache with every file: from an earlier version if unchanged, else from the network. */
 async function fill() {
   const cache = await caches.open(kCache);
-  await Promise.all(files.map(async ([path]) => {
-    const address = new URL(path, home).href;
-    const key = /** @type {string} */ (keys.get(address));
-    const response = (await caches.match(key)) ?? (await fetchAnew(address));
-    await cache.put(key, response);
-  }));
+  await Promise.all(
+    files.map(async ([path]) => {
+      const address = new URL(path, home).href;
+      const key = /** @type {string} */ (keys.get(address));
+      const response = (await caches.match(key)) ?? (await fetchAnew(address));
+      await cache.put(key, response);
+    }),
+  );
 }
 
 /** @param {string} address */
@@ -43,13 +47,15 @@ async function fetchAnew(address) {
 
 async function removeOtherVersions() {
   const names = await caches.keys();
-  await Promise.all(names.filter((name) => name.startsWith(kOurs) && name !== kCache).map((name) => caches.delete(name)));
+  await Promise.all(
+    names.filter((name) => name.startsWith(kOurs) && name !== kCache).map((name) => caches.delete(name)),
+  );
 }
 
 /** @param {Request} request @param {string} key */
 async function answer(request, key) {
   const cache = await caches.open(kCache);
-  return (await cache.match(key)) ?? fetch(request);  // browsers may delete a cache
+  return (await cache.match(key)) ?? fetch(request); // browsers may delete a cache
 }
 
 scope.addEventListener('install', (event) => event.waitUntil(fill()));

@@ -10,15 +10,15 @@ const kCheckEveryMs = 60 * 60 * 1000;
  */
 export async function keepOffline(onNewVersion) {
   const workers = navigator.serviceWorker;
-  if (!workers) return;  // for example in a private window; the page then needs the network
+  if (!workers) return; // for example in a private window; the page then needs the network
   /** @type {ServiceWorkerRegistration | undefined} */ let registration;
   try {
     registration = await workers.register('service_worker.js', { updateViaCache: 'none' });
   } catch {
-    return;  // storage may be switched off
+    return; // storage may be switched off
   }
-  if (!registration) return;  // some extensions block service workers this way
-  let known = Boolean(workers.controller);  // otherwise the first version takes over, which is no news
+  if (!registration) return; // some extensions block service workers this way
+  let known = Boolean(workers.controller); // otherwise the first version takes over, which is no news
   const kept = registration;
   const offer = () => onNewVersion(() => reloadInto(kept));
   if (kept.waiting && known) offer();
@@ -29,7 +29,7 @@ export async function keepOffline(onNewVersion) {
     });
   });
   workers.addEventListener('controllerchange', () => {
-    if (known) offer();  // another window has switched to the new version
+    if (known) offer(); // another window has switched to the new version
     known = true;
   });
   checkNowAndThen(kept);
@@ -51,6 +51,6 @@ function checkNowAndThen(registration) {
   document.addEventListener('visibilitychange', () => {
     if (document.visibilityState !== 'visible' || Date.now() - checked < kCheckEveryMs) return;
     checked = Date.now();
-    registration.update().catch(() => {});  // no network: try again next time
+    registration.update().catch(() => {}); // no network: try again next time
   });
 }

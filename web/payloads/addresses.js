@@ -4,7 +4,7 @@
 /** A valid e-mail address as in HTML, but with any letters in the domain. */
 const kEmail = /^[\w.!#$%&'*+/=?^`{|}~-]+@([^\s@.]+\.)+[^\s@.]+$/;
 
-const kMostDigits = 15;  // ITU-T E.164
+const kMostDigits = 15; // ITU-T E.164
 const kLeastDigits = 3;
 
 /**
@@ -37,7 +37,11 @@ export function parseEmail(address) {
  * @returns {{ dialled: string, international: boolean } | undefined}  undefined if it cannot be dialled
  */
 export function parsePhone(number) {
-  const dialled = number.trim().replace(/^00(?=[1-9])/, '+').replace(/\(0\)/g, '').replace(/[\s\u00a0().\-/\u2010-\u2015]/g, '');
+  const dialled = number
+    .trim()
+    .replace(/^00(?=[1-9])/, '+')
+    .replace(/\(0\)/g, '')
+    .replace(/[\s\u00a0().\-/\u2010-\u2015]/g, '');
   if (!/^\+?[0-9*#]+$/.test(dialled)) return undefined;
   const digits = dialled.replace(/\D/g, '').length;
   const international = dialled.startsWith('+');

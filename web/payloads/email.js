@@ -19,8 +19,10 @@ export const email = {
     if (address.trim() === '') findings.error('address', 'code.needed');
     else if (!parsed) findings.error('address', 'code.email.wrong');
     return findings.built(() => {
-      const query = Object.entries({ subject, body }).filter(([, value]) => value !== '')
-        .map(([name, value]) => `${name}=${escapeUri(value)}`).join('&');
+      const query = Object.entries({ subject, body })
+        .filter(([, value]) => value !== '')
+        .map(([name, value]) => `${name}=${escapeUri(value)}`)
+        .join('&');
       return `mailto:${escapeUri(parsed?.local ?? '')}@${parsed?.host}${query === '' ? '' : `?${query}`}`;
     });
   },

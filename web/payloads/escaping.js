@@ -29,7 +29,8 @@ const kLineOctets = 75;
  * @param {string} line
  */
 export function contentLine(line) {
-  let folded = '', octets = 0;
+  let folded = '',
+    octets = 0;
   for (const character of line) {
     const more = utf8Length(character);
     if (octets + more > kLineOctets) {
@@ -46,5 +47,8 @@ export function contentLine(line) {
 export const contentLines = (lines) => lines.map(contentLine).join('').replace(/\r\n$/, '');
 
 /** Escapes a value within a URI, where line breaks are CRLF [RFC 6068, 5]. @param {string} text */
-export const escapeUri = (text) => encodeURIComponent(text.replace(/\r\n|\r|\n/g, '\r\n'))
-  .replace(/[!'()*]/g, (character) => `%${character.charCodeAt(0).toString(16).toUpperCase()}`);
+export const escapeUri = (text) =>
+  encodeURIComponent(text.replace(/\r\n|\r|\n/g, '\r\n')).replace(
+    /[!'()*]/g,
+    (character) => `%${character.charCodeAt(0).toString(16).toUpperCase()}`,
+  );

@@ -24,7 +24,11 @@ function checkTime(findings, field, value) {
 }
 
 /** Formats a time as UTC, which needs no time zone definition. @param {Date} time */
-const writeUtc = (time) => time.toISOString().replace(/\.\d+Z$/, 'Z').replace(/[-:]/g, '');
+const writeUtc = (time) =>
+  time
+    .toISOString()
+    .replace(/\.\d+Z$/, 'Z')
+    .replace(/[-:]/g, '');
 
 /** Returns the FNV-1a hash of the UTF-16 code units. @param {string} text */
 function fingerprint(text) {
@@ -49,8 +53,15 @@ function calendarLines(lines, start) {
   // Time stamp and UID depend only on the event, so that the same event gives the same code.
   const stamp = writeUtc(start);
   return [
-    'BEGIN:VCALENDAR', 'VERSION:2.0', 'PRODID:-//QRelief//EN', 'BEGIN:VEVENT',
-    `UID:${stamp}-${fingerprint(lines.join('\n'))}@qrelief`, `DTSTAMP:${stamp}`, ...lines, 'END:VEVENT', 'END:VCALENDAR',
+    'BEGIN:VCALENDAR',
+    'VERSION:2.0',
+    'PRODID:-//QRelief//EN',
+    'BEGIN:VEVENT',
+    `UID:${stamp}-${fingerprint(lines.join('\n'))}@qrelief`,
+    `DTSTAMP:${stamp}`,
+    ...lines,
+    'END:VEVENT',
+    'END:VCALENDAR',
   ];
 }
 
@@ -65,8 +76,13 @@ export const event = {
     { id: 'location', label: 'code.event.location', kind: 'text', optional: true },
     { id: 'description', label: 'code.event.description', kind: 'lines', optional: true },
     {
-      id: 'form', label: 'code.form', kind: 'choice',
-      options: [{ value: 'event', label: 'code.event.short' }, { value: 'calendar', label: 'code.event.whole' }],
+      id: 'form',
+      label: 'code.form',
+      kind: 'choice',
+      options: [
+        { value: 'event', label: 'code.event.short' },
+        { value: 'calendar', label: 'code.event.whole' },
+      ],
     },
   ],
   build(values) {
@@ -78,7 +94,9 @@ export const event = {
     return findings.built(() => {
       const [from, to] = [/** @type {Date} */ (start), /** @type {Date} */ (end)];
       const lines = eventLines(values, from, to);
-      return contentLines(values.form === 'calendar' ? calendarLines(lines, from) : ['BEGIN:VEVENT', ...lines, 'END:VEVENT']);
+      return contentLines(
+        values.form === 'calendar' ? calendarLines(lines, from) : ['BEGIN:VEVENT', ...lines, 'END:VEVENT'],
+      );
     });
   },
 };

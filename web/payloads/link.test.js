@@ -10,14 +10,33 @@ const keys = (text) => adviseText(text).map(({ key }) => key);
 const fixed = (text) => adviseText(text).map((advice) => advice.fixed);
 
 test('a good link and plain text need no advice', () => {
-  for (const text of ['https://example.org/a?b=c#d', 'http://192.168.0.1:8080/', 'Hello world', '3.14', 'a.b c.d', '',
-    'bunny.stl', 'name@example.org', 'WIFI:T:nopass;S:x;;', 'z.B.', 'e.g. this', 'https://[2001:db8::1]/', 'http://localhost:3000/']) {
+  for (const text of [
+    'https://example.org/a?b=c#d',
+    'http://192.168.0.1:8080/',
+    'Hello world',
+    '3.14',
+    'a.b c.d',
+    '',
+    'bunny.stl',
+    'name@example.org',
+    'WIFI:T:nopass;S:x;;',
+    'z.B.',
+    'e.g. this',
+    'https://[2001:db8::1]/',
+    'http://localhost:3000/',
+  ]) {
     assert.deepEqual(keys(text), [], text);
   }
 });
 
 test('an address without its scheme gets https', () => {
-  for (const text of ['example.org', 'www.example.org/a b'.replace(' ', '%20'), 'EXAMPLE.ORG:8080?x', 'bücher.example', 'a.co/bunny.stl']) {
+  for (const text of [
+    'example.org',
+    'www.example.org/a b'.replace(' ', '%20'),
+    'EXAMPLE.ORG:8080?x',
+    'bücher.example',
+    'a.co/bunny.stl',
+  ]) {
     assert.deepEqual(keys(text), ['code.link.noScheme'], text);
     assert.deepEqual(fixed(text), [`https://${text}`]);
   }
@@ -43,7 +62,10 @@ test('a name in other letters can be written in ASCII, and the rest of the link 
 });
 
 test('tracking parameters are left out, and nothing else of the query', () => {
-  assert.equal(withoutTracking('https://e.org/?utm_source=a&b=%20&fbclid=1&c#d?utm_x=1'), 'https://e.org/?b=%20&c#d?utm_x=1');
+  assert.equal(
+    withoutTracking('https://e.org/?utm_source=a&b=%20&fbclid=1&c#d?utm_x=1'),
+    'https://e.org/?b=%20&c#d?utm_x=1',
+  );
   assert.equal(withoutTracking('https://e.org/p?gclid=1'), 'https://e.org/p');
   assert.equal(withoutTracking('https://e.org/p?q=utm_source'), 'https://e.org/p?q=utm_source');
   assert.deepEqual(keys(`https://example.org/page?utm_campaign=${'x'.repeat(50)}`), ['code.link.tracking']);
@@ -52,8 +74,9 @@ test('tracking parameters are left out, and nothing else of the query', () => {
 });
 
 test('scheme and host may stand in capitals, the rest must stay', () => {
-  assert.deepEqual(shorterForms('https://en.wikipedia.org/wiki/QR_code'),
-    [{ text: 'HTTPS://EN.WIKIPEDIA.ORG/wiki/QR_code', key: 'code.shorter.capitals', same: true }]);
+  assert.deepEqual(shorterForms('https://en.wikipedia.org/wiki/QR_code'), [
+    { text: 'HTTPS://EN.WIKIPEDIA.ORG/wiki/QR_code', key: 'code.shorter.capitals', same: true },
+  ]);
   assert.equal(shorterForms('https://example.org/')[0].text, 'HTTPS://EXAMPLE.ORG');
   assert.equal(shorterForms('https://example.org/?a=b')[0].text, 'HTTPS://EXAMPLE.ORG/?a=b');
   assert.equal(new URL(shorterForms('https://example.org/Path?Q=q#F')[0].text).href, 'https://example.org/Path?Q=q#F');
@@ -61,15 +84,30 @@ test('scheme and host may stand in capitals, the rest must stay', () => {
 
 test('leaving out www. or a marked passage is offered as what it is, another address', () => {
   const forms = shorterForms('https://www.example.org/a#:~:text=some%20words');
-  assert.deepEqual(forms.map(({ key, same }) => [key, same]),
-    [['code.shorter.capitals', true], ['code.shorter.www', false], ['code.shorter.highlight', false]]);
+  assert.deepEqual(
+    forms.map(({ key, same }) => [key, same]),
+    [
+      ['code.shorter.capitals', true],
+      ['code.shorter.www', false],
+      ['code.shorter.highlight', false],
+    ],
+  );
   assert.equal(forms[1].text, 'HTTPS://EXAMPLE.ORG/a#:~:text=some%20words');
   assert.equal(forms[2].text, 'https://www.example.org/a');
-  assert.deepEqual(shorterForms('https://www.org/').map(({ key }) => key), ['code.shorter.capitals']);
+  assert.deepEqual(
+    shorterForms('https://www.org/').map(({ key }) => key),
+    ['code.shorter.capitals'],
+  );
 });
 
 test('no other form is offered of what is no plain link', () => {
-  for (const text of ['hello', 'https://bücher.example/', 'https://user@example.org/', 'HTTPS://EXAMPLE.ORG', 'mailto:a@example.org']) {
+  for (const text of [
+    'hello',
+    'https://bücher.example/',
+    'https://user@example.org/',
+    'HTTPS://EXAMPLE.ORG',
+    'mailto:a@example.org',
+  ]) {
     assert.deepEqual(shorterForms(text), [], text);
   }
 });

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Checks whether a printer can make the modules of a symbol, and finds the size or symbol that it could.
 
-const kSmallestSymbol = 21;  // modules: version 1
+const kSmallestSymbol = 21; // modules: version 1
 const kRounding = 1e-9;
 
 /**
@@ -17,5 +17,9 @@ export function tooSmall(modules, symbolMm, leastModuleMm) {
   const moduleMm = symbolMm / modules;
   if (moduleMm >= leastModuleMm - kRounding) return undefined;
   const steps = Math.floor((symbolMm / leastModuleMm - kSmallestSymbol) / 4 + kRounding);
-  return { moduleMm, neededMm: modules * leastModuleMm, printable: steps < 0 ? undefined : kSmallestSymbol + 4 * steps };
+  return {
+    moduleMm,
+    neededMm: modules * leastModuleMm,
+    printable: steps < 0 ? undefined : kSmallestSymbol + 4 * steps,
+  };
 }

@@ -15,7 +15,8 @@ import { wifi } from './wifi.js';
 export const kContents = [wifi, contact, email, sms, phone, place, event];
 
 /** Returns the initial values of the fields. @param {Content} content @returns {Values} */
-export const emptyValues = ({ fields }) => Object.fromEntries(fields.map(({ id, options }) => [id, options?.[0].value ?? '']));
+export const emptyValues = ({ fields }) =>
+  Object.fromEntries(fields.map(({ id, options }) => [id, options?.[0].value ?? '']));
 
 /**
  * Builds the text from the visible fields; hidden fields count as empty.
@@ -24,5 +25,7 @@ export const emptyValues = ({ fields }) => Object.fromEntries(fields.map(({ id, 
  */
 export function buildContent(content, values) {
   const shown = content.fields.filter(({ shownWhen }) => shownWhen?.(values) ?? true).map(({ id }) => id);
-  return content.build(Object.fromEntries(content.fields.map(({ id }) => [id, shown.includes(id) ? values[id] ?? '' : ''])));
+  return content.build(
+    Object.fromEntries(content.fields.map(({ id }) => [id, shown.includes(id) ? (values[id] ?? '') : ''])),
+  );
 }

@@ -29,7 +29,8 @@ function payload(id, values) {
 }
 
 /** @param {string} id @param {Record<string, string>} values */
-const findings = (id, values) => build(id, values).problems.map(({ field, severity, key }) => `${severity} ${field} ${key}`);
+const findings = (id, values) =>
+  build(id, values).problems.map(({ field, severity, key }) => `${severity} ${field} ${key}`);
 
 /** Splits WIFI: and MECARD: texts into fields at unescaped semicolons. @param {string} text @param {string} start */
 function parseMeCard(text, start) {
@@ -58,14 +59,18 @@ function parseLines(text) {
     assert.doesNotMatch(line, /[\r\n]/);
     assert.doesNotMatch(line, /\ufffd/);
   }
-  return text.replaceAll('\r\n ', '').split('\r\n').map((line) => {
-    const [, name, value] = /** @type {RegExpExecArray} */ (/^([A-Z;=-]+):(.*)$/s.exec(line));
-    return { name, value };
-  });
+  return text
+    .replaceAll('\r\n ', '')
+    .split('\r\n')
+    .map((line) => {
+      const [, name, value] = /** @type {RegExpExecArray} */ (/^([A-Z;=-]+):(.*)$/s.exec(line));
+      return { name, value };
+    });
 }
 
 /** @param {string} value */
-const unescapeText = (value) => value.replace(/\\([\\;,nN])/g, (_, letter) => (letter.toLowerCase() === 'n' ? '\n' : letter));
+const unescapeText = (value) =>
+  value.replace(/\\([\\;,nN])/g, (_, letter) => (letter.toLowerCase() === 'n' ? '\n' : letter));
 
 /** @param {string} value */
 const splitAtSemicolons = (value) => value.split(/(?<!\\)(?:\\\\)*;/);
@@ -85,26 +90,46 @@ test('nothing filled in gives no payload, and says what is needed', () => {
   for (const content of kContents) {
     const { payload: written, problems } = buildContent(content, emptyValues(content));
     assert.equal(written, '', content.id);
-    assert.ok(problems.some(({ severity }) => severity === 'error'), content.id);
+    assert.ok(
+      problems.some(({ severity }) => severity === 'error'),
+      content.id,
+    );
     for (const { field, key, values } of problems) {
-      assert.ok(content.fields.some(({ id }) => id === field), `${content.id}.${field}`);
+      assert.ok(
+        content.fields.some(({ id }) => id === field),
+        `${content.id}.${field}`,
+      );
       words(key, values);
     }
   }
 });
 
 test('Wi-Fi is written as the format says', () => {
-  assert.equal(payload('wifi', { ssid: 'Café Zur Post', password: 'kaffee und kuchen' }),
-    'WIFI:T:WPA;S:Café Zur Post;P:kaffee und kuchen;;');
-  assert.equal(payload('wifi', { ssid: 'open', security: 'nopass', password: 'left from before' }), 'WIFI:T:nopass;S:open;;');
-  assert.equal(payload('wifi', { ssid: 'ours', security: 'WPA3', password: 'short', hidden: 'true' }),
-    'WIFI:T:WPA;R:1;S:ours;P:short;H:true;;');
+  assert.equal(
+    payload('wifi', { ssid: 'Café Zur Post', password: 'kaffee und kuchen' }),
+    'WIFI:T:WPA;S:Café Zur Post;P:kaffee und kuchen;;',
+  );
+  assert.equal(
+    payload('wifi', { ssid: 'open', security: 'nopass', password: 'left from before' }),
+    'WIFI:T:nopass;S:open;;',
+  );
+  assert.equal(
+    payload('wifi', { ssid: 'ours', security: 'WPA3', password: 'short', hidden: 'true' }),
+    'WIFI:T:WPA;R:1;S:ours;P:short;H:true;;',
+  );
 });
 
 test('Wi-Fi names and passwords come back whatever signs they hold', () => {
   const special = 'a\\b;c,d"e:f\\;g\\\\';
-  assert.equal(payload('wifi', { ssid: 'x;y', password: special }), 'WIFI:T:WPA;S:x\\;y;P:a\\\\b\\;c\\,d\\"e\\:f\\\\\\;g\\\\\\\\;;');
-  assert.deepEqual(parseMeCard(payload('wifi', { ssid: special, password: special }), 'WIFI:'), { T: 'WPA', S: special, P: special });
+  assert.equal(
+    payload('wifi', { ssid: 'x;y', password: special }),
+    'WIFI:T:WPA;S:x\\;y;P:a\\\\b\\;c\\,d\\"e\\:f\\\\\\;g\\\\\\\\;;',
+  );
+  assert.deepEqual(parseMeCard(payload('wifi', { ssid: special, password: special }), 'WIFI:'), {
+    T: 'WPA',
+    S: special,
+    P: special,
+  });
 });
 
 test('a Wi-Fi name of hexadecimal digits stands between quotation marks, a password never', () => {
@@ -138,33 +163,67 @@ test('a WEP key has 5 or 13 characters or 10 or 26 digits, and is warned of', ()
   for (const good of ['abcde', 'abcdefghijklm', '0123456789', 'ABCDEF0123456789abcdef0123']) {
     assert.deepEqual(problems(good), ['warning security code.wifi.wepIsOpen'], good);
   }
-  for (const bad of ['abcd', 'abcdef', 'ghijklmnop', 'äbcde']) assert.deepEqual(problems(bad), ['error password code.wifi.wepKey'], bad);
+  for (const bad of ['abcd', 'abcdef', 'ghijklmnop', 'äbcde'])
+    assert.deepEqual(problems(bad), ['error password code.wifi.wepKey'], bad);
 });
 
 test('a contact is a vCard 3.0 with its name in both forms', () => {
-  const written = payload('contact', { given: 'Ada', family: 'Lovelace', phone: '+44 20 7946 0018', email: 'ada@example.org' });
-  assert.equal(written, ['BEGIN:VCARD', 'VERSION:3.0', 'N:Lovelace;Ada;;;', 'FN:Ada Lovelace', 'TEL:+442079460018',
-    'EMAIL:ada@example.org', 'END:VCARD'].join('\r\n'));
+  const written = payload('contact', {
+    given: 'Ada',
+    family: 'Lovelace',
+    phone: '+44 20 7946 0018',
+    email: 'ada@example.org',
+  });
+  assert.equal(
+    written,
+    [
+      'BEGIN:VCARD',
+      'VERSION:3.0',
+      'N:Lovelace;Ada;;;',
+      'FN:Ada Lovelace',
+      'TEL:+442079460018',
+      'EMAIL:ada@example.org',
+      'END:VCARD',
+    ].join('\r\n'),
+  );
 });
 
 test('every value of a vCard comes back, with folded lines and escaped signs', () => {
   const values = {
-    given: 'Zoë; Anne', family: 'Müller, geb. Groß', organisation: 'Back\\slash & Söhne', title: 'Chefin',
-    phone: '+49 (0)30 23125-111', email: 'zoe@bücher.example', website: 'bücher.example/über?a=1,2',
-    street: 'Am Markt 1; Hof', postcode: '01067', city: 'Dresden', country: 'Deutschland',
+    given: 'Zoë; Anne',
+    family: 'Müller, geb. Groß',
+    organisation: 'Back\\slash & Söhne',
+    title: 'Chefin',
+    phone: '+49 (0)30 23125-111',
+    email: 'zoe@bücher.example',
+    website: 'bücher.example/über?a=1,2',
+    street: 'Am Markt 1; Hof',
+    postcode: '01067',
+    city: 'Dresden',
+    country: 'Deutschland',
     note: `${'Öffnet um neun Uhr früh, schließt spät. '.repeat(5)}Ende`,
   };
   const lines = parseLines(payload('contact', values));
   const value = (/** @type {string} */ name) => lines.find((line) => line.name === name)?.value ?? '';
-  assert.deepEqual(lines.map(({ name }) => name),
-    ['BEGIN', 'VERSION', 'N', 'FN', 'ORG', 'TITLE', 'TEL', 'EMAIL', 'URL', 'ADR', 'NOTE', 'END']);
+  assert.deepEqual(
+    lines.map(({ name }) => name),
+    ['BEGIN', 'VERSION', 'N', 'FN', 'ORG', 'TITLE', 'TEL', 'EMAIL', 'URL', 'ADR', 'NOTE', 'END'],
+  );
   assert.deepEqual(splitAtSemicolons(value('N')).map(unescapeText), [values.family, values.given, '', '', '']);
   assert.equal(unescapeText(value('FN')), `${values.given} ${values.family}`);
   assert.equal(unescapeText(value('ORG')), values.organisation);
   assert.equal(value('TEL'), '+493023125111');
   assert.equal(value('EMAIL'), 'zoe@xn--bcher-kva.example');
   assert.equal(value('URL'), 'https://bücher.example/über?a=1,2');
-  assert.deepEqual(splitAtSemicolons(value('ADR')).map(unescapeText), ['', '', values.street, 'Dresden', '', '01067', 'Deutschland']);
+  assert.deepEqual(splitAtSemicolons(value('ADR')).map(unescapeText), [
+    '',
+    '',
+    values.street,
+    'Dresden',
+    '',
+    '01067',
+    'Deutschland',
+  ]);
   assert.equal(unescapeText(value('NOTE')), values.note);
 });
 
@@ -176,13 +235,30 @@ test('a contact without a name is its organisation, and without both is none', (
 
 test('a MeCard is shorter and says the same but for the job title', () => {
   const values = {
-    given: 'Zoë', family: 'Müller', organisation: 'A;B', title: 'Chefin', phone: '+49 30 1234', email: 'z@example.org',
-    website: 'example.org', city: 'Dresden', postcode: '01067', note: 'a:b',
+    given: 'Zoë',
+    family: 'Müller',
+    organisation: 'A;B',
+    title: 'Chefin',
+    phone: '+49 30 1234',
+    email: 'z@example.org',
+    website: 'example.org',
+    city: 'Dresden',
+    postcode: '01067',
+    note: 'a:b',
   };
   const card = build('contact', { ...values, form: 'mecard' });
-  assert.deepEqual(card.problems.map(({ key }) => key), ['code.contact.noTitle']);
+  assert.deepEqual(
+    card.problems.map(({ key }) => key),
+    ['code.contact.noTitle'],
+  );
   assert.deepEqual(parseMeCard(card.payload, 'MECARD:'), {
-    N: 'Müller,Zoë', ORG: 'A;B', TEL: '+49301234', EMAIL: 'z@example.org', URL: 'https://example.org', ADR: '01067 Dresden', NOTE: 'a:b',
+    N: 'Müller,Zoë',
+    ORG: 'A;B',
+    TEL: '+49301234',
+    EMAIL: 'z@example.org',
+    URL: 'https://example.org',
+    ADR: '01067 Dresden',
+    NOTE: 'a:b',
   });
   assert.ok(card.payload.length < payload('contact', values).length);
   assert.match(card.payload, /URL:https\\:\/\/example/);
@@ -190,8 +266,11 @@ test('a MeCard is shorter and says the same but for the job title', () => {
 
 test('what cannot be dialled, mailed or opened is an error of its field', () => {
   const wrong = { given: 'A', phone: 'call me', email: 'a@b@c', website: 'no address' };
-  assert.deepEqual(findings('contact', wrong),
-    ['error phone code.phone.wrong', 'error email code.email.wrong', 'error website code.link.wrong']);
+  assert.deepEqual(findings('contact', wrong), [
+    'error phone code.phone.wrong',
+    'error email code.email.wrong',
+    'error website code.link.wrong',
+  ]);
 });
 
 test('an e-mail has its subject and message percent-encoded', () => {
@@ -213,7 +292,10 @@ test('what is no e-mail address is said', () => {
 });
 
 test('a text message keeps its number and every sign of its message', () => {
-  assert.equal(payload('sms', { number: '+49 151 / 234-567', message: 'Hi: 5; ok?\nBye' }), 'SMSTO:+49151234567:Hi: 5; ok?\nBye');
+  assert.equal(
+    payload('sms', { number: '+49 151 / 234-567', message: 'Hi: 5; ok?\nBye' }),
+    'SMSTO:+49151234567:Hi: 5; ok?\nBye',
+  );
   assert.equal(payload('sms', { number: '0049 151 234567' }), 'SMSTO:+49151234567');
 });
 
@@ -230,31 +312,50 @@ test('a place is in decimal degrees, with point or comma', () => {
   assert.equal(payload('place', { latitude: '52.516300', longitude: '13.3777' }), 'geo:52.5163,13.3777');
   assert.equal(payload('place', { latitude: '\u221233,9249°', longitude: '-0.0000001' }), 'geo:-33.9249,0');
   assert.equal(payload('place', { latitude: '0.000001', longitude: '180' }), 'geo:0.000001,180');
-  assert.equal(payload('place', { latitude: '90', longitude: '-180', query: 'Café & Bar' }), 'geo:90,-180?q=Caf%C3%A9%20%26%20Bar');
+  assert.equal(
+    payload('place', { latitude: '90', longitude: '-180', query: 'Café & Bar' }),
+    'geo:90,-180?q=Caf%C3%A9%20%26%20Bar',
+  );
 });
 
 test('a place beyond the poles or the date line is none', () => {
-  assert.deepEqual(findings('place', { latitude: '90.1', longitude: '-180.5' }),
-    ['error latitude code.place.range', 'error longitude code.place.range']);
-  assert.deepEqual(findings('place', { latitude: '52° 30′', longitude: '' }),
-    ['error latitude code.place.degrees', 'error longitude code.needed']);
+  assert.deepEqual(findings('place', { latitude: '90.1', longitude: '-180.5' }), [
+    'error latitude code.place.range',
+    'error longitude code.place.range',
+  ]);
+  assert.deepEqual(findings('place', { latitude: '52° 30′', longitude: '' }), [
+    'error latitude code.place.degrees',
+    'error longitude code.needed',
+  ]);
 });
 
 test('an event is in UTC, in summer and in winter', () => {
   const written = payload('event', { title: 'Fest', start: '2027-07-01T18:30', end: '2027-12-24T00:15' });
-  assert.equal(written, ['BEGIN:VEVENT', 'SUMMARY:Fest', 'DTSTART:20270701T163000Z', 'DTEND:20271223T231500Z', 'END:VEVENT'].join('\r\n'));
+  assert.equal(
+    written,
+    ['BEGIN:VEVENT', 'SUMMARY:Fest', 'DTSTART:20270701T163000Z', 'DTEND:20271223T231500Z', 'END:VEVENT'].join('\r\n'),
+  );
 });
 
 test('a whole calendar has what iCalendar asks for, and is the same every time', () => {
   const values = {
-    title: 'Sommerfest; mit Musik, Tanz', start: '2027-07-01T18:00', end: '2027-07-01T18:00', location: 'Hof\\Garten',
-    description: `Bring mit:\nKuchen, ${'süß und salzig, '.repeat(8)}`.trim(), form: 'calendar',
+    title: 'Sommerfest; mit Musik, Tanz',
+    start: '2027-07-01T18:00',
+    end: '2027-07-01T18:00',
+    location: 'Hof\\Garten',
+    description: `Bring mit:\nKuchen, ${'süß und salzig, '.repeat(8)}`.trim(),
+    form: 'calendar',
   };
   const lines = parseLines(payload('event', values));
   const value = (/** @type {string} */ name) => unescapeText(lines.find((line) => line.name === name)?.value ?? '');
-  assert.deepEqual(lines.slice(0, 4).map((line) => `${line.name}:${line.value}`),
-    ['BEGIN:VCALENDAR', 'VERSION:2.0', 'PRODID:-//QRelief//EN', 'BEGIN:VEVENT']);
-  assert.deepEqual(lines.slice(-2).map((line) => line.value), ['VEVENT', 'VCALENDAR']);
+  assert.deepEqual(
+    lines.slice(0, 4).map((line) => `${line.name}:${line.value}`),
+    ['BEGIN:VCALENDAR', 'VERSION:2.0', 'PRODID:-//QRelief//EN', 'BEGIN:VEVENT'],
+  );
+  assert.deepEqual(
+    lines.slice(-2).map((line) => line.value),
+    ['VEVENT', 'VCALENDAR'],
+  );
   assert.match(value('UID'), /^20270701T160000Z-[0-9a-f]{8}@qrelief$/);
   assert.match(value('DTSTAMP'), /^\d{8}T\d{6}Z$/);
   assert.equal(value('SUMMARY'), values.title);
@@ -264,6 +365,11 @@ test('a whole calendar has what iCalendar asks for, and is the same every time',
 });
 
 test('an event does not end before it starts, and has both times', () => {
-  assert.deepEqual(findings('event', { title: 'x', start: '2027-01-02T10:00', end: '2027-01-02T09:59' }), ['error end code.event.endsFirst']);
-  assert.deepEqual(findings('event', { title: 'x', start: '2027-01-02', end: '' }), ['error start code.event.time', 'error end code.needed']);
+  assert.deepEqual(findings('event', { title: 'x', start: '2027-01-02T10:00', end: '2027-01-02T09:59' }), [
+    'error end code.event.endsFirst',
+  ]);
+  assert.deepEqual(findings('event', { title: 'x', start: '2027-01-02', end: '' }), [
+    'error start code.event.time',
+    'error end code.needed',
+  ]);
 });

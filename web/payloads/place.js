@@ -3,7 +3,7 @@
 import { escapeUri } from './escaping.js';
 import { Findings } from './findings.js';
 
-const kDecimals = 6;  // 0.1 m
+const kDecimals = 6; // 0.1 m
 const kDegrees = /^[+-]?\d{1,3}([.,]\d+)?\s*°?$/;
 
 /** Parses decimal degrees, with a point or a comma. @param {string} value @returns {number | undefined} */
@@ -37,7 +37,9 @@ export const place = {
     const findings = new Findings();
     const lat = checkDegrees(findings, 'latitude', latitude, 90);
     const lon = checkDegrees(findings, 'longitude', longitude, 180);
-    return findings.built(() =>
-      `geo:${writeDegrees(lat)},${writeDegrees(lon)}${query.trim() === '' ? '' : `?q=${escapeUri(query.trim())}`}`);
+    return findings.built(
+      () =>
+        `geo:${writeDegrees(lat)},${writeDegrees(lon)}${query.trim() === '' ? '' : `?q=${escapeUri(query.trim())}`}`,
+    );
   },
 };

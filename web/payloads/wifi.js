@@ -6,8 +6,9 @@ import { Findings } from './findings.js';
 
 /** @typedef {import('./types.js').Values} Values */
 
-const kSsidBytes = 32;                  // IEEE 802.11, 9.4.2.2
-const kLeastPassphrase = 8, kMostPassphrase = 63;
+const kSsidBytes = 32; // IEEE 802.11, 9.4.2.2
+const kLeastPassphrase = 8,
+  kMostPassphrase = 63;
 const kHex = /^[0-9a-f]+$/i;
 const kPrintableAscii = /^[\x20-\x7e]+$/;
 const kSpaceAtAnEnd = /^\s|\s$/;
@@ -57,7 +58,9 @@ export const wifi = {
   fields: [
     { id: 'ssid', label: 'code.wifi.ssid', kind: 'text' },
     {
-      id: 'security', label: 'code.wifi.security', kind: 'choice',
+      id: 'security',
+      label: 'code.wifi.security',
+      kind: 'choice',
       options: [
         { value: 'WPA', label: 'code.wifi.wpa' },
         { value: 'WPA3', label: 'code.wifi.wpa3' },
@@ -65,7 +68,13 @@ export const wifi = {
         { value: 'nopass', label: 'code.wifi.open' },
       ],
     },
-    { id: 'password', label: 'code.wifi.password', kind: 'password', hint: 'code.wifi.passwordHint', shownWhen: hasPassword },
+    {
+      id: 'password',
+      label: 'code.wifi.password',
+      kind: 'password',
+      hint: 'code.wifi.passwordHint',
+      shownWhen: hasPassword,
+    },
     { id: 'hidden', label: 'code.wifi.hidden', kind: 'check', optional: true },
   ],
   build(values) {
@@ -76,7 +85,7 @@ export const wifi = {
       const type = values.security === 'WPA3' ? 'WPA' : values.security;
       return [
         `WIFI:T:${type};`,
-        values.security === 'WPA3' ? 'R:1;' : '',  // forbids the fallback to WPA2
+        values.security === 'WPA3' ? 'R:1;' : '', // forbids the fallback to WPA2
         `S:${writeSsid(values.ssid)};`,
         hasPassword(values) ? `P:${escapeWifi(values.password)};` : '',
         values.hidden ? 'H:true;' : '',

@@ -26,8 +26,14 @@ function stanfordBunny() {
   const closed = subdivide(fillHoles(turned));
   const { min, max } = bounds(closed);
   const scale = 100 / (max[2] - min[2]);
-  const positions = closed.positions.map(([x, y, z]) => /** @type {Point} */ (
-    [(x - (min[0] + max[0]) / 2) * scale, (y - (min[1] + max[1]) / 2) * scale, (z - min[2]) * scale]));
+  const positions = closed.positions.map(
+    ([x, y, z]) =>
+      /** @type {Point} */ ([
+        (x - (min[0] + max[0]) / 2) * scale,
+        (y - (min[1] + max[1]) / 2) * scale,
+        (z - min[2]) * scale,
+      ]),
+  );
   return { positions, triangles: closed.triangles };
 }
 
@@ -36,9 +42,15 @@ function stanfordBunny() {
  * @type {{ id: string, name: string, mesh: Mesh, centreMm: Point, credit: string }[]}
  */
 export const samples = [
-  { id: 'bunny', name: 'Stanford bunny', mesh: stanfordBunny(), centreMm: [6.3, -36.2, 41.1],
-    credit: 'Stanford 3D Scanning Repository, by way of the npm package “bunny” (public domain); holes closed, ' +
-      'subdivided once.' },
+  {
+    id: 'bunny',
+    name: 'Stanford bunny',
+    mesh: stanfordBunny(),
+    centreMm: [6.3, -36.2, 41.1],
+    credit:
+      'Stanford 3D Scanning Repository, by way of the npm package “bunny” (public domain); holes closed, ' +
+      'subdivided once.',
+  },
   { id: 'owl', name: 'Owl', mesh: owl(1.8), centreMm: [0, -30, 38], credit: kOwnCredit },
   { id: 'pawn', name: 'Chess pawn', mesh: pawn(96), centreMm: [0, -28, 86], credit: kOwnCredit },
   { id: 'bumpy-sphere', name: 'Bumpy sphere', mesh: bumpySphere(5), centreMm: [0, -48, 50], credit: kOwnCredit },

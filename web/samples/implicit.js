@@ -10,12 +10,14 @@
  */
 
 /** @param {Point} centre @param {Point} radii @returns {Distance} */
-export const ellipsoid = ([cx, cy, cz], [rx, ry, rz]) => (x, y, z) => {
-  const [u, v, w] = [x - cx, y - cy, z - cz];
-  const k0 = Math.hypot(u / rx, v / ry, w / rz);
-  const k1 = Math.hypot(u / rx ** 2, v / ry ** 2, w / rz ** 2);
-  return k1 === 0 ? -Math.min(rx, ry, rz) : (k0 * (k0 - 1)) / k1;
-};
+export const ellipsoid =
+  ([cx, cy, cz], [rx, ry, rz]) =>
+  (x, y, z) => {
+    const [u, v, w] = [x - cx, y - cy, z - cz];
+    const k0 = Math.hypot(u / rx, v / ry, w / rz);
+    const k1 = Math.hypot(u / rx ** 2, v / ry ** 2, w / rz ** 2);
+    return k1 === 0 ? -Math.min(rx, ry, rz) : (k0 * (k0 - 1)) / k1;
+  };
 
 /**
  * Returns a capsule whose radius changes evenly from one end to the other.
@@ -39,10 +41,15 @@ export const cone = (a, b, ra, rb) => (x, y, z) => {
  * @param {Distance[]} parts
  * @returns {Distance}
  */
-export const blended = (blendMm, ...parts) => (x, y, z) => parts.map((part) => part(x, y, z)).reduce((a, b) => {
-  const h = Math.max(blendMm - Math.abs(a - b), 0) / blendMm;
-  return Math.min(a, b) - (h * h * blendMm) / 4;
-});
+export const blended =
+  (blendMm, ...parts) =>
+  (x, y, z) =>
+    parts
+      .map((part) => part(x, y, z))
+      .reduce((a, b) => {
+        const h = Math.max(blendMm - Math.abs(a - b), 0) / blendMm;
+        return Math.min(a, b) - (h * h * blendMm) / 4;
+      });
 
 /** Returns the part of a solid above z = 0. @param {Distance} solid @returns {Distance} */
 export const standing = (solid) => (x, y, z) => Math.max(solid(x, y, z), -z);
@@ -63,7 +70,8 @@ export function surfaceNet(distance, min, max, cellMm) {
   const values = new Float64Array(nx * ny * counts[2]);
   for (let k = 0; k < counts[2]; k += 1)
     for (let j = 0; j < ny; j += 1)
-      for (let i = 0; i < nx; i += 1) values[at(i, j, k)] = distance(min[0] + i * cellMm, min[1] + j * cellMm, min[2] + k * cellMm);
+      for (let i = 0; i < nx; i += 1)
+        values[at(i, j, k)] = distance(min[0] + i * cellMm, min[1] + j * cellMm, min[2] + k * cellMm);
 
   /** @type {Point[]} */ const positions = [];
   const vertexOf = new Map();
@@ -73,7 +81,11 @@ export function surfaceNet(distance, min, max, cellMm) {
         const vertex = meanCrossing((di, dj, dk) => values[at(i + di, j + dj, k + dk)]);
         if (!vertex) continue;
         vertexOf.set(at(i, j, k), positions.length);
-        positions.push([min[0] + (i + vertex[0]) * cellMm, min[1] + (j + vertex[1]) * cellMm, min[2] + (k + vertex[2]) * cellMm]);
+        positions.push([
+          min[0] + (i + vertex[0]) * cellMm,
+          min[1] + (j + vertex[1]) * cellMm,
+          min[2] + (k + vertex[2]) * cellMm,
+        ]);
       }
 
   /** @type {Triangle[]} */ const triangles = [];
@@ -93,8 +105,12 @@ export function surfaceNet(distance, min, max, cellMm) {
   return { positions, triangles };
 }
 
-const kCorners = /** @type {Point[]} */ ([0, 1, 2, 3, 4, 5, 6, 7].map((corner) => [corner & 1, (corner >> 1) & 1, corner >> 2]));
-const kEdges = kCorners.flatMap((from, a) => [1, 2, 4].filter((bit) => (a & bit) === 0).map((bit) => [from, kCorners[a | bit]]));
+const kCorners = /** @type {Point[]} */ (
+  [0, 1, 2, 3, 4, 5, 6, 7].map((corner) => [corner & 1, (corner >> 1) & 1, corner >> 2])
+);
+const kEdges = kCorners.flatMap((from, a) =>
+  [1, 2, 4].filter((bit) => (a & bit) === 0).map((bit) => [from, kCorners[a | bit]]),
+);
 
 /**
  * Returns the mean point where the surface crosses a cell's edges, in cells; undefined if it does not cross.
@@ -105,7 +121,7 @@ function meanCrossing(value) {
   let crossings = 0;
   for (const [from, to] of kEdges) {
     const [a, b] = [value(...from), value(...to)];
-    if ((a < 0) === (b < 0)) continue;
+    if (a < 0 === b < 0) continue;
     crossings += 1;
     for (let axis = 0; axis < 3; axis += 1) sum[axis] += from[axis] + (a / (a - b)) * (to[axis] - from[axis]);
   }

@@ -13,14 +13,20 @@ import { readStl, writeStl } from './stl.js';
 function distanceToTriangle(/** @type {Point} */ p, /** @type {Point[]} */ [a, b, c]) {
   const normal = cross(subtract(b, a), subtract(c, a));
   const length = Math.sqrt(dot(normal, normal));
-  const edges = [[a, b], [b, c], [c, a]];
+  const edges = [
+    [a, b],
+    [b, c],
+    [c, a],
+  ];
   const inside = edges.every(([from, to]) => dot(cross(subtract(to, from), subtract(p, from)), normal) >= 0);
   if (inside) return Math.abs(dot(subtract(p, a), normal)) / length;
-  return Math.min(...edges.map(([from, to]) => {
-    const along = subtract(to, from);
-    const t = Math.min(1, Math.max(0, dot(subtract(p, from), along) / dot(along, along)));
-    return Math.hypot(...subtract(p, /** @type {Point} */ (from.map((x, i) => x + t * along[i]))));
-  }));
+  return Math.min(
+    ...edges.map(([from, to]) => {
+      const along = subtract(to, from);
+      const t = Math.min(1, Math.max(0, dot(subtract(p, from), along) / dot(along, along)));
+      return Math.hypot(...subtract(p, /** @type {Point} */ (from.map((x, i) => x + t * along[i]))));
+    }),
+  );
 }
 
 for (const { id, mesh, centreMm, credit } of samples) {
@@ -35,8 +41,14 @@ for (const { id, mesh, centreMm, credit } of samples) {
   });
 
   test(`The centre proposed for ${id} lies within 3 mm of its surface, and its credit is named`, () => {
-    const distance = Math.min(...mesh.triangles.map((corners) => distanceToTriangle(
-      centreMm, corners.map((corner) => mesh.positions[corner]))));
+    const distance = Math.min(
+      ...mesh.triangles.map((corners) =>
+        distanceToTriangle(
+          centreMm,
+          corners.map((corner) => mesh.positions[corner]),
+        ),
+      ),
+    );
     assert.ok(distance < 3, `it is ${distance} mm away`);
     assert.notEqual(credit, '');
   });

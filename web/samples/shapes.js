@@ -26,13 +26,41 @@ function icosphere(levels) {
   const g = (1 + Math.sqrt(5)) / 2;
   /** @type {Point[]} */
   const positions = [
-    [-1, g, 0], [1, g, 0], [-1, -g, 0], [1, -g, 0], [0, -1, g], [0, 1, g],
-    [0, -1, -g], [0, 1, -g], [g, 0, -1], [g, 0, 1], [-g, 0, -1], [-g, 0, 1],
+    [-1, g, 0],
+    [1, g, 0],
+    [-1, -g, 0],
+    [1, -g, 0],
+    [0, -1, g],
+    [0, 1, g],
+    [0, -1, -g],
+    [0, 1, -g],
+    [g, 0, -1],
+    [g, 0, 1],
+    [-g, 0, -1],
+    [-g, 0, 1],
   ];
   /** @type {Triangle[]} */
   let triangles = [
-    [0, 11, 5], [0, 5, 1], [0, 1, 7], [0, 7, 10], [0, 10, 11], [1, 5, 9], [5, 11, 4], [11, 10, 2], [10, 7, 6], [7, 1, 8],
-    [3, 9, 4], [3, 4, 2], [3, 2, 6], [3, 6, 8], [3, 8, 9], [4, 9, 5], [2, 4, 11], [6, 2, 10], [8, 6, 7], [9, 8, 1],
+    [0, 11, 5],
+    [0, 5, 1],
+    [0, 1, 7],
+    [0, 7, 10],
+    [0, 10, 11],
+    [1, 5, 9],
+    [5, 11, 4],
+    [11, 10, 2],
+    [10, 7, 6],
+    [7, 1, 8],
+    [3, 9, 4],
+    [3, 4, 2],
+    [3, 2, 6],
+    [3, 6, 8],
+    [3, 8, 9],
+    [4, 9, 5],
+    [2, 4, 11],
+    [6, 2, 10],
+    [8, 6, 7],
+    [9, 8, 1],
   ];
   for (let level = 0; level < levels; level += 1) {
     /** @type {Map<string, number>} */ const middles = new Map();
@@ -46,7 +74,12 @@ function icosphere(levels) {
     };
     triangles = triangles.flatMap(([a, b, c]) => {
       const [ab, bc, ca] = [middle(a, b), middle(b, c), middle(c, a)];
-      return /** @type {Triangle[]} */ ([[a, ab, ca], [ab, b, bc], [ca, bc, c], [ab, bc, ca]]);
+      return /** @type {Triangle[]} */ ([
+        [a, ab, ca],
+        [ab, b, bc],
+        [ca, bc, c],
+        [ab, bc, ca],
+      ]);
     });
   }
   return { positions: positions.map((p) => /** @type {Point} */ (p.map((v) => v / Math.hypot(...p)))), triangles };
@@ -62,7 +95,7 @@ export function vase(segments, rows) {
   const height = 120;
   const wall = 6;
   const outer = (/** @type {number} */ z) => 34 + 12 * Math.sin((Math.PI * z) / 95 + 0.1);
-  /** @type {[number, number][]} */ const profile = [];  // (radius, z), from the axis at the bottom to the axis inside
+  /** @type {[number, number][]} */ const profile = []; // (radius, z), from the axis at the bottom to the axis inside
   for (let i = 0; i <= rows; i += 1) profile.push([outer((height * i) / rows), (height * i) / rows]);
   for (let i = rows; i >= 0; i -= 1) {
     const z = wall + ((height - wall) * i) / rows;
@@ -78,7 +111,13 @@ export function vase(segments, rows) {
  */
 export function pawn(segments) {
   /** @type {[number, number][]} */ const profile = [];
-  const arc = (/** @type {[number, number]} */ [radius, z], /** @type {number} */ size, /** @type {number} */ from, /** @type {number} */ to, /** @type {number} */ steps) => {
+  const arc = (
+    /** @type {[number, number]} */ [radius, z],
+    /** @type {number} */ size,
+    /** @type {number} */ from,
+    /** @type {number} */ to,
+    /** @type {number} */ steps,
+  ) => {
     for (let i = 0; i <= steps; i += 1) {
       const angle = (Math.PI / 180) * (from + ((to - from) * i) / steps);
       profile.push([radius + size * Math.cos(angle), z + size * Math.sin(angle)]);
@@ -86,7 +125,7 @@ export function pawn(segments) {
   };
   profile.push([42, 0]);
   arc([36, 7], 7, -60, 75, 12);
-  arc([52, 38], 32, 228, 158, 24);  // the hollow waist
+  arc([52, 38], 32, 228, 158, 24); // the hollow waist
   arc([24, 53], 4, -70, 90, 8);
   arc([0, 86], 28, -57, 89, 60);
   return revolve(profile, segments);
@@ -106,7 +145,7 @@ export function owl(cellMm) {
   const eyes = pair((side) => ellipsoid([side * 11, -23, 87], [9.5, 7, 9.5]));
   const beak = cone([0, -26, 80], [0, -31, 75], 4.5, 2);
   const solid = standing(blended(5, blended(6, body, ...wings, ...tufts, ...feet), ...eyes, beak));
-  return surfaceNet(solid, [-42, -42, -3 * cellMm / 2], [42, 36, 118], cellMm);
+  return surfaceNet(solid, [-42, -42, (-3 * cellMm) / 2], [42, 36, 118], cellMm);
 }
 
 /**
@@ -144,7 +183,10 @@ function revolve(profile, segments) {
  * @returns {Mesh}
  */
 export function star() {
-  /** @type {Point[]} */ const positions = [[0, 0, 40], [0, 0, 0]];
+  /** @type {Point[]} */ const positions = [
+    [0, 0, 40],
+    [0, 0, 0],
+  ];
   for (let k = 0; k < 10; k += 1) {
     const radius = k % 2 === 0 ? 70 : 45;
     const angle = Math.PI / 2 + (Math.PI * k) / 5;
@@ -165,10 +207,21 @@ export function star() {
 export function plate() {
   const [half, height] = [22, 4];
   /** @type {Point[]} */
-  const positions = [0, height].flatMap((z) => /** @type {Point[]} */ ([[-half, -half, z], [half, -half, z], [half, half, z], [-half, half, z]]));
+  const positions = [0, height].flatMap(
+    (z) =>
+      /** @type {Point[]} */ ([
+        [-half, -half, z],
+        [half, -half, z],
+        [half, half, z],
+        [-half, half, z],
+      ]),
+  );
   const sides = [0, 1, 2, 3].flatMap((k) => {
     const next = (k + 1) % 4;
-    return /** @type {Triangle[]} */ ([[k, next, 4 + next], [k, 4 + next, 4 + k]]);
+    return /** @type {Triangle[]} */ ([
+      [k, next, 4 + next],
+      [k, 4 + next, 4 + k],
+    ]);
   });
   return { positions, triangles: [[0, 2, 1], [0, 3, 2], [4, 5, 6], [4, 6, 7], ...sides] };
 }
@@ -179,8 +232,21 @@ export function plate() {
  */
 export function pyramid() {
   return {
-    positions: [[-60, -60, 0], [60, -60, 0], [60, 60, 0], [-60, 60, 0], [0, 0, 80]],
-    triangles: [[0, 2, 1], [0, 3, 2], [0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]],
+    positions: [
+      [-60, -60, 0],
+      [60, -60, 0],
+      [60, 60, 0],
+      [-60, 60, 0],
+      [0, 0, 80],
+    ],
+    triangles: [
+      [0, 2, 1],
+      [0, 3, 2],
+      [0, 1, 4],
+      [1, 2, 4],
+      [2, 3, 4],
+      [3, 0, 4],
+    ],
   };
 }
 
@@ -216,8 +282,10 @@ export function saddle(cells) {
     const far = cells * columns;
     /** @type {[number, number][]} */ // each border edge of the top, counter-clockwise seen from above
     const border = [
-      [k, k + 1], [k * columns + cells, (k + 1) * columns + cells],
-      [far + k + 1, far + k], [(k + 1) * columns, k * columns],
+      [k, k + 1],
+      [k * columns + cells, (k + 1) * columns + cells],
+      [far + k + 1, far + k],
+      [(k + 1) * columns, k * columns],
     ];
     for (const [p, q] of border) quad([q, p, below + p, below + q]);
   }

@@ -15,11 +15,7 @@
 export const subtract = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
 
 /** @param {Point} a @param {Point} b @returns {Point} */
-export const cross = (a, b) => [
-  a[1] * b[2] - a[2] * b[1],
-  a[2] * b[0] - a[0] * b[2],
-  a[0] * b[1] - a[1] * b[0],
-];
+export const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 
 /** @param {Point} a @param {Point} b */
 export const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -109,7 +105,14 @@ export function checkSolid(mesh) {
     return dot(normal, normal) === 0;
   }).length;
   const nonManifoldVertices = countNonManifoldVertices(mesh);
-  return { openEdges, nonManifoldEdges, nonManifoldVertices, degenerateTriangles, volume: volume(mesh), ...bounds(mesh) };
+  return {
+    openEdges,
+    nonManifoldEdges,
+    nonManifoldVertices,
+    degenerateTriangles,
+    volume: volume(mesh),
+    ...bounds(mesh),
+  };
 }
 
 /**
@@ -135,7 +138,7 @@ export function bounds(mesh) {
  */
 export function fillHoles(mesh) {
   const edges = countDirectedEdges(mesh.triangles);
-  /** @type {Map<number, number>} */ const boundary = new Map();  // in the direction of the missing triangles
+  /** @type {Map<number, number>} */ const boundary = new Map(); // in the direction of the missing triangles
   for (const key of edges.keys()) {
     const from = Math.floor(key / kKeyBase);
     const to = key % kKeyBase;
@@ -178,7 +181,10 @@ export function subdivide(mesh) {
     const ring = [...neighbours[vertex]];
     const n = ring.length;
     const beta = (5 / 8 - (3 / 8 + Math.cos((2 * Math.PI) / n) / 4) ** 2) / n;
-    return weightedSum([[p, 1 - n * beta], ...ring.map((v) => /** @type {[Point, number]} */ ([mesh.positions[v], beta]))]);
+    return weightedSum([
+      [p, 1 - n * beta],
+      ...ring.map((v) => /** @type {[Point, number]} */ ([mesh.positions[v], beta])),
+    ]);
   });
   /** @type {Map<number, number>} */ const middles = new Map();
   const middle = (/** @type {number} */ a, /** @type {number} */ b) => {
@@ -188,9 +194,14 @@ export function subdivide(mesh) {
       const c = /** @type {number} */ (opposite.get(edgeKey(a, b)));
       const d = /** @type {number} */ (opposite.get(edgeKey(b, a)));
       index = positions.length;
-      positions.push(weightedSum([
-        [mesh.positions[a], 3 / 8], [mesh.positions[b], 3 / 8], [mesh.positions[c], 1 / 8], [mesh.positions[d], 1 / 8],
-      ]));
+      positions.push(
+        weightedSum([
+          [mesh.positions[a], 3 / 8],
+          [mesh.positions[b], 3 / 8],
+          [mesh.positions[c], 1 / 8],
+          [mesh.positions[d], 1 / 8],
+        ]),
+      );
       middles.set(key, index);
     }
     return index;

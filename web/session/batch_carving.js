@@ -18,9 +18,9 @@ import { text } from '../i18n/catalogue.js';
 const kLock = 'qrelief-batch';
 const kNotice = 'batch';
 const kOfferNotice = 'batch-offer';
-const kMostEngines = 2;    // each holds its own module and model
-const kLeastMemoryGb = 4;  // device memory required for more than one engine
-const kRoomLeft = 0.95;    // usable share of the browser's free storage
+const kMostEngines = 2; // each holds its own module and model
+const kLeastMemoryGb = 4; // device memory required for more than one engine
+const kRoomLeft = 0.95; // usable share of the browser's free storage
 
 /**
  * The open batch: stored, and being carved.
@@ -73,7 +73,15 @@ export class BatchCarving {
 
   /** Carves all parts like the first. @param {number} printEvery  simulate the print of every n-th part */
   async begin(printEvery) {
-    const { batching, placing, model: { source }, centre, client, store, currentWork } = this.options_;
+    const {
+      batching,
+      placing,
+      model: { source },
+      centre,
+      client,
+      store,
+      currentWork,
+    } = this.options_;
     const { planned } = batching;
     const work = currentWork();
     if (this.isOpen || !planned?.plan || !planned.first || !source || !work || !centre.mm) return;
@@ -83,16 +91,27 @@ export class BatchCarving {
       release = await holdLock();
       const count = planned.plan.rows;
       await this.checkRoom_(count, planned.first);
-      const settings = { ...planned.wanted.settings, ...(placing.placement?.direction && { direction: placing.placement.direction }) };
+      const settings = {
+        ...planned.wanted.settings,
+        ...(placing.placement?.direction && { direction: placing.placement.direction }),
+      };
       /** @type {BatchJob} */
       const job = {
-        model: source, input: await sha256(/** @type {Uint8Array<ArrayBuffer>} */ (source.bytes)), centreMm: centre.mm, list: planned.input.list,
+        model: source,
+        input: await sha256(/** @type {Uint8Array<ArrayBuffer>} */ (source.bytes)),
+        centreMm: centre.mm,
+        list: planned.input.list,
         wanted: { ...planned.wanted, settings: /** @type {any} */ (settings) },
       };
       const { bytes: _, batch, ...kept } = work;
       /** @type {BatchRecord} */
       const record = {
-        work: { ...kept, ...(batch && { batch: { ...batch, list: new Uint8Array() } }) }, rows: count, printEvery, centreMm: job.centreMm, wanted: job.wanted, input: job.input,
+        work: { ...kept, ...(batch && { batch: { ...batch, list: new Uint8Array() } }) },
+        rows: count,
+        printEvery,
+        centreMm: job.centreMm,
+        wanted: job.wanted,
+        input: job.input,
         settingsOfFirst: await new RowEngine(job, { client }).hashOf(0),
       };
       await store.begin(record, { model: source.bytes, list: job.list });
@@ -115,11 +134,13 @@ export class BatchCarving {
    * @param {import('../engine/types.js').BatchRow} first
    */
   async checkRoom_(count, { file, settings }) {
-    const { quota = Infinity, usage = 0 } = await navigator.storage?.estimate?.() ?? {};
+    const { quota = Infinity, usage = 0 } = (await navigator.storage?.estimate?.()) ?? {};
     const bytes = await this.options_.client.exportModel(formatOf(file, settings.inlay === true));
     const [needed, room] = [count * bytes.length, kRoomLeft * (quota - usage)].map((size) => Math.round(size / 1e6));
     if (needed <= room) return;
-    throw new EngineFailure(internal(message('storage-too-small', { count: { count }, needed: { count: needed }, room: { count: room } })));
+    throw new EngineFailure(
+      internal(message('storage-too-small', { count: { count }, needed: { count: needed }, room: { count: room } })),
+    );
   }
 
   /** Carves the remaining rows. */
@@ -127,16 +148,33 @@ export class BatchCarving {
     const { open_: open } = this;
     if (!open || this.run_) return;
     const { job, states, record } = open;
-    const { client, store, messages, makeEngine = (/** @type {BatchJob} */ given) => new RowEngine(given) } = this.options_;
+    const {
+      client,
+      store,
+      messages,
+      makeEngine = (/** @type {BatchJob} */ given) => new RowEngine(given),
+    } = this.options_;
     const lineOf = (/** @type {import('../engine/types.js').ManifestEntry} */ entry) => client.manifestLine(entry);
     const run = new BatchRun({
-      states, engines: engineCount(), printEvery: record.printEvery, perPlate: job.wanted.perPlate,
+      states,
+      engines: engineCount(),
+      printEvery: record.printEvery,
+      perPlate: job.wanted.perPlate,
       makeEngine: () => makeEngine(job),
       save: (carved) => store.save(carved, lineOf),
       saveLost: async (indices, why) => {
         const names = await client.batchRows(indices[0], indices.length);
-        const rows = names.map(({ number, id, text: content, file }) =>
-          ({ entry: { number, id, text: content, file, status: /** @type {const} */ ('failed'), sha256: { input: job.input, settings: '' } }, why }));
+        const rows = names.map(({ number, id, text: content, file }) => ({
+          entry: {
+            number,
+            id,
+            text: content,
+            file,
+            status: /** @type {const} */ ('failed'),
+            sha256: { input: job.input, settings: '' },
+          },
+          why,
+        }));
         return store.save({ rows, file: names[0].file }, lineOf);
       },
       onChange: () => this.showProgress_(),
@@ -157,7 +195,9 @@ export class BatchCarving {
     this.showProgress_();
     if (problem) messages.showError(problem);
     const { finished, size: count } = /** @type {Open} */ (this.open_).states;
-    messages.say(() => (this.phase_ === 'over' ? text('batch.over', { count }) : text('batch.stopped', { finished, count })));
+    messages.say(() =>
+      this.phase_ === 'over' ? text('batch.over', { count }) : text('batch.stopped', { finished, count }),
+    );
   }
 
   /** @returns {Phase} */
@@ -169,7 +209,12 @@ export class BatchCarving {
   }
 
   showProgress_() {
-    if (this.open_) this.options_.panel.showProgress({ states: this.open_.states, phase: this.phase_, remainingMs: this.run_?.remainingMs });
+    if (this.open_)
+      this.options_.panel.showProgress({
+        states: this.open_.states,
+        phase: this.phase_,
+        remainingMs: this.run_?.remainingMs,
+      });
   }
 
   pause() {
@@ -190,7 +235,8 @@ export class BatchCarving {
   retry() {
     const states = this.open_?.states;
     if (!states || this.run_) return;
-    for (let index = states.next('failed'); index >= 0; index = states.next('failed', index)) states.set(index, 'waiting');
+    for (let index = states.next('failed'); index >= 0; index = states.next('failed', index))
+      states.set(index, 'waiting');
     this.carve_();
   }
 
@@ -212,7 +258,10 @@ export class BatchCarving {
 
   /** Discards the batch after asking. */
   discard() {
-    const { open_: open, options_: { notices } } = this;
+    const {
+      open_: open,
+      options_: { notices },
+    } = this;
     if (!open) return;
     notices.show(kNotice, text('batch.askDiscard', { count: open.states.counts.done }), [
       { label: text('batch.keepThem'), run: () => {} },
@@ -244,7 +293,7 @@ export class BatchCarving {
     try {
       release = await holdLock();
     } catch {
-      return false;  // another tab has it open
+      return false; // another tab has it open
     }
     const states = new RowStates(record.rows);
     await store.readStates(states);
@@ -252,7 +301,11 @@ export class BatchCarving {
     const values = { done: states.counts.done, count: record.rows, name: record.work.fileName };
     notices.show(kOfferNotice, text(isOver ? 'batch.offerOver' : 'batch.offer', values), [
       { label: text('autosave.discard'), run: () => void guard(() => store.discard().finally(release)) },
-      { label: text(isOver ? 'batch.showThem' : 'batch.goOn'), run: () => void guard(() => this.goOn_(record, states, release)), primary: true },
+      {
+        label: text(isOver ? 'batch.showThem' : 'batch.goOn'),
+        run: () => void guard(() => this.goOn_(record, states, release)),
+        primary: true,
+      },
     ]);
     return true;
   }
@@ -262,10 +315,20 @@ export class BatchCarving {
     const { store, client, onContinue, batching, panel, onLock } = this.options_;
     const { model: bytes, list } = await store.files();
     const { work } = record;
-    await onContinue({ ...work, ...(work.sampleId === undefined && { bytes }), ...(work.batch && { batch: { ...work.batch, list } }) });
+    await onContinue({
+      ...work,
+      ...(work.sampleId === undefined && { bytes }),
+      ...(work.batch && { batch: { ...work.batch, list } }),
+    });
     await batching.ready();
     const { centreMm, wanted, input } = record;
-    const job = { model: { bytes, fileName: work.fileName, scaleToMm: work.scaleToMm, upAxis: work.upAxis }, input, centreMm, list, wanted };
+    const job = {
+      model: { bytes, fileName: work.fileName, scaleToMm: work.scaleToMm, upAxis: work.upAxis },
+      input,
+      centreMm,
+      list,
+      wanted,
+    };
     const settingsOfFirst = await new RowEngine(job, { client }).hashOf(0);
     // If the hash differs, the program has changed: carve all rows again.
     const isSame = settingsOfFirst === record.settingsOfFirst;
@@ -305,12 +368,14 @@ function engineCount() {
 async function holdLock() {
   if (!navigator.locks) return () => {};
   return new Promise((resolve, reject) => {
-    navigator.locks.request(kLock, { ifAvailable: true }, (lock) => {
-      if (!lock) {
-        reject(new EngineFailure({ kind: 'BadUsage', ...message('batch-elsewhere') }));
-        return undefined;
-      }
-      return new Promise((release) => resolve(() => release(undefined)));
-    }).catch((thrown) => reject(new EngineFailure(describeThrown(thrown))));
+    navigator.locks
+      .request(kLock, { ifAvailable: true }, (lock) => {
+        if (!lock) {
+          reject(new EngineFailure({ kind: 'BadUsage', ...message('batch-elsewhere') }));
+          return undefined;
+        }
+        return new Promise((release) => resolve(() => release(undefined)));
+      })
+      .catch((thrown) => reject(new EngineFailure(describeThrown(thrown))));
   });
 }

@@ -83,10 +83,18 @@ export class Batching {
       return;
     }
     /** @type {WantedBatch} */
-    const wanted = { settings: this.settings_(''), text: input.text, name: input.name, count: input.from === 'count' ? input.count : 0, perPlate: input.perPlate };
+    const wanted = {
+      settings: this.settings_(''),
+      text: input.text,
+      name: input.name,
+      count: input.from === 'count' ? input.count : 0,
+      perPlate: input.perPlate,
+    };
     const isSame = this.planned?.input === input && JSON.stringify(this.planned.wanted) === JSON.stringify(wanted);
     if (isSame) return;
-    this.planning_ = this.plan_(input, wanted).finally(() => { this.planning_ = undefined; });
+    this.planning_ = this.plan_(input, wanted).finally(() => {
+      this.planning_ = undefined;
+    });
     await this.planning_;
   }
 
@@ -118,7 +126,10 @@ export class Batching {
     if (this.isLocked_()) return;
     if (file.size > kMostListBytes) {
       const values = { file: file.name, size: Math.round(file.size / 2 ** 20), limit: kMostListBytes / 2 ** 20 };
-      this.messages_.showError({ found: () => text('batch.listTooLarge', values), help: () => text('batch.listTooLargeHint') });
+      this.messages_.showError({
+        found: () => text('batch.listTooLarge', values),
+        help: () => text('batch.listTooLargeHint'),
+      });
       return;
     }
     this.panel_.takeList(new Uint8Array(await file.arrayBuffer()), file.name);
@@ -128,10 +139,12 @@ export class Batching {
 /** Returns the text next to the step's heading. @param {Planned} planned */
 export function plannedWords({ input, plan, problems }) {
   if (isEmptyInput(input)) return text('batch.listMissing');
-  if (problems.length > 0) return text(plan?.mayBeMore ? 'batch.problemsAtLeast' : 'batch.problems', { count: problems.length });
+  if (problems.length > 0)
+    return text(plan?.mayBeMore ? 'batch.problemsAtLeast' : 'batch.problems', { count: problems.length });
   const { rows = 0, version = 0, modules = 0 } = plan ?? {};
   if (input.perPlate === 0) return text('batch.planned', { count: rows, version, modules });
-  const parts = text('batch.parts', { count: rows }), plates = text('batch.plateCount', { count: Math.ceil(rows / input.perPlate) });
+  const parts = text('batch.parts', { count: rows }),
+    plates = text('batch.plateCount', { count: Math.ceil(rows / input.perPlate) });
   return text('batch.plannedPlates', { parts, plates, version, modules });
 }
 

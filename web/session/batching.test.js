@@ -6,7 +6,15 @@ import { message } from '../engine/message.js';
 import { Batching, looksLikeList, plannedWords } from './batching.js';
 import { FakeMessages, replaced } from './testing.js';
 
-const kInput = /** @type {any} */ ({ from: 'list', list: new Uint8Array(4), listName: 'a.csv', count: 100, text: '', name: '', perPlate: 0 });
+const kInput = /** @type {any} */ ({
+  from: 'list',
+  list: new Uint8Array(4),
+  listName: 'a.csv',
+  count: 100,
+  text: '',
+  name: '',
+  perPlate: 0,
+});
 const kPlan = { rows: 12, problems: [], mayBeMore: false, unused: [], version: 2, modules: 25 };
 
 /** @type {any} */ let panel;
@@ -14,11 +22,16 @@ const kPlan = { rows: 12, problems: [], mayBeMore: false, unused: [], version: 2
 /** @type {any[]} */ let wanted;
 /** @type {any[]} */ let planned;
 /** @type {FakeMessages} */ let messages;
-let preset = 'balanced', locked = false;
+let preset = 'balanced',
+  locked = false;
 /** @type {Batching} */ let batching;
 
 beforeEach(() => {
-  panel = { input: kInput, show: () => {}, takeList: (/** @type {any} */ list, /** @type {string} */ listName) => void (panel.taken = [list.length, listName]) };
+  panel = {
+    input: kInput,
+    show: () => {},
+    takeList: (/** @type {any} */ list, /** @type {string} */ listName) => void (panel.taken = [list.length, listName]),
+  };
   answer = kPlan;
   wanted = [];
   planned = [];
@@ -32,10 +45,18 @@ beforeEach(() => {
         if (answer instanceof Error) throw answer;
         return answer;
       },
-      batchRow: async () => ({ number: 1, id: 'a', text: 'first', settings: { text: 'first', version: 2, pattern: 'square' } }),
+      batchRow: async () => ({
+        number: 1,
+        id: 'a',
+        text: 'first',
+        settings: { text: 'first', version: 2, pattern: 'square' },
+      }),
     }),
-    panel, messages: /** @type {any} */ (messages), settings: (text) => /** @type {any} */ ({ text, preset, pattern: 'none' }),
-    isLocked: () => locked, onPlanned: (now) => void planned.push(now),
+    panel,
+    messages: /** @type {any} */ (messages),
+    settings: (text) => /** @type {any} */ ({ text, preset, pattern: 'none' }),
+    isLocked: () => locked,
+    onPlanned: (now) => void planned.push(now),
   });
 });
 
@@ -63,7 +84,14 @@ test('A list is planned again when it or the settings are others, and only then'
   await batching.ready();
   panel.input = { ...kInput, from: 'count', text: '{n}' };
   await batching.ready();
-  assert.deepEqual(wanted.map(({ settings, text, count }) => [settings.preset, text, count]), [['balanced', '', 0], ['robust', '', 0], ['robust', '{n}', 100]]);
+  assert.deepEqual(
+    wanted.map(({ settings, text, count }) => [settings.preset, text, count]),
+    [
+      ['balanced', '', 0],
+      ['robust', '', 0],
+      ['robust', '{n}', 100],
+    ],
+  );
   batching.forget();
   await batching.ready();
   assert.equal(wanted.length, 4);
@@ -87,7 +115,10 @@ test('A list with problems has no first part', async () => {
 test('A list that cannot be read is a problem; a module that is lost is not', async () => {
   answer = new EngineFailure({ kind: 'BadInput', ...message('list-no-rows') });
   await batching.ready();
-  assert.deepEqual(planned[0].problems.map((/** @type {any} */ { code }) => code), ['list-no-rows']);
+  assert.deepEqual(
+    planned[0].problems.map((/** @type {any} */ { code }) => code),
+    ['list-no-rows'],
+  );
   assert.equal(plannedWords(planned[0]), 'The list has a problem');
   batching.forget();
   answer = replaced();
@@ -122,6 +153,7 @@ test('A list that is too large is refused before it is read', async () => {
 });
 
 test('Lists are told from models by their names', () => {
-  for (const name of ['a.csv', 'a.TSV', 'a.jsonl', 'a.ndjson', 'a.txt']) assert.equal(looksLikeList({ name, type: '' }), true, name);
+  for (const name of ['a.csv', 'a.TSV', 'a.jsonl', 'a.ndjson', 'a.txt'])
+    assert.equal(looksLikeList({ name, type: '' }), true, name);
   for (const name of ['a.stl', 'a.json', 'csv']) assert.equal(looksLikeList({ name, type: '' }), false, name);
 });

@@ -39,7 +39,25 @@ import { sameWork } from './work.js';
 
 export class Carving {
   /** @param {CarvingOptions} options */
-  constructor({ client, jobs, model, placing, messages, panel, printing, work, settings, valuesAfter, isFree = () => true, write, onStart, onDone, onShown, onPrinted, guard = (action) => action() }) {
+  constructor({
+    client,
+    jobs,
+    model,
+    placing,
+    messages,
+    panel,
+    printing,
+    work,
+    settings,
+    valuesAfter,
+    isFree = () => true,
+    write,
+    onStart,
+    onDone,
+    onShown,
+    onPrinted,
+    guard = (action) => action(),
+  }) {
     this.client_ = client;
     this.jobs_ = jobs;
     this.model_ = model;
@@ -72,9 +90,12 @@ export class Carving {
     if (this.running_ || this.jobs_.busy || !this.model_.engravable) return;
     this.messages_.clearError();
     this.placing_.insist();
-    await this.run_(() => text('page.preparing'), async (signal) => {
-      if (await this.place_(signal)) await this.carve_(signal, overrides);
-    });
+    await this.run_(
+      () => text('page.preparing'),
+      async (signal) => {
+        if (await this.place_(signal)) await this.carve_(signal, overrides);
+      },
+    );
   }
 
   /**
@@ -83,7 +104,9 @@ export class Carving {
    * @param {(signal: AbortSignal) => Promise<void>} carve
    */
   run_(stage, carve) {
-    this.running_ = this.jobs_.run(stage, carve).finally(() => { this.running_ = undefined; });
+    this.running_ = this.jobs_.run(stage, carve).finally(() => {
+      this.running_ = undefined;
+    });
     return this.running_;
   }
 
@@ -93,7 +116,9 @@ export class Carving {
    * @returns {Promise<boolean>}  false: no placement, or cancelled; the page shows why
    */
   async place_(signal) {
-    /** @type {Promise<void>} */ const aborted = new Promise((resolve) => signal.addEventListener('abort', () => resolve(), { once: true }));
+    /** @type {Promise<void>} */ const aborted = new Promise((resolve) =>
+      signal.addEventListener('abort', () => resolve(), { once: true }),
+    );
     await Promise.race([this.placing_.place(), aborted]);
     if (signal.aborted) this.messages_.say(() => text('page.cancelled'));
     return !signal.aborted && this.placing_.placement !== undefined;
@@ -188,10 +213,21 @@ export class Carving {
       const mayChange = overrides === undefined && sameWork(made, this.work_());
       const next = mayChange && reading.next && this.isFree_(reading.next.setting) ? reading.next : null;
       if (!next) {
-        const isAsked = made === asked || (!reading.passed && first !== undefined && await this.keep_(first, started));
-        if (made === asked || !isAsked) await this.finish_(performance.now() - started, made, mayChange && reading.passed);
-        this.messages_.say(() => (overrides ? text('inspector.engraved', { overrides })
-          : text(isAsked ? 'page.engraved' : made.values.preset === asked.values.preset ? 'page.engravedForDesign' : 'page.engravedDeeper')));
+        const isAsked =
+          made === asked || (!reading.passed && first !== undefined && (await this.keep_(first, started)));
+        if (made === asked || !isAsked)
+          await this.finish_(performance.now() - started, made, mayChange && reading.passed);
+        this.messages_.say(() =>
+          overrides
+            ? text('inspector.engraved', { overrides })
+            : text(
+                isAsked
+                  ? 'page.engraved'
+                  : made.values.preset === asked.values.preset
+                    ? 'page.engravedForDesign'
+                    : 'page.engravedDeeper',
+              ),
+        );
         return;
       }
       first ??= { made, number: await this.client_.carving(), texts: reading.texts };
@@ -209,7 +245,7 @@ export class Carving {
    */
   async keep_({ made, number, texts }, started) {
     const elapsedMs = performance.now() - started;
-    this.printing_.stop();  // the deeper carving is dropped
+    this.printing_.stop(); // the deeper carving is dropped
     if (!(await this.client_.useCarving(number))) return false;
     this.write_(made.values);
     await this.client_.configure(this.settings_());
@@ -227,7 +263,8 @@ export class Carving {
    */
   async carveOnce_(signal, withOverrides) {
     const finished = await this.client_.engrave({
-      signal, withOverrides,
+      signal,
+      withOverrides,
       onProgress: (progress) => this.jobs_.showProgress(progress),
       onPrintable: (job) => this.printing_.beginEarly(job),
     });
@@ -236,7 +273,7 @@ export class Carving {
     const pictures = await this.client_.readingPictures();
     // Meanwhile the module prepares the carved model for display.
     const [texts] = await Promise.all([readEach(pictures), this.client_.showCarved(true)]);
-    return { ...await this.client_.setReadings(texts, kReaderName), texts };
+    return { ...(await this.client_.setReadings(texts, kReaderName)), texts };
   }
 
   /**
@@ -279,7 +316,8 @@ export class Carving {
       this.panel_.update();
       if (!result) return;
       this.onPrinted_();
-      if (mayDeepen && result.next && this.isFree_(result.next.setting)) void this.guard_(() => this.deepen_(carved, result.next));
+      if (mayDeepen && result.next && this.isFree_(result.next.setting))
+        void this.guard_(() => this.deepen_(carved, result.next));
     });
   }
 
@@ -289,41 +327,44 @@ export class Carving {
    * @param {import('../engine/types.js').ReadingResult['next']} next  change to carve with
    */
   async deepen_(first, next) {
-    await this.running_?.catch(() => {});  // the job that made it is about to end
+    await this.running_?.catch(() => {}); // the job that made it is about to end
     if (this.running_ || this.jobs_.busy || this.carved !== first || !this.isCurrent) return;
     const started = performance.now() - first.elapsedMs;
-    await this.run_(() => text('page.carvingForPrint'), async (signal) => {
-      await this.drop();
-      while (next) {
-        this.write_(this.valuesAfter_(next));
-        const made = this.work_();
-        await this.client_.configure(this.settings_());
-        this.printing_.expect();
-        const reading = await this.carveOnce_(signal, false).catch((thrown) => {
-          if (!isReplaced(thrown) && !isFatal(thrown)) return undefined;  // too deep to carve
-          this.write_(first.made.values);
-          throw thrown;
-        });
-        const elapsedMs = performance.now() - started;
-        const number = await this.client_.carving();
-        const print = reading?.passed ? await this.printNow_(number, signal) : undefined;
-        if (!print) break;
-        const { result, printed } = print;
-        if (result.passed) {
-          this.carved = { report: result.report, elapsedMs, number, life: this.life_, made, printed };
-          await this.present_();
-          this.onPrinted_();
-          this.messages_.say(() => text('page.engravedForPrint'));
-          return;
+    await this.run_(
+      () => text('page.carvingForPrint'),
+      async (signal) => {
+        await this.drop();
+        while (next) {
+          this.write_(this.valuesAfter_(next));
+          const made = this.work_();
+          await this.client_.configure(this.settings_());
+          this.printing_.expect();
+          const reading = await this.carveOnce_(signal, false).catch((thrown) => {
+            if (!isReplaced(thrown) && !isFatal(thrown)) return undefined; // too deep to carve
+            this.write_(first.made.values);
+            throw thrown;
+          });
+          const elapsedMs = performance.now() - started;
+          const number = await this.client_.carving();
+          const print = reading?.passed ? await this.printNow_(number, signal) : undefined;
+          if (!print) break;
+          const { result, printed } = print;
+          if (result.passed) {
+            this.carved = { report: result.report, elapsedMs, number, life: this.life_, made, printed };
+            await this.present_();
+            this.onPrinted_();
+            this.messages_.say(() => text('page.engravedForPrint'));
+            return;
+          }
+          ({ next } = result);
         }
-        ({ next } = result);
-      }
-      this.printing_.stop();
-      this.write_(first.made.values);
-      await this.client_.configure(this.settings_());
-      this.restoring_ = this.restore(first).catch(() => false);
-      this.messages_.say(() => text(signal.aborted ? 'page.cancelledDeeper' : 'page.engraved'));
-    });
+        this.printing_.stop();
+        this.write_(first.made.values);
+        await this.client_.configure(this.settings_());
+        this.restoring_ = this.restore(first).catch(() => false);
+        this.messages_.say(() => text(signal.aborted ? 'page.cancelledDeeper' : 'page.engraved'));
+      },
+    );
   }
 
   /**
@@ -386,6 +427,12 @@ export class Carving {
    * @param {string} [addition]
    */
   nameOf_({ text: content, size }, extension, addition) {
-    return fileNameOf({ modelFile: this.model_.source?.fileName ?? '', text: content, symbolMm: size.symbolMm, addition, extension });
+    return fileNameOf({
+      modelFile: this.model_.source?.fileName ?? '',
+      text: content,
+      symbolMm: size.symbolMm,
+      addition,
+      extension,
+    });
   }
 }

@@ -62,11 +62,21 @@ beforeEach(() => {
   messages = new FakeMessages();
   jobs = new Jobs({ panel: fake(), messages: /** @type {any} */ (messages), onBusy: () => {} });
   carving = new Carving({
-    client, jobs, placing, panel, messages: /** @type {any} */ (messages), model: /** @type {any} */ ({ engravable: true }),
-    work: () => /** @type {any} */ ({ text: kText, values, centreMm: undefined }), settings: () => /** @type {any} */ ({}),
+    client,
+    jobs,
+    placing,
+    panel,
+    messages: /** @type {any} */ (messages),
+    model: /** @type {any} */ ({ engravable: true }),
+    work: () => /** @type {any} */ ({ text: kText, values, centreMm: undefined }),
+    settings: () => /** @type {any} */ ({}),
     valuesAfter: ({ setting, value }) => ({ ...values, [setting]: value }),
-    write: (now) => void (values = /** @type {any} */ (now)), onStart: () => {}, onDone: () => {},
-    onShown: (exists, seen) => void shown.push([exists, seen]), printing, onPrinted: () => void (printsSeen += 1),
+    write: (now) => void (values = /** @type {any} */ (now)),
+    onStart: () => {},
+    onDone: () => {},
+    onShown: (exists, seen) => void shown.push([exists, seen]),
+    printing,
+    onPrinted: () => void (printsSeen += 1),
   });
 });
 
@@ -107,7 +117,9 @@ test('Another carving does not begin beside the first', async () => {
 });
 
 test('A carving that fails leaves nothing, and the next one can begin', async () => {
-  client.answers.engrave = async () => { throw noRoom(); };
+  client.answers.engrave = async () => {
+    throw noRoom();
+  };
   await assert.rejects(carving.engrave(), { code: 'no-centre' });
   assert.equal(carving.carved, undefined);
   client.answers.engrave = async () => true;
@@ -232,7 +244,11 @@ test('Where no deeper preset mends the print, the code stays as it was asked for
     values = { preset: 'balanced' };
     printsAre({ passed: false, next: kRobust }, second);
     const { engrave } = client.answers;
-    if (!second) client.answers.engrave = () => { if (values.preset === 'robust') throw noRoom(); return engrave(); };
+    if (!second)
+      client.answers.engrave = () => {
+        if (values.preset === 'robust') throw noRoom();
+        return engrave();
+      };
     await carving.engrave();
     await settled();
     assert.equal(values.preset, 'balanced');
@@ -283,7 +299,11 @@ test('The print of what is given up is given up', async () => {
   values = { preset: 'balanced' };
   await carving.engrave();
   const calls = printing.calls.filter((/** @type {string} */ call) => ['beginEarly', 'stop'].includes(call));
-  assert.deepEqual(calls.slice(calls.indexOf('beginEarly')).slice(0, 3), ['beginEarly', 'beginEarly', 'stop'], 'the deeper one was cancelled');
+  assert.deepEqual(
+    calls.slice(calls.indexOf('beginEarly')).slice(0, 3),
+    ['beginEarly', 'beginEarly', 'stop'],
+    'the deeper one was cancelled',
+  );
 });
 
 test('The print of what was replaced is told to what was replaced', async () => {

@@ -21,7 +21,7 @@ export class Continuing {
     this.onContinue_ = onContinue;
     this.watching_ = false;
     document.addEventListener('visibilitychange', () => {
-      if (document.visibilityState === 'hidden') void this.last_.flush();  // the page may never become visible again
+      if (document.visibilityState === 'hidden') void this.last_.flush(); // the page may never become visible again
     });
   }
 
@@ -30,7 +30,7 @@ export class Continuing {
    * @param {boolean} offer  offer the last visit's work
    */
   async begin(offer) {
-    this.last_.openedWith(this.current_());  // before the first await: the work may change meanwhile
+    this.last_.openedWith(this.current_()); // before the first await: the work may change meanwhile
     this.watching_ = true;
     const work = offer ? await this.last_.recall() : undefined;
     if (!work) return;

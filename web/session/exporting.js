@@ -28,7 +28,19 @@ import { symbolPng, symbolSvg } from '../export/symbol_file.js';
 
 export class Exporting {
   /** @param {ExportingOptions} options */
-  constructor({ client, model, centre, placing, messages, settings, settingsToSave, settingKeys, onSettings, onChanged, untilIdle }) {
+  constructor({
+    client,
+    model,
+    centre,
+    placing,
+    messages,
+    settings,
+    settingsToSave,
+    settingKeys,
+    onSettings,
+    onChanged,
+    untilIdle,
+  }) {
     this.client_ = client;
     this.model_ = model;
     this.centre_ = centre;
@@ -46,8 +58,12 @@ export class Exporting {
   async saveSymbol(format) {
     const settings = this.settings_();
     const { rows } = await this.client_.symbol(settings);
-    const blob = format === 'png' ? await symbolPng(rows)
-      : new Blob([symbolSvg(rows, { title: settings.text, sizeMm: this.placing_.placement?.symbolMm })], { type: 'image/svg+xml' });
+    const blob =
+      format === 'png'
+        ? await symbolPng(rows)
+        : new Blob([symbolSvg(rows, { title: settings.text, sizeMm: this.placing_.placement?.symbolMm })], {
+            type: 'image/svg+xml',
+          });
     saveFile(blob, symbolFileName(settings.text, format));
   }
 
@@ -91,7 +107,8 @@ export class Exporting {
     const centre = onItsModel ? model?.centreMm : undefined;
     await this.onChanged_();
     if (centre) await this.placing_.move(() => this.client_.setCentre(centre));
-    const words = onItsModel ? () => text('exports.settingsUsed', { file: file.name })
+    const words = onItsModel
+      ? () => text('exports.settingsUsed', { file: file.name })
       : () => text('exports.settingsOtherModel', { file: file.name, model: model.file });
     this.messages_.say(words);
   }
@@ -102,7 +119,11 @@ export class Exporting {
    * @returns {Promise<boolean>}  true: the open model is the file's model
    */
   async openModelOf_(wanted) {
-    if (wanted.sample !== undefined && wanted.sample !== this.model_.source?.sampleId && this.model_.hasSample(wanted.sample)) {
+    if (
+      wanted.sample !== undefined &&
+      wanted.sample !== this.model_.source?.sampleId &&
+      this.model_.hasSample(wanted.sample)
+    ) {
       const { scaleToMm, upAxis, centreMm } = wanted;
       await this.model_.openSample(wanted.sample, { scaleToMm, upAxis, ...(centreMm ? { centreMm } : {}) });
     }
@@ -120,15 +141,22 @@ export class Exporting {
     const { fileName, sampleId, scaleToMm, upAxis } = source;
     const { mm: centreMm } = this.centre_;
     return {
-      file: fileName, ...(sampleId === undefined ? {} : { sample: sampleId }), scaleToMm, upAxis, ...(centreMm ? { centreMm } : {}),
+      file: fileName,
+      ...(sampleId === undefined ? {} : { sample: sampleId }),
+      scaleToMm,
+      upAxis,
+      ...(centreMm ? { centreMm } : {}),
     };
   }
 
   /** @param {string} addition @param {string} extension */
   nameOf_(addition, extension) {
     return fileNameOf({
-      modelFile: this.model_.source?.fileName ?? '', text: this.settings_().text, symbolMm: this.placing_.placement?.symbolMm,
-      addition, extension,
+      modelFile: this.model_.source?.fileName ?? '',
+      text: this.settings_().text,
+      symbolMm: this.placing_.placement?.symbolMm,
+      addition,
+      extension,
     });
   }
 }

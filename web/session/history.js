@@ -2,8 +2,8 @@
 // Undo history: states to move back and forth between.
 
 const kMostStates = 200;
-const kMostBytes = 512 * 1024 * 1024;  // limit for models that are no longer open
-const kOneChangeMs = 1000;             // edits of one field within this time count as one change
+const kMostBytes = 512 * 1024 * 1024; // limit for models that are no longer open
+const kOneChangeMs = 1000; // edits of one field within this time count as one change
 
 /** @template State */
 export class History {
@@ -20,7 +20,7 @@ export class History {
     this.now_ = now;
     /** @type {State[]} */ this.states_ = [];
     this.at_ = -1;
-    /** @type {string | undefined} */ this.field_ = undefined;  // last edited field
+    /** @type {string | undefined} */ this.field_ = undefined; // last edited field
     this.editedMs_ = 0;
   }
 
@@ -40,7 +40,12 @@ export class History {
   record(state, field) {
     if (this.at_ >= 0 && this.same_(this.states_[this.at_], state)) return;
     const now = this.now_();
-    const goesOn = field !== undefined && field === this.field_ && now - this.editedMs_ < kOneChangeMs && this.at_ > 0 && !this.canRedo;
+    const goesOn =
+      field !== undefined &&
+      field === this.field_ &&
+      now - this.editedMs_ < kOneChangeMs &&
+      this.at_ > 0 &&
+      !this.canRedo;
     this.field_ = field;
     this.editedMs_ = now;
     if (goesOn) {

@@ -8,7 +8,11 @@ import { History } from './history.js';
 function makeHistory() {
   const clock = { ms: 0 };
   /** @type {History<State>} */
-  const history = new History({ same: (a, b) => a.text === b.text, bytesOf: ({ bytes }) => bytes, now: () => clock.ms });
+  const history = new History({
+    same: (a, b) => a.text === b.text,
+    bytesOf: ({ bytes }) => bytes,
+    now: () => clock.ms,
+  });
   return { history, clock };
 }
 

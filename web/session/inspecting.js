@@ -33,7 +33,7 @@ export class Inspecting {
       await this.client_().openInspector();
       await this.translate_();
       await this.makeRoom();
-      if (!this.toolbar_.inspectorShown) return;  // closed meanwhile
+      if (!this.toolbar_.inspectorShown) return; // closed meanwhile
       this.view_.reportsPointer = true;
       await this.client_().setInspector(true);
     } catch (thrown) {

@@ -35,7 +35,7 @@ export class Jobs {
    * @returns {Promise<T>}
    */
   async run(stage, run) {
-    while (this.running_) await this.running_.catch(() => {});  // no await after this: others may wait for the same job
+    while (this.running_) await this.running_.catch(() => {}); // no await after this: others may wait for the same job
     const abort = new AbortController();
     this.abort_ = abort;
     this.panel_.begin(stage());
@@ -74,6 +74,6 @@ export class Jobs {
   }
 
   async untilIdle() {
-    while (this.running_) await this.running_.catch(() => {});  // its starter handles the error
+    while (this.running_) await this.running_.catch(() => {}); // its starter handles the error
   }
 }

@@ -22,10 +22,14 @@ test('One job runs after the other, and what it gives is handed on', async () =>
   const first = new Pending();
   const second = new Pending();
   /** @type {string[]} */ const begun = [];
-  const job = (/** @type {string} */ name, /** @type {Pending} */ pending) => jobs.run(() => name, () => {
-    begun.push(name);
-    return pending.promise;
-  });
+  const job = (/** @type {string} */ name, /** @type {Pending} */ pending) =>
+    jobs.run(
+      () => name,
+      () => {
+        begun.push(name);
+        return pending.promise;
+      },
+    );
   const both = [job('first', first), job('second', second)];
   await settled();
   assert.deepEqual(begun, ['first']);
@@ -48,10 +52,13 @@ test('A stage is told in words as soon as they are there, with how far it has co
 test('Cancelling aborts what runs, and that the module was replaced for it is no fault to tell', async () => {
   const pending = new Pending();
   /** @type {AbortSignal | undefined} */ let signal;
-  const run = jobs.run(() => 'work', (given) => {
-    signal = given;
-    return pending.promise;
-  });
+  const run = jobs.run(
+    () => 'work',
+    (given) => {
+      signal = given;
+      return pending.promise;
+    },
+  );
   await settled();
   jobs.cancel();
   assert.equal(signal?.aborted, true);
@@ -62,7 +69,21 @@ test('Cancelling aborts what runs, and that the module was replaced for it is no
 });
 
 test('A job that fails leaves the next one free to run', async () => {
-  await assert.rejects(jobs.run(() => 'a', async () => { throw new Error('no'); }), { message: 'no' });
-  assert.equal(await jobs.run(() => 'b', async () => 3), 3);
+  await assert.rejects(
+    jobs.run(
+      () => 'a',
+      async () => {
+        throw new Error('no');
+      },
+    ),
+    { message: 'no' },
+  );
+  assert.equal(
+    await jobs.run(
+      () => 'b',
+      async () => 3,
+    ),
+    3,
+  );
   assert.deepEqual(busy, [true, false, true, false]);
 });

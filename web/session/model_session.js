@@ -12,7 +12,7 @@ import { fetchBytes } from './fetch_file.js';
  *   unitStated?: boolean }} Source
  * `scaleToMm`: 0 takes the unit from the file, and loading replaces it; `unitStated`: the unit came from the file */
 
-const kMaxFileBytes = 512 * 1024 * 1024;  // a larger file exhausts a tab's memory before the page can report it
+const kMaxFileBytes = 512 * 1024 * 1024; // a larger file exhausts a tab's memory before the page can report it
 
 /**
  * @typedef {object} ModelOptions
@@ -66,12 +66,18 @@ export class ModelSession {
     const sample = this.samples_.find((known) => known.id === id);
     if (!sample) {
       const names = this.samples_.map((known) => known.id).join(', ');
-      this.messages_.showError({ found: () => text('page.noSample', { id }), help: () => text('page.samplesAre', { names }) });
+      this.messages_.showError({
+        found: () => text('page.noSample', { id }),
+        help: () => text('page.samplesAre', { names }),
+      });
       return;
     }
     const bytes = await fetchBytes(`samples/${sample.file}`);
     const { centreMm, ...instead } = { centreMm: sample.centreMm, ...place };
-    await this.load({ bytes, fileName: sample.file, scaleToMm: 1, upAxis: 'z', sampleId: id, credit: sample.credit, ...instead }, centreMm);
+    await this.load(
+      { bytes, fileName: sample.file, scaleToMm: 1, upAxis: 'z', sampleId: id, credit: sample.credit, ...instead },
+      centreMm,
+    );
   }
 
   /** @param {File} file */
@@ -82,7 +88,7 @@ export class ModelSession {
       return;
     }
     const bytes = new Uint8Array(await file.arrayBuffer());
-    const { upAxis } = this.panel_;  // last chosen values: files from one source usually share them
+    const { upAxis } = this.panel_; // last chosen values: files from one source usually share them
     const scaleToMm = /\.3mf$/i.test(file.name) ? 0 : this.source?.unitStated ? 1 : this.panel_.scaleToMm;
     await this.load({ bytes, fileName: file.name, scaleToMm, upAxis, credit: '' });
   }
@@ -136,8 +142,10 @@ export class ModelSession {
 
   /** @param {Source} source */
   read_({ bytes, fileName, scaleToMm }) {
-    return this.jobs_.run(() => text('page.reading', { file: fileName }), (signal) =>
-      this.client_.loadModel(bytes, fileName, scaleToMm, { signal }));
+    return this.jobs_.run(
+      () => text('page.reading', { file: fileName }),
+      (signal) => this.client_.loadModel(bytes, fileName, scaleToMm, { signal }),
+    );
   }
 
   /** Shows file name, numbers and findings of the current model; after a failure, that is the previous one. */

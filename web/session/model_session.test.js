@@ -19,16 +19,24 @@ const kSource = { bytes: new Uint8Array([1]), fileName: 'a.stl', scaleToMm: 1, u
 beforeEach(() => {
   messages = new FakeMessages();
   client = fake({
-    loadModel: async (/** @type {Uint8Array} */ _, /** @type {string} */ __, /** @type {number} */ scaleToMm) =>
-      ({ engravable: true, scaleToMm: scaleToMm || 25.4, findings: [] }),
+    loadModel: async (/** @type {Uint8Array} */ _, /** @type {string} */ __, /** @type {number} */ scaleToMm) => ({
+      engravable: true,
+      scaleToMm: scaleToMm || 25.4,
+      findings: [],
+    }),
   });
   panel = fake({ scaleToMm: 1 });
   centre = new Centre(() => {});
   told = [];
   model = new ModelSession({
-    client, panel, centre, messages: /** @type {any} */ (messages),
+    client,
+    panel,
+    centre,
+    messages: /** @type {any} */ (messages),
     jobs: new Jobs({ panel: fake(), messages: /** @type {any} */ (messages), onBusy: () => {} }),
-    onReplacing: () => void told.push('replacing'), onLoaded: async () => void told.push('loaded'), onFailed: () => void told.push('failed'),
+    onReplacing: () => void told.push('replacing'),
+    onLoaded: async () => void told.push('loaded'),
+    onFailed: () => void told.push('failed'),
   });
 });
 
@@ -41,11 +49,16 @@ test('A model is there once it is read, with the centre it comes with', async ()
 
 test('A file that cannot be read leaves the model before it, with its centre and upright', async () => {
   await model.load(kSource, [1, 2, 3]);
-  client.answers.loadModel = async () => { throw noRoom(); };
+  client.answers.loadModel = async () => {
+    throw noRoom();
+  };
   await assert.rejects(model.load({ ...kSource, fileName: 'b.stl', upAxis: 'y' }), { code: 'no-centre' });
   assert.equal(model.source?.fileName, 'a.stl');
   assert.deepEqual(centre.chosenMm, [1, 2, 3]);
-  assert.deepEqual(client.calls.filter((/** @type {string} */ call) => call.startsWith('setUpAxis')), ['setUpAxis y', 'setUpAxis z']);
+  assert.deepEqual(
+    client.calls.filter((/** @type {string} */ call) => call.startsWith('setUpAxis')),
+    ['setUpAxis y', 'setUpAxis z'],
+  );
   assert.equal(told.at(-1), 'failed');
 });
 
@@ -56,7 +69,7 @@ test('In another unit the centre stays where it is on the model, wherever it was
   assert.deepEqual(centre.chosenMm, [40, 50, 60]);
   centre.put([7, 7, 7], true);
   await model.rescale(1);
-  assert.equal(centre.mm, undefined);  // a proposal is not kept
+  assert.equal(centre.mm, undefined); // a proposal is not kept
 });
 
 test('The unit that a file states takes the place of none', async () => {
@@ -66,8 +79,16 @@ test('The unit that a file states takes the place of none', async () => {
 });
 
 test('A sample that is not there is named together with those there are, and nothing is read', async () => {
-  const sample = { name: 'A', file: 'a.stl', centreMm: /** @type {[number, number, number]} */ ([0, 0, 0]), credit: '' };
-  model.setSamples([{ ...sample, id: 'bunny' }, { ...sample, id: 'vase' }]);
+  const sample = {
+    name: 'A',
+    file: 'a.stl',
+    centreMm: /** @type {[number, number, number]} */ ([0, 0, 0]),
+    credit: '',
+  };
+  model.setSamples([
+    { ...sample, id: 'bunny' },
+    { ...sample, id: 'vase' },
+  ]);
   await model.openSample('teapot');
   assert.match(messages.problem.found(), /There is no sample “teapot”/);
   assert.match(messages.problem.help(), /bunny, vase/);

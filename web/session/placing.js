@@ -133,7 +133,11 @@ export class Placing {
   refuse_({ findings }) {
     const blocking = findings.filter(({ severity }) => severity === 'blocking');
     this.messages_.showError({
-      found: () => blocking.map((finding) => sentenceOf(finding)).filter(Boolean).join('; ') || text('page.notEngravable'),
+      found: () =>
+        blocking
+          .map((finding) => sentenceOf(finding))
+          .filter(Boolean)
+          .join('; ') || text('page.notEngravable'),
       help: () => blocking.map((finding) => hintOf(finding)).find((hint) => hint !== '') ?? '',
     });
     this.messages_.say(() => text('page.notEngravable'));

@@ -30,8 +30,15 @@ beforeEach(() => {
   mayMove = true;
   moved = 0;
   placing = new Placing({
-    client, model, centre, messages: /** @type {any} */ (messages), panel: fake(), settings: () => /** @type {any} */ ({}),
-    mayMove: () => mayMove, onMoved: () => void (moved += 1), onPlaced: () => {},
+    client,
+    model,
+    centre,
+    messages: /** @type {any} */ (messages),
+    panel: fake(),
+    settings: () => /** @type {any} */ ({}),
+    mayMove: () => mayMove,
+    onMoved: () => void (moved += 1),
+    onPlaced: () => {},
   });
 });
 afterEach(() => setLanguage('en'));
@@ -46,7 +53,9 @@ test('Without a centre of its own a model begins at the one that the module prop
 });
 
 test('A proposal where the code has no place asks for another; a choice there is an error', async () => {
-  client.answers.placement = async () => { throw noRoom(); };
+  client.answers.placement = async () => {
+    throw noRoom();
+  };
   await placing.begin();
   assert.equal(problem(), undefined);
   assert.match(messages.said.at(-1) ?? '', /Click the model/);
@@ -59,7 +68,9 @@ test('A proposal where the code has no place asks for another; a choice there is
 test('Who insists on the proposal hears of the error, too', async () => {
   await placing.begin();
   placing.insist();
-  client.answers.placement = async () => { throw noRoom(); };
+  client.answers.placement = async () => {
+    throw noRoom();
+  };
   await placing.place();
   assert.equal(problem().code, 'no-centre');
 });
@@ -94,9 +105,13 @@ test('An error that a newer request follows is not shown', async () => {
 
 test('A model that cannot be engraved says why, in the language chosen', async () => {
   model.engravable = false;
-  model.info = { engravable: false, findings: [
-    { severity: 'note', ...message('untold', { text: { term: 'a note' } }) },
-    { severity: 'blocking', ...message('no-such-spot', { index: { count: 7 } }) }] };
+  model.info = {
+    engravable: false,
+    findings: [
+      { severity: 'note', ...message('untold', { text: { term: 'a note' } }) },
+      { severity: 'blocking', ...message('no-such-spot', { index: { count: 7 } }) },
+    ],
+  };
   await messageWords.come();
   await placing.begin();
   assert.equal(problem().found(), 'There is no spot 7');
@@ -117,7 +132,9 @@ test('While something is at work, and beside the model, nothing moves', async ()
 
 test('A module that is beyond use is for others to replace', async () => {
   centre.put([0, 0, 0]);
-  client.answers.placement = async () => { throw crashed(); };
+  client.answers.placement = async () => {
+    throw crashed();
+  };
   await assert.rejects(placing.place(), { code: 'engine-crashed' });
 });
 

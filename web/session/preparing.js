@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Uses idle moments to start the next carving's first steps and to load its decoder.
-const kQuietMs = 600;  // idle time before preparing: user input has to wait while the module prepares
+const kQuietMs = 600; // idle time before preparing: user input has to wait while the module prepares
 // Events of a user. Nothing is prepared before the first one.
 const kSignsOfUse = ['pointermove', 'pointerdown', 'wheel', 'keydown', 'focusin'];
 
@@ -18,7 +18,7 @@ export class Preparing {
     this.prepareReader_ = prepareReader;
     this.isBusy_ = isBusy;
     this.isUsed_ = false;
-    this.isDue_ = false;  // a code is placed and nothing is prepared for it yet
+    this.isDue_ = false; // a code is placed and nothing is prepared for it yet
     /** @type {ReturnType<typeof setTimeout> | undefined} */ this.timer_ = undefined;
     const use = (/** @type {Event} */ event) => {
       const isFirst = !this.isUsed_;
@@ -44,8 +44,9 @@ export class Preparing {
   prepare_() {
     if (this.isBusy_()) return;
     this.isDue_ = false;
-    this.client_.prepareEngrave()
-      .catch(() => {})  // carving meets the error again, or the client reports it
-      .finally(() => this.prepareReader_());  // afterwards: both at once would block the page
+    this.client_
+      .prepareEngrave()
+      .catch(() => {}) // carving meets the error again, or the client reports it
+      .finally(() => this.prepareReader_()); // afterwards: both at once would block the page
   }
 }

@@ -9,13 +9,14 @@ let busy = false;
 let overModel = true;
 /** @type {EventTarget} */ let user;
 
-const make = () => new Preparing({
-  client: { prepareEngrave: async () => void done.push('carving') },
-  prepareReader: () => void done.push('reader'),
-  isBusy: () => busy,
-  user,
-  isOverModel: () => overModel,
-});
+const make = () =>
+  new Preparing({
+    client: { prepareEngrave: async () => void done.push('carving') },
+    prepareReader: () => void done.push('reader'),
+    isBusy: () => busy,
+    user,
+    isOverModel: () => overModel,
+  });
 /** @type {{ at: number, act: () => void }[]} */ let timers = [];
 let now = 0;
 const wait = (/** @type {number} */ ms) => {
@@ -23,20 +24,26 @@ const wait = (/** @type {number} */ ms) => {
   const due = timers.filter(({ at }) => at <= now);
   timers = timers.filter(({ at }) => at > now);
   for (const { act } of due) act();
-  return new Promise((resolve) => { setImmediate(resolve); });
+  return new Promise((resolve) => {
+    setImmediate(resolve);
+  });
 };
 const use = () => user.dispatchEvent(new Event('pointermove'));
 
 beforeEach(() => {
   timers = [];
-  globalThis.setTimeout = /** @type {any} */ ((/** @type {() => void} */ act, /** @type {number} */ ms) => {
-    const timer = { at: now + ms, act };
-    timers.push(timer);
-    return timer;
-  });
-  globalThis.clearTimeout = /** @type {any} */ ((/** @type {unknown} */ timer) => {
-    timers = timers.filter((each) => each !== timer);
-  });
+  globalThis.setTimeout = /** @type {any} */ (
+    (/** @type {() => void} */ act, /** @type {number} */ ms) => {
+      const timer = { at: now + ms, act };
+      timers.push(timer);
+      return timer;
+    }
+  );
+  globalThis.clearTimeout = /** @type {any} */ (
+    (/** @type {unknown} */ timer) => {
+      timers = timers.filter((each) => each !== timer);
+    }
+  );
   done = [];
   busy = false;
   overModel = true;
@@ -102,9 +109,13 @@ test('Nothing is prepared without a place, or beside other work', async () => {
 
 test('What goes wrong is for the carving to say', async () => {
   const preparing = new Preparing({
-    client: { prepareEngrave: () => Promise.reject(new Error('no memory')) }, prepareReader: () => {}, isBusy: () => false, user, isOverModel: () => true,
+    client: { prepareEngrave: () => Promise.reject(new Error('no memory')) },
+    prepareReader: () => {},
+    isBusy: () => false,
+    user,
+    isOverModel: () => true,
   });
   use();
   preparing.note(true);
-  await wait(700);  // an unhandled rejection would fail the test
+  await wait(700); // an unhandled rejection would fail the test
 });

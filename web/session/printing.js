@@ -23,7 +23,7 @@ class Making {
         this.onProgress(fraction);
       },
     });
-    this.print.catch(() => {});  // begin() reports it
+    this.print.catch(() => {}); // begin() reports it
   }
 }
 
@@ -39,7 +39,7 @@ export class Printing {
     this.make_ = make;
     this.read_ = read;
     /** @type {AbortController | undefined} */ this.abort_ = undefined;
-    /** @type {{ making: Making | undefined } | undefined} */ this.early_ = undefined;  // of an unfinished carving
+    /** @type {{ making: Making | undefined } | undefined} */ this.early_ = undefined; // of an unfinished carving
   }
 
   /** Loads the next print's module in advance. */
@@ -68,7 +68,7 @@ export class Printing {
     const { early_: early } = this;
     if (!early) this.stop();
     this.early_ = undefined;
-    const abort = this.abort_ ??= new AbortController();
+    const abort = (this.abort_ ??= new AbortController());
     abort.signal.addEventListener('abort', () => tell({ state: 'stopped' }), { once: true });
     const { signal } = abort;
     try {
@@ -120,7 +120,8 @@ export class Printing {
       for (const change of changes) {
         tell({ tried, all, fraction: 0 });
         const job = await this.client_.printJob(change);
-        const print = job && await this.make_(job, { signal, onProgress: (fraction) => tell({ tried, all, fraction }) });
+        const print =
+          job && (await this.make_(job, { signal, onProgress: (fraction) => tell({ tried, all, fraction }) }));
         if (!print || signal.aborted) break;
         const texts = await this.read_(print.pictures);
         const prints = await this.client_.judgePrint(number, change, texts, print.facingDeg);

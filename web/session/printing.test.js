@@ -38,10 +38,16 @@ const print = () => ({ facingDeg: 30, misread: [[1, 2]], pictures: [1, 2], pictu
 test('A print is made, read, and told with the report that holds it', async () => {
   const run = printing.begin(7, tell);
   await settled();
-  assert.deepEqual(told.map(([printed]) => printed), [{ state: 'under-way', fraction: 0.5 }]);
+  assert.deepEqual(
+    told.map(([printed]) => printed),
+    [{ state: 'under-way', fraction: 0.5 }],
+  );
   made.resolve(print());
   await run;
-  assert.deepEqual(told.at(-1), [{ state: 'made', print: { ...print(), pictures: [] } }, { passed: true, next: null, report: { text: 'with the print' } }]);
+  assert.deepEqual(told.at(-1), [
+    { state: 'made', print: { ...print(), pictures: [] } },
+    { passed: true, next: null, report: { text: 'with the print' } },
+  ]);
   assert.ok(client.calls.includes('setPrintedReadings 7 30'));
 });
 
@@ -54,7 +60,13 @@ test('Begun before the carving is done, it is made once, and told how far it is'
   assert.equal(jobs.length, 1);
   assert.equal(jobs[0].job.stl.length, 5);
   assert.ok(!client.calls.includes('printJob'));
-  assert.deepEqual(told.map(([printed]) => [printed.state, /** @type {any} */ (printed).fraction]), [['under-way', 0.5], ['made', undefined]]);
+  assert.deepEqual(
+    told.map(([printed]) => [printed.state, /** @type {any} */ (printed).fraction]),
+    [
+      ['under-way', 0.5],
+      ['made', undefined],
+    ],
+  );
 });
 
 test('One that was begun for a carving that is given up is not told of another', async () => {
@@ -124,14 +136,20 @@ test('A print of a carving that is gone is told to nobody', async () => {
 });
 
 test('Other ways are printed one after the other, and what each comes to is told', async () => {
-  client.answers.judgePrint = async (/** @type {number} */ _, /** @type {any} */ change) => ({ level: change.buildUp ? 'good' : 'bad' });
+  client.answers.judgePrint = async (/** @type {number} */ _, /** @type {any} */ change) => ({
+    level: change.buildUp ? 'good' : 'bad',
+  });
   made.resolve(print());
   /** @type {any[]} */ const trials = [];
   client.answers.otherPrints = async () => [{ buildUp: 'code-up' }, { process: 'resin-0.05' }];
   await printing.tryOthers(7, (one) => void trials.push(one));
   assert.deepEqual(trials[0], { tried: [], all: 2, fraction: 0 });
   assert.deepEqual(trials.at(-1), {
-    tried: [{ change: { buildUp: 'code-up' }, prints: { level: 'good' } }, { change: { process: 'resin-0.05' }, prints: { level: 'bad' } }], all: 2,
+    tried: [
+      { change: { buildUp: 'code-up' }, prints: { level: 'good' } },
+      { change: { process: 'resin-0.05' }, prints: { level: 'bad' } },
+    ],
+    all: 2,
   });
 });
 

@@ -6,7 +6,7 @@ import { text } from '../i18n/catalogue.js';
 
 /** @typedef {import('../engine/types.js').HostEvent} HostEvent */
 
-const kMaxReplacements = 3;  // within kFaultSpanMs; then the page gives up
+const kMaxReplacements = 3; // within kFaultSpanMs; then the page gives up
 const kFaultSpanMs = 10 * 60 * 1000;
 
 export class Recovery {
@@ -17,7 +17,7 @@ export class Recovery {
   constructor(messages, replace) {
     this.messages_ = messages;
     this.replace_ = replace;
-    /** @type {number[]} */ this.faults_ = [];  // times, ms
+    /** @type {number[]} */ this.faults_ = []; // times, ms
     this.recovering_ = false;
   }
 
@@ -39,7 +39,7 @@ export class Recovery {
 
   /** @param {HostEvent} event */
   async recoverFrom(event) {
-    if (this.recovering_) return;  // each pending verb reports the same fault
+    if (this.recovering_) return; // each pending verb reports the same fault
     this.recovering_ = true;
     try {
       await this.replaceAfter_(event);

@@ -21,19 +21,25 @@ beforeEach(() => {
 });
 
 test('What goes wrong is shown, and the module stays', async () => {
-  await recovery.guard(async () => { throw noRoom(); });
+  await recovery.guard(async () => {
+    throw noRoom();
+  });
   assert.equal(messages.problem?.code, 'no-centre');
   assert.equal(replacements, 0);
 });
 
 test('A fault of ours is shown with what it said', async () => {
-  await recovery.guard(async () => { throw new TypeError('x is no function'); });
+  await recovery.guard(async () => {
+    throw new TypeError('x is no function');
+  });
   assert.equal(messages.problem?.code, 'internal-fault');
   assert.equal(messages.problem.values.detail.term, 'x is no function');
 });
 
 test('Work that ended because the module was replaced says nothing', async () => {
-  await recovery.guard(async () => { throw replaced(); });
+  await recovery.guard(async () => {
+    throw replaced();
+  });
   assert.equal(messages.problem, undefined);
   assert.deepEqual(messages.said, []);
 });
@@ -44,7 +50,14 @@ test('A module that is beyond use is replaced, once for all who were waiting', a
     replacements += 1;
     return replacing.promise;
   };
-  const both = [recovery.guard(async () => { throw crashed(); }), recovery.guard(async () => { throw crashed(); })];
+  const both = [
+    recovery.guard(async () => {
+      throw crashed();
+    }),
+    recovery.guard(async () => {
+      throw crashed();
+    }),
+  ];
   await settled();
   assert.equal(replacements, 1);
   replacing.resolve();
@@ -71,7 +84,9 @@ test('A module that hangs, and one that gets too little memory, is replaced, and
   assert.equal(replacements, 1);
   assert.match(sentenceOf(messages.problem), /has not answered for 120 seconds/);
   assert.notEqual(hintOf(messages.problem), '');
-  await recovery.guard(async () => { throw new EngineFailure(internal(message('out-of-memory'))); });
+  await recovery.guard(async () => {
+    throw new EngineFailure(internal(message('out-of-memory')));
+  });
   assert.equal(replacements, 2);
   assert.match(sentenceOf(messages.problem), /no more memory/);
 });

@@ -8,7 +8,7 @@ import { controlName, shownValue } from '../ui/verdict_lines.js';
 import { looksLikeList } from './batching.js';
 import { fetchJson } from './fetch_file.js';
 
-const kAsked = ['sample', 'text', 'engrave'];  // address parameters
+const kAsked = ['sample', 'text', 'engrave']; // address parameters
 
 /**
  * @typedef {object} Parts
@@ -57,7 +57,11 @@ export class Session {
     const place = { fileName, scaleToMm, upAxis, centreMm: this.parts_.centre.chosenMm };
     const { input: batch } = this.parts_.batching;
     return {
-      ...(sampleId ? { sampleId } : { bytes }), ...place, text: this.parts_.code.text, values: this.parts_.form.values, ...(batch && { batch }),
+      ...(sampleId ? { sampleId } : { bytes }),
+      ...place,
+      text: this.parts_.code.text,
+      values: this.parts_.form.values,
+      ...(batch && { batch }),
     };
   }
 
@@ -72,7 +76,14 @@ export class Session {
   /** @returns {import('./work.js').Work} */
   work() {
     const { mm: centreMm, isGuess: centreIsGuess } = this.parts_.centre;
-    return { source: this.parts_.model.source, text: this.parts_.code.text, values: this.parts_.form.values, centreMm, centreIsGuess, batch: this.parts_.batching.input };
+    return {
+      source: this.parts_.model.source,
+      text: this.parts_.code.text,
+      values: this.parts_.form.values,
+      centreMm,
+      centreIsGuess,
+      batch: this.parts_.batching.input,
+    };
   }
 
   /**
@@ -102,7 +113,8 @@ export class Session {
     const started = this.startEngine_(address);
     this.started_ = started;
     if (!(await started)) return;
-    if (this.fileChosen_) {  // the user opened a file before the module was ready
+    if (this.fileChosen_) {
+      // the user opened a file before the module was ready
       await this.parts_.batchCarving.offer();
       await this.parts_.kept.begin(false);
       return;
@@ -125,7 +137,10 @@ export class Session {
   async startEngine_(address) {
     this.parts_.code.text = address.get('text') ?? this.parts_.code.text;
     try {
-      const [{ problems }, samples] = await Promise.all([this.parts_.client.start(), fetchJson('samples/manifest.json')]);
+      const [{ problems }, samples] = await Promise.all([
+        this.parts_.client.start(),
+        fetchJson('samples/manifest.json'),
+      ]);
       if (problems.length > 0) {
         throw new EngineFailure(internal(message('no-graphics', { why: { cause: problems[0] } })));
       }
@@ -143,7 +158,7 @@ export class Session {
   /** @param {File} file */
   async openFile(file) {
     this.fileChosen_ = true;
-    if (!(await this.started_)) return;  // the page shows why
+    if (!(await this.started_)) return; // the page shows why
     if (looksLikeSettings(file)) await this.useSettings_(file);
     else if (looksLikeList(file)) await this.parts_.batching.openList(file);
     else await this.parts_.model.openFile(file);
@@ -211,8 +226,10 @@ export class Session {
     const { id, value } = this.parts_.form.controlFor(change);
     this.write({ text: this.parts_.code.text, values: this.parts_.form.valuesAfter(change) });
     await this.changeSettings();
-    if (!this.parts_.placing.placement) return undefined;  // the page shows why
-    return this.parts_.messages.say(() => text('check.done', { label, control: controlName(id), value: shownValue(id, value) }));
+    if (!this.parts_.placing.placement) return undefined; // the page shows why
+    return this.parts_.messages.say(() =>
+      text('check.done', { label, control: controlName(id), value: shownValue(id, value) }),
+    );
   }
 
   /** Reacts to a moved centre: the carving is at another place now. */
@@ -261,8 +278,15 @@ export class Session {
   /** Updates the print in the view after a new carving or print. */
   notePrinted() {
     const { report, printed } = this.parts_.carving.carved ?? {};
-    this.parts_.tools.reader.showPrint(report && printed?.state === 'made'
-      ? { print: printed.print, modules: report.symbol.modules, reads: report.verification.verdict.prints.level !== 'bad' } : undefined);
+    this.parts_.tools.reader.showPrint(
+      report && printed?.state === 'made'
+        ? {
+            print: printed.print,
+            modules: report.symbol.modules,
+            reads: report.verification.verdict.prints.level !== 'bad',
+          }
+        : undefined,
+    );
   }
 
   /** Shows or hides the depths as colours on the carved model. @param {boolean} shown */

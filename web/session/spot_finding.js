@@ -3,7 +3,7 @@
 import { isReplaced } from '../engine/client.js';
 import { text } from '../i18n/catalogue.js';
 
-const kPicturePx = 84;  // height of a spot's picture
+const kPicturePx = 84; // height of a spot's picture
 const kPictureAspect = 1.5;
 
 /**
@@ -40,8 +40,10 @@ export class SpotFinding {
     await this.client_.configure(this.settings_());
     this.searching_ = true;
     try {
-      const found = await this.jobs_.run(() => text('page.lookingForSpots'), (signal) =>
-        this.client_.findSpots({ signal, onProgress: (progress) => this.jobs_.showProgress(progress) }));
+      const found = await this.jobs_.run(
+        () => text('page.lookingForSpots'),
+        (signal) => this.client_.findSpots({ signal, onProgress: (progress) => this.jobs_.showProgress(progress) }),
+      );
       this.onSizes_();
       if (found) this.show_(found);
       this.messages_.say(() => text(found ? 'page.chooseSpot' : 'page.searchCancelled'));

@@ -35,22 +35,31 @@ export class Pending {
  */
 export function fake(answers = {}) {
   /** @type {string[]} */ const calls = [];
-  return /** @type {any} */ (new Proxy({ calls, answers }, {
-    get: (target, name) => {
-      if (name in target) return /** @type {any} */ (target)[name];
-      if (typeof name !== 'string' || name === 'then') return undefined;
-      return (/** @type {any[]} */ ...args) => {
-        calls.push([name, ...args.filter((arg) => typeof arg !== 'object' && typeof arg !== 'function')].join(' '));
-        const answer = answers[name];
-        return typeof answer === 'function' ? answer(...args) : answer;
-      };
-    },
-  }));
+  return /** @type {any} */ (
+    new Proxy(
+      { calls, answers },
+      {
+        get: (target, name) => {
+          if (name in target) return /** @type {any} */ (target)[name];
+          if (typeof name !== 'string' || name === 'then') return undefined;
+          return (/** @type {any[]} */ ...args) => {
+            calls.push([name, ...args.filter((arg) => typeof arg !== 'object' && typeof arg !== 'function')].join(' '));
+            const answer = answers[name];
+            return typeof answer === 'function' ? answer(...args) : answer;
+          };
+        },
+      },
+    )
+  );
 }
 
 /** Waits until all pending promise callbacks have run. */
-export const settled = () => new Promise((resolve) => { setImmediate(resolve); });
+export const settled = () =>
+  new Promise((resolve) => {
+    setImmediate(resolve);
+  });
 
 export const replaced = () => new EngineFailure(internal(message('engine-replaced')));
-export const crashed = () => new EngineFailure(internal(message('engine-crashed', { detail: { term: 'unreachable' } })));
+export const crashed = () =>
+  new EngineFailure(internal(message('engine-crashed', { detail: { term: 'unreachable' } })));
 export const noRoom = () => new EngineFailure({ kind: 'NoSolution', ...message('no-centre') });

@@ -29,7 +29,10 @@ export class Undo {
   constructor(options) {
     this.options_ = options;
     /** @type {History<State>} */
-    this.history_ = new History({ same: (a, b) => sameWork(a, b) && a.carved === b.carved, bytesOf: ({ source }) => source?.bytes });
+    this.history_ = new History({
+      same: (a, b) => sameWork(a, b) && a.carved === b.carved,
+      bytesOf: ({ source }) => source?.bytes,
+    });
     this.pauses_ = 0;
     this.restoring_ = false;
     this.undo_ = byId('undo', HTMLButtonElement);
@@ -38,7 +41,8 @@ export class Undo {
     this.redo_.addEventListener('click', () => this.redo());
     byId('panel', HTMLFormElement).addEventListener('input', ({ target }) =>
       // Recorded at once; the edit takes effect only after a pause.
-      this.record(target instanceof HTMLElement ? target.id : undefined));
+      this.record(target instanceof HTMLElement ? target.id : undefined),
+    );
   }
 
   /** Records a change. @param {string} [field]  edited field; quick edits of the same field are one change */
@@ -94,12 +98,14 @@ export class Undo {
     this.restoring_ = true;
     this.pauses_ += 1;
     this.allow();
-    const restored = this.options_.guard(() => this.apply_(state)).finally(() => {
-      this.restoring_ = false;
-      this.pauses_ -= 1;
-      this.allow();
-      this.options_.onRestored();
-    });
+    const restored = this.options_
+      .guard(() => this.apply_(state))
+      .finally(() => {
+        this.restoring_ = false;
+        this.pauses_ -= 1;
+        this.allow();
+        this.options_.onRestored();
+      });
     void restored;
   }
 

@@ -8,7 +8,12 @@ import { Undo } from './undo.js';
 class FakeElement extends EventTarget {
   disabled = false;
 }
-const { document: realDocument, HTMLElement: realElement, HTMLButtonElement: realButton, HTMLFormElement: realForm } = globalThis;
+const {
+  document: realDocument,
+  HTMLElement: realElement,
+  HTMLButtonElement: realButton,
+  HTMLFormElement: realForm,
+} = globalThis;
 /** @type {Record<string, FakeElement>} */ let elements;
 
 /** @type {any} */ let model;
@@ -24,28 +29,49 @@ beforeEach(() => {
   elements = { undo: new FakeElement(), redo: new FakeElement(), panel: new FakeElement() };
   Object.assign(globalThis, {
     document: { getElementById: (/** @type {string} */ id) => elements[id] },
-    HTMLElement: FakeElement, HTMLButtonElement: FakeElement, HTMLFormElement: FakeElement,
+    HTMLElement: FakeElement,
+    HTMLButtonElement: FakeElement,
+    HTMLFormElement: FakeElement,
   });
   busy = false;
   controls = { text: 'a', values: { preset: 'balanced' } };
   centre = new Centre(() => {});
   centre.put([1, 0, 0]);
-  model = fake({ load: async (/** @type {any} */ source, /** @type {any} */ centreMm) => {
-    model.answers.source = source;
-    centre.put(centreMm);
-  } });
+  model = fake({
+    load: async (/** @type {any} */ source, /** @type {any} */ centreMm) => {
+      model.answers.source = source;
+      centre.put(centreMm);
+    },
+  });
   model.answers.source = { bytes: new Uint8Array([1]), scaleToMm: 1, upAxis: 'z' };
   placing = fake({ put: async (/** @type {any} */ mm, /** @type {boolean} */ isGuess) => centre.put(mm, isGuess) });
-  carving = fake({ restore: async (/** @type {any} */ carved) => {
-    carving.answers.carved = carved;
-    return carved !== undefined;
-  } });
+  carving = fake({
+    restore: async (/** @type {any} */ carved) => {
+      carving.answers.carved = carved;
+      return carved !== undefined;
+    },
+  });
   Object.defineProperty(carving, 'carved', { get: () => carving.answers.carved });
   messages = new FakeMessages();
   undo = new Undo({
-    client: fake(), model, placing, carving, spots: fake(), messages: /** @type {any} */ (messages),
-    jobs: /** @type {any} */ ({ get busy() { return busy; } }),
-    work: () => /** @type {any} */ ({ source: model.answers.source, ...controls, centreMm: centre.mm, centreIsGuess: centre.isGuess }),
+    client: fake(),
+    model,
+    placing,
+    carving,
+    spots: fake(),
+    messages: /** @type {any} */ (messages),
+    jobs: /** @type {any} */ ({
+      get busy() {
+        return busy;
+      },
+    }),
+    work: () =>
+      /** @type {any} */ ({
+        source: model.answers.source,
+        ...controls,
+        centreMm: centre.mm,
+        centreIsGuess: centre.isGuess,
+      }),
     write: ({ text, values }) => void (controls = /** @type {any} */ ({ text, values })),
     guard: (action) => action().then(() => {}),
     onRestored: () => {},
@@ -53,7 +79,12 @@ beforeEach(() => {
   undo.record();
 });
 after(() => {
-  Object.assign(globalThis, { document: realDocument, HTMLElement: realElement, HTMLButtonElement: realButton, HTMLFormElement: realForm });
+  Object.assign(globalThis, {
+    document: realDocument,
+    HTMLElement: realElement,
+    HTMLButtonElement: realButton,
+    HTMLFormElement: realForm,
+  });
 });
 
 test('A text is undone and redone, and the code placed anew', async () => {

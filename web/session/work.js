@@ -18,8 +18,13 @@ export const sameModel = (a, b) => a?.bytes === b?.bytes && a?.scaleToMm === b?.
 export const sameCentre = (a, b) => a?.join() === b?.join();
 
 /** @param {Work} a @param {Work} b */
-export const sameWork = (a, b) => sameModel(a.source, b.source) && a.source?.upAxis === b.source?.upAxis && a.text === b.text && a.batch === b.batch &&
-  sameCentre(a.centreMm, b.centreMm) && Object.entries(a.values).every(([id, value]) => b.values[id] === value);
+export const sameWork = (a, b) =>
+  sameModel(a.source, b.source) &&
+  a.source?.upAxis === b.source?.upAxis &&
+  a.text === b.text &&
+  a.batch === b.batch &&
+  sameCentre(a.centreMm, b.centreMm) &&
+  Object.entries(a.values).every(([id, value]) => b.values[id] === value);
 
 /**
  * Returns the settings for the size and rotation set by the code's handles.
@@ -30,7 +35,7 @@ export const sameWork = (a, b) => sameModel(a.source, b.source) && a.source?.upA
 export function settingsByHandles({ rotateDeg, symbolMm }, now) {
   /** @type {import('../ui/settings_form.js').Values} */ const values = {};
   if (rotateDeg !== undefined) values.rotate = String(rotateDeg);
-  if (rotateDeg !== undefined && now.size === 'best') values.size = 'oriented';  // 'best' would rotate it back
+  if (rotateDeg !== undefined && now.size === 'best') values.size = 'oriented'; // 'best' would rotate it back
   if (symbolMm !== undefined) Object.assign(values, { size: 'fixed', 'size-mm': String(symbolMm) });
   return values;
 }

@@ -10,10 +10,11 @@ const kStore = 'kept';
  * @param {IDBRequest<T> | IDBOpenDBRequest} request
  * @returns {Promise<T>}
  */
-const result = (request) => new Promise((resolve, reject) => {
-  request.onsuccess = () => resolve(/** @type {T} */ (request.result));
-  request.onerror = () => reject(request.error);
-});
+const result = (request) =>
+  new Promise((resolve, reject) => {
+    request.onsuccess = () => resolve(/** @type {T} */ (request.result));
+    request.onerror = () => reject(request.error);
+  });
 
 export class Database {
   constructor() {
@@ -55,7 +56,7 @@ export class Database {
       }
       return await new Promise((resolve) => {
         transaction.oncomplete = () => resolve(true);
-        transaction.onabort = () => resolve(false);  // for example if the quota is used up
+        transaction.onabort = () => resolve(false); // for example if the quota is used up
       });
     } catch {
       return false;

@@ -13,7 +13,12 @@ afterEach(() => {
 });
 
 test('Where the browser denies it, nothing is kept, and nobody is bothered', async () => {
-  Object.defineProperty(globalThis, 'indexedDB', { configurable: true, get: () => { throw new DOMException('denied', 'SecurityError'); } });
+  Object.defineProperty(globalThis, 'indexedDB', {
+    configurable: true,
+    get: () => {
+      throw new DOMException('denied', 'SecurityError');
+    },
+  });
   const database = new Database();
   assert.equal(await database.put({ a: 1 }), false);
   assert.equal(await database.get('a'), undefined);
@@ -29,7 +34,14 @@ test('The password of a network is not handed over to be kept', async () => {
   const store = { get: async () => undefined, put: async (/** @type {any} */ values) => written.push(values) > 0 };
   const last = new LastWork(store, holdsSecret);
   last.openedWith(undefined);
-  last.note({ fileName: 'bunny.stl', sampleId: 'bunny', scaleToMm: 1, upAxis: 'z', text: 'WIFI:T:WPA;S:home;P:very secret;;', values: {} });
+  last.note({
+    fileName: 'bunny.stl',
+    sampleId: 'bunny',
+    scaleToMm: 1,
+    upAxis: 'z',
+    text: 'WIFI:T:WPA;S:home;P:very secret;;',
+    values: {},
+  });
   await last.flush();
   assert.ok(written.length > 0);
   assert.doesNotMatch(JSON.stringify(written), /very secret/);

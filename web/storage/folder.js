@@ -17,8 +17,12 @@ async function rootFolder() {
 }
 
 /** @param {{ name: string, message: string }} problem */
-const failureOf = ({ name, message: detail }) => new EngineFailure(name === 'QuotaExceededError' ? internal(message('storage-full'))
-  : internal(message('storage-failed', { detail: { term: detail || name } })));
+const failureOf = ({ name, message: detail }) =>
+  new EngineFailure(
+    name === 'QuotaExceededError'
+      ? internal(message('storage-full'))
+      : internal(message('storage-failed', { detail: { term: detail || name } })),
+  );
 
 /** @param {unknown} thrown */
 export const isStorageFailure = (thrown) => thrown instanceof EngineFailure && thrown.code.startsWith('storage-');
@@ -73,7 +77,7 @@ export class Folder {
   /** Removes the folder with all files. */
   async remove() {
     const root = await rootFolder();
-    await root.removeEntry(this.name_, { recursive: true }).catch(() => {});  // it does not exist
+    await root.removeEntry(this.name_, { recursive: true }).catch(() => {}); // it does not exist
   }
 
   /**
@@ -85,7 +89,7 @@ export class Folder {
    */
   async send_(verb, file, bytes, transfer) {
     await rootFolder();
-    const worker = this.worker_ ??= this.start_();
+    const worker = (this.worker_ ??= this.start_());
     return new Promise((resolve, reject) => {
       const id = this.nextId_++;
       this.pending_.set(id, { resolve, reject });

@@ -47,7 +47,8 @@ const verbs = {
   },
   /** Appends a line; first ends the last line if it was cut off. @param {Access} access @param {Uint8Array} bytes */
   append(access, bytes) {
-    const size = access.getSize(), last = new Uint8Array(1);
+    const size = access.getSize(),
+      last = new Uint8Array(1);
     if (size > 0) access.read(last, { at: size - 1 });
     const isCut = size > 0 && last[0] !== kLineEnd;
     if (isCut) put(access, Uint8Array.of(kLineEnd), size);
@@ -71,7 +72,8 @@ scope.onmessage = (/** @type {MessageEvent} */ { data }) => {
       const value = await withFile(folder, file, (access) => verbs[verb](access, bytes));
       scope.postMessage({ id, value }, value ? [value.buffer] : []);
     } catch (thrown) {
-      const { name, message } = thrown instanceof Error || thrown instanceof DOMException ? thrown : { name: '', message: String(thrown) };
+      const { name, message } =
+        thrown instanceof Error || thrown instanceof DOMException ? thrown : { name: '', message: String(thrown) };
       scope.postMessage({ id, problem: { name, message } });
     }
   });

@@ -29,13 +29,18 @@
 /** @typedef {{ get: (key: string) => Promise<any>, put: (values: Record<string, any>) => Promise<boolean> }} Store */
 
 export const kMaxBytes = 256 * 1024 * 1024;
-const kPauseMs = 800;   // between the last change and storing
-const kFormat = 1;      // version of the stored data; other versions are not offered
+const kPauseMs = 800; // between the last change and storing
+const kFormat = 1; // version of the stored data; other versions are not offered
 const kState = 'last work';
 const kModel = 'last model';
 
 /** Summarises the work without the bytes of its files. @param {Work} work */
-const brief = (work) => JSON.stringify({ ...work, bytes: work.bytes?.length, batch: work.batch && { ...work.batch, list: work.batch.list.length } });
+const brief = (work) =>
+  JSON.stringify({
+    ...work,
+    bytes: work.bytes?.length,
+    batch: work.batch && { ...work.batch, list: work.batch.list.length },
+  });
 
 /** Returns all strings of a batch that may be the text of a code or its beginning. @param {BatchInput} batch */
 const textsOf = ({ text, list }) => [text, ...new TextDecoder().decode(list).split(/[\n",;\t]+(?=\s*WIFI:)|\n/i)];
@@ -48,15 +53,15 @@ export class LastWork {
   constructor(store, holdsSecret) {
     this.store_ = store;
     this.holdsSecret_ = holdsSecret;
-    /** @type {string | undefined} */ this.seen_ = undefined;        // summary of the last known work
+    /** @type {string | undefined} */ this.seen_ = undefined; // summary of the last known work
     /** @type {Uint8Array | undefined} */ this.seenBytes_ = undefined;
     /** @type {Uint8Array | undefined} */ this.seenList_ = undefined;
-    /** @type {Uint8Array | undefined} */ this.keptBytes_ = undefined;  // the stored file's
+    /** @type {Uint8Array | undefined} */ this.keptBytes_ = undefined; // the stored file's
     /** @type {Work | undefined} */ this.next_ = undefined;
     /** @type {ReturnType<typeof setTimeout> | undefined} */ this.pause_ = undefined;
     /** @type {Promise<void>} */ this.writing_ = Promise.resolve();
     this.modelId_ = 0;
-    this.replaced_ = false;  // true: the last visit's work is overwritten
+    this.replaced_ = false; // true: the last visit's work is overwritten
   }
 
   /** Notes the work with which the page opened. It is not stored unless it changes. @param {Work} [work] */
@@ -90,13 +95,15 @@ export class LastWork {
   /** @param {Work} work */
   async write_({ bytes, text, batch, ...rest }) {
     if (bytes && bytes.length > kMaxBytes) {
-      await this.forget();  // otherwise the previous work would be offered
+      await this.forget(); // otherwise the previous work would be offered
       return;
     }
     const changed = bytes !== this.keptBytes_;
     if (changed) this.modelId_ = Date.now();
     const state = {
-      ...rest, format: kFormat, ...(bytes && { modelId: this.modelId_ }),
+      ...rest,
+      format: kFormat,
+      ...(bytes && { modelId: this.modelId_ }),
       ...(text !== undefined && !this.holdsSecret_(text) && { text }),
       ...(batch && !textsOf(batch).some(this.holdsSecret_) && { batch }),
     };

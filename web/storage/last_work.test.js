@@ -29,10 +29,22 @@ class MemoryStore {
 }
 
 const noSecrets = () => false;
-const opened = { fileName: 'bunny.stl', sampleId: 'bunny', scaleToMm: 1, upAxis: /** @type {const} */ ('z'), text: 'a', values: { preset: 'balanced' } };
+const opened = {
+  fileName: 'bunny.stl',
+  sampleId: 'bunny',
+  scaleToMm: 1,
+  upAxis: /** @type {const} */ ('z'),
+  text: 'a',
+  values: { preset: 'balanced' },
+};
 const own = () => ({
-  fileName: 'cup.stl', bytes: Uint8Array.of(1, 2, 3), scaleToMm: 25.4, upAxis: /** @type {const} */ ('y'), text: 'b',
-  values: { preset: 'robust', 'quiet-zone': true }, centreMm: /** @type {[number, number, number]} */ ([1, 2, 3]),
+  fileName: 'cup.stl',
+  bytes: Uint8Array.of(1, 2, 3),
+  scaleToMm: 25.4,
+  upAxis: /** @type {const} */ ('y'),
+  text: 'b',
+  values: { preset: 'robust', 'quiet-zone': true },
+  centreMm: /** @type {[number, number, number]} */ ([1, 2, 3]),
 });
 
 /**
@@ -149,7 +161,15 @@ test('discarding the last visit’s work leaves what this visit has put in its p
 });
 
 /** @param {string} list */
-const batchOf = (list) => ({ from: /** @type {const} */ ('list'), list: new TextEncoder().encode(list), listName: 'parts.csv', count: 100, text: '', name: '{id}.3mf', perPlate: 0 });
+const batchOf = (list) => ({
+  from: /** @type {const} */ ('list'),
+  list: new TextEncoder().encode(list),
+  listName: 'parts.csv',
+  count: 100,
+  text: '',
+  name: '{id}.3mf',
+  perPlate: 0,
+});
 
 test('the list of a batch comes back; another list of the same length takes its place', async () => {
   const { store, last } = visit();

@@ -12,13 +12,21 @@ import { showFindings } from './messages.js';
 /** @typedef {import('../engine/types.js').BatchRow} BatchRow */
 
 const kTypingPauseMs = 250;
-const kMostShownBytes = 20_000;  // the panel shows a longer list by its name only
+const kMostShownBytes = 20_000; // the panel shows a longer list by its name only
 const kNumberedText = 'https://example.org/p/{n:05}';
-const kPerPlate = 12;  // used while the field holds no valid number of parts
-const kPasted = '';  // the name of a list that was typed or pasted
+const kPerPlate = 12; // used while the field holds no valid number of parts
+const kPasted = ''; // the name of a list that was typed or pasted
 
 /** The input before anything is typed. @type {BatchInput} */
-export const kEmptyInput = Object.freeze({ from: 'list', list: new Uint8Array(), listName: kPasted, count: 100, text: '', name: '', perPlate: 0 });
+export const kEmptyInput = Object.freeze({
+  from: 'list',
+  list: new Uint8Array(),
+  listName: kPasted,
+  count: 100,
+  text: '',
+  name: '',
+  perPlate: 0,
+});
 
 export class BatchPanel {
   /**
@@ -45,7 +53,12 @@ export class BatchPanel {
     /** @type {() => void} */ this.writeFindings_ = () => {};
     for (const radio of [this.isOne_, this.isMany_]) radio.addEventListener('change', () => this.changed_());
     this.from_.addEventListener('change', () => {
-      this.text_.value = this.from_.value === 'count' ? this.text_.value || kNumberedText : this.text_.value === kNumberedText ? '' : this.text_.value;
+      this.text_.value =
+        this.from_.value === 'count'
+          ? this.text_.value || kNumberedText
+          : this.text_.value === kNumberedText
+            ? ''
+            : this.text_.value;
       this.take_();
     });
     this.files_.addEventListener('change', () => this.take_());
@@ -54,7 +67,7 @@ export class BatchPanel {
       field.addEventListener('change', () => this.take_());
       field.addEventListener('keydown', (event) => {
         const isEnter = event instanceof KeyboardEvent && event.key === 'Enter';
-        if (isEnter && field !== this.pasted_) event.preventDefault();  // Enter would engrave before planning
+        if (isEnter && field !== this.pasted_) event.preventDefault(); // Enter would engrave before planning
         if (isEnter && field !== this.pasted_) this.take_();
       });
     }
@@ -62,7 +75,7 @@ export class BatchPanel {
     file.addEventListener('change', () => {
       const [chosen] = file.files ?? [];
       if (chosen) onFile(chosen);
-      file.value = '';  // allows choosing the same file again after correcting it
+      file.value = ''; // allows choosing the same file again after correcting it
     });
     byId('batch-file-remove', HTMLButtonElement).addEventListener('click', () => {
       this.put_({ ...this.input_, list: new Uint8Array(), listName: kPasted });
@@ -94,7 +107,14 @@ export class BatchPanel {
     this.isMany_.checked = true;
     this.from_.value = 'list';
     const isNumbered = this.text_.value === kNumberedText;
-    this.put_({ ...this.input_, from: 'list', list, listName, text: isNumbered ? '' : this.text_.value, name: this.name_.value });
+    this.put_({
+      ...this.input_,
+      from: 'list',
+      list,
+      listName,
+      text: isNumbered ? '' : this.text_.value,
+      name: this.name_.value,
+    });
     this.changed_();
   }
 
@@ -118,9 +138,12 @@ export class BatchPanel {
    */
   show({ plan, problems, first }) {
     this.writeFindings_ = () => {
-      const unused = plan?.unused.length ? [{ severity: 'warning', found: text('batch.unused', { columns: plan.unused.join(', ') }), help: '' }] : [];
+      const unused = plan?.unused.length
+        ? [{ severity: 'warning', found: text('batch.unused', { columns: plan.unused.join(', ') }), help: '' }]
+        : [];
       showFindings(this.problems_, [
-        ...problems.map((problem) => ({ severity: 'blocking', found: sentenceOf(problem), help: hintOf(problem) })), ...unused,
+        ...problems.map((problem) => ({ severity: 'blocking', found: sentenceOf(problem), help: hintOf(problem) })),
+        ...unused,
       ]);
       this.first_.hidden = first === undefined;
       this.first_.textContent = first ? text('batch.firstShown', { id: first.id, text: first.text }) : '';
@@ -155,8 +178,18 @@ export class BatchPanel {
     const count = this.count_.validity.valid ? this.count_.valueAsNumber : 0;
     /** @type {BatchInput} */
     const now = {
-      from: this.from_.value === 'count' ? 'count' : 'list', list, listName, count, text: this.text_.value, name: this.name_.value,
-      perPlate: this.files_.value !== 'plates' ? 0 : this.perPlate_.validity.valid ? this.perPlate_.valueAsNumber : this.input_.perPlate || kPerPlate,
+      from: this.from_.value === 'count' ? 'count' : 'list',
+      list,
+      listName,
+      count,
+      text: this.text_.value,
+      name: this.name_.value,
+      perPlate:
+        this.files_.value !== 'plates'
+          ? 0
+          : this.perPlate_.validity.valid
+            ? this.perPlate_.valueAsNumber
+            : this.input_.perPlate || kPerPlate,
     };
     const pasted = isFile ? list : new TextEncoder().encode(this.pasted_.value);
     const isSameList = pasted.length === list.length && pasted.every((byte, i) => byte === list[i]);
@@ -173,7 +206,9 @@ export class BatchPanel {
   }
 
   showFields_() {
-    const isMany = this.isMany_.checked, isList = this.from_.value === 'list', isFile = this.input_.listName !== kPasted;
+    const isMany = this.isMany_.checked,
+      isList = this.from_.value === 'list',
+      isFile = this.input_.listName !== kPasted;
     byId('one-code', HTMLElement).hidden = isMany;
     byId('step-parts', HTMLElement).hidden = !isMany;
     this.fields_.hidden = !isMany;
@@ -191,8 +226,10 @@ export class BatchPanel {
   showTexts_() {
     byId('batch-hint', HTMLElement).textContent = text('batch.hint', { plain: '{n}', padded: '{n:05}' });
     this.text_.placeholder = this.from_.value === 'count' ? kNumberedText : text('batch.textAuto');
-    byId('batch-file-name', HTMLElement).textContent =
-      text('batch.listIs', { name: this.input_.listName, size: formatNumber(Math.max(1, this.input_.list.length / 1000)) });
+    byId('batch-file-name', HTMLElement).textContent = text('batch.listIs', {
+      name: this.input_.listName,
+      size: formatNumber(Math.max(1, this.input_.list.length / 1000)),
+    });
     this.writeFindings_();
   }
 }

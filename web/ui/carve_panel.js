@@ -17,7 +17,11 @@ export class CarvePanel {
 
   show() {
     const nozzle = this.nozzle_.valueAsNumber;
-    describeStep('carve', () => text('page.carveState',
-      { preset: choiceLabel('preset', this.preset_.value).split(',')[0], nozzle: Number.isFinite(nozzle) ? formatPlain(nozzle) : '?' }));
+    describeStep('carve', () =>
+      text('page.carveState', {
+        preset: choiceLabel('preset', this.preset_.value).split(',')[0],
+        nozzle: Number.isFinite(nozzle) ? formatPlain(nozzle) : '?',
+      }),
+    );
   }
 }

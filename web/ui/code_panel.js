@@ -29,14 +29,18 @@ export class CodePanel {
     this.onChange_ = onChange;
     this.text_ = byId('text', HTMLTextAreaElement);
     this.content_ = '';
-    this.plain_ = '';  // the text before a builder replaced it
+    this.plain_ = ''; // the text before a builder replaced it
     this.builderWrote_ = false;
     /** @type {Parts | undefined} */ this.parts_ = undefined;
     /** @type {Placement | undefined} */ this.placement_ = undefined;
     /** @type {ReturnType<typeof setTimeout> | undefined} */ this.pause_ = undefined;
-    this.builder_ = new ContentPanel({ onPayload: (payload) => this.take_(payload), onPlain: () => this.leaveBuilder_() });
+    this.builder_ = new ContentPanel({
+      onPayload: (payload) => this.take_(payload),
+      onPlain: () => this.leaveBuilder_(),
+    });
     this.symbol_ = new SymbolPanel({
-      settings, symbolOf,
+      settings,
+      symbolOf,
       otherForms: () => this.otherForms_(),
       onReplace: (content) => this.replace_(content),
     });
@@ -79,7 +83,7 @@ export class CodePanel {
 
   /** Draws the symbol again after the settings or the engine have changed. */
   refresh() {
-    this.symbol_.show(this.parts_ ? this.parts_.first?.text ?? '' : this.content_);
+    this.symbol_.show(this.parts_ ? (this.parts_.first?.text ?? '') : this.content_);
   }
 
   /** @param {Placement | undefined} placement  the symbol's placement */
@@ -87,9 +91,13 @@ export class CodePanel {
     this.placement_ = placement;
     this.symbol_.setRoom(placement);
     this.refresh();
-    if (this.parts_) showStep('code', this.parts_.isWrong ? 'bad' : this.parts_.first ? 'done' : 'open', this.parts_.words);
+    if (this.parts_)
+      showStep('code', this.parts_.isWrong ? 'bad' : this.parts_.first ? 'done' : 'open', this.parts_.words);
     else if (this.incomplete) showStep('code', 'open', () => text('code.incomplete'));
-    else if (placement) showStep('code', 'done', () => text('page.codeState', { version: placement.version, modules: placement.modules }));
+    else if (placement)
+      showStep('code', 'done', () =>
+        text('page.codeState', { version: placement.version, modules: placement.modules }),
+      );
     else showStep('code', 'open', () => '');
   }
 
@@ -142,8 +150,12 @@ export class CodePanel {
    */
   otherForms_() {
     /** @type {[string, import('../i18n/catalogue.js').Key][]} */
-    const forms = [['mecard', 'code.shorter.mecard'], ['event', 'code.shorter.event']];
-    return forms.map(([form, key]) => ({ text: this.builder_.payloadAs(form), key, use: () => this.builder_.writeAs(form) }))
+    const forms = [
+      ['mecard', 'code.shorter.mecard'],
+      ['event', 'code.shorter.event'],
+    ];
+    return forms
+      .map(([form, key]) => ({ text: this.builder_.payloadAs(form), key, use: () => this.builder_.writeAs(form) }))
       .filter((form) => form.text !== '' && form.text !== this.content_);
   }
 }

@@ -8,8 +8,8 @@ import { FieldView } from './field_view.js';
 /** @typedef {import('../payloads/types.js').Content} Content */
 /** @typedef {import('../payloads/types.js').Values} Values */
 
-const kForm = 'form';  // the field that selects the form, in kinds that can be written in several ways
-const kPlain = 'text';  // no fields: the textbox holds the content
+const kForm = 'form'; // the field that selects the form, in kinds that can be written in several ways
+const kPlain = 'text'; // no fields: the textbox holds the content
 
 export class ContentPanel {
   /**
@@ -32,8 +32,8 @@ export class ContentPanel {
     localise(mount);
     /** @type {Content | undefined} */ this.content_ = undefined;
     /** @type {FieldView[]} */ this.views_ = [];
-    /** @type {Set<string>} */ this.visited_ = new Set();  // a field that the user has not visited yet shows no error
-    /** @type {Map<string, Values>} */ this.kept_ = new Map();  // values of the other kinds, until the page closes
+    /** @type {Set<string>} */ this.visited_ = new Set(); // a field that the user has not visited yet shows no error
+    /** @type {Map<string, Values>} */ this.kept_ = new Map(); // values of the other kinds, until the page closes
     this.kind_.addEventListener('change', () => this.choose_());
     onLanguage(() => this.views_.forEach((view) => view.relocalise()));
   }
@@ -85,7 +85,8 @@ export class ContentPanel {
     const kept = content ? this.kept_.get(content.id) : undefined;
     this.views_ = (content?.fields ?? []).map((field) => this.makeView_(`content-${content?.id}`, field));
     for (const { field, control } of kept ? this.views_ : []) {
-      if (control instanceof HTMLInputElement && control.type === 'checkbox') control.checked = kept?.[field.id] === 'true';
+      if (control instanceof HTMLInputElement && control.type === 'checkbox')
+        control.checked = kept?.[field.id] === 'true';
       else control.value = kept?.[field.id] ?? '';
     }
     this.fields_.replaceChildren(...this.views_.map(({ element }) => element));
@@ -102,7 +103,7 @@ export class ContentPanel {
 
   /** @param {FieldView} view */
   visit_(view) {
-    if (this.visited_.has(view.field.id) || !this.views_.includes(view)) return;  // removing a field also blurs it
+    if (this.visited_.has(view.field.id) || !this.views_.includes(view)) return; // removing a field also blurs it
     this.visited_.add(view.field.id);
     this.showProblems_();
   }

@@ -15,10 +15,17 @@ export class ExportPanel {
     this.secret_.hidden = true;
     this.settings_ = makeButton('exports.settings', 'exports.settingsTitle', onSettings);
     this.picture_ = makeButton('exports.picture', 'exports.pictureTitle', onPicture);
-    mount.append(make('div', { className: 'take-buttons' },
-      this.settings_, this.picture_,
-      makeButton('exports.symbolSvg', 'exports.symbolSvgTitle', () => onSymbol('svg')),
-      makeButton('exports.symbolPng', 'exports.symbolPngTitle', () => onSymbol('png'))), this.secret_);
+    mount.append(
+      make(
+        'div',
+        { className: 'take-buttons' },
+        this.settings_,
+        this.picture_,
+        makeButton('exports.symbolSvg', 'exports.symbolSvgTitle', () => onSymbol('svg')),
+        makeButton('exports.symbolPng', 'exports.symbolPngTitle', () => onSymbol('png')),
+      ),
+      this.secret_,
+    );
     localise(mount);
   }
 

@@ -10,11 +10,11 @@ import { make } from '../dom/dom.js';
 /** @type {Record<Exclude<Field['kind'], 'choice' | 'lines'>, { type: string, mode?: string }>} */
 const kInputs = {
   text: { type: 'text' },
-  email: { type: 'text', mode: 'email' },  // the browser's own e-mail check would change the typed text
+  email: { type: 'text', mode: 'email' }, // the browser's own e-mail check would change the typed text
   tel: { type: 'tel' },
   url: { type: 'text', mode: 'url' },
   password: { type: 'password' },
-  decimal: { type: 'text', mode: 'text' },  // a numeric keyboard may lack the minus
+  decimal: { type: 'text', mode: 'text' }, // a numeric keyboard may lack the minus
   datetime: { type: 'datetime-local' },
   check: { type: 'checkbox' },
 };
@@ -35,7 +35,8 @@ function makeControl({ kind, options = [] }) {
   const { type, mode } = kInputs[kind];
   input.type = type;
   if (mode) input.inputMode = mode;
-  if (kind !== 'check') Object.assign(input, { autocapitalize: kind === 'text' ? 'sentences' : 'off', spellcheck: kind === 'text' });
+  if (kind !== 'check')
+    Object.assign(input, { autocapitalize: kind === 'text' ? 'sentences' : 'off', spellcheck: kind === 'text' });
   return input;
 }
 
@@ -50,7 +51,8 @@ export class FieldView {
     this.control = makeControl(field);
     const id = `${prefix}-${field.id}`;
     this.control.id = id;
-    if (field.kind !== 'choice' && field.kind !== 'check') this.control.autocomplete = /** @type {AutoFill} */ (field.autocomplete ?? 'off');
+    if (field.kind !== 'choice' && field.kind !== 'check')
+      this.control.autocomplete = /** @type {AutoFill} */ (field.autocomplete ?? 'off');
     this.control.required = !field.optional && field.kind !== 'choice';
     this.hint_ = make('p', { className: 'field-hint' });
     this.hint_.id = `${id}-hint`;
@@ -68,7 +70,11 @@ export class FieldView {
   }
 
   get value() {
-    return this.control instanceof HTMLInputElement && this.control.type === 'checkbox' ? (this.control.checked ? 'true' : '') : this.control.value;
+    return this.control instanceof HTMLInputElement && this.control.type === 'checkbox'
+      ? this.control.checked
+        ? 'true'
+        : ''
+      : this.control.value;
   }
 
   /** @param {boolean} shown */
@@ -114,11 +120,21 @@ export class FieldView {
     if (this.field.optional) {
       const optional = make('span', { className: 'optional' });
       optional.dataset.text = 'code.optional';
-      optional.setAttribute('aria-hidden', 'true');  // screen readers announce “required” instead
+      optional.setAttribute('aria-hidden', 'true'); // screen readers announce “required” instead
       head.append(optional);
     }
-    const control = this.field.kind === 'password' ? make('div', { className: 'with-button' }, this.control, this.makeReveal_()) : this.control;
-    return make('div', { className: `field${this.field.half ? ' half' : ''}` }, head, control, this.note_, ...(this.field.hint ? [this.hint_] : []));
+    const control =
+      this.field.kind === 'password'
+        ? make('div', { className: 'with-button' }, this.control, this.makeReveal_())
+        : this.control;
+    return make(
+      'div',
+      { className: `field${this.field.half ? ' half' : ''}` },
+      head,
+      control,
+      this.note_,
+      ...(this.field.hint ? [this.hint_] : []),
+    );
   }
 
   /** Makes the button that shows or hides a password. */

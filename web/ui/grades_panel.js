@@ -10,10 +10,25 @@ import { formatNumber, formatPercent, formatPlain } from '../i18n/format.js';
 /** @typedef {(report: Report, onTrial: (tried: number, all: number) => void, signal: AbortSignal) => Promise<Trials | undefined>} ViewTrier */
 
 const kLetters = ['F', 'D', 'C', 'B', 'A'];
-const kCounts = ['fixedPatternDamage', 'formatInformation'];  // the other measurements are shares
+const kCounts = ['fixedPatternDamage', 'formatInformation']; // the other measurements are shares
 const kParameters = /** @type {const} */ ({
-  iso15415: ['decode', 'unusedErrorCorrection', 'fixedPatternDamage', 'formatInformation', 'symbolContrast', 'modulation', 'reflectanceMargin'],
-  iso29158: ['decode', 'unusedErrorCorrection', 'fixedPatternDamage', 'formatInformation', 'cellContrast', 'cellModulation'],
+  iso15415: [
+    'decode',
+    'unusedErrorCorrection',
+    'fixedPatternDamage',
+    'formatInformation',
+    'symbolContrast',
+    'modulation',
+    'reflectanceMargin',
+  ],
+  iso29158: [
+    'decode',
+    'unusedErrorCorrection',
+    'fixedPatternDamage',
+    'formatInformation',
+    'cellContrast',
+    'cellModulation',
+  ],
 });
 
 export class GradesPanel {
@@ -53,8 +68,11 @@ export class GradesPanel {
       ...gradeTable(text('check.iso29158'), verification.iso29158, kParameters.iso29158),
       ...gradeTable(text('check.iso15415'), verification.iso15415, kParameters.iso15415),
       make('h3', { text: text('check.views') }),
-      make('p', { text: `${text('check.eye', { distance: centimetres(projection.eyeDistanceMm) })}: ${text(this.report_.verification.decoded ? 'check.read' : 'check.unread')}` }),
-      ...this.viewTrials_());
+      make('p', {
+        text: `${text('check.eye', { distance: centimetres(projection.eyeDistanceMm) })}: ${text(this.report_.verification.decoded ? 'check.read' : 'check.unread')}`,
+      }),
+      ...this.viewTrials_(),
+    );
   }
 
   viewTrials_() {
@@ -78,12 +96,16 @@ export class GradesPanel {
     this.tried_ = 0;
     this.all_ = 0;
     this.render_();
-    const trials = await this.tryViews_(report, (tried, all) => {
-      this.tried_ = tried;
-      this.all_ = all;
-      const line = this.content_.querySelector('.trying');
-      if (line) line.textContent = this.progress_();
-    }, trying.signal);
+    const trials = await this.tryViews_(
+      report,
+      (tried, all) => {
+        this.tried_ = tried;
+        this.all_ = all;
+        const line = this.content_.querySelector('.trying');
+        if (line) line.textContent = this.progress_();
+      },
+      trying.signal,
+    );
     if (this.trying_ !== trying) return;
     this.trying_ = undefined;
     this.trials_ = trials;
@@ -93,14 +115,29 @@ export class GradesPanel {
 
 /** @param {Trials} trials */
 function trialList({ tilts, safeTiltDeg: safe, forgiving, pixelsPerModule, distanceMm }) {
-  return make('ul', { className: 'trials' },
-    ...tilts.map(({ tiltDeg, reads, all }) => make('li', { text: `${text('check.tilt', { tilt: tiltDeg })}: ${text('check.tiltReads', { reads, all })}` })),
-    make('li', {}, make('strong', { text: safe > 0 ? text('check.tiltUpTo', { tilt: safe }) : text('check.tiltNone') })),
+  return make(
+    'ul',
+    { className: 'trials' },
+    ...tilts.map(({ tiltDeg, reads, all }) =>
+      make('li', { text: `${text('check.tilt', { tilt: tiltDeg })}: ${text('check.tiltReads', { reads, all })}` }),
+    ),
+    make(
+      'li',
+      {},
+      make('strong', { text: safe > 0 ? text('check.tiltUpTo', { tilt: safe }) : text('check.tiltNone') }),
+    ),
     ...(!forgiving ? [make('li', { text: text('check.bends') })] : []),
-    make('li', {}, make('strong', {
-      text: pixelsPerModule === null || distanceMm === null ? text('check.distanceNone')
-        : text('check.distanceUpTo', { distance: centimetres(distanceMm), pixels: formatPlain(pixelsPerModule) }),
-    })));
+    make(
+      'li',
+      {},
+      make('strong', {
+        text:
+          pixelsPerModule === null || distanceMm === null
+            ? text('check.distanceNone')
+            : text('check.distanceUpTo', { distance: centimetres(distanceMm), pixels: formatPlain(pixelsPerModule) }),
+      }),
+    ),
+  );
 }
 
 /** @param {number} mm */
@@ -108,12 +145,33 @@ const centimetres = (mm) => `${formatNumber(mm / 10)} cm`;
 
 /** @param {string} caption @param {Grades} grades @param {readonly (keyof typeof import('../i18n/parts/check.js').check.en)[]} parameters */
 function gradeTable(caption, grades, parameters) {
-  const cells = (/** @type {'th' | 'td'} */ tag, /** @type {string[]} */ ...texts) => texts.map((words) => make(tag, { text: words }));
-  const rows = parameters.map((name) => make('tr', {},
-    ...cells('td', text(`check.${name}`), valueOf(name, grades[name].value), letterOf(grades[name].grade))));
-  return [make('table', {}, make('caption', { text: caption }),
-    make('thead', {}, make('tr', {}, ...cells('th', text('check.parameter'), text('check.value'), text('check.grade')))),
-    make('tbody', {}, ...rows, make('tr', { className: 'overall' }, ...cells('td', text('check.overall'), '', letterOf(grades.overall)))))];
+  const cells = (/** @type {'th' | 'td'} */ tag, /** @type {string[]} */ ...texts) =>
+    texts.map((words) => make(tag, { text: words }));
+  const rows = parameters.map((name) =>
+    make(
+      'tr',
+      {},
+      ...cells('td', text(`check.${name}`), valueOf(name, grades[name].value), letterOf(grades[name].grade)),
+    ),
+  );
+  return [
+    make(
+      'table',
+      {},
+      make('caption', { text: caption }),
+      make(
+        'thead',
+        {},
+        make('tr', {}, ...cells('th', text('check.parameter'), text('check.value'), text('check.grade'))),
+      ),
+      make(
+        'tbody',
+        {},
+        ...rows,
+        make('tr', { className: 'overall' }, ...cells('td', text('check.overall'), '', letterOf(grades.overall))),
+      ),
+    ),
+  ];
 }
 
 /** @param {string} name @param {number} value */

@@ -9,8 +9,13 @@ import { kShortcuts, listenForShortcuts } from './shortcuts.js';
 
 /** @type {[name: Key, keys: Key][]} */
 const kInView = [
-  ['help.turn', 'help.turnKeys'], ['help.move', 'help.moveKeys'], ['help.zoom', 'help.zoomKeys'], ['help.place', 'help.placeKeys'],
-  ['help.turnCode', 'help.turnCodeKeys'], ['help.standard', 'help.standardKeys'], ['help.before', 'help.beforeKeys'],
+  ['help.turn', 'help.turnKeys'],
+  ['help.move', 'help.moveKeys'],
+  ['help.zoom', 'help.zoomKeys'],
+  ['help.place', 'help.placeKeys'],
+  ['help.turnCode', 'help.turnCodeKeys'],
+  ['help.standard', 'help.standardKeys'],
+  ['help.before', 'help.beforeKeys'],
 ];
 const kSingleKeys = 'singleKeys';
 
@@ -25,7 +30,7 @@ export class HelpSheet {
     byId('help', HTMLButtonElement).addEventListener('click', () => this.sheet_.showModal());
     byId('help-close', HTMLButtonElement).addEventListener('click', () => this.sheet_.close());
     this.sheet_.addEventListener('click', (event) => {
-      if (event.target === this.sheet_) this.sheet_.close();  // a click on the backdrop
+      if (event.target === this.sheet_) this.sheet_.close(); // a click on the backdrop
     });
     listenForShortcuts(() => this.single_.checked);
     onLanguage(() => this.fill_());
@@ -33,16 +38,25 @@ export class HelpSheet {
   }
 
   fill_() {
-    byId('help-keys', HTMLElement).replaceChildren(...kShortcuts.flatMap((shortcut) =>
-      [make('dt', {}, ...keysOf(shortcut)), make('dd', { text: text(shortcut.name) })]));
-    byId('help-view', HTMLElement).replaceChildren(...kInView.flatMap(([name, keys]) =>
-      [make('dt', { text: text(keys) }), make('dd', { text: text(name) })]));
+    byId('help-keys', HTMLElement).replaceChildren(
+      ...kShortcuts.flatMap((shortcut) => [
+        make('dt', {}, ...keysOf(shortcut)),
+        make('dd', { text: text(shortcut.name) }),
+      ]),
+    );
+    byId('help-view', HTMLElement).replaceChildren(
+      ...kInView.flatMap(([name, keys]) => [make('dt', { text: text(keys) }), make('dd', { text: text(name) })]),
+    );
   }
 }
 
 /** @param {import('./shortcuts.js').Shortcut} shortcut */
 function keysOf({ key, ctrl, shift }) {
   const name = key === 'escape' ? text('help.key.escape') : key.toUpperCase();
-  const names = [...(ctrl ? [isMac() ? '⌘' : text('help.key.ctrl')] : []), ...(shift ? [text('help.key.shift')] : []), name];
+  const names = [
+    ...(ctrl ? [isMac() ? '⌘' : text('help.key.ctrl')] : []),
+    ...(shift ? [text('help.key.shift')] : []),
+    name,
+  ];
   return names.flatMap((one, i) => [...(i > 0 ? [' '] : []), make('kbd', { text: one })]);
 }

@@ -10,15 +10,23 @@ import { onLanguage, text } from '../i18n/catalogue.js';
 
 const { parts: kRanges = {}, most: kMostLamps = 0 } = kSettings.light;
 const kParts = /** @type {const} */ (['azimuthDeg', 'elevationDeg', 'strength']);
-const kDefaults = /** @type {Required<Lamp>} */ (Object.fromEntries(kParts.map((part) => [part, kRanges[part].default])));
+const kDefaults = /** @type {Required<Lamp>} */ (
+  Object.fromEntries(kParts.map((part) => [part, kRanges[part].default]))
+);
 /** The initial lamps: the first above the code, the second to its left. @type {readonly Required<Lamp>[]} */
-const kFirst = Array.from({ length: kMostLamps }, (_, at) => ({ ...kDefaults, azimuthDeg: 90 * (at + 1), elevationDeg: 40 }));
+const kFirst = Array.from({ length: kMostLamps }, (_, at) => ({
+  ...kDefaults,
+  azimuthDeg: 90 * (at + 1),
+  elevationDeg: 40,
+}));
 
 export class LampsField {
   constructor() {
     this.value_ = byId('light', HTMLInputElement);
     this.count_ = byId('lamp-count', HTMLSelectElement);
-    this.count_.append(...Array.from({ length: kMostLamps + 1 }, (_, lamps) => Object.assign(make('option'), { value: String(lamps) })));
+    this.count_.append(
+      ...Array.from({ length: kMostLamps + 1 }, (_, lamps) => Object.assign(make('option'), { value: String(lamps) })),
+    );
     this.lamps_ = kFirst.map((first, at) => this.fieldsOf_(first, at));
     byId('lamps', HTMLElement).append(...this.lamps_.map(({ box }) => box));
     this.count_.addEventListener('change', () => this.write_());
@@ -30,11 +38,13 @@ export class LampsField {
   /** Shows the value of the setting's control. */
   read() {
     const lamps = lampsFrom(this.value_.value);
-    if (!lamps) return;  // the value is still being typed
+    if (!lamps) return; // the value is still being typed
     this.count_.value = String(Math.min(lamps.length, kMostLamps));
-    this.lamps_.forEach(({ inputs }, at) => kParts.forEach((part) => {
-      inputs[part].value = String((lamps[at] ? { ...kDefaults, ...lamps[at] } : kFirst[at])[part]);
-    }));
+    this.lamps_.forEach(({ inputs }, at) =>
+      kParts.forEach((part) => {
+        inputs[part].value = String((lamps[at] ? { ...kDefaults, ...lamps[at] } : kFirst[at])[part]);
+      }),
+    );
     this.showUsed_();
   }
 
@@ -45,7 +55,15 @@ export class LampsField {
     const fields = kParts.map((part) => {
       const id = `lamp-${at + 1}-${part}`;
       const { min, max } = kRanges[part];
-      inputs[part] = Object.assign(make('input'), { id, type: 'number', min: String(min), max: String(max), step: 'any', value: String(first[part]), required: true });
+      inputs[part] = Object.assign(make('input'), {
+        id,
+        type: 'number',
+        min: String(min),
+        max: String(max),
+        step: 'any',
+        value: String(first[part]),
+        required: true,
+      });
       labels[part] = Object.assign(make('label'), { htmlFor: id });
       inputs[part].addEventListener('change', () => this.write_());
       return make('div', { className: 'field' }, labels[part], inputs[part]);
@@ -56,7 +74,11 @@ export class LampsField {
   }
 
   name_() {
-    [...this.count_.options].forEach((option, lamps) => { option.textContent = text(/** @type {const} */ (['settings.evenLight', 'settings.oneLamp', 'settings.twoLamps'])[lamps]); });
+    [...this.count_.options].forEach((option, lamps) => {
+      option.textContent = text(
+        /** @type {const} */ (['settings.evenLight', 'settings.oneLamp', 'settings.twoLamps'])[lamps],
+      );
+    });
     this.lamps_.forEach(({ legend, labels }, at) => {
       legend.textContent = text('settings.lampNumber', { number: at + 1 });
       labels.azimuthDeg.textContent = text('settings.lampDirection');
@@ -74,6 +96,8 @@ export class LampsField {
   }
 
   showUsed_() {
-    this.lamps_.forEach(({ box }, at) => { box.hidden = at >= Number(this.count_.value); });
+    this.lamps_.forEach(({ box }, at) => {
+      box.hidden = at >= Number(this.count_.value);
+    });
   }
 }

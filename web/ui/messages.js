@@ -27,10 +27,11 @@ export class Messages {
   /** @param {Problem} problem */
   showError(problem) {
     this.problem_ = problem;
-    const [found, help] = 'code' in problem ? [sentenceOf(problem), hintOf(problem)] : [problem.found(), problem.help()];
+    const [found, help] =
+      'code' in problem ? [sentenceOf(problem), hintOf(problem)] : [problem.found(), problem.help()];
     this.text_.replaceChildren(make('strong', { text: asSentence(found) }));
     if (help) this.text_.append(' ', asSentence(help));
-    this.box_.hidden = found === '';  // hidden until the words have loaded
+    this.box_.hidden = found === ''; // hidden until the words have loaded
   }
 
   clearError() {
@@ -51,17 +52,32 @@ export class Messages {
 export function showFindings(list, findings) {
   const order = ['blocking', 'warning', 'note'];
   const sorted = [...findings].sort((a, b) => order.indexOf(a.severity) - order.indexOf(b.severity));
-  list.replaceChildren(...sorted.map(({ severity, found, help, remedies = [] }) => make('li', { className: severity },
-    make('span', { text: asSentence(found) }), ...(help ? [` ${asSentence(help)}`] : []), ...remedyButtons(remedies))));
+  list.replaceChildren(
+    ...sorted.map(({ severity, found, help, remedies = [] }) =>
+      make(
+        'li',
+        { className: severity },
+        make('span', { text: asSentence(found) }),
+        ...(help ? [` ${asSentence(help)}`] : []),
+        ...remedyButtons(remedies),
+      ),
+    ),
+  );
 }
 
 /** @param {Remedy[]} remedies */
 export function remedyButtons(remedies) {
   if (remedies.length === 0) return [];
-  return [make('div', { className: 'remedies' }, ...remedies.map(({ label, run }) => {
-    const button = make('button', { className: 'quiet', text: label });
-    button.type = 'button';
-    button.addEventListener('click', run);
-    return button;
-  }))];
+  return [
+    make(
+      'div',
+      { className: 'remedies' },
+      ...remedies.map(({ label, run }) => {
+        const button = make('button', { className: 'quiet', text: label });
+        button.type = 'button';
+        button.addEventListener('click', run);
+        return button;
+      }),
+    ),
+  ];
 }

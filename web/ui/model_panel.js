@@ -78,7 +78,9 @@ export class ModelPanel {
     this.showHeight_();
     if (source.sampleId !== undefined) this.file_.value = '';
     byId('credit', HTMLElement).textContent = source.credit;
-    showStep('model', model.engravable ? 'done' : 'bad', () => text('page.modelState', { name: this.nameOf_(source), size: formatBox(model.sizeMm) }));
+    showStep('model', model.engravable ? 'done' : 'bad', () =>
+      text('page.modelState', { name: this.nameOf_(source), size: formatBox(model.sizeMm) }),
+    );
     this.showTexts_();
   }
 
@@ -106,7 +108,8 @@ export class ModelPanel {
   /** Scales the model to the typed height, or restores the field if the input is no valid height. */
   takeHeight_() {
     const wanted = this.height_.valueAsNumber;
-    if (this.shown_ && this.height_.validity.valid && this.heightMm_ > 0) this.listener_.onScale(this.shown_.source.scaleToMm * wanted / this.heightMm_);
+    if (this.shown_ && this.height_.validity.valid && this.heightMm_ > 0)
+      this.listener_.onScale((this.shown_.source.scaleToMm * wanted) / this.heightMm_);
     else this.showHeight_();
   }
 
@@ -126,22 +129,33 @@ export class ModelPanel {
       this.sample_.prepend(own);
     }
     this.sample_.value = source.sampleId ?? '';
-    const facts = [text('page.triangles', { count: model.triangles }), ...(model.shells > 1 ? [text('page.shells', { count: model.shells })] : [])];
+    const facts = [
+      text('page.triangles', { count: model.triangles }),
+      ...(model.shells > 1 ? [text('page.shells', { count: model.shells })] : []),
+    ];
     byId('model-facts', HTMLElement).textContent = facts.join(' · ');
-    showFindings(byId('findings', HTMLElement), model.findings.map((finding) => ({
-      severity: finding.severity,
-      found: sentenceOf(finding),
-      help: hintOf(finding),
-      remedies: suggestedUnits(finding).filter(({ unit }) => unit in kUnitsMm).map(({ unit, sizeMm }) => ({
-        label: text('page.readInUnit', { unit: choiceLabel('units', unit), size: writtenValue({ extentMm: sizeMm }) }),
-        run: () => this.listener_.onScale(kUnitsMm[unit]),
+    showFindings(
+      byId('findings', HTMLElement),
+      model.findings.map((finding) => ({
+        severity: finding.severity,
+        found: sentenceOf(finding),
+        help: hintOf(finding),
+        remedies: suggestedUnits(finding)
+          .filter(({ unit }) => unit in kUnitsMm)
+          .map(({ unit, sizeMm }) => ({
+            label: text('page.readInUnit', {
+              unit: choiceLabel('units', unit),
+              size: writtenValue({ extentMm: sizeMm }),
+            }),
+            run: () => this.listener_.onScale(kUnitsMm[unit]),
+          })),
       })),
-    })));
+    );
   }
 
   /** @param {ModelListener} listener */
   listenForDrops_(listener) {
-    let depth = 0;  // dragenter and dragleave fire for every element that the pointer crosses
+    let depth = 0; // dragenter and dragleave fire for every element that the pointer crosses
     const hasFiles = (/** @type {DragEvent} */ event) => event.dataTransfer?.types.includes('Files') ?? false;
     document.addEventListener('dragenter', (event) => {
       if (!hasFiles(event)) return;
@@ -175,6 +189,12 @@ export class ModelPanel {
 function suggestedUnits({ values: { advice } }) {
   if (!advice || !('cause' in advice)) return [];
   const { unit, size, otherUnit, otherSize } = advice.cause.values;
-  return [[unit, size], [otherUnit, otherSize]].flatMap(([choice, extent]) =>
-    (choice && 'choice' in choice && extent && 'extentMm' in extent ? [{ unit: choice.choice.value, sizeMm: extent.extentMm }] : []));
+  return [
+    [unit, size],
+    [otherUnit, otherSize],
+  ].flatMap(([choice, extent]) =>
+    choice && 'choice' in choice && extent && 'extentMm' in extent
+      ? [{ unit: choice.choice.value, sizeMm: extent.extentMm }]
+      : [],
+  );
 }

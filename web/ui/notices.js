@@ -29,7 +29,12 @@ export class Notices {
       });
       return button;
     });
-    const bar = make('div', { className: 'notice' }, make('p', { text: words }), make('div', { className: 'notice-actions' }, ...buttons));
+    const bar = make(
+      'div',
+      { className: 'notice' },
+      make('p', { text: words }),
+      make('div', { className: 'notice-actions' }, ...buttons),
+    );
     this.bars_.set(id, bar);
     this.list_.append(bar);
   }

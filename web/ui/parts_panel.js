@@ -15,7 +15,7 @@ import { showStep } from './steps.js';
  * @typedef {{ states: RowStates, phase: Phase, remainingMs?: number }} Progress
  */
 
-const kTableMs = 500;  // least time between two updates of the table, so that it stays readable
+const kTableMs = 500; // least time between two updates of the table, so that it stays readable
 
 /**
  * @typedef {object} PartsListener
@@ -51,12 +51,17 @@ export class PartsPanel {
       if (this.every_.reportValidity()) onBegin(this.every_.valueAsNumber);
     });
     this.every_.addEventListener('keydown', (event) => {
-      if (event.key === 'Enter') event.preventDefault();  // otherwise Enter would engrave the first part
+      if (event.key === 'Enter') event.preventDefault(); // otherwise Enter would engrave the first part
     });
     for (const [button, act] of /** @type {const} */ ([
-      [this.pause_, onPause], [this.resume_, onResume], [this.stop_, onStop], [this.retry_, onRetry], [this.download_, onDownload],
+      [this.pause_, onPause],
+      [this.resume_, onResume],
+      [this.stop_, onStop],
+      [this.retry_, onRetry],
+      [this.download_, onDownload],
       [this.discard_, onDiscard],
-    ])) button.addEventListener('click', act);
+    ]))
+      button.addEventListener('click', act);
     onLanguage(() => this.renew_());
   }
 
@@ -67,7 +72,9 @@ export class PartsPanel {
     byId('parts-run', HTMLElement).hidden = true;
     this.begin_.disabled = count === 0 || first !== 'good';
     this.begin_.textContent = text('batch.carveAll', { count });
-    write(this.how_, () => text(first === 'good' ? 'batch.ready' : first === 'bad' ? 'batch.firstDoesNotPass' : 'batch.askForFirst'));
+    write(this.how_, () =>
+      text(first === 'good' ? 'batch.ready' : first === 'bad' ? 'batch.firstDoesNotPass' : 'batch.askForFirst'),
+    );
     this.how_.hidden = false;
     showStep('parts', 'open', () => (count === 0 ? '' : text('batch.state', { count, finished: 0 })));
   }
@@ -90,12 +97,19 @@ export class PartsPanel {
     this.stop_.hidden = phase === 'stopped' || phase === 'over';
     this.retry_.hidden = !(phase === 'over' || phase === 'stopped') || counts.failed === 0;
     this.download_.disabled = counts.done === 0 || this.isSaving_;
-    if (focused instanceof HTMLElement && focused.hidden) [this.resume_, this.pause_, this.download_].find(({ hidden }) => !hidden)?.focus();
+    if (focused instanceof HTMLElement && focused.hidden)
+      [this.resume_, this.pause_, this.download_].find(({ hidden }) => !hidden)?.focus();
     const failed = counts.failed > 0 ? text('batch.failedCount', { count: counts.failed }) : '';
-    const left = phase === 'carving' && remainingMs !== undefined ? text('batch.left', { time: durationOf(remainingMs) }) : '';
-    const words = phase === 'over' && failed ? text('batch.overFailed', { done: counts.done, failed: counts.failed })
-      : phase === 'over' ? text('batch.over', { count })
-        : [phase === 'pausing' ? text('batch.pausing') : text(`batch.${phase}`, { count, finished }), failed, left].filter(Boolean).join('; ');
+    const left =
+      phase === 'carving' && remainingMs !== undefined ? text('batch.left', { time: durationOf(remainingMs) }) : '';
+    const words =
+      phase === 'over' && failed
+        ? text('batch.overFailed', { done: counts.done, failed: counts.failed })
+        : phase === 'over'
+          ? text('batch.over', { count })
+          : [phase === 'pausing' ? text('batch.pausing') : text(`batch.${phase}`, { count, finished }), failed, left]
+              .filter(Boolean)
+              .join('; ');
     showStep('parts', phase !== 'over' ? 'open' : counts.failed > 0 ? 'warn' : 'done', () => words);
     this.showTable_(states);
   }

@@ -36,12 +36,16 @@ export class PartsTable {
     this.body_ = make('tbody');
     const caption = make('caption', { className: 'hidden' });
     caption.dataset.text = 'batch.table';
-    const head = make('tr', {}, ...(/** @type {const} */ (['number', 'part', 'rowState'])).map((key) => {
-      const cell = make('th');
-      cell.scope = 'col';
-      cell.dataset.text = `batch.${key}`;
-      return cell;
-    }));
+    const head = make(
+      'tr',
+      {},
+      .../** @type {const} */ (['number', 'part', 'rowState']).map((key) => {
+        const cell = make('th');
+        cell.scope = 'col';
+        cell.dataset.text = `batch.${key}`;
+        return cell;
+      }),
+    );
     this.previous_ = makeButton('batch.previous', () => this.turn_(-1));
     this.next_ = makeButton('batch.next', () => this.turn_(1));
     this.range_ = make('span');
@@ -49,8 +53,11 @@ export class PartsTable {
     this.pages_ = make('div', { className: 'parts-pages' }, this.previous_, this.range_, this.next_);
     this.pages_.setAttribute('role', 'group');
     this.pages_.dataset.textLabel = 'batch.pages';
-    mount.append(make('div', { className: 'field parts-filter' }, label, this.filter_),
-      make('table', {}, caption, make('thead', {}, head), this.body_), this.pages_);
+    mount.append(
+      make('div', { className: 'field parts-filter' }, label, this.filter_),
+      make('table', {}, caption, make('thead', {}, head), this.body_),
+      this.pages_,
+    );
     localise(mount);
     this.filter_.addEventListener('change', () => {
       this.page_ = 0;
@@ -76,12 +83,18 @@ export class PartsTable {
     this.page_ = Math.max(0, Math.min(this.page_, Math.ceil(count / kRows) - 1));
     const first = this.page_ * kRows;
     const indices = states.page(shown, first, kRows);
-    const asked = this.asked_ += 1;
+    const asked = (this.asked_ += 1);
     const names = await Promise.all(indices.map((index) => this.nameOf_(index)));
     if (asked !== this.asked_) return;
     this.body_.replaceChildren(...indices.map((index, i) => rowOf(index, names[i], states)));
-    this.range_.textContent = count === 0 ? text('batch.none')
-      : text('batch.range', { from: formatNumber(first + 1), to: formatNumber(first + indices.length), count: formatNumber(count) });
+    this.range_.textContent =
+      count === 0
+        ? text('batch.none')
+        : text('batch.range', {
+            from: formatNumber(first + 1),
+            to: formatNumber(first + indices.length),
+            count: formatNumber(count),
+          });
     this.previous_.disabled = first === 0;
     this.next_.disabled = first + kRows >= count;
     this.pages_.hidden = states.size <= kRows;
@@ -96,11 +109,26 @@ export class PartsTable {
 
 /** @param {number} index @param {BatchRowName | undefined} name @param {RowStates} states */
 function rowOf(index, name, states) {
-  const state = states.of(index), reason = states.reasonOf(index);
-  const row = make('tr', { className: state },
+  const state = states.of(index),
+    reason = states.reasonOf(index);
+  const row = make(
+    'tr',
+    { className: state },
     make('td', { text: formatNumber(name?.number ?? index + 1) }),
-    make('td', {}, make('strong', { text: name?.id ?? '' }), make('span', { text: name?.text ?? '' }), make('span', { text: name?.file ?? '' })),
-    make('td', {}, make('span', { className: 'row-state', text: text(`batch.${state}`) }), ...(reason ? [make('span', { text: reason })] : [])));
+    make(
+      'td',
+      {},
+      make('strong', { text: name?.id ?? '' }),
+      make('span', { text: name?.text ?? '' }),
+      make('span', { text: name?.file ?? '' }),
+    ),
+    make(
+      'td',
+      {},
+      make('span', { className: 'row-state', text: text(`batch.${state}`) }),
+      ...(reason ? [make('span', { text: reason })] : []),
+    ),
+  );
   return row;
 }
 

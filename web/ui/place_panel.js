@@ -21,7 +21,7 @@ export class PlacePanel {
     for (const input of this.centre_) {
       input.addEventListener('keydown', (event) => {
         if (event.key !== 'Enter') return;
-        event.preventDefault();  // otherwise Enter would engrave at the old place
+        event.preventDefault(); // otherwise Enter would engrave at the old place
         place();
       });
     }
@@ -42,6 +42,8 @@ export class PlacePanel {
     if (!placement) return showStep('place', 'open', () => text('page.placeNone'));
     const { symbolMm, guaranteedMm, aimToleranceDeg, forgiving } = placement;
     write(aim, () => text(!forgiving ? 'page.aimLittle' : 'page.aim', { deg: Math.floor(aimToleranceDeg) }));
-    return showStep('place', 'done', () => text('page.placeState', { width: formatMm(symbolMm), guaranteed: formatMm(guaranteedMm) }));
+    return showStep('place', 'done', () =>
+      text('page.placeState', { width: formatMm(symbolMm), guaranteed: formatMm(guaranteedMm) }),
+    );
   }
 }

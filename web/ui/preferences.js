@@ -8,7 +8,7 @@ import { byId } from '../dom/dom.js';
 
 const kThemes = ['auto', 'light', 'dark'];
 const kThemeName = 'theme';
-const kGround = { light: '#f4f4f1', dark: '#17191c' };  // --ground of styles.css, for the browser's toolbar
+const kGround = { light: '#f4f4f1', dark: '#17191c' }; // --ground of styles.css, for the browser's toolbar
 
 /** Writes every text of the page and lists the languages. */
 export function offerLanguages() {

@@ -56,9 +56,12 @@ export class ResultPanel {
   /** Shows new facts about the current result. */
   update() {
     const { printed } = this.result_ ?? {};
-    const heading = this.verdict_.querySelector('.printing'), trying = this.verdict_.querySelector('.trying-prints');
+    const heading = this.verdict_.querySelector('.printing'),
+      trying = this.verdict_.querySelector('.trying-prints');
     const trials = printed?.state === 'made' ? printed.trials : undefined;
-    const isSameTrial = trials?.fraction !== undefined && this.verdict_.querySelectorAll('.print-trials li').length === trials.tried.length;
+    const isSameTrial =
+      trials?.fraction !== undefined &&
+      this.verdict_.querySelectorAll('.print-trials li').length === trials.tried.length;
     // Change only the words where possible: replacing a button under the pointer would lose a click.
     if (heading && isUnderWay(printed)) heading.textContent = printingWords(printed);
     else if (trying && isSameTrial) trying.textContent = tryingWords(trials);
@@ -84,7 +87,7 @@ export class ResultPanel {
     byId('step-check', HTMLElement).scrollIntoView({ block: 'start' });
     const at = document.activeElement;
     const isWaiting = at === null || at === document.body || at.closest('.actions') !== null;
-    if (isWaiting) byId('check-heading', HTMLElement).focus({ preventScroll: true });  // otherwise the user is busy
+    if (isWaiting) byId('check-heading', HTMLElement).focus({ preventScroll: true }); // otherwise the user is busy
   }
 
   render_() {
@@ -98,16 +101,27 @@ export class ResultPanel {
     const { size, depth, symbol } = report;
     const { verdict } = report.verification;
     if (this.outdated_) showStep('check', 'open', () => text('page.checkOutdated'));
-    else if (isUnderWay(printed) && isGoodButForPrinting(verdict)) showStep('check', 'done', () => text('check.stepPrinting'));
+    else if (isUnderWay(printed) && isGoodButForPrinting(verdict))
+      showStep('check', 'done', () => text('check.stepPrinting'));
     else showStep('check', kMarks[worstOf(verdict)], () => text(summaryOf(verdict)));
     this.region_.classList.toggle('outdated', this.outdated_);
     showFindings(this.notes_, this.outdated_ ? [{ severity: 'warning', found: text('page.outdated'), help: '' }] : []);
-    this.verdict_.replaceChildren(...verdictLines(report, printed, { onRemedy: this.onRemedy_, onPrint: this.onPrint_, onTryPrints: this.onTryPrints_ }));
+    this.verdict_.replaceChildren(
+      ...verdictLines(report, printed, {
+        onRemedy: this.onRemedy_,
+        onPrint: this.onPrint_,
+        onTryPrints: this.onTryPrints_,
+      }),
+    );
     this.numbers_.replaceChildren(
-      ...row(text('page.size'), text('page.sizeValue', { width: formatMm(size.symbolMm), module: formatMm(size.moduleMm) })),
+      ...row(
+        text('page.size'),
+        text('page.sizeValue', { width: formatMm(size.symbolMm), module: formatMm(size.moduleMm) }),
+      ),
       ...row(text('page.depth'), text('page.depthValue', { mean: formatMm(depth.meanMm), max: formatMm(depth.maxMm) })),
       ...row(text('page.time'), formatSeconds(elapsedMs)),
-      ...row(text('page.code'), text('page.codeValue', symbol)));
+      ...row(text('page.code'), text('page.codeValue', symbol)),
+    );
   }
 }
 

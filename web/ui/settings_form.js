@@ -18,7 +18,7 @@ import { LampsField } from './lamps_field.js';
 /** The choice that reads its number from a field. */
 const kFixed = 'fixed';
 
-const kMostListed = 16;  // most numbers listed as choices
+const kMostListed = 16; // most numbers listed as choices
 
 /** The objective that allows a lamp. */
 const kOneLight = 'one-light';
@@ -43,7 +43,9 @@ export class SettingsForm {
 
   /** @returns {Values} */
   get values() {
-    return Object.fromEntries(this.controls_.map((control) => [control.id, isCheck(control) ? control.checked : control.value]));
+    return Object.fromEntries(
+      this.controls_.map((control) => [control.id, isCheck(control) ? control.checked : control.value]),
+    );
   }
 
   set values(values) {
@@ -63,7 +65,11 @@ export class SettingsForm {
 
   /** Returns the control values that produce these settings. @param {Settings} settings @returns {Values} */
   valuesFor(settings) {
-    return controlValues(settings, this.controls_.map((control) => ({ id: control.id, key: keyOf(control) })), this.defaults);
+    return controlValues(
+      settings,
+      this.controls_.map((control) => ({ id: control.id, key: keyOf(control) })),
+      this.defaults,
+    );
   }
 
   /** Sets several controls at once, as if the user had typed the values. @param {Values} values */
@@ -108,7 +114,9 @@ export class SettingsForm {
 
   /** @param {{ setting: string, value: string }} change @returns {Values} */
   brought_(change) {
-    return Object.fromEntries(Object.entries(broughtBy(change)).map(([setting, value]) => [this.controlFor({ setting, value }).id, value]));
+    return Object.fromEntries(
+      Object.entries(broughtBy(change)).map(([setting, value]) => [this.controlFor({ setting, value }).id, value]),
+    );
   }
 
   nameAll_() {
@@ -120,7 +128,8 @@ export class SettingsForm {
   follow_() {
     byId('size-mm-label', HTMLElement).textContent = controlName(sizeKey());
     this.lamps_.read();
-    byId('light-hint', HTMLElement).hidden = choice('objective') !== kOneLight || byId('light', HTMLInputElement).value !== '';
+    byId('light-hint', HTMLElement).hidden =
+      choice('objective') !== kOneLight || byId('light', HTMLInputElement).value !== '';
   }
 }
 
@@ -131,7 +140,8 @@ export class SettingsForm {
  * @returns {Record<string, string>}  by setting
  */
 export function broughtBy({ setting, value }) {
-  if (setting === 'process') return Object.fromEntries(Object.entries(kProcesses[value] ?? {}).map(([key, held]) => [key, String(held)]));
+  if (setting === 'process')
+    return Object.fromEntries(Object.entries(kProcesses[value] ?? {}).map(([key, held]) => [key, String(held)]));
   return setting === 'objective' && value !== kOneLight ? { light: '' } : {};
 }
 
@@ -145,11 +155,24 @@ export function broughtBy({ setting, value }) {
  */
 export function controlValues(settings, controls, defaults) {
   const fixed = typeof settings.size === 'number';
-  const given = /** @type {Record<string, unknown>} */ (fixed ? { ...settings, size: kFixed, maxSizeMm: settings.size } : settings);
-  return Object.fromEntries(controls.map(({ id, key }) => {
-    const value = given[key];
-    return [id, value === undefined ? defaults[id] : typeof value === 'boolean' ? value : areLamps(value) ? lampsText(value) : String(value)];
-  }));
+  const given = /** @type {Record<string, unknown>} */ (
+    fixed ? { ...settings, size: kFixed, maxSizeMm: settings.size } : settings
+  );
+  return Object.fromEntries(
+    controls.map(({ id, key }) => {
+      const value = given[key];
+      return [
+        id,
+        value === undefined
+          ? defaults[id]
+          : typeof value === 'boolean'
+            ? value
+            : areLamps(value)
+              ? lampsText(value)
+              : String(value),
+      ];
+    }),
+  );
 }
 
 /** @param {Control} control @returns {control is HTMLInputElement & { type: 'checkbox' }} */
@@ -171,7 +194,9 @@ const isWhole = (value) => /^\d+$/.test(value);
  */
 function numbersOf(key) {
   const { whole, min = 0, max = Infinity } = kSettings[key];
-  return whole && max - min < kMostListed ? Array.from({ length: max - min + 1 }, (_, at) => String(min + at)) : [kFixed];
+  return whole && max - min < kMostListed
+    ? Array.from({ length: max - min + 1 }, (_, at) => String(min + at))
+    : [kFixed];
 }
 
 /** Sets a control's choices, bounds and default. @param {Control} control */
@@ -179,7 +204,9 @@ function prepare(control) {
   const { choices = [], kind, min, max, default: initial } = kSettings[keyOf(control)];
   if (control instanceof HTMLSelectElement) {
     const values = kind === 'choice-or-number' ? [...choices, ...numbersOf(keyOf(control))] : choices;
-    control.append(...values.map((value) => Object.assign(make('option'), { value, defaultSelected: value === initial })));
+    control.append(
+      ...values.map((value) => Object.assign(make('option'), { value, defaultSelected: value === initial })),
+    );
   } else if (isCheck(control)) {
     control.defaultChecked = Boolean(initial);
   } else if (kind === 'number') {
@@ -191,11 +218,14 @@ function prepare(control) {
 
 /** Writes a control's label and the names of its choices. @param {Control} control */
 function name(control) {
-  const key = keyOf(control), label = control.labels?.[0];
+  const key = keyOf(control),
+    label = control.labels?.[0];
   if (label) (label.querySelector('span') ?? label).textContent = controlName(key);
   if (!(control instanceof HTMLSelectElement)) return;
   for (const option of control.options) {
-    option.textContent = isWhole(option.value) ? `${controlName(key)} ${option.value}` : choiceLabel(key, option.value === kFixed ? 'number' : option.value);
+    option.textContent = isWhole(option.value)
+      ? `${controlName(key)} ${option.value}`
+      : choiceLabel(key, option.value === kFixed ? 'number' : option.value);
   }
 }
 
@@ -214,18 +244,24 @@ function valueOf(control) {
 
 /** @param {HTMLInputElement} control @returns {import('../engine/lamps.js').Lamp[] | undefined} */
 function lampsOf(control) {
-  const { value } = control, lamps = lampsFrom(value);
+  const { value } = control,
+    lamps = lampsFrom(value);
   if (lamps) return lamps.length > 0 ? lamps : undefined;
-  throw new EngineFailure({ kind: 'BadUsage', ...message('setting-no-lamps', { setting: { setting: keyOf(control) }, found: { quoted: value } }) });
+  throw new EngineFailure({
+    kind: 'BadUsage',
+    ...message('setting-no-lamps', { setting: { setting: keyOf(control) }, found: { quoted: value } }),
+  });
 }
 
 /** @param {HTMLInputElement} input */
 function whyInvalid(input) {
-  const { min, max, value } = input, key = keyOf(input);
+  const { min, max, value } = input,
+    key = keyOf(input);
   const setting = { setting: key === 'maxSizeMm' ? sizeKey() : key };
   const from = { number: Number(min) };
   const to = { number: Number(max) };
-  return value === '' ? message('control-not-a-number', { setting, from, to })
+  return value === ''
+    ? message('control-not-a-number', { setting, from, to })
     : message('control-out-of-range', { setting, from, to, value: { number: Number(value) } });
 }
 

@@ -43,8 +43,9 @@ export function shortcutOf({ key, ctrlKey, metaKey, altKey, shiftKey }) {
   const pressed = key.toLowerCase();
   const ctrl = ctrlKey || metaKey;
   const isLetter = /^[a-z]$/.test(pressed);
-  return kShortcuts.find((one) => one.key === pressed && (one.ctrl ?? false) === ctrl &&
-    (!isLetter || (one.shift ?? false) === shiftKey));
+  return kShortcuts.find(
+    (one) => one.key === pressed && (one.ctrl ?? false) === ctrl && (!isLetter || (one.shift ?? false) === shiftKey),
+  );
 }
 
 /** @param {() => boolean} singleKeys  tells whether keys without Ctrl are enabled */
@@ -52,9 +53,9 @@ export function listenForShortcuts(singleKeys) {
   document.addEventListener('keydown', (event) => {
     if (event.defaultPrevented || isTyping(event.target) || document.querySelector('dialog[open]')) return;
     const shortcut = shortcutOf(event);
-    if (!shortcut || shortcut.control === 'cancel') return;  // WorkPanel handles Escape, which also works while typing
+    if (!shortcut || shortcut.control === 'cancel') return; // WorkPanel handles Escape, which also works while typing
     if (!shortcut.ctrl && (!singleKeys() || event.target instanceof HTMLSelectElement || event.repeat)) return;
-    if (shortcut.ctrl) event.preventDefault();  // otherwise the browser would undo in a field of its choice
+    if (shortcut.ctrl) event.preventDefault(); // otherwise the browser would undo in a field of its choice
     const control = document.getElementById(shortcut.control);
     if (!control || (control instanceof HTMLButtonElement && control.disabled) || !control.checkVisibility()) return;
     event.preventDefault();

@@ -8,7 +8,10 @@ const none = { ctrlKey: false, metaKey: false, altKey: false, shiftKey: false };
 
 test('Every shortcut works a control that the page has', () => {
   const page = readFileSync(new URL('../index.html', import.meta.url), 'utf8');
-  assert.deepEqual(kShortcuts.map(({ control }) => control).filter((id) => !page.includes(` id="${id}"`)), []);
+  assert.deepEqual(
+    kShortcuts.map(({ control }) => control).filter((id) => !page.includes(` id="${id}"`)),
+    [],
+  );
 });
 
 test('Ctrl and ⌘ with Z undo, with Shift they redo, with Alt they do nothing', () => {

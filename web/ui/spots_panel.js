@@ -42,15 +42,17 @@ export class SpotsPanel {
   /** @param {Spots} found */
   show({ spots, topMm }) {
     this.spots_ = spots;
-    this.list_.replaceChildren(...spots.map((_, index) => {
-      const picture = make('canvas');
-      picture.setAttribute('aria-hidden', 'true');
-      const button = make('button', {}, picture, make('span', { className: 'name' }));
-      button.type = 'button';
-      button.setAttribute('aria-pressed', 'false');
-      button.addEventListener('click', () => this.onSpot_(index));
-      return make('li', {}, button);
-    }));
+    this.list_.replaceChildren(
+      ...spots.map((_, index) => {
+        const picture = make('canvas');
+        picture.setAttribute('aria-hidden', 'true');
+        const button = make('button', {}, picture, make('span', { className: 'name' }));
+        button.type = 'button';
+        button.setAttribute('aria-pressed', 'false');
+        button.addEventListener('click', () => this.onSpot_(index));
+        return make('li', {}, button);
+      }),
+    );
     this.nameSpots_();
     this.topMm_ = topMm;
     this.sizes_.disabled = false;
@@ -59,8 +61,13 @@ export class SpotsPanel {
   }
 
   nameSpots_() {
-    [...this.list_.querySelectorAll('.name')].forEach((name, index) => name.replaceChildren(text('page.spot', { index: index + 1 }),
-      make('span', { text: factsOf(this.spots_[index]) }), ...concernsOf(this.spots_[index])));
+    [...this.list_.querySelectorAll('.name')].forEach((name, index) =>
+      name.replaceChildren(
+        text('page.spot', { index: index + 1 }),
+        make('span', { text: factsOf(this.spots_[index]) }),
+        ...concernsOf(this.spots_[index]),
+      ),
+    );
     this.note_.hidden = !this.known || this.spots_.some(({ concerns }) => concerns.length === 0);
     this.note_.textContent = text('page.noGoodSpot');
   }
@@ -87,7 +94,9 @@ export class SpotsPanel {
 
   /** @param {number} [index]  undefined if the code's centre is elsewhere */
   mark(index) {
-    [...this.list_.querySelectorAll('button')].forEach((button, i) => button.setAttribute('aria-pressed', String(i === index)));
+    [...this.list_.querySelectorAll('button')].forEach((button, i) =>
+      button.setAttribute('aria-pressed', String(i === index)),
+    );
   }
 
   get known() {
@@ -103,10 +112,12 @@ export class SpotsPanel {
 }
 
 /** @param {Spots['spots'][number]} spot */
-const factsOf = ({ sizeMm, aimToleranceDeg }) => text('page.upTo', { size: `${formatPlain(wholeMm(sizeMm))} mm`, deg: Math.floor(aimToleranceDeg) });
+const factsOf = ({ sizeMm, aimToleranceDeg }) =>
+  text('page.upTo', { size: `${formatPlain(wholeMm(sizeMm))} mm`, deg: Math.floor(aimToleranceDeg) });
 
 /** Returns the warnings about a spot. @param {Spots['spots'][number]} spot */
-const concernsOf = ({ concerns }) => concerns.map((concern) => make('span', { className: 'warning', text: sentenceOf(concern) }));
+const concernsOf = ({ concerns }) =>
+  concerns.map((concern) => make('span', { className: 'warning', text: sentenceOf(concern) }));
 
 /** Rounds down, so that a code of this size does fit. @param {number} mm */
 const wholeMm = (mm) => (mm < 10 ? Math.floor(mm * 10) / 10 : Math.floor(mm));

@@ -8,7 +8,14 @@ import { byId } from '../dom/dom.js';
 /** @typedef {'open' | 'done' | 'warn' | 'bad'} State */
 
 /** @type {Record<Step, string>} */
-const kLines = { model: 'model-state', code: 'code-state', place: 'placement-facts', carve: 'carve-state', check: 'check-state', parts: 'parts-state' };
+const kLines = {
+  model: 'model-state',
+  code: 'code-state',
+  place: 'placement-facts',
+  carve: 'carve-state',
+  check: 'check-state',
+  parts: 'parts-state',
+};
 
 /** @param {Step} step @param {State} state */
 export function markStep(step, state) {

@@ -15,7 +15,10 @@ export function drawSymbol(rows, name) {
   svg.setAttribute('shape-rendering', 'crispEdges');
   svg.setAttribute('role', 'img');
   svg.setAttribute('aria-label', name);
-  for (const [fill, d] of [['#fff', `M0 0h${edge}v${edge}h-${edge}z`], ['#000', symbolPath(rows)]]) {
+  for (const [fill, d] of [
+    ['#fff', `M0 0h${edge}v${edge}h-${edge}z`],
+    ['#000', symbolPath(rows)],
+  ]) {
     const path = document.createElementNS(kSvg, 'path');
     path.setAttribute('fill', fill);
     path.setAttribute('d', d);

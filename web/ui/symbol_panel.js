@@ -94,7 +94,7 @@ export class SymbolPanel {
       this.render_();
       if (this.shown_ && this.advises_) await this.findShorter_(this.shown_, isNewest);
     } catch (thrown) {
-      if (!isNewest() || isReplaced(thrown) || isFatal(thrown)) return;  // the new engine is asked again
+      if (!isNewest() || isReplaced(thrown) || isFatal(thrown)) return; // the new engine is asked again
       this.shown_ = undefined;
       this.problem_ = describeThrown(thrown);
       this.render_();
@@ -123,7 +123,8 @@ export class SymbolPanel {
       this.facts_.replaceChildren(...factLines(facts));
     } else {
       this.picture_.replaceChildren();
-      const problem = this.problem_ && [sentenceOf(this.problem_), hintOf(this.problem_)].filter(Boolean).map(asSentence).join(' ');
+      const problem =
+        this.problem_ && [sentenceOf(this.problem_), hintOf(this.problem_)].filter(Boolean).map(asSentence).join(' ');
       this.facts_.replaceChildren(make('p', { text: problem ?? text('code.symbol.none') }));
     }
     this.picture_.classList.toggle('empty', !facts);
@@ -135,7 +136,8 @@ export class SymbolPanel {
   advice_() {
     if (!this.advises_) return this.sizeLines_(true);
     const ofText = adviseText(this.content_).map(({ severity, key, values, fixed, fixKey }) => ({
-      severity, words: text(key, values),
+      severity,
+      words: text(key, values),
       ...(fixed !== undefined && fixKey ? { action: { words: text(fixKey), run: () => this.onReplace_(fixed) } } : {}),
     }));
     const shorter = (this.shown_?.shorter ?? []).map(({ form, facts }) => this.shorterLine_(form, facts));
@@ -144,9 +146,11 @@ export class SymbolPanel {
 
   /** @param {Form} form @param {SymbolFacts} found @returns {Line} */
   shorterLine_(form, found) {
-    const percent = Math.round((/** @type {Shown} */ (this.shown_).facts.size / found.size - 1) * 100);
+    const shown = /** @type {Shown} */ (this.shown_);
+    const percent = Math.round((shown.facts.size / found.size - 1) * 100);
     return {
-      severity: 'note', words: text(form.key, { version: found.version, percent }),
+      severity: 'note',
+      words: text(form.key, { version: found.version, percent }),
       action: { words: text('code.shorter.use'), run: form.use },
     };
   }
@@ -154,19 +158,25 @@ export class SymbolPanel {
   /** @param {boolean} hasShorter @returns {Line[]} */
   sizeLines_(hasShorter) {
     if (!this.shown_ || !this.room_) return [];
-    const { facts, settings: { nozzleMm, maxSizeMm } } = this.shown_;
+    const {
+      facts,
+      settings: { nozzleMm, maxSizeMm },
+    } = this.shown_;
     const { symbolMm, guaranteedMm } = this.room_;
     if (facts.leastModuleMm === null) return [];
     const found = tooSmall(facts.size, symbolMm, facts.leastModuleMm);
     if (!found) return [];
     const problem = text('code.symbol.small', {
-      symbol: formatMm(symbolMm), module: formatMm(found.moduleMm), nozzle: `${formatPlain(nozzleMm)} mm`,
+      symbol: formatMm(symbolMm),
+      module: formatMm(found.moduleMm),
+      nozzle: `${formatPlain(nozzleMm)} mm`,
       least: `${formatPlain(facts.leastModuleMm)} mm`,
     });
     const needed = formatMm(found.neededMm);
-    const full = symbolMm < maxSizeMm && found.neededMm > guaranteedMm;  // otherwise the chosen size is too small
+    const full = symbolMm < maxSizeMm && found.neededMm > guaranteedMm; // otherwise the chosen size is too small
     const larger = text(full ? 'code.symbol.otherPlace' : 'code.symbol.larger', { needed });
-    const shorter = found.printable === undefined ? '' : ` ${text('code.symbol.shorten', { modules: found.printable })}`;
+    const shorter =
+      found.printable === undefined ? '' : ` ${text('code.symbol.shorten', { modules: found.printable })}`;
     const link = !hasShorter && isWebAddress(this.content_) ? ` ${text('code.shorter.link')}.` : '';
     return [{ severity: 'warning', words: `${problem} ${larger}${shorter}${link}` }];
   }
@@ -179,9 +189,18 @@ function factLines({ version, ecc, size, bytes, room }) {
   Object.assign(meter, { min: 0, max: total, value: bytes });
   meter.setAttribute('aria-label', text('code.symbol.fill'));
   const used = text('code.symbol.bytes', { count: total, used: formatNumber(bytes), total: formatNumber(total) });
-  const left = version === kLargestVersion ? text('code.symbol.last') : room === 0 ? text('code.symbol.full') : text('code.symbol.room', { count: room });
-  return [make('p', { className: 'symbol-name', text: text('code.symbol.facts', { version, ecc, size }) }),
-    meter, make('p', { text: used }), make('p', { text: left })];
+  const left =
+    version === kLargestVersion
+      ? text('code.symbol.last')
+      : room === 0
+        ? text('code.symbol.full')
+        : text('code.symbol.room', { count: room });
+  return [
+    make('p', { className: 'symbol-name', text: text('code.symbol.facts', { version, ecc, size }) }),
+    meter,
+    make('p', { text: used }),
+    make('p', { text: left }),
+  ];
 }
 
 /** @param {Line} line */

@@ -28,8 +28,14 @@ export function verdictLines({ text: wanted, verification: { verdict } }, printe
   const { onRemedy, onPrint } = listener;
   return [
     line(verdict.reads, readsHeading(wanted, verdict.reads), onRemedy),
-    isUnderWay(printed) ? printingLine(printed, onPrint)
-      : line(verdict.prints, [sentenceOf(verdict.prints.summary)], onRemedy, printNotes(printed, verdict.prints, listener)),
+    isUnderWay(printed)
+      ? printingLine(printed, onPrint)
+      : line(
+          verdict.prints,
+          [sentenceOf(verdict.prints.summary)],
+          onRemedy,
+          printNotes(printed, verdict.prints, listener),
+        ),
     line(verdict.solid, [sentenceOf(verdict.solid.summary)], onRemedy),
   ];
 }
@@ -38,13 +44,18 @@ export function verdictLines({ text: wanted, verification: { verdict } }, printe
 export const isUnderWay = (printed) => printed === undefined || printed.state === 'under-way';
 
 /** @param {Printed & { state: 'under-way' } | undefined} printed */
-export const printingWords = (printed) => text('check.printing', { percent: Math.round(100 * (printed?.fraction ?? 0)) });
+export const printingWords = (printed) =>
+  text('check.printing', { percent: Math.round(100 * (printed?.fraction ?? 0)) });
 
 /** @param {Printed & { state: 'under-way' } | undefined} printed @param {Listener['onPrint']} onPrint */
-const printingLine = (printed, onPrint) => make('li', { className: 'under-way' },
-  make('strong', { className: 'printing', text: printingWords(printed) }),
-  make('p', { text: text('check.printingWhy') }),
-  ...remedyButtons([{ label: text('check.stopPrint'), run: () => onPrint(false) }]));
+const printingLine = (printed, onPrint) =>
+  make(
+    'li',
+    { className: 'under-way' },
+    make('strong', { className: 'printing', text: printingWords(printed) }),
+    make('p', { text: text('check.printingWhy') }),
+    ...remedyButtons([{ label: text('check.stopPrint'), run: () => onPrint(false) }]),
+  );
 
 /**
  * Returns the actions available for the print.
@@ -55,10 +66,15 @@ const printingLine = (printed, onPrint) => make('li', { className: 'under-way' }
  */
 function printNotes(printed, prints, listener) {
   const { onPrint } = listener;
-  if (printed.state === 'made') return prints.level === 'good' && !printed.trials ? [] : trialNotes(printed.trials, listener);
+  if (printed.state === 'made')
+    return prints.level === 'good' && !printed.trials ? [] : trialNotes(printed.trials, listener);
   if (printed.state !== 'stopped' && printed.state !== 'failed') return [];
-  return [make('p', { text: printed.state === 'failed' ? failureWords(printed.error) : asSentence(text('check.printStopped')) }),
-    ...remedyButtons([{ label: text('check.makePrint'), run: () => onPrint(true) }])];
+  return [
+    make('p', {
+      text: printed.state === 'failed' ? failureWords(printed.error) : asSentence(text('check.printStopped')),
+    }),
+    ...remedyButtons([{ label: text('check.makePrint'), run: () => onPrint(true) }]),
+  ];
 }
 
 /** @param {import('../engine/types.js').EngineError} error */
@@ -77,32 +93,64 @@ export const tryingWords = ({ tried, all, fraction = 0 }) =>
 function trialNotes(trials, { onRemedy, onPrint, onTryPrints }) {
   if (!trials) return remedyButtons([{ label: text('check.tryPrints'), run: onTryPrints }]);
   const { tried, fraction, error } = trials;
-  const results = make('ul', { className: 'print-trials' }, ...tried.map(({ change, prints }) => make('li', { className: prints.level },
-    make('span', { text: asSentence(sentenceOf(prints.summary)) }), ...remedyButtons([remedyOf(change, onRemedy)]))));
-  if (fraction === undefined) return [results, make('p', { text: text('check.triedSame') }), ...(error ? [make('p', { text: failureWords(error) })] : [])];
-  return [results, make('p', { className: 'trying-prints', text: tryingWords(trials) }),
-    ...remedyButtons([{ label: text('check.stopPrint'), run: () => onPrint(false) }])];
+  const results = make(
+    'ul',
+    { className: 'print-trials' },
+    ...tried.map(({ change, prints }) =>
+      make(
+        'li',
+        { className: prints.level },
+        make('span', { text: asSentence(sentenceOf(prints.summary)) }),
+        ...remedyButtons([remedyOf(change, onRemedy)]),
+      ),
+    ),
+  );
+  if (fraction === undefined)
+    return [
+      results,
+      make('p', { text: text('check.triedSame') }),
+      ...(error ? [make('p', { text: failureWords(error) })] : []),
+    ];
+  return [
+    results,
+    make('p', { className: 'trying-prints', text: tryingWords(trials) }),
+    ...remedyButtons([{ label: text('check.stopPrint'), run: () => onPrint(false) }]),
+  ];
 }
 
 /** @param {import('../engine/types.js').PrintChange} change @param {OnRemedy} onRemedy */
 function remedyOf(change, onRemedy) {
   const [[setting, value]] = Object.entries(change);
-  const label = text('check.takePrint', { choice: choiceLabel(/** @type {import('../generated/settings.js').SettingKey} */ (setting), value) });
+  const label = text('check.takePrint', {
+    choice: choiceLabel(/** @type {import('../generated/settings.js').SettingKey} */ (setting), value),
+  });
   return { label, run: () => onRemedy({ code: '', values: {}, change: { setting, value } }, label) };
 }
 
 /** @param {Aspect} aspect @param {(Node | string)[]} heading @param {OnRemedy} onRemedy @param {Node[]} [notes] */
-const line = ({ level, warnings, reasons, remedies }, heading, onRemedy, notes = []) => make('li', { className: level },
-  make('strong', {}, ...heading),
-  ...warnings.map((warning) => make('p', { className: 'warning', text: wordsOf([warning]) })),
-  make('p', { text: wordsOf(reasons) }),
-  ...remedyButtons(remedies.map((remedy) => {
-    const label = sentenceOf(remedy);
-    return { label, run: () => onRemedy(remedy, label) };
-  })), ...notes);
+const line = ({ level, warnings, reasons, remedies }, heading, onRemedy, notes = []) =>
+  make(
+    'li',
+    { className: level },
+    make('strong', {}, ...heading),
+    ...warnings.map((warning) => make('p', { className: 'warning', text: wordsOf([warning]) })),
+    make('p', { text: wordsOf(reasons) }),
+    ...remedyButtons(
+      remedies.map((remedy) => {
+        const label = sentenceOf(remedy);
+        return { label, run: () => onRemedy(remedy, label) };
+      }),
+    ),
+    ...notes,
+  );
 
 /** @param {import('../engine/types.js').Message[]} messages */
-const wordsOf = (messages) => messages.flatMap((one) => [sentenceOf(one), hintOf(one)]).filter(Boolean).map(asSentence).join(' ');
+const wordsOf = (messages) =>
+  messages
+    .flatMap((one) => [sentenceOf(one), hintOf(one)])
+    .filter(Boolean)
+    .map(asSentence)
+    .join(' ');
 
 /** Returns the summary, with the decoded text as a link if it is one. @param {string} wanted @param {Aspect} aspect */
 function readsHeading(wanted, { summary }) {
@@ -110,7 +158,8 @@ function readsHeading(wanted, { summary }) {
   if (!said || !('term' in said) || said.term !== wanted) return [sentenceOf(summary)];
   const link = /^https?:\/\/\S+$/.test(wanted) && wanted.length <= kUnlinkedLength;
   const words = link ? make('a', { text: wanted }) : make('q', { text: wanted });
-  if (words instanceof HTMLAnchorElement) Object.assign(words, { href: wanted, target: '_blank', rel: 'noopener noreferrer' });
+  if (words instanceof HTMLAnchorElement)
+    Object.assign(words, { href: wanted, target: '_blank', rel: 'noopener noreferrer' });
   const kHere = '\u0000';
   const [before, after = ''] = sentenceOf({ ...summary, values: { text: { term: kHere } } }).split(kHere);
   return [before, words, after];
@@ -119,7 +168,8 @@ function readsHeading(wanted, { summary }) {
 /** Returns the text that a control would show for a value. @param {string} id @param {string} value */
 export function shownValue(id, value) {
   const control = document.getElementById(id);
-  if (control instanceof HTMLSelectElement) return [...control.options].find((option) => option.value === value)?.text ?? value;
+  if (control instanceof HTMLSelectElement)
+    return [...control.options].find((option) => option.value === value)?.text ?? value;
   if (value === '') return text('settings.auto');
   return formatPlain(Number(value));
 }

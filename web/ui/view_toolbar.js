@@ -65,7 +65,8 @@ export class ViewToolbar {
       });
     }
     document.addEventListener('pointerdown', (event) => {
-      const inside = event.target instanceof Node && (this.menu_.contains(event.target) || this.views_.contains(event.target));
+      const inside =
+        event.target instanceof Node && (this.menu_.contains(event.target) || this.views_.contains(event.target));
       if (!inside) open(false);
     });
   }
@@ -85,7 +86,7 @@ export class ViewToolbar {
     button.addEventListener('keyup', (event) => {
       if (isKey(event)) this.hold(false);
     });
-    button.addEventListener('contextmenu', (event) => event.preventDefault());  // the menu of a long press
+    button.addEventListener('contextmenu', (event) => event.preventDefault()); // the menu of a long press
   }
 
   /** @param {boolean} held */

@@ -21,7 +21,7 @@ export class WorkPanel {
 
   /** Sets the label of the Engrave button. @param {'page.engrave' | 'batch.engraveFirst'} key */
   nameEngrave(key) {
-    this.engrave_.dataset.text = key;  // used again when the language changes
+    this.engrave_.dataset.text = key; // used again when the language changes
     this.engrave_.textContent = text(key);
   }
 

@@ -6,7 +6,7 @@ import { text } from '../i18n/catalogue.js';
 /** @typedef {import('../engine/types.js').CodeFacts} CodeFacts */
 
 const kOffsetPx = 20;
-const kLeastModuleMm = 0.2;  // the engine refuses smaller modules (core/projection/size_bound.h)
+const kLeastModuleMm = 0.2; // the engine refuses smaller modules (core/projection/size_bound.h)
 
 export class CodeChip {
   /** @param {HTMLElement} overlay  covers the canvas */
@@ -17,18 +17,23 @@ export class CodeChip {
     this.warning_ = make('span', { className: 'warning' });
     this.element_ = make('div', { className: 'code-chip' }, this.size_, this.module_, this.warning_);
     this.element_.hidden = true;
-    this.element_.setAttribute('aria-hidden', 'true');  // the panel announces the size, but not for every pixel
+    this.element_.setAttribute('aria-hidden', 'true'); // the panel announces the size, but not for every pixel
     overlay.append(this.element_);
   }
 
   /** @param {CodeFacts} facts @param {number} x @param {number} y  position of the pointer or handle */
   show({ symbolMm, moduleMm, missingShare, exact }, x, y) {
     const isPossible = moduleMm >= kLeastModuleMm;
-    this.size_.textContent = isPossible ? text(exact ? 'view.chipSize' : 'view.chipAbout', { mm: millimetres(symbolMm) }) : '';
+    this.size_.textContent = isPossible
+      ? text(exact ? 'view.chipSize' : 'view.chipAbout', { mm: millimetres(symbolMm) })
+      : '';
     this.module_.textContent = isPossible ? text('view.chipModules', { mm: millimetres(moduleMm, 2) }) : '';
     const missing = Math.max(1, Math.round(missingShare * 100));
-    this.warning_.textContent = !isPossible ? text('view.chipTooSmall')
-      : missingShare > 0 ? text('view.chipMissing', { percent: missing }) : '';
+    this.warning_.textContent = !isPossible
+      ? text('view.chipTooSmall')
+      : missingShare > 0
+        ? text('view.chipMissing', { percent: missing })
+        : '';
     this.element_.dataset.exact = String(exact);
     this.place_(x, y);
   }

@@ -3,7 +3,14 @@
 // the gesture the engine shows every change at once; at its end the listener gets the new place or settings.
 import { isReplaced } from '../engine/client.js';
 import { CodeHandles } from './code_handles.js';
-import { roundedSize, scaleBetween, snappedRotation, squareMaps, turnBetween, twistBetween } from './handle_geometry.js';
+import {
+  roundedSize,
+  scaleBetween,
+  snappedRotation,
+  squareMaps,
+  turnBetween,
+  twistBetween,
+} from './handle_geometry.js';
 import { NewestOnly } from './newest_only.js';
 
 /** @typedef {import('../engine/client.js').EngineClient} EngineClient */
@@ -13,12 +20,12 @@ import { NewestOnly } from './newest_only.js';
 /** @typedef {import('./handle_geometry.js').HandleKind} HandleKind */
 /** @typedef {import('./handle_geometry.js').Point} Point */
 
-const kLeastMm = 5;      // same limits as the fields of these settings
+const kLeastMm = 5; // same limits as the fields of these settings
 const kMostMm = 1000;
 const kClickSlopPx = 4;
 const kKeyStepPx = 6;
 const kWheelStepDeg = 5;
-const kCommitMs = 450;   // pause after the last key or wheel step
+const kCommitMs = 450; // pause after the last key or wheel step
 
 /**
  * @typedef {object} EditListener
@@ -57,7 +64,7 @@ export class CodeEditor {
     /** @type {CodeOnScreen | null} */ this.code_ = null;
     /** @type {Drag | undefined} */ this.drag_ = undefined;
     /** @type {{ rotateDeg?: number, symbolMm?: number, at?: Point }} */ this.pending_ = {};
-    /** @type {{ rotateDeg?: number, symbolMm?: number }} */ this.committed_ = {};  // but not yet shown by the engine
+    /** @type {{ rotateDeg?: number, symbolMm?: number }} */ this.committed_ = {}; // but not yet shown by the engine
     /** @type {ReturnType<typeof setTimeout> | undefined} */ this.commit_ = undefined;
     this.queue_ = new NewestOnly((/** @type {() => Promise<void>} */ task) => task());
     for (const kind of /** @type {HandleKind[]} */ (['move', 'turn', 'size'])) {
@@ -176,12 +183,14 @@ export class CodeEditor {
     if (kind === 'twist' && second) {
       const { turnDeg, factor } = twistBetween([from, second.from], [at, second.at]);
       return {
-        rotateDeg: snappedRotation(code.rotationDeg + turnDeg), symbolMm: roundedSize(code.symbolMm * factor, kLeastMm, kMostMm),
+        rotateDeg: snappedRotation(code.rotationDeg + turnDeg),
+        symbolMm: roundedSize(code.symbolMm * factor, kLeastMm, kMostMm),
       };
     }
     const { toSquare } = squareMaps(code.corners);
     const [before, now] = [toSquare(from), toSquare(at)];
-    return kind === 'turn' ? { rotateDeg: snappedRotation(code.rotationDeg + turnBetween(before, now)) }
+    return kind === 'turn'
+      ? { rotateDeg: snappedRotation(code.rotationDeg + turnBetween(before, now)) }
       : { symbolMm: roundedSize(code.symbolMm * scaleBetween(before, now), kLeastMm, kMostMm) };
   }
 
@@ -319,7 +328,5 @@ const wrapped = (deg) => deg - 360 * Math.round(deg / 360) + 0;
  * @returns {number | undefined}
  */
 function stepOf(event) {
-  return {
-    ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1, PageDown: -15, PageUp: 15, Home: NaN,
-  }[event.key];
+  return { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1, PageDown: -15, PageUp: 15, Home: NaN }[event.key];
 }

@@ -9,7 +9,7 @@ import { handlePositions } from './handle_geometry.js';
 /** @typedef {import('./handle_geometry.js').HandleKind} HandleKind */
 /** @typedef {import('./handle_geometry.js').Point} Point */
 
-const kLeastFacing = 0.2;  // cosine: a code seen nearly edge-on cannot be handled
+const kLeastFacing = 0.2; // cosine: a code seen nearly edge-on cannot be handled
 const kLeastEdgePx = 48;
 const kSvg = 'http://www.w3.org/2000/svg';
 
@@ -38,8 +38,15 @@ export class CodeHandles {
     this.handles.size.setAttribute('aria-valuemax', '1000');
     this.upright = make('button', { className: 'upright', text: text('view.upright') });
     this.upright.type = 'button';
-    this.box_ = make('div', { className: 'code-handles' },
-      this.svg_, this.handles.move, this.handles.turn, this.handles.size, this.upright);
+    this.box_ = make(
+      'div',
+      { className: 'code-handles' },
+      this.svg_,
+      this.handles.move,
+      this.handles.turn,
+      this.handles.size,
+      this.upright,
+    );
     this.box_.hidden = true;
     overlay.append(this.box_);
   }
@@ -100,7 +107,10 @@ function put(element, [x, y]) {
 }
 
 /** @param {Point[]} corners */
-const shortestEdge = (corners) => Math.min(...corners.map(([x, y], i) => {
-  const [nextX, nextY] = corners[(i + 1) % corners.length];
-  return Math.hypot(nextX - x, nextY - y);
-}));
+const shortestEdge = (corners) =>
+  Math.min(
+    ...corners.map(([x, y], i) => {
+      const [nextX, nextY] = corners[(i + 1) % corners.length];
+      return Math.hypot(nextX - x, nextY - y);
+    }),
+  );

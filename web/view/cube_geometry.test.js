@@ -6,13 +6,30 @@ import { visibleFaces } from './cube_geometry.js';
 const round = (/** @type {number[]} */ values) => values.map((v) => Math.round(v * 1000) / 1000 + 0);
 
 test('From the front only the front is seen, upright and as it is', () => {
-  const faces = visibleFaces([[1, 0, 0], [0, 0, 1], [0, -1, 0]], 20);
-  assert.deepEqual(faces.map(({ name }) => name), ['front']);
+  const faces = visibleFaces(
+    [
+      [1, 0, 0],
+      [0, 0, 1],
+      [0, -1, 0],
+    ],
+    20,
+  );
+  assert.deepEqual(
+    faces.map(({ name }) => name),
+    ['front'],
+  );
   assert.deepEqual(round(faces[0].matrix), [20, 0, 0, 20, 0, 0]);
 });
 
 test('From above the top has the back at its upper edge', () => {
-  const [top] = visibleFaces([[1, 0, 0], [0, 1, 0], [0, 0, 1]], 10);
+  const [top] = visibleFaces(
+    [
+      [1, 0, 0],
+      [0, 1, 0],
+      [0, 0, 1],
+    ],
+    10,
+  );
   assert.equal(top.name, 'top');
   assert.deepEqual(round(top.matrix), [10, 0, 0, 10, 0, 0]);
 });
@@ -20,7 +37,14 @@ test('From above the top has the back at its upper edge', () => {
 test('From a corner three faces are seen, whose middles lie where the cube’s do', () => {
   const s = Math.SQRT1_2;
   const t = 1 / Math.sqrt(3);
-  const faces = visibleFaces([[s, s, 0], [-t * s, t * s, 2 * t * s], [t, -t, t]], 10);
+  const faces = visibleFaces(
+    [
+      [s, s, 0],
+      [-t * s, t * s, 2 * t * s],
+      [t, -t, t],
+    ],
+    10,
+  );
   assert.deepEqual(faces.map(({ name }) => name).sort(), ['front', 'right', 'top']);
   const middles = Object.fromEntries(faces.map(({ name, matrix }) => [name, round(matrix.slice(4))]));
   assert.deepEqual(middles.top, [0, round([-10 * 2 * t * s])[0]]);

@@ -16,7 +16,12 @@ const kEnough = { width: 400, height: 720 };
  * @returns {Area}  the whole stage but its margin if there are no obstacles
  */
 export function freeArea({ width, height }, obstacles) {
-  const grown = obstacles.map((o) => ({ left: o.x - kMargin, top: o.y - kMargin, right: o.x + o.width + kMargin, bottom: o.y + o.height + kMargin }));
+  const grown = obstacles.map((o) => ({
+    left: o.x - kMargin,
+    top: o.y - kMargin,
+    right: o.x + o.width + kMargin,
+    bottom: o.y + o.height + kMargin,
+  }));
   const within = (/** @type {number[]} */ values, /** @type {number} */ end) =>
     [...new Set(values)].filter((v) => v >= kMargin && v <= end - kMargin).sort((a, b) => a - b);
   const xs = within([kMargin, width - kMargin, ...grown.flatMap(({ left, right }) => [left, right])], width);
@@ -39,7 +44,7 @@ export function freeArea({ width, height }, obstacles) {
   return best;
 }
 
-const kWrapperShare = 0.6;  // of the view: a larger element is only a container
+const kWrapperShare = 0.6; // of the view: a larger element is only a container
 
 /**
  * Returns the elements shown over the view, in the view's coordinates. The stage may be larger than the view.

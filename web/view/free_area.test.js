@@ -16,7 +16,8 @@ test('Beside a toolbar at the upper right there is room for a window at the uppe
 
 test('On a phone the area lies under the toolbar and over the hint', () => {
   const area = freeArea({ width: 360, height: 400 }, [
-    { x: 40, y: 12, width: 308, height: 44 }, { x: 60, y: 350, width: 240, height: 34 },
+    { x: 40, y: 12, width: 308, height: 44 },
+    { x: 60, y: 350, width: 240, height: 34 },
   ]);
   assert.deepEqual(area, { x: 12, y: 68, width: 336, height: 270 });
 });
@@ -28,10 +29,17 @@ test('No area meets an obstacle, wherever they are', () => {
     return Math.floor((seed / 2147483647) * most);
   };
   for (let round = 0; round < 50; round += 1) {
-    const obstacles = Array.from({ length: 1 + random(6) }, () => ({ x: random(700), y: random(500), width: 20 + random(200), height: 20 + random(100) }));
+    const obstacles = Array.from({ length: 1 + random(6) }, () => ({
+      x: random(700),
+      y: random(500),
+      width: 20 + random(200),
+      height: 20 + random(100),
+    }));
     const { x, y, width, height } = freeArea({ width: 800, height: 600 }, obstacles);
     for (const o of obstacles) {
-      assert.ok(x + width <= o.x || o.x + o.width <= x || y + height <= o.y || o.y + o.height <= y || width * height === 0);
+      assert.ok(
+        x + width <= o.x || o.x + o.width <= x || y + height <= o.y || o.y + o.height <= y || width * height === 0,
+      );
     }
   }
 });

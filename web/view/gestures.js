@@ -5,7 +5,7 @@
 const kClickMouseSlopPx = 4;
 const kClickTouchSlopPx = 10;
 const kWheelZoomPerPx = 0.0015;
-const kPinchWheelZoomPerPx = 0.01;  // a trackpad sends a pinch as small wheel steps with Ctrl
+const kPinchWheelZoomPerPx = 0.01; // a trackpad sends a pinch as small wheel steps with Ctrl
 const kWheelLinePx = 16;
 const kWheelPagePx = 400;
 
@@ -65,7 +65,7 @@ export class GestureReader {
     const now = { x: event.offsetX, y: event.offsetY };
     const [dx, dy] = [now.x - last.x, now.y - last.y];
     this.travelPx_ += Math.hypot(dx, dy);
-    if (this.mayClick_ && this.travelPx_ <= slopPx(event)) return;  // keeps `last`, so no movement is lost
+    if (this.mayClick_ && this.travelPx_ <= slopPx(event)) return; // keeps `last`, so no movement is lost
     this.mayClick_ = false;
     const other = [...this.pointers_].find(([id]) => id !== event.pointerId)?.[1];
     this.pointers_.set(event.pointerId, now);

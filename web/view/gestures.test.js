@@ -6,32 +6,49 @@ import { GestureReader } from './gestures.js';
 /** Returns the listener's calls for a series of events. @param {(reader: GestureReader) => void} play */
 function heard(play) {
   /** @type {any[]} */ const calls = [];
-  const tell = (/** @type {string} */ name) => (/** @type {number[]} */ ...values) => calls.push([name, ...values]);
+  const tell =
+    (/** @type {string} */ name) =>
+    (/** @type {number[]} */ ...values) =>
+      calls.push([name, ...values]);
   play(new GestureReader({ onOrbit: tell('orbit'), onPan: tell('pan'), onZoom: tell('zoom'), onClick: tell('click') }));
   return calls;
 }
 
 /** @param {number} x @param {number} y @param {object} [more] */
 const at = (x, y, more = {}) => ({
-  clientX: x, clientY: y, offsetX: x, offsetY: y, pointerId: 1, pointerType: 'mouse', button: 0, buttons: 1, shiftKey: false,
+  clientX: x,
+  clientY: y,
+  offsetX: x,
+  offsetY: y,
+  pointerId: 1,
+  pointerType: 'mouse',
+  button: 0,
+  buttons: 1,
+  shiftKey: false,
   ...more,
 });
 
 test('A press that hardly moves is a click, and turns nothing', () => {
-  assert.deepEqual(heard((reader) => {
-    reader.pointer('pointerdown', at(10, 10));
-    reader.pointer('pointermove', at(12, 11));
-    reader.pointer('pointerup', at(12, 11));
-  }), [['click', 12, 11]]);
+  assert.deepEqual(
+    heard((reader) => {
+      reader.pointer('pointerdown', at(10, 10));
+      reader.pointer('pointermove', at(12, 11));
+      reader.pointer('pointerup', at(12, 11));
+    }),
+    [['click', 12, 11]],
+  );
 });
 
 test('A drag turns by all of its movement, the part before it was known to be a drag included', () => {
-  assert.deepEqual(heard((reader) => {
-    reader.pointer('pointerdown', at(10, 10));
-    reader.pointer('pointermove', at(13, 10));
-    reader.pointer('pointermove', at(18, 11));
-    reader.pointer('pointerup', at(18, 11));
-  }), [['orbit', 8, 1]]);
+  assert.deepEqual(
+    heard((reader) => {
+      reader.pointer('pointerdown', at(10, 10));
+      reader.pointer('pointermove', at(13, 10));
+      reader.pointer('pointermove', at(18, 11));
+      reader.pointer('pointerup', at(18, 11));
+    }),
+    [['orbit', 8, 1]],
+  );
 });
 
 test('A drag that comes back to its start is no click', () => {
@@ -45,32 +62,44 @@ test('A drag that comes back to its start is no click', () => {
 
 test('The right button, the middle one and Shift pan, and never click', () => {
   for (const more of [{ button: 2, buttons: 2 }, { button: 1, buttons: 4 }, { shiftKey: true }]) {
-    assert.deepEqual(heard((reader) => {
-      reader.pointer('pointerdown', at(0, 0, more));
-      reader.pointer('pointermove', at(20, 5, more));
-      reader.pointer('pointerup', at(20, 5, { ...more, buttons: 0 }));
-      reader.pointer('pointerdown', at(0, 0, more));
-      reader.pointer('pointerup', at(0, 0, { ...more, buttons: 0 }));
-    }), [['pan', 20, 5]]);
+    assert.deepEqual(
+      heard((reader) => {
+        reader.pointer('pointerdown', at(0, 0, more));
+        reader.pointer('pointermove', at(20, 5, more));
+        reader.pointer('pointerup', at(20, 5, { ...more, buttons: 0 }));
+        reader.pointer('pointerdown', at(0, 0, more));
+        reader.pointer('pointerup', at(0, 0, { ...more, buttons: 0 }));
+      }),
+      [['pan', 20, 5]],
+    );
   }
 });
 
 test('Two fingers that part zoom by the ratio of their distances about their middle, and lifting them is no click', () => {
   const finger = (/** @type {number} */ id) => ({ pointerId: id, pointerType: 'touch' });
-  assert.deepEqual(heard((reader) => {
-    reader.pointer('pointerdown', at(100, 50, finger(1)));
-    reader.pointer('pointerdown', at(200, 50, finger(2)));
-    reader.pointer('pointermove', at(300, 50, finger(2)));
-    reader.pointer('pointerup', at(300, 50, finger(2)));
-    reader.pointer('pointerup', at(100, 50, finger(1)));
-  }), [['pan', 50, 0], ['zoom', 2, 200, 50]]);
+  assert.deepEqual(
+    heard((reader) => {
+      reader.pointer('pointerdown', at(100, 50, finger(1)));
+      reader.pointer('pointerdown', at(200, 50, finger(2)));
+      reader.pointer('pointermove', at(300, 50, finger(2)));
+      reader.pointer('pointerup', at(300, 50, finger(2)));
+      reader.pointer('pointerup', at(100, 50, finger(1)));
+    }),
+    [
+      ['pan', 50, 0],
+      ['zoom', 2, 200, 50],
+    ],
+  );
 });
 
 test('A cancelled pointer clicks nothing', () => {
-  assert.deepEqual(heard((reader) => {
-    reader.pointer('pointerdown', at(1, 1));
-    reader.pointer('pointercancel', at(1, 1));
-  }), []);
+  assert.deepEqual(
+    heard((reader) => {
+      reader.pointer('pointerdown', at(1, 1));
+      reader.pointer('pointercancel', at(1, 1));
+    }),
+    [],
+  );
 });
 
 test('The wheel zooms in upwards, by lines as by pixels', () => {

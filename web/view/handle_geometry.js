@@ -7,7 +7,7 @@
 /** @typedef {'move' | 'turn' | 'size'} HandleKind */
 
 const kSnapDeg = 5;
-const kTurnDistancePx = 34;   // from the square to the turning handle
+const kTurnDistancePx = 34; // from the square to the turning handle
 
 /**
  * Returns the projective map from the square to its corners on the screen, and its inverse [Heckbert 1989, §2.2.3].
@@ -20,9 +20,17 @@ export function squareMaps([[x0, y0], [x1, y1], [x2, y2], [x3, y3]]) {
   const area = dx1 * dy2 - dx2 * dy1;
   const [g, h] = [(sx * dy2 - dx2 * sy) / area, (dx1 * sy - sx * dy1) / area];
   const m = [x1 - x0 + g * x1, x3 - x0 + h * x3, x0, y1 - y0 + g * y1, y3 - y0 + h * y3, y0, g, h, 1];
-  const inverse = [  // the adjugate; a common factor does not matter
-    m[4] - m[5] * h, m[2] * h - m[1], m[1] * m[5] - m[2] * m[4], m[5] * g - m[3], m[0] - m[2] * g,
-    m[2] * m[3] - m[0] * m[5], m[3] * h - m[4] * g, m[1] * g - m[0] * h, m[0] * m[4] - m[1] * m[3],
+  const inverse = [
+    // the adjugate; a common factor does not matter
+    m[4] - m[5] * h,
+    m[2] * h - m[1],
+    m[1] * m[5] - m[2] * m[4],
+    m[5] * g - m[3],
+    m[0] - m[2] * g,
+    m[2] * m[3] - m[0] * m[5],
+    m[3] * h - m[4] * g,
+    m[1] * g - m[0] * h,
+    m[0] * m[4] - m[1] * m[3],
   ];
   return {
     toScreen: ([u, v]) => applied(m, [(u + 1) / 2, (1 - v) / 2]),
@@ -88,7 +96,7 @@ export function scaleBetween([u0, v0], [u1, v1]) {
  */
 export function twistBetween(from, to) {
   const [a, b] = [from, to].map(([[x0, y0], [x1, y1]]) => ({ x: x1 - x0, y: y1 - y0 }));
-  const turn = Math.atan2(a.x * b.y - a.y * b.x, a.x * b.x + a.y * b.y);  // clockwise, since y points down
+  const turn = Math.atan2(a.x * b.y - a.y * b.x, a.x * b.x + a.y * b.y); // clockwise, since y points down
   return { turnDeg: (-turn * 180) / Math.PI, factor: Math.hypot(b.x, b.y) / Math.max(1e-6, Math.hypot(a.x, a.y)) };
 }
 

@@ -42,7 +42,9 @@ export class HoverPreview {
     this.chip_.hide();
     if (!this.shown_) return;
     this.shown_ = false;
-    this.client_().endHover().catch(() => {});  // fails only if the engine is replaced, which shows no code either
+    this.client_()
+      .endHover()
+      .catch(() => {}); // fails only if the engine is replaced, which shows no code either
   }
 
   /** @param {{ x: number, y: number }} at */

@@ -24,7 +24,9 @@ export class Legend {
     this.kind_ = kind;
     write(this.title_, () => text(kind === 'sizes' ? 'view.sizesLegend' : 'view.depthsLegend'));
     write(this.middle_, () => text('view.millimetres', { mm: Number((topMm / 2).toFixed(2)) }));
-    write(this.top_, () => text(isExceeded ? 'view.millimetresOrMore' : 'view.millimetres', { mm: Number(topMm.toFixed(2)) }));
+    write(this.top_, () =>
+      text(isExceeded ? 'view.millimetresOrMore' : 'view.millimetres', { mm: Number(topMm.toFixed(2)) }),
+    );
     this.figure_.hidden = false;
   }
 

@@ -5,7 +5,13 @@
 /** @typedef {{ width: number, height: number, rgba: Uint8ClampedArray<ArrayBuffer> }} Pixels */
 
 /** Samples of Viridis, as in the page's legend. It suits every kind of colour vision. */
-const kRamp = [[68, 1, 84], [58, 82, 139], [33, 144, 140], [93, 201, 98], [253, 231, 37]];
+const kRamp = [
+  [68, 1, 84],
+  [58, 82, 139],
+  [33, 144, 140],
+  [93, 201, 98],
+  [253, 231, 37],
+];
 
 /** @param {number} share  0 … 1 @returns {number[]} */
 export function rampColour(share) {
@@ -35,8 +41,10 @@ function paint({ width, height, components }, colour) {
 const isSurface = ({ values }, at) => values[at] !== 0 || values[at + 1] !== 0 || values[at + 2] !== 0;
 
 /** @param {JobMap} surface @returns {Pixels}  −1 … 1 as 0 … 255 */
-export const paintNormals = (surface) => paint(surface, (at) => (isSurface(surface, at)
-  ? [0, 1, 2].map((axis) => (surface.values[at + axis] + 1) * 127.5) : undefined));
+export const paintNormals = (surface) =>
+  paint(surface, (at) =>
+    isSurface(surface, at) ? [0, 1, 2].map((axis) => (surface.values[at + axis] + 1) * 127.5) : undefined,
+  );
 
 /**
  * @param {JobMap} map
@@ -60,13 +68,16 @@ function paintRamp(map, valueOf) {
 }
 
 /** @param {JobMap} surface */
-export const paintHeights = (surface) => paintRamp(surface, (at) => (isSurface(surface, at) ? surface.values[at + 3] : undefined));
+export const paintHeights = (surface) =>
+  paintRamp(surface, (at) => (isSurface(surface, at) ? surface.values[at + 3] : undefined));
 
 /** Paints the depths of the carved texels; the rest stays transparent. @param {JobMap} depths */
-export const paintDepths = (depths) => paintRamp(depths, (at) => (depths.values[at] > 0 ? depths.values[at] : undefined));
+export const paintDepths = (depths) =>
+  paintRamp(depths, (at) => (depths.values[at] > 0 ? depths.values[at] : undefined));
 
 /** @param {JobMap} luminance @returns {Pixels}  linear light, as the grey that a screen needs to show it */
-export const paintLight = (luminance) => paint(luminance, (at) => {
-  const grey = 255 * Math.min(1, Math.max(0, luminance.values[at])) ** (1 / 2.2);
-  return [grey, grey, grey];
-});
+export const paintLight = (luminance) =>
+  paint(luminance, (at) => {
+    const grey = 255 * Math.min(1, Math.max(0, luminance.values[at])) ** (1 / 2.2);
+    return [grey, grey, grey];
+  });

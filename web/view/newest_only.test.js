@@ -3,14 +3,19 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { NewestOnly } from './newest_only.js';
 
-const settled = () => new Promise((resolve) => { setTimeout(resolve); });
+const settled = () =>
+  new Promise((resolve) => {
+    setTimeout(resolve);
+  });
 
 test('While one task runs only the newest of the others waits', async () => {
   /** @type {number[]} */ const begun = [];
   /** @type {(() => void)[]} */ const ends = [];
   const queue = new NewestOnly((/** @type {number} */ task) => {
     begun.push(task);
-    return new Promise((resolve) => { ends.push(() => resolve(undefined)); });
+    return new Promise((resolve) => {
+      ends.push(() => resolve(undefined));
+    });
   });
   [1, 2, 3].forEach((task) => queue.ask(task));
   assert.deepEqual(begun, [1]);
@@ -24,7 +29,9 @@ test('While one task runs only the newest of the others waits', async () => {
 
 test('What waits can be forgotten', async () => {
   /** @type {number[]} */ const begun = [];
-  const queue = new NewestOnly(async (/** @type {number} */ task) => { begun.push(task); });
+  const queue = new NewestOnly(async (/** @type {number} */ task) => {
+    begun.push(task);
+  });
   queue.ask(1);
   queue.ask(2);
   queue.forget();

@@ -21,7 +21,13 @@ export class ReaderView {
     this.printed_ = this.makeSwitch_(true);
     this.switch_ = make('div', { className: 'of-print' }, this.designed_, this.printed_);
     this.switch_.setAttribute('role', 'group');
-    this.box_ = make('div', { className: 'reader-view' }, make('div', { className: 'finder' }), this.switch_, this.caption_);
+    this.box_ = make(
+      'div',
+      { className: 'reader-view' },
+      make('div', { className: 'finder' }),
+      this.switch_,
+      this.caption_,
+    );
     this.box_.hidden = true;
     this.box_.setAttribute('role', 'group');
     overlays.append(this.box_);

@@ -8,7 +8,7 @@ import { GestureReader } from './gestures.js';
 const kKeyOrbitPx = 30;
 const kKeyPanPx = 30;
 const kKeyZoom = 1.2;
-const kMaxPixelRatio = 2;  // a finer canvas costs time without visible gain
+const kMaxPixelRatio = 2; // a finer canvas costs time without visible gain
 
 /** @type {Record<string, import('../engine/types.js').StandardView>} */
 export const kStandardViews = { 1: 'front', 2: 'back', 3: 'left', 4: 'right', 5: 'top', 6: 'bottom', 7: 'iso' };
@@ -34,7 +34,7 @@ export class View {
     this.listener_ = listener;
     /** True while the inspector needs the pointer's position. */
     this.reportsPointer = false;
-    this.turned_ = 0;  // wheel notches left over, less than one
+    this.turned_ = 0; // wheel notches left over, less than one
     const gestures = new GestureReader({
       onOrbit: (dx, dy) => listener.onAct({ kind: 'orbit', dx, dy }),
       onPan: (dx, dy) => listener.onAct({ kind: 'pan', dx, dy }),
@@ -57,13 +57,17 @@ export class View {
     stage.addEventListener('pointerout', (event) => {
       if (event.target === this.canvas_) listener.onHoverEnd?.();
     });
-    stage.addEventListener('wheel', (event) => {
-      if (event.target !== this.canvas_) return;
-      event.preventDefault();
-      this.tellPointer_(event, -event.deltaY / 100);
-      if (event.shiftKey) this.turn_(event);
-      else gestures.wheel(event);
-    }, { passive: false });
+    stage.addEventListener(
+      'wheel',
+      (event) => {
+        if (event.target !== this.canvas_) return;
+        event.preventDefault();
+        this.tellPointer_(event, -event.deltaY / 100);
+        if (event.shiftKey) this.turn_(event);
+        else gestures.wheel(event);
+      },
+      { passive: false },
+    );
     stage.addEventListener('contextmenu', (event) => event.preventDefault());
     stage.addEventListener('keydown', (event) => this.key_(event));
     stage.addEventListener('keyup', (event) => {
@@ -84,7 +88,7 @@ export class View {
     canvas.setAttribute('aria-label', '3D view');
     canvas.setAttribute('aria-describedby', 'view-help');
     if (this.canvas_) this.canvas_.replaceWith(canvas);
-    else this.stage_.prepend(canvas);  // below the overlays
+    else this.stage_.prepend(canvas); // below the overlays
     this.canvas_ = canvas;
     return canvas;
   }
@@ -143,10 +147,14 @@ export class View {
   }
 
   watchPixelRatio_() {
-    matchMedia(`(resolution: ${devicePixelRatio}dppx)`).addEventListener('change', () => {
-      this.announceSize();
-      this.watchPixelRatio_();
-    }, { once: true });
+    matchMedia(`(resolution: ${devicePixelRatio}dppx)`).addEventListener(
+      'change',
+      () => {
+        this.announceSize();
+        this.watchPixelRatio_();
+      },
+      { once: true },
+    );
   }
 }
 

@@ -16,7 +16,12 @@ export class ViewCube {
     this.svg_.classList.add('view-cube');
     this.svg_.setAttribute('viewBox', '-40 -40 80 80');
     this.svg_.setAttribute('aria-hidden', 'true');
-    this.faces_ = new Map(/** @type {StandardView[]} */ (['front', 'back', 'left', 'right', 'top', 'bottom']).map((name) => [name, face(name)]));
+    this.faces_ = new Map(
+      /** @type {StandardView[]} */ (['front', 'back', 'left', 'right', 'top', 'bottom']).map((name) => [
+        name,
+        face(name),
+      ]),
+    );
     for (const [name, group] of this.faces_) group.addEventListener('click', () => onView(name));
     place.append(this.svg_);
   }
@@ -24,12 +29,14 @@ export class ViewCube {
   /** @param {number[][]} axes  the camera's */
   turn(axes) {
     const visible = visibleFaces(axes, kHalfEdge);
-    this.svg_.replaceChildren(...visible.reverse().map(({ name, matrix, facing }) => {
-      const group = /** @type {SVGGElement} */ (this.faces_.get(name));
-      group.setAttribute('transform', `matrix(${matrix.map((v) => v.toFixed(3)).join(' ')})`);
-      group.style.setProperty('--facing', facing.toFixed(2));
-      return group;
-    }));
+    this.svg_.replaceChildren(
+      ...visible.reverse().map(({ name, matrix, facing }) => {
+        const group = /** @type {SVGGElement} */ (this.faces_.get(name));
+        group.setAttribute('transform', `matrix(${matrix.map((v) => v.toFixed(3)).join(' ')})`);
+        group.style.setProperty('--facing', facing.toFixed(2));
+        return group;
+      }),
+    );
   }
 }
 
@@ -37,7 +44,8 @@ export class ViewCube {
 function face(name) {
   const group = document.createElementNS(kSvg, 'g');
   const square = document.createElementNS(kSvg, 'rect');
-  for (const [key, value] of Object.entries({ x: -1, y: -1, width: 2, height: 2 })) square.setAttribute(key, String(value));
+  for (const [key, value] of Object.entries({ x: -1, y: -1, width: 2, height: 2 }))
+    square.setAttribute(key, String(value));
   const label = document.createElementNS(kSvg, 'text');
   label.textContent = text(`view.${name}`);
   label.setAttribute('text-anchor', 'middle');

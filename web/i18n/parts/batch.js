@@ -24,7 +24,10 @@ export const batch = {
     perPlate: 'Per plate',
     name: 'File names',
     hint: 'Put a column of the list in braces, or n for the part’s number: {plain} is 7, {padded} is 00007. Names end in .stl, .3mf, .obj or .ply.',
-    planned: { one: '{count} part, version {version}, {modules} × {modules} modules', other: '{count} parts, version {version}, {modules} × {modules} modules' },
+    planned: {
+      one: '{count} part, version {version}, {modules} × {modules} modules',
+      other: '{count} parts, version {version}, {modules} × {modules} modules',
+    },
     plannedPlates: '{parts} on {plates}, version {version}, {modules} × {modules} modules',
     parts: { one: '{count} part', other: '{count} parts' },
     plateCount: { one: '{count} plate', other: '{count} plates' },
@@ -41,10 +44,12 @@ export const batch = {
     engraveFirst: 'Engrave the first part',
     heading: 'All parts',
     askForFirst: 'Engrave the first part and look at it, then engrave all the others like it.',
-    firstDoesNotPass: 'The first part does not pass its checks. Change the settings or the place, and engrave it again.',
+    firstDoesNotPass:
+      'The first part does not pass its checks. Change the settings or the place, and engrave it again.',
     ready: 'The first part is good. All others get the same place, size and settings.',
     printEvery: 'Simulate the print of every … part',
-    printEveryHint: 'Every part is test-decoded and checked to be a solid. To simulate its print, too, takes several times as long; enter 1 for every part.',
+    printEveryHint:
+      'Every part is test-decoded and checked to be a solid. To simulate its print, too, takes several times as long; enter 1 for every part.',
     carveAll: { one: 'Make {count} part', other: 'Make all {count} parts' },
     getReady: 'Getting ready to engrave…',
     starting: 'Getting ready: {finished} of {count}',
@@ -68,7 +73,10 @@ export const batch = {
     downloading: 'Writing the ZIP…',
     downloaded: 'The ZIP is saved.',
     discard: 'Discard the parts',
-    askDiscard: { one: 'Discard {count} engraved part? There is no other copy.', other: 'Discard {count} engraved parts? There is no other copy.' },
+    askDiscard: {
+      one: 'Discard {count} engraved part? There is no other copy.',
+      other: 'Discard {count} engraved parts? There is no other copy.',
+    },
     keepThem: 'Keep',
     keeps: 'This browser keeps files and progress: if you close or reload the page, you can go on afterwards.',
     progress: 'Parts engraved',
@@ -102,7 +110,8 @@ export const batch = {
     fromList: 'einer Liste: CSV oder JSON-Zeilen',
     fromCount: 'Nummern, ohne Liste',
     list: 'Oder hier einfügen',
-    listTitle: 'Eine Zeile je Teil; die erste Zeile benennt die Spalten: text und nach Wunsch id, file und Einstellungen',
+    listTitle:
+      'Eine Zeile je Teil; die erste Zeile benennt die Spalten: text und nach Wunsch id, file und Einstellungen',
     openList: 'Liste öffnen …',
     listFile: 'Listendatei',
     listIs: '{name}, {size} kB',
@@ -116,7 +125,10 @@ export const batch = {
     perPlate: 'Je Platte',
     name: 'Dateinamen',
     hint: 'In geschweifte Klammern eine Spalte der Liste setzen oder n für die Nummer des Teils: {plain} ist 7, {padded} ist 00007. Namen enden auf .stl, .3mf, .obj oder .ply.',
-    planned: { one: '{count} Teil, Version {version}, {modules} × {modules} Module', other: '{count} Teile, Version {version}, {modules} × {modules} Module' },
+    planned: {
+      one: '{count} Teil, Version {version}, {modules} × {modules} Module',
+      other: '{count} Teile, Version {version}, {modules} × {modules} Module',
+    },
     plannedPlates: '{parts} auf {plates}, Version {version}, {modules} × {modules} Module',
     parts: { one: '{count} Teil', other: '{count} Teile' },
     plateCount: { one: '{count} Platte', other: '{count} Platten' },
@@ -133,10 +145,13 @@ export const batch = {
     engraveFirst: 'Erstes Teil gravieren',
     heading: 'Alle Teile',
     askForFirst: 'Das erste Teil gravieren und ansehen, dann alle anderen ebenso gravieren.',
-    firstDoesNotPass: 'Das erste Teil besteht die Prüfung nicht. Einstellungen oder Stelle ändern und es neu gravieren.',
-    ready: 'Das erste Teil ist gut. Alle anderen werden an derselben Stelle, in derselben Größe und mit denselben Einstellungen graviert.',
+    firstDoesNotPass:
+      'Das erste Teil besteht die Prüfung nicht. Einstellungen oder Stelle ändern und es neu gravieren.',
+    ready:
+      'Das erste Teil ist gut. Alle anderen werden an derselben Stelle, in derselben Größe und mit denselben Einstellungen graviert.',
     printEvery: 'Den Druck jedes …-ten Teils simulieren',
-    printEveryHint: 'Jedes Teil wird probeweise gelesen und als Körper geprüft. Auch seinen Druck zu simulieren dauert ein Mehrfaches; 1: bei jedem Teil.',
+    printEveryHint:
+      'Jedes Teil wird probeweise gelesen und als Körper geprüft. Auch seinen Druck zu simulieren dauert ein Mehrfaches; 1: bei jedem Teil.',
     carveAll: { one: '{count} Teil gravieren', other: 'Alle {count} Teile gravieren' },
     getReady: 'Gravieren wird vorbereitet …',
     starting: 'Wird vorbereitet: {finished} von {count}',
@@ -160,9 +175,13 @@ export const batch = {
     downloading: 'ZIP wird geschrieben …',
     downloaded: 'Das ZIP ist gespeichert.',
     discard: 'Teile verwerfen',
-    askDiscard: { one: '{count} graviertes Teil verwerfen? Es gibt keine andere Kopie.', other: '{count} gravierte Teile verwerfen? Es gibt keine andere Kopie.' },
+    askDiscard: {
+      one: '{count} graviertes Teil verwerfen? Es gibt keine andere Kopie.',
+      other: '{count} gravierte Teile verwerfen? Es gibt keine andere Kopie.',
+    },
     keepThem: 'Behalten',
-    keeps: 'Dieser Browser hebt Dateien und Stand auf: Wird die Seite geschlossen oder neu geladen, geht es danach weiter.',
+    keeps:
+      'Dieser Browser hebt Dateien und Stand auf: Wird die Seite geschlossen oder neu geladen, geht es danach weiter.',
     progress: 'Gravierte Teile',
 
     table: 'Teile',

@@ -109,7 +109,8 @@ export const check = {
     tiltReads: 'aus {reads} von {all} Richtungen lesbar',
     tiltUpTo: 'Liest sich von allen Seiten bis {tilt}°',
     tiltNone: 'Liest sich nur gerade von vorn',
-    bends: 'Auf einer gewölbten Oberfläche liest sich ein kleinerer Code oder eine flachere Stelle auch weiter von der Seite.',
+    bends:
+      'Auf einer gewölbten Oberfläche liest sich ein kleinerer Code oder eine flachere Stelle auch weiter von der Seite.',
     distanceUpTo: 'Liest sich bis etwa {distance} Abstand, mit {pixels} Pixeln je Modul im Video eines Handys',
     distanceNone: 'In keinem kleineren Bild lesbar',
     eye: 'Vom Auge des Betrachters, {distance} entfernt',

@@ -97,7 +97,10 @@ export const code = {
     symbol: 'The code',
     'symbol.facts': 'Version {version}-{ecc}, {size} × {size} modules',
     'symbol.bytes': { one: '{used} of {total} byte', other: '{used} of {total} bytes' },
-    'symbol.room': { one: 'One more byte fits; then the modules get smaller', other: '{count} more bytes fit before the modules get smaller' },
+    'symbol.room': {
+      one: 'One more byte fits; then the modules get smaller',
+      other: '{count} more bytes fit before the modules get smaller',
+    },
     'symbol.full': 'One more byte, and the modules get smaller',
     'symbol.last': 'There is no larger QR code',
     'symbol.picture': 'QR code, {size} × {size} modules',
@@ -108,8 +111,10 @@ export const code = {
     'symbol.otherPlace': 'It must be {needed} wide: choose a spot with more room, or a finer nozzle.',
     'symbol.shorten': 'Or shorten the text to fit {modules} × {modules} modules.',
 
-    'shorter.capitals': 'The same address with its name in capitals needs version {version}, with modules {percent} % larger',
-    'shorter.www': 'If the address also works without “www.”, it needs version {version}, with modules {percent} % larger',
+    'shorter.capitals':
+      'The same address with its name in capitals needs version {version}, with modules {percent} % larger',
+    'shorter.www':
+      'If the address also works without “www.”, it needs version {version}, with modules {percent} % larger',
     'shorter.highlight': 'Without the marked passage it needs version {version}, with modules {percent} % larger',
     'shorter.mecard': 'As a MeCard it needs version {version}, with modules {percent} % larger',
     'shorter.event': 'As a bare event it needs version {version}, with modules {percent} % larger',
@@ -136,7 +141,8 @@ export const code = {
     'wifi.hidden': 'Das Netz ist versteckt',
     'wifi.ssidTooLong': 'Ein Netzname hat höchstens {most} Bytes, dieser {bytes}',
     'wifi.passwordLength': 'Das Passwort muss {least} bis {most} Zeichen haben, dieses hat {count}',
-    'wifi.ascii': 'Ein WPA-Passwort kann nur Buchstaben ohne Akzente und Umlaute, Ziffern und die Zeichen einer englischen Tastatur haben',
+    'wifi.ascii':
+      'Ein WPA-Passwort kann nur Buchstaben ohne Akzente und Umlaute, Ziffern und die Zeichen einer englischen Tastatur haben',
     'wifi.wepKey': 'Ein WEP-Schlüssel hat 5 oder 13 Zeichen, oder 10 oder 26 der Ziffern 0–9 und A–F',
     'wifi.wepIsOpen': 'WEP ist in Minuten gebrochen, und viele Handys lehnen es ab',
     'wifi.spaces': 'Am Anfang oder Ende steht ein Leerzeichen',
@@ -205,26 +211,35 @@ export const code = {
     'link.addScheme': 'https:// voranstellen',
     'link.idn': 'Manche Handys nehmen nur die einfache Form dieses Namens, {host}',
     'link.toAscii': 'Einfache Form nehmen',
-    'link.tracking': { one: '{count} Zeichen dient nur dem Zählen von Besuchern', other: '{count} Zeichen dienen nur dem Zählen von Besuchern' },
+    'link.tracking': {
+      one: '{count} Zeichen dient nur dem Zählen von Besuchern',
+      other: '{count} Zeichen dienen nur dem Zählen von Besuchern',
+    },
     'link.dropTracking': 'Weglassen',
 
     advice: 'Hinweise',
     symbol: 'Der Code',
     'symbol.facts': 'Version {version}-{ecc}, {size} × {size} Module',
     'symbol.bytes': { one: '{used} von {total} Byte', other: '{used} von {total} Bytes' },
-    'symbol.room': { one: 'Ein Byte passt noch, dann werden die Module kleiner', other: '{count} Bytes passen noch, dann werden die Module kleiner' },
+    'symbol.room': {
+      one: 'Ein Byte passt noch, dann werden die Module kleiner',
+      other: '{count} Bytes passen noch, dann werden die Module kleiner',
+    },
     'symbol.full': 'Ein Byte mehr, und die Module werden kleiner',
     'symbol.last': 'Einen größeren Code gibt es nicht',
     'symbol.picture': 'QR-Code, {size} × {size} Module',
     'symbol.fill': 'Wie voll er ist',
     'symbol.none': 'Noch kein Code',
-    'symbol.small': 'Bei {symbol} misst ein Modul {module}; eine Düse von {nozzle} braucht bei diesem Muster etwa {least}.',
+    'symbol.small':
+      'Bei {symbol} misst ein Modul {module}; eine Düse von {nozzle} braucht bei diesem Muster etwa {least}.',
     'symbol.larger': 'Den Code {needed} breit machen.',
     'symbol.otherPlace': 'Er müsste {needed} breit sein: eine Stelle mit mehr Platz oder eine feinere Düse wählen.',
     'symbol.shorten': 'Oder den Text kürzen, bis er in {modules} × {modules} Module passt.',
 
-    'shorter.capitals': 'Dieselbe Adresse mit ihrem Namen in Großbuchstaben braucht Version {version}, mit {percent} % größeren Modulen',
-    'shorter.www': 'Falls die Adresse auch ohne „www.“ gilt, braucht sie Version {version}, mit {percent} % größeren Modulen',
+    'shorter.capitals':
+      'Dieselbe Adresse mit ihrem Namen in Großbuchstaben braucht Version {version}, mit {percent} % größeren Modulen',
+    'shorter.www':
+      'Falls die Adresse auch ohne „www.“ gilt, braucht sie Version {version}, mit {percent} % größeren Modulen',
     'shorter.highlight': 'Ohne die markierte Stelle braucht er Version {version}, mit {percent} % größeren Modulen',
     'shorter.mecard': 'Als MeCard braucht er Version {version}, mit {percent} % größeren Modulen',
     'shorter.event': 'Als bloßer Termin braucht er Version {version}, mit {percent} % größeren Modulen',

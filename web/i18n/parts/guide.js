@@ -4,17 +4,20 @@
 export const guide = {
   en: {
     title: 'How to print an engraved QR code – QRelief',
-    description: 'Print a QR code that is engraved into a 3D model so that phones can read it: size, nozzle, layers, orientation, material, light, and a test plate.',
+    description:
+      'Print a QR code that is engraved into a 3D model so that phones can read it: size, nozzle, layers, orientation, material, light, and a test plate.',
     heading: 'How to print it',
     lead: 'An engraved code is dark where little light gets in. It reads well if the printer makes clean pockets and light comes from all around.',
 
     steps: 'From the model to the print',
-    stepPlace: 'Open a model, enter the text, and click where the code should go. You see it as it will lie there, with its quiet zone; turn it, resize it or move it.',
+    stepPlace:
+      'Open a model, enter the text, and click where the code should go. You see it as it will lie there, with its quiet zone; turn it, resize it or move it.',
     stepCarve: 'Engrave. Each dark module becomes a pocket, just deep enough for its own shadow to darken it.',
     stepRead: 'Check. You see the code as a phone sees it, and the decoded text. Then download the file and print it.',
 
     size: 'Size',
-    sizeWhat: 'The width of a module, the smallest square of the code, decides. The authors of the paper behind QRelief printed the default pattern with a 0.4 mm nozzle and decoded it with modules of 0.6 mm and more; their other prints have modules of 1.2 mm, which leaves a margin. For another nozzle, scale both widths.',
+    sizeWhat:
+      'The width of a module, the smallest square of the code, decides. The authors of the paper behind QRelief printed the default pattern with a 0.4 mm nozzle and decoded it with modules of 0.6 mm and more; their other prints have modules of 1.2 mm, which leaves a margin. For another nozzle, scale both widths.',
     sizeShort: 'A short text needs fewer modules, so each can be larger. Shorten a link before you enlarge the code.',
     sizeTable: 'Width of the code with a 0.4 mm nozzle',
     letters: 'Text up to',
@@ -25,46 +28,66 @@ export const guide = {
     sizeMargin: 'Keep a quiet zone of four modules free around the code. QRelief finds a place with room for it.',
 
     printer: 'Nozzle and layers',
-    printerTell: 'Enter your nozzle and layer height under “Pattern, depth, printer”. After engraving, QRelief lists the details that your printer cannot make, and the remedies.',
-    printerNozzle: 'Pockets narrower than 0.9 nozzle widths close up in the print. Choose a larger code, a shorter text or a finer nozzle.',
+    printerTell:
+      'Enter your nozzle and layer height under “Pattern, depth, printer”. After engraving, QRelief lists the details that your printer cannot make, and the remedies.',
+    printerNozzle:
+      'Pockets narrower than 0.9 nozzle widths close up in the print. Choose a larger code, a shorter text or a finer nozzle.',
     printerLayer: 'Pockets shallower than two layers may vanish. Print thinner layers, or put the code on a side wall.',
-    printerStrings: 'Strings across the pockets hide the code. Dry the filament, print a little cooler, and pick out the rest with a needle.',
+    printerStrings:
+      'Strings across the pockets hide the code. Dry the filament, print a little cooler, and pick out the rest with a needle.',
 
     orientation: 'Orientation',
     onSide: 'On an upright wall: best',
-    onSideWhy: 'The nozzle traces the outline of every pocket, and the depth need not be a multiple of the layer height.',
+    onSideWhy:
+      'The nozzle traces the outline of every pocket, and the depth need not be a multiple of the layer height.',
     onTop: 'On top: good',
-    onTopWhy: 'The depth consists of whole layers, so print thin layers. Do not iron the top: ironing smears the edges.',
+    onTopWhy:
+      'The depth consists of whole layers, so print thin layers. Do not iron the top: ironing smears the edges.',
     below: 'Facing the bed or hanging over: avoid',
-    belowWhy: 'The first layer is squeezed into the pockets, and supports fill them. If you have no choice, block supports at the code.',
+    belowWhy:
+      'The first layer is squeezed into the pockets, and supports fill them. If you have no choice, block supports at the code.',
 
     printed: 'The simulated print',
-    printedWhat: 'After engraving, QRelief simulates the print: it lays every layer as the nozzle would, lights the result, and decodes it. Before that, it deepens modules that would print too bright. Choose the process and the orientation under “Pattern, depth, printer”. The pictures show the test plate as a phone sees it; a frame would mark a lost module.',
-    printedStanding: 'Nozzle 0.4 mm, layers 0.2 mm, standing: every layer leaves a groove, and the pockets’ edges are steps.',
+    printedWhat:
+      'After engraving, QRelief simulates the print: it lays every layer as the nozzle would, lights the result, and decodes it. Before that, it deepens modules that would print too bright. Choose the process and the orientation under “Pattern, depth, printer”. The pictures show the test plate as a phone sees it; a frame would mark a lost module.',
+    printedStanding:
+      'Nozzle 0.4 mm, layers 0.2 mm, standing: every layer leaves a groove, and the pockets’ edges are steps.',
     printedLying: 'The same, lying: the nozzle rounds every corner, and a pocket’s floor lies on a whole layer.',
     printedFine: 'Nozzle 0.25 mm, layers 0.1 mm, lying.',
     printedResin: 'Resin, layers 0.05 mm, lying.',
 
     material: 'Material and colour',
-    materialColour: 'One colour is enough. The authors of the paper printed codes in several colours; the colour made little difference to decoding.',
-    materialMatt: 'Matt, opaque filament is best. Highlights on glossy or silky filament and the glow of translucent filament hide the shadows.',
-    materialTwo: 'With two colours, download “3MF, two colours”: a second body fills the pockets, and the code reads like a printed one.',
+    materialColour:
+      'One colour is enough. The authors of the paper printed codes in several colours; the colour made little difference to decoding.',
+    materialMatt:
+      'Matt, opaque filament is best. Highlights on glossy or silky filament and the glow of translucent filament hide the shadows.',
+    materialTwo:
+      'With two colours, download “3MF, two colours”: a second body fills the pockets, and the code reads like a printed one.',
 
     light: 'Light and reading',
-    lightEven: 'Even light is best: daylight, or a lamp that is not close to the code. The code is dark because the pockets see little of the sky, not because a lamp casts shadows.',
-    lightPreset: 'Under “How deep”, choose “Shallow” for even light from the front, “Balanced” if there is also a lamp, and “Robust” for poor light and wider angles.',
-    lightPhone: 'Hold the phone straight in front of the code, about 25 cm away. The code is engraved for this distance; you can set another. Seen from the side, a code on a curved surface is distorted, however deep it is: a smaller code or a flatter place forgives more.',
-    lightOne: 'The shallowest codes use the shadow of one lamp: under “Pattern, depth, printer”, set “Darken by” to “Shadow of one lamp”. Such a code reads reliably only while one light, such as a phone’s lamp or the sun, shines from the side that the result names. To set its position, choose “Light of one lamp” under “Light”.',
+    lightEven:
+      'Even light is best: daylight, or a lamp that is not close to the code. The code is dark because the pockets see little of the sky, not because a lamp casts shadows.',
+    lightPreset:
+      'Under “How deep”, choose “Shallow” for even light from the front, “Balanced” if there is also a lamp, and “Robust” for poor light and wider angles.',
+    lightPhone:
+      'Hold the phone straight in front of the code, about 25 cm away. The code is engraved for this distance; you can set another. Seen from the side, a code on a curved surface is distorted, however deep it is: a smaller code or a flatter place forgives more.',
+    lightOne:
+      'The shallowest codes use the shadow of one lamp: under “Pattern, depth, printer”, set “Darken by” to “Shadow of one lamp”. Such a code reads reliably only while one light, such as a phone’s lamp or the sun, shines from the side that the result names. To set its position, choose “Light of one lamp” under “Light”.',
 
     parts: 'A code for every part',
-    partsWhat: 'Each part of a series can have its own code, with a serial number or its own link. Choose “A code for every part” under “Code”.',
-    partsList: 'Open a list as CSV, as spreadsheets save it, with a column “text”, or number the parts. Before anything is engraved, QRelief names the lines with problems, such as two parts with the same text or a text that is too long. All codes have the size that the longest text needs.',
+    partsWhat:
+      'Each part of a series can have its own code, with a serial number or its own link. Choose “A code for every part” under “Code”.',
+    partsList:
+      'Open a list as CSV, as spreadsheets save it, with a column “text”, or number the parts. Before anything is engraved, QRelief names the lines with problems, such as two parts with the same text or a text that is too long. All codes have the size that the longest text needs.',
     partsFirst: 'Engrave the first part and look at it. Print it first if you can.',
-    partsAll: 'Then engrave all parts. You can work on meanwhile, and go on after you close or reload the page. QRelief test-decodes every part; a part that does not decode is left out, and the table says why.',
-    partsManifest: 'The ZIP contains a model for each part and a manifest, manifest.csv, with the text, the file and the test results of every part.',
+    partsAll:
+      'Then engrave all parts. You can work on meanwhile, and go on after you close or reload the page. QRelief test-decodes every part; a part that does not decode is left out, and the table says why.',
+    partsManifest:
+      'The ZIP contains a model for each part and a manifest, manifest.csv, with the text, the file and the test results of every part.',
 
     coupon: 'A test plate',
-    couponWhat: 'Before a long print, print a small one: a plate of 44 × 44 × 4 mm with a short code. It tests your printer, your material and your light.',
+    couponWhat:
+      'Before a long print, print a small one: a plate of 44 × 44 × 4 mm with a short code. It tests your printer, your material and your light.',
     couponOpen: 'Open the engraved plate',
     couponSteps: 'How to use it',
     couponStep1: 'Download it and print it with the settings of the final print.',
@@ -87,18 +110,24 @@ export const guide = {
   },
   de: {
     title: 'Einen eingravierten QR-Code drucken – QRelief',
-    description: 'Einen QR-Code, der in ein 3D-Modell graviert ist, so drucken, dass Handys ihn lesen: Größe, Düse, Schichten, Lage, Material, Licht und eine Prüfplatte.',
+    description:
+      'Einen QR-Code, der in ein 3D-Modell graviert ist, so drucken, dass Handys ihn lesen: Größe, Düse, Schichten, Lage, Material, Licht und eine Prüfplatte.',
     heading: 'So wird es gedruckt',
     lead: 'Ein eingravierter Code ist dort dunkel, wo wenig Licht hinkommt. Er liest sich gut, wenn der Drucker die Taschen sauber herstellt und das Licht von allen Seiten kommt.',
 
     steps: 'Vom Modell zum Druck',
-    stepPlace: 'Modell öffnen, Text eingeben und dorthin klicken, wo der Code hin soll. Er zeigt sich, wie er dort liegen wird, mit seiner Ruhezone; er lässt sich drehen, vergrößern, verschieben.',
-    stepCarve: 'Gravieren. Jedes dunkle Modul wird eine Tasche, gerade so tief, dass ihr eigener Schatten sie dunkel macht.',
-    stepRead: 'Prüfen. Zu sehen ist der Code, wie ein Handy ihn sieht, und der gelesene Text. Dann die Datei herunterladen und drucken.',
+    stepPlace:
+      'Modell öffnen, Text eingeben und dorthin klicken, wo der Code hin soll. Er zeigt sich, wie er dort liegen wird, mit seiner Ruhezone; er lässt sich drehen, vergrößern, verschieben.',
+    stepCarve:
+      'Gravieren. Jedes dunkle Modul wird eine Tasche, gerade so tief, dass ihr eigener Schatten sie dunkel macht.',
+    stepRead:
+      'Prüfen. Zu sehen ist der Code, wie ein Handy ihn sieht, und der gelesene Text. Dann die Datei herunterladen und drucken.',
 
     size: 'Größe',
-    sizeWhat: 'Es zählt die Breite eines Moduls, des kleinsten Quadrats im Code. Im Artikel hinter QRelief wurde das voreingestellte Muster mit einer 0,4-mm-Düse gedruckt und ab Modulen von 0,6 mm gelesen; die übrigen Drucke haben 1,2 mm, das lässt Spielraum. Bei einer anderen Düse beides entsprechend umrechnen.',
-    sizeShort: 'Kurze Texte brauchen weniger Module, also kann jedes größer sein: erst den Link kürzen, dann den Code vergrößern.',
+    sizeWhat:
+      'Es zählt die Breite eines Moduls, des kleinsten Quadrats im Code. Im Artikel hinter QRelief wurde das voreingestellte Muster mit einer 0,4-mm-Düse gedruckt und ab Modulen von 0,6 mm gelesen; die übrigen Drucke haben 1,2 mm, das lässt Spielraum. Bei einer anderen Düse beides entsprechend umrechnen.',
+    sizeShort:
+      'Kurze Texte brauchen weniger Module, also kann jedes größer sein: erst den Link kürzen, dann den Code vergrößern.',
     sizeTable: 'Breite des Codes bei einer 0,4-mm-Düse',
     letters: 'Text bis zu',
     lettersCount: '{count} Zeichen',
@@ -108,46 +137,67 @@ export const guide = {
     sizeMargin: 'Um den Code muss eine Ruhezone von vier Modulen frei bleiben. QRelief findet den Platz dafür.',
 
     printer: 'Düse und Schichten',
-    printerTell: 'Düse und Schichthöhe unter „Muster, Tiefe, Drucker“ angeben. Nach dem Gravieren nennt QRelief, welche Einzelheiten der Drucker nicht herstellen kann und was hilft.',
-    printerNozzle: 'Taschen, die schmaler als 0,9 Düsenbreiten sind, laufen im Druck zu. Größeren Code, kürzeren Text oder feinere Düse wählen.',
-    printerLayer: 'Taschen, die flacher als zwei Schichten sind, können verschwinden. Dünnere Schichten drucken oder den Code auf eine Seitenwand setzen.',
-    printerStrings: 'Fäden über den Taschen verdecken den Code. Filament trocknen, etwas kühler drucken und Reste mit einer Nadel entfernen.',
+    printerTell:
+      'Düse und Schichthöhe unter „Muster, Tiefe, Drucker“ angeben. Nach dem Gravieren nennt QRelief, welche Einzelheiten der Drucker nicht herstellen kann und was hilft.',
+    printerNozzle:
+      'Taschen, die schmaler als 0,9 Düsenbreiten sind, laufen im Druck zu. Größeren Code, kürzeren Text oder feinere Düse wählen.',
+    printerLayer:
+      'Taschen, die flacher als zwei Schichten sind, können verschwinden. Dünnere Schichten drucken oder den Code auf eine Seitenwand setzen.',
+    printerStrings:
+      'Fäden über den Taschen verdecken den Code. Filament trocknen, etwas kühler drucken und Reste mit einer Nadel entfernen.',
 
     orientation: 'Lage im Drucker',
     onSide: 'Auf einer senkrechten Wand: am besten',
     onSideWhy: 'Die Düse zeichnet den Umriss jeder Tasche. Die Tiefe muss kein Vielfaches der Schichthöhe sein.',
     onTop: 'Oben: gut',
-    onTopWhy: 'Die Tiefe besteht aus ganzen Schichten, also dünne drucken. Bügeln verschmiert die Kanten; besser weglassen.',
+    onTopWhy:
+      'Die Tiefe besteht aus ganzen Schichten, also dünne drucken. Bügeln verschmiert die Kanten; besser weglassen.',
     below: 'Zum Druckbett oder überhängend: vermeiden',
-    belowWhy: 'Die erste Schicht quillt in die Taschen, und Stützen füllen sie. Wenn es sein muss, Stützen am Code sperren.',
+    belowWhy:
+      'Die erste Schicht quillt in die Taschen, und Stützen füllen sie. Wenn es sein muss, Stützen am Code sperren.',
 
     printed: 'Der simulierte Druck',
-    printedWhat: 'Nach dem Gravieren simuliert QRelief den Druck: Jede Schicht wird so gelegt, wie die Düse es kann, das Ergebnis beleuchtet und gelesen. Module, die zu hell gedruckt würden, sind vorher tiefer graviert worden. Verfahren und Ausrichtung stehen unter „Muster, Tiefe, Drucker“. Die Bilder zeigen die Prüfplatte, wie ein Handy sie sieht; ginge ein Modul verloren, zeigte es ein Rahmen.',
-    printedStanding: 'Düse 0,4 mm, Schichten 0,2 mm, stehend: Jede Schicht hinterlässt eine Rille, und die Ränder der Taschen sind Stufen.',
-    printedLying: 'Dasselbe liegend: Die Düse rundet jede Ecke, und der Boden einer Tasche liegt auf einer ganzen Schicht.',
+    printedWhat:
+      'Nach dem Gravieren simuliert QRelief den Druck: Jede Schicht wird so gelegt, wie die Düse es kann, das Ergebnis beleuchtet und gelesen. Module, die zu hell gedruckt würden, sind vorher tiefer graviert worden. Verfahren und Ausrichtung stehen unter „Muster, Tiefe, Drucker“. Die Bilder zeigen die Prüfplatte, wie ein Handy sie sieht; ginge ein Modul verloren, zeigte es ein Rahmen.',
+    printedStanding:
+      'Düse 0,4 mm, Schichten 0,2 mm, stehend: Jede Schicht hinterlässt eine Rille, und die Ränder der Taschen sind Stufen.',
+    printedLying:
+      'Dasselbe liegend: Die Düse rundet jede Ecke, und der Boden einer Tasche liegt auf einer ganzen Schicht.',
     printedFine: 'Düse 0,25 mm, Schichten 0,1 mm, liegend.',
     printedResin: 'Harz, Schichten 0,05 mm, liegend.',
 
     material: 'Material und Farbe',
-    materialColour: 'Eine Farbe genügt. Für den Artikel wurden Codes in mehreren Farben gedruckt; die Farbe machte beim Lesen keinen großen Unterschied.',
-    materialMatt: 'Mattes, deckendes Filament ist am besten. Glanzlichter auf glänzendem und das Leuchten von durchscheinendem Filament verdecken die Schatten.',
-    materialTwo: 'Für zwei Farben „3MF, zweifarbig“ herunterladen: Ein zweiter Körper füllt die Taschen, und der Code liest sich wie ein gedruckter.',
+    materialColour:
+      'Eine Farbe genügt. Für den Artikel wurden Codes in mehreren Farben gedruckt; die Farbe machte beim Lesen keinen großen Unterschied.',
+    materialMatt:
+      'Mattes, deckendes Filament ist am besten. Glanzlichter auf glänzendem und das Leuchten von durchscheinendem Filament verdecken die Schatten.',
+    materialTwo:
+      'Für zwei Farben „3MF, zweifarbig“ herunterladen: Ein zweiter Körper füllt die Taschen, und der Code liest sich wie ein gedruckter.',
 
     light: 'Licht und Lesen',
-    lightEven: 'Gleichmäßiges Licht ist am besten: Tageslicht oder eine Lampe, die nicht dicht am Code steht. Der Code ist dunkel, weil die Taschen wenig vom Himmel sehen, nicht weil eine Lampe Schatten wirft.',
-    lightPreset: 'Unter „Wie tief“ für gleichmäßiges Licht von vorn „Flach“ wählen, „Ausgewogen“, wenn auch eine Lampe leuchtet, und „Robust“ für schlechtes Licht und schrägere Blicke.',
-    lightPhone: 'Das Handy gerade vor den Code halten, etwa 25 cm entfernt. Für diesen Abstand ist der Code graviert; ein anderer lässt sich einstellen. Von der Seite gesehen verzerrt sich ein Code auf gewölbter Oberfläche, wie tief er auch ist: Ein kleinerer Code oder eine flachere Stelle verzeiht mehr.',
-    lightOne: 'Am flachsten sind Codes mit dem Schatten einer Lampe: Unter „Muster, Tiefe, Drucker“ bei „Dunkel durch“ den „Schatten einer Lampe“ wählen. Ein solcher Code ist nur verlässlich lesbar, solange ein Licht, etwa eine Handylampe oder die Sonne, von der Seite scheint, die das Ergebnis nennt. Wo es steht, lässt sich unter „Licht“ mit „Licht einer Lampe“ festlegen.',
+    lightEven:
+      'Gleichmäßiges Licht ist am besten: Tageslicht oder eine Lampe, die nicht dicht am Code steht. Der Code ist dunkel, weil die Taschen wenig vom Himmel sehen, nicht weil eine Lampe Schatten wirft.',
+    lightPreset:
+      'Unter „Wie tief“ für gleichmäßiges Licht von vorn „Flach“ wählen, „Ausgewogen“, wenn auch eine Lampe leuchtet, und „Robust“ für schlechtes Licht und schrägere Blicke.',
+    lightPhone:
+      'Das Handy gerade vor den Code halten, etwa 25 cm entfernt. Für diesen Abstand ist der Code graviert; ein anderer lässt sich einstellen. Von der Seite gesehen verzerrt sich ein Code auf gewölbter Oberfläche, wie tief er auch ist: Ein kleinerer Code oder eine flachere Stelle verzeiht mehr.',
+    lightOne:
+      'Am flachsten sind Codes mit dem Schatten einer Lampe: Unter „Muster, Tiefe, Drucker“ bei „Dunkel durch“ den „Schatten einer Lampe“ wählen. Ein solcher Code ist nur verlässlich lesbar, solange ein Licht, etwa eine Handylampe oder die Sonne, von der Seite scheint, die das Ergebnis nennt. Wo es steht, lässt sich unter „Licht“ mit „Licht einer Lampe“ festlegen.',
 
     parts: 'Ein Code je Teil',
-    partsWhat: 'Jedes Teil einer Serie kann einen eigenen Code haben, mit einer Seriennummer oder einem eigenen Link. Dazu unter „Code“ „Ein Code je Teil“ wählen.',
-    partsList: 'Eine Liste als CSV öffnen, wie Tabellenprogramme sie speichern, mit einer Spalte „text“, oder die Teile nummerieren. Bevor etwas graviert wird, nennt QRelief die Zeilen mit Fehlern, etwa zwei Teile mit gleichem Text oder einen zu langen Text. Alle Codes haben die Größe, die der längste Text braucht.',
+    partsWhat:
+      'Jedes Teil einer Serie kann einen eigenen Code haben, mit einer Seriennummer oder einem eigenen Link. Dazu unter „Code“ „Ein Code je Teil“ wählen.',
+    partsList:
+      'Eine Liste als CSV öffnen, wie Tabellenprogramme sie speichern, mit einer Spalte „text“, oder die Teile nummerieren. Bevor etwas graviert wird, nennt QRelief die Zeilen mit Fehlern, etwa zwei Teile mit gleichem Text oder einen zu langen Text. Alle Codes haben die Größe, die der längste Text braucht.',
     partsFirst: 'Das erste Teil gravieren, ansehen und am besten drucken.',
-    partsAll: 'Dann alle gravieren. Das läuft neben anderer Arbeit und geht weiter, wenn die Seite inzwischen geschlossen oder neu geladen wurde. Jedes Teil wird probeweise gelesen; ein unlesbares Teil bleibt weg, und die Tabelle sagt, warum.',
-    partsManifest: 'Das ZIP enthält für jedes Teil ein Modell und eine Übersicht, manifest.csv, mit Text, Datei und Prüfergebnissen jedes Teils.',
+    partsAll:
+      'Dann alle gravieren. Das läuft neben anderer Arbeit und geht weiter, wenn die Seite inzwischen geschlossen oder neu geladen wurde. Jedes Teil wird probeweise gelesen; ein unlesbares Teil bleibt weg, und die Tabelle sagt, warum.',
+    partsManifest:
+      'Das ZIP enthält für jedes Teil ein Modell und eine Übersicht, manifest.csv, mit Text, Datei und Prüfergebnissen jedes Teils.',
 
     coupon: 'Eine Prüfplatte',
-    couponWhat: 'Vor einem langen Druck einen kleinen machen: eine Platte von 44 × 44 × 4 mm mit einem kurzen Code. Sie prüft Drucker, Material und Licht.',
+    couponWhat:
+      'Vor einem langen Druck einen kleinen machen: eine Platte von 44 × 44 × 4 mm mit einem kurzen Code. Sie prüft Drucker, Material und Licht.',
     couponOpen: 'Die gravierte Platte öffnen',
     couponSteps: 'So wird sie verwendet',
     couponStep1: 'Herunterladen und mit den Einstellungen des endgültigen Drucks drucken.',

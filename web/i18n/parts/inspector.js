@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 export const inspector = {
-  en: {
-    engraved: 'Engraved with these settings of the inspector instead of yours: {overrides}.',
-  },
-  de: {
-    engraved: 'Mit diesen Einstellungen des Inspektors statt der eigenen graviert: {overrides}.',
-  },
+  en: { engraved: 'Engraved with these settings of the inspector instead of yours: {overrides}.' },
+  de: { engraved: 'Mit diesen Einstellungen des Inspektors statt der eigenen graviert: {overrides}.' },
 };

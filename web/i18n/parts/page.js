@@ -9,7 +9,8 @@ export const page = {
     steps: 'Steps',
     skip: 'Skip to the steps',
     view: '3D view',
-    viewHelp: 'Drag or use the arrow keys to turn the model, the wheel or plus and minus to zoom, Shift with the arrow keys to move it, F to fit, R for the phone view. To place the code, click the surface, or press Enter for the middle of the view.',
+    viewHelp:
+      'Drag or use the arrow keys to turn the model, the wheel or plus and minus to zoom, Shift with the arrow keys to move it, F to fit, R for the phone view. To place the code, click the surface, or press Enter for the middle of the view.',
     viewTools: 'View',
     sizes: 'Sizes',
     carved: 'With code',
@@ -51,7 +52,8 @@ export const page = {
     placeNone: 'No place yet',
     placeState: '{width} wide, up to {guaranteed} fits',
     aim: 'Here a phone can read it from up to {deg}° to the side.',
-    aimLittle: 'Here you must hold the phone straight: it reads the code from {deg}° to the side at most. A smaller code or a flatter place forgives more.',
+    aimLittle:
+      'Here you must hold the phone straight: it reads the code from {deg}° to the side at most. A smaller code or a flatter place forgives more.',
     spot: 'Spot {index}',
     upTo: 'up to {size}, {deg}°\u00a0aside',
     noGoodSpot: 'None of these spots is certain to print readably. Each spot shows the reason.',
@@ -78,7 +80,8 @@ export const page = {
     themeDark: 'Dark',
     more: 'More',
     demo: 'Example: an engraved vase',
-    promise: 'Everything runs in this browser; nothing is uploaded. QRelief is free software under the GPL, version 3 or later.',
+    promise:
+      'Everything runs in this browser; nothing is uploaded. QRelief is free software under the GPL, version 3 or later.',
 
     starting: 'Starting…',
     notStarted: 'QRelief could not start.',
@@ -97,7 +100,8 @@ export const page = {
     searchCancelled: 'Cancelled.',
     readingBack: 'Decoding the result…',
     engraved: 'Engraved. The model is ready to download.',
-    engravedForDesign: 'Engraved for the design only: when engraved for the print, too, the code did not read reliably.',
+    engravedForDesign:
+      'Engraved for the design only: when engraved for the print, too, the code did not read reliably.',
     engravedDeeper: 'Engraved deeper than you chose: at that depth the code did not read reliably.',
     carvingForPrint: 'The print would barely read. Engraving deeper',
     engravedForPrint: 'Engraved deeper than you chose: at that depth the print would barely read.',
@@ -132,7 +136,8 @@ export const page = {
     steps: 'Schritte',
     skip: 'Zu den Schritten springen',
     view: '3D-Ansicht',
-    viewHelp: 'Ziehen oder Pfeiltasten drehen das Modell, das Mausrad oder Plus und Minus zoomen, Umschalt mit den Pfeiltasten verschiebt es, F zeigt alles, R zeigt die Handyansicht. Ein Klick auf die Oberfläche, oder die Eingabetaste für die Mitte der Ansicht, setzt den Code.',
+    viewHelp:
+      'Ziehen oder Pfeiltasten drehen das Modell, das Mausrad oder Plus und Minus zoomen, Umschalt mit den Pfeiltasten verschiebt es, F zeigt alles, R zeigt die Handyansicht. Ein Klick auf die Oberfläche, oder die Eingabetaste für die Mitte der Ansicht, setzt den Code.',
     viewTools: 'Ansicht',
     sizes: 'Größen',
     carved: 'Mit Code',
@@ -174,7 +179,8 @@ export const page = {
     placeNone: 'Noch keine Stelle',
     placeState: '{width} breit, bis {guaranteed} passt',
     aim: 'Hier liest ein Handy ihn bis {deg}° von der Seite.',
-    aimLittle: 'Hier muss das Handy gerade davor sein: Es liest ihn höchstens {deg}° von der Seite. Ein kleinerer Code oder eine flachere Stelle verzeiht mehr.',
+    aimLittle:
+      'Hier muss das Handy gerade davor sein: Es liest ihn höchstens {deg}° von der Seite. Ein kleinerer Code oder eine flachere Stelle verzeiht mehr.',
     spot: 'Stelle {index}',
     upTo: 'bis {size}, {deg}°\u00a0seitlich',
     noGoodSpot: 'Keine dieser Stellen druckt sich sicher lesbar. Der Grund steht bei jeder Stelle.',
@@ -201,7 +207,8 @@ export const page = {
     themeDark: 'Dunkel',
     more: 'Mehr',
     demo: 'Beispiel: eine gravierte Vase',
-    promise: 'Alles läuft in diesem Browser; nichts wird hochgeladen. QRelief ist freie Software unter der GPL, Version 3 oder neuer.',
+    promise:
+      'Alles läuft in diesem Browser; nichts wird hochgeladen. QRelief ist freie Software unter der GPL, Version 3 oder neuer.',
 
     starting: 'Wird gestartet …',
     notStarted: 'QRelief konnte nicht starten.',
@@ -220,7 +227,8 @@ export const page = {
     searchCancelled: 'Abgebrochen.',
     readingBack: 'Ergebnis dekodieren …',
     engraved: 'Graviert. Das Modell lässt sich herunterladen.',
-    engravedForDesign: 'Nur für den Entwurf graviert: Auch für den Druck graviert, war der Code nicht verlässlich lesbar.',
+    engravedForDesign:
+      'Nur für den Entwurf graviert: Auch für den Druck graviert, war der Code nicht verlässlich lesbar.',
     engravedDeeper: 'Tiefer graviert als gewählt: In der gewählten Tiefe war der Code nicht verlässlich lesbar.',
     carvingForPrint: 'Der Druck wäre kaum lesbar. Tiefer gravieren',
     engravedForPrint: 'Tiefer graviert als gewählt: In der gewählten Tiefe wäre der Druck kaum lesbar.',
