@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "native/engraver.h"
 
+#include <map>
+
 #include "base/clock.h"
 #include "io/sniff_format.h"
 #include "io/write_checked.h"
@@ -81,61 +83,46 @@ Result<Engraver::Print> Engraver::printed(const VerifyRequest& request, const Me
   return Print{std::move(*evidence), millisecondsSince(start)};
 }
 
-Result<Engraved> Engraver::withPrint(Carving carving, const Tell& tell) const {
+/// Adds the print of a carving, which may be running already.
+Status Engraver::addPrint(Carving& carving, const Tell& tell) const {
   Engraved& engraved = carving.engraved;
   tell({message("printing"), 1});
   auto print = carving.print.valid()
                    ? carving.print.get()
                    : printed(verifyRequestOf(engraved.request, engraved.result), engraved.result.mesh);
   if (!print) return tl::unexpected(print.error());
-  if (print->evidence) {
-    engraved.printed = std::move(print->evidence);
-    engraved.result.timingsMs.print = print->ms;
-    engraved.verdict = judge(engraved.request, engraved.result, engraved.reading, &*engraved.printed);
+  engraved.printed = std::move(print->evidence);
+  engraved.result.timingsMs.print = print->ms;
+  engraved.verdict = judge(engraved.request, engraved.result, engraved.reading, &engraved.printed.value());
+  return {};
+}
+
+Result<Engraved> Engraver::follow(EngravePlan plan, const Tell& tell) const {
+  std::map<int, Carving> carvings;  // by attempt: the kept one and the current one
+  while (plan.step() != EngravePlan::Step::Deliver) {
+    const int attempt = plan.attempt();
+    if (plan.step() == EngravePlan::Step::Print) {
+      Carving& carving = carvings.at(attempt);
+      if (const Status added = addPrint(carving, tell); !added) return tl::unexpected(added.error());
+      plan.printed(carving.engraved.verdict, *carving.engraved.printed);
+    } else if (auto carved = carve(plan.request(), tell, plan.expectsPrint())) {
+      plan.carved(carvings.emplace(attempt, std::move(*carved)).first->second.engraved.verdict);
+    } else if (attempt == 0) {
+      return tl::unexpected(carved.error());
+    } else {
+      plan.notCarved();
+    }
+    std::erase_if(carvings, [&](const auto& one) { return one.first != plan.kept() && one.first != plan.attempt(); });
   }
-  return std::move(engraved);
+  return std::move(carvings.at(plan.attempt()).engraved);
 }
 
 Result<Engraved> Engraver::engraveOnce(const EngraveRequest& request, const Tell& tell) const {
-  auto carved = carve(request, tell, true);
-  if (!carved) return tl::unexpected(carved.error());
-  return withPrint(std::move(*carved), tell);
+  return follow({request, {.mayChange = false}}, tell);
 }
 
 Result<Engraved> Engraver::engrave(const EngraveRequest& request, const Tell& tell, bool looksAtPrint) const {
-  auto asked = carve(request, tell, looksAtPrint);
-  if (!asked) return tl::unexpected(asked.error());
-  EngraveRequest deeper = request;
-  for (auto next = changeToTryNext(deeper, asked->engraved.verdict); next;) {
-    apply(*next, deeper);
-    auto carved = carve(deeper, tell, false);
-    if (!carved) break;  // keep the carving as requested: better than none
-    next = changeToTryNext(deeper, carved->engraved.verdict);
-    if (!carved->engraved.verdict.reads.passed()) continue;
-    asked = std::move(carved);
-    break;
-  }
-  if (!looksAtPrint) return std::move(asked->engraved);
-  auto printed = withPrint(std::move(*asked), tell);
-  if (!printed) return printed;
-  return untilItPrints(std::move(*printed), tell);
-}
-
-/// Tries the next deeper presets while too few tries decode the print. @returns the first carving whose print decodes,
-/// else `asked`
-Result<Engraved> Engraver::untilItPrints(Engraved asked, const Tell& tell) const {
-  const auto nextAfter = [](const Engraved& carved) {
-    return changeToTryNext(carved.request, carved.verdict, carved.printed ? &*carved.printed : nullptr);
-  };
-  EngraveRequest deeper = asked.request;
-  for (auto next = nextAfter(asked); next;) {
-    apply(*next, deeper);
-    auto carved = engraveOnce(deeper, tell);
-    if (!carved || !carved->verdict.reads.passed()) break;
-    next = nextAfter(*carved);
-    if (carved->printed && carved->printed->reading.count.enough()) return carved;
-  }
-  return asked;
+  return follow({request, {.looksAtPrint = looksAtPrint}}, tell);
 }
 
 Result<std::vector<std::uint8_t>> encodeCarved(const EngraveResult& result, std::span<const std::string> partNames,

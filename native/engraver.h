@@ -12,7 +12,7 @@
 
 #include "base/progress.h"
 #include "pipeline/engrave.h"
-#include "verdict/verdict.h"
+#include "verdict/engrave_plan.h"
 
 namespace qrelief {
 
@@ -34,8 +34,7 @@ class Engraver {
   /// @param model  checked: see PreparedModel::engravable()
   static Result<Engraver> create(std::shared_ptr<const EngravableModel> model);
 
-  /// Carves as requested. If the code does not decode, or its print barely does, tries the changes of changeToTryNext()
-  /// one after the other. Returns the first that helps; if none does, the code as requested.
+  /// Carves as requested or, where that does not decode well, with changed settings: see EngravePlan.
   /// @param looksAtPrint  also simulate the print, which takes two fifths of the time
   Result<Engraved> engrave(const EngraveRequest& request, const Tell& tell, bool looksAtPrint = true) const;
 
@@ -65,8 +64,8 @@ class Engraver {
   Result<Place*> placeOf(const EngraveRequest& request, int modules) const;
   Result<Carving> carve(const EngraveRequest& request, const Tell& tell, bool looksAtPrint) const;
   static Result<Print> printed(const VerifyRequest& request, const Mesh& carved);
-  Result<Engraved> withPrint(Carving carving, const Tell& tell) const;
-  Result<Engraved> untilItPrints(Engraved asked, const Tell& tell) const;
+  Status addPrint(Carving& carving, const Tell& tell) const;
+  Result<Engraved> follow(EngravePlan plan, const Tell& tell) const;
 
   std::shared_ptr<const EngravableModel> model_;
   std::shared_ptr<const GeometryPass> pass_;

@@ -23,7 +23,7 @@
   verb(Engine, startSettling) verb(Engine, advanceSettling) verb(Engine, moveCode) verb(Engine, adjustCode) \
   verb(Engine, startSpotSearch) verb(Engine, advanceSpotSearch) verb(Engine, cancelSpotSearch) verb(Engine, spots) \
   verb(Engine, chooseSpot) verb(Engine, showSizes) verb(Engine, prepareEngrave) \
-  verb(InspectedEngine, startEngrave) verb(Engine, advance) verb(Engine, cancel) verb(Engine, carving) \
+  verb(InspectedEngine, startEngrave) verb(Engine, advance) verb(Engine, cancel) verb(Engine, nextStep) verb(Engine, carving) \
   verb(Engine, useCarving) verb(Engine, report) verb(Engine, readerImage) verb(Engine, jobMap) \
   verb(Engine, readingPictures) verb(Engine, setReadings) verb(Engine, startViewTrials) \
   verb(Engine, viewTrialPictures) verb(Engine, noteViewTrial) verb(Engine, exportModel) verb(Engine, printOrder) \

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Creates the panels, the view, the session's parts and the engine, and connects them. The work itself is done
 // elsewhere.
+import { kSettings } from './generated/settings.js';
 import { EngineClient } from './engine/client.js';
 import { holdsSecret } from './payloads/secrets.js';
 import { Continuing } from './session/continuing.js';
@@ -355,7 +356,7 @@ export class App {
       work: () => this.session_.work(),
       settings: () => this.session_.settings(),
       valuesAfter: (change) => this.form_.valuesAfter(change),
-      isFree: (setting) => !this.batching_.decides(setting),
+      fixed: () => Object.keys(kSettings).filter((setting) => this.batching_.decides(setting)),
       write: (values) => this.session_.write({ text: this.code_.text, values }),
       onStart: () => this.spotsPanel_.setSizesShown(false),
       onDone: () => this.undo_.record(),

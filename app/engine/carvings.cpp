@@ -62,6 +62,11 @@ bool Carvings::prepare(const Ground& ground, EngraveRequest request, const Place
   return prepared_->steps == kPreparedSteps;
 }
 
+void Carvings::follow(EngravePlan plan) {
+  plan_ = std::move(plan);
+  kept_ = 0;
+}
+
 Result<Progress> Carvings::start(const Ground& ground, EngraveRequest request, const PlacementSearch* placed) {
   request.recordSearch = true;  // so that the inspector can show it whenever it is opened
   current_.request = std::move(request);
@@ -88,6 +93,10 @@ Result<Progress> Carvings::advance() {
   if (passTimings_) passTimings_->stopListening();
   if (!progress) {
     forgetCurrent();
+    if (plan_ && plan_->attempt() > 0)
+      plan_->notCarved();
+    else
+      plan_.reset();
     return progress;
   }
   if (progress->done) {
@@ -112,7 +121,8 @@ void Carvings::forgetCurrent() {
 }
 
 void Carvings::setAside() {
-  if (current_.result) {
+  const bool isRejected = plan_ && kept_ > 0 && current_.number != kept_;
+  if (current_.result && !isRejected) {
     const EngraveRequest request = current_.request;
     earlier_ = std::exchange(current_, {});
     current_.request = request;
@@ -121,10 +131,12 @@ void Carvings::setAside() {
 }
 
 void Carvings::cancel() {
+  plan_.reset();
   if (runs_) forgetCurrent();
 }
 
 void Carvings::forgetAll() {
+  plan_.reset();
   earlier_.reset();
   prepared_.reset();
   measured_.reset();
@@ -139,6 +151,7 @@ bool Carvings::use(int wanted) {
   earlier_.reset();
   setAside();
   current_ = std::move(brought);
+  if (current_.number != kept_) plan_.reset();
   return true;
 }
 
@@ -183,7 +196,13 @@ GreyImage Carvings::readerImageFrom(const Ground& ground, double tiltDeg, double
 Verdict Carvings::setReadings(const std::vector<std::string>& texts, const std::string& reader) {
   current_.reading = evidenceOf(texts, current_.request.text);
   current_.reader = reader;
-  return verdict();
+  Verdict judged = verdict();
+  if (plan_ && plan_->step() == EngravePlan::Step::Carve) {
+    const int attempt = plan_->attempt();
+    plan_->carved(judged);
+    if (plan_->kept() == attempt) kept_ = current_.number;
+  }
+  return judged;
 }
 
 Verdict Carvings::verdict() const { return judge(current_.request, *current_.result, current_.reading, printed()); }
@@ -215,7 +234,13 @@ Result<Aspect> Carvings::judgePrint(const std::string& changed, const std::vecto
 Verdict Carvings::setPrintedReadings(const std::vector<std::string>& texts, double facingDeg) {
   current_.printed = {evidenceOf(texts, current_.request.text, true),
                       std::string(namedPrinters()[*current_.request.process].name), facingDeg};
-  return verdict();
+  Verdict judged = verdict();
+  if (plan_ && plan_->step() == EngravePlan::Step::Print) {
+    const int attempt = plan_->attempt();
+    plan_->printed(judged, *current_.printed);
+    if (plan_->kept() == attempt) kept_ = current_.number;
+  }
+  return judged;
 }
 
 Carvings::Row Carvings::row(double totalMs) const {

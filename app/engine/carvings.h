@@ -11,6 +11,7 @@
 #include "gl/pass_timings.h"
 #include "pipeline/printed_view.h"
 #include "report/report.h"
+#include "verdict/engrave_plan.h"
 #include "verdict/verdict.h"
 #include "verification/view_trials.h"
 
@@ -29,13 +30,21 @@ class Carvings {
   /// @param placed  the request's place; null: not known yet, so nothing is prepared
   /// @returns true if nothing is left to do
   bool prepare(const Ground& ground, EngraveRequest request, const PlacementSearch* placed);
+  /// Begins a plan. Its carvings are those started from now on, as its steps say; setReadings(), setPrintedReadings()
+  /// and errors of advance() end its steps.
+  void follow(EngravePlan plan);
+  /// Returns the plan; null: there is none, or another carving than its own is current.
+  const EngravePlan* plan() const { return plan_ ? &*plan_ : nullptr; }
+  /// Returns the number of the plan's best carving so far; 0: none yet.
+  int kept() const { return kept_; }
   /// Starts another engraving. Keeps the finished one, if there is one.
   /// @param placed  the request's place, if known
   Result<Progress> start(const Ground& ground, EngraveRequest request, const PlacementSearch* placed);
   bool isRunning() const { return runs_; }
   /// Does one bounded piece of work of the running engraving. An error ends it.
   Result<Progress> advance();
-  /// Ends the running engraving, or makes the last carving the previous one.
+  /// Ends the running engraving, or makes the last carving the previous one. A carving of the plan that is not its best
+  /// one is forgotten instead.
   void setAside();
   void cancel();
   /// Forgets every carving, because the model has changed.
@@ -130,6 +139,8 @@ class Carvings {
   std::unique_ptr<EngraveJob> job_;
   std::shared_ptr<MeasuredPlace> measured_;  // from the last job that ended, for the next one
   bool runs_ = false;
+  std::optional<EngravePlan> plan_;
+  int kept_ = 0;
   Carving current_;
   std::optional<Carving> earlier_;  // the previous one only: keeping more would cost memory without limit
 };

@@ -86,9 +86,19 @@ class Engine {
   /// Does one bounded piece of the work that the next engraving begins with, so that the engraving has less to do.
   /// Returns {done}. There is nothing to do (done) while other work is running or no code is placed.
   std::string prepareEngrave();
-  /// Starts an engraving. Returns {stage, fraction, done} of the first piece of work.
-  /// @param overridden  makes the settings of this one engraving from the configured ones; empty: as configured
-  std::string startEngrave(const std::function<EngraveRequest(EngraveRequest)>& overridden = {});
+  /// Starts an engraving and its plan (verdict/engrave_plan.h), or its next carving. Returns {stage, fraction, done} of
+  /// the first piece of work.
+  /// @param options     {"next": carve with the change of nextStep(), "print": look at prints, "fixed": [keys of
+  /// settings
+  ///                    that must not change]}; all may be missing: false, true, none
+  /// @param overridden  makes the settings of this one engraving from the configured ones, and the plan changes none;
+  ///                    empty: as configured
+  std::string startEngrave(const std::string& options = "{}",
+                           const std::function<EngraveRequest(EngraveRequest)>& overridden = {});
+  /// Returns the plan's next step: {step: "carve", carving, change: {setting, value}}, {step: "print", carving} or
+  /// {step: "deliver", carving}. `carving` is the number of the carving to print or to deliver, or of the best one so
+  /// far. Call it after setReadings(), after setPrintedReadings(), or if a carving fails.
+  std::string nextStep() const;
   /// Does one bounded piece of work. Returns {stage, fraction, done, printable}. When done, there is a carved model to
   /// show (showCarved). `printable`: its file is written, so that printOrder() and stlToPrint() work.
   std::string advance();
@@ -112,8 +122,7 @@ class Engine {
   /// Returns the pictures for the decoders, each to be tried with every binariser: see frontalPictures(). Empty before
   /// an engraving.
   std::vector<GreyImage> readingPictures() const;
-  /// Stores the texts decoded from readingPictures(). Returns {passed, next}: whether the code decodes, and the change
-  /// to carve with next, or null; see changeToTryNext().
+  /// Stores the texts decoded from readingPictures(). Returns {passed}: the code decodes.
   /// @param texts   a JSON list, in the order of the pictures, binariser by binariser; "" where nothing was decoded
   /// @param reader  name of the decoder
   std::string setReadings(const std::string& texts, const std::string& reader);
@@ -124,8 +133,8 @@ class Engine {
   std::string printOrder(const std::string& changed) const;
   /// Returns the carved model as binary STL; empty before an engraving is printable.
   std::vector<std::uint8_t> stlToPrint() const;
-  /// Adds the texts decoded from the print's pictures to the report. Returns {passed, next}: whether the code decodes
-  /// as carved and as printed, and the change to carve with next, or null.
+  /// Adds the texts decoded from the print's pictures to the report. Returns {passed}: the code decodes as carved and
+  /// as printed.
   /// @param texts      as for setReadings()
   /// @param facingDeg  see PrintedCode::advance()
   std::string setPrintedReadings(const std::string& texts, double facingDeg);

@@ -30,17 +30,42 @@ std::string Engine::prepareEngrave() {
   return textOf({{"ok", true}, {"done", isDone}});
 }
 
-std::string Engine::startEngrave(const std::function<EngraveRequest(EngraveRequest)>& overridden) {
+std::string Engine::startEngrave(const std::string& options,
+                                 const std::function<EngraveRequest(EngraveRequest)>& overridden) {
+  const Result<Json> given = parseJson(options);
+  if (!given) return answer(given.error());
+  const bool isNext = given->value("next", false);
+  if (isNext && !(carvings_.plan() && carvings_.plan()->step() == EngravePlan::Step::Carve))
+    return answer(ErrorKind::BadUsage, message("not-engraving"));
   scene_.show(Scene::Surface::Sizes, false);
   scene_.show(Scene::Surface::Carved, false);
   carvings_.setAside();
   updateView();
   if (!model_) return answer(kNoModel);
   if (!wanted_.centreMm()) return answer(ErrorKind::BadUsage, message("no-centre"));
-  const EngraveRequest asked = wanted_.request(scene_.camera().skyward());
-  const auto started = overridden ? carvings_.start(ground(), overridden(asked), nullptr)
-                                  : carvings_.start(ground(), asked, placedCode_.found(asked, wanted_.symbol()));
+  EngraveRequest request = isNext ? carvings_.plan()->request() : wanted_.request(scene_.camera().skyward());
+  if (overridden) request = overridden(std::move(request));
+  if (!isNext)
+    carvings_.follow({request,
+                      {.looksAtPrint = given->value("print", true),
+                       .mayChange = !overridden,
+                       .fixed = given->value("fixed", std::vector<std::string>())}});
+  const PlacementSearch* const placed = overridden ? nullptr : placedCode_.found(request, wanted_.symbol());
+  const auto started = carvings_.start(ground(), std::move(request), placed);
   return started ? answer(*started) : answer(started.error());
+}
+
+std::string Engine::nextStep() const {
+  const EngravePlan* const plan = carvings_.plan();
+  if (!plan) return answer(kNoResult);
+  const char* const step = plan->step() == EngravePlan::Step::Carve   ? "carve"
+                           : plan->step() == EngravePlan::Step::Print ? "print"
+                                                                      : "deliver";
+  const bool isOfCurrent = plan->step() == EngravePlan::Step::Print && plan->attempt() != plan->kept();
+  return textOf({{"ok", true},
+                 {"step", step},
+                 {"carving", isOfCurrent ? carvings_.number() : carvings_.kept()},
+                 {"change", plan->step() == EngravePlan::Step::Carve ? jsonOf(plan->change()) : Json()}});
 }
 
 std::string Engine::advance() {
@@ -96,9 +121,7 @@ std::string Engine::setReadings(const std::string& texts, const std::string& rea
   const Result<Json> read = parseJson(texts);
   if (!read) return answer(read.error());
   const Verdict verdict = carvings_.setReadings(read->get<std::vector<std::string>>(), reader);
-  return textOf({{"ok", true},
-                 {"passed", verdict.reads.passed()},
-                 {"next", jsonOf(changeToTryNext(carvings_.request(), verdict))}});
+  return textOf({{"ok", true}, {"passed", verdict.reads.passed()}});
 }
 
 std::string Engine::printOrder(const std::string& changed) const {
@@ -117,9 +140,7 @@ std::string Engine::setPrintedReadings(const std::string& texts, double facingDe
   const Result<Json> read = parseJson(texts);
   if (!read) return answer(read.error());
   const Verdict verdict = carvings_.setPrintedReadings(read->get<std::vector<std::string>>(), facingDeg);
-  return textOf({{"ok", true},
-                 {"passed", verdict.reads.passed() && carvings_.printed()->reading.count.enough()},
-                 {"next", jsonOf(changeToTryNext(carvings_.request(), verdict, carvings_.printed()))}});
+  return textOf({{"ok", true}, {"passed", verdict.reads.passed() && carvings_.printed()->reading.count.enough()}});
 }
 
 std::string Engine::otherPrints() const {

@@ -27,8 +27,9 @@ class InspectedEngine {
   void resize(double width, double height, double devicePixelRatio);
   void setTheme(bool dark);
   /// Starts an engraving.
+  /// @param options        see Engine::startEngrave()
   /// @param withOverrides  use the inspector's settings where they differ from the page's
-  std::string startEngrave(bool withOverrides);
+  std::string startEngrave(const std::string& options, bool withOverrides);
   /// @returns true if another call would improve the picture
   bool draw();
 

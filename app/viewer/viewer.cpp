@@ -267,19 +267,19 @@ void Viewer::drawSample(const Stage& stage, const Stage& into, const CameraView&
 
 void Viewer::uploadInk() {
   const Decal* decal = decal_.decal ? &*decal_.decal : ghost_.decal ? &*ghost_.decal : nullptr;
-  if (!decal || print->ink == inkShown_) return;
-  inkShown_ = print->ink;
+  if (!decal || decal->ink == inkShown_) return;
+  inkShown_ = decal->ink;
   std::vector<std::uint8_t> texels(4 * inkShown_.size(), 255);
   for (std::size_t i = 0; i < inkShown_.size(); ++i) texels[4 * i] = inkShown_[i];
-  ink_ = gl::Texture(print->size, print->size, gl::Format::RGBA8, texels.data());
+  ink_ = gl::Texture(decal->size, decal->size, gl::Format::RGBA8, texels.data());
 }
 
 void Viewer::uploadDecal(Shown& shown) {
   if (!shown.decal || shown.isUploaded) return;
   shown.isUploaded = true;
-  if (!shown.print->reach) return;
-  const int texels = shown.print->reach->window.texels;
-  const void* const data = shown.print->reach->texels.data();
+  if (!shown.decal->reach) return;
+  const int texels = shown.decal->reach->window.texels;
+  const void* const data = shown.decal->reach->texels.data();
   if (shown.reach.width() == texels)
     shown.reach.upload(data);
   else

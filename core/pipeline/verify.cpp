@@ -100,8 +100,8 @@ struct VerifyJob::State {
   std::optional<ReadingSweep> sweep;
   VerifyResult result;
 
-  State(Mesh model, VerifyRequest wanted, std::vector<Decoder> decoders)
-      : mesh(std::move(model)), request(std::move(wanted)), decoders(std::move(decoders)), tree(mesh) {}
+  State(Mesh model, VerifyRequest wanted, std::vector<Decoder> readBy)
+      : mesh(std::move(model)), request(std::move(wanted)), decoders(std::move(readBy)), tree(mesh) {}
 
   double moduleMm() const { return request.symbolMm / request.symbol.size; }
   Status checkSolid();

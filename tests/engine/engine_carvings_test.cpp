@@ -28,7 +28,10 @@ class EngineCarvingsTest : public GlTest {
   /// @returns the carving's number
   int carve(const std::string& text) {
     engine_->configure(R"({"text": ")" + text + R"(", "size": 30})");
-    EXPECT_EQ(Json::parse(engine_->startEngrave())["ok"], true);
+    return carveBy("{}");
+  }
+  int carveBy(const std::string& options) {
+    EXPECT_EQ(Json::parse(engine_->startEngrave(options))["ok"], true);
     for (;;) {
       const Json progress = Json::parse(engine_->advance());
       if (progress["ok"] != true) ADD_FAILURE() << progress;
@@ -113,6 +116,32 @@ TEST_F(EngineCarvingsTest, StandSideBySideOnAPlate) {
   for (const Vec3& position : plate->positions) right = std::max(right, position.x);
   EXPECT_NEAR(right, 60 + 5 + 60, 0.01);
   EXPECT_TRUE(engine_->exportPlate("plate").empty());
+}
+
+TEST_F(EngineCarvingsTest, FollowsThePlanAndKeepsTheFirstCarvingUntilADeeperOneDecodes) {
+  EXPECT_EQ(Json::parse(engine_->nextStep())["ok"], false);
+  EXPECT_EQ(Json::parse(engine_->startEngrave(R"({"next": true})"))["ok"], false);
+  const int first = carve("plan");
+  std::vector<std::string> changes;
+  Json step;
+  for (;;) {
+    engine_->setReadings(R"([""])", "a reader");
+    step = Json::parse(engine_->nextStep());
+    EXPECT_EQ(step["carving"], first);
+    if (step["step"] != "carve") break;
+    changes.push_back(step["change"]["setting"].get<std::string>() + "=" + step["change"]["value"].get<std::string>());
+    EXPECT_NE(carveBy(R"({"next": true})"), first);
+  }
+  EXPECT_EQ(changes, (std::vector<std::string>{"carveFor=design", "preset=robust"}));
+  EXPECT_EQ(step["step"], "print");
+  ASSERT_TRUE(engine_->useCarving(first));
+  EXPECT_EQ(Json::parse(engine_->report())["settings"]["preset"], "balanced");
+
+  carveBy(R"({"fixed": ["carveFor", "preset"], "print": false})");
+  engine_->setReadings(R"([""])", "a reader");
+  step = Json::parse(engine_->nextStep());
+  EXPECT_EQ(step["step"], "deliver");
+  EXPECT_EQ(step["carving"], engine_->carving());
 }
 
 TEST_F(EngineCarvingsTest, OlderOnesAreForgotten) {

@@ -38,8 +38,8 @@ class InspectorModelTest : public GlTest {
   static void TearDownTestSuite() { engine_.reset(); }
   static void engrave(const RequestOverrides* overrides) {
     ASSERT_EQ(Json::parse(engine_->startEngrave(
-                  overrides ? [=](const EngraveRequest& page) { return overrides->appliedTo(page); }
-                            : std::function<EngraveRequest(EngraveRequest)>()))["ok"],
+                  "{}", overrides ? [=](const EngraveRequest& page) { return overrides->appliedTo(page); }
+                                  : std::function<EngraveRequest(EngraveRequest)>()))["ok"],
               true);
     for (bool done = false; !done;) {
       const Json progress = Json::parse(engine_->advance());

@@ -151,8 +151,7 @@ export class RowEngine {
     };
     const withInlay = settings.inlay ?? false;
     try {
-      const carved = await this.carveUntilItReads_(settings);
-      if (looksAtPrint) await this.carveUntilItPrints_(carved);
+      await this.engrave_(settings, looksAtPrint);
       const { passed, failed, details } = await this.client_.describeRow(performance.now() - begun);
       if (!passed) return { row: { entry: { ...entry, ...details }, why: failed[0] }, withInlay };
       return { row: { entry: { ...entry, ...details, status: 'done' } }, withInlay };
@@ -178,71 +177,49 @@ export class RowEngine {
   }
 
   /**
-   * Carves with the requested settings and, while the result does not decode, with the module's next proposal.
-   * @param {Settings} asked
-   * @returns {Promise<Settings>}  settings of the last carving
-   */
-  async carveUntilItReads_(asked) {
-    let settings = asked;
-    for (let next = await this.carveOnce_(settings); next;) {
-      settings = { ...settings, [next.setting]: next.value };
-      next = await this.carveOnce_(settings);
-    }
-    return settings;
-  }
-
-  /**
-   * Simulates the print. If it barely decodes, carves deeper until a print decodes well; returns to the first carving
-   * if none does.
-   * @param {Settings} carved
-   */
-  async carveUntilItPrints_(carved) {
-    const first = await this.client_.carving();
-    let settings = carved;
-    for (let result = await this.lookAtPrint_(); !result.passed && result.next;) {
-      settings = { ...settings, [result.next.setting]: result.next.value };
-      const reads = await this.carveOnce_(settings).then(
-        (next) => next === null,
-        (thrown) => {
-          if (isLost(thrown)) throw thrown;
-          return false;
-        },
-      );
-      result = reads ? await this.lookAtPrint_() : { passed: false, next: null };
-      if (!result.passed && !result.next) await this.client_.useCarving(first);
-    }
-  }
-
-  /**
-   * Carves and decodes once.
+   * Engraves as the module's plan says: with changed settings where the result or its print does not decode well.
    * @param {Settings} settings
-   * @returns {Promise<import('../engine/types.js').ReadingResult['next']>}  change to carve with next
+   * @param {boolean} looksAtPrint
    */
-  async carveOnce_(settings) {
+  async engrave_(settings, looksAtPrint) {
     await this.client_.configure(settings);
     await this.client_.placement();
-    await this.client_.engrave({ signal: this.ended_.signal, onProgress: () => {} });
-    if (this.ended_.signal.aborted) throw new EngineFailure(internal(message('engine-replaced')));
-    const texts = await this.read_(await this.client_.readingPictures());
-    return (await this.client_.setReadings(texts, kReaderName)).next;
+    await this.carve_({ print: looksAtPrint });
+    for (;;) {
+      const step = await this.client_.nextStep();
+      if (step.step === 'deliver') {
+        await this.client_.useCarving(step.carving);
+        return;
+      }
+      if (step.step === 'print') {
+        await this.client_.useCarving(step.carving);
+        await this.lookAtPrint_();
+      } else
+        await this.carve_({ next: true }).catch((thrown) => {
+          if (isLost(thrown)) throw thrown; // else the plan goes on without this carving
+        });
+    }
   }
 
-  /**
-   * Simulates and decodes the print.
-   * @returns {Promise<import('../engine/types.js').ReadingResult>}  passes if no print process is chosen
-   */
+  /** Carves and decodes once. @param {import('../engine/client.js').PlanOptions} plan */
+  async carve_(plan) {
+    await this.client_.engrave({ plan, signal: this.ended_.signal, onProgress: () => {} });
+    if (this.ended_.signal.aborted) throw new EngineFailure(internal(message('engine-replaced')));
+    await this.client_.setReadings(await this.read_(await this.client_.readingPictures()), kReaderName);
+  }
+
+  /** Simulates and decodes the print. */
   async lookAtPrint_() {
     const job = await this.client_.printJob();
-    if (!job) return { passed: true, next: null };
-    const print = await this.print_(job, { signal: this.ended_.signal, onProgress: () => {} });
-    if (!print) throw new EngineFailure(internal(message('engine-replaced')));
-    const result = await this.client_.setPrintedReadings(
-      await this.client_.carving(),
-      await this.read_(print.pictures),
-      print.facingDeg,
-    );
+    const print = job && (await this.print_(job, { signal: this.ended_.signal, onProgress: () => {} }));
+    const result =
+      print &&
+      (await this.client_.setPrintedReadings(
+        await this.client_.carving(),
+        await this.read_(print.pictures),
+        print.facingDeg,
+      ));
     if (!result) throw new EngineFailure(internal(message('engine-replaced')));
-    return result;
   }
 }
 

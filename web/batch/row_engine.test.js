@@ -15,8 +15,9 @@ const kJob = /** @type {any} */ ({
 });
 
 /** @type {string[]} */ let calls;
+/** @type {any[]} */ let plans; // of the carvings
 /** @type {any[]} */ let configured;
-/** @type {any[]} */ let nexts;
+/** @type {any[]} */ let steps; // of the module's plan; then it delivers
 /** @type {any} */ let answers;
 /** @type {RowEngine} */ let engine;
 /** Carves the second row. @param {boolean} looks */
@@ -32,18 +33,20 @@ const carveSecond = async (looks = false) => {
 beforeEach(() => {
   calls = [];
   configured = [];
-  nexts = [null];
+  plans = [];
+  steps = [];
   answers = {
     start: { problems: [] },
     batchRow: { number: 2, line: 3, id: 'b', text: 'two', file: 'b.3mf', settings: { text: 'two', version: 1 } },
     batchRowToHash: 'hash me',
-    setReadings: () => ({ passed: true, next: nexts.shift() }),
+    setReadings: { passed: true },
+    nextStep: () => steps.shift() ?? { step: 'deliver', carving: 7 },
     configure: (/** @type {any} */ settings) => void configured.push(settings),
     describeRow: { passed: true, failed: [], details: { grades: 'A' } },
     exportModel: new Uint8Array([1, 2]),
     printJob: { order: {}, stl: new Uint8Array() },
     carving: 7,
-    setPrintedReadings: () => ({ passed: true, next: null }),
+    setPrintedReadings: { passed: true },
   };
   const client = new Proxy(
     {},
@@ -52,6 +55,7 @@ beforeEach(() => {
         (_, name) =>
         async (/** @type {any[]} */ ...args) => {
           calls.push([name, ...args.filter((arg) => typeof arg !== 'object')].join(' '));
+          if (name === 'engrave') plans.push(args[0].plan);
           const answer = answers[name];
           if (answer instanceof Error) throw answer;
           return typeof answer === 'function' ? answer(...args) : answer;
@@ -87,49 +91,38 @@ test('A row is carved with the settings of all and its own, and its line has the
   assert.ok(!calls.includes('printJob'));
 });
 
-test('The print is looked at where that is asked for', async () => {
+test('Simulates the print if the plan asks for it', async () => {
+  steps = [{ step: 'print', carving: 7 }];
   await carveSecond(true);
   assert.ok(calls.includes('setPrintedReadings 7 12'));
+  assert.deepEqual(plans, [{ print: true }]);
 });
 
-test('What does not read is carved as the module proposes', async () => {
-  nexts = [{ setting: 'preset', value: 'robust' }, null];
+const kDeeper = { step: 'carve', carving: 7, change: { setting: 'preset', value: 'robust' } };
+
+test('Carves what the plan asks for, and delivers what it names', async () => {
+  steps = [kDeeper, { step: 'deliver', carving: 6 }];
   assert.equal((await carveSecond()).entry.status, 'done');
-  assert.deepEqual(
-    configured.map(({ preset }) => preset),
-    ['balanced', 'robust'],
-  );
+  assert.deepEqual(plans, [{ print: false }, { next: true }]);
+  assert.equal(calls.filter((call) => call.startsWith('useCarving')).at(-1), 'useCarving 6');
 });
 
-test('What barely reads as printed is carved deeper, and stays so only if its print reads then', async () => {
-  const robust = { setting: 'preset', value: 'robust' };
-  for (const isMended of [true, false]) {
-    calls = [];
-    configured = [];
-    nexts = [null, null];
-    const prints = [
-      { passed: false, next: robust },
-      { passed: isMended, next: null },
-    ];
-    answers.setPrintedReadings = () => prints.shift();
-    assert.equal((await carveSecond(true)).entry.status, 'done');
-    assert.deepEqual(
-      configured.map(({ preset }) => preset),
-      ['balanced', 'robust'],
-    );
-    assert.equal(calls.includes('useCarving 7'), !isMended);
-  }
-});
-
-test('What cannot be carved deeper for its print stays as it was asked for', async () => {
-  answers.setPrintedReadings = () => ({ passed: false, next: { setting: 'preset', value: 'robust' } });
+test('Goes on with the plan if a changed carving fails, but not if the module is lost', async () => {
   let carvings = 0;
   answers.engrave = () => {
     carvings += 1;
     if (carvings === 2) throw new EngineFailure({ kind: 'NoSolution', ...message('no-centre') });
   };
-  assert.equal((await carveSecond(true)).entry.status, 'done');
+  steps = [kDeeper];
+  assert.equal((await carveSecond()).entry.status, 'done');
   assert.ok(calls.includes('useCarving 7'));
+  carvings = 0;
+  steps = [kDeeper];
+  answers.engrave = () => {
+    carvings += 1;
+    if (carvings === 2) throw new EngineFailure(internal(message('engine-hung')));
+  };
+  await assert.rejects(carveSecond());
 });
 
 test('A row whose checks do not pass has no file, and says which', async () => {

@@ -20,6 +20,12 @@ const kLoadBytesPerMs = 100; // the limit grows by 1 ms for this many bytes of a
  * @typedef {{ signal: AbortSignal, onProgress: (progress: EngraveProgress) => void }} JobOptions
  */
 
+/**
+ * Options of an engraving. `next`: carve with the change of nextStep(); `print`: look at prints, true by default;
+ * `fixed`: keys of settings that must not change.
+ * @typedef {{ next?: boolean, print?: boolean, fixed?: string[] }} PlanOptions
+ */
+
 /** @typedef {{ resolve: (value: any) => void, reject: (reason: unknown) => void }} Pending */
 
 /**
@@ -103,15 +109,15 @@ export class EngineClient {
 
   /**
    * Carves the code.
-   * @param {JobOptions & { withOverrides?: boolean, onPrintable?: (job: import('./types.js').PrintJob | null) => void }} options
+   * @param {JobOptions & { plan?: PlanOptions, withOverrides?: boolean, onPrintable?: (job: import('./types.js').PrintJob | null) => void }} options
    *   `withOverrides`: use the inspector's settings; `onPrintable`: gets the result of printJob() before the carving
    *   finishes
    * @returns {Promise<boolean>}  false if cancelled
    */
-  async engrave({ withOverrides = false, onPrintable, ...options }) {
+  async engrave({ plan = {}, withOverrides = false, onPrintable, ...options }) {
     this.onPrintable_ = onPrintable;
     try {
-      return (await this.runJob_('engrave', options, withOverrides, onPrintable !== undefined)) ?? false;
+      return (await this.runJob_('engrave', options, plan, withOverrides, onPrintable !== undefined)) ?? false;
     } finally {
       if (this.onPrintable_ === onPrintable) this.onPrintable_ = undefined;
     }
@@ -224,6 +230,11 @@ export class EngineClient {
    */
   carving() {
     return this.call_('carving');
+  }
+
+  /** Returns what to do next for the engraving. @returns {Promise<import('./types.js').EngraveStep>} */
+  nextStep() {
+    return this.call_('nextStep');
   }
 
   /**

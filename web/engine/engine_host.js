@@ -199,10 +199,12 @@ export class EngineHost {
       while (!this.job_ && !parseAnswer(this.engine_.prepareEngrave()).done) await yieldToMessages();
     },
     /**
+     * @param {import('./client.js').PlanOptions} [plan]
      * @param {boolean} [withOverrides]  use the inspector's settings
      * @param {boolean} [printsEarly]    send the print job as soon as the file is written
      */
-    engrave: (withOverrides = false, printsEarly = false) => this.engrave_(withOverrides, printsEarly),
+    engrave: (plan = {}, withOverrides = false, printsEarly = false) => this.engrave_(plan, withOverrides, printsEarly),
+    nextStep: () => parseAnswer(this.engine_.nextStep()),
     cancel: () => {
       this.job_?.cancel();
       this.job_ = undefined;
@@ -229,8 +231,8 @@ export class EngineHost {
     /** @param {number} number  of the carving @param {string[]} texts @param {number} facingDeg */
     setPrintedReadings: (number, texts, facingDeg) => {
       if (this.engine_.carving() !== number) return null;
-      const { passed, next } = parseAnswer(this.engine_.setPrintedReadings(JSON.stringify(texts), facingDeg));
-      return { passed, next, report: parseAnswer(this.engine_.report()) };
+      const { passed } = parseAnswer(this.engine_.setPrintedReadings(JSON.stringify(texts), facingDeg));
+      return { passed, report: parseAnswer(this.engine_.report()) };
     },
     /** @param {number} number  of the carving @returns {import('./types.js').PrintChange[]} */
     otherPrints: (number) => (this.engine_.carving() === number ? parseAnswer(this.engine_.otherPrints()).others : []),
@@ -320,11 +322,11 @@ export class EngineHost {
     this.invalidate_();
   }
 
-  /** @param {boolean} withOverrides @param {boolean} printsEarly */
-  engrave_(withOverrides, printsEarly) {
+  /** @param {import('./client.js').PlanOptions} plan @param {boolean} withOverrides @param {boolean} printsEarly */
+  engrave_(plan, withOverrides, printsEarly) {
     let isTold = !printsEarly;
     return this.runJob_({
-      start: () => this.engine_.startEngrave(withOverrides),
+      start: () => this.engine_.startEngrave(JSON.stringify(plan), withOverrides),
       advance: () => {
         const answer = this.engine_.advance();
         if (!isTold && parseAnswer(answer).printable) {

@@ -113,8 +113,9 @@
  *   `value`: as in settings files; '': the default
  * @typedef {{ level: Level, passed: boolean, summary: Message, warnings: Message[], reasons: Message[], remedies: Remedy[] }} Aspect
  * @typedef {{ passed: boolean, reads: Aspect, prints: Aspect, solid: Aspect }} Verdict
- * @typedef {{ passed: boolean, next: { setting: string, value: string } | null }} ReadingResult
- *   `next`: change to carve with next
+ * @typedef {{ passed: boolean }} ReadingResult
+ * @typedef {{ step: 'carve', carving: number, change: { setting: string, value: string } } | { step: 'print' | 'deliver', carving: number }} EngraveStep
+ *   what to do next for an engraving; `carving`: number of the carving to print or to deliver, or of the best so far
  * @typedef {ReadingResult & { report: Report }} PrintedResult
  *   result of a carving and its print; `report` includes the print
  * @typedef {{ tilts: { tiltDeg: number, reads: number, all: number }[], safeTiltDeg: number, forgiving: boolean,
@@ -203,7 +204,8 @@
  * @property {(index: number) => string} chooseSpot
  * @property {(shown: boolean) => void} showSizes
  * @property {() => string} prepareEngrave
- * @property {(withOverrides: boolean) => string} startEngrave
+ * @property {(options: string, withOverrides: boolean) => string} startEngrave
+ * @property {() => string} nextStep
  * @property {() => string} advance
  * @property {() => void} cancel
  * @property {() => number} carving

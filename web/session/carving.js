@@ -13,7 +13,7 @@ import { sameWork } from './work.js';
 /** @typedef {import('./work.js').Work} Work */
 /** @typedef {import('../ui/result_panel.js').Result & { number: number, life: number, made: Work }} Carved
  *   `number`: of the carving in its module; `life`: number of that module; `made`: the work it was carved from */
-/** @typedef {{ made: Work, number: number, texts: string[] }} Attempt  `texts`: decoded texts */
+/** @typedef {{ made: Work, number: number }} Attempt */
 
 /**
  * @typedef {object} CarvingOptions
@@ -28,7 +28,7 @@ import { sameWork } from './work.js';
  * @property {() => import('../engine/types.js').Settings} settings  of the work
  * @property {(change: { setting: string, value: string }) => Work['values']} valuesAfter
  *   values of the controls after a change
- * @property {(setting: string) => boolean} [isFree]  true: a control decides the setting, not the list
+ * @property {() => string[]} [fixed]  keys of settings that the list decides, not a control
  * @property {(values: Work['values']) => void} write  into the controls
  * @property {() => void} onStart
  * @property {() => void} onDone
@@ -50,7 +50,7 @@ export class Carving {
     work,
     settings,
     valuesAfter,
-    isFree = () => true,
+    fixed = () => [],
     write,
     onStart,
     onDone,
@@ -68,7 +68,7 @@ export class Carving {
     this.work_ = work;
     this.settings_ = settings;
     this.valuesAfter_ = valuesAfter;
-    this.isFree_ = isFree;
+    this.fixed_ = fixed;
     this.write_ = write;
     this.onStart_ = onStart;
     this.onDone_ = onDone;
@@ -185,8 +185,7 @@ export class Carving {
   }
 
   /**
-   * Carves with the chosen settings. If the result does not decode, carves for the design alone and with deeper
-   * presets.
+   * Engraves with the chosen settings, and with the changes that the module's plan asks for.
    * @param {AbortSignal} signal
    * @param {string} [overrides]
    */
@@ -202,7 +201,8 @@ export class Carving {
     prepareReader();
     this.printing_.expect();
     for (;;) {
-      const reading = await this.carveOnce_(signal, overrides !== undefined);
+      const plan = first ? { next: true } : { fixed: this.fixed_() };
+      const reading = await this.carveOnce_(signal, plan, overrides !== undefined);
       if (!reading) {
         this.printing_.stop();
         this.messages_.say(() => text('page.cancelled'));
@@ -210,31 +210,26 @@ export class Carving {
         this.restoring_ = (first ? this.keep_(first, started) : this.restore(before)).catch(() => false);
         return;
       }
-      const mayChange = overrides === undefined && sameWork(made, this.work_());
-      const next = mayChange && reading.next && this.isFree_(reading.next.setting) ? reading.next : null;
-      if (!next) {
-        const isAsked =
-          made === asked || (!reading.passed && first !== undefined && (await this.keep_(first, started)));
-        if (made === asked || !isAsked)
-          await this.finish_(performance.now() - started, made, mayChange && reading.passed);
-        this.messages_.say(() =>
-          overrides
-            ? text('inspector.engraved', { overrides })
-            : text(
-                isAsked
-                  ? 'page.engraved'
-                  : made.values.preset === asked.values.preset
-                    ? 'page.engravedForDesign'
-                    : 'page.engravedDeeper',
-              ),
-        );
+      const step = await this.client_.nextStep();
+      const isEdited = !sameWork(made, this.work_());
+      if (step.step !== 'carve' || isEdited) {
+        const isKept = !isEdited && step.carving === first?.number && (await this.keep_(first, started));
+        if (!isKept) await this.finish_(performance.now() - started, made, reading.passed && !isEdited);
+        this.messages_.say(() => this.wordsFor_(isKept ? asked : made, asked, overrides));
         return;
       }
-      first ??= { made, number: await this.client_.carving(), texts: reading.texts };
-      this.write_(this.valuesAfter_(next));
+      first ??= { made, number: step.carving };
+      this.write_(this.valuesAfter_(step.change));
       made = this.work_();
       await this.client_.configure(this.settings_());
     }
+  }
+
+  /** @param {Work} made @param {Work} asked @param {string} [overrides] */
+  wordsFor_(made, asked, overrides) {
+    if (overrides) return text('inspector.engraved', { overrides });
+    if (made === asked) return text('page.engraved');
+    return text(made.values.preset === asked.values.preset ? 'page.engravedForDesign' : 'page.engravedDeeper');
   }
 
   /**
@@ -243,13 +238,12 @@ export class Carving {
    * @param {number} started
    * @returns {Promise<boolean>}  false: it is gone
    */
-  async keep_({ made, number, texts }, started) {
+  async keep_({ made, number }, started) {
     const elapsedMs = performance.now() - started;
     this.printing_.stop(); // the deeper carving is dropped
     if (!(await this.client_.useCarving(number))) return false;
     this.write_(made.values);
     await this.client_.configure(this.settings_());
-    await this.client_.setReadings(texts, kReaderName);
     await this.finish_(elapsedMs, made);
     return true;
   }
@@ -257,23 +251,29 @@ export class Carving {
   /**
    * Carves and decodes once.
    * @param {AbortSignal} signal
-   * @param {boolean} withOverrides
-   * @returns {Promise<import('../engine/types.js').ReadingResult & { texts: string[] } | undefined>}
-   *   undefined: cancelled
+   * @param {import('../engine/client.js').PlanOptions} plan
+   * @param {boolean} [withOverrides]
+   * @returns {Promise<import('../engine/types.js').ReadingResult | undefined>}  undefined: cancelled
    */
-  async carveOnce_(signal, withOverrides) {
-    const finished = await this.client_.engrave({
-      signal,
-      withOverrides,
-      onProgress: (progress) => this.jobs_.showProgress(progress),
-      onPrintable: (job) => this.printing_.beginEarly(job),
-    });
-    if (!finished) return undefined;
+  async carveOnce_(signal, plan, withOverrides = false) {
+    try {
+      const finished = await this.client_.engrave({
+        signal,
+        plan,
+        withOverrides,
+        onProgress: (progress) => this.jobs_.showProgress(progress),
+        onPrintable: (job) => this.printing_.beginEarly(job),
+      });
+      if (!finished) return undefined;
+    } catch (thrown) {
+      if (!plan.next || isReplaced(thrown) || isFatal(thrown)) throw thrown;
+      return { passed: false }; // the plan goes on without this carving
+    }
     this.messages_.say(() => text('page.readingBack'));
     const pictures = await this.client_.readingPictures();
     // Meanwhile the module prepares the carved model for display.
     const [texts] = await Promise.all([readEach(pictures), this.client_.showCarved(true)]);
-    return { ...(await this.client_.setReadings(texts, kReaderName)), texts };
+    return this.client_.setReadings(texts, kReaderName);
   }
 
   /**
@@ -316,47 +316,51 @@ export class Carving {
       this.panel_.update();
       if (!result) return;
       this.onPrinted_();
-      if (mayDeepen && result.next && this.isFree_(result.next.setting))
-        void this.guard_(() => this.deepen_(carved, result.next));
+      if (mayDeepen) void this.guard_(() => this.deepen_(carved));
     });
   }
 
   /**
-   * Carves with deeper presets until one prints well; returns to `first`, whose print barely decodes, if none does.
+   * Goes on with the plan after the print of `first`: carves deeper if the print barely decodes, and returns to `first`
+   * if no deeper print decodes well.
    * @param {Carved} first
-   * @param {import('../engine/types.js').ReadingResult['next']} next  change to carve with
    */
-  async deepen_(first, next) {
+  async deepen_(first) {
     await this.running_?.catch(() => {}); // the job that made it is about to end
     if (this.running_ || this.jobs_.busy || this.carved !== first || !this.isCurrent) return;
+    let step = await this.client_.nextStep();
+    if (step.step !== 'carve') return;
     const started = performance.now() - first.elapsedMs;
     await this.run_(
       () => text('page.carvingForPrint'),
       async (signal) => {
         await this.drop();
-        while (next) {
-          this.write_(this.valuesAfter_(next));
-          const made = this.work_();
-          await this.client_.configure(this.settings_());
-          this.printing_.expect();
-          const reading = await this.carveOnce_(signal, false).catch((thrown) => {
-            if (!isReplaced(thrown) && !isFatal(thrown)) return undefined; // too deep to carve
-            this.write_(first.made.values);
-            throw thrown;
-          });
-          const elapsedMs = performance.now() - started;
-          const number = await this.client_.carving();
-          const print = reading?.passed ? await this.printNow_(number, signal) : undefined;
-          if (!print) break;
-          const { result, printed } = print;
-          if (result.passed) {
-            this.carved = { report: result.report, elapsedMs, number, life: this.life_, made, printed };
-            await this.present_();
-            this.onPrinted_();
-            this.messages_.say(() => text('page.engravedForPrint'));
-            return;
+        let made = first.made;
+        /** @type {Awaited<ReturnType<Carving['printNow_']>>} */ let print;
+        for (
+          let isDone = true;
+          isDone && step.step !== 'deliver';
+          step = isDone ? await this.client_.nextStep() : step
+        ) {
+          if (step.step === 'carve') {
+            this.write_(this.valuesAfter_(step.change));
+            made = this.work_();
+            await this.client_.configure(this.settings_());
+            this.printing_.expect();
+            isDone = (await this.carveDeeper_(signal, first)) !== undefined;
+          } else {
+            print = await this.printNow_(step.carving, signal);
+            isDone = print !== undefined;
           }
-          ({ next } = result);
+        }
+        if (print && step.step === 'deliver' && step.carving !== first.number) {
+          const { result, printed } = print;
+          const elapsedMs = performance.now() - started;
+          this.carved = { report: result.report, elapsedMs, number: step.carving, life: this.life_, made, printed };
+          await this.present_();
+          this.onPrinted_();
+          this.messages_.say(() => text('page.engravedForPrint'));
+          return;
         }
         this.printing_.stop();
         this.write_(first.made.values);
@@ -365,6 +369,20 @@ export class Carving {
         this.messages_.say(() => text(signal.aborted ? 'page.cancelledDeeper' : 'page.engraved'));
       },
     );
+  }
+
+  /**
+   * Carves the plan's next carving. If the module is lost, the controls return to those of `first`.
+   * @param {AbortSignal} signal
+   * @param {Carved} first
+   */
+  async carveDeeper_(signal, first) {
+    try {
+      return await this.carveOnce_(signal, { next: true });
+    } catch (thrown) {
+      this.write_(first.made.values);
+      throw thrown;
+    }
   }
 
   /**

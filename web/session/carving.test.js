@@ -2,7 +2,6 @@
 import assert from 'node:assert/strict';
 import { after, before, beforeEach, test } from 'node:test';
 import { Carving } from './carving.js';
-import { kReaderName } from '../decoder/reader.js';
 import { Jobs } from './jobs.js';
 import { FakeMessages, Pending, fake, noRoom, settled } from './testing.js';
 
@@ -28,6 +27,8 @@ class FakeReader {
 /** @type {Jobs} */ let jobs;
 /** @type {any} */ let printing;
 /** @type {number} */ let printsSeen;
+/** @type {number} */ let number; // of the module's last carving
+/** @type {any[]} */ let steps; // of the module's plan; then it prints
 /** @type {Carving} */ let carving;
 const made = () => carving.carved;
 const { Worker: realWorker } = globalThis;
@@ -38,7 +39,8 @@ beforeEach(() => {
   FakeReader.found = kText;
   values = { preset: 'robust' };
   shown = [];
-  let number = 0;
+  number = 0;
+  steps = [];
   client = fake({
     engrave: async () => {
       number += 1;
@@ -46,11 +48,9 @@ beforeEach(() => {
     },
     carving: async () => number,
     useCarving: async () => true,
+    nextStep: async () => steps.shift() ?? { step: 'print', carving: number },
     readingPictures: async () => [1, 2, 3].map(() => ({ width: 8, height: 8, pixels: new Uint8Array(64) })),
-    setReadings: async (/** @type {string[]} */ texts) => {
-      const passed = texts.every((one) => one === kText);
-      return { passed, next: passed || values.preset === 'robust' ? null : { setting: 'preset', value: 'robust' } };
-    },
+    setReadings: async (/** @type {string[]} */ texts) => ({ passed: texts.every((one) => one === kText) }),
     report: async () => ({ text: kText, symbol: { modules: 21 }, verification: {} }),
   });
   placing = fake({ place: async () => {} });
@@ -142,13 +142,16 @@ test('What a module carved is gone with it', async () => {
   assert.deepEqual(shown.at(-1), [false, false]);
 });
 
+/** @param {number} attempt  number of the carving */
+const print = (attempt) => ({ step: 'print', carving: attempt });
+/** @param {number} attempt  number of the carving */
+const deliver = (attempt) => ({ step: 'deliver', carving: attempt });
+/** @param {string} setting @param {string} value */
+const carve = (setting, value) => ({ step: 'carve', carving: 1, change: { setting, value } });
+
 test('What does not read is carved with the next deeper preset', async () => {
   values = { preset: 'balanced' };
-  FakeReader.found = '';
-  client.answers.setReadings = async () => {
-    const passed = values.preset === 'robust';
-    return { passed, next: passed ? null : { setting: 'preset', value: 'robust' } };
-  };
+  steps = [carve('preset', 'robust'), print(2)];
   await carving.engrave();
   assert.equal(values.preset, 'robust');
   assert.equal(made()?.number, 2);
@@ -156,10 +159,7 @@ test('What does not read is carved with the next deeper preset', async () => {
 
 test('What does not read as carved for the print is carved for the design alone, and that is said', async () => {
   values = { preset: 'balanced', carveFor: 'print' };
-  client.answers.setReadings = async () => {
-    const passed = values.carveFor === 'design';
-    return { passed, next: passed ? null : { setting: 'carveFor', value: 'design' } };
-  };
+  steps = [carve('carveFor', 'design'), print(2)];
   await carving.engrave();
   assert.deepEqual(values, { preset: 'balanced', carveFor: 'design' });
   assert.equal(made()?.number, 2);
@@ -169,6 +169,7 @@ test('What does not read as carved for the print is carved for the design alone,
 test('What reads with no preset stays as it was asked for', async () => {
   values = { preset: 'balanced' };
   FakeReader.found = '';
+  steps = [carve('preset', 'robust'), print(1)];
   await carving.engrave();
   assert.equal(values.preset, 'balanced');
   assert.equal(client.calls.filter((/** @type {string} */ call) => call.startsWith('engrave')).length, 2);
@@ -179,7 +180,7 @@ test('Cancelled while it is carved deeper, what was asked for stays, as it was c
   values = { preset: 'shallow' };
   FakeReader.found = '';
   const deeper = new Pending();
-  client.answers.setReadings = async () => ({ passed: false, next: { setting: 'preset', value: 'balanced' } });
+  steps = [carve('preset', 'balanced')];
   const { engrave } = client.answers;
   client.answers.engrave = (/** @type {{ signal: AbortSignal }} */ { signal }) => {
     if (values.preset === 'shallow') return engrave();
@@ -193,12 +194,10 @@ test('Cancelled while it is carved deeper, what was asked for stays, as it was c
   await settled();
   assert.equal(values.preset, 'shallow');
   assert.equal(messages.said.at(-1), 'Cancelled. The model is unchanged.');
-  const calls = client.calls.filter((/** @type {string} */ call) => /^(useCarving|setReadings)/.test(call));
-  assert.deepEqual(calls.slice(-2), ['useCarving 1', `setReadings ${kReaderName}`]);
+  assert.equal(client.calls.filter((/** @type {string} */ call) => call === 'useCarving 1').length, 1);
   assert.equal(made()?.made.values.preset, 'shallow');
   assert.deepEqual(shown.at(-1), [true, true]);
   client.answers.engrave = engrave;
-  client.answers.setReadings = async () => ({ passed: true, next: null });
   values = { preset: 'balanced' };
   await carving.engrave();
   assert.equal(made()?.made.values.preset, 'balanced');
@@ -213,7 +212,7 @@ test('The print begins once the result is there, and what it comes to is in the 
   assert.deepEqual(made()?.printed, { state: 'under-way', fraction: 0.5 });
   assert.equal(printsSeen, 0);
   const report = /** @type {any} */ ({ text: kText, verification: {} });
-  tell({ state: 'made', print: {} }, { passed: true, next: null, report });
+  tell({ state: 'made', print: {} }, { passed: true, report });
   assert.equal(made()?.report, report);
   assert.equal(printsSeen, 1);
 });
@@ -225,11 +224,12 @@ const printsAre = (...results) => {
     tell({ state: 'made', print: {} }, { ...result, report: { text: kText, number } });
   };
 };
-const kRobust = { setting: 'preset', value: 'robust' };
+const kDeeper = [print(1), carve('preset', 'robust')];
 
 test('What barely reads as printed is carved with the next deeper preset, whose print reads', async () => {
   values = { preset: 'balanced' };
-  printsAre({ passed: false, next: kRobust }, { passed: true, next: null });
+  printsAre({ passed: false }, { passed: true });
+  steps = [...kDeeper, print(2), deliver(2)];
   await carving.engrave();
   await settled();
   assert.equal(values.preset, 'robust');
@@ -240,9 +240,11 @@ test('What barely reads as printed is carved with the next deeper preset, whose 
 });
 
 test('Where no deeper preset mends the print, the code stays as it was asked for', async () => {
-  for (const second of [{ passed: false, next: null }, undefined]) {
+  for (const second of [{ passed: false }, undefined]) {
     values = { preset: 'balanced' };
-    printsAre({ passed: false, next: kRobust }, second);
+    number = 0;
+    printsAre({ passed: false }, second);
+    steps = [...kDeeper, ...(second ? [print(2)] : []), deliver(1)];
     const { engrave } = client.answers;
     if (!second)
       client.answers.engrave = () => {
@@ -260,7 +262,8 @@ test('Where no deeper preset mends the print, the code stays as it was asked for
 
 test('Cancelled while it is carved deeper for its print, the first result comes back', async () => {
   values = { preset: 'balanced' };
-  printsAre({ passed: false, next: kRobust });
+  printsAre({ passed: false });
+  steps = [...kDeeper];
   const { engrave } = client.answers;
   const deeper = new Pending();
   client.answers.engrave = (/** @type {{ signal: AbortSignal }} */ { signal }) => {
@@ -285,7 +288,7 @@ test('What the user has changed since is not carved again for its print', async 
   printing.answers.begin = async (/** @type {number} */ _, /** @type {any} */ told) => void (tell = told);
   await carving.engrave();
   values = { preset: 'shallow' };
-  tell({ state: 'made', print: {} }, { passed: false, next: kRobust, report: { text: kText } });
+  tell({ state: 'made', print: {} }, { passed: false, report: { text: kText } });
   await settled();
   assert.equal(client.calls.filter((/** @type {string} */ call) => call.startsWith('engrave')).length, 1);
 });
@@ -297,6 +300,7 @@ test('The print of what is given up is given up', async () => {
   };
   FakeReader.found = 'something else';
   values = { preset: 'balanced' };
+  steps = [carve('preset', 'robust')];
   await carving.engrave();
   const calls = printing.calls.filter((/** @type {string} */ call) => ['beginEarly', 'stop'].includes(call));
   assert.deepEqual(
