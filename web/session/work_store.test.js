@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import assert from 'node:assert/strict';
+import { beforeEach, test } from 'node:test';
+import { WorkStore } from './work_store.js';
+
+/** @type {WorkStore} */ let store;
+/** @type {string[][]} */ let told; // texts after and before each change
+
+beforeEach(() => {
+  store = new WorkStore({
+    source: undefined,
+    text: 'a',
+    values: { preset: 'balanced' },
+    centreMm: undefined,
+    centreIsGuess: false,
+    batch: undefined,
+  });
+  told = [];
+  store.onChange((work, before) => void told.push([work.text, before.text]));
+});
+
+test('A change makes another work and leaves the one before it', () => {
+  const before = store.work;
+  store.update({ text: 'b' });
+  assert.equal(before.text, 'a');
+  assert.equal(store.work.text, 'b');
+  assert.equal(store.work.values, before.values);
+  assert.deepEqual(told, [['b', 'a']]);
+});
+
+test('A change may follow from the work', () => {
+  store.update(({ text }) => ({ text: `${text}${text}` }));
+  assert.equal(store.work.text, 'aa');
+});
+
+test('What is the same already tells nobody', () => {
+  const before = store.work;
+  store.update({ text: 'a', values: before.values });
+  assert.equal(store.work, before);
+  assert.deepEqual(told, []);
+});
+
+test('A work cannot be written to', () => {
+  const work = /** @type {any} */ (store.work);
+  assert.throws(() => (work.text = 'b'), TypeError);
+  assert.throws(() => (work.values.preset = 'robust'), TypeError);
+  store.update({ values: { preset: 'robust' } });
+  assert.throws(() => /** @type {any} */ ((store.work).values.preset = 'shallow'), TypeError);
+});
+
+test('A listener that changes the work is refused, and later changes are not', () => {
+  let isEager = true;
+  store.onChange(() => {
+    if (isEager) store.update({ text: 'c' });
+  });
+  assert.throws(() => store.update({ text: 'b' }), /must not change it/);
+  isEager = false;
+  store.update({ text: 'd' });
+  assert.equal(store.work.text, 'd');
+});
