@@ -24,14 +24,14 @@ import { Recovery } from './session/recovery.js';
 import { Session } from './session/session.js';
 import { SpotFinding } from './session/spot_finding.js';
 import { Undo } from './session/undo.js';
-import { settingsByHandles } from './session/work.js';
+import { showWork } from './session/showing.js';
+import { WorkStore } from './session/work_store.js';
 import { rememberFormat } from './export/format_choice.js';
 import { ExportPanel } from './ui/export_panel.js';
 import { Exporting } from './session/exporting.js';
 import { text } from './i18n/catalogue.js';
 import { messageWords } from './i18n/message_words.js';
 import { BatchPanel } from './ui/batch_panel.js';
-import { CarvePanel } from './ui/carve_panel.js';
 import { CodePanel } from './ui/code_panel.js';
 import { byId } from './dom/dom.js';
 import { HelpSheet } from './ui/help_sheet.js';
@@ -81,15 +81,26 @@ export class App {
       onSearch: (search) => this.tools_.search.show(search),
       onReplaced: () => this.guard_(() => this.session_.restore()),
     });
-    this.form_ = new SettingsForm((id) => this.guard_(() => this.session_.changeSettings(id)));
+    this.form_ = new SettingsForm({
+      onInput: (id, value) => this.store_.update(({ values }) => ({ values: { ...values, [id]: value } })),
+      onChange: (id, value) => this.guard_(() => this.session_.editSetting(id, value)),
+    });
+    this.fields_ = this.form_.fields;
     this.code_ = this.makeCode_();
+    this.store_ = new WorkStore({
+      source: undefined,
+      text: this.code_.initialText,
+      values: this.fields_.defaults,
+      centreMm: undefined,
+      centreIsGuess: false,
+    });
+    showWork(this.store_, { form: this.form_, code: this.code_ });
     this.batchPanel_ = this.makeBatchPanel_();
     this.batching_ = this.makeBatching_();
     this.workPanel_ = new WorkPanel({
       onEngrave: () => this.guard_(() => this.session_.engrave()),
       onCancel: () => this.jobs_.cancel(),
     });
-    this.carvePanel_ = new CarvePanel();
     this.jobs_ = new Jobs({
       panel: this.workPanel_,
       messages: this.messages_,
@@ -127,10 +138,10 @@ export class App {
       tools: this.tools_,
       toolbar: this.toolbar_,
       inspecting: this.inspecting_,
-      form: this.form_,
+      store: this.store_,
+      fields: this.fields_,
       code: this.code_,
       workPanel: this.workPanel_,
-      carvePanel: this.carvePanel_,
       jobs: this.jobs_,
       messages: this.messages_,
       model: this.model_,
@@ -175,7 +186,7 @@ export class App {
       overlays: byId('view-overlays', HTMLElement),
       onEdit: {
         onPlace: (x, y) => this.session_.pick(x, y),
-        onAdjust: (change) => this.form_.change(settingsByHandles(change, this.form_.values)),
+        onAdjust: (change) => this.guard_(() => this.session_.adjust(change)),
         onCancel: () => this.guard_(() => this.placing_.place()),
       },
       onAct: (action) => this.guard_(() => this.client_.act(action)),
@@ -198,8 +209,9 @@ export class App {
 
   makeCode_() {
     return new CodePanel({
+      onInput: (content) => this.store_.update({ text: content }),
       onChange: () => this.guard_(() => this.session_.changeSettings('text')),
-      settings: (content) => (this.batching_?.input ? this.batching_.settings(content) : this.form_.settings(content)),
+      settings: (content) => this.batching_.settings(content),
       symbolOf: (settings) => this.client_.symbol(settings),
     });
   }
@@ -217,7 +229,7 @@ export class App {
       client: this.client_,
       panel: this.batchPanel_,
       messages: this.messages_,
-      settings: (content) => this.form_.settings(content),
+      settings: (content) => this.fields_.settings(this.store_.work.values, content),
       isLocked: () => this.batchCarving_.isOpen,
       onPlanned: (planned) => {
         this.code_.showParts(
@@ -297,7 +309,7 @@ export class App {
         this.tools_.set({ placed: placement !== undefined });
         this.code_.showPlaced(placement);
         this.preparing_.note(placement !== undefined);
-        this.exportPanel_.setSecret(holdsSecret(this.code_.text));
+        this.exportPanel_.setSecret(holdsSecret(this.store_.work.text));
       },
     });
   }
@@ -355,9 +367,9 @@ export class App {
       printing: new Printing({ client: this.client_ }),
       work: () => this.session_.work(),
       settings: () => this.session_.settings(),
-      valuesAfter: (change) => this.form_.valuesAfter(change),
+      valuesAfter: (change) => this.fields_.after(this.store_.work.values, change),
       fixed: () => Object.keys(kSettings).filter((setting) => this.batching_.decides(setting)),
-      write: (values) => this.session_.write({ text: this.code_.text, values }),
+      write: (values) => this.store_.update({ values }),
       onStart: () => this.spotsPanel_.setSizesShown(false),
       onDone: () => this.undo_.record(),
       onShown: (exists, shown) => this.session_.noteCarved(exists, shown),
@@ -385,9 +397,9 @@ export class App {
       placing: this.placing_,
       messages: this.messages_,
       settings: () => this.session_.settings(),
-      settingsToSave: () => this.form_.settings(this.code_.text),
-      settingKeys: () => this.form_.keys,
-      onSettings: (settings) => this.session_.write({ text: settings.text, values: this.form_.valuesFor(settings) }),
+      settingsToSave: () => this.fields_.settings(this.store_.work.values, this.store_.work.text),
+      settingKeys: () => this.fields_.keys,
+      onSettings: (settings) => this.store_.update({ text: settings.text, values: this.fields_.valuesFor(settings) }),
       onChanged: () => this.session_.changeSettings(),
       untilIdle: () => this.session_.becomeIdle(),
     });

@@ -20,7 +20,7 @@ import { symbolPng, symbolSvg } from '../export/symbol_file.js';
  * @property {import('../ui/messages.js').Messages} messages
  * @property {() => import('../engine/types.js').Settings} settings  of the displayed code
  * @property {() => import('../engine/types.js').Settings} settingsToSave
- * @property {() => import('../ui/settings_form.js').SettingKey[]} settingKeys  settings that have a control
+ * @property {() => import('../ui/setting_fields.js').SettingKey[]} settingKeys  settings that have a control
  * @property {(settings: import('../engine/types.js').Settings) => void} onSettings  shows them in the controls
  * @property {() => Promise<void>} onChanged   applies the changed settings
  * @property {() => Promise<void>} untilIdle   stops running work

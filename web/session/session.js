@@ -7,6 +7,7 @@ import { text } from '../i18n/catalogue.js';
 import { controlName, shownValue } from '../ui/verdict_lines.js';
 import { looksLikeList } from './batching.js';
 import { fetchJson } from './fetch_file.js';
+import { settingsByHandles } from './work.js';
 
 const kAsked = ['sample', 'text', 'engrave']; // address parameters
 
@@ -19,10 +20,10 @@ const kAsked = ['sample', 'text', 'engrave']; // address parameters
  * @property {import('../view/view_tools.js').ViewTools} tools
  * @property {import('../ui/view_toolbar.js').ViewToolbar} toolbar
  * @property {import('./inspecting.js').Inspecting} inspecting
- * @property {import('../ui/settings_form.js').SettingsForm} form
+ * @property {import('./work_store.js').WorkStore} store
+ * @property {import('../ui/setting_fields.js').SettingFields} fields
  * @property {import('../ui/code_panel.js').CodePanel} code
  * @property {import('../ui/work_panel.js').WorkPanel} workPanel
- * @property {import('../ui/carve_panel.js').CarvePanel} carvePanel
  * @property {import('./jobs.js').Jobs} jobs
  * @property {import('../ui/messages.js').Messages} messages
  * @property {import('./model_session.js').ModelSession} model
@@ -44,7 +45,7 @@ export class Session {
   /** @param {Parts} parts */
   constructor(parts) {
     this.parts_ = parts;
-    this.initialText_ = parts.code.text;
+    this.initialText_ = parts.code.initialText;
     /** @type {Promise<boolean>} */ this.started_ = Promise.resolve(false);
     this.fileChosen_ = false;
   }
@@ -59,15 +60,15 @@ export class Session {
     return {
       ...(sampleId ? { sampleId } : { bytes }),
       ...place,
-      text: this.parts_.code.text,
-      values: this.parts_.form.values,
+      text: this.parts_.store.work.text,
+      values: this.parts_.store.work.values,
       ...(batch && { batch }),
     };
   }
 
   /** @param {import('../storage/last_work.js').Work} work */
   async continueWith({ text: content, values, sampleId, bytes, batch, ...place }) {
-    this.write({ text: content ?? this.parts_.code.text, values, batch });
+    this.write({ text: content ?? this.parts_.store.work.text, values, batch });
     const { centreMm, ...file } = place;
     if (sampleId) await this.parts_.model.openSample(sampleId, place);
     else if (bytes) await this.parts_.model.load({ ...file, bytes, credit: '' }, centreMm);
@@ -77,9 +78,8 @@ export class Session {
   work() {
     const { mm: centreMm, isGuess: centreIsGuess } = this.parts_.centre;
     return {
+      ...this.parts_.store.work,
       source: this.parts_.model.source,
-      text: this.parts_.code.text,
-      values: this.parts_.form.values,
       centreMm,
       centreIsGuess,
       batch: this.parts_.batching.input,
@@ -87,19 +87,17 @@ export class Session {
   }
 
   /**
-   * Writes a state into the controls without applying it. The parts stay as they are if `batch` is absent.
+   * Writes a state without applying it. The parts stay as they are if `batch` is absent.
    * @param {Pick<import('./work.js').Work, 'text' | 'values' | 'batch'>} state
    */
   write({ text: content, values, ...state }) {
-    this.parts_.code.text = content;
-    this.parts_.form.values = values;
+    this.parts_.store.update((work) => ({ text: content, values: this.parts_.fields.restored(work.values, values) }));
     if ('batch' in state) this.parts_.batching.input = state.batch;
-    this.parts_.carvePanel.show();
   }
 
   /** Returns the settings of the current code: the single code or the first part. */
   settings() {
-    return this.parts_.batching.settings(this.parts_.code.text);
+    return this.parts_.batching.settings(this.parts_.store.work.text);
   }
 
   /** Returns the same settings after checking the current list. */
@@ -135,7 +133,7 @@ export class Session {
    * @returns {Promise<boolean>}  false: the engine did not start
    */
   async startEngine_(address) {
-    this.parts_.code.text = address.get('text') ?? this.parts_.code.text;
+    this.parts_.store.update(({ text: typed }) => ({ text: address.get('text') ?? typed }));
     try {
       const [{ problems }, samples] = await Promise.all([
         this.parts_.client.start(),
@@ -214,6 +212,23 @@ export class Session {
     await this.parts_.placing.place();
   }
 
+  /**
+   * Edits a setting's control.
+   * @param {string} id
+   * @param {string | boolean} value
+   */
+  editSetting(id, value) {
+    this.parts_.store.update(({ values }) => ({ values: this.parts_.fields.edited(values, id, value) }));
+    return this.changeSettings(id);
+  }
+
+  /** Applies the size and the rotation set by the code's handles. @param {{ rotateDeg?: number, symbolMm?: number }} change */
+  adjust(change) {
+    const changed = settingsByHandles(change, this.parts_.store.work.values);
+    this.parts_.store.update(({ values }) => ({ values: { ...values, ...changed } }));
+    return this.changeSettings(Object.keys(changed)[0]);
+  }
+
   /** Applies another list, or the change back to a single code. */
   async changeParts() {
     await this.parts_.batching.ready();
@@ -223,8 +238,8 @@ export class Session {
   /** Applies a remedy. @param {import('../engine/types.js').Remedy} remedy @param {string} label */
   async remedy({ change }, label) {
     if (!change) return this.parts_.spots.suggest();
-    const { id, value } = this.parts_.form.controlFor(change);
-    this.write({ text: this.parts_.code.text, values: this.parts_.form.valuesAfter(change) });
+    const { id, value } = this.parts_.fields.controlFor(change);
+    this.parts_.store.update(({ values }) => ({ values: this.parts_.fields.after(values, change) }));
     await this.changeSettings();
     if (!this.parts_.placing.placement) return undefined; // the page shows why
     return this.parts_.messages.say(() =>
@@ -247,7 +262,8 @@ export class Session {
     this.parts_.jobs.abort();
     this.parts_.undo.keep();
     await this.parts_.undo.asOne(async () => {
-      this.write({ text: this.initialText_, values: this.parts_.form.defaults, batch: undefined });
+      this.parts_.code.leaveBuilder();
+      this.write({ text: this.initialText_, values: this.parts_.fields.defaults, batch: undefined });
       await this.parts_.model.openSample();
     });
   }

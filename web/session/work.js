@@ -3,7 +3,7 @@
 
 /** @typedef {import('./model_session.js').Source} Source */
 /** @typedef {[number, number, number]} Point */
-/** @typedef {{ source: Source | undefined, text: string, values: import('../ui/settings_form.js').Values,
+/** @typedef {{ source: Source | undefined, text: string, values: import('../storage/last_work.js').Values,
  *   centreMm: Point | undefined, centreIsGuess: boolean, batch?: import('../storage/last_work.js').BatchInput }} Work
  *   `batch`: absent for a single code; the same object until it changes */
 
@@ -29,11 +29,11 @@ export const sameWork = (a, b) =>
 /**
  * Returns the settings for the size and rotation set by the code's handles.
  * @param {{ rotateDeg?: number, symbolMm?: number }} change
- * @param {import('../ui/settings_form.js').Values} now
- * @returns {import('../ui/settings_form.js').Values}
+ * @param {import('../storage/last_work.js').Values} now
+ * @returns {import('../storage/last_work.js').Values}
  */
 export function settingsByHandles({ rotateDeg, symbolMm }, now) {
-  /** @type {import('../ui/settings_form.js').Values} */ const values = {};
+  /** @type {import('../storage/last_work.js').Values} */ const values = {};
   if (rotateDeg !== undefined) values.rotate = String(rotateDeg);
   if (rotateDeg !== undefined && now.size === 'best') values.size = 'oriented'; // 'best' would rotate it back
   if (symbolMm !== undefined) Object.assign(values, { size: 'fixed', 'size-mm': String(symbolMm) });

@@ -45,7 +45,7 @@ test('A work cannot be written to', () => {
   assert.throws(() => (work.text = 'b'), TypeError);
   assert.throws(() => (work.values.preset = 'robust'), TypeError);
   store.update({ values: { preset: 'robust' } });
-  assert.throws(() => /** @type {any} */ ((store.work).values.preset = 'shallow'), TypeError);
+  assert.throws(() => /** @type {any} */ (store.work.values.preset = 'shallow'), TypeError);
 });
 
 test('A listener that changes the work is refused, and later changes are not', () => {

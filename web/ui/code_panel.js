@@ -17,6 +17,7 @@ const kTypingPauseMs = 250;
 
 /**
  * @typedef {object} CodeOptions
+ * @property {(content: string) => void} onInput  the user has changed the text
  * @property {() => Promise<unknown>} onChange   the text has changed and typing has paused; not called while a builder
  *   lacks a field
  * @property {(content: string) => import('../engine/types.js').Settings} settings  the chosen settings, with this text
@@ -25,7 +26,8 @@ const kTypingPauseMs = 250;
 
 export class CodePanel {
   /** @param {CodeOptions} options */
-  constructor({ onChange, settings, symbolOf }) {
+  constructor({ onInput, onChange, settings, symbolOf }) {
+    this.onInput_ = onInput;
     this.onChange_ = onChange;
     this.text_ = byId('text', HTMLTextAreaElement);
     this.content_ = '';
@@ -36,7 +38,7 @@ export class CodePanel {
     /** @type {ReturnType<typeof setTimeout> | undefined} */ this.pause_ = undefined;
     this.builder_ = new ContentPanel({
       onPayload: (payload) => this.take_(payload),
-      onPlain: () => this.leaveBuilder_(),
+      onPlain: () => this.restorePlain_(),
     });
     this.symbol_ = new SymbolPanel({
       settings,
@@ -45,23 +47,26 @@ export class CodePanel {
       onReplace: (content) => this.replace_(content),
     });
     this.text_.addEventListener('input', () => {
-      this.builder_.leave();
-      this.builderWrote_ = false;
+      this.leaveBuilder();
       this.changed_(withLineBreaks(this.text_.value));
     });
-    this.text = this.text_.value;
+    /** The text with which the page opens. */
+    this.initialText = this.text_.value;
+    this.set_(this.initialText);
     this.showPlaced(undefined);
   }
 
-  /** The code's text: the textbox with the line breaks that its format needs. */
-  get text() {
-    return this.content_;
+  /** Shows a text. Leaves the textbox and the builder alone if they hold it already. @param {string} content */
+  show(content) {
+    if (content === this.content_) return;
+    this.leaveBuilder();
+    this.set_(content);
   }
 
-  set text(value) {
+  /** Closes the builder; the text stays. */
+  leaveBuilder() {
     this.builder_.leave();
     this.builderWrote_ = false;
-    this.set_(value);
   }
 
   /** True while a required field of the builder is missing or wrong. */
@@ -111,6 +116,7 @@ export class CodePanel {
   /** @param {string} content */
   changed_(content) {
     this.set_(content);
+    this.onInput_(content);
     clearTimeout(this.pause_);
     this.pause_ = undefined;
     if (this.incomplete) showStep('code', 'open', () => text('code.incomplete'));
@@ -132,15 +138,14 @@ export class CodePanel {
     this.changed_(payload);
   }
 
-  leaveBuilder_() {
+  restorePlain_() {
     this.builderWrote_ = false;
     this.changed_(this.content_ === '' ? this.plain_ : this.content_);
   }
 
   /** @param {string} content  the text that the user accepted */
   replace_(content) {
-    this.builder_.leave();
-    this.builderWrote_ = false;
+    this.leaveBuilder();
     this.changed_(content);
   }
 

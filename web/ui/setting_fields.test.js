@@ -4,7 +4,7 @@ import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { kProcesses, kSettings } from '../generated/settings.js';
 import { settings as kWords } from '../i18n/parts/settings.js';
-import { broughtBy, controlValues } from './settings_form.js';
+import { SettingFields, broughtBy, controlValues } from './setting_fields.js';
 
 /** @typedef {import('../generated/settings.js').SettingKey} SettingKey */
 
@@ -119,4 +119,72 @@ test('The lamp that stands where none is given is the core’s', () => {
     /kOneLight = \{\.azimuthDeg = (\d+), \.elevationDeg = (\d+), \.strength = (\d+)\}/.exec(source) ?? [];
   assert.equal(lamp.length, 3);
   for (const { lampHint } of Object.values(kWords)) assert.ok(lampHint.includes(`: ${lamp.join()},`), lampHint);
+});
+
+const fields = new SettingFields(kControls, kDefaults);
+/** @param {import('../storage/last_work.js').Values} change */
+const settings = (change) => fields.settings({ ...kDefaults, ...change }, 'a');
+
+test('The values add up to the settings that they stand for, and back', () => {
+  assert.deepEqual(fields.valuesFor(settings({})), kDefaults);
+  assert.deepEqual(fields.settings(held({ size: 31.5, ecc: 'Q' }), 'a'), {
+    ...fields.settings(held(), 'a'),
+    size: 31.5,
+    maxSizeMm: 31.5,
+    ecc: 'Q',
+  });
+  const { mask, minWallMm, quietZone, light } = /** @type {any} */ (
+    settings({ mask: '3', 'min-wall': '0', light: '90,45,1' })
+  );
+  assert.deepEqual([mask, minWallMm, quietZone], [3, 0, true]);
+  assert.deepEqual(light, [{ azimuthDeg: 90, elevationDeg: 45, strength: 1 }]);
+});
+
+test('A field that may be empty is left out if it is', () => {
+  const given = settings({ contrast: '', version: '', ecc: 'auto' });
+  for (const key of ['contrast', 'version', 'light', 'ecc']) assert.equal(key in given, false, key);
+});
+
+test('A missing number, one that is none, and one out of range are refused with the range', () => {
+  const range = { from: { number: 0 }, to: { number: 1000 } };
+  const wall = { setting: { setting: 'minWallMm' }, ...range };
+  assert.throws(() => settings({ 'min-wall': '' }), { code: 'control-not-a-number', values: wall });
+  assert.throws(() => settings({ contrast: '?' }), { code: 'control-not-a-number' });
+  assert.throws(() => settings({ 'min-wall': '-1' }), {
+    code: 'control-out-of-range',
+    values: { ...wall, value: { number: -1 } },
+  });
+  assert.throws(() => settings({ version: '2.5' }), { code: 'control-out-of-range' });
+  assert.throws(() => settings({ light: '90' }), { code: 'setting-no-lamps' });
+});
+
+test('A width that is refused has the label that its field has', () => {
+  const labelOf = (/** @type {import('../storage/last_work.js').Values} */ change) => {
+    try {
+      return settings(change);
+    } catch (thrown) {
+      return /** @type {any} */ (thrown).values.setting.setting;
+    }
+  };
+  assert.equal(labelOf({ size: 'fixed', 'size-mm': '' }), 'sizeMm');
+  assert.equal(labelOf({ size: 'free', 'size-mm': '' }), 'maxSizeMm');
+});
+
+test('A setting changes with what it brings; its default is the automatic choice', () => {
+  const after = (/** @type {string} */ setting, /** @type {string} */ value) =>
+    fields.after({ ...kDefaults, light: '90,45,1' }, { setting, value });
+  assert.equal(after('preset', 'robust').preset, 'robust');
+  assert.equal(after('ecc', '').ecc, 'auto');
+  assert.equal(after('contrast', '').contrast, '');
+  assert.equal(after('quietZone', 'false')['quiet-zone'], false);
+  assert.equal(after('objective', 'contrast').light, '');
+  const { nozzleMm } = /** @type {any} */ (kProcesses['resin-0.05']);
+  assert.equal(after('process', 'resin-0.05').nozzle, String(nozzleMm));
+  assert.throws(() => after('blurModules', '1'), /no control/);
+});
+
+test('Restored values replace those of their controls, and no others', () => {
+  const now = { ...kDefaults, preset: 'robust', nozzle: '0.25' };
+  const restored = fields.restored(now, { preset: 'shallow', contrast: '?', gone: 'x' });
+  assert.deepEqual(restored, { ...now, preset: 'shallow', contrast: '' });
 });

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Shows the work in the panels: after each change, the panels of the parts that have changed.
+import { showCarving } from '../ui/carve_panel.js';
+
+/**
+ * @typedef {object} Panels
+ * @property {Pick<import('../ui/settings_form.js').SettingsForm, 'show'>} form
+ * @property {Pick<import('../ui/code_panel.js').CodePanel, 'show'>} code
+ */
+
+/** @param {import('./work_store.js').WorkStore} store @param {Panels} panels */
+export function showWork(store, { form, code }) {
+  showCarving(store.work.values);
+  store.onChange((work, before) => {
+    if (work.text !== before.text) code.show(work.text);
+    if (work.values !== before.values) {
+      form.show(work.values);
+      showCarving(work.values);
+    }
+  });
+}
