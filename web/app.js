@@ -13,7 +13,6 @@ import { BatchStore } from './batch/batch_store.js';
 import { BatchCarving } from './session/batch_carving.js';
 import { Batching, plannedWords } from './session/batching.js';
 import { Carving } from './session/carving.js';
-import { Centre } from './session/centre.js';
 import { Inspecting } from './session/inspecting.js';
 import { Jobs } from './session/jobs.js';
 import { ModelSession } from './session/model_session.js';
@@ -94,7 +93,6 @@ export class App {
       centreMm: undefined,
       centreIsGuess: false,
     });
-    showWork(this.store_, { form: this.form_, code: this.code_ });
     this.batchPanel_ = this.makeBatchPanel_();
     this.batching_ = this.makeBatching_();
     this.workPanel_ = new WorkPanel({
@@ -109,7 +107,7 @@ export class App {
     this.placePanel_ = new PlacePanel((centreMm) =>
       this.guard_(() => this.placing_.move(() => this.client_.setCentre(centreMm))),
     );
-    this.centre_ = new Centre((mm) => this.placePanel_.showCentre(mm));
+    showWork(this.store_, { form: this.form_, code: this.code_, place: this.placePanel_ });
     this.model_ = this.makeModel_();
     this.preparing_ = new Preparing({
       client: this.client_,
@@ -145,7 +143,6 @@ export class App {
       jobs: this.jobs_,
       messages: this.messages_,
       model: this.model_,
-      centre: this.centre_,
       placing: this.placing_,
       spotsPanel: this.spotsPanel_,
       spots: this.spots_,
@@ -263,8 +260,7 @@ export class App {
       batching: this.batching_,
       carving: this.carving_,
       placing: this.placing_,
-      model: this.model_,
-      centre: this.centre_,
+      works: this.store_,
       panel: this.partsPanel_,
       notices,
       messages: this.messages_,
@@ -287,7 +283,7 @@ export class App {
       jobs: this.jobs_,
       messages: this.messages_,
       panel,
-      centre: this.centre_,
+      store: this.store_,
       onReplacing: () => this.carving_.abort(),
       onLoaded: () => this.session_.useModel(),
       onFailed: () => this.session_.allowWork(true),
@@ -298,7 +294,7 @@ export class App {
     return new Placing({
       client: this.client_,
       model: this.model_,
-      centre: this.centre_,
+      store: this.store_,
       messages: this.messages_,
       panel: this.placePanel_,
       settings: () => this.session_.plannedSettings(),
@@ -393,7 +389,7 @@ export class App {
     return new Exporting({
       client: this.client_,
       model: this.model_,
-      centre: this.centre_,
+      store: this.store_,
       placing: this.placing_,
       messages: this.messages_,
       settings: () => this.session_.settings(),

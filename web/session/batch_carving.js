@@ -35,8 +35,7 @@ const kRoomLeft = 0.95; // usable share of the browser's free storage
  * @property {import('./batching.js').Batching} batching
  * @property {import('./carving.js').Carving} carving
  * @property {import('./placing.js').Placing} placing
- * @property {import('./model_session.js').ModelSession} model
- * @property {import('./centre.js').Centre} centre
+ * @property {import('./work_store.js').WorkStore} works
  * @property {import('../ui/parts_panel.js').PartsPanel} panel
  * @property {import('../ui/notices.js').Notices} notices
  * @property {import('../ui/messages.js').Messages} messages
@@ -76,15 +75,16 @@ export class BatchCarving {
     const {
       batching,
       placing,
-      model: { source },
-      centre,
+      works: {
+        work: { source, centreMm },
+      },
       client,
       store,
       currentWork,
     } = this.options_;
     const { planned } = batching;
     const work = currentWork();
-    if (this.isOpen || !planned?.plan || !planned.first || !source || !work || !centre.mm) return;
+    if (this.isOpen || !planned?.plan || !planned.first || !source || !work || !centreMm) return;
     this.isStarting_ = true;
     /** @type {(() => void) | undefined} */ let release;
     try {
@@ -99,7 +99,7 @@ export class BatchCarving {
       const job = {
         model: source,
         input: await sha256(/** @type {Uint8Array<ArrayBuffer>} */ (source.bytes)),
-        centreMm: centre.mm,
+        centreMm,
         list: planned.input.list,
         wanted: { ...planned.wanted, settings: /** @type {any} */ (settings) },
       };

@@ -15,7 +15,7 @@ import { symbolPng, symbolSvg } from '../export/symbol_file.js';
  * @typedef {object} ExportingOptions
  * @property {import('../engine/client.js').EngineClient} client
  * @property {import('./model_session.js').ModelSession} model
- * @property {import('./centre.js').Centre} centre
+ * @property {import('./work_store.js').WorkStore} store
  * @property {import('./placing.js').Placing} placing
  * @property {import('../ui/messages.js').Messages} messages
  * @property {() => import('../engine/types.js').Settings} settings  of the displayed code
@@ -31,7 +31,7 @@ export class Exporting {
   constructor({
     client,
     model,
-    centre,
+    store,
     placing,
     messages,
     settings,
@@ -43,7 +43,7 @@ export class Exporting {
   }) {
     this.client_ = client;
     this.model_ = model;
-    this.centre_ = centre;
+    this.store_ = store;
     this.placing_ = placing;
     this.messages_ = messages;
     this.settings_ = settings;
@@ -136,10 +136,9 @@ export class Exporting {
 
   /** @returns {ModelChoice | undefined} */
   modelChoice_() {
-    const { source } = this.model_;
+    const { source, centreMm } = this.store_.work;
     if (!source) return undefined;
     const { fileName, sampleId, scaleToMm, upAxis } = source;
-    const { mm: centreMm } = this.centre_;
     return {
       file: fileName,
       ...(sampleId === undefined ? {} : { sample: sampleId }),

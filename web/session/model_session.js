@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Holds the model: its source, so that it can be opened again, and the module's findings.
+// Opens models: keeps the source in the work, so that it can be opened again, and holds the module's findings.
 import { isReplaced } from '../engine/client.js';
 import { text } from '../i18n/catalogue.js';
 import { fetchBytes } from './fetch_file.js';
+import { centredAt, chosenCentre } from './work.js';
 
 /** @typedef {import('../engine/types.js').ModelInfo} ModelInfo */
 /** @typedef {import('../engine/types.js').UpAxis} UpAxis */
@@ -20,26 +21,30 @@ const kMaxFileBytes = 512 * 1024 * 1024; // a larger file exhausts a tab's memor
  * @property {import('./jobs.js').Jobs} jobs
  * @property {import('../ui/messages.js').Messages} messages
  * @property {import('../ui/model_panel.js').ModelPanel} panel
- * @property {import('./centre.js').Centre} centre
+ * @property {import('./work_store.js').WorkStore} store
  * @property {() => void} onReplacing          called before a model is read
- * @property {() => Promise<void>} onLoaded    called with `source` and `info` of a new model set
+ * @property {() => Promise<void>} onLoaded    called with the source and `info` of a new model set
  * @property {() => void} onFailed             called if a model cannot be read; the previous one stays
  */
 
 export class ModelSession {
   /** @param {ModelOptions} options */
-  constructor({ client, jobs, messages, panel, centre, onReplacing, onLoaded, onFailed }) {
+  constructor({ client, jobs, messages, panel, store, onReplacing, onLoaded, onFailed }) {
     this.client_ = client;
     this.jobs_ = jobs;
     this.messages_ = messages;
     this.panel_ = panel;
-    this.centre_ = centre;
+    this.store_ = store;
     this.onReplacing_ = onReplacing;
     this.onLoaded_ = onLoaded;
     this.onFailed_ = onFailed;
     /** @type {Sample[]} */ this.samples_ = [];
-    /** @type {Source | undefined} */ this.source = undefined;
     /** @type {ModelInfo | undefined} */ this.info = undefined;
+  }
+
+  /** The source of the current model. */
+  get source() {
+    return this.store_.work.source;
   }
 
   get engravable() {
@@ -95,16 +100,17 @@ export class ModelSession {
 
   /** @param {number} scaleToMm */
   async rescale(scaleToMm) {
-    if (!this.source) return;
-    const { scaleToMm: before } = this.source;
-    const moved = this.centre_.chosenMm?.map((v) => (v * scaleToMm) / before);
-    await this.load({ ...this.source, scaleToMm }, /** @type {Point | undefined} */ (moved));
+    const { source } = this;
+    if (!source) return;
+    const moved = chosenCentre(this.store_.work)?.map((v) => (v * scaleToMm) / source.scaleToMm);
+    await this.load({ ...source, scaleToMm }, /** @type {Point | undefined} */ (moved));
   }
 
   /** @param {UpAxis} upAxis */
   async turnUp(upAxis) {
-    if (!this.source) return;
-    this.source = { ...this.source, upAxis };
+    const { source } = this;
+    if (!source) return;
+    this.store_.update({ source: { ...source, upAxis } });
     await this.client_.setUpAxis(upAxis);
   }
 
@@ -121,8 +127,11 @@ export class ModelSession {
     try {
       if (source.upAxis !== axisBefore) await this.client_.setUpAxis(source.upAxis);
       this.info = await this.read_(source);
-      this.source = { ...source, scaleToMm: this.info.scaleToMm, unitStated: source.scaleToMm === 0 };
-      this.centre_.put(centreMm);
+      const { scaleToMm } = this.info;
+      this.store_.update({
+        source: { ...source, scaleToMm, unitStated: source.scaleToMm === 0 },
+        ...centredAt(centreMm),
+      });
     } catch (thrown) {
       this.show_();
       this.onFailed_();

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import assert from 'node:assert/strict';
 import { beforeEach, test } from 'node:test';
-import { Centre } from './centre.js';
 import { Jobs } from './jobs.js';
 import { ModelSession } from './model_session.js';
-import { FakeMessages, fake, noRoom } from './testing.js';
+import { FakeMessages, fake, noRoom, storeOf } from './testing.js';
+import { centredAt, chosenCentre } from './work.js';
 
 /** @type {FakeMessages} */ let messages;
 /** @type {any} */ let client;
 /** @type {any} */ let panel;
-/** @type {Centre} */ let centre;
+/** @type {import('./work_store.js').WorkStore} */ let store;
 /** @type {ModelSession} */ let model;
 /** @type {string[]} */ let told;
 
@@ -26,12 +26,12 @@ beforeEach(() => {
     }),
   });
   panel = fake({ scaleToMm: 1 });
-  centre = new Centre(() => {});
+  store = storeOf();
   told = [];
   model = new ModelSession({
     client,
     panel,
-    centre,
+    store,
     messages: /** @type {any} */ (messages),
     jobs: new Jobs({ panel: fake(), messages: /** @type {any} */ (messages), onBusy: () => {} }),
     onReplacing: () => void told.push('replacing'),
@@ -44,7 +44,7 @@ test('A model is there once it is read, with the centre it comes with', async ()
   await model.load(kSource, [1, 2, 3]);
   assert.deepEqual(told, ['replacing', 'loaded']);
   assert.equal(model.source?.fileName, 'a.stl');
-  assert.deepEqual(centre.chosenMm, [1, 2, 3]);
+  assert.deepEqual(chosenCentre(store.work), [1, 2, 3]);
 });
 
 test('A file that cannot be read leaves the model before it, with its centre and upright', async () => {
@@ -54,7 +54,7 @@ test('A file that cannot be read leaves the model before it, with its centre and
   };
   await assert.rejects(model.load({ ...kSource, fileName: 'b.stl', upAxis: 'y' }), { code: 'no-centre' });
   assert.equal(model.source?.fileName, 'a.stl');
-  assert.deepEqual(centre.chosenMm, [1, 2, 3]);
+  assert.deepEqual(chosenCentre(store.work), [1, 2, 3]);
   assert.deepEqual(
     client.calls.filter((/** @type {string} */ call) => call.startsWith('setUpAxis')),
     ['setUpAxis y', 'setUpAxis z'],
@@ -64,12 +64,12 @@ test('A file that cannot be read leaves the model before it, with its centre and
 
 test('In another unit the centre stays where it is on the model, wherever it was moved or undone to', async () => {
   await model.load(kSource, [1, 2, 3]);
-  centre.put([4, 5, 6]);
+  store.update(centredAt([4, 5, 6]));
   await model.rescale(10);
-  assert.deepEqual(centre.chosenMm, [40, 50, 60]);
-  centre.put([7, 7, 7], true);
+  assert.deepEqual(chosenCentre(store.work), [40, 50, 60]);
+  store.update(centredAt([7, 7, 7], true));
   await model.rescale(1);
-  assert.equal(centre.mm, undefined); // a proposal is not kept
+  assert.equal(store.work.centreMm, undefined); // a proposal is not kept
 });
 
 test('The unit that a file states takes the place of none', async () => {

@@ -4,6 +4,7 @@ import { isReplaced } from '../engine/client.js';
 import { describeThrown, isFatal } from '../engine/engine_error.js';
 import { text } from '../i18n/catalogue.js';
 import { hintOf, sentenceOf } from '../i18n/messages.js';
+import { centredAt, chosenCentre } from './work.js';
 
 /** @typedef {import('../engine/types.js').Placement} Placement */
 /** @typedef {import('../engine/types.js').Settings} Settings */
@@ -13,7 +14,7 @@ import { hintOf, sentenceOf } from '../i18n/messages.js';
  * @typedef {object} PlacingOptions
  * @property {import('../engine/client.js').EngineClient} client
  * @property {import('./model_session.js').ModelSession} model
- * @property {import('./centre.js').Centre} centre
+ * @property {import('./work_store.js').WorkStore} store
  * @property {import('../ui/messages.js').Messages} messages
  * @property {import('../ui/place_panel.js').PlacePanel} panel
  * @property {() => Settings | Promise<Settings>} settings  throws an EngineFailure
@@ -24,10 +25,10 @@ import { hintOf, sentenceOf } from '../i18n/messages.js';
 
 export class Placing {
   /** @param {PlacingOptions} options */
-  constructor({ client, model, centre, messages, panel, settings, mayMove, onMoved, onPlaced }) {
+  constructor({ client, model, store, messages, panel, settings, mayMove, onMoved, onPlaced }) {
     this.client_ = client;
     this.model_ = model;
-    this.centre_ = centre;
+    this.store_ = store;
     this.messages_ = messages;
     this.panel_ = panel;
     this.settings_ = settings;
@@ -41,24 +42,24 @@ export class Placing {
 
   /** Reports a failed placement as an error from now on, even at a proposed centre. */
   insist() {
-    this.centre_.accept();
+    this.store_.update({ centreIsGuess: false });
   }
 
   /** Places the code on a new model: at the chosen centre, or else at the module's proposal. */
   async begin() {
     const { info } = this.model_;
     if (!info) return;
-    const { chosenMm } = this.centre_;
+    const chosenMm = chosenCentre(this.store_.work);
     this.show_(undefined);
     if (!info.engravable) {
       this.refuse_(info);
     } else if (chosenMm) {
       await this.move(() => this.client_.setCentre(chosenMm));
     } else if (info.centre) {
-      this.centre_.put(info.centre, true);
+      this.store_.update(centredAt(info.centre, true));
       await this.place();
     } else {
-      this.centre_.put(undefined);
+      this.store_.update(centredAt(undefined));
       this.messages_.say(() => text('page.askForCentre'));
     }
   }
@@ -71,7 +72,7 @@ export class Placing {
   async put(centreMm, isGuess) {
     if (!centreMm) return;
     await this.client_.setCentre(centreMm);
-    this.centre_.put(centreMm, isGuess);
+    this.store_.update(centredAt(centreMm, isGuess));
   }
 
   /** Moves the code. @param {() => Promise<import('../engine/types.js').PickResult>} pick */
@@ -80,7 +81,7 @@ export class Placing {
     const { hit, centre } = await pick();
     if (!hit || !centre) return;
     this.messages_.clearError();
-    this.centre_.put(centre);
+    this.store_.update(centredAt(centre));
     this.onMoved_();
     await this.place();
   }
@@ -100,9 +101,9 @@ export class Placing {
       if (!this.model_.engravable) return;
       try {
         // At once: “Ready” no longer holds.
-        if (this.mayMove_() && this.centre_.mm) this.messages_.say(() => text('page.placing'));
+        if (this.mayMove_() && this.store_.work.centreMm) this.messages_.say(() => text('page.placing'));
         await this.client_.configure(await this.settings_());
-        if (this.centre_.mm === undefined) {
+        if (this.store_.work.centreMm === undefined) {
           this.messages_.say(() => text('page.askForCentre'));
           return;
         }
@@ -113,7 +114,7 @@ export class Placing {
       } catch (thrown) {
         if (isReplaced(thrown) || isFatal(thrown)) throw thrown;
         this.show_(undefined);
-        const guess = this.centre_.isGuess;
+        const guess = this.store_.work.centreIsGuess;
         this.messages_.say(() => text(guess ? 'page.askForCentre' : 'page.noPlace'));
         if (!this.again_ && !guess) {
           this.messages_.showError(describeThrown(thrown));

@@ -4,16 +4,16 @@ import { afterEach, beforeEach, test } from 'node:test';
 import { message } from '../engine/message.js';
 import { setLanguage } from '../i18n/catalogue.js';
 import { messageWords } from '../i18n/message_words.js';
-import { Centre } from './centre.js';
 import { Placing } from './placing.js';
-import { FakeMessages, Pending, crashed, fake, noRoom, settled } from './testing.js';
+import { FakeMessages, Pending, crashed, fake, noRoom, settled, storeOf } from './testing.js';
+import { centredAt } from './work.js';
 
-/** @typedef {import('./centre.js').Point} Point */
+/** @typedef {import('./work.js').Point} Point */
 
 /** @type {FakeMessages} */ let messages;
 /** @type {any} */ let client;
 /** @type {any} */ let model;
-/** @type {Centre} */ let centre;
+/** @type {import('./work_store.js').WorkStore} */ let store;
 /** @type {Placing} */ let placing;
 const problem = () => /** @type {any} */ (messages.problem);
 let mayMove = true;
@@ -26,13 +26,13 @@ beforeEach(() => {
     setCentre: async (/** @type {number[]} */ mm) => ({ hit: true, centre: mm }),
   });
   model = { info: { engravable: true, centre: [1, 2, 3], findings: [] }, engravable: true };
-  centre = new Centre(() => {});
+  store = storeOf();
   mayMove = true;
   moved = 0;
   placing = new Placing({
     client,
     model,
-    centre,
+    store,
     messages: /** @type {any} */ (messages),
     panel: fake(),
     settings: () => /** @type {any} */ ({}),
@@ -45,8 +45,8 @@ afterEach(() => setLanguage('en'));
 
 test('Without a centre of its own a model begins at the one that the module proposes', async () => {
   await placing.begin();
-  assert.deepEqual(centre.mm, [1, 2, 3]);
-  assert.equal(centre.isGuess, true);
+  assert.deepEqual(store.work.centreMm, [1, 2, 3]);
+  assert.equal(store.work.centreIsGuess, true);
   assert.equal(placing.placement?.symbolMm, 20);
   assert.equal(moved, 0);
   assert.equal(messages.said.at(-1), 'Ready.');
@@ -76,7 +76,7 @@ test('Who insists on the proposal hears of the error, too', async () => {
 });
 
 test('Asked again while it runs, it runs once more, with the newest settings', async () => {
-  centre.put([0, 0, 0]);
+  store.update(centredAt([0, 0, 0]));
   const first = new Pending();
   client.answers.placement = () => first.promise;
   const all = [placing.place()];
@@ -91,7 +91,7 @@ test('Asked again while it runs, it runs once more, with the newest settings', a
 });
 
 test('An error that a newer request follows is not shown', async () => {
-  centre.put([0, 0, 0]);
+  store.update(centredAt([0, 0, 0]));
   const first = new Pending();
   client.answers.placement = () => first.promise;
   const all = [placing.place()];
@@ -121,17 +121,17 @@ test('A model that cannot be engraved says why, in the language chosen', async (
 });
 
 test('While something is at work, and beside the model, nothing moves', async () => {
-  centre.put([0, 0, 0]);
+  store.update(centredAt([0, 0, 0]));
   mayMove = false;
   await placing.move(async () => ({ hit: true, centre: /** @type {Point} */ ([9, 9, 9]) }));
   mayMove = true;
   await placing.move(async () => ({ hit: false }));
-  assert.deepEqual(centre.mm, [0, 0, 0]);
+  assert.deepEqual(store.work.centreMm, [0, 0, 0]);
   assert.equal(moved, 0);
 });
 
 test('A module that is beyond use is for others to replace', async () => {
-  centre.put([0, 0, 0]);
+  store.update(centredAt([0, 0, 0]));
   client.answers.placement = async () => {
     throw crashed();
   };
@@ -139,7 +139,7 @@ test('A module that is beyond use is for others to replace', async () => {
 });
 
 test('From the moment that the code is placed anew the page is not said to be ready', async () => {
-  centre.put([0, 0, 0]);
+  store.update(centredAt([0, 0, 0]));
   await placing.place();
   assert.equal(messages.said.at(-1), 'Ready.');
   const configured = new Pending();

@@ -7,7 +7,7 @@ import { text } from '../i18n/catalogue.js';
 import { controlName, shownValue } from '../ui/verdict_lines.js';
 import { looksLikeList } from './batching.js';
 import { fetchJson } from './fetch_file.js';
-import { settingsByHandles } from './work.js';
+import { chosenCentre, settingsByHandles } from './work.js';
 
 const kAsked = ['sample', 'text', 'engrave']; // address parameters
 
@@ -27,7 +27,6 @@ const kAsked = ['sample', 'text', 'engrave']; // address parameters
  * @property {import('./jobs.js').Jobs} jobs
  * @property {import('../ui/messages.js').Messages} messages
  * @property {import('./model_session.js').ModelSession} model
- * @property {import('./centre.js').Centre} centre
  * @property {import('./placing.js').Placing} placing
  * @property {import('../ui/spots_panel.js').SpotsPanel} spotsPanel
  * @property {import('./spot_finding.js').SpotFinding} spots
@@ -52,18 +51,12 @@ export class Session {
 
   /** @returns {import('../storage/last_work.js').Work | undefined} */
   currentWork() {
-    const { source } = this.parts_.model;
+    const { source, text: content, values } = this.parts_.store.work;
     if (!source) return undefined;
     const { bytes, sampleId, fileName, scaleToMm, upAxis } = source;
-    const place = { fileName, scaleToMm, upAxis, centreMm: this.parts_.centre.chosenMm };
+    const place = { fileName, scaleToMm, upAxis, centreMm: chosenCentre(this.parts_.store.work) };
     const { input: batch } = this.parts_.batching;
-    return {
-      ...(sampleId ? { sampleId } : { bytes }),
-      ...place,
-      text: this.parts_.store.work.text,
-      values: this.parts_.store.work.values,
-      ...(batch && { batch }),
-    };
+    return { ...(sampleId ? { sampleId } : { bytes }), ...place, text: content, values, ...(batch && { batch }) };
   }
 
   /** @param {import('../storage/last_work.js').Work} work */
@@ -76,14 +69,7 @@ export class Session {
 
   /** @returns {import('./work.js').Work} */
   work() {
-    const { mm: centreMm, isGuess: centreIsGuess } = this.parts_.centre;
-    return {
-      ...this.parts_.store.work,
-      source: this.parts_.model.source,
-      centreMm,
-      centreIsGuess,
-      batch: this.parts_.batching.input,
-    };
+    return { ...this.parts_.store.work, batch: this.parts_.batching.input };
   }
 
   /**

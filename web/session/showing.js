@@ -6,10 +6,11 @@ import { showCarving } from '../ui/carve_panel.js';
  * @typedef {object} Panels
  * @property {Pick<import('../ui/settings_form.js').SettingsForm, 'show'>} form
  * @property {Pick<import('../ui/code_panel.js').CodePanel, 'show'>} code
+ * @property {Pick<import('../ui/place_panel.js').PlacePanel, 'showCentre'>} place
  */
 
 /** @param {import('./work_store.js').WorkStore} store @param {Panels} panels */
-export function showWork(store, { form, code }) {
+export function showWork(store, { form, code, place }) {
   showCarving(store.work.values);
   store.onChange((work, before) => {
     if (work.text !== before.text) code.show(work.text);
@@ -17,5 +18,6 @@ export function showWork(store, { form, code }) {
       form.show(work.values);
       showCarving(work.values);
     }
+    if (work.centreMm && work.centreMm !== before.centreMm) place.showCentre(work.centreMm);
   });
 }

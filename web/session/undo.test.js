@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import assert from 'node:assert/strict';
 import { after, beforeEach, test } from 'node:test';
-import { Centre } from './centre.js';
-import { FakeMessages, Pending, fake, settled } from './testing.js';
+import { FakeMessages, Pending, fake, settled, storeOf } from './testing.js';
 import { Undo } from './undo.js';
+import { centredAt, chosenCentre } from './work.js';
 
 class FakeElement extends EventTarget {
   disabled = false;
@@ -20,7 +20,7 @@ const {
 /** @type {any} */ let placing;
 /** @type {any} */ let carving;
 /** @type {FakeMessages} */ let messages;
-/** @type {Centre} */ let centre;
+/** @type {import('./work_store.js').WorkStore} */ let store;
 /** @type {{ text: string, values: Record<string, string> }} */ let controls;
 let busy = false;
 /** @type {Undo} */ let undo;
@@ -35,16 +35,16 @@ beforeEach(() => {
   });
   busy = false;
   controls = { text: 'a', values: { preset: 'balanced' } };
-  centre = new Centre(() => {});
-  centre.put([1, 0, 0]);
+  store = storeOf({ source: /** @type {any} */ ({ bytes: new Uint8Array([1]), scaleToMm: 1, upAxis: 'z' }) });
+  store.update(centredAt([1, 0, 0]));
   model = fake({
     load: async (/** @type {any} */ source, /** @type {any} */ centreMm) => {
-      model.answers.source = source;
-      centre.put(centreMm);
+      store.update({ source, ...centredAt(centreMm) });
     },
   });
-  model.answers.source = { bytes: new Uint8Array([1]), scaleToMm: 1, upAxis: 'z' };
-  placing = fake({ put: async (/** @type {any} */ mm, /** @type {boolean} */ isGuess) => centre.put(mm, isGuess) });
+  placing = fake({
+    put: async (/** @type {any} */ mm, /** @type {boolean} */ isGuess) => store.update(centredAt(mm, isGuess)),
+  });
   carving = fake({
     restore: async (/** @type {any} */ carved) => {
       carving.answers.carved = carved;
@@ -65,13 +65,7 @@ beforeEach(() => {
         return busy;
       },
     }),
-    work: () =>
-      /** @type {any} */ ({
-        source: model.answers.source,
-        ...controls,
-        centreMm: centre.mm,
-        centreIsGuess: centre.isGuess,
-      }),
+    work: () => /** @type {any} */ ({ ...store.work, ...controls }),
     write: ({ text, values }) => void (controls = /** @type {any} */ ({ text, values })),
     guard: (action) => action().then(() => {}),
     onRestored: () => {},
@@ -100,23 +94,23 @@ test('A text is undone and redone, and the code placed anew', async () => {
 });
 
 test('A centre goes back to where it was, and stays the module’s if it was', async () => {
-  centre.put([2, 0, 0]);
+  store.update(centredAt([2, 0, 0]));
   undo.record('centre');
   undo.undo();
   await settled();
-  assert.deepEqual(centre.chosenMm, [1, 0, 0]);
+  assert.deepEqual(chosenCentre(store.work), [1, 0, 0]);
   assert.deepEqual(model.calls, []);
 });
 
 test('Another model is loaded again, with the centre chosen on it', async () => {
-  const before = model.answers.source;
-  model.answers.source = { bytes: new Uint8Array([2]), scaleToMm: 1, upAxis: 'z' };
-  centre.put([9, 9, 9], true);
+  const before = store.work.source;
+  const source = /** @type {any} */ ({ bytes: new Uint8Array([2]), scaleToMm: 1, upAxis: 'z' });
+  store.update({ source, ...centredAt([9, 9, 9], true) });
   undo.record();
   undo.undo();
   await settled();
-  assert.equal(model.answers.source, before);
-  assert.deepEqual(centre.chosenMm, [1, 0, 0]);
+  assert.equal(store.work.source, before);
+  assert.deepEqual(chosenCentre(store.work), [1, 0, 0]);
 });
 
 test('A carving comes back if the module still has it; else that is said', async () => {

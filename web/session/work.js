@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The work: all inputs of the carving.
+// The work: all inputs of the carving. What follows from a work, and the changes that make the next one.
 
 /** @typedef {import('./model_session.js').Source} Source */
 /** @typedef {[number, number, number]} Point */
@@ -25,6 +25,20 @@ export const sameWork = (a, b) =>
   a.batch === b.batch &&
   sameCentre(a.centreMm, b.centreMm) &&
   Object.entries(a.values).every(([id, value]) => b.values[id] === value);
+
+/** Returns the centre chosen by the user, which is stored with the model. @param {Work} work */
+export const chosenCentre = ({ centreMm, centreIsGuess }) => (centreIsGuess ? undefined : centreMm);
+
+/**
+ * Returns the change that centres the code.
+ * @param {Point | undefined} centreMm  undefined: not chosen yet
+ * @param {boolean} [isGuess]  the module proposed it; then it is no error if the code does not fit there
+ * @returns {Pick<Work, 'centreMm' | 'centreIsGuess'>}
+ */
+export const centredAt = (centreMm, isGuess = false) => ({
+  centreMm,
+  centreIsGuess: isGuess && centreMm !== undefined,
+});
 
 /**
  * Returns the settings for the size and rotation set by the code's handles.

@@ -85,14 +85,14 @@ export class SettingFields {
   }
 
   /**
-   * Returns the values after others are restored. A control without a restored value keeps its own.
+   * Returns the values after others are restored. A control without a possible restored value keeps its own.
    * @param {Values} values
    * @param {Values} restored  may come from another version of the page
    * @returns {Values}
    */
   restored(values, restored) {
     const known = this.fields_
-      .filter(({ id }) => restored[id] !== undefined)
+      .filter(({ id, key }) => isPossible(key, restored[id]))
       .map(({ id }) => [id, restored[id] === kNotANumber ? '' : restored[id]]);
     return { ...values, ...Object.fromEntries(known) };
   }
@@ -148,6 +148,16 @@ export const sizeKey = (size) => (size === kFixed ? 'sizeMm' : 'maxSizeMm');
 
 /** @param {SettingKey} key */
 const isChoice = (key) => kSettings[key].kind.startsWith('choice');
+
+/** Tells whether a setting can have a value: a choice may be gone. @param {SettingKey} key @param {Values['']} [value] */
+function isPossible(key, value) {
+  const { kind, choices } = kSettings[key];
+  if (value === undefined) return false;
+  return !choices || choices.includes(String(value)) || (kind === 'choice-or-number' && isNumberChoice(String(value)));
+}
+
+/** @param {string} value */
+const isNumberChoice = (value) => isWhole(value) || value === kFixed;
 
 /** @param {string} key */
 const isSwitch = (key) => kSettings[/** @type {SettingKey} */ (key)].kind === 'switch';

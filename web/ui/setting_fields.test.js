@@ -185,6 +185,7 @@ test('A setting changes with what it brings; its default is the automatic choice
 
 test('Restored values replace those of their controls, and no others', () => {
   const now = { ...kDefaults, preset: 'robust', nozzle: '0.25' };
-  const restored = fields.restored(now, { preset: 'shallow', contrast: '?', gone: 'x' });
-  assert.deepEqual(restored, { ...now, preset: 'shallow', contrast: '' });
+  const restored = fields.restored(now, { preset: 'shallow', contrast: '?', mask: '3', size: 'fixed', gone: 'x' });
+  assert.deepEqual(restored, { ...now, preset: 'shallow', contrast: '', mask: '3', size: 'fixed' });
+  assert.deepEqual(fields.restored(now, { preset: 'gone', mask: 'gone' }), now);
 });
