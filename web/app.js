@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Creates the panels, the view, the session's parts and the engine, and connects them. The work itself is done
 // elsewhere.
-import { kSettings } from './generated/settings.js';
 import { EngineClient } from './engine/client.js';
 import { holdsSecret } from './payloads/secrets.js';
 import { Continuing } from './session/continuing.js';
@@ -107,7 +106,7 @@ export class App {
     this.placePanel_ = new PlacePanel((centreMm) =>
       this.guard_(() => this.placing_.move(() => this.client_.setCentre(centreMm))),
     );
-    showWork(this.store_, { form: this.form_, code: this.code_, place: this.placePanel_ });
+    showWork(this.store_, { form: this.form_, code: this.code_, place: this.placePanel_, batch: this.batchPanel_ });
     this.model_ = this.makeModel_();
     this.preparing_ = new Preparing({
       client: this.client_,
@@ -215,7 +214,7 @@ export class App {
 
   makeBatchPanel_() {
     return new BatchPanel({
-      onChange: () => this.guard_(() => this.session_.changeParts()),
+      onChange: (input) => this.guard_(() => this.session_.changeParts(input)),
       onFile: (file) => this.guard_(() => this.batching_.openList(file)),
     });
   }
@@ -225,8 +224,9 @@ export class App {
     return new Batching({
       client: this.client_,
       panel: this.batchPanel_,
+      store: this.store_,
       messages: this.messages_,
-      settings: (content) => this.fields_.settings(this.store_.work.values, content),
+      fields: this.fields_,
       isLocked: () => this.batchCarving_.isOpen,
       onPlanned: (planned) => {
         this.code_.showParts(
@@ -264,7 +264,6 @@ export class App {
       panel: this.partsPanel_,
       notices,
       messages: this.messages_,
-      currentWork: () => this.session_.currentWork(),
       onContinue: (work) => this.session_.continueWith(work),
       onLock: (locked) => this.batchPanel_.lock(locked),
       guard: (action) => this.guard_(action),
@@ -297,7 +296,7 @@ export class App {
       store: this.store_,
       messages: this.messages_,
       panel: this.placePanel_,
-      settings: () => this.session_.plannedSettings(),
+      settings: () => this.batching_.plannedSettings(),
       mayMove: () => !this.jobs_.busy,
       onMoved: () => this.guard_(() => this.session_.leaveCarved()),
       onPlaced: (placement) => {
@@ -333,7 +332,7 @@ export class App {
       placing: this.placing_,
       messages: this.messages_,
       panel: this.spotsPanel_,
-      settings: () => this.session_.settings(),
+      batching: this.batching_,
       onSizes: () => this.guard_(() => this.carving_.show(false)),
     });
   }
@@ -361,11 +360,9 @@ export class App {
       messages: this.messages_,
       panel,
       printing: new Printing({ client: this.client_ }),
-      work: () => this.session_.work(),
-      settings: () => this.session_.settings(),
-      valuesAfter: (change) => this.fields_.after(this.store_.work.values, change),
-      fixed: () => Object.keys(kSettings).filter((setting) => this.batching_.decides(setting)),
-      write: (values) => this.store_.update({ values }),
+      store: this.store_,
+      fields: this.fields_,
+      batching: this.batching_,
       onStart: () => this.spotsPanel_.setSizesShown(false),
       onDone: () => this.undo_.record(),
       onShown: (exists, shown) => this.session_.noteCarved(exists, shown),
@@ -392,10 +389,8 @@ export class App {
       store: this.store_,
       placing: this.placing_,
       messages: this.messages_,
-      settings: () => this.session_.settings(),
-      settingsToSave: () => this.fields_.settings(this.store_.work.values, this.store_.work.text),
-      settingKeys: () => this.fields_.keys,
-      onSettings: (settings) => this.store_.update({ text: settings.text, values: this.fields_.valuesFor(settings) }),
+      fields: this.fields_,
+      batching: this.batching_,
       onChanged: () => this.session_.changeSettings(),
       untilIdle: () => this.session_.becomeIdle(),
     });
@@ -406,7 +401,7 @@ export class App {
     return new Continuing({
       last: new LastWork(new Database(), holdsSecret),
       notices,
-      current: () => this.session_.currentWork(),
+      store: this.store_,
       onContinue: (work) => this.guard_(() => this.session_.continueWith(work)),
     });
   }
@@ -420,7 +415,7 @@ export class App {
       spots: this.spots_,
       carving: this.carving_,
       messages: this.messages_,
-      work: () => this.session_.work(),
+      store: this.store_,
       write: (state) => this.session_.write(state),
       guard: (action) => this.guard_(action),
       onRestored: () => this.kept_.note(),

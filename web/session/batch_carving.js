@@ -9,6 +9,7 @@ import { EngineFailure, describeThrown, internal } from '../engine/engine_error.
 import { message } from '../engine/message.js';
 import { fileNameOf } from '../export/file_names.js';
 import { text } from '../i18n/catalogue.js';
+import { storedWork } from './work.js';
 
 /** @typedef {import('../batch/batch_store.js').BatchRecord} BatchRecord */
 /** @typedef {import('../batch/row_engine.js').BatchJob} BatchJob */
@@ -39,7 +40,6 @@ const kRoomLeft = 0.95; // usable share of the browser's free storage
  * @property {import('../ui/parts_panel.js').PartsPanel} panel
  * @property {import('../ui/notices.js').Notices} notices
  * @property {import('../ui/messages.js').Messages} messages
- * @property {() => Work | undefined} currentWork
  * @property {(work: Work) => Promise<void>} onContinue  restores the work
  * @property {(locked: boolean) => void} onLock          true: the list must not change
  * @property {(action: () => Promise<unknown>) => Promise<void>} guard
@@ -72,18 +72,10 @@ export class BatchCarving {
 
   /** Carves all parts like the first. @param {number} printEvery  simulate the print of every n-th part */
   async begin(printEvery) {
-    const {
-      batching,
-      placing,
-      works: {
-        work: { source, centreMm },
-      },
-      client,
-      store,
-      currentWork,
-    } = this.options_;
+    const { batching, placing, works, client, store } = this.options_;
     const { planned } = batching;
-    const work = currentWork();
+    const { source, centreMm } = works.work;
+    const work = storedWork(works.work);
     if (this.isOpen || !planned?.plan || !planned.first || !source || !work || !centreMm) return;
     this.isStarting_ = true;
     /** @type {(() => void) | undefined} */ let release;

@@ -3,6 +3,7 @@
 import { isReplaced } from '../engine/client.js';
 import { describeThrown, isFatal } from '../engine/engine_error.js';
 import { text } from '../i18n/catalogue.js';
+import { kSettings } from '../generated/settings.js';
 import { isEmptyInput } from '../ui/batch_panel.js';
 
 /** @typedef {import('../engine/types.js').Settings} Settings */
@@ -19,20 +20,22 @@ const kMostListBytes = 64 * 1024 * 1024;
 /**
  * @typedef {object} BatchingOptions
  * @property {Pick<import('../engine/client.js').EngineClient, 'planBatch' | 'batchRow'>} client
- * @property {Pick<import('../ui/batch_panel.js').BatchPanel, 'input' | 'show' | 'takeList'>} panel
+ * @property {Pick<import('../ui/batch_panel.js').BatchPanel, 'show' | 'takeList'>} panel
+ * @property {import('./work_store.js').WorkStore} store
  * @property {Pick<import('../ui/messages.js').Messages, 'showError' | 'clearError'>} messages
- * @property {(content: string) => Settings} settings  from the controls, with this text; throws an EngineFailure
+ * @property {Pick<import('../ui/setting_fields.js').SettingFields, 'settings'>} fields
  * @property {() => boolean} isLocked                  true: a batch of this list is open
  * @property {(planned: Planned | undefined) => void} onPlanned  undefined: one code
  */
 
 export class Batching {
   /** @param {BatchingOptions} options */
-  constructor({ client, panel, messages, settings, isLocked, onPlanned }) {
+  constructor({ client, panel, store, messages, fields, isLocked, onPlanned }) {
     this.client_ = client;
     this.panel_ = panel;
     this.messages_ = messages;
-    this.settings_ = settings;
+    this.store_ = store;
+    this.fields_ = fields;
     this.isLocked_ = isLocked;
     this.onPlanned_ = onPlanned;
     /** @type {Planned | undefined} */ this.planned = undefined;
@@ -41,12 +44,7 @@ export class Batching {
 
   /** The source of the parts; undefined: a single code. */
   get input() {
-    return this.panel_.input;
-  }
-
-  /** Sets the controls without planning. @param {BatchInput | undefined} input */
-  set input(input) {
-    if (!this.isLocked_()) this.panel_.input = input;
+    return this.store_.work.batch;
   }
 
   /** True if problems prevent carving a part. */
@@ -56,17 +54,29 @@ export class Batching {
 
   /**
    * Returns the settings of the first part or, without parts, of the single code.
-   * @param {string} content  of the single code
+   * @param {string} [content]  of the single code
+   * @throws {EngineFailure} if a setting cannot be used
    */
-  settings(content) {
+  settings(content = this.store_.work.text) {
     const first = this.input && this.planned?.first;
     return first ? { ...this.settings_(first.text), ...first.settings } : this.settings_(content);
   }
 
-  /** Tells whether the list overrides a setting of the first part. @param {string} setting */
-  decides(setting) {
+  /** Returns the same settings after checking the current list. */
+  async plannedSettings() {
+    await this.ready();
+    return this.settings();
+  }
+
+  /** @param {string} content */
+  settings_(content) {
+    return this.fields_.settings(this.store_.work.values, content);
+  }
+
+  /** Keys of the settings that the list decides for the first part, not a control. */
+  get decided() {
     const first = this.input && this.planned?.first;
-    return first !== undefined && setting in first.settings;
+    return first ? Object.keys(first.settings).filter((key) => key in kSettings) : [];
   }
 
   /** Forgets the plan: a new module does not know the list. */

@@ -4,7 +4,7 @@ import { beforeEach, test } from 'node:test';
 import { EngineFailure } from '../engine/engine_error.js';
 import { message } from '../engine/message.js';
 import { Batching, looksLikeList, plannedWords } from './batching.js';
-import { FakeMessages, replaced } from './testing.js';
+import { FakeMessages, replaced, storeOf } from './testing.js';
 
 const kInput = /** @type {any} */ ({
   from: 'list',
@@ -18,24 +18,23 @@ const kInput = /** @type {any} */ ({
 const kPlan = { rows: 12, problems: [], mayBeMore: false, unused: [], version: 2, modules: 25 };
 
 /** @type {any} */ let panel;
+/** @type {import('./work_store.js').WorkStore} */ let store;
 /** @type {any} */ let answer;
 /** @type {any[]} */ let wanted;
 /** @type {any[]} */ let planned;
 /** @type {FakeMessages} */ let messages;
-let preset = 'balanced',
-  locked = false;
+let locked = false;
 /** @type {Batching} */ let batching;
 
 beforeEach(() => {
   panel = {
-    input: kInput,
     show: () => {},
     takeList: (/** @type {any} */ list, /** @type {string} */ listName) => void (panel.taken = [list.length, listName]),
   };
   answer = kPlan;
   wanted = [];
   planned = [];
-  preset = 'balanced';
+  store = storeOf({ text: 'mine', values: { preset: 'balanced' }, batch: kInput });
   locked = false;
   messages = new FakeMessages();
   batching = new Batching({
@@ -53,26 +52,27 @@ beforeEach(() => {
       }),
     }),
     panel,
+    store,
     messages: /** @type {any} */ (messages),
-    settings: (text) => /** @type {any} */ ({ text, preset, pattern: 'none' }),
+    fields: { settings: ({ preset }, text) => /** @type {any} */ ({ text, preset, pattern: 'none' }) },
     isLocked: () => locked,
     onPlanned: (now) => void planned.push(now),
   });
 });
 
 test('Without a list there is one code', async () => {
-  panel.input = undefined;
+  store.update({ batch: undefined });
   await batching.ready();
   assert.deepEqual([wanted, planned, batching.incomplete], [[], [], false]);
-  assert.deepEqual(batching.settings('mine'), { text: 'mine', preset: 'balanced', pattern: 'none' });
+  assert.deepEqual(batching.settings(), { text: 'mine', preset: 'balanced', pattern: 'none' });
 });
 
 test('The first part of a list is worked on as one code is, with what the list says of it', async () => {
   assert.equal(batching.incomplete, true);
   await batching.ready();
   assert.equal(batching.incomplete, false);
-  assert.deepEqual(batching.settings('mine'), { text: 'first', preset: 'balanced', pattern: 'square', version: 2 });
-  assert.deepEqual([batching.decides('pattern'), batching.decides('preset')], [true, false]);
+  assert.deepEqual(batching.settings(), { text: 'first', preset: 'balanced', pattern: 'square', version: 2 });
+  assert.deepEqual(batching.decided, ['text', 'version', 'pattern']);
   assert.equal(plannedWords(planned[0]), '12 parts, version 2, 25 × 25 modules');
 });
 
@@ -80,9 +80,9 @@ test('A list is planned again when it or the settings are others, and only then'
   await batching.ready();
   await batching.ready();
   assert.equal(wanted.length, 1);
-  preset = 'robust';
+  store.update({ values: { preset: 'robust' } });
   await batching.ready();
-  panel.input = { ...kInput, from: 'count', text: '{n}' };
+  store.update({ batch: { ...kInput, from: 'count', text: '{n}' } });
   await batching.ready();
   assert.deepEqual(
     wanted.map(({ settings, text, count }) => [settings.preset, text, count]),
@@ -98,7 +98,7 @@ test('A list is planned again when it or the settings are others, and only then'
 });
 
 test('On plates, it is said how many', async () => {
-  panel.input = { ...kInput, perPlate: 5 };
+  store.update({ batch: { ...kInput, perPlate: 5 } });
   await batching.ready();
   assert.equal(plannedWords(planned[0]), '12 parts on 3 plates, version 2, 25 × 25 modules');
   assert.equal(wanted[0].perPlate, 5);
@@ -109,7 +109,7 @@ test('A list with problems has no first part', async () => {
   await batching.ready();
   assert.equal(batching.incomplete, true);
   assert.equal(plannedWords(planned[0]), 'The list has 2 problems or more');
-  assert.equal(batching.settings('mine').text, 'mine');
+  assert.equal(batching.settings().text, 'mine');
 });
 
 test('A list that cannot be read is a problem; a module that is lost is not', async () => {
@@ -126,22 +126,17 @@ test('A list that cannot be read is a problem; a module that is lost is not', as
 });
 
 test('Nothing is asked of a module without a list', async () => {
-  panel.input = { ...kInput, list: new Uint8Array() };
+  store.update({ batch: { ...kInput, list: new Uint8Array() } });
   await batching.ready();
   assert.deepEqual([wanted.length, batching.incomplete], [0, true]);
   assert.equal(plannedWords(planned[0]), 'Open, drop or paste a list');
 });
 
-test('While its parts are carved a list stays as it is', async () => {
+test('While its parts are carved no other list is opened', async () => {
   locked = true;
-  const other = { ...kInput };
-  batching.input = other;
   await batching.openList(new File(['text\nA\n'], 'b.csv'));
-  assert.equal(panel.input, kInput);
   assert.equal(panel.taken, undefined);
   locked = false;
-  batching.input = other;
-  assert.equal(panel.input, other);
   await batching.openList(new File(['text\nA\n'], 'b.csv'));
   assert.deepEqual(panel.taken, [7, 'b.csv']);
 });

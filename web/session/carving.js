@@ -24,12 +24,9 @@ import { sameWork } from './work.js';
  * @property {import('../ui/messages.js').Messages} messages
  * @property {import('../ui/result_panel.js').ResultPanel} panel
  * @property {import('./printing.js').Printing} printing
- * @property {() => Work} work
- * @property {() => import('../engine/types.js').Settings} settings  of the work
- * @property {(change: { setting: string, value: string }) => Work['values']} valuesAfter
- *   values of the controls after a change
- * @property {() => string[]} [fixed]  keys of settings that the list decides, not a control
- * @property {(values: Work['values']) => void} write  into the controls
+ * @property {import('./work_store.js').WorkStore} store
+ * @property {Pick<import('../ui/setting_fields.js').SettingFields, 'after'>} fields
+ * @property {Pick<import('./batching.js').Batching, 'settings' | 'decided'>} batching
  * @property {() => void} onStart
  * @property {() => void} onDone
  * @property {(exists: boolean, shown: boolean) => void} onShown  a carved model exists; it is shown
@@ -47,11 +44,9 @@ export class Carving {
     messages,
     panel,
     printing,
-    work,
-    settings,
-    valuesAfter,
-    fixed = () => [],
-    write,
+    store,
+    fields,
+    batching,
     onStart,
     onDone,
     onShown,
@@ -65,11 +60,9 @@ export class Carving {
     this.messages_ = messages;
     this.panel_ = panel;
     this.printing_ = printing;
-    this.work_ = work;
-    this.settings_ = settings;
-    this.valuesAfter_ = valuesAfter;
-    this.fixed_ = fixed;
-    this.write_ = write;
+    this.store_ = store;
+    this.fields_ = fields;
+    this.batching_ = batching;
     this.onStart_ = onStart;
     this.onDone_ = onDone;
     this.onShown_ = onShown;
@@ -157,7 +150,7 @@ export class Carving {
     this.carved = carved;
     this.panel_.show(carved);
     this.compare();
-    await this.show(sameWork(carved.made, this.work_()));
+    await this.show(sameWork(carved.made, this.store_.work));
     if (carved.printed?.state !== 'made') this.print(true);
     return true;
   }
@@ -168,12 +161,12 @@ export class Carving {
 
   /** True if model and settings have not changed since the carving. */
   get isCurrent() {
-    return this.carved !== undefined && sameWork(this.carved.made, this.work_());
+    return this.carved !== undefined && sameWork(this.carved.made, this.store_.work);
   }
 
   /** Marks the result as outdated if model or settings have changed since. */
   compare() {
-    if (this.carved) this.panel_.setOutdated(!sameWork(this.carved.made, this.work_()));
+    if (this.carved) this.panel_.setOutdated(!sameWork(this.carved.made, this.store_.work));
   }
 
   /** @param {boolean} shown */
@@ -195,13 +188,13 @@ export class Carving {
     const { carved: before } = this;
     await this.drop();
     this.onStart_();
-    const asked = this.work_();
+    const asked = this.store_.work;
     let made = asked;
     /** @type {Attempt | undefined} */ let first;
     prepareReader();
     this.printing_.expect();
     for (;;) {
-      const plan = first ? { next: true } : { fixed: this.fixed_() };
+      const plan = first ? { next: true } : { fixed: this.batching_.decided };
       const reading = await this.carveOnce_(signal, plan, overrides !== undefined);
       if (!reading) {
         this.printing_.stop();
@@ -211,7 +204,7 @@ export class Carving {
         return;
       }
       const step = await this.client_.nextStep();
-      const isEdited = !sameWork(made, this.work_());
+      const isEdited = !sameWork(made, this.store_.work);
       if (step.step !== 'carve' || isEdited) {
         const isKept = !isEdited && step.carving === first?.number && (await this.keep_(first, started));
         if (!isKept) await this.finish_(performance.now() - started, made, reading.passed && !isEdited);
@@ -219,10 +212,26 @@ export class Carving {
         return;
       }
       first ??= { made, number: step.carving };
-      this.write_(this.valuesAfter_(step.change));
-      made = this.work_();
-      await this.client_.configure(this.settings_());
+      made = await this.change_(step.change);
     }
+  }
+
+  /**
+   * Changes a setting as the module's plan asks for.
+   * @param {{ setting: string, value: string }} change
+   * @returns {Promise<Work>}  the work with it
+   */
+  async change_(change) {
+    this.store_.update(({ values }) => ({ values: this.fields_.after(values, change) }));
+    const { work } = this.store_;
+    await this.client_.configure(this.batching_.settings());
+    return work;
+  }
+
+  /** Returns to the settings of an earlier carving. @param {Work} made */
+  async return_({ values }) {
+    this.store_.update({ values });
+    await this.client_.configure(this.batching_.settings());
   }
 
   /** @param {Work} made @param {Work} asked @param {string} [overrides] */
@@ -242,8 +251,7 @@ export class Carving {
     const elapsedMs = performance.now() - started;
     this.printing_.stop(); // the deeper carving is dropped
     if (!(await this.client_.useCarving(number))) return false;
-    this.write_(made.values);
-    await this.client_.configure(this.settings_());
+    await this.return_(made);
     await this.finish_(elapsedMs, made);
     return true;
   }
@@ -343,9 +351,7 @@ export class Carving {
           step = isDone ? await this.client_.nextStep() : step
         ) {
           if (step.step === 'carve') {
-            this.write_(this.valuesAfter_(step.change));
-            made = this.work_();
-            await this.client_.configure(this.settings_());
+            made = await this.change_(step.change);
             this.printing_.expect();
             isDone = (await this.carveDeeper_(signal, first)) !== undefined;
           } else {
@@ -363,8 +369,7 @@ export class Carving {
           return;
         }
         this.printing_.stop();
-        this.write_(first.made.values);
-        await this.client_.configure(this.settings_());
+        await this.return_(first.made);
         this.restoring_ = this.restore(first).catch(() => false);
         this.messages_.say(() => text(signal.aborted ? 'page.cancelledDeeper' : 'page.engraved'));
       },
@@ -380,7 +385,7 @@ export class Carving {
     try {
       return await this.carveOnce_(signal, { next: true });
     } catch (thrown) {
-      this.write_(first.made.values);
+      this.store_.update({ values: first.made.values });
       throw thrown;
     }
   }

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { after, before, beforeEach, test } from 'node:test';
 import { Carving } from './carving.js';
 import { Jobs } from './jobs.js';
-import { FakeMessages, Pending, fake, noRoom, settled } from './testing.js';
+import { FakeMessages, Pending, fake, noRoom, settled, storeOf } from './testing.js';
 
 const kText = 'HELLO';
 
@@ -22,7 +22,10 @@ class FakeReader {
 /** @type {any} */ let placing;
 /** @type {any} */ let panel;
 /** @type {FakeMessages} */ let messages;
-/** @type {Record<string, string>} */ let values;
+/** @type {import('./work_store.js').WorkStore} */ let store;
+const values = () => store.work.values;
+/** @param {Record<string, string>} now */
+const setValues = (now) => store.update({ values: now });
 /** @type {[boolean, boolean][]} */ let shown;
 /** @type {Jobs} */ let jobs;
 /** @type {any} */ let printing;
@@ -37,7 +40,7 @@ before(() => Object.assign(globalThis, { Worker: FakeReader }));
 after(() => Object.assign(globalThis, { Worker: realWorker }));
 beforeEach(() => {
   FakeReader.found = kText;
-  values = { preset: 'robust' };
+  store = storeOf({ text: kText, values: { preset: 'robust' } });
   shown = [];
   number = 0;
   steps = [];
@@ -68,10 +71,9 @@ beforeEach(() => {
     panel,
     messages: /** @type {any} */ (messages),
     model: /** @type {any} */ ({ engravable: true }),
-    work: () => /** @type {any} */ ({ text: kText, values, centreMm: undefined }),
-    settings: () => /** @type {any} */ ({}),
-    valuesAfter: ({ setting, value }) => ({ ...values, [setting]: value }),
-    write: (now) => void (values = /** @type {any} */ (now)),
+    store,
+    fields: { after: (now, { setting, value }) => ({ ...now, [setting]: value }) },
+    batching: { settings: () => /** @type {any} */ ({}), decided: [] },
     onStart: () => {},
     onDone: () => {},
     onShown: (exists, seen) => void shown.push([exists, seen]),
@@ -129,7 +131,7 @@ test('A carving that fails leaves nothing, and the next one can begin', async ()
 
 test('After the settings changed, what was carved is said to be older', async () => {
   await carving.engrave();
-  values = { preset: 'shallow' };
+  setValues({ preset: 'shallow' });
   carving.compare();
   assert.equal(panel.calls.at(-1), 'setOutdated true');
 });
@@ -150,55 +152,55 @@ const deliver = (attempt) => ({ step: 'deliver', carving: attempt });
 const carve = (setting, value) => ({ step: 'carve', carving: 1, change: { setting, value } });
 
 test('What does not read is carved with the next deeper preset', async () => {
-  values = { preset: 'balanced' };
+  setValues({ preset: 'balanced' });
   steps = [carve('preset', 'robust'), print(2)];
   await carving.engrave();
-  assert.equal(values.preset, 'robust');
+  assert.equal(values().preset, 'robust');
   assert.equal(made()?.number, 2);
 });
 
 test('What does not read as carved for the print is carved for the design alone, and that is said', async () => {
-  values = { preset: 'balanced', carveFor: 'print' };
+  setValues({ preset: 'balanced', carveFor: 'print' });
   steps = [carve('carveFor', 'design'), print(2)];
   await carving.engrave();
-  assert.deepEqual(values, { preset: 'balanced', carveFor: 'design' });
+  assert.deepEqual(values(), { preset: 'balanced', carveFor: 'design' });
   assert.equal(made()?.number, 2);
   assert.match(messages.said.at(-1) ?? '', /^Engraved for the design only/);
 });
 
 test('What reads with no preset stays as it was asked for', async () => {
-  values = { preset: 'balanced' };
+  setValues({ preset: 'balanced' });
   FakeReader.found = '';
   steps = [carve('preset', 'robust'), print(1)];
   await carving.engrave();
-  assert.equal(values.preset, 'balanced');
+  assert.equal(values().preset, 'balanced');
   assert.equal(client.calls.filter((/** @type {string} */ call) => call.startsWith('engrave')).length, 2);
   assert.ok(client.calls.some((/** @type {string} */ call) => call.startsWith('useCarving 1')));
 });
 
 test('Cancelled while it is carved deeper, what was asked for stays, as it was carved and read', async () => {
-  values = { preset: 'shallow' };
+  setValues({ preset: 'shallow' });
   FakeReader.found = '';
   const deeper = new Pending();
   steps = [carve('preset', 'balanced')];
   const { engrave } = client.answers;
   client.answers.engrave = (/** @type {{ signal: AbortSignal }} */ { signal }) => {
-    if (values.preset === 'shallow') return engrave();
+    if (values().preset === 'shallow') return engrave();
     signal.addEventListener('abort', () => deeper.resolve(false));
     return deeper.promise;
   };
   const run = carving.engrave();
-  while (values.preset === 'shallow') await settled();
+  while (values().preset === 'shallow') await settled();
   jobs.cancel();
   await run;
   await settled();
-  assert.equal(values.preset, 'shallow');
+  assert.equal(values().preset, 'shallow');
   assert.equal(messages.said.at(-1), 'Cancelled. The model is unchanged.');
   assert.equal(client.calls.filter((/** @type {string} */ call) => call === 'useCarving 1').length, 1);
   assert.equal(made()?.made.values.preset, 'shallow');
   assert.deepEqual(shown.at(-1), [true, true]);
   client.answers.engrave = engrave;
-  values = { preset: 'balanced' };
+  setValues({ preset: 'balanced' });
   await carving.engrave();
   assert.equal(made()?.made.values.preset, 'balanced');
 });
@@ -227,12 +229,12 @@ const printsAre = (...results) => {
 const kDeeper = [print(1), carve('preset', 'robust')];
 
 test('What barely reads as printed is carved with the next deeper preset, whose print reads', async () => {
-  values = { preset: 'balanced' };
+  setValues({ preset: 'balanced' });
   printsAre({ passed: false }, { passed: true });
   steps = [...kDeeper, print(2), deliver(2)];
   await carving.engrave();
   await settled();
-  assert.equal(values.preset, 'robust');
+  assert.equal(values().preset, 'robust');
   assert.deepEqual([made()?.number, made()?.made.values.preset, made()?.printed?.state], [2, 'robust', 'made']);
   assert.deepEqual(made()?.report, { text: kText, number: 2 });
   assert.deepEqual(shown.at(-1), [true, true]);
@@ -241,19 +243,19 @@ test('What barely reads as printed is carved with the next deeper preset, whose 
 
 test('Where no deeper preset mends the print, the code stays as it was asked for', async () => {
   for (const second of [{ passed: false }, undefined]) {
-    values = { preset: 'balanced' };
+    setValues({ preset: 'balanced' });
     number = 0;
     printsAre({ passed: false }, second);
     steps = [...kDeeper, ...(second ? [print(2)] : []), deliver(1)];
     const { engrave } = client.answers;
     if (!second)
       client.answers.engrave = () => {
-        if (values.preset === 'robust') throw noRoom();
+        if (values().preset === 'robust') throw noRoom();
         return engrave();
       };
     await carving.engrave();
     await settled();
-    assert.equal(values.preset, 'balanced');
+    assert.equal(values().preset, 'balanced');
     assert.equal(made()?.made.values.preset, 'balanced');
     assert.equal(made()?.printed?.state, 'made');
     assert.deepEqual(shown.at(-1), [true, true]);
@@ -261,33 +263,33 @@ test('Where no deeper preset mends the print, the code stays as it was asked for
 });
 
 test('Cancelled while it is carved deeper for its print, the first result comes back', async () => {
-  values = { preset: 'balanced' };
+  setValues({ preset: 'balanced' });
   printsAre({ passed: false });
   steps = [...kDeeper];
   const { engrave } = client.answers;
   const deeper = new Pending();
   client.answers.engrave = (/** @type {{ signal: AbortSignal }} */ { signal }) => {
-    if (values.preset === 'balanced') return engrave();
+    if (values().preset === 'balanced') return engrave();
     signal.addEventListener('abort', () => deeper.resolve(false));
     return deeper.promise;
   };
   await carving.engrave();
-  while (values.preset === 'balanced') await settled();
+  while (values().preset === 'balanced') await settled();
   await settled();
   jobs.cancel();
   await jobs.untilIdle();
   await settled();
-  assert.deepEqual([values.preset, made()?.made.values.preset, made()?.number], ['balanced', 'balanced', 1]);
+  assert.deepEqual([values().preset, made()?.made.values.preset, made()?.number], ['balanced', 'balanced', 1]);
   assert.equal(messages.said.at(-1), 'Cancelled. The code keeps the depth you chose.');
   assert.deepEqual(shown.at(-1), [true, true]);
 });
 
 test('What the user has changed since is not carved again for its print', async () => {
-  values = { preset: 'balanced' };
+  setValues({ preset: 'balanced' });
   /** @type {any} */ let tell;
   printing.answers.begin = async (/** @type {number} */ _, /** @type {any} */ told) => void (tell = told);
   await carving.engrave();
-  values = { preset: 'shallow' };
+  setValues({ preset: 'shallow' });
   tell({ state: 'made', print: {} }, { passed: false, report: { text: kText } });
   await settled();
   assert.equal(client.calls.filter((/** @type {string} */ call) => call.startsWith('engrave')).length, 1);
@@ -299,7 +301,7 @@ test('The print of what is given up is given up', async () => {
     return client.calls.filter((/** @type {string} */ call) => call === 'engrave').length === 1;
   };
   FakeReader.found = 'something else';
-  values = { preset: 'balanced' };
+  setValues({ preset: 'balanced' });
   steps = [carve('preset', 'robust')];
   await carving.engrave();
   const calls = printing.calls.filter((/** @type {string} */ call) => ['beginEarly', 'stop'].includes(call));

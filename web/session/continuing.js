@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Offers the last visit's work and stores the current work.
 import { text } from '../i18n/catalogue.js';
+import { storedWork } from './work.js';
 
 /** @typedef {import('../storage/last_work.js').Work} Work */
 
@@ -11,13 +12,13 @@ export class Continuing {
    * @param {object} options
    * @param {import('../storage/last_work.js').LastWork} options.last
    * @param {import('../ui/notices.js').Notices} options.notices
-   * @param {() => Work | undefined} options.current          undefined while there is no model
+   * @param {import('./work_store.js').WorkStore} options.store
    * @param {(work: Work) => Promise<void>} options.onContinue
    */
-  constructor({ last, notices, current, onContinue }) {
+  constructor({ last, notices, store, onContinue }) {
     this.last_ = last;
     this.notices_ = notices;
-    this.current_ = current;
+    this.store_ = store;
     this.onContinue_ = onContinue;
     this.watching_ = false;
     document.addEventListener('visibilitychange', () => {
@@ -30,7 +31,7 @@ export class Continuing {
    * @param {boolean} offer  offer the last visit's work
    */
   async begin(offer) {
-    this.last_.openedWith(this.current_()); // before the first await: the work may change meanwhile
+    this.last_.openedWith(storedWork(this.store_.work)); // before the first await: the work may change meanwhile
     this.watching_ = true;
     const work = offer ? await this.last_.recall() : undefined;
     if (!work) return;
@@ -42,7 +43,7 @@ export class Continuing {
 
   /** Stores the work if it has changed. */
   note() {
-    const work = this.current_();
+    const work = storedWork(this.store_.work);
     if (this.watching_ && work) this.last_.note(work);
   }
 }

@@ -18,45 +18,29 @@ import { symbolPng, symbolSvg } from '../export/symbol_file.js';
  * @property {import('./work_store.js').WorkStore} store
  * @property {import('./placing.js').Placing} placing
  * @property {import('../ui/messages.js').Messages} messages
- * @property {() => import('../engine/types.js').Settings} settings  of the displayed code
- * @property {() => import('../engine/types.js').Settings} settingsToSave
- * @property {() => import('../ui/setting_fields.js').SettingKey[]} settingKeys  settings that have a control
- * @property {(settings: import('../engine/types.js').Settings) => void} onSettings  shows them in the controls
+ * @property {import('../ui/setting_fields.js').SettingFields} fields
+ * @property {Pick<import('./batching.js').Batching, 'settings'>} batching
  * @property {() => Promise<void>} onChanged   applies the changed settings
  * @property {() => Promise<void>} untilIdle   stops running work
  */
 
 export class Exporting {
   /** @param {ExportingOptions} options */
-  constructor({
-    client,
-    model,
-    store,
-    placing,
-    messages,
-    settings,
-    settingsToSave,
-    settingKeys,
-    onSettings,
-    onChanged,
-    untilIdle,
-  }) {
+  constructor({ client, model, store, placing, messages, fields, batching, onChanged, untilIdle }) {
     this.client_ = client;
     this.model_ = model;
     this.store_ = store;
     this.placing_ = placing;
     this.messages_ = messages;
-    this.settings_ = settings;
-    this.settingsToSave_ = settingsToSave;
-    this.settingKeys_ = settingKeys;
-    this.onSettings_ = onSettings;
+    this.fields_ = fields;
+    this.batching_ = batching;
     this.onChanged_ = onChanged;
     this.untilIdle_ = untilIdle;
   }
 
   /** @param {'svg' | 'png'} format */
   async saveSymbol(format) {
-    const settings = this.settings_();
+    const settings = this.batching_.settings();
     const { rows } = await this.client_.symbol(settings);
     const blob =
       format === 'png'
@@ -73,8 +57,19 @@ export class Exporting {
   }
 
   saveSettings() {
-    const file = writeSettingsFile({ settings: this.settingsToSave_(), model: this.modelChoice_() });
+    const file = writeSettingsFile({ settings: this.settingsToSave_, model: this.modelChoice_() });
     saveFile(new Blob([file], { type: 'application/json' }), this.nameOf_('settings', 'json'));
+  }
+
+  /** Settings of the work, with the text of the single code. */
+  get settingsToSave_() {
+    const { values, text: content } = this.store_.work;
+    return this.fields_.settings(values, content);
+  }
+
+  /** @param {import('../engine/types.js').Settings} settings */
+  write_(settings) {
+    this.store_.update({ text: settings.text, values: this.fields_.valuesFor(settings) });
   }
 
   /**
@@ -85,9 +80,9 @@ export class Exporting {
    */
   useAddress(address) {
     try {
-      const asked = settingsFromAddress(address, this.settingKeys_());
+      const asked = settingsFromAddress(address, this.fields_.keys);
       const asksForSettings = Object.keys(asked).length > 0;
-      if (asksForSettings) this.onSettings_({ ...this.settingsToSave_(), ...asked });
+      if (asksForSettings) this.write_({ ...this.settingsToSave_, ...asked });
       return { asksForSettings };
     } catch (refusal) {
       return { asksForSettings: true, refusal };
@@ -99,10 +94,10 @@ export class Exporting {
    * @param {File} file
    */
   async useSettings(file) {
-    const { settings, model } = readSettingsFile(await file.text(), file.name, this.settingKeys_());
+    const { settings, model } = readSettingsFile(await file.text(), file.name, this.fields_.keys);
     await this.untilIdle_();
     this.messages_.clearError();
-    this.onSettings_(settings);
+    this.write_(settings);
     const onItsModel = !model || (await this.openModelOf_(model));
     const centre = onItsModel ? model?.centreMm : undefined;
     await this.onChanged_();
@@ -152,7 +147,7 @@ export class Exporting {
   nameOf_(addition, extension) {
     return fileNameOf({
       modelFile: this.model_.source?.fileName ?? '',
-      text: this.settings_().text,
+      text: this.batching_.settings().text,
       symbolMm: this.placing_.placement?.symbolMm,
       addition,
       extension,

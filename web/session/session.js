@@ -7,7 +7,7 @@ import { text } from '../i18n/catalogue.js';
 import { controlName, shownValue } from '../ui/verdict_lines.js';
 import { looksLikeList } from './batching.js';
 import { fetchJson } from './fetch_file.js';
-import { chosenCentre, settingsByHandles } from './work.js';
+import { valuesByHandles } from './work.js';
 
 const kAsked = ['sample', 'text', 'engrave']; // address parameters
 
@@ -49,16 +49,6 @@ export class Session {
     this.fileChosen_ = false;
   }
 
-  /** @returns {import('../storage/last_work.js').Work | undefined} */
-  currentWork() {
-    const { source, text: content, values } = this.parts_.store.work;
-    if (!source) return undefined;
-    const { bytes, sampleId, fileName, scaleToMm, upAxis } = source;
-    const place = { fileName, scaleToMm, upAxis, centreMm: chosenCentre(this.parts_.store.work) };
-    const { input: batch } = this.parts_.batching;
-    return { ...(sampleId ? { sampleId } : { bytes }), ...place, text: content, values, ...(batch && { batch }) };
-  }
-
   /** @param {import('../storage/last_work.js').Work} work */
   async continueWith({ text: content, values, sampleId, bytes, batch, ...place }) {
     this.write({ text: content ?? this.parts_.store.work.text, values, batch });
@@ -67,29 +57,16 @@ export class Session {
     else if (bytes) await this.parts_.model.load({ ...file, bytes, credit: '' }, centreMm);
   }
 
-  /** @returns {import('./work.js').Work} */
-  work() {
-    return { ...this.parts_.store.work, batch: this.parts_.batching.input };
-  }
-
   /**
-   * Writes a state without applying it. The parts stay as they are if `batch` is absent.
+   * Takes over a text, values and a list without applying them. The list stays while its parts are carved.
    * @param {Pick<import('./work.js').Work, 'text' | 'values' | 'batch'>} state
    */
-  write({ text: content, values, ...state }) {
-    this.parts_.store.update((work) => ({ text: content, values: this.parts_.fields.restored(work.values, values) }));
-    if ('batch' in state) this.parts_.batching.input = state.batch;
-  }
-
-  /** Returns the settings of the current code: the single code or the first part. */
-  settings() {
-    return this.parts_.batching.settings(this.parts_.store.work.text);
-  }
-
-  /** Returns the same settings after checking the current list. */
-  async plannedSettings() {
-    await this.parts_.batching.ready();
-    return this.settings();
+  write({ text: content, values, batch }) {
+    this.parts_.store.update((work) => ({
+      text: content,
+      values: this.parts_.fields.restored(work.values, values),
+      batch: this.parts_.batchCarving.isOpen ? work.batch : batch,
+    }));
   }
 
   /** @param {URLSearchParams} address */
@@ -210,13 +187,14 @@ export class Session {
 
   /** Applies the size and the rotation set by the code's handles. @param {{ rotateDeg?: number, symbolMm?: number }} change */
   adjust(change) {
-    const changed = settingsByHandles(change, this.parts_.store.work.values);
+    const changed = valuesByHandles(change, this.parts_.store.work.values);
     this.parts_.store.update(({ values }) => ({ values: { ...values, ...changed } }));
     return this.changeSettings(Object.keys(changed)[0]);
   }
 
-  /** Applies another list, or the change back to a single code. */
-  async changeParts() {
+  /** Applies another list, or the change back to a single code. @param {import('./work.js').Work['batch']} batch */
+  async changeParts(batch) {
+    this.parts_.store.update({ batch });
     await this.parts_.batching.ready();
     await this.changeSettings('parts');
   }

@@ -7,10 +7,11 @@ import { showCarving } from '../ui/carve_panel.js';
  * @property {Pick<import('../ui/settings_form.js').SettingsForm, 'show'>} form
  * @property {Pick<import('../ui/code_panel.js').CodePanel, 'show'>} code
  * @property {Pick<import('../ui/place_panel.js').PlacePanel, 'showCentre'>} place
+ * @property {Pick<import('../ui/batch_panel.js').BatchPanel, 'showInput'>} batch
  */
 
 /** @param {import('./work_store.js').WorkStore} store @param {Panels} panels */
-export function showWork(store, { form, code, place }) {
+export function showWork(store, { form, code, place, batch }) {
   showCarving(store.work.values);
   store.onChange((work, before) => {
     if (work.text !== before.text) code.show(work.text);
@@ -18,6 +19,7 @@ export function showWork(store, { form, code, place }) {
       form.show(work.values);
       showCarving(work.values);
     }
+    if (work.batch !== before.batch) batch.showInput(work.batch);
     if (work.centreMm && work.centreMm !== before.centreMm) place.showCentre(work.centreMm);
   });
 }

@@ -14,20 +14,20 @@ const kPictureAspect = 1.5;
  * @property {import('./placing.js').Placing} placing
  * @property {import('../ui/messages.js').Messages} messages
  * @property {import('../ui/spots_panel.js').SpotsPanel} panel
- * @property {() => import('../engine/types.js').Settings} settings
+ * @property {Pick<import('./batching.js').Batching, 'settings'>} batching
  * @property {() => void} onSizes  called when the model shows the sizes
  */
 
 export class SpotFinding {
   /** @param {SpotFindingOptions} options */
-  constructor({ client, jobs, model, placing, messages, panel, settings, onSizes }) {
+  constructor({ client, jobs, model, placing, messages, panel, batching, onSizes }) {
     this.client_ = client;
     this.jobs_ = jobs;
     this.model_ = model;
     this.placing_ = placing;
     this.messages_ = messages;
     this.panel_ = panel;
-    this.settings_ = settings;
+    this.batching_ = batching;
     this.onSizes_ = onSizes;
     this.searching_ = false;
     this.search_ = 0;
@@ -37,7 +37,7 @@ export class SpotFinding {
     if (this.jobs_.busy || !this.model_.engravable) return;
     this.messages_.clearError();
     this.panel_.clear();
-    await this.client_.configure(this.settings_());
+    await this.client_.configure(this.batching_.settings());
     this.searching_ = true;
     try {
       const found = await this.jobs_.run(

@@ -11,8 +11,8 @@ import { sameCentre, sameModel, sameWork } from './work.js';
 
 /**
  * @typedef {object} UndoOptions
- * @property {() => Work} work
- * @property {(values: Pick<Work, 'text' | 'values' | 'batch'>) => void} write  into the controls
+ * @property {import('./work_store.js').WorkStore} store
+ * @property {(work: Pick<Work, 'text' | 'values' | 'batch'>) => void} write  takes over all but the model and the centre
  * @property {import('../engine/client.js').EngineClient} client
  * @property {import('./jobs.js').Jobs} jobs
  * @property {import('./model_session.js').ModelSession} model
@@ -87,8 +87,8 @@ export class Undo {
 
   /** @param {string} [field] */
   record_(field) {
-    const { work, carving } = this.options_;
-    this.history_.record({ ...work(), carved: carving.carved }, field);
+    const { store, carving } = this.options_;
+    this.history_.record({ ...store.work, carved: carving.carved }, field);
     this.allow();
   }
 
@@ -111,8 +111,8 @@ export class Undo {
 
   /** @param {State} state */
   async apply_(state) {
-    const { write, model, placing, spots, carving, messages, work } = this.options_;
-    const before = work();
+    const { write, model, placing, spots, carving, messages, store } = this.options_;
+    const before = store.work;
     messages.clearError();
     write(state);
     if (!sameModel(before.source, state.source) && state.source) {

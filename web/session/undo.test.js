@@ -21,7 +21,6 @@ const {
 /** @type {any} */ let carving;
 /** @type {FakeMessages} */ let messages;
 /** @type {import('./work_store.js').WorkStore} */ let store;
-/** @type {{ text: string, values: Record<string, string> }} */ let controls;
 let busy = false;
 /** @type {Undo} */ let undo;
 
@@ -34,8 +33,11 @@ beforeEach(() => {
     HTMLFormElement: FakeElement,
   });
   busy = false;
-  controls = { text: 'a', values: { preset: 'balanced' } };
-  store = storeOf({ source: /** @type {any} */ ({ bytes: new Uint8Array([1]), scaleToMm: 1, upAxis: 'z' }) });
+  store = storeOf({
+    source: /** @type {any} */ ({ bytes: new Uint8Array([1]), scaleToMm: 1, upAxis: 'z' }),
+    text: 'a',
+    values: { preset: 'balanced' },
+  });
   store.update(centredAt([1, 0, 0]));
   model = fake({
     load: async (/** @type {any} */ source, /** @type {any} */ centreMm) => {
@@ -65,8 +67,8 @@ beforeEach(() => {
         return busy;
       },
     }),
-    work: () => /** @type {any} */ ({ ...store.work, ...controls }),
-    write: ({ text, values }) => void (controls = /** @type {any} */ ({ text, values })),
+    store,
+    write: ({ text, values }) => store.update({ text, values }),
     guard: (action) => action().then(() => {}),
     onRestored: () => {},
   });
@@ -82,15 +84,15 @@ after(() => {
 });
 
 test('A text is undone and redone, and the code placed anew', async () => {
-  controls = { ...controls, text: 'b' };
+  store.update({ text: 'b' });
   undo.record('text');
   undo.undo();
   await settled();
-  assert.equal(controls.text, 'a');
+  assert.equal(store.work.text, 'a');
   assert.deepEqual(placing.calls, ['place']);
   undo.redo();
   await settled();
-  assert.equal(controls.text, 'b');
+  assert.equal(store.work.text, 'b');
 });
 
 test('A centre goes back to where it was, and stays the module’s if it was', async () => {
@@ -130,36 +132,36 @@ test('A carving comes back if the module still has it; else that is said', async
 
 test('What happens together is undone together', async () => {
   await undo.asOne(async () => {
-    controls = { ...controls, text: 'b' };
+    store.update({ text: 'b' });
     undo.record('text');
-    controls = { ...controls, values: { preset: 'robust' } };
+    store.update({ values: { preset: 'robust' } });
     undo.record('preset');
   });
   undo.undo();
   await settled();
-  assert.deepEqual(controls, { text: 'a', values: { preset: 'balanced' } });
+  assert.deepEqual([store.work.text, store.work.values], ['a', { preset: 'balanced' }]);
 });
 
 test('What is replaced while another change goes on can be brought back', async () => {
   const placed = new Pending();
   const loading = undo.asOne(async () => {
-    controls = { ...controls, text: 'b' };
+    store.update({ text: 'b' });
     await placed.promise;
   });
   undo.keep();
   const startingOver = undo.asOne(async () => {
-    controls = { ...controls, text: 'fresh' };
+    store.update({ text: 'fresh' });
     await placed.promise;
   });
   placed.resolve();
   await Promise.all([loading, startingOver]);
   undo.undo();
   await settled();
-  assert.equal(controls.text, 'b');
+  assert.equal(store.work.text, 'b');
 });
 
 test('The buttons wait while something is at work, and while a state comes back', async () => {
-  controls = { ...controls, text: 'b' };
+  store.update({ text: 'b' });
   undo.record();
   assert.equal(elements.undo.disabled, false);
   busy = true;

@@ -41,12 +41,25 @@ export const centredAt = (centreMm, isGuess = false) => ({
 });
 
 /**
- * Returns the settings for the size and rotation set by the code's handles.
+ * Returns the work as it is stored for the next visit.
+ * @param {Work} work
+ * @returns {import('../storage/last_work.js').Work | undefined}  undefined while there is no model
+ */
+export function storedWork(work) {
+  const { source, text, values, batch } = work;
+  if (!source) return undefined;
+  const { bytes, sampleId, fileName, scaleToMm, upAxis } = source;
+  const place = { fileName, scaleToMm, upAxis, centreMm: chosenCentre(work) };
+  return { ...(sampleId ? { sampleId } : { bytes }), ...place, text, values, ...(batch && { batch }) };
+}
+
+/**
+ * Returns the values of the controls that the code's handles change.
  * @param {{ rotateDeg?: number, symbolMm?: number }} change
  * @param {import('../storage/last_work.js').Values} now
  * @returns {import('../storage/last_work.js').Values}
  */
-export function settingsByHandles({ rotateDeg, symbolMm }, now) {
+export function valuesByHandles({ rotateDeg, symbolMm }, now) {
   /** @type {import('../storage/last_work.js').Values} */ const values = {};
   if (rotateDeg !== undefined) values.rotate = String(rotateDeg);
   if (rotateDeg !== undefined && now.size === 'best') values.size = 'oriented'; // 'best' would rotate it back

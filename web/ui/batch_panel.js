@@ -31,7 +31,7 @@ export const kEmptyInput = Object.freeze({
 export class BatchPanel {
   /**
    * @param {object} listener
-   * @param {() => void} listener.onChange    the input has changed, or is no longer in use
+   * @param {(input: BatchInput | undefined) => void} listener.onChange  the input has changed; undefined for one code
    * @param {(file: File) => void} listener.onFile  the user chose a list file
    */
   constructor({ onChange, onFile }) {
@@ -51,7 +51,8 @@ export class BatchPanel {
     /** @type {BatchInput} */ this.input_ = kEmptyInput;
     /** @type {ReturnType<typeof setTimeout> | undefined} */ this.pause_ = undefined;
     /** @type {() => void} */ this.writeFindings_ = () => {};
-    for (const radio of [this.isOne_, this.isMany_]) radio.addEventListener('change', () => this.changed_());
+    // Input comes before change: undo records the change under the radio's own name.
+    for (const radio of [this.isOne_, this.isMany_]) radio.addEventListener('input', () => this.changed_());
     this.from_.addEventListener('change', () => {
       this.text_.value =
         this.from_.value === 'count'
@@ -80,22 +81,15 @@ export class BatchPanel {
     byId('batch-file-remove', HTMLButtonElement).addEventListener('click', () => {
       this.put_({ ...this.input_, list: new Uint8Array(), listName: kPasted });
       this.pasted_.focus();
-      this.onChange_();
+      this.report_();
     });
     onLanguage(() => this.showTexts_());
     this.showTexts_();
     this.showFields_();
   }
 
-  /**
-   * The batch input, undefined for one code. It stays the same object until something changes.
-   * @returns {BatchInput | undefined}
-   */
-  get input() {
-    return this.isMany_.checked ? this.input_ : undefined;
-  }
-
-  set input(input) {
+  /** Shows an input. Leaves the fields alone if it is theirs. @param {BatchInput | undefined} input  undefined: one code */
+  showInput(input) {
     this.isMany_.checked = input !== undefined;
     this.isOne_.checked = input === undefined;
     if (input && input !== this.input_) this.put_(input);
@@ -202,7 +196,12 @@ export class BatchPanel {
 
   changed_() {
     this.showFields_();
-    this.onChange_();
+    this.report_();
+  }
+
+  /** Reports the input. It stays the same object until something changes. */
+  report_() {
+    this.onChange_(this.isMany_.checked ? this.input_ : undefined);
   }
 
   showFields_() {

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import assert from 'node:assert/strict';
+import { after, before, beforeEach, test } from 'node:test';
+import { showWork } from './showing.js';
+import { storeOf } from './testing.js';
+import { centredAt } from './work.js';
+
+class FakeElement {
+  textContent = '';
+}
+const { document: realDocument, HTMLElement: realElement } = globalThis;
+const summary = new FakeElement();
+
+/** @type {import('./work_store.js').WorkStore} */ let store;
+/** @type {any[][]} */ let shown;
+
+before(() => Object.assign(globalThis, { document: { getElementById: () => summary }, HTMLElement: FakeElement }));
+after(() => Object.assign(globalThis, { document: realDocument, HTMLElement: realElement }));
+beforeEach(() => {
+  store = storeOf({ values: { preset: 'balanced', nozzle: '0.4' } });
+  shown = [];
+  const shows = (/** @type {string} */ panel) => (/** @type {any} */ part) => void shown.push([panel, part]);
+  showWork(store, {
+    form: { show: shows('form') },
+    code: { show: shows('code') },
+    place: { showCentre: shows('place') },
+    batch: { showInput: shows('batch') },
+  });
+});
+
+test('A panel shows its part of the work when that changes, and only then', () => {
+  store.update({ text: 'b' });
+  store.update({ centreIsGuess: true });
+  store.update(centredAt([1, 2, 3]));
+  store.update({ batch: /** @type {any} */ ({ from: 'count' }) });
+  store.update({ values: { preset: 'robust', nozzle: '0.25' } });
+  assert.deepEqual(shown, [
+    ['code', 'b'],
+    ['place', [1, 2, 3]],
+    ['batch', { from: 'count' }],
+    ['form', { preset: 'robust', nozzle: '0.25' }],
+  ]);
+});
+
+test('Without a centre its fields keep what they hold', () => {
+  store.update(centredAt([1, 2, 3]));
+  store.update(centredAt(undefined));
+  assert.deepEqual(shown, [['place', [1, 2, 3]]]);
+});
+
+test('One line sums up the carving, from the start', () => {
+  assert.match(summary.textContent, /^Balanced.*0\.4/);
+  store.update({ values: { preset: 'robust', nozzle: '' } });
+  assert.match(summary.textContent, /^Robust.*\?/);
+});

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { centredAt, chosenCentre, sameWork, storedWork, valuesByHandles } from './work.js';
+
+/** @type {import('./work.js').Work} */
+const kWork = {
+  source: { bytes: new Uint8Array([1]), fileName: 'a.stl', scaleToMm: 10, upAxis: 'y', credit: 'x', unitStated: false },
+  text: 'a',
+  values: { preset: 'balanced' },
+  centreMm: [1, 2, 3],
+  centreIsGuess: false,
+};
+const kBatch = /** @type {any} */ ({ from: 'count', list: new Uint8Array(), count: 3 });
+
+test('Works are the same if all that a carving takes from them is', () => {
+  const source = /** @type {any} */ (kWork.source);
+  assert.equal(sameWork(kWork, { ...kWork, values: { ...kWork.values }, centreMm: [1, 2, 3] }), true);
+  assert.equal(sameWork(kWork, { ...kWork, source: { ...source, fileName: 'b.stl' } }), true);
+  for (const change of /** @type {Partial<import('./work.js').Work>[]} */ ([
+    { text: 'b' },
+    { values: { preset: 'robust' } },
+    { centreMm: [1, 2, 4] },
+    { batch: kBatch },
+    { source: { ...source, upAxis: 'z' } },
+    { source: { ...source, scaleToMm: 1 } },
+    { source: { ...source, bytes: new Uint8Array([1]) } },
+    { source: undefined },
+  ]))
+    assert.equal(sameWork(kWork, { ...kWork, ...change }), false, JSON.stringify(change));
+});
+
+test('A centre that the module proposed is not the user’s', () => {
+  assert.deepEqual(chosenCentre(kWork), [1, 2, 3]);
+  assert.equal(chosenCentre({ ...kWork, ...centredAt([1, 2, 3], true) }), undefined);
+  assert.deepEqual(centredAt(undefined, true), { centreMm: undefined, centreIsGuess: false });
+});
+
+test('A file is stored with its bytes, a sample by its name, and a guessed centre not at all', () => {
+  const place = { fileName: 'a.stl', scaleToMm: 10, upAxis: 'y' };
+  assert.deepEqual(storedWork(kWork), {
+    ...place,
+    bytes: kWork.source?.bytes,
+    centreMm: [1, 2, 3],
+    text: 'a',
+    values: kWork.values,
+  });
+  const source = /** @type {any} */ ({ ...kWork.source, sampleId: 'saddle' });
+  assert.deepEqual(storedWork({ ...kWork, source, centreIsGuess: true, batch: kBatch }), {
+    ...place,
+    sampleId: 'saddle',
+    centreMm: undefined,
+    text: 'a',
+    values: kWork.values,
+    batch: kBatch,
+  });
+  assert.equal(storedWork({ ...kWork, source: undefined }), undefined);
+});
+
+test('The handles fix the rotation and the size', () => {
+  assert.deepEqual(valuesByHandles({ rotateDeg: 15 }, { size: 'free' }), { rotate: '15' });
+  assert.deepEqual(valuesByHandles({ rotateDeg: 15 }, { size: 'best' }), { rotate: '15', size: 'oriented' });
+  assert.deepEqual(valuesByHandles({ symbolMm: 21.5 }, { size: 'free' }), { size: 'fixed', 'size-mm': '21.5' });
+});
