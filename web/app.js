@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Creates the panels, the view, the session's parts and the engine, and connects them. The work itself is done
-// elsewhere.
+// Creates the panels, the view, the engine, the store of the work and the parts of the session. Each part connects itself
+// with its panel and with the parts before it; this file connects it with later ones.
 import { EngineClient } from './engine/client.js';
 import { holdsSecret } from './payloads/secrets.js';
 import { Continuing } from './session/continuing.js';
@@ -10,28 +10,33 @@ import { LastWork } from './storage/last_work.js';
 import { prepareReader } from './decoder/reader.js';
 import { BatchStore } from './batch/batch_store.js';
 import { BatchCarving } from './session/batch_carving.js';
-import { Batching, plannedWords } from './session/batching.js';
+import { Batching } from './session/batching.js';
 import { Carving } from './session/carving.js';
+import { Editing } from './session/editing.js';
+import { Exporting } from './session/exporting.js';
 import { Inspecting } from './session/inspecting.js';
 import { Jobs } from './session/jobs.js';
 import { ModelSession } from './session/model_session.js';
+import { Opening } from './session/opening.js';
 import { Placing } from './session/placing.js';
-import { Printing } from './session/printing.js';
 import { Preparing } from './session/preparing.js';
+import { Printing } from './session/printing.js';
 import { Recovery } from './session/recovery.js';
 import { Session } from './session/session.js';
-import { SpotFinding } from './session/spot_finding.js';
-import { Undo } from './session/undo.js';
 import { showWork } from './session/showing.js';
+import { SpotFinding } from './session/spot_finding.js';
+import { Starting } from './session/starting.js';
+import { Undo } from './session/undo.js';
+import { Viewing } from './session/viewing.js';
 import { WorkStore } from './session/work_store.js';
+import { kNoWork } from './session/work.js';
 import { rememberFormat } from './export/format_choice.js';
-import { ExportPanel } from './ui/export_panel.js';
-import { Exporting } from './session/exporting.js';
 import { text } from './i18n/catalogue.js';
 import { messageWords } from './i18n/message_words.js';
 import { BatchPanel } from './ui/batch_panel.js';
 import { CodePanel } from './ui/code_panel.js';
 import { byId } from './dom/dom.js';
+import { ExportPanel } from './ui/export_panel.js';
 import { HelpSheet } from './ui/help_sheet.js';
 import { Messages } from './ui/messages.js';
 import { ModelPanel } from './ui/model_panel.js';
@@ -48,393 +53,134 @@ import { Legend } from './view/legend.js';
 import { View } from './view/view.js';
 import { ViewTools } from './view/view_tools.js';
 
+/** Creates the panels, which know no other part of the page. */
+function makePanels() {
+  const legend = new Legend();
+  const stage = byId('view', HTMLElement);
+  return {
+    legend,
+    messages: new Messages(),
+    view: new View(stage),
+    inspector: new InspectorView(byId('stage', HTMLElement), stage),
+    toolbar: new ViewToolbar(),
+    form: new SettingsForm(),
+    modelPanel: new ModelPanel(),
+    batchPanel: new BatchPanel(),
+    placePanel: new PlacePanel(),
+    spotsPanel: new SpotsPanel(legend),
+    workPanel: new WorkPanel(),
+    resultPanel: new ResultPanel(),
+    partsPanel: new PartsPanel(),
+    exportPanel: new ExportPanel(),
+  };
+}
+
+/**
+ * Creates the engine, and the parts that show it.
+ * @param {ReturnType<typeof makePanels>} panels
+ * @param {(action: () => Promise<unknown>) => Promise<void>} guard
+ * @param {{ onEvent: (event: import('./engine/types.js').HostEvent) => void, onReplaced: () => void }} listener
+ */
+function makeEngine({ view, inspector, toolbar }, guard, { onEvent, onReplaced }) {
+  const client = new EngineClient({
+    makeCanvas: () => view.makeCanvas(),
+    onEvent: (event) => (event.event === 'inspector' ? inspector.update(event.state) : onEvent(event)),
+    onView: (state) => tools.update(state),
+    onSearch: (search) => tools.search.show(search),
+    onReplaced,
+  });
+  const overlays = byId('view-overlays', HTMLElement);
+  const tools = new ViewTools({ client, stage: byId('view', HTMLElement), overlays });
+  return { client, tools, inspecting: new Inspecting({ client, view, window: inspector, toolbar, guard }) };
+}
+
+/**
+ * Prepares the next carving in idle moments.
+ * @param {{ client: EngineClient, jobs: Jobs, placing: Placing, carving: Carving }} parts
+ */
+function prepareCarvings({ client, jobs, placing, carving }) {
+  const preparing = new Preparing({
+    client,
+    prepareReader: () => {
+      prepareReader();
+      void messageWords.come();
+    },
+    isBusy: () => jobs.busy || carving.isPrinting,
+    user: window,
+    isOverModel: ({ target }) => target instanceof HTMLCanvasElement,
+  });
+  placing.placed.on((placement) => preparing.note(placement !== undefined));
+  carving.printed.on(() => preparing.plan()); // planning had to wait for the print
+}
+
+/** Creates all parts of the page. @param {import('./ui/notices.js').Notices} notices @returns {Starting} */
+function connect(notices) {
+  const panels = makePanels();
+  const { messages, form, batchPanel, placePanel, spotsPanel, workPanel } = panels;
+  messages.say(() => text('page.starting'));
+  const recovery = new Recovery(messages, () => client.replace());
+  const guard = recovery.guard.bind(recovery);
+  const theme = new Theme((dark) => guard(() => client.setTheme(dark)));
+  const { client, tools, inspecting } = makeEngine(panels, guard, {
+    onEvent: (event) => guard(() => recovery.recoverFrom(event)),
+    onReplaced: () => guard(() => starting.restore()),
+  });
+  const code = new CodePanel({
+    settings: (content) => batching.settings(content),
+    symbolOf: (settings) => client.symbol(settings),
+  });
+  const { fields } = form;
+  const store = new WorkStore({ ...kNoWork, text: code.initialText, values: fields.defaults });
+  showWork(store, { form, code, place: placePanel, batch: batchPanel });
+
+  const jobs = new Jobs({ panel: workPanel, messages, onBusy: () => session.allow() });
+  const base = { client, store, fields, messages, notices, jobs, guard };
+  const batching = new Batching({ ...base, panel: batchPanel, isLocked: () => batchCarving.isOpen });
+  const model = new ModelSession({
+    ...base,
+    panel: panels.modelPanel,
+    onReplacing: () => carving.abort(),
+    onLoaded: () => session.useModel(),
+    onFailed: () => session.allow(),
+  });
+  const placing = new Placing({ ...base, model, batching, panel: placePanel });
+  const carving = new Carving({
+    ...base,
+    ...{ model, batching, placing },
+    panel: panels.resultPanel,
+    printing: new Printing({ client }),
+    onRemedy: (remedy, label) => editing.remedy(remedy, label),
+  });
+  const carved = { ...base, model, batching, placing, carving };
+  const spots = new SpotFinding({ ...carved, code, panel: spotsPanel });
+  const editing = new Editing({ ...carved, spots, form, code, batchPanel });
+  const storage = new BatchStore(new Folder('batch'));
+  const batchCarving = new BatchCarving({ ...carved, editing, storage, panel: panels.partsPanel });
+  const exporting = new Exporting({ ...carved, editing, panel: panels.exportPanel });
+  const kept = new Continuing({ ...base, last: new LastWork(new Database(), holdsSecret), editing });
+  const undo = new Undo({ ...carved, spots, editing, kept });
+  new Viewing({ ...carved, ...panels, tools, inspecting, editing });
+  const session = new Session({ ...carved, spots, undo, code, batchPanel, workPanel, tools });
+  const opening = new Opening({ ...carved, editing, exporting, undo, code, panel: panels.modelPanel });
+  const { view } = panels;
+  const parts = { view, theme, inspecting, batchCarving, exporting, kept, opening, session };
+  const starting = new Starting({ ...carved, ...parts });
+  prepareCarvings(carved);
+  byId('start-over', HTMLButtonElement).addEventListener('click', () => guard(() => opening.startOver()));
+  return starting;
+}
+
 export class App {
   /** @param {import('./ui/notices.js').Notices} notices */
   constructor(notices) {
     offerLanguages();
     rememberFormat(byId('format', HTMLSelectElement));
-    this.messages_ = new Messages();
-    this.messages_.say(() => text('page.starting'));
-    this.recovery_ = new Recovery(this.messages_, () => this.client_.replace());
-    this.theme_ = new Theme((dark) => this.guard_(() => this.client_.setTheme(dark)));
-    this.view_ = this.makeView_();
-    this.inspector_ = this.makeInspector_();
-    this.legend_ = new Legend();
-    this.tools_ = this.makeTools_();
-    this.toolbar_ = this.makeToolbar_();
-    this.inspecting_ = new Inspecting({
-      client: () => this.client_,
-      view: this.view_,
-      window: this.inspector_,
-      toolbar: this.toolbar_,
-      guard: (action) => this.guard_(action),
-    });
-    this.client_ = new EngineClient({
-      makeCanvas: () => this.view_.makeCanvas(),
-      onEvent: (event) => {
-        if (event.event === 'inspector') this.inspector_.update(event.state);
-        else void this.guard_(() => this.recovery_.recoverFrom(event));
-      },
-      onView: (state) => this.tools_.update(state),
-      onSearch: (search) => this.tools_.search.show(search),
-      onReplaced: () => this.guard_(() => this.session_.restore()),
-    });
-    this.form_ = new SettingsForm({
-      onInput: (id, value) => this.store_.update(({ values }) => ({ values: { ...values, [id]: value } })),
-      onChange: (id, value) => this.guard_(() => this.session_.editSetting(id, value)),
-    });
-    this.fields_ = this.form_.fields;
-    this.code_ = this.makeCode_();
-    this.store_ = new WorkStore({
-      source: undefined,
-      text: this.code_.initialText,
-      values: this.fields_.defaults,
-      centreMm: undefined,
-      centreIsGuess: false,
-    });
-    this.batchPanel_ = this.makeBatchPanel_();
-    this.batching_ = this.makeBatching_();
-    this.workPanel_ = new WorkPanel({
-      onEngrave: () => this.guard_(() => this.session_.engrave()),
-      onCancel: () => this.jobs_.cancel(),
-    });
-    this.jobs_ = new Jobs({
-      panel: this.workPanel_,
-      messages: this.messages_,
-      onBusy: (busy) => this.session_.allowWork(!busy),
-    });
-    this.placePanel_ = new PlacePanel((centreMm) =>
-      this.guard_(() => this.placing_.move(() => this.client_.setCentre(centreMm))),
-    );
-    showWork(this.store_, { form: this.form_, code: this.code_, place: this.placePanel_, batch: this.batchPanel_ });
-    this.model_ = this.makeModel_();
-    this.preparing_ = new Preparing({
-      client: this.client_,
-      prepareReader: () => this.prepareTelling_(),
-      isBusy: () => this.jobs_.busy || this.carving_.isPrinting,
-      user: window,
-      isOverModel: ({ target }) => target instanceof HTMLCanvasElement,
-    });
-    this.placing_ = this.makePlacing_();
-    this.spotsPanel_ = this.makeSpotsPanel_();
-    this.spots_ = this.makeSpotFinding_();
-    this.carving_ = this.makeCarving_();
-    this.partsPanel_ = this.makePartsPanel_();
-    this.batchCarving_ = this.makeBatchCarving_(notices);
-    this.exportPanel_ = this.makeExportPanel_();
-    this.exporting_ = this.makeExporting_();
-    this.kept_ = this.makeContinuing_(notices);
-    this.undo_ = this.makeUndo_();
+    this.starting_ = connect(notices);
     this.help_ = new HelpSheet();
-    byId('start-over', HTMLButtonElement).addEventListener('click', () => this.guard_(() => this.session_.startOver()));
-    this.session_ = new Session({
-      client: this.client_,
-      view: this.view_,
-      theme: this.theme_,
-      legend: this.legend_,
-      tools: this.tools_,
-      toolbar: this.toolbar_,
-      inspecting: this.inspecting_,
-      store: this.store_,
-      fields: this.fields_,
-      code: this.code_,
-      workPanel: this.workPanel_,
-      jobs: this.jobs_,
-      messages: this.messages_,
-      model: this.model_,
-      placing: this.placing_,
-      spotsPanel: this.spotsPanel_,
-      spots: this.spots_,
-      carving: this.carving_,
-      batching: this.batching_,
-      batchPanel: this.batchPanel_,
-      batchCarving: this.batchCarving_,
-      exporting: this.exporting_,
-      kept: this.kept_,
-      undo: this.undo_,
-      recovery: this.recovery_,
-    });
-  }
-
-  makeView_() {
-    return new View(byId('view', HTMLElement), {
-      onAct: (action) => this.tools_.act(action),
-      onPick: (x, y) => this.session_.pick(x, y),
-      onHover: (x, y) => this.tools_.hover(x, y),
-      onHoverEnd: () => this.tools_.endHover(),
-      onTurn: (notches, x, y) => this.tools_.turn(notches, x, y),
-      onBefore: (held) => this.toolbar_.hold(held),
-      onResize: (size) => this.guard_(() => this.session_.resize(size)),
-    });
-  }
-
-  makeInspector_() {
-    return new InspectorView(byId('stage', HTMLElement), byId('view', HTMLElement), {
-      onAct: (action) => this.guard_(() => this.client_.act(action)),
-      onEngrave: (overrides) => this.guard_(() => this.carving_.engrave(overrides)),
-    });
-  }
-
-  makeTools_() {
-    return new ViewTools({
-      client: () => this.client_,
-      stage: byId('view', HTMLElement),
-      overlays: byId('view-overlays', HTMLElement),
-      onEdit: {
-        onPlace: (x, y) => this.session_.pick(x, y),
-        onAdjust: (change) => this.guard_(() => this.session_.adjust(change)),
-        onCancel: () => this.guard_(() => this.placing_.place()),
-      },
-      onAct: (action) => this.guard_(() => this.client_.act(action)),
-    });
-  }
-
-  makeToolbar_() {
-    return new ViewToolbar({
-      onCarved: (carved) => this.guard_(() => this.session_.showCarved(carved)),
-      onBefore: (before) => this.guard_(() => this.client_.showCarved(!before)),
-      onReaderView: () => this.tools_.act({ kind: 'readerView' }),
-      onFit: () => this.tools_.act({ kind: 'fit' }),
-      onStandard: (name) => this.tools_.act({ kind: 'standard', name }),
-      onSection: (shown, offset) => this.guard_(() => this.client_.showSection(shown, offset)),
-      onFaceSection: () => this.tools_.act({ kind: 'faceSection' }),
-      onDepths: (shown) => this.guard_(() => this.session_.showDepths(shown)),
-      onInspector: (shown) => this.guard_(() => this.inspecting_.show(shown)),
-    });
-  }
-
-  makeCode_() {
-    return new CodePanel({
-      onInput: (content) => this.store_.update({ text: content }),
-      onChange: () => this.guard_(() => this.session_.changeSettings('text')),
-      settings: (content) => this.batching_.settings(content),
-      symbolOf: (settings) => this.client_.symbol(settings),
-    });
-  }
-
-  makeBatchPanel_() {
-    return new BatchPanel({
-      onChange: (input) => this.guard_(() => this.session_.changeParts(input)),
-      onFile: (file) => this.guard_(() => this.batching_.openList(file)),
-    });
-  }
-
-  /** @returns {Batching} */
-  makeBatching_() {
-    return new Batching({
-      client: this.client_,
-      panel: this.batchPanel_,
-      store: this.store_,
-      messages: this.messages_,
-      fields: this.fields_,
-      isLocked: () => this.batchCarving_.isOpen,
-      onPlanned: (planned) => {
-        this.code_.showParts(
-          planned && { words: () => plannedWords(planned), isWrong: planned.problems.length > 0, first: planned.first },
-        );
-        this.workPanel_.nameEngrave(planned ? 'batch.engraveFirst' : 'page.engrave');
-        this.batchCarving_.show();
-      },
-    });
-  }
-
-  /** @returns {PartsPanel} */
-  makePartsPanel_() {
-    return new PartsPanel({
-      onBegin: (printEvery) => this.guard_(() => this.batchCarving_.begin(printEvery)),
-      onPause: () => this.batchCarving_.pause(),
-      onResume: () => this.batchCarving_.resume(),
-      onStop: () => this.batchCarving_.stop(),
-      onRetry: () => this.batchCarving_.retry(),
-      onDownload: () => this.guard_(() => this.batchCarving_.download()),
-      onDiscard: () => this.batchCarving_.discard(),
-      nameOf: (index) => this.batchCarving_.nameOf(index),
-    });
-  }
-
-  /** @param {import('./ui/notices.js').Notices} notices @returns {BatchCarving} */
-  makeBatchCarving_(notices) {
-    return new BatchCarving({
-      client: this.client_,
-      store: new BatchStore(new Folder('batch')),
-      batching: this.batching_,
-      carving: this.carving_,
-      placing: this.placing_,
-      works: this.store_,
-      panel: this.partsPanel_,
-      notices,
-      messages: this.messages_,
-      onContinue: (work) => this.session_.continueWith(work),
-      onLock: (locked) => this.batchPanel_.lock(locked),
-      guard: (action) => this.guard_(action),
-    });
-  }
-
-  makeModel_() {
-    const panel = new ModelPanel({
-      onSample: (id) => this.guard_(() => this.model_.openSample(id)),
-      onFile: (file) => this.guard_(() => this.session_.openFile(file)),
-      onScale: (scaleToMm) => this.guard_(() => this.model_.rescale(scaleToMm)),
-      onUpAxis: (upAxis) => this.guard_(() => this.session_.turnUp(upAxis)),
-    });
-    return new ModelSession({
-      client: this.client_,
-      jobs: this.jobs_,
-      messages: this.messages_,
-      panel,
-      store: this.store_,
-      onReplacing: () => this.carving_.abort(),
-      onLoaded: () => this.session_.useModel(),
-      onFailed: () => this.session_.allowWork(true),
-    });
-  }
-
-  makePlacing_() {
-    return new Placing({
-      client: this.client_,
-      model: this.model_,
-      store: this.store_,
-      messages: this.messages_,
-      panel: this.placePanel_,
-      settings: () => this.batching_.plannedSettings(),
-      mayMove: () => !this.jobs_.busy,
-      onMoved: () => this.guard_(() => this.session_.leaveCarved()),
-      onPlaced: (placement) => {
-        this.toolbar_.setPlaced(placement !== undefined);
-        this.tools_.set({ placed: placement !== undefined });
-        this.code_.showPlaced(placement);
-        this.preparing_.note(placement !== undefined);
-        this.exportPanel_.setSecret(holdsSecret(this.store_.work.text));
-      },
-    });
-  }
-
-  makeSpotsPanel_() {
-    return new SpotsPanel(
-      {
-        onSuggest: () =>
-          this.guard_(async () => {
-            await this.code_.settle(); // apply the text first, or its change would end the search
-            await this.spots_.suggest();
-          }),
-        onSpot: (index) => this.guard_(() => this.spots_.choose(index)),
-        onSizes: (shown) => this.guard_(() => this.session_.showSizes(shown)),
-      },
-      this.legend_,
-    );
-  }
-
-  makeSpotFinding_() {
-    return new SpotFinding({
-      client: this.client_,
-      jobs: this.jobs_,
-      model: this.model_,
-      placing: this.placing_,
-      messages: this.messages_,
-      panel: this.spotsPanel_,
-      batching: this.batching_,
-      onSizes: () => this.guard_(() => this.carving_.show(false)),
-    });
-  }
-
-  makeCarving_() {
-    const panel = new ResultPanel({
-      onDownload: (format) => this.guard_(() => this.carving_.download(format)),
-      onSaveReport: () => this.guard_(() => this.carving_.saveReport()),
-      onPrint: (wanted) => this.carving_.print(wanted),
-      onTryPrints: () => this.guard_(() => this.carving_.tryPrints()),
-      onRemedy: (remedy, label) => this.guard_(() => this.session_.remedy(remedy, label)),
-      onTryViews: async (...options) => {
-        /** @type {import('./engine/types.js').ViewTrials | undefined} */ let trials;
-        await this.guard_(async () => {
-          trials = await this.carving_.tryViews(...options);
-        });
-        return trials;
-      },
-    });
-    return new Carving({
-      client: this.client_,
-      jobs: this.jobs_,
-      model: this.model_,
-      placing: this.placing_,
-      messages: this.messages_,
-      panel,
-      printing: new Printing({ client: this.client_ }),
-      store: this.store_,
-      fields: this.fields_,
-      batching: this.batching_,
-      onStart: () => this.spotsPanel_.setSizesShown(false),
-      onDone: () => this.undo_.record(),
-      onShown: (exists, shown) => this.session_.noteCarved(exists, shown),
-      onPrinted: () => {
-        this.session_.notePrinted();
-        this.preparing_.plan(); // planning had to wait for the print
-      },
-      guard: (action) => this.guard_(action),
-    });
-  }
-
-  makeExportPanel_() {
-    return new ExportPanel({
-      onPicture: () => this.guard_(() => this.exporting_.savePicture()),
-      onSettings: () => this.guard_(async () => this.exporting_.saveSettings()),
-      onSymbol: (format) => this.guard_(() => this.exporting_.saveSymbol(format)),
-    });
-  }
-
-  makeExporting_() {
-    return new Exporting({
-      client: this.client_,
-      model: this.model_,
-      store: this.store_,
-      placing: this.placing_,
-      messages: this.messages_,
-      fields: this.fields_,
-      batching: this.batching_,
-      onChanged: () => this.session_.changeSettings(),
-      untilIdle: () => this.session_.becomeIdle(),
-    });
-  }
-
-  /** @param {import('./ui/notices.js').Notices} notices */
-  makeContinuing_(notices) {
-    return new Continuing({
-      last: new LastWork(new Database(), holdsSecret),
-      notices,
-      store: this.store_,
-      onContinue: (work) => this.guard_(() => this.session_.continueWith(work)),
-    });
-  }
-
-  makeUndo_() {
-    return new Undo({
-      client: this.client_,
-      jobs: this.jobs_,
-      model: this.model_,
-      placing: this.placing_,
-      spots: this.spots_,
-      carving: this.carving_,
-      messages: this.messages_,
-      store: this.store_,
-      write: (state) => this.session_.write(state),
-      guard: (action) => this.guard_(action),
-      onRestored: () => this.kept_.note(),
-    });
-  }
-
-  /** Loads the decoder and the message words that the result will need. */
-  prepareTelling_() {
-    prepareReader();
-    void messageWords.come();
   }
 
   /** @param {URLSearchParams} address */
   start(address) {
-    return this.session_.start(address);
-  }
-
-  /** @param {() => Promise<unknown>} action */
-  guard_(action) {
-    return this.recovery_.guard(action);
+    return this.starting_.start(address);
   }
 }

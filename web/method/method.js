@@ -72,7 +72,8 @@ function showNumbers(id, rows) {
 class Demonstration {
   constructor() {
     this.theme_ = openArticle((dark) => void this.client_.setTheme(dark));
-    this.view_ = new View(byId('live', HTMLElement), {
+    this.view_ = new View(byId('live', HTMLElement));
+    this.view_.listen({
       onAct: (action) => void this.client_.act(action).catch(() => {}),
       onPick: () => {},
       onResize: (size) => void this.client_.resize(size).catch(() => {}),

@@ -13,7 +13,6 @@ import { storedWork } from './work.js';
 
 /** @typedef {import('../batch/batch_store.js').BatchRecord} BatchRecord */
 /** @typedef {import('../batch/row_engine.js').BatchJob} BatchJob */
-/** @typedef {import('../storage/last_work.js').Work} Work */
 /** @typedef {import('../ui/parts_panel.js').Phase} Phase */
 
 const kLock = 'qrelief-batch';
@@ -32,16 +31,15 @@ const kRoomLeft = 0.95; // usable share of the browser's free storage
 /**
  * @typedef {object} BatchCarvingOptions
  * @property {import('../engine/client.js').EngineClient} client
- * @property {import('../batch/batch_store.js').BatchStore} store
+ * @property {import('../batch/batch_store.js').BatchStore} storage
  * @property {import('./batching.js').Batching} batching
  * @property {import('./carving.js').Carving} carving
  * @property {import('./placing.js').Placing} placing
- * @property {import('./work_store.js').WorkStore} works
+ * @property {import('./work_store.js').WorkStore} store
  * @property {import('../ui/parts_panel.js').PartsPanel} panel
  * @property {import('../ui/notices.js').Notices} notices
  * @property {import('../ui/messages.js').Messages} messages
- * @property {(work: Work) => Promise<void>} onContinue  restores the work
- * @property {(locked: boolean) => void} onLock          true: the list must not change
+ * @property {Pick<import('./editing.js').Editing, 'continueWith'>} editing
  * @property {(action: () => Promise<unknown>) => Promise<void>} guard
  * @property {(job: BatchJob) => RowEngine} [makeEngine]
  */
@@ -53,6 +51,20 @@ export class BatchCarving {
     /** @type {Open | undefined} */ this.open_ = undefined;
     /** @type {BatchRun | undefined} */ this.run_ = undefined;
     this.isStarting_ = false;
+    const { panel, batching, carving, store, guard } = options;
+    panel.listen({
+      onBegin: (printEvery) => guard(() => this.begin(printEvery)),
+      onPause: () => this.pause(),
+      onResume: () => this.resume(),
+      onStop: () => this.stop(),
+      onRetry: () => this.retry(),
+      onDownload: () => guard(() => this.download()),
+      onDiscard: () => this.discard(),
+      nameOf: (index) => this.nameOf(index),
+    });
+    batching.changed.on(() => this.show());
+    carving.changed.on(() => this.show());
+    store.applied.on(() => this.show());
   }
 
   /** True while a batch is open or starting. */
@@ -72,10 +84,10 @@ export class BatchCarving {
 
   /** Carves all parts like the first. @param {number} printEvery  simulate the print of every n-th part */
   async begin(printEvery) {
-    const { batching, placing, works, client, store } = this.options_;
+    const { batching, placing, store, client, storage } = this.options_;
     const { planned } = batching;
-    const { source, centreMm } = works.work;
-    const work = storedWork(works.work);
+    const { source, centreMm } = store.work;
+    const work = storedWork(store.work);
     if (this.isOpen || !planned?.plan || !planned.first || !source || !work || !centreMm) return;
     this.isStarting_ = true;
     /** @type {(() => void) | undefined} */ let release;
@@ -106,7 +118,7 @@ export class BatchCarving {
         input: job.input,
         settingsOfFirst: await new RowEngine(job, { client }).hashOf(0),
       };
-      await store.begin(record, { model: source.bytes, list: job.list });
+      await storage.begin(record, { model: source.bytes, list: job.list });
       void navigator.storage.persist?.();
       this.open_ = { record, job, states: new RowStates(count), release };
     } catch (thrown) {
@@ -115,7 +127,7 @@ export class BatchCarving {
     } finally {
       this.isStarting_ = false;
     }
-    this.options_.onLock(true);
+    batching.lock(true);
     this.carve_();
     this.options_.panel.reveal();
   }
@@ -142,7 +154,7 @@ export class BatchCarving {
     const { job, states, record } = open;
     const {
       client,
-      store,
+      storage,
       messages,
       makeEngine = (/** @type {BatchJob} */ given) => new RowEngine(given),
     } = this.options_;
@@ -153,7 +165,7 @@ export class BatchCarving {
       printEvery: record.printEvery,
       perPlate: job.wanted.perPlate,
       makeEngine: () => makeEngine(job),
-      save: (carved) => store.save(carved, lineOf),
+      save: (carved) => storage.save(carved, lineOf),
       saveLost: async (indices, why) => {
         const names = await client.batchRows(indices[0], indices.length);
         const rows = names.map(({ number, id, text: content, file }) => ({
@@ -167,7 +179,7 @@ export class BatchCarving {
           },
           why,
         }));
-        return store.save({ rows, file: names[0].file }, lineOf);
+        return storage.save({ rows, file: names[0].file }, lineOf);
       },
       onChange: () => this.showProgress_(),
     });
@@ -234,14 +246,14 @@ export class BatchCarving {
 
   /** Downloads all parts carved so far. */
   async download() {
-    const { store, client, panel, messages } = this.options_;
+    const { storage, client, panel, messages } = this.options_;
     if (!this.open_) return;
     const { fileName } = this.open_.record.work;
     panel.setSaving(true);
     try {
       const name = fileNameOf({ modelFile: fileName, text: '', addition: 'parts', extension: 'zip' });
       messages.say(() => text('batch.downloading'));
-      const isSaved = await saveArchive(store, client, name);
+      const isSaved = await saveArchive(storage, client, name);
       messages.say(() => (isSaved ? text('batch.downloaded') : ''));
     } finally {
       panel.setSaving(false);
@@ -262,14 +274,14 @@ export class BatchCarving {
   }
 
   async discardNow_() {
-    const { store, onLock } = this.options_;
+    const { storage, batching } = this.options_;
     const { open_: open, run_: run } = this;
     this.open_ = undefined;
     this.run_ = undefined;
     run?.end();
-    await store.discard();
+    await storage.discard();
     open?.release();
-    onLock(false);
+    batching.lock(false);
     this.show();
   }
 
@@ -278,8 +290,8 @@ export class BatchCarving {
    * @returns {Promise<boolean>}  false: there is none, or another tab has it open
    */
   async offer() {
-    const { store, notices, guard } = this.options_;
-    const record = await store.recall();
+    const { storage, notices, guard } = this.options_;
+    const record = await storage.recall();
     if (!record) return false;
     /** @type {() => void} */ let release;
     try {
@@ -288,11 +300,11 @@ export class BatchCarving {
       return false; // another tab has it open
     }
     const states = new RowStates(record.rows);
-    await store.readStates(states);
+    await storage.readStates(states);
     const isOver = states.finished === record.rows;
     const values = { done: states.counts.done, count: record.rows, name: record.work.fileName };
     notices.show(kOfferNotice, text(isOver ? 'batch.offerOver' : 'batch.offer', values), [
-      { label: text('autosave.discard'), run: () => void guard(() => store.discard().finally(release)) },
+      { label: text('autosave.discard'), run: () => void guard(() => storage.discard().finally(release)) },
       {
         label: text(isOver ? 'batch.showThem' : 'batch.goOn'),
         run: () => void guard(() => this.goOn_(record, states, release)),
@@ -304,10 +316,10 @@ export class BatchCarving {
 
   /** @param {BatchRecord} record @param {RowStates} states @param {() => void} release */
   async goOn_(record, states, release) {
-    const { store, client, onContinue, batching, panel, onLock } = this.options_;
-    const { model: bytes, list } = await store.files();
+    const { storage, client, editing, batching, panel } = this.options_;
+    const { model: bytes, list } = await storage.files();
     const { work } = record;
-    await onContinue({
+    await editing.continueWith({
       ...work,
       ...(work.sampleId === undefined && { bytes }),
       ...(work.batch && { batch: { ...work.batch, list } }),
@@ -325,9 +337,9 @@ export class BatchCarving {
     // If the hash differs, the program has changed: carve all rows again.
     const isSame = settingsOfFirst === record.settingsOfFirst;
     const now = { ...record, settingsOfFirst };
-    if (!isSame) await store.begin(now, { model: bytes, list });
+    if (!isSame) await storage.begin(now, { model: bytes, list });
     this.open_ = { record: now, job, states: isSame ? states : new RowStates(record.rows), release };
-    onLock(true);
+    batching.lock(true);
     this.showProgress_();
     panel.reveal();
     if (this.phase_ !== 'over') this.carve_();

@@ -5,6 +5,7 @@ import { describeThrown, isFatal } from '../engine/engine_error.js';
 import { text } from '../i18n/catalogue.js';
 import { kSettings } from '../generated/settings.js';
 import { isEmptyInput } from '../ui/batch_panel.js';
+import { Signal } from './signal.js';
 
 /** @typedef {import('../engine/types.js').Settings} Settings */
 /** @typedef {import('../engine/types.js').BatchPlan} BatchPlan */
@@ -20,24 +21,23 @@ const kMostListBytes = 64 * 1024 * 1024;
 /**
  * @typedef {object} BatchingOptions
  * @property {Pick<import('../engine/client.js').EngineClient, 'planBatch' | 'batchRow'>} client
- * @property {Pick<import('../ui/batch_panel.js').BatchPanel, 'show' | 'takeList'>} panel
+ * @property {Pick<import('../ui/batch_panel.js').BatchPanel, 'show' | 'takeList' | 'lock'>} panel
  * @property {import('./work_store.js').WorkStore} store
  * @property {Pick<import('../ui/messages.js').Messages, 'showError' | 'clearError'>} messages
  * @property {Pick<import('../ui/setting_fields.js').SettingFields, 'settings'>} fields
  * @property {() => boolean} isLocked                  true: a batch of this list is open
- * @property {(planned: Planned | undefined) => void} onPlanned  undefined: one code
  */
 
 export class Batching {
   /** @param {BatchingOptions} options */
-  constructor({ client, panel, store, messages, fields, isLocked, onPlanned }) {
+  constructor({ client, panel, store, messages, fields, isLocked }) {
     this.client_ = client;
     this.panel_ = panel;
     this.messages_ = messages;
     this.store_ = store;
     this.fields_ = fields;
     this.isLocked_ = isLocked;
-    this.onPlanned_ = onPlanned;
+    /** Tells the new plan; undefined: one code. @type {Signal<[Planned | undefined]>} */ this.changed = new Signal();
     /** @type {Planned | undefined} */ this.planned = undefined;
     /** @type {Promise<void> | undefined} */ this.planning_ = undefined;
   }
@@ -77,6 +77,16 @@ export class Batching {
   get decided() {
     const first = this.input && this.planned?.first;
     return first ? Object.keys(first.settings).filter((key) => key in kSettings) : [];
+  }
+
+  /** True while a batch of this list is open. */
+  get isLocked() {
+    return this.isLocked_();
+  }
+
+  /** Enables or disables the input. @param {boolean} locked */
+  lock(locked) {
+    this.panel_.lock(locked);
   }
 
   /** Forgets the plan: a new module does not know the list. */
@@ -128,7 +138,7 @@ export class Batching {
   set_(planned) {
     this.planned = planned;
     this.panel_.show(planned ?? { problems: [] });
-    this.onPlanned_(planned);
+    this.changed.tell(planned);
   }
 
   /** Opens a list. @param {File} file */

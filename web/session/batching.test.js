@@ -56,8 +56,8 @@ beforeEach(() => {
     messages: /** @type {any} */ (messages),
     fields: { settings: ({ preset }, text) => /** @type {any} */ ({ text, preset, pattern: 'none' }) },
     isLocked: () => locked,
-    onPlanned: (now) => void planned.push(now),
   });
+  batching.changed.on((now) => void planned.push(now));
 });
 
 test('Without a list there is one code', async () => {

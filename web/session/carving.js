@@ -8,6 +8,7 @@ import { text } from '../i18n/catalogue.js';
 import { messageWords } from '../i18n/message_words.js';
 import { worded } from '../i18n/messages.js';
 import { saveFile } from '../dom/save_file.js';
+import { Signal } from './signal.js';
 import { sameWork } from './work.js';
 
 /** @typedef {import('./work.js').Work} Work */
@@ -27,32 +28,13 @@ import { sameWork } from './work.js';
  * @property {import('./work_store.js').WorkStore} store
  * @property {Pick<import('../ui/setting_fields.js').SettingFields, 'after'>} fields
  * @property {Pick<import('./batching.js').Batching, 'settings' | 'decided'>} batching
- * @property {() => void} onStart
- * @property {() => void} onDone
- * @property {(exists: boolean, shown: boolean) => void} onShown  a carved model exists; it is shown
- * @property {() => void} onPrinted  called when the carved model's print is simulated
- * @property {(action: () => Promise<unknown>) => Promise<unknown>} [guard]  runs an action that nobody awaits
+ * @property {(remedy: import('../engine/types.js').Remedy, label: string) => Promise<unknown>} onRemedy
+ * @property {(action: () => Promise<unknown>) => Promise<unknown>} guard  runs an action that nobody awaits
  */
 
 export class Carving {
   /** @param {CarvingOptions} options */
-  constructor({
-    client,
-    jobs,
-    model,
-    placing,
-    messages,
-    panel,
-    printing,
-    store,
-    fields,
-    batching,
-    onStart,
-    onDone,
-    onShown,
-    onPrinted,
-    guard = (action) => action(),
-  }) {
+  constructor({ client, jobs, model, placing, messages, panel, printing, store, fields, batching, onRemedy, guard }) {
     this.client_ = client;
     this.jobs_ = jobs;
     this.model_ = model;
@@ -63,16 +45,27 @@ export class Carving {
     this.store_ = store;
     this.fields_ = fields;
     this.batching_ = batching;
-    this.onStart_ = onStart;
-    this.onDone_ = onDone;
-    this.onShown_ = onShown;
-    this.onPrinted_ = onPrinted;
     this.guard_ = guard;
+    /** Tells that a carving begins. @type {Signal<[]>} */ this.started = new Signal();
+    /** Tells that a carving has ended with a result. @type {Signal<[]>} */ this.finished = new Signal();
+    /** Tells whether a carved model exists, and whether it is shown. @type {Signal<[boolean, boolean]>} */
+    this.changed = new Signal();
+    /** Tells that the carved model's print is simulated. @type {Signal<[]>} */ this.printed = new Signal();
     /** @type {Carved | undefined} */ this.carved = undefined;
     this.shown = false;
     this.life_ = 0;
     /** @type {Promise<void> | undefined} */ this.running_ = undefined;
     /** @type {Promise<unknown>} */ this.restoring_ = Promise.resolve();
+    panel.listen({
+      onDownload: (format) => guard(() => this.download(format)),
+      onSaveReport: () => guard(() => this.saveReport()),
+      onPrint: (wanted) => this.print(wanted),
+      onTryPrints: () => guard(() => this.tryPrints()),
+      onTryViews: (...options) => this.tryViewsGuarded_(...options),
+      onRemedy: (remedy, label) => guard(() => onRemedy(remedy, label)),
+    });
+    store.applied.on(() => this.compare());
+    placing.moved.on(() => void guard(() => this.show(false))); // the carving is at another place now
   }
 
   /**
@@ -173,7 +166,7 @@ export class Carving {
   async show(shown) {
     const exists = this.carved !== undefined;
     this.shown = shown && exists;
-    this.onShown_(exists, this.shown);
+    this.changed.tell(exists, this.shown);
     await this.client_.showCarved(this.shown);
   }
 
@@ -187,7 +180,7 @@ export class Carving {
     await this.restoring_;
     const { carved: before } = this;
     await this.drop();
-    this.onStart_();
+    this.started.tell();
     const asked = this.store_.work;
     let made = asked;
     /** @type {Attempt | undefined} */ let first;
@@ -302,7 +295,7 @@ export class Carving {
     await this.show(true);
     if (this.carved) this.panel_.show(this.carved);
     this.panel_.reveal();
-    this.onDone_();
+    this.finished.tell();
   }
 
   /**
@@ -323,7 +316,7 @@ export class Carving {
       if (this.carved !== carved) return;
       this.panel_.update();
       if (!result) return;
-      this.onPrinted_();
+      this.printed.tell();
       if (mayDeepen) void this.guard_(() => this.deepen_(carved));
     });
   }
@@ -364,7 +357,7 @@ export class Carving {
           const elapsedMs = performance.now() - started;
           this.carved = { report: result.report, elapsedMs, number: step.carving, life: this.life_, made, printed };
           await this.present_();
-          this.onPrinted_();
+          this.printed.tell();
           this.messages_.say(() => text('page.engravedForPrint'));
           return;
         }
@@ -416,6 +409,15 @@ export class Carving {
       printed.trials = trials;
       if (this.carved === carved) this.panel_.update();
     });
+  }
+
+  /** @type {import('../ui/grades_panel.js').ViewTrier} */
+  async tryViewsGuarded_(...options) {
+    /** @type {import('../engine/types.js').ViewTrials | undefined} */ let trials;
+    await this.guard_(async () => {
+      trials = await this.tryViews(...options);
+    });
+    return trials;
   }
 
   /** @type {import('../ui/grades_panel.js').ViewTrier} */

@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { after, before, beforeEach, test } from 'node:test';
 import { Carving } from './carving.js';
 import { Jobs } from './jobs.js';
+import { Signal } from './signal.js';
 import { FakeMessages, Pending, fake, noRoom, settled, storeOf } from './testing.js';
 
 const kText = 'HELLO';
@@ -57,6 +58,7 @@ beforeEach(() => {
     report: async () => ({ text: kText, symbol: { modules: 21 }, verification: {} }),
   });
   placing = fake({ place: async () => {} });
+  placing.moved = new Signal();
   placing.answers.placement = { symbolMm: 20 };
   Object.defineProperty(placing, 'placement', { get: () => placing.answers.placement });
   panel = fake();
@@ -74,12 +76,12 @@ beforeEach(() => {
     store,
     fields: { after: (now, { setting, value }) => ({ ...now, [setting]: value }) },
     batching: { settings: () => /** @type {any} */ ({}), decided: [] },
-    onStart: () => {},
-    onDone: () => {},
-    onShown: (exists, seen) => void shown.push([exists, seen]),
     printing,
-    onPrinted: () => void (printsSeen += 1),
+    onRemedy: async () => {},
+    guard: (action) => action(),
   });
+  carving.changed.on((exists, seen) => void shown.push([exists, seen]));
+  carving.printed.on(() => void (printsSeen += 1));
 });
 
 test('What is carved is read back, reported and shown', async () => {
@@ -132,7 +134,7 @@ test('A carving that fails leaves nothing, and the next one can begin', async ()
 test('After the settings changed, what was carved is said to be older', async () => {
   await carving.engrave();
   setValues({ preset: 'shallow' });
-  carving.compare();
+  store.applied.tell('preset');
   assert.equal(panel.calls.at(-1), 'setOutdated true');
 });
 

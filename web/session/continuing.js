@@ -3,8 +3,6 @@
 import { text } from '../i18n/catalogue.js';
 import { storedWork } from './work.js';
 
-/** @typedef {import('../storage/last_work.js').Work} Work */
-
 const kNotice = 'continue';
 
 export class Continuing {
@@ -13,14 +11,17 @@ export class Continuing {
    * @param {import('../storage/last_work.js').LastWork} options.last
    * @param {import('../ui/notices.js').Notices} options.notices
    * @param {import('./work_store.js').WorkStore} options.store
-   * @param {(work: Work) => Promise<void>} options.onContinue
+   * @param {Pick<import('./editing.js').Editing, 'continueWith'>} options.editing
+   * @param {(action: () => Promise<unknown>) => Promise<void>} options.guard
    */
-  constructor({ last, notices, store, onContinue }) {
+  constructor({ last, notices, store, editing, guard }) {
     this.last_ = last;
     this.notices_ = notices;
     this.store_ = store;
-    this.onContinue_ = onContinue;
+    this.editing_ = editing;
+    this.guard_ = guard;
     this.watching_ = false;
+    store.applied.on(() => this.note());
     document.addEventListener('visibilitychange', () => {
       if (document.visibilityState === 'hidden') void this.last_.flush(); // the page may never become visible again
     });
@@ -37,7 +38,11 @@ export class Continuing {
     if (!work) return;
     this.notices_.show(kNotice, text('autosave.continueWith', { name: work.fileName }), [
       { label: text('autosave.discard'), run: () => void this.last_.discard() },
-      { label: text('autosave.continue'), run: () => void this.onContinue_(work), primary: true },
+      {
+        label: text('autosave.continue'),
+        run: () => void this.guard_(() => this.editing_.continueWith(work)),
+        primary: true,
+      },
     ]);
   }
 

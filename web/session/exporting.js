@@ -6,6 +6,7 @@ import { fileNameOf, symbolFileName } from '../export/file_names.js';
 import { settingsFromAddress } from '../export/address_settings.js';
 import { readSettingsFile, writeSettingsFile } from '../export/settings_file.js';
 import { symbolPng, symbolSvg } from '../export/symbol_file.js';
+import { holdsSecret } from '../payloads/secrets.js';
 
 /** @typedef {import('../engine/types.js').SymbolFacts} SymbolFacts */
 /** @typedef {import('../export/settings_file.js').SettingsFile} SettingsFile */
@@ -20,13 +21,16 @@ import { symbolPng, symbolSvg } from '../export/symbol_file.js';
  * @property {import('../ui/messages.js').Messages} messages
  * @property {import('../ui/setting_fields.js').SettingFields} fields
  * @property {Pick<import('./batching.js').Batching, 'settings'>} batching
- * @property {() => Promise<void>} onChanged   applies the changed settings
- * @property {() => Promise<void>} untilIdle   stops running work
+ * @property {import('../ui/export_panel.js').ExportPanel} panel
+ * @property {Pick<import('./editing.js').Editing, 'apply'>} editing
+ * @property {Pick<import('./carving.js').Carving, 'abort'>} carving
+ * @property {Pick<import('./jobs.js').Jobs, 'untilIdle'>} jobs
+ * @property {(action: () => Promise<unknown>) => Promise<void>} guard
  */
 
 export class Exporting {
   /** @param {ExportingOptions} options */
-  constructor({ client, model, store, placing, messages, fields, batching, onChanged, untilIdle }) {
+  constructor({ client, model, store, placing, messages, fields, batching, panel, editing, carving, jobs, guard }) {
     this.client_ = client;
     this.model_ = model;
     this.store_ = store;
@@ -34,8 +38,15 @@ export class Exporting {
     this.messages_ = messages;
     this.fields_ = fields;
     this.batching_ = batching;
-    this.onChanged_ = onChanged;
-    this.untilIdle_ = untilIdle;
+    this.editing_ = editing;
+    this.carving_ = carving;
+    this.jobs_ = jobs;
+    panel.listen({
+      onPicture: () => guard(() => this.savePicture()),
+      onSettings: () => guard(async () => this.saveSettings()),
+      onSymbol: (format) => guard(() => this.saveSymbol(format)),
+    });
+    placing.placed.on(() => panel.setSecret(holdsSecret(store.work.text)));
   }
 
   /** @param {'svg' | 'png'} format */
@@ -95,12 +106,13 @@ export class Exporting {
    */
   async useSettings(file) {
     const { settings, model } = readSettingsFile(await file.text(), file.name, this.fields_.keys);
-    await this.untilIdle_();
+    this.carving_.abort();
+    await this.jobs_.untilIdle();
     this.messages_.clearError();
     this.write_(settings);
     const onItsModel = !model || (await this.openModelOf_(model));
     const centre = onItsModel ? model?.centreMm : undefined;
-    await this.onChanged_();
+    await this.editing_.apply();
     if (centre) await this.placing_.move(() => this.client_.setCentre(centre));
     const words = onItsModel
       ? () => text('exports.settingsUsed', { file: file.name })

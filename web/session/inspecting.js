@@ -4,7 +4,7 @@ import { onLanguage } from '../i18n/catalogue.js';
 
 /**
  * @typedef {object} InspectingOptions
- * @property {() => import('../engine/client.js').EngineClient} client
+ * @property {import('../engine/client.js').EngineClient} client
  * @property {import('../view/view.js').View} view
  * @property {import('../view/inspector_view.js').InspectorView} window
  * @property {import('../ui/view_toolbar.js').ViewToolbar} toolbar
@@ -30,12 +30,12 @@ export class Inspecting {
       return;
     }
     try {
-      await this.client_().openInspector();
+      await this.client_.openInspector();
       await this.translate_();
       await this.makeRoom();
       if (!this.toolbar_.inspectorShown) return; // closed meanwhile
       this.view_.reportsPointer = true;
-      await this.client_().setInspector(true);
+      await this.client_.setInspector(true);
     } catch (thrown) {
       this.toolbar_.releaseInspector();
       await this.close_();
@@ -45,7 +45,7 @@ export class Inspecting {
 
   /** Keeps the inspector clear of the page's controls. */
   async makeRoom() {
-    if (this.toolbar_.inspectorShown) await this.client_().inspectorArea(this.window_.area());
+    if (this.toolbar_.inspectorShown) await this.client_.inspectorArea(this.window_.area());
   }
 
   /** Reopens the inspector in a new module. */
@@ -57,11 +57,11 @@ export class Inspecting {
   async close_() {
     this.view_.reportsPointer = false;
     this.window_.update(undefined);
-    await this.client_().setInspector(false);
+    await this.client_.setInspector(false);
   }
 
   async translate_() {
     const { inspectorTexts } = await import('../i18n/inspector_texts.js');
-    await this.client_().inspectorTexts(inspectorTexts());
+    await this.client_.inspectorTexts(inspectorTexts());
   }
 }

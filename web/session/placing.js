@@ -4,10 +4,10 @@ import { isReplaced } from '../engine/client.js';
 import { describeThrown, isFatal } from '../engine/engine_error.js';
 import { text } from '../i18n/catalogue.js';
 import { hintOf, sentenceOf } from '../i18n/messages.js';
+import { Signal } from './signal.js';
 import { centredAt, chosenCentre } from './work.js';
 
 /** @typedef {import('../engine/types.js').Placement} Placement */
-/** @typedef {import('../engine/types.js').Settings} Settings */
 /** @typedef {[number, number, number]} Point */
 
 /**
@@ -17,27 +17,31 @@ import { centredAt, chosenCentre } from './work.js';
  * @property {import('./work_store.js').WorkStore} store
  * @property {import('../ui/messages.js').Messages} messages
  * @property {import('../ui/place_panel.js').PlacePanel} panel
- * @property {() => Settings | Promise<Settings>} settings  throws an EngineFailure
- * @property {() => boolean} mayMove                    false while a job needs the centre
- * @property {() => void} onMoved                       called when another centre is chosen
- * @property {(placement: Placement | undefined) => void} onPlaced
+ * @property {Pick<import('./batching.js').Batching, 'plannedSettings'>} batching
+ * @property {Pick<import('./jobs.js').Jobs, 'busy'>} jobs  while one runs, it needs the centre
+ * @property {(action: () => Promise<unknown>) => Promise<void>} guard
  */
 
 export class Placing {
   /** @param {PlacingOptions} options */
-  constructor({ client, model, store, messages, panel, settings, mayMove, onMoved, onPlaced }) {
+  constructor({ client, model, store, messages, panel, batching, jobs, guard }) {
     this.client_ = client;
     this.model_ = model;
     this.store_ = store;
     this.messages_ = messages;
     this.panel_ = panel;
-    this.settings_ = settings;
-    this.mayMove_ = mayMove;
-    this.onMoved_ = onMoved;
-    this.onPlaced_ = onPlaced;
+    this.batching_ = batching;
+    this.jobs_ = jobs;
+    /** Tells that another centre is chosen. @type {Signal<[]>} */ this.moved = new Signal();
+    /** Tells the new placement. @type {Signal<[Placement | undefined]>} */ this.placed = new Signal();
     /** @type {Placement | undefined} */ this.placement = undefined;
     /** @type {Promise<void> | undefined} */ this.running_ = undefined;
     this.again_ = false;
+    panel.listen((centreMm) => void guard(() => this.move(() => client.setCentre(centreMm))));
+  }
+
+  get mayMove_() {
+    return !this.jobs_.busy;
   }
 
   /** Reports a failed placement as an error from now on, even at a proposed centre. */
@@ -77,12 +81,13 @@ export class Placing {
 
   /** Moves the code. @param {() => Promise<import('../engine/types.js').PickResult>} pick */
   async move(pick) {
-    if (!this.mayMove_() || !this.model_.engravable) return;
+    if (!this.mayMove_ || !this.model_.engravable) return;
     const { hit, centre } = await pick();
     if (!hit || !centre) return;
     this.messages_.clearError();
     this.store_.update(centredAt(centre));
-    this.onMoved_();
+    this.store_.applied.tell('centre');
+    this.moved.tell();
     await this.place();
   }
 
@@ -101,8 +106,8 @@ export class Placing {
       if (!this.model_.engravable) return;
       try {
         // At once: “Ready” no longer holds.
-        if (this.mayMove_() && this.store_.work.centreMm) this.messages_.say(() => text('page.placing'));
-        await this.client_.configure(await this.settings_());
+        if (this.mayMove_ && this.store_.work.centreMm) this.messages_.say(() => text('page.placing'));
+        await this.client_.configure(await this.batching_.plannedSettings());
         if (this.store_.work.centreMm === undefined) {
           this.messages_.say(() => text('page.askForCentre'));
           return;
@@ -110,7 +115,7 @@ export class Placing {
         this.messages_.say(() => text('page.placing'));
         this.show_(await this.client_.placement());
         // Otherwise a job asked for the placement and continues.
-        if (this.mayMove_() && !this.again_) this.messages_.say(() => text('page.ready'));
+        if (this.mayMove_ && !this.again_) this.messages_.say(() => text('page.ready'));
       } catch (thrown) {
         if (isReplaced(thrown) || isFatal(thrown)) throw thrown;
         this.show_(undefined);
@@ -127,7 +132,7 @@ export class Placing {
   show_(placement) {
     this.placement = placement;
     this.panel_.showPlacement(placement);
-    this.onPlaced_(placement);
+    this.placed.tell(placement);
   }
 
   /** @param {import('../engine/types.js').ModelInfo} info */

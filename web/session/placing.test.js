@@ -35,11 +35,15 @@ beforeEach(() => {
     store,
     messages: /** @type {any} */ (messages),
     panel: fake(),
-    settings: () => /** @type {any} */ ({}),
-    mayMove: () => mayMove,
-    onMoved: () => void (moved += 1),
-    onPlaced: () => {},
+    batching: { plannedSettings: async () => /** @type {any} */ ({}) },
+    jobs: {
+      get busy() {
+        return !mayMove;
+      },
+    },
+    guard: (action) => action().then(() => {}),
   });
+  placing.moved.on(() => void (moved += 1));
 });
 afterEach(() => setLanguage('en'));
 

@@ -1,319 +1,66 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Coordinates the page: model, settings and result, from load to reload.
-import { EngineFailure, describeThrown, internal } from '../engine/engine_error.js';
-import { message } from '../engine/message.js';
-import { looksLikeSettings } from '../export/settings_file.js';
-import { text } from '../i18n/catalogue.js';
-import { controlName, shownValue } from '../ui/verdict_lines.js';
-import { looksLikeList } from './batching.js';
-import { fetchJson } from './fetch_file.js';
-import { valuesByHandles } from './work.js';
-
-const kAsked = ['sample', 'text', 'engrave']; // address parameters
+// Begins with each new model, starts the engraving, and enables the controls that need a model and no running job.
 
 /**
- * @typedef {object} Parts
- * @property {import('../engine/client.js').EngineClient} client
- * @property {import('../view/view.js').View} view
- * @property {import('../ui/preferences.js').Theme} theme
- * @property {import('../view/legend.js').Legend} legend
- * @property {import('../view/view_tools.js').ViewTools} tools
- * @property {import('../ui/view_toolbar.js').ViewToolbar} toolbar
- * @property {import('./inspecting.js').Inspecting} inspecting
+ * @typedef {object} SessionOptions
  * @property {import('./work_store.js').WorkStore} store
- * @property {import('../ui/setting_fields.js').SettingFields} fields
- * @property {import('../ui/code_panel.js').CodePanel} code
- * @property {import('../ui/work_panel.js').WorkPanel} workPanel
- * @property {import('./jobs.js').Jobs} jobs
- * @property {import('../ui/messages.js').Messages} messages
  * @property {import('./model_session.js').ModelSession} model
- * @property {import('./placing.js').Placing} placing
- * @property {import('../ui/spots_panel.js').SpotsPanel} spotsPanel
- * @property {import('./spot_finding.js').SpotFinding} spots
- * @property {import('./carving.js').Carving} carving
+ * @property {import('./jobs.js').Jobs} jobs
  * @property {import('./batching.js').Batching} batching
- * @property {import('./batch_carving.js').BatchCarving} batchCarving
- * @property {import('../ui/batch_panel.js').BatchPanel} batchPanel
- * @property {import('./exporting.js').Exporting} exporting
- * @property {import('./continuing.js').Continuing} kept
+ * @property {import('./spot_finding.js').SpotFinding} spots
+ * @property {import('./placing.js').Placing} placing
+ * @property {import('./carving.js').Carving} carving
  * @property {import('./undo.js').Undo} undo
- * @property {import('./recovery.js').Recovery} recovery
+ * @property {Pick<import('../ui/code_panel.js').CodePanel, 'incomplete' | 'reveal'>} code
+ * @property {Pick<import('../ui/batch_panel.js').BatchPanel, 'reveal'>} batchPanel
+ * @property {import('../ui/work_panel.js').WorkPanel} workPanel
+ * @property {import('../view/view_tools.js').ViewTools} tools
+ * @property {(action: () => Promise<unknown>) => Promise<void>} guard
  */
 
 export class Session {
-  /** @param {Parts} parts */
-  constructor(parts) {
-    this.parts_ = parts;
-    this.initialText_ = parts.code.initialText;
-    /** @type {Promise<boolean>} */ this.started_ = Promise.resolve(false);
-    this.fileChosen_ = false;
-  }
-
-  /** @param {import('../storage/last_work.js').Work} work */
-  async continueWith({ text: content, values, sampleId, bytes, batch, ...place }) {
-    this.write({ text: content ?? this.parts_.store.work.text, values, batch });
-    const { centreMm, ...file } = place;
-    if (sampleId) await this.parts_.model.openSample(sampleId, place);
-    else if (bytes) await this.parts_.model.load({ ...file, bytes, credit: '' }, centreMm);
-  }
-
-  /**
-   * Takes over a text, values and a list without applying them. The list stays while its parts are carved.
-   * @param {Pick<import('./work.js').Work, 'text' | 'values' | 'batch'>} state
-   */
-  write({ text: content, values, batch }) {
-    this.parts_.store.update((work) => ({
-      text: content,
-      values: this.parts_.fields.restored(work.values, values),
-      batch: this.parts_.batchCarving.isOpen ? work.batch : batch,
-    }));
-  }
-
-  /** @param {URLSearchParams} address */
-  async start(address) {
-    const started = this.startEngine_(address);
-    this.started_ = started;
-    if (!(await started)) return;
-    if (this.fileChosen_) {
-      // the user opened a file before the module was ready
-      await this.parts_.batchCarving.offer();
-      await this.parts_.kept.begin(false);
-      return;
-    }
-    await this.guard_(async () => {
-      const { asksForSettings, refusal } = this.parts_.exporting.useAddress(address);
-      await this.parts_.model.openSample(address.get('sample') ?? undefined);
-      const isOffered = await this.parts_.batchCarving.offer();
-      // An address that asks for something takes precedence over the last visit's work.
-      await this.parts_.kept.begin(!isOffered && !asksForSettings && !kAsked.some((name) => address.has(name)));
-      if (refusal) throw refusal;
-      if (address.get('engrave') === '1') await this.parts_.carving.engrave();
-    });
-  }
-
-  /**
-   * @param {URLSearchParams} address
-   * @returns {Promise<boolean>}  false: the engine did not start
-   */
-  async startEngine_(address) {
-    this.parts_.store.update(({ text: typed }) => ({ text: address.get('text') ?? typed }));
-    try {
-      const [{ problems }, samples] = await Promise.all([
-        this.parts_.client.start(),
-        fetchJson('samples/manifest.json'),
-      ]);
-      if (problems.length > 0) {
-        throw new EngineFailure(internal(message('no-graphics', { why: { cause: problems[0] } })));
-      }
-      this.parts_.model.setSamples(samples);
-    } catch (thrown) {
-      this.parts_.messages.say(() => text('page.notStarted'));
-      this.parts_.messages.showError(describeThrown(thrown));
-      return false;
-    }
-    this.parts_.view.announceSize();
-    await this.parts_.client.setTheme(this.parts_.theme.dark);
-    return true;
-  }
-
-  /** @param {File} file */
-  async openFile(file) {
-    this.fileChosen_ = true;
-    if (!(await this.started_)) return; // the page shows why
-    if (looksLikeSettings(file)) await this.useSettings_(file);
-    else if (looksLikeList(file)) await this.parts_.batching.openList(file);
-    else await this.parts_.model.openFile(file);
-  }
-
-  /** @param {File} file */
-  async useSettings_(file) {
-    if (!this.parts_.model.source) await this.parts_.model.openSample();
-    this.parts_.undo.keep();
-    await this.parts_.undo.asOne(() => this.parts_.exporting.useSettings(file));
-  }
-
-  /** Aborts a running carving and waits until no job runs. */
-  async becomeIdle() {
-    this.parts_.carving.abort();
-    await this.parts_.jobs.untilIdle();
-  }
-
-  async engrave() {
-    await this.parts_.batching.ready();
-    if (this.parts_.batching.incomplete) this.parts_.batchPanel.reveal();
-    else if (this.parts_.code.incomplete) this.parts_.code.reveal();
-    else await this.parts_.carving.engrave();
-  }
-
-  /** @param {import('../engine/types.js').UpAxis} upAxis */
-  async turnUp(upAxis) {
-    await this.parts_.model.turnUp(upAxis);
-    await this.changeSettings();
+  /** @param {SessionOptions} options */
+  constructor(options) {
+    this.options_ = options;
+    const { workPanel, jobs, batching, guard } = options;
+    workPanel.listen({ onEngrave: () => guard(() => this.engrave()), onCancel: () => jobs.cancel() });
+    batching.changed.on((planned) => workPanel.nameEngrave(planned ? 'batch.engraveFirst' : 'page.engrave'));
   }
 
   /** Begins with a newly loaded model. @returns {Promise<void>} */
   useModel() {
-    return this.parts_.undo.asOne(async () => {
-      await this.parts_.carving.drop();
-      this.allowWork(true);
-      this.parts_.spotsPanel.clear();
-      this.parts_.kept.note();
-      await this.parts_.placing.begin();
+    const { undo, carving, store } = this.options_;
+    return undo.asOne(async () => {
+      await carving.drop();
+      store.applied.tell(undefined);
+      await this.begin();
     });
   }
 
-  /** Applies changed settings. @param {string} [field]  edited field */
-  async changeSettings(field) {
-    this.parts_.kept.note();
-    this.parts_.messages.clearError();
-    this.parts_.code.refresh();
-    this.parts_.undo.record(field);
-    this.parts_.carving.compare();
-    this.parts_.batchCarving.show();
-    await this.parts_.batching.ready();
-    await this.parts_.spots.forget();
-    await this.parts_.placing.place();
+  /** Enables work on the model, and places the code on it. */
+  async begin() {
+    const { spots, placing } = this.options_;
+    this.allow();
+    spots.clear();
+    await placing.begin();
   }
 
-  /**
-   * Edits a setting's control.
-   * @param {string} id
-   * @param {string | boolean} value
-   */
-  editSetting(id, value) {
-    this.parts_.store.update(({ values }) => ({ values: this.parts_.fields.edited(values, id, value) }));
-    return this.changeSettings(id);
+  /** Enables what a model and no running job allow. */
+  allow() {
+    const { jobs, model, undo, workPanel, spots, tools } = this.options_;
+    const { busy } = jobs;
+    const { engravable } = model;
+    undo.allow();
+    workPanel.allowEngrave(engravable && !busy);
+    spots.allow(engravable && !busy);
+    tools.set({ engravable, busy });
   }
 
-  /** Applies the size and the rotation set by the code's handles. @param {{ rotateDeg?: number, symbolMm?: number }} change */
-  adjust(change) {
-    const changed = valuesByHandles(change, this.parts_.store.work.values);
-    this.parts_.store.update(({ values }) => ({ values: { ...values, ...changed } }));
-    return this.changeSettings(Object.keys(changed)[0]);
-  }
-
-  /** Applies another list, or the change back to a single code. @param {import('./work.js').Work['batch']} batch */
-  async changeParts(batch) {
-    this.parts_.store.update({ batch });
-    await this.parts_.batching.ready();
-    await this.changeSettings('parts');
-  }
-
-  /** Applies a remedy. @param {import('../engine/types.js').Remedy} remedy @param {string} label */
-  async remedy({ change }, label) {
-    if (!change) return this.parts_.spots.suggest();
-    const { id, value } = this.parts_.fields.controlFor(change);
-    this.parts_.store.update(({ values }) => ({ values: this.parts_.fields.after(values, change) }));
-    await this.changeSettings();
-    if (!this.parts_.placing.placement) return undefined; // the page shows why
-    return this.parts_.messages.say(() =>
-      text('check.done', { label, control: controlName(id), value: shownValue(id, value) }),
-    );
-  }
-
-  /** Reacts to a moved centre: the carving is at another place now. */
-  async leaveCarved() {
-    this.parts_.kept.note();
-    this.parts_.undo.record('centre');
-    this.parts_.carving.compare();
-    this.parts_.batchCarving.show();
-    this.parts_.spotsPanel.mark();
-    await this.parts_.carving.show(false);
-  }
-
-  /** Returns to the state in which the page opened. Can be undone. */
-  async startOver() {
-    this.parts_.jobs.abort();
-    this.parts_.undo.keep();
-    await this.parts_.undo.asOne(async () => {
-      this.parts_.code.leaveBuilder();
-      this.write({ text: this.initialText_, values: this.parts_.fields.defaults, batch: undefined });
-      await this.parts_.model.openSample();
-    });
-  }
-
-  /** @param {boolean} shown */
-  async showSizes(shown) {
-    if (shown) await this.parts_.carving.show(false);
-    await this.parts_.client.showSizes(shown);
-  }
-
-  /** @param {boolean} carved */
-  async showCarved(carved) {
-    if (carved) this.parts_.spotsPanel.setSizesShown(false);
-    await this.parts_.carving.show(carved);
-  }
-
-  /** Reacts to a change of the carved model. @param {boolean} exists @param {boolean} shown */
-  noteCarved(exists, shown) {
-    this.parts_.toolbar.setCarved(exists, shown);
-    this.parts_.tools.reader.show(shown ? this.parts_.carving.carved?.report.verification.text : undefined);
-    this.parts_.tools.set({ carved: shown });
-    this.notePrinted();
-    this.parts_.batchCarving.show();
-    if (!shown) this.parts_.legend.hide('depths');
-    else if (this.parts_.toolbar.depthsShown) void this.guard_(() => this.showDepths(true));
-  }
-
-  /** Updates the print in the view after a new carving or print. */
-  notePrinted() {
-    const { report, printed } = this.parts_.carving.carved ?? {};
-    this.parts_.tools.reader.showPrint(
-      report && printed?.state === 'made'
-        ? {
-            print: printed.print,
-            modules: report.symbol.modules,
-            reads: report.verification.verdict.prints.level !== 'bad',
-          }
-        : undefined,
-    );
-  }
-
-  /** Shows or hides the depths as colours on the carved model. @param {boolean} shown */
-  async showDepths(shown) {
-    const { topMm, deepestMm } = await this.parts_.client.showDepths(shown);
-    if (shown) this.parts_.legend.show('depths', topMm, deepestMm > topMm);
-    else this.parts_.legend.hide('depths');
-    if (shown && !this.parts_.carving.shown) await this.showCarved(true);
-  }
-
-  /** @param {import('../engine/types.js').ViewSize} size */
-  async resize(size) {
-    await this.parts_.client.resize(size);
-    await this.parts_.inspecting.makeRoom();
-  }
-
-  /** Enables or disables engraving and the spot search. @param {boolean} allowed  if the model can be engraved */
-  allowWork(allowed) {
-    const possible = allowed && this.parts_.model.engravable;
-    this.parts_.undo.allow();
-    this.parts_.workPanel.allowEngrave(possible);
-    this.parts_.spotsPanel.allow(possible);
-    this.parts_.tools.set({ engravable: this.parts_.model.engravable, busy: !allowed });
-  }
-
-  /** Restores the state in a new module. */
-  async restore() {
-    await this.parts_.carving.dropForGood();
-    this.parts_.batching.forget();
-    this.parts_.view.announceSize();
-    await this.parts_.client.setTheme(this.parts_.theme.dark);
-    await this.parts_.inspecting.restore();
-    this.parts_.messages.say(() => text('page.chooseModel'));
-    await this.parts_.model.reload();
-    if (!this.parts_.model.source) return;
-    this.allowWork(true);
-    this.parts_.spotsPanel.clear();
-    await this.parts_.placing.begin();
-  }
-
-  /** @param {number} x @param {number} y */
-  pick(x, y) {
-    return this.guard_(() => this.parts_.placing.move(() => this.parts_.client.pick(x, y)));
-  }
-
-  /** @param {() => Promise<unknown>} action */
-  guard_(action) {
-    return this.parts_.recovery.guard(action);
+  async engrave() {
+    const { batching, batchPanel, code, carving } = this.options_;
+    await batching.ready();
+    if (batching.incomplete) batchPanel.reveal();
+    else if (code.incomplete) code.reveal();
+    else await carving.engrave();
   }
 }

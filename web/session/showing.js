@@ -13,7 +13,7 @@ import { showCarving } from '../ui/carve_panel.js';
 /** @param {import('./work_store.js').WorkStore} store @param {Panels} panels */
 export function showWork(store, { form, code, place, batch }) {
   showCarving(store.work.values);
-  store.onChange((work, before) => {
+  store.changed.on((work, before) => {
     if (work.text !== before.text) code.show(work.text);
     if (work.values !== before.values) {
       form.show(work.values);

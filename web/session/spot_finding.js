@@ -15,12 +15,14 @@ const kPictureAspect = 1.5;
  * @property {import('../ui/messages.js').Messages} messages
  * @property {import('../ui/spots_panel.js').SpotsPanel} panel
  * @property {Pick<import('./batching.js').Batching, 'settings'>} batching
- * @property {() => void} onSizes  called when the model shows the sizes
+ * @property {import('./carving.js').Carving} carving
+ * @property {Pick<import('../ui/code_panel.js').CodePanel, 'settle'>} code
+ * @property {(action: () => Promise<unknown>) => Promise<void>} guard
  */
 
 export class SpotFinding {
   /** @param {SpotFindingOptions} options */
-  constructor({ client, jobs, model, placing, messages, panel, batching, onSizes }) {
+  constructor({ client, jobs, model, placing, messages, panel, batching, carving, code, guard }) {
     this.client_ = client;
     this.jobs_ = jobs;
     this.model_ = model;
@@ -28,9 +30,37 @@ export class SpotFinding {
     this.messages_ = messages;
     this.panel_ = panel;
     this.batching_ = batching;
-    this.onSizes_ = onSizes;
+    this.carving_ = carving;
+    this.guard_ = guard;
     this.searching_ = false;
     this.search_ = 0;
+    panel.listen({
+      onSuggest: () =>
+        guard(async () => {
+          await code.settle(); // apply the text first, or its change would end the search
+          await this.suggest();
+        }),
+      onSpot: (index) => guard(() => this.choose(index)),
+      onSizes: (shown) => guard(() => this.showSizes_(shown)),
+    });
+    carving.started.on(() => panel.setSizesShown(false));
+    placing.moved.on(() => panel.mark());
+  }
+
+  /** Enables or disables the search. @param {boolean} allowed */
+  allow(allowed) {
+    this.panel_.allow(allowed);
+  }
+
+  /** Drops the spots of another model. */
+  clear() {
+    this.panel_.clear();
+  }
+
+  /** @param {boolean} shown */
+  async showSizes_(shown) {
+    if (shown) await this.carving_.show(false);
+    await this.client_.showSizes(shown);
   }
 
   async suggest() {
@@ -44,7 +74,7 @@ export class SpotFinding {
         () => text('page.lookingForSpots'),
         (signal) => this.client_.findSpots({ signal, onProgress: (progress) => this.jobs_.showProgress(progress) }),
       );
-      this.onSizes_();
+      void this.guard_(() => this.carving_.show(false)); // the model shows the sizes
       if (found) this.show_(found);
       this.messages_.say(() => text(found ? 'page.chooseSpot' : 'page.searchCancelled'));
     } finally {

@@ -2,6 +2,7 @@
 // For tests: fakes of the page and the module.
 import { EngineFailure, internal } from '../engine/engine_error.js';
 import { message } from '../engine/message.js';
+import { kNoWork } from './work.js';
 import { WorkStore } from './work_store.js';
 
 /** Records the messages that the page would show. */
@@ -22,8 +23,7 @@ export class FakeMessages {
 }
 
 /** Makes a store with a work that differs from an empty one. @param {Partial<import('./work.js').Work>} [work] */
-export const storeOf = (work) =>
-  new WorkStore({ source: undefined, text: '', values: {}, centreMm: undefined, centreIsGuess: false, ...work });
+export const storeOf = (work) => new WorkStore({ ...kNoWork, ...work });
 
 /** A promise that a test settles later. */
 export class Pending {

@@ -12,8 +12,8 @@ import { sameCentre, sameModel, sameWork } from './work.js';
 /**
  * @typedef {object} UndoOptions
  * @property {import('./work_store.js').WorkStore} store
- * @property {(work: Pick<Work, 'text' | 'values' | 'batch'>) => void} write  takes over all but the model and the centre
- * @property {import('../engine/client.js').EngineClient} client
+ * @property {Pick<import('./editing.js').Editing, 'restore'>} editing
+ * @property {Pick<import('./continuing.js').Continuing, 'note'>} kept
  * @property {import('./jobs.js').Jobs} jobs
  * @property {import('./model_session.js').ModelSession} model
  * @property {import('./placing.js').Placing} placing
@@ -21,7 +21,6 @@ import { sameCentre, sameModel, sameWork } from './work.js';
  * @property {import('./carving.js').Carving} carving
  * @property {import('../ui/messages.js').Messages} messages
  * @property {(action: () => Promise<unknown>) => Promise<void>} guard
- * @property {() => void} onRestored
  */
 
 export class Undo {
@@ -39,6 +38,8 @@ export class Undo {
     this.redo_ = byId('redo', HTMLButtonElement);
     this.undo_.addEventListener('click', () => this.undo());
     this.redo_.addEventListener('click', () => this.redo());
+    options.store.applied.on((field) => this.record(field));
+    options.carving.finished.on(() => this.record());
     byId('panel', HTMLFormElement).addEventListener('input', ({ target }) =>
       // Recorded at once; the edit takes effect only after a pause.
       this.record(target instanceof HTMLElement ? target.id : undefined),
@@ -104,17 +105,17 @@ export class Undo {
         this.restoring_ = false;
         this.pauses_ -= 1;
         this.allow();
-        this.options_.onRestored();
+        this.options_.kept.note();
       });
     void restored;
   }
 
   /** @param {State} state */
   async apply_(state) {
-    const { write, model, placing, spots, carving, messages, store } = this.options_;
+    const { editing, model, placing, spots, carving, messages, store } = this.options_;
     const before = store.work;
     messages.clearError();
-    write(state);
+    editing.restore(state);
     if (!sameModel(before.source, state.source) && state.source) {
       await model.load(state.source, state.centreIsGuess ? undefined : state.centreMm);
     } else {

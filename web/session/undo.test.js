@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, beforeEach, test } from 'node:test';
 import { FakeMessages, Pending, fake, settled, storeOf } from './testing.js';
+import { Signal } from './signal.js';
 import { Undo } from './undo.js';
 import { centredAt, chosenCentre } from './work.js';
 
@@ -54,9 +55,9 @@ beforeEach(() => {
     },
   });
   Object.defineProperty(carving, 'carved', { get: () => carving.answers.carved });
+  carving.finished = new Signal();
   messages = new FakeMessages();
   undo = new Undo({
-    client: fake(),
     model,
     placing,
     carving,
@@ -68,9 +69,9 @@ beforeEach(() => {
       },
     }),
     store,
-    write: ({ text, values }) => store.update({ text, values }),
+    editing: { restore: ({ text, values }) => store.update({ text, values }) },
+    kept: fake(),
     guard: (action) => action().then(() => {}),
-    onRestored: () => {},
   });
   undo.record();
 });

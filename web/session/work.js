@@ -7,6 +7,9 @@
  *   centreMm: Point | undefined, centreIsGuess: boolean, batch?: import('../storage/last_work.js').BatchInput }} Work
  *   `batch`: absent for a single code; the same object until it changes */
 
+/** The work before anything is chosen. @type {Work} */
+export const kNoWork = { source: undefined, text: '', values: {}, centreMm: undefined, centreIsGuess: false };
+
 /**
  * Tells whether two sources are the same file in the same unit.
  * @param {Source | undefined} a

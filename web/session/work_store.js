@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Holds the current work. It never changes a work: each change makes the next one, and listeners compare the two.
+import { Signal } from './signal.js';
 
 /** @typedef {import('./work.js').Work} Work */
-/** @typedef {(work: Work, before: Work) => void} Listener */
 
 export class WorkStore {
   /** @param {Work} work */
   constructor(work) {
     this.work_ = frozen(work);
-    /** @type {Listener[]} */ this.listeners_ = [];
+    /** Tells of each change: the work after and before it. A listener must not change it. @type {Signal<[Work, Work]>} */
+    this.changed = new Signal();
+    /**
+     * Tells that an edit is complete, while `changed` tells of every typed letter. Its value is the edited field, if any.
+     * @type {Signal<[string | undefined]>}
+     */
+    this.applied = new Signal();
     this.isTelling_ = false;
   }
 
@@ -29,15 +35,10 @@ export class WorkStore {
     this.work_ = frozen({ ...before, ...changed });
     this.isTelling_ = true;
     try {
-      for (const listener of this.listeners_) listener(this.work_, before);
+      this.changed.tell(this.work_, before);
     } finally {
       this.isTelling_ = false;
     }
-  }
-
-  /** Calls a listener after each change. It must not change the work itself. @param {Listener} listener */
-  onChange(listener) {
-    this.listeners_.push(listener);
   }
 }
 

@@ -16,7 +16,7 @@ beforeEach(() => {
     batch: undefined,
   });
   told = [];
-  store.onChange((work, before) => void told.push([work.text, before.text]));
+  store.changed.on((work, before) => void told.push([work.text, before.text]));
 });
 
 test('A change makes another work and leaves the one before it', () => {
@@ -50,7 +50,7 @@ test('A work cannot be written to', () => {
 
 test('A listener that changes the work is refused, and later changes are not', () => {
   let isEager = true;
-  store.onChange(() => {
+  store.changed.on(() => {
     if (isEager) store.update({ text: 'c' });
   });
   assert.throws(() => store.update({ text: 'b' }), /must not change it/);

@@ -28,14 +28,15 @@ export const kEmptyInput = Object.freeze({
   perPlate: 0,
 });
 
+/**
+ * @typedef {object} BatchListener
+ * @property {(input: BatchInput | undefined) => void} onChange  the input has changed; undefined for one code
+ * @property {(file: File) => void} onFile  the user chose a list file
+ */
+
 export class BatchPanel {
-  /**
-   * @param {object} listener
-   * @param {(input: BatchInput | undefined) => void} listener.onChange  the input has changed; undefined for one code
-   * @param {(file: File) => void} listener.onFile  the user chose a list file
-   */
-  constructor({ onChange, onFile }) {
-    this.onChange_ = onChange;
+  constructor() {
+    /** @type {BatchListener | undefined} */ this.listener_ = undefined;
     this.isMany_ = byId('code-for-many', HTMLInputElement);
     this.isOne_ = byId('code-for-one', HTMLInputElement);
     this.fields_ = byId('batch', HTMLFieldSetElement);
@@ -75,7 +76,7 @@ export class BatchPanel {
     const file = byId('batch-open-file', HTMLInputElement);
     file.addEventListener('change', () => {
       const [chosen] = file.files ?? [];
-      if (chosen) onFile(chosen);
+      if (chosen) this.listener_?.onFile(chosen);
       file.value = ''; // allows choosing the same file again after correcting it
     });
     byId('batch-file-remove', HTMLButtonElement).addEventListener('click', () => {
@@ -86,6 +87,11 @@ export class BatchPanel {
     onLanguage(() => this.showTexts_());
     this.showTexts_();
     this.showFields_();
+  }
+
+  /** @param {BatchListener} listener */
+  listen(listener) {
+    this.listener_ = listener;
   }
 
   /** Shows an input. Leaves the fields alone if it is theirs. @param {BatchInput | undefined} input  undefined: one code */
@@ -201,7 +207,7 @@ export class BatchPanel {
 
   /** Reports the input. It stays the same object until something changes. */
   report_() {
-    this.onChange_(this.isMany_.checked ? this.input_ : undefined);
+    this.listener_?.onChange(this.isMany_.checked ? this.input_ : undefined);
   }
 
   showFields_() {

@@ -17,18 +17,21 @@ const kTypingPauseMs = 250;
 
 /**
  * @typedef {object} CodeOptions
- * @property {(content: string) => void} onInput  the user has changed the text
- * @property {() => Promise<unknown>} onChange   the text has changed and typing has paused; not called while a builder
- *   lacks a field
  * @property {(content: string) => import('../engine/types.js').Settings} settings  the chosen settings, with this text
  * @property {(settings: import('../engine/types.js').Settings) => Promise<SymbolFacts>} symbolOf
  */
 
+/**
+ * @typedef {object} CodeListener
+ * @property {(content: string) => void} onInput  the user has changed the text
+ * @property {() => Promise<unknown>} onChange   the text has changed and typing has paused; not called while a builder
+ *   lacks a field
+ */
+
 export class CodePanel {
   /** @param {CodeOptions} options */
-  constructor({ onInput, onChange, settings, symbolOf }) {
-    this.onInput_ = onInput;
-    this.onChange_ = onChange;
+  constructor({ settings, symbolOf }) {
+    /** @type {CodeListener | undefined} */ this.listener_ = undefined;
     this.text_ = byId('text', HTMLTextAreaElement);
     this.content_ = '';
     this.plain_ = ''; // the text before a builder replaced it
@@ -54,6 +57,11 @@ export class CodePanel {
     this.initialText = this.text_.value;
     this.set_(this.initialText);
     this.showPlaced(undefined);
+  }
+
+  /** @param {CodeListener} listener */
+  listen(listener) {
+    this.listener_ = listener;
   }
 
   /** Shows a text. Leaves the textbox and the builder alone if they hold it already. @param {string} content */
@@ -116,7 +124,7 @@ export class CodePanel {
   /** @param {string} content */
   changed_(content) {
     this.set_(content);
-    this.onInput_(content);
+    this.listener_?.onInput(content);
     clearTimeout(this.pause_);
     this.pause_ = undefined;
     if (this.incomplete) showStep('code', 'open', () => text('code.incomplete'));
@@ -128,7 +136,7 @@ export class CodePanel {
     if (this.pause_ === undefined) return;
     clearTimeout(this.pause_);
     this.pause_ = undefined;
-    await this.onChange_();
+    await this.listener_?.onChange();
   }
 
   /** @param {string} payload  from the builder */

@@ -5,28 +5,35 @@ import { byId, make } from '../dom/dom.js';
 
 /** @typedef {import('../i18n/catalogue.js').Key} Key */
 
+/** @typedef {{ onPicture: () => void, onSettings: () => void, onSymbol: (format: 'svg' | 'png') => void }} ExportListener */
+
 export class ExportPanel {
-  /** @param {{ onPicture: () => void, onSettings: () => void, onSymbol: (format: 'svg' | 'png') => void }} listener */
-  constructor({ onPicture, onSettings, onSymbol }) {
+  constructor() {
+    /** @type {ExportListener | undefined} */ this.listener_ = undefined;
     const mount = byId('take-away', HTMLElement);
     this.secret_ = make('p', { className: 'field-note' });
     this.secret_.dataset.text = 'exports.secret';
     this.secret_.id = 'take-secret';
     this.secret_.hidden = true;
-    this.settings_ = makeButton('exports.settings', 'exports.settingsTitle', onSettings);
-    this.picture_ = makeButton('exports.picture', 'exports.pictureTitle', onPicture);
+    this.settings_ = makeButton('exports.settings', 'exports.settingsTitle', () => this.listener_?.onSettings());
+    this.picture_ = makeButton('exports.picture', 'exports.pictureTitle', () => this.listener_?.onPicture());
     mount.append(
       make(
         'div',
         { className: 'take-buttons' },
         this.settings_,
         this.picture_,
-        makeButton('exports.symbolSvg', 'exports.symbolSvgTitle', () => onSymbol('svg')),
-        makeButton('exports.symbolPng', 'exports.symbolPngTitle', () => onSymbol('png')),
+        makeButton('exports.symbolSvg', 'exports.symbolSvgTitle', () => this.listener_?.onSymbol('svg')),
+        makeButton('exports.symbolPng', 'exports.symbolPngTitle', () => this.listener_?.onSymbol('png')),
       ),
       this.secret_,
     );
     localise(mount);
+  }
+
+  /** @param {ExportListener} listener */
+  listen(listener) {
+    this.listener_ = listener;
   }
 
   /** @param {boolean} secret  the text holds a password, so a settings file would contain it */

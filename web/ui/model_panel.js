@@ -25,31 +25,35 @@ const kUnitsMm = { m: 1000, cm: 10, in: 25.4 };
  */
 
 export class ModelPanel {
-  /** @param {ModelListener} listener */
-  constructor(listener) {
-    this.listener_ = listener;
+  constructor() {
+    /** @type {ModelListener | undefined} */ this.listener_ = undefined;
     this.sample_ = byId('sample', HTMLSelectElement);
     this.file_ = byId('file', HTMLInputElement);
     this.unit_ = byId('unit', HTMLSelectElement);
     this.upAxis_ = byId('up-axis', HTMLSelectElement);
     this.height_ = byId('height', HTMLInputElement);
     this.drop_ = byId('drop', HTMLElement);
-    this.sample_.addEventListener('change', () => this.sample_.value && listener.onSample(this.sample_.value));
+    this.sample_.addEventListener('change', () => this.sample_.value && this.listener_?.onSample(this.sample_.value));
     this.file_.addEventListener('change', () => {
       const file = this.file_.files?.[0];
-      if (file) listener.onFile(file);
+      if (file) this.listener_?.onFile(file);
     });
-    this.unit_.addEventListener('change', () => listener.onScale(this.scaleToMm));
+    this.unit_.addEventListener('change', () => this.listener_?.onScale(this.scaleToMm));
     this.upAxis_.addEventListener('change', () => {
       this.showHeight_();
-      listener.onUpAxis(this.upAxis);
+      this.listener_?.onUpAxis(this.upAxis);
     });
     this.height_.addEventListener('change', () => this.takeHeight_());
-    this.listenForDrops_(listener);
+    this.listenForDrops_();
     /** @type {Sample[]} */ this.samples_ = [];
     /** @type {{ model: ModelInfo, source: ShownSource } | undefined} */ this.shown_ = undefined;
     showStep('model', 'open', () => text('page.noModel'));
     onLanguage(() => this.showTexts_());
+  }
+
+  /** @param {ModelListener} listener */
+  listen(listener) {
+    this.listener_ = listener;
   }
 
   get upAxis() {
@@ -109,7 +113,7 @@ export class ModelPanel {
   takeHeight_() {
     const wanted = this.height_.valueAsNumber;
     if (this.shown_ && this.height_.validity.valid && this.heightMm_ > 0)
-      this.listener_.onScale((this.shown_.source.scaleToMm * wanted) / this.heightMm_);
+      this.listener_?.onScale((this.shown_.source.scaleToMm * wanted) / this.heightMm_);
     else this.showHeight_();
   }
 
@@ -147,14 +151,13 @@ export class ModelPanel {
               unit: choiceLabel('units', unit),
               size: writtenValue({ extentMm: sizeMm }),
             }),
-            run: () => this.listener_.onScale(kUnitsMm[unit]),
+            run: () => this.listener_?.onScale(kUnitsMm[unit]),
           })),
       })),
     );
   }
 
-  /** @param {ModelListener} listener */
-  listenForDrops_(listener) {
+  listenForDrops_() {
     let depth = 0; // dragenter and dragleave fire for every element that the pointer crosses
     const hasFiles = (/** @type {DragEvent} */ event) => event.dataTransfer?.types.includes('Files') ?? false;
     document.addEventListener('dragenter', (event) => {
@@ -176,7 +179,7 @@ export class ModelPanel {
       depth = 0;
       this.drop_.hidden = true;
       const file = event.dataTransfer?.files[0];
-      if (file) listener.onFile(file);
+      if (file) this.listener_?.onFile(file);
     });
   }
 }

@@ -30,8 +30,8 @@ const kTableMs = 500; // least time between two updates of the table, so that it
  */
 
 export class PartsPanel {
-  /** @param {PartsListener} listener */
-  constructor({ onBegin, onPause, onResume, onStop, onRetry, onDownload, onDiscard, nameOf }) {
+  constructor() {
+    /** @type {PartsListener | undefined} */ this.listener_ = undefined;
     this.how_ = byId('parts-how', HTMLElement);
     this.every_ = byId('print-every', HTMLInputElement);
     this.begin_ = byId('carve-all', HTMLButtonElement);
@@ -42,27 +42,32 @@ export class PartsPanel {
     this.download_ = byId('parts-download', HTMLButtonElement);
     this.discard_ = byId('parts-discard', HTMLButtonElement);
     this.progress_ = byId('parts-progress', HTMLProgressElement);
-    this.table_ = new PartsTable(byId('parts-table', HTMLElement), nameOf);
+    this.table_ = new PartsTable(byId('parts-table', HTMLElement), async (index) => this.listener_?.nameOf(index));
     /** @type {RowStates | undefined} */ this.states_ = undefined;
     /** @type {ReturnType<typeof setTimeout> | undefined} */ this.tableTimer_ = undefined;
     this.isSaving_ = false;
     /** @type {() => void} */ this.renew_ = () => {};
     this.begin_.addEventListener('click', () => {
-      if (this.every_.reportValidity()) onBegin(this.every_.valueAsNumber);
+      if (this.every_.reportValidity()) this.listener_?.onBegin(this.every_.valueAsNumber);
     });
     this.every_.addEventListener('keydown', (event) => {
       if (event.key === 'Enter') event.preventDefault(); // otherwise Enter would engrave the first part
     });
     for (const [button, act] of /** @type {const} */ ([
-      [this.pause_, onPause],
-      [this.resume_, onResume],
-      [this.stop_, onStop],
-      [this.retry_, onRetry],
-      [this.download_, onDownload],
-      [this.discard_, onDiscard],
+      [this.pause_, 'onPause'],
+      [this.resume_, 'onResume'],
+      [this.stop_, 'onStop'],
+      [this.retry_, 'onRetry'],
+      [this.download_, 'onDownload'],
+      [this.discard_, 'onDiscard'],
     ]))
-      button.addEventListener('click', act);
+      button.addEventListener('click', () => this.listener_?.[act]());
     onLanguage(() => this.renew_());
+  }
+
+  /** @param {PartsListener} listener */
+  listen(listener) {
+    this.listener_ = listener;
   }
 
   /** Shows that no part has been carved yet. @param {Begin} begin */

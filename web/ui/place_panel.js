@@ -10,12 +10,12 @@ import { showStep } from './steps.js';
 /** @typedef {[number, number, number]} Point */
 
 export class PlacePanel {
-  /** @param {(centreMm: Point) => void} onCentre */
-  constructor(onCentre) {
+  constructor() {
+    /** @type {(centreMm: Point) => void} */ this.onCentre_ = () => {};
     this.centre_ = ['centre-x', 'centre-y', 'centre-z'].map((id) => byId(id, HTMLInputElement));
     const place = () => {
       const centre = this.centre_.map((input) => input.valueAsNumber);
-      if (centre.every(Number.isFinite)) onCentre(/** @type {Point} */ (centre));
+      if (centre.every(Number.isFinite)) this.onCentre_(/** @type {Point} */ (centre));
     };
     byId('place-here', HTMLButtonElement).addEventListener('click', place);
     for (const input of this.centre_) {
@@ -26,6 +26,11 @@ export class PlacePanel {
       });
     }
     this.showPlacement(undefined);
+  }
+
+  /** @param {(centreMm: Point) => void} onCentre  called with a typed centre */
+  listen(onCentre) {
+    this.onCentre_ = onCentre;
   }
 
   /** @param {Point} centreMm */

@@ -17,32 +17,36 @@ import { isUnderWay, printingWords, tryingWords, verdictLines } from './verdict_
  *   from the click to the end; `printed`: undefined until something is known about the print
  */
 
+/**
+ * @typedef {object} ResultListener
+ * @property {(format: string) => void} onDownload
+ * @property {() => void} onSaveReport
+ * @property {(remedy: Remedy, label: string) => void} onRemedy
+ * @property {(wanted: boolean) => void} onPrint  start or stop the simulation of the print
+ * @property {() => void} onTryPrints  try other print settings
+ * @property {ViewTrier} onTryViews
+ */
+
 export class ResultPanel {
-  /**
-   * @param {object} listener
-   * @param {(format: string) => void} listener.onDownload
-   * @param {() => void} listener.onSaveReport
-   * @param {(remedy: Remedy, label: string) => void} listener.onRemedy
-   * @param {(wanted: boolean) => void} listener.onPrint  start or stop the simulation of the print
-   * @param {() => void} listener.onTryPrints  try other print settings
-   * @param {ViewTrier} listener.onTryViews
-   */
-  constructor({ onDownload, onSaveReport, onRemedy, onPrint, onTryPrints, onTryViews }) {
+  constructor() {
+    /** @type {ResultListener | undefined} */ this.listener_ = undefined;
     this.region_ = byId('result', HTMLElement);
     this.verdict_ = byId('verdict', HTMLElement);
     this.numbers_ = byId('numbers', HTMLElement);
     this.notes_ = byId('result-notes', HTMLElement);
-    this.grades_ = new GradesPanel(onTryViews);
-    this.onRemedy_ = onRemedy;
-    this.onPrint_ = onPrint;
-    this.onTryPrints_ = onTryPrints;
+    this.grades_ = new GradesPanel(async (...report) => this.listener_?.onTryViews(...report));
     /** @type {Result | undefined} */ this.result_ = undefined;
     this.outdated_ = false;
     const format = byId('format', HTMLSelectElement);
-    byId('download', HTMLButtonElement).addEventListener('click', () => onDownload(format.value));
-    byId('save-report', HTMLButtonElement).addEventListener('click', onSaveReport);
+    byId('download', HTMLButtonElement).addEventListener('click', () => this.listener_?.onDownload(format.value));
+    byId('save-report', HTMLButtonElement).addEventListener('click', () => this.listener_?.onSaveReport());
     onLanguage(() => this.render_());
     this.render_();
+  }
+
+  /** @param {ResultListener} listener */
+  listen(listener) {
+    this.listener_ = listener;
   }
 
   /** @param {Result} result */
@@ -108,9 +112,9 @@ export class ResultPanel {
     showFindings(this.notes_, this.outdated_ ? [{ severity: 'warning', found: text('page.outdated'), help: '' }] : []);
     this.verdict_.replaceChildren(
       ...verdictLines(report, printed, {
-        onRemedy: this.onRemedy_,
-        onPrint: this.onPrint_,
-        onTryPrints: this.onTryPrints_,
+        onRemedy: (remedy, label) => this.listener_?.onRemedy(remedy, label),
+        onPrint: (wanted) => this.listener_?.onPrint(wanted),
+        onTryPrints: () => this.listener_?.onTryPrints(),
       }),
     );
     this.numbers_.replaceChildren(

@@ -21,14 +21,14 @@ const kMostListed = 16; // most numbers listed as choices
  */
 
 export class SettingsForm {
-  /** @param {SettingsListener} listener */
-  constructor({ onInput, onChange }) {
+  constructor() {
+    /** @type {SettingsListener | undefined} */ this.listener_ = undefined;
     this.lamps_ = new LampsField();
     this.controls_ = /** @type {Control[]} */ ([...document.querySelectorAll('[data-setting]')]);
     for (const control of this.controls_) {
       prepare(control);
-      control.addEventListener('input', () => onInput(control.id, heldBy(control)));
-      control.addEventListener('change', () => onChange(control.id, heldBy(control)));
+      control.addEventListener('input', () => this.listener_?.onInput(control.id, heldBy(control)));
+      control.addEventListener('change', () => this.listener_?.onChange(control.id, heldBy(control)));
     }
     /** @type {Values} */
     this.values_ = Object.fromEntries(this.controls_.map((control) => [control.id, heldBy(control)]));
@@ -38,6 +38,11 @@ export class SettingsForm {
     );
     onLanguage(() => this.nameAll_());
     this.nameAll_();
+  }
+
+  /** @param {SettingsListener} listener */
+  listen(listener) {
+    this.listener_ = listener;
   }
 
   /** Shows the values of all controls. Leaves a control alone that holds its value already. @param {Values} values */

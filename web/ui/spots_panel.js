@@ -15,23 +15,28 @@ import { sentenceOf } from '../i18n/messages.js';
  */
 
 export class SpotsPanel {
-  /** @param {SpotsListener} listener @param {import('../view/legend.js').Legend} legend */
-  constructor({ onSuggest, onSpot, onSizes }, legend) {
+  /** @param {import('../view/legend.js').Legend} legend */
+  constructor(legend) {
+    /** @type {SpotsListener | undefined} */ this.listener_ = undefined;
     this.suggest_ = byId('suggest', HTMLButtonElement);
     this.list_ = byId('spots', HTMLUListElement);
     this.note_ = byId('spots-note', HTMLParagraphElement);
     this.sizes_ = byId('show-sizes', HTMLButtonElement);
     this.legend_ = legend;
     this.topMm_ = 0;
-    this.onSpot_ = onSpot;
     /** @type {Spots['spots']} */ this.spots_ = [];
     onLanguage(() => this.nameSpots_());
-    this.suggest_.addEventListener('click', onSuggest);
+    this.suggest_.addEventListener('click', () => this.listener_?.onSuggest());
     this.sizes_.addEventListener('click', () => {
       const shown = this.sizes_.getAttribute('aria-pressed') !== 'true';
       this.setSizesShown(shown);
-      onSizes(shown);
+      this.listener_?.onSizes(shown);
     });
+  }
+
+  /** @param {SpotsListener} listener */
+  listen(listener) {
+    this.listener_ = listener;
   }
 
   /** @param {boolean} allowed */
@@ -49,7 +54,7 @@ export class SpotsPanel {
         const button = make('button', {}, picture, make('span', { className: 'name' }));
         button.type = 'button';
         button.setAttribute('aria-pressed', 'false');
-        button.addEventListener('click', () => this.onSpot_(index));
+        button.addEventListener('click', () => this.listener_?.onSpot(index));
         return make('li', {}, button);
       }),
     );

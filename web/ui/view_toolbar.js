@@ -18,9 +18,8 @@ import { byId } from '../dom/dom.js';
  */
 
 export class ViewToolbar {
-  /** @param {ToolbarListener} listener */
-  constructor(listener) {
-    this.listener_ = listener;
+  constructor() {
+    /** @type {ToolbarListener | undefined} */ this.listener_ = undefined;
     this.carved_ = byId('show-carved', HTMLButtonElement);
     this.before_ = byId('show-before', HTMLButtonElement);
     this.section_ = byId('show-section', HTMLButtonElement);
@@ -32,15 +31,20 @@ export class ViewToolbar {
     this.views_ = byId('views', HTMLButtonElement);
     this.menu_ = byId('views-menu', HTMLElement);
     this.carvedShown_ = false;
-    this.carved_.addEventListener('click', () => listener.onCarved(!isPressed(this.carved_)));
-    this.depths_.addEventListener('click', () => listener.onDepths(toggle(this.depths_)));
-    this.inspector_.addEventListener('click', () => listener.onInspector(toggle(this.inspector_)));
-    this.reader_.addEventListener('click', listener.onReaderView);
-    byId('fit', HTMLButtonElement).addEventListener('click', listener.onFit);
+    this.carved_.addEventListener('click', () => this.listener_?.onCarved(!isPressed(this.carved_)));
+    this.depths_.addEventListener('click', () => this.listener_?.onDepths(toggle(this.depths_)));
+    this.inspector_.addEventListener('click', () => this.listener_?.onInspector(toggle(this.inspector_)));
+    this.reader_.addEventListener('click', () => this.listener_?.onReaderView());
+    byId('fit', HTMLButtonElement).addEventListener('click', () => this.listener_?.onFit());
     this.section_.addEventListener('click', () => this.showSection(!isPressed(this.section_)));
-    this.position_.addEventListener('input', () => listener.onSection(true, this.position_.valueAsNumber));
+    this.position_.addEventListener('input', () => this.listener_?.onSection(true, this.position_.valueAsNumber));
     this.followMenu_();
     this.followBefore_();
+  }
+
+  /** @param {ToolbarListener} listener */
+  listen(listener) {
+    this.listener_ = listener;
   }
 
   followMenu_() {
@@ -54,7 +58,7 @@ export class ViewToolbar {
       if (!button) return;
       open(false);
       this.views_.focus();
-      this.listener_.onStandard(/** @type {StandardView} */ (button.dataset.view));
+      this.listener_?.onStandard(/** @type {StandardView} */ (button.dataset.view));
     });
     for (const element of [this.menu_, this.views_]) {
       element.addEventListener('keydown', (event) => {
@@ -93,7 +97,7 @@ export class ViewToolbar {
   hold(held) {
     if (this.before_.disabled || held === isPressed(this.before_)) return;
     this.before_.setAttribute('aria-pressed', String(held));
-    this.listener_.onBefore(held);
+    this.listener_?.onBefore(held);
   }
 
   /** @param {boolean} shown */
@@ -102,8 +106,8 @@ export class ViewToolbar {
     this.section_.setAttribute('aria-pressed', String(shown));
     byId('section-bar', HTMLElement).hidden = !shown;
     if (shown) this.position_.valueAsNumber = 0;
-    this.listener_.onSection(shown, 0);
-    if (shown) this.listener_.onFaceSection();
+    this.listener_?.onSection(shown, 0);
+    if (shown) this.listener_?.onFaceSection();
   }
 
   /** @param {boolean} exists  whether there is a carved model @param {boolean} shown */

@@ -3,20 +3,28 @@
 import { text } from '../i18n/catalogue.js';
 import { byId } from '../dom/dom.js';
 
+/** @typedef {{ onEngrave: () => void, onCancel: () => void }} WorkListener */
+
 export class WorkPanel {
-  /** @param {{ onEngrave: () => void, onCancel: () => void }} listener */
-  constructor({ onEngrave, onCancel }) {
+  constructor() {
+    /** @type {WorkListener | undefined} */ this.listener_ = undefined;
     this.engrave_ = byId('engrave', HTMLButtonElement);
     this.cancel_ = byId('cancel', HTMLButtonElement);
     this.progress_ = byId('progress', HTMLProgressElement);
     byId('panel', HTMLFormElement).addEventListener('submit', (event) => {
       event.preventDefault();
-      if (!this.engrave_.disabled) onEngrave();
+      if (!this.engrave_.disabled) this.listener_?.onEngrave();
     });
-    this.cancel_.addEventListener('click', onCancel);
+    this.cancel_.addEventListener('click', () => this.listener_?.onCancel());
     document.addEventListener('keydown', (event) => {
-      if (event.key === 'Escape' && !this.cancel_.hidden && !document.querySelector('dialog[open]')) onCancel();
+      if (event.key === 'Escape' && !this.cancel_.hidden && !document.querySelector('dialog[open]'))
+        this.listener_?.onCancel();
     });
+  }
+
+  /** @param {WorkListener} listener */
+  listen(listener) {
+    this.listener_ = listener;
   }
 
   /** Sets the label of the Engrave button. @param {'page.engrave' | 'batch.engraveFirst'} key */

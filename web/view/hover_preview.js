@@ -9,7 +9,7 @@ import { NewestOnly } from './newest_only.js';
 const kRestMs = 250;
 
 export class HoverPreview {
-  /** @param {() => EngineClient} client @param {CodeChip} chip */
+  /** @param {EngineClient} client @param {CodeChip} chip */
   constructor(client, chip) {
     this.client_ = client;
     this.chip_ = chip;
@@ -42,16 +42,14 @@ export class HoverPreview {
     this.chip_.hide();
     if (!this.shown_) return;
     this.shown_ = false;
-    this.client_()
-      .endHover()
-      .catch(() => {}); // fails only if the engine is replaced, which shows no code either
+    this.client_.endHover().catch(() => {}); // fails only if the engine is replaced, which shows no code either
   }
 
   /** @param {{ x: number, y: number }} at */
   async update_({ x, y }) {
     const asked = this.latest_;
     try {
-      const { code } = await this.client_().hover(x, y);
+      const { code } = await this.client_.hover(x, y);
       if (!this.shown_) return;
       if (!code) {
         this.chip_.hide();
@@ -69,7 +67,7 @@ export class HoverPreview {
     const asked = this.latest_;
     const isCurrent = () => this.shown_ && asked === this.latest_;
     try {
-      const found = await this.client_().settle();
+      const found = await this.client_.settle();
       if (found?.code && isCurrent()) this.chip_.show(found.code, x, y);
     } catch (thrown) {
       if (!isReplaced(thrown) && isCurrent()) this.chip_.showNoRoom(x, y);

@@ -6,24 +6,31 @@ import { freeArea, obstaclesOver } from './free_area.js';
 /** @typedef {import('../engine/types.js').InspectorState} InspectorState */
 /** @typedef {import('../engine/types.js').ViewAction} ViewAction */
 
+/**
+ * @typedef {object} InspectorListener
+ * @property {(action: ViewAction) => void} onAct
+ * @property {(overrides: string) => void} onEngrave  the inspector's Engrave button was pressed; the changes it makes, in
+ *   words
+ */
+
 export class InspectorView {
   /**
    * @param {HTMLElement} stage
    * @param {HTMLElement} view  holds the canvas
-   * @param {object} listener
-   * @param {(action: ViewAction) => void} listener.onAct
-   * @param {(overrides: string) => void} listener.onEngrave  the inspector's Engrave button was pressed; the changes it
-   *   makes, in words
    */
-  constructor(stage, view, { onAct, onEngrave }) {
+  constructor(stage, view) {
     this.stage_ = stage;
     this.view_ = view;
-    this.onAct_ = onAct;
-    this.onEngrave_ = onEngrave;
+    /** @type {InspectorListener | undefined} */ this.listener_ = undefined;
     this.takesKeys_ = false;
     this.engraveAsked_ = 0;
     // Capture the keys before the view and the page, both of which have shortcuts.
     view.addEventListener('keydown', (event) => this.key_(event), { capture: true });
+  }
+
+  /** @param {InspectorListener} listener */
+  listen(listener) {
+    this.listener_ = listener;
   }
 
   /** Returns the part of the view that no element of the page covers. */
@@ -45,14 +52,14 @@ export class InspectorView {
     this.view_.dataset.inspector = JSON.stringify(state);
     const isAsked = state.engraveAsked > this.engraveAsked_;
     this.engraveAsked_ = state.engraveAsked;
-    if (isAsked) this.onEngrave_(state.overrides);
+    if (isAsked) this.listener_?.onEngrave(state.overrides);
   }
 
   /** @param {KeyboardEvent} event */
   key_(event) {
     if (!this.takesKeys_ || event.isComposing) return;
     const { key, ctrlKey, metaKey, shiftKey } = event;
-    this.onAct_({ kind: 'key', key, control: ctrlKey || metaKey, shift: shiftKey });
+    this.listener_?.onAct({ kind: 'key', key, control: ctrlKey || metaKey, shift: shiftKey });
     event.preventDefault();
     event.stopPropagation();
   }

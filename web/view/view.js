@@ -25,21 +25,18 @@ export const kStandardViews = { 1: 'front', 2: 'back', 3: 'left', 4: 'right', 5:
  */
 
 export class View {
-  /**
-   * @param {HTMLElement} stage  holds the canvas
-   * @param {ViewListener} listener
-   */
-  constructor(stage, listener) {
+  /** @param {HTMLElement} stage  holds the canvas */
+  constructor(stage) {
     this.stage_ = stage;
-    this.listener_ = listener;
+    /** @type {ViewListener | undefined} */ this.listener_ = undefined;
     /** True while the inspector needs the pointer's position. */
     this.reportsPointer = false;
     this.turned_ = 0; // wheel notches left over, less than one
     const gestures = new GestureReader({
-      onOrbit: (dx, dy) => listener.onAct({ kind: 'orbit', dx, dy }),
-      onPan: (dx, dy) => listener.onAct({ kind: 'pan', dx, dy }),
-      onZoom: (factor, x, y) => listener.onAct({ kind: 'zoom', factor, x, y }),
-      onClick: (x, y) => listener.onPick(x, y),
+      onOrbit: (dx, dy) => this.listener_?.onAct({ kind: 'orbit', dx, dy }),
+      onPan: (dx, dy) => this.listener_?.onAct({ kind: 'pan', dx, dy }),
+      onZoom: (factor, x, y) => this.listener_?.onAct({ kind: 'zoom', factor, x, y }),
+      onClick: (x, y) => this.listener_?.onPick(x, y),
     });
     for (const type of /** @type {const} */ (['pointerdown', 'pointermove', 'pointerup', 'pointercancel'])) {
       stage.addEventListener(type, (event) => {
@@ -48,14 +45,14 @@ export class View {
         this.tellPointer_(event, 0);
         gestures.pointer(type, event);
         if (type === 'pointermove' && event.pointerType === 'mouse' && event.buttons === 0) {
-          listener.onHover?.(event.offsetX, event.offsetY);
+          this.listener_?.onHover?.(event.offsetX, event.offsetY);
         } else {
-          listener.onHoverEnd?.();
+          this.listener_?.onHoverEnd?.();
         }
       });
     }
     stage.addEventListener('pointerout', (event) => {
-      if (event.target === this.canvas_) listener.onHoverEnd?.();
+      if (event.target === this.canvas_) this.listener_?.onHoverEnd?.();
     });
     stage.addEventListener(
       'wheel',
@@ -71,10 +68,15 @@ export class View {
     stage.addEventListener('contextmenu', (event) => event.preventDefault());
     stage.addEventListener('keydown', (event) => this.key_(event));
     stage.addEventListener('keyup', (event) => {
-      if (event.key.toLowerCase() === 'b') listener.onBefore?.(false);
+      if (event.key.toLowerCase() === 'b') this.listener_?.onBefore?.(false);
     });
     new ResizeObserver(() => this.announceSize()).observe(stage);
     this.watchPixelRatio_();
+  }
+
+  /** @param {ViewListener} listener */
+  listen(listener) {
+    this.listener_ = listener;
   }
 
   /**
@@ -95,7 +97,7 @@ export class View {
 
   announceSize() {
     const { width, height } = this.stage_.getBoundingClientRect();
-    if (width > 0 && height > 0) this.listener_.onResize({ width, height, devicePixelRatio: pixelRatio() });
+    if (width > 0 && height > 0) this.listener_?.onResize({ width, height, devicePixelRatio: pixelRatio() });
   }
 
   /** Returns the point in the middle of the view, in CSS pixels of the canvas. */
@@ -108,13 +110,13 @@ export class View {
     this.turned_ += notchesOf(event);
     const whole = Math.trunc(this.turned_);
     this.turned_ -= whole;
-    if (whole !== 0) this.listener_.onTurn?.(whole, event.offsetX, event.offsetY);
+    if (whole !== 0) this.listener_?.onTurn?.(whole, event.offsetX, event.offsetY);
   }
 
   /** @param {MouseEvent} event @param {number} wheel */
   tellPointer_(event, wheel) {
     if (!this.reportsPointer) return;
-    this.listener_.onAct({ kind: 'pointer', x: event.offsetX, y: event.offsetY, buttons: event.buttons, wheel });
+    this.listener_?.onAct({ kind: 'pointer', x: event.offsetX, y: event.offsetY, buttons: event.buttons, wheel });
   }
 
   /** @param {KeyboardEvent} event */
@@ -123,23 +125,23 @@ export class View {
     const { x, y } = this.middle_();
     const arrow = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }[event.key];
     if (arrow && event.shiftKey) {
-      this.listener_.onAct({ kind: 'pan', dx: arrow[0] * kKeyPanPx, dy: arrow[1] * kKeyPanPx });
+      this.listener_?.onAct({ kind: 'pan', dx: arrow[0] * kKeyPanPx, dy: arrow[1] * kKeyPanPx });
     } else if (arrow) {
-      this.listener_.onAct({ kind: 'orbit', dx: arrow[0] * kKeyOrbitPx, dy: arrow[1] * kKeyOrbitPx });
+      this.listener_?.onAct({ kind: 'orbit', dx: arrow[0] * kKeyOrbitPx, dy: arrow[1] * kKeyOrbitPx });
     } else if (event.key === '+' || event.key === '=') {
-      this.listener_.onAct({ kind: 'zoom', factor: kKeyZoom, x, y });
+      this.listener_?.onAct({ kind: 'zoom', factor: kKeyZoom, x, y });
     } else if (event.key === '-') {
-      this.listener_.onAct({ kind: 'zoom', factor: 1 / kKeyZoom, x, y });
+      this.listener_?.onAct({ kind: 'zoom', factor: 1 / kKeyZoom, x, y });
     } else if (event.key.toLowerCase() === 'f') {
-      this.listener_.onAct({ kind: 'fit' });
+      this.listener_?.onAct({ kind: 'fit' });
     } else if (event.key.toLowerCase() === 'r') {
-      this.listener_.onAct({ kind: 'readerView' });
+      this.listener_?.onAct({ kind: 'readerView' });
     } else if (kStandardViews[event.key]) {
-      this.listener_.onAct({ kind: 'standard', name: kStandardViews[event.key] });
+      this.listener_?.onAct({ kind: 'standard', name: kStandardViews[event.key] });
     } else if (event.key.toLowerCase() === 'b') {
-      this.listener_.onBefore?.(true);
+      this.listener_?.onBefore?.(true);
     } else if (event.key === 'Enter') {
-      this.listener_.onPick(x, y);
+      this.listener_?.onPick(x, y);
     } else {
       return;
     }

@@ -15,22 +15,22 @@ import { ViewCube } from './view_cube.js';
 
 /**
  * @typedef {object} ViewToolsOptions
- * @property {() => EngineClient} client
+ * @property {EngineClient} client
  * @property {HTMLElement} stage     holds the canvas
  * @property {HTMLElement} overlays  holds the overlays outside the canvas
- * @property {import('./code_editor.js').EditListener} onEdit
- * @property {(action: ViewAction) => void} onAct
  */
+
+/** @typedef {import('./code_editor.js').EditListener & { onAct: (action: ViewAction) => void }} ToolsListener */
 
 export class ViewTools {
   /** @param {ViewToolsOptions} options */
-  constructor({ client, stage, overlays, onEdit, onAct }) {
-    this.onAct_ = onAct;
+  constructor({ client, stage, overlays }) {
+    /** @type {ToolsListener | undefined} */ this.listener_ = undefined;
     const surface = make('div', { className: 'code-overlay' });
     stage.append(surface);
     const chip = new CodeChip(surface);
     this.hover_ = new HoverPreview(client, chip);
-    this.editor_ = new CodeEditor({ client, overlay: surface, chip, listener: onEdit });
+    this.editor_ = new CodeEditor({ client, overlay: surface, chip, listener: this.passOn_() });
     this.lamps_ = new LampMarks(surface);
     this.search = new SearchPicture();
     this.cube_ = new ViewCube(overlays, (name) => this.act({ kind: 'standard', name }));
@@ -41,13 +41,27 @@ export class ViewTools {
     this.placed_ = false;
   }
 
+  /** @param {ToolsListener} listener */
+  listen(listener) {
+    this.listener_ = listener;
+  }
+
+  /** @returns {import('./code_editor.js').EditListener} */
+  passOn_() {
+    return {
+      onPlace: (x, y) => this.listener_?.onPlace(x, y),
+      onAdjust: (change) => this.listener_?.onAdjust(change),
+      onCancel: () => this.listener_?.onCancel(),
+    };
+  }
+
   /** Passes on every camera action. @param {ViewAction} action */
   act(action) {
     if (action.kind === 'readerView' && !this.placed_) return;
     if (action.kind === 'readerView') this.reader.enter();
     else if (action.kind !== 'pointer') this.reader.leave();
     this.allow_();
-    this.onAct_(action);
+    this.listener_?.onAct(action);
   }
 
   /** @param {import('../engine/types.js').ViewState} state */

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import assert from 'node:assert/strict';
+import { beforeEach, test } from 'node:test';
+import { SettingFields } from '../ui/setting_fields.js';
+import { Editing } from './editing.js';
+import { Signal } from './signal.js';
+import { FakeMessages, fake, storeOf } from './testing.js';
+
+const kDefaults = {
+  preset: 'balanced',
+  process: 'none',
+  nozzle: '0.4',
+  layer: '0.2',
+  size: 'best',
+  'size-mm': '40',
+  rotate: '0',
+};
+const kFields = /** @type {import('../ui/setting_fields.js').Field[]} */ ([
+  { id: 'preset', key: 'preset' },
+  { id: 'process', key: 'process' },
+  { id: 'nozzle', key: 'nozzleMm' },
+  { id: 'layer', key: 'layerMm' },
+  { id: 'size', key: 'size' },
+  { id: 'size-mm', key: 'maxSizeMm' },
+  { id: 'rotate', key: 'rotateDeg' },
+]);
+const kBatch = /** @type {any} */ ({ from: 'count', count: 3 });
+
+/** A panel whose user a test plays with `user`. */
+class FakePanel {
+  /** @type {any} */ user;
+  /** @type {any[]} */ shown = [];
+  /** @param {any} listener */
+  listen(listener) {
+    this.user = listener;
+  }
+  refresh() {}
+  showParts() {}
+  /** @param {any} placement */
+  showPlaced(placement) {
+    this.shown.push(placement);
+  }
+}
+
+/** @type {import('./work_store.js').WorkStore} */ let store;
+/** @type {FakePanel} */ let form;
+/** @type {FakePanel} */ let code;
+/** @type {FakePanel} */ let batchPanel;
+/** @type {any} */ let model;
+/** @type {any} */ let batching;
+/** @type {any} */ let spots;
+/** @type {any} */ let placing;
+/** @type {FakeMessages} */ let messages;
+/** @type {(string | undefined)[]} */ let applied;
+/** @type {Editing} */ let editing;
+
+beforeEach(() => {
+  store = storeOf({ text: 'a', values: kDefaults });
+  applied = [];
+  store.applied.on((field) => void applied.push(field));
+  [form, code, batchPanel] = [new FakePanel(), new FakePanel(), new FakePanel()];
+  model = fake();
+  batching = fake({ ready: async () => {} });
+  Object.assign(batching, { changed: new Signal(), isLocked: false });
+  spots = fake();
+  placing = fake();
+  Object.assign(placing, { placed: new Signal(), placement: { symbolMm: 20 } });
+  messages = new FakeMessages();
+  editing = new Editing({
+    store,
+    fields: new SettingFields(kFields, kDefaults),
+    form,
+    code,
+    batchPanel,
+    model,
+    batching,
+    spots,
+    placing,
+    messages: /** @type {any} */ (messages),
+    guard: async (action) => void (await action()),
+  });
+});
+
+test('A text is in the work with each letter, and is applied when typing pauses', async () => {
+  code.user.onInput('ab');
+  assert.equal(store.work.text, 'ab');
+  assert.deepEqual([applied, placing.calls], [[], []]);
+  await code.user.onChange();
+  assert.deepEqual([applied, placing.calls], [['text'], ['place']]);
+});
+
+test('A setting that is edited brings others once the edit is complete', async () => {
+  form.user.onInput('process', 'resin-0.05');
+  assert.deepEqual([store.work.values.process, store.work.values.nozzle], ['resin-0.05', '0.4']);
+  await form.user.onChange('process', 'resin-0.05');
+  assert.deepEqual([store.work.values.nozzle, store.work.values.layer], ['0.05', '0.05']);
+  assert.deepEqual(applied, ['process']);
+});
+
+test('The handles set the size, and the spots are dropped before the code is placed', async () => {
+  await editing.adjust({ symbolMm: 21.5 });
+  assert.deepEqual([store.work.values.size, store.work.values['size-mm']], ['fixed', '21.5']);
+  assert.deepEqual([applied, spots.calls, placing.calls], [['size'], ['forget'], ['place']]);
+});
+
+test('Another list is in the work before it is planned', async () => {
+  /** @type {any} */ let planned;
+  batching.answers.ready = async () => void (planned ??= store.work.batch);
+  await batchPanel.user.onChange(kBatch);
+  assert.equal(planned, kBatch);
+  assert.deepEqual(applied, ['parts']);
+});
+
+test('A remedy changes its setting and says so; without a setting, or without a place, it does not', async () => {
+  const remedy = /** @type {any} */ ({ change: { setting: 'preset', value: 'robust' } });
+  let said = 0;
+  messages.say = () => void (said += 1);
+  await editing.remedy(remedy, 'Carve deeper');
+  assert.deepEqual([store.work.values.preset, said], ['robust', 1]);
+  placing.placement = undefined;
+  await editing.remedy({ ...remedy, change: { setting: 'preset', value: 'shallow' } }, 'Carve shallower');
+  assert.deepEqual([store.work.values.preset, said], ['shallow', 1]);
+  await editing.remedy({ ...remedy, change: undefined }, 'Find a spot');
+  assert.equal(spots.calls.at(-1), 'suggest');
+  assert.deepEqual([applied.length, said], [2, 1]);
+});
+
+test('Another work is taken over without being applied; a list whose parts are carved stays', () => {
+  editing.restore({ text: 'b', values: { preset: 'robust' }, batch: kBatch });
+  assert.deepEqual(store.work.values, { ...kDefaults, preset: 'robust' });
+  assert.deepEqual([store.work.text, store.work.batch, applied], ['b', kBatch, []]);
+  batching.isLocked = true;
+  editing.restore({ text: 'c', values: {}, batch: undefined });
+  assert.deepEqual([store.work.text, store.work.batch], ['c', kBatch]);
+});
+
+test('A stored work comes back with its sample or its file; a text that was left out stays', async () => {
+  /** @type {any[]} */ const opened = [];
+  model.answers.openSample = async (/** @type {any[]} */ ...options) => void opened.push(options);
+  model.answers.load = async (/** @type {any[]} */ ...options) => void opened.push(options);
+  const place = { fileName: 'a.stl', scaleToMm: 1, upAxis: /** @type {const} */ ('z') };
+  await editing.continueWith({ ...place, sampleId: 'saddle', values: {}, centreMm: [1, 2, 3] });
+  assert.equal(store.work.text, 'a');
+  const bytes = new Uint8Array([1]);
+  await editing.continueWith({ ...place, bytes, text: 'b', values: {}, centreMm: [4, 5, 6] });
+  assert.equal(store.work.text, 'b');
+  assert.deepEqual(opened, [
+    ['saddle', { ...place, centreMm: [1, 2, 3] }],
+    [{ ...place, bytes, credit: '' }, [4, 5, 6]],
+  ]);
+});
+
+test('The code panel shows where the code is placed', () => {
+  placing.placed.tell({ symbolMm: 20 });
+  placing.placed.tell(undefined);
+  assert.deepEqual(code.shown, [{ symbolMm: 20 }, undefined]);
+});

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Opens what the user chooses: a sample, a file of a model, of settings or of a list, or the page's first state.
+import { looksLikeSettings } from '../export/settings_file.js';
+import { looksLikeList } from './batching.js';
+
+/**
+ * @typedef {object} OpeningOptions
+ * @property {Pick<import('../ui/model_panel.js').ModelPanel, 'listen'>} panel
+ * @property {Pick<import('../ui/code_panel.js').CodePanel, 'initialText' | 'leaveBuilder'>} code
+ * @property {import('../ui/setting_fields.js').SettingFields} fields
+ * @property {import('./model_session.js').ModelSession} model
+ * @property {import('./batching.js').Batching} batching
+ * @property {import('./editing.js').Editing} editing
+ * @property {import('./exporting.js').Exporting} exporting
+ * @property {import('./undo.js').Undo} undo
+ * @property {import('./jobs.js').Jobs} jobs
+ * @property {(action: () => Promise<unknown>) => Promise<void>} guard
+ */
+
+export class Opening {
+  /** @param {OpeningOptions} options */
+  constructor({ panel, code, fields, model, batching, editing, exporting, undo, jobs, guard }) {
+    this.code_ = code;
+    this.fields_ = fields;
+    this.model_ = model;
+    this.batching_ = batching;
+    this.editing_ = editing;
+    this.exporting_ = exporting;
+    this.undo_ = undo;
+    this.jobs_ = jobs;
+    /** Resolves when the module has started; false: it did not. @type {Promise<boolean>} */
+    this.started = Promise.resolve(false);
+    /** True once the user has chosen a file. */
+    this.fileChosen = false;
+    panel.listen({
+      onSample: (id) => guard(() => model.openSample(id)),
+      onFile: (file) => guard(() => this.openFile(file)),
+      onScale: (scaleToMm) => guard(() => model.rescale(scaleToMm)),
+      onUpAxis: (upAxis) => guard(() => editing.turnUp(upAxis)),
+    });
+  }
+
+  /** @param {File} file */
+  async openFile(file) {
+    this.fileChosen = true;
+    if (!(await this.started)) return; // the page shows why
+    if (looksLikeSettings(file)) await this.useSettings_(file);
+    else if (looksLikeList(file)) await this.batching_.openList(file);
+    else await this.model_.openFile(file);
+  }
+
+  /** @param {File} file */
+  async useSettings_(file) {
+    if (!this.model_.source) await this.model_.openSample();
+    this.undo_.keep();
+    await this.undo_.asOne(() => this.exporting_.useSettings(file));
+  }
+
+  /** Returns to the state in which the page opened. Can be undone. */
+  async startOver() {
+    this.jobs_.abort();
+    this.undo_.keep();
+    await this.undo_.asOne(async () => {
+      this.code_.leaveBuilder();
+      this.editing_.restore({ text: this.code_.initialText, values: this.fields_.defaults, batch: undefined });
+      await this.model_.openSample();
+    });
+  }
+}

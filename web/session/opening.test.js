@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import assert from 'node:assert/strict';
+import { beforeEach, test } from 'node:test';
+import { Opening } from './opening.js';
+import { Pending, fake, settled } from './testing.js';
+
+/** @type {any} */ let parts;
+/** @type {string[]} */ let opened;
+/** @type {any} */ let restored;
+/** @type {Opening} */ let opening;
+
+beforeEach(() => {
+  opened = [];
+  restored = undefined;
+  const opens = (/** @type {string} */ kind) => async () => void opened.push(kind);
+  parts = {
+    panel: fake(),
+    code: Object.assign(fake(), { initialText: 'first' }),
+    fields: { defaults: { preset: 'balanced' } },
+    model: fake({ openFile: opens('model'), openSample: opens('sample') }),
+    batching: fake({ openList: opens('list') }),
+    editing: fake({ restore: (/** @type {any} */ state) => void (restored = state) }),
+    exporting: fake({ useSettings: opens('settings') }),
+    undo: fake({ asOne: (/** @type {() => Promise<void>} */ action) => action() }),
+    jobs: fake(),
+    guard: (/** @type {() => Promise<unknown>} */ action) => action(),
+  };
+  parts.model.source = {};
+  opening = new Opening(parts);
+  opening.started = Promise.resolve(true);
+});
+
+test('A file is opened as what its name says', async () => {
+  for (const name of ['a.stl', 'a.csv', 'a.json']) await opening.openFile(new File([''], name));
+  assert.deepEqual(opened, ['model', 'list', 'settings']);
+});
+
+test('Settings without a model are used on the first sample', async () => {
+  parts.model.source = undefined;
+  await opening.openFile(new File([''], 'a.json'));
+  assert.deepEqual(opened, ['sample', 'settings']);
+});
+
+test('A file that is chosen early waits for the module; without one it is not opened', async () => {
+  const started = new Pending();
+  opening.started = started.promise;
+  const opens = opening.openFile(new File([''], 'a.stl'));
+  assert.equal(opening.fileChosen, true);
+  await settled();
+  assert.deepEqual(opened, []);
+  started.resolve(true);
+  await opens;
+  assert.deepEqual(opened, ['model']);
+  opening.started = Promise.resolve(false);
+  await opening.openFile(new File([''], 'b.stl'));
+  assert.deepEqual(opened, ['model']);
+});
+
+test('Starting over restores what the page opened with, as one change', async () => {
+  await opening.startOver();
+  assert.deepEqual(restored, { text: 'first', values: { preset: 'balanced' }, batch: undefined });
+  assert.deepEqual(opened, ['sample']);
+  assert.deepEqual(parts.undo.calls, ['keep', 'asOne']);
+  assert.deepEqual(parts.code.calls, ['leaveBuilder']);
+});

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import assert from 'node:assert/strict';
+import { beforeEach, test } from 'node:test';
+import { Session } from './session.js';
+import { Signal } from './signal.js';
+import { fake, storeOf } from './testing.js';
+
+/** @type {any} */ let parts;
+/** @type {string[]} */ let order; // of what a new model leads to
+/** @type {any} */ let user;
+/** @type {Session} */ let session;
+
+beforeEach(() => {
+  order = [];
+  const store = storeOf();
+  store.applied.on(() => void order.push('applied'));
+  const noted = (/** @type {string} */ name) => async () => void order.push(name);
+  const batching = fake({ ready: noted('planned') });
+  Object.assign(batching, { changed: new Signal(), incomplete: false });
+  parts = {
+    store,
+    batching,
+    model: { engravable: true },
+    jobs: { busy: false, cancel: noted('cancelled') },
+    spots: fake(),
+    placing: fake({ begin: noted('placed') }),
+    carving: fake({ drop: noted('dropped'), engrave: noted('carved') }),
+    undo: fake({ asOne: (/** @type {() => Promise<void>} */ action) => action() }),
+    code: Object.assign(fake(), { incomplete: false }),
+    batchPanel: fake(),
+    workPanel: fake({ listen: (/** @type {any} */ listener) => void (user = listener) }),
+    tools: fake(),
+    guard: (/** @type {() => Promise<unknown>} */ action) => action(),
+  };
+  session = new Session(parts);
+});
+
+test('A new model drops the carving before the code is placed on it', async () => {
+  await session.useModel();
+  assert.deepEqual(order, ['dropped', 'applied', 'placed']);
+  assert.deepEqual(parts.spots.calls, ['allow true', 'clear']);
+});
+
+test('Without a model that can be engraved, and while a job runs, nothing can be begun', () => {
+  session.allow();
+  parts.jobs.busy = true;
+  session.allow();
+  Object.assign(parts, { jobs: { busy: false }, model: { engravable: false } });
+  session.allow();
+  assert.deepEqual(parts.workPanel.calls, ['listen', 'allowEngrave true', 'allowEngrave false', 'allowEngrave false']);
+});
+
+test('What is missing is shown instead of engraving', async () => {
+  await user.onEngrave();
+  assert.deepEqual(order, ['planned', 'carved']);
+  parts.code.incomplete = true;
+  await user.onEngrave();
+  assert.deepEqual(parts.code.calls, ['reveal']);
+  parts.batching.incomplete = true;
+  await user.onEngrave();
+  assert.deepEqual(parts.batchPanel.calls, ['reveal']);
+  assert.equal(order.filter((step) => step === 'carved').length, 1);
+});
+
+test('The button says that only the first part is engraved', () => {
+  parts.batching.changed.tell({});
+  parts.batching.changed.tell(undefined);
+  assert.deepEqual(parts.workPanel.calls.slice(1), ['nameEngrave batch.engraveFirst', 'nameEngrave page.engrave']);
+});

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { Signal } from './signal.js';
+
+test('A signal tells all listeners, the earliest first, and none that comes later', () => {
+  /** @type {Signal<[number, string]>} */ const signal = new Signal();
+  /** @type {any[]} */ const told = [];
+  signal.tell(0, 'a');
+  signal.on((...values) => void told.push(['first', ...values]));
+  signal.on((...values) => void told.push(['second', ...values]));
+  signal.tell(1, 'b');
+  assert.deepEqual(told, [
+    ['first', 1, 'b'],
+    ['second', 1, 'b'],
+  ]);
+});

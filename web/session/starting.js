@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Starts the page, and restores the work in a new module.
+import { EngineFailure, describeThrown, internal } from '../engine/engine_error.js';
+import { message } from '../engine/message.js';
+import { text } from '../i18n/catalogue.js';
+import { fetchJson } from './fetch_file.js';
+
+const kAsked = ['sample', 'text', 'engrave']; // address parameters
+
+/**
+ * @typedef {object} StartingOptions
+ * @property {import('../engine/client.js').EngineClient} client
+ * @property {import('../view/view.js').View} view
+ * @property {import('../ui/preferences.js').Theme} theme
+ * @property {import('../ui/messages.js').Messages} messages
+ * @property {import('./work_store.js').WorkStore} store
+ * @property {import('./model_session.js').ModelSession} model
+ * @property {import('./batching.js').Batching} batching
+ * @property {import('./batch_carving.js').BatchCarving} batchCarving
+ * @property {import('./carving.js').Carving} carving
+ * @property {import('./continuing.js').Continuing} kept
+ * @property {import('./exporting.js').Exporting} exporting
+ * @property {import('./inspecting.js').Inspecting} inspecting
+ * @property {import('./opening.js').Opening} opening
+ * @property {import('./session.js').Session} session
+ * @property {(action: () => Promise<unknown>) => Promise<void>} guard
+ */
+
+export class Starting {
+  /** @param {StartingOptions} options */
+  constructor(options) {
+    this.options_ = options;
+  }
+
+  /** @param {URLSearchParams} address */
+  async start(address) {
+    const { opening, batchCarving, kept, guard } = this.options_;
+    opening.started = this.startModule_(address);
+    if (!(await opening.started)) return;
+    if (opening.fileChosen) {
+      // the user opened a file before the module was ready
+      await batchCarving.offer();
+      await kept.begin(false);
+      return;
+    }
+    await guard(() => this.open_(address));
+  }
+
+  /** Opens the page's first model, and does what the address asks for. @param {URLSearchParams} address */
+  async open_(address) {
+    const { exporting, model, batchCarving, kept, carving } = this.options_;
+    const { asksForSettings, refusal } = exporting.useAddress(address);
+    await model.openSample(address.get('sample') ?? undefined);
+    const isOffered = await batchCarving.offer();
+    // An address that asks for something takes precedence over the last visit's work.
+    await kept.begin(!isOffered && !asksForSettings && !kAsked.some((name) => address.has(name)));
+    if (refusal) throw refusal;
+    if (address.get('engrave') === '1') await carving.engrave();
+  }
+
+  /**
+   * @param {URLSearchParams} address
+   * @returns {Promise<boolean>}  false: the module did not start
+   */
+  async startModule_(address) {
+    const { client, store, model, messages } = this.options_;
+    store.update(({ text: typed }) => ({ text: address.get('text') ?? typed }));
+    try {
+      const [{ problems }, samples] = await Promise.all([client.start(), fetchJson('samples/manifest.json')]);
+      if (problems.length > 0) {
+        throw new EngineFailure(internal(message('no-graphics', { why: { cause: problems[0] } })));
+      }
+      model.setSamples(samples);
+    } catch (thrown) {
+      messages.say(() => text('page.notStarted'));
+      messages.showError(describeThrown(thrown));
+      return false;
+    }
+    await this.prepareView_();
+    return true;
+  }
+
+  async prepareView_() {
+    const { client, view, theme } = this.options_;
+    view.announceSize();
+    await client.setTheme(theme.dark);
+  }
+
+  /** Restores the work in a new module. */
+  async restore() {
+    const { carving, batching, inspecting, messages, model, session } = this.options_;
+    await carving.dropForGood();
+    batching.forget();
+    await this.prepareView_();
+    await inspecting.restore();
+    messages.say(() => text('page.chooseModel'));
+    await model.reload();
+    if (model.source) await session.begin();
+  }
+}

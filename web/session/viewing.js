@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Connects the view with the work: shows the carved model, and passes on what the user does in the view.
+
+/**
+ * @typedef {object} ViewingOptions
+ * @property {import('../engine/client.js').EngineClient} client
+ * @property {import('../view/view.js').View} view
+ * @property {import('../view/view_tools.js').ViewTools} tools
+ * @property {import('../ui/view_toolbar.js').ViewToolbar} toolbar
+ * @property {import('../view/legend.js').Legend} legend
+ * @property {import('../view/inspector_view.js').InspectorView} inspector
+ * @property {import('./inspecting.js').Inspecting} inspecting
+ * @property {import('../ui/spots_panel.js').SpotsPanel} spotsPanel
+ * @property {import('./placing.js').Placing} placing
+ * @property {import('./carving.js').Carving} carving
+ * @property {import('./editing.js').Editing} editing
+ * @property {(action: () => Promise<unknown>) => Promise<void>} guard
+ */
+
+export class Viewing {
+  /** @param {ViewingOptions} options */
+  constructor({ client, toolbar, tools, legend, spotsPanel, carving, guard, ...options }) {
+    this.client_ = client;
+    this.toolbar_ = toolbar;
+    this.tools_ = tools;
+    this.legend_ = legend;
+    this.spotsPanel_ = spotsPanel;
+    this.carving_ = carving;
+    this.guard_ = guard;
+    this.listen_(options);
+    this.listenToToolbar_(options.inspecting);
+    carving.changed.on((exists, shown) => this.noteCarved_(exists, shown));
+    carving.printed.on(() => this.notePrinted_());
+  }
+
+  /** @param {Pick<ViewingOptions, 'view' | 'inspector' | 'inspecting' | 'placing' | 'editing'>} options */
+  listen_({ view, inspector, inspecting, placing, editing }) {
+    const { client_: client, tools_: tools, toolbar_: toolbar, guard_: guard } = this;
+    const act = (/** @type {import('../engine/types.js').ViewAction} */ action) => guard(() => client.act(action));
+    const pick = (/** @type {number} */ x, /** @type {number} */ y) =>
+      guard(() => placing.move(() => client.pick(x, y)));
+    view.listen({
+      onAct: (action) => tools.act(action),
+      onPick: pick,
+      onHover: (x, y) => tools.hover(x, y),
+      onHoverEnd: () => tools.endHover(),
+      onTurn: (notches, x, y) => tools.turn(notches, x, y),
+      onBefore: (held) => toolbar.hold(held),
+      onResize: (size) =>
+        guard(async () => {
+          await client.resize(size);
+          await inspecting.makeRoom();
+        }),
+    });
+    tools.listen({
+      onPlace: pick,
+      onAdjust: (change) => guard(() => editing.adjust(change)),
+      onCancel: () => guard(() => placing.place()),
+      onAct: act,
+    });
+    inspector.listen({ onAct: act, onEngrave: (overrides) => guard(() => this.carving_.engrave(overrides)) });
+    placing.placed.on((placement) => {
+      toolbar.setPlaced(placement !== undefined);
+      tools.set({ placed: placement !== undefined });
+    });
+  }
+
+  /** @param {import('./inspecting.js').Inspecting} inspecting */
+  listenToToolbar_(inspecting) {
+    const { client_: client, tools_: tools, guard_: guard } = this;
+    this.toolbar_.listen({
+      onCarved: (carved) => guard(() => this.showCarved_(carved)),
+      onBefore: (before) => guard(() => client.showCarved(!before)),
+      onReaderView: () => tools.act({ kind: 'readerView' }),
+      onFit: () => tools.act({ kind: 'fit' }),
+      onStandard: (name) => tools.act({ kind: 'standard', name }),
+      onSection: (shown, offset) => guard(() => client.showSection(shown, offset)),
+      onFaceSection: () => tools.act({ kind: 'faceSection' }),
+      onDepths: (shown) => guard(() => this.showDepths_(shown)),
+      onInspector: (shown) => guard(() => inspecting.show(shown)),
+    });
+  }
+
+  /** @param {boolean} carved */
+  async showCarved_(carved) {
+    if (carved) this.spotsPanel_.setSizesShown(false);
+    await this.carving_.show(carved);
+  }
+
+  /** Reacts to a change of the carved model. @param {boolean} exists @param {boolean} shown */
+  noteCarved_(exists, shown) {
+    this.toolbar_.setCarved(exists, shown);
+    this.tools_.reader.show(shown ? this.carving_.carved?.report.verification.text : undefined);
+    this.tools_.set({ carved: shown });
+    this.notePrinted_();
+    if (!shown) this.legend_.hide('depths');
+    else if (this.toolbar_.depthsShown) void this.guard_(() => this.showDepths_(true));
+  }
+
+  /** Updates the print in the view after a new carving or print. */
+  notePrinted_() {
+    const { report, printed } = this.carving_.carved ?? {};
+    this.tools_.reader.showPrint(
+      report && printed?.state === 'made'
+        ? {
+            print: printed.print,
+            modules: report.symbol.modules,
+            reads: report.verification.verdict.prints.level !== 'bad',
+          }
+        : undefined,
+    );
+  }
+
+  /** Shows or hides the depths as colours on the carved model. @param {boolean} shown */
+  async showDepths_(shown) {
+    const { topMm, deepestMm } = await this.client_.showDepths(shown);
+    if (shown) this.legend_.show('depths', topMm, deepestMm > topMm);
+    else this.legend_.hide('depths');
+    if (shown && !this.carving_.shown) await this.showCarved_(true);
+  }
+}
