@@ -79,6 +79,24 @@ test('The method page computes its pictures, and reads the one that the phone se
   expect(complaints).toEqual([]);
 });
 
+test('The method page leads to the pages of the library, and its example to the function it calls', async ({
+  page,
+}) => {
+  const complaints = listen(page);
+  await page.goto('./method.html');
+  await page.getByRole('link', { name: 'The C++ library for developers' }).click();
+  await expect(page).toHaveTitle('The library · QRelief');
+  await expect(page.getByRole('listitem').filter({ hasText: 'depth search' })).toHaveText(/^depth: /);
+  await expectNoSidewaysScroll(page);
+  await expectNoViolations(page, 'library');
+  await page.getByRole('link', { name: 'readModel', exact: true }).click();
+  await expect(page).toHaveTitle('io · QRelief');
+  await expect(page.getByRole('heading', { name: 'readModel()' })).toBeInViewport();
+  await expectNoSidewaysScroll(page);
+  await expectNoViolations(page, 'module of the library');
+  expect(complaints).toEqual([]);
+});
+
 test('The study shows figures with tables to download, in the language and the width of the page', async ({ page }) => {
   const complaints = listen(page);
   await page.goto('./guide.html');

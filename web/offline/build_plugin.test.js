@@ -25,6 +25,7 @@ const versionOf = (code) => /"version":"(\w+)"/.exec(code)?.[1];
 test('every file is kept but hidden ones, the worker itself and what only search engines read', () => {
   withFolder(
     {
+      'api/index.html': 'l',
       'gallery/x.png': 'p',
       'index.html': 'a',
       'assets/x.js': 'b',
