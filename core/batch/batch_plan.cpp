@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "io/sniff_format.h"
+#include "settings/removed_settings.h"
 #include "settings/setting_text.h"
 
 namespace qrelief {
@@ -78,9 +79,27 @@ Status BatchPlan::prepare() {
     const Setting* setting = findSetting(columns[i]);
     if (setting && setting->kind == Setting::Kind::Text) setting = nullptr;
     if (setting) settings_.push_back({i, setting});
-    if (!isNamed && !setting && columns[i] != kId) unused_.push_back(columns[i]);
+    if (isNamed || setting || columns[i] == kId) continue;
+    if (const RemovedSetting* removed = findRemovedSetting(columns[i]))
+      warnings_.push_back(removedWarning(*removed, columns[i]));
+    else
+      unused_.push_back(columns[i]);
   }
+  warnOfRemovedChoices();
   return {};
+}
+
+/// Adds one warning for each removed choice in the list.
+void BatchPlan::warnOfRemovedChoices() {
+  for (const RemovedSetting& removed : removedSettings()) {
+    if (removed.choice.empty()) continue;
+    const auto column = std::find_if(settings_.begin(), settings_.end(),
+                                     [&](const SettingColumn& c) { return c.setting->key == removed.key; });
+    if (column == settings_.end()) continue;
+    std::size_t row = 0;
+    while (row < size() && list_.cell(row, column->column) != removed.choice) ++row;
+    if (row < size()) warnings_.push_back(removedWarning(removed, removed.key + " " + removed.choice));
+  }
 }
 
 Status BatchPlan::checkNames(const TextTemplate& wanted) const {
@@ -120,7 +139,7 @@ Result<BatchRow> BatchPlan::made(std::size_t index) const {
   row.file = std::move(*file);
   for (const auto& [column, setting] : settings_) {
     const std::string cell(list_.cell(index, column));
-    if (cell.empty()) continue;
+    if (cell.empty() || findRemovedChoice(setting->key, cell)) continue;
     const auto given = valueFromText(*setting, std::span(&cell, 1));
     if (!given) return tl::unexpected(given.error());
     if (const Status good = checkValue(*setting, *given); !good) return tl::unexpected(good.error());

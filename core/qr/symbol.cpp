@@ -193,7 +193,6 @@ Result<Symbol> encodeSymbol(std::string_view text, const SymbolOptions& options)
   if (options.raiseErrorCorrection) symbol = withRaisedErrorCorrection(text, std::move(symbol));
   if (options.maskRule == MaskRule::Fixed) symbol = withMask(symbol, options.mask);
   if (options.maskRule == MaskRule::Shadiest) symbol = withShadiestMask(symbol);
-  if (options.breakUpDarkAreas) breakUpDarkAreas(symbol);
   return symbol;
 }
 

@@ -25,7 +25,6 @@ Status checkNumber(const std::string& key, Unit unit, double value, double min, 
                   message("setting-out-of-range", with::setting("setting", key), with::angleDeg("value", value),
                           with::angleDeg("min", min), with::angleDeg("max", max)));
     case Unit::None:
-    case Unit::Module:
     case Unit::Sky:
       break;
   }
@@ -54,17 +53,6 @@ Status checkVector(const Setting& setting, const Vec3& vector) {
 
 /// Refuses settings that do not go together.
 Status checkTogether(const EngraveRequest& request) {
-  const auto exclude = [](const char* setting, const char* value, const char* other, const char* otherValue) {
-    return fail(ErrorKind::BadUsage,
-                message("settings-exclude", with::setting("setting", setting), with::choice("value", setting, value),
-                        with::setting("other", other), with::choice("otherValue", other, otherValue)));
-  };
-  if (request.floor != FloorShape::Flat) {
-    const char* floor = floorShapeName(request.floor);
-    if (request.objective != DepthObjective::Contrast)
-      return exclude("floor", floor, "objective", depthObjectiveName(request.objective));
-    if (request.solver == ContrastSolver::PaperSteps) return exclude("floor", floor, "solver", "paper-steps");
-  }
   if (request.objective == DepthObjective::OneLight && request.lamps().size() > 1)
     return fail(ErrorKind::BadUsage,
                 message("one-light-has-several", with::setting("objective", "objective"),

@@ -38,7 +38,6 @@ void addLargerCode(const EngraveRequest& request, const EngraveResult& result, d
 }
 
 void addDarkerModules(const EngraveRequest& request, std::vector<Remedy>& remedies) {
-  if (request.objective == DepthObjective::Reading) return;
   if (request.contrast) {
     remedies.push_back({message("remedy-preset-contrast"), "contrast", ""});
   } else if (const std::optional<Preset> deeper = deeperPreset(request.preset)) {

@@ -289,7 +289,7 @@ std::optional<SettingChange> changeToTryNext(const EngraveRequest& request, cons
   if (reads && !(printed && verdict.prints.level == Level::Barely && !printed->reading.count.enough()))
     return std::nullopt;
   if (!reads && request.isForPrint()) return SettingChange{"carveFor", "design"};
-  const bool mayGoDeeper = !request.contrast && !request.keepPreset && request.objective != DepthObjective::Reading;
+  const bool mayGoDeeper = !request.contrast && !request.keepPreset;
   const std::optional<Preset> deeper = mayGoDeeper ? deeperPreset(request.preset) : std::nullopt;
   return deeper ? std::optional(SettingChange{"preset", presetName(*deeper)}) : std::nullopt;
 }

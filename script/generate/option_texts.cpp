@@ -41,8 +41,6 @@ std::string numberName(const Setting& setting) {
       return "MM";
     case Setting::Unit::Degree:
       return "DEG";
-    case Setting::Unit::Module:
-      return "MODULES";
     case Setting::Unit::Sky:
     case Setting::Unit::None:
       break;

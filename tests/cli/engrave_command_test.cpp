@@ -169,15 +169,13 @@ TEST_F(EngraveCommandTest, DirectionsAndSizesGoByTheNamesOfTheContract) {
 
 TEST_F(EngraveCommandTest, TheSymbolIsMadeAsAskedFor) {
   const std::string model = writeModel("plate.stl", shapes::box({60, 60, 8}));
-  const Outcome outcome = run({"engrave", model, "--at", "0,0,4", "--text", "QRELIEF", "--version", "3", "--raise-ecc",
-                               "--mask", "5", "--break-up", "-o", path("out.stl"), "--report", path("r.json")});
+  const Outcome outcome = run({"engrave", model, "--at", "0,0,4", "--text", "QRELIEF", "--version", "3", "--mask", "5",
+                               "-o", path("out.stl"), "--report", path("r.json")});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const auto symbol = nlohmann::json::parse(contentOf(path("r.json")))["symbol"];
   EXPECT_EQ(symbol["ecc"], "H");
   EXPECT_EQ(symbol["mask"], 5);
   EXPECT_EQ(symbol["correctableCodewords"], 11);  // 3-H: two blocks with 22 check codewords each
-  EXPECT_EQ(symbol["spentCodewords"], 7);         // 3-L corrects 7 in its one block: each keeps 4
-  EXPECT_GE(symbol["flippedModules"], 14);
 }
 
 TEST_F(EngraveCommandTest, ADirectionFromBehindIsNoSolution) {

@@ -139,7 +139,7 @@ TEST_F(CarvedForPrintTest, WhereNoPrintCanBeAskedTheDesignAloneDecides) {
         r.lights = {{30, 45, 1}};
       },
       [](EngraveRequest& r) { r.solver = ContrastSolver::PaperSteps; },
-      [](EngraveRequest& r) { r.objective = DepthObjective::Reading; }};
+      [](EngraveRequest& r) { r.objective = DepthObjective::OneLight; }};
   for (const auto& change : changes) EXPECT_EQ(depthsBy(change, CarveFor::Print), depthsBy(change, CarveFor::Design));
   const auto none = [](EngraveRequest&) {};
   EXPECT_NE(depthsBy(none, CarveFor::Print), depthsBy(none, CarveFor::Design));

@@ -66,13 +66,12 @@ TEST_F(DefaultPatternsTest, WhatTheRequestSaysItselfStays) {
 }
 
 TEST_F(DefaultPatternsTest, ANamedPatternOrAnotherWayOfCarvingHasPatternedFinders) {
-  std::vector<EngraveRequest> others(6, request_);
+  std::vector<EngraveRequest> others(5, request_);
   others[0].modulePattern = ModulePattern::Diamond;
   others[1].finderPattern = FinderPattern::Diamond;
   others[2].lights = {DirectionalLight{}};
-  others[3].floor = FloorShape::Wavy;
-  others[4].solver = ContrastSolver::PaperSteps;
-  others[5].objective = DepthObjective::Reading;
+  others[3].solver = ContrastSolver::PaperSteps;
+  others[4].objective = DepthObjective::OneLight;
   for (const EngraveRequest& other : others) {
     const EngraveRequest carved = withDefaultPatterns(other, kModuleMm);
     EXPECT_EQ(carved.modulePattern, other.modulePattern.value_or(ModulePattern::ThickPlus));

@@ -76,13 +76,5 @@ TEST(SymbolReading, WorksUnderEveryMask) {
               "https://qrelief.example");
 }
 
-TEST(SymbolReading, RestoresWhatWasBrokenUp) {
-  for (const int version : {2, 3, 6, 10, 20, 40})
-    for (const ErrorCorrection level : {ErrorCorrection::M, ErrorCorrection::Q, ErrorCorrection::H})
-      EXPECT_EQ(readText("QRELIEF", {.errorCorrection = level, .version = version, .breakUpDarkAreas = true}),
-                "QRELIEF")
-          << version << errorCorrectionName(level);
-}
-
 }  // namespace
 }  // namespace qrelief

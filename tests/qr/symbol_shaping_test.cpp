@@ -20,10 +20,6 @@ Symbol symbolOf(const SymbolOptions& options) {
   return symbol.value_or(Symbol());
 }
 
-int darkModules(const Symbol& symbol) {
-  return static_cast<int>(std::count(symbol.dark.begin(), symbol.dark.end(), 1));
-}
-
 TEST(SymbolMask, IsTheLibrarysWhereItIsTheSame) {
   for (int version = 1; version <= 40; ++version) {
     for (const ErrorCorrection level : kLevels) {
@@ -94,53 +90,6 @@ TEST(SkyFraction, IsTheSameUpdatedAsMadeAnew) {
   const SkyFraction anew(symbol);
   for (int row = 0; row < symbol.size; ++row)
     for (int column = 0; column < symbol.size; ++column) ASSERT_EQ(sky.of(row, column), anew.of(row, column));
-}
-
-TEST(BreakUpDarkAreas, LeavesEachBlockAsMuchCorrectionAsLevelL) {
-  for (const int version : {3, 5, 7, 12}) {
-    for (const ErrorCorrection level : {ErrorCorrection::M, ErrorCorrection::Q, ErrorCorrection::H}) {
-      const Result<Symbol> plain = encodeSymbol("QRELIEF", {.errorCorrection = level, .version = version});
-      const Result<Symbol> broken =
-          encodeSymbol("QRELIEF", {.errorCorrection = level, .version = version, .breakUpDarkAreas = true});
-      ASSERT_TRUE(plain && broken);
-      // Compares the reported reserve with the number of codewords that differ.
-      const CodewordLayout layout = layoutCodewords(*plain);
-      const auto before = readBlocks(*plain, layout), after = readBlocks(*broken, layout);
-      int most = 0;
-      for (std::size_t b = 0; b < before.size(); ++b) {
-        int wrong = 0;
-        for (std::size_t i = 0; i < before[b].size(); ++i) wrong += before[b][i] != after[b][i];
-        most = std::max(most, wrong);
-      }
-      const CorrectionReserve reserve = correctionReserve(*broken);
-      EXPECT_EQ(reserve.spent, most);
-      EXPECT_GT(reserve.spent, 0);
-      const BlockStructure least = blockStructure(version, ErrorCorrection::L);
-      EXPECT_GE((reserve.correctable - reserve.spent) * layout.structure.blocks, least.correctable() * least.blocks);
-      EXPECT_EQ(darkModules(*plain) - darkModules(*broken), reserve.flippedModules);
-    }
-  }
-}
-
-TEST(BreakUpDarkAreas, MakesOnlyDataModulesLightAndLessSkySeen) {
-  const Symbol plain = symbolOf({.errorCorrection = ErrorCorrection::H});
-  const Symbol broken = symbolOf({.errorCorrection = ErrorCorrection::H, .breakUpDarkAreas = true});
-  for (std::size_t i = 0; i < plain.dark.size(); ++i) {
-    if (broken.dark[i] == plain.dark[i]) continue;
-    EXPECT_EQ(plain.dark[i], 1);
-    EXPECT_EQ(plain.roles[i], ModuleRole::Data);
-    EXPECT_EQ(broken.flipped[i], 1);
-  }
-  EXPECT_LT(SkyFraction(broken).mean(broken), SkyFraction(plain).mean(plain));
-}
-
-TEST(BreakUpDarkAreas, ChangesNothingWithLevelL) {
-  const SymbolOptions plain{.errorCorrection = ErrorCorrection::L};
-  SymbolOptions broken = plain;
-  broken.breakUpDarkAreas = true;
-  // The blocks are equal; only remainder bits may differ, which no decoder reads.
-  const Symbol symbol = symbolOf(plain);
-  EXPECT_EQ(readBlocks(symbolOf(broken), layoutCodewords(symbol)), readBlocks(symbol, layoutCodewords(symbol)));
 }
 
 TEST(RaisedErrorCorrection, IsTheHighestThatTheVersionHolds) {

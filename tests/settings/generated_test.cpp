@@ -40,7 +40,7 @@ TEST(OptionTexts, SayFlagValuesRangeAndDefault) {
   EXPECT_EQ(margin.values, "");
   EXPECT_EQ(margin.initial, "off");
   EXPECT_EQ(optionTexts(*findSetting("inlay")).flag, "--inlay");
-  EXPECT_EQ(optionTexts(*findSetting("raiseEcc")).flag, "--raise-ecc");
+  EXPECT_EQ(optionTexts(*findSetting("keepPreset")).flag, "--keep-preset");
   const OptionTexts preset = optionTexts(*findSetting("preset"));
   EXPECT_NE(preset.help.find("sets --contrast to 0.2, 0.3 or 0.38"), std::string::npos) << preset.help;
   EXPECT_EQ(preset.initial, "balanced");

@@ -43,7 +43,6 @@ TEST(SettingsTable, AKeySaysTheUnit) {
     if (setting.kind != Setting::Kind::Number) continue;  // a choice's key names no unit
     EXPECT_EQ(setting.key.ends_with("Mm"), setting.unit == Setting::Unit::Millimetre) << setting.key;
     EXPECT_EQ(setting.key.ends_with("Deg"), setting.unit == Setting::Unit::Degree) << setting.key;
-    EXPECT_EQ(setting.key.ends_with("Modules"), setting.unit == Setting::Unit::Module) << setting.key;
   }
 }
 
@@ -134,36 +133,14 @@ TEST(SettingsTable, SaysWhichSettingIsOutOfItsRangeAndWhatIsPossible) {
   EXPECT_THAT(hint(checked.error().message), HasSubstr("from 0 mm to 1000 mm"));
 }
 
-TEST(SettingsTable, ErrorCorrectionThatIsAskedForIsNotRaisedUnlessThatIsAskedForToo) {
+TEST(SettingsTable, ErrorCorrectionThatIsAskedForIsNotRaised) {
   EngraveRequest request = defaultRequest();
   EXPECT_TRUE(request.symbol.raiseErrorCorrection);
   findSetting("ecc")->write(request, std::string("Q"));
-  EXPECT_FALSE(request.symbol.raiseErrorCorrection);
-  findSetting("raiseEcc")->write(request, true);
   EXPECT_EQ(request.symbol.errorCorrection, ErrorCorrection::Q);
-  EXPECT_TRUE(request.symbol.raiseErrorCorrection);
+  EXPECT_FALSE(request.symbol.raiseErrorCorrection);
   findSetting("ecc")->write(request, std::string("auto"));
   EXPECT_EQ(request.symbol, defaultRequest().symbol);
-}
-
-TEST(SettingsTable, AShapedFloorIsForContrastByTheFastSolver) {
-  EngraveRequest request = defaultRequest();
-  request.floor = FloorShape::Wavy;
-  EXPECT_TRUE(checkSettings(request));
-  EXPECT_FALSE(request.isForPrint());
-  request.solver = ContrastSolver::PaperSteps;
-  const Status solver = checkSettings(request);
-  ASSERT_FALSE(solver);
-  EXPECT_EQ(solver.error().kind, ErrorKind::BadUsage);
-  EXPECT_EQ(sentence(solver.error().message), "--floor is wavy, which cannot be combined with --solver paper-steps");
-  EXPECT_EQ(hint(solver.error().message), "Choose another --floor or another --solver");
-  request.solver = ContrastSolver::Fast;
-  for (const DepthObjective objective : {DepthObjective::Reading, DepthObjective::OneLight}) {
-    request.objective = objective;
-    EXPECT_EQ(checkSettings(request).error().message.code, "settings-exclude");
-  }
-  request.floor = FloorShape::Flat;
-  EXPECT_TRUE(checkSettings(request));
 }
 
 TEST(SettingsTable, OneLightHasOneLampOfItsOwnUnlessOneIsGiven) {

@@ -8,7 +8,7 @@
 #include "base/halton.h"
 #include "math/angle.h"
 #include "math/tolerance.h"
-#include "qr/symbol_shaping.h"
+#include "study/methods/break_up.h"
 #include "study/study_spots.h"
 
 namespace qrelief::study {

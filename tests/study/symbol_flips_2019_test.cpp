@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 
 #include "qr/codewords.h"
-#include "qr/symbol_shaping.h"
+#include "study/methods/break_up.h"
 
 namespace qrelief::study {
 namespace {

@@ -143,8 +143,9 @@
  * has a column for them; `count`: number of rows without a list, else 0; `perPlate`: rows per plate, 0: one file per
  * row.
  * @typedef {{ settings: Settings, text: string, name: string, count: number, perPlate: number }} WantedBatch
- * @typedef {{ rows: number, problems: Message[], mayBeMore: boolean, unused: string[], version?: number, modules?: number }} BatchPlan
- *   no rows if there is a problem; `unused`: columns that are not used
+ * @typedef {{ rows: number, problems: Message[], mayBeMore: boolean, unused: string[], warnings: Message[], version?: number, modules?: number }} BatchPlan
+ *   no rows if there is a problem; `unused`: columns that are not used; `warnings`: columns and cells with
+ *   removed settings
  * @typedef {{ number: number, line: number, id: string, text: string, file: string }} BatchRowName
  * @typedef {BatchRowName & { settings: Partial<Settings> & Record<string, unknown> }} BatchRow
  *   `settings`: only the values that differ from the shared settings

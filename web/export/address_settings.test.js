@@ -5,7 +5,8 @@ import { settingsFromAddress } from './address_settings.js';
 
 /** @type {import('../generated/settings.js').SettingKey[]} */
 const kControls = ['pattern', 'contrast', 'maxSizeMm', 'light', 'keepPreset', 'mask'];
-const read = (/** @type {string} */ query) => settingsFromAddress(new URLSearchParams(query), kControls);
+const readAll = (/** @type {string} */ query) => settingsFromAddress(new URLSearchParams(query), kControls);
+const read = (/** @type {string} */ query) => readAll(query).settings;
 
 test('settings are read by their names, each by its kind', () => {
   assert.deepEqual(
@@ -23,6 +24,15 @@ test('settings are read by their names, each by its kind', () => {
   );
   assert.deepEqual(read('mask=shadiest&finderPattern=none'), { mask: 'shadiest' }, 'what has no control is left out');
   assert.deepEqual(read('sample=bunny'), {});
+});
+
+test('a removed setting is ignored with a warning', () => {
+  const { settings, warnings } = readAll('pattern=square&floor=wavy');
+  assert.deepEqual(settings, { pattern: 'square' });
+  assert.deepEqual(
+    warnings.map(({ code, values: { name, since } }) => ({ code, name, since })),
+    [{ code: 'setting-removed', name: { term: 'floor' }, since: { term: '0.2.0' } }],
+  );
 });
 
 test('a value that cannot be used is refused, with the reason', () => {

@@ -15,7 +15,12 @@ const kControls = [
   ...readFileSync(new URL('../index.html', import.meta.url), 'utf8').matchAll(/data-setting="([^"]+)"/g),
 ].map(([, key]) => /** @type {any} */ (key));
 const kFileKeys = fileKeys(kControls);
-const readSettingsFile = (/** @type {string} */ json, /** @type {string} */ name) => readFile(json, name, kControls);
+/** Reads a file of the current version. @param {string} json @param {string} name */
+function readSettingsFile(json, name) {
+  const { warnings, ...file } = readFile(json, name, kControls);
+  assert.deepEqual(warnings, []);
+  return file;
+}
 
 /** @type {import('../engine/types.js').Settings} */
 const kSettings = {
@@ -186,6 +191,17 @@ test('every number is checked at both ends', () => {
     for (const value of [min - 0.001, max * 1.001])
       assert.throws(() => read(value), refusedWith(new RegExp(`${key} must be a number`)));
   }
+});
+
+test('removed settings are ignored with a warning', () => {
+  const file = withSettings({ floor: 'wavy', raiseEcc: true, objective: 'reading' });
+  const { settings, warnings } = readFile(file, 'x.json', kControls);
+  const { objective: _, ...rest } = /** @type {Record<string, unknown>} */ (kSettings);
+  assert.deepEqual(settings, rest);
+  assert.deepEqual(
+    warnings.map((warning) => /** @type {any} */ (warning.values.name).term),
+    ['raiseEcc', 'floor', 'objective reading'],
+  );
 });
 
 test('settings are told from models by name or type', () => {

@@ -37,7 +37,7 @@ test('the module gets every label, choice and group', () => {
   assert.equal(texts['setting:size.number'], 'Breite');
   assert.equal(texts['choice:solver:fast'], 'Schnell');
   assert.equal(texts['group:placement'], 'Lage');
-  assert.equal(texts['unit:modules'], 'Module');
+  assert.equal(texts['unit:skies'], 'Himmel');
   for (const [key, { choices = [], group }] of Object.entries(kSettings)) {
     assert.ok(texts[`setting:${key}`], key);
     assert.ok(texts[`group:${group}`], group);

@@ -15,7 +15,7 @@ const kInput = /** @type {any} */ ({
   name: '',
   perPlate: 0,
 });
-const kPlan = { rows: 12, problems: [], mayBeMore: false, unused: [], version: 2, modules: 25 };
+const kPlan = { rows: 12, problems: [], mayBeMore: false, unused: [], warnings: [], version: 2, modules: 25 };
 
 /** @type {any} */ let panel;
 /** @type {any} */ let answer;

@@ -120,13 +120,14 @@ export class Session {
       return;
     }
     await this.guard_(async () => {
-      const { asksForSettings, refusal } = this.parts_.exporting.useAddress(address);
+      const { asksForSettings, warnings, refusal } = this.parts_.exporting.useAddress(address);
       await this.parts_.model.openSample(address.get('sample') ?? undefined);
       const isOffered = await this.parts_.batchCarving.offer();
       // An address that asks for something takes precedence over the last visit's work.
       await this.parts_.kept.begin(!isOffered && !asksForSettings && !kAsked.some((name) => address.has(name)));
       if (refusal) throw refusal;
       if (address.get('engrave') === '1') await this.parts_.carving.engrave();
+      this.parts_.messages.warn(warnings);
     });
   }
 

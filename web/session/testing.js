@@ -15,6 +15,10 @@ export class FakeMessages {
   showError(problem) {
     this.problem = problem;
   }
+  /** @param {any[]} warnings */
+  warn(warnings) {
+    if (warnings.length > 0) this.problem = warnings;
+  }
   clearError() {
     this.problem = undefined;
   }

@@ -53,7 +53,7 @@ export class SettingsForm {
       const value = values[control.id];
       if (value === undefined) continue;
       if (isCheck(control)) control.checked = Boolean(value);
-      else control.value = String(value);
+      else if (isPossible(control, String(value))) control.value = String(value);
     }
     this.follow_();
   }
@@ -183,6 +183,10 @@ const choice = (id) => byId(id, HTMLSelectElement).value;
 
 /** @param {Control} control */
 const keyOf = (control) => /** @type {SettingKey} */ (control.dataset.setting);
+
+/** Tells whether a control can have a value: the last visit's choice may be gone. @param {Control} control @param {string} value */
+const isPossible = (control, value) =>
+  !(control instanceof HTMLSelectElement) || [...control.options].some((option) => option.value === value);
 
 /** Tells whether a choice is a whole number. @param {string} value */
 const isWhole = (value) => /^\d+$/.test(value);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "depth/shaped_floor_search.h"
+#include "study/methods/shaped_floor_search.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 #include "depth/submodule_luminances.h"
 #include "math/tolerance.h"
 
-namespace qrelief {
+namespace qrelief::study {
 namespace {
 
 constexpr double kSymbolMm = 25;
@@ -130,4 +130,4 @@ TEST_F(ShapedFloorSearchTest, LightModulesStayUncarved) {
 }
 
 }  // namespace
-}  // namespace qrelief
+}  // namespace qrelief::study

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "depth/reading_search.h"
+#include "study/methods/reading_search.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
 
 #include "math/tolerance.h"
 
-namespace qrelief {
+namespace qrelief::study {
 namespace {
 
 constexpr int kModules = 21;
@@ -115,4 +115,4 @@ TEST_F(ReadingSearchTest, LightModulesStayUncarved) {
 }
 
 }  // namespace
-}  // namespace qrelief
+}  // namespace qrelief::study
