@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Carves rows of a batch in its own worker, which gets model, centre and list once.
-import { EngineClient, isReplaced } from '../engine/client.js';
-import { EngineFailure, describeThrown, internal, isFatal } from '../engine/engine_error.js';
+import { EngineClient } from '../engine/client.js';
+import { EngineFailure, describeThrown, internal } from '../engine/engine_error.js';
 import { message } from '../engine/message.js';
-import { makePrint } from '../engine/printer.js';
-import { kReaderName, readEach } from '../decoder/reader.js';
+import { Carver, isLost } from './carver.js';
 import { sha256 } from './hashes.js';
 
 /** @typedef {import('../engine/types.js').Settings} Settings */
@@ -28,21 +27,16 @@ import { sha256 } from './hashes.js';
  * @typedef {{ rows: CarvedRow[], file: string, bytes?: Uint8Array<ArrayBuffer> }} CarvedUnit
  */
 
-/**
- * @typedef {object} RowEngineParts
- * @property {EngineClient} client
- * @property {typeof readEach} [read]
- * @property {typeof makePrint} [print]
- */
-
-/** Tells whether the module must not be used any more. @param {unknown} thrown */
-export const isLost = (thrown) =>
-  isFatal(thrown) || isReplaced(thrown) || (thrown instanceof EngineFailure && thrown.code === 'engine-hung');
+/** Makes a canvas that no page shows, in a page or in a worker. */
+export function makeHiddenCanvas() {
+  if (typeof OffscreenCanvas === 'function') return new OffscreenCanvas(1, 1);
+  return Object.assign(document.createElement('canvas'), { width: 1, height: 1 });
+}
 
 /** Makes an engine with an invisible canvas. A failure outside any verb ends it. */
 export function makeHiddenClient() {
   /** @type {EngineClient} */ const client = new EngineClient({
-    makeCanvas: () => Object.assign(document.createElement('canvas'), { width: 1, height: 1 }),
+    makeCanvas: makeHiddenCanvas,
     onEvent: ({ event }) => {
       if (event === 'contextlost' || event === 'failure') client.end();
     },
@@ -52,12 +46,11 @@ export function makeHiddenClient() {
 }
 
 export class RowEngine {
-  /** @param {BatchJob} job @param {RowEngineParts} [parts] */
-  constructor(job, { client, read = readEach, print = makePrint } = { client: makeHiddenClient() }) {
+  /** @param {BatchJob} job @param {import('./carver.js').CarverParts} [parts] */
+  constructor(job, parts = { client: makeHiddenClient() }) {
     this.job_ = job;
-    this.client_ = client;
-    this.read_ = read;
-    this.print_ = print;
+    this.client_ = parts.client;
+    this.carver_ = new Carver(parts);
     this.ended_ = new AbortController();
   }
 
@@ -74,7 +67,7 @@ export class RowEngine {
 
   /** Ends even a busy engine. Its pending work is rejected with an error that `isLost` recognises. */
   end() {
-    this.ended_.abort();
+    this.ended_.abort(new EngineFailure(internal(message('engine-replaced'))));
     this.client_.end();
   }
 
@@ -151,8 +144,9 @@ export class RowEngine {
     };
     const withInlay = settings.inlay ?? false;
     try {
-      const carved = await this.carveUntilItReads_(settings);
-      if (looksAtPrint) await this.carveUntilItPrints_(carved);
+      const options = { signal: this.ended_.signal, onProgress: () => {} };
+      const carved = await this.carver_.carveUntilItReads(settings, options);
+      if (looksAtPrint) await this.carver_.carveUntilItPrints(carved, options);
       const { passed, failed, details } = await this.client_.describeRow(performance.now() - begun);
       if (!passed) return { row: { entry: { ...entry, ...details }, why: failed[0] }, withInlay };
       return { row: { entry: { ...entry, ...details, status: 'done' } }, withInlay };
@@ -175,74 +169,6 @@ export class RowEngine {
     return sha256(
       await this.client_.batchRowToHash(index, { centre: centreMm, others: `${scaleToMm} ${upAxis}${others}` }),
     );
-  }
-
-  /**
-   * Carves with the requested settings and, while the result does not decode, with the module's next proposal.
-   * @param {Settings} asked
-   * @returns {Promise<Settings>}  settings of the last carving
-   */
-  async carveUntilItReads_(asked) {
-    let settings = asked;
-    for (let next = await this.carveOnce_(settings); next;) {
-      settings = { ...settings, [next.setting]: next.value };
-      next = await this.carveOnce_(settings);
-    }
-    return settings;
-  }
-
-  /**
-   * Simulates the print. If it barely decodes, carves deeper until a print decodes well; returns to the first carving
-   * if none does.
-   * @param {Settings} carved
-   */
-  async carveUntilItPrints_(carved) {
-    const first = await this.client_.carving();
-    let settings = carved;
-    for (let result = await this.lookAtPrint_(); !result.passed && result.next;) {
-      settings = { ...settings, [result.next.setting]: result.next.value };
-      const reads = await this.carveOnce_(settings).then(
-        (next) => next === null,
-        (thrown) => {
-          if (isLost(thrown)) throw thrown;
-          return false;
-        },
-      );
-      result = reads ? await this.lookAtPrint_() : { passed: false, next: null };
-      if (!result.passed && !result.next) await this.client_.useCarving(first);
-    }
-  }
-
-  /**
-   * Carves and decodes once.
-   * @param {Settings} settings
-   * @returns {Promise<import('../engine/types.js').ReadingResult['next']>}  change to carve with next
-   */
-  async carveOnce_(settings) {
-    await this.client_.configure(settings);
-    await this.client_.placement();
-    await this.client_.engrave({ signal: this.ended_.signal, onProgress: () => {} });
-    if (this.ended_.signal.aborted) throw new EngineFailure(internal(message('engine-replaced')));
-    const texts = await this.read_(await this.client_.readingPictures());
-    return (await this.client_.setReadings(texts, kReaderName)).next;
-  }
-
-  /**
-   * Simulates and decodes the print.
-   * @returns {Promise<import('../engine/types.js').ReadingResult>}  passes if no print process is chosen
-   */
-  async lookAtPrint_() {
-    const job = await this.client_.printJob();
-    if (!job) return { passed: true, next: null };
-    const print = await this.print_(job, { signal: this.ended_.signal, onProgress: () => {} });
-    if (!print) throw new EngineFailure(internal(message('engine-replaced')));
-    const result = await this.client_.setPrintedReadings(
-      await this.client_.carving(),
-      await this.read_(print.pictures),
-      print.facingDeg,
-    );
-    if (!result) throw new EngineFailure(internal(message('engine-replaced')));
-    return result;
   }
 }
 
