@@ -2,6 +2,7 @@
 // Carves rows of a batch in its own worker, which gets model, centre and list once.
 import { EngineClient } from '../engine/client.js';
 import { EngineFailure, describeThrown, internal } from '../engine/engine_error.js';
+import { makeHiddenCanvas } from '../engine/hidden_canvas.js';
 import { message } from '../engine/message.js';
 import { Carver, isLost } from './carver.js';
 import { sha256 } from './hashes.js';
@@ -26,12 +27,6 @@ import { sha256 } from './hashes.js';
  * The result of one file: of one row, or of all rows on a plate. `bytes`: absent if all failed.
  * @typedef {{ rows: CarvedRow[], file: string, bytes?: Uint8Array<ArrayBuffer> }} CarvedUnit
  */
-
-/** Makes a canvas that no page shows, in a page or in a worker. */
-export function makeHiddenCanvas() {
-  if (typeof OffscreenCanvas === 'function') return new OffscreenCanvas(1, 1);
-  return Object.assign(document.createElement('canvas'), { width: 1, height: 1 });
-}
 
 /** Makes an engine with an invisible canvas. A failure outside any verb ends it. */
 export function makeHiddenClient() {
