@@ -20,7 +20,12 @@ const kRules = {
 };
 
 /** Parts of web/ that run during the build. */
-const kAtBuild = ['web/offline/{app_icon,build_plugin,icons,png}.js', 'web/samples/*.js', 'web/i18n/fill.js'];
+const kAtBuild = [
+  'web/offline/{app_icon,build_plugin,icons,png}.js',
+  'web/samples/*.js',
+  'web/i18n/fill.js',
+  'web/npm/build.js',
+];
 
 /** Files run at a terminal, and tests that print measurements. */
 const kOnTerminal = [
@@ -31,6 +36,8 @@ const kOnTerminal = [
   'wasm/**/*.js',
   'web/offline/icons.js',
   'web/samples/generate.js',
+  'web/npm/build.js',
+  'examples/**/*.js',
   '*.js',
 ];
 
@@ -47,7 +54,7 @@ export default [
   { files: ['public/**/*.js'], languageOptions: { sourceType: 'script' } },
   { files: ['web/offline/service_worker.js'], languageOptions: { globals: globals.serviceworker } },
   // Code that e2e hands to the browser is in the same files as code for Node.
-  { files: ['e2e/**/*.js'], languageOptions: { globals: { ...globals.node, ...globals.browser } } },
+  { files: ['e2e/**/*.js', 'examples/**/*.js'], languageOptions: { globals: { ...globals.node, ...globals.browser } } },
   {
     files: [
       'bench/**/*.mjs',

@@ -17,6 +17,7 @@ const kLayers = [
   'payloads', // kinds of content
   'export', // files that can be saved
   'batch', // a code for every part: rows, the engines that carve them, and the storage of the results
+  'npm', // the npm package: engine, decoder and carver for other programs
   'view', // the model on the screen
   'ui', // the panels
   'session', // the current work and its jobs

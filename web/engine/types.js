@@ -279,6 +279,13 @@
  */
 
 /**
+ * The class `Facts` of the module: what it says about a model's file and a symbol without a canvas.
+ * @typedef {object} Facts
+ * @property {(bytes: Uint8Array, fileName: string, scaleToMm: number) => string} model
+ * @property {(settings: string) => string} symbol
+ */
+
+/**
  * Emscripten's tables of WebGL objects by their OpenGL names; null for deleted objects.
  * @typedef {Record<'buffers' | 'programs' | 'framebuffers' | 'renderbuffers' | 'textures' | 'shaders' | 'vaos' | 'queries' | 'syncs',
  *   (object | null)[]>} GlTables
@@ -289,6 +296,7 @@
  * @property {new () => Engine} Engine
  * @property {new () => PrintedCode} PrintedCode
  * @property {new () => PlannedBatch} PlannedBatch
+ * @property {new () => Facts} Facts
  * @property {{ registerContext: (gl: WebGL2RenderingContext, attributes: { majorVersion: number }) => number,
  *   makeContextCurrent: (handle: number) => boolean } & GlTables} GL
  * @property {Uint8Array} HEAPU8
