@@ -34,9 +34,9 @@ std::string Engine::capabilities() const {
 
 std::string Engine::loadModel(std::vector<std::uint8_t> bytes, const std::string& fileName, double scaleToMm) {
   if (!pass_ || !scene_.isOpen())
-    return answer(ErrorKind::Internal, message("no-graphics", with::cause("why", problems_.front())));
+    return answer(ErrorKind::Internal, message("no-graphics", with::cause<"why">(problems_.front())));
   if (!(scaleToMm >= 0) || !std::isfinite(scaleToMm))
-    return answer(ErrorKind::BadUsage, message("scale-unusable", with::number("scale", scaleToMm)));
+    return answer(ErrorKind::BadUsage, message("scale-unusable", with::number<"scale">(scaleToMm)));
   auto model = loadedModel(std::move(bytes), fileName, scaleToMm);
   if (!model) return answer(model.error());
   carvings_.forgetAll();

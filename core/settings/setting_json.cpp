@@ -89,7 +89,7 @@ Result<EngraveRequest> requestFromJson(std::string_view json) {
   if (!parsed || !parsed->is_object()) return fail(ErrorKind::BadUsage, message("settings-no-object"));
   const Json& given = *parsed;
   for (const auto& [key, value] : given.items())
-    if (!findSetting(key)) return fail(ErrorKind::BadUsage, message("setting-unknown", with::quoted("key", key)));
+    if (!findSetting(key)) return fail(ErrorKind::BadUsage, message("setting-unknown", with::quoted<"key">(key)));
   EngraveRequest request = defaultRequest();
   for (const Setting& setting : settings()) {
     const auto found = given.find(setting.key);

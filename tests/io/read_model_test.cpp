@@ -92,7 +92,7 @@ TEST(ReadModel, ReadsTheContentWithAWarningWhereTheNameIsWrong) {
   const auto soup = readModel(bytesOf("# exported\n" + model_files::obj(shapes::tetrahedron(10))), "model.stl");
   ASSERT_TRUE(soup) << soup.error().message;
   EXPECT_EQ(soup->format, "OBJ");
-  EXPECT_EQ(soup->warnings.at(0), message("format-misnamed", with::term("named", "STL"), with::term("found", "OBJ")));
+  EXPECT_EQ(soup->warnings.at(0), message("format-misnamed", with::term<"named">("STL"), with::term<"found">("OBJ")));
   EXPECT_EQ(readModel(writeStl(shapes::tetrahedron(10)), "model.obj")->format, "STL (binary)");
 }
 
@@ -121,7 +121,7 @@ TEST(ReadModel, NamesTheEncodingOfTextInUtf16) {
         const auto soup = readModel(wide(text, bigEndian, marked), name);
         ASSERT_FALSE(soup) << name;
         EXPECT_EQ(soup.error().message,
-                  message("text-encoding", with::term("encoding", bigEndian ? "UTF-16 BE" : "UTF-16 LE")));
+                  message("text-encoding", with::term<"encoding">(bigEndian ? "UTF-16 BE" : "UTF-16 LE")));
       }
   const auto soup = readModel(wide("v 0 0 0\n", false, true), "a.obj");
   EXPECT_THAT(sentence(soup.error().message), HasSubstr("text in UTF-16 LE"));

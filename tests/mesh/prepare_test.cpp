@@ -408,7 +408,7 @@ TEST(PrepareModel, SaysOfASheetWithoutThicknessThatItsFacesCancelOut) {
   sheet.positions = {{0, 0, 0}, {80, 0, 0}, {80, 80, 0}, {0, 80, 0}};
   sheet.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 2, 1}, {0, 3, 2}};
   const Message refusal = refusalOf(sheet);
-  EXPECT_EQ(refusal, message("model-no-thickness", with::count("count", 4)));
+  EXPECT_EQ(refusal, message("model-no-thickness", with::count<"count">(4)));
   EXPECT_EQ(sentence(refusal),
             "The model is a sheet without thickness: its 4 triangles lie in pairs back to back on the same corners, "
             "cancel each other out and enclose no volume");
@@ -419,7 +419,7 @@ TEST(PrepareModel, SaysOfAreasThatRoundingTakesThatItDid) {
   PolygonSoup soup;  // near (8192, 8192, 0) 32-bit floats are 1/1024 apart
   soup.positions = {{8192, 8192, 0}, {8192.0001, 8192, 0}, {8192, 8192.0001, 0}};
   soup.triangles = {{0, 1, 2}};
-  EXPECT_EQ(prepareModel(soup, {}).error().message, message("area-lost-in-rounding", with::count("count", 1)));
+  EXPECT_EQ(prepareModel(soup, {}).error().message, message("area-lost-in-rounding", with::count<"count">(1)));
 }
 
 TEST(PrepareModel, RefusesAScaleThatIsNotPositive) {

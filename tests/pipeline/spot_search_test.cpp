@@ -74,7 +74,7 @@ TEST_F(SpotSearchTest, SpotsThatTheNozzleDoesNotPrintSaySo) {
     EXPECT_FALSE(spot.prints);
     ASSERT_EQ(spot.concerns.size(), 1u);
     EXPECT_EQ(spot.concerns.front(),
-              message("spot-too-small-to-print", with::lengthMm("nozzle", 0.4), with::lengthMm("needed", 31)));
+              message("spot-too-small-to-print", with::lengthMm<"nozzle">(0.4), with::lengthMm<"needed">(31)));
   }
 }
 

@@ -124,7 +124,7 @@ TEST(SettingJson, ASettingOfTheWrongKindIsNamedWithWhatWasFound) {
 TEST(SettingJson, AKeyThatIsNoSettingIsNamed) {
   const auto request = requestFromJson(R"({"text": "x", "minWall": 3})");
   ASSERT_FALSE(request.has_value());
-  EXPECT_EQ(request.error().message, message("setting-unknown", with::quoted("key", "minWall")));
+  EXPECT_EQ(request.error().message, message("setting-unknown", with::quoted<"key">("minWall")));
 }
 
 TEST(SettingJson, WhatIsNoJsonObjectIsRefused) {
