@@ -11,7 +11,7 @@ using Json = nlohmann::ordered_json;
 /// Returns the JSON of a value named "n".
 Json valueOf(const NamedValue<"n">& n) { return jsonOf(Message("any", {&n.value})).at("values").at("n"); }
 
-TEST(MessageJson, SaysTheKindOfEachValue) {
+TEST(MessageJson, WritesTheKindOfEachValue) {
   struct Point {
     double x, y, z;
   };
@@ -31,7 +31,7 @@ TEST(MessageJson, SaysTheKindOfEachValue) {
             Json({{"cause", {{"code", "text-empty"}, {"values", Json::object()}}}}));
 }
 
-TEST(MessageJson, ACountThatNoIntegerHoldsStaysANumber) {
+TEST(MessageJson, WritesACountBeyondIntegerRangeAsANumber) {
   EXPECT_EQ(valueOf(with::count<"n">(9007199254740991.0)).dump(), R"({"count":9007199254740991})");
   EXPECT_EQ(valueOf(with::count<"n">(18446744073709551615ull)), Json({{"count", 18446744073709551616.0}}));
 }

@@ -62,7 +62,7 @@ std::string withPlainQuotes(std::string text) {
   return text;
 }
 
-TEST(Sentences, AreThoseOfTheSharedCases) {
+TEST(Sentences, MatchTheSharedCases) {
   const Json shared = cases();
   ASSERT_GT(shared.at("cases").size(), 20U);
   for (const Json& one : shared.at("cases")) {
@@ -74,7 +74,7 @@ TEST(Sentences, AreThoseOfTheSharedCases) {
   }
 }
 
-TEST(Sentences, NameTheFlagsOfTheCommandAndSayWhatFitsIt) {
+TEST(Sentences, NameFlagsAndPreferTheCommandsWords) {
   const Json words = Json::parse(R"({"thin": {"en": "Raise {@minWallMm}", "de": "{@minWallMm}"},
       "busy": {"en": "Press Engrave", "command": "Run it again", "de": "Neu"}})");
   EXPECT_EQ(sentence(Message("thin", {}), words), "Raise --min-wall");

@@ -32,7 +32,7 @@ std::vector<double> lit(const Symbol& symbol, const std::function<double(int row
   return light;
 }
 
-TEST(ContrastForPrint, AsksForWhatThePrintLacksOfTwoThirds) {
+TEST(ContrastForPrint, RaisesTheTargetByWhatThePrintLacksOfTwoThirds) {
   const Symbol symbol = *encodeSymbol("QRELIEF", {});
   const auto designed = lit(symbol, [](int, int) { return 0.3; });
   // From left to right, columns keep more of the design's contrast, from none to all of it.
@@ -48,7 +48,7 @@ TEST(ContrastForPrint, AsksForWhatThePrintLacksOfTwoThirds) {
     }
 }
 
-TEST(ContrastForPrint, FindersAndOtherModulesAreComparedWithTheirOwn) {
+TEST(ContrastForPrint, ComparesFinderPatternsAndOtherModulesSeparately) {
   const Symbol symbol = *encodeSymbol("QRELIEF", {});
   const auto isFinder = [&](int row, int column) { return symbol.role(row, column) == ModuleRole::Finder; };
   // The design gives other modules a third of the finder patterns' contrast, as square modules would. Finder patterns
@@ -63,7 +63,7 @@ TEST(ContrastForPrint, FindersAndOtherModulesAreComparedWithTheirOwn) {
     }
 }
 
-TEST(ContrastForPrint, IsAtMostTwiceWhatIsAskedOfAllAndNeverMoreThanAPocketCanHave) {
+TEST(ContrastForPrint, IsAtMostTwiceTheContrastAndNeverMoreThanAPocketCanHave) {
   const Symbol symbol = *encodeSymbol("QRELIEF", {});
   const auto designed = lit(symbol, [](int, int) { return 0.3; });
   const auto brighter = lit(symbol, [](int, int) { return -0.5; });  // pits shine, grooves are dark
@@ -124,7 +124,7 @@ class CarvedForPrintTest : public GlTest {
   EngraveRequest request_;
 };
 
-TEST_F(CarvedForPrintTest, ThePrintLacksLittleOfWhatIsAskedForAtLittleMoreDepth) {
+TEST_F(CarvedForPrintTest, ThePrintReachesMoreOfTheContrastAtLittleMoreDepth) {
   const EngraveResult forDesign = carved(request_);
   request_.carveFor = CarveFor::Print;
   const EngraveResult forPrint = carved(request_);
@@ -148,7 +148,7 @@ TEST_F(CarvedForPrintTest, SimulatesARoughPrintAndThenSearchesDepthsAgain) {
                           "printing", "finding-depth", "carving-mesh", "checking-solid", "looking-at-result"));
 }
 
-TEST_F(CarvedForPrintTest, WhereNoPrintCanBeAskedTheDesignAloneDecides) {
+TEST_F(CarvedForPrintTest, CarvesForTheDesignIfNoPrintCanBeSimulated) {
   request_.placement.sizeMm = 12;
   const auto depthsBy = [&](const std::function<void(EngraveRequest&)>& change, CarveFor carveFor) {
     EngraveRequest changed = request_;
@@ -168,7 +168,7 @@ TEST_F(CarvedForPrintTest, WhereNoPrintCanBeAskedTheDesignAloneDecides) {
   EXPECT_NE(depthsBy(none, CarveFor::Print), depthsBy(none, CarveFor::Design));
 }
 
-TEST_F(CarvedForPrintTest, ProgressNeverGoesBackAndItEndsAtAnyPoint) {
+TEST_F(CarvedForPrintTest, ProgressNeverFallsAndPassesThePrint) {
   request_.carveFor = CarveFor::Print;
   request_.placement.sizeMm = 12;
   auto job = EngraveJob::create(model_, request_);
@@ -187,7 +187,7 @@ TEST_F(CarvedForPrintTest, ProgressNeverGoesBackAndItEndsAtAnyPoint) {
   EXPECT_TRUE(printed);
 }
 
-TEST(CarveFor, IsThePrintUnlessAPersonSaysOtherwise) {
+TEST(CarveFor, IsThePrintByDefault) {
   EXPECT_EQ(defaultRequest().carveFor, CarveFor::Print);
   EXPECT_TRUE(defaultRequest().isForPrint());
 }

@@ -36,7 +36,7 @@ TEST(LayerGrid, DistancesWithinReachAreThoseFromTheNearestSegment) {
     }
 }
 
-TEST(LayerGrid, IsTheSameByAllInstructionSets) {
+TEST(LayerGrid, IsTheSameForAllInstructionSets) {
   const std::vector<Segment2> segments = {{Vec2(-1, 0), Vec2(1, 0.5)}, {Vec2(1, 0.5), Vec2(1, 2)}};
   const std::vector<float> inside(61 * 61, 1.0f);
   expectSameByAllInstructionSets([&] {

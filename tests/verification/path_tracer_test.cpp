@@ -90,7 +90,7 @@ TEST(PathTracer, AnOpenPlaneUnderALampIsAsBrightAsTheUnitSaysAndReceivesLamberts
   EXPECT_NEAR(light[0].luminance.mean, 1, 1e-9);
 }
 
-TEST(PathTracer, ALampAcrossATrenchLightsTheShareOfItsFloorThatTheRimLeaves) {
+TEST(PathTracer, ALampAcrossATrenchLightsTheFloorOutsideTheRimsShadow) {
   // The rim's shadow is depth / tan(elevation) long; the walls lean inwards by one grid width.
   const double grid = 0.05, width = 2, depth = 0.5, elevation = 40;
   const Mesh trench = carvedPlate(20, 400, depth, [&](double x, double) { return std::abs(x) < width / 2 - grid / 2; });
