@@ -70,7 +70,7 @@ class ShapedFloorTest : public GlTest {
   EngraveRequest request_;
 };
 
-TEST_F(ShapedFloorTest, EveryShapeIsASolidAsDarkAsAsked) {
+TEST_F(ShapedFloorTest, EveryShapeIsASolidWithTheRequestedContrast) {
   for (const FloorShape floor : {FloorShape::Tilted, FloorShape::Wavy}) {
     const EngraveResult result = carved(floor);
     EXPECT_TRUE(result.solidity.solid()) << floorShapeName(floor);
@@ -80,7 +80,7 @@ TEST_F(ShapedFloorTest, EveryShapeIsASolidAsDarkAsAsked) {
   }
 }
 
-TEST_F(ShapedFloorTest, AFloorIsDarkerThanAFlatOneOfItsMeanDepthUnderTheSkyAndMoreSoUnderALampFromAbove) {
+TEST_F(ShapedFloorTest, AShapedFloorIsDarkerThanAFlatOneOfItsMeanDepth) {
   for (const FloorShape floor : {FloorShape::Tilted, FloorShape::Wavy}) {
     const EngraveResult shaped = carved(floor);
     EngraveResult flat = shaped;
@@ -101,7 +101,7 @@ TEST_F(ShapedFloorTest, AFloorIsDarkerThanAFlatOneOfItsMeanDepthUnderTheSkyAndMo
   }
 }
 
-TEST_F(ShapedFloorTest, TheReportSaysWhichFloorAndThatThePrintWasNotAsked) {
+TEST_F(ShapedFloorTest, TheReportNamesTheFloorAndThePrintIsNotConsidered) {
   request_.floor = FloorShape::Tilted;
   request_.carveFor = CarveFor::Print;
   const auto result = engrave(model_, request_);
@@ -113,7 +113,7 @@ TEST_F(ShapedFloorTest, TheReportSaysWhichFloorAndThatThePrintWasNotAsked) {
   EXPECT_EQ(json["depth"]["carvedFor"], "design");
 }
 
-TEST_F(ShapedFloorTest, NoSubmodulePassesTheGreatestDepth) {
+TEST_F(ShapedFloorTest, NoSubmoduleExceedsTheMaximumDepth) {
   request_.maxDepthMm = 0.2;
   const EngraveResult result = carved(FloorShape::Wavy);
   EXPECT_LE(summarise(result.depths).maxMm, 0.2 + 1e-9);

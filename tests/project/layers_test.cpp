@@ -129,13 +129,13 @@ std::vector<std::string> violationsUnder(const std::string& folder, WhyForbidden
   return violations;
 }
 
-TEST(Layers, IncludeOnlyWhatStandsBelow) {
+TEST(Layers, IncludeOnlyLowerLayers) {
   EXPECT_THAT(violationsUnder("core", [](const fs::path& file, const std::string& path,
                                          bool quoted) { return whyForbidden(file.begin()->string(), path, quoted); }),
               IsEmpty());
 }
 
-TEST(Layers, RoomsIncludeOnlyThoseBelowThem) {
+TEST(Layers, RoomsIncludeOnlyLowerRooms) {
   for (const auto& [room, known] : kRooms) {
     EXPECT_THAT(violationsUnder(folderOf(room),
                                 [&room = room](const fs::path& file, const std::string& path, bool quoted) {
@@ -162,7 +162,7 @@ std::string violationOf(const std::string& line, const Rule& why) {
   return found.size() == 1 ? found.front() : std::to_string(found.size()) + " violations";
 }
 
-TEST(Layers, SeeWhatIsForbiddenToRooms) {
+TEST(Layers, DetectForbiddenIncludesOfRooms) {
   const auto only = [](const std::string& room, const std::string& line) {
     return violationOf(line, [&](const std::string& path, bool quoted) { return whyForbiddenTo(room, path, quoted); });
   };
@@ -180,7 +180,7 @@ TEST(Layers, SeeWhatIsForbiddenToRooms) {
   EXPECT_THAT(only("wasm", "#include <emscripten/bind.h>"), "0 violations");
 }
 
-TEST(Layers, SeeWhatIsForbidden) {
+TEST(Layers, DetectForbiddenIncludes) {
   const auto only = [](const std::string& folder, const std::string& line) {
     return violationOf(line, [&](const std::string& path, bool quoted) { return whyForbidden(folder, path, quoted); });
   };

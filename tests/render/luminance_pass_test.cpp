@@ -214,7 +214,7 @@ TEST_F(LuminancePassTest, AWallBesideTheMapDimsTheCellsThatFaceIt) {
   EXPECT_EQ(received[16 * 32 + 16].pastWalls, 1);
 }
 
-TEST_F(LuminancePassTest, ListedCellsGetWhatTheyGetAmongAll) {
+TEST_F(LuminancePassTest, ListedCellsAreLitAsAmongAllCells) {
   const double cell = 0.25;
   cells_ = 75;  // not a power of two, because some renderers divide to few bits
   makePass(cell, {});
@@ -246,7 +246,7 @@ TEST_F(LuminancePassTest, ListedCellsGetWhatTheyGetAmongAll) {
   EXPECT_GT(sum, 0) << "the rough one is no rougher";
 }
 
-TEST_F(LuminancePassTest, CellsThatAreNotSelectedKeepTheirLuminance) {
+TEST_F(LuminancePassTest, UnselectedCellsKeepTheirLuminance) {
   const double cell = 0.25;
   makePass(cell, {});
   pass_.run();

@@ -17,7 +17,7 @@ std::size_t indexOf(std::string_view name) {
   return 0;
 }
 
-TEST(Tunables, EachHasANameOfItsOwnAndGroupsStandTogether) {
+TEST(Tunables, HaveUniqueNamesAndContiguousGroups) {
   std::set<std::string> names, groups;
   std::string group;
   for (const Tunable& tunable : tunables()) {
@@ -43,7 +43,7 @@ bool areOfOneSetting(const Tunable& a, const Tunable& b) {
   return a.setting == b.setting || (isLevel(a) && isLevel(b));  // a level requested by name is not raised
 }
 
-TEST(Tunables, EachReadsBackWhatItWroteAndChangesNoOtherSetting) {
+TEST(Tunables, EachReadsBackWhatItWroteAndChangesOnlyItsSetting) {
   const EngraveRequest before = withNumbers();
   for (const Tunable& written : tunables()) {
     EngraveRequest request = before;
@@ -59,7 +59,7 @@ TEST(Tunables, EachReadsBackWhatItWroteAndChangesNoOtherSetting) {
   }
 }
 
-TEST(Tunables, ANumberCountsWhereItIsChosenBesideTheChoices) {
+TEST(Tunables, ANumberAppliesOnlyIfItIsTheChoice) {
   const Tunable& choice = tunables()[indexOf("size")];
   const Tunable& number = tunables()[indexOf("size.number")];
   EngraveRequest request = defaultRequest();
@@ -84,7 +84,7 @@ TEST(Tunables, TheDefaultsAreWithinTheirRanges) {
   }
 }
 
-TEST(RequestOverrides, WhatIsNotOverriddenFollowsThePage) {
+TEST(RequestOverrides, SettingsWithoutOverrideFollowThePage) {
   RequestOverrides overrides;
   EngraveRequest page;
   overrides.set(indexOf("contrast"), 0.42, page);
@@ -108,7 +108,7 @@ TEST(RequestOverrides, ThePagesOwnValueEndsAnOverride) {
   EXPECT_FALSE(overrides.isSet(albedo));
 }
 
-TEST(RequestOverrides, AreBroughtIntoTheirRanges) {
+TEST(RequestOverrides, AreClampedToTheirRanges) {
   RequestOverrides overrides;
   const EngraveRequest page;
   const std::size_t contrast = indexOf("contrast");
@@ -118,7 +118,7 @@ TEST(RequestOverrides, AreBroughtIntoTheirRanges) {
   EXPECT_EQ(overrides.valueOf(contrast, page), 0.99);
 }
 
-TEST(RequestOverrides, ALampWithoutStrengthIsNone) {
+TEST(RequestOverrides, ALampWithoutStrengthIsOmitted) {
   RequestOverrides overrides;
   const EngraveRequest page;
   overrides.set(indexOf("light.1.azimuthDeg"), 90, page);
@@ -144,7 +144,7 @@ TEST(RequestOverrides, AMethodReplacesTheDirectionOfASuggestedSpot) {
   EXPECT_EQ(overrides.appliedTo(page).placement.directionMethod, DirectionMethod::Pca);
 }
 
-TEST(RequestOverrides, CanAllBeTakenBack) {
+TEST(RequestOverrides, CanAllBeReset) {
   RequestOverrides overrides;
   const EngraveRequest page;
   overrides.set(indexOf("solver"), 1, page);
