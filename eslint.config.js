@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import js from '@eslint/js';
 import globals from 'globals';
+import { messageRule, readMessages, valuesByCode } from './script/message_rule.js';
 
 /** Rules in addition to the recommended ones. None concerns layout, and tsc finds type errors (`npm run check`). */
 const kRules = {
@@ -60,7 +61,7 @@ export default [
       'bench/**/*.mjs',
       'study/**/*.mjs',
       'study/**/*.js',
-      'script/cmake/*.js',
+      'script/**/*.js',
       'wasm/**/*.js',
       '*.js',
       '**/*.test.js',
@@ -71,5 +72,11 @@ export default [
   },
   // The page writes only faults of the program to the console, for developers.
   { files: ['web/**/*.js'], rules: { 'no-console': ['error', { allow: ['warn', 'error'] }] } },
+  {
+    files: ['web/**/*.js'],
+    ignores: ['**/*.test.js'],
+    plugins: { qrelief: { rules: { message: messageRule(valuesByCode(readMessages())) } } },
+    rules: { 'qrelief/message': 'error' },
+  },
   { files: kOnTerminal, rules: { 'no-console': 'off' } },
 ];

@@ -35,7 +35,7 @@ std::string Engine::capabilities() const {
 
 std::string Engine::loadModel(std::vector<std::uint8_t> bytes, const std::string& fileName, double scaleToMm) {
   if (!pass_ || !scene_.isOpen())
-    return answer(ErrorKind::Internal, message("no-graphics", with::cause("why", problems_.front())));
+    return answer(ErrorKind::Internal, message("no-graphics", with::cause<"why">(problems_.front())));
   auto model = loadedModel(std::move(bytes), fileName, scaleToMm);
   if (!model) return answer(model.error());
   carvings_.forgetAll();

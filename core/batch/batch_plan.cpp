@@ -37,13 +37,13 @@ std::optional<Message> whyNoPlainName(std::string_view name) {
   if (name.empty()) return message("name-empty");
   const bool hasControls = std::any_of(name.begin(), name.end(), [](char c) { return c >= 0 && c < ' '; });
   if (hasControls || name.find_first_of("/\\<>:\"|?*\x7f") != name.npos || name.starts_with('.') || isDeviceName(name))
-    return message("name-no-plain-name", with::quoted("name", name));
+    return message("name-no-plain-name", with::quoted<"name">(name));
   if (name.size() > kMostNameBytes)
-    return message("name-too-long", with::count("count", name.size()), with::count("limit", kMostNameBytes));
+    return message("name-too-long", with::count<"count">(name.size()), with::count<"limit">(kMostNameBytes));
   const ModelFormat format = formatOfName(name);
   if (format != ModelFormat::Stl && format != ModelFormat::Obj && format != ModelFormat::Ply &&
       format != ModelFormat::ThreeMf)
-    return message("name-not-writable", with::quoted("name", name));
+    return message("name-not-writable", with::quoted<"name">(name));
   return std::nullopt;
 }
 
@@ -105,11 +105,11 @@ void BatchPlan::warnOfRemovedChoices() {
 Status BatchPlan::checkNames(const TextTemplate& wanted) const {
   for (const std::string& name : wanted.names()) {
     if (name == kNumber || name == kId || list_.find(name)) continue;
-    if (list_.columns().empty()) return badInput(message("template-without-list", with::quoted("name", name)));
+    if (list_.columns().empty()) return badInput(message("template-without-list", with::quoted<"name">(name)));
     std::string columns;
     for (const std::string& column : list_.columns()) columns += (columns.empty() ? "" : ", ") + column;
-    if (name == kText) return badInput(message("list-without-text", with::quoted("columns", columns)));
-    return badInput(message("list-without-column", with::quoted("name", name), with::quoted("columns", columns)));
+    if (name == kText) return badInput(message("list-without-text", with::quoted<"columns">(columns)));
+    return badInput(message("list-without-column", with::quoted<"name">(name), with::quoted<"columns">(columns)));
   }
   return {};
 }
@@ -150,7 +150,7 @@ Result<BatchRow> BatchPlan::made(std::size_t index) const {
 
 void BatchPlan::add(std::uint32_t line, Message problem) {
   if (problems_.size() < kMostProblems)
-    problems_.push_back(message("list-line", with::count("line", line), with::cause("problem", std::move(problem))));
+    problems_.push_back(message("list-line", with::count<"line">(line), with::cause<"problem">(std::move(problem))));
 }
 
 void BatchPlan::checkRows() {
@@ -178,15 +178,15 @@ void BatchPlan::checkRows() {
   if (!all_.symbol.version) all_.symbol.version = largest;
   checkTwice([](const BatchRow& row) { return row.request.text; },
              [](const BatchRow& row, std::uint32_t other) {
-               return message("text-twice", with::quoted("text", row.request.text), with::count("other", other));
+               return message("text-twice", with::quoted<"text">(row.request.text), with::count<"other">(other));
              });
   checkTwice([](const BatchRow& row) { return lowered(row.file); },
              [](const BatchRow& row, std::uint32_t other) {
-               return message("name-twice", with::quoted("name", row.file), with::count("other", other));
+               return message("name-twice", with::quoted<"name">(row.file), with::count<"other">(other));
              });
   checkTwice([](const BatchRow& row) { return row.id; },
              [](const BatchRow& row, std::uint32_t other) {
-               return message("id-twice", with::quoted("id", row.id), with::count("other", other));
+               return message("id-twice", with::quoted<"id">(row.id), with::count<"other">(other));
              });
 }
 

@@ -42,7 +42,7 @@ constexpr int kMostPixels = 1200, kLeastPixelsPerModule = 5;
 Status checkNewDefects(SolidityReport solidity, const PreparedModel& before) {
   if (before.crossesItself) solidity.selfIntersections = 0;
   if (solidity.solid()) return {};
-  return fail(ErrorKind::NoSolution, message("carved-not-solid", with::cause("problem", solidity.problems().front())));
+  return fail(ErrorKind::NoSolution, message("carved-not-solid", with::cause<"problem">(solidity.problems().front())));
 }
 
 }  // namespace
@@ -274,7 +274,7 @@ Status EngraveJob::State::searchOnce() {
   for (int row = 0; row < edge; ++row)
     for (int column = 0; column < edge; ++column) result.received.push_back(received[layout.ofQuietZone(row, column)]);
   if (summarise(result.depths).maxMm == 0)
-    return fail(ErrorKind::NoSolution, message("nothing-can-be-carved", with::lengthMm("wall", request.minWallMm)));
+    return fail(ErrorKind::NoSolution, message("nothing-can-be-carved", with::lengthMm<"wall">(request.minWallMm)));
   stage = Stage::Embedding;
   return {};
 }

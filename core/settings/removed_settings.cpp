@@ -12,7 +12,7 @@ std::vector<RemovedSetting> makeRemoved() {
   const Message reading = message("removed-reading");
   std::vector<RemovedSetting> all = {
       {"raiseEcc", "", "symbol", true, kSinceSecond,
-       message("removed-raise-ecc", with::setting("ecc", "ecc"), with::choice("auto", "ecc", "auto"))},
+       message("removed-raise-ecc", with::setting<"ecc">("ecc"), with::choice<"auto">("ecc", "auto"))},
       {"breakUp", "", "symbol", true, kSinceSecond, message("removed-break-up")},
       {"floor", "", "depth", false, kSinceSecond, message("removed-floor")},
       {"objective", "reading", "", false, kSinceSecond, reading}};
@@ -37,8 +37,8 @@ const RemovedSetting* findRemovedChoice(std::string_view key, std::string_view c
 }
 
 Message removedWarning(const RemovedSetting& removed, std::string_view name) {
-  return message("setting-removed", with::term("name", name), with::term("since", removed.since),
-                 with::cause("why", removed.why));
+  return message("setting-removed", with::term<"name">(name), with::term<"since">(removed.since),
+                 with::cause<"why">(removed.why));
 }
 
 }  // namespace qrelief

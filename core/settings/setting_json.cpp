@@ -91,7 +91,7 @@ Result<EngraveRequest> requestFromJson(std::string_view json) {
   const Json& given = *parsed;
   for (const auto& [key, value] : given.items())
     if (!findSetting(key) && !findRemovedSetting(key))
-      return fail(ErrorKind::BadUsage, message("setting-unknown", with::quoted("key", key)));
+      return fail(ErrorKind::BadUsage, message("setting-unknown", with::quoted<"key">(key)));
   EngraveRequest request = defaultRequest();
   for (const Setting& setting : settings()) {
     const auto found = given.find(setting.key);

@@ -170,7 +170,7 @@ int runStream(const BatchOptions& options, const BatchRequest& request) {
     auto row = *line ? rowOf(**line, request, next, warned) : tl::unexpected(line->error());
     const auto same = row ? known.find(row->file) : known.end();
     if (same != known.end() && same->second.second != row->request.text)
-      row = badInput(message("name-taken", with::quoted("name", row->file), with::quoted("text", same->second.second)));
+      row = badInput(message("name-taken", with::quoted<"name">(row->file), with::quoted<"text">(same->second.second)));
     if (!row) {
       ManifestEntry refused;
       refused.number = next;

@@ -44,7 +44,7 @@ TEST_F(CommandTest, BadUsageIsStatusTwo) {
   EXPECT_FALSE(std::filesystem::exists(path("out.stl")));
 }
 
-TEST_F(CommandTest, EverySettingIsAFlagOfEngraveAndInItsHelp) {
+TEST_F(CommandTest, EngraveHasAFlagAndHelpForEverySetting) {
   const std::string help = run({"engrave", "--help"}).out;
   for (const Setting& setting : settings()) {
     const OptionTexts texts = optionTexts(setting);
@@ -53,7 +53,7 @@ TEST_F(CommandTest, EverySettingIsAFlagOfEngraveAndInItsHelp) {
   }
 }
 
-TEST_F(CommandTest, EveryFlagInAHelpIsInTheDocuments) {
+TEST_F(CommandTest, TheDocumentationNamesEveryFlagOfTheHelp) {
   const std::filesystem::path docs = std::filesystem::path(QRELIEF_SOURCE_DIR) / "docs";
   const std::string documents = contentOf(docs / "command-line.md") + contentOf(docs / "options.md");
   const std::regex flag("\n  (?:-\\w,)?(--?[\\w-]+)");
@@ -67,7 +67,7 @@ TEST_F(CommandTest, EveryFlagInAHelpIsInTheDocuments) {
   EXPECT_GT(flags, settings().size());
 }
 
-TEST_F(CommandTest, ANumberOutOfItsRangeIsRefusedWithItsFlagBeforeTheModelIsRead) {
+TEST_F(CommandTest, RefusesANumberOutOfRangeByFlagBeforeReadingTheModel) {
   for (const Setting& setting : settings()) {
     if (!setting.takesNumber()) continue;
     const std::string flag = optionTexts(setting).flag;
@@ -101,7 +101,7 @@ TEST_F(CommandTest, FlagsOfRemovedSettingsAreIgnoredWithAWarning) {
   EXPECT_EQ(run({"engrave", "--help"}).out.find("--floor"), std::string::npos);
 }
 
-TEST_F(CommandTest, WhatIsNoChoiceIsRefusedWithThoseThereAre) {
+TEST_F(CommandTest, RefusesAnUnknownChoiceAndListsTheChoices) {
   const Outcome outcome =
       run({"engrave", path("missing.stl"), "--text", "x", "-o", path("out.stl"), "--pattern", "dots"});
   EXPECT_EQ(outcome.status, 2);
@@ -109,7 +109,7 @@ TEST_F(CommandTest, WhatIsNoChoiceIsRefusedWithThoseThereAre) {
   EXPECT_NE(outcome.err.find("none, square, thin-plus, diamond, thick-plus"), std::string::npos) << outcome.err;
 }
 
-TEST_F(CommandTest, BadInputIsStatusThreeAndSaysWhatHelps) {
+TEST_F(CommandTest, BadInputIsStatusThreeWithAHint) {
   EXPECT_EQ(run({"info", path("missing.stl")}).status, 3);
   writeBytes("empty.stl", {});
   EXPECT_EQ(run({"info", path("empty.stl")}).status, 3);
@@ -130,7 +130,7 @@ TEST_F(CommandTest, NoSolutionIsStatusFour) {
   EXPECT_NE(outcome.err.find("There is no room here for a code of 60 mm"), std::string::npos) << outcome.err;
 }
 
-TEST_F(CommandTest, AnUnwritablePlaceIsAnErrorAndLeavesNothingBehind) {
+TEST_F(CommandTest, AnUnwritableOutputIsAnErrorAndLeavesNoFile) {
   const Outcome outcome = run({"engrave", writeModel("ball.stl", shapes::icosphere(40, 4)), "--text", "x", "--at",
                                "0,0,40", "--size", "25", "-o", path("no_such_folder/out.stl"), "--quiet"});
   EXPECT_EQ(outcome.status, 3);

@@ -20,7 +20,7 @@ Symbol symbolOf(const SymbolOptions& options) {
   return symbol.value_or(Symbol());
 }
 
-TEST(SymbolMask, IsTheLibrarysWhereItIsTheSame) {
+TEST(SymbolMask, ChangesToAnotherMaskAndBack) {
   for (int version = 1; version <= 40; ++version) {
     for (const ErrorCorrection level : kLevels) {
       const Result<Symbol> symbol = encodeSymbol("QRELIEF", {.errorCorrection = level, .version = version});
@@ -43,7 +43,7 @@ TEST(SymbolMask, LeavesTheCodewordsAsTheyAre) {
   }
 }
 
-TEST(SymbolMask, ThatDoesNotExistIsRefused) {
+TEST(SymbolMask, RefusesAnUnknownMask) {
   const auto symbol = encodeSymbol("a", {.maskRule = MaskRule::Fixed, .mask = 8});
   ASSERT_FALSE(symbol);
   EXPECT_EQ(symbol.error().kind, ErrorKind::BadUsage);
@@ -58,7 +58,7 @@ TEST(ShadiestMask, SeesNoMoreSkyThanAnyOther) {
   }
 }
 
-TEST(SkyFraction, OfAModuleAloneIsThatOfASquarePit) {
+TEST(SkyFraction, OfALoneModuleMatchesASquarePit) {
   // In the middle of the floor of a square pit of edge 1 and depth 1/2, the opening is the top of a cube's upper half,
   // seen from the cube's middle plane. The form factor of a square of edge a at distance a/2 on its axis is 4 corners
   // of (1/2π)(x/√(1+x²) atan(y/√(1+x²)) + y/√(1+y²) atan(x/√(1+y²))) with x = y = 1.
@@ -80,7 +80,7 @@ TEST(SkyFraction, IsOneForLightModulesAndMoreInTheMiddleOfADarkArea) {
   EXPECT_GT(sky.of(2, 2), SkyFraction::ofModuleAlone());
 }
 
-TEST(SkyFraction, IsTheSameUpdatedAsMadeAnew) {
+TEST(SkyFraction, UpdatesToTheSameValuesAsAnew) {
   Symbol symbol = symbolOf({});
   SkyFraction sky(symbol);
   for (const int row : {9, 12, 15}) {
@@ -92,7 +92,7 @@ TEST(SkyFraction, IsTheSameUpdatedAsMadeAnew) {
     for (int column = 0; column < symbol.size; ++column) ASSERT_EQ(sky.of(row, column), anew.of(row, column));
 }
 
-TEST(RaisedErrorCorrection, IsTheHighestThatTheVersionHolds) {
+TEST(RaisedErrorCorrection, IsTheHighestLevelThatTheVersionHolds) {
   for (const std::size_t length : {5u, 15u, 27u, 40u, 43u}) {
     const std::string text(length, 'x');
     const Result<Symbol> plain = encodeSymbol(text, {.errorCorrection = ErrorCorrection::L});

@@ -22,11 +22,11 @@ constexpr const char* kHint =
 
 TEST(Generated, ThePageOfOptionsIsCurrent) { EXPECT_EQ(committed("docs/options.md"), optionsPage()) << kHint; }
 
-TEST(Generated, ThePagesModuleOfSettingsIsCurrent) {
+TEST(Generated, TheSettingsModuleOfThePageIsCurrent) {
   EXPECT_EQ(committed("web/generated/settings.js"), settingsModule()) << kHint;
 }
 
-TEST(OptionTexts, SayFlagValuesRangeAndDefault) {
+TEST(OptionTexts, ContainFlagValuesRangeAndDefault) {
   const OptionTexts wall = optionTexts(*findSetting("minWallMm"));
   EXPECT_EQ(wall.flag, "--min-wall");
   EXPECT_EQ(wall.values, "MM");

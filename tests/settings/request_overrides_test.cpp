@@ -17,7 +17,7 @@ std::size_t indexOf(std::string_view name) {
   return 0;
 }
 
-TEST(Tunables, EachHasANameOfItsOwnAndGroupsStandTogether) {
+TEST(Tunables, HaveUniqueNamesAndContiguousGroups) {
   std::set<std::string> names, groups;
   std::string group;
   for (const Tunable& tunable : tunables()) {
@@ -38,7 +38,7 @@ EngraveRequest withNumbers() {
   return request;
 }
 
-TEST(Tunables, EachReadsBackWhatItWroteAndChangesNoOtherSetting) {
+TEST(Tunables, EachReadsBackWhatItWroteAndChangesOnlyItsSetting) {
   const EngraveRequest before = withNumbers();
   for (const Tunable& written : tunables()) {
     EngraveRequest request = before;
@@ -54,7 +54,7 @@ TEST(Tunables, EachReadsBackWhatItWroteAndChangesNoOtherSetting) {
   }
 }
 
-TEST(Tunables, ANumberCountsWhereItIsChosenBesideTheChoices) {
+TEST(Tunables, ANumberAppliesOnlyIfItIsTheChoice) {
   const Tunable& choice = tunables()[indexOf("size")];
   const Tunable& number = tunables()[indexOf("size.number")];
   EngraveRequest request = defaultRequest();
@@ -79,7 +79,7 @@ TEST(Tunables, TheDefaultsAreWithinTheirRanges) {
   }
 }
 
-TEST(RequestOverrides, WhatIsNotOverriddenFollowsThePage) {
+TEST(RequestOverrides, SettingsWithoutOverrideFollowThePage) {
   RequestOverrides overrides;
   EngraveRequest page;
   overrides.set(indexOf("contrast"), 0.42, page);
@@ -103,7 +103,7 @@ TEST(RequestOverrides, ThePagesOwnValueEndsAnOverride) {
   EXPECT_FALSE(overrides.isSet(albedo));
 }
 
-TEST(RequestOverrides, AreBroughtIntoTheirRanges) {
+TEST(RequestOverrides, AreClampedToTheirRanges) {
   RequestOverrides overrides;
   const EngraveRequest page;
   const std::size_t contrast = indexOf("contrast");
@@ -113,7 +113,7 @@ TEST(RequestOverrides, AreBroughtIntoTheirRanges) {
   EXPECT_EQ(overrides.valueOf(contrast, page), 0.99);
 }
 
-TEST(RequestOverrides, ALampWithoutStrengthIsNone) {
+TEST(RequestOverrides, ALampWithoutStrengthIsOmitted) {
   RequestOverrides overrides;
   const EngraveRequest page;
   overrides.set(indexOf("light.1.azimuthDeg"), 90, page);
@@ -139,7 +139,7 @@ TEST(RequestOverrides, AMethodReplacesTheDirectionOfASuggestedSpot) {
   EXPECT_EQ(overrides.appliedTo(page).placement.directionMethod, DirectionMethod::Pca);
 }
 
-TEST(RequestOverrides, CanAllBeTakenBack) {
+TEST(RequestOverrides, CanAllBeReset) {
   RequestOverrides overrides;
   const EngraveRequest page;
   overrides.set(indexOf("solver"), 1, page);

@@ -75,7 +75,7 @@ class ShapedFloorTest : public GlTest {
   EngraveRequest request_;
 };
 
-TEST_F(ShapedFloorTest, EveryShapeIsASolidAsDarkAsAsked) {
+TEST_F(ShapedFloorTest, EveryShapeIsASolidWithTheRequestedContrast) {
   for (const FloorShape floor : {FloorShape::Tilted, FloorShape::Wavy}) {
     const EngraveResult result = carved(floor);
     EXPECT_TRUE(result.solidity.solid()) << floorShapeName(floor);
@@ -85,7 +85,7 @@ TEST_F(ShapedFloorTest, EveryShapeIsASolidAsDarkAsAsked) {
   }
 }
 
-TEST_F(ShapedFloorTest, AFloorIsDarkerThanAFlatOneOfItsMeanDepthUnderTheSkyAndMoreSoUnderALampFromAbove) {
+TEST_F(ShapedFloorTest, AShapedFloorIsDarkerThanAFlatOneOfItsMeanDepth) {
   for (const FloorShape floor : {FloorShape::Tilted, FloorShape::Wavy}) {
     const EngraveResult shaped = carved(floor);
     EngraveResult flat = shaped;
@@ -106,7 +106,7 @@ TEST_F(ShapedFloorTest, AFloorIsDarkerThanAFlatOneOfItsMeanDepthUnderTheSkyAndMo
   }
 }
 
-TEST_F(ShapedFloorTest, NoSubmodulePassesTheGreatestDepth) {
+TEST_F(ShapedFloorTest, NoSubmoduleExceedsTheMaximumDepth) {
   request_.maxDepthMm = 0.2;
   const EngraveResult result = carved(FloorShape::Wavy);
   EXPECT_LE(summarise(result.depths).maxMm, 0.2 + 1e-9);

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import assert from 'node:assert/strict';
 import { after, before, beforeEach, test } from 'node:test';
+import { EngineClient } from '../engine/client.js';
+import { ResultPanel } from '../ui/result_panel.js';
+import { WorkPanel } from '../ui/work_panel.js';
 import { Carving } from './carving.js';
 import { Jobs } from './jobs.js';
+import { Placing } from './placing.js';
+import { Printing } from './printing.js';
 import { FakeMessages, Pending, fake, noRoom, settled } from './testing.js';
 
 const kText = 'HELLO';
@@ -41,7 +46,7 @@ beforeEach(() => {
   shown = [];
   number = 0;
   steps = [];
-  client = fake({
+  client = fake(EngineClient, {
     engrave: async () => {
       number += 1;
       return true;
@@ -53,14 +58,12 @@ beforeEach(() => {
     setReadings: async (/** @type {string[]} */ texts) => ({ passed: texts.every((one) => one === kText) }),
     report: async () => ({ text: kText, symbol: { modules: 21 }, verification: {} }),
   });
-  placing = fake({ place: async () => {} });
-  placing.answers.placement = { symbolMm: 20 };
-  Object.defineProperty(placing, 'placement', { get: () => placing.answers.placement });
-  panel = fake();
-  printing = fake();
+  placing = fake(Placing, { place: async () => {} }, { placement: { symbolMm: 20 } });
+  panel = fake(ResultPanel);
+  printing = fake(Printing);
   printsSeen = 0;
   messages = new FakeMessages();
-  jobs = new Jobs({ panel: fake(), messages: /** @type {any} */ (messages), onBusy: () => {} });
+  jobs = new Jobs({ panel: fake(WorkPanel), messages: /** @type {any} */ (messages), onBusy: () => {} });
   carving = new Carving({
     client,
     jobs,
@@ -89,7 +92,7 @@ test('What is carved is read back, reported and shown', async () => {
 });
 
 test('Where the code has no place, nothing is carved', async () => {
-  placing.answers.placement = undefined;
+  placing.placement = undefined;
   await carving.engrave();
   assert.ok(!client.calls.some((/** @type {string} */ call) => call.startsWith('engrave')));
   assert.equal(carving.carved, undefined);

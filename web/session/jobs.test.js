@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { beforeEach, test } from 'node:test';
 import { message } from '../engine/message.js';
 import { messageWords } from '../i18n/message_words.js';
+import { WorkPanel } from '../ui/work_panel.js';
 import { Jobs } from './jobs.js';
 import { FakeMessages, Pending, fake, replaced, settled } from './testing.js';
 
@@ -13,7 +14,7 @@ import { FakeMessages, Pending, fake, replaced, settled } from './testing.js';
 
 beforeEach(() => {
   messages = new FakeMessages();
-  panel = fake();
+  panel = fake(WorkPanel);
   busy = [];
   jobs = new Jobs({ panel, messages: /** @type {any} */ (messages), onBusy: (now) => void busy.push(now) });
 });

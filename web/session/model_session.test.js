@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import assert from 'node:assert/strict';
 import { beforeEach, test } from 'node:test';
+import { EngineClient } from '../engine/client.js';
+import { ModelPanel } from '../ui/model_panel.js';
+import { WorkPanel } from '../ui/work_panel.js';
 import { Centre } from './centre.js';
 import { Jobs } from './jobs.js';
 import { ModelSession } from './model_session.js';
@@ -18,14 +21,14 @@ const kSource = { bytes: new Uint8Array([1]), fileName: 'a.stl', scaleToMm: 1, u
 
 beforeEach(() => {
   messages = new FakeMessages();
-  client = fake({
+  client = fake(EngineClient, {
     loadModel: async (/** @type {Uint8Array} */ _, /** @type {string} */ __, /** @type {number} */ scaleToMm) => ({
       engravable: true,
       scaleToMm: scaleToMm || 25.4,
       findings: [],
     }),
   });
-  panel = fake({ scaleToMm: 1 });
+  panel = fake(ModelPanel, { scaleToMm: 1 });
   centre = new Centre(() => {});
   told = [];
   model = new ModelSession({
@@ -33,7 +36,7 @@ beforeEach(() => {
     panel,
     centre,
     messages: /** @type {any} */ (messages),
-    jobs: new Jobs({ panel: fake(), messages: /** @type {any} */ (messages), onBusy: () => {} }),
+    jobs: new Jobs({ panel: fake(WorkPanel), messages: /** @type {any} */ (messages), onBusy: () => {} }),
     onReplacing: () => void told.push('replacing'),
     onLoaded: async () => void told.push('loaded'),
     onFailed: () => void told.push('failed'),

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import assert from 'node:assert/strict';
 import { afterEach, beforeEach, test } from 'node:test';
+import { EngineClient } from '../engine/client.js';
 import { message } from '../engine/message.js';
 import { setLanguage } from '../i18n/catalogue.js';
 import { messageWords } from '../i18n/message_words.js';
+import { PlacePanel } from '../ui/place_panel.js';
 import { Centre } from './centre.js';
 import { Placing } from './placing.js';
 import { FakeMessages, Pending, crashed, fake, noRoom, settled } from './testing.js';
@@ -21,7 +23,7 @@ let moved = 0;
 
 beforeEach(() => {
   messages = new FakeMessages();
-  client = fake({
+  client = fake(EngineClient, {
     placement: async () => ({ symbolMm: 20 }),
     setCentre: async (/** @type {number[]} */ mm) => ({ hit: true, centre: mm }),
   });
@@ -34,7 +36,7 @@ beforeEach(() => {
     model,
     centre,
     messages: /** @type {any} */ (messages),
-    panel: fake(),
+    panel: fake(PlacePanel),
     settings: () => /** @type {any} */ ({}),
     mayMove: () => mayMove,
     onMoved: () => void (moved += 1),

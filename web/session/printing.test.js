@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import assert from 'node:assert/strict';
 import { beforeEach, test } from 'node:test';
+import { EngineClient } from '../engine/client.js';
 import { Printing } from './printing.js';
 import { Pending, crashed, fake, settled } from './testing.js';
 
@@ -15,7 +16,7 @@ const tell = (/** @type {Printed} */ printed, /** @type {unknown} */ report) => 
 const states = () => told.map(([{ state }]) => state);
 
 beforeEach(() => {
-  client = fake({
+  client = fake(EngineClient, {
     printJob: async () => ({ order: {}, stl: new Uint8Array(3) }),
     setPrintedReadings: async () => ({ passed: true, next: null, report: { text: 'with the print' } }),
   });

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import assert from 'node:assert/strict';
 import { after, beforeEach, test } from 'node:test';
+import { EngineClient } from '../engine/client.js';
+import { Carving } from './carving.js';
 import { Centre } from './centre.js';
+import { ModelSession } from './model_session.js';
+import { Placing } from './placing.js';
+import { SpotFinding } from './spot_finding.js';
 import { FakeMessages, Pending, fake, settled } from './testing.js';
 import { Undo } from './undo.js';
 
@@ -37,28 +42,36 @@ beforeEach(() => {
   controls = { text: 'a', values: { preset: 'balanced' } };
   centre = new Centre(() => {});
   centre.put([1, 0, 0]);
-  model = fake({
-    load: async (/** @type {any} */ source, /** @type {any} */ centreMm) => {
-      model.answers.source = source;
-      centre.put(centreMm);
+  model = fake(
+    ModelSession,
+    {
+      load: async (/** @type {any} */ source, /** @type {any} */ centreMm) => {
+        model.source = source;
+        centre.put(centreMm);
+      },
     },
+    { source: { bytes: new Uint8Array([1]), scaleToMm: 1, upAxis: 'z' } },
+  );
+  placing = fake(Placing, {
+    put: async (/** @type {any} */ mm, /** @type {boolean} */ isGuess) => centre.put(mm, isGuess),
   });
-  model.answers.source = { bytes: new Uint8Array([1]), scaleToMm: 1, upAxis: 'z' };
-  placing = fake({ put: async (/** @type {any} */ mm, /** @type {boolean} */ isGuess) => centre.put(mm, isGuess) });
-  carving = fake({
-    restore: async (/** @type {any} */ carved) => {
-      carving.answers.carved = carved;
-      return carved !== undefined;
+  carving = fake(
+    Carving,
+    {
+      restore: async (/** @type {any} */ carved) => {
+        carving.carved = carved;
+        return carved !== undefined;
+      },
     },
-  });
-  Object.defineProperty(carving, 'carved', { get: () => carving.answers.carved });
+    { carved: undefined },
+  );
   messages = new FakeMessages();
   undo = new Undo({
-    client: fake(),
+    client: fake(EngineClient),
     model,
     placing,
     carving,
-    spots: fake(),
+    spots: fake(SpotFinding),
     messages: /** @type {any} */ (messages),
     jobs: /** @type {any} */ ({
       get busy() {
@@ -66,12 +79,7 @@ beforeEach(() => {
       },
     }),
     work: () =>
-      /** @type {any} */ ({
-        source: model.answers.source,
-        ...controls,
-        centreMm: centre.mm,
-        centreIsGuess: centre.isGuess,
-      }),
+      /** @type {any} */ ({ source: model.source, ...controls, centreMm: centre.mm, centreIsGuess: centre.isGuess }),
     write: ({ text, values }) => void (controls = /** @type {any} */ ({ text, values })),
     guard: (action) => action().then(() => {}),
     onRestored: () => {},
@@ -109,24 +117,24 @@ test('A centre goes back to where it was, and stays the module’s if it was', a
 });
 
 test('Another model is loaded again, with the centre chosen on it', async () => {
-  const before = model.answers.source;
-  model.answers.source = { bytes: new Uint8Array([2]), scaleToMm: 1, upAxis: 'z' };
+  const before = model.source;
+  model.source = { bytes: new Uint8Array([2]), scaleToMm: 1, upAxis: 'z' };
   centre.put([9, 9, 9], true);
   undo.record();
   undo.undo();
   await settled();
-  assert.equal(model.answers.source, before);
+  assert.equal(model.source, before);
   assert.deepEqual(centre.chosenMm, [1, 0, 0]);
 });
 
 test('A carving comes back if the module still has it; else that is said', async () => {
-  carving.answers.carved = { number: 1 };
+  carving.carved = { number: 1 };
   undo.record();
-  carving.answers.carved = { number: 2 };
+  carving.carved = { number: 2 };
   undo.record();
   undo.undo();
   await settled();
-  assert.equal(carving.answers.carved.number, 1);
+  assert.equal(carving.carved.number, 1);
   assert.deepEqual(messages.said, []);
   carving.answers.restore = async () => false;
   undo.redo();
