@@ -65,12 +65,12 @@ beforeEach(() => {
   });
 });
 
-test('An engine is given what all rows share, once', async () => {
+test('An engine gets the common settings once', async () => {
   await engine.start();
   assert.deepEqual(calls, ['start', 'setUpAxis y', 'loadModel cube.stl 25.4', 'planBatch', 'setCentre']);
 });
 
-test('A row is carved with the settings of all and its own, and its line has the hashes of what it comes from', async () => {
+test('A row is carved with common and own settings, and its line has the hashes of its inputs', async () => {
   const carved = await carveSecond();
   assert.deepEqual(configured, [{ text: 'two', preset: 'balanced', version: 1 }]);
   assert.deepEqual(carved.entry, {
@@ -87,12 +87,12 @@ test('A row is carved with the settings of all and its own, and its line has the
   assert.ok(!calls.includes('printJob'));
 });
 
-test('The print is looked at where that is asked for', async () => {
+test('The print is simulated on request', async () => {
   await carveSecond(true);
   assert.ok(calls.includes('setPrintedReadings 7 12'));
 });
 
-test('What does not read is carved as the module proposes', async () => {
+test('A row that does not decode is carved as the module proposes', async () => {
   nexts = [{ setting: 'preset', value: 'robust' }, null];
   assert.equal((await carveSecond()).entry.status, 'done');
   assert.deepEqual(
@@ -101,7 +101,7 @@ test('What does not read is carved as the module proposes', async () => {
   );
 });
 
-test('What barely reads as printed is carved deeper, and stays so only if its print reads then', async () => {
+test('A row whose print barely decodes is carved deeper, and keeps that only if the print then decodes', async () => {
   const robust = { setting: 'preset', value: 'robust' };
   for (const isMended of [true, false]) {
     calls = [];
@@ -121,7 +121,7 @@ test('What barely reads as printed is carved deeper, and stays so only if its pr
   }
 });
 
-test('What cannot be carved deeper for its print stays as it was asked for', async () => {
+test('A row that cannot be carved deeper for its print stays as requested', async () => {
   answers.setPrintedReadings = () => ({ passed: false, next: { setting: 'preset', value: 'robust' } });
   let carvings = 0;
   answers.engrave = () => {
@@ -132,7 +132,7 @@ test('What cannot be carved deeper for its print stays as it was asked for', asy
   assert.ok(calls.includes('useCarving 7'));
 });
 
-test('A row whose checks do not pass has no file, and says which', async () => {
+test('A row with failed checks has no file and names the checks', async () => {
   answers.describeRow = { passed: false, failed: [message('row-without-text')], details: { grades: 'F' } };
   const carved = await carveSecond();
   assert.deepEqual(
@@ -141,7 +141,7 @@ test('A row whose checks do not pass has no file, and says which', async () => {
   );
 });
 
-test('A row that cannot be carved fails; an engine that is beyond use is told', async () => {
+test('A row that cannot be carved fails; a broken engine is reported', async () => {
   answers.engrave = new EngineFailure({ kind: 'NoSolution', ...message('no-centre') });
   const carved = await carveSecond();
   assert.deepEqual([carved.entry.status, carved.why?.code], ['failed', 'no-centre']);
@@ -149,7 +149,7 @@ test('A row that cannot be carved fails; an engine that is beyond use is told', 
   await assert.rejects(carveSecond(), { code: 'engine-crashed' });
 });
 
-test('An inlay is written where a row asks for it', async () => {
+test('An inlay is written for a row that requests it', async () => {
   answers.batchRow.settings.inlay = true;
   await carveSecond();
   assert.ok(calls.includes('exportModel 3mf-inlay'));

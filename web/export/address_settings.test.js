@@ -7,7 +7,7 @@ import { settingsFromAddress } from './address_settings.js';
 const kControls = ['pattern', 'contrast', 'maxSizeMm', 'light', 'keepPreset', 'mask'];
 const read = (/** @type {string} */ query) => settingsFromAddress(new URLSearchParams(query), kControls);
 
-test('settings are read by their names, each by its kind', () => {
+test('settings are read by name and kind', () => {
   assert.deepEqual(
     read('sample=bunny&text=HELLO&pattern=square&contrast=0.4&light=90,33,1+180,20&keepPreset=true&mask=3'),
     {
@@ -25,7 +25,7 @@ test('settings are read by their names, each by its kind', () => {
   assert.deepEqual(read('sample=bunny'), {});
 });
 
-test('a value that cannot be used is refused, with the reason', () => {
+test('an invalid value is refused with the reason', () => {
   for (const query of ['pattern=star', 'contrast=2', 'contrast=', 'light=90', 'keepPreset=yes', 'mask=9']) {
     assert.throws(() => read(query), { code: 'settings-address-refused' }, query);
   }
