@@ -491,7 +491,7 @@ async function tryAll(hands, ...parts) {
     await test.step(id, () => effect(hands));
 }
 
-test('Every control before the carving has its effect, and none of the page is left out', async ({ page }) => {
+test('Every control before the carving has its effect, and the test covers all', async ({ page }) => {
   const hands = await open(page);
   await tryAll(hands, kOfTheModel, kOfTheParts, kOfThePlace, kOfTheView, kOfThePage);
 
@@ -507,9 +507,7 @@ test('Every control before the carving has its effect, and none of the page is l
   expect(tested.filter((id) => !all.includes(id))).toEqual([]);
 });
 
-test('Every setting is saved, those that the report names are the ones carved with, and every control of the carving has its effect', async ({
-  page,
-}) => {
+test('Every setting is saved and carved with, and every control of the carving has its effect', async ({ page }) => {
   const hands = await open(page);
   const { app, at, press } = hands;
   const isPhone = test.info().project.name === 'phone';

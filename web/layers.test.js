@@ -85,7 +85,7 @@ const kSources = readdirSync(kRoot, { recursive: true, encoding: 'utf8' })
   .filter((path) => path.endsWith('.js') && !path.endsWith('.test.js') && !kApart.includes(folderOf(path)));
 const read = (/** @type {string} */ path) => readFileSync(new URL(path, kRoot), 'utf8');
 
-test('A folder imports only what stands below it', () => {
+test('A folder imports only lower layers', () => {
   assert.deepEqual(
     kSources.flatMap((path) => violationsIn(path, read(path))),
     [],
@@ -96,11 +96,11 @@ test('The layers are the folders of web/', () => {
   assert.deepEqual([...new Set(kSources.map(folderOf))].sort(), [...kLayers].sort());
 });
 
-test('No module imports itself by way of others', () => {
+test('There are no import cycles', () => {
   assert.deepEqual(cyclesAmong(kSources, read), []);
 });
 
-test('What is forbidden is seen', () => {
+test('Forbidden imports are detected', () => {
   assert.deepEqual(violationsIn('ui/a.js', "import { b } from '../session/b.js';"), ['ui/a.js imports session/b.js']);
   assert.deepEqual(violationsIn('view/a.js', "/** @typedef {import('../ui/b.js').B} B */"), [
     'view/a.js imports ui/b.js',

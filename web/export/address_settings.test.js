@@ -8,7 +8,7 @@ const kControls = ['pattern', 'contrast', 'maxSizeMm', 'light', 'keepPreset', 'm
 const readAll = (/** @type {string} */ query) => settingsFromAddress(new URLSearchParams(query), kControls);
 const read = (/** @type {string} */ query) => readAll(query).settings;
 
-test('settings are read by their names, each by its kind', () => {
+test('settings are read by name and kind', () => {
   assert.deepEqual(
     read('sample=bunny&text=HELLO&pattern=square&contrast=0.4&light=90,33,1+180,20&keepPreset=true&mask=3'),
     {
@@ -35,7 +35,7 @@ test('a removed setting is ignored with a warning', () => {
   );
 });
 
-test('a value that cannot be used is refused, with the reason', () => {
+test('an invalid value is refused with the reason', () => {
   for (const query of ['pattern=star', 'contrast=2', 'contrast=', 'light=90', 'keepPreset=yes', 'mask=9']) {
     assert.throws(() => read(query), { code: 'settings-address-refused' }, query);
   }

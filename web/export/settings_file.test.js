@@ -51,7 +51,7 @@ const changed = (change) =>
 /** @param {Record<string, unknown>} change */
 const withSettings = (change) => changed({ settings: { ...kSettings, ...change } });
 
-test('what is written is read again, with and without a model', () => {
+test('a written file can be read again, with and without a model', () => {
   const whole = {
     settings: {
       ...kSettings,
@@ -79,7 +79,7 @@ const refusedWith = (found) => (/** @type {unknown} */ thrown) =>
   found.test(sentenceOf(thrown)) &&
   hintOf(thrown) !== '';
 
-test('another file is refused, and said what it is', () => {
+test('another kind of file is refused by name', () => {
   const refused = [
     ['', /x\.json” is not a JSON file/],
     ['solid bunny', /not a JSON/],
@@ -141,19 +141,19 @@ test('every wrong property of the model is named', () => {
   }
 });
 
-test('cut off anywhere, a file is refused', () => {
+test('a file truncated anywhere is refused', () => {
   const whole = writeSettingsFile({ settings: kSettings, model: kModel }).trimEnd();
   for (let length = 0; length < whole.length; length += 1) {
     assert.throws(() => readSettingsFile(whole.slice(0, length), 'x.json'), { name: 'EngineFailure' });
   }
 });
 
-test('a file has what the page has controls for, and the text', () => {
+test('a file has the text and every setting with a control', () => {
   assert.deepEqual([...kControls, 'text'].sort(), [...kFileKeys].sort());
   assert.ok(kControls.every((key) => key in kTable));
 });
 
-test('what files of the first release had must be there, but for what is empty or automatic at first', () => {
+test('every setting of the first release is required, unless it is empty or automatic at first', () => {
   const had = [
     'text',
     'preset',
@@ -204,7 +204,7 @@ test('removed settings are ignored with a warning', () => {
   );
 });
 
-test('settings are told from models by name or type', () => {
+test('settings are distinguished from models by name or type', () => {
   assert.ok(looksLikeSettings({ name: 'a.JSON', type: '' }));
   assert.ok(looksLikeSettings({ name: 'a', type: 'application/json' }));
   assert.ok(!looksLikeSettings({ name: 'a.json.stl', type: 'model/stl' }));

@@ -43,14 +43,14 @@ beforeEach(() => {
   });
 });
 
-test('A model is there once it is read, with the centre it comes with', async () => {
+test('A model is set once it is read, with its centre', async () => {
   await model.load(kSource, [1, 2, 3]);
   assert.deepEqual(told, ['replacing', 'loaded']);
   assert.equal(model.source?.fileName, 'a.stl');
   assert.deepEqual(centre.chosenMm, [1, 2, 3]);
 });
 
-test('A file that cannot be read leaves the model before it, with its centre and upright', async () => {
+test('An unreadable file keeps the previous model, its centre and its up axis', async () => {
   await model.load(kSource, [1, 2, 3]);
   client.answers.loadModel = async () => {
     throw noRoom();
@@ -65,7 +65,7 @@ test('A file that cannot be read leaves the model before it, with its centre and
   assert.equal(told.at(-1), 'failed');
 });
 
-test('In another unit the centre stays where it is on the model, wherever it was moved or undone to', async () => {
+test('In another unit the centre keeps its position on the model, even after moves and undos', async () => {
   await model.load(kSource, [1, 2, 3]);
   centre.put([4, 5, 6]);
   await model.rescale(10);
@@ -75,13 +75,13 @@ test('In another unit the centre stays where it is on the model, wherever it was
   assert.equal(centre.mm, undefined); // a proposal is not kept
 });
 
-test('The unit that a file states takes the place of none', async () => {
+test('The unit of the file replaces an unknown one', async () => {
   await model.load({ ...kSource, scaleToMm: 0 });
   assert.equal(model.source?.scaleToMm, 25.4);
   assert.equal(model.source?.unitStated, true);
 });
 
-test('A sample that is not there is named together with those there are, and nothing is read', async () => {
+test('An unknown sample is named with the known ones, and nothing is read', async () => {
   const sample = {
     name: 'A',
     file: 'a.stl',

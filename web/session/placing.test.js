@@ -45,7 +45,7 @@ beforeEach(() => {
 });
 afterEach(() => setLanguage('en'));
 
-test('Without a centre of its own a model begins at the one that the module proposes', async () => {
+test('A model without a centre starts at the module’s proposal', async () => {
   await placing.begin();
   assert.deepEqual(centre.mm, [1, 2, 3]);
   assert.equal(centre.isGuess, true);
@@ -54,7 +54,7 @@ test('Without a centre of its own a model begins at the one that the module prop
   assert.equal(messages.said.at(-1), 'Ready.');
 });
 
-test('A proposal where the code has no place asks for another; a choice there is an error', async () => {
+test('A proposed centre without room asks for another; a chosen one is an error', async () => {
   client.answers.placement = async () => {
     throw noRoom();
   };
@@ -67,7 +67,7 @@ test('A proposal where the code has no place asks for another; a choice there is
   assert.equal(moved, 1);
 });
 
-test('Who insists on the proposal hears of the error, too', async () => {
+test('Insisting on the proposal reports the error', async () => {
   await placing.begin();
   placing.insist();
   client.answers.placement = async () => {
@@ -77,7 +77,7 @@ test('Who insists on the proposal hears of the error, too', async () => {
   assert.equal(problem().code, 'no-centre');
 });
 
-test('Asked again while it runs, it runs once more, with the newest settings', async () => {
+test('A request during a run causes one more run, with the newest settings', async () => {
   centre.put([0, 0, 0]);
   const first = new Pending();
   client.answers.placement = () => first.promise;
@@ -92,7 +92,7 @@ test('Asked again while it runs, it runs once more, with the newest settings', a
   assert.equal(messages.said.filter((said) => said === 'Ready.').length, 1, 'said only of the newest');
 });
 
-test('An error that a newer request follows is not shown', async () => {
+test('An error is not shown if a newer request follows', async () => {
   centre.put([0, 0, 0]);
   const first = new Pending();
   client.answers.placement = () => first.promise;
@@ -105,7 +105,7 @@ test('An error that a newer request follows is not shown', async () => {
   assert.equal(problem(), undefined);
 });
 
-test('A model that cannot be engraved says why, in the language chosen', async () => {
+test('A model that cannot be engraved says why, in the chosen language', async () => {
   model.engravable = false;
   model.info = {
     engravable: false,
@@ -122,7 +122,7 @@ test('A model that cannot be engraved says why, in the language chosen', async (
   assert.equal(problem().found(), 'Es gibt keine Stelle 7');
 });
 
-test('While something is at work, and beside the model, nothing moves', async () => {
+test('Nothing moves during a job or beside the model', async () => {
   centre.put([0, 0, 0]);
   mayMove = false;
   await placing.move(async () => ({ hit: true, centre: /** @type {Point} */ ([9, 9, 9]) }));
@@ -132,7 +132,7 @@ test('While something is at work, and beside the model, nothing moves', async ()
   assert.equal(moved, 0);
 });
 
-test('A module that is beyond use is for others to replace', async () => {
+test('A broken module is left for others to replace', async () => {
   centre.put([0, 0, 0]);
   client.answers.placement = async () => {
     throw crashed();
@@ -140,7 +140,7 @@ test('A module that is beyond use is for others to replace', async () => {
   await assert.rejects(placing.place(), { code: 'engine-crashed' });
 });
 
-test('From the moment that the code is placed anew the page is not said to be ready', async () => {
+test('Placing the code again withdraws the “Ready” message at once', async () => {
   centre.put([0, 0, 0]);
   await placing.place();
   assert.equal(messages.said.at(-1), 'Ready.');

@@ -95,7 +95,7 @@ after(() => {
   });
 });
 
-test('A text is undone and redone, and the code placed anew', async () => {
+test('A text is undone and redone, and the code placed again', async () => {
   controls = { ...controls, text: 'b' };
   undo.record('text');
   undo.undo();
@@ -107,7 +107,7 @@ test('A text is undone and redone, and the code placed anew', async () => {
   assert.equal(controls.text, 'b');
 });
 
-test('A centre goes back to where it was, and stays the module’s if it was', async () => {
+test('Undo restores a centre and whether it was proposed', async () => {
   centre.put([2, 0, 0]);
   undo.record('centre');
   undo.undo();
@@ -116,7 +116,7 @@ test('A centre goes back to where it was, and stays the module’s if it was', a
   assert.deepEqual(model.calls, []);
 });
 
-test('Another model is loaded again, with the centre chosen on it', async () => {
+test('Undo reloads the previous model with its chosen centre', async () => {
   const before = model.source;
   model.source = { bytes: new Uint8Array([2]), scaleToMm: 1, upAxis: 'z' };
   centre.put([9, 9, 9], true);
@@ -127,7 +127,7 @@ test('Another model is loaded again, with the centre chosen on it', async () => 
   assert.deepEqual(centre.chosenMm, [1, 0, 0]);
 });
 
-test('A carving comes back if the module still has it; else that is said', async () => {
+test('A carving is restored if the module still has it; else a message says so', async () => {
   carving.carved = { number: 1 };
   undo.record();
   carving.carved = { number: 2 };
@@ -142,7 +142,7 @@ test('A carving comes back if the module still has it; else that is said', async
   assert.equal(messages.said.length, 1);
 });
 
-test('What happens together is undone together', async () => {
+test('Combined changes are undone together', async () => {
   await undo.asOne(async () => {
     controls = { ...controls, text: 'b' };
     undo.record('text');
@@ -154,7 +154,7 @@ test('What happens together is undone together', async () => {
   assert.deepEqual(controls, { text: 'a', values: { preset: 'balanced' } });
 });
 
-test('What is replaced while another change goes on can be brought back', async () => {
+test('A state replaced during another change can be restored', async () => {
   const placed = new Pending();
   const loading = undo.asOne(async () => {
     controls = { ...controls, text: 'b' };
@@ -172,7 +172,7 @@ test('What is replaced while another change goes on can be brought back', async 
   assert.equal(controls.text, 'b');
 });
 
-test('The buttons wait while something is at work, and while a state comes back', async () => {
+test('The buttons are disabled during jobs and while a state is restored', async () => {
   controls = { ...controls, text: 'b' };
   undo.record();
   assert.equal(elements.undo.disabled, false);
