@@ -132,7 +132,8 @@ TEST(Messages, AreAllUsed) {
 
 TEST(Messages, OfThePageAreNotAmongTheCommandsWords) {
   const Names onPage = codesMadeIn(kOfPage);
-  for (const auto& [code, entry] : catalogues().at(kCommandWords).items())
+  const Json commandWords = catalogues().at(kCommandWords);
+  for (const auto& [code, entry] : commandWords.items())
     EXPECT_FALSE(onPage.contains(code)) << code << " needs German, so it belongs in another file";
 }
 
