@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "script/generate/option_texts.h"
+#include "generate/option_texts.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

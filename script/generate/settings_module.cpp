@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "script/generate/settings_module.h"
+#include "generate/settings_module.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
